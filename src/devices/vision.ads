@@ -1,0 +1,167 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The camera, and what is seen in its images: the Ada side of vision_c. It
+--  only passes on; what is to be done with an image is decided above.
+
+with Bytes;
+with Options;
+
+package Vision with
+  SPARK_Mode,
+  Abstract_State =>
+    ((Camera with Synchronous, External => (Async_Readers, Async_Writers)),
+     (Frames with Synchronous, External => (Async_Readers, Async_Writers))),
+  Initializes    => (Camera, Frames)
+is
+
+   --  Camera is the open source of images. It belongs to one task at a time,
+   --  and so does each slot of Frames; two tasks may work on two slots at
+   --  once. No task is started, nothing is locked, nothing raises. A task
+   --  that calls needs 256 kB of stack for OpenCV, 1 MB where it opens.
+
+   type Slot is range 0 .. 5;
+   --  A place for one image. What an operation needs is that the slot holds
+   --  one: Bad_Argument where it never did.
+
+   type Status is
+     (Done,
+      Not_Found,     --  nothing wrong: no arena, no robot
+      No_Camera,     --  the source cannot be opened, or is not open
+      No_Image,      --  the source delivered nothing usable
+      Too_Small,     --  the buffer cannot hold the result
+      Bad_Argument,
+      Failed);       --  OpenCV failed inside, or memory is exhausted
+
+   type Micro_Pixels is range -10 ** 13 .. 10 ** 13;
+   --  Millionths of a pixel of the whole image, x to the right and y down, 0
+   --  the centre of the top left pixel
+
+   type Micro_Degrees is range -180_000_000 .. 180_000_000;
+   --  Millionths of a degree
+
+   type Point is record
+      X, Y : Micro_Pixels := 0;
+   end record;
+
+   type Corner is (Top_Left, Top_Right, Bottom_Right, Bottom_Left);
+
+   type Arena_Corners is array (Corner) of Point;
+   --  Inner corners of the white border, as the image shows them
+
+   No_Arena : constant Arena_Corners := (others => (X => 0, Y => 0));
+
+   type Identifier is range 0 .. 999;
+   --  Of an ArUco marker (DICT_4X4_1000); 0 for a triangle
+
+   type Robot is record
+      Id        : Identifier    := 0;
+      Centre    : Point;
+      Direction : Point;               --  the point that the robot looks at
+      Angle     : Micro_Degrees := 0;  --  PROTOCOL: atan2 (cy - dy, cx - dx)
+   end record;
+
+   subtype Robot_Count is Natural range 0 .. 4;
+
+   type Robot_Array is array (1 .. Robot_Count'Last) of Robot;
+
+   subtype Side is Positive range 1 .. 8_192;
+   --  Of an image, in pixels
+
+   subtype Percentage is Positive range 1 .. 100;
+
+   Max_Source : constant := 1_024;
+   --  Characters in the name of a source
+
+   subtype Reason_Text is String (1 .. 120);
+
+   procedure Open
+     (Source        : String;
+      Width, Height : Side;
+      Fps           : Positive;
+      Result        : out Status)
+   with
+     Global => (In_Out => Camera),
+     Pre    => Source'Length <= Max_Source,
+     Post   => Result in Done | No_Camera | Bad_Argument | Failed;
+   --  Opens a camera number, device path, file, URL or GStreamer pipeline.
+   --  Images come scaled to fit Width x Height. What was open is closed
+   --  first. Takes as long as the source does, 5 s at most for a URL.
+
+   procedure Grab (Into : Slot; Result : out Status)
+   with
+     Global => (In_Out => (Camera, Frames)),
+     Post   => Result in Done | No_Camera | No_Image | Failed;
+   --  Waits for the next image, 2 s at most where the source lets itself be
+   --  interrupted. The slot keeps what it had unless Done.
+
+   procedure Close
+   with Global => (In_Out => Camera);
+   --  Without effect where nothing is open
+
+   procedure Find_Arena
+     (In_Slot : Slot;
+      Arena   : out Arena_Corners;
+      Result  : out Status)
+   with
+     Global => (Input => Frames),
+     Post   => Result in Done | Not_Found | Bad_Argument | Failed
+       and then (if Result /= Done then Arena = No_Arena);
+
+   procedure Find_Robots
+     (In_Slot   : Slot;
+      Marker    : Options.Marker_Kind;
+      Arena     : Arena_Corners;
+      Use_Arena : Boolean;
+      Robots    : out Robot_Array;
+      Count     : out Robot_Count;
+      Result    : out Status)
+   with
+     Global => (Input => Frames),
+     Post   => Result in Done | Not_Found | Bad_Argument | Failed
+       and then (Result = Done) = (Count > 0);
+   --  The robots in the image, lowest identifier first; inside Arena only
+   --  where Use_Arena says so
+
+   procedure Draw_Arena
+     (In_Slot : Slot;
+      Arena   : Arena_Corners;
+      Result  : out Status)
+   with
+     Global => (In_Out => Frames),
+     Post   => Result in Done | Bad_Argument | Failed;
+
+   procedure Draw_Robot
+     (In_Slot : Slot;
+      Item    : Robot;
+      Result  : out Status)
+   with
+     Global => (In_Out => Frames),
+     Post   => Result in Done | Bad_Argument | Failed;
+
+   procedure Encode
+     (From    : Slot;
+      Quality : Percentage;
+      Buffer  : in out Bytes.Byte_Array;
+      Length  : out Natural;
+      Result  : out Status)
+   with
+     Global => (Input => Frames),
+     Post   => Result in Done | Too_Small | Bad_Argument | Failed
+       and then Length <= Buffer'Length
+       and then (Result = Done) = (Length > 0);
+   --  The image as JPEG, in the first Length bytes of Buffer; those behind
+   --  keep what they had
+
+   procedure Reason (Text : out Reason_Text; Last : out Natural)
+   with
+     Global => (Input => (Camera, Frames)),
+     Post   => Last <= Text'Last;
+   --  Why the last operation of the calling task was not Done, for the log:
+   --  Text (1 .. Last), the rest blank
+
+   procedure Library_Version (Text : out Reason_Text; Last : out Natural)
+   with
+     Global => null,
+     Post   => Last <= Text'Last;
+   --  The version of OpenCV, such as "4.6.0"
+
+end Vision;

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/* The camera and the image work of the supervisor: a plain C interface
+ * over OpenCV 4, usable from any language.
+ *
+ * Threads: no function starts a thread, and OpenCV is kept to the calling
+ * one. The camera (vision_open, vision_grab, vision_close) belongs to one
+ * thread at a time; each frame slot belongs to one thread at a time; the
+ * caller sees to both. Different slots may be used by different threads at
+ * once.
+ *
+ * Errors: every function returns a vision_status; no C++ exception leaves.
+ *
+ * Coordinates: pixels of the whole image, sub-pixel, x to the right and y
+ * down, (0, 0) the centre of the top left pixel.
+ */
+#ifndef VISION_H
+#define VISION_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Frame slots, numbered from 0. */
+#define VISION_SLOTS 6
+
+/* The largest frame accepted from a source, in pixels a side. */
+#define VISION_MAX_SIDE 8192
+
+typedef enum {
+  VISION_OK = 0,
+  VISION_NOT_FOUND = 1,   /* nothing wrong: no arena, no robot */
+  VISION_NO_CAMERA = 2,   /* the source cannot be opened, or is not open */
+  VISION_NO_IMAGE = 3,    /* the source delivered nothing usable */
+  VISION_TOO_SMALL = 4,   /* the caller's buffer cannot hold the result */
+  VISION_BAD_ARGUMENT = 5,
+  VISION_FAILED = 6       /* OpenCV failed inside */
+} vision_status;
+
+typedef enum {
+  VISION_MARKER_ARUCO = 0,    /* DICT_4X4_1000 */
+  VISION_MARKER_TRIANGLE = 1  /* white triangle, identifier 0 */
+} vision_marker;
+
+typedef struct { double x, y; } vision_point;
+
+/* The four inner corners of the arena's white border, in the order top
+ * left, top right, bottom right, bottom left as the image shows them. */
+typedef struct { vision_point corner[4]; } vision_arena;
+
+typedef struct {
+  int id;                  /* 0 .. 999; 0 for a triangle */
+  vision_point centre;     /* of the marker */
+  vision_point direction;  /* the point that the robot looks at */
+  double angle;            /* atan2 (cy - dy, cx - dx), degrees, (-180, 180] */
+} vision_robot;
+
+/* Opens SOURCE: a camera number, a device path, a file (still image or
+ * video, replayed in a loop), a URL, or a GStreamer pipeline (text with a
+ * '!'). WIDTH, HEIGHT and FPS are asked of a camera; every frame is scaled
+ * to fit WIDTH x HEIGHT, its proportions kept, when the source delivers
+ * another size. SOURCE stays the caller's. An open source is closed first.
+ * May take as long as the source does, 5 s at most for a URL.
+ * VISION_NO_CAMERA when it cannot be opened or gives no first image. */
+vision_status vision_open(const char *source, int width, int height, int fps);
+
+/* Waits for the next image of the open source and stores it in SLOT.
+ * Paced by the source; a file is paced at its own rate (a still image at
+ * 25 a second). VISION_NO_IMAGE after 2 s without one, where the source
+ * lets itself be interrupted. */
+vision_status vision_grab(int slot);
+
+/* Closes the source; does nothing when none is open. */
+vision_status vision_close(void);
+
+/* The size of the image in SLOT. */
+vision_status vision_size(int slot, int *width, int *height);
+
+/* Finds the arena in the image of SLOT: a 4:3 grey field with a white
+ * border that fills a good part of the image. VISION_NOT_FOUND if none. */
+vision_status vision_find_arena(int slot, vision_arena *arena);
+
+/* Finds the robots in the image of SLOT, inside ARENA unless it is null,
+ * and writes at most CAPACITY of them, lowest identifier first; COUNT is
+ * how many were written. VISION_NOT_FOUND with COUNT 0 if none. */
+vision_status vision_find_robots(int slot, vision_marker marker,
+                                 const vision_arena *arena,
+                                 vision_robot *robots, int capacity,
+                                 int *count);
+
+/* Draw into the image of SLOT. */
+vision_status vision_draw_arena(int slot, const vision_arena *arena);
+vision_status vision_draw_robot(int slot, const vision_robot *robot);
+
+/* Encodes the image of SLOT as JPEG, QUALITY 1 .. 100, into BUFFER of
+ * CAPACITY bytes; LENGTH is how many were written. VISION_TOO_SMALL when
+ * they do not fit (nothing is written then). */
+vision_status vision_encode(int slot, int quality, unsigned char *buffer,
+                            int capacity, int *length);
+
+/* Stores an image from memory in SLOT: 8-bit BGR, rows of WIDTH * 3 bytes
+ * without padding. The memory stays the caller's. */
+vision_status vision_load(int slot, const unsigned char *bgr, int width,
+                          int height);
+
+/* What went wrong last in the calling thread, for a log: never null, valid
+ * until the next call from this thread. */
+const char *vision_reason(void);
+
+/* The version of OpenCV in use, such as "4.6.0". Static. */
+const char *vision_library(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
