@@ -1,0 +1,114 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Where the emulated robot stands and how its wheels move it: integers
+--  only, a pose as a function of the time since the last order.
+
+package Robot_Motion with SPARK_Mode, Pure is
+
+   type Micro is range -2 ** 62 .. 2 ** 62;
+   --  Micrometres, microdegrees and microseconds
+
+   subtype Time_Point is Micro range 0 .. 2 ** 60;
+   --  Microseconds since the emulator started (36,000 years of them)
+
+   Wheel_Speed : constant := 200;
+   --  Straight ahead, mm/s. The firmware's regulator asks both wheels for
+   --  the same set point whatever the distance, so there is one speed.
+
+   Turn_Rate : constant := 90;
+   --  On the spot, degrees/s. Neither rate is documented for the robot;
+   --  these are plausible for wheels of its size.
+
+   Arena_Width  : constant := 800_000;  --  inner edges, micrometres
+   Arena_Height : constant := 600_000;
+
+   Body_Radius : constant := 62_000;
+   --  The robot's, micrometres, as tests/scene draws it: its centre comes
+   --  no nearer to a wall
+
+   Full_Turn : constant := 360_000_000;
+
+   subtype X_Position is Micro
+     range Body_Radius .. Arena_Width - Body_Radius;
+   --  From the left inner edge of the arena
+   subtype Y_Position is Micro
+     range Body_Radius .. Arena_Height - Body_Radius;
+   --  From the bottom inner edge
+   subtype Heading is Micro range 0 .. Full_Turn - 1;
+   --  Counter-clockwise, 0 looks along x
+
+   type Pose is record
+      X     : X_Position := Arena_Width / 2;
+      Y     : Y_Position := Arena_Height / 2;
+      Angle : Heading    := 0;
+   end record;
+
+   subtype Amount is Integer range -32_768 .. 32_767;
+   --  Of an order: millimetres or degrees
+
+   Endless_Forward  : constant Amount := 32_767;
+   Endless_Backward : constant Amount := -32_768;
+   --  A movement by one of these never ends by itself. On a turn the
+   --  positive one is to the left (counter-clockwise).
+
+   type Motion is private;
+   --  A robot's pose and what its wheels are doing; at rest in the middle
+   --  of the arena by default
+
+   function Is_Moving (M : Motion) return Boolean;
+   --  Wheels turning. Against a wall they go on turning (they slip) for as
+   --  long as the order would have taken.
+
+   function Pose_Of (M : Motion) return Pose;
+
+   procedure Place (M : in out Motion; At_Pose : Pose)
+     with Post => Pose_Of (M) = At_Pose and then not Is_Moving (M);
+   --  Puts the robot somewhere by hand, at rest
+
+   procedure Halt (M : in out Motion)
+     with Post => not Is_Moving (M);
+   --  Stops at once where it is
+
+   procedure Go (M : in out Motion; Millimetres : Amount)
+     with Post => Is_Moving (M) = (Millimetres /= 0);
+   --  Straight on from where it is, backward where negative; replaces what
+   --  was under way
+
+   procedure Turn (M : in out Motion; Degrees : Amount)
+     with Post => Is_Moving (M) = (Degrees /= 0);
+   --  On the spot, to the left where positive; replaces likewise
+
+   subtype Step is Micro range 0 .. 1_000_000;
+
+   procedure Advance (M : in out Motion; Elapsed : Step)
+     with Post => (if not Is_Moving (M'Old) then not Is_Moving (M));
+   --  Lets Elapsed microseconds pass; at rest once the order is done
+
+   function Sine (Angle : Heading) return Micro
+     with Post => Sine'Result in -1_000_000 .. 1_000_000;
+   --  In millionths, right to 40 of them
+
+   function Cosine (Angle : Heading) return Micro
+     with Post => Cosine'Result in -1_000_000 .. 1_000_000;
+
+private
+
+   type Order_Kind is (None, Straight, Rotation);
+
+   Longest_Run : constant := 400_000_000;
+   --  Microseconds: the longest finite order is a turn by 32,767 degrees,
+   --  364 s
+
+   subtype Run_Time is Micro range 0 .. Longest_Run;
+
+   type Motion is record
+      From     : Pose;                  --  where the order began
+      Order    : Order_Kind := None;
+      Endless  : Boolean    := False;
+      Positive : Boolean    := True;    --  forward, or to the left
+      Duration : Run_Time   := 0;       --  of a finite order
+      Done     : Run_Time   := 0;       --  time since it began
+   end record;
+
+   function Is_Moving (M : Motion) return Boolean is (M.Order /= None);
+
+end Robot_Motion;
