@@ -1,0 +1,110 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Decimal numbers of up to eight digits, in text of characters or of
+--  octets: what both wire formats write and read.
+
+generic
+   type Symbol is (<>);
+   --  Characters or octets: the positions are those of ASCII, 0 .. 255.
+   type Text is array (Positive range <>) of Symbol;
+package Decimals with SPARK_Mode is
+
+   Max_Digits : constant := 8;
+
+   subtype Number is Natural range 0 .. 99_999_999;
+
+   subtype Digit_Count is Positive range 1 .. Max_Digits;
+
+   function Is_Digit (S : Symbol) return Boolean is
+     (Symbol'Pos (S) in Character'Pos ('0') .. Character'Pos ('9'));
+
+   function Digit_Value (S : Symbol) return Natural is
+     (Symbol'Pos (S) - Character'Pos ('0'))
+   with
+     Pre  => Is_Digit (S),
+     Post => Digit_Value'Result <= 9;
+
+   function Are_Digits
+     (T : Text; First : Positive; Last : Natural) return Boolean
+   is (for all I in First .. Last => Is_Digit (T (I)))
+   with Pre => First >= T'First and then Last <= T'Last;
+   --  Also True where Last < First.
+
+   function Largest (Count : Digit_Count) return Number is
+     (case Count is
+         when 1 => 9,
+         when 2 => 99,
+         when 3 => 999,
+         when 4 => 9_999,
+         when 5 => 99_999,
+         when 6 => 999_999,
+         when 7 => 9_999_999,
+         when 8 => 99_999_999);
+   --  The largest number of Count digits.
+
+   function Value (T : Text; First : Positive; Last : Natural) return Number
+   is ((if First = Last then 0 else Value (T, First, Last - 1) * 10)
+       + Digit_Value (T (Last)))
+   with
+     Pre  => First >= T'First
+       and then Last in First .. T'Last
+       and then Last - First < Max_Digits
+       and then Are_Digits (T, First, Last),
+     Post => Value'Result <= Largest (Last - First + 1),
+     Subprogram_Variant => (Decreases => Last);
+   --  The number that the digits First .. Last stand for. Eight at most.
+
+   function Saturated_Value
+     (T : Text; First : Positive; Last : Natural) return Number
+   with
+     Pre => First >= T'First
+       and then Last in First .. T'Last
+       and then Are_Digits (T, First, Last),
+     Post =>
+       --  leading zeros, then at most eight digits: exact
+       (if Last - First < Max_Digits then
+           Saturated_Value'Result = Value (T, First, Last)
+        elsif (for all I in First .. Last - Max_Digits =>
+                 Digit_Value (T (I)) = 0)
+        then Saturated_Value'Result =
+               Value (T, Last - Max_Digits + 1, Last)
+        else Saturated_Value'Result = Number'Last);
+   --  The same for any count of digits; Number'Last for all that is more.
+
+   procedure Append
+     (N     : Number;
+      Width : Digit_Count;
+      Into  : in out Text;
+      Last  : in out Natural)
+   with
+     Pre  => Into'First = 1
+       and then Into'Last < Integer'Last
+       and then Last <= Into'Last
+       and then Into'Last - Last >= Max_Digits,
+     Post => Last in Last'Old + Width .. Last'Old + Max_Digits
+       and then Are_Digits (Into, Last'Old + 1, Last)
+       and then Value (Into, Last'Old + 1, Last) = N
+       and then (if N <= Largest (Width) then Last = Last'Old + Width)
+       and then (if N <= Largest (5) and then Width <= 5 then
+                    Last <= Last'Old + 5)
+       and then
+         (for all I in Into'Range =>
+            (if I <= Last'Old or else I > Last then
+                Into (I) = Into'Old (I)));
+   --  Writes N after Last, with zeros in front up to Width digits, and
+   --  moves Last to its last digit.
+
+   procedure Prove_Same_Value
+     (A, B : Text; First : Positive; Last : Natural)
+   with
+     Ghost,
+     Pre  => First >= A'First
+       and then First >= B'First
+       and then Last in First .. Natural'Min (A'Last, B'Last)
+       and then Last - First < Max_Digits
+       and then Are_Digits (A, First, Last)
+       and then (for all I in First .. Last => A (I) = B (I)),
+     Post => Are_Digits (B, First, Last)
+       and then Value (A, First, Last) = Value (B, First, Last);
+   --  A number depends on its own digits alone.
+
+end Decimals;

@@ -1,0 +1,95 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Whether the monitor is still there: decided from what the kernel says
+--  about the connection (TCP_INFO), sampled a few times a second.
+
+package Monitor_Link with SPARK_Mode is
+
+   type Milliseconds is range 0 .. 2 ** 62;
+
+   type Byte_Count is range 0 .. 2 ** 63 - 1;
+
+   Vanished_After : constant Milliseconds := 4_000;
+   --  Sampled every 250 ms this finds a monitor that vanished without a
+   --  packet within the 5 s of F5.
+
+   Stalled_After : constant Milliseconds := 15_000;
+   --  A monitor that takes nothing for so long is lost.
+
+   type Sample is record
+      Now            : Milliseconds := 0;
+      --  Monotonic time of the sample.
+      Unacknowledged : Natural      := 0;
+      --  Segments sent and not acknowledged (tcpi_unacked).
+      Since_Last_Ack : Milliseconds := 0;
+      --  Age of the last acknowledgement (tcpi_last_ack_recv).
+      Outstanding    : Natural      := 0;
+      --  Bytes that the monitor's machine has not taken yet: in the kernel's
+      --  queue, or held by a send that does not return.
+      Bytes_Acked    : Byte_Count   := 0;
+      --  All bytes acknowledged so far (tcpi_bytes_acked).
+   end record;
+
+   type Verdict is
+     (Present,
+      Vanished,   --  nobody acknowledges: the peer or the way to it is gone
+      Stalled);   --  it acknowledges, with a closed window: nobody reads
+
+   type State is record
+      Waiting       : Boolean      := False;
+      --  Segments were under way at the last sample ...
+      Waiting_Since : Milliseconds := 0;
+      --  ... and so they were, with nothing acknowledged, since then.
+      Holding       : Boolean      := False;
+      --  Bytes were outstanding at the last sample ...
+      Holding_Since : Milliseconds := 0;
+      --  ... and so they were, with nothing acknowledged, since then.
+      Acked         : Byte_Count   := 0;
+      --  Bytes acknowledged at the last sample.
+   end record;
+
+   function Elapsed (Since, Now : Milliseconds) return Milliseconds is
+     (if Now > Since then Now - Since else 0);
+
+   function Is_Progress (S : State; X : Sample) return Boolean is
+     (X.Bytes_Acked /= S.Acked);
+
+   procedure Start (S : out State; Now : Milliseconds)
+   with
+     Post => not S.Waiting
+       and then not S.Holding
+       and then S.Waiting_Since = Now
+       and then S.Holding_Since = Now
+       and then S.Acked = 0;
+   --  A connection has been admitted.
+
+   procedure Judge (S : in out State; X : Sample; V : out Verdict)
+   with
+     Post =>
+       S.Acked = X.Bytes_Acked
+       and then S.Waiting = (X.Unacknowledged > 0)
+       and then S.Waiting_Since =
+         (if S'Old.Waiting and then S.Waiting
+            and then not Is_Progress (S'Old, X)
+          then S'Old.Waiting_Since
+          else X.Now)
+       and then S.Holding = (X.Outstanding > 0)
+       and then S.Holding_Since =
+         (if S'Old.Holding and then S.Holding
+            and then not Is_Progress (S'Old, X)
+          then S'Old.Holding_Since
+          else X.Now)
+       and then V =
+         (if S.Waiting
+            and then X.Since_Last_Ack > Vanished_After
+            and then Elapsed (S.Waiting_Since, X.Now) > Vanished_After
+          then Vanished
+          elsif S.Holding
+            and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After
+          then Stalled
+          else Present);
+   --  Takes one sample. The age of the last acknowledgement alone does not
+   --  make a monitor vanish: on a connection that was idle for a minute it
+   --  is a minute old when the next message goes out. So the wait counts
+   --  from the first sample that saw segments under way, too.
+
+end Monitor_Link;
