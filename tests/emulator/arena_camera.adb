@@ -1,0 +1,639 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  A camera above the arena: one task draws, one accepts viewers, and each
+--  viewer has a task of its own, so that a slow one hurts nobody.
+
+with Ada.Exceptions;
+with Ada.Long_Float_Text_IO;
+with Ada.Numerics.Long_Elementary_Functions;
+with Ada.Streams;      use Ada.Streams;
+with Ada.Strings;
+with Ada.Strings.Fixed;
+with Ada.Text_IO;
+with Interfaces.C;     use Interfaces.C;
+
+with GNAT.Sockets;     use GNAT.Sockets;
+
+with Arena_Scenes;
+with Journals;
+with Libc;             use Libc;
+with Robot_Bench;
+with Robot_Core;
+with Robot_Motion;
+
+package body Arena_Camera is
+
+   use type Nanoseconds;
+
+   Max_Viewers : constant := 8;
+
+   Max_Connections : constant := Max_Viewers + 4;
+   --  The others are for /pose, which needs no image
+   subtype Viewer_Count is Natural range 0 .. Max_Connections;
+   subtype Viewer_Number is Positive range 1 .. Max_Connections;
+
+   Largest_Image : constant := 4_000_000;
+   --  Bytes. More than any image of the largest size at this quality.
+
+   Quality : constant := 85;
+   --  Of the JPEG: what a camera of this kind delivers
+
+   subtype Image_Index is Stream_Element_Offset range 1 .. Largest_Image;
+   type Image is array (Image_Index) of aliased Stream_Element
+     with Pack;
+   subtype Image_Length is Stream_Element_Offset range 0 .. Largest_Image;
+
+   type Viewer_Flags is array (Viewer_Number) of Boolean;
+
+   type Shot is record
+      Scene  : Arena_Scenes.Scene;
+      Number : Natural     := 0;
+      Time   : Nanoseconds := 0;
+   end record;
+   --  What was to be seen when
+
+   protected Studio is
+
+      procedure Prepare (S : Settings);
+      --  Before all others
+
+      procedure Set_Mode (New_Mode : Mode_Kind);
+
+      procedure Enter (Who : out Viewer_Count);
+      --  A place for a viewer; 0 where all are taken
+      procedure Leave (Who : Viewer_Number);
+      procedure Begin_Watching (Who : Viewer_Number; Allowed : out Boolean);
+      --  Not where the camera is off or has all its viewers
+
+      entry Next (Viewer_Number)
+        (Data : out Image; Length : out Image_Length);
+      --  An image newer than the last one; Length 0: the camera is off
+
+      entry Wait_For_Work;
+      function Has_Work return Boolean;
+      procedure Publish (S : Shot; Data : Image; Length : Image_Length);
+
+      function Configuration return Settings;
+      function Newest return Shot;
+      function Watching return Natural;
+
+   private
+      Mode    : Mode_Kind := On;
+      Chosen  : Settings;
+      Ready   : Boolean := False;
+      Taken   : Viewer_Flags := (others => False);
+      Looking : Viewer_Flags := (others => False);
+      Fresh   : Viewer_Flags := (others => False);
+      Lookers : Natural := 0;
+      Last    : Shot;
+      Picture : Image;
+      Size    : Image_Length := 0;
+   end Studio;
+
+   task Painter with Storage_Size => 8 * 1_024 * 1_024;
+   --  OpenCV runs on its stack
+
+   task Doorman is
+      entry Start (Server : Socket_Type);
+   end Doorman;
+
+   task type Viewer is
+      entry Serve (Who : Viewer_Number; Socket : Socket_Type);
+   end Viewer;
+
+   Viewer_Tasks : array (Viewer_Number) of Viewer;
+
+   Drawn  : Image;
+   --  The painter's
+   Copies : array (Viewer_Number) of Image;
+   --  Each viewer's own
+
+   function Scene_Now (Time : Nanoseconds; Seed : Natural)
+     return Arena_Scenes.Scene;
+   --  What there is to be seen
+
+   function Truth (S : Shot) return String;
+   --  A line of /pose
+
+   procedure Configure (Socket : Socket_Type);
+   --  A viewer that takes nothing for long is given up, and little of what
+   --  it has not taken waits in the kernel
+
+   procedure Serve_Viewer (Who : Viewer_Number; Socket : Socket_Type);
+   --  One connection from beginning to end. Socket_Error where it breaks.
+
+   ---------------
+   -- Configure --
+   ---------------
+
+   procedure Configure (Socket : Socket_Type) is
+   begin
+      Set_Socket_Option
+        (Socket, Socket_Level, (Receive_Timeout, Timeout => 5.0));
+      Set_Socket_Option
+        (Socket, Socket_Level, (Send_Timeout, Timeout => 30.0));
+      Set_Socket_Option (Socket, Socket_Level, (Send_Buffer, Size => 65_536));
+      Set_Socket_Option
+        (Socket, IP_Protocol_For_TCP_Level, (No_Delay, Enabled => True));
+   end Configure;
+
+   -------------
+   -- Doorman --
+   -------------
+
+   task body Doorman is
+      Server : Socket_Type;
+      Client : Socket_Type;
+      From   : Sock_Addr_Type;
+      Who    : Viewer_Count;
+   begin
+      accept Start (Server : Socket_Type) do
+         Doorman.Server := Server;
+      end Start;
+      loop
+         begin
+            Accept_Socket (Server, Client, From);
+            Studio.Enter (Who);
+            if Who = 0 then
+               Close_Socket (Client);
+            else
+               Viewer_Tasks (Who).Serve (Who, Client);
+            end if;
+         exception
+            when Socket_Error =>
+               delay 0.1;
+               --  Out of descriptors, perhaps: not for ever
+         end;
+      end loop;
+   end Doorman;
+
+   -------------
+   -- Painter --
+   -------------
+
+   task body Painter is
+      S      : Shot;
+      Due    : Nanoseconds;
+      Length : int;
+   begin
+      Give_Way;
+      loop
+         Studio.Wait_For_Work;
+         Due := Now;
+         while Studio.Has_Work loop
+            S.Time   := Now;
+            S.Number := Studio.Newest.Number + 1;
+            S.Scene  := Scene_Now (S.Time, S.Number);
+            Arena_Scenes.Draw
+              (S.Scene, Quality, Drawn'Address, Largest_Image, Length);
+            if Length > 0 then
+               Studio.Publish (S, Drawn, Image_Length (Length));
+            end if;
+
+            Due := Due
+              + 1_000_000_000 / Nanoseconds (Studio.Configuration.Rate);
+            if Due < Now then
+               Due := Now;
+               --  Too slow: images are left out, not made up for
+            end if;
+            delay Duration (Due - Now) / 1_000_000_000;
+         end loop;
+      end loop;
+   exception
+      when Failure : others =>
+         Ada.Text_IO.Put_Line
+           (Ada.Text_IO.Standard_Error,
+            "destijl_emulator: the camera failed: "
+            & Ada.Exceptions.Exception_Information (Failure));
+   end Painter;
+
+   ---------------
+   -- Scene_Now --
+   ---------------
+
+   function Scene_Now (Time : Nanoseconds; Seed : Natural)
+     return Arena_Scenes.Scene
+   is
+      S     : constant Settings := Studio.Configuration;
+      Robot : Robot_Core.Robot;
+      Pose  : Robot_Motion.Pose;
+   begin
+      Robot_Bench.Look (Robot, Time);
+      Pose := Robot_Core.Pose (Robot);
+      return
+        (Width  => int (S.Width),
+         Height => int (S.Height),
+         Arena  => 1,
+         Fill   => 0.85,
+         Turn   => 0.0,
+         Noise  => double (S.Noise),
+         Blur   => 0.0,
+         Uneven => 0.0,
+         Seed   => unsigned (Seed),
+         Robots => 1,
+         Robot  =>
+           (1      =>
+              (Marker  => Marker_Kind'Pos (S.Marker),
+               Id      => int (S.Marker_Id),
+               X       => double (Pose.X) / 10_000.0,
+               Y       => double (Pose.Y) / 10_000.0,
+               Heading => double (Pose.Angle) / 1_000_000.0),
+            others => (0, 0, 0.0, 0.0, 0.0)));
+   end Scene_Now;
+
+   ------------------
+   -- Serve_Viewer --
+   ------------------
+
+   procedure Serve_Viewer (Who : Viewer_Number; Socket : Socket_Type) is
+
+      NL : constant String := (ASCII.CR, ASCII.LF);
+
+      procedure Send (Data : Stream_Element_Array);
+      --  All of it, or Socket_Error
+
+      procedure Send (Text : String);
+
+      procedure Reply (Status, Kind, Content : String);
+
+      procedure Read_Path (Path : out Unbounded_String);
+      --  Of a GET request; "" where it is anything else
+
+      function Is_Gone return Boolean;
+      --  The viewer has closed
+
+      procedure Next_Image (Length : out Image_Length);
+      --  Waits for it. 0: the camera is off, or the viewer has gone.
+
+      function Is_Gone return Boolean is
+         Set : Poll_Array (1 .. 1) :=
+           (1 => (Fd => int (To_C (Socket)), Events => POLLRDHUP,
+                  Revents => 0));
+      begin
+         Poll (Set, 0);
+         return Set (1).Revents /= 0;
+      end Is_Gone;
+
+      procedure Next_Image (Length : out Image_Length) is
+      begin
+         loop
+            select
+               Studio.Next (Who) (Copies (Who), Length);
+               return;
+            or
+               delay 0.5;
+               if Is_Gone then
+                  Length := 0;
+                  return;
+               end if;
+            end select;
+         end loop;
+      end Next_Image;
+
+      procedure Read_Path (Path : out Unbounded_String) is
+         Data   : Stream_Element_Array (1 .. 4_096);
+         Text   : String (1 .. 4_096);
+         Filled : Natural := 0;
+         Last   : Stream_Element_Offset;
+         Stop   : Natural;
+      begin
+         Path := Null_Unbounded_String;
+         loop
+            Receive_Socket
+              (Socket, Data (1 .. Data'Last - Stream_Element_Offset (Filled)),
+               Last);
+            exit when Last < Data'First;
+            for K in 1 .. Last loop
+               Filled := Filled + 1;
+               Text (Filled) := Character'Val (Data (K));
+            end loop;
+            exit when Ada.Strings.Fixed.Index
+              (Text (1 .. Filled), NL & NL) > 0
+              or else Filled = Text'Last;
+         end loop;
+
+         if Filled >= 4 and then Text (1 .. 4) = "GET " then
+            Stop := Ada.Strings.Fixed.Index (Text (5 .. Filled), " ");
+            if Stop > 0 then
+               Path := To_Unbounded_String (Text (5 .. Stop - 1));
+            end if;
+         end if;
+      end Read_Path;
+
+      procedure Reply (Status, Kind, Content : String) is
+      begin
+         Send ("HTTP/1.0 " & Status & NL
+               & "Content-Type: " & Kind & NL
+               & "Content-Length:" & Content'Length'Image & NL
+               & "Cache-Control: no-store" & NL
+               & "Connection: close" & NL & NL
+               & Content);
+      end Reply;
+
+      procedure Send (Data : Stream_Element_Array) is
+         First : Stream_Element_Offset := Data'First;
+         Last  : Stream_Element_Offset;
+      begin
+         while First <= Data'Last loop
+            Send_Socket (Socket, Data (First .. Data'Last), Last);
+            if Last < First then
+               raise Socket_Error with "nothing taken";
+            end if;
+            First := Last + 1;
+         end loop;
+      end Send;
+
+      procedure Send (Text : String) is
+         Data : Stream_Element_Array (1 .. Text'Length);
+      begin
+         for K in Data'Range loop
+            Data (K) := Character'Pos
+              (Text (Text'First + Natural (K) - 1));
+         end loop;
+         Send (Data);
+      end Send;
+
+      procedure Send_Image (Length : Image_Length);
+
+      procedure Send_Image (Length : Image_Length) is
+         Data : Stream_Element_Array (1 .. Length)
+           with Import, Address => Copies (Who)'Address;
+      begin
+         Send (Data);
+      end Send_Image;
+
+      Plain   : constant String := "text/plain";
+      Path    : Unbounded_String;
+      Length  : Image_Length;
+      Allowed : Boolean;
+
+   begin
+      Configure (Socket);
+      Read_Path (Path);
+
+      if Path = "/pose" then
+         declare
+            Time : constant Nanoseconds := Now;
+         begin
+            Reply ("200 OK", Plain,
+                   Truth ((Scene_Now (Time, 0), Studio.Newest.Number, Time))
+                   & ASCII.LF);
+         end;
+
+      elsif Path = "/pose/frame" then
+         if Studio.Newest.Number > 0 then
+            Reply ("200 OK", Plain, Truth (Studio.Newest) & ASCII.LF);
+         else
+            Reply ("503 Service Unavailable", Plain,
+                   "no image has been drawn yet" & ASCII.LF);
+         end if;
+
+      elsif Path = "/stream.mjpg" or else Path = "/snapshot.jpg" then
+         Studio.Begin_Watching (Who, Allowed);
+         if not Allowed then
+            Reply ("503 Service Unavailable", Plain,
+                   "the camera is off, or has its 8 viewers" & ASCII.LF);
+
+         elsif Path = "/snapshot.jpg" then
+            Next_Image (Length);
+            if Length > 0 then
+               Send ("HTTP/1.0 200 OK" & NL
+                     & "Content-Type: image/jpeg" & NL
+                     & "Content-Length:" & Length'Image & NL
+                     & "Cache-Control: no-store" & NL
+                     & "Connection: close" & NL & NL);
+               Send_Image (Length);
+            end if;
+
+         else
+            Send ("HTTP/1.0 200 OK" & NL
+                  & "Content-Type: "
+                  & "multipart/x-mixed-replace; boundary=frame" & NL
+                  & "Cache-Control: no-store" & NL
+                  & "Connection: close" & NL & NL);
+            loop
+               Next_Image (Length);
+               exit when Length = 0;
+               Send ("--frame" & NL
+                     & "Content-Type: image/jpeg" & NL
+                     & "Content-Length:" & Length'Image & NL & NL);
+               Send_Image (Length);
+               Send (NL);
+            end loop;
+         end if;
+
+      elsif Path = "" then
+         Reply ("400 Bad Request", Plain, "GET only" & ASCII.LF);
+      else
+         Reply ("404 Not Found", Plain,
+                "/stream.mjpg /snapshot.jpg /pose /pose/frame" & ASCII.LF);
+      end if;
+   end Serve_Viewer;
+
+   ------------
+   -- Studio --
+   ------------
+
+   protected body Studio is
+
+      procedure Begin_Watching (Who : Viewer_Number; Allowed : out Boolean)
+      is
+      begin
+         Allowed := Mode /= Off and then Lookers < Max_Viewers;
+         if Allowed then
+            Looking (Who) := True;
+            Fresh (Who)   := False;
+            Lookers       := Lookers + 1;
+         end if;
+      end Begin_Watching;
+
+      function Configuration return Settings is (Chosen);
+
+      procedure Enter (Who : out Viewer_Count) is
+      begin
+         Who := 0;
+         for V in Viewer_Number loop
+            if not Taken (V) then
+               Taken (V) := True;
+               Who := V;
+               return;
+            end if;
+         end loop;
+      end Enter;
+
+      function Has_Work return Boolean is
+        (Ready and then Lookers > 0 and then Mode = On);
+
+      procedure Leave (Who : Viewer_Number) is
+      begin
+         if Looking (Who) then
+            Looking (Who) := False;
+            Lookers       := Lookers - 1;
+         end if;
+         Taken (Who) := False;
+      end Leave;
+
+      function Newest return Shot is (Last);
+
+      entry Next (for Who in Viewer_Number)
+        (Data : out Image; Length : out Image_Length)
+        when Fresh (Who) or else Mode = Off is
+      begin
+         Fresh (Who) := False;
+         if Mode = Off then
+            Length := 0;
+         else
+            Length := Size;
+            Data (1 .. Size) := Picture (1 .. Size);
+         end if;
+      end Next;
+
+      procedure Prepare (S : Settings) is
+      begin
+         Chosen := S;
+         Ready  := True;
+      end Prepare;
+
+      procedure Publish (S : Shot; Data : Image; Length : Image_Length) is
+      begin
+         if Mode = On then
+            Last  := S;
+            Size  := Length;
+            Picture (1 .. Length) := Data (1 .. Length);
+            Fresh := Looking;
+         end if;
+      end Publish;
+
+      procedure Set_Mode (New_Mode : Mode_Kind) is
+      begin
+         Mode := New_Mode;
+      end Set_Mode;
+
+      entry Wait_For_Work when Has_Work is
+      begin
+         null;
+      end Wait_For_Work;
+
+      function Watching return Natural is (Lookers);
+
+   end Studio;
+
+   -----------
+   -- Truth --
+   -----------
+
+   function Truth (S : Shot) return String is
+
+      function Decimal (Value : double) return String;
+
+      function Decimal (Value : double) return String is
+         Text : String (1 .. 32);
+      begin
+         Ada.Long_Float_Text_IO.Put
+           (Text, Long_Float (Value), Aft => 6, Exp => 0);
+         return Ada.Strings.Fixed.Trim (Text, Ada.Strings.Left);
+      end Decimal;
+
+      Robot          : Arena_Scenes.Robot_In_Scene renames S.Scene.Robot (1);
+      Cx, Cy, Dx, Dy : double;
+      Status         : int;
+      Angle          : double;
+   begin
+      Arena_Scenes.Find_Robot (S.Scene, 0, Cx, Cy, Dx, Dy, Status);
+      if Status = 0 and then (Cx /= Dx or else Cy /= Dy) then
+         Angle := double (Ada.Numerics.Long_Elementary_Functions.Arctan
+           (Long_Float (Cy - Dy), Long_Float (Cx - Dx), Cycle => 360.0));
+      else
+         Angle := 0.0;
+      end if;
+      return Decimal (Robot.X) & ' ' & Decimal (Robot.Y)
+        & ' ' & Decimal (Robot.Heading)
+        & ' ' & Decimal (Cx) & ' ' & Decimal (Cy)
+        & ' ' & Decimal (Dx) & ' ' & Decimal (Dy)
+        & ' ' & Decimal (Angle)
+        & S.Number'Image & ' ' & Journals.Image (S.Time);
+   end Truth;
+
+   ------------
+   -- Viewer --
+   ------------
+
+   task body Viewer is
+      Number : Viewer_Number;
+      Peer   : Socket_Type;
+   begin
+      loop
+         accept Serve (Who : Viewer_Number; Socket : Socket_Type) do
+            Number := Who;
+            Peer   := Socket;
+         end Serve;
+
+         begin
+            Serve_Viewer (Number, Peer);
+         exception
+            when others =>
+               null;
+               --  The viewer has gone, or talks nonsense: the next one
+         end;
+
+         begin
+            Shutdown_Socket (Peer);
+         exception
+            when Socket_Error =>
+               null;
+               --  It has closed first
+         end;
+         begin
+            Close_Socket (Peer);
+         exception
+            when Socket_Error =>
+               null;
+         end;
+         Studio.Leave (Number);
+      end loop;
+   end Viewer;
+
+   --------------
+   -- Set_Mode --
+   --------------
+
+   procedure Set_Mode (Mode : Mode_Kind) is
+   begin
+      Studio.Set_Mode (Mode);
+   end Set_Mode;
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start
+     (Port    : Natural;
+      S       : Settings;
+      Actual  : out Natural;
+      Problem : out Unbounded_String)
+   is
+      Server  : Socket_Type;
+      Address : Sock_Addr_Type;
+   begin
+      Actual  := 0;
+      Problem := Null_Unbounded_String;
+      Address.Addr := Inet_Addr ("127.0.0.1");
+      Address.Port := Port_Type (Port);
+      Create_Socket (Server);
+      Set_Socket_Option
+        (Server, Socket_Level, (Reuse_Address, Enabled => True));
+      Bind_Socket (Server, Address);
+      Listen_Socket (Server, Length => Max_Connections);
+      Actual := Natural (Get_Socket_Name (Server).Port);
+      Studio.Prepare (S);
+      Doorman.Start (Server);
+   exception
+      when Failure : Socket_Error =>
+         Problem := To_Unbounded_String
+           (Ada.Exceptions.Exception_Message (Failure));
+   end Start;
+
+   function Frames return Natural is (Studio.Newest.Number);
+
+   function Viewers return Natural is (Studio.Watching);
+
+end Arena_Camera;

@@ -1,0 +1,58 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  A camera above the arena, served over HTTP on 127.0.0.1:
+--
+--  /stream.mjpg    Motion JPEG (multipart/x-mixed-replace), up to 8 viewers;
+--                  each gets the newest image when it can take one
+--  /snapshot.jpg   one image, the next
+--  /pose           the truth now, one line of numbers separated by blanks:
+--                  x y heading cx cy dx dy angle frame time
+--                  (cm, cm, degrees; pixels; degrees as PROTOCOL.md has
+--                  them; number of the newest image; seconds of
+--                  CLOCK_MONOTONIC)
+--  /pose/frame     the same as the newest image shows it
+--
+--  Images are drawn only while somebody looks.
+
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+package Arena_Camera is
+
+   subtype Frame_Width is Positive range 64 .. 1_920;
+   subtype Frame_Height is Positive range 48 .. 1_440;
+   subtype Frame_Rate is Positive range 1 .. 60;
+   subtype Noise_Level is Natural range 0 .. 30;
+   subtype Marker_Number is Natural range 0 .. 999;
+
+   type Marker_Kind is (Aruco, Triangle);
+
+   type Settings is record
+      Width     : Frame_Width   := 640;
+      Height    : Frame_Height  := 480;
+      Rate      : Frame_Rate    := 25;  --  images a second
+      Noise     : Noise_Level   := 3;   --  standard deviation
+      Marker    : Marker_Kind   := Aruco;
+      Marker_Id : Marker_Number := 1;
+   end record;
+
+   procedure Start
+     (Port    : Natural;
+      S       : Settings;
+      Actual  : out Natural;
+      Problem : out Unbounded_String);
+   --  Listens on Port, or on a free one (Actual) where Port is 0. Once.
+   --  Problem says why it could not; "" if it could.
+
+   type Mode_Kind is
+     (On,
+      Stalled,   --  streams stay open, no image comes
+      Off);      --  streams are closed, new ones refused
+
+   procedure Set_Mode (Mode : Mode_Kind);
+
+   function Viewers return Natural;
+   --  Streams and snapshots under way
+
+   function Frames return Natural;
+   --  Images drawn so far
+
+end Arena_Camera;

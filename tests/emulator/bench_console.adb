@@ -1,0 +1,360 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The commands on standard input.
+
+with Ada.Exceptions;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Maps;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Interfaces.C;          use Interfaces.C;
+
+with Answer_Faults;
+with Arena_Camera;
+with Journals;
+with Libc;
+with Readings;              use Readings;
+with Robot_Bench;           use Robot_Bench;
+with Robot_Core;
+with Robot_Motion;
+with Serial_Side;
+with Settings;
+with Stop_Signals;
+
+package body Bench_Console is
+
+   use type Libc.Nanoseconds;
+
+   Standard_Input  : constant := 0;
+   Standard_Output : constant := 1;
+
+   Blanks : constant Ada.Strings.Maps.Character_Set :=
+     Ada.Strings.Maps.To_Set (' ' & ASCII.HT & ASCII.CR);
+
+   task Reader is
+      entry Start;
+   end Reader;
+
+   procedure Obey (Line : String);
+   --  One command and its answer
+
+   procedure Obey
+     (Name, Rest : String; Answer : in out Unbounded_String);
+   --  The same; Bad_Value says what is wrong. Answer: if not "ok".
+
+   procedure Print_Journal;
+   procedure Print_Help;
+   function Status return String;
+
+   procedure Must_Be (Outcome : String);
+   --  Bad_Value unless it is ""
+
+   procedure No_More (Rest : String);
+   --  Bad_Value unless it is ""
+
+   -------------
+   -- Must_Be --
+   -------------
+
+   procedure Must_Be (Outcome : String) is
+   begin
+      if Outcome /= "" then
+         raise Bad_Value with Outcome;
+      end if;
+   end Must_Be;
+
+   -------------
+   -- No_More --
+   -------------
+
+   procedure No_More (Rest : String) is
+   begin
+      if Rest /= "" then
+         raise Bad_Value with "takes no value";
+      end if;
+   end No_More;
+
+   ----------
+   -- Obey --
+   ----------
+
+   procedure Obey (Line : String) is
+      Text   : constant String := Trim (Line, Blanks, Blanks);
+      Stop   : constant Natural := Index (Text & " ", Blanks);
+      Name   : constant String := Text (Text'First .. Stop - 1);
+      Answer : Unbounded_String := To_Unbounded_String ("ok");
+   begin
+      Obey (Name, Trim (Text (Stop .. Text'Last), Blanks, Blanks), Answer);
+      if Answer /= "" then
+         Say (To_String (Answer));
+      end if;
+   exception
+      when Problem : Bad_Value =>
+         Say ("error: " & (if Name = "" then "" else Name & ": ")
+              & Ada.Exceptions.Exception_Message (Problem));
+   end Obey;
+
+   procedure Obey
+     (Name, Rest : String; Answer : in out Unbounded_String)
+   is
+      function Number return Answer_Faults.Remaining is
+        (Whole (Rest, 0, Answer_Faults.Remaining'Last));
+
+      procedure Say_Device;
+
+      procedure Say_Device is
+      begin
+         Answer := To_Unbounded_String ("ok device " & Serial_Side.Device);
+      end Say_Device;
+
+   begin
+      if Name = "silent" then
+         Bench.Set_Silent (On_Or_Off (Rest));
+      elsif Name = "drop" then
+         Bench.Set_Fault (Drop, Number);
+      elsif Name = "corrupt" then
+         Bench.Set_Fault (Corrupt, Number);
+      elsif Name = "garbage" then
+         Bench.Set_Fault (Garbage, Number);
+      elsif Name = "truncate" then
+         Bench.Set_Fault (Truncate, Number);
+      elsif Name = "delay" then
+         Bench.Set_Delay
+           (Libc.Nanoseconds (Whole (Rest, 0, Settings.Largest_Delay))
+            * 1_000_000);
+
+      elsif Name = "unasked" then
+         if Rest = "" then
+            raise Bad_Value with "bytes are expected";
+         end if;
+         Must_Be (Serial_Side.Send_Unasked (Bytes (Rest)));
+      elsif Name = "hangup" then
+         No_More (Rest);
+         Must_Be (Serial_Side.Hang_Up);
+      elsif Name = "return" then
+         No_More (Rest);
+         Must_Be (Serial_Side.Put_Back);
+         Say_Device;
+      elsif Name = "device" then
+         No_More (Rest);
+         Say_Device;
+
+      elsif Name = "battery" then
+         Bench.Set_Battery (Battery (Rest));
+      elsif Name = "charge" then
+         Bench.Set_Charging (On_Or_Off (Rest));
+      elsif Name = "reset-robot" then
+         No_More (Rest);
+         Bench.Switch_On;
+      elsif Name = "pose" then
+         declare
+            First  : constant Natural := Index (Rest, " ");
+            Second : constant Natural :=
+              (if First > 0 then Index (Rest, " ", Rest'Last,
+                                        Ada.Strings.Backward) else 0);
+         begin
+            if Second <= First then
+               raise Bad_Value with "X Y HEADING are expected";
+            end if;
+            Bench.Place
+              (Pose (Rest (Rest'First .. First - 1),
+                     Trim (Rest (First + 1 .. Second - 1), Blanks, Blanks),
+                     Rest (Second + 1 .. Rest'Last)));
+         end;
+
+      elsif Name = "camera" then
+         if Rest = "stall" then
+            Arena_Camera.Set_Mode (Arena_Camera.Stalled);
+         elsif Rest = "on" then
+            Arena_Camera.Set_Mode (Arena_Camera.On);
+         elsif Rest = "off" then
+            Arena_Camera.Set_Mode (Arena_Camera.Off);
+         else
+            raise Bad_Value with "on, off or stall is expected";
+         end if;
+
+      elsif Name = "status" then
+         No_More (Rest);
+         Answer := To_Unbounded_String (Status);
+      elsif Name = "journal" then
+         if Rest = "" then
+            Print_Journal;
+            Answer := To_Unbounded_String ("end");
+         elsif Rest = "clear" then
+            Bench.Clear_Journal;
+         else
+            raise Bad_Value with "takes nothing, or clear";
+         end if;
+      elsif Name = "help" then
+         No_More (Rest);
+         Print_Help;
+         Answer := To_Unbounded_String ("end");
+      elsif Name = "quit" then
+         No_More (Rest);
+         Stop_Signals.Stop.Request;
+      elsif Name = "" then
+         Answer := Null_Unbounded_String;
+      else
+         raise Bad_Value with "unknown command; try help";
+      end if;
+   end Obey;
+
+   ----------------
+   -- Print_Help --
+   ----------------
+
+   procedure Print_Help is
+   begin
+      Say ("silent on|off        no answer at all");
+      Say ("drop N               the next N answers are lost");
+      Say ("corrupt N            ... have a wrong checksum");
+      Say ("garbage N            ... are random bytes instead");
+      Say ("truncate N           ... lack their carriage return");
+      Say ("delay MS             every answer is late");
+      Say ("unasked BYTES        sends them now; \r, \n, \\, \xHH");
+      Say ("hangup               the device goes away");
+      Say ("return               and comes back, as a new one");
+      Say ("device               its path");
+      Say ("battery LEVEL        0, 1, 2, or critical: off after 4 s");
+      Say ("charge on|off        the charger's plug");
+      Say ("pose X Y HEADING     puts the robot there: cm, degrees");
+      Say ("reset-robot          switches it off and on");
+      Say ("camera on|off|stall  off: closed; stall: no image comes");
+      Say ("status               one line");
+      Say ("journal              every command since it was cleared");
+      Say ("journal clear");
+      Say ("quit                 as SIGTERM does");
+   end Print_Help;
+
+   -------------------
+   -- Print_Journal --
+   -------------------
+
+   procedure Print_Journal is
+      Note   : Journals.Note;
+      Number : Journals.Note_Number := 0;
+      Found  : Journals.Note_Number;
+   begin
+      loop
+         Bench.Next_Note (Number, Note, Found);
+         exit when Found = 0;
+         Say (Journals.Image (Note));
+         Number := Found;
+      end loop;
+   end Print_Journal;
+
+   ------------
+   -- Reader --
+   ------------
+
+   task body Reader is
+      Room  : constant := 4_096;
+
+      Data     : String (1 .. Room);
+      Line     : String (1 .. Room) := (others => ' ');
+      Length   : Natural := 0;
+      Too_Long : Boolean := False;
+      Set      : Libc.Poll_Array (1 .. 1);
+      Received : Libc.Byte_Count;
+   begin
+      accept Start;
+      loop
+         Set (1) := (Fd => Standard_Input, Events => Libc.POLLIN,
+                     Revents => 0);
+         Libc.Poll (Set, 3_600 * 1_000_000_000);
+         if Set (1).Revents /= 0 then
+            Received := Libc.Read (Standard_Input, Data'Address, Room);
+            exit when Received <= 0;
+            for C of Data (1 .. Natural (Received)) loop
+               if C = ASCII.LF then
+                  if Too_Long then
+                     Say ("error: the line is too long");
+                  else
+                     Obey (Line (1 .. Length));
+                  end if;
+                  Length   := 0;
+                  Too_Long := False;
+               elsif Length < Room then
+                  Length := Length + 1;
+                  Line (Length) := C;
+               else
+                  Too_Long := True;
+               end if;
+            end loop;
+         end if;
+      end loop;
+   end Reader;
+
+   ---------
+   -- Say --
+   ---------
+
+   procedure Say (Line : String) is
+      Text  : constant String := Line & ASCII.LF;
+      First : Positive := Text'First;
+      Sent  : Libc.Byte_Count;
+      Set   : Libc.Poll_Array (1 .. 1);
+   begin
+      while First <= Text'Last loop
+         Set (1) := (Fd => Standard_Output, Events => Libc.POLLOUT,
+                     Revents => 0);
+         Libc.Poll (Set, 3_600 * 1_000_000_000);
+         Sent := Libc.Write
+           (Standard_Output, Text (First)'Address,
+            size_t (Text'Last - First + 1));
+         exit when Sent <= 0;
+         --  Nobody reads it any more
+         First := First + Positive (Sent);
+      end loop;
+   end Say;
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start is
+   begin
+      Reader.Start;
+   end Start;
+
+   ------------
+   -- Status --
+   ------------
+
+   function Status return String is
+      use type Robot_Core.State_Kind;
+
+      R : Robot_Core.Robot;
+      P : Robot_Motion.Pose;
+
+      function Plain (Value : Natural) return String is
+        (Trim (Value'Image, Ada.Strings.Left));
+
+      function Switch (Value : Boolean) return String is
+        (if Value then "on" else "off");
+   begin
+      Look (R, Libc.Now);
+      P := Robot_Core.Pose (R);
+      return "state=" & Journals.Image (Robot_Core.State (R))
+        & " x=" & Image (P.X, 10_000)
+        & " y=" & Image (P.Y, 10_000)
+        & " heading=" & Image (P.Angle, 1_000_000)
+        & " moving="
+        & (if Robot_Core.State (R) = Robot_Core.Movement then "1" else "0")
+        & " watchdog=" & Switch (Robot_Core.Watchdog_On (R))
+        & " missed=" & Plain (Robot_Core.Missed (R))
+        & " missed_total=" & Plain (Robot_Core.Missed_Total (R))
+        & " disabled_count=" & Plain (Robot_Core.Disabled_Count (R))
+        & " battery="
+        & (case Robot_Core.Battery (R) is
+              when Robot_Core.Critical => "critical",
+              when Robot_Core.Empty    => "0",
+              when Robot_Core.Low      => "1",
+              when Robot_Core.Full     => "2")
+        & " commands=" & Plain (Robot_Core.Commands (R))
+        & " stops=" & Plain (Robot_Core.Stops (R))
+        & " charging=" & Switch (Robot_Core.Charging (R))
+        & " device=" & Serial_Side.Device
+        & " viewers=" & Plain (Arena_Camera.Viewers)
+        & " frames=" & Plain (Arena_Camera.Frames);
+   end Status;
+
+end Bench_Console;

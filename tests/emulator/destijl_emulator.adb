@@ -1,0 +1,101 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The robot emulator: reads the command line, puts the robot on the bench,
+--  opens its line and its camera, and waits for the end.
+
+with Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;
+
+with GNAT.OS_Lib;
+
+with Arena_Camera;
+with Bench_Console;
+with Libc;
+with Robot_Bench;           use Robot_Bench;
+with Serial_Side;
+with Settings;
+with Stop_Signals;
+
+procedure Destijl_Emulator is
+
+   use type Libc.Nanoseconds;
+
+   V       : Settings.Values;
+   Wish    : Settings.Wish;
+   Problem : Unbounded_String;
+   Port    : Natural;
+
+   procedure Give_Up (Reason : String; Status : Integer);
+   --  Ends the process
+
+   procedure Give_Up (Reason : String; Status : Integer) is
+   begin
+      Ada.Text_IO.Put_Line
+        (Ada.Text_IO.Standard_Error, "destijl_emulator: " & Reason);
+      GNAT.OS_Lib.OS_Exit (Status);
+   end Give_Up;
+
+begin
+   Settings.Read_Command_Line (V, Wish, Problem);
+   case Wish is
+      when Settings.Show_Help =>
+         Ada.Text_IO.Put (Settings.Usage);
+         Ada.Text_IO.Flush;
+         GNAT.OS_Lib.OS_Exit (0);
+      when Settings.Show_Version =>
+         Bench_Console.Say
+           ("destijl_emulator " & Settings.Version
+            & ", robot firmware 3.5");
+         GNAT.OS_Lib.OS_Exit (0);
+      when Settings.Bad_Usage =>
+         Ada.Text_IO.Put (Ada.Text_IO.Standard_Error,
+                          "destijl_emulator: " & To_String (Problem)
+                          & ASCII.LF & ASCII.LF & Settings.Usage);
+         GNAT.OS_Lib.OS_Exit (2);
+      when Settings.Work =>
+         null;
+   end case;
+
+   Libc.Ignore_Broken_Pipes;
+
+   Bench.Place (V.Pose);
+   Bench.Set_Battery (V.Battery);
+   Bench.Set_Charging (V.Charging);
+   Bench.Set_Silent (V.Silent);
+   Bench.Set_Fault (Drop, V.Drop);
+   Bench.Set_Fault (Corrupt, V.Corrupt);
+   Bench.Set_Fault (Garbage, V.Garbage);
+   Bench.Set_Fault (Truncate, V.Truncate);
+   Bench.Set_Delay (Libc.Nanoseconds (V.Late) * 1_000_000);
+
+   --  The camera first: where it fails there is no link to take back
+
+   if V.With_Camera then
+      Arena_Camera.Start (V.Camera_Port, V.Camera, Port, Problem);
+      if Problem /= "" then
+         Give_Up ("no camera on 127.0.0.1:"
+                  & Ada.Strings.Fixed.Trim
+                      (V.Camera_Port'Image, Ada.Strings.Left)
+                  & ": " & To_String (Problem), 1);
+      end if;
+   end if;
+
+   Serial_Side.Start (V.Baud, To_String (V.Link), Problem);
+   if Problem /= "" then
+      Give_Up (To_String (Problem), 1);
+   end if;
+
+   Bench.Switch_On (V.Boot);
+   Bench_Console.Say ("device " & Serial_Side.Device);
+   if V.With_Camera then
+      Bench_Console.Say
+        ("camera http://127.0.0.1:"
+         & Ada.Strings.Fixed.Trim (Port'Image, Ada.Strings.Left)
+         & "/stream.mjpg");
+   end if;
+   Bench_Console.Start;
+
+   Stop_Signals.Stop.Wait;
+   Serial_Side.Stop;
+   GNAT.OS_Lib.OS_Exit (0);
+end Destijl_Emulator;

@@ -1,0 +1,34 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Numbers, words and poses as a person writes them, on the command line or
+--  on standard input.
+
+with Robot_Core;
+with Robot_Motion;
+
+package Readings is
+
+   Bad_Value : exception;
+   --  Its message says what was expected
+
+   function Whole (Text : String; Low, High : Integer) return Integer;
+   --  A decimal number in Low .. High, or Bad_Value
+
+   function On_Or_Off (Text : String) return Boolean;
+
+   function Battery (Text : String) return Robot_Core.Battery_Level;
+   --  0, 1, 2 or critical
+
+   function Pose (X, Y, Angle : String) return Robot_Motion.Pose;
+   --  Centimetres from the left and from the bottom wall, degrees
+   --  counter-clockwise from the x axis; decimals are allowed
+
+   subtype Data_Length is Natural range 0 .. 256;
+
+   function Bytes (Text : String) return Robot_Core.Octets
+     with Post => Bytes'Result'Length <= Data_Length'Last;
+   --  Characters, where \r, \n, \\ and \xHH stand for what they usually do
+
+   function Image (Value : Robot_Motion.Micro; Unit : Positive) return String;
+   --  Value / Unit (a power of 10) with three decimals
+
+end Readings;

@@ -1,0 +1,79 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What can be chosen on the emulator's command line.
+
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Arena_Camera;
+with Robot_Core;
+with Robot_Motion;
+with Serial_Side;
+
+package Settings is
+
+   Version : constant String := "0.1.0";
+
+   Largest_Delay : constant := 60_000;
+   --  Of an answer, milliseconds
+
+   type Values is record
+      Link        : Unbounded_String;  --  "": none
+      Baud        : Serial_Side.Baud_Rate := 9_600;
+      Boot        : Robot_Core.Tick_Count := Robot_Core.Boot_Ticks;
+      Battery     : Robot_Core.Battery_Level := Robot_Core.Full;
+      Charging    : Boolean := False;
+      Pose        : Robot_Motion.Pose;
+
+      Silent      : Boolean := False;
+      Drop        : Natural := 0;      --  answers
+      Corrupt     : Natural := 0;
+      Garbage     : Natural := 0;
+      Truncate    : Natural := 0;
+      Late        : Natural := 0;      --  milliseconds
+
+      With_Camera : Boolean := False;
+      Camera_Port : Natural := 0;      --  0: any free one
+      Camera      : Arena_Camera.Settings;
+   end record;
+
+   type Wish is (Work, Show_Help, Show_Version, Bad_Usage);
+
+   procedure Read_Command_Line
+     (V : out Values; W : out Wish; Reason : out Unbounded_String);
+   --  Reason: of Bad_Usage
+
+   Usage : constant String;
+
+private
+
+   NL : constant Character := ASCII.LF;
+
+   Usage : constant String :=
+     "usage: destijl_emulator [OPTION]..." & NL & NL
+     & "The robot, on a pseudo-terminal whose path is the first line"
+     & " printed." & NL
+     & "Commands are read from standard input; 'help' lists them." & NL & NL
+     & "  --link PATH          a symbolic link to the pseudo-terminal" & NL
+     & "  --baud N             pace of the bytes (9600; 0: no pacing)" & NL
+     & "  --boot-ms N          start-up time of the robot (1600)" & NL
+     & "  --battery LEVEL      0, 1, 2 (2), or critical" & NL
+     & "  --charging           with its charger plugged in" & NL
+     & "  --pose X,Y,HEADING   where it stands (40,30,0): cm, degrees" & NL
+     & NL
+     & "The arena camera, if there is to be one:" & NL
+     & "  --camera-port N      serves it on 127.0.0.1 (0: a free port)" & NL
+     & "  --camera-fps N       images a second (25)" & NL
+     & "  --frame-size WxH     (640x480)" & NL
+     & "  --noise N            grey levels, standard deviation (3)" & NL
+     & "  --marker KIND        aruco (default) or triangle" & NL
+     & "  --marker-id N        of an ArUco marker, 0 to 999 (1)" & NL & NL
+     & "Faults from the start:" & NL
+     & "  --silent             answers nothing" & NL
+     & "  --drop N             loses the first N answers" & NL
+     & "  --corrupt N          spoils the checksum of the first N" & NL
+     & "  --garbage N          sends random bytes instead" & NL
+     & "  --truncate N         leaves out their carriage return" & NL
+     & "  --delay MS           answers late" & NL & NL
+     & "  --help               this text" & NL
+     & "  --version" & NL;
+
+end Settings;

@@ -1,0 +1,27 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What ends the emulator: SIGTERM, SIGINT, SIGHUP, or `quit`.
+
+with Ada.Interrupts.Names;
+
+package Stop_Signals is
+
+   pragma Unreserve_All_Interrupts;
+   --  SIGINT too is ours
+
+   protected Stop is
+
+      procedure Request;
+
+      entry Wait;
+      --  For the request
+
+   private
+      procedure Handle;
+      pragma Attach_Handler (Handle, Ada.Interrupts.Names.SIGTERM);
+      pragma Attach_Handler (Handle, Ada.Interrupts.Names.SIGINT);
+      pragma Attach_Handler (Handle, Ada.Interrupts.Names.SIGHUP);
+
+      Requested : Boolean := False;
+   end Stop;
+
+end Stop_Signals;
