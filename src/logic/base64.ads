@@ -29,8 +29,7 @@ package Base64 with SPARK_Mode is
    --  The alphabet of RFC 4648, table 1.
 
    function Is_Symbol (C : Character) return Boolean is
-     (C in 'A' .. 'Z' | 'a' .. 'z' | '0' .. '9' | '+' | '/')
-   with Ghost;
+     (C in 'A' .. 'Z' | 'a' .. 'z' | '0' .. '9' | '+' | '/');
 
    function Is_Triple (B1, B2, B3 : Byte; C1, C2, C3, C4 : Character)
      return Boolean
@@ -92,6 +91,44 @@ package Base64 with SPARK_Mode is
    --  Input. It says by itself how long the text is, which characters it
    --  is made of and how it is padded.
 
+   function Value_Of (C : Character) return Sextet is
+     (case C is
+         when 'A' .. 'Z' => Character'Pos (C) - Character'Pos ('A'),
+         when 'a' .. 'z' => Character'Pos (C) - Character'Pos ('a') + 26,
+         when '0' .. '9' => Character'Pos (C) - Character'Pos ('0') + 52,
+         when '+'        => 62,
+         when others     => 63)
+   with
+     Pre  => Is_Symbol (C),
+     Post => Symbol (Value_Of'Result) = C;
+
+   function Is_Last_Group (C1, C2, C3, C4 : Character) return Boolean is
+     (Is_Symbol (C1)
+      and then Is_Symbol (C2)
+      and then
+        (if C4 /= '=' then Is_Symbol (C3) and then Is_Symbol (C4)
+         elsif C3 /= '=' then
+            Is_Symbol (C3) and then Value_Of (C3) mod 4 = 0
+         else Value_Of (C2) mod 16 = 0))
+   with Ghost;
+
+   function Is_Well_Formed (Text : String) return Boolean is
+     (Text'Length mod 4 = 0
+      and then
+        (for all K in 0 .. Text'Length / 4 - 2 =>
+           Is_Symbol (Text (Text'First + 4 * K))
+           and then Is_Symbol (Text (Text'First + 4 * K + 1))
+           and then Is_Symbol (Text (Text'First + 4 * K + 2))
+           and then Is_Symbol (Text (Text'First + 4 * K + 3)))
+      and then
+        (if Text'Length > 0 then
+            Is_Last_Group (Text (Text'Last - 3), Text (Text'Last - 2),
+                           Text (Text'Last - 1), Text (Text'Last))))
+   with
+     Ghost,
+     Pre => Text'Last < Integer'Last;
+   --  Some input has this encoding.
+
    --  The operations
 
    procedure Encode
@@ -126,7 +163,8 @@ package Base64 with SPARK_Mode is
        and then Output'First = 1
        and then Output'Last <= Max_Input
        and then Input'Length / 4 * 3 <= Output'Last,
-     Post => Length <= Input'Length / 4 * 3
+     Post => OK = Is_Well_Formed (Input)
+       and then Length <= Input'Length / 4 * 3
        and then
          (if OK then
              Input'Length = Encoded_Length (Length)
@@ -136,5 +174,14 @@ package Base64 with SPARK_Mode is
    --  OK is False, and Length 0, for whatever Encode never writes: a length
    --  that is no multiple of four, a foreign character, padding elsewhere
    --  than at the end, or left-over bits that are not zero.
+
+   procedure Prove_Round_Trip (Input : Byte_Array; Length : Natural)
+   with
+     Ghost,
+     Pre => Input'First = 1
+       and then Length <= Input'Last
+       and then Length <= Max_Input;
+   --  Decode accepts what Encode writes, and gives Input back: asserted in
+   --  the body.
 
 end Base64;

@@ -41,16 +41,34 @@ package Decimals with SPARK_Mode is
          when 8 => 99_999_999);
    --  The largest number of Count digits.
 
+   function Place
+     (T : Text; First : Positive; Position : Integer; Weight : Positive)
+     return Natural
+   is (if Position < First then 0
+       else Digit_Value (T (Position)) * Weight)
+   with
+     Pre  => First >= T'First
+       and then Position <= T'Last
+       and then Weight <= 10_000_000
+       and then (if Position >= First then Is_Digit (T (Position))),
+     Post => Place'Result <= 9 * Weight;
+   --  What the digit at Position counts; 0 in front of the first one.
+
    function Value (T : Text; First : Positive; Last : Natural) return Number
-   is ((if First = Last then 0 else Value (T, First, Last - 1) * 10)
-       + Digit_Value (T (Last)))
+   is (Place (T, First, Last, 1)
+       + Place (T, First, Last - 1, 10)
+       + Place (T, First, Last - 2, 100)
+       + Place (T, First, Last - 3, 1_000)
+       + Place (T, First, Last - 4, 10_000)
+       + Place (T, First, Last - 5, 100_000)
+       + Place (T, First, Last - 6, 1_000_000)
+       + Place (T, First, Last - 7, 10_000_000))
    with
      Pre  => First >= T'First
        and then Last in First .. T'Last
        and then Last - First < Max_Digits
        and then Are_Digits (T, First, Last),
-     Post => Value'Result <= Largest (Last - First + 1),
-     Subprogram_Variant => (Decreases => Last);
+     Post => Value'Result <= Largest (Last - First + 1);
    --  The number that the digits First .. Last stand for. Eight at most.
 
    function Saturated_Value
@@ -83,9 +101,8 @@ package Decimals with SPARK_Mode is
      Post => Last in Last'Old + Width .. Last'Old + Max_Digits
        and then Are_Digits (Into, Last'Old + 1, Last)
        and then Value (Into, Last'Old + 1, Last) = N
-       and then (if N <= Largest (Width) then Last = Last'Old + Width)
-       and then (if N <= Largest (5) and then Width <= 5 then
-                    Last <= Last'Old + 5)
+       and then (Last - Last'Old = Width
+                 or else N > Largest (Last - Last'Old - 1))
        and then
          (for all I in Into'Range =>
             (if I <= Last'Old or else I > Last then

@@ -389,10 +389,19 @@ package Monitor_Protocol with SPARK_Mode is
      and then Last <= Line'Last
      and then Is_Fraction (Line, First, Last);
 
-   function Reads_As_Fraction
+   function Is_Micro
+     (Line : String; First : Positive; Last : Natural) return Boolean
+   is (Is_Fraction (Line, First, Last)
+       and then Fraction_Value (Line, First, Last)
+                  in Wide (Micro'First) .. Wide (Micro'Last))
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last;
+
+   function Reads_As_Micro
      (Line : String; First : Positive; Last : Natural; Value : Micro)
      return Boolean
-   is (Is_Fraction (Line, First, Last)
+   is (Is_Micro (Line, First, Last)
        and then Fraction_Value (Line, First, Last) = Wide (Value))
    with Pre => Line'Last < Integer'Last
      and then First >= Line'First
@@ -407,32 +416,48 @@ package Monitor_Protocol with SPARK_Mode is
      and then Last <= Line'Last;
 
    function Are_Fields
-     (Line : String; Last : Natural; S : Field_Starts; P : Position)
-     return Boolean
+     (Line : String; Last : Natural; S : Field_Starts) return Boolean
    is (S (1) = First_Field
        and then S (7) = Last + 2
        and then (for all I in 1 .. 6 => S (I) < S (I + 1))
-       and then Reads_As_Id (Line, S (1), S (2) - 2, P.Id)
-       and then Reads_As_Fraction (Line, S (2), S (3) - 2, P.Angle)
-       and then Reads_As_Fraction (Line, S (3), S (4) - 2, P.Cx)
-       and then Reads_As_Fraction (Line, S (4), S (5) - 2, P.Cy)
-       and then Reads_As_Fraction (Line, S (5), S (6) - 2, P.Dx)
-       and then Reads_As_Fraction (Line, S (6), S (7) - 2, P.Dy))
+       and then Is_Id (Line, S (1), S (2) - 2)
+       and then (for all I in 2 .. 6 =>
+                   Is_Micro (Line, S (I), S (I + 1) - 2)))
    with Pre => Line'First = 1
      and then Line'Last <= Max_Position
      and then Last <= Line'Last;
 
-   function Reads_As
-     (Line : String; Last : Natural; P : Position) return Boolean
-   is (Last >= First_Field
-       and then Begins_With (Line, Position_Label)
-       and then Has_Data (Line)
-       and then Are_Fields (Line, Last, Starts (Line, Last), P))
+   function Is_Position (Line : String; Last : Natural) return Boolean is
+     (Last >= First_Field
+      and then Begins_With (Line, Position_Label)
+      and then Has_Data (Line)
+      and then Are_Fields (Line, Last, Starts (Line, Last)))
    with Pre => Line'First = 1
      and then Line'Last <= Max_Position
      and then Last <= Line'Last;
-   --  Line (1 .. Last) is a position line, without its end, and says P to
-   --  the last decimal.
+   --  Line (1 .. Last) is a position line, without its end.
+
+   function Are_Fields_Of
+     (Line : String; S : Field_Starts; P : Position) return Boolean
+   is (Reads_As_Id (Line, S (1), S (2) - 2, P.Id)
+       and then Reads_As_Micro (Line, S (2), S (3) - 2, P.Angle)
+       and then Reads_As_Micro (Line, S (3), S (4) - 2, P.Cx)
+       and then Reads_As_Micro (Line, S (4), S (5) - 2, P.Cy)
+       and then Reads_As_Micro (Line, S (5), S (6) - 2, P.Dx)
+       and then Reads_As_Micro (Line, S (6), S (7) - 2, P.Dy))
+   with Pre => Line'First = 1
+     and then Line'Last <= Max_Position
+     and then S (7) <= Line'Last + 2
+     and then (for all I in 1 .. 6 => S (I) < S (I + 1));
+
+   function Reads_As
+     (Line : String; Last : Natural; P : Position) return Boolean
+   is (Is_Position (Line, Last)
+       and then Are_Fields_Of (Line, Starts (Line, Last), P))
+   with Pre => Line'First = 1
+     and then Line'Last <= Max_Position
+     and then Last <= Line'Last;
+   --  ... and says P to the last decimal.
 
    --  The operations
 
@@ -449,12 +474,15 @@ package Monitor_Protocol with SPARK_Mode is
    --  Last), the id without and the others with exactly six decimals.
 
    procedure Parse_Position
-     (Line : String; P : out Position; OK : out Boolean)
+     (Line : String; Last : Natural; P : out Position; OK : out Boolean)
    with
-     Pre  => Line'First = 1 and then Line'Last <= Max_Position,
-     Post => (if OK then Reads_As (Line, Line'Last, P));
-   --  Reads such a line, given without its line feed. OK is False, and P
-   --  Not_Found, for whatever Format_Position does not write.
+     Pre  => Line'First = 1
+       and then Line'Last <= Max_Position
+       and then Last <= Line'Last,
+     Post => OK = Is_Position (Line, Last)
+       and then (if OK then Reads_As (Line, Last, P) else P = Not_Found);
+   --  Reads such a line, Line (1 .. Last), given without its line feed. OK
+   --  is False, and P Not_Found, where it is none.
 
    procedure Prove_Round_Trip (P : Position)
    with Ghost;

@@ -7,6 +7,9 @@ with Decimals;
 
 package Robot_Protocol with SPARK_Mode is
 
+   pragma Assertion_Policy (Subprogram_Variant => Ignore);
+   --  Proved; GNAT 12 cannot compile the check at run time.
+
    --  Commands
 
    type Command_Kind is
@@ -102,6 +105,46 @@ package Robot_Protocol with SPARK_Mode is
       and then F.Data (F.Length - 1) = Checksum (F.Data, F.Length - 2));
    --  Text, checksum and terminator, and no terminator before the end.
 
+   --  The words of the contracts on commands
+
+   package Byte_Decimals is new Decimals (Byte, Byte_Array);
+
+   function Is_Argument
+     (Data : Byte_Array; First : Positive; Last : Natural) return Boolean
+   is (if First < Last and then Data (First) = Character'Pos ('-') then
+          Last - First <= 5
+          and then Byte_Decimals.Are_Digits (Data, First + 1, Last)
+          and then Byte_Decimals.Value (Data, First + 1, Last) <= 32_768
+       else First <= Last
+         and then Last - First < 5
+         and then Byte_Decimals.Are_Digits (Data, First, Last)
+         and then Byte_Decimals.Value (Data, First, Last) <= 32_767)
+   with Pre => First >= Data'First
+     and then First < Integer'Last
+     and then Last <= Data'Last;
+   --  A minus sign or none, and up to five digits within the range.
+
+   function Argument_Value
+     (Data : Byte_Array; First : Positive; Last : Natural) return Argument
+   is (if First < Last and then Data (First) = Character'Pos ('-')
+       then -Byte_Decimals.Value (Data, First + 1, Last)
+       else Byte_Decimals.Value (Data, First, Last))
+   with Pre => First >= Data'First
+     and then First < Integer'Last
+     and then Last <= Data'Last
+     and then Is_Argument (Data, First, Last);
+
+   function Is_Text_For (F : Frame; Kind : Command_Kind) return Boolean is
+     (F.Length >= 3
+      and then F.Data (1) = Character'Pos (Letter (Kind))
+      and then
+        (if Kind in With_Argument then
+            F.Length >= 5
+            and then F.Data (2) = Character'Pos ('=')
+            and then Is_Argument (F.Data, 3, F.Length - 2)
+         else F.Length = 3));
+   --  The frame's text is that of a command of this kind.
+
    type Reading is record
       OK    : Boolean := False;
       Value : Command;
@@ -109,7 +152,17 @@ package Robot_Protocol with SPARK_Mode is
 
    function Decoded (F : Frame) return Reading
    with
-     Post => (if Decoded'Result.OK then Is_Framed (F));
+     Post =>
+       (if Decoded'Result.OK then
+           Is_Framed (F)
+           and then Is_Text_For (F, Decoded'Result.Value.Kind)
+           and then Decoded'Result.Value.Value =
+             (if Decoded'Result.Value.Kind in With_Argument
+              then Argument_Value (F.Data, 3, F.Length - 2)
+              else 0)
+        else
+           not Is_Framed (F)
+           or else (for all K in Command_Kind => not Is_Text_For (F, K)));
    --  Reads a command's frame, as the robot would; OK is False for all that
    --  Encode never writes. For proofs and tests: the supervisor itself only
    --  writes commands.
@@ -281,9 +334,5 @@ package Robot_Protocol with SPARK_Mode is
        and then (for all I in 1 .. F.Length => F.Data (I) = R.Data (I));
    --  The frame received, without its terminator; an empty one in place of
    --  one that was too long, which Decode then finds malformed.
-
-private
-
-   package Byte_Decimals is new Decimals (Byte, Byte_Array);
 
 end Robot_Protocol;

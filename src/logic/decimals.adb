@@ -1,0 +1,120 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Decimal numbers of up to eight digits, in text of characters or of
+--  octets: what both wire formats write and read.
+
+package body Decimals with SPARK_Mode is
+
+   subtype Exponent is Natural range 0 .. Max_Digits - 1;
+
+   function Power (E : Exponent) return Positive is
+     (case E is
+         when 0 => 1,
+         when 1 => 10,
+         when 2 => 100,
+         when 3 => 1_000,
+         when 4 => 10_000,
+         when 5 => 100_000,
+         when 6 => 1_000_000,
+         when 7 => 10_000_000);
+
+   procedure Prove_Next_Digit (N : Number; E : Exponent)
+   with
+     Ghost,
+     Pre  => E > 0,
+     Post => N / Power (E) * 10 + N / Power (E - 1) mod 10
+               = N / Power (E - 1);
+   --  The digit in front of which N / Power (E) stands.
+
+   ------------
+   -- Append --
+   ------------
+
+   procedure Append
+     (N     : Number;
+      Width : Digit_Count;
+      Into  : in out Text;
+      Last  : in out Natural)
+   is
+      Start  : constant Natural := Last;
+      Before : constant Text := Into with Ghost;
+      Count  : Digit_Count := Width;
+   begin
+      while Count < Max_Digits and then N > Largest (Count) loop
+         Count := Count + 1;
+         pragma Loop_Invariant
+           (Count > Width and then N > Largest (Count - 1));
+         pragma Loop_Variant (Increases => Count);
+      end loop;
+
+      for I in 1 .. Count loop
+         declare
+            Previous : constant Text := Into with Ghost;
+         begin
+            Into (Start + I) :=
+              Symbol'Val
+                (Character'Pos ('0') + N / Power (Count - I) mod 10);
+            if I > 1 then
+               Prove_Next_Digit (N, Count - I + 1);
+               Prove_Same_Value (Previous, Into, Start + 1, Start + I - 1);
+            end if;
+         end;
+         pragma Loop_Invariant (Are_Digits (Into, Start + 1, Start + I));
+         pragma Loop_Invariant
+           (Value (Into, Start + 1, Start + I) = N / Power (Count - I));
+         pragma Loop_Invariant
+           (for all J in Into'Range =>
+              (if J <= Start or else J > Start + I then
+                  Into (J) = Before (J)));
+      end loop;
+      Last := Start + Count;
+   end Append;
+
+   ----------------------
+   -- Prove_Next_Digit --
+   ----------------------
+
+   procedure Prove_Next_Digit (N : Number; E : Exponent) is
+   begin
+      case E is
+         when 0 => null;
+         when 1 => pragma Assert (N / 10 * 10 + N mod 10 = N);
+         when 2 => pragma Assert (N / 100 = N / 10 / 10);
+         when 3 => pragma Assert (N / 1_000 = N / 100 / 10);
+         when 4 => pragma Assert (N / 10_000 = N / 1_000 / 10);
+         when 5 => pragma Assert (N / 100_000 = N / 10_000 / 10);
+         when 6 => pragma Assert (N / 1_000_000 = N / 100_000 / 10);
+         when 7 => pragma Assert (N / 10_000_000 = N / 1_000_000 / 10);
+      end case;
+   end Prove_Next_Digit;
+
+   ----------------------
+   -- Prove_Same_Value --
+   ----------------------
+
+   procedure Prove_Same_Value
+     (A, B : Text; First : Positive; Last : Natural)
+   is null;
+
+   ---------------------
+   -- Saturated_Value --
+   ---------------------
+
+   function Saturated_Value
+     (T : Text; First : Positive; Last : Natural) return Number
+   is
+      Start : Positive := First;
+   begin
+      if Last - First >= Max_Digits then
+         Start := Last - Max_Digits + 1;
+         for I in First .. Start - 1 loop
+            if Digit_Value (T (I)) /= 0 then
+               return Number'Last;
+            end if;
+            pragma Loop_Invariant
+              (for all J in First .. I => Digit_Value (T (J)) = 0);
+         end loop;
+      end if;
+      return Value (T, Start, Last);
+   end Saturated_Value;
+
+end Decimals;

@@ -1,0 +1,44 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Supervision of the robot's line: when it is lost, and how commands and
+--  answers get back into step after an answer that did not come.
+
+package body Line_Health with SPARK_Mode is
+
+   -------------
+   -- Failure --
+   -------------
+
+   procedure Failure (H : in out State; Command : Command_Kind) is
+      Owed : Class_Set := H.Owed;
+   begin
+      Owed (Class_Of (Command)) := True;
+      H := (Failures => H.Failures + 1, Owed => Owed);
+   end Failure;
+
+   -------------
+   -- Initial --
+   -------------
+
+   function Initial return State is
+     ((Failures => 0, Owed => (others => False)));
+
+   -----------
+   -- Probe --
+   -----------
+
+   function Probe (H : State) return Command_Kind is
+     (if not H.Owed (Text) then Version
+      elsif not H.Owed (Digit) then Battery
+      elsif not H.Owed (Unknown) then Unknown_Letter
+      else Ping);
+
+   -------------
+   -- Success --
+   -------------
+
+   procedure Success (H : in out State) is
+   begin
+      H := Initial;
+   end Success;
+
+end Line_Health;

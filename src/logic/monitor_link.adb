@@ -1,0 +1,51 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Whether the monitor is still there: decided from what the kernel says
+--  about the connection (TCP_INFO), sampled a few times a second.
+
+package body Monitor_Link with SPARK_Mode is
+
+   -----------
+   -- Judge --
+   -----------
+
+   procedure Judge (S : in out State; X : Sample; V : out Verdict) is
+      Progress : constant Boolean := Is_Progress (S, X);
+   begin
+      if Progress or else not S.Waiting or else X.Unacknowledged = 0 then
+         S.Waiting_Since := X.Now;
+      end if;
+      if Progress or else not S.Holding or else X.Outstanding = 0 then
+         S.Holding_Since := X.Now;
+      end if;
+      S.Waiting := X.Unacknowledged > 0;
+      S.Holding := X.Outstanding > 0;
+      S.Acked   := X.Bytes_Acked;
+
+      if S.Waiting
+        and then X.Since_Last_Ack > Vanished_After
+        and then Elapsed (S.Waiting_Since, X.Now) > Vanished_After
+      then
+         V := Vanished;
+      elsif S.Holding
+        and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After
+      then
+         V := Stalled;
+      else
+         V := Present;
+      end if;
+   end Judge;
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start (S : out State; Now : Milliseconds) is
+   begin
+      S := (Waiting       => False,
+            Waiting_Since => Now,
+            Holding       => False,
+            Holding_Since => Now,
+            Acked         => 0);
+   end Start;
+
+end Monitor_Link;

@@ -1,0 +1,37 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  All unit tests of the pure packages.
+
+with Base64_Tests;
+with Decimals_Tests;
+with Line_Health_Tests;
+with Monitor_Link_Tests;
+with Monitor_Protocol_Tests;
+with Robot_Protocol_Tests;
+
+package body Logic_Suite is
+
+   Base_64  : aliased Base64_Tests.Test_Case;
+   Decimal  : aliased Decimals_Tests.Test_Case;
+   Robot    : aliased Robot_Protocol_Tests.Test_Case;
+   Monitor  : aliased Monitor_Protocol_Tests.Test_Case;
+   Health   : aliased Line_Health_Tests.Test_Case;
+   Link     : aliased Monitor_Link_Tests.Test_Case;
+
+   -----------
+   -- Suite --
+   -----------
+
+   function Suite return AUnit.Test_Suites.Access_Test_Suite is
+      Result : constant AUnit.Test_Suites.Access_Test_Suite :=
+        AUnit.Test_Suites.New_Suite;
+   begin
+      Result.Add_Test (Base_64'Access);
+      Result.Add_Test (Decimal'Access);
+      Result.Add_Test (Robot'Access);
+      Result.Add_Test (Monitor'Access);
+      Result.Add_Test (Health'Access);
+      Result.Add_Test (Link'Access);
+      return Result;
+   end Suite;
+
+end Logic_Suite;

@@ -1,0 +1,288 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The monitor's connection: present, vanished, stalled.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Monitor_Link;     use Monitor_Link;
+
+package body Monitor_Link_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Step : constant Milliseconds := 250;
+
+   S   : State;
+   Now : Milliseconds := 0;
+
+   procedure Begin_At (Time : Milliseconds);
+   --  A connection is admitted.
+
+   function Next
+     (Unacknowledged : Natural;
+      Since_Last_Ack : Milliseconds;
+      Outstanding    : Natural;
+      Bytes_Acked    : Byte_Count) return Verdict;
+   --  The verdict on the sample after 250 ms more.
+
+   procedure Test_Quiet (T : in out Any_Test);
+   procedure Test_Streaming (T : in out Any_Test);
+   procedure Test_Vanished (T : in out Any_Test);
+   procedure Test_After_Idle (T : in out Any_Test);
+   procedure Test_Stalled (T : in out Any_Test);
+   procedure Test_Slow (T : in out Any_Test);
+   procedure Test_Pause (T : in out Any_Test);
+   procedure Test_Both (T : in out Any_Test);
+   procedure Test_Clock (T : in out Any_Test);
+
+   --------------
+   -- Begin_At --
+   --------------
+
+   procedure Begin_At (Time : Milliseconds) is
+   begin
+      Now := Time;
+      Start (S, Now);
+   end Begin_At;
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Monitor_Link"));
+
+   ----------
+   -- Next --
+   ----------
+
+   function Next
+     (Unacknowledged : Natural;
+      Since_Last_Ack : Milliseconds;
+      Outstanding    : Natural;
+      Bytes_Acked    : Byte_Count) return Verdict
+   is
+      V : Verdict;
+   begin
+      Now := Now + Step;
+      Judge (S,
+             (Now            => Now,
+              Unacknowledged => Unacknowledged,
+              Since_Last_Ack => Since_Last_Ack,
+              Outstanding    => Outstanding,
+              Bytes_Acked    => Bytes_Acked),
+             V);
+      return V;
+   end Next;
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Quiet'Access, "nothing to say, for hours");
+      Register_Routine (T, Test_Streaming'Access, "images, acknowledged");
+      Register_Routine (T, Test_Vanished'Access,
+                        "F5: vanished, found within 5 s");
+      Register_Routine (T, Test_After_Idle'Access,
+                        "first message after a long silence");
+      Register_Routine (T, Test_Stalled'Access,
+                        "stalled: closed window for 15 s");
+      Register_Routine (T, Test_Slow'Access, "slow is not stalled");
+      Register_Routine (T, Test_Pause'Access,
+                        "pauses below the limit, again and again");
+      Register_Routine (T, Test_Both'Access, "vanished goes first");
+      Register_Routine (T, Test_Clock'Access, "odd clocks, odd counters");
+   end Register_Tests;
+
+   ---------------------
+   -- Test_After_Idle --
+   ---------------------
+
+   procedure Test_After_Idle (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      --  The last acknowledgement is a minute old when a message goes out
+      --  just before the sample
+
+      Begin_At (0);
+      for I in 1 .. 240 loop
+         Assert (Next (0, Milliseconds (I) * Step, 0, 77) = Present, "idle");
+      end loop;
+      Assert (Next (1, 60_250, 7, 77) = Present, "just sent");
+      Assert (Next (0, 245, 0, 84) = Present, "acknowledged");
+
+      --  A second one is not acknowledged
+
+      for I in 1 .. 17 loop
+         Assert (Next (1, 60_000, 7, 84) = Present, "not yet 4 s");
+      end loop;
+      Assert (Next (1, 64_500, 7, 84) = Vanished, "over 4 s");
+   end Test_After_Idle;
+
+   ---------------
+   -- Test_Both --
+   ---------------
+
+   procedure Test_Both (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Begin_At (0);
+      for I in 1 .. 70 loop
+         Assert (Next (0, 100, 5000, 9) =
+                 (if I > 60 then Stalled else Present), "stalled");
+      end loop;
+      for I in 1 .. 18 loop
+         Assert (Next (2, Milliseconds (I) * Step, 5000, 9) =
+                 (if I = 18 then Vanished else Stalled), "then vanished");
+      end loop;
+   end Test_Both;
+
+   ----------------
+   -- Test_Clock --
+   ----------------
+
+   procedure Test_Clock (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      V : Verdict;
+   begin
+      --  A time before the last one counts as no time at all
+
+      Begin_At (Milliseconds'Last);
+      Judge (S, (Now => 5, Unacknowledged => 1, Since_Last_Ack => 9_999,
+                 Outstanding => 1, Bytes_Acked => 0), V);
+      Assert (V = Present, "earlier than the start");
+      Judge (S, (Now => 0, Unacknowledged => 1, Since_Last_Ack => 9_999,
+                 Outstanding => 1, Bytes_Acked => 0), V);
+      Assert (V = Present, "earlier again");
+      Judge (S, (Now => Milliseconds'Last, Unacknowledged => Natural'Last,
+                 Since_Last_Ack => Milliseconds'Last,
+                 Outstanding => Natural'Last, Bytes_Acked => 0), V);
+      Assert (V = Vanished, "a long time");
+
+      --  Whatever moves the counter is progress
+
+      Judge (S, (Now => Milliseconds'Last, Unacknowledged => 1,
+                 Since_Last_Ack => 9_999, Outstanding => 1,
+                 Bytes_Acked => Byte_Count'Last), V);
+      Assert (V = Present, "progress");
+   end Test_Clock;
+
+   ----------------
+   -- Test_Pause --
+   ----------------
+
+   procedure Test_Pause (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Acked : Byte_Count := 0;
+   begin
+      Begin_At (0);
+      for Round in 1 .. 10 loop
+         for I in 1 .. 59 loop
+            Assert (Next (0, 200, 900, Acked) = Present, "14.5 s");
+         end loop;
+         Acked := Acked + 1;
+         Assert (Next (0, 200, 900, Acked) = Present, "one byte is enough");
+      end loop;
+   end Test_Pause;
+
+   ----------------
+   -- Test_Quiet --
+   ----------------
+
+   procedure Test_Quiet (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Begin_At (1_000_000);
+      for I in 1 .. 20_000 loop
+         Assert (Next (0, Milliseconds (I) * Step, 0, 1) = Present, "idle");
+      end loop;
+   end Test_Quiet;
+
+   ---------------
+   -- Test_Slow --
+   ---------------
+
+   procedure Test_Slow (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Begin_At (0);
+      for I in 1 .. 1_000 loop
+         Assert (Next (1, 100, 100_000, Byte_Count (I / 20)) = Present,
+                 "a byte every 5 s");
+      end loop;
+   end Test_Slow;
+
+   ------------------
+   -- Test_Stalled --
+   ------------------
+
+   procedure Test_Stalled (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      First : Milliseconds;
+   begin
+      Begin_At (500);
+      Assert (Next (0, 100, 0, 10) = Present, "nothing outstanding");
+      First := Now + Step;
+      for I in 1 .. 60 loop
+         Assert (Next (0, 150, 131_072, 10) = Present, "window closed");
+      end loop;
+      Assert (Next (0, 150, 131_072, 10) = Stalled, "15 s");
+      Assert (Now - First = 15_000, "exactly 15 s");
+
+      --  The kernel's probes are acknowledged more and more rarely; with
+      --  no segment under way that is no sign of a peer that has gone
+
+      Begin_At (0);
+      for I in 1 .. 60 loop
+         Assert (Next (0, Milliseconds (I) * Step, 9, 0) = Present,
+                 "old acknowledgements");
+      end loop;
+      Assert (Next (0, 15_000, 9, 0) = Stalled, "stalled, not vanished");
+   end Test_Stalled;
+
+   --------------------
+   -- Test_Streaming --
+   --------------------
+
+   procedure Test_Streaming (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Begin_At (0);
+      for I in 1 .. 10_000 loop
+         Assert (Next (3, 40, 60_000, Byte_Count (I) * 50_000) = Present,
+                 "in full flow");
+      end loop;
+   end Test_Streaming;
+
+   -------------------
+   -- Test_Vanished --
+   -------------------
+
+   procedure Test_Vanished (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Cut : Milliseconds;
+      V   : Verdict := Present;
+   begin
+      --  The cable goes at every phase of the sampling; images follow each
+      --  other every 100 ms, so the first unacknowledged one goes out at
+      --  most 100 ms later
+
+      for Phase in Milliseconds range 0 .. 249 loop
+         Begin_At (0);
+         Assert (Next (0, 10, 0, 5_000) = Present, "before");
+         Cut := Now + Phase;
+         V := Present;
+         while V = Present loop
+            V := (if Now + Step <= Cut + 100
+                  then Next (0, 20, 0, 5_000)
+                  else Next (1, Now + Step - Cut, 40_000, 5_000));
+            Assert (Now - Cut < 5_000, "within 5 s");
+         end loop;
+         Assert (V = Vanished, "vanished");
+         Assert (Now - Cut > 4_000, "not before 4 s");
+      end loop;
+   end Test_Vanished;
+
+end Monitor_Link_Tests;

@@ -1,0 +1,875 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The monitor's lines: every label, numbers, line ends, answers, positions.
+
+with Ada.Numerics.Discrete_Random;
+with Ada.Strings.Fixed;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Monitor_Protocol; use Monitor_Protocol;
+
+package body Monitor_Protocol_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   LF : Character renames Line_Feed;
+   CR : Character renames Carriage_Return;
+
+   package Random_Characters is
+     new Ada.Numerics.Discrete_Random (Character);
+
+   package Random_Micros is new Ada.Numerics.Discrete_Random (Micro);
+
+   package Random_Ids is new Ada.Numerics.Discrete_Random (Robot_Id);
+
+   function Parsed (Line : String) return Message;
+
+   procedure Check_Malformed (Line : String);
+
+   procedure Feed (R : in out Line_Reader; Text : String);
+   --  None of Text ends a line.
+
+   procedure Check_Line (R : in out Line_Reader; Text, Expected : String);
+   --  The last character of Text, and only that, ends a line: Expected.
+
+   function Formatted (P : Position) return String;
+   --  Without the line feed, which is checked.
+
+   function Image (Value : Micro) return String;
+   --  Six decimals, by other means than the package's.
+
+   procedure Check_Position (P : Position);
+   --  Formatted as expected, and read back.
+
+   procedure Check_Refused_Position (Line : String);
+
+   procedure Test_Labels (T : in out Any_Test);
+   procedure Test_Answered (T : in out Any_Test);
+   procedure Test_Bare (T : in out Any_Test);
+   procedure Test_Any_Label (T : in out Any_Test);
+   procedure Test_Numbers (T : in out Any_Test);
+   procedure Test_Every_Number (T : in out Any_Test);
+   procedure Test_Bad_Numbers (T : in out Any_Test);
+   procedure Test_Log (T : in out Any_Test);
+   procedure Test_Parse_Slices (T : in out Any_Test);
+   procedure Test_Parse_Chaos (T : in out Any_Test);
+   procedure Test_Line_Ends (T : in out Any_Test);
+   procedure Test_Long_Lines (T : in out Any_Test);
+   procedure Test_Reader_Chaos (T : in out Any_Test);
+   procedure Test_Answers (T : in out Any_Test);
+   procedure Test_Battery (T : in out Any_Test);
+   procedure Test_Not_Found (T : in out Any_Test);
+   procedure Test_Positions (T : in out Any_Test);
+   procedure Test_Random_Positions (T : in out Any_Test);
+   procedure Test_Refused_Positions (T : in out Any_Test);
+   procedure Test_Damaged_Positions (T : in out Any_Test);
+
+   ----------------
+   -- Check_Line --
+   ----------------
+
+   procedure Check_Line (R : in out Line_Reader; Text, Expected : String) is
+      Line     : String (1 .. Max_Line + 10) := (others => '.');
+      Last     : Natural;
+      Complete : Boolean;
+   begin
+      Feed (R, Text (Text'First .. Text'Last - 1));
+      Accept_Character (R, Text (Text'Last), Complete);
+      Assert (Complete, "complete: " & Expected);
+      Get_Line (R, Line, Last);
+      Assert (not Is_Too_Long (R), "not too long: " & Expected);
+      Assert (Line (1 .. Last) = Expected, "line " & Expected);
+      Assert (Length (R) = Expected'Length, "length of " & Expected);
+      Assert ((for all I in Last + 1 .. Line'Last => Line (I) = '.'),
+              "behind " & Expected);
+   end Check_Line;
+
+   ---------------------
+   -- Check_Malformed --
+   ---------------------
+
+   procedure Check_Malformed (Line : String) is
+   begin
+      Assert (Parsed (Line) = (Malformed, 0), "malformed: " & Line);
+   end Check_Malformed;
+
+   --------------------
+   -- Check_Position --
+   --------------------
+
+   procedure Check_Position (P : Position) is
+      Text : constant String := Formatted (P);
+      Q    : Position;
+      OK   : Boolean;
+   begin
+      Assert (Text = "CPOS:" & Ada.Strings.Fixed.Trim
+                (Integer'Image (P.Id), Ada.Strings.Left)
+              & ";" & Image (P.Angle) & ";" & Image (P.Cx) & ";"
+              & Image (P.Cy) & ";" & Image (P.Dx) & ";" & Image (P.Dy),
+              "text " & Text);
+      Parse_Position (Text, Text'Last, Q, OK);
+      Assert (OK and then Q = P, "read back " & Text);
+   end Check_Position;
+
+   ----------------------------
+   -- Check_Refused_Position --
+   ----------------------------
+
+   procedure Check_Refused_Position (Line : String) is
+      P  : Position;
+      OK : Boolean;
+      L  : constant String (1 .. Line'Length) := Line;
+   begin
+      Parse_Position (L, L'Last, P, OK);
+      Assert (not OK and then P = Not_Found, "no position: " & Line);
+   end Check_Refused_Position;
+
+   ----------
+   -- Feed --
+   ----------
+
+   procedure Feed (R : in out Line_Reader; Text : String) is
+      Complete : Boolean;
+   begin
+      for C of Text loop
+         Accept_Character (R, C, Complete);
+         Assert (not Complete, "no end of line");
+      end loop;
+   end Feed;
+
+   ---------------
+   -- Formatted --
+   ---------------
+
+   function Formatted (P : Position) return String is
+      Buffer : Position_Text;
+      Last   : Natural;
+   begin
+      Format_Position (P, Buffer, Last);
+      Assert (Buffer (Last) = LF, "line feed");
+      return Buffer (1 .. Last - 1);
+   end Formatted;
+
+   -----------
+   -- Image --
+   -----------
+
+   function Image (Value : Micro) return String is
+      Digits_Only : constant String :=
+        Ada.Strings.Fixed.Trim
+          (Long_Long_Integer'Image (Long_Long_Integer (abs Value)),
+           Ada.Strings.Left);
+      Filled : constant String :=
+        (if Digits_Only'Length >= 7 then Digits_Only
+         else Ada.Strings.Fixed.Tail (Digits_Only, 7, '0'));
+   begin
+      return (if Value < 0 then "-" else "")
+        & Filled (Filled'First .. Filled'Last - 6) & "."
+        & Filled (Filled'Last - 5 .. Filled'Last);
+   end Image;
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Monitor_Protocol"));
+
+   ------------
+   -- Parsed --
+   ------------
+
+   function Parsed (Line : String) return Message is
+      M : Message;
+   begin
+      Parse (Line, M);
+      return M;
+   end Parsed;
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Labels'Access, "table of labels");
+      Register_Routine (T, Test_Answered'Access, "which are answered");
+      Register_Routine (T, Test_Bare'Access, "commands without data");
+      Register_Routine (T, Test_Any_Label'Access,
+                        "labels one character off");
+      Register_Routine (T, Test_Numbers'Access, "numbers, clamped");
+      Register_Routine (T, Test_Every_Number'Access,
+                        "every number from -70,000 to 70,000");
+      Register_Routine (T, Test_Bad_Numbers'Access, "no numbers");
+      Register_Routine (T, Test_Log'Access, "log messages");
+      Register_Routine (T, Test_Parse_Slices'Access, "lines in a buffer");
+      Register_Routine (T, Test_Parse_Chaos'Access, "chaos");
+      Register_Routine (T, Test_Line_Ends'Access, "ends of lines");
+      Register_Routine (T, Test_Long_Lines'Access, "long lines");
+      Register_Routine (T, Test_Reader_Chaos'Access, "a random stream");
+      Register_Routine (T, Test_Answers'Access, "answers");
+      Register_Routine (T, Test_Battery'Access, "battery levels");
+      Register_Routine (T, Test_Not_Found'Access, "F18: not found");
+      Register_Routine (T, Test_Positions'Access, "F18: positions");
+      Register_Routine (T, Test_Random_Positions'Access,
+                        "F18: random positions");
+      Register_Routine (T, Test_Refused_Positions'Access, "no positions");
+      Register_Routine (T, Test_Damaged_Positions'Access,
+                        "damaged positions");
+   end Register_Tests;
+
+   -------------------
+   -- Test_Answered --
+   -------------------
+
+   procedure Test_Answered (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for K in Message_Kind loop
+         Assert (Is_Answered (K)
+                   = (K /= Confirm_Arena and then K /= Reject_Arena
+                      and then K /= Log_Message), K'Image);
+      end loop;
+   end Test_Answered;
+
+   ------------------
+   -- Test_Answers --
+   ------------------
+
+   procedure Test_Answers (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check (Answer : Answer_Kind; Text : String);
+      --  Answer is Text and a line feed.
+
+      procedure Check (Answer : Answer_Kind; Text : String) is
+         S : constant Short_Text := Wire_Text (Answer);
+      begin
+         Assert (S.Data (1 .. S.Length) = Text & LF, Text);
+      end Check;
+
+   begin
+      Check (Acknowledged, "AACK");
+      Check (Not_Done, "ANAK");
+      Check (Refused, "ACRJ");
+      Check (Timed_Out, "ATIM");
+      Check (Not_Understood, "ACER");
+      Check (Battery_Empty, "RBLV:0");
+      Check (Battery_Low, "RBLV:1");
+      Check (Battery_Full, "RBLV:2");
+      Check (Battery_Unknown, "RBLV:-1");
+      Check (Standing, "RCST:0");
+      Check (Moving, "RCST:1");
+   end Test_Answers;
+
+   --------------------
+   -- Test_Any_Label --
+   --------------------
+
+   procedure Test_Any_Label (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Line  : String (1 .. 4);
+      Known : Boolean;
+   begin
+      for K in Known_Kind loop
+         for Place in 1 .. 4 loop
+            for C in Character loop
+               Line := Label (K);
+               Line (Place) := C;
+               Known := (for some J in Known_Kind => Line = Label (J));
+               if not Known then
+                  Check_Malformed (Line);
+                  Check_Malformed (Line & ":");
+                  Check_Malformed (Line & ":1");
+               end if;
+            end loop;
+         end loop;
+      end loop;
+   end Test_Any_Label;
+
+   ----------------------
+   -- Test_Bad_Numbers --
+   ----------------------
+
+   procedure Test_Bad_Numbers (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check (Data : String);
+      --  Neither order takes Data.
+
+      procedure Check (Data : String) is
+      begin
+         Check_Malformed ("RMOV" & Data);
+         Check_Malformed ("RTRN" & Data);
+      end Check;
+
+   begin
+      Check ("");
+      Check (":");
+      Check (":-");
+      Check (":+");
+      Check (":--1");
+      Check (":+-1");
+      Check (":1-");
+      Check (": 1");
+      Check (":1 ");
+      Check (":1 2");
+      Check (":1.5");
+      Check (":1e3");
+      Check (":0x10");
+      Check (":1_000");
+      Check (":one");
+      Check (":12:3");
+      Check ("::12");
+      Check ("12");
+      Check ("=12");
+      Check (":" & (1 .. 1000 => '9') & "x");
+      Check (":" & (1 .. 1000 => '0') & "-");
+      for C in Character loop
+         if C not in '0' .. '9' then
+            Check (":" & C);
+            Check (":1" & C);
+            Check (":-" & C);
+            if C not in '+' | '-' then
+               Check (":" & C & "1");
+            end if;
+            Check (":123456789" & C & "12345678");
+         end if;
+      end loop;
+   end Test_Bad_Numbers;
+
+   ------------------
+   -- Test_Battery --
+   ------------------
+
+   procedure Test_Battery (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Battery_Answer (-1) = Battery_Unknown
+              and then Battery_Answer (0) = Battery_Empty
+              and then Battery_Answer (1) = Battery_Low
+              and then Battery_Answer (2) = Battery_Full, "levels");
+   end Test_Battery;
+
+   ---------------
+   -- Test_Bare --
+   ---------------
+
+   procedure Test_Bare (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for K in Known_Kind loop
+         if not Takes_Number (K) and then not Takes_Text (K) then
+            Assert (Parsed (Label (K)) = (K, 0), Label (K));
+
+            --  The existing monitor writes the separator all the same
+
+            Assert (Parsed (Label (K) & ":") = (K, 0), Label (K) & ":");
+            Check_Malformed (Label (K) & ":1");
+            Check_Malformed (Label (K) & "::");
+            Check_Malformed (Label (K) & ": ");
+            Check_Malformed (Label (K) & " ");
+            Check_Malformed (Label (K) & "S");
+            Check_Malformed (" " & Label (K));
+            Check_Malformed (Label (K) & CR);
+            Check_Malformed (Label (K) & Label (K));
+         end if;
+      end loop;
+      Check_Malformed ("");
+      Check_Malformed (":");
+      Check_Malformed ("R");
+      Check_Malformed ("ROP");
+      Check_Malformed ("ROP:");
+      Check_Malformed ("ropn");
+      Check_Malformed ("Ropn");
+      Check_Malformed ("AACK");
+      Check_Malformed ("CPOS");
+      Check_Malformed ("CIMG:");
+      Check_Malformed ("RBLV:1");
+   end Test_Bare;
+
+   ----------------------------
+   -- Test_Damaged_Positions --
+   ----------------------------
+
+   procedure Test_Damaged_Positions (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Text : constant String :=
+        Formatted ((42, 90_000_000, 320_500_000, -1, 320_500_000, 12));
+      Line : String (1 .. Text'Length);
+      P    : Position;
+      OK   : Boolean;
+   begin
+      --  Whatever one character is replaced by: refused, or another
+      --  position that is written just so, but for zeros in front
+
+      for I in Line'Range loop
+         for C in Character loop
+            Line := Text;
+            Line (I) := C;
+            Parse_Position (Line, Line'Last, P, OK);
+            if OK and then C not in '0' | '-' then
+               Assert (Formatted (P) = Line, "another position");
+            end if;
+         end loop;
+         if I < Line'Last then
+            Line := Text;
+            Parse_Position (Line, I, P, OK);
+            Assert (not OK, "cut");
+         end if;
+      end loop;
+   end Test_Damaged_Positions;
+
+   -----------------------
+   -- Test_Every_Number --
+   -----------------------
+
+   procedure Test_Every_Number (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for N in -70_000 .. 70_000 loop
+         Assert (Parsed ("RMOV:" & Ada.Strings.Fixed.Trim
+                           (N'Image, Ada.Strings.Left))
+                 = (Move_Robot,
+                    Integer'Max (-32_768, Integer'Min (32_767, N))),
+                 "move" & N'Image);
+      end loop;
+   end Test_Every_Number;
+
+   -----------------
+   -- Test_Labels --
+   -----------------
+
+   procedure Test_Labels (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check (Text : String; Kind : Known_Kind);
+      --  Text is the label of Kind.
+
+      procedure Check_Unasked (Actual, Expected : String);
+      --  The label of something that is sent unasked.
+
+      Count : Natural := 0;
+
+      procedure Check (Text : String; Kind : Known_Kind) is
+      begin
+         Count := Count + 1;
+         Assert (Label (Kind) = Text, "label " & Text);
+         Assert ((for all K in Known_Kind =>
+                    K = Kind or else Label (K) /= Text), "once " & Text);
+      end Check;
+
+      procedure Check_Unasked (Actual, Expected : String) is
+      begin
+         Assert (Actual = Expected, "label " & Expected);
+      end Check_Unasked;
+
+   begin
+      Check ("ROPN", Open_Robot);
+      Check ("RCLS", Close_Robot);
+      Check ("RSOW", Start_Robot);
+      Check ("RSWW", Start_Robot_Watchdog);
+      Check ("RRST", Reset_Robot);
+      Check ("RPIN", Ping_Robot);
+      Check ("RLDW", Reload_Watchdog);
+      Check ("RGFW", Go_Forward);
+      Check ("RGBW", Go_Backward);
+      Check ("RGLF", Go_Left);
+      Check ("RGRI", Go_Right);
+      Check ("RSTP", Stop_Robot);
+      Check ("RMOV", Move_Robot);
+      Check ("RTRN", Turn_Robot);
+      Check ("RPOF", Power_Off_Robot);
+      Check ("RGBT", Get_Battery);
+      Check ("RGST", Get_State);
+      Check ("COPN", Open_Camera);
+      Check ("CCLS", Close_Camera);
+      Check ("CASA", Ask_Arena);
+      Check ("CACO", Confirm_Arena);
+      Check ("CAIN", Reject_Arena);
+      Check ("CPCO", Start_Position);
+      Check ("CPST", Stop_Position);
+      Check ("MSSG", Log_Message);
+      Assert (Count = Known_Kind'Pos (Known_Kind'Last) + 1, "all of them");
+      Check_Unasked (Image_Label, "CIMG");
+      Check_Unasked (Position_Label, "CPOS");
+      Check_Unasked (Battery_Label, "RBLV");
+      Check_Unasked (State_Label, "RCST");
+      Check_Unasked (Log_Label, "MSSG");
+   end Test_Labels;
+
+   --------------------
+   -- Test_Line_Ends --
+   --------------------
+
+   procedure Test_Line_Ends (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      R : Line_Reader;
+   begin
+      Check_Line (R, "ROPN" & LF, "ROPN");
+      Check_Line (R, "ROPN" & CR & LF, "ROPN");
+      Check_Line (R, (1 => LF), "");
+      Check_Line (R, CR & LF, "");
+      Check_Line (R, CR & CR & LF, (1 => CR));
+      Check_Line (R, CR & "RPIN" & LF, CR & "RPIN");
+      Check_Line (R, "RP" & CR & "IN" & CR & LF, "RP" & CR & "IN");
+      Check_Line (R, "RP" & CR & CR & "IN" & LF, "RP" & CR & CR & "IN");
+      Check_Line (R, "RMOV:-12" & LF, "RMOV:-12");
+
+      --  Half a line, then another connection
+
+      Feed (R, "RSWW");
+      Assert (Length (R) = 4, "half a line");
+      Clear (R);
+      Assert (Length (R) = 0, "cleared");
+      Check_Line (R, "CASA" & LF, "CASA");
+      Feed (R, "RSWW" & CR);
+      Clear (R);
+      Check_Line (R, "CASA" & LF, "CASA");
+   end Test_Line_Ends;
+
+   --------------
+   -- Test_Log --
+   --------------
+
+   procedure Test_Log (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Line : constant String := "MSSG:hello: world";
+   begin
+      Assert (Parsed (Line) = (Log_Message, 0), "text");
+      Assert (Line (Line'First + Text_Offset .. Line'Last)
+                = "hello: world", "where it is");
+      Assert (Parsed ("MSSG:") = (Log_Message, 0), "empty text");
+      Assert (Parsed ("MSSG:1") = (Log_Message, 0), "digits");
+      for C in Character loop
+         Assert (Parsed ("MSSG:" & C) = (Log_Message, 0), "any text");
+      end loop;
+      Check_Malformed ("MSSG");
+      Check_Malformed ("MSSG hello");
+      Check_Malformed ("mssg:hello");
+   end Test_Log;
+
+   ---------------------
+   -- Test_Long_Lines --
+   ---------------------
+
+   procedure Test_Long_Lines (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      R        : Line_Reader;
+      Full     : constant String (1 .. Max_Line) := (others => 'x');
+      Line     : String (1 .. Max_Line) := (others => '.');
+      Last     : Natural;
+      Complete : Boolean;
+   begin
+      Check_Line (R, Full & LF, Full);
+      Check_Line (R, Full & CR & LF, Full);
+      for Extra in 1 .. 20 loop
+         Feed (R, Full);
+         Assert (not Is_Too_Long (R), "full");
+         for I in 1 .. Extra ** 3 loop
+            Feed (R, "y");
+            Assert (Is_Too_Long (R), "too long");
+         end loop;
+         if Extra mod 2 = 0 then
+            Feed (R, (1 => CR));
+         end if;
+         Accept_Character (R, LF, Complete);
+         Get_Line (R, Line, Last);
+         Assert (Complete and then Is_Too_Long (R) and then Last = 0,
+                 "given as an empty line");
+         Check_Malformed (Line (1 .. Last));
+         if Extra mod 3 = 0 then
+            Check_Line (R, "RSTP" & LF, "RSTP");
+         end if;
+      end loop;
+
+      --  A carriage return that does not end the line counts
+
+      Feed (R, Full & CR);
+      Assert (not Is_Too_Long (R), "it may be the end");
+      Feed (R, "z");
+      Assert (Is_Too_Long (R), "it was not");
+   end Test_Long_Lines;
+
+   --------------------
+   -- Test_Not_Found --
+   --------------------
+
+   procedure Test_Not_Found (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Formatted (Not_Found) =
+              "CPOS:-1;0.000000;-1.000000;-1.000000;0.000000;0.000000",
+              "identifier -1, centre (-1, -1)");
+      Check_Position (Not_Found);
+   end Test_Not_Found;
+
+   ------------------
+   -- Test_Numbers --
+   ------------------
+
+   procedure Test_Numbers (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check (Data : String; Value : Integer);
+      --  Both orders take Data as Value.
+
+      procedure Check (Data : String; Value : Integer) is
+      begin
+         Assert (Parsed ("RMOV:" & Data) = (Move_Robot, Value), Data);
+         Assert (Parsed ("RTRN:" & Data) = (Turn_Robot, Value), Data);
+      end Check;
+
+   begin
+      Check ("0", 0);
+      Check ("-0", 0);
+      Check ("+0", 0);
+      Check ("7", 7);
+      Check ("+7", 7);
+      Check ("-7", -7);
+      Check ("007", 7);
+      Check ("-007", -7);
+      Check ("32767", 32_767);
+      Check ("32768", 32_767);
+      Check ("-32768", -32_768);
+      Check ("-32769", -32_768);
+      Check ("99999999", 32_767);
+      Check ("100000000", 32_767);
+      Check ("-100000000", -32_768);
+      Check ("2147483648", 32_767);
+      Check ("4294967297", 32_767);
+      Check ("-4294967297", -32_768);
+      Check ("18446744073709551617", 32_767);
+      Check ((1 .. 1019 => '9'), 32_767);
+      Check ("-" & (1 .. 1018 => '9'), -32_768);
+      Check ((1 .. 1018 => '0') & "5", 5);
+      Check ("-" & (1 .. 1000 => '0') & "32768", -32_768);
+   end Test_Numbers;
+
+   ----------------------
+   -- Test_Parse_Chaos --
+   ----------------------
+
+   procedure Test_Parse_Chaos (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      G    : Random_Characters.Generator;
+      Line : String (1 .. 40);
+      Size : Natural;
+      M    : Message;
+      Seen : array (Message_Kind) of Natural := (others => 0);
+      Few  : constant String := "RMOVTN:-0123456789+";
+   begin
+      Random_Characters.Reset (G, 7);
+      for Round in 1 .. 100_000 loop
+         Size := Character'Pos (Random_Characters.Random (G)) mod 41;
+         for I in 1 .. Size loop
+            Line (I) := Random_Characters.Random (G);
+            if Round mod 2 = 0 then
+               Line (I) :=
+                 Few (1 + Character'Pos (Line (I)) mod Few'Length);
+            end if;
+         end loop;
+         if Round mod 3 = 0 and then Size >= 5 then
+            Line (1 .. 4) := Label (Known_Kind'Val (Round mod 25));
+            Line (5) := ':';
+         end if;
+         Parse (Line (1 .. Size), M);
+         Seen (M.Kind) := Seen (M.Kind) + 1;
+         Assert (M.Kind = Malformed
+                 or else Line (1 .. 4) = Label (M.Kind), "its label");
+      end loop;
+      Assert (Seen (Malformed) > 0 and then Seen (Log_Message) > 0
+              and then Seen (Move_Robot) > 0 and then Seen (Stop_Robot) > 0,
+              "kinds seen");
+   end Test_Parse_Chaos;
+
+   -----------------------
+   -- Test_Parse_Slices --
+   -----------------------
+
+   procedure Test_Parse_Slices (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Buffer : constant String (101 .. 120) := "RSTPRTRN:-9012RMOV:5";
+      High   : constant String (Integer'Last - 6 .. Integer'Last - 1) :=
+        "RMOV:8";
+   begin
+      Assert (Parsed (Buffer (101 .. 104)) = (Stop_Robot, 0), "first");
+      Assert (Parsed (Buffer (105 .. 114)) = (Turn_Robot, -9012), "second");
+      Assert (Parsed (Buffer (115 .. 120)) = (Move_Robot, 5), "third");
+      Assert (Parsed (Buffer (115 .. 119)) = (Malformed, 0), "cut");
+      Assert (Parsed (Buffer (120 .. 119)) = (Malformed, 0), "empty");
+      Assert (Parsed (High) = (Move_Robot, 8), "high");
+   end Test_Parse_Slices;
+
+   --------------------
+   -- Test_Positions --
+   --------------------
+
+   procedure Test_Positions (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Edge : constant array (1 .. 22) of Micro :=
+        (0, 1, -1, 9, -9, 10, 99_999, -99_999, 100_000, 500_000, -500_000,
+         999_999, -999_999, 1_000_000, -1_000_000, 1_000_001, -1_000_001,
+         180_000_000, -179_999_999, Micro'First, Micro'Last,
+         Micro'Last - 1);
+   begin
+      Assert (Formatted ((7, 90_000_000, 320_500_000, 240_250_001,
+                          320_000_000, -400_000))
+              = "CPOS:7;90.000000;320.500000;240.250001;320.000000"
+              & ";-0.400000", "an example");
+      for Id in Robot_Id loop
+         Check_Position ((Id, 0, 0, 0, 0, 0));
+      end loop;
+      for E of Edge loop
+         Check_Position ((0, E, E, E, E, E));
+         for F of Edge loop
+            Check_Position ((999, E, F, E, F, E));
+            Check_Position ((-1, F, F, E, E, F));
+         end loop;
+      end loop;
+      Assert (Formatted ((999, Micro'First, Micro'First, Micro'First,
+                          Micro'First, Micro'First))'Length = 93,
+              "the longest");
+   end Test_Positions;
+
+   ---------------------------
+   -- Test_Random_Positions --
+   ---------------------------
+
+   procedure Test_Random_Positions (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      G     : Random_Micros.Generator;
+      Ids   : Random_Ids.Generator;
+      Scale : Micro := 1;
+
+      function Any return Micro is (Random_Micros.Random (G) / Scale);
+
+   begin
+      Random_Micros.Reset (G, 8);
+      Random_Ids.Reset (Ids, 9);
+      for Round in 1 .. 30_000 loop
+         Scale := (if Round mod 13 = 0 then 1 else Scale * 10);
+         Check_Position
+           ((Random_Ids.Random (Ids), Any, Any, Any, Any, Any));
+         if Scale > 10 ** 11 then
+            Scale := 1;
+         end if;
+      end loop;
+   end Test_Random_Positions;
+
+   -----------------------
+   -- Test_Reader_Chaos --
+   -----------------------
+
+   procedure Test_Reader_Chaos (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      G        : Random_Characters.Generator;
+      R        : Line_Reader;
+      Kept     : String (1 .. 4000) := (others => ' ');
+      Count    : Natural := 0;
+      Line     : String (1 .. Max_Line);
+      Last     : Natural;
+      Complete : Boolean;
+      C        : Character;
+      Lines    : Natural := 0;
+   begin
+      Random_Characters.Reset (G, 10);
+      for Round in 1 .. 400_000 loop
+         C := Random_Characters.Random (G);
+         if C < Character'Val (16) and then Round / 100_000 mod 2 = 0 then
+            C := (if C < Character'Val (8) then CR else LF);
+         end if;
+         if Count = Kept'Last then
+            C := LF;
+         end if;
+         Accept_Character (R, C, Complete);
+         Assert (Complete = (C = LF), "ends at the line feed");
+         if Complete then
+            Lines := Lines + 1;
+            if Count > 0 and then Kept (Count) = CR then
+               Count := Count - 1;
+            end if;
+            Get_Line (R, Line, Last);
+            Assert (Is_Too_Long (R) = (Count > Max_Line), "too long");
+            Assert (Last = (if Count > Max_Line then 0 else Count)
+                    and then Line (1 .. Last) = Kept (1 .. Last),
+                    "characters as they came");
+            Count := 0;
+         else
+            Count := Count + 1;
+            Kept (Count) := C;
+         end if;
+      end loop;
+      Assert (Lines > 1_000, "lines");
+   end Test_Reader_Chaos;
+
+   ----------------------------
+   -- Test_Refused_Positions --
+   ----------------------------
+
+   procedure Test_Refused_Positions (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      Zero : constant String := "0.000000";
+      Four : constant String := Zero & ";" & Zero & ";" & Zero & ";" & Zero;
+
+      procedure Check_Field (Field : String);
+      --  No position has this for its angle, or for its last field.
+
+      procedure Check_Field (Field : String) is
+      begin
+         Check_Refused_Position ("CPOS:1;" & Field & ";" & Four);
+         Check_Refused_Position ("CPOS:1;" & Four & ";" & Field);
+      end Check_Field;
+
+      P  : Position;
+      OK : Boolean;
+   begin
+      Check_Refused_Position ("");
+      Check_Refused_Position ("CPOS");
+      Check_Refused_Position ("CPOS:");
+      Check_Refused_Position ("CPOS:1");
+      Check_Refused_Position ("CPOS:;;;;;");
+      Check_Refused_Position ("CPOS:1;" & Four);
+      Check_Refused_Position ("CPOS:1;" & Four & ";");
+      Check_Refused_Position ("CPOS:1;" & Four & ";" & Zero & ";");
+      Check_Refused_Position ("CPOS:1;" & Four & ";" & Zero & ";" & Zero);
+      Check_Refused_Position ("CIMG:1;" & Four & ";" & Zero);
+      Check_Refused_Position ("CPOS;1;" & Four & ";" & Zero);
+      Check_Refused_Position ("CPOS:;" & Four & ";" & Zero);
+      Check_Refused_Position ("CPOS:-;" & Four & ";" & Zero);
+      Check_Refused_Position ("CPOS:-2;" & Four & ";" & Zero);
+      Check_Refused_Position ("CPOS:1000;" & Four & ";" & Zero);
+      Check_Refused_Position ("CPOS: 1;" & Four & ";" & Zero);
+      Check_Refused_Position ("CPOS:1;" & Four & ";" & Zero & LF);
+
+      Check_Field ("");
+      Check_Field ("0");
+      Check_Field ("-");
+      Check_Field (".000000");
+      Check_Field ("-.000000");
+      Check_Field ("0.00000");
+      Check_Field ("0.0000000");
+      Check_Field ("0,000000");
+      Check_Field ("+0.000000");
+      Check_Field ("--1.000000");
+      Check_Field ("1e.000000");
+      Check_Field ("nan");
+      Check_Field ("10000000.000001");
+      Check_Field ("-10000000.000001");
+      Check_Field ("100000000.000000");
+
+      --  Zeros in front and a negative zero do no harm
+
+      declare
+         Line : constant String :=
+           "CPOS:001;00000001.000000;-0.000000;" & Zero & ";" & Zero & ";"
+           & Zero;
+      begin
+         Parse_Position (Line, Line'Last, P, OK);
+         Assert (OK and then P = (1, 1_000_000, 0, 0, 0, 0), "zeros");
+      end;
+   end Test_Refused_Positions;
+
+end Monitor_Protocol_Tests;
