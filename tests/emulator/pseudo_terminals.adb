@@ -84,9 +84,14 @@ package body Pseudo_Terminals is
    begin
       if Make_Link (To_C (Target), To_C (Path)) = 0 then
          return "";
-      elsif Target_Of (Path) = "" then
-         return Last_Error;
       end if;
+      declare
+         Reason : constant String := Last_Error;
+      begin
+         if Target_Of (Path) = "" then
+            return Reason;
+         end if;
+      end;
 
       --  By renaming, so that there is a link at every moment
 

@@ -13,6 +13,10 @@
 --     itself off (that delay is the firmware's). A charger saves it.
 --     Levels 0 to 2 are only reported; a level of 0 is not yet critical.
 --  *  In charge ends, when the charger is unplugged, in idle.
+--  *  The firmware also answers O to two test letters, `t` and `a`; the
+--     protocol does not have them, so here they are unknown.
+--  *  Half a frame stays in the receiver until its carriage return comes,
+--     even if the line was hung up meanwhile: the robot's radio cannot know.
 --  *  A robot that is off still has its frames told apart (the emulator's
 --     journal shows them), but neither obeys nor answers.
 --  *  The missed count grows at once with a refused reload; the third miss
