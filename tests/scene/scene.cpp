@@ -45,7 +45,7 @@ constexpr int body_grey = 35;
 constexpr int black_grey = 15;
 constexpr int white_grey = 240;
 
-constexpr int samples = 4;  // a side, in each pixel
+constexpr int samples = 16;  // in each pixel
 constexpr int noise_length = 1 << 16;
 
 // Between pixels and centimetres of the arena.
@@ -77,6 +77,13 @@ struct View {
     const double dy = (py - middle_y) / scale;
     return {field_width / 2.0 + cosine * dx + sine * dy,
             field_height / 2.0 + sine * dx - cosine * dy};
+  }
+
+  // One of the places that stand for a pixel: no two in one row or column,
+  // so that edges along the image's own axes come out as fine as others.
+  cv::Point2d sample(int column, int row, int k) const {
+    return world(column - 0.5 + (k + 0.5) / samples,
+                 row - 0.5 + (7 * k % samples + 0.5) / samples);
   }
 };
 
@@ -143,10 +150,8 @@ void Backdrop::draw(const scene_description &scene) {
                           grain.at<uchar>(row, column) - 40;
       int in_field = 0, in_border = 0;
       if (scene.arena) {
-        for (int k = 0; k < samples * samples; ++k) {
-          const cv::Point2d p =
-              view.world(column - 0.5 + (k % samples + 0.5) / samples,
-                         row - 0.5 + (k / samples + 0.5) / samples);
+        for (int k = 0; k < samples; ++k) {
+          const cv::Point2d p = view.sample(column, row, k);
           const double beside = std::max(-p.x, p.x - field_width);
           const double beyond = std::max(-p.y, p.y - field_height);
           const double out = std::max(beside, beyond);
@@ -156,12 +161,12 @@ void Backdrop::draw(const scene_description &scene) {
             ++in_border;
         }
       }
-      const int in_floor = samples * samples - in_field - in_border;
+      const int in_floor = samples - in_field - in_border;
       const int sum = in_floor * (floor_grey + texture) +
                       in_field * (field_grey + texture / 4) +
                       in_border * border_grey;
       image.at<uchar>(row, column) =
-          cv::saturate_cast<uchar>(sum / (samples * samples));
+          cv::saturate_cast<uchar>(sum / samples);
     }
   }
 
@@ -290,18 +295,15 @@ void draw_robot(const scene_robot &robot, const View &view, Marker_Bits &cache,
     uchar *line = grey.ptr<uchar>(row);
     for (int column = left_column; column <= right_column; ++column) {
       int sum = 0;
-      for (int k = 0; k < samples * samples; ++k) {
-        const cv::Point2d p =
-            view.world(column - 0.5 + (k % samples + 0.5) / samples,
-                       row - 0.5 + (k / samples + 0.5) / samples);
+      for (int k = 0; k < samples; ++k) {
+        const cv::Point2d p = view.sample(column, row, k);
         const double dx = p.x - robot.x, dy = p.y - robot.y;
         sum += dx * dx + dy * dy <= body_radius * body_radius
                    ? robot_grey(robot, bits, dx * cosine + dy * sine,
                                 dy * cosine - dx * sine)
                    : line[column];
       }
-      line[column] = uchar((sum + samples * samples / 2) /
-                           (samples * samples));
+      line[column] = uchar((sum + samples / 2) / samples);
     }
   }
 }

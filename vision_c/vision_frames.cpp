@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The frame slots: storing, drawing, encoding; and the errors' reasons.
+
+#include "vision_internal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include <opencv2/core/ocl.hpp>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace vision {
+
+namespace {
+
+thread_local char reason[160] = "";
+
+struct Frames {
+  Frame slot[VISION_SLOTS];
+
+  Frames() {
+    cv::setNumThreads(1);  // work stays in the caller, at its priority
+    cv::ocl::setUseOpenCL(false);
+  }
+};
+
+// Points are given to OpenCV in sixteenths of a pixel.
+constexpr int shift = 4;
+
+cv::Point fine(const vision_point &point) {
+  return {cvRound(point.x * (1 << shift)), cvRound(point.y * (1 << shift))};
+}
+
+// Lines stay visible in large images.
+int thickness(const cv::Mat &image) {
+  return std::max(1, std::min(image.cols, image.rows) / 240);
+}
+
+}  // namespace
+
+Frame *frame(int slot) {
+  // Never destroyed: at exit a thread may still be at work on a frame.
+  static Frames *const frames = new Frames;
+  return slot >= 0 && slot < VISION_SLOTS ? &frames->slot[slot] : nullptr;
+}
+
+vision_status fail(vision_status status, const char *format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(reason, sizeof reason, format, arguments);
+  va_end(arguments);
+  for (char *next = reason; *next != '\0'; ++next)
+    if (static_cast<unsigned char>(*next) < ' ')
+      *next = ' ';  // one line of a log
+  return status;
+}
+
+bool sound(const vision_arena &arena) {
+  for (const vision_point &corner : arena.corner)
+    if (!sound(corner))
+      return false;
+  return true;
+}
+
+}  // namespace vision
+
+using vision::fail;
+using vision::Frame;
+using vision::guarded;
+using vision::on_image;
+using vision::sound;
+
+extern "C" {
+
+vision_status vision_size(int slot, int *width, int *height) {
+  return on_image(slot, [&](const Frame &here) {
+    if (width == nullptr || height == nullptr)
+      return fail(VISION_BAD_ARGUMENT, "no place for the size");
+    *width = here.image.cols;
+    *height = here.image.rows;
+    return VISION_OK;
+  });
+}
+
+vision_status vision_load(int slot, const unsigned char *bgr, int width,
+                          int height) {
+  return guarded([&] {
+    Frame *const here = vision::frame(slot);
+    if (here == nullptr || bgr == nullptr || width < 1 || height < 1 ||
+        width > VISION_MAX_SIDE || height > VISION_MAX_SIDE)
+      return fail(VISION_BAD_ARGUMENT, "cannot load %d x %d into slot %d",
+                  width, height, slot);
+    here->image.create(height, width, CV_8UC3);
+    std::memcpy(here->image.data, bgr, std::size_t(width) * height * 3);
+    return VISION_OK;
+  });
+}
+
+vision_status vision_draw_arena(int slot, const vision_arena *arena) {
+  return on_image(slot, [&](Frame &here) {
+    if (arena == nullptr || !sound(*arena))
+      return fail(VISION_BAD_ARGUMENT, "no arena to draw");
+    const cv::Scalar green(0, 220, 0);
+    for (int k = 0; k < 4; ++k)
+      cv::line(here.image, vision::fine(arena->corner[k]),
+               vision::fine(arena->corner[(k + 1) % 4]), green,
+               vision::thickness(here.image), cv::LINE_AA, vision::shift);
+    return VISION_OK;
+  });
+}
+
+vision_status vision_draw_robot(int slot, const vision_robot *robot) {
+  return on_image(slot, [&](Frame &here) {
+    if (robot == nullptr || !sound(robot->centre) || !sound(robot->direction))
+      return fail(VISION_BAD_ARGUMENT, "no robot to draw");
+    const cv::Scalar red(40, 40, 255), black(0, 0, 0), yellow(0, 230, 255);
+    const int thick = vision::thickness(here.image);
+    const cv::Point2d centre(robot->centre.x, robot->centre.y);
+    const cv::Point2d ahead(robot->direction.x - centre.x,
+                            robot->direction.y - centre.y);
+
+    // The arrow goes on well past the point that the robot looks at, or it
+    // would be lost in the marker.
+    const vision_point tip{centre.x + 2.5 * ahead.x, centre.y + 2.5 * ahead.y};
+    if (!sound(tip))
+      return fail(VISION_BAD_ARGUMENT, "no robot to draw");
+    cv::arrowedLine(here.image, vision::fine(robot->centre), vision::fine(tip),
+                    red, thick, cv::LINE_AA, vision::shift, 0.25);
+    cv::circle(here.image, vision::fine(robot->centre),
+               (2 * thick) << vision::shift, red, cv::FILLED, cv::LINE_AA,
+               vision::shift);
+
+    char text[16];
+    std::snprintf(text, sizeof text, "%d", robot->id);
+    const double size = 0.35 * thick;
+    const int distance = cvRound(std::hypot(ahead.x, ahead.y)) + 6 * thick;
+    const cv::Point below(cvRound(centre.x) + distance,
+                          cvRound(centre.y) + distance);
+    for (const int pass : {2, 0})  // dark outline, then the text itself
+      cv::putText(here.image, text, below, cv::FONT_HERSHEY_SIMPLEX, size,
+                  pass ? black : yellow, (thick + 1) / 2 + pass, cv::LINE_AA);
+    return VISION_OK;
+  });
+}
+
+vision_status vision_encode(int slot, int quality, unsigned char *buffer,
+                            int capacity, int *length) {
+  if (length != nullptr)
+    *length = 0;
+  return on_image(slot, [&](Frame &here) {
+    if (length == nullptr || buffer == nullptr || capacity < 0 ||
+        quality < 1 || quality > 100)
+      return fail(VISION_BAD_ARGUMENT,
+                  "cannot encode at quality %d into %d bytes", quality,
+                  capacity);
+    here.encoding.assign({cv::IMWRITE_JPEG_QUALITY, quality});
+    if (!cv::imencode(".jpg", here.image, here.encoded, here.encoding))
+      return fail(VISION_FAILED, "the image cannot be encoded");
+    if (here.encoded.size() > std::size_t(capacity))
+      return fail(VISION_TOO_SMALL, "the JPEG has %zu bytes, the buffer %d",
+                  here.encoded.size(), capacity);
+    std::memcpy(buffer, here.encoded.data(), here.encoded.size());
+    *length = int(here.encoded.size());
+    return VISION_OK;
+  });
+}
+
+const char *vision_reason(void) {
+  return vision::reason;
+}
+
+const char *vision_library(void) {
+  static const std::string *const version =
+      new std::string(cv::getVersionString());
+  return version->c_str();
+}
+
+}  // extern "C"
