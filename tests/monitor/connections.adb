@@ -1,0 +1,312 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The connection to the supervisor.
+
+with Accounts;
+with Ada.Exceptions;
+with Ada.Real_Time;         use Ada.Real_Time;
+with Ada.Streams;           use Ada.Streams;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Exchanges;             use Exchanges;
+with GNAT.OS_Lib;
+with GNAT.Sockets;          use GNAT.Sockets;
+with Monitor_Protocol;
+with Numerals;
+with Terminals;
+
+package body Connections is
+
+   Max_Line : constant := 6 * 2 ** 20;
+   --  Characters: base64 of an image of more than 4 MB
+
+   Tick : constant Duration := 0.02;
+   --  How often unanswered commands are looked for
+
+   Farewell : constant Duration := 1.0;
+   --  For the supervisor to close its side, after which it has read all
+
+   Socket : Socket_Type := No_Socket;
+   Limit  : Duration    := 0.0;
+   --  For an answer
+
+   Line   : String (1 .. Max_Line);
+   Length : Natural := 0;
+   --  The line that is being received: Line (1 .. Length)
+
+   Too_Long : Boolean := False;
+   Begun_At : Time    := Time_First;
+
+   procedure Take (Data : Stream_Element_Array; Now : Time);
+   --  Bytes of lines
+
+   procedure Lose (Reason : String);
+   --  The connection is lost, unless it is being closed
+
+   task Reader is
+      entry Start;
+   end Reader;
+
+   task Timekeeper is
+      entry Start;
+   end Timekeeper;
+
+   -----------
+   -- Await --
+   -----------
+
+   procedure Await (Class : Words.Message_Class; Come : out Boolean) is
+   begin
+      Exchange.Watch (Class);
+      select
+         Exchange.Seen (Class);
+         Come := True;
+      or
+         delay Limit;
+         Come := False;
+      end select;
+   end Await;
+
+   -------------------
+   -- Await_Answers --
+   -------------------
+
+   procedure Await_Answers is
+   begin
+      Exchange.Settled;
+   end Await_Answers;
+
+   ------------
+   -- Finish --
+   ------------
+
+   procedure Finish (Status : Natural) is
+      First : Boolean;
+   begin
+      Exchange.Claim_End (First);
+      if not First then
+         loop
+            delay 60.0;  --  the program is ending
+         end loop;
+      end if;
+
+      --  What was sent last still arrives: a socket closed with something
+      --  unread in it resets the connection
+      begin
+         Shutdown_Socket (Socket, Shut_Write);
+      exception
+         when Socket_Error =>
+            null;
+      end;
+      select
+         Exchange.Reading_Ended;
+      or
+         delay Farewell;
+      end select;
+
+      Terminals.Finish;
+      Accounts.Put_Summary;
+      GNAT.OS_Lib.OS_Exit
+        (if Status = 0 and then Exchange.Unanswered > 0 then 1 else Status);
+   end Finish;
+
+   -----------------
+   -- Last_Answer --
+   -----------------
+
+   function Last_Answer return String is (To_String (Exchange.Last_Answer));
+
+   ----------
+   -- Lose --
+   ----------
+
+   procedure Lose (Reason : String) is
+      Waiting : constant Natural := Exchange.Unanswered;
+   begin
+      Exchange.End_Reading;
+      if not Exchange.Is_Ending then
+         Terminals.Put_Error
+           ("the connection is lost: " & Reason
+            & (if Waiting = 0 then ""
+               else "; commands without an answer: "
+                 & Numerals.Image (Waiting)));
+         Finish (1);
+      end if;
+   end Lose;
+
+   ----------
+   -- Open --
+   ----------
+
+   procedure Open
+     (Host   : String;
+      Port   : Positive;
+      Failed : out Boolean)
+   is
+      Status : Selector_Status;
+   begin
+      Create_Socket (Socket);
+      Connect_Socket
+        (Socket,
+         (Family => Family_Inet,
+          Addr   =>
+            (if Is_IPv4_Address (Host) then Inet_Addr (Host)
+             else Addresses (Get_Host_By_Name (Host))),
+          Port   => Port_Type (Port)),
+         Timeout => 5.0,
+         Status  => Status);
+      Failed := Status /= Completed;
+      if Failed then
+         Terminals.Put_Error
+           ("cannot connect to " & Host & " port " & Numerals.Image (Port)
+            & ": no answer within 5 s");
+      else
+         Set_Socket_Option
+           (Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
+      end if;
+   exception
+      when Error : Host_Error =>
+         Failed := True;
+         Terminals.Put_Error
+           ("unknown host " & Host & ": "
+            & Ada.Exceptions.Exception_Message (Error));
+      when Error : Socket_Error =>
+         Failed := True;
+         Terminals.Put_Error
+           ("cannot connect to " & Host & " port " & Numerals.Image (Port)
+            & ": " & Ada.Exceptions.Exception_Message (Error));
+   end Open;
+
+   ------------
+   -- Reader --
+   ------------
+
+   task body Reader is
+      Data : Stream_Element_Array (1 .. 65_536);
+      Last : Stream_Element_Offset;
+   begin
+      select
+         accept Start;
+      or
+         terminate;
+      end select;
+
+      loop
+         Receive_Socket (Socket, Data, Last);
+         exit when Last < Data'First;
+         Take (Data (1 .. Last), Clock);
+      end loop;
+      Lose ("the supervisor closed it");
+   exception
+      when Error : others =>
+         Lose (Ada.Exceptions.Exception_Message (Error));
+   end Reader;
+
+   ----------
+   -- Send --
+   ----------
+
+   procedure Send (Line : String) is
+      use Monitor_Protocol;
+
+      Text  : constant String := Line & Line_Feed;
+      Data  : Stream_Element_Array (1 .. Text'Length);
+      First : Stream_Element_Offset := 1;
+      Last  : Stream_Element_Offset;
+      Known : Message;
+      OK    : Boolean := True;
+   begin
+      for I in Text'Range loop
+         Data (Stream_Element_Offset (I - Text'First + 1)) :=
+           Character'Pos (Text (I));
+      end loop;
+
+      Parse (Line, Known);
+      Accounts.Put_Sent (Line);
+      if Is_Answered (Known.Kind) then
+         Exchange.Note_Sent
+           ((To_Unbounded_String (Line), Known.Kind, Clock, False), OK);
+      end if;
+      if not OK then
+         Terminals.Put_Error ("not sent: too many commands are waiting");
+         return;
+      end if;
+
+      while First <= Data'Last loop
+         Send_Socket (Socket, Data (First .. Data'Last), Last);
+         First := Last + 1;
+      end loop;
+   exception
+      when Error : Socket_Error =>
+         Lose (Ada.Exceptions.Exception_Message (Error));
+   end Send;
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start (Timeout : Duration) is
+   begin
+      Limit := Timeout;
+      Reader.Start;
+      Timekeeper.Start;
+   end Start;
+
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take (Data : Stream_Element_Array; Now : Time) is
+      C : Character;
+   begin
+      for Octet of Data loop
+         C := Character'Val (Octet);
+         if C = Monitor_Protocol.Line_Feed then
+            if Length > 0 and then Line (Length) = ASCII.CR then
+               Length := Length - 1;
+            end if;
+            if Too_Long then
+               Accounts.Take_Too_Long (Now);
+            else
+               Accounts.Take
+                 (Line (1 .. Length),
+                  (if Length = 0 then Now else Begun_At), Now);
+            end if;
+            Length := 0;
+            Too_Long := False;
+         elsif Length = Max_Line then
+            Too_Long := True;
+         else
+            if Length = 0 then
+               Begun_At := Now;
+            end if;
+            Length := Length + 1;
+            Line (Length) := C;
+         end if;
+      end loop;
+   end Take;
+
+   ----------------
+   -- Timekeeper --
+   ----------------
+
+   task body Timekeeper is
+      Found : Boolean;
+      Given : Command;
+   begin
+      select
+         accept Start;
+      or
+         terminate;
+      end select;
+
+      while not Exchange.Is_Ending loop
+         Exchange.Give_Up (Clock - To_Time_Span (Limit), Found, Given);
+         if Found then
+            Accounts.Put_Unanswered (To_String (Given.Text), Limit);
+            Exchange.Published;
+         else
+            delay Tick;
+         end if;
+      end loop;
+   end Timekeeper;
+
+end Connections;

@@ -1,0 +1,311 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  A monitor for the console: sends commands to the supervisor, from the
+--  keyboard or a script, and shows what comes back.
+
+with Accounts;
+with Ada.Directories;
+with Ada.Exceptions;
+with Ada.Real_Time;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Connections;
+with GNAT.OS_Lib;           use GNAT.OS_Lib;
+with Interruptions;
+with Invocation;
+with Line_Inputs;
+with Numerals;
+with Terminals;
+with Words;
+
+procedure Destijl_Monitor is
+
+   Retry : constant Duration := 0.2;
+   --  Between the attempts of "try"
+
+   Values   : Invocation.Options;
+   Scripted : Boolean;
+   --  The lines are a script: one command at a time, a failure ends it
+
+   Input : Line_Inputs.Source;
+
+   procedure Put_Error_Line (Line : String);
+   --  Without the program's name before it
+
+   procedure Read_Command_Line;
+   --  Ends the program where there is nothing more to do
+
+   procedure Check_Script;
+   --  Ends the program if a line of the script is not understood: better
+   --  before the robot moves than in the middle
+
+   procedure Make_Folder;
+
+   procedure Connect;
+
+   procedure Run;
+   --  The input, to its end
+
+   procedure Carry_Out (Given : Words.Action; Where : String);
+
+   procedure Send (Given : Words.Action);
+
+   procedure Fail (Text : String; Status : Positive := 1);
+   --  Says so, and ends a script
+
+   ---------------
+   -- Carry_Out --
+   ---------------
+
+   procedure Carry_Out (Given : Words.Action; Where : String) is
+      Text : constant String := To_String (Given.Text);
+      Done : Boolean;
+   begin
+      case Given.Kind is
+         when Words.Nothing =>
+            null;
+
+         when Words.Send =>
+            Send (Given);
+
+         when Words.Pause =>
+            delay Given.Seconds;
+
+         when Words.Wait_Message =>
+            Connections.Await (Given.Awaited, Done);
+            if not Done then
+               Fail
+                 (Where & "no "
+                  & Words.Name (Given.Awaited) & " within "
+                  & Numerals.Seconds (Values.Timeout) & " s");
+            end if;
+
+         when Words.Expect =>
+            Connections.Await_Answers;
+            if not Words.Is_As_Expected (Connections.Last_Answer, Text) then
+               Fail
+                 (Where & "expected " & Text & ", the last answer is "
+                  & (if Connections.Last_Answer = "" then "missing"
+                     else Connections.Last_Answer));
+            end if;
+
+         when Words.Save =>
+            Accounts.Save_Latest (Text, Done);
+            if not Done and then Scripted then
+               Connections.Finish (1);
+            end if;
+
+         when Words.Help =>
+            Words.List (Terminals.Put_Line'Access);
+
+         when Words.Quit =>
+            Connections.Await_Answers;
+            Connections.Finish (0);
+
+         when Words.Mistake =>
+            Fail (Where & Text, Status => 2);
+      end case;
+   end Carry_Out;
+
+   ------------------
+   -- Check_Script --
+   ------------------
+
+   procedure Check_Script is
+      Line   : Unbounded_String;
+      Ended  : Boolean;
+      OK     : Boolean;
+      Number : Natural := 0;
+      Wrong  : Natural := 0;
+      Given  : Words.Action;
+      use type Words.Action_Kind;
+   begin
+      Line_Inputs.Open (Input, To_String (Values.Script), OK);
+      if not OK then
+         Terminals.Put_Error ("cannot read " & To_String (Values.Script));
+         OS_Exit (2);
+      end if;
+
+      loop
+         Line_Inputs.Get_Line (Input, Line, Ended);
+         exit when Ended;
+         Number := Number + 1;
+         Given := Words.Translate (To_String (Line));
+         if Given.Kind = Words.Mistake then
+            Wrong := Wrong + 1;
+            Terminals.Put_Error
+              (To_String (Values.Script) & ":" & Numerals.Image (Number)
+               & ": " & To_String (Given.Text));
+         end if;
+      end loop;
+      Line_Inputs.Close (Input);
+
+      if Wrong > 0 then
+         OS_Exit (2);
+      end if;
+      Line_Inputs.Open (Input, To_String (Values.Script), OK);
+   end Check_Script;
+
+   -------------
+   -- Connect --
+   -------------
+
+   procedure Connect is
+      Failed : Boolean;
+   begin
+      Connections.Open (To_String (Values.Host), Values.Port, Failed);
+      if Failed then
+         OS_Exit (1);
+      end if;
+
+      if not Values.Quiet then
+         Terminals.Put_Line
+           ("connected to " & To_String (Values.Host) & " port "
+            & Numerals.Image (Values.Port)
+            & (if Scripted then "" else "; help lists the commands"));
+         Terminals.Start (Interactive => not Scripted);
+      end if;
+      Accounts.Start
+        (Ada.Real_Time.Clock,
+         Quiet        => Values.Quiet,
+         Each_Message => Values.Verbose,
+         Folder       => To_String (Values.Images));
+      Connections.Start (Values.Timeout);
+   end Connect;
+
+   ----------
+   -- Fail --
+   ----------
+
+   procedure Fail (Text : String; Status : Positive := 1) is
+   begin
+      Terminals.Put_Error (Text);
+      if Scripted then
+         Connections.Finish (Status);
+      end if;
+   end Fail;
+
+   -----------------
+   -- Make_Folder --
+   -----------------
+
+   procedure Make_Folder is
+   begin
+      if Values.Images /= "" then
+         Ada.Directories.Create_Path (To_String (Values.Images));
+      end if;
+   exception
+      when others =>
+         Terminals.Put_Error
+           ("cannot make the folder " & To_String (Values.Images));
+         OS_Exit (1);
+   end Make_Folder;
+
+   --------------------
+   -- Put_Error_Line --
+   --------------------
+
+   procedure Put_Error_Line (Line : String) is
+      Text    : constant String  := Line & ASCII.LF;
+      Ignored : constant Integer :=
+        Write (Standerr, Text'Address, Text'Length);
+   begin
+      null;
+   end Put_Error_Line;
+
+   -----------------------
+   -- Read_Command_Line --
+   -----------------------
+
+   procedure Read_Command_Line is
+      What   : Invocation.Outcome;
+      Reason : Unbounded_String;
+   begin
+      Invocation.Read (Values, What, Reason);
+      case What is
+         when Invocation.Run =>
+            null;
+         when Invocation.Say_Version =>
+            Terminals.Put_Line ("destijl_monitor " & Invocation.Version);
+            OS_Exit (0);
+         when Invocation.Say_Usage =>
+            Invocation.Put_Usage (Terminals.Put_Line'Access);
+            OS_Exit (0);
+         when Invocation.Refuse =>
+            Terminals.Put_Error (To_String (Reason));
+            Invocation.Put_Usage (Put_Error_Line'Access);
+            OS_Exit (2);
+      end case;
+   end Read_Command_Line;
+
+   ---------
+   -- Run --
+   ---------
+
+   procedure Run is
+      Line   : Unbounded_String;
+      Ended  : Boolean;
+      Number : Natural := 0;
+   begin
+      loop
+         Line_Inputs.Get_Line (Input, Line, Ended);
+         exit when Ended;
+         Number := Number + 1;
+         if not Scripted then
+            Terminals.Line_Typed;
+         end if;
+         Carry_Out
+           (Words.Translate (To_String (Line)),
+            Where =>
+              (if Scripted then "line " & Numerals.Image (Number) & ": "
+               else ""));
+      end loop;
+      Connections.Await_Answers;
+      Connections.Finish (0);
+   end Run;
+
+   ----------
+   -- Send --
+   ----------
+
+   procedure Send (Given : Words.Action) is
+   begin
+      for Attempt in 1 .. Given.Attempts loop
+         Connections.Send (To_String (Given.Text));
+         if Scripted or else Given.Attempts > 1 then
+            Connections.Await_Answers;
+         end if;
+         exit when Words.Is_Acknowledged (Connections.Last_Answer);
+         if Attempt < Given.Attempts then
+            delay Retry;
+         end if;
+      end loop;
+   end Send;
+
+   task Interrupter is
+      entry Start;
+   end Interrupter;
+   --  Ends the program when it is told to by a signal
+
+   task body Interrupter is
+   begin
+      accept Start;
+      Interruptions.Await;
+      Connections.Finish (if Scripted then 1 else 0);
+   end Interrupter;
+
+begin
+   Read_Command_Line;
+   Scripted := Values.Script /= "" or else not Terminals.Input_Is_Terminal;
+   if To_String (Values.Script) in "" | "-" then
+      Line_Inputs.Open_Standard_Input (Input);
+   else
+      Check_Script;
+   end if;
+   Make_Folder;
+   Connect;
+   Interrupter.Start;
+   Run;
+exception
+   when Error : others =>
+      Terminals.Put_Error (Ada.Exceptions.Exception_Information (Error));
+      OS_Exit (1);
+end Destijl_Monitor;

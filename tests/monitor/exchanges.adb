@@ -1,0 +1,215 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Which answer belongs to which command.
+
+with Monitor_Protocol; use Monitor_Protocol;
+
+package body Exchanges is
+
+   subtype Robot_Kind is Message_Kind range Open_Robot .. Get_State;
+
+   Longest_Kept : constant := 16;
+   --  Of an answer. Of a longer one, an image, the label is kept.
+
+   function Can_Answer
+     (Line : String; Begun_At : Time; Given : Command) return Boolean;
+   --  Battery levels, images and the loss of the robot come unasked too:
+   --  they are answers to what asks for them only. An image that was under
+   --  way before the arena was asked for is no answer.
+
+   ----------------
+   -- Can_Answer --
+   ----------------
+
+   function Can_Answer
+     (Line : String; Begun_At : Time; Given : Command) return Boolean
+   is
+      Label : constant String :=
+        Line (Line'First .. Integer'Min (Line'First + 3, Line'Last));
+   begin
+      return
+        (if Label in "AACK" | "ANAK" | "ACRJ" | "ACER" then True
+         elsif Label = "ATIM" then Given.Kind in Robot_Kind
+         elsif Label = Battery_Label then Given.Kind = Get_Battery
+         elsif Label = State_Label then Given.Kind = Get_State
+         elsif Label = Image_Label then
+            Given.Kind = Ask_Arena and then Begun_At >= Given.Sent_At
+         else False);
+   end Can_Answer;
+
+   --------------
+   -- Exchange --
+   --------------
+
+   protected body Exchange is
+
+      --------------
+      -- Answered --
+      --------------
+
+      function Answered return Natural is (Served);
+
+      ---------------
+      -- Claim_End --
+      ---------------
+
+      procedure Claim_End (First : out Boolean) is
+      begin
+         First := not Ending;
+         Ending := True;
+      end Claim_End;
+
+      -----------------
+      -- End_Reading --
+      -----------------
+
+      procedure End_Reading is
+      begin
+         Silent := True;
+      end End_Reading;
+
+      -------------
+      -- Give_Up --
+      -------------
+
+      procedure Give_Up
+        (Before : Time; Found : out Boolean; Given : out Command) is
+      begin
+         Found := False;
+         for C of Pending (1 .. Waiting) loop
+            if not C.Overdue and then C.Sent_At < Before then
+               C.Overdue := True;
+               Due := Due - 1;
+               Missed := Missed + 1;
+               Untold := Untold + 1;
+               Found := True;
+               Given := C;
+               return;
+            end if;
+         end loop;
+      end Give_Up;
+
+      ---------------
+      -- Is_Ending --
+      ---------------
+
+      function Is_Ending return Boolean is (Ending);
+
+      -----------------
+      -- Last_Answer --
+      -----------------
+
+      function Last_Answer return Unbounded_String is (Answer);
+
+      -----------
+      -- Match --
+      -----------
+
+      procedure Match
+        (Line     : String;
+         Begun_At : Time;
+         Found    : out Boolean;
+         Given    : out Command) is
+      begin
+         Found := False;
+         for I in 1 .. Waiting loop
+            if Can_Answer (Line, Begun_At, Pending (I)) then
+               Found := True;
+               Given := Pending (I);
+               Untold := Untold + 1;
+               if not Given.Overdue then
+                  Due := Due - 1;
+                  Served := Served + 1;
+                  Answer := To_Unbounded_String
+                    (if Line'Length > Longest_Kept
+                     then Line (Line'First .. Line'First + 3)
+                     else Line);
+               end if;
+
+               --  Those before it were overdue, and are skipped for good
+               Pending (1 .. Waiting - I) := Pending (I + 1 .. Waiting);
+               Waiting := Waiting - I;
+               return;
+            end if;
+
+            exit when not Pending (I).Overdue;
+         end loop;
+      end Match;
+
+      ---------------
+      -- Note_Sent --
+      ---------------
+
+      procedure Note_Sent (Given : Command; OK : out Boolean) is
+      begin
+         OK := Waiting < Capacity;
+         if OK then
+            Waiting := Waiting + 1;
+            Pending (Waiting) := Given;
+            Due := Due + 1;
+            Answer := Null_Unbounded_String;
+         end if;
+      end Note_Sent;
+
+      ---------------
+      -- Published --
+      ---------------
+
+      procedure Published is
+      begin
+         Untold := Untold - 1;
+      end Published;
+
+      -------------------
+      -- Reading_Ended --
+      -------------------
+
+      entry Reading_Ended when Silent is
+      begin
+         null;
+      end Reading_Ended;
+
+      ---------
+      -- See --
+      ---------
+
+      procedure See (Class : Words.Message_Class) is
+      begin
+         Flags (Class) := True;
+      end See;
+
+      ----------
+      -- Seen --
+      ----------
+
+      entry Seen (for Class in Words.Message_Class) when Flags (Class) is
+      begin
+         null;
+      end Seen;
+
+      -------------
+      -- Settled --
+      -------------
+
+      entry Settled when Untold = 0 and then Due = 0 is
+      begin
+         null;
+      end Settled;
+
+      ----------------
+      -- Unanswered --
+      ----------------
+
+      function Unanswered return Natural is (Missed + Due);
+
+      -----------
+      -- Watch --
+      -----------
+
+      procedure Watch (Class : Words.Message_Class) is
+      begin
+         Flags (Class) := False;
+      end Watch;
+
+   end Exchange;
+
+end Exchanges;

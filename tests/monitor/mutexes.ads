@@ -1,0 +1,17 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Mutual exclusion for what may block, such as output, and therefore
+--  cannot be done inside a protected action.
+
+package Mutexes is
+
+   protected type Mutex is
+
+      entry Seize;
+
+      procedure Release;
+
+   private
+      Taken : Boolean := False;
+   end Mutex;
+
+end Mutexes;

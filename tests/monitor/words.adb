@@ -1,0 +1,274 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The words of the console and of scripts.
+
+with Ada.Characters.Handling; use Ada.Characters.Handling;
+with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
+with Ada.Strings.Maps;
+with Monitor_Protocol;        use Monitor_Protocol;
+with Numerals;
+
+package body Words is
+
+   type Phrase is record
+      Words : Unbounded_String;
+      Sends : Known_Kind;
+      Means : Unbounded_String;
+   end record;
+
+   function "+" (Text : String) return Unbounded_String
+     renames To_Unbounded_String;
+
+   Phrases : constant array (Positive range <>) of Phrase :=
+     ((+"open robot", Open_Robot, +"open the line to the robot"),
+      (+"close robot", Close_Robot, +"stop the robot, close its line"),
+      (+"start", Start_Robot, +"start without watchdog"),
+      (+"start watchdog", Start_Robot_Watchdog, +"start with watchdog"),
+      (+"reset", Reset_Robot, +"reset the robot"),
+      (+"ping", Ping_Robot, +"is it there?"),
+      (+"forward", Go_Forward, +"drive until stopped"),
+      (+"backward", Go_Backward, +"drive until stopped"),
+      (+"left", Go_Left, +"turn until stopped"),
+      (+"right", Go_Right, +"turn until stopped"),
+      (+"stop", Stop_Robot, +"stop the movement"),
+      (+"move", Move_Robot, +"N millimetres, backward if negative"),
+      (+"turn", Turn_Robot, +"N degrees, to the right if negative"),
+      (+"power off", Power_Off_Robot, +"switch the robot off"),
+      (+"battery", Get_Battery, +"ask for its level"),
+      (+"state", Get_State, +"is it moving?"),
+      (+"open camera", Open_Camera, +"images begin to come"),
+      (+"close camera", Close_Camera, +"images end"),
+      (+"arena", Ask_Arena, +"search it: an image with it drawn"),
+      (+"confirm", Confirm_Arena, +"the arena is right"),
+      (+"reject", Reject_Arena, +"it is wrong: forget it"),
+      (+"position on", Start_Position, +"follow the robot's position"),
+      (+"position off", Stop_Position, +"follow it no longer"),
+      (+"say", Log_Message, +"TEXT for the supervisor's log"));
+
+   function Trimmed (Text : String) return String is
+     (Trim (Text, Ada.Strings.Both));
+
+   function First_Word (Text : String) return String is
+     (if Index (Text, " ") = 0 then Text
+      else Text (Text'First .. Index (Text, " ") - 1));
+
+   function Rest (Text : String) return String is
+     (Trimmed (Text (Text'First + First_Word (Text)'Length .. Text'Last)));
+   --  What follows the first word
+
+   function Spaced (Text : String) return String is
+     (if Text = "" then ""
+      elsif Rest (Text) = "" then First_Word (Text)
+      else First_Word (Text) & " " & Spaced (Rest (Text)));
+   --  Text, which comes trimmed, with one blank between words
+
+   function Is_Bare (Text : String) return Boolean is
+     (Text'Length >= 4
+      and then
+        (for all C of Text (Text'First .. Text'First + 3) => C in 'A' .. 'Z')
+      and then
+        (Text'Length = 4 or else Text (Text'First + 4) = Separator));
+   --  Four capitals, alone or before a colon
+
+   function Sending (Text : String) return Action is
+     (Kind => Send, Text => +Text, others => <>);
+
+   function Wrong (Text : String) return Action is
+     (Kind => Mistake, Text => +Text, others => <>);
+
+   function Phrase_Action (Line : String) return Action;
+   function Try_Action (Line : String) return Action;
+   function Wait_Action (Line : String) return Action;
+   function Word_Action (Line : String) return Action;
+   --  Line comes trimmed; Nothing from Phrase_Action: it is no phrase. The
+   --  line of Try_Action and Wait_Action is without the first word.
+
+   ---------------------
+   -- Is_Acknowledged --
+   ---------------------
+
+   function Is_Acknowledged (Answer : String) return Boolean is
+     (Head (Answer, 4) in
+        "AACK" | Image_Label | Battery_Label | State_Label);
+
+   --------------------
+   -- Is_As_Expected --
+   --------------------
+
+   function Is_As_Expected (Answer : String; Wanted : String) return Boolean
+   is (Answer = Wanted or else Head (Answer, 4) = Wanted);
+
+   ----------
+   -- List --
+   ----------
+
+   procedure List (Put_Line : not null access procedure (Line : String)) is
+
+      procedure Put_Entry (Word, Meaning : String);
+
+      procedure Put_Entry (Word, Meaning : String) is
+      begin
+         Put_Line.all ("  " & Head (Word, 18) & Meaning);
+      end Put_Entry;
+
+      function Data (Kind : Known_Kind) return String is
+        (if Takes_Number (Kind) then " N"
+         elsif Takes_Text (Kind) then " TEXT"
+         else "");
+
+   begin
+      for P of Phrases loop
+         Put_Entry
+           (To_String (P.Words) & Data (P.Sends),
+            Label (P.Sends) & "  " & To_String (P.Means));
+      end loop;
+      Put_Entry ("ABCD[:DATA]", "send that line as it stands");
+      Put_Entry ("save [FILE]", "save the latest image");
+      Put_Entry ("wait S", "S seconds, decimals allowed");
+      Put_Entry ("wait WHAT", "for the next image, position, battery, or");
+      Put_Entry ("", "robot (a position with a robot in it)");
+      Put_Entry ("expect ANSWER", "fail unless it was the last: AACK, RBLV:2");
+      Put_Entry ("try N COMMAND", "up to N times, 200 ms apart, until it is");
+      Put_Entry ("", "acknowledged");
+      Put_Entry ("help, quit, #", "this list, the end, a comment");
+   end List;
+
+   ----------
+   -- Name --
+   ----------
+
+   function Name (Class : Message_Class) return String is
+     (To_Lower (Message_Class'Image (Class)));
+
+   -------------------
+   -- Phrase_Action --
+   -------------------
+
+   function Phrase_Action (Line : String) return Action is
+      Lower  : constant String := To_Lower (Line);
+      Number : Integer;
+      OK     : Boolean;
+   begin
+      for P of Phrases loop
+         if Takes_Text (P.Sends) then
+            if First_Word (Lower) = P.Words then
+               return Sending (Label (P.Sends) & Separator & Rest (Line));
+            end if;
+
+         elsif Takes_Number (P.Sends) then
+            if First_Word (Lower) = P.Words then
+               Numerals.Read
+                 (Rest (Line), Integer'First, Integer'Last, Number, OK);
+               return
+                 (if OK then Sending
+                    (Label (P.Sends) & Separator & Numerals.Image (Number))
+                  else Wrong
+                    (To_String (P.Words) & " wants a whole number"));
+            end if;
+
+         elsif Spaced (Lower) = P.Words then
+            return Sending (Label (P.Sends));
+         end if;
+      end loop;
+      return (Kind => Nothing, others => <>);
+   end Phrase_Action;
+
+   ---------------
+   -- Translate --
+   ---------------
+
+   function Translate (Line : String) return Action is
+      Blanks : constant Ada.Strings.Maps.Character_Mapping :=
+        Ada.Strings.Maps.To_Mapping (ASCII.HT & ASCII.CR, "  ");
+      Text   : constant String :=
+        Trimmed (Ada.Strings.Fixed.Translate (Line, Blanks));
+   begin
+      if Text = "" or else Text (Text'First) = '#' then
+         return (Kind => Nothing, others => <>);
+      elsif Is_Bare (Text)
+        and then
+          (Text'Length > 4
+           or else (for some K in Known_Kind => Label (K) = Text))
+      then
+         return Sending (Text);
+      end if;
+
+      return A : Action := Phrase_Action (Text) do
+         if A.Kind = Nothing then
+            A := Word_Action (Text);
+         end if;
+         if A.Kind = Mistake and then Is_Bare (Text) then
+            A := Sending (Text);
+         end if;
+      end return;
+   end Translate;
+
+   ----------------
+   -- Try_Action --
+   ----------------
+
+   function Try_Action (Line : String) return Action is
+      Count : Integer;
+      OK    : Boolean;
+      Tried : Action;
+   begin
+      Numerals.Read (First_Word (Line), 1, 10_000, Count, OK);
+      if not OK then
+         return Wrong ("try wants a number, 1 to 10000, and a command");
+      end if;
+
+      Tried := Translate (Rest (Line));
+      if Tried.Kind /= Send or else Tried.Attempts > 1 then
+         return Wrong ("try wants a command for the supervisor");
+      end if;
+
+      Tried.Attempts := Count;
+      return Tried;
+   end Try_Action;
+
+   -----------------
+   -- Wait_Action --
+   -----------------
+
+   function Wait_Action (Line : String) return Action is
+      Seconds : Duration;
+      OK      : Boolean;
+   begin
+      for Class in Message_Class loop
+         if To_Upper (Line) = Message_Class'Image (Class) then
+            return (Kind => Wait_Message, Awaited => Class, others => <>);
+         end if;
+      end loop;
+
+      Numerals.Read (Line, Seconds, OK);
+      return
+        (if OK then (Kind => Pause, Seconds => Seconds, others => <>)
+         else Wrong
+           ("wait wants seconds, image, position, robot or battery"));
+   end Wait_Action;
+
+   -----------------
+   -- Word_Action --
+   -----------------
+
+   function Word_Action (Line : String) return Action is
+      Word : constant String := To_Lower (First_Word (Line));
+      Data : constant String := Rest (Line);
+   begin
+      if Word = "wait" then
+         return Wait_Action (Data);
+      elsif Word = "try" then
+         return Try_Action (Data);
+      elsif Word = "save" then
+         return (Kind => Save, Text => +Data, others => <>);
+      elsif Word = "expect" and then Data /= "" then
+         return (Kind => Expect, Text => +To_Upper (Data), others => <>);
+      elsif Line = "help" or else Line = "?" then
+         return (Kind => Help, others => <>);
+      elsif Line = "quit" or else Line = "exit" then
+         return (Kind => Quit, others => <>);
+      else
+         return Wrong ("not understood: " & Line);
+      end if;
+   end Word_Action;
+
+end Words;
