@@ -1,0 +1,756 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  F14 to F19: the camera, the arena and the positions.
+
+with Ada.Containers.Vectors;
+with Ada.Strings;           use Ada.Strings;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Emulators;
+with Expectations;          use Expectations;
+with Images;
+with Instants;              use Instants;
+with Monitor_Clients;       use Monitor_Clients;
+with Process_Facts;
+with Programs;
+with Rigs;                  use Rigs;
+with Scenarios;             use Scenarios;
+
+package body Camera_Tests is
+
+   package Durations is new Ada.Containers.Vectors (Positive, Duration);
+   package Sorting is new Durations.Generic_Sorting;
+
+   procedure Open_And_Close;
+   procedure Open_Fails;
+   procedure Not_Open_Is_Anak;
+   procedure Image_Period;
+   procedure Image_Size;
+   procedure Other_Image_Rate;
+   procedure Still_Image;
+   procedure No_Image_After_Close;
+   procedure Camera_Stalls;
+   procedure Camera_Goes;
+   procedure Arena_Confirmed;
+   procedure Arena_Rejected;
+   procedure Arena_Searched_Again;
+   procedure Arena_Not_Found;
+   procedure Arena_Decision_Without_Search;
+   procedure Positions_True;
+   procedure Positions_Every_Image;
+   procedure Position_Not_Found;
+   procedure Position_Of_Triangle;
+   procedure Position_Stopped;
+   procedure Loop_Closes;
+
+   type Position is record
+      Id             : Integer := 0;
+      Angle          : Float := 0.0;
+      Cx, Cy, Dx, Dy : Float := 0.0;
+   end record;
+
+   function Parsed (Item : Message) return Position;
+   --  Of a CPOS message; raises Failed where it is malformed
+
+   function Period_Of (R : in out Rig; Label : String; Count : Positive)
+      return Durations.Vector;
+   --  The sorted times between Count messages, the mean first noted
+
+   ------------
+   -- Parsed --
+   ------------
+
+   function Parsed (Item : Message) return Position is
+      Text   : constant String := To_String (Item.Data);
+      First  : Positive := Text'First;
+      Last   : Natural;
+      Fields : array (1 .. 6) of Float;
+      Id     : Integer := 0;
+   begin
+      for Number in Fields'Range loop
+         Last := Index (Text & ";", ";", First) - 1;
+         declare
+            Field : constant String := Text (First .. Last);
+            Point : constant Natural := Index (Field, ".");
+         begin
+            if Number = 1 then
+               Id := Integer'Value (Field);
+               Check (Point = 0, "the identifier of " & Text);
+            else
+               Fields (Number) := Float'Value (Field);
+               Check
+                 (Point > 0 and then Field'Last - Point = 6,
+                  "not six decimals in " & Text);
+            end if;
+         end;
+         First := Last + 2;
+      end loop;
+      Check (First > Text'Last, "too much in " & Text);
+      return (Id, Fields (2), Fields (3), Fields (4), Fields (5),
+              Fields (6));
+   exception
+      when Constraint_Error =>
+         raise Failed with "malformed CPOS:" & Text;
+   end Parsed;
+
+   ---------------
+   -- Period_Of --
+   ---------------
+
+   function Period_Of (R : in out Rig; Label : String; Count : Positive)
+      return Durations.Vector
+   is
+      Result : Durations.Vector;
+      First  : Instant;
+      Last   : Instant;
+      Item   : Message;
+   begin
+      R.Monitor.Skip_To_Now;
+      Item := R.Monitor.Next_Of (Label, Within => 3.0);
+      First := Item.Time;
+      Last := First;
+      for Number in 1 .. Count loop
+         Item := R.Monitor.Next_Of (Label, Within => 3.0);
+         Result.Append (Item.Time - Last);
+         Last := Item.Time;
+      end loop;
+      Sorting.Sort (Result);
+      Result.Prepend ((Last - First) / Count);
+      Note (Label & ": mean period " & Milliseconds (Result (1))
+            & ", shortest " & Milliseconds (Result (2))
+            & ", longest " & Milliseconds (Result.Last_Element));
+      return Result;
+   end Period_Of;
+
+   --------------------
+   -- Open_And_Close --
+   --------------------
+
+   procedure Open_And_Close is
+      R           : Rig;
+      Item        : Message;
+      Descriptors : Natural := 0;
+      Threads     : Natural := 0;
+   begin
+      Assemble (R, Camera => True);
+      for Attempt in 1 .. 12 loop
+         R.Monitor.Expect ("COPN", "AACK", Within => 10.0);
+         R.Monitor.Expect ("COPN", "AACK");
+         Item := R.Monitor.Next_Of ("CIMG", Within => 3.0);
+         Check (Item.Size > 1_000, "a small image");
+         R.Monitor.Expect ("CCLS", "AACK");
+         R.Monitor.Expect ("CCLS", "AACK");
+         if Attempt = 2 then
+            Descriptors := Process_Facts.Descriptors (R.Supervisor.Pid);
+            Threads := Process_Facts.Threads (R.Supervisor.Pid);
+         end if;
+      end loop;
+      R.Emulator.Await_Status ("viewers", "0", Within => 3.0);
+      Check
+        (Process_Facts.Descriptors (R.Supervisor.Pid) <= Descriptors,
+         "descriptors leak with the camera");
+      Check
+        (Process_Facts.Threads (R.Supervisor.Pid) <= Threads,
+         "threads leak with the camera");
+   end Open_And_Close;
+
+   ----------------
+   -- Open_Fails --
+   ----------------
+
+   procedure Open_Fails is
+
+      procedure Refuse (Source : String);
+
+      procedure Refuse (Source : String) is
+         R : Rig;
+      begin
+         R.Supervisor.Start ("--camera " & Source);
+         Connect (R);
+         R.Monitor.Expect ("COPN", "ANAK", Within => 10.0);
+         R.Monitor.Expect ("CPCO", "ANAK");
+         R.Monitor.Expect ("COPN", "ANAK", Within => 10.0);
+         R.Monitor.Expect_Silence ("CIMG", For_Time => 0.2);
+      end Refuse;
+
+      E : Emulators.Emulator;
+   begin
+      Refuse ("/no/such/camera.avi");
+      Refuse ("/dev/null");
+      Refuse (Programs.Supervisor);
+      Refuse ("http://127.0.0.1:1/stream.mjpg");
+      E.Start (Camera => True);
+      declare
+         Url : constant String := E.Camera_Url;
+      begin
+         --  answers, but with text
+         Refuse (Url (1 .. Index (Url, "/", Backward)) & "pose");
+      end;
+   end Open_Fails;
+
+   ----------------------
+   -- Not_Open_Is_Anak --
+   ----------------------
+
+   procedure Not_Open_Is_Anak is
+      R : Rig;
+   begin
+      Assemble (R, Camera => True);
+      R.Monitor.Expect ("CPCO", "ANAK");
+      R.Monitor.Expect ("CASA", "ANAK");
+      R.Monitor.Expect ("CPST", "AACK");
+      R.Monitor.Expect ("CCLS", "AACK");
+      Open_Camera (R);
+      R.Monitor.Expect ("CCLS", "AACK");
+      R.Monitor.Expect ("CASA", "ANAK");
+   end Not_Open_Is_Anak;
+
+   ------------------
+   -- Image_Period --
+   ------------------
+
+   procedure Image_Period is
+      --  F15: 10.0 images a second within 1 %, jitter 20 ms at p99
+      R : Rig;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R);
+      delay 0.5;
+      declare
+         Periods : constant Durations.Vector :=
+           Period_Of (R, "CIMG", Count => 60);
+      begin
+         Check_Within
+           (abs (Periods (1) - 0.1), 0.003, "the image period off");
+         Check_Within (Periods.Last_Element, 0.2, "the longest period");
+      end;
+      Check (R.Monitor.Broken_Images = 0, "a broken image");
+      Check
+        (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
+         "something is drawn without being asked for");
+   end Image_Period;
+
+   ----------------
+   -- Image_Size --
+   ----------------
+
+   procedure Image_Size is
+      R     : Rig;
+      Facts : Images.Facts;
+   begin
+      Assemble
+        (R, Camera => True,
+         Supervisor_Options => "--frame-size 320x240 --jpeg-quality 40");
+      Open_Camera (R);
+      Facts := Images.Seen (R.Monitor.Last_Image);
+      Check
+        (Facts.Width = 320 and then Facts.Height = 240,
+         "image of" & Facts.Width'Image & " x" & Facts.Height'Image);
+      Check (R.Monitor.Last_Image'Length < 40_000, "a large image");
+   end Image_Size;
+
+   ----------------------
+   -- Other_Image_Rate --
+   ----------------------
+
+   procedure Other_Image_Rate is
+      R : Rig;
+   begin
+      Assemble (R, Camera => True, Supervisor_Options => "--fps 4");
+      Open_Camera (R);
+      declare
+         Periods : constant Durations.Vector :=
+           Period_Of (R, "CIMG", Count => 8);
+      begin
+         Check_Within
+           (abs (Periods (1) - 0.25), 0.02, "the image period off");
+      end;
+   end Other_Image_Rate;
+
+   -----------------
+   -- Still_Image --
+   -----------------
+
+   procedure Still_Image is
+      --  A file as camera
+      E    : Emulators.Emulator;
+      R    : Rig;
+      Path : constant String := Programs.Temporary_Folder & "/arena.jpg";
+      Item : Message;
+      Seen : Position;
+      True_Pose : Emulators.Truth;
+   begin
+      E.Start (Camera => True, Options => "--pose 30,40,60 --marker-id 7");
+      E.Save_Snapshot (Path);
+      True_Pose := E.Pose;
+      R.Supervisor.Start ("--camera " & Path);
+      Connect (R);
+      Open_Camera (R, Positions => True);
+      declare
+         Periods : constant Durations.Vector :=
+           Period_Of (R, "CIMG", Count => 20);
+      begin
+         Check_Within
+           (abs (Periods (1) - 0.1), 0.01, "the image period off");
+      end;
+      Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
+      Seen := Parsed (Item);
+      Check
+        (Seen.Id = 7 and then abs (Seen.Cx - True_Pose.Cx) <= 2.0
+         and then abs (Seen.Cy - True_Pose.Cy) <= 2.0,
+         "the robot of the file is seen at " & To_String (Item.Data));
+      R.Monitor.Expect ("CCLS", "AACK");
+      Open_Camera (R);
+   end Still_Image;
+
+   --------------------------
+   -- No_Image_After_Close --
+   --------------------------
+
+   procedure No_Image_After_Close is
+      R : Rig;
+   begin
+      Assemble (R, Camera => True);
+      for Attempt in 1 .. 6 loop
+         Open_Camera (R, Positions => Attempt mod 2 = 0);
+         delay 0.13 * Attempt / 3;
+         R.Monitor.Expect ("CCLS", "AACK");
+         R.Monitor.Expect_Silence ("CIMG CPOS", For_Time => 0.4);
+      end loop;
+   end No_Image_After_Close;
+
+   -------------------
+   -- Camera_Stalls --
+   -------------------
+
+   procedure Camera_Stalls is
+      R    : Rig;
+      Item : Message;
+      Mark : Natural;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R);
+      Mark := R.Supervisor.Log_Length;
+      R.Monitor.Skip_To_Now;
+      R.Emulator.Tell ("camera stall");
+      Item := R.Monitor.Next_Of ("MSSG", Within => 8.0);
+      Note ("told: " & To_String (Item.Data));
+      R.Monitor.Expect_Silence ("CIMG MSSG", For_Time => 0.7);
+      Check
+        (R.Supervisor.Log_Length > Mark, "nothing of it in the log");
+      R.Monitor.Expect ("CPCO", "ANAK");
+      R.Monitor.Expect ("RPIN", "ANAK");
+      R.Emulator.Tell ("camera on");
+      Open_Camera (R, Positions => True);
+      R.Monitor.Expect ("CCLS", "AACK");
+   end Camera_Stalls;
+
+   -----------------
+   -- Camera_Goes --
+   -----------------
+
+   procedure Camera_Goes is
+      --  Its stream is closed; a new one refused at first
+      R    : Rig;
+      Item : Message;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R, Positions => True);
+      R.Monitor.Skip_To_Now;
+      R.Emulator.Tell ("camera off");
+      Item := R.Monitor.Next_Of ("MSSG", Within => 8.0);
+      Check (Length (Item.Data) > 0, "told nothing");
+      R.Monitor.Expect_Silence ("CIMG CPOS", For_Time => 0.5);
+      R.Monitor.Expect ("COPN", "ANAK", Within => 10.0);
+      R.Emulator.Tell ("camera on");
+      Open_Camera (R);
+   end Camera_Goes;
+
+   ---------------------
+   -- Arena_Confirmed --
+   ---------------------
+
+   procedure Arena_Confirmed is
+      R    : Rig;
+      Item : Message;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R);
+      R.Monitor.Skip_To_Now;
+      R.Monitor.Send_Line ("CASA");
+      --  An image may have been on its way; after it exactly one
+      delay 1.5;
+      declare
+         Number : Natural := 0;
+         Last   : Message;
+      begin
+         loop
+            Item := R.Monitor.Next (Within => 0.0);
+            exit when Item.Number = 0;
+            Number := Number + 1;
+            Last := Item;
+         end loop;
+         Check
+           (Number in 1 .. 2,
+            Number'Image & " messages between search and decision");
+         Check (Last.Label = "CIMG", "search answered " & Last.Label);
+         Check
+           (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
+            "the arena is not drawn in the image of the search");
+      end;
+      R.Monitor.Expect_Silence ("CIMG CPOS AACK", For_Time => 0.5);
+      R.Monitor.Send_Line ("CACO");
+      for Number in 1 .. 5 loop
+         Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+      end loop;
+      Check
+        (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
+         "the confirmed arena is not drawn");
+
+      --  and forgotten with the camera
+      R.Monitor.Expect ("CCLS", "AACK");
+   end Arena_Confirmed;
+
+   --------------------
+   -- Arena_Rejected --
+   --------------------
+
+   procedure Arena_Rejected is
+      R    : Rig;
+      Item : Message;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R);
+      Item := R.Monitor.Ask ("CASA", Within => 5.0);
+      Check (Item.Label = "CIMG", "search answered " & Item.Label);
+      delay 0.5;
+      R.Monitor.Skip_To_Now;
+      R.Monitor.Expect_Silence ("CIMG AACK", For_Time => 0.5);
+      R.Monitor.Send_Line ("CAIN");
+      for Number in 1 .. 5 loop
+         Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+      end loop;
+      Check
+        (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
+         "the rejected arena is drawn");
+   end Arena_Rejected;
+
+   --------------------------
+   -- Arena_Searched_Again --
+   --------------------------
+
+   procedure Arena_Searched_Again is
+      --  After a confirmed one, and while one waits for the decision;
+      --  positions stay true inside the arena
+      R    : Rig;
+      Item : Message;
+      Seen : Position;
+      True_Pose : Emulators.Truth;
+   begin
+      Assemble (R, Camera => True, Emulator_Options => "--pose 20,15,30");
+      Open_Camera (R);
+      for Attempt in 1 .. 3 loop
+         R.Monitor.Send_Line ("CASA");
+         delay 0.6;
+         R.Monitor.Skip_To_Now;
+         Item := R.Monitor.Ask ("CASA", Within => 5.0);
+         Check (Item.Label = "CIMG", "search answered " & Item.Label);
+         R.Monitor.Expect_Silence ("CIMG", For_Time => 0.4);
+         R.Monitor.Send_Line ("CACO");
+         Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+      end loop;
+      R.Monitor.Expect ("CPCO", "AACK");
+      Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
+      Seen := Parsed (Item);
+      True_Pose := R.Emulator.Pose;
+      Check
+        (Seen.Id = 1 and then abs (Seen.Cx - True_Pose.Cx) <= 2.0
+         and then abs (Seen.Cy - True_Pose.Cy) <= 2.0,
+         "inside the arena the robot is seen at " & To_String (Item.Data));
+   end Arena_Searched_Again;
+
+   ---------------------
+   -- Arena_Not_Found --
+   ---------------------
+
+   procedure Arena_Not_Found is
+      R    : Rig;
+      Path : constant String := Programs.Temporary_Folder & "/empty.jpg";
+      Item : Message;
+   begin
+      Images.Write_Empty (Path);
+      R.Supervisor.Start ("--camera " & Path);
+      Connect (R);
+      Open_Camera (R);
+      R.Monitor.Expect ("CASA", "ANAK", Within => 5.0);
+      --  nothing to decide: the images go on
+      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+      Check (Item.Number > 0, "no image");
+   end Arena_Not_Found;
+
+   -----------------------------------
+   -- Arena_Decision_Without_Search --
+   -----------------------------------
+
+   procedure Arena_Decision_Without_Search is
+      R    : Rig;
+      Item : Message;
+   begin
+      Assemble (R, Camera => True);
+      R.Monitor.Send_Line ("CACO");
+      R.Monitor.Send_Line ("CAIN");
+      Open_Camera (R);
+      R.Monitor.Send_Line ("CACO");
+      R.Monitor.Send_Line ("CAIN");
+      R.Monitor.Skip_To_Now;
+      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+      Check
+        (Item.Number > 0
+         and then Images.Seen (R.Monitor.Last_Image).Coloured
+                  < Images.Drawn,
+         "an arena that was never found is drawn");
+      R.Monitor.Expect ("what", "ACER");
+   end Arena_Decision_Without_Search;
+
+   --------------------
+   -- Positions_True --
+   --------------------
+
+   procedure Positions_True is
+      R : Rig;
+      Worst_Distance : Float := 0.0;
+      Worst_Angle    : Float := 0.0;
+
+      procedure Try (X, Y : Integer; Heading : Integer);
+
+      procedure Try (X, Y : Integer; Heading : Integer) is
+         Truth : Emulators.Truth;
+         Item  : Message;
+         Seen  : Position;
+         Off   : Float;
+         Turn  : Float;
+
+         function Image (Value : Integer) return String is
+           (Trim (Integer'Image (Value), Both));
+      begin
+         R.Emulator.Tell
+           ("pose " & Image (X) & " " & Image (Y) & " " & Image (Heading));
+         Truth := R.Emulator.Pose;
+         delay 0.3;
+         R.Monitor.Skip_To_Now;
+         Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
+         Seen := Parsed (Item);
+         Off := Float'Max
+           (abs (Seen.Cx - Truth.Cx), abs (Seen.Cy - Truth.Cy));
+         Off := Float'Max (Off, abs (Seen.Dx - Truth.Dx));
+         Off := Float'Max (Off, abs (Seen.Dy - Truth.Dy));
+         Turn := abs (Seen.Angle - Truth.Angle);
+         if Turn > 180.0 then
+            Turn := 360.0 - Turn;
+         end if;
+         Worst_Distance := Float'Max (Worst_Distance, Off);
+         Worst_Angle := Float'Max (Worst_Angle, Turn);
+         Check
+           (Seen.Id = 42 and then Off <= 2.0 and then Turn <= 1.0
+            and then Seen.Angle > -180.0 and then Seen.Angle <= 180.0,
+            "seen " & To_String (Item.Data) & ", true are"
+            & Truth.Angle'Image & Truth.Cx'Image & Truth.Cy'Image
+            & Truth.Dx'Image & Truth.Dy'Image);
+      end Try;
+
+   begin
+      Assemble
+        (R, Camera => True,
+         Emulator_Options => "--marker-id 42 --noise 3");
+      Open_Camera (R, Positions => True);
+      for Step in 0 .. 11 loop
+         Try (X => 15 + (Step * 37) mod 50, Y => 12 + (Step * 23) mod 36,
+              Heading => Step * 30);
+      end loop;
+      Try (40, 30, 45);
+      Try (40, 30, 90);
+      Try (40, 30, 180);
+      Note ("worst: " & Worst_Distance'Image & " px,"
+            & Worst_Angle'Image & " degrees");
+
+      --  "an upright marker is at 90"
+      R.Emulator.Tell ("pose 40 30 90");
+      delay 0.3;
+      R.Monitor.Skip_To_Now;
+      declare
+         Seen : constant Position :=
+           Parsed (R.Monitor.Next_Of ("CPOS", Within => 2.0));
+      begin
+         Check
+           (abs (Seen.Angle - 90.0) <= 1.0,
+            "an upright marker is at" & Seen.Angle'Image);
+      end;
+   end Positions_True;
+
+   ---------------------------
+   -- Positions_Every_Image --
+   ---------------------------
+
+   procedure Positions_Every_Image is
+      R    : Rig;
+      Last : Natural;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R, Positions => True);
+      declare
+         Periods : constant Durations.Vector :=
+           Period_Of (R, "CPOS", Count => 40);
+      begin
+         Check_Within
+           (abs (Periods (1) - 0.1), 0.004, "the position period off");
+      end;
+      Last := R.Monitor.Count_Of ("CPOS");
+      Check
+        (abs (R.Monitor.Count_Of ("CIMG") - Last) <= 12,
+         Last'Image & " positions,"
+         & R.Monitor.Count_Of ("CIMG")'Image & " images");
+      Check
+        (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn / 4,
+         "the robot is not drawn");
+   end Positions_Every_Image;
+
+   ------------------------
+   -- Position_Not_Found --
+   ------------------------
+
+   procedure Position_Not_Found is
+      R    : Rig;
+      Path : constant String := Programs.Temporary_Folder & "/empty.jpg";
+      Item : Message;
+      Seen : Position;
+   begin
+      Images.Write_Empty (Path);
+      R.Supervisor.Start ("--camera " & Path);
+      Connect (R);
+      Open_Camera (R, Positions => True);
+      for Number in 1 .. 5 loop
+         Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
+         Seen := Parsed (Item);
+         Check
+           (Seen.Id = -1 and then Seen.Cx = -1.0 and then Seen.Cy = -1.0,
+            "no robot is CPOS:" & To_String (Item.Data));
+      end loop;
+      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+      Check (Item.Number > 0, "no image");
+   end Position_Not_Found;
+
+   --------------------------
+   -- Position_Of_Triangle --
+   --------------------------
+
+   procedure Position_Of_Triangle is
+      R     : Rig;
+      Truth : Emulators.Truth;
+      Item  : Message;
+      Seen  : Position;
+      Turn  : Float;
+   begin
+      Assemble
+        (R, Camera => True,
+         Emulator_Options => "--marker triangle --pose 50,20,120",
+         Supervisor_Options => "--marker triangle");
+      Open_Camera (R, Positions => True);
+      Truth := R.Emulator.Pose;
+      Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
+      Seen := Parsed (Item);
+      Turn := abs (Seen.Angle - Truth.Angle);
+      Check
+        (Seen.Id = 0
+         and then abs (Seen.Cx - Truth.Cx) <= 2.0
+         and then abs (Seen.Cy - Truth.Cy) <= 2.0
+         and then (Turn <= 1.0 or else Turn >= 359.0),
+         "seen " & To_String (Item.Data) & ", true are"
+         & Truth.Angle'Image & Truth.Cx'Image & Truth.Cy'Image);
+   end Position_Of_Triangle;
+
+   ----------------------
+   -- Position_Stopped --
+   ----------------------
+
+   procedure Position_Stopped is
+      R    : Rig;
+      Mark : Natural;
+   begin
+      Assemble (R, Camera => True);
+      R.Monitor.Expect ("CPST", "AACK");
+      for Attempt in 1 .. 3 loop
+         Open_Camera (R, Positions => True);
+         R.Monitor.Expect ("CPCO", "AACK");
+         R.Monitor.Expect ("CPST", "AACK");
+         R.Monitor.Expect ("CPST", "AACK");
+         delay 0.1;
+         R.Monitor.Skip_To_Now;
+         Mark := R.Monitor.Count_Of ("CIMG");
+         R.Monitor.Expect_Silence ("CPOS", For_Time => 0.6);
+         Check
+           (R.Monitor.Count_Of ("CIMG") - Mark >= 3,
+            "the images do not go on");
+         Check
+           (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
+            "the robot is still drawn");
+      end loop;
+   end Position_Stopped;
+
+   -----------------
+   -- Loop_Closes --
+   -----------------
+
+   procedure Loop_Closes is
+      --  Order, motion, image, position
+      R      : Rig;
+      Before : Position;
+      After  : Position;
+   begin
+      Assemble (R, Camera => True, Emulator_Options => "--pose 20,30,0");
+      Start_Robot (R, Watchdog => True);
+      Open_Camera (R, Positions => True);
+      Before := Parsed (R.Monitor.Next_Of ("CPOS", Within => 2.0));
+      R.Monitor.Expect ("RMOV:200", "AACK");
+      R.Emulator.Await_Status ("moving", "0", Within => 10.0);
+      delay 0.3;
+      R.Monitor.Skip_To_Now;
+      After := Parsed (R.Monitor.Next_Of ("CPOS", Within => 2.0));
+      Note ("20 cm are" & Float'Image (After.Cx - Before.Cx) & " px");
+      Check (After.Cx - Before.Cx > 60.0, "the robot has not moved");
+      Check (abs (After.Cy - Before.Cy) < 3.0, "not straight on");
+   end Loop_Closes;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "F14_F16_Open_And_Close", Open_And_Close'Access);
+      Add (Suite, "F14_Open_Fails", Open_Fails'Access);
+      Add (Suite, "F14_Not_Open_Is_ANAK", Not_Open_Is_Anak'Access);
+      Add (Suite, "F15_Image_Period", Image_Period'Access);
+      Add (Suite, "F15_Image_Size_And_Quality", Image_Size'Access);
+      Add (Suite, "F15_Other_Image_Rate", Other_Image_Rate'Access);
+      Add (Suite, "F14_Still_Image_As_Camera", Still_Image'Access);
+      Add (Suite, "F16_No_Image_After_Close", No_Image_After_Close'Access);
+      Add (Suite, "F15_Camera_Stops_Delivering", Camera_Stalls'Access);
+      Add (Suite, "F15_Camera_Goes_Away", Camera_Goes'Access);
+      Add (Suite, "F17_Arena_Confirmed", Arena_Confirmed'Access);
+      Add (Suite, "F17_Arena_Rejected", Arena_Rejected'Access);
+      Add (Suite, "F17_Arena_Searched_Again", Arena_Searched_Again'Access);
+      Add (Suite, "F17_Arena_Not_Found", Arena_Not_Found'Access);
+      Add (Suite, "F17_Decision_Without_Search",
+           Arena_Decision_Without_Search'Access);
+      Add (Suite, "F18_Positions_True", Positions_True'Access);
+      Add (Suite, "F18_Positions_In_Every_Image",
+           Positions_Every_Image'Access);
+      Add (Suite, "F18_Position_Not_Found", Position_Not_Found'Access);
+      Add (Suite, "F18_Position_Of_Triangle", Position_Of_Triangle'Access);
+      Add (Suite, "F19_Position_Stopped", Position_Stopped'Access);
+      Add (Suite, "F12_F18_Loop_Closes", Loop_Closes'Access);
+   end Add_To;
+
+end Camera_Tests;

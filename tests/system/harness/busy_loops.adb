@@ -1,0 +1,16 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Load on the machine.
+
+package body Busy_Loops is
+
+   procedure Start (Object : in out Load; Count : Positive := 2) is
+      Options : Child_Processes.Arguments;
+   begin
+      Options.Append ("-c");
+      Options.Append ("while :; do :; done");
+      for Number in 1 .. Count loop
+         Object.Loops (Number).Start ("/bin/sh", Options, "busy loop");
+      end loop;
+   end Start;
+
+end Busy_Loops;

@@ -1,0 +1,22 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Load on the machine: processes that only burn time.
+
+with Child_Processes;
+
+package Busy_Loops is
+
+   type Load is tagged limited private;
+   --  Ends when it leaves its scope
+
+   procedure Start (Object : in out Load; Count : Positive := 2)
+     with Pre => Count <= 4;
+
+private
+
+   type Children is array (1 .. 4) of Child_Processes.Child;
+
+   type Load is tagged limited record
+      Loops : Children;
+   end record;
+
+end Busy_Loops;

@@ -1,0 +1,388 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The emulated robot and its arena camera.
+
+with Ada.Strings;       use Ada.Strings;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Ada.Streams;       use Ada.Streams;
+with Ada.Streams.Stream_IO;
+with GNAT.Sockets;      use GNAT.Sockets;
+
+with Expectations;      use Expectations;
+with Programs;
+
+package body Emulators is
+
+   Answer_Limit : constant Duration := 10.0;
+   --  It answers within a millisecond on an idle machine
+
+   Made : Natural := 0;
+   --  for names of links
+
+   function Next_Line (Object : in out Emulator) return String;
+   --  Of its output; raises Failed when it stays silent
+
+   function Value (Line : String; Key : String) return String;
+   --  Of a line of key=value words; "" where it has no such key
+
+   function Seconds (Text : String) return Instant;
+   --  Seconds with six decimals
+
+   function Fetched (Object : Emulator; Path : String)
+      return Stream_Element_Array;
+   --  The body of the camera's answer
+
+   function Port (Object : Emulator) return Port_Type;
+   --  Of its camera
+
+   ---------------
+   -- Next_Line --
+   ---------------
+
+   function Next_Line (Object : in out Emulator) return String is
+   begin
+      Check
+        (Object.Process.Awaited
+           (Output, "", Answer_Limit, After => Object.Seen) > 0,
+         "the emulator does not answer");
+      Object.Seen := Object.Seen + 1;
+      return To_String
+        (Object.Process.Element (Output, Object.Seen).Text);
+   end Next_Line;
+
+   -----------
+   -- Value --
+   -----------
+
+   function Value (Line : String; Key : String) return String is
+      Text  : constant String := " " & Line & " ";
+      Place : constant Natural := Index (Text, " " & Key & "=");
+      First : Positive;
+   begin
+      if Place = 0 then
+         return "";
+      end if;
+      First := Place + Key'Length + 2;
+      return Text (First .. Index (Text, " ", First) - 1);
+   end Value;
+
+   -------------
+   -- Seconds --
+   -------------
+
+   function Seconds (Text : String) return Instant is
+      Point : constant Natural := Index (Text, ".");
+   begin
+      return Instant'Value (Text (Text'First .. Point - 1)) * 1_000_000_000
+        + Instant'Value (Text (Point + 1 .. Text'Last)) * 1_000;
+   end Seconds;
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start
+     (Object : in out Emulator; Camera : Boolean; Options : String := "")
+   is
+      use type Arguments;
+      Address : constant String := "camera ";
+   begin
+      Made := Made + 1;
+      Object.Seen := 0;
+      Object.Link := To_Unbounded_String
+        (Programs.Temporary_Folder & "/robot"
+         & Trim (Natural'Image (Made), Both));
+      Object.Process.Start
+        (Programs.Emulator,
+         Words ("--boot-ms 100 --link " & To_String (Object.Link)
+           & (if Camera then " --camera-port 0" else ""))
+         & Words (Options),
+         "emulator");
+      Check
+        (Index (Next_Line (Object), "device ") = 1,
+         "the emulator names no device");
+      if Camera then
+         declare
+            Line : constant String := Next_Line (Object);
+         begin
+            Check (Index (Line, Address) = 1, "the emulator has no camera");
+            Object.Url := To_Unbounded_String
+              (Line (Address'Length + 1 .. Line'Last));
+         end;
+      end if;
+      if Index (Options, "--boot-ms") = 0 then
+         Object.Await_Status ("state", "idle", Within => 10.0);
+      end if;
+   end Start;
+
+   ------------
+   -- Device --
+   ------------
+
+   function Device (Object : Emulator) return String is
+     (To_String (Object.Link));
+
+   function Camera_Url (Object : Emulator) return String is
+     (To_String (Object.Url));
+
+   ----------
+   -- Tell --
+   ----------
+
+   procedure Tell (Object : in out Emulator; Command : String) is
+   begin
+      Object.Process.Put_Line (Command);
+      declare
+         Line : constant String := Next_Line (Object);
+      begin
+         Check
+           (Index (Line, "ok") = 1,
+            "the emulator answers " & Command & " with " & Line);
+      end;
+   end Tell;
+
+   ------------
+   -- Status --
+   ------------
+
+   function Status (Object : in out Emulator; Key : String) return String is
+   begin
+      Object.Process.Put_Line ("status");
+      declare
+         Line : constant String := Next_Line (Object);
+      begin
+         Check
+           (Value (Line, Key) /= "", "no " & Key & " in status: " & Line);
+         return Value (Line, Key);
+      end;
+   end Status;
+
+   -------------------
+   -- Status_Number --
+   -------------------
+
+   function Status_Number
+     (Object : in out Emulator; Key : String) return Integer
+   is (Integer'Value (Object.Status (Key)));
+
+   ------------------
+   -- Await_Status --
+   ------------------
+
+   procedure Await_Status
+     (Object : in out Emulator; Key, Value : String; Within : Duration)
+   is
+      Deadline : constant Instant := Now + Within;
+   begin
+      loop
+         declare
+            Late : constant Boolean := Now > Deadline;
+            Seen : constant String := Object.Status (Key);
+         begin
+            exit when Seen = Value;
+            Check
+              (not Late,
+               "the robot's " & Key & " is " & Seen & " instead of "
+               & Value);
+         end;
+         delay 0.005;
+      end loop;
+   end Await_Status;
+
+   -------------------
+   -- Clear_Journal --
+   -------------------
+
+   procedure Clear_Journal (Object : in out Emulator) is
+   begin
+      Object.Tell ("journal clear");
+   end Clear_Journal;
+
+   -------------
+   -- Journal --
+   -------------
+
+   function Journal (Object : in out Emulator) return Notes is
+      Result : Notes;
+   begin
+      Object.Process.Put_Line ("journal");
+      loop
+         declare
+            Line     : constant String := Next_Line (Object);
+            Interval : constant String := Value (Line, "interval");
+         begin
+            exit when Line = "end";
+            Result.Append
+              ((First    => Seconds (Value (Line, "first")),
+                Last     => Seconds (Value (Line, "last")),
+                Command  => To_Unbounded_String (Value (Line, "command")),
+                Answer   => To_Unbounded_String (Value (Line, "answer")),
+                Accepted => Value (Line, "reload") = "accepted",
+                Interval =>
+                  (if Interval = "" then 0.0
+                   else Duration'Value (Interval) / 1000)));
+         end;
+      end loop;
+      return Result;
+   end Journal;
+
+   ---------------
+   -- Wire_Text --
+   ---------------
+
+   function Wire_Text
+     (Object : in out Emulator; Prefixes : String := "MT") return String
+   is
+      Result : Unbounded_String;
+   begin
+      for Item of Object.Journal loop
+         if Length (Item.Command) > 0
+           and then Index
+             (Prefixes, (1 => Element (Item.Command, 1))) > 0
+         then
+            Append (Result, Item.Command & " ");
+         end if;
+      end loop;
+      return To_String (Result);
+   end Wire_Text;
+
+   --------------
+   -- Count_Of --
+   --------------
+
+   function Count_Of
+     (Object : in out Emulator; Command : String) return Natural
+   is
+      Result : Natural := 0;
+   begin
+      for Item of Object.Journal loop
+         if Item.Command = Command then
+            Result := Result + 1;
+         end if;
+      end loop;
+      return Result;
+   end Count_Of;
+
+   -------------------
+   -- Await_On_Wire --
+   -------------------
+
+   function Await_On_Wire
+     (Object : in out Emulator; Command : String; Within : Duration)
+      return Note
+   is
+      Deadline : constant Instant := Now + Within;
+      Late     : Boolean;
+   begin
+      loop
+         Late := Now > Deadline;
+         for Item of Object.Journal loop
+            if Item.Command = Command then
+               return Item;
+            end if;
+         end loop;
+         if Late then
+            raise Failed with
+              "no " & Command & " on the wire within "
+              & Milliseconds (Within) & ", but: "
+              & Object.Wire_Text ("MTWurwpvbz");
+         end if;
+         delay 0.005;
+      end loop;
+   end Await_On_Wire;
+
+   ----------
+   -- Port --
+   ----------
+
+   function Port (Object : Emulator) return Port_Type is
+      Url   : constant String := To_String (Object.Url);
+      First : constant Positive := Index (Url, ":", Backward) + 1;
+   begin
+      return Port_Type'Value (Url (First .. Index (Url, "/", First) - 1));
+   end Port;
+
+   -------------
+   -- Fetched --
+   -------------
+
+   function Fetched (Object : Emulator; Path : String)
+      return Stream_Element_Array
+   is
+      Room    : constant := 1_000_000;
+      Buffer  : Stream_Element_Array (1 .. Room);
+      Request : constant String :=
+        "GET " & Path & " HTTP/1.0" & ASCII.CR & ASCII.LF
+        & ASCII.CR & ASCII.LF;
+      Bytes   : Stream_Element_Array (1 .. Request'Length)
+        with Import, Address => Request'Address;
+      Socket  : Socket_Type;
+      Used    : Stream_Element_Offset := 0;
+      Last    : Stream_Element_Offset;
+   begin
+      Create_Socket (Socket);
+      Set_Socket_Option
+        (Socket, Socket_Level, (Receive_Timeout, Answer_Limit));
+      Connect_Socket
+        (Socket, (Family_Inet, Loopback_Inet_Addr, Port (Object)));
+      Send_Socket (Socket, Bytes, Last);
+      loop
+         Receive_Socket (Socket, Buffer (Used + 1 .. Room), Last);
+         exit when Last <= Used;
+         Used := Last;
+      end loop;
+      Close_Socket (Socket);
+      for First in 1 .. Used - 3 loop
+         if Buffer (First .. First + 3) = (13, 10, 13, 10) then
+            return Buffer (First + 4 .. Used);
+         end if;
+      end loop;
+      raise Failed with "no answer from the camera's " & Path;
+   exception
+      when Socket_Error =>
+         Close_Socket (Socket);
+         raise Failed with "no connection to the camera for " & Path;
+   end Fetched;
+
+   ----------
+   -- Pose --
+   ----------
+
+   function Pose (Object : Emulator) return Truth is
+      Bytes : constant Stream_Element_Array := Fetched (Object, "/pose");
+      Text  : String (1 .. Bytes'Length)
+        with Import, Address => Bytes'Address;
+      Parts : constant Arguments :=
+        Words (Text (1 .. Index (Text & ASCII.LF, (1 => ASCII.LF)) - 1));
+
+      function Number (Place : Positive) return Float is
+        (Float'Value (Parts.Element (Place)));
+   begin
+      return
+        (X => Number (1), Y => Number (2), Heading => Number (3),
+         Cx => Number (4), Cy => Number (5),
+         Dx => Number (6), Dy => Number (7), Angle => Number (8));
+   end Pose;
+
+   -------------------
+   -- Save_Snapshot --
+   -------------------
+
+   procedure Save_Snapshot (Object : Emulator; Path : String) is
+      use Ada.Streams.Stream_IO;
+      File : Ada.Streams.Stream_IO.File_Type;
+   begin
+      Create (File, Out_File, Path);
+      Write (File, Fetched (Object, "/snapshot.jpg"));
+      Close (File);
+   end Save_Snapshot;
+
+   ----------
+   -- Stop --
+   ----------
+
+   procedure Stop (Object : in out Emulator) is
+   begin
+      Object.Process.Stop;
+   end Stop;
+
+end Emulators;

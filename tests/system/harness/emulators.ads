@@ -1,0 +1,103 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The emulated robot and its arena camera, as a process of its own: what
+--  it is told on its standard input, what it has seen on the wire.
+
+with Ada.Containers.Vectors;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Child_Processes;       use Child_Processes;
+with Instants;              use Instants;
+
+package Emulators is
+
+   type Emulator is tagged limited private;
+   --  Killed when it leaves its scope
+
+   procedure Start
+     (Object : in out Emulator; Camera : Boolean; Options : String := "");
+   --  With a robot that is ready at once, unless Options say otherwise
+
+   function Device (Object : Emulator) return String;
+   --  Of the robot's line: a link that stays the same when it returns
+
+   function Camera_Url (Object : Emulator) return String;
+
+   procedure Tell (Object : in out Emulator; Command : String);
+   --  Raises Failed unless the answer is ok
+
+   function Status (Object : in out Emulator; Key : String) return String;
+   --  A value of the status line, such as "run" of "state"
+
+   function Status_Number
+     (Object : in out Emulator; Key : String) return Integer;
+
+   procedure Await_Status
+     (Object : in out Emulator; Key, Value : String; Within : Duration);
+   --  Raises Failed when it does not become Value
+
+   --  The wire
+
+   type Note is record
+      First, Last : Instant := Never;
+      --  of the command's bytes
+      Command     : Unbounded_String;
+      Answer      : Unbounded_String;
+      Accepted    : Boolean := False;
+      --  of a reload: in its window
+      Interval    : Duration := 0.0;
+      --  of a reload: since the one before
+   end record;
+
+   package Note_Vectors is new Ada.Containers.Vectors (Positive, Note);
+   subtype Notes is Note_Vectors.Vector;
+
+   procedure Clear_Journal (Object : in out Emulator);
+
+   function Journal (Object : in out Emulator) return Notes;
+   --  Since it was cleared
+
+   function Wire_Text
+     (Object : in out Emulator; Prefixes : String := "MT") return String;
+   --  The commands that begin with one of the characters of Prefixes, in
+   --  their order, with a blank after each
+
+   function Count_Of
+     (Object : in out Emulator; Command : String) return Natural;
+
+   function Await_On_Wire
+     (Object : in out Emulator; Command : String; Within : Duration)
+      return Note;
+   --  The first such command since the journal was cleared; raises Failed
+   --  when there is none
+
+   --  The truth
+
+   type Truth is record
+      X, Y, Heading : Float := 0.0;
+      --  cm, cm, degrees
+      Cx, Cy        : Float := 0.0;
+      Dx, Dy        : Float := 0.0;
+      --  pixels
+      Angle         : Float := 0.0;
+      --  degrees, as the supervisor reports it
+   end record;
+
+   function Pose (Object : Emulator) return Truth;
+   --  Now, from the camera's side
+
+   procedure Save_Snapshot (Object : Emulator; Path : String);
+   --  An image of the camera, as a file
+
+   procedure Stop (Object : in out Emulator);
+
+private
+
+   type Emulator is tagged limited record
+      Process : Child;
+      Seen    : Natural := 0;
+      --  lines of its output that have been taken
+      Link    : Unbounded_String;
+      Url     : Unbounded_String;
+   end record;
+
+end Emulators;

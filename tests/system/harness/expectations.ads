@@ -1,0 +1,25 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What a test expects, independent of the framework that runs it: the
+--  benchmark uses the same harness.
+
+package Expectations is
+
+   Failed : exception;
+   --  What was expected did not happen; the message says what was seen
+
+   Skipped : exception;
+   --  The machine does not allow this test; the message says why
+
+   procedure Check (Condition : Boolean; Message : String);
+   --  Raises Failed with Message unless Condition
+
+   procedure Check_Within
+     (Taken : Duration; Limit : Duration; What : String);
+   --  Raises Failed unless Taken <= Limit
+
+   procedure Skip (Reason : String) with No_Return;
+
+   procedure Note (Text : String);
+   --  A figure worth reading in the report of the run
+
+end Expectations;

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/* What a received image shows, and images for cameras that are files. C
+ * interface for Images; no exception leaves it. */
+#include <opencv2/aruco.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+
+int digit(char c) {
+  if (c >= 'A' && c <= 'Z') return c - 'A';
+  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+  if (c >= '0' && c <= '9') return c - '0' + 52;
+  if (c == '+') return 62;
+  if (c == '/') return 63;
+  return -1;
+}
+
+cv::Mat decoded(const char *text, int length) {
+  std::vector<unsigned char> bytes;
+  unsigned bits = 0;
+  int held = 0;
+  for (int i = 0; i < length && text[i] != '='; ++i) {
+    const int value = digit(text[i]);
+    if (value < 0) return {};
+    bits = (bits << 6) | static_cast<unsigned>(value);
+    held += 6;
+    if (held >= 8) {
+      held -= 8;
+      bytes.push_back(static_cast<unsigned char>(bits >> held));
+    }
+  }
+  if (bytes.empty()) return {};
+  return cv::imdecode(bytes, cv::IMREAD_COLOR);
+}
+
+}  // namespace
+
+extern "C" {
+
+/* Size of the image in base64 TEXT, and how many of its pixels are clearly
+ * coloured: the arena and its robot are grey, what is drawn over them is
+ * not. 0 if it is an image. */
+int image_facts(const char *text, int length, int *width, int *height,
+                int *coloured) {
+  try {
+    const cv::Mat image = decoded(text, length);
+    if (image.empty()) return 1;
+    *width = image.cols;
+    *height = image.rows;
+    *coloured = 0;
+    for (int y = 0; y < image.rows; ++y)
+      for (int x = 0; x < image.cols; ++x) {
+        const cv::Vec3b p = image.at<cv::Vec3b>(y, x);
+        const int most = std::max({p[0], p[1], p[2]});
+        const int least = std::min({p[0], p[1], p[2]});
+        if (most - least > 60) ++*coloured;
+      }
+    return 0;
+  } catch (...) {
+    return 2;
+  }
+}
+
+/* The centre of the ArUco marker in the image. 0 if there is one. */
+int image_marker(const char *text, int length, double *x, double *y) {
+  try {
+    const cv::Mat image = decoded(text, length);
+    if (image.empty()) return 1;
+    std::vector<std::vector<cv::Point2f>> corners;
+    std::vector<int> ids;
+    cv::aruco::detectMarkers(
+        image, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000),
+        corners, ids);
+    if (corners.empty()) return 1;
+    *x = (corners[0][0].x + corners[0][2].x) / 2.0;
+    *y = (corners[0][0].y + corners[0][2].y) / 2.0;
+    return 0;
+  } catch (...) {
+    return 2;
+  }
+}
+
+/* Writes an image to PATH that shows neither arena nor robot. 0 if done. */
+int image_write_empty(const char *path) {
+  try {
+    cv::Mat image(480, 640, CV_8UC3, cv::Scalar::all(70));
+    cv::randn(image, 70, 3);
+    return cv::imwrite(path, image) ? 0 : 1;
+  } catch (...) {
+    return 2;
+  }
+}
+
+}

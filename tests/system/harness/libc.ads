@@ -1,0 +1,164 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The few calls of the C library that the harness needs, as they are. The
+--  numbers are those of Linux on every architecture that Debian releases.
+
+with Interfaces.C;         use Interfaces.C;
+with Interfaces.C.Strings; use Interfaces.C.Strings;
+with System.Storage_Elements;
+
+package Libc is
+
+   --  Clock
+
+   type Timespec is record
+      Seconds     : long;
+      Nanoseconds : long;
+   end record with Convention => C;
+
+   Clock_Monotonic : constant int := 1;
+
+   function Clock_Gettime
+     (Clock : int; Time : access Timespec) return int
+   with Import, Convention => C, External_Name => "clock_gettime";
+
+   --  Files
+
+   type Pipe_Ends is array (0 .. 1) of int with Convention => C;
+   --  0 is read from, 1 is written to
+
+   O_Rdonly  : constant int := 8#0#;
+   O_Cloexec : constant int := 8#2000000#;
+
+   function Pipe2 (Ends : out Pipe_Ends; Flags : int) return int
+   with Import, Convention => C, External_Name => "pipe2";
+
+   function Open (Path : char_array; Flags : int) return int
+   with Import, Convention => C, External_Name => "open";
+
+   function Read
+     (File : int; Buffer : System.Address; Size : size_t) return long
+   with Import, Convention => C, External_Name => "read";
+
+   function Write
+     (File : int; Buffer : System.Address; Size : size_t) return long
+   with Import, Convention => C, External_Name => "write";
+
+   function Close (File : int) return int
+   with Import, Convention => C, External_Name => "close";
+
+   function Chmod (Path : char_array; Mode : unsigned) return int
+   with Import, Convention => C, External_Name => "chmod";
+
+   function Chown (Path : char_array; User, Group : unsigned) return int
+   with Import, Convention => C, External_Name => "chown";
+
+   function Dup2 (File, Onto : int) return int
+   with Import, Convention => C, External_Name => "dup2";
+
+   type Poll_Descriptor is record
+      File     : int;
+      Events   : short;
+      Returned : short;
+   end record with Convention => C;
+
+   Poll_In : constant short := 1;
+
+   function Poll
+     (Files   : access Poll_Descriptor;
+      Count   : unsigned_long;
+      Timeout : int) return int
+   with Import, Convention => C, External_Name => "poll";
+   --  Timeout in milliseconds
+
+   --  Processes
+
+   function Fork return int
+   with Import, Convention => C, External_Name => "fork";
+
+   type Argument_Vector is array (Natural range <>) of aliased chars_ptr
+   with Convention => C;
+
+   procedure Execv (Path : chars_ptr; Arguments : Argument_Vector)
+   with Import, Convention => C, External_Name => "execvp";
+   --  Searches PATH where Path has no slash; returns only when it failed
+
+   procedure Exit_Now (Status : int)
+   with Import, Convention => C, External_Name => "_exit";
+
+   No_Hang : constant int := 1;
+
+   function Waitpid
+     (Process : int; Status : access int; Options : int) return int
+   with Import, Convention => C, External_Name => "waitpid";
+
+   function Kill (Process, Signal : int) return int
+   with Import, Convention => C, External_Name => "kill";
+
+   function Tgkill (Process, Thread, Signal : int) return int
+   with Import, Convention => C, External_Name => "tgkill";
+
+   Pr_Set_Pdeathsig : constant int := 1;
+
+   function Prctl (Option : int; Value : unsigned_long) return int
+   with Import, Convention => C_Variadic_1, External_Name => "prctl";
+
+   function Geteuid return unsigned
+   with Import, Convention => C, External_Name => "geteuid";
+
+   function Getpid return int
+   with Import, Convention => C, External_Name => "getpid";
+
+   --  Signals
+
+   Sighup  : constant int := 1;
+   Sigint  : constant int := 2;
+   Sigkill : constant int := 9;
+   Sigsegv : constant int := 11;
+   Sigpipe : constant int := 13;
+   Sigterm : constant int := 15;
+   Sigcont : constant int := 18;
+   Sigstop : constant int := 19;
+
+   type Signal_Set is array (1 .. 128) of aliased char with Convention => C;
+   --  sigset_t of the GNU C library
+
+   Set_Mask : constant int := 2;
+
+   function Sigemptyset (Set : access Signal_Set) return int
+   with Import, Convention => C, External_Name => "sigemptyset";
+
+   function Sigprocmask
+     (How : int; Set, Old : access Signal_Set) return int
+   with Import, Convention => C, External_Name => "sigprocmask";
+
+   Default_Action : constant System.Address := System.Null_Address;
+
+   Ignored : constant System.Address :=
+     System.Storage_Elements.To_Address (1);
+
+   function Signal
+     (Number : int; Action : System.Address) return System.Address
+   with Import, Convention => C, External_Name => "signal";
+
+   --  Scheduling
+
+   Sched_Other : constant int := 0;
+   Sched_Fifo  : constant int := 1;
+
+   type Sched_Param is record
+      Priority : int;
+   end record with Convention => C;
+
+   function Sched_Setscheduler
+     (Thread : int; Policy : int; Param : access Sched_Param) return int
+   with Import, Convention => C, External_Name => "sched_setscheduler";
+   --  Thread 0 is the caller
+
+   --  Network namespaces
+
+   Clone_Newnet : constant int := 16#4000_0000#;
+
+   function Setns (File : int; Kind : int) return int
+   with Import, Convention => C, External_Name => "setns";
+
+end Libc;

@@ -1,0 +1,178 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  A cable that can be pulled out.
+
+with Ada.Strings;       use Ada.Strings;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with GNAT.OS_Lib;
+with Interfaces.C;      use Interfaces.C;
+
+with Child_Processes;   use Child_Processes;
+with Expectations;      use Expectations;
+with Libc;
+
+package body Network_Links is
+
+   Number : constant String := Trim (int'Image (Libc.Getpid), Both);
+   Name   : constant String := "destijl" & Number;
+   Here   : constant String := "dsh" & Number;
+   There  : constant String := "dst" & Number;
+   --  the process number keeps two runs on one machine apart
+
+   Home : int := -1;
+   --  the namespace to return to
+
+   procedure Run (Command : String);
+   --  Raises Failed unless it succeeds
+
+   function Succeeds (Command : String) return Boolean;
+
+   --------------
+   -- Succeeds --
+   --------------
+
+   function Succeeds (Command : String) return Boolean is
+      Tool    : Child;
+      Options : Arguments := Words (Command);
+      Program : constant String := Options.First_Element;
+   begin
+      Options.Delete_First;
+      Tool.Start (Program, Options);
+      return Tool.Exit_Status (Within => 10.0) = 0;
+   end Succeeds;
+
+   ---------
+   -- Run --
+   ---------
+
+   procedure Run (Command : String) is
+   begin
+      Check (Succeeds (Command), "failed: " & Command);
+   end Run;
+
+   --------------
+   -- Obstacle --
+   --------------
+
+   function Obstacle return String is
+      use type GNAT.OS_Lib.String_Access;
+      Tool : GNAT.OS_Lib.String_Access;
+   begin
+      if Libc.Geteuid /= 0 then
+         return "only root can make a network namespace";
+      end if;
+      Tool := GNAT.OS_Lib.Locate_Exec_On_Path ("ip");
+      if Tool = null then
+         return "there is no ip command here (package iproute2)";
+      end if;
+      GNAT.OS_Lib.Free (Tool);
+      if not Succeeds ("ip netns add " & Name & "t") then
+         return "network namespaces are not allowed here";
+      end if;
+      Run ("ip netns del " & Name & "t");
+      return "";
+   end Obstacle;
+
+   ----------
+   -- Make --
+   ----------
+
+   procedure Make (Object : in out Link) is
+      Reason : constant String := Obstacle;
+   begin
+      if Reason /= "" then
+         Skip (Reason);
+      end if;
+      Run ("ip netns add " & Name);
+      Object.Made := True;
+      Run ("ip link add " & Here & " type veth peer name " & There);
+      Run ("ip link set " & There & " netns " & Name);
+      Run ("ip addr add " & Supervisor_Side & "/30 dev " & Here);
+      Run ("ip link set " & Here & " up");
+      Run ("ip -n " & Name & " addr add " & Monitor_Side & "/30 dev "
+           & There);
+      Run ("ip -n " & Name & " link set " & There & " up");
+   end Make;
+
+   ---------------
+   -- Namespace --
+   ---------------
+
+   function Namespace (Object : Link) return String is
+     (if Object.Made then Name else "");
+
+   ---------
+   -- Cut --
+   ---------
+
+   procedure Cut (Object : in out Link) is
+   begin
+      Check (Object.Made, "no link to cut");
+      Run ("ip -n " & Name & " link set " & There & " down");
+   end Cut;
+
+   ----------
+   -- Mend --
+   ----------
+
+   procedure Mend (Object : in out Link) is
+   begin
+      Check (Object.Made, "no link to mend");
+      Run ("ip -n " & Name & " link set " & There & " up");
+   end Mend;
+
+   -----------------
+   -- Fall_Silent --
+   -----------------
+
+   procedure Fall_Silent (Object : in out Link) is
+   begin
+      Check (Object.Made, "no link to silence");
+      Run ("ip -n " & Name & " addr del " & Monitor_Side & "/30 dev "
+           & There);
+   end Fall_Silent;
+
+   -----------
+   -- Enter --
+   -----------
+
+   procedure Enter (Namespace : String) is
+      File   : int;
+      Result : int;
+      Unused : int;
+   begin
+      Home := Libc.Open
+        (To_C ("/proc/thread-self/ns/net"), Libc.O_Rdonly + Libc.O_Cloexec);
+      File := Libc.Open
+        (To_C ("/run/netns/" & Namespace), Libc.O_Rdonly + Libc.O_Cloexec);
+      Result := Libc.Setns (File, Libc.Clone_Newnet);
+      Unused := Libc.Close (File);
+      Check (Result = 0, "cannot enter the namespace " & Namespace);
+   end Enter;
+
+   -----------
+   -- Leave --
+   -----------
+
+   procedure Leave is
+      Result : constant int := Libc.Setns (Home, Libc.Clone_Newnet);
+      Unused : int;
+   begin
+      Unused := Libc.Close (Home);
+      Check (Result = 0, "cannot leave the namespace");
+   end Leave;
+
+   --------------
+   -- Finalize --
+   --------------
+
+   overriding procedure Finalize (Object : in out Link) is
+      Unused : Boolean;
+   begin
+      if Object.Made then
+         Object.Made := False;
+         Unused := Succeeds ("ip link del " & Here);
+         Unused := Succeeds ("ip netns del " & Name);
+      end if;
+   end Finalize;
+
+end Network_Links;

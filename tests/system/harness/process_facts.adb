@@ -1,0 +1,185 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What the kernel says about a process.
+
+with Ada.Characters.Handling; use Ada.Characters.Handling;
+with Ada.Directories;
+with Ada.Strings;             use Ada.Strings;
+with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
+with Ada.Text_IO;             use Ada.Text_IO;
+
+package body Process_Facts is
+
+   function Folder (Process : int) return String is
+     ("/proc/" & Trim (Process'Image, Both));
+
+   function Status_Number (Process : int; Key : String) return Natural;
+   --  The first number after Key in the process's status
+
+   function First_Line (Path : String) return String;
+
+   procedure For_Each_Entry
+     (Path : String; Action : not null access procedure (Name : String));
+   --  Of a folder whose entries may vanish meanwhile
+
+   -------------------
+   -- Status_Number --
+   -------------------
+
+   function Status_Number (Process : int; Key : String) return Natural is
+      File   : File_Type;
+      Result : Natural := 0;
+   begin
+      Open (File, In_File, Folder (Process) & "/status");
+      while not End_Of_File (File) loop
+         declare
+            Line  : constant String := Get_Line (File);
+            First : Natural;
+            Last  : Natural;
+         begin
+            if Index (Line, Key & ":") = Line'First then
+               First := Key'Length + 2;
+               while not Is_Digit (Line (First)) loop
+                  First := First + 1;
+               end loop;
+               Last := First;
+               while Last < Line'Last and then Is_Digit (Line (Last + 1))
+               loop
+                  Last := Last + 1;
+               end loop;
+               Result := Natural'Value (Line (First .. Last));
+            end if;
+         end;
+      end loop;
+      Close (File);
+      return Result;
+   exception
+      when Name_Error | Use_Error =>
+         return 0;
+   end Status_Number;
+
+   ----------------
+   -- First_Line --
+   ----------------
+
+   function First_Line (Path : String) return String is
+      File : File_Type;
+   begin
+      Open (File, In_File, Path);
+      return Line : constant String := Get_Line (File) do
+         Close (File);
+      end return;
+   exception
+      when Name_Error | Use_Error | End_Error | Device_Error =>
+         if Is_Open (File) then
+            Close (File);
+         end if;
+         return "";
+   end First_Line;
+
+   --------------------
+   -- For_Each_Entry --
+   --------------------
+
+   procedure For_Each_Entry
+     (Path : String; Action : not null access procedure (Name : String))
+   is
+      use Ada.Directories;
+      Entries : Search_Type;
+      Item    : Directory_Entry_Type;
+   begin
+      Start_Search (Entries, Path, "");
+      while More_Entries (Entries) loop
+         Get_Next_Entry (Entries, Item);
+         if Simple_Name (Item) not in "." | ".." then
+            Action (Simple_Name (Item));
+         end if;
+      end loop;
+      End_Search (Entries);
+   exception
+      when Ada.Directories.Name_Error | Ada.Directories.Use_Error =>
+         null;
+   end For_Each_Entry;
+
+   ------------------------
+   -- Resident_Kilobytes --
+   ------------------------
+
+   function Resident_Kilobytes (Process : int) return Natural is
+     (Status_Number (Process, "VmRSS"));
+
+   -------------
+   -- Threads --
+   -------------
+
+   function Threads (Process : int) return Natural is
+     (Status_Number (Process, "Threads"));
+
+   -----------------
+   -- Descriptors --
+   -----------------
+
+   function Descriptors (Process : int) return Natural is
+      Result : Natural := 0;
+
+      procedure Count (Name : String);
+
+      procedure Count (Name : String) is
+      begin
+         if Name /= "" then
+            Result := Result + 1;
+         end if;
+      end Count;
+   begin
+      For_Each_Entry (Folder (Process) & "/fd", Count'Access);
+      return Result;
+   end Descriptors;
+
+   ------------------
+   -- Thread_Named --
+   ------------------
+
+   function Thread_Named (Process : int; Name : String) return int is
+      Wanted : constant String :=
+        To_Lower (Name (Name'First
+                  .. Natural'Min (Name'Last, Name'First + 14)));
+      Result : int := 0;
+
+      procedure Compare (Thread : String);
+
+      procedure Compare (Thread : String) is
+      begin
+         if To_Lower
+           (First_Line (Folder (Process) & "/task/" & Thread & "/comm"))
+           = Wanted
+         then
+            Result := int'Value (Thread);
+         end if;
+      end Compare;
+   begin
+      For_Each_Entry (Folder (Process) & "/task", Compare'Access);
+      return Result;
+   end Thread_Named;
+
+   ------------------
+   -- Thread_Names --
+   ------------------
+
+   function Thread_Names (Process : int) return String is
+      Result : Unbounded_String;
+
+      procedure Add (Thread : String);
+
+      procedure Add (Thread : String) is
+      begin
+         Append
+           (Result,
+            " " & First_Line
+              (Folder (Process) & "/task/" & Thread & "/comm"));
+      end Add;
+   begin
+      For_Each_Entry (Folder (Process) & "/task", Add'Access);
+      return To_String (Result);
+   end Thread_Names;
+
+end Process_Facts;

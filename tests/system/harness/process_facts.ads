@@ -1,0 +1,19 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What the kernel says about a process that a test has started.
+
+with Interfaces.C; use Interfaces.C;
+
+package Process_Facts is
+
+   function Resident_Kilobytes (Process : int) return Natural;
+   function Threads (Process : int) return Natural;
+   function Descriptors (Process : int) return Natural;
+   --  0 when there is no such process
+
+   function Thread_Named (Process : int; Name : String) return int;
+   --  Its number, 0 when there is none. Upper and lower case count as one;
+   --  the kernel keeps the first 15 characters of a name.
+
+   function Thread_Names (Process : int) return String;
+
+end Process_Facts;

@@ -1,0 +1,99 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Where the programs under test are.
+
+with Ada.Command_Line;
+with Ada.Directories;       use Ada.Directories;
+with Ada.Strings;           use Ada.Strings;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with GNAT.OS_Lib;
+with Interfaces.C;          use Interfaces.C;
+
+with Libc;
+
+package body Programs is
+
+   type Program is (The_Supervisor, The_Emulator, The_Monitor);
+
+   Paths  : array (Program) of Unbounded_String;
+   Folder : Unbounded_String;
+
+   function Path (Which : Program; Name : String) return String;
+   --  As set, or Name in the folder of the running program
+
+   ----------
+   -- Path --
+   ----------
+
+   function Path (Which : Program; Name : String) return String is
+      Here : GNAT.OS_Lib.String_Access;
+   begin
+      if Paths (Which) = "" then
+         Here := GNAT.OS_Lib.Locate_Exec_On_Path
+           (Ada.Command_Line.Command_Name);
+         Paths (Which) := To_Unbounded_String
+           (Compose
+              (Containing_Directory (Full_Name (Here.all)), Name));
+         GNAT.OS_Lib.Free (Here);
+      end if;
+      return To_String (Paths (Which));
+   end Path;
+
+   function Supervisor return String is
+     (Path (The_Supervisor, "destijl"));
+
+   function Emulator return String is
+     (Path (The_Emulator, "destijl_emulator"));
+
+   function Monitor return String is
+     (Path (The_Monitor, "destijl_monitor"));
+
+   --------------------
+   -- Set_Supervisor --
+   --------------------
+
+   procedure Set_Supervisor (Path : String) is
+   begin
+      Paths (The_Supervisor) := To_Unbounded_String (Full_Name (Path));
+   end Set_Supervisor;
+
+   procedure Set_Emulator (Path : String) is
+   begin
+      Paths (The_Emulator) := To_Unbounded_String (Full_Name (Path));
+   end Set_Emulator;
+
+   procedure Set_Monitor (Path : String) is
+   begin
+      Paths (The_Monitor) := To_Unbounded_String (Full_Name (Path));
+   end Set_Monitor;
+
+   ----------------------
+   -- Temporary_Folder --
+   ----------------------
+
+   function Temporary_Folder return String is
+      Open_To_All : constant := 8#777#;
+      Unused      : int;
+   begin
+      if Folder = "" then
+         Folder := To_Unbounded_String
+           ("/tmp/destijl_tests." & Trim (int'Image (Libc.Getpid), Both));
+         Create_Directory (To_String (Folder));
+         Unused := Libc.Chmod (To_C (To_String (Folder)), Open_To_All);
+      end if;
+      return To_String (Folder);
+   end Temporary_Folder;
+
+   -----------------------------
+   -- Remove_Temporary_Folder --
+   -----------------------------
+
+   procedure Remove_Temporary_Folder is
+   begin
+      if Folder /= "" then
+         Delete_Tree (To_String (Folder));
+         Folder := Null_Unbounded_String;
+      end if;
+   end Remove_Temporary_Folder;
+
+end Programs;

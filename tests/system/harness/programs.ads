@@ -1,0 +1,19 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Where the programs under test are: beside the running one, unless told.
+
+package Programs is
+
+   function Supervisor return String;
+   function Emulator return String;
+   function Monitor return String;
+
+   procedure Set_Supervisor (Path : String);
+   procedure Set_Emulator (Path : String);
+   procedure Set_Monitor (Path : String);
+
+   function Temporary_Folder return String;
+   --  One for this run, made at its first use, open to every user
+
+   procedure Remove_Temporary_Folder;
+
+end Programs;

@@ -1,0 +1,93 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The three parties together.
+
+with Monitor_Clients; use Monitor_Clients;
+
+package body Rigs is
+
+   --------------
+   -- Assemble --
+   --------------
+
+   procedure Assemble
+     (R                  : in out Rig;
+      Camera             : Boolean := False;
+      Emulator_Options   : String  := "";
+      Supervisor_Options : String  := "";
+      Launcher           : String  := "";
+      Program            : String  := "";
+      Bind               : String  := "127.0.0.1";
+      Connected          : Boolean := True) is
+   begin
+      R.Emulator.Start (Camera, Emulator_Options);
+      R.Supervisor.Start
+        ("--serial " & R.Emulator.Device
+         & (if Camera then " --camera " & R.Emulator.Camera_Url else "")
+         & " " & Supervisor_Options,
+         Launcher, Program, Bind);
+      if Connected and then Bind = "127.0.0.1" then
+         Connect (R);
+      end if;
+   end Assemble;
+
+   -------------
+   -- Connect --
+   -------------
+
+   procedure Connect (R : in out Rig) is
+   begin
+      R.Monitor.Connect (R.Supervisor.Port);
+   end Connect;
+
+   -----------------
+   -- Start_Robot --
+   -----------------
+
+   procedure Start_Robot (R : in out Rig; Watchdog : Boolean := False) is
+   begin
+      R.Monitor.Expect ("ROPN", "AACK");
+      R.Monitor.Expect ((if Watchdog then "RSWW" else "RSOW"), "AACK");
+   end Start_Robot;
+
+   ------------------
+   -- Move_Forward --
+   ------------------
+
+   procedure Move_Forward (R : in out Rig) is
+   begin
+      Start_Robot (R);
+      R.Monitor.Expect ("RGFW", "AACK");
+      R.Emulator.Await_Status ("moving", "1", Within => 2.0);
+      R.Emulator.Clear_Journal;
+   end Move_Forward;
+
+   -----------------
+   -- Open_Camera --
+   -----------------
+
+   procedure Open_Camera (R : in out Rig; Positions : Boolean := False) is
+      Unused : Message;
+   begin
+      R.Monitor.Expect ("COPN", "AACK", Within => 10.0);
+      if Positions then
+         R.Monitor.Expect ("CPCO", "AACK");
+         Unused := R.Monitor.Next_Of ("CPOS", Within => 5.0);
+      end if;
+      Unused := R.Monitor.Next_Of ("CIMG", Within => 5.0);
+   end Open_Camera;
+
+   --------------------------
+   -- Expect_Initial_State --
+   --------------------------
+
+   procedure Expect_Initial_State (R : in out Rig) is
+   begin
+      R.Monitor.Expect ("RPIN", "ANAK");
+      R.Monitor.Expect ("RSOW", "ANAK");
+      R.Monitor.Expect ("RGFW", "ANAK");
+      R.Monitor.Expect ("CPCO", "ANAK");
+      R.Monitor.Expect ("CASA", "ANAK");
+      R.Monitor.Expect_Silence ("CIMG CPOS RBLV ATIM", For_Time => 0.7);
+   end Expect_Initial_State;
+
+end Rigs;

@@ -1,0 +1,220 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The supervisor under test.
+
+with Ada.Characters.Handling; use Ada.Characters.Handling;
+with Ada.Strings;             use Ada.Strings;
+with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
+
+with Expectations;            use Expectations;
+with Programs;
+
+package body Supervisors is
+
+   Listening : constant String := "listening on ";
+
+   procedure Start_Process
+     (Object   : in out Supervisor;
+      Options  : Arguments;
+      Launcher : String;
+      Program  : String);
+
+   function Text_Of (Object : Supervisor; From : Stream) return String;
+
+   -------------------
+   -- Start_Process --
+   -------------------
+
+   procedure Start_Process
+     (Object   : in out Supervisor;
+      Options  : Arguments;
+      Launcher : String;
+      Program  : String)
+   is
+      use type Arguments;
+      Path : constant String :=
+        (if Program = "" then Programs.Supervisor else Program);
+      All_Words : Arguments := Words (Launcher) & Path & Options;
+      First     : constant String := All_Words.First_Element;
+   begin
+      Object.Port := 0;
+      All_Words.Delete_First;
+      Object.Process.Start (First, All_Words, "supervisor");
+   end Start_Process;
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start
+     (Object   : in out Supervisor;
+      Options  : String  := "";
+      Launcher : String  := "";
+      Program  : String  := "";
+      Bind     : String  := "127.0.0.1";
+      Within   : Duration := 10.0)
+   is
+      use type Arguments;
+      Number : Natural;
+   begin
+      Start_Process
+        (Object,
+         Words ("--port 0 --bind " & Bind) & Words (Options),
+         Launcher, Program);
+      Number := Object.Process.Awaited (Errors, Listening, Within);
+      Check (Number > 0, "the supervisor does not listen");
+      declare
+         Line  : constant String :=
+           To_String (Object.Process.Element (Errors, Number).Text);
+         First : constant Positive :=
+           Index (Line, ":", Index (Line, Listening) + Listening'Length) + 1;
+         Last  : Positive := First;
+      begin
+         Check
+           (First > 1 and then First <= Line'Last,
+            "no port in: " & Line);
+         while Last < Line'Last and then Is_Digit (Line (Last + 1)) loop
+            Last := Last + 1;
+         end loop;
+         Object.Port := Natural'Value (Line (First .. Last));
+      end;
+   end Start;
+
+   ---------
+   -- Run --
+   ---------
+
+   procedure Run
+     (Object   : in out Supervisor;
+      Options  : String;
+      Launcher : String := "";
+      Program  : String := "") is
+   begin
+      Start_Process (Object, Words (Options), Launcher, Program);
+   end Run;
+
+   ----------
+   -- Port --
+   ----------
+
+   function Port (Object : Supervisor) return Positive is (Object.Port);
+
+   function Pid (Object : Supervisor) return Interfaces.C.int is
+     (Object.Process.Pid);
+
+   function Is_Running (Object : in out Supervisor) return Boolean is
+     (Object.Process.Is_Running);
+
+   -----------------
+   -- Send_Signal --
+   -----------------
+
+   procedure Send_Signal (Object : Supervisor; Signal : Interfaces.C.int) is
+   begin
+      Object.Process.Send_Signal (Signal);
+   end Send_Signal;
+
+   function Exit_Status
+     (Object : in out Supervisor; Within : Duration) return Integer
+   is (Object.Process.Exit_Status (Within));
+
+   function Log_Length (Object : Supervisor) return Natural is
+     (Object.Process.Count (Errors));
+
+   function Says
+     (Object  : Supervisor;
+      Pattern : String;
+      Within  : Duration := 0.0;
+      After   : Natural  := 0) return Boolean
+   is (Object.Process.Awaited (Errors, Pattern, Within, After) > 0);
+
+   ----------------
+   -- Expect_Log --
+   ----------------
+
+   procedure Expect_Log
+     (Object  : Supervisor;
+      Pattern : String;
+      Within  : Duration;
+      After   : Natural := 0) is
+   begin
+      Check
+        (Object.Says (Pattern, Within, After),
+         "the supervisor's log lacks """ & Pattern & """ within "
+         & Milliseconds (Within));
+   end Expect_Log;
+
+   -------------
+   -- Time_Of --
+   -------------
+
+   function Time_Of
+     (Object : Supervisor; Pattern : String; After : Natural := 0)
+      return Instant
+   is
+      Number : constant Natural :=
+        Object.Process.Awaited (Errors, Pattern, 0.0, After);
+   begin
+      return
+        (if Number = 0 then Never
+         else Object.Process.Element (Errors, Number).Time);
+   end Time_Of;
+
+   --------------
+   -- Count_Of --
+   --------------
+
+   function Count_Of
+     (Object : Supervisor; Pattern : String; After : Natural := 0)
+      return Natural
+   is
+      Result : Natural := 0;
+      Number : Natural := After;
+   begin
+      loop
+         Number := Object.Process.Awaited (Errors, Pattern, 0.0, Number);
+         exit when Number = 0;
+         Result := Result + 1;
+      end loop;
+      return Result;
+   end Count_Of;
+
+   -------------
+   -- Text_Of --
+   -------------
+
+   function Text_Of (Object : Supervisor; From : Stream) return String is
+      Result : Unbounded_String;
+   begin
+      for Number in 1 .. Object.Process.Count (From) loop
+         Append
+           (Result, Object.Process.Element (From, Number).Text & ASCII.LF);
+      end loop;
+      return To_String (Result);
+   end Text_Of;
+
+   function Log_Text (Object : Supervisor) return String is
+     (Text_Of (Object, Errors));
+
+   function Output_Text (Object : Supervisor) return String is
+     (Text_Of (Object, Output));
+
+   ----------------
+   -- Ignore_Log --
+   ----------------
+
+   procedure Ignore_Log (Object : in out Supervisor) is
+   begin
+      Object.Process.Ignore (Errors);
+   end Ignore_Log;
+
+   ----------
+   -- Stop --
+   ----------
+
+   procedure Stop (Object : in out Supervisor) is
+   begin
+      Object.Process.Stop;
+   end Stop;
+
+end Supervisors;

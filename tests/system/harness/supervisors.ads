@@ -1,0 +1,86 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The supervisor under test, as a process of its own, and its log.
+
+with Interfaces.C;
+
+with Child_Processes; use Child_Processes;
+with Instants;        use Instants;
+
+package Supervisors is
+
+   type Supervisor is tagged limited private;
+   --  Killed when it leaves its scope
+
+   procedure Start
+     (Object   : in out Supervisor;
+      Options  : String  := "";
+      Launcher : String  := "";
+      Program  : String  := "";
+      Bind     : String  := "127.0.0.1";
+      Within   : Duration := 10.0);
+   --  On a free port of Bind, and waits until it listens. Options are words
+   --  between blanks. Launcher, such as "setpriv --no-new-privs", runs it.
+   --  Program is another copy of it.
+
+   procedure Run
+     (Object   : in out Supervisor;
+      Options  : String;
+      Launcher : String := "";
+      Program  : String := "");
+   --  The same with these options only, and without waiting
+
+   function Port (Object : Supervisor) return Positive;
+
+   function Pid (Object : Supervisor) return Interfaces.C.int;
+
+   function Is_Running (Object : in out Supervisor) return Boolean;
+
+   procedure Send_Signal (Object : Supervisor; Signal : Interfaces.C.int);
+
+   function Exit_Status
+     (Object : in out Supervisor; Within : Duration) return Integer;
+
+   function Log_Length (Object : Supervisor) return Natural;
+
+   function Says
+     (Object  : Supervisor;
+      Pattern : String;
+      Within  : Duration := 0.0;
+      After   : Natural  := 0) return Boolean;
+   --  Whether a line of the log past line After contains Pattern, now or
+   --  within the time
+
+   procedure Expect_Log
+     (Object  : Supervisor;
+      Pattern : String;
+      Within  : Duration;
+      After   : Natural := 0);
+   --  Raises Failed unless it Says so
+
+   function Time_Of
+     (Object : Supervisor; Pattern : String; After : Natural := 0)
+      return Instant;
+   --  When the line was read that has Pattern; Never if there is none
+
+   function Count_Of
+     (Object : Supervisor; Pattern : String; After : Natural := 0)
+      return Natural;
+   --  How many lines past line After contain Pattern
+
+   function Log_Text (Object : Supervisor) return String;
+   function Output_Text (Object : Supervisor) return String;
+   --  All lines of standard error and of standard output
+
+   procedure Ignore_Log (Object : in out Supervisor);
+   --  It is no longer read, so that its pipe fills up
+
+   procedure Stop (Object : in out Supervisor);
+
+private
+
+   type Supervisor is tagged limited record
+      Process : Child;
+      Port    : Natural := 0;
+   end record;
+
+end Supervisors;

@@ -1,0 +1,792 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  F4 to F6: the monitor, how it is served and how it is lost.
+
+with Ada.Containers.Vectors;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Emulators;
+with Expectations;          use Expectations;
+with Images;
+with Instants;              use Instants;
+with Monitor_Clients;       use Monitor_Clients;
+with Network_Links;
+with Rigs;                  use Rigs;
+with Scenarios;             use Scenarios;
+
+package body Monitor_Tests is
+
+   package Durations is new Ada.Containers.Vectors (Positive, Duration);
+   package Sorting is new Durations.Generic_Sorting;
+
+   Admission_Limit : constant Duration := 3.0;
+   --  F6: 1 s
+
+   Stop_Limit : constant Duration := 0.5;
+   --  F6: the stop is on the wire 100 ms after detection, and an orderly or
+   --  abortive close is detected in 50 ms
+
+   procedure Answers_Are_Prompt;
+   procedure Answers_In_Order;
+   procedure Answers_Held_Apart;
+   procedure Messages_Kept_Apart;
+   procedure No_Gap_On_Request;
+   procedure Slow_Monitor;
+   procedure Lost_Orderly;
+   procedure Lost_By_Reset;
+   procedure Lost_By_Half_Close;
+   procedure Lost_With_Half_A_Line;
+   procedure Lost_With_Orders_Waiting;
+   procedure Lost_While_Robot_Is_Silent;
+   procedure Lost_With_Everything_On;
+   procedure Vanished_While_Idle;
+   procedure Vanished_While_Streaming;
+   procedure Fallen_Silent;
+   procedure Stalled;
+   procedure Second_Is_Refused;
+   procedure Log_Message_Unanswered;
+   procedure Carriage_Returns;
+   procedure Lines_In_Pieces;
+
+   procedure Expect_Recovery (R : in out Rig; Lost_At : Instant);
+   --  After the loss of the monitor of a moving robot: stop on the wire,
+   --  session closed, new monitor admitted, initial state, all works again
+
+   ------------------------
+   -- Answers_Are_Prompt --
+   ------------------------
+
+   procedure Answers_Are_Prompt is
+      --  F4: 10 ms. Here only that it is of this order with images and
+      --  positions streaming; the benchmark has the figures.
+      Count : constant := 100;
+      R     : Rig;
+      Taken : Durations.Vector;
+      Start : Instant;
+      Item  : Message;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R, Positions => True);
+      for Number in 1 .. Count loop
+         R.Monitor.Skip_To_Now;
+         Start := Now;
+         R.Monitor.Send_Line ("what");
+         Item := R.Monitor.Next_Answer;
+         Check (Item.Label = "ACER", "not the answer: " & Item.Label);
+         Taken.Append (Item.Time - Start);
+         delay 0.023;
+      end loop;
+      Sorting.Sort (Taken);
+      Note ("median " & Milliseconds (Taken (Count / 2))
+            & ", p99 " & Milliseconds (Taken (Count * 99 / 100)));
+      Check_Within (Taken (Count / 2), 0.01, "the median answer");
+      Check_Within (Taken (Count * 99 / 100), 0.1, "the slowest answer");
+   end Answers_Are_Prompt;
+
+   ----------------------
+   -- Answers_In_Order --
+   ----------------------
+
+   procedure Answers_In_Order is
+      --  Rule 1: quick answers wait for the slow ones before them
+      R : Rig;
+
+      procedure Expect_Next (Label : String);
+
+      procedure Expect_Next (Label : String) is
+         Item : constant Message := R.Monitor.Next (Within => 3.0);
+      begin
+         Check
+           (Item.Label = Label, Item.Label & " instead of " & Label);
+      end Expect_Next;
+
+   begin
+      Assemble (R);
+      R.Monitor.Expect ("ROPN", "AACK");
+      R.Emulator.Tell ("delay 45");
+      R.Monitor.Skip_To_Now;
+      R.Monitor.Send
+        ("RPIN" & ASCII.LF & "what" & ASCII.LF & "RGBT" & ASCII.LF
+         & "CPCO" & ASCII.LF & "RGST" & ASCII.LF & "MSSG:hello" & ASCII.LF
+         & "CCLS" & ASCII.LF & "RSOW" & ASCII.LF & "CASA" & ASCII.LF
+         & "RCLS" & ASCII.LF & "RPIN" & ASCII.LF);
+      Expect_Next ("AACK");
+      Expect_Next ("ACER");
+      Expect_Next ("RBLV");
+      Expect_Next ("ANAK");
+      Expect_Next ("RCST");
+      Expect_Next ("AACK");
+      Expect_Next ("AACK");
+      Expect_Next ("ANAK");
+      Expect_Next ("AACK");
+      Expect_Next ("ANAK");
+      R.Monitor.Expect_Silence ("AACK ANAK ACER ATIM", 0.3);
+   end Answers_In_Order;
+
+   ------------------------
+   -- Answers_Held_Apart --
+   ------------------------
+
+   procedure Answers_Held_Apart is
+      --  Rule 7: unasked messages are held back while a command waits for
+      --  its answer, 100 ms at most.
+      In_Flight : constant Duration := 0.01;
+      --  what was being sent when the command came
+      Trials    : constant := 25;
+      R         : Rig;
+      Start     : Instant;
+      Item      : Message;
+      Between   : Natural := 0;
+      Longest   : Duration := 0.0;
+      Last      : Instant;
+   begin
+      Assemble (R, Camera => True);
+      R.Monitor.Expect ("ROPN", "AACK");
+      Open_Camera (R, Positions => True);
+      R.Emulator.Tell ("delay 60");
+      for Trial in 1 .. Trials loop
+         R.Monitor.Skip_To_Now;
+         Start := Now;
+         R.Monitor.Send_Line ("RPIN");
+         loop
+            Item := R.Monitor.Next (Within => 3.0);
+            exit when Item.Label = "AACK";
+            Check (Item.Number > 0, "no answer");
+            if Item.Time - Start > In_Flight then
+               Between := Between + 1;
+            end if;
+         end loop;
+         delay 0.037;
+      end loop;
+      Note (Between'Image & " of" & Trials'Image
+            & " answers had a message before them");
+      Check
+        (Between <= Trials / 8,
+         Between'Image & " unasked messages before an answer");
+
+      --  Ten commands of 60 ms each: images come in between all the same
+      R.Monitor.Skip_To_Now;
+      Last := Now;
+      for Number in 1 .. 10 loop
+         R.Monitor.Send_Line ("RPIN");
+      end loop;
+      for Number in 1 .. 10 loop
+         loop
+            Item := R.Monitor.Next (Within => 3.0);
+            Check (Item.Number > 0, "no answer");
+            if Item.Label = "CIMG" then
+               Longest := Duration'Max (Longest, Item.Time - Last);
+               Last := Item.Time;
+            end if;
+            exit when Item.Label = "AACK";
+         end loop;
+      end loop;
+      Longest := Duration'Max (Longest, Now - Last);
+      Note ("longest wait for an image " & Milliseconds (Longest));
+      Check_Within (Longest, 0.45, "images held back");
+   end Answers_Held_Apart;
+
+   -------------------------
+   -- Messages_Kept_Apart --
+   -------------------------
+
+   procedure Messages_Kept_Apart is
+      --  The existing monitor takes what one recv returns for one message
+      R        : Rig;
+      Merged   : Natural := 0;
+      Unasked  : Natural := 0;
+      Item     : Message;
+      Previous : Message;
+   begin
+      Assemble (R, Camera => True);
+      Start_Robot (R);
+      Open_Camera (R, Positions => True);
+      R.Monitor.Skip_To_Now;
+      for Number in 1 .. 40 loop
+         R.Monitor.Send_Line ((if Number mod 2 = 0 then "RMOV:1"
+                               else "RGST"));
+         delay 0.11;
+      end loop;
+      loop
+         Item := R.Monitor.Next (Within => 0.0);
+         exit when Item.Number = 0;
+         if Item.Label in "CIMG" | "CPOS" | "RBLV" then
+            Unasked := Unasked + 1;
+         end if;
+         if Item.Group = Previous.Group
+           and then (Item.Label in "CIMG" | "CPOS" | "RBLV"
+                     or else Previous.Label in "CIMG" | "CPOS" | "RBLV")
+         then
+            Merged := Merged + 1;
+         end if;
+         Previous := Item;
+      end loop;
+      Note (Merged'Image & " of" & Unasked'Image
+            & " unasked messages arrived together with another");
+      Check (Unasked > 60, "only" & Unasked'Image & " unasked messages");
+      Check (Merged <= Unasked / 25, Merged'Image & " messages merged");
+   end Messages_Kept_Apart;
+
+   -----------------------
+   -- No_Gap_On_Request --
+   -----------------------
+
+   procedure No_Gap_On_Request is
+      R      : Rig;
+      Place  : Message;
+      Image  : Message;
+      Close  : Natural := 0;
+      Rounds : constant := 15;
+   begin
+      Assemble (R, Camera => True, Supervisor_Options => "--message-gap 0");
+      Open_Camera (R, Positions => True);
+      R.Monitor.Skip_To_Now;
+      for Number in 1 .. Rounds loop
+         Place := R.Monitor.Next_Of ("CPOS", Within => 2.0);
+         Image := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+         if Image.Time - Place.Time < 0.003 then
+            Close := Close + 1;
+         end if;
+      end loop;
+      Check
+        (Close > Rounds / 2,
+         "position and image are kept apart without a gap asked for");
+   end No_Gap_On_Request;
+
+   ------------------
+   -- Slow_Monitor --
+   ------------------
+
+   procedure Slow_Monitor is
+      R      : Rig;
+      Before : Natural;
+      Item   : Message;
+      Found  : Boolean;
+      X, Y   : Float;
+      Truth  : Emulators.Truth;
+   begin
+      Assemble (R, Camera => True, Connected => False);
+      R.Monitor.Connect (R.Supervisor.Port, Receive_Buffer => 16_384);
+      Open_Camera (R);
+      R.Emulator.Tell ("pose 20 30 0");
+      delay 0.5;
+
+      --  Nothing is read for 5 s, that is 50 images; then what waits on
+      --  the way is at most the two buffers, not a backlog.
+      R.Monitor.Pause;
+      R.Monitor.Send_Line ("what");
+      delay 4.0;
+      R.Emulator.Tell ("pose 60 30 0");
+      delay 1.0;
+      R.Monitor.Skip_To_Now;
+      Before := R.Monitor.Count_Of ("CIMG");
+      R.Monitor.Resume;
+      Check
+        (R.Monitor.Next_Answer (Within => 2.0).Label = "ACER",
+         "the answer was lost");
+      delay 1.0;
+      Note
+        (Natural'Image (R.Monitor.Count_Of ("CIMG") - Before)
+         & " images in the second after a stall of 5 s");
+      Check
+        (R.Monitor.Count_Of ("CIMG") - Before <= 30,
+         "old images were kept for the monitor");
+
+      --  The newest image shows where the robot is
+      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+      delay 0.3;
+      Truth := R.Emulator.Pose;
+      Images.Find_Marker (R.Monitor.Last_Image, Found, X, Y);
+      Check
+        (Found and then abs (X - Truth.Cx) < 5.0
+         and then abs (Y - Truth.Cy) < 5.0,
+         "the image does not show the robot where it is");
+
+      --  Slow, about a third of what the images need: answers come, and
+      --  in their order
+      R.Monitor.Limit_Reading (100_000);
+      delay 1.0;
+      for Number in 1 .. 5 loop
+         declare
+            Start : constant Instant := Now;
+         begin
+            R.Monitor.Skip_To_Now;
+            R.Monitor.Send_Line ("what");
+            Item := R.Monitor.Next_Answer (Within => 8.0);
+            Note ("answer after " & Milliseconds (Item.Time - Start));
+            Check (Item.Label = "ACER", Item.Label & " to a bad command");
+         end;
+         delay 0.2;
+      end loop;
+
+      R.Monitor.Limit_Reading (0);
+      delay 1.0;
+      R.Monitor.Skip_To_Now;
+      R.Monitor.Expect ("CCLS", "AACK");
+      Check (R.Monitor.Broken_Images = 0, "a broken image");
+   end Slow_Monitor;
+
+   ---------------------
+   -- Expect_Recovery --
+   ---------------------
+
+   procedure Expect_Recovery (R : in out Rig; Lost_At : Instant) is
+      Stop : constant Emulators.Note :=
+        R.Emulator.Await_On_Wire ("M=0", Within => 3.0);
+   begin
+      Note ("stop on the wire after "
+            & Milliseconds (Stop.First - Lost_At));
+      Check_Within (Stop.First - Lost_At, Stop_Limit, "the stop");
+      R.Supervisor.Expect_Log ("monitor lost", Within => 2.0);
+      R.Supervisor.Expect_Log ("session closed", Within => 3.0);
+      Check_Within
+        (R.Supervisor.Time_Of ("session closed") - Lost_At,
+         Admission_Limit, "closing the session");
+      R.Emulator.Await_Status ("moving", "0", Within => 3.0);
+      Connect (R);
+      Expect_Initial_State (R);
+      Start_Robot (R);
+      R.Monitor.Expect ("RGFW", "AACK");
+      R.Monitor.Expect ("RSTP", "AACK");
+   end Expect_Recovery;
+
+   ------------------
+   -- Lost_Orderly --
+   ------------------
+
+   procedure Lost_Orderly is
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R);
+      Move_Forward (R);
+      Time := Now;
+      R.Monitor.Close;
+      Expect_Recovery (R, Time);
+   end Lost_Orderly;
+
+   -------------------
+   -- Lost_By_Reset --
+   -------------------
+
+   procedure Lost_By_Reset is
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R);
+      Move_Forward (R);
+      Time := Now;
+      R.Monitor.Reset;
+      Expect_Recovery (R, Time);
+   end Lost_By_Reset;
+
+   ------------------------
+   -- Lost_By_Half_Close --
+   ------------------------
+
+   procedure Lost_By_Half_Close is
+      --  A monitor that will command nothing more is not in command
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R);
+      Move_Forward (R);
+      Time := Now;
+      R.Monitor.Half_Close;
+      Check
+        (R.Monitor.Closed_By_Peer (Within => 3.0) /= Open,
+         "the connection stays half open");
+      Expect_Recovery (R, Time);
+   end Lost_By_Half_Close;
+
+   ---------------------------
+   -- Lost_With_Half_A_Line --
+   ---------------------------
+
+   procedure Lost_With_Half_A_Line is
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R);
+      Move_Forward (R);
+      R.Monitor.Send ("RGB");
+      Time := Now;
+      R.Monitor.Close;
+      Expect_Recovery (R, Time);
+
+      --  The half line is not the beginning of the next monitor's first
+      R.Monitor.Send ("RMOV:12");
+      R.Monitor.Close;
+      Check
+        (R.Supervisor.Says
+           ("session closed", Within => 3.0,
+            After => R.Supervisor.Log_Length),
+         "the second session is not closed");
+      Connect (R);
+      R.Monitor.Expect ("RPIN", "ANAK");
+   end Lost_With_Half_A_Line;
+
+   ------------------------------
+   -- Lost_With_Orders_Waiting --
+   ------------------------------
+
+   procedure Lost_With_Orders_Waiting is
+      --  Orders that were waiting for the line do not follow the stop
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R);
+      Move_Forward (R);
+      R.Emulator.Tell ("delay 50");
+      for Number in 1 .. 50 loop
+         R.Monitor.Send_Line ("RMOV:500");
+      end loop;
+      delay 0.02;
+      Time := Now;
+      R.Monitor.Reset;
+      Expect_Recovery (R, Time);
+      declare
+         Wire : constant String := R.Emulator.Wire_Text;
+         Stop : constant Natural := Index (Wire, "M=0 ");
+         Next : constant Natural := Index (Wire & "M=32767 ", "M=32767 ");
+      begin
+         Check
+           (Index (Wire (Stop .. Next - 1), "M=500") = 0,
+            "an order after the stop: " & Wire);
+      end;
+   end Lost_With_Orders_Waiting;
+
+   --------------------------------
+   -- Lost_While_Robot_Is_Silent --
+   --------------------------------
+
+   procedure Lost_While_Robot_Is_Silent is
+      --  The session ends in bounded time although nothing answers, and
+      --  the stop is sent all the same
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R);
+      Move_Forward (R);
+      R.Emulator.Tell ("silent on");
+      Time := Now;
+      R.Monitor.Close;
+      declare
+         Stop : constant Emulators.Note :=
+           R.Emulator.Await_On_Wire ("M=0", Within => 3.0);
+      begin
+         Check_Within (Stop.First - Time, Stop_Limit, "the stop");
+      end;
+      R.Supervisor.Expect_Log ("session closed", Within => 3.0);
+      Check_Within
+        (R.Supervisor.Time_Of ("session closed") - Time,
+         Admission_Limit, "closing the session");
+      R.Emulator.Tell ("silent off");
+      R.Emulator.Await_Status ("moving", "0", Within => 3.0);
+      Connect (R);
+      Expect_Initial_State (R);
+      Start_Robot (R);
+   end Lost_While_Robot_Is_Silent;
+
+   -----------------------------
+   -- Lost_With_Everything_On --
+   -----------------------------
+
+   procedure Lost_With_Everything_On is
+      --  F6: exactly as at start-up: no arena, no positions, no images
+      R     : Rig;
+      Time  : Instant;
+      Item  : Message;
+      Mark  : Natural;
+   begin
+      Assemble (R, Camera => True);
+      Start_Robot (R, Watchdog => True);
+      Open_Camera (R, Positions => True);
+      Item := R.Monitor.Ask ("CASA", Within => 5.0);
+      Check (Item.Label = "CIMG", "no arena found: " & Item.Label);
+      R.Monitor.Send_Line ("CACO");
+      Item := R.Monitor.Next_Of ("CPOS", Within => 3.0);
+      R.Monitor.Expect ("RGLF", "AACK");
+      R.Emulator.Clear_Journal;
+      Time := Now;
+      R.Monitor.Reset;
+      declare
+         Stop : constant Emulators.Note :=
+           R.Emulator.Await_On_Wire ("M=0", Within => 3.0);
+      begin
+         Check_Within (Stop.First - Time, Stop_Limit, "the stop");
+      end;
+      R.Supervisor.Expect_Log ("session closed", Within => 4.0);
+      Check_Within
+        (R.Supervisor.Time_Of ("session closed") - Time,
+         Admission_Limit, "closing the session");
+      R.Emulator.Await_Status ("viewers", "0", Within => 3.0);
+      Connect (R);
+      Expect_Initial_State (R);
+      R.Emulator.Clear_Journal;
+      Mark := R.Monitor.Count;
+      Open_Camera (R);
+      delay 0.5;
+      Check
+        (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
+         "something is drawn in the new session's images");
+      for Number in Mark + 1 .. R.Monitor.Count loop
+         Check
+           (R.Monitor.Element (Number).Label not in "CPOS" | "RBLV",
+            "unasked " & R.Monitor.Element (Number).Label);
+      end loop;
+      Check
+        (R.Emulator.Journal.Is_Empty,
+         "the closed line is used: " & R.Emulator.Wire_Text ("wpvbMT"));
+   end Lost_With_Everything_On;
+
+   --------------------
+   -- Vanished tests --
+   --------------------
+
+   Vanish_Limit : constant Duration := 5.5;
+   --  F5: 5 s, and half a second for this machine
+
+   procedure Vanish
+     (Streaming : Boolean; Silent : Boolean);
+
+   procedure Vanish
+     (Streaming : Boolean; Silent : Boolean)
+   is
+      Link : Network_Links.Link;
+      R    : Rig;
+      Time : Instant;
+   begin
+      Link.Make;
+      Assemble (R, Camera => Streaming, Bind => "0.0.0.0");
+      R.Monitor.Connect
+        (R.Supervisor.Port, Network_Links.Supervisor_Side,
+         Namespace => Link.Namespace);
+      if Streaming then
+         Open_Camera (R);
+      end if;
+      Move_Forward (R);
+      delay 1.0;
+      Time := Now;
+      if Silent then
+         Link.Fall_Silent;
+      else
+         Link.Cut;
+      end if;
+      R.Supervisor.Expect_Log ("monitor lost", Within => 10.0);
+      declare
+         Found : constant Duration :=
+           R.Supervisor.Time_Of ("monitor lost") - Time;
+         Stop  : constant Emulators.Note :=
+           R.Emulator.Await_On_Wire ("M=0", Within => 3.0);
+      begin
+         Note ("found after " & Milliseconds (Found));
+         Check_Within (Found, Vanish_Limit, "finding the loss");
+         Check_Within
+           (Stop.First - R.Supervisor.Time_Of ("monitor lost"),
+            Stop_Limit, "the stop");
+      end;
+      R.Supervisor.Expect_Log ("session closed", Within => 3.0);
+      Connect (R);
+      Expect_Initial_State (R);
+   end Vanish;
+
+   procedure Vanished_While_Idle is
+   begin
+      Vanish (Streaming => False, Silent => False);
+   end Vanished_While_Idle;
+
+   procedure Vanished_While_Streaming is
+   begin
+      Vanish (Streaming => True, Silent => False);
+   end Vanished_While_Streaming;
+
+   procedure Fallen_Silent is
+   begin
+      Vanish (Streaming => True, Silent => True);
+   end Fallen_Silent;
+
+   -------------
+   -- Stalled --
+   -------------
+
+   procedure Stalled is
+      --  Two at once: one reads again after 10 s, the other never does
+      Patient, Dead : Rig;
+      Time          : Instant;
+      Lost          : Duration;
+   begin
+      Assemble (Patient, Camera => True);
+      Assemble (Dead, Camera => True);
+      Open_Camera (Patient);
+      Open_Camera (Dead);
+      Move_Forward (Dead);
+      Patient.Monitor.Pause;
+      Dead.Monitor.Pause;
+      Time := Now;
+      delay 10.0;
+      Check
+        (not Patient.Supervisor.Says ("monitor lost")
+         and then not Dead.Supervisor.Says ("monitor lost"),
+         "a monitor that reads nothing for 10 s counts as lost");
+      Patient.Monitor.Resume;
+      Patient.Monitor.Skip_To_Now;
+      Patient.Monitor.Expect ("what", "ACER");
+      Dead.Supervisor.Expect_Log ("monitor lost", Within => 12.0);
+      Lost := Dead.Supervisor.Time_Of ("monitor lost") - Time;
+      Note ("lost after " & Milliseconds (Lost));
+      Check
+        (Lost > 14.0 and then Lost < 18.0,
+         "15 s without reading were " & Milliseconds (Lost));
+      declare
+         Stop : constant Emulators.Note :=
+           Dead.Emulator.Await_On_Wire ("M=0", Within => 3.0);
+      begin
+         Check_Within
+           (Stop.First - Dead.Supervisor.Time_Of ("monitor lost"),
+            Stop_Limit, "the stop");
+      end;
+      Dead.Supervisor.Expect_Log ("session closed", Within => 3.0);
+      Connect (Dead);
+      Expect_Initial_State (Dead);
+      Check
+        (not Patient.Supervisor.Says ("monitor lost"),
+         "the patient monitor was given up");
+      Patient.Monitor.Expect ("CCLS", "AACK");
+   end Stalled;
+
+   -----------------------
+   -- Second_Is_Refused --
+   -----------------------
+
+   procedure Second_Is_Refused is
+      R      : Rig;
+      Second : Client;
+      Item   : Message;
+   begin
+      Assemble (R);
+      Start_Robot (R);
+      for Attempt in 1 .. 5 loop
+         Second.Connect (R.Supervisor.Port);
+         Item := Second.Next (Within => 3.0);
+         Check
+           (Item.Label = "MSSG" and then Length (Item.Data) > 0,
+            "the second monitor is told " & Item.Label);
+         Check
+           (Second.Closed_By_Peer (Within => 3.0) /= Open,
+            "the second monitor is not closed");
+         Second.Close;
+         R.Monitor.Expect ("RPIN", "AACK");
+      end loop;
+
+      --  One that commands at once does not command
+      R.Emulator.Clear_Journal;
+      Second.Connect (R.Supervisor.Port);
+      if Second.Try_Send ("RGFW" & ASCII.LF) then
+         Item := Second.Next (Within => 3.0);
+         Check (Item.Label in "MSSG" | "    ", Item.Label);
+      end if;
+      delay 0.3;
+      Check
+        (R.Emulator.Wire_Text = "",
+         "the second monitor commands the robot");
+      R.Monitor.Skip_To_Now;
+      R.Monitor.Expect ("RGST", "RCST:0");
+   end Second_Is_Refused;
+
+   ----------------------------
+   -- Log_Message_Unanswered --
+   ----------------------------
+
+   procedure Log_Message_Unanswered is
+      R : Rig;
+   begin
+      Assemble (R);
+      R.Monitor.Send_Line ("MSSG:the user says hello");
+      R.Monitor.Send_Line ("MSSG");
+      R.Monitor.Send_Line ("CACO");
+      R.Monitor.Send_Line ("CAIN");
+      R.Monitor.Expect_Silence ("AACK ANAK ACRJ ATIM", 0.3);
+      R.Monitor.Expect ("RPIN", "ANAK");
+   end Log_Message_Unanswered;
+
+   ----------------------
+   -- Carriage_Returns --
+   ----------------------
+
+   procedure Carriage_Returns is
+      R : Rig;
+   begin
+      Assemble (R);
+      R.Monitor.Expect ("ROPN" & ASCII.CR, "AACK");
+      R.Monitor.Expect ("RSOW" & ASCII.CR, "AACK");
+      R.Monitor.Expect ("RMOV:5" & ASCII.CR, "AACK");
+      Check (R.Emulator.Count_Of ("M=5") = 1, "no M=5 on the wire");
+   end Carriage_Returns;
+
+   ---------------------
+   -- Lines_In_Pieces --
+   ---------------------
+
+   procedure Lines_In_Pieces is
+      --  TCP is a stream: a command may arrive byte by byte
+      R    : Rig;
+      Text : constant String := "ROPN" & ASCII.LF & "RSOW" & ASCII.LF
+        & "RTRN:-12" & ASCII.CR & ASCII.LF & "what" & ASCII.LF;
+      Item : Message;
+   begin
+      Assemble (R);
+      for Piece of Text loop
+         R.Monitor.Send ((1 => Piece));
+         delay 0.005;
+      end loop;
+      for Number in 1 .. 3 loop
+         Item := R.Monitor.Next_Answer;
+         Check (Item.Label = "AACK", Item.Label & " instead of AACK");
+      end loop;
+      Check (R.Monitor.Next_Answer.Label = "ACER", "no ACER");
+      Check (R.Emulator.Count_Of ("T=-12") = 1, "no T=-12 on the wire");
+   end Lines_In_Pieces;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "F03_Rule_1_Answers_In_Order", Answers_In_Order'Access);
+      Add (Suite, "F03_Lines_In_Pieces", Lines_In_Pieces'Access);
+      Add (Suite, "F03_Carriage_Returns_Tolerated",
+           Carriage_Returns'Access);
+      Add (Suite, "F03_Log_Message_Unanswered",
+           Log_Message_Unanswered'Access);
+      Add (Suite, "F04_Answers_Are_Prompt", Answers_Are_Prompt'Access);
+      Add (Suite, "F04_Messages_Kept_Apart", Messages_Kept_Apart'Access);
+      Add (Suite, "F04_No_Gap_On_Request", No_Gap_On_Request'Access);
+      Add (Suite, "F04_Rule_7_Answers_Held_Apart",
+           Answers_Held_Apart'Access);
+      Add (Suite, "F04_F15_Slow_Monitor", Slow_Monitor'Access);
+      Add (Suite, "F05_F06_Monitor_Lost_Orderly", Lost_Orderly'Access);
+      Add (Suite, "F05_F06_Monitor_Lost_By_Reset", Lost_By_Reset'Access);
+      Add (Suite, "F05_F06_Monitor_Lost_By_Half_Close",
+           Lost_By_Half_Close'Access);
+      Add (Suite, "F05_F06_Monitor_Lost_With_Half_A_Line",
+           Lost_With_Half_A_Line'Access);
+      Add (Suite, "F06_Monitor_Lost_With_Orders_Waiting",
+           Lost_With_Orders_Waiting'Access);
+      Add (Suite, "F06_Monitor_Lost_While_Robot_Is_Silent",
+           Lost_While_Robot_Is_Silent'Access);
+      Add (Suite, "F06_Monitor_Lost_With_Everything_On",
+           Lost_With_Everything_On'Access);
+      Add (Suite, "F05_Monitor_Vanished_While_Idle",
+           Vanished_While_Idle'Access);
+      Add (Suite, "F05_Monitor_Vanished_While_Streaming",
+           Vanished_While_Streaming'Access);
+      Add (Suite, "F05_Monitor_Machine_Fallen_Silent",
+           Fallen_Silent'Access);
+      Add (Suite, "F05_Monitor_Stalled", Stalled'Access);
+      Add (Suite, "F02_Second_Monitor_Is_Refused",
+           Second_Is_Refused'Access);
+   end Add_To;
+
+end Monitor_Tests;

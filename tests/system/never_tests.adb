@@ -1,0 +1,409 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What must never happen, whatever comes in.
+
+with Ada.Numerics.Discrete_Random;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Child_Processes;       use Child_Processes;
+with Expectations;          use Expectations;
+with Instants;              use Instants;
+with Monitor_Clients;       use Monitor_Clients;
+with Process_Facts;
+with Rigs;                  use Rigs;
+with Scenarios;             use Scenarios;
+
+package body Never_Tests is
+
+   procedure Malformed_Commands;
+   procedure Superfluous_Data;
+   procedure Line_Without_End;
+   procedure Random_Bytes;
+   procedure Random_Commands;
+   procedure Garbage_From_Robot;
+   procedure Answers_Kept_For_A_Stalled_Monitor;
+   procedure Flat_Over_Cycles;
+
+   subtype Byte is Character;
+   package Random_Characters is new Ada.Numerics.Discrete_Random (Byte);
+
+   procedure Expect_Alive (R : in out Rig);
+   --  A new session works
+
+   ------------------
+   -- Expect_Alive --
+   ------------------
+
+   procedure Expect_Alive (R : in out Rig) is
+   begin
+      Check (R.Supervisor.Is_Running, "the supervisor has ended");
+      R.Monitor.Skip_To_Now;
+      R.Monitor.Expect ("RCLS", "AACK", Within => 10.0);
+      Start_Robot (R);
+      R.Monitor.Expect ("RGFW", "AACK");
+      R.Monitor.Expect ("RSTP", "AACK");
+      R.Monitor.Expect ("RCLS", "AACK");
+   end Expect_Alive;
+
+   ------------------------
+   -- Malformed_Commands --
+   ------------------------
+
+   procedure Malformed_Commands is
+      R : Rig;
+
+      procedure Refuse (Line : String);
+
+      procedure Refuse (Line : String) is
+      begin
+         R.Monitor.Expect (Line, "ACER");
+      end Refuse;
+
+   begin
+      Assemble (R);
+      Start_Robot (R);
+      R.Emulator.Clear_Journal;
+      Refuse ("");
+      Refuse (" ");
+      Refuse ("R");
+      Refuse ("RGF");
+      Refuse ("rgfw");
+      Refuse ("RGFWX");
+      Refuse (" RGFW");
+      Refuse (":RGFW");
+      Refuse ("RMOV");
+      Refuse ("RMOV:");
+      Refuse ("RMOV: ");
+      Refuse ("RMOV:x");
+      Refuse ("RMOV:12x");
+      Refuse ("RMOV:--1");
+      Refuse ("RMOV:1.5");
+      Refuse ("RMOV:1e3");
+      Refuse ("RMOV:0x10");
+      Refuse ("RMOV 10");
+      Refuse ("RTRN");
+      Refuse ("RTRN:");
+      Refuse ("RTRN:-");
+      Refuse ("RTRN:" & (1 .. 300 => 'z'));
+      Refuse ("RMOV:1" & ASCII.NUL & "2");
+      Refuse ((1 => ASCII.NUL));
+      Refuse ("RG" & ASCII.NUL & "W");
+      Refuse (Character'Val (16#C3#) & Character'Val (16#28#)
+              & Character'Val (16#FF#) & Character'Val (16#FE#));
+      Refuse ("RPIN" & Character'Val (16#FF#));
+      Refuse ("AACK");
+      Refuse ("CIMG:abcd");
+      Refuse ((1 .. 2_000 => 'A'));
+      Refuse ("RMOV:" & (1 .. 2_000 => 'A'));
+      Check
+        (R.Emulator.Wire_Text = "",
+         "malformed orders are on the wire: " & R.Emulator.Wire_Text);
+      Expect_Alive (R);
+   end Malformed_Commands;
+
+   ----------------------
+   -- Superfluous_Data --
+   ----------------------
+
+   procedure Superfluous_Data is
+      --  Data behind a command that takes none: acted on or refused, one
+      --  answer either way
+      R : Rig;
+   begin
+      Assemble (R, Camera => True);
+      for Name of Words
+        ("ROPN RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP RPOF RGBT"
+         & " RGST RCLS COPN CPCO CPST CCLS")
+      loop
+         for Data of Words
+           (": :1 :-99999999999999999999999 :x;y :%s%n%n :::: :"
+            & (1 .. 500 => 'q'))
+         loop
+            R.Monitor.Skip_To_Now;
+            R.Monitor.Send_Line (Name & Data);
+            R.Monitor.Send_Line ("nope");
+            declare
+               Answer : constant Message :=
+                 R.Monitor.Next_Answer (10.0, Name);
+            begin
+               Check (Answer.Number > 0, "no answer to " & Name & Data);
+               if Name not in "RGBT" | "RGST" then
+                  Check
+                    (R.Monitor.Next_Answer (10.0).Label = "ACER",
+                     "two answers to " & Name & Data);
+               else
+                  --  the battery may have come unasked before the answer
+                  delay 0.12;
+               end if;
+            end;
+         end loop;
+      end loop;
+      R.Emulator.Tell ("reset-robot");
+      R.Emulator.Await_Status ("state", "idle", Within => 5.0);
+      Expect_Alive (R);
+   end Superfluous_Data;
+
+   ----------------------
+   -- Line_Without_End --
+   ----------------------
+
+   procedure Line_Without_End is
+      R      : Rig;
+      Piece  : constant String (1 .. 64 * 1024) := (others => 'x');
+      Before : Natural;
+   begin
+      Assemble (R);
+      R.Monitor.Expect ("RPIN", "ANAK");
+      Before := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
+      for Number in 1 .. 32 loop
+         R.Monitor.Send (Piece);
+      end loop;
+      R.Monitor.Skip_To_Now;
+      R.Monitor.Send ((1 => ASCII.LF));
+      Check
+        (R.Monitor.Next_Answer (10.0).Label = "ACER",
+         "a line of 2 MB is no error");
+      R.Monitor.Expect_Silence ("ACER AACK ANAK", For_Time => 0.3);
+      Check
+        (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
+         <= Before + 1024,
+         "the line is kept in memory");
+      Expect_Alive (R);
+   end Line_Without_End;
+
+   ------------------
+   -- Random_Bytes --
+   ------------------
+
+   procedure Random_Bytes is
+      use Random_Characters;
+      R      : Rig;
+      Source : Generator;
+      Text   : String (1 .. 1_000);
+   begin
+      Reset (Source, 5544);
+      Assemble (R, Emulator_Options => "--baud 0");
+      for Round in 1 .. 200 loop
+         for Place of Text loop
+            Place := Random (Source);
+         end loop;
+         R.Monitor.Send (Text);
+         if Round mod 20 = 0 then
+            --  a new session now and then, in the middle of a line
+            R.Monitor.Reset;
+            R.Supervisor.Expect_Log
+              ("session closed", Within => 5.0,
+               After => 0);
+            delay 0.3;
+            Connect (R);
+         end if;
+      end loop;
+      R.Monitor.Send ((1 => ASCII.LF));
+      delay 0.3;
+      Expect_Alive (R);
+   end Random_Bytes;
+
+   ---------------------
+   -- Random_Commands --
+   ---------------------
+
+   procedure Random_Commands is
+      --  Every command in every state, without waiting, in sessions that
+      --  end anywhere. Each is answered once: counted.
+      R        : Rig;
+      All_Words : constant Arguments := Words
+        ("ROPN RCLS RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP"
+         & " RMOV:40 RTRN:-40 RGBT RGST COPN CCLS CPCO CPST nope");
+      State    : Natural := 4242;
+      Asked    : Natural;
+      Answers  : Natural;
+      Mark     : Natural;
+      Start    : Instant;
+
+      function Next_Random (Limit : Positive) return Natural;
+
+      function Next_Random (Limit : Positive) return Natural is
+      begin
+         State := (State * 1_103 + 12_345) mod 1_000_003;
+         return State mod Limit;
+      end Next_Random;
+
+   begin
+      Assemble (R, Camera => True, Emulator_Options => "--baud 0");
+      for Session in 1 .. 4 loop
+         Asked := 0;
+         Mark := R.Monitor.Count;
+         for Number in 1 .. 150 loop
+            declare
+               Word : constant String := All_Words.Element
+                 (1 + Next_Random (Natural (All_Words.Length)));
+            begin
+               R.Monitor.Send_Line (Word);
+               if Word not in "RGBT" then
+                  Asked := Asked + 1;
+               end if;
+            end;
+            if Next_Random (10) = 0 then
+               delay 0.01;
+            end if;
+         end loop;
+         R.Monitor.Send_Line ("last");
+         Asked := Asked + 1;
+         --  opening and closing the camera takes its time
+         Start := Now;
+         loop
+            Answers := 0;
+            for Number in Mark + 1 .. R.Monitor.Count loop
+               if R.Monitor.Element (Number).Label in
+                 "AACK" | "ANAK" | "ACRJ" | "ACER" | "ATIM" | "RCST"
+               then
+                  Answers := Answers + 1;
+               end if;
+            end loop;
+            exit when Answers >= Asked or else Now - Start > 30.0;
+            delay 0.02;
+         end loop;
+         delay 0.2;
+         Check
+           (Answers = Asked,
+            Asked'Image & " commands," & Answers'Image & " answers");
+         Mark := R.Supervisor.Log_Length;
+         R.Monitor.Reset;
+         R.Supervisor.Expect_Log
+           ("session closed", Within => 5.0, After => Mark);
+         R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+         Connect (R);
+      end loop;
+      Expect_Alive (R);
+   end Random_Commands;
+
+   ------------------------
+   -- Garbage_From_Robot --
+   ------------------------
+
+   procedure Garbage_From_Robot is
+      R    : Rig;
+      Item : Message;
+   begin
+      Assemble (R, Emulator_Options => "--baud 0");
+      Start_Robot (R, Watchdog => True);
+      for Round in 1 .. 60 loop
+         R.Emulator.Tell
+           ("unasked " & (1 .. 40 => Character'Val (33 + Round))
+            & "\r\r\x00\xFF\n");
+         if Round mod 5 = 0 then
+            R.Emulator.Tell ("garbage 1");
+         end if;
+         R.Monitor.Skip_To_Now;
+         R.Monitor.Send_Line ("RGST");
+         Item := R.Monitor.Next_Answer (5.0, "RGST");
+         Check
+           (Item.Label in "ATIM" | "ANAK"
+            or else (Item.Label = "RCST" and then Item.Data = "0"),
+            Item.Label & ":" & To_String (Item.Data)
+            & " made out of garbage");
+      end loop;
+      R.Monitor.Expect ("RCLS", "AACK");
+      Expect_Alive (R);
+   end Garbage_From_Robot;
+
+   ----------------------------------------
+   -- Answers_Kept_For_A_Stalled_Monitor --
+   ----------------------------------------
+
+   procedure Answers_Kept_For_A_Stalled_Monitor is
+      --  While images wait, too: none of the answers is dropped
+      Count : constant := 600;
+      R     : Rig;
+      Item  : Message;
+      Text  : Unbounded_String;
+   begin
+      Assemble (R, Camera => True, Emulator_Options => "--baud 0",
+                Connected => False);
+      R.Monitor.Connect (R.Supervisor.Port, Receive_Buffer => 8_192);
+      R.Monitor.Expect ("ROPN", "AACK");
+      Open_Camera (R);
+      R.Monitor.Pause;
+      delay 1.0;
+      for Number in 1 .. Count loop
+         Append (Text, (if Number mod 3 = 0 then "RPIN" else "nope")
+                 & ASCII.LF);
+      end loop;
+      R.Monitor.Send (To_String (Text));
+      delay 3.0;
+      R.Monitor.Skip_To_Now;
+      R.Monitor.Resume;
+      for Number in 1 .. Count loop
+         Item := R.Monitor.Next_Answer (5.0);
+         Check
+           (Item.Label = (if Number mod 3 = 0 then "AACK" else "ACER"),
+            "answer" & Number'Image & " is " & Item.Label);
+      end loop;
+      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+      Check (R.Monitor.Broken_Images = 0, "a broken image");
+   end Answers_Kept_For_A_Stalled_Monitor;
+
+   ----------------------
+   -- Flat_Over_Cycles --
+   ----------------------
+
+   procedure Flat_Over_Cycles is
+      --  Opening and closing, losing and finding again
+      R           : Rig;
+      Memory      : Natural := 0;
+      Descriptors : Natural := 0;
+
+      procedure Cycle;
+
+      procedure Cycle is
+      begin
+         R.Monitor.Expect ("ROPN", "AACK");
+         R.Monitor.Expect ("RSWW", "AACK");
+         R.Monitor.Expect ("RMOV:5", "AACK");
+         R.Monitor.Expect ("RCLS", "AACK");
+         R.Monitor.Expect ("ROPN", "AACK");
+         R.Emulator.Tell ("hangup");
+         R.Monitor.Expect ("RCLS", "AACK");
+         R.Monitor.Expect ("ROPN", "ANAK");
+         R.Emulator.Tell ("return");
+      end Cycle;
+
+   begin
+      Assemble (R, Emulator_Options => "--baud 0");
+      for Number in 1 .. 60 loop
+         Cycle;
+         if Number = 20 then
+            Memory := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
+            Descriptors := Process_Facts.Descriptors (R.Supervisor.Pid);
+         end if;
+      end loop;
+      Check
+        (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
+         <= Memory + 512, "memory grows");
+      Check
+        (Process_Facts.Descriptors (R.Supervisor.Pid) = Descriptors,
+         "descriptors before and after differ");
+   end Flat_Over_Cycles;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "Never_Crashes_On_Malformed_Commands",
+           Malformed_Commands'Access);
+      Add (Suite, "Never_Crashes_On_Superfluous_Data",
+           Superfluous_Data'Access);
+      Add (Suite, "Never_Crashes_On_A_Line_Without_End",
+           Line_Without_End'Access);
+      Add (Suite, "Never_Crashes_On_Random_Bytes", Random_Bytes'Access);
+      Add (Suite, "Never_Crashes_On_Random_Commands",
+           Random_Commands'Access);
+      Add (Suite, "Never_Crashes_On_Garbage_From_The_Robot",
+           Garbage_From_Robot'Access);
+      Add (Suite, "Never_Drops_An_Answer",
+           Answers_Kept_For_A_Stalled_Monitor'Access);
+      Add (Suite, "Never_Grows_In_Cycles", Flat_Over_Cycles'Access);
+   end Add_To;
+
+end Never_Tests;

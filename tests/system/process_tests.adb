@@ -1,0 +1,591 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The supervisor as a process: signals, failures, privileges.
+
+with Ada.Directories;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Text_IO;           use Ada.Text_IO;
+with GNAT.OS_Lib;
+with Interfaces.C;          use Interfaces.C;
+
+with Child_Processes;       use Child_Processes;
+with Emulators;
+with Expectations;          use Expectations;
+with Instants;              use Instants;
+with Libc;
+with Monitor_Clients;       use Monitor_Clients;
+with Process_Facts;
+with Programs;
+with Rigs;                  use Rigs;
+with Scenarios;             use Scenarios;
+with Supervisors;
+
+package body Process_Tests is
+
+   Stop_Limit : constant Duration := 3.0;
+   --  An orderly stop takes less than 1 s; a shared machine gets three
+
+   procedure Stopped_By_Sigterm;
+   procedure Stopped_By_Sigint;
+   procedure Stopped_With_Camera;
+   procedure Stopped_While_Robot_Silent;
+   procedure Stopped_While_Camera_Stalls;
+   procedure Stopped_With_Stalled_Monitor;
+   procedure Stopped_At_Once;
+   procedure Thirteen_Threads;
+   procedure Failing_Task;
+   procedure Hundred_Connections;
+   procedure As_Root;
+   procedure As_Ordinary_User;
+   procedure As_Root_Without_Nice;
+   procedure Console_Blocked;
+   procedure Console_Monitor;
+
+   procedure Need_Root;
+   procedure Need_Tool (Name : String);
+
+   procedure Expect_Orderly_End (R : in out Rig; Since : Instant);
+
+   procedure Stop_While_Moving (Signal : int);
+
+   function Copied_Supervisor return String;
+   --  Where every user can run it
+
+   ---------------
+   -- Need_Root --
+   ---------------
+
+   procedure Need_Root is
+   begin
+      if Libc.Geteuid /= 0 then
+         Skip ("only root can change its privileges");
+      end if;
+   end Need_Root;
+
+   ---------------
+   -- Need_Tool --
+   ---------------
+
+   procedure Need_Tool (Name : String) is
+      use type GNAT.OS_Lib.String_Access;
+      Tool : GNAT.OS_Lib.String_Access :=
+        GNAT.OS_Lib.Locate_Exec_On_Path (Name);
+   begin
+      if Tool = null then
+         Skip ("there is no " & Name & " here");
+      end if;
+      GNAT.OS_Lib.Free (Tool);
+   end Need_Tool;
+
+   ------------------------
+   -- Expect_Orderly_End --
+   ------------------------
+
+   procedure Expect_Orderly_End (R : in out Rig; Since : Instant) is
+      Status : constant Integer :=
+        R.Supervisor.Exit_Status (Within => Stop_Limit);
+      Ended  : constant Instant := Now;
+   begin
+      Note ("ended after " & Milliseconds (Ended - Since));
+      Check (Status = 0, "exit status" & Status'Image);
+   end Expect_Orderly_End;
+
+   -----------------------
+   -- Stop_While_Moving --
+   -----------------------
+
+   procedure Stop_While_Moving (Signal : int) is
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R);
+      Move_Forward (R);
+      Time := Now;
+      R.Supervisor.Send_Signal (Signal);
+      declare
+         Stop : constant Emulators.Note :=
+           R.Emulator.Await_On_Wire ("M=0", Within => 3.0);
+      begin
+         Note ("stop on the wire after "
+               & Milliseconds (Stop.First - Time));
+         Check_Within (Stop.First - Time, 0.5, "the stop");
+      end;
+      Expect_Orderly_End (R, Time);
+      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      Check
+        (R.Monitor.Closed_By_Peer (Within => 1.0) /= Open,
+         "the monitor is still connected");
+   end Stop_While_Moving;
+
+   procedure Stopped_By_Sigterm is
+   begin
+      Stop_While_Moving (Libc.Sigterm);
+   end Stopped_By_Sigterm;
+
+   procedure Stopped_By_Sigint is
+   begin
+      Stop_While_Moving (Libc.Sigint);
+   end Stopped_By_Sigint;
+
+   -------------------------
+   -- Stopped_With_Camera --
+   -------------------------
+
+   procedure Stopped_With_Camera is
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R, Camera => True);
+      Start_Robot (R, Watchdog => True);
+      Open_Camera (R, Positions => True);
+      R.Monitor.Expect ("RGFW", "AACK");
+      Time := Now;
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Expect_Orderly_End (R, Time);
+      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      R.Emulator.Await_Status ("viewers", "0", Within => 3.0);
+   end Stopped_With_Camera;
+
+   --------------------------------
+   -- Stopped_While_Robot_Silent --
+   --------------------------------
+
+   procedure Stopped_While_Robot_Silent is
+      --  The stop is sent although nothing answers
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R);
+      Move_Forward (R);
+      R.Emulator.Tell ("silent on");
+      delay 0.05;
+      Time := Now;
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Expect_Orderly_End (R, Time);
+      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+   end Stopped_While_Robot_Silent;
+
+   ---------------------------------
+   -- Stopped_While_Camera_Stalls --
+   ---------------------------------
+
+   procedure Stopped_While_Camera_Stalls is
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R);
+      Move_Forward (R);
+      R.Emulator.Tell ("camera stall");
+      delay 0.3;
+      Time := Now;
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Expect_Orderly_End (R, Time);
+      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+   end Stopped_While_Camera_Stalls;
+
+   ----------------------------------
+   -- Stopped_With_Stalled_Monitor --
+   ----------------------------------
+
+   procedure Stopped_With_Stalled_Monitor is
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R);
+      Move_Forward (R);
+      R.Monitor.Pause;
+      delay 1.5;
+      Time := Now;
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Expect_Orderly_End (R, Time);
+      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+   end Stopped_With_Stalled_Monitor;
+
+   ---------------------
+   -- Stopped_At_Once --
+   ---------------------
+
+   procedure Stopped_At_Once is
+      --  Without a session, and twice
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R, Connected => False);
+      Time := Now;
+      R.Supervisor.Send_Signal (Libc.Sigint);
+      if R.Supervisor.Is_Running then
+         R.Supervisor.Send_Signal (Libc.Sigterm);
+      end if;
+      Expect_Orderly_End (R, Time);
+      Check
+        (not Connects (R.Supervisor.Port), "somebody still listens");
+   end Stopped_At_Once;
+
+   ----------------------
+   -- Thirteen_Threads --
+   ----------------------
+
+   procedure Thirteen_Threads is
+
+      function Without_Underscores (Name : String) return String;
+      --  But for the first: th_receivefrommon
+
+      function Without_Underscores (Name : String) return String is
+         Result : String (1 .. Name'Length);
+         Last   : Natural := 0;
+      begin
+         for Place in Name'Range loop
+            if Name (Place) /= '_' or else Place = Name'First + 2 then
+               Last := Last + 1;
+               Result (Last) := Name (Place);
+            end if;
+         end loop;
+         return Result (1 .. Last);
+      end Without_Underscores;
+
+      --  The report's own, by the names that the kernel shows (15
+      --  characters of each)
+      S : Supervisors.Supervisor;
+   begin
+      S.Start;
+      for Name of Words
+        ("th_server th_receive_from_mon th_send_to_mon th_com_mon_perdue"
+         & " th_camera_control th_capture_img th_arene th_open_com_robot"
+         & " th_start_robot th_start_robot_wd th_reset_robot th_move"
+         & " th_battery_level")
+      loop
+         Check
+           (Process_Facts.Thread_Named (S.Pid, Name) > 0
+            or else Process_Facts.Thread_Named
+              (S.Pid, Without_Underscores (Name)) > 0,
+            "no thread " & Name & " among"
+            & Process_Facts.Thread_Names (S.Pid));
+      end loop;
+   end Thirteen_Threads;
+
+   ------------------
+   -- Failing_Task --
+   ------------------
+
+   procedure Failing_Task is
+      --  A task that fails unexpectedly: the robot is stopped, exit 3. The
+      --  fault is a signal that the run time turns into an exception.
+
+      procedure Fail (Name : String);
+
+      procedure Fail (Name : String) is
+         R      : Rig;
+         Thread : int;
+         Time   : Instant;
+         Status : Integer;
+      begin
+         Assemble (R);
+         Move_Forward (R);
+         Thread := Process_Facts.Thread_Named (R.Supervisor.Pid, Name);
+         Check
+           (Thread > 0,
+            "no thread " & Name & " among"
+            & Process_Facts.Thread_Names (R.Supervisor.Pid));
+         Time := Now;
+         Check
+           (Libc.Tgkill (R.Supervisor.Pid, Thread, Libc.Sigsegv) = 0,
+            "the thread cannot be signalled");
+         Status := R.Supervisor.Exit_Status (Within => 5.0);
+         Note (Name & ": ended after " & Milliseconds (Now - Time));
+         Check
+           (Status = 3,
+            "exit status" & Status'Image & " after the failure of "
+            & Name);
+         R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+         Check
+           (R.Emulator.Count_Of ("M=0") >= 1,
+            "no stop on the wire after the failure of " & Name);
+      end Fail;
+
+   begin
+      Fail ("th_move");
+      Fail ("th_arene");
+      Fail ("th_server");
+   end Failing_Task;
+
+   -------------------------
+   -- Hundred_Connections --
+   -------------------------
+
+   procedure Hundred_Connections is
+      R           : Rig;
+      Memory      : Natural := 0;
+      Threads     : Natural := 0;
+      Descriptors : Natural := 0;
+
+      procedure Visit (Number : Positive);
+
+      procedure Visit (Number : Positive) is
+         Mark : constant Natural := R.Supervisor.Log_Length;
+      begin
+         Connect (R);
+         Start_Robot (R, Watchdog => Number mod 2 = 0);
+         if Number mod 10 = 0 then
+            Open_Camera (R, Positions => True);
+         end if;
+         R.Monitor.Expect ("RGFW", "AACK");
+         case Number mod 3 is
+            when 0 =>
+               R.Monitor.Close;
+            when 1 =>
+               R.Monitor.Reset;
+            when others =>
+               R.Monitor.Send ("RS");
+               R.Monitor.Close;
+         end case;
+         R.Supervisor.Expect_Log
+           ("session closed", Within => 4.0, After => Mark);
+      end Visit;
+
+   begin
+      Assemble
+        (R, Camera => True, Emulator_Options => "--baud 0",
+         Connected => False);
+      for Number in 1 .. 20 loop
+         Visit (Number);
+      end loop;
+      Memory := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
+      Threads := Process_Facts.Threads (R.Supervisor.Pid);
+      Descriptors := Process_Facts.Descriptors (R.Supervisor.Pid);
+      for Number in 21 .. 120 loop
+         Visit (Number);
+      end loop;
+      Note
+        ("memory" & Memory'Image & " kB,"
+         & Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)'Image
+         & " kB;" & Threads'Image & " threads;" & Descriptors'Image
+         & " descriptors");
+      Check
+        (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
+         <= Memory + 1024,
+         "memory grows from" & Memory'Image & " kB to"
+         & Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)'Image);
+      Check
+        (Process_Facts.Threads (R.Supervisor.Pid) = Threads,
+         "threads before and after differ");
+      Check
+        (Process_Facts.Descriptors (R.Supervisor.Pid) = Descriptors,
+         "descriptors before and after differ");
+   end Hundred_Connections;
+
+   -----------------------
+   -- Copied_Supervisor --
+   -----------------------
+
+   function Copied_Supervisor return String is
+      Copy   : constant String := Programs.Temporary_Folder & "/destijl";
+      Unused : int;
+   begin
+      if not Ada.Directories.Exists (Copy) then
+         Ada.Directories.Copy_File (Programs.Supervisor, Copy);
+         Unused := Libc.Chmod (To_C (Copy), 8#755#);
+      end if;
+      return Copy;
+   end Copied_Supervisor;
+
+   -------------
+   -- As_Root --
+   -------------
+
+   procedure As_Root is
+      R : Rig;
+   begin
+      Need_Root;
+      Assemble (R);
+      R.Supervisor.Expect_Log ("real-time priorities: ", Within => 2.0);
+      Start_Robot (R, Watchdog => True);
+      R.Monitor.Expect ("RGFW", "AACK");
+      R.Monitor.Expect ("RSTP", "AACK");
+   end As_Root;
+
+   ----------------------
+   -- As_Ordinary_User --
+   ----------------------
+
+   procedure As_Ordinary_User is
+      --  Another user's pseudo-terminal cannot be opened: it is given away
+      R      : Rig;
+      As_User : constant String :=
+        "setpriv --reuid=65534 --regid=65534 --clear-groups"
+        & " --inh-caps=-all";
+      Real   : Rig;
+      Ours   : String (1 .. 400) := (others => ' ');
+      Theirs : String (1 .. 400) := (others => ' ');
+
+      function Priorities (R : Rig) return String;
+      --  What the log says of them
+
+      function Priorities (R : Rig) return String is
+         Log   : constant String := R.Supervisor.Log_Text;
+         First : constant Natural := Index (Log, "real-time priorities:");
+      begin
+         Check (First > 0, "the log does not say its guarantees: " & Log);
+         return Log (First .. Index (Log, (1 => ASCII.LF), First) - 1);
+      end Priorities;
+
+   begin
+      Need_Root;
+      Need_Tool ("setpriv");
+      R.Emulator.Start (Camera => True);
+      declare
+         Device : constant String := R.Emulator.Status ("device");
+      begin
+         Check
+           (Libc.Chown (To_C (Device), 65_534, 65_534) = 0,
+            "the device cannot be given away");
+      end;
+      R.Supervisor.Start
+        ("--serial " & R.Emulator.Device & " --camera "
+         & R.Emulator.Camera_Url,
+         Launcher => As_User, Program => Copied_Supervisor);
+      Connect (R);
+      R.Supervisor.Expect_Log ("real-time priorities:", Within => 2.0);
+      Move (Priorities (R), Theirs);
+      Note (Priorities (R));
+      Start_Robot (R, Watchdog => True);
+      Open_Camera (R, Positions => True);
+      R.Monitor.Expect ("RGFW", "AACK");
+      R.Monitor.Expect ("CASA", "CIMG", Within => 5.0);
+      delay 3.0;
+      Check
+        (R.Emulator.Status ("missed_total") = "0", "missed windows");
+      R.Emulator.Clear_Journal;
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Check (R.Supervisor.Exit_Status (Stop_Limit) = 0, "exit status");
+      Check (R.Emulator.Count_Of ("M=0") >= 1, "no stop on the wire");
+
+      Assemble (Real);
+      Real.Supervisor.Expect_Log ("real-time priorities:", Within => 2.0);
+      Move (Priorities (Real), Ours);
+      Note (Priorities (Real));
+      Check
+        (Ours /= Theirs,
+         "root and an ordinary user have the same guarantees");
+   end As_Ordinary_User;
+
+   --------------------------
+   -- As_Root_Without_Nice --
+   --------------------------
+
+   procedure As_Root_Without_Nice is
+      S      : Supervisors.Supervisor;
+      Status : Integer;
+   begin
+      Need_Root;
+      Need_Tool ("setpriv");
+      S.Run
+        ("--port 0 --bind 127.0.0.1",
+         Launcher => "setpriv --bounding-set=-sys_nice"
+           & " --inh-caps=-sys_nice");
+      Status := S.Exit_Status (Within => Stop_Limit);
+      delay 0.05;
+      Check
+        (Status = 1, "exit status" & Status'Image & ": " & S.Log_Text);
+      Check
+        (Index (S.Log_Text, "CAP_SYS_NICE") > 0
+         or else Index (S.Log_Text, "cap_sys_nice") > 0,
+         "the reason is not named: " & S.Log_Text);
+      Check
+        (Index (S.Log_Text, "listening") = 0, "it says that it listens");
+   end As_Root_Without_Nice;
+
+   --------------------
+   -- Console_Blocked --
+   --------------------
+
+   procedure Console_Blocked is
+      --  Nobody reads the log: its pipe is full after 64 kB
+      Count : constant := 3_000;
+      R     : Rig;
+      Time  : Instant;
+   begin
+      Assemble (R, Supervisor_Options => "--log-level debug",
+                Emulator_Options => "--baud 0");
+      R.Supervisor.Ignore_Log;
+      Start_Robot (R);
+      for Number in 1 .. Count loop
+         R.Monitor.Send
+           ("RPIN" & ASCII.LF & "nonsense that is worth a line" & ASCII.LF);
+      end loop;
+      for Number in 1 .. Count loop
+         Check
+           (R.Monitor.Next_Answer.Label = "AACK"
+            and then R.Monitor.Next_Answer.Label = "ACER",
+            "no answers after" & Number'Image);
+      end loop;
+      R.Monitor.Expect ("RGFW", "AACK");
+      R.Emulator.Clear_Journal;
+      Time := Now;
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Expect_Orderly_End (R, Time);
+      Check (R.Emulator.Count_Of ("M=0") >= 1, "no stop on the wire");
+   end Console_Blocked;
+
+   ---------------------
+   -- Console_Monitor --
+   ---------------------
+
+   procedure Console_Monitor is
+      --  The project's own monitor drives the robot from a script
+      R       : Rig;
+      Tool    : Child;
+      File    : File_Type;
+      Script  : constant String := Programs.Temporary_Folder & "/script";
+   begin
+      Assemble (R, Camera => True, Connected => False);
+      Create (File, Out_File, Script);
+      for Line of Words ("ROPN RSWW COPN RMOV:50 RGBT RSTP CCLS RCLS") loop
+         Put_Line (File, Line);
+      end loop;
+      Close (File);
+      Tool.Start
+        (Programs.Monitor,
+         Words ("--host 127.0.0.1 --port"
+           & Positive'Image (R.Supervisor.Port) & " --script " & Script),
+         "console monitor");
+      Check
+        (Tool.Exit_Status (Within => 20.0) = 0,
+         "the console monitor has failed");
+      Check (R.Emulator.Count_Of ("M=50") = 1, "no M=50 on the wire");
+   end Console_Monitor;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "Stop_By_SIGTERM_While_Moving",
+           Stopped_By_Sigterm'Access);
+      Add (Suite, "Stop_By_SIGINT_While_Moving", Stopped_By_Sigint'Access);
+      Add (Suite, "Stop_With_Camera_And_Watchdog",
+           Stopped_With_Camera'Access);
+      Add (Suite, "Stop_While_Robot_Is_Silent",
+           Stopped_While_Robot_Silent'Access);
+      Add (Suite, "Stop_While_Camera_Stalls",
+           Stopped_While_Camera_Stalls'Access);
+      Add (Suite, "Stop_With_Stalled_Monitor",
+           Stopped_With_Stalled_Monitor'Access);
+      Add (Suite, "Stop_At_Once", Stopped_At_Once'Access);
+      Add (Suite, "Threads_Are_The_Reports_Thirteen",
+           Thirteen_Threads'Access);
+      Add (Suite, "Never_Moves_On_After_A_Failed_Task",
+           Failing_Task'Access);
+      Add (Suite, "Never_Grows_In_100_Connections",
+           Hundred_Connections'Access);
+      Add (Suite, "Privileges_Of_Root", As_Root'Access);
+      Add (Suite, "Privileges_Of_Ordinary_User", As_Ordinary_User'Access);
+      Add (Suite, "Privileges_Of_Root_Without_CAP_SYS_NICE",
+           As_Root_Without_Nice'Access);
+      Add (Suite, "Never_Waits_For_The_Console", Console_Blocked'Access);
+      Add (Suite, "Console_Monitor_Drives_The_Robot",
+           Console_Monitor'Access);
+   end Add_To;
+
+end Process_Tests;

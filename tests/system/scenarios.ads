@@ -1,0 +1,40 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  System tests as AUnit test cases: each is one procedure with a name.
+
+with AUnit;
+with AUnit.Simple_Test_Cases;
+with AUnit.Test_Suites;
+
+package Scenarios is
+
+   type Routine is access procedure;
+
+   type Scenario is new AUnit.Simple_Test_Cases.Test_Case with private;
+
+   overriding function Name
+     (Test : Scenario) return AUnit.Message_String;
+
+   overriding procedure Run_Test (Test : in out Scenario);
+
+   procedure Set_Filter (Text : String);
+   --  Only scenarios whose name contains Text are added from now on
+
+   procedure Add
+     (Suite : AUnit.Test_Suites.Access_Test_Suite;
+      Name  : String;
+      Run   : not null Routine);
+
+   function Run_Count return Natural;
+   function Failed_Count return Natural;
+   function Skipped_Count return Natural;
+
+private
+
+   type Name_Access is access String;
+
+   type Scenario is new AUnit.Simple_Test_Cases.Test_Case with record
+      Title  : Name_Access;
+      Action : Routine;
+   end record;
+
+end Scenarios;

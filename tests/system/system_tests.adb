@@ -1,0 +1,118 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Runs the system tests. An argument without dashes is a part of the names
+--  of the tests to run; --supervisor, --emulator and --monitor name other
+--  programs than those beside this one.
+
+with Ada.Command_Line;  use Ada.Command_Line;
+with Ada.Exceptions;
+with Ada.Strings;       use Ada.Strings;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Ada.Text_IO;       use Ada.Text_IO;
+with AUnit.Options;
+with AUnit.Reporter.Text;
+with AUnit.Test_Results;
+with AUnit.Test_Suites;
+with GNAT.OS_Lib;
+with System;
+
+with Camera_Tests;
+with Child_Processes;
+with Libc;
+with Monitor_Tests;
+with Never_Tests;
+with Process_Tests;
+with Programs;
+with Robot_Tests;
+with Scenarios;
+with Server_Tests;
+
+procedure System_Tests is
+
+   use type AUnit.Status;
+
+   Time_Limit : constant Duration := 900.0;
+   --  The whole run takes less than half of this
+
+   task Guard is
+      entry Done;
+   end Guard;
+   --  Whatever hangs, the run ends and leaves nothing behind
+
+   task body Guard is
+   begin
+      select
+         accept Done;
+      or
+         delay Time_Limit;
+         Put_Line ("the run has not ended within its time");
+         Child_Processes.Stop_All;
+         GNAT.OS_Lib.OS_Exit (1);
+      end select;
+   end Guard;
+
+   Suite    : constant AUnit.Test_Suites.Access_Test_Suite :=
+     AUnit.Test_Suites.New_Suite;
+   Result   : AUnit.Test_Results.Result;
+   Reporter : AUnit.Reporter.Text.Text_Reporter;
+   Outcome  : AUnit.Status;
+   Unused   : System.Address;
+   Number   : Positive := 1;
+
+   function Image (Count : Natural) return String is
+     (Trim (Natural'Image (Count), Both));
+
+begin
+   Unused := Libc.Signal (Libc.Sigpipe, Libc.Ignored);
+
+   while Number <= Argument_Count loop
+      if Argument (Number) = "--supervisor" then
+         Number := Number + 1;
+         Programs.Set_Supervisor (Argument (Number));
+      elsif Argument (Number) = "--emulator" then
+         Number := Number + 1;
+         Programs.Set_Emulator (Argument (Number));
+      elsif Argument (Number) = "--monitor" then
+         Number := Number + 1;
+         Programs.Set_Monitor (Argument (Number));
+      else
+         Scenarios.Set_Filter (Argument (Number));
+      end if;
+      Number := Number + 1;
+   end loop;
+
+   Server_Tests.Add_To (Suite);
+   Monitor_Tests.Add_To (Suite);
+   Robot_Tests.Add_To (Suite);
+   Camera_Tests.Add_To (Suite);
+   Process_Tests.Add_To (Suite);
+   Never_Tests.Add_To (Suite);
+
+   AUnit.Test_Suites.Run
+     (Suite, AUnit.Options.Default_Options, Result, Outcome);
+   New_Line;
+   AUnit.Reporter.Text.Report
+     (Reporter, Result, AUnit.Options.Default_Options);
+
+   Guard.Done;
+   Programs.Remove_Temporary_Folder;
+   if Scenarios.Skipped_Count > 0 then
+      Put_Line (Image (Scenarios.Skipped_Count) & " skipped");
+   end if;
+   Put_Line
+     (Image (Scenarios.Run_Count - Scenarios.Failed_Count
+             - Scenarios.Skipped_Count)
+      & " passed, " & Image (Scenarios.Failed_Count) & " failed");
+   GNAT.OS_Lib.OS_Exit
+     (if Outcome = AUnit.Success
+        and then Scenarios.Failed_Count = 0
+        and then Scenarios.Run_Count > Scenarios.Skipped_Count
+      then 0 else 1);
+
+exception
+   when Occurrence : others =>
+      Put_Line
+        (Standard_Error,
+         Ada.Exceptions.Exception_Information (Occurrence));
+      Child_Processes.Stop_All;
+      GNAT.OS_Lib.OS_Exit (1);
+end System_Tests;
