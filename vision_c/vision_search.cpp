@@ -326,7 +326,7 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
       best = map;
     }
   }
-  if (least > 0.25)
+  if (least > 0.15)
     return false;
   for (int k = 0; k < 3; ++k)
     corner[k] = apply(best, reference[k]);
@@ -340,9 +340,10 @@ constexpr double steepest = 20.0;    // degrees that a side may be off
 constexpr double border_share = 3.0 / 80.0;  // border over field width
 
 // A side of the arena, nearly horizontal in its image: its height at the
-// left and right edge.
+// left and right edge, and how many points of the image say so.
 struct Rim {
   double left, right;
+  double votes;
 
   double at(double x, double width) const {
     return left + (right - left) * x / width;
@@ -357,14 +358,14 @@ std::vector<Rim> find_rims(const cv::Mat &gradient, bool up, double slope,
   cv::compare(gradient, up ? -slope : slope, mask,
               up ? cv::CMP_LT : cv::CMP_GT);
   const double width = mask.cols - 1;
-  std::vector<cv::Vec2f> lines;
+  std::vector<cv::Vec3f> lines;
   cv::HoughLines(mask, lines, 1.0, CV_PI / 180.0, mask.cols / 5, 0, 0,
                  (90.0 - steepest) * CV_PI / 180.0,
                  (90.0 + steepest) * CV_PI / 180.0);
   std::vector<Rim> rims;
-  for (const cv::Vec2f &line : lines) {
+  for (const cv::Vec3f &line : lines) {
     const double cosine = std::cos(line[1]), sine = std::sin(line[1]);
-    const Rim rim{line[0] / sine, (line[0] - width * cosine) / sine};
+    const Rim rim{line[0] / sine, (line[0] - width * cosine) / sine, line[2]};
     const bool known =
         std::any_of(rims.begin(), rims.end(), [&](const Rim &other) {
           return std::fabs(rim.left - other.left) < 8.0 &&
@@ -485,13 +486,17 @@ bool find_outline(Frame &here, const cv::Mat &small, Point *corner) {
           if (!whole || !is_field(small, candidate.data()))
             continue;
           const double support = border_support(small, candidate.data());
-          if (support > best) {
-            best = support;
+          if (support < 2.6)
+            continue;
+          const double score =
+              support * (t.votes + b.votes + l.votes + r.votes);
+          if (score > best) {
+            best = score;
             std::copy(candidate.begin(), candidate.end(), corner);
           }
         }
     }
-  return best > 2.6;
+  return best > 0.0;
 }
 
 vision_status find_arena(Frame &here, vision_arena &arena) {
@@ -776,21 +781,6 @@ bool order_triangle(std::array<Point, 3> &corner) {
          base < 0.9 * std::min(left, right) && base > 0.25 * left;
 }
 
-// Whether a triangle is bright and everything around it dark.
-bool stands_out(const cv::Mat &grey, const std::array<Point, 3> &corner) {
-  const Point middle = (corner[0] + corner[1] + corner[2]) / 3;
-  const double inside = sample(grey, middle);
-  for (int k = 0; k < 3; ++k)
-    for (int n = 1; n < 8; ++n) {
-      const Point at =
-          corner[k] + (corner[(k + 1) % 3] - corner[k]) * (n / 8.0);
-      const Point out = at + (at - middle) * (3.0 / length(at - middle));
-      if (!in_image(grey, out) || sample(grey, out) > 0.75 * inside)
-        return false;
-    }
-  return true;
-}
-
 // A triangle as the platform's robots carry it, drawn; where its corners
 // are, and what of the drawing is compared with the image.
 struct Triangle {
@@ -825,28 +815,55 @@ struct Triangle {
   }
 };
 
+// The corners of a contour which is a triangle but for its roughness: those
+// of the largest triangle within. (OpenCV's smallest triangle around it is
+// sometimes far from the smallest.)
+bool find_corners(const std::vector<cv::Point> &contour,
+                  std::array<Point, 3> &corner) {
+  std::vector<cv::Point> hull;
+  cv::convexHull(contour, hull);
+  const std::size_t count = hull.size();
+  if (count < 3 || count > 80)
+    return false;
+  int largest = 0;  // twice the area
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j)
+      for (std::size_t k = j + 1; k < count; ++k) {
+        const int twice =
+            std::abs((hull[j] - hull[i]).cross(hull[k] - hull[i]));
+        if (twice > largest) {
+          largest = twice;
+          corner = {Point(hull[i]), Point(hull[j]), Point(hull[k])};
+        }
+      }
+  return cv::contourArea(hull) < 1.6 * (largest / 2.0);
+}
+
 void find_triangles(Frame &here, const Search &search,
                     std::vector<vision_robot> &robots) {
   static const Triangle drawn;
+  // The triangle is 20 cm2, the field 80 cm wide; without an arena the field
+  // may be narrower than is assumed.
+  const double area = 20.0 / (80.0 * 80.0) * search.width * search.width;
+  const double least = std::max(40.0, area * (search.bounded ? 0.4 : 0.08));
+  const double most = 2.5 * area;
   const int block = std::min(std::max(cvRound(0.05 * search.width), 7), 400);
   cv::adaptiveThreshold(here.smooth, here.mask, 255,
                         cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY,
-                        2 * block + 1, -10);
+                        2 * block + 1, -12);
+  cv::morphologyEx(here.mask, here.mask, cv::MORPH_OPEN,
+                   cv::Mat());  // threads of noise that hang on a triangle
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(here.mask, contours, cv::RETR_LIST,
                    cv::CHAIN_APPROX_SIMPLE);
   for (const std::vector<cv::Point> &contour : contours) {
-    const double area = cv::contourArea(contour);
-    const double unit = search.width * search.width;
-    if (area < std::max(40.0, 5e-4 * unit) || area > 2e-2 * unit)
-      continue;
-    std::vector<cv::Point2f> around;
-    const double enclosing = cv::minEnclosingTriangle(contour, around);
-    if (around.size() != 3 || area < 0.7 * enclosing)
+    const double size = cv::contourArea(contour);
+    if (size < least || size > most)
       continue;
     std::array<Point, 3> corner;
-    std::copy(around.begin(), around.end(), corner.begin());
-    if (!order_triangle(corner) || !stands_out(here.smooth, corner) ||
+    if (!find_corners(contour, corner))
+      continue;
+    if (!order_triangle(corner) ||
         !refine(here.smooth, corner.data(), 3, Bright::inside, 4.0, 0.15) ||
         !order_triangle(corner) ||
         !align(here.smooth, drawn.shape, drawn.used, drawn.corner.data(),
