@@ -114,5 +114,6 @@ exception
         (Standard_Error,
          Ada.Exceptions.Exception_Information (Occurrence));
       Child_Processes.Stop_All;
+      Programs.Remove_Temporary_Folder;
       GNAT.OS_Lib.OS_Exit (1);
 end System_Tests;

@@ -386,7 +386,7 @@ package body Child_Processes is
          begin
             while Seen < Object.Inner.Lists (From).Length loop
                Seen := Seen + 1;
-               if Index
+               if Pattern = "" or else Index
                  (Object.Inner.Lists (From).Element (Seen).Text, Pattern) > 0
                then
                   return Seen;
@@ -448,7 +448,8 @@ package body Child_Processes is
    --------------
 
    procedure Finalize (Object : in out Child) is
-      Kept   : constant := 40;
+      Kept   : constant array (Stream) of Positive :=
+        (Output => 6, Errors => 40);
       Unused : int;
    begin
       if Object.Inner = null then
@@ -469,12 +470,15 @@ package body Child_Processes is
          end if;
       end loop;
       for From in Stream loop
-         Last_Lines.Append
-           ("--- " & To_String (Object.Inner.Name) & ", "
-            & Stream'Image (From) & ", status"
-            & Integer'Image (Object.Inner.Status));
+         if Object.Count (From) > 0 then
+            Last_Lines.Append
+              ("--- " & To_String (Object.Inner.Name) & ", "
+               & Stream'Image (From) & ", status"
+               & Integer'Image (Object.Inner.Status));
+         end if;
          for Number in
-           Integer'Max (1, Object.Count (From) - Kept) .. Object.Count (From)
+           Integer'Max (1, Object.Count (From) - Kept (From) + 1)
+           .. Object.Count (From)
          loop
             declare
                Text : constant String :=

@@ -89,9 +89,14 @@ package body Programs is
    -----------------------------
 
    procedure Remove_Temporary_Folder is
+      --  By the system's own tool: links whose emulator has gone point
+      --  nowhere, and Ada.Directories does not see those.
+      Unused : Integer;
    begin
       if Folder /= "" then
-         Delete_Tree (To_String (Folder));
+         Unused := GNAT.OS_Lib.Spawn
+           ("/bin/rm",
+            (new String'("-rf"), new String'(To_String (Folder))));
          Folder := Null_Unbounded_String;
       end if;
    end Remove_Temporary_Folder;
