@@ -3,10 +3,11 @@
  * over OpenCV 4, usable from any language.
  *
  * Threads: no function starts a thread, and OpenCV is kept to the calling
- * one. The camera (vision_open, vision_grab, vision_close) belongs to one
- * thread at a time; each frame slot belongs to one thread at a time; the
- * caller sees to both. Different slots may be used by different threads at
- * once.
+ * one; a video back end that has threads of its own has them at ordinary
+ * priority, whatever the caller's. The camera (vision_open, vision_grab,
+ * vision_close) belongs to one thread at a time; each frame slot belongs to
+ * one thread at a time; the caller sees to both. Different slots may be used
+ * by different threads at once.
  *
  * Errors: every function returns a vision_status; no C++ exception leaves.
  *
@@ -66,28 +67,33 @@ vision_status vision_open(const char *source, int width, int height, int fps);
 /* Waits for the next image of the open source and stores it in SLOT.
  * Paced by the source; a file is paced at its own rate (a still image at
  * 25 a second). VISION_NO_IMAGE after 2 s without one, where the source
- * lets itself be interrupted. */
+ * lets itself be interrupted, and when a URL ends. What a live source
+ * delivers waits in buffers of the system and grows old there unless it is
+ * grabbed as fast as it comes. */
 vision_status vision_grab(int slot);
 
 /* Closes the source; does nothing when none is open. */
 vision_status vision_close(void);
 
-/* The size of the image in SLOT. */
+/* The size of the image in SLOT. As with all that follow:
+ * VISION_BAD_ARGUMENT when nothing was ever stored there. */
 vision_status vision_size(int slot, int *width, int *height);
 
 /* Finds the arena in the image of SLOT: a 4:3 grey field with a white
  * border that fills a good part of the image. VISION_NOT_FOUND if none. */
 vision_status vision_find_arena(int slot, vision_arena *arena);
 
-/* Finds the robots in the image of SLOT, inside ARENA unless it is null,
- * and writes at most CAPACITY of them, lowest identifier first; COUNT is
- * how many were written. VISION_NOT_FOUND with COUNT 0 if none. */
+/* Finds the robots in the image of SLOT, inside ARENA unless it is null
+ * (their centre; a fiftieth of its width outside is tolerated), and writes
+ * at most CAPACITY of them, lowest identifier first; COUNT is how many were
+ * written. VISION_NOT_FOUND with COUNT 0 if none. */
 vision_status vision_find_robots(int slot, vision_marker marker,
                                  const vision_arena *arena,
                                  vision_robot *robots, int capacity,
                                  int *count);
 
-/* Draw into the image of SLOT. */
+/* Draw into the image of SLOT; after the searches, from which drawings hide
+ * what they look for. */
 vision_status vision_draw_arena(int slot, const vision_arena *arena);
 vision_status vision_draw_robot(int slot, const vision_robot *robot);
 

@@ -501,12 +501,13 @@ bool find_outline(Frame &here, const cv::Mat &small, Point *corner) {
 
 vision_status find_arena(Frame &here, vision_arena &arena) {
   const cv::Size size = here.image.size();
-  if (std::min(size.width, size.height) < 32)
+
+  const double scale =
+      std::max(1.0, double(std::max(size.width, size.height)) / small_side);
+  if (std::min(size.width, size.height) < 16 * scale)
     return fail(VISION_NOT_FOUND, "too small an image for an arena");
 
   cv::cvtColor(here.image, here.grey, cv::COLOR_BGR2GRAY);
-  const double scale =
-      std::max(1.0, double(std::max(size.width, size.height)) / small_side);
   cv::resize(here.grey, here.small,
              cv::Size(cvRound(size.width / scale),
                       cvRound(size.height / scale)),
@@ -544,12 +545,13 @@ struct Search {
   double width = 0.0;  // of the field, pixels
 };
 
+// False where there is too little to search in.
 bool limit(const Frame &here, const vision_arena *arena, Search &search) {
   const cv::Rect all(cv::Point(), here.image.size());
   search.box = all;
   search.width = 0.85 * here.image.cols;
   if (arena == nullptr)
-    return true;
+    return search.box.width >= 16 && search.box.height >= 16;
 
   double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
   for (const vision_point &corner : arena->corner) {
@@ -560,7 +562,7 @@ bool limit(const Frame &here, const vision_arena *arena, Search &search) {
   }
   // A robot whose centre is inside reaches out of the field.
   search.bounded = true;
-  search.width = right - left;
+  search.width = std::max(right - left, (bottom - top) * 4.0 / 3.0);
   search.slack = 0.02 * search.width;
   const double margin = 0.13 * search.width + 4.0;
   search.box = all & cv::Rect(cv::Point(cvFloor(left - margin),
@@ -599,50 +601,53 @@ using Corners = std::vector<cv::Point2f>;
 // for a marker, and it does not know one that is blurred or small.
 class Aruco {
 public:
+  std::vector<Corners> known, others;  // the candidates of the last image
+
 #ifdef VISION_ARUCO_IN_OBJDETECT
-  Aruco() : dictionary(cv::aruco::getPredefinedDictionary(which)) {
+  Aruco() {
+    const auto dictionary = cv::aruco::getPredefinedDictionary(which);
+    cv::aruco::DetectorParameters parameters;
     tune(parameters);
     detector = cv::aruco::ArucoDetector(dictionary, parameters);
+    learn(dictionary);
   }
 
   void detect(const cv::Mat &grey) {
     detector.detectMarkers(grey, known, ids, others);
   }
-
-  bool identify(const cv::Mat &bits, int &id, int &turns) const {
-    return dictionary.identify(bits, id, turns, 0.0);
-  }
-
-private:
-  cv::aruco::Dictionary dictionary;
-  cv::aruco::DetectorParameters parameters;
-  cv::aruco::ArucoDetector detector;
 #else
   Aruco()
       : dictionary(cv::aruco::getPredefinedDictionary(which)),
         parameters(cv::aruco::DetectorParameters::create()) {
     tune(*parameters);
+    learn(*dictionary);
   }
 
   void detect(const cv::Mat &grey) {
     cv::aruco::detectMarkers(grey, dictionary, known, ids, parameters, others);
   }
-
-  bool identify(const cv::Mat &bits, int &id, int &turns) const {
-    return dictionary->identify(bits, id, turns, 0.0);
-  }
-
-private:
-  cv::Ptr<cv::aruco::Dictionary> dictionary;
-  cv::Ptr<cv::aruco::DetectorParameters> parameters;
 #endif
 
-public:
-  std::vector<Corners> known, others;  // of the last image
+  // Knows 16 bits, row by row, by their marker and by how many quarters of a
+  // turn clockwise the marker shows them.
+  bool identify(unsigned bits, int &id, int &turns) const {
+    if (meaning[bits] < 0)
+      return false;
+    id = meaning[bits] / 4;
+    turns = meaning[bits] % 4;
+    return true;
+  }
 
 private:
   static constexpr auto which = cv::aruco::DICT_4X4_1000;
   std::vector<int> ids;
+  std::vector<int> meaning = std::vector<int>(1 << 16, -1);
+#ifdef VISION_ARUCO_IN_OBJDETECT
+  cv::aruco::ArucoDetector detector;
+#else
+  cv::Ptr<cv::aruco::Dictionary> dictionary;
+  cv::Ptr<cv::aruco::DetectorParameters> parameters;
+#endif
 
   static void tune(cv::aruco::DetectorParameters &parameters) {
     parameters.adaptiveThreshWinSizeMin = 11;
@@ -650,6 +655,31 @@ private:
     parameters.adaptiveThreshWinSizeStep = 16;
     parameters.minMarkerPerimeterRate = 0.05;
     parameters.polygonalApproxAccuracyRate = 0.05;
+  }
+
+  void learn(const cv::aruco::Dictionary &dictionary) {
+    for (int id = 0; id < dictionary.bytesList.rows; ++id) {
+      const cv::Mat upright = cv::aruco::Dictionary::getBitsFromByteList(
+          dictionary.bytesList.rowRange(id, id + 1), 4);
+      unsigned bits = 0;
+      for (int k = 0; k < 16; ++k)
+        bits |= unsigned(upright.at<uchar>(k / 4, k % 4) != 0) << k;
+      for (int turns = 0; turns < 4; ++turns) {
+        meaning[bits] = 4 * id + turns;
+        bits = turned(bits);
+      }
+    }
+  }
+
+public:
+  // The bits after a quarter of a turn clockwise.
+  static unsigned turned(unsigned bits) {
+    unsigned result = 0;
+    for (int row = 0; row < 4; ++row)
+      for (int column = 0; column < 4; ++column)
+        result |= (bits >> (4 * (3 - column) + row) & 1u)
+                  << (4 * row + column);
+    return result;
   }
 };
 
@@ -672,57 +702,48 @@ Modules read_modules(const cv::Mat &grey, const std::array<Point, 4> &corner) {
 
 // The bits of a marker; false where what surrounds them is not a black
 // border in a white quiet zone, without exception.
-bool read_bits(const Modules &modules, cv::Mat &bits) {
+bool read_bits(const Modules &modules, unsigned &bits) {
   double white = 0.0, black = 0.0;
-  const auto ring = [](int k) { return std::max(0, std::min(7, k)); };
-  for (int k = 0; k < 8; ++k) {
-    white += modules[0][k] + modules[7][k];
-    if (k > 0 && k < 7)
-      white += modules[k][0] + modules[k][7];
-    if (k > 0 && k < 7)
-      black += modules[1][k] + modules[6][k];
-    if (k > 1 && k < 6)
-      black += modules[k][1] + modules[k][6];
-  }
-  white /= 28;
-  black /= 20;
-  if (white < black + 25.0)
-    return false;
+  double darkest_white = 255.0, brightest_black = 0.0;
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column) {
+      const double grey = modules[row][column];
+      const int ring =
+          std::min(std::min(row, column), std::min(7 - row, 7 - column));
+      if (ring == 0) {
+        white += grey / 28;
+        darkest_white = std::min(darkest_white, grey);
+      } else if (ring == 1) {
+        black += grey / 20;
+        brightest_black = std::max(brightest_black, grey);
+      }
+    }
   const double middle = (white + black) / 2;
-  for (int k = ring(1); k < 7; ++k)
-    if (modules[1][k] > middle || modules[6][k] > middle ||
-        modules[k][1] > middle || modules[k][6] > middle ||
-        modules[0][k] < middle || modules[7][k] < middle ||
-        modules[k][0] < middle || modules[k][7] < middle)
-      return false;
-  bits.create(4, 4, CV_8UC1);
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column)
-      bits.at<uchar>(row, column) = modules[row + 2][column + 2] > middle;
+  if (white < black + 25.0 || darkest_white < middle ||
+      brightest_black > middle)
+    return false;
+  bits = 0;
+  for (int k = 0; k < 16; ++k)
+    bits |= unsigned(modules[k / 4 + 2][k % 4 + 2] > middle) << k;
   return true;
 }
 
-// Aligns the whole pattern of a marker, BITS turned back by TURNS: more
-// edges than its outline has, so less noise, and none that its inside
-// draws away. It is too small for its perspective to show.
-bool align_marker(const cv::Mat &grey, const cv::Mat &bits, int turns,
+// Aligns the whole pattern of a marker, given its BITS: more edges than its
+// outline has, so less noise, and none that its inside draws away. It is too
+// small for its perspective to show.
+bool align_marker(const cv::Mat &grey, unsigned bits,
                   std::array<Point, 4> &corner) {
   constexpr int pitch = 8;  // pixels of the drawing for a module
-  cv::Mat upright, modules(8, 8, CV_8UC1, cv::Scalar(255)), shape;
-  bits.copyTo(upright);
-  if (turns == 1)
-    cv::rotate(bits, upright, cv::ROTATE_90_CLOCKWISE);
-  else if (turns == 2)
-    cv::rotate(bits, upright, cv::ROTATE_180);
-  else if (turns == 3)
-    cv::rotate(bits, upright, cv::ROTATE_90_COUNTERCLOCKWISE);
+  cv::Mat modules(8, 8, CV_8UC1, cv::Scalar(255)), shape;
   modules(cv::Rect(1, 1, 6, 6)).setTo(0);
-  upright.convertTo(modules(cv::Rect(2, 2, 4, 4)), CV_8U, 255.0);
+  for (int k = 0; k < 16; ++k)
+    if (bits >> k & 1u)
+      modules.at<uchar>(k / 4 + 2, k % 4 + 2) = 255;
   cv::resize(modules, shape, cv::Size(), pitch, pitch, cv::INTER_NEAREST);
 
   // The rim of the quiet zone is blurred into what is around it.
-  cv::Mat used(shape.size(), CV_8UC1, cv::Scalar(0));
   constexpr int rim = pitch / 2;
+  cv::Mat used(shape.size(), CV_8UC1, cv::Scalar(0));
   used(cv::Rect(rim, rim, shape.cols - 2 * rim, shape.rows - 2 * rim))
       .setTo(255);
   const double near = pitch - 0.5, far = 7 * pitch - 0.5;
@@ -737,26 +758,25 @@ void find_markers(Frame &here, const Search &search,
                   std::vector<vision_robot> &robots) {
   static thread_local Aruco aruco;
   aruco.detect(here.smooth);
-
-  cv::Mat bits;
   for (const std::vector<Corners> *list : {&aruco.known, &aruco.others})
     for (const Corners &candidate : *list) {
       std::array<Point, 4> corner;
       std::copy(candidate.begin(), candidate.end(), corner.begin());
       if (cross(corner[1] - corner[0], corner[2] - corner[0]) < 0)
         std::swap(corner[1], corner[3]);
-      const double module = std::sqrt(std::fabs(
-          cross(corner[2] - corner[0], corner[3] - corner[1])) / 2) / 6;
+      const double area = std::fabs(cross(corner[2] - corner[0],
+                                          corner[3] - corner[1])) / 2;
+      const double reach = std::max(2.5, 0.75 * std::sqrt(area) / 6);
+      unsigned bits = 0;
       int id = 0, turns = 0;
-      if (!refine(here.smooth, corner.data(), 4, Bright::outside,
-                  std::max(2.5, 0.75 * module), 0.12) ||
+      if (!refine(here.smooth, corner.data(), 4, Bright::outside, reach,
+                  0.12) ||
           !read_bits(read_modules(here.smooth, corner), bits) ||
-          !aruco.identify(bits, id, turns))
+          !aruco.identify(bits, id, turns) ||
+          !align_marker(here.smooth, bits, corner))
         continue;
-      std::rotate(corner.begin(), corner.begin() + (4 - turns) % 4,
-                  corner.end());
-      if (!align_marker(here.smooth, bits, turns, corner))
-        continue;
+      // Turned so often, its top left corner is where that one is.
+      std::rotate(corner.begin(), corner.begin() + turns, corner.end());
       const Point centre = (corner[0] + corner[2]) / 2;
       const Point direction = (corner[0] + corner[1]) / 2;
       if (in_field(search, centre))

@@ -24,8 +24,8 @@ namespace vision {
 
 namespace {
 
-constexpr int open_limit = 5000;  // milliseconds, of a URL
-constexpr int read_limit = 2000;
+constexpr int open_limit = 3000;  // milliseconds, of a URL
+constexpr int read_limit = 2000;  // the first image comes after the opening
 constexpr double still_rate = 25.0;  // images a second
 
 enum class Kind { none, still, video, live };
@@ -37,7 +37,7 @@ struct Source {
   bool waiting = false;  // RAW holds an image that has not been grabbed
   cv::Mat still;         // as scaled
   std::string name;
-  int backend = cv::CAP_ANY;
+  int backend = cv::CAP_FFMPEG;
   int width = 0, height = 0;
   long period = 0;         // nanoseconds between the images of a file
   timespec next{0, 0};     // when the next one is due
@@ -53,10 +53,6 @@ Source &source() {
 // thread. What the user has set stays.
 struct Settings {
   Settings() {
-    // Nothing of a stream is held back to study it: an image that waits in
-    // a buffer shows where the robot was.
-    setenv("OPENCV_FFMPEG_CAPTURE_OPTIONS",
-           "fflags;nobuffer|flags;low_delay|rtsp_transport;tcp", 0);
     // The reason of a failure is returned, not printed.
     setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
     setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "2", 0);  // seconds
@@ -152,7 +148,7 @@ void classify(Source &from, bool &image_file) {
     from.backend = cv::CAP_V4L2;
   } else if (exists && S_ISREG(file.st_mode)) {
     from.kind = Kind::video;
-    from.backend = cv::CAP_ANY;
+    from.backend = cv::CAP_FFMPEG;
     image_file = cv::haveImageReader(from.name);
   } else if (from.name.find('!') != std::string::npos) {
     from.backend = cv::CAP_GSTREAMER;

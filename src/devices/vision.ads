@@ -15,8 +15,8 @@ is
 
    --  Camera is the open source of images. It belongs to one task at a time,
    --  and so does each slot of Frames; two tasks may work on two slots at
-   --  once. No task is started, nothing is locked, nothing raises. A task
-   --  that calls needs 256 kB of stack for OpenCV, 1 MB where it opens.
+   --  once. No task is started, nothing is locked, nothing raises. OpenCV
+   --  was seen to use up to 52 kB of the calling task's stack.
 
    type Slot is range 0 .. 5;
    --  A place for one image. What an operation needs is that the slot holds
@@ -91,7 +91,9 @@ is
      Global => (In_Out => (Camera, Frames)),
      Post   => Result in Done | No_Camera | No_Image | Failed;
    --  Waits for the next image, 2 s at most where the source lets itself be
-   --  interrupted. The slot keeps what it had unless Done.
+   --  interrupted. The slot keeps what it had unless Done. What a live source
+   --  delivers waits in buffers and grows old there unless it is grabbed as
+   --  fast as it comes.
 
    procedure Close
    with Global => (In_Out => Camera);
@@ -119,7 +121,8 @@ is
      Post   => Result in Done | Not_Found | Bad_Argument | Failed
        and then (Result = Done) = (Count > 0);
    --  The robots in the image, lowest identifier first; inside Arena only
-   --  where Use_Arena says so
+   --  where Use_Arena says so. To be called before anything is drawn: what is
+   --  drawn hides what is searched.
 
    procedure Draw_Arena
      (In_Slot : Slot;

@@ -1,0 +1,69 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The synthetic arena of scene.h, for tests.
+
+with Interfaces.C; use Interfaces.C;
+with System;
+
+package Scenes is
+
+   type Robot is record
+      Marker  : int;     --  0: ArUco, 1: triangle
+      Id      : int;
+      X, Y    : double;  --  centimetres from the left, from the bottom
+      Heading : double;  --  degrees, counter-clockwise from x
+   end record
+   with Convention => C;
+
+   type Robot_Array is array (0 .. 3) of Robot with Convention => C;
+
+   type Description is record
+      Width, Height : int;
+      Arena         : int;
+      Fill          : double;
+      Turn          : double;
+      Noise         : double;
+      Blur          : double;
+      Uneven        : double;
+      Seed          : unsigned;
+      Robots        : int;
+      Robot         : Robot_Array;
+   end record
+   with Convention => C_Pass_By_Copy;
+   --  What is drawn; scene.h has units and ranges
+
+   type Corner_Coordinates is array (0 .. 7) of double with Convention => C;
+   --  x and y of top left, top right, bottom right, bottom left
+
+   function Default return Description
+   with Import, Convention => C, External_Name => "scene_default";
+
+   function Draw
+     (Scene : access constant Description; Bgr : System.Address) return int
+   with Import, Convention => C, External_Name => "scene_draw";
+
+   function Robot_Truth
+     (Scene          : access constant Description;
+      N              : int;
+      Cx, Cy, Dx, Dy : out double) return int
+   with Import, Convention => C, External_Name => "scene_robot_truth";
+
+   function Arena_Truth
+     (Scene  : access constant Description;
+      Corner : out Corner_Coordinates) return int
+   with Import, Convention => C, External_Name => "scene_arena_truth";
+
+   function Jpeg
+     (Scene    : access constant Description;
+      Quality  : int;
+      Buffer   : System.Address;
+      Capacity : int) return int
+   with Import, Convention => C, External_Name => "scene_jpeg";
+
+   function Video
+     (Scene  : access constant Description;
+      Frames : int;
+      Fps    : int;
+      Path   : char_array) return int
+   with Import, Convention => C, External_Name => "scene_video";
+
+end Scenes;

@@ -1,0 +1,146 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Images for the vision tests: scenes and plain shapes put into a slot, and
+--  files made of them.
+
+with Ada.Directories;
+with Ada.Numerics.Long_Elementary_Functions;
+with Ada.Streams.Stream_IO; use Ada.Streams;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Vision_C; use Vision_C;
+
+package body Pictures is
+
+   Max_Width  : constant := 4_096;
+   Max_Height : constant := 2_160;
+
+   type Pixels is array (int range 0 .. Max_Width * Max_Height * 3 - 1)
+     of aliased Grey;
+
+   Canvas : Pixels;
+
+   procedure Load (Width, Height, Slot : int);
+   --  The canvas into Slot
+
+   procedure Draw (Scene : Scenes.Description);
+   --  Scene onto the canvas
+
+   function Process_Number return int
+   with Import, Convention => C, External_Name => "getpid";
+
+   procedure Load (Width, Height, Slot : int) is
+   begin
+      Assert (Vision_C.Load (Slot, Canvas'Address, Width, Height) = Ok,
+              "load");
+   end Load;
+
+   procedure Draw (Scene : Scenes.Description) is
+      Drawn : aliased constant Scenes.Description := Scene;
+   begin
+      Assert (Scenes.Draw (Drawn'Access, Canvas'Address) = 0,
+              "the scene can be drawn");
+   end Draw;
+
+   procedure Show (Scene : Scenes.Description; Slot : int := 0) is
+   begin
+      Draw (Scene);
+      Load (Scene.Width, Scene.Height, Slot);
+   end Show;
+
+   procedure Show_Plain (Width, Height : int; Level : Grey; Slot : int := 0)
+   is
+   begin
+      Canvas (0 .. Width * Height * 3 - 1) := (others => Level);
+      Load (Width, Height, Slot);
+   end Show_Plain;
+
+   procedure Show_Sheet
+     (Scene         : Scenes.Description;
+      Width, Height : double;
+      Turn          : double;
+      Level         : Grey)
+   is
+      use Ada.Numerics.Long_Elementary_Functions;
+      Cosine : constant double := double (Cos (Long_Float (Turn), 360.0));
+      Sine   : constant double := double (Sin (Long_Float (Turn), 360.0));
+      U, V   : double;
+      Place  : int := 0;
+   begin
+      Draw (Scene);
+      for Row in 0 .. Scene.Height - 1 loop
+         for Column in 0 .. Scene.Width - 1 loop
+            U := double (Column) - double (Scene.Width) / 2.0;
+            V := double (Row) - double (Scene.Height) / 2.0;
+            if abs (U * Cosine + V * Sine) <= Width / 2.0
+              and then abs (V * Cosine - U * Sine) <= Height / 2.0
+            then
+               Canvas (Place .. Place + 2) := (others => Level);
+            end if;
+            Place := Place + 3;
+         end loop;
+      end loop;
+      Load (Scene.Width, Scene.Height, 0);
+   end Show_Sheet;
+
+   function Scene_With
+     (Marker, Id    : int;
+      X, Y, Heading : double) return Scenes.Description
+   is
+   begin
+      return Scene : Scenes.Description := Scenes.Default do
+         Scene.Robots := 1;
+         Scene.Robot (0) := (Marker, Id, X, Y, Heading);
+      end return;
+   end Scene_With;
+
+   function Temporary (Name : String) return String is
+      Number : constant String := Process_Number'Image;
+   begin
+      return "/tmp/destijl_vision_" & Number (2 .. Number'Last) & "_" & Name;
+   end Temporary;
+
+   procedure Save (Scene : Scenes.Description; Path : String) is
+      Drawn  : aliased constant Scenes.Description := Scene;
+      Buffer : Stream_Element_Array (1 .. 1_000_000);
+      Length : constant int := Scenes.Jpeg
+        (Drawn'Access, 90, Buffer'Address, Buffer'Length);
+      File   : Stream_IO.File_Type;
+   begin
+      Assert (Length > 0, "the scene can be encoded");
+      Stream_IO.Create (File, Name => Path);
+      Stream_IO.Write (File, Buffer (1 .. Stream_Element_Offset (Length)));
+      Stream_IO.Close (File);
+   end Save;
+
+   procedure Save_Text (Text : String; Path : String) is
+      File : Stream_IO.File_Type;
+   begin
+      Stream_IO.Create (File, Name => Path);
+      String'Write (Stream_IO.Stream (File), Text);
+      Stream_IO.Close (File);
+   end Save_Text;
+
+   procedure Save_Plain (Width, Height : Positive; Path : String) is
+   begin
+      Save_Text
+        ("P6" & Width'Image & Height'Image & " 255 "
+         & String'(1 .. Width * Height * 3 => Character'Val (120)),
+         Path);
+   end Save_Plain;
+
+   procedure Save_Video
+     (Scene : Scenes.Description; Frames, Fps : int; Path : String)
+   is
+      Drawn : aliased constant Scenes.Description := Scene;
+   begin
+      Assert (Scenes.Video (Drawn'Access, Frames, Fps, To_C (Path)) = 0,
+              "the video can be written");
+   end Save_Video;
+
+   procedure Remove (Path : String) is
+   begin
+      Ada.Directories.Delete_File (Path);
+   end Remove;
+
+end Pictures;

@@ -1,0 +1,47 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Images for the vision tests: scenes and plain shapes put into a slot, and
+--  files made of them.
+
+with Interfaces.C; use Interfaces.C;
+with Scenes;
+
+package Pictures is
+
+   subtype Grey is unsigned_char;
+
+   procedure Show (Scene : Scenes.Description; Slot : int := 0);
+   --  Draws Scene into Slot
+
+   procedure Show_Plain (Width, Height : int; Level : Grey; Slot : int := 0);
+   --  One grey level all over
+
+   procedure Show_Sheet
+     (Scene         : Scenes.Description;
+      Width, Height : double;
+      Turn          : double;
+      Level         : Grey);
+   --  Scene with a sheet of one grey level in its middle, Width x Height
+   --  pixels, turned by Turn degrees; into slot 0
+
+   function Scene_With
+     (Marker, Id    : int;
+      X, Y, Heading : double) return Scenes.Description;
+   --  The plain scene with one robot
+
+   function Temporary (Name : String) return String;
+   --  A path for a file of this run
+
+   procedure Save (Scene : Scenes.Description; Path : String);
+   --  As JPEG
+
+   procedure Save_Plain (Width, Height : Positive; Path : String);
+   --  One grey level, as PPM
+
+   procedure Save_Text (Text : String; Path : String);
+
+   procedure Save_Video
+     (Scene : Scenes.Description; Frames, Fps : int; Path : String);
+
+   procedure Remove (Path : String);
+
+end Pictures;

@@ -1,0 +1,304 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The search for the arena: under every disturbance, and where is none.
+
+with Ada.Numerics.Long_Elementary_Functions;
+
+with Interfaces.C; use Interfaces.C;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Pictures;
+with Scenes;
+with Vision_C; use Vision_C;
+
+package body Vision_Arena_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Tolerance : constant := 2.0;
+   --  Pixels, of every corner
+
+   procedure Check_Found (Scene : Scenes.Description; What : String);
+   --  The arena is found, each corner where it is
+
+   procedure Check_None (What : String);
+   --  There is no arena in slot 0
+
+   function Disturbed
+     (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description;
+
+   procedure Test_Plain (T : in out Any_Test);
+   procedure Test_Turned (T : in out Any_Test);
+   procedure Test_Noise (T : in out Any_Test);
+   procedure Test_Blur (T : in out Any_Test);
+   procedure Test_Uneven_Light (T : in out Any_Test);
+   procedure Test_All_At_Once (T : in out Any_Test);
+   procedure Test_Fill (T : in out Any_Test);
+   procedure Test_Resolutions (T : in out Any_Test);
+   procedure Test_Robots_Inside (T : in out Any_Test);
+   procedure Test_Robots_At_Border (T : in out Any_Test);
+   procedure Test_Floor (T : in out Any_Test);
+   procedure Test_Plain_Image (T : in out Any_Test);
+   procedure Test_Noise_Alone (T : in out Any_Test);
+   procedure Test_Paper (T : in out Any_Test);
+   procedure Test_Robots_Alone (T : in out Any_Test);
+
+   procedure Check_Found (Scene : Scenes.Description; What : String) is
+      use Ada.Numerics.Long_Elementary_Functions;
+      Drawn    : aliased constant Scenes.Description := Scene;
+      Found    : aliased Arena;
+      Truth    : Scenes.Corner_Coordinates;
+      Distance : Long_Float;
+   begin
+      Pictures.Show (Scene);
+      Assert (Scenes.Arena_Truth (Drawn'Access, Truth) = 0, "truth");
+      Assert (Find_Arena (0, Found'Access) = Ok, What & ": found");
+      for K in 0 .. 3 loop
+         Distance := Sqrt
+           (Long_Float ((Found.Corner (K).X - Truth (2 * K)) ** 2
+            + (Found.Corner (K).Y - Truth (2 * K + 1)) ** 2));
+         Assert (Distance < Tolerance,
+                 What & ": corner" & K'Image & " is off by"
+                 & Distance'Image);
+      end loop;
+   end Check_Found;
+
+   procedure Check_None (What : String) is
+      Found : aliased Arena;
+   begin
+      Assert (Find_Arena (0, Found'Access) = Not_Found, What & ": none");
+   end Check_None;
+
+   function Disturbed
+     (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description
+   is
+   begin
+      return Scene : Scenes.Description := Scenes.Default do
+         Scene.Turn := Turn;
+         Scene.Noise := Noise;
+         Scene.Blur := Blur;
+         Scene.Uneven := Uneven;
+      end return;
+   end Disturbed;
+
+   procedure Test_Plain (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Check_Found (Scenes.Default, "plain");
+   end Test_Plain;
+
+   procedure Test_Turned (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Turn in -10 .. 10 loop
+         Check_Found (Disturbed (Turn => double (Turn)),
+                      "turned by" & Turn'Image);
+      end loop;
+   end Test_Turned;
+
+   procedure Test_Noise (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Disturbed (Noise => 15.0);
+   begin
+      for Seed in unsigned range 1 .. 10 loop
+         Scene.Seed := Seed;
+         Check_Found (Scene, "noise" & Seed'Image);
+      end loop;
+   end Test_Noise;
+
+   procedure Test_Blur (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Blur in 1 .. 3 loop
+         Check_Found (Disturbed (Blur => double (Blur)),
+                      "blur" & Blur'Image);
+      end loop;
+   end Test_Blur;
+
+   procedure Test_Uneven_Light (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Tenths in 1 .. 6 loop
+         Check_Found (Disturbed (Uneven => double (Tenths) / 10.0),
+                      "light lost" & Tenths'Image);
+      end loop;
+   end Test_Uneven_Light;
+
+   procedure Test_All_At_Once (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description;
+   begin
+      for Turn in -5 .. 5 loop
+         Scene := Disturbed
+           (Turn   => 2.0 * double (Turn), Noise => 15.0, Blur => 2.0,
+            Uneven => 0.5);
+         Scene.Seed := unsigned (10 + Turn);
+         Check_Found (Scene, "turned by" & Integer'Image (2 * Turn));
+      end loop;
+   end Test_All_At_Once;
+
+   procedure Test_Fill (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Disturbed (Noise => 5.0, Blur => 1.0);
+   begin
+      for Percent in 3 .. 9 loop
+         Scene.Fill := double (10 * Percent + 5) / 100.0;
+         Check_Found (Scene, "fill" & Percent'Image & "5 %");
+      end loop;
+   end Test_Fill;
+
+   procedure Test_Resolutions (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description :=
+        Disturbed (Turn => 4.0, Noise => 5.0, Blur => 1.0, Uneven => 0.3);
+      type Pair is array (1 .. 2) of int;
+      type Pairs is array (Positive range <>) of Pair;
+   begin
+      for P of Pairs'((320, 240), (800, 600), (1_280, 720), (1_920, 1_080),
+                      (480, 640))
+      loop
+         Scene.Width := P (1);
+         Scene.Height := P (2);
+         Check_Found (Scene, P (1)'Image & " x" & P (2)'Image);
+      end loop;
+   end Test_Resolutions;
+
+   procedure Test_Robots_Inside (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Disturbed (Noise => 4.0);
+   begin
+      for Count in int range 1 .. 4 loop
+         Scene.Robots := Count;
+         for Marker in int range 0 .. 1 loop
+            Scene.Robot :=
+              ((Marker, 3, 20.0, 20.0, 40.0), (Marker, 4, 60.0, 40.0, 200.0),
+               (Marker, 5, 40.0, 30.0, 0.0), (Marker, 6, 65.0, 12.0, 90.0));
+            Check_Found (Scene, Count'Image & " robots");
+         end loop;
+      end loop;
+   end Test_Robots_Inside;
+
+   procedure Test_Robots_At_Border (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description;
+   begin
+      for Hard in Boolean loop
+         Scene := (if Hard
+                   then Disturbed (Turn => 8.0, Noise => 15.0, Blur => 2.0,
+                                   Uneven => 0.5)
+                   else Disturbed (Noise => 4.0));
+         Scene.Robots := 2;
+         for Marker in int range 0 .. 1 loop
+            for Step in 0 .. 8 loop
+               Scene.Robot (0) :=
+                 (Marker, 3, double (Step) * 10.0, 0.0, 15.0);
+               Scene.Robot (1) :=
+                 (Marker, 4, 80.0 - double (Step) * 10.0, 60.0, 100.0);
+               Check_Found (Scene, "bottom and top" & Step'Image);
+               Scene.Robot (0) := (Marker, 3, 0.0, double (Step) * 7.5, 0.0);
+               Scene.Robot (1) :=
+                 (Marker, 4, 80.0, 60.0 - double (Step) * 7.5, 45.0);
+               Check_Found (Scene, "left and right" & Step'Image);
+            end loop;
+         end loop;
+      end loop;
+   end Test_Robots_At_Border;
+
+   procedure Test_Floor (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description;
+   begin
+      for Noise in 0 .. 6 loop
+         Scene := Disturbed (Noise => 5.0 * double (Noise), Uneven => 0.4);
+         Scene.Arena := 0;
+         Pictures.Show (Scene);
+         Check_None ("floor, noise" & Noise'Image);
+      end loop;
+   end Test_Floor;
+
+   procedure Test_Plain_Image (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Level of char_array'(1 => char'Val (0), 2 => char'Val (120),
+                               3 => char'Val (255))
+      loop
+         Pictures.Show_Plain
+           (640, 480, Pictures.Grey (char'Pos (Level)));
+         Check_None ("one level");
+      end loop;
+   end Test_Plain_Image;
+
+   procedure Test_Noise_Alone (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Disturbed (Noise => 30.0);
+   begin
+      Scene.Arena := 0;
+      for Seed in unsigned range 1 .. 5 loop
+         Scene.Seed := Seed;
+         Pictures.Show_Sheet (Scene, 900.0, 900.0, 0.0, 120);
+         Check_None ("plain");
+         Pictures.Show (Scene);
+         Check_None ("noise");
+      end loop;
+   end Test_Noise_Alone;
+
+   procedure Test_Paper (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Floor : Scenes.Description := Disturbed (Noise => 4.0);
+   begin
+      Floor.Arena := 0;
+      for Turn in -2 .. 2 loop
+         Pictures.Show_Sheet
+           (Floor, 420.0, 297.0, 5.0 * double (Turn), 235);
+         Check_None ("a sheet of paper");
+         Pictures.Show_Sheet
+           (Floor, 480.0, 360.0, 5.0 * double (Turn), 235);
+         Check_None ("a white 4:3 rectangle");
+         Pictures.Show_Sheet
+           (Floor, 480.0, 360.0, 5.0 * double (Turn), 120);
+         Check_None ("a grey 4:3 rectangle without border");
+      end loop;
+   end Test_Paper;
+
+   procedure Test_Robots_Alone (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Disturbed (Noise => 4.0);
+   begin
+      Scene.Arena := 0;
+      for Marker in int range 0 .. 1 loop
+         for Count in int range 1 .. 4 loop
+            Scene.Robots := Count;
+            Scene.Robot :=
+              ((Marker, 3, 20.0, 20.0, 0.0), (Marker, 4, 60.0, 40.0, 0.0),
+               (Marker, 5, 60.0, 20.0, 0.0), (Marker, 6, 20.0, 40.0, 0.0));
+            Pictures.Show (Scene);
+            Check_None (Count'Image & " robots");
+         end loop;
+      end loop;
+   end Test_Robots_Alone;
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("arena"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Plain'Access, "a plain scene");
+      Register_Routine (T, Test_Turned'Access, "camera turned");
+      Register_Routine (T, Test_Noise'Access, "noise");
+      Register_Routine (T, Test_Blur'Access, "blur");
+      Register_Routine (T, Test_Uneven_Light'Access, "uneven light");
+      Register_Routine (T, Test_All_At_Once'Access, "all at once");
+      Register_Routine (T, Test_Fill'Access, "near and far");
+      Register_Routine (T, Test_Resolutions'Access, "resolutions");
+      Register_Routine (T, Test_Robots_Inside'Access, "robots inside");
+      Register_Routine (T, Test_Robots_At_Border'Access,
+                        "robots on the border");
+      Register_Routine (T, Test_Floor'Access, "none: the floor");
+      Register_Routine (T, Test_Plain_Image'Access, "none: one level");
+      Register_Routine (T, Test_Noise_Alone'Access, "none: noise");
+      Register_Routine (T, Test_Paper'Access, "none: sheets");
+      Register_Routine (T, Test_Robots_Alone'Access, "none: robots alone");
+   end Register_Tests;
+
+end Vision_Arena_Tests;

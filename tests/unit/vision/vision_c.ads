@@ -1,0 +1,102 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  vision_c/vision.h as it is, for tests that the Ada side would not let
+--  through.
+
+with Interfaces.C; use Interfaces.C;
+with System;
+
+package Vision_C is
+
+   type Status is
+     (Ok, Not_Found, No_Camera, No_Image, Too_Small, Bad_Argument, Failed)
+   with Convention => C;
+
+   type Marker is (Aruco, Triangle) with Convention => C;
+
+   type Point is record
+      X, Y : double := 0.0;
+   end record
+   with Convention => C;
+
+   type Corners is array (0 .. 3) of Point with Convention => C;
+
+   type Arena is record
+      Corner : Corners;
+   end record
+   with Convention => C;
+
+   type Robot is record
+      Id        : int := 0;
+      Centre    : Point;
+      Direction : Point;
+      Angle     : double := 0.0;
+   end record
+   with Convention => C;
+
+   type Robot_Array is array (int range <>) of Robot with Convention => C;
+
+   function Open
+     (Source : char_array; Width, Height, Fps : int) return Status
+   with Import, Convention => C, External_Name => "vision_open";
+
+   function Open_At
+     (Source : System.Address; Width, Height, Fps : int) return Status
+   with Import, Convention => C, External_Name => "vision_open";
+
+   function Grab (Slot : int) return Status
+   with Import, Convention => C, External_Name => "vision_grab";
+
+   function Close return Status
+   with Import, Convention => C, External_Name => "vision_close";
+
+   function Size (Slot : int; Width, Height : access int) return Status
+   with Import, Convention => C, External_Name => "vision_size";
+
+   function Find_Arena (Slot : int; Found : access Arena) return Status
+   with Import, Convention => C, External_Name => "vision_find_arena";
+
+   function Find_Robots
+     (Slot     : int;
+      Kind     : Marker;
+      Inside   : access constant Arena;
+      Robots   : System.Address;
+      Capacity : int;
+      Count    : access int) return Status
+   with Import, Convention => C, External_Name => "vision_find_robots";
+
+   function Find_Robots_Of_Kind
+     (Slot     : int;
+      Kind     : int;
+      Inside   : access constant Arena;
+      Robots   : System.Address;
+      Capacity : int;
+      Count    : access int) return Status
+   with Import, Convention => C, External_Name => "vision_find_robots";
+   --  For markers that there are none of
+
+   function Draw_Arena
+     (Slot : int; Item : access constant Arena) return Status
+   with Import, Convention => C, External_Name => "vision_draw_arena";
+
+   function Draw_Robot
+     (Slot : int; Item : access constant Robot) return Status
+   with Import, Convention => C, External_Name => "vision_draw_robot";
+
+   function Encode
+     (Slot, Quality : int;
+      Buffer        : System.Address;
+      Capacity      : int;
+      Length        : access int) return Status
+   with Import, Convention => C, External_Name => "vision_encode";
+
+   function Load
+     (Slot : int; Bgr : System.Address; Width, Height : int) return Status
+   with Import, Convention => C, External_Name => "vision_load";
+
+   function Reason return System.Address
+   with Import, Convention => C, External_Name => "vision_reason";
+
+   function Library return System.Address
+   with Import, Convention => C, External_Name => "vision_library";
+
+end Vision_C;

@@ -1,0 +1,352 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  vision_c itself: arguments, slots, unusual sizes, drawing, encoding.
+
+with Interfaces.C; use Interfaces.C;
+with System;       use System;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Pictures;
+with Scenes;
+with Vision_C; use Vision_C;
+
+package body Vision_C_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   subtype Octet is unsigned_char;
+
+   type Octets is array (int range <>) of aliased Octet;
+
+   Empty_Slot : constant int := 5;
+   --  No test puts an image there
+
+   Buffer : Octets (0 .. 999_999);
+   Room   : Robot_Array (0 .. 7);
+
+   function Encoded (Slot, Quality, Capacity : int) return int;
+   --  Encodes into Buffer, with success; returns the length
+
+   procedure Test_Slots (T : in out Any_Test);
+   procedure Test_Empty_Slot (T : in out Any_Test);
+   procedure Test_Null (T : in out Any_Test);
+   procedure Test_Numbers (T : in out Any_Test);
+   procedure Test_Sizes (T : in out Any_Test);
+   procedure Test_Changing_Sizes (T : in out Any_Test);
+   procedure Test_Draw (T : in out Any_Test);
+   procedure Test_Draw_Far (T : in out Any_Test);
+   procedure Test_Encode (T : in out Any_Test);
+   procedure Test_Encode_Too_Small (T : in out Any_Test);
+   procedure Test_Encode_Decodes (T : in out Any_Test);
+   procedure Test_Texts (T : in out Any_Test);
+
+   function Encoded (Slot, Quality, Capacity : int) return int is
+      Length : aliased int := -1;
+   begin
+      Assert (Encode (Slot, Quality, Buffer'Address, Capacity, Length'Access)
+              = Ok, "encode");
+      return Length;
+   end Encoded;
+
+   procedure Test_Slots (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Width, Height, Count : aliased int;
+      Found                : aliased Arena;
+      Robot                : aliased constant Vision_C.Robot := (others => <>);
+   begin
+      for Slot of Octets'(6, 7, 255) loop
+         for Sign in 0 .. 1 loop
+            declare
+               Bad : constant int :=
+                 (if Sign = 0 then int (Slot) else -int (Slot));
+            begin
+               Assert (Size (Bad, Width'Access, Height'Access)
+                       = Bad_Argument, "size");
+               Assert (Load (Bad, Buffer'Address, 16, 16) = Bad_Argument,
+                       "load");
+               Assert (Grab (Bad) = Bad_Argument, "grab");
+               Assert (Find_Arena (Bad, Found'Access) = Bad_Argument,
+                       "find arena");
+               Assert (Find_Robots (Bad, Aruco, null, Room'Address, 8,
+                                    Count'Access) = Bad_Argument,
+                       "find robots");
+               Assert (Draw_Arena (Bad, Found'Access) = Bad_Argument,
+                       "draw arena");
+               Assert (Draw_Robot (Bad, Robot'Access) = Bad_Argument,
+                       "draw robot");
+               Assert (Encode (Bad, 80, Buffer'Address, 100, Count'Access)
+                       = Bad_Argument, "encode");
+            end;
+         end loop;
+      end loop;
+   end Test_Slots;
+
+   procedure Test_Empty_Slot (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Width, Height : aliased int;
+      Count         : aliased int := 99;
+      Found         : aliased Arena;
+   begin
+      Assert (Size (Empty_Slot, Width'Access, Height'Access) = Bad_Argument,
+              "size");
+      Assert (Find_Arena (Empty_Slot, Found'Access) = Bad_Argument, "arena");
+      Assert (Find_Robots (Empty_Slot, Triangle, null, Room'Address, 8,
+                           Count'Access) = Bad_Argument, "robots");
+      Assert (Count = 0, "no robots counted");
+      Assert (Draw_Arena (Empty_Slot, Found'Access) = Bad_Argument, "draw");
+      Assert (Encode (Empty_Slot, 80, Buffer'Address, 100, Count'Access)
+              = Bad_Argument, "encode");
+   end Test_Empty_Slot;
+
+   procedure Test_Null (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Count : aliased int := 99;
+   begin
+      Pictures.Show (Scenes.Default);
+      Assert (Size (0, null, null) = Bad_Argument, "size");
+      Assert (Load (0, Null_Address, 16, 16) = Bad_Argument, "load");
+      Assert (Find_Arena (0, null) = Bad_Argument, "find arena");
+      Assert (Find_Robots (0, Aruco, null, Null_Address, 8, Count'Access)
+              = Bad_Argument and then Count = 0, "no place for robots");
+      Assert (Find_Robots (0, Aruco, null, Room'Address, 8, null)
+              = Bad_Argument, "no place for the count");
+      Assert (Draw_Arena (0, null) = Bad_Argument, "draw arena");
+      Assert (Draw_Robot (0, null) = Bad_Argument, "draw robot");
+      Assert (Encode (0, 80, Null_Address, 100, Count'Access) = Bad_Argument,
+              "no buffer");
+      Assert (Encode (0, 80, Buffer'Address, 100, null) = Bad_Argument,
+              "no place for the length");
+      Assert (Open_At (Null_Address, 640, 480, 10) = Bad_Argument, "open");
+   end Test_Null;
+
+   procedure Test_Numbers (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Count : aliased int;
+      Far   : aliased constant Arena :=
+        (Corner => (others => (1.0E300, -1.0E300)));
+   begin
+      Pictures.Show (Scenes.Default);
+      for Side of Octets'(0, 1) loop
+         Assert (Load (0, Buffer'Address, int (Side) - 1, 10)
+                 = Bad_Argument, "load: width");
+         Assert (Load (0, Buffer'Address, 10, int (Side) - 1)
+                 = Bad_Argument, "load: height");
+      end loop;
+      Assert (Load (0, Buffer'Address, 8_193, 1) = Bad_Argument,
+              "load: too wide");
+      Assert (Find_Robots (0, Aruco, null, Room'Address, 0, Count'Access)
+              = Bad_Argument, "capacity 0");
+      Assert (Find_Robots (0, Aruco, null, Room'Address, -1, Count'Access)
+              = Bad_Argument, "capacity -1");
+      Assert (Find_Robots (0, Aruco, Far'Access, Room'Address, 8,
+                           Count'Access) = Bad_Argument, "absurd arena");
+      Assert (Find_Robots_Of_Kind (0, 2, null, Room'Address, 8,
+                                   Count'Access) = Bad_Argument,
+              "unknown marker");
+      Assert (Encode (0, 0, Buffer'Address, 1_000_000, Count'Access)
+              = Bad_Argument, "quality 0");
+      Assert (Encode (0, 101, Buffer'Address, 1_000_000, Count'Access)
+              = Bad_Argument, "quality 101");
+      Assert (Encode (0, 80, Buffer'Address, -1, Count'Access)
+              = Bad_Argument, "capacity -1");
+      for Bad in 1 .. 5 loop
+         Assert
+           (Open (To_C (if Bad = 1 then "" else "0"),
+                  (if Bad = 2 then 0 elsif Bad = 3 then 8_193 else 640),
+                  (if Bad = 4 then -1 else 480),
+                  (if Bad = 5 then 0 else 10)) = Bad_Argument,
+            "open" & Bad'Image);
+      end loop;
+   end Test_Numbers;
+
+   procedure Test_Sizes (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      type Pair is array (1 .. 2) of int;
+      type Pairs is array (Positive range <>) of Pair;
+
+      Width, Height, Count : aliased int;
+      Found                : aliased Arena;
+      Robot                : aliased constant Vision_C.Robot :=
+        (7, (3.0, 3.0), (9.0, 9.0), 0.0);
+   begin
+      for P of Pairs'((1, 1), (1, 500), (500, 1), (2, 2), (15, 15), (16, 16),
+                      (17, 33), (4_096, 16), (16, 2_160), (4_096, 2_160))
+      loop
+         Pictures.Show_Plain (P (1), P (2), 90);
+         Assert (Size (0, Width'Access, Height'Access) = Ok
+                 and then Width = P (1) and then Height = P (2), "size");
+         Assert (Find_Arena (0, Found'Access) = Not_Found, "no arena");
+         for Kind in Marker loop
+            Assert (Find_Robots (0, Kind, null, Room'Address, 8,
+                                 Count'Access) = Not_Found, "no robot");
+            Found.Corner := ((0.0, 0.0), (double (P (1)), 0.0),
+                             (double (P (1)), double (P (2))),
+                             (0.0, double (P (2))));
+            Assert (Find_Robots (0, Kind, Found'Access, Room'Address, 8,
+                                 Count'Access) = Not_Found,
+                    "no robot in an arena");
+         end loop;
+         Assert (Draw_Arena (0, Found'Access) = Ok, "draw arena");
+         Assert (Draw_Robot (0, Robot'Access) = Ok, "draw robot");
+         Assert (Encoded (0, 50, Buffer'Length) > 100, "encode");
+      end loop;
+   end Test_Sizes;
+
+   procedure Test_Changing_Sizes (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+      Found : aliased Arena;
+      Count : aliased int;
+   begin
+      Scene.Robots := 1;
+      Scene.Robot (0) := (0, 9, 30.0, 20.0, 10.0);
+      for Round in int range 1 .. 6 loop
+         Scene.Width  := (if Round mod 2 = 0 then 640 else 320 * Round);
+         Scene.Height := Scene.Width * 3 / 4;
+         Pictures.Show (Scene);
+         Assert (Find_Arena (0, Found'Access) = Ok, "arena");
+         Assert (Find_Robots (0, Aruco, Found'Access, Room'Address, 8,
+                              Count'Access) = Ok and then Count = 1,
+                 "robot");
+      end loop;
+   end Test_Changing_Sizes;
+
+   procedure Test_Draw (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Plain, With_Arena : int;
+      Found             : aliased constant Arena :=
+        (Corner => ((20.0, 20.0), (300.5, 20.0), (300.0, 200.0),
+                    (20.0, 200.0)));
+      Robot             : aliased constant Vision_C.Robot :=
+        (999, (150.0, 100.0), (170.0, 110.0), 0.0);
+   begin
+      Pictures.Show_Plain (320, 240, 90);
+      Plain := Encoded (0, 90, Buffer'Length);
+      Assert (Draw_Arena (0, Found'Access) = Ok, "draw arena");
+      With_Arena := Encoded (0, 90, Buffer'Length);
+      Assert (With_Arena > Plain, "the arena shows");
+      Assert (Draw_Robot (0, Robot'Access) = Ok, "draw robot");
+      Assert (Encoded (0, 90, Buffer'Length) > With_Arena,
+              "the robot shows");
+   end Test_Draw;
+
+   procedure Test_Draw_Far (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Found : aliased Arena :=
+        (Corner => ((-9.0E5, -9.0E5), (9.0E5, -9.0E5), (9.0E5, 9.0E5),
+                    (-9.0E5, 9.0E5)));
+      Robot : aliased Vision_C.Robot :=
+        (0, (-5.0E5, 3.0), (-5.0E5, 30.0), 0.0);
+   begin
+      Pictures.Show_Plain (320, 240, 90);
+      Assert (Draw_Arena (0, Found'Access) = Ok, "arena around the image");
+      Assert (Draw_Robot (0, Robot'Access) = Ok, "robot beside it");
+      Found.Corner (2).Y := 1.0E7;
+      Assert (Draw_Arena (0, Found'Access) = Bad_Argument, "absurd arena");
+      Robot.Centre.X := 1.0E300;
+      Assert (Draw_Robot (0, Robot'Access) = Bad_Argument, "absurd centre");
+      Robot := (0, (3.0, 3.0), (3.0, -1.0E300), 0.0);
+      Assert (Draw_Robot (0, Robot'Access) = Bad_Argument,
+              "absurd direction");
+   end Test_Draw_Far;
+
+   procedure Test_Encode (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Low, High : int;
+   begin
+      Pictures.Show (Scenes.Default);
+      Low := Encoded (0, 1, Buffer'Length);
+      Buffer := (others => 16#A5#);
+      High := Encoded (0, 100, Buffer'Length);
+      Assert (Low < High, "quality counts");
+      Assert (Buffer (0) = 16#FF# and then Buffer (1) = 16#D8#, "begins");
+      Assert (Buffer (High - 2) = 16#FF# and then Buffer (High - 1) = 16#D9#,
+              "ends");
+      Assert ((for all K in High .. Buffer'Last => Buffer (K) = 16#A5#),
+              "nothing written behind the end");
+      Assert (Encoded (0, 100, High) = High, "fits exactly");
+   end Test_Encode;
+
+   procedure Test_Encode_Too_Small (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Whole  : int;
+      Length : aliased int := 77;
+   begin
+      Pictures.Show (Scenes.Default);
+      Whole := Encoded (0, 80, Buffer'Length);
+      Buffer := (others => 16#A5#);
+      for Capacity of Octets'(0, 1, 100) loop
+         Assert (Encode (0, 80, Buffer'Address, int (Capacity),
+                         Length'Access) = Too_Small
+                 and then Length = 0, "too small");
+      end loop;
+      Assert (Encode (0, 80, Buffer'Address, Whole - 1, Length'Access)
+              = Too_Small, "too small by one");
+      Assert ((for all B of Buffer => B = 16#A5#), "nothing written");
+   end Test_Encode_Too_Small;
+
+   procedure Test_Encode_Decodes (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Path          : constant String := Pictures.Temporary ("encoded.jpg");
+      Length        : int;
+      Width, Height : aliased int;
+   begin
+      Pictures.Show_Plain (123, 77, 90);
+      Length := Encoded (0, 80, Buffer'Length);
+      declare
+         Text : String (1 .. Natural (Length));
+      begin
+         for K in Text'Range loop
+            Text (K) := Character'Val (Buffer (int (K) - 1));
+         end loop;
+         Pictures.Save_Text (Text, Path);
+      end;
+      Assert (Open (To_C (Path), 123, 77, 10) = Ok, "open what was encoded");
+      Assert (Grab (1) = Ok, "grab");
+      Assert (Size (1, Width'Access, Height'Access) = Ok
+              and then Width = 123 and then Height = 77, "the same size");
+      Assert (Close = Ok, "close");
+      Pictures.Remove (Path);
+   end Test_Encode_Decodes;
+
+   procedure Test_Texts (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      function Length (Item : System.Address) return size_t
+      with Import, Convention => C, External_Name => "strlen";
+   begin
+      Assert (Library /= Null_Address and then Length (Library) >= 5,
+              "version");
+      Assert (Open (To_C ("/no/such/file"), 64, 48, 10) = No_Camera, "open");
+      Assert (Reason /= Null_Address and then Length (Reason) > 10,
+              "reason");
+      Assert (Open (To_C ("/no/such/" & String'(1 .. 900 => 'x')), 64, 48, 10)
+              = No_Camera and then Length (Reason) < 160,
+              "a long reason is cut");
+   end Test_Texts;
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("vision_c"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Slots'Access, "slots that do not exist");
+      Register_Routine (T, Test_Empty_Slot'Access, "a slot without image");
+      Register_Routine (T, Test_Null'Access, "null pointers");
+      Register_Routine (T, Test_Numbers'Access, "numbers out of range");
+      Register_Routine (T, Test_Sizes'Access, "unusual sizes");
+      Register_Routine (T, Test_Changing_Sizes'Access,
+                        "a size that changes from image to image");
+      Register_Routine (T, Test_Draw'Access, "drawings show");
+      Register_Routine (T, Test_Draw_Far'Access, "drawings out of sight");
+      Register_Routine (T, Test_Encode'Access, "JPEG and its quality");
+      Register_Routine (T, Test_Encode_Too_Small'Access,
+                        "a buffer too small");
+      Register_Routine (T, Test_Encode_Decodes'Access,
+                        "what is encoded can be opened");
+      Register_Routine (T, Test_Texts'Access, "reason and version");
+   end Register_Tests;
+
+end Vision_C_Tests;

@@ -1,0 +1,426 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The search for robots: accuracy at every heading, number, limits.
+
+with Ada.Numerics.Long_Elementary_Functions;
+
+with Interfaces.C; use Interfaces.C;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Pictures;
+with Scenes;
+with Vision_C; use Vision_C;
+
+package body Vision_Robot_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Position_Tolerance : constant := 2.0;  --  pixels
+   Angle_Tolerance    : constant := 1.0;  --  degrees
+
+   Found : Robot_Array (0 .. 7);
+   Count : aliased int;
+
+   procedure Search
+     (Scene : Scenes.Description; Kind : Marker; What : String);
+   --  Draws Scene into slot 0; there are robots, which go to Found
+
+   procedure Check (Scene : Scenes.Description; N : int; What : String);
+   --  One of Found is robot N of Scene, with the accuracy asked for
+
+   procedure Check_Headings (Scene : Scenes.Description; What : String);
+   --  Both markers in Scene at every heading
+
+   procedure Test_Headings (T : in out Any_Test);
+   procedure Test_Headings_Noise (T : in out Any_Test);
+   procedure Test_Headings_Blur (T : in out Any_Test);
+   procedure Test_Headings_Uneven (T : in out Any_Test);
+   procedure Test_Headings_Turned (T : in out Any_Test);
+   procedure Test_Headings_All (T : in out Any_Test);
+   procedure Test_Upright (T : in out Any_Test);
+   procedure Test_Resolutions (T : in out Any_Test);
+   procedure Test_Identifiers (T : in out Any_Test);
+   procedure Test_Two_Robots (T : in out Any_Test);
+   procedure Test_Capacity (T : in out Any_Test);
+   procedure Test_Positions_In_Arena (T : in out Any_Test);
+   procedure Test_Outside_Arena (T : in out Any_Test);
+   procedure Test_Strange_Arenas (T : in out Any_Test);
+   procedure Test_None (T : in out Any_Test);
+   procedure Test_Other_Marker (T : in out Any_Test);
+
+   procedure Search
+     (Scene : Scenes.Description; Kind : Marker; What : String)
+   is
+   begin
+      Pictures.Show (Scene);
+      Assert (Find_Robots (0, Kind, null, Found'Address, Found'Length,
+                           Count'Access) = Ok, What & ": found");
+   end Search;
+
+   procedure Check (Scene : Scenes.Description; N : int; What : String) is
+      use Ada.Numerics.Long_Elementary_Functions;
+      Drawn          : aliased constant Scenes.Description := Scene;
+      Cx, Cy, Dx, Dy : double;
+      Distance       : Long_Float := Long_Float'Last;
+      Nearest        : int := 0;
+      Error          : Long_Float;
+
+      function Away (P : Point; X, Y : double) return Long_Float is
+        (Sqrt (Long_Float ((P.X - X) ** 2 + (P.Y - Y) ** 2)));
+   begin
+      Assert (Scenes.Robot_Truth (Drawn'Access, N, Cx, Cy, Dx, Dy) = 0,
+              "truth");
+      for K in 0 .. Count - 1 loop
+         if Away (Found (K).Centre, Cx, Cy) < Distance then
+            Distance := Away (Found (K).Centre, Cx, Cy);
+            Nearest := K;
+         end if;
+      end loop;
+      Assert (Distance < Position_Tolerance,
+              What & ": centre off by" & Distance'Image);
+      Assert (Away (Found (Nearest).Direction, Dx, Dy) < Position_Tolerance,
+              What & ": direction");
+      Error := Long_Float (Found (Nearest).Angle)
+        - Arctan (Long_Float (Cy - Dy), Long_Float (Cx - Dx), 360.0);
+      Error := abs (Error - 360.0 * Long_Float'Rounding (Error / 360.0));
+      Assert (Error < Angle_Tolerance,
+              What & ": angle off by" & Error'Image);
+      Assert (Found (Nearest).Angle > -180.0
+              and then Found (Nearest).Angle <= 180.0, What & ": range");
+      Assert
+        (Found (Nearest).Id =
+         (if Scene.Robot (Integer (N)).Marker = 0
+          then Scene.Robot (Integer (N)).Id else 0), What & ": identifier");
+   end Check;
+
+   procedure Check_Headings (Scene : Scenes.Description; What : String) is
+      Here : Scenes.Description := Scene;
+   begin
+      Here.Robots := 1;
+      for Kind in Marker loop
+         for Step in 0 .. 23 loop
+            --  A place of its own for each, with its own fraction of a pixel
+            Here.Robot (0) :=
+              (Marker'Pos (Kind), int (41 * Step),
+               15.0 + 2.13 * double (Step),
+               12.0 + double (Step * 7 mod 24) * 1.57,
+               15.0 * double (Step));
+            Here.Seed := unsigned (Step + 1);
+            Search (Here, Kind, What & Step'Image);
+            Assert (Count = 1, What & ": one");
+            Check (Here, 0,
+                   What & ", " & Kind'Image & " at"
+                   & Integer'Image (15 * Step));
+         end loop;
+      end loop;
+   end Check_Headings;
+
+   procedure Test_Headings (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Check_Headings (Scenes.Default, "plain");
+   end Test_Headings;
+
+   procedure Test_Headings_Noise (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Noise := 15.0;
+      Check_Headings (Scene, "noise");
+   end Test_Headings_Noise;
+
+   procedure Test_Headings_Blur (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Blur := 2.0;
+      Check_Headings (Scene, "blur");
+   end Test_Headings_Blur;
+
+   procedure Test_Headings_Uneven (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Uneven := 0.5;
+      Check_Headings (Scene, "uneven light");
+   end Test_Headings_Uneven;
+
+   procedure Test_Headings_Turned (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Turn := 10.0;
+      Check_Headings (Scene, "turned");
+   end Test_Headings_Turned;
+
+   procedure Test_Headings_All (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Turn := -7.0;
+      Scene.Noise := 15.0;
+      Scene.Blur := 2.0;
+      Scene.Uneven := 0.5;
+      Check_Headings (Scene, "all at once");
+   end Test_Headings_All;
+
+   procedure Test_Upright (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Kind in Marker loop
+         --  An upright marker is at 90, one that looks to the left at 0
+         for Quarter in 0 .. 3 loop
+            Search (Pictures.Scene_With
+                      (Marker'Pos (Kind), 1, 40.0, 30.0,
+                       90.0 * double (Quarter)), Kind, "upright");
+            Assert
+              (abs (abs (Found (0).Angle)
+               - (case Quarter is
+                     when 0      => 180.0,
+                     when 1      => 90.0,
+                     when 2      => 0.0,
+                     when others => 90.0)) < 0.5
+               and then (Quarter /= 1 or else Found (0).Angle > 0.0)
+               and then (Quarter /= 3 or else Found (0).Angle < 0.0),
+               "quarter" & Quarter'Image & " is at"
+               & Found (0).Angle'Image);
+         end loop;
+      end loop;
+   end Test_Upright;
+
+   procedure Test_Resolutions (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description;
+      type Pair is array (1 .. 2) of int;
+      type Pairs is array (Positive range <>) of Pair;
+   begin
+      for P of Pairs'((320, 240), (800, 600), (1_280, 720), (1_920, 1_080))
+      loop
+         for Kind in Marker loop
+            for Step in 0 .. 5 loop
+               Scene := Pictures.Scene_With
+                 (Marker'Pos (Kind), 70, 20.0 + double (Step) * 8.0, 25.0,
+                  double (Step) * 65.0);
+               Scene.Width := P (1);
+               Scene.Height := P (2);
+               Scene.Noise := 4.0;
+               Search (Scene, Kind, P (1)'Image);
+               Check (Scene, 0, P (1)'Image & " wide, " & Kind'Image);
+            end loop;
+         end loop;
+      end loop;
+   end Test_Resolutions;
+
+   procedure Test_Identifiers (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description;
+   begin
+      for Step in int range 0 .. 27 loop
+         Scene := Pictures.Scene_With
+           (0, Step * 37, 40.3, 30.2, double (Step) * 13.0);
+         Search (Scene, Aruco, "identifier" & int'Image (37 * Step));
+         Assert (Count = 1, "one");
+         Check (Scene, 0, "identifier" & int'Image (37 * Step));
+      end loop;
+   end Test_Identifiers;
+
+   procedure Test_Two_Robots (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Robots := 2;
+      Scene.Noise := 4.0;
+      for Kind in Marker loop
+         Scene.Robot (0) :=
+           (Marker'Pos (Kind), 700, 25.0, 20.0, 33.0);
+         Scene.Robot (1) :=
+           (Marker'Pos (Kind), 8, 60.0, 41.0, 258.0);
+         Search (Scene, Kind, "two");
+         Assert (Count = 2, "two, not" & Count'Image);
+         Check (Scene, 0, "first");
+         Check (Scene, 1, "second");
+         Assert (Found (0).Id <= Found (1).Id, "lowest first");
+      end loop;
+   end Test_Two_Robots;
+
+   procedure Test_Capacity (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Robots := 4;
+      Scene.Robot :=
+        ((0, 40, 20.0, 20.0, 33.0), (0, 30, 60.0, 20.0, 1.0),
+         (0, 10, 20.0, 45.0, 90.0), (0, 20, 60.0, 45.0, 200.0));
+      Pictures.Show (Scene);
+      for Capacity in int range 1 .. 5 loop
+         Found := (others => (-1, (0.0, 0.0), (0.0, 0.0), 0.0));
+         Assert (Find_Robots (0, Aruco, null, Found'Address, Capacity,
+                              Count'Access) = Ok
+                 and then Count = int'Min (4, Capacity), "as many as fit");
+         for K in Found'Range loop
+            Assert (Found (K).Id = (if K < Count then 10 * K + 10 else -1),
+                    "the lowest, and none behind");
+         end loop;
+      end loop;
+   end Test_Capacity;
+
+   procedure Test_Positions_In_Arena (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Field  : aliased Arena;
+      Scene  : Scenes.Description;
+      Inside : Robot_Array (0 .. 7);
+      Number : aliased int;
+   begin
+      for Kind in Marker loop
+         for Column in 0 .. 4 loop
+            for Row in 0 .. 3 loop
+               --  From wall to wall
+               Scene := Pictures.Scene_With
+                 (Marker'Pos (Kind), 123, 20.0 * double (Column),
+                  20.0 * double (Row), 23.0 * double (5 * Row + Column));
+               Scene.Turn := 3.0;
+               Scene.Noise := 4.0;
+               Search (Scene, Kind, "whole image");
+               Assert (Count = 1, "one");
+               Check (Scene, 0, "whole image");
+               Assert (Find_Arena (0, Field'Access) = Ok, "arena");
+               Assert (Find_Robots (0, Kind, Field'Access, Inside'Address, 8,
+                                    Number'Access) = Ok
+                       and then Number = 1,
+                       "in the arena, " & Kind'Image & Column'Image
+                       & Row'Image);
+               Assert
+                 (abs (Inside (0).Centre.X - Found (0).Centre.X) < 0.1
+                  and then
+                  abs (Inside (0).Centre.Y - Found (0).Centre.Y) < 0.1
+                  and then
+                  abs (Inside (0).Direction.X - Found (0).Direction.X) < 0.2
+                  and then
+                  abs (Inside (0).Direction.Y - Found (0).Direction.Y) < 0.2,
+                  "the same pixels");
+            end loop;
+         end loop;
+      end loop;
+   end Test_Positions_In_Arena;
+
+   procedure Test_Outside_Arena (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Left_Half : aliased constant Arena :=
+        (Corner => ((67.0, 50.0), (320.0, 50.0), (320.0, 430.0),
+                    (67.0, 430.0)));
+      Scene     : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Robots := 2;
+      for Kind in Marker loop
+         Scene.Robot (0) := (Marker'Pos (Kind), 5, 44.0, 20.0, 33.0);
+         Scene.Robot (1) := (Marker'Pos (Kind), 6, 20.0, 30.0, 33.0);
+         Pictures.Show (Scene);
+         Assert (Find_Robots (0, Kind, Left_Half'Access, Found'Address, 8,
+                              Count'Access) = Ok
+                 and then Count = 1, "only the one inside");
+         Check (Scene, 1, "the one inside");
+         Scene.Robots := 1;
+         Pictures.Show (Scene);
+         Assert (Find_Robots (0, Kind, Left_Half'Access, Found'Address, 8,
+                              Count'Access) = Not_Found
+                 and then Count = 0, "none inside");
+         Scene.Robots := 2;
+      end loop;
+   end Test_Outside_Arena;
+
+   procedure Test_Strange_Arenas (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      type Arenas is array (Positive range <>) of aliased Arena;
+      Strange : constant Arenas :=
+        (1 => (Corner => (others => (0.0, 0.0))),
+         2 => (Corner => (others => (320.0, 240.0))),
+         3 => (Corner => ((9_000.0, 9_000.0), (9_900.0, 9_000.0),
+                          (9_900.0, 9_900.0), (9_000.0, 9_900.0))),
+         4 => (Corner => ((-900.0, -900.0), (-100.0, -900.0),
+                          (-100.0, -100.0), (-900.0, -100.0))));
+      Around  : aliased constant Arena :=
+        (Corner => ((-9.0E5, -9.0E5), (9.0E5, -9.0E5), (9.0E5, 9.0E5),
+                    (-9.0E5, 9.0E5)));
+   begin
+      Pictures.Show (Pictures.Scene_With (0, 5, 40.0, 30.0, 10.0));
+      for Kind in Marker loop
+         for A of Strange loop
+            declare
+               Field : aliased constant Arena := A;
+            begin
+               Assert (Find_Robots (0, Kind, Field'Access, Found'Address, 8,
+                                    Count'Access) = Not_Found,
+                       "nothing in an arena without inside");
+            end;
+         end loop;
+      end loop;
+      Assert (Find_Robots (0, Aruco, Around'Access, Found'Address, 8,
+                           Count'Access) = Ok, "a huge arena");
+   end Test_Strange_Arenas;
+
+   procedure Test_None (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      for Kind in Marker loop
+         for With_Arena in int range 0 .. 1 loop
+            for Noise in 0 .. 6 loop
+               Scene.Arena := With_Arena;
+               Scene.Noise := 5.0 * double (Noise);
+               Scene.Seed := unsigned (Noise);
+               Pictures.Show (Scene);
+               Assert (Find_Robots (0, Kind, null, Found'Address, 8,
+                                    Count'Access) = Not_Found
+                       and then Count = 0,
+                       Kind'Image & " in noise" & Noise'Image);
+            end loop;
+         end loop;
+      end loop;
+   end Test_None;
+
+   procedure Test_Other_Marker (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Kind in Marker loop
+         for Step in 0 .. 11 loop
+            Pictures.Show
+              (Pictures.Scene_With
+                 (1 - Marker'Pos (Kind), int (Step * 83), 40.0, 30.0,
+                  31.0 * double (Step)));
+            Assert (Find_Robots (0, Kind, null, Found'Address, 8,
+                                 Count'Access) = Not_Found,
+                    "no " & Kind'Image & " at" & Step'Image);
+         end loop;
+      end loop;
+   end Test_Other_Marker;
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("robots"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Headings'Access, "every heading");
+      Register_Routine (T, Test_Headings_Noise'Access,
+                        "every heading, noise");
+      Register_Routine (T, Test_Headings_Blur'Access, "every heading, blur");
+      Register_Routine (T, Test_Headings_Uneven'Access,
+                        "every heading, uneven light");
+      Register_Routine (T, Test_Headings_Turned'Access,
+                        "every heading, camera turned");
+      Register_Routine (T, Test_Headings_All'Access,
+                        "every heading, all at once");
+      Register_Routine (T, Test_Upright'Access, "an upright marker");
+      Register_Routine (T, Test_Resolutions'Access, "resolutions");
+      Register_Routine (T, Test_Identifiers'Access, "identifiers");
+      Register_Routine (T, Test_Two_Robots'Access, "two robots");
+      Register_Routine (T, Test_Capacity'Access, "more than fit");
+      Register_Routine (T, Test_Positions_In_Arena'Access,
+                        "the same with and without the arena");
+      Register_Routine (T, Test_Outside_Arena'Access, "outside the arena");
+      Register_Routine (T, Test_Strange_Arenas'Access, "strange arenas");
+      Register_Routine (T, Test_None'Access, "no robot");
+      Register_Routine (T, Test_Other_Marker'Access, "the other marker");
+   end Register_Tests;
+
+end Vision_Robot_Tests;

@@ -1,0 +1,233 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The Ada side: what it passes on, and how it rounds.
+
+with Ada.Calendar;
+with Interfaces.C; use Interfaces.C;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Bytes;   use Bytes;
+with Options;
+with Pictures;
+with Scenes;
+with Vision;  use Vision;
+
+package body Vision_Tests is
+
+   use type Interfaces.C.double;
+   use type Bytes.Byte;
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   function Is_Near
+     (Value : Micro_Pixels; Truth : double) return Boolean
+   is (abs (double (Value) / 1.0E6 - Truth) < 2.0);
+
+   procedure Open_Scene (Scene : Scenes.Description);
+   --  Through a file, as a camera's images come
+
+   procedure Test_Arena (T : in out Any_Test);
+   procedure Test_No_Arena (T : in out Any_Test);
+   procedure Test_Robots (T : in out Any_Test);
+   procedure Test_No_Robot (T : in out Any_Test);
+   procedure Test_Draw (T : in out Any_Test);
+   procedure Test_Encode (T : in out Any_Test);
+   procedure Test_Open_Failures (T : in out Any_Test);
+   procedure Test_Texts (T : in out Any_Test);
+
+   procedure Open_Scene (Scene : Scenes.Description) is
+      Path   : constant String := Pictures.Temporary ("scene.jpg");
+      Result : Status;
+   begin
+      Pictures.Save (Scene, Path);
+      Open (Path, 640, 480, 10, Result);
+      Pictures.Remove (Path);
+      Assert (Result = Done, "open");
+      Grab (2, Result);
+      Assert (Result = Done, "grab");
+      Close;
+   end Open_Scene;
+
+   procedure Test_Arena (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene  : aliased Scenes.Description := Scenes.Default;
+      Truth  : Scenes.Corner_Coordinates;
+      Found  : Arena_Corners;
+      Result : Status;
+   begin
+      Scene.Turn := 5.0;
+      Open_Scene (Scene);
+      Find_Arena (2, Found, Result);
+      Assert (Result = Done, "found");
+      Assert (Scenes.Arena_Truth (Scene'Access, Truth) = 0, "truth");
+      for C in Corner loop
+         Assert (Is_Near (Found (C).X, Truth (2 * Corner'Pos (C)))
+                 and then
+                 Is_Near (Found (C).Y, Truth (2 * Corner'Pos (C) + 1)),
+                 C'Image);
+      end loop;
+   end Test_Arena;
+
+   procedure Test_No_Arena (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene  : Scenes.Description := Scenes.Default;
+      Found  : Arena_Corners;
+      Result : Status;
+   begin
+      Scene.Arena := 0;
+      Open_Scene (Scene);
+      Find_Arena (2, Found, Result);
+      Assert (Result = Not_Found and then Found = No_Arena, "none");
+      Find_Arena (5, Found, Result);
+      Assert (Result = Bad_Argument and then Found = No_Arena, "no image");
+   end Test_No_Arena;
+
+   procedure Test_Robots (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene          : aliased Scenes.Description;
+      Field          : Arena_Corners;
+      Robots         : Robot_Array;
+      Count          : Robot_Count;
+      Result         : Status;
+      Cx, Cy, Dx, Dy : double;
+   begin
+      for Kind in Options.Marker_Kind loop
+         Scene := Pictures.Scene_With
+           (Options.Marker_Kind'Pos (Kind), 321, 33.0, 22.0, 60.0);
+         Assert (Scenes.Robot_Truth (Scene'Access, 0, Cx, Cy, Dx, Dy) = 0,
+                 "truth");
+         Open_Scene (Scene);
+         Find_Arena (2, Field, Result);
+         Assert (Result = Done, "arena");
+         for Bounded in Boolean loop
+            Find_Robots (2, Kind, (if Bounded then Field else No_Arena),
+                         Bounded, Robots, Count, Result);
+            Assert (Result = Done and then Count = 1, "one");
+            Assert (Is_Near (Robots (1).Centre.X, Cx)
+                    and then Is_Near (Robots (1).Centre.Y, Cy), "centre");
+            Assert (Is_Near (Robots (1).Direction.X, Dx)
+                    and then Is_Near (Robots (1).Direction.Y, Dy),
+                    "direction");
+            Assert (Robots (1).Angle in 119_000_000 .. 121_000_000,
+                    "angle" & Robots (1).Angle'Image);
+            Assert (Robots (1).Id =
+                      (case Kind is
+                          when Options.Aruco    => 321,
+                          when Options.Triangle => 0), "identifier");
+         end loop;
+      end loop;
+   end Test_Robots;
+
+   procedure Test_No_Robot (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Robots : Robot_Array;
+      Count  : Robot_Count;
+      Result : Status;
+   begin
+      Open_Scene (Scenes.Default);
+      Find_Robots (2, Options.Aruco, No_Arena, False, Robots, Count, Result);
+      Assert (Result = Not_Found and then Count = 0, "none");
+      Find_Robots (5, Options.Aruco, No_Arena, False, Robots, Count, Result);
+      Assert (Result = Bad_Argument and then Count = 0, "no image");
+      Open_Scene (Pictures.Scene_With (0, 1, 40.0, 30.0, 0.0));
+      Find_Robots (2, Options.Aruco, No_Arena, True, Robots, Count, Result);
+      Assert (Result = Not_Found and then Count = 0, "none in no arena");
+   end Test_No_Robot;
+
+   procedure Test_Draw (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Field  : Arena_Corners;
+      Result : Status;
+   begin
+      Open_Scene (Scenes.Default);
+      Find_Arena (2, Field, Result);
+      Draw_Arena (2, Field, Result);
+      Assert (Result = Done, "arena");
+      Draw_Arena (5, Field, Result);
+      Assert (Result = Bad_Argument, "no image");
+      Draw_Robot
+        (2, (7, (100_000_000, 90_000_000), (120_500_000, 90_000_000), 0),
+         Result);
+      Assert (Result = Done, "robot");
+      Draw_Robot
+        (2, (7, (Micro_Pixels'First, 0), (Micro_Pixels'Last, 0), 0), Result);
+      Assert (Result = Bad_Argument, "robot far away");
+   end Test_Draw;
+
+   procedure Test_Encode (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Buffer : Byte_Array (1 .. 400_000) := (others => 16#A5#);
+      Length : Natural;
+      Result : Status;
+   begin
+      Open_Scene (Scenes.Default);
+      Encode (2, 80, Buffer, Length, Result);
+      Assert (Result = Done and then Length > 1_000, "encoded");
+      Assert (Buffer (1) = 16#FF# and then Buffer (2) = 16#D8#
+              and then Buffer (Length) = 16#D9#, "JPEG");
+      Assert ((for all K in Length + 1 .. Buffer'Last =>
+                 Buffer (K) = 16#A5#), "the rest as before");
+      Encode (2, 80, Buffer (1 .. 100), Length, Result);
+      Assert (Result = Too_Small and then Length = 0, "too small");
+      Encode (2, 80, Buffer (1 .. 0), Length, Result);
+      Assert (Result = Too_Small and then Length = 0, "no room at all");
+      Encode (5, 80, Buffer, Length, Result);
+      Assert (Result = Bad_Argument and then Length = 0, "no image");
+   end Test_Encode;
+
+   procedure Test_Open_Failures (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      use Ada.Calendar;
+      Start  : constant Time := Clock;
+      Result : Status;
+   begin
+      Open ("/no/such/file", 640, 480, 10, Result);
+      Assert (Result = No_Camera, "no such file");
+      Open ("", 640, 480, 10, Result);
+      Assert (Result = Bad_Argument, "empty");
+      Open (String'(1 .. Max_Source => '/'), 640, 480, 10, Result);
+      Assert (Result = No_Camera, "longest");
+      Grab (0, Result);
+      Assert (Result = No_Camera, "not open");
+      Close;
+      Assert (Clock - Start < 1.0, "at once");
+   end Test_Open_Failures;
+
+   procedure Test_Texts (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Text   : Reason_Text;
+      Last   : Natural;
+      Result : Status;
+   begin
+      Library_Version (Text, Last);
+      Assert (Last >= 5 and then Text (1) in '4' .. '9'
+              and then Text (2) = '.', "version " & Text (1 .. Last));
+      Open ("/no/such/file", 640, 480, 10, Result);
+      Reason (Text, Last);
+      Assert (Last > 13 and then Text (1 .. 13) = "/no/such/file",
+              "reason " & Text (1 .. Last));
+      Assert ((for all C of Text (Last + 1 .. Text'Last) => C = ' '),
+              "blank behind");
+      Open (String'(1 .. Max_Source => '/'), 640, 480, 10, Result);
+      Reason (Text, Last);
+      Assert (Last = Text'Last, "a long reason is cut");
+   end Test_Texts;
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Ada side of the vision"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Arena'Access, "arena");
+      Register_Routine (T, Test_No_Arena'Access, "no arena");
+      Register_Routine (T, Test_Robots'Access, "robots");
+      Register_Routine (T, Test_No_Robot'Access, "no robot");
+      Register_Routine (T, Test_Draw'Access, "drawing");
+      Register_Routine (T, Test_Encode'Access, "encoding");
+      Register_Routine (T, Test_Open_Failures'Access,
+                        "what cannot be opened");
+      Register_Routine (T, Test_Texts'Access, "reason and version");
+   end Register_Tests;
+
+end Vision_Tests;
