@@ -66,10 +66,10 @@ vision_status vision_open(const char *source, int width, int height, int fps);
 
 /* Waits for the next image of the open source and stores it in SLOT.
  * Paced by the source; a file is paced at its own rate (a still image at
- * 25 a second). VISION_NO_IMAGE after 2 s without one, where the source
- * lets itself be interrupted, and when a URL ends. What a live source
- * delivers waits in buffers of the system and grows old there unless it is
- * grabbed as fast as it comes. */
+ * 25 a second). VISION_NO_IMAGE when a URL ends, or after 2 s without an
+ * image (3 s where damaged ones came), where the source lets itself be
+ * interrupted. What a live source delivers waits in buffers of the system
+ * and grows old there unless it is grabbed as fast as it comes. */
 vision_status vision_grab(int slot);
 
 /* Closes the source; does nothing when none is open. */

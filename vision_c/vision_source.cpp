@@ -164,6 +164,12 @@ void pace(Source &from, double rate) {
   clock_gettime(CLOCK_MONOTONIC, &from.next);
 }
 
+double seconds() {
+  timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return double(now.tv_sec) + double(now.tv_nsec) * 1e-9;
+}
+
 // Waits until the next image of a file is due. After a delay the pace starts
 // anew: images that are late are not made up for.
 void wait(Source &from) {
@@ -210,18 +216,33 @@ vision_status open_stream(Source &from, int fps) {
   return VISION_OK;
 }
 
-// Reads the next image into RAW; a file that ends begins again.
+bool read_once(Source &from) {
+  return from.capture.read(from.raw) && !from.raw.empty();
+}
+
+// Reads the next image into RAW. A file that ends begins again; a live source
+// may deliver a damaged image now and then.
 bool read(Source &from) {
+  constexpr int attempts = 3;
+  constexpr double patience = 1.0;  // seconds, for all but the last
   if (from.waiting) {
     from.waiting = false;
     return true;
   }
-  if (from.capture.read(from.raw) && !from.raw.empty())
-    return true;
-  if (from.kind != Kind::video)
-    return false;
-  from.capture.release();
-  return start(from) && from.capture.read(from.raw) && !from.raw.empty();
+  if (from.kind == Kind::video) {
+    if (read_once(from))
+      return true;
+    from.capture.release();
+    return start(from) && read_once(from);
+  }
+  const double begin = seconds();
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    if (read_once(from))
+      return true;
+    if (seconds() - begin > patience)
+      return false;  // nothing came at all
+  }
+  return false;
 }
 
 }  // namespace
