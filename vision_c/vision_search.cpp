@@ -350,7 +350,8 @@ struct Rim {
   }
 };
 
-// The strongest nearly horizontal edges of SMALL that get brighter upwards
+// The strongest nearly horizontal edges of an image, given its vertical
+// GRADIENT and the SLOPE that makes an edge: those that get brighter upwards
 // (UP) or downwards.
 std::vector<Rim> find_rims(const cv::Mat &gradient, bool up, double slope,
                            cv::Mat &mask) {
