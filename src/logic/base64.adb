@@ -18,23 +18,121 @@ package body Base64 with SPARK_Mode is
    function Letter (Value : Sextet) return Character is (Alphabet (Value))
    with Post => Letter'Result = Symbol (Value);
 
-   procedure Prove_Same_Triple
-     (B1, B2, B3, X1, X2, X3 : Byte; C1, C2, C3, C4 : Character)
+   procedure Prove_Symbol (Value : Sextet)
    with
      Ghost,
-     Pre  => Is_Triple (B1, B2, B3, C1, C2, C3, C4)
-       and then Is_Triple (X1, X2, X3, C1, C2, C3, C4),
-     Post => Natural (B1) = Natural (X1)
-       and then Natural (B2) = Natural (X2)
-       and then Natural (B3) = Natural (X3);
-   --  Four characters stand for one triple of bytes.
-
-   procedure Prove_Same_Sextet (A, B : Sextet)
-   with
-     Ghost,
-     Pre  => Symbol (A) = Symbol (B),
-     Post => A = B;
+     Post => Is_Symbol (Symbol (Value))
+       and then Value_Of (Symbol (Value)) = Value
+       and then Symbol (Value) /= Padding;
    --  A symbol stands for one value.
+
+   procedure Prove_Group (Input : Byte_Array; Length, K : Natural)
+   with
+     Ghost,
+     Pre  => Is_Input (Input, Length)
+       and then K < Encoded_Length (Length) / 4,
+     Post =>
+       Encoded_At (Input, Length, 4 * K) =
+         Symbol (Bits (Input, Length, 3 * K + 1) / 4)
+       and then Encoded_At (Input, Length, 4 * K + 1) =
+         Symbol (Bits (Input, Length, 3 * K + 1) mod 4 * 16
+                 + Bits (Input, Length, 3 * K + 2) / 16)
+       and then Encoded_At (Input, Length, 4 * K + 2) =
+         (if 3 * K + 2 > Length then Padding
+          else Symbol (Bits (Input, Length, 3 * K + 2) mod 16 * 4
+                       + Bits (Input, Length, 3 * K + 3) / 64))
+       and then Encoded_At (Input, Length, 4 * K + 3) =
+         (if 3 * K + 3 > Length then Padding
+          else Symbol (Bits (Input, Length, 3 * K + 3) mod 64));
+   --  The four characters of group K, counted from 0.
+
+   procedure Prove_Bytes (Text : String; K : Natural)
+   with
+     Ghost,
+     Pre  => Text'Last < Integer'Last and then K < Text'Length / 4,
+     Post =>
+       Natural (Decoded_At (Text, 3 * K + 1)) =
+         Value_At (Text, 4 * K) * 4 + Value_At (Text, 4 * K + 1) / 16
+       and then Natural (Decoded_At (Text, 3 * K + 2)) =
+         Value_At (Text, 4 * K + 1) mod 16 * 16
+         + Value_At (Text, 4 * K + 2) / 4
+       and then Natural (Decoded_At (Text, 3 * K + 3)) =
+         Value_At (Text, 4 * K + 2) mod 4 * 64
+         + Value_At (Text, 4 * K + 3);
+   --  The three bytes of group K, counted from 0.
+
+   procedure Prove_Group_Back
+     (Input : Byte_Array; Length : Natural; Text : String; K : Natural)
+   with
+     Ghost,
+     Pre  => Is_Input (Input, Length)
+       and then Text'First = 1
+       and then Text'Last = Encoded_Length (Length)
+       and then K < Text'Last / 4
+       and then Text (4 * K + 1) = Encoded_At (Input, Length, 4 * K)
+       and then Text (4 * K + 2) = Encoded_At (Input, Length, 4 * K + 1)
+       and then Text (4 * K + 3) = Encoded_At (Input, Length, 4 * K + 2)
+       and then Text (4 * K + 4) = Encoded_At (Input, Length, 4 * K + 3),
+     Post =>
+       (if 3 * K + 3 <= Length then Are_Symbols_At (Text, K))
+       and then Is_Last_Group (Text (4 * K + 1), Text (4 * K + 2),
+                               Text (4 * K + 3), Text (4 * K + 4))
+       and then (Text (4 * K + 4) = Padding) = (3 * K + 3 > Length)
+       and then (Text (4 * K + 3) = Padding) = (3 * K + 2 > Length)
+       and then
+         Natural (Decoded_At (Text, 3 * K + 1)) = Natural (Input (3 * K + 1))
+       and then
+         (if 3 * K + 2 <= Length then
+             Natural (Decoded_At (Text, 3 * K + 2))
+               = Natural (Input (3 * K + 2)))
+       and then
+         (if 3 * K + 3 <= Length then
+             Natural (Decoded_At (Text, 3 * K + 3))
+               = Natural (Input (3 * K + 3)));
+   --  Group K of an encoding is well-formed and gives its bytes back.
+
+   procedure Prove_Byte_Back
+     (Input : Byte_Array; Length : Natural; Text : String; I : Positive)
+   with
+     Ghost,
+     Pre  => Is_Input (Input, Length)
+       and then Text'First = 1
+       and then Text'Last = Encoded_Length (Length)
+       and then
+         (for all P in 0 .. Encoded_Length (Length) - 1 =>
+            Text (1 + P) = Encoded_At (Input, Length, P))
+       and then I <= Length,
+     Post => Natural (Decoded_At (Text, I)) = Natural (Input (I));
+   --  The same, byte by byte.
+
+   procedure Prove_Same_Byte (A, B : Byte)
+   with
+     Ghost,
+     Pre  => Natural (A) = Natural (B),
+     Post => A = B;
+
+   function Triple_Byte_1 (V1, V2 : Sextet) return Byte is
+     (Byte (V1 * 4 + V2 / 16))
+   with Post => Natural (Triple_Byte_1'Result) = V1 * 4 + V2 / 16;
+
+   function Triple_Byte_2 (V2, V3 : Sextet) return Byte is
+     (Byte (V2 mod 16 * 16 + V3 / 4))
+   with Post => Natural (Triple_Byte_2'Result) = V2 mod 16 * 16 + V3 / 4;
+
+   function Triple_Byte_3 (V3, V4 : Sextet) return Byte is
+     (Byte (V3 mod 4 * 64 + V4))
+   with Post => Natural (Triple_Byte_3'Result) = V3 mod 4 * 64 + V4;
+   --  The three bytes of four symbols.
+
+   --------------------
+   -- Are_Symbols_At --
+   --------------------
+
+   function Are_Symbols_At (Text : String; K : Natural) return Boolean is
+     (Is_Symbol (Text (Text'First + 4 * K))
+      and then Is_Symbol (Text (Text'First + 4 * K + 1))
+      and then Is_Symbol (Text (Text'First + 4 * K + 2))
+      and then Is_Symbol (Text (Text'First + 4 * K + 3)));
 
    ------------
    -- Decode --
@@ -46,9 +144,9 @@ package body Base64 with SPARK_Mode is
       Length : out Natural;
       OK     : out Boolean)
    is
-      Groups : constant Natural := Input'Length / 4;
-      First  : constant Positive := Input'First;
-      A, B, C, D : Sextet;
+      Groups         : constant Natural := Input'Length / 4;
+      C1, C2, C3, C4 : Character;
+      Tail, Start    : Natural;
    begin
       Length := 0;
       OK     := False;
@@ -61,79 +159,94 @@ package body Base64 with SPARK_Mode is
       end if;
 
       for K in 0 .. Groups - 2 loop
-         if not Is_Symbol (Input (First + 4 * K))
-           or else not Is_Symbol (Input (First + 4 * K + 1))
-           or else not Is_Symbol (Input (First + 4 * K + 2))
-           or else not Is_Symbol (Input (First + 4 * K + 3))
+         C1 := Input (Input'First + 4 * K);
+         C2 := Input (Input'First + 4 * K + 1);
+         C3 := Input (Input'First + 4 * K + 2);
+         C4 := Input (Input'First + 4 * K + 3);
+         if not Is_Symbol (C1)
+           or else not Is_Symbol (C2)
+           or else not Is_Symbol (C3)
+           or else not Is_Symbol (C4)
          then
+            pragma Assert (not Are_Symbols_At (Input, K));
             return;
          end if;
-         A := Value_Of (Input (First + 4 * K));
-         B := Value_Of (Input (First + 4 * K + 1));
-         C := Value_Of (Input (First + 4 * K + 2));
-         D := Value_Of (Input (First + 4 * K + 3));
-         Output (3 * K + 1) := Byte (A * 4 + B / 16);
-         Output (3 * K + 2) := Byte (B mod 16 * 16 + C / 4);
-         Output (3 * K + 3) := Byte (C mod 4 * 64 + D);
+         Output (3 * K + 1) := Triple_Byte_1 (Value_Of (C1), Value_Of (C2));
+         Output (3 * K + 2) := Triple_Byte_2 (Value_Of (C2), Value_Of (C3));
+         Output (3 * K + 3) := Triple_Byte_3 (Value_Of (C3), Value_Of (C4));
+         pragma Assert (Are_Symbols_At (Input, K));
+         Prove_Bytes (Input, K);
+         Prove_Same_Byte (Output (3 * K + 1), Decoded_At (Input, 3 * K + 1));
+         Prove_Same_Byte (Output (3 * K + 2), Decoded_At (Input, 3 * K + 2));
+         Prove_Same_Byte (Output (3 * K + 3), Decoded_At (Input, 3 * K + 3));
          pragma Loop_Invariant
-           (for all J in 0 .. K =>
-              Is_Symbol (Input (First + 4 * J))
-              and then Is_Symbol (Input (First + 4 * J + 1))
-              and then Is_Symbol (Input (First + 4 * J + 2))
-              and then Is_Symbol (Input (First + 4 * J + 3)));
+           (for all J in 0 .. K => Are_Symbols_At (Input, J));
          pragma Loop_Invariant
-           (for all J in 0 .. K =>
-              Is_Triple
-                (Output (3 * J + 1), Output (3 * J + 2), Output (3 * J + 3),
-                 Input (First + 4 * J), Input (First + 4 * J + 1),
-                 Input (First + 4 * J + 2), Input (First + 4 * J + 3)));
+           (for all I in 1 .. 3 * K + 3 =>
+              Output (I) = Decoded_At (Input, I));
       end loop;
 
       --  The last four characters, which may be padded
 
-      declare
-         Last  : constant Positive := Input'Last;
-         Start : constant Natural := 3 * (Groups - 1);
-      begin
-         if not Is_Symbol (Input (Last - 3))
-           or else not Is_Symbol (Input (Last - 2))
-         then
+      Tail  := 4 * (Groups - 1);
+      Start := 3 * (Groups - 1);
+      pragma Assert (Input'First + Tail + 3 = Input'Last);
+      C1 := Input (Input'First + Tail);
+      C2 := Input (Input'First + Tail + 1);
+      C3 := Input (Input'First + Tail + 2);
+      C4 := Input (Input'First + Tail + 3);
+      if not Is_Symbol (C1) or else not Is_Symbol (C2) then
+         pragma Assert (not Is_Last_Group (C1, C2, C3, C4));
+         return;
+      end if;
+      Prove_Bytes (Input, Groups - 1);
+      if C4 /= Padding then
+         if not Is_Symbol (C3) or else not Is_Symbol (C4) then
+            pragma Assert (not Is_Last_Group (C1, C2, C3, C4));
             return;
          end if;
-         A := Value_Of (Input (Last - 3));
-         B := Value_Of (Input (Last - 2));
-         if Input (Last) /= '=' then
-            if not Is_Symbol (Input (Last - 1))
-              or else not Is_Symbol (Input (Last))
-            then
-               return;
-            end if;
-            C := Value_Of (Input (Last - 1));
-            D := Value_Of (Input (Last));
-            Output (Start + 1) := Byte (A * 4 + B / 16);
-            Output (Start + 2) := Byte (B mod 16 * 16 + C / 4);
-            Output (Start + 3) := Byte (C mod 4 * 64 + D);
-            Length := Start + 3;
-         elsif Input (Last - 1) /= '=' then
-            if not Is_Symbol (Input (Last - 1))
-              or else Value_Of (Input (Last - 1)) mod 4 /= 0
-            then
-               return;
-            end if;
-            C := Value_Of (Input (Last - 1));
-            Output (Start + 1) := Byte (A * 4 + B / 16);
-            Output (Start + 2) := Byte (B mod 16 * 16 + C / 4);
-            Length := Start + 2;
-         else
-            if B mod 16 /= 0 then
-               return;
-            end if;
-            Output (Start + 1) := Byte (A * 4 + B / 16);
-            Length := Start + 1;
+         Output (Start + 3) := Triple_Byte_3 (Value_Of (C3), Value_Of (C4));
+         Prove_Same_Byte (Output (Start + 3), Decoded_At (Input, Start + 3));
+         Length := Start + 3;
+      elsif C3 /= Padding then
+         if not Is_Symbol (C3) or else Value_Of (C3) mod 4 /= 0 then
+            pragma Assert (not Is_Last_Group (C1, C2, C3, C4));
+            return;
          end if;
-      end;
+         Length := Start + 2;
+      elsif Value_Of (C2) mod 16 = 0 then
+         Length := Start + 1;
+      else
+         pragma Assert (not Is_Last_Group (C1, C2, C3, C4));
+         return;
+      end if;
+      pragma Assert (Is_Last_Group (C1, C2, C3, C4));
+      Output (Start + 1) := Triple_Byte_1 (Value_Of (C1), Value_Of (C2));
+      Prove_Same_Byte (Output (Start + 1), Decoded_At (Input, Start + 1));
+      if Length > Start + 1 then
+         Output (Start + 2) := Triple_Byte_2 (Value_Of (C2), Value_Of (C3));
+         Prove_Same_Byte (Output (Start + 2), Decoded_At (Input, Start + 2));
+      end if;
       OK := True;
    end Decode;
+
+   ----------------
+   -- Decoded_At --
+   ----------------
+
+   function Decoded_At (Text : String; I : Positive) return Byte is
+      P  : constant Natural := (I - 1) / 3 * 4;
+      V1 : constant Sextet := Value_At (Text, P);
+      V2 : constant Sextet := Value_At (Text, P + 1);
+      V3 : constant Sextet := Value_At (Text, P + 2);
+      V4 : constant Sextet := Value_At (Text, P + 3);
+   begin
+      return
+        (case (I - 1) mod 3 is
+            when 0      => Triple_Byte_1 (V1, V2),
+            when 1      => Triple_Byte_2 (V2, V3),
+            when others => Triple_Byte_3 (V3, V4));
+   end Decoded_At;
 
    ------------
    -- Encode --
@@ -147,22 +260,31 @@ package body Base64 with SPARK_Mode is
       Last   : out Natural)
    is
       Triples    : constant Natural := Length / 3;
-      B1, B2, B3 : Natural range 0 .. 255;
+      N1, N2, N3 : Natural range 0 .. 255;
    begin
       for K in 0 .. Triples - 1 loop
-         B1 := Natural (Input (3 * K + 1));
-         B2 := Natural (Input (3 * K + 2));
-         B3 := Natural (Input (3 * K + 3));
-         Output (First + 4 * K)     := Letter (B1 / 4);
-         Output (First + 4 * K + 1) := Letter (B1 mod 4 * 16 + B2 / 16);
-         Output (First + 4 * K + 2) := Letter (B2 mod 16 * 4 + B3 / 64);
-         Output (First + 4 * K + 3) := Letter (B3 mod 64);
+         N1 := Natural (Input (3 * K + 1));
+         N2 := Natural (Input (3 * K + 2));
+         N3 := Natural (Input (3 * K + 3));
+         Output (First + 4 * K)     := Letter (N1 / 4);
+         Output (First + 4 * K + 1) := Letter (N1 mod 4 * 16 + N2 / 16);
+         Output (First + 4 * K + 2) := Letter (N2 mod 16 * 4 + N3 / 64);
+         Output (First + 4 * K + 3) := Letter (N3 mod 64);
+         Prove_Group (Input, Length, K);
+         pragma Assert
+           (Output (First + 4 * K) = Encoded_At (Input, Length, 4 * K));
+         pragma Assert
+           (Output (First + 4 * K + 1)
+              = Encoded_At (Input, Length, 4 * K + 1));
+         pragma Assert
+           (Output (First + 4 * K + 2)
+              = Encoded_At (Input, Length, 4 * K + 2));
+         pragma Assert
+           (Output (First + 4 * K + 3)
+              = Encoded_At (Input, Length, 4 * K + 3));
          pragma Loop_Invariant
-           (for all J in 0 .. K =>
-              Is_Triple
-                (Input (3 * J + 1), Input (3 * J + 2), Input (3 * J + 3),
-                 Output (First + 4 * J), Output (First + 4 * J + 1),
-                 Output (First + 4 * J + 2), Output (First + 4 * J + 3)));
+           (for all P in 0 .. 4 * K + 3 =>
+              Output (First + P) = Encoded_At (Input, Length, P));
          pragma Loop_Invariant
            (for all I in Output'Range =>
               (if I < First or else I > First + 4 * K + 3 then
@@ -170,26 +292,134 @@ package body Base64 with SPARK_Mode is
       end loop;
 
       Last := First - 1 + Triples * 4;
-      case Length mod 3 is
-         when 1 =>
-            B1 := Natural (Input (Length));
-            Output (Last + 1) := Letter (B1 / 4);
-            Output (Last + 2) := Letter (B1 mod 4 * 16);
-            Output (Last + 3) := '=';
-            Output (Last + 4) := '=';
-            Last := Last + 4;
-         when 2 =>
-            B1 := Natural (Input (Length - 1));
-            B2 := Natural (Input (Length));
-            Output (Last + 1) := Letter (B1 / 4);
-            Output (Last + 2) := Letter (B1 mod 4 * 16 + B2 / 16);
-            Output (Last + 3) := Letter (B2 mod 16 * 4);
-            Output (Last + 4) := '=';
-            Last := Last + 4;
-         when others =>
-            null;
-      end case;
+      if Length mod 3 /= 0 then
+         pragma Assert (Encoded_Length (Length) = Triples * 4 + 4);
+         Prove_Group (Input, Length, Triples);
+         N1 := Natural (Input (3 * Triples + 1));
+         N2 := (if Length mod 3 = 1 then 0 else Natural (Input (Length)));
+         Output (Last + 1) := Letter (N1 / 4);
+         Output (Last + 2) := Letter (N1 mod 4 * 16 + N2 / 16);
+         Output (Last + 3) :=
+           (if Length mod 3 = 1 then Padding else Letter (N2 mod 16 * 4));
+         Output (Last + 4) := Padding;
+         pragma Assert (Bits (Input, Length, 3 * Triples + 1) = N1);
+         pragma Assert (Bits (Input, Length, 3 * Triples + 2) = N2);
+         pragma Assert (Bits (Input, Length, 3 * Triples + 3) = 0);
+         for J in 0 .. 3 loop
+            pragma Assert
+              (Output (Last + 1 + J)
+                 = Encoded_At (Input, Length, 4 * Triples + J));
+         end loop;
+         Last := Last + 4;
+      end if;
    end Encode;
+
+   ----------------
+   -- Encoded_At --
+   ----------------
+
+   function Encoded_At
+     (Input : Byte_Array; Length, P : Natural) return Character
+   is
+      I  : constant Positive := P / 4 * 3 + 1;
+      N1 : constant Natural := Bits (Input, Length, I);
+      N2 : constant Natural := Bits (Input, Length, I + 1);
+      N3 : constant Natural := Bits (Input, Length, I + 2);
+   begin
+      case P mod 4 is
+         when 0 =>
+            return Symbol (N1 / 4);
+         when 1 =>
+            return Symbol (N1 mod 4 * 16 + N2 / 16);
+         when 2 =>
+            return (if I + 1 > Length then Padding
+                    else Symbol (N2 mod 16 * 4 + N3 / 64));
+         when others =>
+            return (if I + 2 > Length then Padding
+                    else Symbol (N3 mod 64));
+      end case;
+   end Encoded_At;
+
+   -----------------
+   -- Prove_Bytes --
+   -----------------
+
+   procedure Prove_Bytes (Text : String; K : Natural) is null;
+
+   ---------------------
+   -- Prove_Byte_Back --
+   ---------------------
+
+   procedure Prove_Byte_Back
+     (Input : Byte_Array; Length : Natural; Text : String; I : Positive)
+   is
+      K : constant Natural := (I - 1) / 3;
+   begin
+      for J in 0 .. 3 loop
+         pragma Assert
+           (Text (1 + 4 * K + J) = Encoded_At (Input, Length, 4 * K + J));
+      end loop;
+      Prove_Group_Back (Input, Length, Text, K);
+      case (I - 1) mod 3 is
+         when 0      => pragma Assert (I = 3 * K + 1);
+         when 1      => pragma Assert (I = 3 * K + 2);
+         when others => pragma Assert (I = 3 * K + 3);
+      end case;
+   end Prove_Byte_Back;
+
+   -----------------
+   -- Prove_Group --
+   -----------------
+
+   procedure Prove_Group (Input : Byte_Array; Length, K : Natural) is null;
+
+   ----------------------
+   -- Prove_Group_Back --
+   ----------------------
+
+   procedure Prove_Group_Back
+     (Input : Byte_Array; Length : Natural; Text : String; K : Natural)
+   is
+      B1 : constant Natural := Bits (Input, Length, 3 * K + 1);
+      B2 : constant Natural := Bits (Input, Length, 3 * K + 2);
+      B3 : constant Natural := Bits (Input, Length, 3 * K + 3);
+      V1 : constant Sextet := B1 / 4;
+      V2 : constant Sextet := B1 mod 4 * 16 + B2 / 16;
+      V3 : constant Sextet := B2 mod 16 * 4 + B3 / 64;
+      V4 : constant Sextet := B3 mod 64;
+   begin
+      Prove_Group (Input, Length, K);
+      Prove_Bytes (Text, K);
+      Prove_Symbol (V1);
+      Prove_Symbol (V2);
+      Prove_Symbol (V3);
+      Prove_Symbol (V4);
+      pragma Assert (3 * K + 1 <= Length);
+      pragma Assert (Text'Last < Integer'Last);
+      pragma Assert (4 * K + 3 < Text'Length);
+      pragma Assert (Text (4 * K + 1) = Symbol (V1));
+      pragma Assert (Text (4 * K + 2) = Symbol (V2));
+      pragma Assert (Value_At (Text, 4 * K) = Value_Of (Text (4 * K + 1)));
+      pragma Assert
+        (Value_At (Text, 4 * K + 1) = Value_Of (Text (4 * K + 2)));
+      pragma Assert (Value_At (Text, 4 * K) = V1);
+      pragma Assert (Value_At (Text, 4 * K + 1) = V2);
+      if 3 * K + 2 <= Length then
+         pragma Assert (Text (4 * K + 3) = Symbol (V3));
+         pragma Assert
+           (Value_At (Text, 4 * K + 2) = Value_Of (Text (4 * K + 3)));
+         pragma Assert (Value_At (Text, 4 * K + 2) = V3);
+      end if;
+      if 3 * K + 3 <= Length then
+         pragma Assert (Text (4 * K + 4) = Symbol (V4));
+         pragma Assert
+           (Value_At (Text, 4 * K + 3) = Value_Of (Text (4 * K + 4)));
+         pragma Assert (Value_At (Text, 4 * K + 3) = V4);
+      end if;
+      pragma Assert (V1 * 4 + V2 / 16 = B1);
+      pragma Assert (V2 mod 16 * 16 + V3 / 4 = B2);
+      pragma Assert (V3 mod 4 * 64 + V4 = B3);
+   end Prove_Group_Back;
 
    ----------------------
    -- Prove_Round_Trip --
@@ -199,52 +429,63 @@ package body Base64 with SPARK_Mode is
       Text   : String (1 .. Encoded_Length (Length)) := (others => ' ');
       Result : Byte_Array (1 .. Encoded_Length (Length) / 4 * 3) :=
         (others => 0);
+      Groups : constant Natural := Encoded_Length (Length) / 4;
       Last   : Natural;
       Count  : Natural;
       OK     : Boolean;
    begin
       Encode (Input, Length, Text, 1, Last);
+      for K in 0 .. Groups - 1 loop
+         for J in 0 .. 3 loop
+            pragma Assert
+              (Text (1 + 4 * K + J) = Encoded_At (Input, Length, 4 * K + J));
+         end loop;
+         Prove_Group_Back (Input, Length, Text, K);
+         pragma Loop_Invariant
+           (for all J in 0 .. K =>
+              (if 3 * J + 3 <= Length then Are_Symbols_At (Text, J)));
+         pragma Loop_Invariant
+           (Is_Last_Group (Text (4 * K + 1), Text (4 * K + 2),
+                           Text (4 * K + 3), Text (4 * K + 4)));
+         pragma Loop_Invariant
+           ((Text (4 * K + 4) = Padding) = (3 * K + 3 > Length));
+         pragma Loop_Invariant
+           ((Text (4 * K + 3) = Padding) = (3 * K + 2 > Length));
+      end loop;
+      for I in 1 .. Length loop
+         Prove_Byte_Back (Input, Length, Text, I);
+         pragma Loop_Invariant
+           (for all J in 1 .. I =>
+              Natural (Decoded_At (Text, J)) = Natural (Input (J)));
+      end loop;
       Decode (Text, Result, Count, OK);
+      pragma Assert (if Groups > 0 then 3 * (Groups - 1) < Length);
+      pragma Assert
+        (for all K in 0 .. Groups - 2 => Are_Symbols_At (Text, K));
       pragma Assert (OK);
       pragma Assert (Count = Length);
-      for K in 0 .. Length / 3 - 1 loop
-         Prove_Same_Triple
-           (Input (3 * K + 1), Input (3 * K + 2), Input (3 * K + 3),
-            Result (3 * K + 1), Result (3 * K + 2), Result (3 * K + 3),
-            Text (4 * K + 1), Text (4 * K + 2), Text (4 * K + 3),
-            Text (4 * K + 4));
-         pragma Loop_Invariant
-           (for all I in 1 .. 3 * K + 3 =>
-              Natural (Result (I)) = Natural (Input (I)));
-      end loop;
       pragma Assert
         (for all I in 1 .. Length =>
            Natural (Result (I)) = Natural (Input (I)));
    end Prove_Round_Trip;
 
-   -----------------------
-   -- Prove_Same_Sextet --
-   -----------------------
+   ---------------------
+   -- Prove_Same_Byte --
+   ---------------------
 
-   procedure Prove_Same_Sextet (A, B : Sextet) is null;
+   procedure Prove_Same_Byte (A, B : Byte) is null;
 
-   -----------------------
-   -- Prove_Same_Triple --
-   -----------------------
+   ------------------
+   -- Prove_Symbol --
+   ------------------
 
-   procedure Prove_Same_Triple
-     (B1, B2, B3, X1, X2, X3 : Byte; C1, C2, C3, C4 : Character)
-   is
-      pragma Unreferenced (C1, C2, C3, C4);
-   begin
-      Prove_Same_Sextet (Natural (B1) / 4, Natural (X1) / 4);
-      Prove_Same_Sextet
-        (Natural (B1) mod 4 * 16 + Natural (B2) / 16,
-         Natural (X1) mod 4 * 16 + Natural (X2) / 16);
-      Prove_Same_Sextet
-        (Natural (B2) mod 16 * 4 + Natural (B3) / 64,
-         Natural (X2) mod 16 * 4 + Natural (X3) / 64);
-      Prove_Same_Sextet (Natural (B3) mod 64, Natural (X3) mod 64);
-   end Prove_Same_Triple;
+   procedure Prove_Symbol (Value : Sextet) is null;
+
+   --------------
+   -- Value_At --
+   --------------
+
+   function Value_At (Text : String; P : Natural) return Sextet is
+     (Value_Of (Text (Text'First + P)));
 
 end Base64;

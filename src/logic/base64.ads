@@ -2,7 +2,7 @@
 --  Base64 with padding and without line breaks (RFC 4648, section 4), as
 --  the images travel to the monitor.
 
-with Bytes; use Bytes;
+with Bytes; use Bytes; use type Bytes.Byte;
 
 package Base64 with SPARK_Mode is
 
@@ -28,68 +28,10 @@ package Base64 with SPARK_Mode is
    with Ghost;
    --  The alphabet of RFC 4648, table 1.
 
+   Padding : constant Character := '=';
+
    function Is_Symbol (C : Character) return Boolean is
      (C in 'A' .. 'Z' | 'a' .. 'z' | '0' .. '9' | '+' | '/');
-
-   function Is_Triple (B1, B2, B3 : Byte; C1, C2, C3, C4 : Character)
-     return Boolean
-   is (C1 = Symbol (Natural (B1) / 4)
-       and then C2 = Symbol (Natural (B1) mod 4 * 16 + Natural (B2) / 16)
-       and then C3 = Symbol (Natural (B2) mod 16 * 4 + Natural (B3) / 64)
-       and then C4 = Symbol (Natural (B3) mod 64))
-   with Ghost;
-   --  Three bytes and their four characters.
-
-   function Is_Pair (B1, B2 : Byte; C1, C2, C3, C4 : Character)
-     return Boolean
-   is (C1 = Symbol (Natural (B1) / 4)
-       and then C2 = Symbol (Natural (B1) mod 4 * 16 + Natural (B2) / 16)
-       and then C3 = Symbol (Natural (B2) mod 16 * 4)
-       and then C4 = '=')
-   with Ghost;
-   --  The last two bytes of an input and their four characters.
-
-   function Is_Single (B1 : Byte; C1, C2, C3, C4 : Character) return Boolean
-   is (C1 = Symbol (Natural (B1) / 4)
-       and then C2 = Symbol (Natural (B1) mod 4 * 16)
-       and then C3 = '='
-       and then C4 = '=')
-   with Ghost;
-   --  The last byte of an input and its four characters.
-
-   function Is_Encoding
-     (Text   : String;
-      First  : Positive;
-      Input  : Byte_Array;
-      Length : Natural) return Boolean
-   is ((for all K in 0 .. Length / 3 - 1 =>
-          Is_Triple (Input (3 * K + 1), Input (3 * K + 2), Input (3 * K + 3),
-                     Text (First + 4 * K), Text (First + 4 * K + 1),
-                     Text (First + 4 * K + 2), Text (First + 4 * K + 3)))
-       and then
-         (if Length mod 3 = 2 then
-             Is_Pair (Input (Length - 1), Input (Length),
-                      Text (First + Length / 3 * 4),
-                      Text (First + Length / 3 * 4 + 1),
-                      Text (First + Length / 3 * 4 + 2),
-                      Text (First + Length / 3 * 4 + 3)))
-       and then
-         (if Length mod 3 = 1 then
-             Is_Single (Input (Length),
-                        Text (First + Length / 3 * 4),
-                        Text (First + Length / 3 * 4 + 1),
-                        Text (First + Length / 3 * 4 + 2),
-                        Text (First + Length / 3 * 4 + 3))))
-   with
-     Ghost,
-     Pre => Input'First = 1
-       and then Length <= Input'Last
-       and then Length <= Max_Input
-       and then First >= Text'First
-       and then First - 1 <= Text'Last - Encoded_Length (Length);
-   --  Text holds, from First on, the encoding of the first Length bytes of
-   --  Input. It says by itself how long the text is, which characters it
-   --  is made of and how it is padded.
 
    function Value_Of (C : Character) return Sextet is
      (case C is
@@ -97,29 +39,78 @@ package Base64 with SPARK_Mode is
          when 'a' .. 'z' => Character'Pos (C) - Character'Pos ('a') + 26,
          when '0' .. '9' => Character'Pos (C) - Character'Pos ('0') + 52,
          when '+'        => 62,
-         when others     => 63)
+         when '/'        => 63,
+         when others     => 0);
+   --  The place of C in the alphabet; 0 for what is not in it.
+
+   function Is_Input (Input : Byte_Array; Length : Natural) return Boolean is
+     (Input'First = 1
+      and then Length <= Input'Last
+      and then Length <= Max_Input)
+   with Ghost;
+
+   function Bits (Input : Byte_Array; Length, I : Natural) return Natural is
+     (if I in 1 .. Length then Natural (Input (I)) else 0)
    with
-     Pre  => Is_Symbol (C),
-     Post => Symbol (Value_Of'Result) = C;
+     Ghost,
+     Pre  => Is_Input (Input, Length),
+     Post => Bits'Result <= 255;
+   --  Byte I of the input, zero behind its end.
+
+   function Encoded_At
+     (Input : Byte_Array; Length, P : Natural) return Character
+   with
+     Ghost,
+     Pre  => Is_Input (Input, Length) and then P < Encoded_Length (Length),
+     Post => Encoded_At'Result =
+       (case P mod 4 is
+           when 0 =>
+             Symbol (Bits (Input, Length, P / 4 * 3 + 1) / 4),
+           when 1 =>
+             Symbol (Bits (Input, Length, P / 4 * 3 + 1) mod 4 * 16
+                     + Bits (Input, Length, P / 4 * 3 + 2) / 16),
+           when 2 =>
+             (if P / 4 * 3 + 2 > Length then Padding
+              else Symbol (Bits (Input, Length, P / 4 * 3 + 2) mod 16 * 4
+                           + Bits (Input, Length, P / 4 * 3 + 3) / 64)),
+           when others =>
+             (if P / 4 * 3 + 3 > Length then Padding
+              else Symbol (Bits (Input, Length, P / 4 * 3 + 3) mod 64)));
+   --  Character P, counted from 0, of the encoding of Input (1 .. Length).
+
+   function Are_Symbols_At (Text : String; K : Natural) return Boolean
+   with
+     Ghost,
+     Pre  => Text'Last < Integer'Last and then K < Text'Length / 4,
+     Post => Are_Symbols_At'Result =
+       (Is_Symbol (Text (Text'First + 4 * K))
+        and then Is_Symbol (Text (Text'First + 4 * K + 1))
+        and then Is_Symbol (Text (Text'First + 4 * K + 2))
+        and then Is_Symbol (Text (Text'First + 4 * K + 3)));
+   --  Group K, counted from 0, has no padding.
 
    function Is_Last_Group (C1, C2, C3, C4 : Character) return Boolean is
      (Is_Symbol (C1)
       and then Is_Symbol (C2)
       and then
-        (if C4 /= '=' then Is_Symbol (C3) and then Is_Symbol (C4)
-         elsif C3 /= '=' then
+        (if C4 /= Padding then Is_Symbol (C3) and then Is_Symbol (C4)
+         elsif C3 /= Padding then
             Is_Symbol (C3) and then Value_Of (C3) mod 4 = 0
          else Value_Of (C2) mod 16 = 0))
    with Ghost;
+   --  The bits that are left over before the padding are zero.
+
+   function Value_At (Text : String; P : Natural) return Sextet
+   with
+     Ghost,
+     Pre  => Text'Last < Integer'Last and then P < Text'Length,
+     Post => Value_At'Result = Value_Of (Text (Text'First + P));
+   --  Character P of Text, counted from 0.
 
    function Is_Well_Formed (Text : String) return Boolean is
      (Text'Length mod 4 = 0
       and then
-        (for all K in 0 .. Text'Length / 4 - 2 =>
-           Is_Symbol (Text (Text'First + 4 * K))
-           and then Is_Symbol (Text (Text'First + 4 * K + 1))
-           and then Is_Symbol (Text (Text'First + 4 * K + 2))
-           and then Is_Symbol (Text (Text'First + 4 * K + 3)))
+        (for all K in 0 .. Text'Length / 4 - 2 => Are_Symbols_At (Text, K))
       and then
         (if Text'Length > 0 then
             Is_Last_Group (Text (Text'Last - 3), Text (Text'Last - 2),
@@ -128,6 +119,33 @@ package Base64 with SPARK_Mode is
      Ghost,
      Pre => Text'Last < Integer'Last;
    --  Some input has this encoding.
+
+   function Decoded_Length (Text : String) return Natural is
+     (if Text'Length < 4 then 0
+      elsif Text (Text'Last) /= Padding then Text'Length / 4 * 3
+      elsif Text (Text'Last - 1) /= Padding then Text'Length / 4 * 3 - 1
+      else Text'Length / 4 * 3 - 2)
+   with
+     Ghost,
+     Pre => Text'Last < Integer'Last;
+
+   function Decoded_At (Text : String; I : Positive) return Byte
+   with
+     Ghost,
+     Pre  => Text'Last < Integer'Last
+       and then I <= Text'Length / 4 * 3,
+     Post => Natural (Decoded_At'Result) =
+       (case (I - 1) mod 3 is
+           when 0 =>
+             Value_At (Text, (I - 1) / 3 * 4) * 4
+             + Value_At (Text, (I - 1) / 3 * 4 + 1) / 16,
+           when 1 =>
+             Value_At (Text, (I - 1) / 3 * 4 + 1) mod 16 * 16
+             + Value_At (Text, (I - 1) / 3 * 4 + 2) / 4,
+           when others =>
+             Value_At (Text, (I - 1) / 3 * 4 + 2) mod 4 * 64
+             + Value_At (Text, (I - 1) / 3 * 4 + 3));
+   --  Byte I of what Text encodes.
 
    --  The operations
 
@@ -142,9 +160,12 @@ package Base64 with SPARK_Mode is
        and then Length <= Input'Last
        and then Length <= Max_Input
        and then First >= Output'First
-       and then First - 1 <= Output'Last - Encoded_Length (Length),
+       and then First - 1 <= Output'Last
+       and then Encoded_Length (Length) <= Output'Last - (First - 1),
      Post => Last = First - 1 + Encoded_Length (Length)
-       and then Is_Encoding (Output, First, Input, Length)
+       and then
+         (for all P in 0 .. Encoded_Length (Length) - 1 =>
+            Output (First + P) = Encoded_At (Input, Length, P))
        and then
          (for all I in Output'Range =>
             (if I < First or else I > Last then
@@ -161,15 +182,11 @@ package Base64 with SPARK_Mode is
    with
      Pre  => Input'Last < Integer'Last
        and then Output'First = 1
-       and then Output'Last <= Max_Input
        and then Input'Length / 4 * 3 <= Output'Last,
      Post => OK = Is_Well_Formed (Input)
-       and then Length <= Input'Length / 4 * 3
+       and then Length = (if OK then Decoded_Length (Input) else 0)
        and then
-         (if OK then
-             Input'Length = Encoded_Length (Length)
-             and then Is_Encoding (Input, Input'First, Output, Length))
-       and then (if not OK then Length = 0);
+         (for all I in 1 .. Length => Output (I) = Decoded_At (Input, I));
    --  Decodes the whole of Input into the first Length bytes of Output.
    --  OK is False, and Length 0, for whatever Encode never writes: a length
    --  that is no multiple of four, a foreign character, padding elsewhere

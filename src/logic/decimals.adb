@@ -25,6 +25,19 @@ package body Decimals with SPARK_Mode is
                = N / Power (E - 1);
    --  The digit in front of which N / Power (E) stands.
 
+   procedure Prove_Longer_Value
+     (T : Text; First : Positive; Last : Natural)
+   with
+     Ghost,
+     Pre  => First >= T'First
+       and then First < Last
+       and then Last <= T'Last
+       and then Last - First < Max_Digits
+       and then Are_Digits (T, First, Last),
+     Post => Value (T, First, Last)
+               = Value (T, First, Last - 1) * 10 + Digit_Value (T (Last));
+   --  What one digit more makes of a number.
+
    ------------
    -- Append --
    ------------
@@ -35,9 +48,10 @@ package body Decimals with SPARK_Mode is
       Into  : in out Text;
       Last  : in out Natural)
    is
-      Start  : constant Natural := Last;
-      Before : constant Text := Into with Ghost;
-      Count  : Digit_Count := Width;
+      Start    : constant Natural := Last;
+      Before   : constant Text := Into with Ghost;
+      Previous : Text := Into with Ghost;
+      Count    : Digit_Count := Width;
    begin
       while Count < Max_Digits and then N > Largest (Count) loop
          Count := Count + 1;
@@ -47,17 +61,16 @@ package body Decimals with SPARK_Mode is
       end loop;
 
       for I in 1 .. Count loop
-         declare
-            Previous : constant Text := Into with Ghost;
-         begin
-            Into (Start + I) :=
-              Symbol'Val
-                (Character'Pos ('0') + N / Power (Count - I) mod 10);
-            if I > 1 then
-               Prove_Next_Digit (N, Count - I + 1);
-               Prove_Same_Value (Previous, Into, Start + 1, Start + I - 1);
-            end if;
-         end;
+         Previous := Into;
+         Into (Start + I) :=
+           Symbol'Val
+             (Character'Pos ('0') + N / Power (Count - I) mod 10);
+         pragma Assert (Are_Digits (Into, Start + 1, Start + I));
+         if I > 1 then
+            Prove_Next_Digit (N, Count - I + 1);
+            Prove_Same_Value (Previous, Into, Start + 1, Start + I - 1);
+            Prove_Longer_Value (Into, Start + 1, Start + I);
+         end if;
          pragma Loop_Invariant (Are_Digits (Into, Start + 1, Start + I));
          pragma Loop_Invariant
            (Value (Into, Start + 1, Start + I) = N / Power (Count - I));
@@ -68,6 +81,14 @@ package body Decimals with SPARK_Mode is
       end loop;
       Last := Start + Count;
    end Append;
+
+   ------------------------
+   -- Prove_Longer_Value --
+   ------------------------
+
+   procedure Prove_Longer_Value
+     (T : Text; First : Positive; Last : Natural)
+   is null;
 
    ----------------------
    -- Prove_Next_Digit --

@@ -1,0 +1,66 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The calls of the C library that the device bodies share, with the numbers
+--  of the Linux kernel's interface. For the bodies in this folder only.
+
+with Interfaces.C; use Interfaces.C;
+with System;
+
+package Linux with SPARK_Mode => Off is
+   --  Off: addresses are passed to C
+
+   type Ssize is range -(2 ** (Standard'Address_Size - 1)) ..
+                       2 ** (Standard'Address_Size - 1) - 1;
+
+   type Poll_Entry is record
+      Descriptor : int;
+      Events     : short;
+      Returned   : short := 0;
+   end record with Convention => C;
+
+   type Poll_Array is array (Positive range <>) of Poll_Entry
+     with Convention => C;
+
+   Poll_In      : constant short := 16#0001#;
+   Poll_Out     : constant short := 16#0004#;
+   Poll_Error   : constant short := 16#0008#;
+   Poll_Hang_Up : constant short := 16#0010#;
+   Poll_Peer_Closed : constant short := 16#2000#;  --  POLLRDHUP
+
+   type Time_Spec is record
+      Seconds     : long;
+      Nanoseconds : long;
+   end record with Convention => C;
+
+   function Poll
+     (Entries : System.Address; Count : unsigned_long; Wait_Ms : int)
+      return int
+   with Import, Convention => C, External_Name => "poll";
+
+   function Precise_Poll
+     (Entries : System.Address;
+      Count   : unsigned_long;
+      Wait    : System.Address;
+      Mask    : System.Address) return int
+   with Import, Convention => C, External_Name => "ppoll";
+
+   function Read
+     (Descriptor : int; Data : System.Address; Length : size_t) return Ssize
+   with Import, Convention => C, External_Name => "read";
+
+   function Write
+     (Descriptor : int; Data : System.Address; Length : size_t) return Ssize
+   with Import, Convention => C, External_Name => "write";
+
+   function Close (Descriptor : int) return int
+   with Import, Convention => C, External_Name => "close";
+
+   procedure Close (Descriptor : int);
+   --  The same where nothing can be done about a failure
+
+   function Error_Text (Number : Integer) return String;
+   --  Such as "No such file or directory"
+
+   EINTR  : constant := 4;
+   EAGAIN : constant := 11;
+
+end Linux;

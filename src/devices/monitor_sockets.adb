@@ -1,0 +1,368 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The TCP server for the monitor: a listening socket, the connection of the
+--  monitor in command, and a newcomer that is to be admitted or refused.
+
+with Ada.Exceptions;
+with Ada.Real_Time; use Ada.Real_Time;
+with Ada.Streams;   use Ada.Streams;
+with GNAT.OS_Lib;
+with GNAT.Sockets;  use GNAT.Sockets;
+with Interfaces;    use Interfaces;
+with Interfaces.C;  use Interfaces.C;
+with Linux;         use Linux;
+with System;
+
+package body Monitor_Sockets with
+  SPARK_Mode    => Off,
+  Refined_State => (Network => (Listener, Arrived, Current, Waker))
+is
+
+   Nobody   : constant int := -1;
+   Listener : int := Nobody with Atomic;  --  takes connections
+   Arrived  : int := Nobody with Atomic;  --  the newcomer's
+   Current  : int := Nobody with Atomic;  --  the monitor's in command
+   Waker    : int := Nobody with Atomic;  --  an event counter: Wake_Server
+
+   Send_Buffer : constant := 65_536;
+   --  Bytes; the kernel doubles it. More, and seconds of old images would
+   --  wait there for a slow monitor
+
+   Send_Flags    : constant := 16#4000#;  --  MSG_NOSIGNAL
+   Send_Now      : constant := 16#4040#;  --  and MSG_DONTWAIT
+   Both_Ways     : constant := 2;         --  SHUT_RDWR
+   Level_Tcp     : constant := 6;         --  IPPROTO_TCP
+   Level_Socket  : constant := 1;         --  SOL_SOCKET
+   Error_Option  : constant := 4;         --  SO_ERROR
+   Info_Option   : constant := 11;        --  TCP_INFO
+   Idle_Option   : constant := 4;         --  TCP_KEEPIDLE
+   Repeat_Option : constant := 5;         --  TCP_KEEPINTVL
+   Count_Option  : constant := 6;         --  TCP_KEEPCNT
+
+   function C_Send
+     (Fd : int; Data : System.Address; Length : size_t; Flags : int)
+      return Ssize
+   with Import, Convention => C, External_Name => "send";
+
+   function C_Receive
+     (Fd : int; Data : System.Address; Length : size_t; Flags : int)
+      return Ssize
+   with Import, Convention => C, External_Name => "recv";
+
+   function C_Shutdown (Fd : int; How : int) return int
+   with Import, Convention => C, External_Name => "shutdown";
+
+   function Get_Option
+     (Fd     : int;
+      Level  : int;
+      Name   : int;
+      Value  : System.Address;
+      Length : System.Address) return int
+   with Import, Convention => C, External_Name => "getsockopt";
+
+   function Set_Option
+     (Fd     : int;
+      Level  : int;
+      Name   : int;
+      Value  : System.Address;
+      Length : unsigned) return int
+   with Import, Convention => C, External_Name => "setsockopt";
+
+   function Event_Counter (Initial : unsigned; Flags : int) return int
+   with Import, Convention => C, External_Name => "eventfd";
+
+   --  The beginning of the kernel's struct tcp_info (linux/tcp.h)
+   type Tcp_Info is record
+      States        : Unsigned_64;
+      Times_1       : Unsigned_64;
+      Times_2       : Unsigned_64;
+      Unacked       : Unsigned_32;
+      Counters_1    : Unsigned_32;
+      Counters_2    : Unsigned_64;
+      Counters_3    : Unsigned_64;
+      Last_Sent     : Unsigned_32;
+      Last_Ack_Sent : Unsigned_32;
+      Last_Received : Unsigned_32;
+      Last_Ack      : Unsigned_32;  --  ms since the last one received
+      Metrics_1     : Unsigned_64;
+      Metrics_2     : Unsigned_64;
+      Metrics_3     : Unsigned_64;
+      Metrics_4     : Unsigned_64;
+      Metrics_5     : Unsigned_64;
+      Retransmits   : Unsigned_64;
+      Pace          : Unsigned_64;
+      Pace_Limit    : Unsigned_64;
+      Bytes_Acked   : Unsigned_64;
+      Bytes_Got     : Unsigned_64;
+      Segments      : Unsigned_64;
+      Not_Sent      : Unsigned_32;  --  bytes
+      Shortest      : Unsigned_32;
+   end record with Convention => C, Size => 152 * 8;
+
+   procedure Set_Number (Fd : int; Level : int; Name : int; Value : int);
+   --  A socket option; a kernel without it leaves its own default
+
+   ----------------
+   -- Set_Number --
+   ----------------
+
+   procedure Set_Number (Fd : int; Level : int; Name : int; Value : int) is
+      Number  : constant int := Value;
+      Ignored : constant int :=
+        Set_Option (Fd, Level, Name, Number'Address, 4);
+      pragma Unreferenced (Ignored);
+   begin
+      null;
+   end Set_Number;
+
+   ------------
+   -- Listen --
+   ------------
+
+   procedure Listen
+     (Address : Texts.Text;
+      Port    : Options.Port_Number;
+      Bound   : out Options.Port_Number;
+      Success : out Boolean;
+      Reason  : out Texts.Text)
+   is
+      Server : Socket_Type := No_Socket;
+      Place  : Sock_Addr_Type;
+      Non_Blocking : Request_Type := (Non_Blocking_IO, True);
+   begin
+      Bound := 0;
+      Texts.Set (Reason, "");
+      declare
+         Host : constant Inet_Addr_Type := Inet_Addr (Texts.Image (Address));
+      begin
+         Place := Network_Socket_Address (Host, Port_Type (Port));
+         Create_Socket (Server, Host.Family, Socket_Stream);
+      end;
+      Set_Socket_Option (Server, Socket_Level, (Reuse_Address, True));
+      Bind_Socket (Server, Place);
+      Listen_Socket (Server, 16);
+      --  a newcomer that is gone again must not block the accept
+      Control_Socket (Server, Non_Blocking);
+      Bound := Natural (Get_Socket_Name (Server).Port);
+      Waker := Event_Counter (0, 8#4000#);  --  EFD_NONBLOCK
+      Listener := int (To_C (Server));
+      Success := True;
+   exception
+      when E : others =>
+         Texts.Set (Reason, Ada.Exceptions.Exception_Message (E));
+         if Server /= No_Socket then
+            Linux.Close (int (To_C (Server)));
+         end if;
+         Success := False;
+   end Listen;
+
+   -------------------
+   -- Wait_Newcomer --
+   -------------------
+
+   procedure Wait_Newcomer (Event : out Arrival; Peer : out Texts.Text) is
+      Entries : Poll_Array (1 .. 2) :=
+        ((Listener, Poll_In, 0), (Waker, Poll_In, 0));
+      Ignored : int;
+      Count   : Unsigned_64 := 0;
+      Taken   : Ssize;
+      pragma Unreferenced (Taken);
+      Socket  : Socket_Type;
+      From    : Sock_Addr_Type;
+   begin
+      Texts.Set (Peer, "");
+      loop
+         Ignored := Poll (Entries'Address, 2, -1);
+         if Entries (2).Returned /= 0 then
+            Taken := Linux.Read (Waker, Count'Address, 8);
+            Event := Woken;
+            return;
+         end if;
+         if Entries (1).Returned /= 0 then
+            begin
+               Accept_Socket (To_Ada (Integer (Listener)), Socket, From);
+               Arrived := int (To_C (Socket));
+               Texts.Set (Peer, Image (From));
+               Event := Newcomer;
+               return;
+            exception
+               when E : others =>
+                  --  a newcomer that has gone already is no failure
+                  if GNAT.OS_Lib.Errno /= EAGAIN then
+                     Texts.Set (Peer, Ada.Exceptions.Exception_Message (E));
+                     Event := Failed;
+                     return;
+                  end if;
+            end;
+         end if;
+      end loop;
+   end Wait_Newcomer;
+
+   -----------------
+   -- Wake_Server --
+   -----------------
+
+   procedure Wake_Server is
+      One     : constant Unsigned_64 := 1;
+      Written : constant Ssize := Linux.Write (Waker, One'Address, 8);
+      pragma Unreferenced (Written);
+   begin
+      null;
+   end Wake_Server;
+
+   -----------
+   -- Admit --
+   -----------
+
+   procedure Admit is
+      Fd : constant int := Arrived;
+   begin
+      Set_Number (Fd, Level_Tcp, 1, 1);                 --  TCP_NODELAY
+      Set_Number (Fd, Level_Socket, 7, Send_Buffer);    --  SO_SNDBUF
+      --  an idle monitor that vanished: 1 s, then three probes of 1 s
+      Set_Number (Fd, Level_Socket, 9, 1);              --  SO_KEEPALIVE
+      Set_Number (Fd, Level_Tcp, Idle_Option, 1);
+      Set_Number (Fd, Level_Tcp, Repeat_Option, 1);
+      Set_Number (Fd, Level_Tcp, Count_Option, 3);
+      Arrived := Nobody;
+      Current := Fd;
+   end Admit;
+
+   ------------
+   -- Refuse --
+   ------------
+
+   procedure Refuse (Message : String) is
+      Fd      : constant int := Arrived;
+      Ignored : Ssize;
+      Ended   : int;
+      pragma Unreferenced (Ignored, Ended);
+      Unread  : Stream_Element_Array (1 .. 256);
+   begin
+      Ignored := C_Send (Fd, Message'Address, Message'Length, Send_Now);
+      Ended := C_Shutdown (Fd, 1);  --  SHUT_WR
+      --  what it has sent already would turn the close into a reset, which
+      --  could overtake the message
+      Ignored := C_Receive (Fd, Unread'Address, Unread'Length, 16#40#);
+      Arrived := Nobody;
+      Linux.Close (Fd);
+   end Refuse;
+
+   -------------
+   -- Receive --
+   -------------
+
+   procedure Receive
+     (Data : in out String; Length : out Natural; Open : out Boolean)
+   is
+      Got : Ssize;
+   begin
+      Length := 0;
+      loop
+         Got := C_Receive (Current, Data'Address, Data'Length, 0);
+         exit when Got >= 0 or else GNAT.OS_Lib.Errno /= EINTR;
+      end loop;
+      Open := Got > 0;
+      if Got > 0 then
+         Length := Natural (Got);
+      end if;
+   end Receive;
+
+   ----------
+   -- Send --
+   ----------
+
+   procedure Send
+     (Data : String; Length : Natural; Success : out Boolean)
+   is
+      Done : Natural := 0;
+      Put  : Ssize;
+   begin
+      while Done < Length loop
+         Put := C_Send (Current, Data (Data'First + Done)'Address,
+                        size_t (Length - Done), Send_Flags);
+         if Put > 0 then
+            Done := Done + Natural (Put);
+         else
+            exit when Put < 0 and then GNAT.OS_Lib.Errno /= EINTR;
+         end if;
+      end loop;
+      Success := Done = Length;
+   end Send;
+
+   -----------
+   -- Watch --
+   -----------
+
+   procedure Watch (Wait : Ada.Real_Time.Time_Span; Loss : out Loss_Kind) is
+      Entries : Poll_Array (1 .. 1) := (1 => (Current, Poll_Peer_Closed, 0));
+      Count   : int;
+      Error   : int := 0;
+      Size    : unsigned := 4;
+      Ignored : int;
+      pragma Unreferenced (Ignored);
+      Timed_Out : constant := 110;  --  ETIMEDOUT
+      No_Route  : constant := 113;  --  EHOSTUNREACH
+   begin
+      Loss := None;
+      Count := Poll (Entries'Address, 1, int (Wait / Milliseconds (1)));
+      if Count > 0 then
+         Ignored := Get_Option (Current, Level_Socket, Error_Option,
+                                Error'Address, Size'Address);
+         if Error in Timed_Out | No_Route then
+            Loss := No_Sign_Of_Life;
+         elsif (Entries (1).Returned and (Poll_Error or Poll_Hang_Up)) /= 0
+         then
+            Loss := Reset_By_Peer;
+         else
+            Loss := Closed_By_Peer;
+         end if;
+      end if;
+   end Watch;
+
+   ------------
+   -- Sample --
+   ------------
+
+   procedure Sample (Link : out Monitor_Link.Sample) is
+      Info : Tcp_Info;
+      Size : unsigned := Tcp_Info'Size / 8;
+      Now  : constant Time_Span := Clock - Time_First;
+   begin
+      Link := (others => <>);
+      if Get_Option (Current, Level_Tcp, Info_Option,
+                     Info'Address, Size'Address) = 0
+      then
+         Link :=
+           (Now            => Monitor_Link.Milliseconds
+              (Now / Milliseconds (1)),
+            Unacknowledged => Natural (Info.Unacked),
+            Since_Last_Ack => Monitor_Link.Milliseconds (Info.Last_Ack),
+            Outstanding    => Natural (Info.Not_Sent + Info.Unacked),
+            Bytes_Acked    => Monitor_Link.Byte_Count
+              (Info.Bytes_Acked and (2 ** 63 - 1)));
+      end if;
+   end Sample;
+
+   ---------------
+   -- Shut_Down --
+   ---------------
+
+   procedure Shut_Down is
+      Ignored : constant int := C_Shutdown (Current, Both_Ways);
+      pragma Unreferenced (Ignored);
+   begin
+      null;
+   end Shut_Down;
+
+   -----------
+   -- Close --
+   -----------
+
+   procedure Close is
+      Fd : constant int := Current;
+   begin
+      Current := Nobody;
+      Linux.Close (Fd);
+   end Close;
+
+end Monitor_Sockets;

@@ -1,0 +1,158 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The process: what the system lets it do, the signals that end it, and its
+--  end. Signals are blocked, and privileges examined, before any task runs.
+
+with Console;
+with Interfaces;   use Interfaces;
+with Interfaces.C; use Interfaces.C;
+with System;
+
+package body Process with
+  SPARK_Mode    => Off,
+  Refined_State => (System_State => (Signals, Privileges))
+is
+
+   type Signal_Set is array (1 .. 16) of Unsigned_64 with Convention => C;
+   --  1024 bits, as glibc's
+
+   Hang_Up     : constant int := 1;
+   Interrupt   : constant int := 2;
+   User_1      : constant int := 10;
+   Broken_Pipe : constant int := 13;
+   Terminate_S : constant int := 15;
+
+   Signals    : Signal_Set := (others => 0);
+   Privileges : Privilege_Kind := User_Without_Real_Time;
+
+   function Add_Signal (Set : System.Address; Signal : int) return int
+   with Import, Convention => C, External_Name => "sigaddset";
+
+   function Set_Mask
+     (How : int; Set : System.Address; Old : System.Address) return int
+   with Import, Convention => C, External_Name => "pthread_sigmask";
+
+   function Wait (Set : System.Address; Signal : System.Address) return int
+   with Import, Convention => C, External_Name => "sigwait";
+
+   function Own_Number return int
+   with Import, Convention => C, External_Name => "getpid";
+
+   function Kill (Process : int; Signal : int) return int
+   with Import, Convention => C, External_Name => "kill";
+
+   function Effective_User return unsigned
+   with Import, Convention => C, External_Name => "geteuid";
+
+   procedure Exit_At_Once (Status : int)
+   with Import, Convention => C, External_Name => "_exit", No_Return;
+
+   type Capability_Header is record
+      Version : Unsigned_32 := 16#2008_0522#;
+      Process : int         := 0;
+   end record with Convention => C;
+
+   type Capability_Data is record
+      Effective, Permitted, Inheritable    : Unsigned_32 := 0;
+      Effective_2, Permitted_2, Inherit_2  : Unsigned_32 := 0;
+   end record with Convention => C;
+
+   function Get_Capabilities
+     (Header : System.Address; Data : System.Address) return int
+   with Import, Convention => C, External_Name => "capget";
+
+   procedure Block_Signals;
+   procedure Examine_Privileges;
+
+   -------------------
+   -- Block_Signals --
+   -------------------
+
+   procedure Block_Signals is
+      Ignored : int;
+   begin
+      Ignored := Add_Signal (Signals'Address, Hang_Up);
+      Ignored := Add_Signal (Signals'Address, Interrupt);
+      Ignored := Add_Signal (Signals'Address, Terminate_S);
+      Ignored := Add_Signal (Signals'Address, User_1);
+      Ignored := Add_Signal (Signals'Address, Broken_Pipe);
+      Ignored := Set_Mask (0, Signals'Address, System.Null_Address);
+   end Block_Signals;
+
+   ------------------------
+   -- Examine_Privileges --
+   ------------------------
+
+   procedure Examine_Privileges is
+      Header   : Capability_Header;
+      Data     : Capability_Data;
+      Ignored  : constant int :=
+        Get_Capabilities (Header'Address, Data'Address);
+      pragma Unreferenced (Ignored);
+      Sys_Nice : constant Boolean :=
+        (Data.Effective and Shift_Left (1, 23)) /= 0;
+   begin
+      Privileges :=
+        (if Effective_User = 0 then
+           (if Sys_Nice then Root_With_Real_Time
+            else Root_Without_Real_Time)
+         elsif Sys_Nice then User_With_Real_Time
+         else User_Without_Real_Time);
+      if Privileges = Root_Without_Real_Time then
+         --  Every protected action would raise Program_Error: no task may
+         --  run, so this is the last moment
+         Console.Put_Log
+           ("destijl: cannot run as root without CAP_SYS_NICE (as in a "
+            & "container by default): run as an ordinary user, or grant the "
+            & "capability (docker run --cap-add SYS_NICE)");
+         Exit_At_Once (int (Cannot_Start));
+      end if;
+   end Examine_Privileges;
+
+   --------------------
+   -- Get_Privileges --
+   --------------------
+
+   procedure Get_Privileges (Held : out Privilege_Kind) is
+   begin
+      Held := Privileges;
+   end Get_Privileges;
+
+   -----------------
+   -- Wait_Signal --
+   -----------------
+
+   procedure Wait_Signal (Kind : out Signal_Kind) is
+      Signal : int := 0;
+   begin
+      loop
+         if Wait (Signals'Address, Signal'Address) = 0 then
+            exit when Signal /= Broken_Pipe;
+         end if;
+      end loop;
+      Kind := (if Signal = User_1 then Failure else Stop_Request);
+   end Wait_Signal;
+
+   --------------------
+   -- Report_Failure --
+   --------------------
+
+   procedure Report_Failure is
+      Ignored : constant int := Kill (Own_Number, User_1);
+      pragma Unreferenced (Ignored);
+   begin
+      null;
+   end Report_Failure;
+
+   -----------
+   -- Leave --
+   -----------
+
+   procedure Leave (Status : Exit_Status) is
+   begin
+      Exit_At_Once (int (Status));
+   end Leave;
+
+begin
+   Block_Signals;
+   Examine_Privileges;
+end Process;

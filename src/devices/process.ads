@@ -1,0 +1,45 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The process: what the system lets it do, the signals that end it, and its
+--  end. Signals are blocked, and privileges examined, before any task runs.
+
+package Process with
+  SPARK_Mode,
+  Abstract_State =>
+    (System_State with
+       Synchronous, External => (Async_Readers, Async_Writers)),
+  Initializes => System_State
+is
+   pragma Elaborate_Body;
+
+   type Privilege_Kind is
+     (Root_With_Real_Time,     --  FIFO priorities, ceilings checked
+      User_With_Real_Time,     --  FIFO priorities, ceilings not checked
+      User_Without_Real_Time,  --  time-shared, priorities without effect
+      Root_Without_Real_Time); --  GNAT's tasks cannot run like this
+
+   procedure Get_Privileges (Held : out Privilege_Kind)
+   with Global => (In_Out => System_State);
+
+   type Signal_Kind is
+     (Stop_Request,     --  SIGINT, SIGTERM, SIGHUP
+      Failure);         --  Report_Failure
+
+   procedure Wait_Signal (Kind : out Signal_Kind)
+   with Global => (In_Out => System_State);
+   --  Waits for one. For one task only
+
+   procedure Report_Failure with Global => (In_Out => System_State);
+   --  Makes Wait_Signal return Failure; never waits
+
+   type Exit_Status is range 0 .. 255;
+
+   Success          : constant Exit_Status := 0;
+   Cannot_Start     : constant Exit_Status := 1;
+   Bad_Usage        : constant Exit_Status := 2;
+   Internal_Failure : constant Exit_Status := 3;
+
+   procedure Leave (Status : Exit_Status)
+   with Global => (In_Out => System_State), No_Return;
+   --  Ends the process at once, with all its tasks
+
+end Process;

@@ -1,0 +1,51 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The serial line to the robot: 9600 baud, 8 data bits, no parity, 1 stop
+--  bit, raw, no echo. For the one task that owns the line.
+
+with Ada.Real_Time;
+with Bytes;
+with Texts;
+
+package Serial_Line with
+  SPARK_Mode,
+  Abstract_State =>
+    (Device with Synchronous, External => (Async_Readers, Async_Writers)),
+  Initializes => Device
+is
+
+   procedure Open
+     (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
+   with Global => (In_Out => Device);
+   --  Opens and sets up the device, and discards what it has received
+   --  already. Reason says why where Success is false
+
+   procedure Close with Global => (In_Out => Device);
+   --  Without effect where it is not open
+
+   procedure Discard_Input with Global => (In_Out => Device);
+   --  Forgets what has been received and not yet read
+
+   procedure Write
+     (Data : Bytes.Byte_Array; Length : Natural; Success : out Boolean)
+   with
+     Global => (In_Out => Device),
+     Pre    => Length <= Data'Length;
+   --  Sends the first Length bytes. Does not wait: fails where the device
+   --  takes nothing, and where it is gone
+
+   procedure Read
+     (Data    : out Bytes.Byte_Array;
+      Length  : out Natural;
+      Until_Time : Ada.Real_Time.Time;
+      Success : out Boolean)
+   with
+     Global => (In_Out => Device, Input => Ada.Real_Time.Clock_Time),
+     Post   => Length <= Data'Length;
+   --  What has been received; waits for a first byte until Until_Time at
+   --  most, Length is 0 then. Success is false where the device is gone
+
+   procedure Stop_Blindly with Global => (In_Out => Device);
+   --  Writes the stop order's frame, whoever owns the line: the last resort
+   --  of a supervisor that ends on an internal failure
+
+end Serial_Line;

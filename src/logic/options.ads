@@ -1,0 +1,33 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What can be chosen on the command line, with the defaults.
+
+with Texts;
+
+package Options with SPARK_Mode is
+
+   type Marker_Kind is (Aruco, Triangle);
+
+   type Level is (Error, Warning, Info, Debug);
+   --  Of the log, most serious first
+
+   subtype Port_Number is Natural range 0 .. 65_535;
+   subtype Pixel_Count is Positive range 16 .. 4_096;
+   subtype Rate is Positive range 1 .. 100;
+   subtype Percentage is Positive range 1 .. 100;
+   subtype Milliseconds is Natural range 0 .. 1_000;
+
+   type Values is record
+      Port        : Port_Number  := 5_544;
+      Bind        : Texts.Text   := Texts.To_Text ("0.0.0.0");
+      Serial      : Texts.Text   := Texts.To_Text ("/dev/ttyS0");
+      Camera      : Texts.Text   := Texts.To_Text ("0");
+      Width       : Pixel_Count  := 640;
+      Height      : Pixel_Count  := 480;
+      Frame_Rate  : Rate         := 10;          --  images a second
+      Quality     : Percentage   := 80;          --  of the JPEG
+      Marker      : Marker_Kind  := Aruco;
+      Message_Gap : Milliseconds := 4;           --  PROTOCOL.md
+      Log_Level   : Level        := Info;
+   end record;
+
+end Options;

@@ -1,0 +1,143 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What is asked of the camera's owner: open it, close it. Nobody but
+--  th_cameraControl waits for a camera that takes long to open.
+
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Schedule;
+
+package body Camera_Requests with SPARK_Mode is
+
+   Answered : Suspension_Object;
+
+   protected Requests with Priority => Schedule.Vision_Ceiling is
+      procedure Open;
+      procedure Close;
+      procedure Get_Idle (Value : out Boolean);
+      entry Wait_Open (Number : out Request_Number);
+      procedure Get_Wanted (Number : Request_Number; Value : out Boolean);
+      procedure Report (Success : Boolean);
+      procedure Released;
+      procedure Collect (Success : out Boolean);
+   private
+      Pending : Boolean := False;         --  asked for, not yet begun
+      Wanted  : Boolean := False;
+      Current : Request_Number := 0;
+      Idle    : Boolean := True;
+      Opened  : Boolean := False;
+   end Requests;
+
+   protected body Requests is
+
+      procedure Open is
+      begin
+         Current := Current + 1;
+         Wanted := True;
+         Pending := True;
+      end Open;
+
+      procedure Close is
+      begin
+         Wanted := False;
+      end Close;
+
+      procedure Get_Idle (Value : out Boolean) is
+      begin
+         Value := Idle and then not Pending;
+      end Get_Idle;
+
+      entry Wait_Open (Number : out Request_Number) when Pending is
+      begin
+         Pending := False;
+         Idle := False;
+         Number := Current;
+      end Wait_Open;
+
+      procedure Get_Wanted (Number : Request_Number; Value : out Boolean) is
+      begin
+         Value := Wanted and then Number = Current;
+      end Get_Wanted;
+
+      procedure Report (Success : Boolean) is
+      begin
+         Opened := Success;
+      end Report;
+
+      procedure Released is
+      begin
+         Idle := True;
+      end Released;
+
+      procedure Collect (Success : out Boolean) is
+      begin
+         Success := Opened;
+      end Collect;
+
+   end Requests;
+
+   ----------
+   -- Open --
+   ----------
+
+   procedure Open (Success : out Boolean) is
+   begin
+      Requests.Open;
+      Suspend_Until_True (Answered);
+      Requests.Collect (Success);
+   end Open;
+
+   -----------
+   -- Close --
+   -----------
+
+   procedure Close is
+   begin
+      Requests.Close;
+   end Close;
+
+   --------------
+   -- Get_Idle --
+   --------------
+
+   procedure Get_Idle (Idle : out Boolean) is
+   begin
+      Requests.Get_Idle (Idle);
+   end Get_Idle;
+
+   ---------------
+   -- Wait_Open --
+   ---------------
+
+   procedure Wait_Open (Number : out Request_Number) is
+   begin
+      Requests.Wait_Open (Number);
+   end Wait_Open;
+
+   ----------------
+   -- Get_Wanted --
+   ----------------
+
+   procedure Get_Wanted (Number : Request_Number; Wanted : out Boolean) is
+   begin
+      Requests.Get_Wanted (Number, Wanted);
+   end Get_Wanted;
+
+   ------------
+   -- Report --
+   ------------
+
+   procedure Report (Success : Boolean) is
+   begin
+      Requests.Report (Success);
+      Set_True (Answered);
+   end Report;
+
+   --------------
+   -- Released --
+   --------------
+
+   procedure Released is
+   begin
+      Requests.Released;
+   end Released;
+
+end Camera_Requests;

@@ -1,0 +1,31 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What is asked of the camera's owner: open it, close it. Nobody but
+--  th_cameraControl waits for a camera that takes long to open.
+
+package Camera_Requests with SPARK_Mode is
+
+   type Request_Number is mod 2 ** 32;
+
+   procedure Open (Success : out Boolean);
+   --  Asks for the camera and waits for what comes of it. For
+   --  th_cameraControl only
+
+   procedure Close;
+   --  The camera is no longer wanted. Does not wait
+
+   procedure Get_Idle (Idle : out Boolean);
+   --  Whether the owner has released the camera
+
+   procedure Wait_Open (Number : out Request_Number);
+   --  Until the camera is wanted. For the owner only
+
+   procedure Get_Wanted (Number : Request_Number; Wanted : out Boolean);
+   --  Whether the camera opened for Number is wanted still
+
+   procedure Report (Success : Boolean);
+   --  What came of opening it. For the owner only
+
+   procedure Released;
+   --  The owner has closed the camera
+
+end Camera_Requests;

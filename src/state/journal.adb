@@ -1,0 +1,144 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The log on its way to the console: a bounded buffer, so that no task ever
+--  waits for the console.
+
+with Ada.Real_Time; use Ada.Real_Time;
+with Schedule;
+
+package body Journal with SPARK_Mode is
+
+   use type Options.Level;
+
+   subtype Line_Count is Natural range 0 .. Capacity;
+   subtype Line_Index is Positive range 1 .. Capacity;
+   type Line_Array is array (Line_Index) of Line;
+
+   protected Buffer with Priority => Schedule.Journal_Ceiling is
+      procedure Set_Level (Chosen : Options.Level);
+      procedure Put (Item : Line);
+      entry Take (Item : out Line);
+      procedure Written;
+      procedure Get_Waiting (Waiting : out Natural);
+   private
+      Least    : Options.Level := Options.Info;
+      Items    : Line_Array;
+      First    : Line_Index := 1;
+      Count    : Line_Count := 0;
+      Any      : Boolean    := False;
+      Not_Kept : Natural    := 0;
+      Writing  : Boolean    := False;
+   end Buffer;
+
+   protected body Buffer is
+
+      procedure Set_Level (Chosen : Options.Level) is
+      begin
+         Least := Chosen;
+      end Set_Level;
+
+      procedure Put (Item : Line) is
+      begin
+         if Item.Level > Least then
+            return;
+         end if;
+         if Count < Capacity then
+            Items ((First - 1 + Count) mod Capacity + 1) := Item;
+            Count := Count + 1;
+            Any := True;
+         elsif Not_Kept < Natural'Last then
+            Not_Kept := Not_Kept + 1;
+         end if;
+      end Put;
+
+      entry Take (Item : out Line) when Any is
+      begin
+         if Not_Kept > 0 then
+            Item := (Level => Options.Warning,
+                     Time  => Items (First).Time,
+                     Text  => <>);
+            Texts.Append (Item.Text, Not_Kept);
+            Texts.Append
+              (Item.Text, " lines were not kept: the console is too slow");
+            Not_Kept := 0;
+         else
+            Item := Items (First);
+            First := First mod Capacity + 1;
+            if Count > 0 then
+               Count := Count - 1;
+            end if;
+            Any := Count > 0;
+         end if;
+         Writing := True;
+      end Take;
+
+      procedure Written is
+      begin
+         Writing := False;
+      end Written;
+
+      procedure Get_Waiting (Waiting : out Natural) is
+      begin
+         Waiting := Count + (if Writing then 1 else 0);
+      end Get_Waiting;
+
+   end Buffer;
+
+   ---------------
+   -- Set_Level --
+   ---------------
+
+   procedure Set_Level (Least : Options.Level) is
+   begin
+      Buffer.Set_Level (Least);
+   end Set_Level;
+
+   ---------
+   -- Put --
+   ---------
+
+   procedure Put (Level : Options.Level; Text : String) is
+      Now  : constant Time := Clock;
+      Item : Line := (Level => Level, Time => Now, Text => <>);
+   begin
+      Texts.Set (Item.Text, Text);
+      for C of Item.Text.Data loop
+         if C not in ' ' .. '~' then
+            C := '?';
+         end if;
+      end loop;
+      Buffer.Put (Item);
+   end Put;
+
+   procedure Put (Level : Options.Level; Text : Texts.Text) is
+   begin
+      Put (Level, Text.Data (1 .. Text.Length));
+   end Put;
+
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take (Item : out Line) is
+   begin
+      Buffer.Take (Item);
+   end Take;
+
+   -------------
+   -- Written --
+   -------------
+
+   procedure Written is
+   begin
+      Buffer.Written;
+   end Written;
+
+   -----------------
+   -- Get_Waiting --
+   -----------------
+
+   procedure Get_Waiting (Count : out Natural) is
+   begin
+      Buffer.Get_Waiting (Count);
+   end Get_Waiting;
+
+end Journal;

@@ -1,0 +1,36 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The event-data port of one task: a bounded queue of orders, first in
+--  first out, with the task waiting at its end.
+
+with Orders;
+with Schedule;
+
+generic
+package Order_Ports with SPARK_Mode is
+
+   procedure Put (Item : Orders.Order);
+   --  An order for the task. There is always room: no more orders are
+   --  under way than the port holds
+
+   procedure Wait (Item : out Orders.Order);
+   --  The next order; waits for it. For the one task of the port
+
+   procedure Clear;
+   --  Forget the orders that wait: their session has ended
+
+private
+
+   type Order_Array is array (1 .. Orders.Capacity) of Orders.Order;
+
+   protected Port with Priority => Schedule.Order_Ceiling is
+      procedure Put (Item : Orders.Order);
+      procedure Clear;
+      entry Take (Item : out Orders.Order);
+   private
+      Items : Order_Array := (others => <>);
+      First : Positive range 1 .. Orders.Capacity := 1;
+      Count : Orders.Order_Count := 0;
+      Any   : Boolean := False;
+   end Port;
+
+end Order_Ports;

@@ -1,0 +1,125 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What waits to be sent to the monitor: one answer a command, in the order
+--  of the commands; and the unasked messages, of which only the newest counts.
+
+with Ada.Real_Time;
+with Monitor_Protocol;
+with Orders;
+with Texts;
+
+package Outbox with SPARK_Mode is
+
+   Max_Jpeg : constant := 1_048_575;
+   --  Bytes of the largest image that can be sent (a multiple of 3)
+
+   Max_Message : constant := 5 + Max_Jpeg / 3 * 4 + 1;
+   --  Characters of its message: label, base64, line feed
+
+   subtype Message_Buffer is String (1 .. Max_Message);
+   subtype Message_Length is Natural range 0 .. Max_Message;
+
+   type Generation is mod 2 ** 32;
+   --  Of the periodic images: an image made for an older one is not sent
+
+   ---------------------------
+   -- For the session tasks --
+   ---------------------------
+
+   procedure Open_Session;
+   --  Empties the box: a monitor has been admitted
+
+   procedure Close_Session;
+   --  Empties the box, frees whoever waits for it, and waits until the
+   --  sender has left the connection. For th_comMonPerdue only
+
+   ------------------
+   -- The answers  --
+   ------------------
+
+   procedure Reserve (Number : out Orders.Ticket; Open : out Boolean);
+   --  A place for the answer of the next command; waits while as many as
+   --  may wait do (PROTOCOL rule 2). Open is false when the session has
+   --  ended meanwhile. For th_receiveFromMon only
+
+   procedure Answer
+     (Number : Orders.Ticket; Kind : Monitor_Protocol.Answer_Kind);
+   --  The answer of one command; without effect if its session has ended
+
+   procedure Answer_Nothing (Number : Orders.Ticket);
+   --  The command has no answer, but later ones have waited for it
+
+   procedure Answer_With_Image
+     (Number : Orders.Ticket;
+      Data   : Message_Buffer;
+      Length : Message_Length);
+   --  The image that answers an arena search; waits until the one before
+   --  has been taken. For th_arene only
+
+   --------------------------
+   -- The unasked messages --
+   --------------------------
+
+   procedure Put_Robot_Lost;
+   --  ATIM, unasked (F9)
+
+   procedure Put_Text (Text : Texts.Text);
+   --  MSSG. Eight may wait; of more the oldest is dropped
+
+   procedure Put_Battery (Kind : Monitor_Protocol.Answer_Kind);
+
+   procedure Get_Generation (Current : out Generation);
+
+   procedure Put_Position
+     (Text   : String;
+      Made   : Generation);
+   --  The line as it is to be sent, at most Position_Length characters
+
+   procedure Put_Image
+     (Data   : Message_Buffer;
+      Length : Message_Length;
+      Made   : Generation);
+   --  Replaces an image that waits still
+
+   procedure Stop_Images;
+   --  Begins a new generation; what waits of the older one is dropped
+
+   ------------------
+   -- The sending  --
+   ------------------
+
+   type Message_Kind is (Nothing, Answer, Unasked);
+
+   procedure Wait (Answer_Is_Next : out Boolean);
+   --  Until something may be sent. For th_sendToMon only
+
+   procedure Take
+     (Kind   : out Message_Kind;
+      Data   : in out Message_Buffer;
+      Length : out Message_Length);
+   --  The most urgent message that may be sent now, if any: answers first,
+   --  unless unasked ones have been held back for long enough. Until Sent
+   --  the sender counts as busy. For th_sendToMon only
+
+   procedure Sent;
+   --  What was taken has been sent, or could not be
+
+   ----------------------------------
+   -- The hold (PROTOCOL rule 7)   --
+   ----------------------------------
+
+   procedure Wait_Held;
+   --  Until an unasked message begins to wait. For the hold's task only
+
+   procedure Get_Hold_End
+     (Any : out Boolean; At_Time : out Ada.Real_Time.Time);
+   --  Whether unasked messages wait and are held back still; until when
+
+   procedure End_Hold;
+   --  Release those whose time has come
+
+   procedure Get_Waiting (Count : out Orders.Order_Count);
+   --  Commands that wait for their answer
+
+   Position_Length : constant := 128;
+
+end Outbox;

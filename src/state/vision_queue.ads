@@ -1,0 +1,19 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The orders to the vision, one at a time in the order of the commands,
+--  though two tasks share the work.
+
+with Orders;
+
+package Vision_Queue with SPARK_Mode is
+
+   procedure Put
+     (Item : Orders.Order; Now : out Boolean);
+   --  Now: Item may be carried out at once; else it waits its turn here
+
+   procedure Next (Item : out Orders.Order; Found : out Boolean);
+   --  An order has been carried out: the next one, if there is one
+
+   procedure Clear;
+   --  Forget the orders that wait: their session has ended
+
+end Vision_Queue;

@@ -1,0 +1,47 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The mode of the vision and the arena, shared by the vision's tasks. What
+--  an ended session still asks for is refused.
+
+with Orders;
+with Vision;
+with Vision_Mode;
+
+package Vision_State with SPARK_Mode is
+
+   type View is record
+      Mode  : Vision_Mode.State;
+      Arena : Vision.Arena_Corners := Vision.No_Arena;
+      --  the confirmed one, where Mode.Confirmed
+   end record;
+
+   procedure Begin_Session (First : Orders.Ticket);
+   --  The initial state; orders with a lower number are refused
+
+   procedure Get (Current : out View);
+
+   procedure Ask_Open
+     (Number : Orders.Ticket; Needed : out Boolean; Is_Open : out Boolean);
+   --  Needed: the camera is to be opened now. Is_Open: it is already.
+   --  Neither: the session has ended
+
+   procedure Opened (Number : Orders.Ticket; Success : Boolean);
+
+   procedure Close (Was_Open : out Boolean);
+   --  No camera any more: closed, or failed
+
+   procedure Ask_Arena (Number : Orders.Ticket; Accepted : out Boolean);
+
+   procedure Searched
+     (Number : Orders.Ticket;
+      Found  : Boolean;
+      Arena  : Vision.Arena_Corners;
+      Valid  : out Boolean);
+   --  Valid is false where the search has been given up meanwhile
+
+   procedure Decide
+     (Number : Orders.Ticket; Confirm : Boolean; Valid : out Boolean);
+
+   procedure Ask_Position
+     (Number : Orders.Ticket; On : Boolean; Accepted : out Boolean);
+
+end Vision_State;

@@ -1,0 +1,92 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The one table of the supervisor's tasks: priorities, periods, deadlines
+--  and the ceilings that follow from them. No other unit has such a number.
+
+with Ada.Real_Time; use Ada.Real_Time;
+with System;        use System;
+
+package Schedule with SPARK_Mode is
+
+   --  Priorities. The report's own are in the last column; where a number
+   --  differs, the reason stands beside it. Between equal numbers the
+   --  order of arrival decides (FIFO_Within_Priorities).
+   --
+   --  robot line before the monitor's tasks: the reload of the watchdog has
+   --  the tightest window of all (50 ms), and an order that has been
+   --  received must not wait for the receipt of the next.
+
+   Line_Priority          : constant Priority := 34;  --  new: owns the line
+   Reload_Priority        : constant Priority := 33;  --  new: 1000 ms reload
+   Server_Priority        : constant Priority := 30;  --  30
+   Receive_Priority       : constant Priority := 25;  --  25
+   Move_Priority          : constant Priority := 26;  --  20: F12, ahead of
+   --  the receipt of further commands
+   Hold_Priority          : constant Priority := 23;  --  new: ends the hold
+   Send_Priority          : constant Priority := 22;  --  22
+   Lost_Priority          : constant Priority := 24;  --  22: F6 gives it
+   --  100 ms, so it goes before the sending of images
+   Open_Priority          : constant Priority := 20;  --  20
+   Start_Priority         : constant Priority := 20;  --  20
+   Start_Watchdog_Priority : constant Priority := 20;  --  20
+   Reset_Priority         : constant Priority := 20;  --  20
+   Query_Priority         : constant Priority := 20;  --  new: ping, state
+   Battery_Priority       : constant Priority := 21;  --  20: F13, its jitter
+   --  must not include a frame's image work
+   Keep_Alive_Priority    : constant Priority := 20;  --  new: idle pings
+   Camera_Control_Priority : constant Priority := 20;  --  20
+   Capture_Priority       : constant Priority := 19;  --  20: an image takes
+   --  milliseconds, every robot thread microseconds
+   Arena_Priority         : constant Priority := 18;  --  20: tens of
+   --  milliseconds, and the periodic images stand still meanwhile
+   Camera_Priority        : constant Priority := 17;  --  new: owns the camera
+   Stop_Priority          : constant Priority := 35;  --  new: orderly stop
+   Console_Priority       : constant Priority := 2;   --  new: writes the log
+   Main_Priority          : constant Priority := 1;
+
+   --  Ceilings: the highest priority of the tasks that call the object.
+
+   Outbox_Ceiling   : constant Priority := Stop_Priority;
+   Line_Ceiling     : constant Priority := Stop_Priority;
+   Order_Ceiling    : constant Priority := Stop_Priority;
+   Vision_Ceiling   : constant Priority := Stop_Priority;
+   Session_Ceiling  : constant Priority := Stop_Priority;
+   Journal_Ceiling  : constant Priority := Priority'Last;
+   --  the last-chance handler of a failed task logs too
+   Settings_Ceiling : constant Priority := Stop_Priority;
+
+   --  Periods and times.
+
+   Reload_Period     : constant Time_Span := Milliseconds (1000);  --  F11
+   Battery_Period    : constant Time_Span := Milliseconds (500);   --  F13
+   Battery_Offset    : constant Time_Span := Milliseconds (250);
+   --  from the start: keeps the battery away from the reload
+   Keep_Alive_Period : constant Time_Span := Milliseconds (100);
+   --  four failures of 100 ms + 87 ms each stay below the 1 s in which a
+   --  lost line must be found
+   Idle_Line         : constant Time_Span := Milliseconds (80);
+   --  a line that had an exchange this recently needs no ping
+   Hold_Limit        : constant Time_Span := Milliseconds (100);
+   --  PROTOCOL rule 7
+   Link_Period       : constant Time_Span := Milliseconds (250);
+   --  how often the monitor's link is examined
+
+   Answer_Timeout    : constant Time_Span := Milliseconds (80);
+   --  of the robot, after the end of the command (PROTOCOL.md)
+   Byte_Time         : constant Time_Span := Microseconds (1042);
+   --  10 bits at 9600 baud
+
+   Reload_Quiet      : constant Time_Span := Milliseconds (20);
+   --  before a reload is due, nothing but a stop or a movement is begun
+   Reload_Quiet_Suspect : constant Time_Span := Milliseconds (110);
+   --  the same while the line has failed last: the exchange may take all of
+   --  the answer time-out
+
+   Camera_Silence    : constant Time_Span := Milliseconds (2500);
+   --  without a new image for this long the camera counts as failed
+
+   Stop_Limit        : constant Time_Span := Milliseconds (800);
+   --  an orderly stop does not wait longer for robot and camera
+   Camera_Release_Limit : constant Time_Span := Milliseconds (400);
+   --  the end of a session does not wait longer for the camera
+
+end Schedule;
