@@ -52,13 +52,13 @@ package body Base64 with SPARK_Mode is
      Pre  => Text'Last < Integer'Last and then K < Text'Length / 4,
      Post =>
        Natural (Decoded_At (Text, 3 * K + 1)) =
-         Value_At (Text, 4 * K) * 4 + Value_At (Text, 4 * K + 1) / 16
+         Value_Of (Text (Text'First + 4 * K)) * 4 + Value_Of (Text (Text'First + 4 * K + 1)) / 16
        and then Natural (Decoded_At (Text, 3 * K + 2)) =
-         Value_At (Text, 4 * K + 1) mod 16 * 16
-         + Value_At (Text, 4 * K + 2) / 4
+         Value_Of (Text (Text'First + 4 * K + 1)) mod 16 * 16
+         + Value_Of (Text (Text'First + 4 * K + 2)) / 4
        and then Natural (Decoded_At (Text, 3 * K + 3)) =
-         Value_At (Text, 4 * K + 2) mod 4 * 64
-         + Value_At (Text, 4 * K + 3);
+         Value_Of (Text (Text'First + 4 * K + 2)) mod 4 * 64
+         + Value_Of (Text (Text'First + 4 * K + 3));
    --  The three bytes of group K, counted from 0.
 
    procedure Prove_Group_Back
@@ -191,6 +191,8 @@ package body Base64 with SPARK_Mode is
       Tail  := 4 * (Groups - 1);
       Start := 3 * (Groups - 1);
       pragma Assert (Input'First + Tail + 3 = Input'Last);
+      pragma Assert
+        (for all K in 0 .. Groups - 2 => Are_Symbols_At (Input, K));
       C1 := Input (Input'First + Tail);
       C2 := Input (Input'First + Tail + 1);
       C3 := Input (Input'First + Tail + 2);
@@ -228,6 +230,7 @@ package body Base64 with SPARK_Mode is
          Prove_Same_Byte (Output (Start + 2), Decoded_At (Input, Start + 2));
       end if;
       OK := True;
+      pragma Assert (Is_Well_Formed (Input));
    end Decode;
 
    ----------------
@@ -235,11 +238,11 @@ package body Base64 with SPARK_Mode is
    ----------------
 
    function Decoded_At (Text : String; I : Positive) return Byte is
-      P  : constant Natural := (I - 1) / 3 * 4;
-      V1 : constant Sextet := Value_At (Text, P);
-      V2 : constant Sextet := Value_At (Text, P + 1);
-      V3 : constant Sextet := Value_At (Text, P + 2);
-      V4 : constant Sextet := Value_At (Text, P + 3);
+      P  : constant Positive := Text'First + (I - 1) / 3 * 4;
+      V1 : constant Sextet := Value_Of (Text (P));
+      V2 : constant Sextet := Value_Of (Text (P + 1));
+      V3 : constant Sextet := Value_Of (Text (P + 2));
+      V4 : constant Sextet := Value_Of (Text (P + 3));
    begin
       return
         (case (I - 1) mod 3 is
@@ -272,6 +275,9 @@ package body Base64 with SPARK_Mode is
          Output (First + 4 * K + 3) := Letter (N3 mod 64);
          Prove_Group (Input, Length, K);
          pragma Assert
+           (for all P in 0 .. 4 * K - 1 =>
+              Output (First + P) = Encoded_At (Input, Length, P));
+         pragma Assert
            (Output (First + 4 * K) = Encoded_At (Input, Length, 4 * K));
          pragma Assert
            (Output (First + 4 * K + 1)
@@ -282,6 +288,9 @@ package body Base64 with SPARK_Mode is
          pragma Assert
            (Output (First + 4 * K + 3)
               = Encoded_At (Input, Length, 4 * K + 3));
+         pragma Assert
+           (for all P in 4 * K .. 4 * K + 3 =>
+              Output (First + P) = Encoded_At (Input, Length, P));
          pragma Loop_Invariant
            (for all P in 0 .. 4 * K + 3 =>
               Output (First + P) = Encoded_At (Input, Length, P));
@@ -310,6 +319,12 @@ package body Base64 with SPARK_Mode is
               (Output (Last + 1 + J)
                  = Encoded_At (Input, Length, 4 * Triples + J));
          end loop;
+         pragma Assert
+           (for all P in 0 .. 4 * Triples - 1 =>
+              Output (First + P) = Encoded_At (Input, Length, P));
+         pragma Assert
+           (for all P in 4 * Triples .. 4 * Triples + 3 =>
+              Output (First + P) = Encoded_At (Input, Length, P));
          Last := Last + 4;
       end if;
    end Encode;
@@ -395,26 +410,13 @@ package body Base64 with SPARK_Mode is
       Prove_Symbol (V3);
       Prove_Symbol (V4);
       pragma Assert (3 * K + 1 <= Length);
-      pragma Assert (Text'Last < Integer'Last);
-      pragma Assert (4 * K + 3 < Text'Length);
       pragma Assert (Text (4 * K + 1) = Symbol (V1));
       pragma Assert (Text (4 * K + 2) = Symbol (V2));
-      pragma Assert (Value_At (Text, 4 * K) = Value_Of (Text (4 * K + 1)));
-      pragma Assert
-        (Value_At (Text, 4 * K + 1) = Value_Of (Text (4 * K + 2)));
-      pragma Assert (Value_At (Text, 4 * K) = V1);
-      pragma Assert (Value_At (Text, 4 * K + 1) = V2);
       if 3 * K + 2 <= Length then
          pragma Assert (Text (4 * K + 3) = Symbol (V3));
-         pragma Assert
-           (Value_At (Text, 4 * K + 2) = Value_Of (Text (4 * K + 3)));
-         pragma Assert (Value_At (Text, 4 * K + 2) = V3);
       end if;
       if 3 * K + 3 <= Length then
          pragma Assert (Text (4 * K + 4) = Symbol (V4));
-         pragma Assert
-           (Value_At (Text, 4 * K + 3) = Value_Of (Text (4 * K + 4)));
-         pragma Assert (Value_At (Text, 4 * K + 3) = V4);
       end if;
       pragma Assert (V1 * 4 + V2 / 16 = B1);
       pragma Assert (V2 mod 16 * 16 + V3 / 4 = B2);
@@ -458,10 +460,15 @@ package body Base64 with SPARK_Mode is
            (for all J in 1 .. I =>
               Natural (Decoded_At (Text, J)) = Natural (Input (J)));
       end loop;
-      Decode (Text, Result, Count, OK);
       pragma Assert (if Groups > 0 then 3 * (Groups - 1) < Length);
       pragma Assert
         (for all K in 0 .. Groups - 2 => Are_Symbols_At (Text, K));
+      pragma Assert
+        (if Groups > 0 then
+            Is_Last_Group (Text (Text'Last - 3), Text (Text'Last - 2),
+                           Text (Text'Last - 1), Text (Text'Last)));
+      pragma Assert (Is_Well_Formed (Text));
+      Decode (Text, Result, Count, OK);
       pragma Assert (OK);
       pragma Assert (Count = Length);
       pragma Assert
@@ -480,12 +487,5 @@ package body Base64 with SPARK_Mode is
    ------------------
 
    procedure Prove_Symbol (Value : Sextet) is null;
-
-   --------------
-   -- Value_At --
-   --------------
-
-   function Value_At (Text : String; P : Natural) return Sextet is
-     (Value_Of (Text (Text'First + P)));
 
 end Base64;

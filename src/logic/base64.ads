@@ -100,13 +100,6 @@ package Base64 with SPARK_Mode is
    with Ghost;
    --  The bits that are left over before the padding are zero.
 
-   function Value_At (Text : String; P : Natural) return Sextet
-   with
-     Ghost,
-     Pre  => Text'Last < Integer'Last and then P < Text'Length,
-     Post => Value_At'Result = Value_Of (Text (Text'First + P));
-   --  Character P of Text, counted from 0.
-
    function Is_Well_Formed (Text : String) return Boolean is
      (Text'Length mod 4 = 0
       and then
@@ -137,14 +130,14 @@ package Base64 with SPARK_Mode is
      Post => Natural (Decoded_At'Result) =
        (case (I - 1) mod 3 is
            when 0 =>
-             Value_At (Text, (I - 1) / 3 * 4) * 4
-             + Value_At (Text, (I - 1) / 3 * 4 + 1) / 16,
+             Value_Of (Text (Text'First + (I - 1) / 3 * 4)) * 4
+             + Value_Of (Text (Text'First + (I - 1) / 3 * 4 + 1)) / 16,
            when 1 =>
-             Value_At (Text, (I - 1) / 3 * 4 + 1) mod 16 * 16
-             + Value_At (Text, (I - 1) / 3 * 4 + 2) / 4,
+             Value_Of (Text (Text'First + (I - 1) / 3 * 4 + 1)) mod 16 * 16
+             + Value_Of (Text (Text'First + (I - 1) / 3 * 4 + 2)) / 4,
            when others =>
-             Value_At (Text, (I - 1) / 3 * 4 + 2) mod 4 * 64
-             + Value_At (Text, (I - 1) / 3 * 4 + 3));
+             Value_Of (Text (Text'First + (I - 1) / 3 * 4 + 2)) mod 4 * 64
+             + Value_Of (Text (Text'First + (I - 1) / 3 * 4 + 3)));
    --  Byte I of what Text encodes.
 
    --  The operations

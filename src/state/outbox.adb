@@ -36,7 +36,8 @@ package body Outbox with SPARK_Mode is
 
    protected Box with Priority => Schedule.Outbox_Ceiling is
       procedure Open_Session;
-      procedure Close_Session (Sender_Busy : out Boolean);
+      procedure Close_Session (Next : out Orders.Ticket);
+      procedure Get_Busy (Sender_Busy : out Boolean);
       procedure Reserve
         (Number : out Orders.Ticket; Result : out Reserve_Result);
       procedure Answer (Number : Orders.Ticket; Item : Place);
@@ -162,17 +163,26 @@ package body Outbox with SPARK_Mode is
       -- Close_Session --
       -------------------
 
-      procedure Close_Session (Sender_Busy : out Boolean) is
+      procedure Close_Session (Next : out Orders.Ticket) is
       begin
          Open := False;
          Head := Head + Orders.Ticket (Count);
+         Next := Head;
          Count := 0;
          Arena_Length := 0;
          Drop_Unasked;
          Now_Made := Now_Made + 1;
          Refresh;
-         Sender_Busy := Busy;
       end Close_Session;
+
+      --------------
+      -- Get_Busy --
+      --------------
+
+      procedure Get_Busy (Sender_Busy : out Boolean) is
+      begin
+         Sender_Busy := Busy;
+      end Get_Busy;
 
       -------------
       -- Reserve --
@@ -489,17 +499,26 @@ package body Outbox with SPARK_Mode is
    -- Close_Session --
    -------------------
 
-   procedure Close_Session is
-      Sender_Busy : Boolean;
+   procedure Close_Session (Next : out Orders.Ticket) is
    begin
       Set_False (Sender_Left);
-      Box.Close_Session (Sender_Busy);
+      Box.Close_Session (Next);
       Set_True (Room);
       Set_True (Arena_Room);
-      if Sender_Busy then
+   end Close_Session;
+
+   -----------------
+   -- Wait_Sender --
+   -----------------
+
+   procedure Wait_Sender is
+      Busy : Boolean;
+   begin
+      Box.Get_Busy (Busy);
+      if Busy then
          Suspend_Until_True (Sender_Left);
       end if;
-   end Close_Session;
+   end Wait_Sender;
 
    -------------
    -- Reserve --

@@ -28,9 +28,13 @@ package Outbox with SPARK_Mode is
    procedure Open_Session;
    --  Empties the box: a monitor has been admitted
 
-   procedure Close_Session;
-   --  Empties the box, frees whoever waits for it, and waits until the
-   --  sender has left the connection. For th_comMonPerdue only
+   procedure Close_Session (Next : out Orders.Ticket);
+   --  Empties the box and frees whoever waits for it. Commands have lower
+   --  numbers than Next so far
+
+   procedure Wait_Sender;
+   --  Until the sender has left the connection of the session just closed.
+   --  For th_comMonPerdue only
 
    ------------------
    -- The answers  --

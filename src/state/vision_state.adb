@@ -18,6 +18,7 @@ package body Vision_State with SPARK_Mode is
          Is_Open : out Boolean);
       procedure Opened (Number : Orders.Ticket; Success : Boolean);
       procedure Close (Was_Open : out Boolean);
+      procedure Close_By_Order (Number : Orders.Ticket; Done : out Boolean);
       procedure Ask_Arena (Number : Orders.Ticket; Accepted : out Boolean);
       procedure Searched
         (Number : Orders.Ticket;
@@ -74,6 +75,14 @@ package body Vision_State with SPARK_Mode is
          Was_Open := Vision_Mode.Is_Open (Current.Mode);
          Vision_Mode.Close (Current.Mode);
       end Close;
+
+      procedure Close_By_Order (Number : Orders.Ticket; Done : out Boolean) is
+      begin
+         Done := Number >= First;
+         if Done then
+            Vision_Mode.Close (Current.Mode);
+         end if;
+      end Close_By_Order;
 
       procedure Ask_Arena (Number : Orders.Ticket; Accepted : out Boolean) is
       begin
@@ -166,6 +175,15 @@ package body Vision_State with SPARK_Mode is
    begin
       Store.Close (Was_Open);
    end Close;
+
+   --------------------
+   -- Close_By_Order --
+   --------------------
+
+   procedure Close_By_Order (Number : Orders.Ticket; Done : out Boolean) is
+   begin
+      Store.Close_By_Order (Number, Done);
+   end Close_By_Order;
 
    ---------------
    -- Ask_Arena --

@@ -27,7 +27,10 @@ package Vision_State with SPARK_Mode is
    procedure Opened (Number : Orders.Ticket; Success : Boolean);
 
    procedure Close (Was_Open : out Boolean);
-   --  No camera any more: closed, or failed
+   --  No camera any more: it has failed, or the session has ended
+
+   procedure Close_By_Order (Number : Orders.Ticket; Done : out Boolean);
+   --  The same, asked for by the monitor
 
    procedure Ask_Arena (Number : Orders.Ticket; Accepted : out Boolean);
 

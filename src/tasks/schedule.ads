@@ -86,6 +86,15 @@ package Schedule with SPARK_Mode is
 
    Stop_Limit        : constant Time_Span := Milliseconds (800);
    --  an orderly stop does not wait longer for robot and camera
+   Failure_Limit     : constant Time_Span := Milliseconds (300);
+   --  the same after a failure, when it may never come
+   Console_Limit     : constant Time_Span := Milliseconds (100);
+   --  for the last lines of the log
+   Accept_Pause      : constant Time_Span := Milliseconds (100);
+   --  after a connection that could not be accepted
+   Release_Poll      : constant Time_Span := Milliseconds (5);
+   --  how often the ends of a session and of the process look again
+
    Camera_Release_Limit : constant Time_Span := Milliseconds (400);
    --  the end of a session does not wait longer for the camera
 

@@ -1,0 +1,114 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What would work here and what would not, and how to mend it: the option
+--  --check.
+
+with Console;
+with Monitor_Sockets;
+with Process;
+with Serial_Line;
+with Texts;
+with Vision;
+
+package body Checks is
+
+   use type Vision.Status;
+
+   procedure Report (Good : Boolean; Line : String);
+
+   function Number (Value : Integer) return Texts.Text;
+   --  Value in decimal
+
+   ------------
+   -- Number --
+   ------------
+
+   function Number (Value : Integer) return Texts.Text is
+      Result : Texts.Text;
+   begin
+      Texts.Append (Result, Value);
+      return Result;
+   end Number;
+
+   ------------
+   -- Report --
+   ------------
+
+   procedure Report (Good : Boolean; Line : String) is
+   begin
+      Console.Put ((if Good then "ok      " else "not ok  ") & Line);
+   end Report;
+
+   ---------
+   -- Run --
+   ---------
+
+   procedure Run (Chosen : Options.Values; All_Well : out Boolean) is
+      Held   : Process.Privilege_Kind;
+      Good   : Boolean;
+      Reason : Texts.Text;
+      Bound  : Options.Port_Number;
+      Result : Vision.Status;
+      Why    : Vision.Reason_Text;
+      Last   : Natural;
+   begin
+      Process.Get_Privileges (Held);
+      case Held is
+         when Process.Root_With_Real_Time =>
+            All_Well := True;
+            Report
+              (True, "priorities: real-time (FIFO), ceilings checked");
+         when Process.User_With_Real_Time =>
+            All_Well := True;
+            Report
+              (True, "priorities: real-time (FIFO), ceilings not checked");
+         when Process.User_Without_Real_Time
+            | Process.Root_Without_Real_Time =>
+            All_Well := False;
+            Report
+              (False,
+               "priorities: none (time-shared): run as root, or once "
+               & "'sudo setcap cap_sys_nice+ep bin/destijl'");
+      end case;
+
+      Serial_Line.Open (Chosen.Serial, Good, Reason);
+      Serial_Line.Close;
+      All_Well := All_Well and Good;
+      Report
+        (Good,
+         "serial line " & Texts.Image (Chosen.Serial)
+         & (if Good then ": opens"
+            else ": " & Texts.Image (Reason)
+              & " (name it with --serial; your user must be in the group "
+              & "dialout)"));
+
+      Vision.Open
+        (Texts.Image (Chosen.Camera), Chosen.Width, Chosen.Height,
+         Chosen.Frame_Rate, Result);
+      if Result = Vision.Done then
+         Vision.Grab (0, Result);
+      end if;
+      Vision.Reason (Why, Last);
+      Vision.Close;
+      Good := Result = Vision.Done;
+      All_Well := All_Well and Good;
+      Report
+        (Good,
+         "camera " & Texts.Image (Chosen.Camera)
+         & (if Good then ": delivers images"
+            else ": " & Why (1 .. Last)
+              & " (name it with --camera; your user must be in the group "
+              & "video)"));
+
+      Monitor_Sockets.Listen
+        (Chosen.Bind, Chosen.Port, Bound, Good, Reason);
+      All_Well := All_Well and Good;
+      Report
+        (Good,
+         "port " & Texts.Image (Chosen.Bind) & ":"
+         & (if Good then Texts.Image (Number (Bound)) & " is free"
+            else Texts.Image (Number (Chosen.Port)) & ": "
+              & Texts.Image (Reason)
+              & " (choose another with --port or --bind)"));
+   end Run;
+
+end Checks;

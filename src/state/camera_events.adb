@@ -1,0 +1,28 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The event "the camera is open", for the periodic images.
+
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+
+package body Camera_Events with SPARK_Mode is
+
+   Images_Begin : Suspension_Object;
+
+   ------------
+   -- Opened --
+   ------------
+
+   procedure Opened is
+   begin
+      Set_True (Images_Begin);
+   end Opened;
+
+   -----------------
+   -- Wait_Opened --
+   -----------------
+
+   procedure Wait_Opened is
+   begin
+      Suspend_Until_True (Images_Begin);
+   end Wait_Opened;
+
+end Camera_Events;

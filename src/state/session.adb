@@ -1,0 +1,199 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The session with the monitor: who is in command, how a session begins and
+--  ends, and the events that pass between the tasks that see to it.
+
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Schedule;
+
+package body Session with SPARK_Mode is
+
+   Server_Allowed  : Suspension_Object;
+   Listening       : Suspension_Object;
+   Session_Closed  : Suspension_Object;
+   Receive_Begins  : Suspension_Object;
+   Receive_Ended   : Suspension_Object;
+   Watch_Begins    : Suspension_Object;
+
+   protected State with Priority => Schedule.Session_Ceiling is
+      procedure Set (Stage : Stage_Kind);
+      procedure Get (Stage : out Stage_Kind);
+      procedure Stop;
+      procedure Get_Stopping (Value : out Boolean);
+   private
+      Current  : Stage_Kind := Free;
+      Stopping : Boolean    := False;
+   end State;
+
+   protected body State is
+
+      procedure Set (Stage : Stage_Kind) is
+      begin
+         Current := Stage;
+      end Set;
+
+      procedure Get (Stage : out Stage_Kind) is
+      begin
+         Stage := Current;
+      end Get;
+
+      procedure Stop is
+      begin
+         Stopping := True;
+      end Stop;
+
+      procedure Get_Stopping (Value : out Boolean) is
+      begin
+         Value := Stopping;
+      end Get_Stopping;
+
+   end State;
+
+   ---------------
+   -- Get_Stage --
+   ---------------
+
+   procedure Get_Stage (Stage : out Stage_Kind) is
+   begin
+      State.Get (Stage);
+   end Get_Stage;
+
+   ------------------
+   -- Begin_Active --
+   ------------------
+
+   procedure Begin_Active is
+   begin
+      State.Set (Active);
+      Set_True (Receive_Begins);
+      Set_True (Watch_Begins);
+   end Begin_Active;
+
+   -------------------
+   -- Begin_Closing --
+   -------------------
+
+   procedure Begin_Closing is
+   begin
+      Set_False (Session_Closed);
+      State.Set (Closing);
+   end Begin_Closing;
+
+   -----------------
+   -- End_Closing --
+   -----------------
+
+   procedure End_Closing is
+   begin
+      State.Set (Closed);
+      Set_True (Session_Closed);
+   end End_Closing;
+
+   ----------------
+   -- End_Closed --
+   ----------------
+
+   procedure End_Closed is
+   begin
+      State.Set (Free);
+   end End_Closed;
+
+   ------------------
+   -- Request_Stop --
+   ------------------
+
+   procedure Request_Stop is
+   begin
+      State.Stop;
+   end Request_Stop;
+
+   ------------------
+   -- Get_Stopping --
+   ------------------
+
+   procedure Get_Stopping (Stopping : out Boolean) is
+   begin
+      State.Get_Stopping (Stopping);
+   end Get_Stopping;
+
+   ------------------
+   -- Allow_Server --
+   ------------------
+
+   procedure Allow_Server is
+   begin
+      Set_True (Server_Allowed);
+   end Allow_Server;
+
+   -----------------
+   -- Wait_Server --
+   -----------------
+
+   procedure Wait_Server is
+   begin
+      Suspend_Until_True (Server_Allowed);
+   end Wait_Server;
+
+   --------------------
+   -- Server_Listens --
+   --------------------
+
+   procedure Server_Listens is
+   begin
+      Set_True (Listening);
+   end Server_Listens;
+
+   --------------------
+   -- Wait_Listening --
+   --------------------
+
+   procedure Wait_Listening is
+   begin
+      Suspend_Until_True (Listening);
+   end Wait_Listening;
+
+   -----------------
+   -- Wait_Closed --
+   -----------------
+
+   procedure Wait_Closed is
+   begin
+      Suspend_Until_True (Session_Closed);
+   end Wait_Closed;
+
+   ------------------
+   -- Wait_Receive --
+   ------------------
+
+   procedure Wait_Receive is
+   begin
+      Suspend_Until_True (Receive_Begins);
+   end Wait_Receive;
+
+   -------------------
+   -- Receiver_Left --
+   -------------------
+
+   procedure Receiver_Left is
+   begin
+      Set_True (Receive_Ended);
+   end Receiver_Left;
+
+   ------------------------
+   -- Wait_Receiver_Left --
+   ------------------------
+
+   procedure Wait_Receiver_Left is
+   begin
+      Suspend_Until_True (Receive_Ended);
+   end Wait_Receiver_Left;
+
+   ----------------
+   -- Wait_Watch --
+   ----------------
+
+   procedure Wait_Watch is
+   begin
+      Suspend_Until_True (Watch_Begins);
+   end Wait_Watch;
+
+end Session;

@@ -1,0 +1,50 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The session with the monitor: who is in command, how a session begins and
+--  ends, and the events that pass between the tasks that see to it.
+
+package Session with SPARK_Mode is
+
+   type Stage_Kind is
+     (Free,       --  no monitor: the next one is admitted
+      Active,     --  a monitor is in command
+      Closing,    --  it is lost: robot, camera and queues are brought back
+      Closed);    --  they have been; its connection is to be closed
+
+   procedure Get_Stage (Stage : out Stage_Kind);
+
+   procedure Begin_Active;
+   procedure Begin_Closing;
+   procedure End_Closing;
+   procedure End_Closed;
+   --  The four steps of a session, each after the one before
+
+   procedure Request_Stop;
+   --  The supervisor is stopping: no monitor is admitted any more, and the
+   --  one in command counts as lost
+
+   procedure Get_Stopping (Stopping : out Boolean);
+
+   --  The events, each for one task
+
+   procedure Allow_Server;
+   --  The options are set
+   procedure Wait_Server;
+   --  For th_server only
+
+   procedure Server_Listens;
+   procedure Wait_Listening;
+   --  For the main procedure only
+
+   procedure Wait_Closed;
+   --  Until the session has been brought back. For th_server only
+
+   procedure Wait_Receive;
+   --  Until a session begins. For th_receiveFromMon only
+   procedure Receiver_Left;
+   procedure Wait_Receiver_Left;
+   --  For th_comMonPerdue only
+
+   procedure Wait_Watch;
+   --  Until a session begins. For th_comMonPerdue only
+
+end Session;

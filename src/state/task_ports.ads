@@ -1,0 +1,29 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The event-data ports of the tasks that carry out the monitor's orders,
+--  and the way of an order to the right one.
+
+with Order_Ports;
+with Orders;
+
+package Task_Ports with SPARK_Mode is
+
+   package Open_Robot is new Order_Ports;
+   package Start_Robot is new Order_Ports;
+   package Start_Robot_Watchdog is new Order_Ports;
+   package Reset_Robot is new Order_Ports;
+   package Move is new Order_Ports;
+   package Query is new Order_Ports;
+   package Camera_Control is new Order_Ports;
+   package Arena is new Order_Ports;
+
+   procedure Dispatch (Item : Orders.Order);
+   --  Item goes to the task that carries it out, to the vision in the order
+   --  of the commands; a stop goes straight to the owner of the line
+
+   procedure Vision_Done;
+   --  A vision task has carried out an order: the next one may go
+
+   procedure Clear;
+   --  Forget all orders that wait: their session has ended
+
+end Task_Ports;

@@ -1,0 +1,40 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What happens when a task ends, which none may: the process is told, and
+--  stops the robot and itself.
+
+with Ada.Exceptions;          use Ada.Exceptions;
+with Ada.Task_Identification; use Ada.Task_Identification;
+with Ada.Task_Termination;    use Ada.Task_Termination;
+with Journal;
+with Options;
+with Process;
+with Schedule;
+
+package body Failures with SPARK_Mode => Off is
+   --  Off: a termination handler is an access to a protected procedure
+
+   protected Fallback with Priority => Schedule.Journal_Ceiling is
+      procedure Ended
+        (Cause : Cause_Of_Termination; T : Task_Id; X : Exception_Occurrence);
+   end Fallback;
+
+   protected body Fallback is
+
+      procedure Ended
+        (Cause : Cause_Of_Termination; T : Task_Id; X : Exception_Occurrence)
+      is
+      begin
+         Journal.Put
+           (Options.Error,
+            "internal failure: task " & Image (T) & " ended"
+            & (if Cause = Unhandled_Exception
+               then ", " & Exception_Name (X) & " " & Exception_Message (X)
+               else ""));
+         Process.Report_Failure;
+      end Ended;
+
+   end Fallback;
+
+begin
+   Set_Dependents_Fallback_Handler (Fallback.Ended'Access);
+end Failures;

@@ -1,0 +1,409 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The report's four tasks of the monitor, and the one that ends the hold on
+--  unasked messages.
+
+with Ada.Real_Time;    use Ada.Real_Time;
+with Camera_Requests;
+with Console;
+with Journal;
+with Monitor_Link;
+with Monitor_Protocol; use Monitor_Protocol;
+with Monitor_Sockets;
+with Options;
+with Orders;
+with Outbox;
+with Process;
+with Robot_Clients;
+with Robot_Line;
+with Robot_Session;
+with Session;
+with Settings;
+with Task_Ports;
+with Texts;
+with Vision_State;
+
+package body Monitor_Tasks with SPARK_Mode is
+
+   use type Monitor_Link.Verdict;
+   use type Monitor_Sockets.Loss_Kind;
+   use type Orders.Ticket;
+   use type Outbox.Message_Kind;
+   use type Session.Stage_Kind;
+
+   Outgoing : Outbox.Message_Buffer := (others => ' ')
+     with Part_Of => Th_Send_To_Mon;
+   --  The message under way
+
+   procedure Start_Server;
+   --  Listens, or says why it cannot and ends the process (F1)
+
+   procedure Close_Session;
+   --  The session has been brought back: ready for the next monitor
+
+   procedure Meet_Newcomer (Peer : Texts.Text);
+   --  Admits it, or tells it that a monitor is in command already
+
+   procedure Handle
+     (Line   : String;
+      Rank   : in out Orders.Ticket;
+      After  : in out Orders.Ticket;
+      Open   : out Boolean);
+   --  One line of the monitor: its message becomes an order. Rank and After
+   --  are those of the last one
+
+   procedure Wait_Loss (Reason : out Texts.Text);
+   --  Until the monitor in command is lost
+
+   procedure Bring_Back;
+   --  Robot, camera and queues to their initial state (F6)
+
+   ------------------
+   -- Start_Server --
+   ------------------
+
+   procedure Start_Server is
+      Chosen  : Options.Values;
+      Bound   : Options.Port_Number;
+      Success : Boolean;
+      Reason  : Texts.Text;
+      Line    : Texts.Text;
+   begin
+      Settings.Get (Chosen);
+      Monitor_Sockets.Listen
+        (Chosen.Bind, Chosen.Port, Bound, Success, Reason);
+      if Success then
+         Texts.Set (Line, "listening on ");
+      else
+         Texts.Set (Line, "destijl: cannot listen on ");
+         Bound := Chosen.Port;
+      end if;
+      Texts.Append (Line, Chosen.Bind.Data (1 .. Chosen.Bind.Length));
+      Texts.Append (Line, ":");
+      Texts.Append (Line, Bound);
+      if Success then
+         Journal.Put (Options.Info, Line);
+         Session.Server_Listens;
+      else
+         Texts.Append (Line, ": ");
+         Texts.Append (Line, Reason.Data (1 .. Reason.Length));
+         Console.Put_Log (Line.Data (1 .. Line.Length));
+         Process.Leave (Process.Cannot_Start);
+      end if;
+   end Start_Server;
+
+   -------------------
+   -- Close_Session --
+   -------------------
+
+   procedure Close_Session is
+   begin
+      Monitor_Sockets.Close;
+      Session.End_Closed;
+      Journal.Put (Options.Info, "session closed, ready for a new monitor");
+   end Close_Session;
+
+   -------------------
+   -- Meet_Newcomer --
+   -------------------
+
+   procedure Meet_Newcomer (Peer : Texts.Text) is
+      Stage    : Session.Stage_Kind;
+      Stopping : Boolean;
+      Line     : Texts.Text;
+   begin
+      Session.Get_Stopping (Stopping);
+      Session.Get_Stage (Stage);
+      if Stage in Session.Closing | Session.Closed and then not Stopping then
+         --  it waits until all has been brought back
+         Session.Wait_Closed;
+         Close_Session;
+         Stage := Session.Free;
+      end if;
+      if Stopping then
+         Monitor_Sockets.Refuse
+           ("MSSG:refused: the supervisor is stopping" & ASCII.LF);
+      elsif Stage = Session.Active then
+         Monitor_Sockets.Refuse
+           ("MSSG:refused: another monitor is connected" & ASCII.LF);
+         Texts.Set (Line, "second monitor refused: ");
+         Texts.Append (Line, Peer.Data (1 .. Peer.Length));
+         Journal.Put (Options.Warning, Line);
+      else
+         Monitor_Sockets.Admit;
+         Outbox.Open_Session;
+         Texts.Set (Line, "monitor connected from ");
+         Texts.Append (Line, Peer.Data (1 .. Peer.Length));
+         Journal.Put (Options.Info, Line);
+         Session.Begin_Active;
+      end if;
+   end Meet_Newcomer;
+
+   ---------------
+   -- Th_Server --
+   ---------------
+
+   task body Th_Server is
+      Event : Monitor_Sockets.Arrival;
+      Peer  : Texts.Text;
+      Stage : Session.Stage_Kind;
+      Line  : Texts.Text;
+      Again : Time;
+   begin
+      Session.Wait_Server;
+      Start_Server;
+      loop
+         Monitor_Sockets.Wait_Newcomer (Event, Peer);
+         case Event is
+            when Monitor_Sockets.Newcomer =>
+               Meet_Newcomer (Peer);
+            when Monitor_Sockets.Woken =>
+               Session.Get_Stage (Stage);
+               if Stage = Session.Closed then
+                  Session.Wait_Closed;
+                  Close_Session;
+               end if;
+            when Monitor_Sockets.Failed =>
+               Texts.Set (Line, "a monitor could not connect: ");
+               Texts.Append (Line, Peer.Data (1 .. Peer.Length));
+               Journal.Put (Options.Error, Line);
+               --  out of descriptors, most likely: not at full speed
+               Again := Clock;
+               Again := Again + Schedule.Accept_Pause;
+               delay until Again;
+         end case;
+      end loop;
+   end Th_Server;
+
+   ------------
+   -- Handle --
+   ------------
+
+   procedure Handle
+     (Line   : String;
+      Rank   : in out Orders.Ticket;
+      After  : in out Orders.Ticket;
+      Open   : out Boolean)
+   is
+      Order : Orders.Order;
+      Text  : Texts.Text;
+   begin
+      Parse (Line, Order.Message);
+      Outbox.Reserve (Order.Number, Open);
+      if not Open then
+         return;
+      end if;
+      if Order.Message.Kind in Open_Robot .. Get_State
+        and then Order.Message.Kind /= Stop_Robot
+      then
+         Rank := Rank + 1;
+         Order.Rank := Rank;
+         Order.After := After;
+         if Order.Message.Kind in Open_Robot .. Reset_Robot | Power_Off_Robot
+         then
+            After := Rank;
+         end if;
+      end if;
+      case Order.Message.Kind is
+         when Log_Message =>
+            Outbox.Answer_Nothing (Order.Number);
+            Texts.Set (Text, "monitor says: ");
+            Texts.Append
+              (Text, Line (Line'First + Text_Offset .. Line'Last));
+            Journal.Put (Options.Info, Text);
+         when Malformed =>
+            Outbox.Answer (Order.Number, Not_Understood);
+            Texts.Set (Text, "not understood: ");
+            Texts.Append (Text, Line);
+            Journal.Put (Options.Warning, Text);
+         when others =>
+            Task_Ports.Dispatch (Order);
+      end case;
+   end Handle;
+
+   -------------------------
+   -- Th_Receive_From_Mon --
+   -------------------------
+
+   task body Th_Receive_From_Mon is
+      Incoming : String (1 .. 4096) := (others => ' ');
+      Line     : String (1 .. Max_Line) := (others => ' ');
+      Length   : Natural;
+      Last     : Natural;
+      Reader   : Line_Reader;
+      Complete : Boolean;
+      Open     : Boolean;
+      Rank     : Orders.Ticket;
+      After    : Orders.Ticket;
+   begin
+      loop
+         Session.Wait_Receive;
+         Clear (Reader);
+         Rank := 0;
+         After := 0;
+         loop
+            Monitor_Sockets.Receive (Incoming, Length, Open);
+            for I in 1 .. Length loop
+               exit when not Open;
+               Accept_Character (Reader, Incoming (I), Complete);
+               if Complete then
+                  Get_Line (Reader, Line, Last);
+                  Handle (Line (1 .. Last), Rank, After, Open);
+               end if;
+            end loop;
+            exit when not Open;
+         end loop;
+         --  the watch sees it, whatever ended the connection
+         Monitor_Sockets.Shut_Down;
+         Session.Receiver_Left;
+      end loop;
+   end Th_Receive_From_Mon;
+
+   --------------------
+   -- Th_Send_To_Mon --
+   --------------------
+
+   task body Th_Send_To_Mon is
+      Chosen    : Options.Values;
+      Last_Sent : Time := Time_First;
+      Answered  : Boolean := False;  --  the last message was an answer
+      Is_Answer : Boolean;
+      Kind      : Outbox.Message_Kind;
+      Length    : Outbox.Message_Length;
+      Success   : Boolean;
+   begin
+      loop
+         Outbox.Wait (Is_Answer);
+         Settings.Get (Chosen);
+         if not (Answered and then Is_Answer) then
+            delay until Last_Sent + Milliseconds (Chosen.Message_Gap);
+         end if;
+         Outbox.Take (Kind, Outgoing, Length);
+         if Kind /= Outbox.Nothing then
+            Monitor_Sockets.Send (Outgoing, Length, Success);
+            Last_Sent := Clock;
+            Answered := Kind = Outbox.Answer;
+            Outbox.Sent;
+            if not Success then
+               Monitor_Sockets.Shut_Down;
+            end if;
+         end if;
+      end loop;
+   end Th_Send_To_Mon;
+
+   ---------------
+   -- Wait_Loss --
+   ---------------
+
+   procedure Wait_Loss (Reason : out Texts.Text) is
+      Link     : Monitor_Link.State;
+      Sample   : Monitor_Link.Sample;
+      Verdict  : Monitor_Link.Verdict := Monitor_Link.Present;
+      Loss     : Monitor_Sockets.Loss_Kind := Monitor_Sockets.None;
+      Stopping : Boolean := False;
+   begin
+      Monitor_Sockets.Sample (Sample);
+      Monitor_Link.Start (Link, Sample.Now);
+      loop
+         Monitor_Sockets.Watch (Schedule.Link_Period, Loss);
+         Session.Get_Stopping (Stopping);
+         exit when Loss /= Monitor_Sockets.None or else Stopping;
+         Monitor_Sockets.Sample (Sample);
+         Monitor_Link.Judge (Link, Sample, Verdict);
+         exit when Verdict /= Monitor_Link.Present;
+      end loop;
+      Texts.Set
+        (Reason,
+         (if Stopping then "the supervisor is stopping"
+          elsif Verdict = Monitor_Link.Vanished then
+             "it vanished, nothing has been acknowledged for 4 s"
+          elsif Verdict = Monitor_Link.Stalled then
+             "it has taken nothing for 15 s"
+          else
+            (case Loss is
+                when Monitor_Sockets.Reset_By_Peer => "connection reset",
+                when Monitor_Sockets.No_Sign_Of_Life =>
+                   "it vanished, no sign of life for 4 s",
+                when others => "connection closed")));
+   end Wait_Loss;
+
+   ----------------
+   -- Bring_Back --
+   ----------------
+
+   procedure Bring_Back is
+      Next     : Orders.Ticket;
+      Result   : Robot_Session.Outcome;
+      pragma Unreferenced (Result);
+      Was_Open : Boolean;
+      pragma Unreferenced (Was_Open);
+      Idle     : Boolean;
+      Limit    : Time;
+      Now      : Time;
+   begin
+      --  the robot first: from here on no order of this session counts
+      Monitor_Sockets.Shut_Down;
+      Outbox.Close_Session (Next);
+      Robot_Line.Begin_Session (Next);
+      Robot_Clients.Safe_State.Ask
+        ((Kind => Robot_Session.Close_Line, others => <>), (others => <>),
+         Result);
+      Vision_State.Close (Was_Open);
+      Vision_State.Begin_Session (Next);
+      Camera_Requests.Close;
+      Outbox.Wait_Sender;
+      Session.Wait_Receiver_Left;
+      Task_Ports.Clear;
+      --  a camera that hangs in its driver is not waited for: it closes as
+      --  soon as the driver lets go of it
+      Now := Clock;
+      Limit := Now + Schedule.Camera_Release_Limit;
+      loop
+         Camera_Requests.Get_Idle (Idle);
+         exit when Idle;
+         Now := Clock;
+         exit when Now >= Limit;
+         delay until Now + Schedule.Release_Poll;
+      end loop;
+   end Bring_Back;
+
+   -----------------------
+   -- Th_Com_Mon_Perdue --
+   -----------------------
+
+   task body Th_Com_Mon_Perdue is
+      Reason : Texts.Text;
+      Line   : Texts.Text;
+   begin
+      loop
+         Session.Wait_Watch;
+         Wait_Loss (Reason);
+         Session.Begin_Closing;
+         Texts.Set (Line, "monitor lost: ");
+         Texts.Append (Line, Reason.Data (1 .. Reason.Length));
+         Journal.Put (Options.Warning, Line);
+         Bring_Back;
+         Session.End_Closing;
+         Monitor_Sockets.Wake_Server;
+      end loop;
+   end Th_Com_Mon_Perdue;
+
+   -------------
+   -- Th_Hold --
+   -------------
+
+   task body Th_Hold is
+      Any     : Boolean;
+      At_Time : Time;
+   begin
+      loop
+         Outbox.Wait_Held;
+         loop
+            Outbox.Get_Hold_End (Any, At_Time);
+            exit when not Any;
+            delay until At_Time;
+            Outbox.End_Hold;
+         end loop;
+      end loop;
+   end Th_Hold;
+
+end Monitor_Tasks;

@@ -1,0 +1,153 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The tasks beside the report's: the console, and the end of the process,
+--  orderly or after a failure.
+
+with Ada.Real_Time; use Ada.Real_Time;
+with Camera_Requests;
+with Console;
+with Journal;
+with Monitor_Sockets;
+with Options;
+with Process;
+with Robot_Line;
+with Serial_Line;
+with Session;
+with Texts;
+
+package body Support_Tasks with SPARK_Mode is
+
+   use type Process.Signal_Kind;
+   use type Session.Stage_Kind;
+
+   function Level_Name (Level : Options.Level) return String is
+     (case Level is
+         when Options.Error   => "error",
+         when Options.Warning => "warning",
+         when Options.Info    => "info",
+         when Options.Debug   => "debug");
+
+   procedure Write (Item : Journal.Line; Start : Time);
+   --  One line of the log: "[seconds.milliseconds] level: text"
+
+   procedure Wait_Session_End (Limit : Time);
+   --  Until the session is over, Limit at most
+
+   procedure Wait_Console (Limit : Time);
+   --  Until the log has been written, Limit at most
+
+   -----------
+   -- Write --
+   -----------
+
+   procedure Write (Item : Journal.Line; Start : Time) is
+      Text    : Texts.Text;
+      Elapsed : constant Natural :=
+        Integer'Max (0, (Item.Time - Start) / Milliseconds (1));
+      Rest    : constant Natural := Elapsed mod 1000;
+   begin
+      Texts.Set (Text, "[");
+      Texts.Append (Text, Elapsed / 1000);
+      Texts.Append (Text, ".");
+      Texts.Append (Text, Rest / 100);
+      Texts.Append (Text, Rest / 10 mod 10);
+      Texts.Append (Text, Rest mod 10);
+      Texts.Append (Text, "] ");
+      Texts.Append (Text, Level_Name (Item.Level));
+      Texts.Append (Text, ": ");
+      Texts.Append (Text, Item.Text.Data (1 .. Item.Text.Length));
+      Console.Put_Log (Text.Data (1 .. Text.Length));
+   end Write;
+
+   ----------------
+   -- Th_Console --
+   ----------------
+
+   task body Th_Console is
+      Start : constant Time := Clock;
+      Item  : Journal.Line;
+   begin
+      loop
+         Journal.Take (Item);
+         Write (Item, Start);
+         Journal.Written;
+      end loop;
+   end Th_Console;
+
+   ----------------------
+   -- Wait_Session_End --
+   ----------------------
+
+   procedure Wait_Session_End (Limit : Time) is
+      Stage  : Session.Stage_Kind;
+      Status : Robot_Line.Status;
+      Idle   : Boolean;
+      Now    : Time;
+   begin
+      loop
+         Session.Get_Stage (Stage);
+         Robot_Line.Get_Status (Status);
+         Camera_Requests.Get_Idle (Idle);
+         exit when Stage in Session.Free | Session.Closed
+           and then not Status.Open and then Idle;
+         Now := Clock;
+         exit when Now >= Limit;
+         delay until Now + Schedule.Release_Poll;
+      end loop;
+   end Wait_Session_End;
+
+   ------------------
+   -- Wait_Console --
+   ------------------
+
+   procedure Wait_Console (Limit : Time) is
+      Waiting : Natural;
+      Now     : Time;
+   begin
+      loop
+         Journal.Get_Waiting (Waiting);
+         exit when Waiting = 0;
+         Now := Clock;
+         exit when Now >= Limit;
+         delay until Now + Schedule.Release_Poll;
+      end loop;
+   end Wait_Console;
+
+   -------------
+   -- Th_Stop --
+   -------------
+
+   task body Th_Stop is
+      Kind   : Process.Signal_Kind;
+      Status : Robot_Line.Status;
+      Now    : Time;
+   begin
+      loop
+         Process.Wait_Signal (Kind);
+         if Kind = Process.Failure then
+            --  whoever has failed, the robot stops now
+            Serial_Line.Stop_Blindly;
+         end if;
+         Journal.Put (Options.Info, "stopping");
+         Session.Request_Stop;
+         Monitor_Sockets.Shut_Down;
+         Now := Clock;
+         Wait_Session_End
+           (Now + (if Kind = Process.Failure then Schedule.Failure_Limit
+                   else Schedule.Stop_Limit));
+         Robot_Line.Get_Status (Status);
+         if Status.Open then
+            Serial_Line.Stop_Blindly;
+         end if;
+         Journal.Put
+           (Options.Info,
+            (if Kind = Process.Failure then "stopped after a failure"
+             else "stopped"));
+         Now := Clock;
+         Wait_Console (Now + Schedule.Console_Limit);
+         Process.Leave
+           (if Kind = Process.Failure then Process.Internal_Failure
+            else Process.Success);
+      end loop;
+   end Th_Stop;
+
+end Support_Tasks;

@@ -1,0 +1,349 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The report's three tasks of the vision, and the owner of the camera.
+
+with Ada.Real_Time;    use Ada.Real_Time;
+with Base64;
+with Bytes;
+with Camera_Events;
+with Camera_Requests;
+with Frame_Store;
+with Journal;
+with Monitor_Protocol; use Monitor_Protocol;
+with Options;
+with Orders;
+with Outbox;
+with Settings;
+with Task_Ports;
+with Texts;
+with Vision;
+with Vision_Mode;
+with Vision_State;
+
+package body Vision_Tasks with SPARK_Mode is
+
+   use type Vision.Status;
+
+   subtype Jpeg_Buffer is Bytes.Byte_Array (1 .. Outbox.Max_Jpeg);
+
+   Image_Jpeg : Jpeg_Buffer := (others => 0)
+     with Part_Of => Th_Capture_Img;
+   Image_Text : Outbox.Message_Buffer := (others => ' ')
+     with Part_Of => Th_Capture_Img;
+   Arena_Jpeg : Jpeg_Buffer := (others => 0)
+     with Part_Of => Th_Arene;
+   Arena_Text : Outbox.Message_Buffer := (others => ' ')
+     with Part_Of => Th_Arene;
+
+   procedure Encode
+     (Slot    : Vision.Slot;
+      Quality : Options.Percentage;
+      Jpeg    : in out Jpeg_Buffer;
+      Text    : in out Outbox.Message_Buffer;
+      Length  : out Outbox.Message_Length);
+   --  The message that shows the image of Slot; Length is 0 where it cannot
+   --  be made (the log says why)
+
+   procedure Camera_Failed (Why : String);
+   --  The camera delivers no more: say so, and close it (once)
+
+   procedure Log_Reason (What : String);
+   --  What and the reason that vision_c gives
+
+   ------------
+   -- Encode --
+   ------------
+
+   procedure Encode
+     (Slot    : Vision.Slot;
+      Quality : Options.Percentage;
+      Jpeg    : in out Jpeg_Buffer;
+      Text    : in out Outbox.Message_Buffer;
+      Length  : out Outbox.Message_Length)
+   is
+      Result : Vision.Status;
+      Size   : Natural;
+      Last   : Natural;
+   begin
+      Length := 0;
+      Vision.Encode (Slot, Quality, Jpeg, Size, Result);
+      if Result = Vision.Done then
+         Text (1 .. 4) := Image_Label;
+         Text (5) := Separator;
+         Base64.Encode (Jpeg, Size, Text, 6, Last);
+         Length := Last + 1;
+         Text (Length) := Line_Feed;
+      else
+         Log_Reason ("image left out: ");
+      end if;
+   end Encode;
+
+   ----------------
+   -- Log_Reason --
+   ----------------
+
+   procedure Log_Reason (What : String) is
+      Reason : Vision.Reason_Text;
+      Last   : Natural;
+      Line   : Texts.Text;
+   begin
+      Vision.Reason (Reason, Last);
+      Texts.Set (Line, What);
+      Texts.Append (Line, Reason (1 .. Last));
+      Journal.Put (Options.Warning, Line);
+   end Log_Reason;
+
+   -------------------
+   -- Camera_Failed --
+   -------------------
+
+   procedure Camera_Failed (Why : String) is
+      Was_Open : Boolean;
+      Line     : Texts.Text;
+   begin
+      Vision_State.Close (Was_Open);
+      if Was_Open then
+         Outbox.Stop_Images;
+         Camera_Requests.Close;
+         Frame_Store.End_Delivery;
+         Texts.Set (Line, "camera closed: ");
+         Texts.Append (Line, Why);
+         Journal.Put (Options.Error, Line);
+         Outbox.Put_Text (Line);
+      end if;
+   end Camera_Failed;
+
+   -----------------------
+   -- Th_Camera_Control --
+   -----------------------
+
+   task body Th_Camera_Control is
+      Order    : Orders.Order;
+      Needed   : Boolean;
+      Success  : Boolean;
+      Was_Open : Boolean;
+      pragma Unreferenced (Was_Open);
+   begin
+      loop
+         Task_Ports.Camera_Control.Wait (Order);
+         case Order.Message.Kind is
+            when Open_Camera =>
+               Vision_State.Ask_Open (Order.Number, Needed, Success);
+               if Needed then
+                  Camera_Requests.Open (Success);
+                  Vision_State.Opened (Order.Number, Success);
+                  if Success then
+                     Camera_Events.Opened;
+                  end if;
+               end if;
+            when Close_Camera =>
+               Vision_State.Close_By_Order (Order.Number, Success);
+               if Success then
+                  Outbox.Stop_Images;
+                  Camera_Requests.Close;
+               end if;
+            when others =>
+               Vision_State.Ask_Position
+                 (Order.Number, Order.Message.Kind = Start_Position,
+                  Success);
+         end case;
+         Outbox.Answer
+           (Order.Number, (if Success then Acknowledged else Not_Done));
+         Task_Ports.Vision_Done;
+      end loop;
+   end Th_Camera_Control;
+
+   --------------------
+   -- Th_Capture_Img --
+   --------------------
+
+   task body Th_Capture_Img is
+      Chosen  : Options.Values;
+      Period  : Time_Span;
+      Next    : Time;
+      Now     : Time;
+      Newest  : Time;
+      Made    : Outbox.Generation;
+      Seen    : Vision_State.View;
+      Slot    : Vision.Slot;
+      Found   : Boolean;
+      Robots  : Vision.Robot_Array;
+      Count   : Vision.Robot_Count;
+      Result  : Vision.Status;
+      pragma Unreferenced (Result);
+      Place   : Position;
+      Text    : Position_Text;
+      Last    : Natural;
+      Length  : Outbox.Message_Length;
+   begin
+      loop
+         Camera_Events.Wait_Opened;
+         Settings.Get (Chosen);
+         Period := Seconds (1) / Chosen.Frame_Rate;
+         Next := Clock;
+         loop
+            --  the generation before the mode: an image made for a mode
+            --  that has ended meanwhile is then not sent
+            Outbox.Get_Generation (Made);
+            Vision_State.Get (Seen);
+            exit when not Vision_Mode.Is_Open (Seen.Mode);
+            Frame_Store.Get_Newest_Time (Newest);
+            Now := Clock;
+            if Now - Newest > Schedule.Camera_Silence then
+               Camera_Failed ("it has delivered nothing for 2.5 s");
+            elsif Vision_Mode.Images_Flow (Seen.Mode) then
+               Frame_Store.Claim_Newest (Slot, Found);
+               if Found then
+                  if Seen.Mode.Position_On then
+                     Vision.Find_Robots
+                       (Slot, Chosen.Marker, Seen.Arena,
+                        Vision_Mode.Uses_Arena (Seen.Mode),
+                        Robots, Count, Result);
+                     Place := Not_Found;
+                     if Count > 0 then
+                        Place :=
+                          (Id    => Integer (Robots (1).Id),
+                           Angle => Micro (Robots (1).Angle),
+                           Cx    => Micro (Robots (1).Centre.X),
+                           Cy    => Micro (Robots (1).Centre.Y),
+                           Dx    => Micro (Robots (1).Direction.X),
+                           Dy    => Micro (Robots (1).Direction.Y));
+                     end if;
+                     Format_Position (Place, Text, Last);
+                     Outbox.Put_Position (Text (1 .. Last), Made);
+                     for I in 1 .. Count loop
+                        Vision.Draw_Robot (Slot, Robots (I), Result);
+                     end loop;
+                  end if;
+                  if Vision_Mode.Uses_Arena (Seen.Mode) then
+                     Vision.Draw_Arena (Slot, Seen.Arena, Result);
+                  end if;
+                  Encode (Slot, Chosen.Quality, Image_Jpeg, Image_Text,
+                          Length);
+                  Frame_Store.Release (Slot);
+                  if Length > 0 then
+                     Outbox.Put_Image (Image_Text, Length, Made);
+                  end if;
+               end if;
+            end if;
+            Now := Clock;
+            while Next <= Now loop
+               Next := Next + Period;
+            end loop;
+            delay until Next;
+         end loop;
+      end loop;
+   end Th_Capture_Img;
+
+   --------------
+   -- Th_Arene --
+   --------------
+
+   task body Th_Arene is
+      Order  : Orders.Order;
+      Chosen : Options.Values;
+      Valid  : Boolean;
+      Slot   : Vision.Slot;
+      Found  : Boolean;
+      Arena  : Vision.Arena_Corners;
+      Result : Vision.Status;
+      Length : Outbox.Message_Length;
+   begin
+      loop
+         Task_Ports.Arena.Wait (Order);
+         if Order.Message.Kind = Ask_Arena then
+            Vision_State.Ask_Arena (Order.Number, Valid);
+            if Valid then
+               Outbox.Stop_Images;
+               Settings.Get (Chosen);
+               Arena := Vision.No_Arena;
+               Length := 0;
+               Frame_Store.Wait_Newest (Slot, Found);
+               if Found then
+                  Vision.Find_Arena (Slot, Arena, Result);
+                  if Result = Vision.Done then
+                     Vision.Draw_Arena (Slot, Arena, Result);
+                     Encode (Slot, Chosen.Quality, Arena_Jpeg, Arena_Text,
+                             Length);
+                  end if;
+                  Frame_Store.Release (Slot);
+               end if;
+               Vision_State.Searched
+                 (Order.Number, Length > 0, Arena, Valid);
+               if Valid and then Length > 0 then
+                  Outbox.Answer_With_Image
+                    (Order.Number, Arena_Text, Length);
+               else
+                  Outbox.Answer (Order.Number, Not_Done);
+               end if;
+            else
+               Outbox.Answer (Order.Number, Not_Done);
+            end if;
+         else
+            Vision_State.Decide
+              (Order.Number, Order.Message.Kind = Confirm_Arena, Valid);
+            Outbox.Answer_Nothing (Order.Number);
+            if not Valid then
+               Journal.Put
+                 (Options.Warning,
+                  "arena confirmed or rejected, but none was awaiting it");
+            end if;
+         end if;
+         Task_Ports.Vision_Done;
+      end loop;
+   end Th_Arene;
+
+   ---------------
+   -- Th_Camera --
+   ---------------
+
+   task body Th_Camera is
+      Chosen : Options.Values;
+      Number : Camera_Requests.Request_Number;
+      Wanted : Boolean;
+      Result : Vision.Status;
+      Slot   : Vision.Slot;
+      Now    : Time;
+   begin
+      loop
+         Camera_Requests.Wait_Open (Number);
+         Settings.Get (Chosen);
+         Vision.Open
+           (Chosen.Camera.Data (1 .. Chosen.Camera.Length),
+            Chosen.Width, Chosen.Height, Chosen.Frame_Rate, Result);
+         Camera_Requests.Get_Wanted (Number, Wanted);
+         if Result /= Vision.Done then
+            Log_Reason ("camera cannot be opened: ");
+            Camera_Requests.Report (False);
+         elsif not Wanted then
+            Camera_Requests.Report (False);
+         else
+            Now := Clock;
+            Frame_Store.Begin_Delivery (Now);
+            Journal.Put (Options.Info, "camera open");
+            Camera_Requests.Report (True);
+            loop
+               Frame_Store.Claim_Empty (Slot);
+               Vision.Grab (Slot, Result);
+               if Result = Vision.Done then
+                  Now := Clock;
+                  Frame_Store.Publish (Slot, Now);
+               else
+                  Frame_Store.Release (Slot);
+               end if;
+               Camera_Requests.Get_Wanted (Number, Wanted);
+               exit when not Wanted;
+               if Result /= Vision.Done then
+                  Log_Reason ("no image from the camera: ");
+                  Camera_Failed ("it delivers no images any more");
+                  exit;
+               end if;
+            end loop;
+            Frame_Store.End_Delivery;
+            Journal.Put (Options.Info, "camera closed");
+         end if;
+         Vision.Close;
+         Camera_Requests.Released;
+      end loop;
+   end Th_Camera;
+
+end Vision_Tasks;
