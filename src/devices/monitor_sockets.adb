@@ -71,31 +71,21 @@ is
    with Import, Convention => C, External_Name => "eventfd";
 
    --  The beginning of the kernel's struct tcp_info (linux/tcp.h)
+   type Word_Array is array (Positive range <>) of Unsigned_32
+     with Convention => C;
+
    type Tcp_Info is record
-      States        : Unsigned_64;
-      Times_1       : Unsigned_64;
-      Times_2       : Unsigned_64;
-      Unacked       : Unsigned_32;
-      Counters_1    : Unsigned_32;
-      Counters_2    : Unsigned_64;
-      Counters_3    : Unsigned_64;
-      Last_Sent     : Unsigned_32;
-      Last_Ack_Sent : Unsigned_32;
-      Last_Received : Unsigned_32;
-      Last_Ack      : Unsigned_32;  --  ms since the last one received
-      Metrics_1     : Unsigned_64;
-      Metrics_2     : Unsigned_64;
-      Metrics_3     : Unsigned_64;
-      Metrics_4     : Unsigned_64;
-      Metrics_5     : Unsigned_64;
-      Retransmits   : Unsigned_64;
-      Pace          : Unsigned_64;
-      Pace_Limit    : Unsigned_64;
-      Bytes_Acked   : Unsigned_64;
-      Bytes_Got     : Unsigned_64;
-      Segments      : Unsigned_64;
-      Not_Sent      : Unsigned_32;  --  bytes
-      Shortest      : Unsigned_32;
+      States      : Word_Array (1 .. 6);   --  states, times, segment sizes
+      Unacked     : Unsigned_32;           --  segments
+      Counters    : Word_Array (1 .. 7);   --  up to the last data received
+      Last_Ack    : Unsigned_32;           --  ms since the last one received
+      Metrics     : Word_Array (1 .. 11);
+      Pacing      : Word_Array (1 .. 4);
+      Bytes_Acked : Unsigned_64;
+      Bytes_Got   : Unsigned_64;
+      Segments    : Word_Array (1 .. 2);
+      Not_Sent    : Unsigned_32;           --  bytes
+      Shortest    : Unsigned_32;
    end record with Convention => C, Size => 152 * 8;
 
    procedure Set_Number (Fd : int; Level : int; Name : int; Value : int);
@@ -310,7 +300,8 @@ is
                                 Error'Address, Size'Address);
          if Error in Timed_Out | No_Route then
             Loss := No_Sign_Of_Life;
-         elsif (Entries (1).Returned and (Poll_Error or Poll_Hang_Up)) /= 0
+         elsif (Unsigned_16 (Entries (1).Returned)
+                and Unsigned_16 (Poll_Error + Poll_Hang_Up)) /= 0
          then
             Loss := Reset_By_Peer;
          else

@@ -15,6 +15,8 @@ package body Serial_Line with
   Refined_State => (Device => Descriptor)
 is
 
+   use type Linux.Ssize;
+
    Closed     : constant int := -1;
    Descriptor : int := Closed with Atomic;
 
@@ -92,9 +94,9 @@ is
    procedure Write
      (Data : Bytes.Byte_Array; Length : Natural; Success : out Boolean) is
    begin
-      Success := Natural (Linux.Ssize'Max
-        (0, Linux.Write (Descriptor, Data'Address, size_t (Length))))
-        = Length;
+      Success :=
+        Linux.Write (Descriptor, Data'Address, size_t (Length))
+        = Linux.Ssize (Length);
    end Write;
 
    ----------
@@ -117,7 +119,10 @@ is
       Data := (others => 0);
       Length := 0;
       loop
-         Left := Time_Span'Max (Time_Span_Zero, Until_Time - Clock);
+         Left := Until_Time - Clock;
+         if Left < Time_Span_Zero then
+            Left := Time_Span_Zero;
+         end if;
          Wait := (0, long (Left / Nanoseconds (1)));
          Count := Linux.Precise_Poll
            (Entries'Address, 1, Wait'Address, System.Null_Address);

@@ -95,6 +95,7 @@ package body Robot_Session with SPARK_Mode is
    is
       function Simple (Kind : Wire.Command_Kind) return Wire.Command is
         (Kind => Kind, Value => 0);
+      Wanted : Wire.Command;
    begin
       case P.Request.Kind is
          when Open_Line =>
@@ -118,7 +119,8 @@ package body Robot_Session with SPARK_Mode is
          when Get_Moving =>
             Begin_Exchange (S, P, Acting, Simple (Wire.Busy), Next);
          when Drive =>
-            Begin_Exchange (S, P, Acting, P.Request.Command, Next);
+            Wanted := P.Request.Command;
+            Begin_Exchange (S, P, Acting, Wanted, Next);
          when Stop =>
             Begin_Exchange (S, P, Acting, Wire.Stop, Next);
          when Reload | Reload_By_Hand =>
@@ -286,8 +288,10 @@ package body Robot_Session with SPARK_Mode is
       Last   : Step_Result;
       Next   : out Step)
    is
+      Phase  : constant Phase_Kind   := P.Phase;
+      Wanted : constant Wire.Command := P.Wanted;
    begin
-      case P.Phase is
+      case Phase is
          when Opening =>
             if Last.Ok then
                S := (Line_Open => True,
@@ -318,12 +322,12 @@ package body Robot_Session with SPARK_Mode is
               and then P.Wanted = Wire.Stop
             then
                --  the blind stop is out; now get into step
-               Begin_Exchange (S, P, P.Phase, P.Wanted, Next);
+               Begin_Exchange (S, P, Phase, Wanted, Next);
             elsif not Last.Ok then
                Unanswered (S, P, Next);
             elsif P.In_Probe then
                Line_Health.Success (S.Health);
-               Begin_Exchange (S, P, P.Phase, P.Wanted, Next);
+               Begin_Exchange (S, P, Phase, Wanted, Next);
             else
                Line_Health.Success (S.Health);
                Answered (S, P, Last.Reply, Next);

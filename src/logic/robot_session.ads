@@ -7,7 +7,6 @@ with Robot_Protocol;
 
 package Robot_Session with SPARK_Mode is
 
-   use type Line_Health.State;
    use type Robot_Protocol.Command;
    use type Robot_Protocol.Command_Kind;
 

@@ -9,7 +9,6 @@ with Schedule;
 package body Outbox with SPARK_Mode is
 
    use type Orders.Ticket;
-   use type Monitor_Protocol.Short_Text;
 
    type Place_State is (Awaited, Ready_Text, Ready_Image, Ready_Nothing);
 

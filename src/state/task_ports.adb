@@ -32,13 +32,13 @@ package body Task_Ports with SPARK_Mode is
       Now : Boolean;
    begin
       case Item.Message.Kind is
-         when Open_Robot | Close_Robot =>
+         when Monitor_Protocol.Open_Robot | Close_Robot =>
             Open_Robot.Put (Item);
-         when Start_Robot =>
+         when Monitor_Protocol.Start_Robot =>
             Start_Robot.Put (Item);
-         when Start_Robot_Watchdog =>
+         when Monitor_Protocol.Start_Robot_Watchdog =>
             Start_Robot_Watchdog.Put (Item);
-         when Reset_Robot | Power_Off_Robot =>
+         when Monitor_Protocol.Reset_Robot | Power_Off_Robot =>
             Reset_Robot.Put (Item);
          when Go_Forward .. Go_Right | Move_Robot | Turn_Robot =>
             Move.Put (Item);

@@ -11,7 +11,6 @@ with Monitor_Protocol; use Monitor_Protocol;
 with Monitor_Sockets;
 with Options;
 with Orders;
-with Outbox;
 with Process;
 with Robot_Clients;
 with Robot_Line;
@@ -29,10 +28,6 @@ package body Monitor_Tasks with SPARK_Mode is
    use type Orders.Ticket;
    use type Outbox.Message_Kind;
    use type Session.Stage_Kind;
-
-   Outgoing : Outbox.Message_Buffer := (others => ' ')
-     with Part_Of => Th_Send_To_Mon;
-   --  The message under way
 
    procedure Start_Server;
    --  Listens, or says why it cannot and ends the process (F1)
@@ -333,9 +328,7 @@ package body Monitor_Tasks with SPARK_Mode is
    procedure Bring_Back is
       Next     : Orders.Ticket;
       Result   : Robot_Session.Outcome;
-      pragma Unreferenced (Result);
       Was_Open : Boolean;
-      pragma Unreferenced (Was_Open);
       Idle     : Boolean;
       Limit    : Time;
       Now      : Time;

@@ -325,7 +325,6 @@ package body Robot_Tasks with SPARK_Mode is
       Now    : Robot_Line.Status;
       Next   : Time;
       Result : Outcome;
-      pragma Unreferenced (Result);
    begin
       loop
          Robot_Events.Wait_Keep_Alive;

@@ -3,7 +3,6 @@
 
 with Ada.Real_Time;    use Ada.Real_Time;
 with Base64;
-with Bytes;
 with Camera_Events;
 with Camera_Requests;
 with Frame_Store;
@@ -11,7 +10,6 @@ with Journal;
 with Monitor_Protocol; use Monitor_Protocol;
 with Options;
 with Orders;
-with Outbox;
 with Settings;
 with Task_Ports;
 with Texts;
@@ -22,17 +20,6 @@ with Vision_State;
 package body Vision_Tasks with SPARK_Mode is
 
    use type Vision.Status;
-
-   subtype Jpeg_Buffer is Bytes.Byte_Array (1 .. Outbox.Max_Jpeg);
-
-   Image_Jpeg : Jpeg_Buffer := (others => 0)
-     with Part_Of => Th_Capture_Img;
-   Image_Text : Outbox.Message_Buffer := (others => ' ')
-     with Part_Of => Th_Capture_Img;
-   Arena_Jpeg : Jpeg_Buffer := (others => 0)
-     with Part_Of => Th_Arene;
-   Arena_Text : Outbox.Message_Buffer := (others => ' ')
-     with Part_Of => Th_Arene;
 
    procedure Encode
      (Slot    : Vision.Slot;
@@ -120,8 +107,6 @@ package body Vision_Tasks with SPARK_Mode is
       Order    : Orders.Order;
       Needed   : Boolean;
       Success  : Boolean;
-      Was_Open : Boolean;
-      pragma Unreferenced (Was_Open);
    begin
       loop
          Task_Ports.Camera_Control.Wait (Order);
@@ -169,7 +154,6 @@ package body Vision_Tasks with SPARK_Mode is
       Robots  : Vision.Robot_Array;
       Count   : Vision.Robot_Count;
       Result  : Vision.Status;
-      pragma Unreferenced (Result);
       Place   : Position;
       Text    : Position_Text;
       Last    : Natural;

@@ -1,6 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The report's three tasks of the vision, and the owner of the camera.
 
+with Bytes;
+with Outbox;
 with Schedule;
 
 package Vision_Tasks with SPARK_Mode is
@@ -19,5 +21,18 @@ package Vision_Tasks with SPARK_Mode is
 
    task Th_Camera with Priority => Schedule.Camera_Priority;
    --  Owns the camera: opens it, takes every image it delivers, closes it
+
+private
+
+   subtype Jpeg_Buffer is Bytes.Byte_Array (1 .. Outbox.Max_Jpeg);
+
+   Image_Jpeg : Jpeg_Buffer := (others => 0)
+     with Part_Of => Th_Capture_Img;
+   Image_Text : Outbox.Message_Buffer := (others => ' ')
+     with Part_Of => Th_Capture_Img;
+   Arena_Jpeg : Jpeg_Buffer := (others => 0)
+     with Part_Of => Th_Arene;
+   Arena_Text : Outbox.Message_Buffer := (others => ' ')
+     with Part_Of => Th_Arene;
 
 end Vision_Tasks;
