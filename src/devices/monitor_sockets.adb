@@ -17,6 +17,8 @@ package body Monitor_Sockets with
   Refined_State => (Network => (Listener, Arrived, Current, Waker))
 is
 
+   Epoch    : constant Time := Clock;  --  from which samples count
+
    Nobody   : constant int := -1;
    Listener : int := Nobody with Atomic;  --  takes connections
    Arrived  : int := Nobody with Atomic;  --  the newcomer's
@@ -36,6 +38,7 @@ is
    Info_Option   : constant := 11;        --  TCP_INFO
    Idle_Option   : constant := 4;         --  TCP_KEEPIDLE
    Repeat_Option : constant := 5;         --  TCP_KEEPINTVL
+   Quick_Option  : constant := 12;        --  TCP_QUICKACK
    Count_Option  : constant := 6;         --  TCP_KEEPCNT
 
    function C_Send
@@ -251,6 +254,9 @@ is
          Got := C_Receive (Current, Data'Address, Data'Length, 0);
          exit when Got >= 0 or else GNAT.OS_Lib.Errno /= EINTR;
       end loop;
+      --  a command that has no answer must not make a sender wait that
+      --  holds the next one back until this one is acknowledged (Nagle)
+      Set_Number (Current, Level_Tcp, Quick_Option, 1);
       Open := Got > 0;
       if Got > 0 then
          Length := Natural (Got);
@@ -317,7 +323,7 @@ is
    procedure Sample (Link : out Monitor_Link.Sample) is
       Info : Tcp_Info;
       Size : unsigned := Tcp_Info'Size / 8;
-      Now  : constant Time_Span := Clock - Time_First;
+      Now  : constant Time_Span := Clock - Epoch;
    begin
       Link := (others => <>);
       if Get_Option (Current, Level_Tcp, Info_Option,

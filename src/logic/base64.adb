@@ -4,9 +4,9 @@
 
 package body Base64 with SPARK_Mode is
 
-   pragma Assertion_Policy (Loop_Invariant => Ignore);
-   --  Each looks at all that is written so far: proved, but at run time
-   --  they would make the work quadratic. The contracts are checked.
+   pragma Assertion_Policy (Assert => Ignore, Loop_Invariant => Ignore);
+   --  Many look at all that is written so far: proved, but at run time they
+   --  would make the work quadratic. The contracts are checked.
 
    Alphabet : constant array (Sextet) of Character :=
      ('A', 'B', 'C', 'D', 'E', 'F', 'G', 'H', 'I', 'J', 'K', 'L', 'M',
@@ -52,7 +52,8 @@ package body Base64 with SPARK_Mode is
      Pre  => Text'Last < Integer'Last and then K < Text'Length / 4,
      Post =>
        Natural (Decoded_At (Text, 3 * K + 1)) =
-         Value_Of (Text (Text'First + 4 * K)) * 4 + Value_Of (Text (Text'First + 4 * K + 1)) / 16
+         Value_Of (Text (Text'First + 4 * K)) * 4
+         + Value_Of (Text (Text'First + 4 * K + 1)) / 16
        and then Natural (Decoded_At (Text, 3 * K + 2)) =
          Value_Of (Text (Text'First + 4 * K + 1)) mod 16 * 16
          + Value_Of (Text (Text'First + 4 * K + 2)) / 4
@@ -169,6 +170,7 @@ package body Base64 with SPARK_Mode is
            or else not Is_Symbol (C4)
          then
             pragma Assert (not Are_Symbols_At (Input, K));
+            pragma Assert (not Is_Well_Formed (Input));
             return;
          end if;
          Output (3 * K + 1) := Triple_Byte_1 (Value_Of (C1), Value_Of (C2));
@@ -199,12 +201,14 @@ package body Base64 with SPARK_Mode is
       C4 := Input (Input'First + Tail + 3);
       if not Is_Symbol (C1) or else not Is_Symbol (C2) then
          pragma Assert (not Is_Last_Group (C1, C2, C3, C4));
+         pragma Assert (not Is_Well_Formed (Input));
          return;
       end if;
       Prove_Bytes (Input, Groups - 1);
       if C4 /= Padding then
          if not Is_Symbol (C3) or else not Is_Symbol (C4) then
             pragma Assert (not Is_Last_Group (C1, C2, C3, C4));
+            pragma Assert (not Is_Well_Formed (Input));
             return;
          end if;
          Output (Start + 3) := Triple_Byte_3 (Value_Of (C3), Value_Of (C4));
@@ -213,6 +217,7 @@ package body Base64 with SPARK_Mode is
       elsif C3 /= Padding then
          if not Is_Symbol (C3) or else Value_Of (C3) mod 4 /= 0 then
             pragma Assert (not Is_Last_Group (C1, C2, C3, C4));
+            pragma Assert (not Is_Well_Formed (Input));
             return;
          end if;
          Length := Start + 2;
@@ -220,6 +225,7 @@ package body Base64 with SPARK_Mode is
          Length := Start + 1;
       else
          pragma Assert (not Is_Last_Group (C1, C2, C3, C4));
+         pragma Assert (not Is_Well_Formed (Input));
          return;
       end if;
       pragma Assert (Is_Last_Group (C1, C2, C3, C4));
@@ -454,6 +460,8 @@ package body Base64 with SPARK_Mode is
          pragma Loop_Invariant
            ((Text (4 * K + 3) = Padding) = (3 * K + 2 > Length));
       end loop;
+      pragma Assert (Text'Last = 4 * Groups);
+      pragma Assert (Length <= Text'Length / 4 * 3);
       for I in 1 .. Length loop
          Prove_Byte_Back (Input, Length, Text, I);
          pragma Loop_Invariant
@@ -461,6 +469,7 @@ package body Base64 with SPARK_Mode is
               Natural (Decoded_At (Text, J)) = Natural (Input (J)));
       end loop;
       pragma Assert (if Groups > 0 then 3 * (Groups - 1) < Length);
+      pragma Assert (if Groups > 0 then 4 * (Groups - 1) + 1 = Text'Last - 3);
       pragma Assert
         (for all K in 0 .. Groups - 2 => Are_Symbols_At (Text, K));
       pragma Assert
