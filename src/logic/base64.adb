@@ -229,6 +229,10 @@ package body Base64 with SPARK_Mode is
          return;
       end if;
       pragma Assert (Is_Last_Group (C1, C2, C3, C4));
+      pragma Assert (Input'Length / 4 * 3 = Start + 3);
+      pragma Assert
+        (C3 = Input (Input'Last - 1) and then C4 = Input (Input'Last));
+      pragma Assert (Length = Decoded_Length (Input));
       Output (Start + 1) := Triple_Byte_1 (Value_Of (C1), Value_Of (C2));
       Prove_Same_Byte (Output (Start + 1), Decoded_At (Input, Start + 1));
       if Length > Start + 1 then
@@ -317,6 +321,7 @@ package body Base64 with SPARK_Mode is
          Output (Last + 3) :=
            (if Length mod 3 = 1 then Padding else Letter (N2 mod 16 * 4));
          Output (Last + 4) := Padding;
+         pragma Assert (Length = 3 * Triples + Length mod 3);
          pragma Assert (Bits (Input, Length, 3 * Triples + 1) = N1);
          pragma Assert (Bits (Input, Length, 3 * Triples + 2) = N2);
          pragma Assert (Bits (Input, Length, 3 * Triples + 3) = 0);
@@ -477,6 +482,15 @@ package body Base64 with SPARK_Mode is
             Is_Last_Group (Text (Text'Last - 3), Text (Text'Last - 2),
                            Text (Text'Last - 1), Text (Text'Last)));
       pragma Assert (Is_Well_Formed (Text));
+      pragma Assert
+        (if Length mod 3 = 0 then Groups = Length / 3
+         else Groups = Length / 3 + 1);
+      pragma Assert
+        (if Groups > 0 then
+           (Text (Text'Last) = Padding) = (3 * Groups > Length)
+           and then
+             (Text (Text'Last - 1) = Padding) = (3 * Groups > Length + 1));
+      pragma Assert (Decoded_Length (Text) = Length);
       Decode (Text, Result, Count, OK);
       pragma Assert (OK);
       pragma Assert (Count = Length);

@@ -16,6 +16,11 @@ package Options with SPARK_Mode is
    subtype Percentage is Positive range 1 .. 100;
    subtype Milliseconds is Natural range 0 .. 1_000;
 
+   Camera_Rate : constant := 30;
+   --  Images a second asked of a camera, or the rate of the images sent if
+   --  that is higher: the newest is then never much older than 33 ms, and a
+   --  camera whose clock drifts against ours misses no period
+
    type Values is record
       Port        : Port_Number  := 5_544;
       Bind        : Texts.Text   := Texts.To_Text ("0.0.0.0");

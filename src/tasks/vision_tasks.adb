@@ -293,7 +293,8 @@ package body Vision_Tasks with SPARK_Mode is
          Settings.Get (Chosen);
          Vision.Open
            (Chosen.Camera.Data (1 .. Chosen.Camera.Length),
-            Chosen.Width, Chosen.Height, Chosen.Frame_Rate, Result);
+            Chosen.Width, Chosen.Height,
+            Integer'Max (Options.Camera_Rate, Chosen.Frame_Rate), Result);
          Camera_Requests.Get_Wanted (Number, Wanted);
          if Result /= Vision.Done then
             Log_Reason ("camera cannot be opened: ");

@@ -87,7 +87,7 @@ package body Scenarios is
    is
       Test : Scenario_Access;
    begin
-      if Index (Name, To_String (Filter)) > 0 or else Filter = "" then
+      if Filter = "" or else Index (Name, To_String (Filter)) > 0 then
          Test := new Scenario;
          Test.Title := new String'(Name);
          Test.Action := Run;
