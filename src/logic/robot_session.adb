@@ -133,7 +133,7 @@ package body Robot_Session with SPARK_Mode is
    -------------------
 
    procedure Start_Request
-     (S    : in out State;
+     (S    : State;
       R    : Request;
       P    : out Progress;
       Next : out Step)

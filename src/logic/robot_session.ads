@@ -93,7 +93,7 @@ package Robot_Session with SPARK_Mode is
    --  What came of the request, once its step is Finish
 
    procedure Start_Request
-     (S    : in out State;
+     (S    : State;
       R    : Request;
       P    : out Progress;
       Next : out Step)

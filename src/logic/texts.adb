@@ -20,7 +20,7 @@ package body Texts with SPARK_Mode is
    procedure Append (T : in out Text; Value : Integer) is
       subtype Digit_Place is Integer range 1 .. 10;
       Digit : String (Digit_Place) := (others => '0');
-      First : Digit_Place := Digit_Place'Last;
+      First : Digit_Place;
       Rest  : Integer := (if Value < 0 then Value else -Value);
       --  negative: its range is the larger one
    begin

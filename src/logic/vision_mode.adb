@@ -31,7 +31,7 @@ package body Vision_Mode with SPARK_Mode is
    -- Close --
    -----------
 
-   procedure Close (S : in out State) is
+   procedure Close (S : out State) is
    begin
       S := (others => <>);
    end Close;

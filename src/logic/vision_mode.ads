@@ -46,7 +46,7 @@ package Vision_Mode with SPARK_Mode, Pure is
    --  The camera is there, or could not be opened. Without effect where the
    --  opening has been given up meanwhile
 
-   procedure Close (S : in out State)
+   procedure Close (S : out State)
    with Post => Is_Consistent (S) and then S = (others => <>);
    --  F16, F6, and a camera that fails
 

@@ -293,8 +293,8 @@ package body Monitor_Tasks with SPARK_Mode is
       Link     : Monitor_Link.State;
       Sample   : Monitor_Link.Sample;
       Verdict  : Monitor_Link.Verdict := Monitor_Link.Present;
-      Loss     : Monitor_Sockets.Loss_Kind := Monitor_Sockets.None;
-      Stopping : Boolean := False;
+      Loss     : Monitor_Sockets.Loss_Kind;
+      Stopping : Boolean;
    begin
       Monitor_Sockets.Sample (Sample);
       Monitor_Link.Start (Link, Sample.Now);
