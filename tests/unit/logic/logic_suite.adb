@@ -7,6 +7,9 @@ with Line_Health_Tests;
 with Monitor_Link_Tests;
 with Monitor_Protocol_Tests;
 with Robot_Protocol_Tests;
+with Robot_Session_Tests;
+with Texts_Tests;
+with Vision_Mode_Tests;
 
 package body Logic_Suite is
 
@@ -16,6 +19,9 @@ package body Logic_Suite is
    Monitor  : aliased Monitor_Protocol_Tests.Test_Case;
    Health   : aliased Line_Health_Tests.Test_Case;
    Link     : aliased Monitor_Link_Tests.Test_Case;
+   Session  : aliased Robot_Session_Tests.Test_Case;
+   Bounded  : aliased Texts_Tests.Test_Case;
+   Mode     : aliased Vision_Mode_Tests.Test_Case;
 
    -----------
    -- Suite --
@@ -31,6 +37,9 @@ package body Logic_Suite is
       Result.Add_Test (Monitor'Access);
       Result.Add_Test (Health'Access);
       Result.Add_Test (Link'Access);
+      Result.Add_Test (Session'Access);
+      Result.Add_Test (Bounded'Access);
+      Result.Add_Test (Mode'Access);
       return Result;
    end Suite;
 

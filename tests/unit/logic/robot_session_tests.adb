@@ -1,0 +1,681 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The session with the robot: the steps of every request, step by step.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Line_Health;
+with Robot_Protocol;
+with Robot_Session;    use Robot_Session;
+
+package body Robot_Session_Tests is
+
+   package Wire renames Robot_Protocol;
+
+   use type Wire.Command;
+   use type Wire.Command_Kind;
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Driving : constant Wire.Command := (Wire.Turn, 90);
+
+   function Opened (Mode : Mode_Kind) return State is
+     ((Line_Open => True, Mode => Mode, Health => Line_Health.Initial));
+
+   function Mark (C : Wire.Command) return Character is
+     (if C = Wire.Stop then '.' else Wire.Letter (C.Kind));
+
+   function Mark (Next : Step) return String is
+     (case Next.Kind is
+         when Open_Device  => "O",
+         when Close_Device => "C",
+         when Send         => "!" & Mark (Next.Command),
+         when Exchange     => (1 => Mark (Next.Command)),
+         when Synchronise  => "~" & Mark (Next.Command),
+         when Finish       => "");
+   --  A step in a trace: a command's letter, a full stop for a stop.
+
+   function Answer (C : Wire.Command; How : Character) return Step_Result;
+   --  How the robot answers C: '-' not at all, 'E' it refuses, '+' it
+   --  accepts, or a digit.
+
+   procedure Carry_Out
+     (S       : in out State;
+      Kind    : Request_Kind;
+      Answers : String;
+      Trace   : String;
+      Kept    : Outcome);
+   --  A request, whose exchanges and openings are answered so, or else
+   --  accepted: it makes the steps of Trace and ends as Kept says.
+
+   procedure Check
+     (Mode    : Mode_Kind;
+      Kind    : Request_Kind;
+      Answers : String;
+      Trace   : String;
+      Kept    : Outcome;
+      After   : Mode_Kind);
+   --  The same, from an open line in step, and the line stays open.
+
+   type History is record
+      Before  : State;
+      Request : Robot_Session.Request;
+      Steps   : Natural := 0;
+      Stopped : Boolean := False;  --  a stop has been sent
+      Closed  : Boolean := False;
+   end record;
+
+   procedure Explore
+     (H : History; S : State; P : Progress; Next : Step);
+   --  Every answer to Next, and to all that follows.
+
+   Visited : Natural := 0;
+
+   procedure Test_Closed (T : in out Any_Test);
+   procedure Test_Open (T : in out Any_Test);
+   procedure Test_Close (T : in out Any_Test);
+   procedure Test_Start (T : in out Any_Test);
+   procedure Test_Drive (T : in out Any_Test);
+   procedure Test_Stop (T : in out Any_Test);
+   procedure Test_Queries (T : in out Any_Test);
+   procedure Test_Leaving (T : in out Any_Test);
+   procedure Test_Leaving_Unanswered (T : in out Any_Test);
+   procedure Test_Reload (T : in out Any_Test);
+   procedure Test_Reload_Refused (T : in out Any_Test);
+   procedure Test_Keep_Alive (T : in out Any_Test);
+   procedure Test_Lost (T : in out Any_Test);
+   procedure Test_Probe (T : in out Any_Test);
+   procedure Test_Everything (T : in out Any_Test);
+
+   ------------
+   -- Answer --
+   ------------
+
+   function Answer (C : Wire.Command; How : Character) return Step_Result is
+     (case How is
+         when '-'        => (Ok => False, others => <>),
+         when 'E'        => (True, (Wire.Refused, 0)),
+         when '0' .. '2' =>
+           (True,
+            (Wire.Digit_Kind (C.Kind),
+             Character'Pos (How) - Character'Pos ('0'))),
+         when others     =>
+           (True,
+            (case C.Kind is
+                when Wire.Battery        => (Wire.Level, 0),
+                when Wire.Busy           => (Wire.Moving_State, 0),
+                when Wire.Version        => (Wire.Version_Text, 0),
+                when Wire.Unknown_Letter => (Wire.Unknown_Command, 0),
+                when others              => (Wire.Done, 0))));
+
+   ---------------
+   -- Carry_Out --
+   ---------------
+
+   procedure Carry_Out
+     (S       : in out State;
+      Kind    : Request_Kind;
+      Answers : String;
+      Trace   : String;
+      Kept    : Outcome)
+   is
+      Label : constant String := Kind'Image & " " & Answers & ": ";
+      Made  : String (1 .. 100) := (others => ' ');
+      Last  : Natural := 0;
+      Used  : Natural := 0;
+      P     : Progress;
+      Next  : Step;
+
+      procedure Get (How : out Character);
+      --  The next of the answers.
+
+      procedure Get (How : out Character) is
+      begin
+         Used := Used + 1;
+         How := (if Used <= Answers'Length
+                 then Answers (Answers'First + Used - 1) else '+');
+      end Get;
+
+      How   : Character;
+   begin
+      Start_Request (S, (Kind, Driving), P, Next);
+      while Next.Kind /= Finish loop
+         declare
+            M : constant String := Mark (Next);
+         begin
+            Made (Last + 1 .. Last + M'Length) := M;
+            Last := Last + M'Length;
+         end;
+         case Next.Kind is
+            when Send | Close_Device | Finish =>
+               Continue_Request (S, P, (Ok => False, others => <>), Next);
+            when Open_Device =>
+               Get (How);
+               Continue_Request (S, P, (How = '+', others => <>), Next);
+            when Exchange | Synchronise =>
+               Get (How);
+               Continue_Request (S, P, Answer (Next.Command, How), Next);
+         end case;
+      end loop;
+      Assert (Made (1 .. Last) = Trace,
+              Label & "steps " & Made (1 .. Last) & ", not " & Trace);
+      Assert (Used >= Answers'Length, Label & "all answers were wanted");
+      Assert (Result (P) = Kept,
+              Label & "outcome " & Result (P).Kind'Image
+              & Result (P).Value'Image & " " & Result (P).Note'Image);
+      Assert (Is_Consistent (S), Label & "consistent");
+   end Carry_Out;
+
+   -----------
+   -- Check --
+   -----------
+
+   procedure Check
+     (Mode    : Mode_Kind;
+      Kind    : Request_Kind;
+      Answers : String;
+      Trace   : String;
+      Kept    : Outcome;
+      After   : Mode_Kind)
+   is
+      S : State := Opened (Mode);
+   begin
+      Carry_Out (S, Kind, Answers, Trace, Kept);
+      Assert (S.Line_Open, Kind'Image & ": the line stays open");
+      Assert (S.Mode = After,
+              Kind'Image & ": " & Mode'Image & " to " & S.Mode'Image);
+   end Check;
+
+   -------------
+   -- Explore --
+   -------------
+
+   procedure Explore
+     (H : History; S : State; P : Progress; Next : Step)
+   is
+      Now : History := H;
+
+      procedure Follow (Last : Step_Result);
+      --  Next has given Last.
+
+      procedure Follow (Last : Step_Result) is
+         S_Now : State    := S;
+         P_Now : Progress := P;
+         Then_Step : Step;
+      begin
+         Continue_Request (S_Now, P_Now, Last, Then_Step);
+         Explore (Now, S_Now, P_Now, Then_Step);
+      end Follow;
+
+   begin
+      Visited := Visited + 1;
+      if Next.Kind = Finish then
+         Assert (Is_Consistent (S), "consistent");
+         Assert ((if H.Before.Mode /= Not_Started
+                    and then S.Mode = Not_Started
+                  then H.Stopped), "no way out without a stop");
+         Assert ((if S.Mode /= Not_Started and then S.Mode /= H.Before.Mode
+                  then H.Request.Kind in Start | Start_Watchdog
+                    and then Result (P).Kind = Done),
+                 "started by an acknowledged start only");
+         Assert ((if Result (P).Note = Robot_Lost
+                  then H.Stopped and then H.Closed
+                    and then not S.Line_Open),
+                 "lost: stopped and closed");
+         Assert (S.Line_Open =
+                   (not H.Closed
+                    and then (H.Before.Line_Open
+                              or else (H.Request.Kind = Open_Line
+                                       and then Result (P).Kind = Done))),
+                 "the line is closed by a close only");
+         return;
+      end if;
+
+      Now.Steps := H.Steps + 1;
+      Assert (Now.Steps <= 20, "at most 20 steps");
+      Assert (S.Line_Open or else Next.Kind = Open_Device,
+              "nothing is sent on a closed line");
+      if Next.Kind in Send | Exchange | Synchronise then
+         if Next.Command = Wire.Stop then
+            Now.Stopped := True;
+         else
+            Assert ((if Next.Command.Kind in Wire.With_Argument
+                     then H.Request.Kind = Drive
+                       and then H.Before.Mode /= Not_Started),
+                    "no movement unless started");
+         end if;
+      end if;
+      case Next.Kind is
+         when Open_Device =>
+            Follow ((True, others => <>));
+            Follow ((False, others => <>));
+         when Close_Device =>
+            Assert (Now.Stopped or else H.Before.Mode = Not_Started,
+                    "stopped before the device is closed");
+            Now.Closed := True;
+            Follow ((True, others => <>));
+         when Send =>
+            Assert (Next.Command = Wire.Stop, "only a stop goes blindly");
+            Follow ((True, others => <>));
+         when Exchange =>
+            Assert (Line_Health.In_Step (S.Health), "exchanged in step");
+            for How of String'("-E+") loop
+               Follow (Answer (Next.Command, How));
+            end loop;
+            if Next.Command.Kind in Wire.Battery | Wire.Busy then
+               Follow (Answer (Next.Command, '1'));
+            end if;
+         when Synchronise =>
+            Assert (not Line_Health.In_Step (S.Health)
+                    and then Next.Command.Kind
+                      = Line_Health.Probe (S.Health), "probed out of step");
+            for How of String'("-+") loop
+               Follow (Answer (Next.Command, How));
+            end loop;
+         when Finish =>
+            null;
+      end case;
+   end Explore;
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Robot_Session"));
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Closed'Access, "a closed line");
+      Register_Routine (T, Test_Open'Access, "open, then reset");
+      Register_Routine (T, Test_Close'Access, "close");
+      Register_Routine (T, Test_Start'Access, "start");
+      Register_Routine (T, Test_Drive'Access,
+                        "movements only while started");
+      Register_Routine (T, Test_Stop'Access, "a stop always goes out");
+      Register_Routine (T, Test_Queries'Access, "queries");
+      Register_Routine (T, Test_Leaving'Access, "a stop on every way out");
+      Register_Routine (T, Test_Leaving_Unanswered'Access,
+                        "an unanswered stop on the way out");
+      Register_Routine (T, Test_Reload'Access, "reload");
+      Register_Routine (T, Test_Reload_Refused'Access,
+                        "a refused reload: window missed, or not running");
+      Register_Routine (T, Test_Keep_Alive'Access, "keep alive");
+      Register_Routine (T, Test_Lost'Access,
+                        "F8: lost at the fourth failure, not the third");
+      Register_Routine (T, Test_Probe'Access,
+                        "out of step: a probe, and a stop before it");
+      Register_Routine (T, Test_Everything'Access,
+                        "every answer to every request");
+   end Register_Tests;
+
+   ----------------
+   -- Test_Close --
+   ----------------
+
+   procedure Test_Close (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      S : State := Opened (Not_Started);
+   begin
+      Carry_Out (S, Close_Line, "", "C", (Done, 0, Nothing));
+      Assert (not S.Line_Open, "closed");
+      for Mode in Started .. Started_With_Watchdog loop
+         S := Opened (Mode);
+         Carry_Out (S, Close_Line, "+", ".C", (Done, 0, Nothing));
+         Assert (not S.Line_Open and then S.Mode = Not_Started, "closed");
+         S := Opened (Mode);
+         Carry_Out (S, Close_Line, "E", ".C", (Done, 0, Nothing));
+         Assert (not S.Line_Open and then S.Mode = Not_Started,
+                 "closed, though the stop was refused");
+      end loop;
+   end Test_Close;
+
+   -----------------
+   -- Test_Closed --
+   -----------------
+
+   procedure Test_Closed (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      S : State;
+   begin
+      for Kind in Request_Kind range Close_Line .. Keep_Alive loop
+         Carry_Out (S, Kind, "", "",
+                    ((if Kind = Close_Line then Done else Not_Open),
+                     0, Nothing));
+         Assert (not S.Line_Open, "stays closed");
+      end loop;
+   end Test_Closed;
+
+   ----------------
+   -- Test_Drive --
+   ----------------
+
+   procedure Test_Drive (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Check (Not_Started, Drive, "", "", (Refused, 0, Nothing), Not_Started);
+      for Mode in Started .. Started_With_Watchdog loop
+         Check (Mode, Drive, "+", "T", (Done, 0, Nothing), Mode);
+         Check (Mode, Drive, "E", "T", (Refused, 0, Nothing), Mode);
+         Check (Mode, Drive, "-", "T", (Timed_Out, 0, Nothing), Mode);
+      end loop;
+   end Test_Drive;
+
+   ---------------------
+   -- Test_Everything --
+   ---------------------
+
+   procedure Test_Everything (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Explore_From (S : State; R : Request);
+      --  All that can come of R.
+
+      procedure Explore_From (S : State; R : Request) is
+         S_Now : State;
+         P     : Progress;
+         Next  : Step;
+      begin
+         S_Now := S;
+         Start_Request (S_Now, R, P, Next);
+         Explore
+           ((Before => S, Request => R, others => <>), S_Now, P, Next);
+      end Explore_From;
+
+      S : State;
+   begin
+      Visited := 0;
+      for Kind in Request_Kind loop
+         Explore_From ((others => <>), (Kind, Driving));
+         for Mode in Mode_Kind loop
+            S := Opened (Mode);
+            Explore_From (S, (Kind, Driving));
+            Explore_From (S, (Kind, Wire.Forward));
+            for First in Wire.Command_Kind loop
+               S := Opened (Mode);
+               Line_Health.Failure (S.Health, First);
+               Explore_From (S, (Kind, Driving));
+               for Probes in 1 .. 2 loop
+                  Line_Health.Failure
+                    (S.Health, Line_Health.Probe (S.Health));
+                  Explore_From (S, (Kind, Driving));
+               end loop;
+            end loop;
+         end loop;
+      end loop;
+      Assert (Visited > 5_000, "steps visited:" & Visited'Image);
+   end Test_Everything;
+
+   ---------------------
+   -- Test_Keep_Alive --
+   ---------------------
+
+   procedure Test_Keep_Alive (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Check (Not_Started, Keep_Alive, "", "", (Done, 0, Nothing),
+             Not_Started);
+      for Mode in Started .. Started_With_Watchdog loop
+         Check (Mode, Keep_Alive, "+", "p", (Done, 0, Nothing), Mode);
+         Check (Mode, Keep_Alive, "-", "p", (Timed_Out, 0, Nothing), Mode);
+      end loop;
+   end Test_Keep_Alive;
+
+   ------------------
+   -- Test_Leaving --
+   ------------------
+
+   procedure Test_Leaving (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Check (Not_Started, Reset, "+", "r", (Done, 0, Nothing), Not_Started);
+      Check (Not_Started, Power_Off, "+", "z", (Done, 0, Nothing),
+             Not_Started);
+      for Mode in Started .. Started_With_Watchdog loop
+         Check (Mode, Reset, "++", ".r", (Done, 0, Nothing), Not_Started);
+         Check (Mode, Reset, "E+", ".r", (Done, 0, Nothing), Not_Started);
+         Check (Mode, Reset, "+E", ".r", (Refused, 0, Nothing),
+                Not_Started);
+         Check (Mode, Reset, "+-", ".r", (Timed_Out, 0, Nothing), Mode);
+         Check (Mode, Power_Off, "++", ".z", (Done, 0, Nothing),
+                Not_Started);
+         Check (Mode, Power_Off, "+E", ".z", (Refused, 0, Nothing), Mode);
+      end loop;
+   end Test_Leaving;
+
+   -----------------------------
+   -- Test_Leaving_Unanswered --
+   -----------------------------
+
+   procedure Test_Leaving_Unanswered (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      S : State;
+   begin
+      for Mode in Started .. Started_With_Watchdog loop
+         Check (Mode, Reset, "-+++", ".!.~V.r", (Done, 0, Nothing),
+                Not_Started);
+         Check (Mode, Power_Off, "--++", ".!.~V~v.z", (Done, 0, Nothing),
+                Not_Started);
+
+         --  The probes are answered, the stops never
+
+         Check (Mode, Reset, "-+-+-+-", ".!.~V.~V.~V.~Vr",
+                (Done, 0, Nothing), Not_Started);
+
+         --  Nothing is answered: the robot is lost on the way out
+
+         for Kind in Request_Kind loop
+            if Kind in Close_Line | Reset | Power_Off then
+               S := Opened (Mode);
+               Carry_Out (S, Kind, "----", ".!.~V~v~?!.C",
+                          (Timed_Out, 0, Robot_Lost));
+               Assert (S = State'(others => <>), "closed");
+            end if;
+         end loop;
+      end loop;
+   end Test_Leaving_Unanswered;
+
+   ---------------
+   -- Test_Lost --
+   ---------------
+
+   procedure Test_Lost (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      S : State;
+   begin
+      for Mode in Mode_Kind loop
+         S := Opened (Mode);
+         Carry_Out (S, Ping, "-", "p", (Timed_Out, 0, Nothing));
+         Carry_Out (S, Ping, "-", "~V", (Timed_Out, 0, Nothing));
+         Carry_Out (S, Ping, "-", "~v", (Timed_Out, 0, Nothing));
+         Assert (S.Line_Open and then S.Mode = Mode, "not at the third");
+         Carry_Out (S, Ping, "-", "~?!.C", (Timed_Out, 0, Robot_Lost));
+         Assert (S = State'(others => <>), "at the fourth");
+         Carry_Out (S, Ping, "", "", (Not_Open, 0, Nothing));
+         Carry_Out (S, Open_Line, "", "Or", (Done, 0, Nothing));
+
+         --  A success in between, and the count begins again
+
+         S := Opened (Mode);
+         for Round in 1 .. 3 loop
+            Carry_Out (S, Ping, "-", "p", (Timed_Out, 0, Nothing));
+            Carry_Out (S, Ping, "-", "~V", (Timed_Out, 0, Nothing));
+            Carry_Out (S, Ping, "-", "~v", (Timed_Out, 0, Nothing));
+            Carry_Out (S, Ping, "++", "~?p", (Done, 0, Nothing));
+            Assert (S = Opened (Mode), "as good as new");
+         end loop;
+      end loop;
+   end Test_Lost;
+
+   ---------------
+   -- Test_Open --
+   ---------------
+
+   procedure Test_Open (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      S : State;
+   begin
+      Carry_Out (S, Open_Line, "-", "O", (Not_Opened, 0, Nothing));
+      Assert (not S.Line_Open, "not opened");
+      Carry_Out (S, Open_Line, "++", "Or", (Done, 0, Nothing));
+      Assert (S = Opened (Not_Started), "open, in step");
+      S := (others => <>);
+      Carry_Out (S, Open_Line, "+E", "Or", (Done, 0, Nothing));
+      Assert (S = Opened (Not_Started), "the robot did not run");
+
+      --  Its robot may be off: the line is open all the same
+
+      S := (others => <>);
+      Carry_Out (S, Open_Line, "+-", "Or", (Done, 0, Nothing));
+      Assert (S.Line_Open and then S.Mode = Not_Started
+              and then Line_Health.Failures (S.Health) = 1,
+              "open, one failure");
+      for Mode in Mode_Kind loop
+         Check (Mode, Open_Line, "", "", (Done, 0, Nothing), Mode);
+      end loop;
+   end Test_Open;
+
+   ----------------
+   -- Test_Probe --
+   ----------------
+
+   procedure Test_Probe (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      function Unsure return State;
+      --  Started, one answer missing.
+
+      function Unsure return State is
+         Result : State := Opened (Started);
+      begin
+         Line_Health.Failure (Result.Health, Wire.Ping);
+         return Result;
+      end Unsure;
+
+      S : State := Unsure;
+   begin
+      Carry_Out (S, Drive, "++", "~VT", (Done, 0, Nothing));
+      Assert (S = Opened (Started), "in step");
+      S := Unsure;
+      Carry_Out (S, Drive, "-", "~V", (Timed_Out, 0, Nothing));
+      Assert (Line_Health.Failures (S.Health) = 2, "two failures");
+      S := Unsure;
+      Carry_Out (S, Drive, "+-", "~VT", (Timed_Out, 0, Nothing));
+      Assert (Line_Health.Failures (S.Health) = 1, "one failure");
+
+      S := Unsure;
+      Carry_Out (S, Stop, "++", "!.~V.", (Done, 0, Nothing));
+      S := Unsure;
+      Carry_Out (S, Stop, "-", "!.~V", (Timed_Out, 0, Nothing));
+      S := Unsure;
+      Carry_Out (S, Stop, "+-", "!.~V.", (Timed_Out, 0, Nothing));
+      S := Unsure;
+      Carry_Out (S, Close_Line, "++", "!.~V.C", (Done, 0, Nothing));
+      S := Unsure;
+      Carry_Out (S, Reset, "+++", "!.~V.r", (Done, 0, Nothing));
+   end Test_Probe;
+
+   ------------------
+   -- Test_Queries --
+   ------------------
+
+   procedure Test_Queries (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Mode in Mode_Kind loop
+         Check (Mode, Ping, "+", "p", (Done, 0, Nothing), Mode);
+         Check (Mode, Ping, "-", "p", (Timed_Out, 0, Nothing), Mode);
+         for Level in 0 .. 2 loop
+            Check (Mode, Get_Battery,
+                   (1 => Character'Val (Character'Pos ('0') + Level)), "v",
+                   (Done, Level, Nothing), Mode);
+         end loop;
+         Check (Mode, Get_Battery, "E", "v", (Refused, 0, Nothing), Mode);
+         Check (Mode, Get_Moving, "0", "b", (Done, 0, Nothing), Mode);
+         Check (Mode, Get_Moving, "1", "b", (Done, 1, Nothing), Mode);
+      end loop;
+   end Test_Queries;
+
+   -----------------
+   -- Test_Reload --
+   -----------------
+
+   procedure Test_Reload (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      With_Watchdog : constant Mode_Kind := Started_With_Watchdog;
+   begin
+      Check (Not_Started, Reload, "", "", (Done, 0, Nothing), Not_Started);
+      Check (Started, Reload, "", "", (Done, 0, Nothing), Started);
+      Check (With_Watchdog, Reload, "+", "w", (Done, 0, Nothing),
+             With_Watchdog);
+      Check (With_Watchdog, Reload, "-", "w", (Timed_Out, 0, Nothing),
+             With_Watchdog);
+
+      --  By hand: the robot answers, unless the periodic one does the work
+
+      Check (With_Watchdog, Reload_By_Hand, "", "", (Done, 0, Nothing),
+             With_Watchdog);
+      Check (Started, Reload_By_Hand, "+", "w", (Done, 0, Nothing), Started);
+      Check (Started, Reload_By_Hand, "E", "w", (Refused, 0, Nothing),
+             Started);
+      Check (Not_Started, Reload_By_Hand, "E", "w", (Refused, 0, Nothing),
+             Not_Started);
+   end Test_Reload;
+
+   -------------------------
+   -- Test_Reload_Refused --
+   -------------------------
+
+   procedure Test_Reload_Refused (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Mode : constant Mode_Kind := Started_With_Watchdog;
+   begin
+      Check (Mode, Reload, "E1", "wb", (Refused, 0, Missed_Window), Mode);
+      Check (Mode, Reload, "E0+", "wb.", (Refused, 0, Missed_Window), Mode);
+      Check (Mode, Reload, "E0E", "wb.", (Refused, 0, Not_Running),
+             Not_Started);
+      Check (Mode, Reload, "EEE", "wb.", (Refused, 0, Not_Running),
+             Not_Started);
+      Check (Mode, Reload, "E-", "wb", (Timed_Out, 0, Missed_Window), Mode);
+      Check (Mode, Reload, "E0-", "wb.", (Timed_Out, 0, Missed_Window),
+             Mode);
+   end Test_Reload_Refused;
+
+   ----------------
+   -- Test_Start --
+   ----------------
+
+   procedure Test_Start (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Mode in Mode_Kind loop
+         Check (Mode, Start, "+", "u", (Done, 0, Nothing), Started);
+         Check (Mode, Start_Watchdog, "+", "W", (Done, 0, Nothing),
+                Started_With_Watchdog);
+         Check (Mode, Start, "E", "u", (Refused, 0, Nothing), Mode);
+         Check (Mode, Start_Watchdog, "E", "W", (Refused, 0, Nothing), Mode);
+         Check (Mode, Start, "-", "u", (Timed_Out, 0, Nothing), Mode);
+         Check (Mode, Start_Watchdog, "-", "W", (Timed_Out, 0, Nothing),
+                Mode);
+      end loop;
+   end Test_Start;
+
+   ---------------
+   -- Test_Stop --
+   ---------------
+
+   procedure Test_Stop (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Mode in Mode_Kind loop
+         Check (Mode, Stop, "+", ".", (Done, 0, Nothing), Mode);
+         Check (Mode, Stop, "E", ".", (Refused, 0, Nothing), Mode);
+         Check (Mode, Stop, "-", ".", (Timed_Out, 0, Nothing), Mode);
+      end loop;
+   end Test_Stop;
+
+end Robot_Session_Tests;
