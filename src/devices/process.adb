@@ -60,6 +60,10 @@ is
      (Header : System.Address; Data : System.Address) return int
    with Import, Convention => C, External_Name => "capget";
 
+   function Process_Control
+     (Option : int; Value : System.Address) return int
+   with Import, Convention => C_Variadic_1, External_Name => "prctl";
+
    procedure Block_Signals;
    procedure Examine_Privileges;
 
@@ -116,6 +120,19 @@ is
    begin
       Held := Privileges;
    end Get_Privileges;
+
+   ---------------
+   -- Name_Task --
+   ---------------
+
+   procedure Name_Task (Name : String) is
+      Text    : constant String := Name & ASCII.NUL;
+      Set     : constant := 15;  --  PR_SET_NAME
+      Ignored : constant int := Process_Control (Set, Text'Address);
+      pragma Unreferenced (Ignored);
+   begin
+      null;
+   end Name_Task;
 
    -----------------
    -- Wait_Signal --

@@ -20,6 +20,10 @@ is
    procedure Get_Privileges (Held : out Privilege_Kind)
    with Global => (In_Out => System_State);
 
+   procedure Name_Task (Name : String)
+   with Global => (In_Out => System_State), Pre => Name'Length <= 15;
+   --  The calling task's name, as ps -L and top -H show it
+
    type Signal_Kind is
      (Stop_Request,     --  SIGINT, SIGTERM, SIGHUP
       Failure);         --  Report_Failure

@@ -239,6 +239,11 @@ package body Base64 with SPARK_Mode is
          Output (Start + 2) := Triple_Byte_2 (Value_Of (C2), Value_Of (C3));
          Prove_Same_Byte (Output (Start + 2), Decoded_At (Input, Start + 2));
       end if;
+      pragma Assert
+        (for all I in 1 .. Start => Output (I) = Decoded_At (Input, I));
+      pragma Assert
+        (for all I in Start + 1 .. Length =>
+           Output (I) = Decoded_At (Input, I));
       OK := True;
       pragma Assert (Is_Well_Formed (Input));
    end Decode;
@@ -323,7 +328,11 @@ package body Base64 with SPARK_Mode is
          Output (Last + 4) := Padding;
          pragma Assert (Length = 3 * Triples + Length mod 3);
          pragma Assert (Bits (Input, Length, 3 * Triples + 1) = N1);
+         pragma Assert
+           (if Length mod 3 = 1 then 3 * Triples + 2 > Length
+            else 3 * Triples + 2 = Length);
          pragma Assert (Bits (Input, Length, 3 * Triples + 2) = N2);
+         pragma Assert (Length < 3 * Triples + 3);
          pragma Assert (Bits (Input, Length, 3 * Triples + 3) = 0);
          for J in 0 .. 3 loop
             pragma Assert
@@ -337,7 +346,12 @@ package body Base64 with SPARK_Mode is
            (for all P in 4 * Triples .. 4 * Triples + 3 =>
               Output (First + P) = Encoded_At (Input, Length, P));
          Last := Last + 4;
+      else
+         pragma Assert (Encoded_Length (Length) = 4 * Triples);
       end if;
+      pragma Assert
+        (for all P in 0 .. Encoded_Length (Length) - 1 =>
+           Output (First + P) = Encoded_At (Input, Length, P));
    end Encode;
 
    ----------------

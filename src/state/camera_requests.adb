@@ -7,13 +7,14 @@ with Schedule;
 
 package body Camera_Requests with SPARK_Mode is
 
+   Asked    : Suspension_Object;
    Answered : Suspension_Object;
 
    protected Requests with Priority => Schedule.Vision_Ceiling is
       procedure Open;
       procedure Close;
       procedure Get_Idle (Value : out Boolean);
-      entry Wait_Open (Number : out Request_Number);
+      procedure Take (Number : out Request_Number; Found : out Boolean);
       procedure Get_Wanted (Number : Request_Number; Value : out Boolean);
       procedure Report (Success : Boolean);
       procedure Released;
@@ -45,12 +46,15 @@ package body Camera_Requests with SPARK_Mode is
          Value := Idle and then not Pending;
       end Get_Idle;
 
-      entry Wait_Open (Number : out Request_Number) when Pending is
+      procedure Take (Number : out Request_Number; Found : out Boolean) is
       begin
-         Pending := False;
-         Idle := False;
+         Found := Pending;
          Number := Current;
-      end Wait_Open;
+         if Pending then
+            Pending := False;
+            Idle := False;
+         end if;
+      end Take;
 
       procedure Get_Wanted (Number : Request_Number; Value : out Boolean) is
       begin
@@ -81,6 +85,7 @@ package body Camera_Requests with SPARK_Mode is
    procedure Open (Success : out Boolean) is
    begin
       Requests.Open;
+      Set_True (Asked);
       Suspend_Until_True (Answered);
       Requests.Collect (Success);
    end Open;
@@ -108,8 +113,13 @@ package body Camera_Requests with SPARK_Mode is
    ---------------
 
    procedure Wait_Open (Number : out Request_Number) is
+      Found : Boolean;
    begin
-      Requests.Wait_Open (Number);
+      loop
+         Requests.Take (Number, Found);
+         exit when Found;
+         Suspend_Until_True (Asked);
+      end loop;
    end Wait_Open;
 
    ----------------

@@ -3,12 +3,15 @@
 --  the other, the newest is for whoever takes it first.
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Schedule;
 
 package body Frame_Store with SPARK_Mode is
 
    type Use_Kind is (Free, Claimed, Newest);
    type Use_Array is array (Vision.Slot) of Use_Kind;
+
+   Changed : Suspension_Object;  --  an image has come, or none will
 
    protected Store with Priority => Schedule.Vision_Ceiling is
       procedure Begin_Delivery (At_Time : Time);
@@ -17,19 +20,15 @@ package body Frame_Store with SPARK_Mode is
       procedure Publish (Slot : Vision.Slot; At_Time : Time);
       procedure Release (Slot : Vision.Slot);
       procedure Claim_Newest (Slot : out Vision.Slot; Found : out Boolean);
-      entry Wait_Newest (Slot : out Vision.Slot; Found : out Boolean);
+      procedure Get_Delivering (Now : out Boolean);
       procedure Get_Newest_Time (At_Time : out Time);
    private
       Uses        : Use_Array := (others => Free);
       Delivering  : Boolean := False;
-      Ready       : Boolean := True;   --  an image is there, or none comes
       Newest_Time : Time := Time_First;
    end Store;
 
    protected body Store is
-
-      function Any_Newest return Boolean is
-        (for some U of Uses => U = Newest);
 
       procedure Drop_Newest is
       begin
@@ -44,7 +43,6 @@ package body Frame_Store with SPARK_Mode is
       begin
          Drop_Newest;
          Delivering := True;
-         Ready := False;
          Newest_Time := At_Time;
       end Begin_Delivery;
 
@@ -52,7 +50,6 @@ package body Frame_Store with SPARK_Mode is
       begin
          Drop_Newest;
          Delivering := False;
-         Ready := True;
       end End_Delivery;
 
       procedure Claim_Empty (Slot : out Vision.Slot) is
@@ -75,7 +72,6 @@ package body Frame_Store with SPARK_Mode is
             Drop_Newest;
             Uses (Slot) := Newest;
             Newest_Time := At_Time;
-            Ready := True;
          else
             Uses (Slot) := Free;
          end if;
@@ -98,14 +94,12 @@ package body Frame_Store with SPARK_Mode is
                exit;
             end if;
          end loop;
-         Ready := not Delivering or else Any_Newest;
       end Claim_Newest;
 
-      entry Wait_Newest (Slot : out Vision.Slot; Found : out Boolean)
-        when Ready is
+      procedure Get_Delivering (Now : out Boolean) is
       begin
-         Claim_Newest (Slot, Found);
-      end Wait_Newest;
+         Now := Delivering;
+      end Get_Delivering;
 
       procedure Get_Newest_Time (At_Time : out Time) is
       begin
@@ -130,6 +124,7 @@ package body Frame_Store with SPARK_Mode is
    procedure End_Delivery is
    begin
       Store.End_Delivery;
+      Set_True (Changed);
    end End_Delivery;
 
    -----------------
@@ -148,6 +143,7 @@ package body Frame_Store with SPARK_Mode is
    procedure Publish (Slot : Vision.Slot; At_Time : Ada.Real_Time.Time) is
    begin
       Store.Publish (Slot, At_Time);
+      Set_True (Changed);
    end Publish;
 
    -------------
@@ -173,8 +169,14 @@ package body Frame_Store with SPARK_Mode is
    -----------------
 
    procedure Wait_Newest (Slot : out Vision.Slot; Found : out Boolean) is
+      Delivering : Boolean;
    begin
-      Store.Wait_Newest (Slot, Found);
+      loop
+         Store.Get_Delivering (Delivering);
+         Store.Claim_Newest (Slot, Found);
+         exit when Found or else not Delivering;
+         Suspend_Until_True (Changed);
+      end loop;
    end Wait_Newest;
 
    ---------------------

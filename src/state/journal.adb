@@ -3,6 +3,7 @@
 --  waits for the console.
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Schedule;
 
 package body Journal with SPARK_Mode is
@@ -13,10 +14,12 @@ package body Journal with SPARK_Mode is
    subtype Line_Index is Positive range 1 .. Capacity;
    type Line_Array is array (Line_Index) of Line;
 
+   Arrived : Suspension_Object;
+
    protected Buffer with Priority => Schedule.Journal_Ceiling is
       procedure Set_Level (Chosen : Options.Level);
       procedure Put (Item : Line);
-      entry Take (Item : out Line);
+      procedure Take (Item : out Line; Found : out Boolean);
       procedure Written;
       procedure Get_Waiting (Waiting : out Natural);
    private
@@ -24,7 +27,6 @@ package body Journal with SPARK_Mode is
       Items    : Line_Array;
       First    : Line_Index := 1;
       Count    : Line_Count := 0;
-      Any      : Boolean    := False;
       Not_Kept : Natural    := 0;
       Writing  : Boolean    := False;
    end Buffer;
@@ -44,15 +46,17 @@ package body Journal with SPARK_Mode is
          if Count < Capacity then
             Items ((First - 1 + Count) mod Capacity + 1) := Item;
             Count := Count + 1;
-            Any := True;
          elsif Not_Kept < Natural'Last then
             Not_Kept := Not_Kept + 1;
          end if;
       end Put;
 
-      entry Take (Item : out Line) when Any is
+      procedure Take (Item : out Line; Found : out Boolean) is
       begin
-         if Not_Kept > 0 then
+         Found := Count > 0;
+         if not Found then
+            Item := (others => <>);
+         elsif Not_Kept > 0 then
             Item := (Level => Options.Warning,
                      Time  => Items (First).Time,
                      Text  => <>);
@@ -66,9 +70,8 @@ package body Journal with SPARK_Mode is
             if Count > 0 then
                Count := Count - 1;
             end if;
-            Any := Count > 0;
          end if;
-         Writing := True;
+         Writing := Found;
       end Take;
 
       procedure Written is
@@ -107,6 +110,7 @@ package body Journal with SPARK_Mode is
          end if;
       end loop;
       Buffer.Put (Item);
+      Set_True (Arrived);
    end Put;
 
    procedure Put (Level : Options.Level; Text : Texts.Text) is
@@ -119,8 +123,13 @@ package body Journal with SPARK_Mode is
    ----------
 
    procedure Take (Item : out Line) is
+      Found : Boolean;
    begin
-      Buffer.Take (Item);
+      loop
+         Buffer.Take (Item, Found);
+         exit when Found;
+         Suspend_Until_True (Arrived);
+      end loop;
    end Take;
 
    -------------

@@ -2,7 +2,11 @@
 --  The event-data port of one task: a bounded queue of orders, first in
 --  first out, with the task waiting at its end.
 
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+
 package body Order_Ports with SPARK_Mode is
+
+   Arrived : Suspension_Object;
 
    protected body Port is
 
@@ -11,24 +15,22 @@ package body Order_Ports with SPARK_Mode is
          if Count < Orders.Capacity then
             Items ((First - 1 + Count) mod Orders.Capacity + 1) := Item;
             Count := Count + 1;
-            Any := True;
          end if;
       end Put;
 
       procedure Clear is
       begin
          Count := 0;
-         Any := False;
       end Clear;
 
-      entry Take (Item : out Orders.Order) when Any is
+      procedure Take (Item : out Orders.Order; Found : out Boolean) is
       begin
          Item := Items (First);
-         First := First mod Orders.Capacity + 1;
+         Found := Count > 0;
          if Count > 0 then
+            First := First mod Orders.Capacity + 1;
             Count := Count - 1;
          end if;
-         Any := Count > 0;
       end Take;
 
    end Port;
@@ -40,6 +42,7 @@ package body Order_Ports with SPARK_Mode is
    procedure Put (Item : Orders.Order) is
    begin
       Port.Put (Item);
+      Set_True (Arrived);
    end Put;
 
    ----------
@@ -47,8 +50,13 @@ package body Order_Ports with SPARK_Mode is
    ----------
 
    procedure Wait (Item : out Orders.Order) is
+      Found : Boolean;
    begin
-      Port.Take (Item);
+      loop
+         Port.Take (Item, Found);
+         exit when Found;
+         Suspend_Until_True (Arrived);
+      end loop;
    end Wait;
 
    -----------

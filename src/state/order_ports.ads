@@ -25,12 +25,11 @@ private
    protected Port with Priority => Schedule.Order_Ceiling is
       procedure Put (Item : Orders.Order);
       procedure Clear;
-      entry Take (Item : out Orders.Order);
+      procedure Take (Item : out Orders.Order; Found : out Boolean);
    private
       Items : Order_Array := (others => <>);
       First : Positive range 1 .. Orders.Capacity := 1;
       Count : Orders.Order_Count := 0;
-      Any   : Boolean := False;
    end Port;
 
 end Order_Ports;

@@ -27,6 +27,7 @@ package body Outbox with SPARK_Mode is
    subtype Position_Index is Natural range 0 .. Position_Length;
 
    Room           : Suspension_Object;
+   Work           : Suspension_Object;
    Arena_Room     : Suspension_Object;
    Sender_Left    : Suspension_Object;
    Hold_Begun     : Suspension_Object;
@@ -57,7 +58,7 @@ package body Outbox with SPARK_Mode is
          Made   : Generation;
          Now    : Time);
       procedure Stop_Images;
-      entry Wait (Answer_Is_Next : out Boolean);
+      procedure Get_Ready (Now : out Boolean; Answer_Is_Next : out Boolean);
       procedure Take
         (Kind   : out Message_Kind;
          Data   : in out Message_Buffer;
@@ -346,14 +347,16 @@ package body Outbox with SPARK_Mode is
          Refresh;
       end Stop_Images;
 
-      ----------
-      -- Wait --
-      ----------
+      ---------------
+      -- Get_Ready --
+      ---------------
 
-      entry Wait (Answer_Is_Next : out Boolean) when Ready is
+      procedure Get_Ready
+        (Now : out Boolean; Answer_Is_Next : out Boolean) is
       begin
+         Now := Ready;
          Answer_Is_Next := Answer_Waits and then not Released;
-      end Wait;
+      end Get_Ready;
 
       ----------
       -- Take --
@@ -542,6 +545,7 @@ package body Outbox with SPARK_Mode is
      (Number : Orders.Ticket; Kind : Monitor_Protocol.Answer_Kind) is
    begin
       Box.Answer (Number, (State => Ready_Text, Kind => Kind));
+      Set_True (Work);
       Set_True (Room);
    end Answer;
 
@@ -552,6 +556,7 @@ package body Outbox with SPARK_Mode is
    procedure Answer_Nothing (Number : Orders.Ticket) is
    begin
       Box.Answer (Number, (State => Ready_Nothing, others => <>));
+      Set_True (Work);
       Set_True (Room);
    end Answer_Nothing;
 
@@ -571,6 +576,7 @@ package body Outbox with SPARK_Mode is
          exit when Accepted;
          Suspend_Until_True (Arena_Room);
       end loop;
+      Set_True (Work);
    end Answer_With_Image;
 
    --------------------
@@ -581,6 +587,7 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.Put_Lost (Now);
+      Set_True (Work);
       Set_True (Hold_Begun);
    end Put_Robot_Lost;
 
@@ -592,6 +599,7 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.Put_Text (Text, Now);
+      Set_True (Work);
       Set_True (Hold_Begun);
    end Put_Text;
 
@@ -603,6 +611,7 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.Put_Battery (Kind, Now);
+      Set_True (Work);
       Set_True (Hold_Begun);
    end Put_Battery;
 
@@ -623,6 +632,7 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.Put_Position (Text, Made, Now);
+      Set_True (Work);
       Set_True (Hold_Begun);
    end Put_Position;
 
@@ -638,6 +648,7 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.Put_Image (Data, Length, Made, Now);
+      Set_True (Work);
       Set_True (Hold_Begun);
    end Put_Image;
 
@@ -655,8 +666,13 @@ package body Outbox with SPARK_Mode is
    ----------
 
    procedure Wait (Answer_Is_Next : out Boolean) is
+      Ready : Boolean;
    begin
-      Box.Wait (Answer_Is_Next);
+      loop
+         Box.Get_Ready (Ready, Answer_Is_Next);
+         exit when Ready;
+         Suspend_Until_True (Work);
+      end loop;
    end Wait;
 
    ----------
@@ -715,6 +731,7 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.End_Hold (Now);
+      Set_True (Work);
    end End_Hold;
 
    -----------------

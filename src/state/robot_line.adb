@@ -4,6 +4,7 @@
 --  watchdog, a movement, then the rest.
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Line_Health;
 with Schedule;
 
@@ -32,6 +33,8 @@ package body Robot_Line with SPARK_Mode is
    --  These keep their place among the orders: all earlier ones come before
    --  them and all later ones after. Stops alone go past them
 
+   Work : Suspension_Object;
+
    protected Line with Priority => Schedule.Line_Ceiling is
       procedure Begin_Session (Number : Orders.Ticket);
       procedure Put
@@ -40,7 +43,7 @@ package body Robot_Line with SPARK_Mode is
          Order   : Orders.Order);
       procedure Put_Stop (Order : Orders.Order);
       procedure Set_Reload_Due (At_Time : Time);
-      entry Wait;
+      procedure Get_Ready (Now : out Boolean);
       procedure Take (Next : out Job; Found : out Boolean; Now : Time);
       procedure Finish
         (Done    : Job;
@@ -135,10 +138,10 @@ package body Robot_Line with SPARK_Mode is
          Refresh;
       end Set_Reload_Due;
 
-      entry Wait when Ready is
+      procedure Get_Ready (Now : out Boolean) is
       begin
-         null;
-      end Wait;
+         Now := Ready;
+      end Get_Ready;
 
       procedure Take (Next : out Job; Found : out Boolean; Now : Time) is
 
@@ -196,7 +199,7 @@ package body Robot_Line with SPARK_Mode is
          if Found then
             Refresh;
          else
-            --  the reload that is due will open the entry again
+            --  the reload that is due will make it ready again
             Ready := False;
          end if;
       end Take;
@@ -254,6 +257,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Begin_Session (First : Orders.Ticket) is
    begin
       Line.Begin_Session (First);
+      Set_True (Work);
    end Begin_Session;
 
    ---------
@@ -266,6 +270,7 @@ package body Robot_Line with SPARK_Mode is
       Order   : Orders.Order := (others => <>)) is
    begin
       Line.Put (From, Request, Order);
+      Set_True (Work);
    end Put;
 
    --------------
@@ -275,6 +280,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Put_Stop (Order : Orders.Order) is
    begin
       Line.Put_Stop (Order);
+      Set_True (Work);
    end Put_Stop;
 
    --------------------
@@ -284,6 +290,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time) is
    begin
       Line.Set_Reload_Due (At_Time);
+      Set_True (Work);
    end Set_Reload_Due;
 
    ----------
@@ -291,9 +298,14 @@ package body Robot_Line with SPARK_Mode is
    ----------
 
    procedure Take (Next : out Job; Found : out Boolean) is
-      Now : Time;
+      Now   : Time;
+      Ready : Boolean;
    begin
-      Line.Wait;
+      loop
+         Line.Get_Ready (Ready);
+         exit when Ready;
+         Suspend_Until_True (Work);
+      end loop;
       Now := Clock;
       Line.Take (Next, Found, Now);
    end Take;

@@ -144,6 +144,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Line  : Texts.Text;
       Again : Time;
    begin
+      Process.Name_Task ("th_server");
       Session.Wait_Server;
       Start_Server;
       loop
@@ -183,6 +184,9 @@ package body Monitor_Tasks with SPARK_Mode is
       Text  : Texts.Text;
    begin
       Parse (Line, Order.Message);
+      Texts.Set (Text, "received ");
+      Texts.Append (Text, Line);
+      Journal.Put (Options.Debug, Text);
       Outbox.Reserve (Order.Number, Open);
       if not Open then
          return;
@@ -230,6 +234,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Rank     : Orders.Ticket;
       After    : Orders.Ticket;
    begin
+      Process.Name_Task ("th_receive_from");
       loop
          Session.Wait_Receive;
          Clear (Reader);
@@ -266,6 +271,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Length    : Outbox.Message_Length;
       Success   : Boolean;
    begin
+      Process.Name_Task ("th_send_to_mon");
       loop
          Outbox.Wait (Is_Answer);
          Settings.Get (Chosen);
@@ -367,6 +373,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Reason : Texts.Text;
       Line   : Texts.Text;
    begin
+      Process.Name_Task ("th_com_mon_perd");
       loop
          Session.Wait_Watch;
          Wait_Loss (Reason);
@@ -388,6 +395,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Any     : Boolean;
       At_Time : Time;
    begin
+      Process.Name_Task ("th_hold");
       loop
          Outbox.Wait_Held;
          loop

@@ -9,6 +9,7 @@ with Monitor_Protocol; use Monitor_Protocol;
 with Orders;
 with Options;
 with Outbox;
+with Process;
 with Robot_Clients;
 with Robot_Events;
 with Robot_Line;
@@ -100,6 +101,7 @@ package body Robot_Tasks with SPARK_Mode is
       Result : Outcome;
       Ended  : Time;
    begin
+      Process.Name_Task ("th_line");
       loop
          Robot_Line.Take (Job, Found);
          if Found then
@@ -128,6 +130,7 @@ package body Robot_Tasks with SPARK_Mode is
       Order  : Orders.Order;
       Result : Outcome;
    begin
+      Process.Name_Task ("th_open_com_rob");
       loop
          Task_Ports.Open_Robot.Wait (Order);
          if Order.Message.Kind = Open_Robot then
@@ -149,6 +152,7 @@ package body Robot_Tasks with SPARK_Mode is
       Order  : Orders.Order;
       Result : Outcome;
    begin
+      Process.Name_Task ("th_start_robot");
       loop
          Task_Ports.Start_Robot.Wait (Order);
          Robot_Clients.Start.Ask
@@ -169,6 +173,7 @@ package body Robot_Tasks with SPARK_Mode is
       Order  : Orders.Order;
       Result : Outcome;
    begin
+      Process.Name_Task ("th_start_robot_");
       loop
          Task_Ports.Start_Robot_Watchdog.Wait (Order);
          Robot_Clients.Start_Watchdog.Ask
@@ -191,6 +196,7 @@ package body Robot_Tasks with SPARK_Mode is
       Next   : Time;
       Result : Outcome;
    begin
+      Process.Name_Task ("th_reload_wd");
       loop
          Robot_Events.Wait_Reload;
          Robot_Line.Get_Status (Begun);
@@ -222,6 +228,7 @@ package body Robot_Tasks with SPARK_Mode is
       Order  : Orders.Order;
       Result : Outcome;
    begin
+      Process.Name_Task ("th_reset_robot");
       loop
          Task_Ports.Reset_Robot.Wait (Order);
          if Order.Message.Kind = Reset_Robot then
@@ -243,6 +250,7 @@ package body Robot_Tasks with SPARK_Mode is
       Order  : Orders.Order;
       Result : Outcome;
    begin
+      Process.Name_Task ("th_move");
       loop
          Task_Ports.Move.Wait (Order);
          Robot_Clients.Move.Ask
@@ -262,6 +270,7 @@ package body Robot_Tasks with SPARK_Mode is
       Next   : Time;
       Result : Outcome;
    begin
+      Process.Name_Task ("th_battery_leve");
       loop
          Robot_Events.Wait_Battery;
          Robot_Line.Get_Status (Begun);
@@ -297,6 +306,7 @@ package body Robot_Tasks with SPARK_Mode is
       Answer : Answer_Kind;
       Kind   : Request_Kind;
    begin
+      Process.Name_Task ("th_query");
       loop
          Task_Ports.Query.Wait (Order);
          Kind := (case Order.Message.Kind is
@@ -326,6 +336,7 @@ package body Robot_Tasks with SPARK_Mode is
       Next   : Time;
       Result : Outcome;
    begin
+      Process.Name_Task ("th_keep_alive");
       loop
          Robot_Events.Wait_Keep_Alive;
          Robot_Line.Get_Status (Begun);

@@ -66,6 +66,7 @@ package body Support_Tasks with SPARK_Mode is
       Start : constant Time := Clock;
       Item  : Journal.Line;
    begin
+      Process.Name_Task ("th_console");
       loop
          Journal.Take (Item);
          Write (Item, Start);
@@ -121,6 +122,7 @@ package body Support_Tasks with SPARK_Mode is
       Status : Robot_Line.Status;
       Now    : Time;
    begin
+      Process.Name_Task ("th_stop");
       loop
          Process.Wait_Signal (Kind);
          if Kind = Process.Failure then

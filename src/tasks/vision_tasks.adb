@@ -10,6 +10,7 @@ with Journal;
 with Monitor_Protocol; use Monitor_Protocol;
 with Options;
 with Orders;
+with Process;
 with Settings;
 with Task_Ports;
 with Texts;
@@ -108,6 +109,7 @@ package body Vision_Tasks with SPARK_Mode is
       Needed   : Boolean;
       Success  : Boolean;
    begin
+      Process.Name_Task ("th_camera_contr");
       loop
          Task_Ports.Camera_Control.Wait (Order);
          case Order.Message.Kind is
@@ -159,6 +161,7 @@ package body Vision_Tasks with SPARK_Mode is
       Last    : Natural;
       Length  : Outbox.Message_Length;
    begin
+      Process.Name_Task ("th_capture_img");
       loop
          Camera_Events.Wait_Opened;
          Settings.Get (Chosen);
@@ -232,6 +235,7 @@ package body Vision_Tasks with SPARK_Mode is
       Result : Vision.Status;
       Length : Outbox.Message_Length;
    begin
+      Process.Name_Task ("th_arene");
       loop
          Task_Ports.Arena.Wait (Order);
          if Order.Message.Kind = Ask_Arena then
@@ -288,6 +292,7 @@ package body Vision_Tasks with SPARK_Mode is
       Slot   : Vision.Slot;
       Now    : Time;
    begin
+      Process.Name_Task ("th_camera");
       loop
          Camera_Requests.Wait_Open (Number);
          Settings.Get (Chosen);
