@@ -208,11 +208,12 @@ package body Never_Tests is
 
    procedure Random_Commands is
       --  Every command in every state, without waiting, in sessions that
-      --  end anywhere. Each is answered once: counted.
+      --  end anywhere. Each is answered once: counted. RGBT is left out, for
+      --  its answer looks like the unasked level.
       R        : Rig;
       All_Words : constant Arguments := Words
         ("ROPN RCLS RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP"
-         & " RMOV:40 RTRN:-40 RGBT RGST COPN CCLS CPCO CPST nope");
+         & " RMOV:40 RTRN:-40 RGST COPN CCLS CPCO CPST nope");
       State    : Natural := 4242;
       Asked    : Natural;
       Answers  : Natural;
@@ -238,9 +239,7 @@ package body Never_Tests is
                  (1 + Next_Random (Natural (All_Words.Length)));
             begin
                R.Monitor.Send_Line (Word);
-               if Word not in "RGBT" then
-                  Asked := Asked + 1;
-               end if;
+               Asked := Asked + 1;
             end;
             if Next_Random (10) = 0 then
                delay 0.01;
