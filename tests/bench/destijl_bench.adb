@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Prints the figures of F4, F11, F12, F13 and F15 under full load: images
---  with positions, orders without a pause, two busy loops.
+--  with positions, 25 commands a second, two busy loops.
 
 with Ada.Command_Line;      use Ada.Command_Line;
 with Ada.Exceptions;
@@ -158,8 +158,8 @@ procedure Destijl_Bench is
         ("user: "
          & (if Libc.Geteuid = 0 then "root" else "an ordinary user"));
       Put_Line
-        ("load: images with positions at 10 a second, orders without a"
-         & " pause, two busy loops");
+        ("load: images with positions at 10 a second, 25 commands a"
+         & " second, two busy loops");
    end Print_Machine;
 
    ----------------------
@@ -222,6 +222,9 @@ procedure Destijl_Bench is
       procedure Ask_And_Note (Command : String; Wire : String);
       --  Sends and waits for the answer; of an own answer notes the time
 
+      procedure Pause;
+      --  Between two commands: 20 to 60 ms
+
       procedure Evaluate_Orders;
       procedure Evaluate_Robot_Answers;
       procedure Evaluate_Periods;
@@ -246,6 +249,15 @@ procedure Destijl_Bench is
             Own.Add (Item.Time - Time);
          end if;
       end Ask_And_Note;
+
+      -----------
+      -- Pause --
+      -----------
+
+      procedure Pause is
+      begin
+         delay 0.02 + 0.04 * Duration (Random (Source));
+      end Pause;
 
       ---------------------
       -- Evaluate_Orders --
@@ -398,13 +410,14 @@ procedure Destijl_Bench is
                   Ask_And_Note ("RSTP", "M=0");
             end case;
          end;
-         delay 0.004 * Duration (Random (Source));
-         if Amount mod 3 = 0 then
+         Pause;
+         if Amount mod 4 = 0 then
             Ask_And_Note ("RGST", "b");
-         else
+            Pause;
+         elsif Amount mod 4 = 2 then
             Ask_And_Note ("what", "");
+            Pause;
          end if;
-         delay 0.012 * Duration (Random (Source));
       end loop;
       Prefer_Real_Time (False);
 

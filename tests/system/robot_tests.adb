@@ -343,6 +343,8 @@ package body Robot_Tests is
          R.Emulator.Tell ("delay 200");
          R.Monitor.Expect ("RGST", "ATIM");
          R.Emulator.Tell ("delay 0");
+         --  the robot answers in order: what it says next is late, too
+         delay 0.15;
          R.Monitor.Expect ("RGBT", "RBLV:1");
          R.Monitor.Expect ("RPIN", "AACK");
       end loop;

@@ -200,10 +200,11 @@ package body Child_Processes is
    -----------
 
    procedure Start
-     (Object  : in out Child;
-      Program : String;
-      Options : Arguments := String_Vectors.Empty_Vector;
-      Name    : String := "")
+     (Object    : in out Child;
+      Program   : String;
+      Options   : Arguments := String_Vectors.Empty_Vector;
+      Name      : String := "";
+      Real_Time : Boolean := False)
    is
       Count   : constant Natural := Natural (Options.Length);
       Vector  : Libc.Argument_Vector (0 .. Count + 1) :=
@@ -212,6 +213,7 @@ package body Child_Processes is
       Output  : Libc.Pipe_Ends;
       Errors  : Libc.Pipe_Ends;
       Empty   : aliased Libc.Signal_Set;
+      Lowest  : aliased Libc.Sched_Param := (Priority => 1);
       Pid     : int;
       Unused  : int;
       Unused_Action : System.Address;
@@ -242,6 +244,10 @@ package body Child_Processes is
            (Libc.Pr_Set_Pdeathsig, unsigned_long (Libc.Sigkill));
          Unused := Libc.Sigprocmask (Libc.Set_Mask, Empty'Access, null);
          Unused_Action := Libc.Signal (Libc.Sigpipe, Libc.Default_Action);
+         if Real_Time then
+            Unused := Libc.Sched_Setscheduler
+              (0, Libc.Sched_Fifo, Lowest'Access);
+         end if;
          Unused := Libc.Dup2 (Input (0), 0);
          Unused := Libc.Dup2 (Output (1), 1);
          Unused := Libc.Dup2 (Errors (1), 2);
@@ -449,7 +455,7 @@ package body Child_Processes is
 
    procedure Finalize (Object : in out Child) is
       Kept   : constant array (Stream) of Positive :=
-        (Output => 6, Errors => 40);
+        (Output => 4, Errors => 40);
       Unused : int;
    begin
       if Object.Inner = null then

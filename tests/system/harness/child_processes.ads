@@ -31,13 +31,15 @@ package Child_Processes is
    --  Killed when it leaves its scope
 
    procedure Start
-     (Object  : in out Child;
-      Program : String;
-      Options : Arguments := String_Vectors.Empty_Vector;
-      Name    : String := "");
+     (Object    : in out Child;
+      Program   : String;
+      Options   : Arguments := String_Vectors.Empty_Vector;
+      Name      : String := "";
+      Real_Time : Boolean := False);
    --  Runs Program (searched in PATH unless it has a slash). Name is for
-   --  messages. To be called from the environment task: the kernel ends the
-   --  program when the thread that started it ends.
+   --  messages. Real_Time: at the lowest real-time priority where that is
+   --  allowed, before all ordinary load. To be called from the environment
+   --  task: the kernel ends the program with the thread that started it.
 
    function Pid (Object : Child) return Interfaces.C.int;
 

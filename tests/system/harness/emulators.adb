@@ -96,7 +96,8 @@ package body Emulators is
          Words ("--boot-ms 100 --link " & To_String (Object.Link)
            & (if Camera then " --camera-port 0" else ""))
          & Words (Options),
-         "emulator");
+         "emulator",
+         Real_Time => True);
       Check
         (Index (Next_Line (Object), "device ") = 1,
          "the emulator names no device");

@@ -15,7 +15,9 @@ package Emulators is
 
    procedure Start
      (Object : in out Emulator; Camera : Boolean; Options : String := "");
-   --  With a robot that is ready at once, unless Options say otherwise
+   --  With a robot that is ready at once, unless Options say otherwise. A
+   --  real robot and a real camera do not compete for the processor: where
+   --  it is allowed the emulator goes before all ordinary load.
 
    function Device (Object : Emulator) return String;
    --  Of the robot's line: a link that stays the same when it returns

@@ -2,11 +2,11 @@
 --  What the kernel says about a process.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
-with Ada.Directories;
 with Ada.Strings;             use Ada.Strings;
 with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with Ada.Text_IO;             use Ada.Text_IO;
+with GNAT.Directory_Operations;
 
 package body Process_Facts is
 
@@ -84,20 +84,23 @@ package body Process_Facts is
    procedure For_Each_Entry
      (Path : String; Action : not null access procedure (Name : String))
    is
-      use Ada.Directories;
-      Entries : Search_Type;
-      Item    : Directory_Entry_Type;
+      use GNAT.Directory_Operations;
+      --  Ada.Directories leaves out what it cannot find, such as sockets
+      Folder : Dir_Type;
+      Name   : String (1 .. 255);
+      Last   : Natural;
    begin
-      Start_Search (Entries, Path, "");
-      while More_Entries (Entries) loop
-         Get_Next_Entry (Entries, Item);
-         if Simple_Name (Item) not in "." | ".." then
-            Action (Simple_Name (Item));
+      Open (Folder, Path);
+      loop
+         Read (Folder, Name, Last);
+         exit when Last = 0;
+         if Name (1 .. Last) not in "." | ".." then
+            Action (Name (1 .. Last));
          end if;
       end loop;
-      End_Search (Entries);
+      Close (Folder);
    exception
-      when Ada.Directories.Name_Error | Ada.Directories.Use_Error =>
+      when Directory_Error =>
          null;
    end For_Each_Entry;
 
