@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Prints the figures of F4, F11, F12, F13 and F15 under full load: images
---  with positions, 25 commands a second, two busy loops.
+--  with positions, 30 commands a second, two busy loops.
 
 with Ada.Command_Line;      use Ada.Command_Line;
 with Ada.Exceptions;
@@ -158,7 +158,7 @@ procedure Destijl_Bench is
         ("user: "
          & (if Libc.Geteuid = 0 then "root" else "an ordinary user"));
       Put_Line
-        ("load: images with positions at 10 a second, 25 commands a"
+        ("load: images with positions at 10 a second, 30 commands a"
          & " second, two busy loops");
    end Print_Machine;
 
@@ -167,13 +167,14 @@ procedure Destijl_Bench is
    ----------------------
 
    procedure Prefer_Real_Time (Wanted : Boolean) is
-      Lowest  : aliased Libc.Sched_Param := (Priority => 1);
+      Highest : aliased Libc.Sched_Param :=
+        (Priority => Libc.Above_Supervisor);
       None    : aliased Libc.Sched_Param := (Priority => 0);
       Unused  : Interfaces.C.int;
    begin
       if Wanted then
          Unused := Libc.Sched_Setscheduler
-           (0, Libc.Sched_Fifo, Lowest'Access);
+           (0, Libc.Sched_Fifo, Highest'Access);
       else
          Unused := Libc.Sched_Setscheduler
            (0, Libc.Sched_Other, None'Access);
@@ -223,7 +224,7 @@ procedure Destijl_Bench is
       --  Sends and waits for the answer; of an own answer notes the time
 
       procedure Pause;
-      --  Between two commands: 20 to 60 ms
+      --  Between two commands: 15 to 45 ms
 
       procedure Evaluate_Orders;
       procedure Evaluate_Robot_Answers;
@@ -256,7 +257,7 @@ procedure Destijl_Bench is
 
       procedure Pause is
       begin
-         delay 0.02 + 0.04 * Duration (Random (Source));
+         delay 0.015 + 0.03 * Duration (Random (Source));
       end Pause;
 
       ---------------------

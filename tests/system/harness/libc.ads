@@ -145,6 +145,10 @@ package Libc is
    Sched_Other : constant int := 0;
    Sched_Fifo  : constant int := 1;
 
+   Above_Supervisor : constant int := 60;
+   --  A priority above all of the supervisor's: for who notes times as if
+   --  he sat at another machine
+
    type Sched_Param is record
       Priority : int;
    end record with Convention => C;

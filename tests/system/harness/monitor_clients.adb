@@ -208,7 +208,7 @@ package body Monitor_Clients is
       Last   : Stream_Element_Offset;
       Rest   : Unbounded_String;
       Group  : Positive := 1;
-      Param  : aliased Libc.Sched_Param := (Priority => 1);
+      Param  : aliased Libc.Sched_Param := (Priority => Libc.Above_Supervisor);
       Unused : int;
 
       procedure Take (Text : Unbounded_String; Time : Instant);

@@ -38,9 +38,9 @@ package Monitor_Clients is
       Namespace      : String  := "";
       Real_Time      : Boolean := True);
    --  Receive_Buffer 0 leaves the system's. Namespace is that of
-   --  Network_Links. Real_Time: the task that receives gets the lowest
-   --  real-time priority where that is allowed, so that the times it notes
-   --  are those of arrival. Raises Failed when refused.
+   --  Network_Links. Real_Time: the task that receives gets the
+   --  priority Libc.Above_Supervisor where that is allowed, so that the
+   --  times it notes are those of arrival. Raises Failed when refused.
 
    function Connects (Port : Positive) return Boolean;
    --  Whether anybody listens at 127.0.0.1:Port
