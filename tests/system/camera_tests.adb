@@ -10,6 +10,7 @@ with Emulators;
 with Expectations;          use Expectations;
 with Images;
 with Instants;              use Instants;
+with Libc;
 with Monitor_Clients;       use Monitor_Clients;
 with Process_Facts;
 with Programs;
@@ -23,6 +24,7 @@ package body Camera_Tests is
 
    procedure Open_And_Close;
    procedure Open_Fails;
+   procedure Open_Takes_Long;
    procedure Not_Open_Is_Anak;
    procedure Image_Period;
    procedure Image_Size;
@@ -34,6 +36,7 @@ package body Camera_Tests is
    procedure Arena_Confirmed;
    procedure Arena_Rejected;
    procedure Arena_Searched_Again;
+   procedure Arena_Of_Stalled_Camera;
    procedure Arena_Not_Found;
    procedure Arena_Decision_Without_Search;
    procedure Positions_True;
@@ -187,6 +190,59 @@ package body Camera_Tests is
          Refuse (Url (1 .. Index (Url, "/", Backward)) & "pose");
       end;
    end Open_Fails;
+
+   ---------------------
+   -- Open_Takes_Long --
+   ---------------------
+
+   procedure Open_Takes_Long is
+      --  A camera that takes the connection and says nothing holds up
+      --  neither the robot, nor the end of the session, nor that of the
+      --  supervisor.
+      R    : Rig;
+      Item : Message;
+      Time : Instant;
+   begin
+      Assemble (R, Camera => True);
+      Move_Forward (R);
+      R.Emulator.Tell ("camera stall");
+      R.Monitor.Skip_To_Now;
+      Time := Now;
+      R.Monitor.Send_Line ("COPN");
+      delay 0.3;
+      R.Monitor.Send_Line ("RSTP");
+      Check
+        (R.Emulator.Await_On_Wire ("M=0", Within => 0.5).First > Time,
+         "the stop waits for the camera");
+      Item := R.Monitor.Next_Answer (Within => 10.0);
+      Note ("refused after " & Milliseconds (Item.Time - Time));
+      Check (Item.Label = "ANAK", "COPN was answered " & Item.Label);
+      Check (R.Monitor.Next_Answer.Label = "AACK", "the stop");
+
+      --  The monitor goes while the camera is being opened
+      R.Monitor.Send_Line ("COPN");
+      delay 0.3;
+      Time := Now;
+      R.Monitor.Close;
+      R.Supervisor.Expect_Log ("session closed", Within => 3.0);
+      Check_Within
+        (R.Supervisor.Time_Of ("session closed") - Time, 2.0,
+         "closing the session");
+      R.Emulator.Tell ("camera on");
+      Connect (R);
+      Open_Camera (R);
+      R.Monitor.Expect ("CCLS", "AACK");
+
+      --  The supervisor is stopped while the camera is being opened
+      R.Emulator.Tell ("camera stall");
+      R.Monitor.Send_Line ("COPN");
+      delay 0.3;
+      Time := Now;
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Check
+        (R.Supervisor.Exit_Status (Within => 3.0) = 0, "exit status");
+      Note ("ended after " & Milliseconds (Now - Time));
+   end Open_Takes_Long;
 
    ----------------------
    -- Not_Open_Is_Anak --
@@ -469,6 +525,33 @@ package body Camera_Tests is
          "inside the arena the robot is seen at " & To_String (Item.Data));
    end Arena_Searched_Again;
 
+   -----------------------------
+   -- Arena_Of_Stalled_Camera --
+   -----------------------------
+
+   procedure Arena_Of_Stalled_Camera is
+      --  The search is answered all the same: of the last image, or ANAK
+      R    : Rig;
+      Item : Message;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R);
+      R.Emulator.Tell ("camera stall");
+      delay 0.5;
+      R.Monitor.Skip_To_Now;
+      R.Monitor.Send_Line ("CASA");
+      R.Monitor.Send_Line ("nope");
+      Item := R.Monitor.Next_Answer (Within => 8.0, Command => "CASA");
+      Check
+        (Item.Label in "ANAK" | "CIMG", "CASA was answered " & Item.Label);
+      Check (R.Monitor.Next_Answer.Label = "ACER", "no answer after it");
+      R.Monitor.Send_Line ("CAIN");
+      R.Emulator.Tell ("camera on");
+      delay 3.0;
+      R.Monitor.Expect ("CCLS", "AACK");
+      Open_Camera (R);
+   end Arena_Of_Stalled_Camera;
+
    ---------------------
    -- Arena_Not_Found --
    ---------------------
@@ -730,6 +813,7 @@ package body Camera_Tests is
    begin
       Add (Suite, "F14_F16_Open_And_Close", Open_And_Close'Access);
       Add (Suite, "F14_Open_Fails", Open_Fails'Access);
+      Add (Suite, "F14_Open_Takes_Long", Open_Takes_Long'Access);
       Add (Suite, "F14_Not_Open_Is_ANAK", Not_Open_Is_Anak'Access);
       Add (Suite, "F15_Image_Period", Image_Period'Access);
       Add (Suite, "F15_Image_Size_And_Quality", Image_Size'Access);
@@ -741,6 +825,8 @@ package body Camera_Tests is
       Add (Suite, "F17_Arena_Confirmed", Arena_Confirmed'Access);
       Add (Suite, "F17_Arena_Rejected", Arena_Rejected'Access);
       Add (Suite, "F17_Arena_Searched_Again", Arena_Searched_Again'Access);
+      Add (Suite, "F17_Arena_Of_Stalled_Camera",
+           Arena_Of_Stalled_Camera'Access);
       Add (Suite, "F17_Arena_Not_Found", Arena_Not_Found'Access);
       Add (Suite, "F17_Decision_Without_Search",
            Arena_Decision_Without_Search'Access);

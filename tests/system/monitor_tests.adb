@@ -679,6 +679,22 @@ package body Monitor_Tests is
          R.Monitor.Expect ("RPIN", "AACK");
       end loop;
 
+      --  Many at once
+      declare
+         Crowd : array (1 .. 12) of Client;
+      begin
+         for Visitor of Crowd loop
+            Visitor.Connect (R.Supervisor.Port);
+         end loop;
+         R.Monitor.Expect ("RPIN", "AACK");
+         for Visitor of Crowd loop
+            Check
+              (Visitor.Closed_By_Peer (Within => 3.0) /= Open
+               and then Visitor.Count_Of ("MSSG") = 1,
+               "one of many is not told and closed");
+         end loop;
+      end;
+
       --  One that commands at once does not command
       R.Emulator.Clear_Journal;
       Second.Connect (R.Supervisor.Port);

@@ -34,11 +34,17 @@ package body Process_Tests is
    procedure Thirteen_Threads;
    procedure Failing_Task;
    procedure Hundred_Connections;
+   procedure Restarted_At_Once;
    procedure As_Root;
    procedure As_Ordinary_User;
+   procedure With_File_Capability;
    procedure As_Root_Without_Nice;
    procedure Console_Blocked;
    procedure Console_Monitor;
+
+   As_User : constant String :=
+     "setpriv --reuid=65534 --regid=65534 --clear-groups"
+     & " --inh-caps=-all";
 
    procedure Need_Root;
    procedure Need_Tool (Name : String);
@@ -303,10 +309,21 @@ package body Process_Tests is
             "no stop on the wire after the failure of " & Name);
       end Fail;
 
+      Names : Arguments;
    begin
-      Fail ("th_move");
-      Fail ("th_arene");
-      Fail ("th_server");
+      declare
+         S : Supervisors.Supervisor;
+      begin
+         S.Start;
+         Names := Words (Process_Facts.Thread_Names (S.Pid));
+      end;
+      Check (Natural (Names.Length) > 13, "the threads have no names");
+      for Name of Names loop
+         --  the environment task has the program's name
+         if Index (Name, "th_") = 1 then
+            Fail (Name);
+         end if;
+      end loop;
    end Failing_Task;
 
    -------------------------
@@ -411,9 +428,6 @@ package body Process_Tests is
    procedure As_Ordinary_User is
       --  Another user's pseudo-terminal cannot be opened: it is given away
       R      : Rig;
-      As_User : constant String :=
-        "setpriv --reuid=65534 --regid=65534 --clear-groups"
-        & " --inh-caps=-all";
       Real   : Rig;
       Ours   : String (1 .. 400) := (others => ' ');
       Theirs : String (1 .. 400) := (others => ' ');
@@ -468,6 +482,56 @@ package body Process_Tests is
         (Ours /= Theirs,
          "root and an ordinary user have the same guarantees");
    end As_Ordinary_User;
+
+   --------------------------
+   -- With_File_Capability --
+   --------------------------
+
+   procedure With_File_Capability is
+      --  An ordinary user's priorities, by the program's own capability
+      S    : Supervisors.Supervisor;
+      Copy : constant String := Programs.Temporary_Folder & "/capable";
+      Tool : Child;
+   begin
+      Need_Root;
+      Need_Tool ("setpriv");
+      Need_Tool ("setcap");
+      Ada.Directories.Copy_File (Copied_Supervisor, Copy);
+      Tool.Start ("setcap", Words ("cap_sys_nice+ep " & Copy));
+      if Tool.Exit_Status (Within => 10.0) /= 0 then
+         Skip ("this file system keeps no capabilities");
+      end if;
+      Check
+        (Libc.Chmod (To_C (Copy), 8#755#) = 0, "the copy cannot be run");
+      S.Start (Launcher => As_User, Program => Copy);
+      S.Expect_Log ("real-time priorities: yes", Within => 2.0);
+      Check (Connects (S.Port), "nobody listens");
+      S.Send_Signal (Libc.Sigterm);
+      Check (S.Exit_Status (Stop_Limit) = 0, "exit status");
+   end With_File_Capability;
+
+   -----------------------
+   -- Restarted_At_Once --
+   -----------------------
+
+   procedure Restarted_At_Once is
+      --  On the same port, although connections of the first still linger
+      R      : Rig;
+      Second : Supervisors.Supervisor;
+      Number : Positive;
+   begin
+      Assemble (R);
+      R.Monitor.Expect ("ROPN", "AACK");
+      Number := R.Supervisor.Port;
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Check (R.Supervisor.Exit_Status (Stop_Limit) = 0, "exit status");
+      Second.Run
+        ("--bind 127.0.0.1 --port" & Number'Image & " --serial "
+         & R.Emulator.Device);
+      Second.Expect_Log ("listening on", Within => 3.0);
+      R.Monitor.Connect (Number);
+      R.Monitor.Expect ("ROPN", "AACK");
+   end Restarted_At_Once;
 
    --------------------------
    -- As_Root_Without_Nice --
@@ -579,7 +643,10 @@ package body Process_Tests is
            Failing_Task'Access);
       Add (Suite, "Never_Grows_In_100_Connections",
            Hundred_Connections'Access);
+      Add (Suite, "Restart_At_Once", Restarted_At_Once'Access);
       Add (Suite, "Privileges_Of_Root", As_Root'Access);
+      Add (Suite, "Privileges_By_File_Capability",
+           With_File_Capability'Access);
       Add (Suite, "Privileges_Of_Ordinary_User", As_Ordinary_User'Access);
       Add (Suite, "Privileges_Of_Root_Without_CAP_SYS_NICE",
            As_Root_Without_Nice'Access);

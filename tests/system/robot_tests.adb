@@ -31,6 +31,8 @@ package body Robot_Tests is
    procedure Garbled;
    procedure Late_Answers;
    procedure Unasked_Bytes;
+   procedure Noisy_Line;
+   procedure Silent_When_Opened;
    procedure Hung_Up;
    procedure Hung_Up_While_Idle;
    procedure Start_Refused;
@@ -375,6 +377,51 @@ package body Robot_Tests is
       Check (not R.Supervisor.Says ("robot lost"), "robot lost");
    end Unasked_Bytes;
 
+   ----------------
+   -- Noisy_Line --
+   ----------------
+
+   procedure Noisy_Line is
+      --  A line that never falls silent: every command is answered in
+      --  bounded time, and all is well again after the noise
+      R    : Rig;
+      Item : Message;
+      Time : Instant;
+   begin
+      Assemble (R);
+      R.Monitor.Expect ("ROPN", "AACK");
+      R.Monitor.Skip_To_Now;
+      --  about a second of noise at 9600 baud
+      for Number in 1 .. 5 loop
+         R.Emulator.Tell ("unasked " & (1 .. 200 => 'U'));
+      end loop;
+      for Number in 1 .. 3 loop
+         Time := Now;
+         R.Monitor.Send_Line ("RPIN");
+         Item := R.Monitor.Next_Answer;
+         Check_Within (Item.Time - Time, 0.5, "an answer in noise");
+      end loop;
+      delay 1.2;
+      R.Monitor.Expect ("RCLS", "AACK");
+      Start_Robot (R);
+      R.Monitor.Expect ("RPIN", "AACK");
+   end Noisy_Line;
+
+   ------------------------
+   -- Silent_When_Opened --
+   ------------------------
+
+   procedure Silent_When_Opened is
+      --  The line can be opened though its robot does not answer
+      R : Rig;
+   begin
+      Assemble (R, Emulator_Options => "--silent");
+      R.Monitor.Expect ("ROPN", "AACK");
+      R.Monitor.Expect ("RPIN", "ATIM");
+      R.Emulator.Tell ("silent off");
+      R.Monitor.Expect ("RSOW", "AACK");
+   end Silent_When_Opened;
+
    -------------
    -- Hung_Up --
    -------------
@@ -571,9 +618,14 @@ package body Robot_Tests is
             & Natural'Image (Late) & " kB, after"
             & Natural'Image (Early) & " kB");
       Check (Reloads >= 58, "only" & Reloads'Image & " reloads");
-      Check
-        (R.Emulator.Status ("missed_total") = "0",
-         "missed windows: " & R.Emulator.Status ("missed_total"));
+      if R.Supervisor.Says ("real-time priorities: yes") then
+         Check
+           (R.Emulator.Status ("missed_total") = "0",
+            "missed windows: " & R.Emulator.Status ("missed_total"));
+      else
+         --  deadlines are not guaranteed then, but the robot runs on
+         Note ("missed windows: " & R.Emulator.Status ("missed_total"));
+      end if;
       Check
         (R.Emulator.Status ("disabled_count") = "0", "robot disabled");
       Check
@@ -620,6 +672,13 @@ package body Robot_Tests is
          "a reload by hand disturbs the supervisor's own");
       delay 2.2;
       Check (R.Emulator.Status ("missed_total") = "0", "missed window");
+
+      --  Where the supervisor has none of its own, it goes to the robot
+      R.Monitor.Expect ("RRST", "AACK");
+      R.Monitor.Expect ("RSOW", "AACK");
+      R.Emulator.Clear_Journal;
+      R.Monitor.Expect ("RLDW", "AACK");
+      Check (R.Emulator.Count_Of ("w") = 1, "no w on the wire");
    end Reload_By_Hand;
 
    ---------------
@@ -915,6 +974,9 @@ package body Robot_Tests is
       Add (Suite, "F08_Garbled_Answers", Garbled'Access);
       Add (Suite, "F08_Late_Answers", Late_Answers'Access);
       Add (Suite, "F08_Unasked_Bytes", Unasked_Bytes'Access);
+      Add (Suite, "F08_Noisy_Line", Noisy_Line'Access);
+      Add (Suite, "F07_Robot_Silent_When_Opened",
+           Silent_When_Opened'Access);
       Add (Suite, "F08_Hung_Up_In_Mid_Transaction", Hung_Up'Access);
       Add (Suite, "F08_Hung_Up_While_Idle", Hung_Up_While_Idle'Access);
       Add (Suite, "F10_F11_Start_Refused", Start_Refused'Access);

@@ -188,7 +188,8 @@ package body Child_Processes is
             if Last = 0 then
                Last := Text'Last + 1;
             end if;
-            Result.Append (Text (First .. Last - 1));
+            --  Head makes its first index 1
+            Result.Append (Head (Text (First .. Last - 1), Last - First));
             First := Last;
          end if;
       end loop;
