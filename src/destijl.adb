@@ -3,24 +3,25 @@
 --  its tasks work until the process is ended.
 
 with Ada.Exceptions;
-with Ada.Real_Time;
+with Ada.Real_Time; use Ada.Real_Time;
 with Checks;
 with Command_Lines;
 with Console;
+with Failures;
 with Journal;
 with Options;
 with Process;
 with Schedule;
+with Serial_Line;
 with Session;
 with Settings;
 
-with Failures;
 with Monitor_Tasks;
 with Robot_Tasks;
 with Support_Tasks;
 with Vision_Tasks;
 pragma Unreferenced
-  (Failures, Monitor_Tasks, Robot_Tasks, Support_Tasks, Vision_Tasks);
+  (Monitor_Tasks, Robot_Tasks, Support_Tasks, Vision_Tasks);
 
 procedure Destijl with Priority => Schedule.Main_Priority is
 
@@ -65,7 +66,13 @@ begin
           when others =>
              "real-time priorities: none, deadlines are not guaranteed "
              & "(destijl --check tells how to get them)"));
-   delay until Ada.Real_Time.Time_Last;
+
+   Failures.Wait_Stop_Failed;
+   --  its last lines are written meanwhile
+   delay until Clock + Schedule.Console_Limit;
+   --  once more: orders may have been sent since the failure
+   Serial_Line.Stop_Blindly;
+   Process.Leave (Process.Internal_Failure);
 
 exception
    when E : others =>

@@ -2,13 +2,16 @@
 --  What happens when a task ends, which none may: the process is told, and
 --  stops the robot and itself.
 
-with Ada.Exceptions;          use Ada.Exceptions;
-with Ada.Task_Identification; use Ada.Task_Identification;
-with Ada.Task_Termination;    use Ada.Task_Termination;
+with Ada.Exceptions;                use Ada.Exceptions;
+with Ada.Synchronous_Task_Control;  use Ada.Synchronous_Task_Control;
+with Ada.Task_Identification;       use Ada.Task_Identification;
+with Ada.Task_Termination;          use Ada.Task_Termination;
 with Journal;
 with Options;
 with Process;
 with Schedule;
+with Serial_Line;
+with Support_Tasks;
 
 package body Failures with SPARK_Mode => Off is
    --  Off: a termination handler is an access to a protected procedure
@@ -17,6 +20,8 @@ package body Failures with SPARK_Mode => Off is
       procedure Ended
         (Cause : Cause_Of_Termination; T : Task_Id; X : Exception_Occurrence);
    end Fallback;
+
+   Stop_Failed : Suspension_Object;
 
    protected body Fallback is
 
@@ -30,10 +35,24 @@ package body Failures with SPARK_Mode => Off is
             & (if Cause = Unhandled_Exception
                then ", " & Exception_Name (X) & " " & Exception_Message (X)
                else ""));
-         Process.Report_Failure;
+         if T = Support_Tasks.Th_Stop'Identity then
+            Serial_Line.Stop_Blindly;
+            Set_True (Stop_Failed);
+         else
+            Process.Report_Failure;
+         end if;
       end Ended;
 
    end Fallback;
+
+   ----------------------
+   -- Wait_Stop_Failed --
+   ----------------------
+
+   procedure Wait_Stop_Failed is
+   begin
+      Suspend_Until_True (Stop_Failed);
+   end Wait_Stop_Failed;
 
 begin
    Set_Dependents_Fallback_Handler (Fallback.Ended'Access);

@@ -7,4 +7,8 @@ package Failures with SPARK_Mode is
    pragma Elaborate_Body;
    --  Its elaboration sets the handler for all tasks, before any runs
 
+   procedure Wait_Stop_Failed;
+   --  Waits until the task that ends the process has failed itself, and
+   --  leaves the end of the process to the caller. For one task only
+
 end Failures;
