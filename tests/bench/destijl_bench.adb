@@ -441,9 +441,13 @@ procedure Destijl_Bench is
       Put_Line ("F11 missed windows:" & Missed'Image);
       Orders.Print
         ("F12 order sent to first byte on the line", "", True);
-      Net.Print
-        ("F12 the same without waiting for the line", "p99.9 < 5",
-         Net.Quantile (0.999) < 0.005);
+      if Baud > 0 then
+         Net.Print
+           ("F12 the same without waiting for the line", "p99.9 < 5",
+            Net.Quantile (0.999) < 0.005);
+      end if;
+      --  an unpaced line has no time of its own that could be told from the
+      --  robot's and the pseudo-terminal's
       Batteries.Print
         ("F13 between battery levels", "500 +- 1 %, p99 +- 20",
          abs (Batteries.Mean - 0.5) < 0.005
