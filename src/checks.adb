@@ -9,7 +9,7 @@ with Serial_Line;
 with Texts;
 with Vision;
 
-package body Checks is
+package body Checks with SPARK_Mode is
 
    use type Vision.Status;
 

@@ -4,7 +4,7 @@
 
 with Options;
 
-package Checks is
+package Checks with SPARK_Mode is
 
    procedure Run (Chosen : Options.Values; All_Well : out Boolean);
    --  Tries privileges, serial line, camera and port, and reports each in a

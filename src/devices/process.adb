@@ -9,7 +9,10 @@ with System;
 
 package body Process with
   SPARK_Mode    => Off,
-  Refined_State => (System_State => (Signals, Privileges))
+  Refined_State =>
+    (System_State =>
+       (Signals, Privileges, Threads, Thread_Count, Real_Time_Set, Other_Set,
+        Kept))
 is
 
    type Signal_Set is array (1 .. 16) of Unsigned_64 with Convention => C;
@@ -23,6 +26,24 @@ is
 
    Signals    : Signal_Set := (others => 0);
    Privileges : Privilege_Kind := User_Without_Real_Time;
+
+   type Processor_Set is array (0 .. 1_023) of Boolean
+     with Pack, Convention => C;
+   --  1024 bits, as glibc's
+
+   type Thread_Number is range -2 ** 31 .. 2 ** 31 - 1 with Atomic;
+
+   Max_Threads : constant := 64;
+
+   Threads : array (1 .. Max_Threads) of Thread_Number :=
+     (others => 0);
+   --  The system's numbers of the threads that have a name, negative for
+   --  those without a deadline; 0: none
+   Thread_Count  : Unsigned_32 := 0;
+   Real_Time_Set : Processor_Set := (others => False);
+   Other_Set     : Processor_Set := (others => False);
+   Kept          : Boolean := False with Atomic;
+   --  the two sets hold
 
    function Add_Signal (Set : System.Address; Signal : int) return int
    with Import, Convention => C, External_Name => "sigaddset";
@@ -63,6 +84,31 @@ is
    function Process_Control
      (Option : int; Value : System.Address) return int
    with Import, Convention => C_Variadic_1, External_Name => "prctl";
+
+   function Own_Thread return int
+   with Import, Convention => C, External_Name => "gettid";
+
+   function Get_Affinity
+     (Thread : int; Size : size_t; Set : System.Address) return int
+   with Import, Convention => C, External_Name => "sched_getaffinity";
+
+   function Set_Affinity
+     (Thread : int; Size : size_t; Set : System.Address) return int
+   with Import, Convention => C, External_Name => "sched_setaffinity";
+
+   function Fetch_And_Add
+     (Counter : System.Address; Amount : Unsigned_32; Order : int)
+      return Unsigned_32
+   with
+     Import,
+     Convention    => Intrinsic,
+     External_Name => "__atomic_fetch_add_4";
+   Sequential : constant int := 5;  --  __ATOMIC_SEQ_CST
+
+   Set_Size : constant size_t := Processor_Set'Size / 8;
+
+   procedure Keep (Thread : Thread_Number);
+   --  On its set; Thread as in Threads
 
    procedure Block_Signals;
    procedure Examine_Privileges;
@@ -121,17 +167,65 @@ is
       Held := Privileges;
    end Get_Privileges;
 
+   ----------
+   -- Keep --
+   ----------
+
+   procedure Keep (Thread : Thread_Number) is
+      Set     : constant System.Address :=
+        (if Thread > 0 then Real_Time_Set'Address else Other_Set'Address);
+      Ignored : constant int := Set_Affinity (int (abs Thread), Set_Size, Set);
+      pragma Unreferenced (Ignored);
+   begin
+      null;
+   end Keep;
+
+   -------------
+   -- Keep_On --
+   -------------
+
+   procedure Keep_On (Cpu : Natural; Done : out Boolean) is
+      Allowed : Processor_Set := (others => False);
+   begin
+      Done := Get_Affinity (Own_Number, Set_Size, Allowed'Address) >= 0
+        and then Cpu in Allowed'Range
+        and then Allowed (Cpu);
+      if Done then
+         Other_Set := Allowed;
+         Other_Set (Cpu) := False;
+         if Other_Set = (Processor_Set'Range => False) then
+            Other_Set := Allowed;
+         end if;
+         Real_Time_Set (Cpu) := True;
+         --  before the threads are looked at: one that gets its name now
+         --  keeps itself
+         Kept := True;
+         Keep (-Thread_Number (Own_Number));
+         for Thread of Threads loop
+            if Thread /= 0 then
+               Keep (Thread);
+            end if;
+         end loop;
+      end if;
+   end Keep_On;
+
    ---------------
    -- Name_Task --
    ---------------
 
-   procedure Name_Task (Name : String) is
+   procedure Name_Task (Name : String; Real_Time : Boolean := True) is
       Text    : constant String := Name & ASCII.NUL;
       Set     : constant := 15;  --  PR_SET_NAME
       Ignored : constant int := Process_Control (Set, Text'Address);
       pragma Unreferenced (Ignored);
+      Thread  : constant Thread_Number := Thread_Number (Own_Thread);
+      Place   : constant Positive := 1 + Natural
+        (Fetch_And_Add (Thread_Count'Address, 1, Sequential));
    begin
-      null;
+      Threads (Place) := (if Real_Time then Thread else -Thread);
+      if Kept then
+         Keep (Threads (Place));
+      end if;
    end Name_Task;
 
    -----------------

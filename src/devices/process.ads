@@ -20,9 +20,16 @@ is
    procedure Get_Privileges (Held : out Privilege_Kind)
    with Global => (In_Out => System_State);
 
-   procedure Name_Task (Name : String)
+   procedure Name_Task (Name : String; Real_Time : Boolean := True)
    with Global => (In_Out => System_State), Pre => Name'Length <= 15;
-   --  The calling task's name, as ps -L and top -H show it
+   --  The calling task's name, as ps -L and top -H show it, and whether
+   --  Keep_On is for it. First of all that a task does, and once
+
+   procedure Keep_On (Cpu : Natural; Done : out Boolean)
+   with Global => (In_Out => System_State);
+   --  From here on the real-time tasks run on processor Cpu alone, and all
+   --  other threads on the others, where there are any. Done is false where
+   --  this process may not run on Cpu
 
    type Signal_Kind is
      (Stop_Request,     --  SIGINT, SIGTERM, SIGHUP

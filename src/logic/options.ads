@@ -16,6 +16,11 @@ package Options with SPARK_Mode is
    subtype Percentage is Positive range 1 .. 100;
    subtype Milliseconds is Natural range 0 .. 1_000;
 
+   subtype Processor is Natural range 0 .. 1_023;
+
+   No_Processor : constant := -1;
+   subtype Processor_Choice is Integer range No_Processor .. Processor'Last;
+
    Camera_Rate : constant := 30;
    --  Images a second asked of a camera, or the rate of the images sent if
    --  that is higher: the newest is then never much older than 33 ms, and a
@@ -33,6 +38,8 @@ package Options with SPARK_Mode is
       Marker      : Marker_Kind  := Aruco;
       Message_Gap : Milliseconds := 4;           --  PROTOCOL.md
       Log_Level   : Level        := Info;
+      Cpu         : Processor_Choice := No_Processor;
+      --  where the real-time tasks are kept; No_Processor: anywhere
    end record;
 
 end Options;

@@ -13,7 +13,10 @@ with Schedule;
 with Serial_Line;
 with Support_Tasks;
 
-package body Failures with SPARK_Mode => Off is
+package body Failures with
+  SPARK_Mode    => Off,
+  Refined_State => (Stop_Task => Stop_Failed)
+is
    --  Off: a termination handler is an access to a protected procedure
 
    protected Fallback with Priority => Schedule.Journal_Ceiling is

@@ -6,6 +6,7 @@ with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
 with Interfaces.C;          use Interfaces.C;
+with System.Multiprocessors; use type System.Multiprocessors.CPU_Range;
 
 with Child_Processes;       use Child_Processes;
 with Emulators;
@@ -33,6 +34,7 @@ package body Process_Tests is
    procedure Stopped_At_Once;
    procedure Thirteen_Threads;
    procedure Failing_Task;
+   procedure Own_Processor;
    procedure Hundred_Connections;
    procedure Restarted_At_Once;
    procedure As_Root;
@@ -269,6 +271,48 @@ package body Process_Tests is
             & Process_Facts.Thread_Names (S.Pid));
       end loop;
    end Thirteen_Threads;
+
+   -------------------
+   -- Own_Processor --
+   -------------------
+
+   procedure Own_Processor is
+      --  --cpu: the real-time tasks there alone, all others elsewhere
+      R     : Rig;
+      Wrong : Supervisors.Supervisor;
+
+      function Where (Name : String) return String is
+        (Process_Facts.Processors
+           (R.Supervisor.Pid,
+            Process_Facts.Thread_Named (R.Supervisor.Pid, Name)));
+   begin
+      Wrong.Run ("--port 0 --cpu 1023");
+      Check
+        (Wrong.Exit_Status (Within => 3.0) = 1,
+         "a processor that is not there");
+      Check
+        (Index (Wrong.Log_Text, "no processor 1023") > 0,
+         "no reason: " & Wrong.Log_Text);
+      if System.Multiprocessors.Number_Of_CPUs < 2 then
+         Skip ("there is one processor only");
+      end if;
+      Assemble (R, Supervisor_Options => "--cpu 0");
+      for Name of Words
+        (Process_Facts.Thread_Names (R.Supervisor.Pid))
+      loop
+         if Name in "th_capture_img" | "th_arene" | "th_camera" | "th_console"
+           or else Index (Name, "th_") /= 1
+         then
+            Check
+              (Where (Name) not in "" | "0"
+               and then Index (Where (Name), "0") = 0,
+               Name & " runs on " & Where (Name));
+         else
+            Check (Where (Name) = "0", Name & " runs on " & Where (Name));
+         end if;
+      end loop;
+      R.Monitor.Expect ("ROPN", "AACK");
+   end Own_Processor;
 
    ------------------
    -- Failing_Task --
@@ -643,6 +687,7 @@ package body Process_Tests is
            Thirteen_Threads'Access);
       Add (Suite, "Never_Moves_On_After_A_Failed_Task",
            Failing_Task'Access);
+      Add (Suite, "Threads_On_Their_Own_Processor", Own_Processor'Access);
       Add (Suite, "Never_Grows_In_100_Connections",
            Hundred_Connections'Access);
       Add (Suite, "Restart_At_Once", Restarted_At_Once'Access);

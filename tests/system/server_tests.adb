@@ -358,6 +358,7 @@ package body Server_Tests is
       Refuse ("--marker square");
       Refuse ("--message-gap -1");
       Refuse ("--log-level loud");
+      Refuse ("--cpu none");
    end Options_Bad;
 
    ------------------
@@ -389,6 +390,7 @@ package body Server_Tests is
          Expect ("--jpeg-quality");
          Expect ("--marker");
          Expect ("--message-gap");
+         Expect ("--cpu");
          Expect ("--log-level");
          Expect ("--check");
          Expect ("--version");

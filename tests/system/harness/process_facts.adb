@@ -4,6 +4,7 @@
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Strings;             use Ada.Strings;
 with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
+with Ada.Strings.Maps;        use Ada.Strings.Maps;
 with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with Ada.Text_IO;             use Ada.Text_IO;
 with GNAT.Directory_Operations;
@@ -18,6 +19,9 @@ package body Process_Facts is
 
    function First_Line (Path : String) return String;
 
+   function Field (Path : String; Key : String) return String;
+   --  What stands after "Key:" in the file, "" where there is none
+
    procedure For_Each_Entry
      (Path : String; Action : not null access procedure (Name : String));
    --  Of a folder whose entries may vanish meanwhile
@@ -27,35 +31,15 @@ package body Process_Facts is
    -------------------
 
    function Status_Number (Process : int; Key : String) return Natural is
-      File   : File_Type;
-      Result : Natural := 0;
+      Text : constant String := Field (Folder (Process) & "/status", Key);
+      Last : Natural := Text'First - 1;
    begin
-      Open (File, In_File, Folder (Process) & "/status");
-      while not End_Of_File (File) loop
-         declare
-            Line  : constant String := Get_Line (File);
-            First : Natural;
-            Last  : Natural;
-         begin
-            if Index (Line, Key & ":") = Line'First then
-               First := Key'Length + 2;
-               while not Is_Digit (Line (First)) loop
-                  First := First + 1;
-               end loop;
-               Last := First;
-               while Last < Line'Last and then Is_Digit (Line (Last + 1))
-               loop
-                  Last := Last + 1;
-               end loop;
-               Result := Natural'Value (Line (First .. Last));
-            end if;
-         end;
+      while Last < Text'Last and then Is_Digit (Text (Last + 1)) loop
+         Last := Last + 1;
       end loop;
-      Close (File);
-      return Result;
-   exception
-      when Name_Error | Use_Error =>
-         return 0;
+      return
+        (if Last < Text'First then 0
+         else Natural'Value (Text (Text'First .. Last)));
    end Status_Number;
 
    ----------------
@@ -76,6 +60,33 @@ package body Process_Facts is
          end if;
          return "";
    end First_Line;
+
+   -----------
+   -- Field --
+   -----------
+
+   function Field (Path : String; Key : String) return String is
+      File   : File_Type;
+      Result : Unbounded_String;
+   begin
+      Open (File, In_File, Path);
+      while not End_Of_File (File) loop
+         declare
+            Line : constant String := Get_Line (File);
+         begin
+            if Index (Line, Key & ":") = Line'First then
+               Result := To_Unbounded_String
+                 (Trim (Line (Line'First + Key'Length + 1 .. Line'Last),
+                        To_Set (" " & ASCII.HT), To_Set (" ")));
+            end if;
+         end;
+      end loop;
+      Close (File);
+      return To_String (Result);
+   exception
+      when Name_Error | Use_Error =>
+         return "";
+   end Field;
 
    --------------------
    -- For_Each_Entry --
@@ -184,5 +195,14 @@ package body Process_Facts is
       For_Each_Entry (Folder (Process) & "/task", Add'Access);
       return To_String (Result);
    end Thread_Names;
+
+   ----------------
+   -- Processors --
+   ----------------
+
+   function Processors (Process : int; Thread : int) return String is
+     (Field
+        (Folder (Process) & "/task/" & Trim (Thread'Image, Both) & "/status",
+         "Cpus_allowed_list"));
 
 end Process_Facts;

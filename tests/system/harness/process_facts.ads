@@ -16,4 +16,7 @@ package Process_Facts is
 
    function Thread_Names (Process : int) return String;
 
+   function Processors (Process : int; Thread : int) return String;
+   --  Where the thread may run, as the kernel writes it: "0", "1-3"
+
 end Process_Facts;

@@ -2,6 +2,7 @@
 --  All unit tests of the pure packages.
 
 with Base64_Tests;
+with Command_Lines_Tests;
 with Decimals_Tests;
 with Line_Health_Tests;
 with Monitor_Link_Tests;
@@ -14,6 +15,7 @@ with Vision_Mode_Tests;
 package body Logic_Suite is
 
    Base_64  : aliased Base64_Tests.Test_Case;
+   Command  : aliased Command_Lines_Tests.Test_Case;
    Decimal  : aliased Decimals_Tests.Test_Case;
    Robot    : aliased Robot_Protocol_Tests.Test_Case;
    Monitor  : aliased Monitor_Protocol_Tests.Test_Case;
@@ -32,6 +34,7 @@ package body Logic_Suite is
         AUnit.Test_Suites.New_Suite;
    begin
       Result.Add_Test (Base_64'Access);
+      Result.Add_Test (Command'Access);
       Result.Add_Test (Decimal'Access);
       Result.Add_Test (Robot'Access);
       Result.Add_Test (Monitor'Access);

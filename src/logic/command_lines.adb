@@ -1,0 +1,342 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The command line: its arguments, read one after the other, make a request
+--  and the options of this run, or a reason why they do not.
+
+package body Command_Lines with SPARK_Mode is
+
+   procedure Fail
+     (R : in out Reading; Before : String; Value : String; After : String)
+   with
+     Post => R.Request = Wrong;
+   --  Reason: Before, Value in quotes, After
+
+   procedure Fail (R : in out Reading; Message : String)
+   with
+     Post => R.Request = Wrong;
+
+   procedure Take_Name (R : in out Reading; Name : String)
+   with
+     Pre  => R.Request not in Settled_Kind;
+   --  "--name" or "-h"
+
+   procedure Take_Value (R : in out Reading; Value : String)
+   with
+     Pre  => R.Request not in Settled_Kind
+       and then R.Awaited /= None
+       and then Value'First > 0
+       and then Value'Last < Integer'Last,
+     Post => R.Awaited = None;
+   --  The value of R.Awaited
+
+   function Name_Of (Option : Option_Kind) return String is
+     (case Option is
+         when None        => "",
+         when Port        => "--port",
+         when Bind        => "--bind",
+         when Serial      => "--serial",
+         when Camera      => "--camera",
+         when Frame_Size  => "--frame-size",
+         when Frame_Rate  => "--fps",
+         when Quality     => "--jpeg-quality",
+         when Marker      => "--marker",
+         when Message_Gap => "--message-gap",
+         when Log_Level   => "--log-level",
+         when Cpu         => "--cpu");
+
+   Max_Digits : constant := 9;
+
+   procedure Read_Number
+     (R      : in out Reading;
+      Value  : String;
+      First  : Natural;
+      Last   : Natural;
+      Result : out Natural)
+   with
+     Pre  => First <= Last
+       and then Value'Last < Integer'Last,
+     Post => Result in First .. Last;
+   --  Value where it is a number in First .. Last; else First, and R is Wrong
+
+   procedure Read_Size (R : in out Reading; Value : String)
+   with
+     Pre => Value'First > 0 and then Value'Last < Integer'Last;
+   --  The size of the images
+
+   procedure Read_Text
+     (R : in out Reading; Value : String; Result : out Texts.Text);
+   --  Value; where it is empty R is Wrong
+
+   ----------
+   -- Fail --
+   ----------
+
+   procedure Fail (R : in out Reading; Message : String) is
+   begin
+      R.Request := Wrong;
+      Texts.Set (R.Reason, Message);
+   end Fail;
+
+   procedure Fail
+     (R : in out Reading; Before : String; Value : String; After : String)
+   is
+   begin
+      Fail (R, Before);
+      Texts.Append (R.Reason, "'");
+      Texts.Append (R.Reason, Value);
+      Texts.Append (R.Reason, "'");
+      Texts.Append (R.Reason, After);
+   end Fail;
+
+   ------------
+   -- Finish --
+   ------------
+
+   procedure Finish (R : in out Reading) is
+   begin
+      if R.Request not in Settled_Kind and then R.Awaited /= None then
+         Fail (R, "a value is missing after ");
+         Texts.Append (R.Reason, Name_Of (R.Awaited));
+      end if;
+   end Finish;
+
+   -----------------
+   -- Read_Number --
+   -----------------
+
+   procedure Read_Number
+     (R      : in out Reading;
+      Value  : String;
+      First  : Natural;
+      Last   : Natural;
+      Result : out Natural)
+   is
+      Number : Natural := 0;
+      Good   : Boolean := Value'Length in 1 .. Max_Digits;
+   begin
+      if Good then
+         for I in Value'Range loop
+            pragma Loop_Invariant
+              (Number < 10 ** (I - Value'First));
+            if Value (I) in '0' .. '9' then
+               Number := 10 * Number
+                 + (Character'Pos (Value (I)) - Character'Pos ('0'));
+            else
+               Good := False;
+               exit;
+            end if;
+         end loop;
+      end if;
+      if Good and then Number in First .. Last then
+         Result := Number;
+      else
+         Result := First;
+         Fail
+           (R, Name_Of (R.Awaited) & ": ", Value, " is not a number in ");
+         Texts.Append (R.Reason, First);
+         Texts.Append (R.Reason, " .. ");
+         Texts.Append (R.Reason, Last);
+      end if;
+   end Read_Number;
+
+   ---------------
+   -- Read_Size --
+   ---------------
+
+   procedure Read_Size (R : in out Reading; Value : String) is
+      Cross  : Natural := 0;
+      Number : Natural;
+   begin
+      for I in Value'Range loop
+         if Value (I) = 'x' then
+            Cross := I;
+            exit;
+         end if;
+         pragma Loop_Invariant (Cross = 0);
+      end loop;
+      if Cross = 0 then
+         Fail
+           (R, Name_Of (R.Awaited) & ": ", Value, " is not WIDTHxHEIGHT");
+         return;
+      end if;
+      Read_Number
+        (R, Value (Value'First .. Cross - 1),
+         Options.Pixel_Count'First, Options.Pixel_Count'Last,
+         Number);
+      R.Chosen.Width := Number;
+      if R.Request /= Wrong then
+         Read_Number
+           (R, Value (Cross + 1 .. Value'Last),
+            Options.Pixel_Count'First, Options.Pixel_Count'Last,
+            Number);
+         R.Chosen.Height := Number;
+      end if;
+   end Read_Size;
+
+   ---------------
+   -- Read_Text --
+   ---------------
+
+   procedure Read_Text
+     (R : in out Reading; Value : String; Result : out Texts.Text) is
+   begin
+      Texts.Set (Result, Value);
+      if Value = "" then
+         Fail (R, "a value is missing after ");
+         Texts.Append (R.Reason, Name_Of (R.Awaited));
+      end if;
+   end Read_Text;
+
+   -----------------
+   -- Refuse_Long --
+   -----------------
+
+   procedure Refuse_Long (R : in out Reading) is
+   begin
+      if R.Request not in Settled_Kind then
+         Fail (R, "an argument has more than ");
+         Texts.Append (R.Reason, Texts.Max_Length);
+         Texts.Append (R.Reason, " characters");
+      end if;
+   end Refuse_Long;
+
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take (R : in out Reading; Argument : String) is
+      Is_Name : constant Boolean :=
+        Argument'Length > 2 and then Argument (1 .. 2) = "--";
+   begin
+      if R.Request in Settled_Kind then
+         return;
+      end if;
+
+      if R.Awaited /= None then
+         if Is_Name then
+            Finish (R);
+         else
+            Take_Value (R, Argument);
+         end if;
+         return;
+      end if;
+
+      if not Is_Name and then Argument /= "-h" then
+         Fail (R, "unexpected argument ", Argument, "");
+         return;
+      end if;
+
+      for I in Argument'Range loop
+         if Argument (I) = '=' then
+            Take_Name (R, Argument (1 .. I - 1));
+            if R.Request not in Settled_Kind then
+               if R.Awaited = None then
+                  Fail
+                    (R, "option ", Argument (1 .. I - 1), " takes no value");
+               else
+                  Take_Value (R, Argument (I + 1 .. Argument'Last));
+               end if;
+            end if;
+            return;
+         end if;
+      end loop;
+      Take_Name (R, Argument);
+   end Take;
+
+   ---------------
+   -- Take_Name --
+   ---------------
+
+   procedure Take_Name (R : in out Reading; Name : String) is
+   begin
+      if Name = "--help" or else Name = "-h" then
+         R.Request := Show_Help;
+      elsif Name = "--version" then
+         R.Request := Show_Version;
+      elsif Name = "--check" then
+         R.Request := Check;
+      else
+         R.Awaited := None;
+         for Option in Port .. Option_Kind'Last loop
+            if Name = Name_Of (Option) then
+               R.Awaited := Option;
+            end if;
+         end loop;
+         if R.Awaited = None then
+            Fail (R, "unknown option ", Name, "");
+         end if;
+      end if;
+   end Take_Name;
+
+   ----------------
+   -- Take_Value --
+   ----------------
+
+   procedure Take_Value (R : in out Reading; Value : String) is
+      Number : Natural;
+      Text   : Texts.Text;
+   begin
+      case R.Awaited is
+         when None =>
+            null;
+         when Port =>
+            Read_Number
+              (R, Value, Options.Port_Number'First, Options.Port_Number'Last,
+               Number);
+            R.Chosen.Port := Number;
+         when Bind =>
+            Read_Text (R, Value, Text);
+            R.Chosen.Bind := Text;
+         when Serial =>
+            Read_Text (R, Value, Text);
+            R.Chosen.Serial := Text;
+         when Camera =>
+            Read_Text (R, Value, Text);
+            R.Chosen.Camera := Text;
+         when Frame_Size =>
+            Read_Size (R, Value);
+         when Frame_Rate =>
+            Read_Number
+              (R, Value, Options.Rate'First, Options.Rate'Last,
+               Number);
+            R.Chosen.Frame_Rate := Number;
+         when Quality =>
+            Read_Number
+              (R, Value, Options.Percentage'First, Options.Percentage'Last,
+               Number);
+            R.Chosen.Quality := Number;
+         when Marker =>
+            if Value = "aruco" then
+               R.Chosen.Marker := Options.Aruco;
+            elsif Value = "triangle" then
+               R.Chosen.Marker := Options.Triangle;
+            else
+               Fail
+                 (R, "--marker: ", Value, " is neither aruco nor triangle");
+            end if;
+         when Message_Gap =>
+            Read_Number
+              (R, Value, Options.Milliseconds'First,
+               Options.Milliseconds'Last, Number);
+            R.Chosen.Message_Gap := Number;
+         when Log_Level =>
+            if Value = "error" then
+               R.Chosen.Log_Level := Options.Error;
+            elsif Value = "warning" then
+               R.Chosen.Log_Level := Options.Warning;
+            elsif Value = "info" then
+               R.Chosen.Log_Level := Options.Info;
+            elsif Value = "debug" then
+               R.Chosen.Log_Level := Options.Debug;
+            else
+               Fail (R, "--log-level: ", Value, " is no level of the log");
+            end if;
+         when Cpu =>
+            Read_Number
+              (R, Value, Options.Processor'First, Options.Processor'Last,
+               Number);
+            R.Chosen.Cpu := Number;
+      end case;
+      R.Awaited := None;
+   end Take_Value;
+
+end Command_Lines;

@@ -1,0 +1,76 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The command line: its arguments, read one after the other, make a request
+--  and the options of this run, or a reason why they do not.
+
+with Ada.Characters.Latin_1; use Ada.Characters.Latin_1;
+with Options;
+with Texts;
+
+package Command_Lines with SPARK_Mode is
+
+   type Request_Kind is (Run, Check, Show_Version, Show_Help, Wrong);
+
+   subtype Settled_Kind is Request_Kind range Show_Version .. Wrong;
+   --  Whatever follows on the command line, the request stays
+
+   type Option_Kind is
+     (None, Port, Bind, Serial, Camera, Frame_Size, Frame_Rate, Quality,
+      Marker, Message_Gap, Log_Level, Cpu);
+
+   type Reading is record
+      Request : Request_Kind := Run;
+      Chosen  : Options.Values;
+      Reason  : Texts.Text;           --  of Wrong
+      Awaited : Option_Kind := None;  --  the option whose value comes next
+   end record;
+   --  What has been read so far: at first nothing, which is a good command
+   --  line
+
+   procedure Take (R : in out Reading; Argument : String)
+   with
+     Pre  => Argument'First = 1
+       and then Argument'Length <= Texts.Max_Length,
+     Post =>
+       (if R.Request'Old in Settled_Kind then R.Request = R.Request'Old);
+   --  The next argument: "--name", "--name=value", or the value of the name
+   --  before. A value in an argument of its own does not begin with "--"
+
+   procedure Refuse_Long (R : in out Reading)
+   with
+     Post => R.Request in Settled_Kind;
+   --  The next argument has more than Texts.Max_Length characters
+
+   procedure Finish (R : in out Reading)
+   with
+     Post => (if R.Request not in Settled_Kind then R.Awaited = None);
+   --  There are no more arguments
+
+   Usage : constant String :=
+     "Usage: destijl [OPTION ...]" & LF
+     & "Supervises a De Stijl robot for one monitor at a time." & LF & LF
+     & "  --port N             port of the monitor (5544; 0: a free one)" & LF
+     & "  --bind ADDRESS       address to listen on (0.0.0.0)" & LF
+     & "  --serial PATH        serial line of the robot (/dev/ttyS0)" & LF
+     & "  --camera SOURCE      number, device, image or video file, URL or"
+     & LF
+     & "                       GStreamer pipeline (0)" & LF
+     & "  --frame-size WxH     size of the images in pixels (640x480)" & LF
+     & "  --fps N              images a second, 1 .. 100 (10)" & LF
+     & "  --jpeg-quality N     1 .. 100 (80)" & LF
+     & "  --marker KIND        aruco or triangle (aruco)" & LF
+     & "  --message-gap MS     between two messages of which one is unasked,"
+     & LF
+     & "                       0 .. 1000 (4)" & LF
+     & "  --cpu N              keep the real-time tasks on processor N, and"
+     & LF
+     & "                       all else off it" & LF
+     & "  --log-level LEVEL    error, warning, info or debug (info)" & LF
+     & "  --check              say what would work, without starting" & LF
+     & "  --version, --help" & LF & LF
+     & "Exit status: 0 after an orderly stop, 1 where the server cannot"
+     & LF
+     & "start, 2 for bad usage, 3 after an internal failure.";
+
+   Version : constant String := "destijl 0.1.0";
+
+end Command_Lines;

@@ -1,0 +1,144 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The supervisor: reads the command line, says what it will do, and lets
+--  its tasks work until the process is ended.
+
+with Ada.Real_Time; use Ada.Real_Time;
+with Checks;
+with Command_Lines;
+with Console;
+with Failures;
+with Journal;
+with Options;
+with Process;
+with Program_Arguments;
+with Schedule;
+with Serial_Line;
+with Session;
+with Settings;
+with Texts;
+
+with Monitor_Tasks;
+with Robot_Tasks;
+with Support_Tasks;
+with Vision_Tasks;
+pragma Unreferenced
+  (Monitor_Tasks, Robot_Tasks, Support_Tasks, Vision_Tasks);
+
+package body Supervisor with SPARK_Mode is
+
+   procedure Read_Arguments (Command_Line : out Command_Lines.Reading);
+
+   procedure Keep_On_Processor (Cpu : Options.Processor_Choice);
+   --  Leaves the process where that cannot be
+
+   procedure Serve (Chosen : Options.Values);
+   --  Lets the tasks work; returns when the process must be ended here
+
+   -----------------------
+   -- Keep_On_Processor --
+   -----------------------
+
+   procedure Keep_On_Processor (Cpu : Options.Processor_Choice) is
+      Done : Boolean;
+      Text : Texts.Text;
+   begin
+      if Cpu /= Options.No_Processor then
+         Process.Keep_On (Cpu, Done);
+         if not Done then
+            Texts.Set (Text, "destijl: there is no processor ");
+            Texts.Append (Text, Cpu);
+            Texts.Append (Text, " for this process (--cpu)");
+            Console.Put_Log (Texts.Image (Text));
+            Process.Leave (Process.Cannot_Start);
+         end if;
+      end if;
+   end Keep_On_Processor;
+
+   --------------------
+   -- Read_Arguments --
+   --------------------
+
+   procedure Read_Arguments (Command_Line : out Command_Lines.Reading) is
+      Count    : Natural;
+      Argument : Texts.Text;
+      Whole    : Boolean;
+   begin
+      Command_Line := (others => <>);
+      Program_Arguments.Get_Count (Count);
+      for I in 1 .. Count loop
+         Program_Arguments.Get (I, Argument, Whole);
+         if Whole then
+            Command_Lines.Take
+              (Command_Line, Argument.Data (1 .. Argument.Length));
+         else
+            Command_Lines.Refuse_Long (Command_Line);
+         end if;
+      end loop;
+      Command_Lines.Finish (Command_Line);
+   end Read_Arguments;
+
+   ---------
+   -- Run --
+   ---------
+
+   procedure Run is
+      Command_Line : Command_Lines.Reading;
+      All_Well     : Boolean;
+   begin
+      Read_Arguments (Command_Line);
+      case Command_Line.Request is
+         when Command_Lines.Wrong =>
+            Console.Put_Log
+              ("destijl: " & Texts.Image (Command_Line.Reason));
+            Console.Put_Log (Command_Lines.Usage);
+            Process.Leave (Process.Bad_Usage);
+         when Command_Lines.Show_Help =>
+            Console.Put (Command_Lines.Usage);
+            Process.Leave (Process.Success);
+         when Command_Lines.Show_Version =>
+            Console.Put (Command_Lines.Version);
+            Process.Leave (Process.Success);
+         when Command_Lines.Check =>
+            Checks.Run (Command_Line.Chosen, All_Well);
+            Process.Leave
+              (if All_Well then Process.Success else Process.Cannot_Start);
+         when Command_Lines.Run =>
+            Serve (Command_Line.Chosen);
+      end case;
+      --  once more: orders may have been sent since the failure
+      Serial_Line.Stop_Blindly;
+      Process.Leave (Process.Internal_Failure);
+   end Run;
+
+   -----------
+   -- Serve --
+   -----------
+
+   procedure Serve (Chosen : Options.Values) is
+      Held : Process.Privilege_Kind;
+      Now  : Time;
+   begin
+      Keep_On_Processor (Chosen.Cpu);
+      Settings.Set (Chosen);
+      Journal.Set_Level (Chosen.Log_Level);
+      Session.Allow_Server;
+      Session.Wait_Listening;
+      Process.Get_Privileges (Held);
+      Journal.Put
+        (Options.Info,
+         (case Held is
+             when Process.Root_With_Real_Time =>
+                "real-time priorities: yes (FIFO), ceilings checked",
+             when Process.User_With_Real_Time =>
+                "real-time priorities: yes (FIFO), ceilings not checked",
+             when others =>
+                "real-time priorities: none, deadlines are not guaranteed "
+                & "(destijl --check tells how to get them)"));
+
+      Failures.Wait_Stop_Failed;
+      --  its last lines are written meanwhile
+      Now := Clock;
+      delay until Now + Schedule.Console_Limit;
+   end Serve;
+
+end Supervisor;

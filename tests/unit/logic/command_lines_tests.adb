@@ -1,0 +1,255 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The command line: every option, its limits, and what is refused.
+
+with Ada.Strings.Fixed;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Command_Lines;    use Command_Lines;
+with Options;          use Options;
+with Texts;
+
+package body Command_Lines_Tests is
+
+   use type Texts.Text;
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   function Read (Line : String) return Reading;
+   --  The arguments are separated by single spaces
+
+   procedure Expect_Wrong (Line : String; Reason : String);
+   --  Reason is what stands on standard error
+
+   procedure Test_Defaults (T : in out Any_Test);
+   procedure Test_Every_Option (T : in out Any_Test);
+   procedure Test_Equals (T : in out Any_Test);
+   procedure Test_Limits (T : in out Any_Test);
+   procedure Test_Requests (T : in out Any_Test);
+   procedure Test_Wrong (T : in out Any_Test);
+   procedure Test_Long (T : in out Any_Test);
+
+   ------------------
+   -- Expect_Wrong --
+   ------------------
+
+   procedure Expect_Wrong (Line : String; Reason : String) is
+      R : constant Reading := Read (Line);
+   begin
+      Assert (R.Request = Wrong, "taken: " & Line);
+      Assert
+        (Texts.Image (R.Reason) = Reason,
+         Line & ": " & Texts.Image (R.Reason));
+   end Expect_Wrong;
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Command_Lines"));
+
+   ----------
+   -- Read --
+   ----------
+
+   function Read (Line : String) return Reading is
+      Result : Reading;
+      First  : Positive := Line'First;
+      Last   : Natural;
+   begin
+      while First <= Line'Last loop
+         Last := Ada.Strings.Fixed.Index (Line, " ", First);
+         if Last = 0 then
+            Last := Line'Last + 1;
+         end if;
+         Take (Result, Ada.Strings.Fixed.Head
+                         (Line (First .. Last - 1), Last - First));
+         First := Last + 1;
+      end loop;
+      Finish (Result);
+      return Result;
+   end Read;
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Defaults'Access, "nothing given");
+      Register_Routine (T, Test_Every_Option'Access, "every option");
+      Register_Routine (T, Test_Equals'Access, "name=value");
+      Register_Routine (T, Test_Limits'Access, "limits of the numbers");
+      Register_Routine (T, Test_Requests'Access, "requests");
+      Register_Routine (T, Test_Wrong'Access, "bad usage");
+      Register_Routine (T, Test_Long'Access, "an endless argument");
+   end Register_Tests;
+
+   -------------------
+   -- Test_Defaults --
+   -------------------
+
+   procedure Test_Defaults (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Read ("") = Reading'(others => <>), "not the defaults");
+   end Test_Defaults;
+
+   -----------------
+   -- Test_Equals --
+   -----------------
+
+   procedure Test_Equals (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Read ("--port=0").Chosen.Port = 0, "port");
+      Assert
+        (Texts.Image (Read ("--camera=http://h/?a=b").Chosen.Camera)
+         = "http://h/?a=b",
+         "only the first sign separates");
+      Assert
+        (Texts.Image (Read ("--serial=--odd").Chosen.Serial) = "--odd",
+         "a value that looks like a name");
+      Expect_Wrong ("--port=", "--port: '' is not a number in 0 .. 65535");
+      Expect_Wrong ("--check=1", "option '--check' takes no value");
+      Expect_Wrong ("--=1", "unknown option '--'");
+   end Test_Equals;
+
+   -----------------------
+   -- Test_Every_Option --
+   -----------------------
+
+   procedure Test_Every_Option (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      R : constant Reading := Read
+        ("--port 7 --bind 127.0.0.1 --serial /dev/pts/3 --camera a.mp4"
+         & " --frame-size 320x240 --fps 25 --jpeg-quality 55"
+         & " --marker triangle --message-gap 9 --log-level debug --cpu 3");
+   begin
+      Assert (R.Request = Run, Texts.Image (R.Reason));
+      Assert
+        (R.Chosen = Values'
+           (Port        => 7,
+            Bind        => Texts.To_Text ("127.0.0.1"),
+            Serial      => Texts.To_Text ("/dev/pts/3"),
+            Camera      => Texts.To_Text ("a.mp4"),
+            Width       => 320,
+            Height      => 240,
+            Frame_Rate  => 25,
+            Quality     => 55,
+            Marker      => Triangle,
+            Message_Gap => 9,
+            Log_Level   => Debug,
+            Cpu         => 3),
+         "not what was chosen");
+      for L in Level loop
+         Assert
+           (Read ("--log-level "
+                  & (case L is
+                        when Error => "error", when Warning => "warning",
+                        when Info  => "info",  when Debug   => "debug"))
+              .Chosen.Log_Level = L,
+            "level" & L'Image);
+      end loop;
+      Assert (Read ("--marker aruco").Chosen.Marker = Aruco, "aruco");
+   end Test_Every_Option;
+
+   -----------------
+   -- Test_Limits --
+   -----------------
+
+   procedure Test_Limits (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Read ("--port 65535").Chosen.Port = 65_535, "highest port");
+      Assert (Read ("--port 000000080").Chosen.Port = 80, "zeros in front");
+      Expect_Wrong
+        ("--port 65536", "--port: '65536' is not a number in 0 .. 65535");
+      Expect_Wrong
+        ("--port 0000000080",
+         "--port: '0000000080' is not a number in 0 .. 65535");
+      Expect_Wrong
+        ("--port -1", "--port: '-1' is not a number in 0 .. 65535");
+      Expect_Wrong ("--fps 0", "--fps: '0' is not a number in 1 .. 100");
+      Assert
+        (Read ("--frame-size 16x4096").Chosen.Height = 4_096, "height");
+      Expect_Wrong
+        ("--frame-size 15x20",
+         "--frame-size: '15' is not a number in 16 .. 4096");
+      Expect_Wrong
+        ("--frame-size 16x4097",
+         "--frame-size: '4097' is not a number in 16 .. 4096");
+      Expect_Wrong
+        ("--frame-size 1024", "--frame-size: '1024' is not WIDTHxHEIGHT");
+      Expect_Wrong
+        ("--frame-size x", "--frame-size: '' is not a number in 16 .. 4096");
+      Expect_Wrong
+        ("--cpu 1024", "--cpu: '1024' is not a number in 0 .. 1023");
+   end Test_Limits;
+
+   ---------------
+   -- Test_Long --
+   ---------------
+
+   procedure Test_Long (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      R : Reading;
+   begin
+      Take (R, "--serial");
+      Take (R, (1 .. Texts.Max_Length => 's'));
+      Assert (R.Chosen.Serial.Length = Texts.Max_Length, "the longest value");
+      Refuse_Long (R);
+      Assert
+        (Texts.Image (R.Reason) = "an argument has more than 512 characters",
+         Texts.Image (R.Reason));
+      R := (others => <>);
+      Take (R, (1 .. Texts.Max_Length => '-'));
+      Assert (R.Request = Wrong, "a name as long as can be");
+   end Test_Long;
+
+   -------------------
+   -- Test_Requests --
+   -------------------
+
+   procedure Test_Requests (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Read ("--help").Request = Show_Help, "--help");
+      Assert (Read ("-h").Request = Show_Help, "-h");
+      Assert (Read ("--version").Request = Show_Version, "--version");
+      Assert (Read ("--check --port 7").Request = Check, "--check");
+      Assert (Read ("--check --port 7").Chosen.Port = 7, "its port");
+      Assert
+        (Read ("--help --port x").Request = Show_Help,
+         "what follows a request for help counts no more");
+      Assert
+        (Read ("--port x --help").Request = Wrong,
+         "what follows a mistake counts no more");
+   end Test_Requests;
+
+   ----------------
+   -- Test_Wrong --
+   ----------------
+
+   procedure Test_Wrong (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Expect_Wrong ("--nonsense", "unknown option '--nonsense'");
+      Expect_Wrong ("--ports 7", "unknown option '--ports'");
+      Expect_Wrong ("-port 7", "unexpected argument '-port'");
+      Expect_Wrong ("stray", "unexpected argument 'stray'");
+      Expect_Wrong ("--port 7 stray", "unexpected argument 'stray'");
+      Expect_Wrong ("--serial", "a value is missing after --serial");
+      Expect_Wrong ("--serial=", "a value is missing after --serial");
+      Expect_Wrong
+        ("--serial --port 7", "a value is missing after --serial");
+      Expect_Wrong
+        ("--marker square",
+         "--marker: 'square' is neither aruco nor triangle");
+      Expect_Wrong
+        ("--log-level loud", "--log-level: 'loud' is no level of the log");
+   end Test_Wrong;
+
+end Command_Lines_Tests;
