@@ -53,6 +53,7 @@ package Line_Health with SPARK_Mode is
    with
      Pre  => not Lost (H),
      Post => In_Step (H)
+       and then not Lost (H)
        and then (for all C in Answer_Class => not Is_Owed (H, C));
    --  An answer came: that of a command sent in step, or a probe's own.
 
@@ -60,6 +61,7 @@ package Line_Health with SPARK_Mode is
    with
      Pre  => not Lost (H),
      Post => Failures (H) = Failures (H'Old) + 1
+       and then Lost (H) = (Failures (H'Old) = Max_Failures - 1)
        and then
          (for all C in Answer_Class =>
             Is_Owed (H, C) =
@@ -67,6 +69,21 @@ package Line_Health with SPARK_Mode is
    --  The exchange of Command failed: no answer in time, a wrong checksum,
    --  a wrong kind of answer or a malformed one. For a probe, only the
    --  time counts.
+
+   --  What holds whatever happens
+
+   type Attempt is record
+      Command  : Command_Kind;
+      Answered : Boolean;
+   end record
+   with Ghost;
+
+   type History is array (Positive range <>) of Attempt with Ghost;
+
+   procedure Prove_Loss (Attempts : History) with Ghost;
+   --  Of any exchanges, one after the other: the line is lost exactly when
+   --  the last four have failed, and any success makes it as good as new.
+   --  Asserted in the body.
 
 private
 

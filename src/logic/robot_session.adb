@@ -6,27 +6,72 @@ package body Robot_Session with SPARK_Mode is
 
    package Wire renames Robot_Protocol;
 
-   Leave_Tries : constant := 3;
-   --  How often the stop on the way out is tried while the line still works
-
    procedure Begin_Exchange
      (S       : State;
       P       : in out Progress;
       Phase   : Phase_Kind;
       Command : Wire.Command;
-      Next    : out Step);
+      Next    : out Step)
+   with
+     Pre  => Phase in Exchange_Phase
+       and then S.Line_Open
+       and then not Line_Health.Lost (S.Health)
+       and then (if P.Blind then P.Stopped),
+     Post => Is_Exchanging (S, P)
+       and then P.Request = P'Old.Request
+       and then P.Phase = Phase
+       and then P.Wanted = Command
+       and then P.Tries = P'Old.Tries
+       and then P.Result = P'Old.Result
+       and then P.Stopped = (P'Old.Stopped or else Sends_Stop (Next))
+       and then
+         (if Line_Health.In_Step (S.Health) then Next = (Exchange, Command)
+          elsif Next.Kind = Send then
+             Command = Wire.Stop and then Sends_Stop (Next)
+          else Next.Kind = Synchronise
+             and then P.In_Probe
+             and then Next.Command = (Line_Health.Probe (S.Health), 0))
+       and then (if P'Old.Blind then Next.Kind /= Send);
    --  The step that exchanges Command in Phase: a probe comes first where
    --  the line is out of step, and before the probe, blindly, a stop
 
    procedure Finish
      (P    : in out Progress;
       Kind : Outcome_Kind;
-      Next : out Step);
+      Next : out Step)
+   with
+     Post => P.Phase = Ended
+       and then P.Request = P'Old.Request
+       and then P.Stopped = P'Old.Stopped
+       and then P.Result = (Kind, P'Old.Result.Value, P'Old.Result.Note)
+       and then Next = (Finish, Wire.Stop);
+   --  The request has come to its end
 
    procedure Act
      (S    : State;
       P    : in out Progress;
-      Next : out Step);
+      Next : out Step)
+   with
+     Pre  => Is_Consistent (S)
+       and then P.Result.Note /= Robot_Lost
+       and then (if P.Blind then P.Stopped)
+       and then
+         (if P.Request.Kind = Open_Line then
+             not S.Line_Open and then not P.Blind
+          else S.Line_Open and then May_Act (S, P)),
+     Post => Is_Under_Way (S, P)
+       and then Is_Allowed (S, P, Next)
+       and then P.Request = P'Old.Request
+       and then P.Result = P'Old.Result
+       and then P.Stopped = (P'Old.Stopped or else Sends_Stop (Next))
+       and then Next.Kind /= Finish
+       and then (Next.Kind = Open_Device) = (P.Request.Kind = Open_Line)
+       and then Steps_Left (S, P) <=
+         (case P.Request.Kind is
+             when Reload     => 11,
+             when Open_Line  => 6,
+             when Close_Line => 1,
+             when others     => 5);
    --  The command that the request is for, after the stop where one was due
 
    procedure Answered
@@ -58,9 +103,11 @@ package body Robot_Session with SPARK_Mode is
       P.Wanted := Command;
       P.In_Probe := False;
       if Line_Health.In_Step (S.Health) then
+         P.Stopped := P.Stopped or else Command = Wire.Stop;
          Next := (Exchange, Command);
       elsif Command = Wire.Stop and then not P.Blind then
          P.Blind := True;
+         P.Stopped := True;
          Next := (Send, Command);
       else
          P.In_Probe := True;
@@ -93,9 +140,6 @@ package body Robot_Session with SPARK_Mode is
       P    : in out Progress;
       Next : out Step)
    is
-      function Simple (Kind : Wire.Command_Kind) return Wire.Command is
-        (Kind => Kind, Value => 0);
-      Wanted : Wire.Command;
    begin
       case P.Request.Kind is
          when Open_Line =>
@@ -104,27 +148,8 @@ package body Robot_Session with SPARK_Mode is
          when Close_Line =>
             P.Phase := Closing;
             Next := (Close_Device, Wire.Stop);
-         when Start =>
-            Begin_Exchange (S, P, Acting, Simple (Wire.Start), Next);
-         when Start_Watchdog =>
-            Begin_Exchange (S, P, Acting, Simple (Wire.Start_Watchdog), Next);
-         when Reset =>
-            Begin_Exchange (S, P, Acting, Simple (Wire.Reset), Next);
-         when Ping | Keep_Alive =>
-            Begin_Exchange (S, P, Acting, Simple (Wire.Ping), Next);
-         when Power_Off =>
-            Begin_Exchange (S, P, Acting, Simple (Wire.Power_Off), Next);
-         when Get_Battery =>
-            Begin_Exchange (S, P, Acting, Simple (Wire.Battery), Next);
-         when Get_Moving =>
-            Begin_Exchange (S, P, Acting, Simple (Wire.Busy), Next);
-         when Drive =>
-            Wanted := P.Request.Command;
-            Begin_Exchange (S, P, Acting, Wanted, Next);
-         when Stop =>
-            Begin_Exchange (S, P, Acting, Wire.Stop, Next);
-         when Reload | Reload_By_Hand =>
-            Begin_Exchange (S, P, Acting, Simple (Wire.Reload), Next);
+         when others =>
+            Begin_Exchange (S, P, Acting, Command_For (P.Request), Next);
       end case;
    end Act;
 
@@ -183,7 +208,7 @@ package body Robot_Session with SPARK_Mode is
       Accepted : constant Boolean :=
         Reply.Kind in Wire.Done | Wire.Level | Wire.Moving_State;
    begin
-      case P.Phase is
+      case Exchange_Phase'(P.Phase) is
          when Clearing =>
             Finish (P, Done, Next);
 
@@ -234,9 +259,6 @@ package body Robot_Session with SPARK_Mode is
                end if;
                Finish (P, Refused, Next);
             end if;
-
-         when Opening | Closing | Losing | Ended =>
-            Finish (P, Done, Next);
       end case;
    end Answered;
 
@@ -259,6 +281,7 @@ package body Robot_Session with SPARK_Mode is
          --  a last stop, in case the robot still hears
          P.Result.Note := Robot_Lost;
          P.Phase := Losing;
+         P.Stopped := True;
          Next := (Send, Wire.Stop);
       elsif P.Phase = Leaving then
          if P.Tries < Leave_Tries then

@@ -40,9 +40,12 @@ package Robot_Session with SPARK_Mode is
       Reload_By_Hand,   --  a monitor's: nothing to send during the periodic
       Keep_Alive);      --  a ping that finds a lost line
 
+   subtype Movement is Robot_Protocol.Command
+   with Dynamic_Predicate => Movement.Kind in Robot_Protocol.With_Argument;
+
    type Request is record
-      Kind    : Request_Kind            := Ping;
-      Command : Robot_Protocol.Command  := Robot_Protocol.Stop;
+      Kind    : Request_Kind := Ping;
+      Command : Movement     := Robot_Protocol.Stop;
       --  of Drive only
    end record;
 
@@ -92,6 +95,81 @@ package Robot_Session with SPARK_Mode is
    function Result (P : Progress) return Outcome;
    --  What came of the request, once its step is Finish
 
+   --  The words of the contracts
+
+   function Is_Sent (Next : Step) return Boolean is
+     (Next.Kind in Send | Exchange | Synchronise);
+   --  The step writes its command to the line
+
+   function Sends_Stop (Next : Step) return Boolean is
+     (Is_Sent (Next) and then Next.Command = Robot_Protocol.Stop);
+
+   function Sends_Movement (Next : Step) return Boolean is
+     (Is_Sent (Next)
+      and then Next.Command.Kind in Robot_Protocol.With_Argument
+      and then Next.Command /= Robot_Protocol.Stop);
+
+   function Sends_Reload (Next : Step) return Boolean is
+     (Is_Sent (Next) and then Next.Command.Kind = Robot_Protocol.Reload);
+
+   function Is_Reload_Active (S : State) return Boolean is
+     (S.Mode = Started_With_Watchdog);
+   --  The supervisor reloads the robot's watchdog
+
+   function Is_Accepted (Last : Step_Result) return Boolean is
+     (Last.Ok
+      and then Last.Reply.Kind in
+        Robot_Protocol.Done | Robot_Protocol.Level
+        | Robot_Protocol.Moving_State);
+   --  The robot acknowledged the step's command
+
+   function Request_Of (P : Progress) return Request with Ghost;
+
+   function Has_Stopped (P : Progress) return Boolean with Ghost;
+   --  A step of this request has sent a stop
+
+   function Is_Under_Way (S : State; P : Progress) return Boolean
+   with Ghost;
+   --  P belongs to S: the invariant of a request, true between its steps
+
+   Max_Steps : constant := 17;
+
+   function Steps_Left (S : State; P : Progress) return Natural with Ghost;
+   --  At most so many steps are still to come; 0 once the outcome stands
+
+   function Is_Allowed (S : State; P : Progress; Next : Step) return Boolean
+   is
+     --  no movement order except when started, and none after a stop
+     ((if Sends_Movement (Next) then
+          S.Mode /= Not_Started and then not Has_Stopped (P))
+      --  the periodic reload exactly while it is active, one by hand
+      --  exactly while it is not
+      and then
+        (if Sends_Reload (Next) then
+            Request_Of (P).Kind =
+              (if Is_Reload_Active (S) then Reload else Reload_By_Hand))
+      --  nothing goes out on a closed line
+      and then
+        (if Is_Sent (Next) or else Next.Kind = Close_Device then S.Line_Open)
+      --  an answer is awaited in step, a late one is skipped out of step
+      and then
+        (if Next.Kind = Exchange then Line_Health.In_Step (S.Health)
+         elsif Next.Kind = Synchronise then
+            not Line_Health.In_Step (S.Health)
+            and then not Line_Health.Lost (S.Health)
+            and then Next.Command.Kind = Line_Health.Probe (S.Health))
+      --  what is written without awaiting an answer is a stop
+      and then (if Next.Kind = Send then Sends_Stop (Next))
+      and then
+        (if Next.Kind = Finish then
+            Is_Consistent (S) and then Steps_Left (S, P) = 0))
+   with
+     Ghost,
+     Pre => Is_Under_Way (S, P);
+   --  What holds of every step of every request
+
+   --  The operations
+
    procedure Start_Request
      (S    : State;
       R    : Request;
@@ -99,20 +177,50 @@ package Robot_Session with SPARK_Mode is
       Next : out Step)
    with
      Pre  => Is_Consistent (S),
-     Post =>
-       (if R.Kind = Drive and then S.Mode = Not_Started
-        then Next.Kind = Finish)
+     Post => Is_Under_Way (S, P)
+       and then Is_Allowed (S, P, Next)
+       and then Request_Of (P) = R
+       and then Has_Stopped (P) = Sends_Stop (Next)
+       and then Steps_Left (S, P) <= Max_Steps
+       and then (if R.Kind = Drive and then S.Mode = Not_Started
+                 then Next.Kind = Finish)
+       and then (if R.Kind = Reload
+                 then (Next.Kind /= Finish) = Is_Reload_Active (S))
        and then (if not S.Line_Open
                  then Next.Kind in Open_Device | Finish);
-   --  The first step of R. No movement order leaves except when started
+   --  The first step of R
 
    procedure Continue_Request
-     (S      : in out State;
-      P      : in out Progress;
-      Last   : Step_Result;
-      Next   : out Step);
-   --  The next step of the same request, after its last step gave Last.
-   --  At most 20 steps make a request
+     (S    : in out State;
+      P    : in out Progress;
+      Last : Step_Result;
+      Next : out Step)
+   with
+     Pre  => Is_Under_Way (S, P),
+     Post => Is_Under_Way (S, P)
+       and then Is_Allowed (S, P, Next)
+       and then Request_Of (P) = Request_Of (P'Old)
+       and then Has_Stopped (P) =
+                  (Has_Stopped (P'Old) or else Sends_Stop (Next))
+       and then (Next.Kind = Finish
+                 or else Steps_Left (S, P) < Steps_Left (S'Old, P'Old))
+       --  started by an acknowledged start only
+       and then
+         (if S.Mode /= S'Old.Mode and then S.Mode /= Not_Started then
+             Is_Accepted (Last)
+             and then Next.Kind = Finish
+             and then Result (P).Kind = Done
+             and then Request_Of (P).Kind =
+               (if S.Mode = Started then Start else Start_Watchdog))
+       --  and no way out without a stop before
+       and then
+         (if S.Mode /= S'Old.Mode and then S.Mode = Not_Started then
+             Has_Stopped (P'Old))
+       --  a lost robot's line is closed
+       and then
+         (if Next.Kind = Finish and then Result (P).Note = Robot_Lost
+          then not S.Line_Open);
+   --  The next step of the same request, after its last step gave Last
 
 private
 
@@ -127,22 +235,133 @@ private
       Losing,        --  the last stop on a lost line
       Ended);
 
-   subtype Try_Count is Natural range 0 .. 3;
+   Leave_Tries : constant := 3;
+   --  How often the stop on the way out is tried while the line still works
+
+   subtype Try_Count is Natural range 0 .. Leave_Tries;
 
    type Progress is record
-      Request : Robot_Session.Request;
-      Phase   : Phase_Kind             := Ended;
-      Wanted  : Robot_Protocol.Command := Robot_Protocol.Stop;
+      Request  : Robot_Session.Request;
+      Phase    : Phase_Kind                  := Ended;
+      Wanted   : Robot_Protocol.Command      := Robot_Protocol.Stop;
       --  the command of the phase's exchange
-      Probing : Robot_Protocol.Command_Kind := Robot_Protocol.Version;
-      In_Probe : Boolean               := False;
+      Probing  : Robot_Protocol.Command_Kind := Robot_Protocol.Version;
+      In_Probe : Boolean                     := False;
       --  the exchange under way only brings the line into step
-      Blind   : Boolean                := False;
+      Blind    : Boolean                     := False;
       --  the stop has been sent once without being in step
-      Tries   : Try_Count              := 0;
-      Result  : Outcome;
+      Stopped  : Boolean                     := False;
+      --  a stop has been sent, in step or not
+      Tries    : Try_Count                   := 0;
+      Result   : Outcome;
    end record;
 
    function Result (P : Progress) return Outcome is (P.Result);
+
+   function Request_Of (P : Progress) return Request is (P.Request);
+
+   function Has_Stopped (P : Progress) return Boolean is (P.Stopped);
+
+   subtype Exchange_Phase is Phase_Kind range Clearing .. Testing_Run;
+
+   function Command_For (R : Request) return Robot_Protocol.Command is
+     (case R.Kind is
+         when Open_Line | Reset       => (Robot_Protocol.Reset, 0),
+         when Start                   => (Robot_Protocol.Start, 0),
+         when Start_Watchdog          => (Robot_Protocol.Start_Watchdog, 0),
+         when Ping | Keep_Alive       => (Robot_Protocol.Ping, 0),
+         when Power_Off               => (Robot_Protocol.Power_Off, 0),
+         when Get_Battery             => (Robot_Protocol.Battery, 0),
+         when Get_Moving              => (Robot_Protocol.Busy, 0),
+         when Drive                   => R.Command,
+         when Close_Line | Stop       => Robot_Protocol.Stop,
+         when Reload | Reload_By_Hand => (Robot_Protocol.Reload, 0));
+   --  What the robot is asked for
+
+   function May_Act (S : State; P : Progress) return Boolean is
+     (case P.Request.Kind is
+         when Open_Line                      => False,
+         when Close_Line | Reset | Power_Off =>
+           S.Mode = Not_Started or else P.Stopped,
+         when Drive                          =>
+           S.Mode /= Not_Started and then not P.Stopped,
+         when Reload                         => Is_Reload_Active (S),
+         when Reload_By_Hand                 => not Is_Reload_Active (S),
+         when others                         => True)
+   with Ghost;
+   --  The request's own command may go out on the open line
+
+   function Is_Exchanging (S : State; P : Progress) return Boolean is
+     (P.Phase in Exchange_Phase
+      and then S.Line_Open
+      and then not Line_Health.Lost (S.Health)
+      and then
+        (if P.In_Probe then not Line_Health.In_Step (S.Health)
+         elsif not Line_Health.In_Step (S.Health) then
+            P.Blind and then P.Wanted = Robot_Protocol.Stop)
+      and then
+        (if P.Blind or else P.Wanted = Robot_Protocol.Stop
+         then P.Stopped))
+   with Ghost;
+   --  A command of an exchange is out: the blind stop, a probe or the wanted
+   --  one
+
+   function Is_Under_Way (S : State; P : Progress) return Boolean is
+     ((if P.Result.Note = Robot_Lost then
+          P.Phase in Losing | Closing
+          or else (P.Phase = Ended and then not S.Line_Open))
+      and then
+        (case P.Phase is
+            when Ended   => Is_Consistent (S),
+            when Opening =>
+              P.Request.Kind = Open_Line
+              and then not S.Line_Open
+              and then not P.Blind
+              and then Is_Consistent (S),
+            when Losing  => S.Line_Open and then P.Stopped,
+            when Closing => S.Mode = Not_Started or else P.Stopped,
+            when Exchange_Phase =>
+              Is_Exchanging (S, P)
+              and then
+                (case Exchange_Phase'(P.Phase) is
+                    when Clearing      =>
+                      P.Wanted = (Robot_Protocol.Reset, 0),
+                    when Leaving       =>
+                      P.Wanted = Robot_Protocol.Stop
+                      and then P.Request.Kind in
+                        Close_Line | Reset | Power_Off,
+                    when Acting        =>
+                      P.Request.Kind /= Close_Line
+                      and then P.Wanted = Command_For (P.Request)
+                      and then
+                        (May_Act (S, P)
+                         or else P.Wanted = Robot_Protocol.Stop),
+                    when Asking_Motion =>
+                      P.Request.Kind = Reload
+                      and then P.Wanted = (Robot_Protocol.Busy, 0),
+                    when Testing_Run   =>
+                      P.Request.Kind = Reload
+                      and then P.Wanted = Robot_Protocol.Stop)));
+
+   function Exchanges_Left (S : State; P : Progress) return Natural is
+     (if P.In_Probe then 2
+      elsif Line_Health.In_Step (S.Health) then 1
+      else 3)
+   with Ghost;
+   --  A blind stop, a probe, and the wanted command
+
+   function Steps_Left (S : State; P : Progress) return Natural is
+     (case P.Phase is
+         when Ended                  => 0,
+         when Closing                => 1,
+         when Losing                 => 2,
+         when Opening                => 6,
+         when Clearing | Testing_Run => 2 + Exchanges_Left (S, P),
+         when Asking_Motion          => 5 + Exchanges_Left (S, P),
+         when Acting                 =>
+           (if P.Request.Kind = Reload then 8 else 2)
+           + Exchanges_Left (S, P),
+         when Leaving                =>
+           5 + 3 * (Leave_Tries - P.Tries) + Exchanges_Left (S, P));
 
 end Robot_Session;

@@ -9,12 +9,20 @@ package body Texts with SPARK_Mode is
    ------------
 
    procedure Append (T : in out Text; Value : String) is
+      Start : constant Natural := T.Length;
+      Count : constant Natural :=
+        Natural'Min (Value'Length, Max_Length - Start);
    begin
-      for C of Value loop
-         exit when T.Length = Max_Length;
-         T.Length := T.Length + 1;
-         T.Data (T.Length) := C;
+      for I in 1 .. Count loop
+         T.Data (Start + I) := Value (Value'First + (I - 1));
+         pragma Loop_Invariant
+           (for all J in T.Data'Range =>
+              T.Data (J) =
+                (if J in Start + 1 .. Start + I
+                 then Value (Value'First + (J - Start - 1))
+                 else T'Loop_Entry.Data (J)));
       end loop;
+      T.Length := Start + Count;
    end Append;
 
    procedure Append (T : in out Text; Value : Integer) is
@@ -29,7 +37,11 @@ package body Texts with SPARK_Mode is
          First := Place;
          Rest := Rest / 10;
          exit when Rest = 0;
+         pragma Loop_Invariant (Rest < 0);
+         pragma Loop_Invariant
+           (for all I in Digit'Range => Digit (I) in '0' .. '9');
       end loop;
+      pragma Assert (for all I in Digit'Range => Digit (I) in '0' .. '9');
       if Value < 0 then
          Append (T, "-");
       end if;
@@ -53,11 +65,7 @@ package body Texts with SPARK_Mode is
    function To_Text (Value : String) return Text is
       Result : Text;
    begin
-      for C of Value loop
-         exit when Result.Length = Max_Length;
-         Result.Length := Result.Length + 1;
-         Result.Data (Result.Length) := C;
-      end loop;
+      Append (Result, Value);
       return Result;
    end To_Text;
 

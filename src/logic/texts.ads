@@ -13,16 +13,42 @@ package Texts with SPARK_Mode, Pure is
 
    function Image (T : Text) return String is (T.Data (1 .. T.Length));
 
-   procedure Set (T : out Text; Value : String);
+   procedure Set (T : out Text; Value : String)
+   with
+     Post => T.Length = Natural'Min (Value'Length, Max_Length)
+       and then (for all I in 1 .. T.Length =>
+                   T.Data (I) = Value (Value'First + (I - 1)));
    --  Value, cut at Max_Length
 
-   procedure Append (T : in out Text; Value : String);
+   procedure Append (T : in out Text; Value : String)
+   with
+     Post => T.Length - T'Old.Length =
+         Natural'Min (Value'Length, Max_Length - T'Old.Length)
+       and then (for all I in 1 .. T'Old.Length =>
+                   T.Data (I) = T'Old.Data (I))
+       and then (for all I in T'Old.Length + 1 .. T.Length =>
+                   T.Data (I) =
+                     Value (Value'First + (I - T'Old.Length - 1)));
    --  T followed by Value, cut at Max_Length
 
-   procedure Append (T : in out Text; Value : Integer);
+   procedure Append (T : in out Text; Value : Integer)
+   with
+     Post => T.Length >= T'Old.Length
+       and then T.Length - T'Old.Length <= 11
+       and then (for all I in 1 .. T'Old.Length =>
+                   T.Data (I) = T'Old.Data (I))
+       and then (for all I in T'Old.Length + 1 .. T.Length =>
+                   T.Data (I) in '0' .. '9'
+                   or else (Value < 0
+                            and then I = T'Old.Length + 1
+                            and then T.Data (I) = '-'));
    --  T followed by Value in decimal, with a minus sign where negative
 
-   function To_Text (Value : String) return Text;
+   function To_Text (Value : String) return Text
+   with
+     Post => To_Text'Result.Length = Natural'Min (Value'Length, Max_Length)
+       and then (for all I in 1 .. To_Text'Result.Length =>
+                   To_Text'Result.Data (I) = Value (Value'First + (I - 1)));
    --  Value, cut at Max_Length
 
 end Texts;

@@ -15,12 +15,12 @@ package Vision_Mode with SPARK_Mode, Pure is
       Stage       : Stage_Kind := Closed;
       Position_On : Boolean    := False;  --  F18, F19
       Confirmed   : Boolean    := False;  --  an arena has been confirmed
-   end record;
-   --  The initial state: camera closed, nothing computed, no arena
-
-   function Is_Consistent (S : State) return Boolean is
-     (if S.Stage in Closed | Opening
-      then not S.Position_On and then not S.Confirmed);
+   end record
+   with Dynamic_Predicate =>
+     (if State.Stage in Closed | Opening
+      then not State.Position_On and then not State.Confirmed);
+   --  The initial state: camera closed, nothing computed, no arena. Without
+   --  a camera it is always so
 
    function Images_Flow (S : State) return Boolean is (S.Stage = Streaming);
    --  Whether periodic images are sent
@@ -33,61 +33,84 @@ package Vision_Mode with SPARK_Mode, Pure is
 
    procedure Ask_Open (S : in out State; Needed : out Boolean)
    with
-     Pre  => Is_Consistent (S) and then S.Stage /= Opening,
-     Post => Is_Consistent (S) and then Needed = not Is_Open (S'Old)
-       and then (if Needed then S.Stage = Opening else S = S'Old);
+     Pre  => S.Stage /= Opening,
+     Post => Needed = not Is_Open (S'Old)
+       and then S = (if Needed then (Opening, False, False) else S'Old);
    --  F14. Needed: the camera is to be opened now
 
    procedure Opened (S : in out State; Success : Boolean)
    with
-     Pre  => Is_Consistent (S),
-     Post => Is_Consistent (S)
-       and then (if S.Stage /= S'Old.Stage then S'Old.Stage = Opening);
+     Post => S =
+       (if S'Old.Stage /= Opening then S'Old
+        elsif Success then (Streaming, False, False)
+        else (Closed, False, False));
    --  The camera is there, or could not be opened. Without effect where the
    --  opening has been given up meanwhile
 
    procedure Close (S : out State)
-   with Post => Is_Consistent (S) and then S = (others => <>);
+   with Post => S = (Closed, False, False);
    --  F16, F6, and a camera that fails
 
    procedure Ask_Arena (S : in out State; Accepted : out Boolean)
    with
-     Pre  => Is_Consistent (S),
-     Post => Is_Consistent (S) and then Accepted = Is_Open (S'Old)
-       and then (if Accepted then S.Stage = Searching else S = S'Old);
+     Post => Accepted = Is_Open (S'Old)
+       and then S =
+         (if Accepted then (Searching, S'Old.Position_On, S'Old.Confirmed)
+          else S'Old);
    --  F17: the images stop, the search begins
 
    procedure Searched (S : in out State; Found : Boolean)
    with
-     Pre  => Is_Consistent (S),
-     Post => Is_Consistent (S)
-       and then S.Confirmed = S'Old.Confirmed
-       and then (if S'Old.Stage = Searching
-                 then S.Stage = (if Found then Deciding else Streaming)
-                 else S = S'Old);
+     Post => S =
+       (if S'Old.Stage /= Searching then S'Old
+        elsif Found then (Deciding, S'Old.Position_On, S'Old.Confirmed)
+        else (Streaming, S'Old.Position_On, S'Old.Confirmed));
    --  F17: an image with the arena goes out and the decision is awaited, or
    --  none was found and the images go on as before
 
    procedure Decide
      (S : in out State; Confirm : Boolean; Valid : out Boolean)
    with
-     Pre  => Is_Consistent (S),
-     Post => Is_Consistent (S) and then Valid = (S'Old.Stage = Deciding)
-       and then (if Valid
-                 then S.Stage = Streaming and then S.Confirmed = Confirm
-                 else S = S'Old);
+     Post => Valid = (S'Old.Stage = Deciding)
+       and then S =
+         (if Valid then (Streaming, S'Old.Position_On, Confirm)
+          else S'Old);
    --  F17: kept or forgotten; either way the images resume. Without effect
    --  where no decision is awaited
 
    procedure Ask_Position
      (S : in out State; On : Boolean; Accepted : out Boolean)
    with
-     Pre  => Is_Consistent (S),
-     Post => Is_Consistent (S)
-       and then Accepted = (Is_Open (S'Old) or else not On)
-       and then S.Stage = S'Old.Stage
-       and then S.Confirmed = S'Old.Confirmed;
+     Post => Accepted = (Is_Open (S'Old) or else not On)
+       and then S =
+         (if Accepted then (S'Old.Stage, On, S'Old.Confirmed) else S'Old);
    --  F18, F19. Refused where the camera is not open; switching off what is
    --  off is accepted
+
+   --  What holds whatever happens
+
+   type Event is
+     (Open_Order,
+      Camera_Opened,
+      Camera_Missing,
+      Camera_Closed,
+      Arena_Order,
+      Arena_Found,
+      No_Arena_Found,
+      Confirmation,
+      Rejection,
+      Position_Order,
+      Position_End,
+      Image_Due)         --  the period of the images
+   with Ghost;
+
+   type History is array (Positive range <>) of Event with Ghost;
+
+   procedure Prove_Arena (Events : History) with Ghost;
+   --  From the initial state, whatever happens: exactly one image goes out
+   --  between an arena order and its decision (the periodic ones do not flow
+   --  meanwhile, the one with the arena does once it is found), and an arena
+   --  is in use only from its confirmation on, until the next rejection or
+   --  the closing of the camera. Asserted in the body
 
 end Vision_Mode;

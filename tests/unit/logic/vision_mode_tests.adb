@@ -123,8 +123,10 @@ package body Vision_Mode_Tests is
       for Stage in Stage_Kind loop
          for Position in Boolean loop
             for Confirmed in Boolean loop
-               Before := (Stage, Position, Confirmed);
-               if Is_Consistent (Before) then
+               if Stage in Streaming .. Deciding
+                 or else (not Position and then not Confirmed)
+               then
+                  Before := (Stage, Position, Confirmed);
                   Count := Count + 1;
                   for Flag in Boolean loop
                      S := Before;
