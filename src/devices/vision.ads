@@ -3,6 +3,7 @@
 --  only passes on; what is to be done with an image is decided above.
 
 with Bytes;
+with Frame_Slots;
 with Options;
 
 package Vision with
@@ -18,7 +19,7 @@ is
    --  once. No task is started, nothing is locked, nothing raises. OpenCV
    --  was seen to use up to 52 kB of the calling task's stack.
 
-   type Slot is range 0 .. 5;
+   subtype Slot is Frame_Slots.Slot;
    --  A place for one image. What an operation needs is that the slot holds
    --  one: Bad_Argument where it never did.
 

@@ -8,97 +8,63 @@ with Schedule;
 
 package body Frame_Store with SPARK_Mode is
 
-   type Use_Kind is (Free, Claimed, Newest);
-   type Use_Array is array (Vision.Slot) of Use_Kind;
-
    Changed : Suspension_Object;  --  an image has come, or none will
 
    protected Store with Priority => Schedule.Vision_Ceiling is
       procedure Begin_Delivery (At_Time : Time);
       procedure End_Delivery;
-      procedure Claim_Empty (Slot : out Vision.Slot);
-      procedure Publish (Slot : Vision.Slot; At_Time : Time);
-      procedure Release (Slot : Vision.Slot);
-      procedure Claim_Newest (Slot : out Vision.Slot; Found : out Boolean);
+      procedure Claim_Empty (Slot : out Frame_Slots.Slot);
+      procedure Publish (Slot : Frame_Slots.Slot; At_Time : Time);
+      procedure Release (Slot : Frame_Slots.Slot);
+      procedure Claim_Newest
+        (Slot : out Frame_Slots.Slot; Found : out Boolean);
       procedure Get_Delivering (Now : out Boolean);
       procedure Get_Newest_Time (At_Time : out Time);
    private
-      Uses        : Use_Array := (others => Free);
-      Delivering  : Boolean := False;
+      Uses        : Frame_Slots.State;
       Newest_Time : Time := Time_First;
    end Store;
 
    protected body Store is
 
-      procedure Drop_Newest is
-      begin
-         for U of Uses loop
-            if U = Newest then
-               U := Free;
-            end if;
-         end loop;
-      end Drop_Newest;
-
       procedure Begin_Delivery (At_Time : Time) is
       begin
-         Drop_Newest;
-         Delivering := True;
+         Frame_Slots.Begin_Delivery (Uses);
          Newest_Time := At_Time;
       end Begin_Delivery;
 
       procedure End_Delivery is
       begin
-         Drop_Newest;
-         Delivering := False;
+         Frame_Slots.End_Delivery (Uses);
       end End_Delivery;
 
-      procedure Claim_Empty (Slot : out Vision.Slot) is
+      procedure Claim_Empty (Slot : out Frame_Slots.Slot) is
       begin
-         --  six slots: one with the owner, one newest, one with each of the
-         --  two readers, so one is always free
-         Slot := Vision.Slot'First;
-         for S in Vision.Slot loop
-            if Uses (S) = Free then
-               Slot := S;
-               exit;
-            end if;
-         end loop;
-         Uses (Slot) := Claimed;
+         Frame_Slots.Claim_Empty (Uses, Slot);
       end Claim_Empty;
 
-      procedure Publish (Slot : Vision.Slot; At_Time : Time) is
+      procedure Publish (Slot : Frame_Slots.Slot; At_Time : Time) is
       begin
-         if Delivering then
-            Drop_Newest;
-            Uses (Slot) := Newest;
+         Frame_Slots.Publish (Uses, Slot);
+         if Frame_Slots.Is_Delivering (Uses) then
             Newest_Time := At_Time;
-         else
-            Uses (Slot) := Free;
          end if;
       end Publish;
 
-      procedure Release (Slot : Vision.Slot) is
+      procedure Release (Slot : Frame_Slots.Slot) is
       begin
-         Uses (Slot) := Free;
+         Frame_Slots.Release (Uses, Slot);
       end Release;
 
-      procedure Claim_Newest (Slot : out Vision.Slot; Found : out Boolean) is
+      procedure Claim_Newest
+        (Slot : out Frame_Slots.Slot; Found : out Boolean) is
       begin
-         Slot := Vision.Slot'First;
-         Found := False;
-         for S in Vision.Slot loop
-            if Uses (S) = Newest then
-               Slot := S;
-               Found := True;
-               Uses (S) := Claimed;
-               exit;
-            end if;
-         end loop;
+         Frame_Slots.Claim_Newest (Uses, Slot, Found);
       end Claim_Newest;
 
       procedure Get_Delivering (Now : out Boolean) is
       begin
-         Now := Delivering;
+         Now := Frame_Slots.Is_Delivering (Uses);
       end Get_Delivering;
 
       procedure Get_Newest_Time (At_Time : out Time) is
@@ -131,7 +97,7 @@ package body Frame_Store with SPARK_Mode is
    -- Claim_Empty --
    -----------------
 
-   procedure Claim_Empty (Slot : out Vision.Slot) is
+   procedure Claim_Empty (Slot : out Frame_Slots.Slot) is
    begin
       Store.Claim_Empty (Slot);
    end Claim_Empty;
@@ -140,7 +106,7 @@ package body Frame_Store with SPARK_Mode is
    -- Publish --
    -------------
 
-   procedure Publish (Slot : Vision.Slot; At_Time : Ada.Real_Time.Time) is
+   procedure Publish (Slot : Frame_Slots.Slot; At_Time : Ada.Real_Time.Time) is
    begin
       Store.Publish (Slot, At_Time);
       Set_True (Changed);
@@ -150,7 +116,7 @@ package body Frame_Store with SPARK_Mode is
    -- Release --
    -------------
 
-   procedure Release (Slot : Vision.Slot) is
+   procedure Release (Slot : Frame_Slots.Slot) is
    begin
       Store.Release (Slot);
    end Release;
@@ -159,7 +125,7 @@ package body Frame_Store with SPARK_Mode is
    -- Claim_Newest --
    ------------------
 
-   procedure Claim_Newest (Slot : out Vision.Slot; Found : out Boolean) is
+   procedure Claim_Newest (Slot : out Frame_Slots.Slot; Found : out Boolean) is
    begin
       Store.Claim_Newest (Slot, Found);
    end Claim_Newest;
@@ -168,7 +134,7 @@ package body Frame_Store with SPARK_Mode is
    -- Wait_Newest --
    -----------------
 
-   procedure Wait_Newest (Slot : out Vision.Slot; Found : out Boolean) is
+   procedure Wait_Newest (Slot : out Frame_Slots.Slot; Found : out Boolean) is
       Delivering : Boolean;
    begin
       loop

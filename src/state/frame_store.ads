@@ -3,7 +3,7 @@
 --  the other, the newest is for whoever takes it first.
 
 with Ada.Real_Time;
-with Vision;
+with Frame_Slots;
 
 package Frame_Store with SPARK_Mode is
 
@@ -13,19 +13,19 @@ package Frame_Store with SPARK_Mode is
    procedure End_Delivery;
    --  The camera has been closed or has failed: nothing newer will come
 
-   procedure Claim_Empty (Slot : out Vision.Slot);
+   procedure Claim_Empty (Slot : out Frame_Slots.Slot);
    --  A slot to be filled. For the camera's owner only
 
-   procedure Publish (Slot : Vision.Slot; At_Time : Ada.Real_Time.Time);
+   procedure Publish (Slot : Frame_Slots.Slot; At_Time : Ada.Real_Time.Time);
    --  The slot holds the newest image now; an older one is dropped
 
-   procedure Release (Slot : Vision.Slot);
+   procedure Release (Slot : Frame_Slots.Slot);
    --  The slot is free again
 
-   procedure Claim_Newest (Slot : out Vision.Slot; Found : out Boolean);
+   procedure Claim_Newest (Slot : out Frame_Slots.Slot; Found : out Boolean);
    --  The newest image, if it has not been taken yet. For th_captureImg
 
-   procedure Wait_Newest (Slot : out Vision.Slot; Found : out Boolean);
+   procedure Wait_Newest (Slot : out Frame_Slots.Slot; Found : out Boolean);
    --  The same, and waits for it; not found when the delivery has ended.
    --  For th_arene only
 

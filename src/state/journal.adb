@@ -4,15 +4,14 @@
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Bounded_Queues;
 with Schedule;
 
 package body Journal with SPARK_Mode is
 
    use type Options.Level;
 
-   subtype Line_Count is Natural range 0 .. Capacity;
-   subtype Line_Index is Positive range 1 .. Capacity;
-   type Line_Array is array (Line_Index) of Line;
+   package Line_Queues is new Bounded_Queues (Line, Capacity);
 
    Arrived : Suspension_Object;
 
@@ -24,11 +23,9 @@ package body Journal with SPARK_Mode is
       procedure Get_Waiting (Waiting : out Natural);
    private
       Least    : Options.Level := Options.Info;
-      Items    : Line_Array;
-      First    : Line_Index := 1;
-      Count    : Line_Count := 0;
-      Not_Kept : Natural    := 0;
-      Writing  : Boolean    := False;
+      Kept     : Line_Queues.Queue;
+      Not_Kept : Natural := 0;
+      Writing  : Boolean := False;
    end Buffer;
 
    protected body Buffer is
@@ -43,33 +40,28 @@ package body Journal with SPARK_Mode is
          if Item.Level > Least then
             return;
          end if;
-         if Count < Capacity then
-            Items ((First - 1 + Count) mod Capacity + 1) := Item;
-            Count := Count + 1;
-         elsif Not_Kept < Natural'Last then
-            Not_Kept := Not_Kept + 1;
+         if Line_Queues.Is_Full (Kept) then
+            if Not_Kept < Natural'Last then
+               Not_Kept := Not_Kept + 1;
+            end if;
+         else
+            Line_Queues.Put (Kept, Item);
          end if;
       end Put;
 
       procedure Take (Item : out Line; Found : out Boolean) is
       begin
-         Found := Count > 0;
-         if not Found then
-            Item := (others => <>);
-         elsif Not_Kept > 0 then
+         if Line_Queues.Length (Kept) > 0 and then Not_Kept > 0 then
+            Found := True;
             Item := (Level => Options.Warning,
-                     Time  => Items (First).Time,
+                     Time  => Line_Queues.Element_At (Kept, 1).Time,
                      Text  => <>);
             Texts.Append (Item.Text, Not_Kept);
             Texts.Append
               (Item.Text, " lines were not kept: the console is too slow");
             Not_Kept := 0;
          else
-            Item := Items (First);
-            First := First mod Capacity + 1;
-            if Count > 0 then
-               Count := Count - 1;
-            end if;
+            Line_Queues.Take (Kept, Item, Found);
          end if;
          Writing := Found;
       end Take;
@@ -81,7 +73,7 @@ package body Journal with SPARK_Mode is
 
       procedure Get_Waiting (Waiting : out Natural) is
       begin
-         Waiting := Count + (if Writing then 1 else 0);
+         Waiting := Line_Queues.Length (Kept) + (if Writing then 1 else 0);
       end Get_Waiting;
 
    end Buffer;

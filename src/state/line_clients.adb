@@ -2,6 +2,7 @@
 --  One client of the robot's line: asks, and waits for what comes of it.
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Robot_Line;
 
 package body Line_Clients with SPARK_Mode is
 
@@ -19,6 +20,12 @@ package body Line_Clients with SPARK_Mode is
       Robot_Line.Put (Who, Request, Order);
       Suspend_Until_True (Finished);
       Robot_Line.Collect (Who, Result);
+   end Ask;
+
+   procedure Ask (Request : Robot_Session.Request) is
+   begin
+      Robot_Line.Put (Who, Request);
+      Suspend_Until_True (Finished);
    end Ask;
 
    ------------

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  One client of the robot's line: asks, and waits for what comes of it.
 
+with Line_Requests;
 with Orders;
-with Robot_Line;
 with Robot_Session;
 
 generic
-   Who : Robot_Line.Client;
+   Who : Line_Requests.Single;
 package Line_Clients with SPARK_Mode is
 
    procedure Ask
@@ -14,6 +14,10 @@ package Line_Clients with SPARK_Mode is
       Order   : Orders.Order;
       Result  : out Robot_Session.Outcome);
    --  Has Request carried out on the robot's line. For one task only
+
+   procedure Ask (Request : Robot_Session.Request);
+   --  The same for a request of its own, where it makes no difference what
+   --  comes of it
 
    procedure Signal;
    --  The request has been carried out

@@ -12,25 +12,17 @@ package body Order_Ports with SPARK_Mode is
 
       procedure Put (Item : Orders.Order) is
       begin
-         if Count < Orders.Capacity then
-            Items ((First - 1 + Count) mod Orders.Capacity + 1) := Item;
-            Count := Count + 1;
-         end if;
+         Order_Queues.Put (Waiting, Item);
       end Put;
 
       procedure Clear is
       begin
-         Count := 0;
+         Order_Queues.Clear (Waiting);
       end Clear;
 
       procedure Take (Item : out Orders.Order; Found : out Boolean) is
       begin
-         Item := Items (First);
-         Found := Count > 0;
-         if Count > 0 then
-            First := First mod Orders.Capacity + 1;
-            Count := Count - 1;
-         end if;
+         Order_Queues.Take (Waiting, Item, Found);
       end Take;
 
    end Port;

@@ -2,6 +2,7 @@
 --  The event-data port of one task: a bounded queue of orders, first in
 --  first out, with the task waiting at its end.
 
+with Order_Queues;
 with Orders;
 with Schedule;
 
@@ -20,16 +21,12 @@ package Order_Ports with SPARK_Mode is
 
 private
 
-   type Order_Array is array (1 .. Orders.Capacity) of Orders.Order;
-
    protected Port with Priority => Schedule.Order_Ceiling is
       procedure Put (Item : Orders.Order);
       procedure Clear;
       procedure Take (Item : out Orders.Order; Found : out Boolean);
    private
-      Items : Order_Array := (others => <>);
-      First : Positive range 1 .. Orders.Capacity := 1;
-      Count : Orders.Order_Count := 0;
+      Waiting : Order_Queues.Queue;
    end Port;
 
 end Order_Ports;

@@ -4,25 +4,15 @@
 
 with Ada.Real_Time;                use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Answer_Queues;                use Answer_Queues;
 with Schedule;
+with Send_Order;
+with Text_Queues;
 
 package body Outbox with SPARK_Mode is
 
    use type Orders.Ticket;
-
-   type Place_State is (Awaited, Ready_Text, Ready_Image, Ready_Nothing);
-
-   type Place is record
-      State : Place_State := Awaited;
-      Kind  : Monitor_Protocol.Answer_Kind := Monitor_Protocol.Acknowledged;
-   end record;
-
-   subtype Place_Index is Natural range 0 .. Orders.Capacity - 1;
-   type Place_Array is array (Place_Index) of Place;
-
-   Text_Capacity : constant := 8;
-   subtype Text_Count is Natural range 0 .. Text_Capacity;
-   type Text_Array is array (1 .. Text_Capacity) of Texts.Text;
+   use type Send_Order.Choice;
 
    subtype Position_Index is Natural range 0 .. Position_Length;
 
@@ -40,14 +30,14 @@ package body Outbox with SPARK_Mode is
       procedure Get_Busy (Sender_Busy : out Boolean);
       procedure Reserve
         (Number : out Orders.Ticket; Result : out Reserve_Result);
-      procedure Answer (Number : Orders.Ticket; Item : Place);
+      procedure Answer (Number : Orders.Ticket; Item : Answer_Queues.Answer);
       procedure Answer_With_Image
         (Number   : Orders.Ticket;
          Data     : Message_Buffer;
          Length   : Message_Length;
          Accepted : out Boolean);
       procedure Put_Lost (Now : Time);
-      procedure Put_Text (Text : Texts.Text; Now : Time);
+      procedure Put_Text (Item : Texts.Text; Now : Time);
       procedure Put_Battery
         (Kind : Monitor_Protocol.Answer_Kind; Now : Time);
       procedure Get_Generation (Current : out Generation);
@@ -68,28 +58,20 @@ package body Outbox with SPARK_Mode is
       procedure End_Hold (Now : Time);
       procedure Get_Waiting (Waiting : out Orders.Order_Count);
    private
-      Open   : Boolean := False;
-      Ready  : Boolean := False;   --  something may be sent
-      Busy   : Boolean := False;   --  the sender is sending
+      Open     : Boolean := False;
+      Busy     : Boolean := False;      --  the sender is sending
 
-      Places : Place_Array;        --  the answers, a ring
-      First  : Place_Index := 0;
-      Count  : Orders.Order_Count := 0;
-      Head   : Orders.Ticket := 1; --  number of the place First
-
-      Arena_Data   : Message_Buffer := (others => ' ');
-      Arena_Length : Message_Length := 0;
+      Answers  : Answer_Queues.Queue;
+      Arena    : Image_Slots.Slot;      --  the answer that is an image
 
       Lost     : Boolean := False;
-      Text     : Text_Array;
-      Text_Any : Text_Count := 0;
+      Text     : Text_Queues.Queue;
       Battery  : Boolean := False;
       Level    : Monitor_Protocol.Answer_Kind :=
         Monitor_Protocol.Battery_Unknown;
       Position : String (1 .. Position_Length) := (others => ' ');
       Position_Any : Position_Index := 0;
-      Image    : Message_Buffer := (others => ' ');
-      Image_Any : Message_Length := 0;
+      Image    : Image_Slots.Slot;
       Now_Made : Generation := 0;
 
       Held_Since : Time := Time_First;  --  of the oldest unasked one
@@ -99,45 +81,39 @@ package body Outbox with SPARK_Mode is
 
    protected body Box is
 
-      function Unasked_Waits return Boolean is
-        (Lost or else Text_Any > 0 or else Battery or else Position_Any > 0
-         or else Image_Any > 0);
+      function Waits return Send_Order.Waiting is
+        ((Open     => Open,
+          Commands => Answer_Queues.Length (Answers) > 0,
+          Ready    => First_Is_Ready (Answers),
+          Messages => (Send_Order.Robot_Lost => Lost,
+                       Send_Order.Text       => Text_Queues.Length (Text) > 0,
+                       Send_Order.Battery    => Battery,
+                       Send_Order.Position   => Position_Any > 0,
+                       Send_Order.Image      =>
+                         not Image_Slots.Is_Empty (Image)),
+          Released => Released,
+          Answered => Answered))
+      with Post => (if Waits'Result.Ready then Waits'Result.Commands);
 
-      function Answer_Waits return Boolean is
-        (Count > 0 and then Places (First).State /= Awaited);
+      function Unasked_Waits return Boolean is
+        (Send_Order.Any_Unasked (Waits));
 
       procedure Drop_Unasked is
       begin
          Lost := False;
-         Text_Any := 0;
+         Text_Queues.Clear (Text);
          Battery := False;
          Position_Any := 0;
-         Image_Any := 0;
+         Image_Slots.Clear (Image);
          Released := False;
       end Drop_Unasked;
 
-      procedure Next_Place is
-      begin
-         First := (First + 1) mod Orders.Capacity;
-         if Count > 0 then
-            Count := Count - 1;
-         end if;
-         Head := Head + 1;
-      end Next_Place;
-
       procedure Refresh is
       begin
-         for I in 1 .. Orders.Capacity loop
-            exit when Count = 0
-              or else Places (First).State /= Ready_Nothing;
-            Next_Place;
-         end loop;
+         Skip_Nothing (Answers);
          if not Unasked_Waits then
             Released := False;
          end if;
-         Ready := Open and then
-           (Answer_Waits
-            or else (Unasked_Waits and then (Count = 0 or else Released)));
       end Refresh;
 
       procedure Begin_Unasked (Now : Time) is
@@ -156,7 +132,6 @@ package body Outbox with SPARK_Mode is
          Open := True;
          Answered := False;
          Drop_Unasked;
-         Refresh;
       end Open_Session;
 
       -------------------
@@ -166,13 +141,11 @@ package body Outbox with SPARK_Mode is
       procedure Close_Session (Next : out Orders.Ticket) is
       begin
          Open := False;
-         Head := Head + Orders.Ticket (Count);
-         Next := Head;
-         Count := 0;
-         Arena_Length := 0;
+         Clear (Answers);
+         Next := Next_Number (Answers);
+         Image_Slots.Clear (Arena);
          Drop_Unasked;
          Now_Made := Now_Made + 1;
-         Refresh;
       end Close_Session;
 
       --------------
@@ -191,16 +164,14 @@ package body Outbox with SPARK_Mode is
       procedure Reserve
         (Number : out Orders.Ticket; Result : out Reserve_Result) is
       begin
-         Number := Head + Orders.Ticket (Count);
+         Number := Next_Number (Answers);
          if not Open then
             Result := Closed;
-         elsif Count = Orders.Capacity then
+         elsif Answer_Queues.Length (Answers) = Orders.Capacity then
             Result := Full;
          else
-            Places ((First + Count) mod Orders.Capacity) := (others => <>);
-            Count := Count + 1;
+            Reserve (Answers);
             Result := Reserved;
-            Refresh;
          end if;
       end Reserve;
 
@@ -208,19 +179,11 @@ package body Outbox with SPARK_Mode is
       -- Answer --
       ------------
 
-      procedure Answer (Number : Orders.Ticket; Item : Place) is
+      procedure Answer (Number : Orders.Ticket; Item : Answer_Queues.Answer)
+      is
       begin
-         if Number >= Head and then Number - Head < Orders.Ticket (Count) then
-            declare
-               Index : constant Place_Index :=
-                 (First + Natural (Number - Head)) mod Orders.Capacity;
-            begin
-               if Places (Index).State = Awaited then
-                  Places (Index) := Item;
-               end if;
-            end;
-            Refresh;
-         end if;
+         Put (Answers, Number, Item);
+         Refresh;
       end Answer;
 
       -----------------------
@@ -234,13 +197,12 @@ package body Outbox with SPARK_Mode is
          Accepted : out Boolean) is
       begin
          Accepted := True;
-         if Number >= Head and then Number - Head < Orders.Ticket (Count) then
-            if Arena_Length > 0 then
-               Accepted := False;
-            else
-               Arena_Data (1 .. Length) := Data (1 .. Length);
-               Arena_Length := Length;
+         if Holds (Answers, Number) then
+            if Image_Slots.Is_Empty (Arena) then
+               Image_Slots.Put (Arena, Data, Length);
                Answer (Number, (State => Ready_Image, others => <>));
+            else
+               Accepted := False;
             end if;
          end if;
       end Answer_With_Image;
@@ -254,7 +216,6 @@ package body Outbox with SPARK_Mode is
          if Open then
             Begin_Unasked (Now);
             Lost := True;
-            Refresh;
          end if;
       end Put_Lost;
 
@@ -262,18 +223,11 @@ package body Outbox with SPARK_Mode is
       -- Put_Text --
       --------------
 
-      procedure Put_Text (Text : Texts.Text; Now : Time) is
+      procedure Put_Text (Item : Texts.Text; Now : Time) is
       begin
          if Open then
             Begin_Unasked (Now);
-            if Text_Any = Text_Capacity then
-               Box.Text (1 .. Text_Capacity - 1) :=
-                 Box.Text (2 .. Text_Capacity);
-            else
-               Text_Any := Text_Any + 1;
-            end if;
-            Box.Text (Text_Any) := Text;
-            Refresh;
+            Text_Queues.Put_Over_Oldest (Text, Item);
          end if;
       end Put_Text;
 
@@ -288,7 +242,6 @@ package body Outbox with SPARK_Mode is
             Begin_Unasked (Now);
             Battery := True;
             Level := Kind;
-            Refresh;
          end if;
       end Put_Battery;
 
@@ -313,7 +266,6 @@ package body Outbox with SPARK_Mode is
             Begin_Unasked (Now);
             Position (1 .. Text'Length) := Text;
             Position_Any := Text'Length;
-            Refresh;
          end if;
       end Put_Position;
 
@@ -329,9 +281,7 @@ package body Outbox with SPARK_Mode is
       begin
          if Open and then Made = Now_Made then
             Begin_Unasked (Now);
-            Image (1 .. Length) := Data (1 .. Length);
-            Image_Any := Length;
-            Refresh;
+            Image_Slots.Put (Image, Data, Length);
          end if;
       end Put_Image;
 
@@ -342,7 +292,7 @@ package body Outbox with SPARK_Mode is
       procedure Stop_Images is
       begin
          Now_Made := Now_Made + 1;
-         Image_Any := 0;
+         Image_Slots.Clear (Image);
          Position_Any := 0;
          Refresh;
       end Stop_Images;
@@ -354,8 +304,8 @@ package body Outbox with SPARK_Mode is
       procedure Get_Ready
         (Now : out Boolean; Answer_Is_Next : out Boolean) is
       begin
-         Now := Ready;
-         Answer_Is_Next := Answer_Waits and then not Released;
+         Now := Send_Order.Next (Waits) /= Send_Order.Nothing;
+         Answer_Is_Next := First_Is_Ready (Answers) and then not Released;
       end Get_Ready;
 
       ----------
@@ -367,80 +317,74 @@ package body Outbox with SPARK_Mode is
          Data   : in out Message_Buffer;
          Length : out Message_Length)
       is
-         procedure Write (S : String);
+         procedure Write (S : String)
+         with Pre => S'First = 1 and then S'Last <= Position_Length;
+
+         procedure Write_Answer (Item : Monitor_Protocol.Answer_Kind);
+
+         procedure Write_Text (Item : Texts.Text);
+
          procedure Write (S : String) is
          begin
             Length := S'Length;
             Data (1 .. S'Length) := S;
          end Write;
 
-         Unasked_May : constant Boolean :=
-           Unasked_Waits and then (Count = 0 or else Released);
-         Answer_May  : constant Boolean := Answer_Waits;
+         procedure Write_Answer (Item : Monitor_Protocol.Answer_Kind) is
+            Line : constant Monitor_Protocol.Short_Text :=
+              Monitor_Protocol.Wire_Text (Item);
+         begin
+            Write (Line.Data (1 .. Line.Length));
+         end Write_Answer;
+
+         procedure Write_Text (Item : Texts.Text) is
+         begin
+            Length := 5 + Item.Length + 1;
+            Data (1 .. 5) := "MSSG:";
+            Data (6 .. 5 + Item.Length) := Item.Data (1 .. Item.Length);
+            Data (Length) := ASCII.LF;
+         end Write_Text;
+
+         Chosen : constant Send_Order.Choice := Send_Order.Next (Waits);
       begin
-         Kind := Nothing;
          Length := 0;
-         if not Open then
-            return;
-         end if;
-         --  answers first; where unasked ones have waited their time, the
-         --  two take turns
-         if Answer_May
-           and then not (Unasked_May and then Released and then Answered)
-         then
-            Kind := Answer;
-            Answered := True;
-            case Places (First).State is
-               when Ready_Image =>
-                  Length := Arena_Length;
-                  Data (1 .. Arena_Length) := Arena_Data (1 .. Arena_Length);
-                  Arena_Length := 0;
-               when others =>
-                  declare
-                     Text : constant Monitor_Protocol.Short_Text :=
-                       Monitor_Protocol.Wire_Text (Places (First).Kind);
-                  begin
-                     Write (Text.Data (1 .. Text.Length));
-                  end;
-            end case;
-            Next_Place;
-         elsif Unasked_May then
-            Kind := Unasked;
-            Answered := False;
-            if Lost then
+         case Chosen is
+            when Send_Order.Nothing =>
+               null;
+            when Send_Order.Answer =>
+               if First_Answer (Answers).State = Ready_Image then
+                  Image_Slots.Get (Arena, Data, Length);
+                  Image_Slots.Clear (Arena);
+               else
+                  Write_Answer (First_Answer (Answers).Kind);
+               end if;
+               Remove_First (Answers);
+            when Send_Order.Robot_Lost =>
+               Write_Answer (Monitor_Protocol.Timed_Out);
                Lost := False;
-               declare
-                  Text : constant Monitor_Protocol.Short_Text :=
-                    Monitor_Protocol.Wire_Text (Monitor_Protocol.Timed_Out);
-               begin
-                  Write (Text.Data (1 .. Text.Length));
-               end;
-            elsif Text_Any > 0 then
-               Length := 5 + Text (1).Length + 1;
-               Data (1 .. 5) := "MSSG:";
-               Data (6 .. 5 + Text (1).Length) :=
-                 Text (1).Data (1 .. Text (1).Length);
-               Data (Length) := ASCII.LF;
-               Text (1 .. Text_Capacity - 1) := Text (2 .. Text_Capacity);
-               Text_Any := Text_Any - 1;
-            elsif Battery then
+            when Send_Order.Text =>
+               Write_Text (Text_Queues.Element_At (Text, 1));
+               Text_Queues.Remove_First (Text);
+            when Send_Order.Battery =>
+               Write_Answer (Level);
                Battery := False;
-               declare
-                  Text : constant Monitor_Protocol.Short_Text :=
-                    Monitor_Protocol.Wire_Text (Level);
-               begin
-                  Write (Text.Data (1 .. Text.Length));
-               end;
-            elsif Position_Any > 0 then
+            when Send_Order.Position =>
                Write (Position (1 .. Position_Any));
                Position_Any := 0;
-            else
-               Length := Image_Any;
-               Data (1 .. Image_Any) := Image (1 .. Image_Any);
-               Image_Any := 0;
-            end if;
+            when Send_Order.Image =>
+               Image_Slots.Get (Image, Data, Length);
+               Image_Slots.Clear (Image);
+         end case;
+         Kind := (case Chosen is
+                     when Send_Order.Nothing => Nothing,
+                     when Send_Order.Answer  => Outbox.Answer,
+                     when Send_Order.Unasked => Unasked);
+         if Kind /= Nothing then
+            Answered := Kind = Outbox.Answer;
          end if;
-         Busy := Kind /= Nothing;
+         if Open then
+            Busy := Kind /= Nothing;
+         end if;
          Refresh;
       end Take;
 
@@ -473,7 +417,6 @@ package body Outbox with SPARK_Mode is
          if Unasked_Waits and then Now - Held_Since >= Schedule.Hold_Limit
          then
             Released := True;
-            Refresh;
          end if;
       end End_Hold;
 
@@ -483,7 +426,7 @@ package body Outbox with SPARK_Mode is
 
       procedure Get_Waiting (Waiting : out Orders.Order_Count) is
       begin
-         Waiting := Count;
+         Waiting := Answer_Queues.Length (Answers);
       end Get_Waiting;
 
    end Box;

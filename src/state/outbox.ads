@@ -3,20 +3,18 @@
 --  of the commands; and the unasked messages, of which only the newest counts.
 
 with Ada.Real_Time;
+with Image_Slots;
 with Monitor_Protocol;
 with Orders;
 with Texts;
 
 package Outbox with SPARK_Mode is
 
-   Max_Jpeg : constant := 1_048_575;
+   Max_Jpeg : constant := Image_Slots.Max_Jpeg;
    --  Bytes of the largest image that can be sent (a multiple of 3)
 
-   Max_Message : constant := 5 + Max_Jpeg / 3 * 4 + 1;
-   --  Characters of its message: label, base64, line feed
-
-   subtype Message_Buffer is String (1 .. Max_Message);
-   subtype Message_Length is Natural range 0 .. Max_Message;
+   subtype Message_Buffer is Image_Slots.Message_Buffer;
+   subtype Message_Length is Image_Slots.Message_Length;
 
    type Generation is mod 2 ** 32;
    --  Of the periodic images: an image made for an older one is not sent

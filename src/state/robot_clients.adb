@@ -7,20 +7,20 @@ package body Robot_Clients with SPARK_Mode is
    -- Signal --
    ------------
 
-   procedure Signal (Who : Robot_Line.Client) is
+   procedure Signal (Who : Line_Requests.Client) is
    begin
       case Who is
-         when Robot_Line.Safe_State     => Safe_State.Signal;
-         when Robot_Line.Stop_Order     => null;
-         when Robot_Line.Reload         => Reload.Signal;
-         when Robot_Line.Move           => Move.Signal;
-         when Robot_Line.Battery        => Battery.Signal;
-         when Robot_Line.Open           => Open.Signal;
-         when Robot_Line.Start          => Start.Signal;
-         when Robot_Line.Start_Watchdog => Start_Watchdog.Signal;
-         when Robot_Line.Reset          => Reset.Signal;
-         when Robot_Line.Query          => Query.Signal;
-         when Robot_Line.Keep_Alive     => Keep_Alive.Signal;
+         when Line_Requests.Safe_State     => Safe_State.Signal;
+         when Line_Requests.Stop_Order     => null;
+         when Line_Requests.Reload         => Reload.Signal;
+         when Line_Requests.Move           => Move.Signal;
+         when Line_Requests.Battery        => Battery.Signal;
+         when Line_Requests.Open           => Open.Signal;
+         when Line_Requests.Start          => Start.Signal;
+         when Line_Requests.Start_Watchdog => Start_Watchdog.Signal;
+         when Line_Requests.Reset          => Reset.Signal;
+         when Line_Requests.Query          => Query.Signal;
+         when Line_Requests.Keep_Alive     => Keep_Alive.Signal;
       end case;
    end Signal;
 

@@ -4,37 +4,11 @@
 --  watchdog, a movement, then the rest.
 
 with Ada.Real_Time;
+with Line_Requests;
 with Orders;
 with Robot_Session;
 
 package Robot_Line with SPARK_Mode is
-
-   type Client is
-     (Safe_State,   --  the end of a session: stop and close
-      Stop_Order,   --  a monitor's stop: past its thread, straight here
-      Reload,
-      Move,
-      Battery,
-      Open,
-      Start,
-      Start_Watchdog,
-      Reset,
-      Query,
-      Keep_Alive);
-   --  Who asks. Each has one request at a time, Stop_Order as many as
-   --  commands may wait
-
-   type Verdict_Kind is
-     (Carry_Out,
-      Overtaken,    --  a movement that a later stop has made void
-      Out_Of_Date); --  its session has ended
-
-   type Job is record
-      From    : Client := Keep_Alive;
-      Request : Robot_Session.Request;
-      Order   : Orders.Order;
-      Verdict : Verdict_Kind := Carry_Out;
-   end record;
 
    type Status is record
       Open       : Boolean := False;
@@ -51,7 +25,7 @@ package Robot_Line with SPARK_Mode is
    --  Orders with a lower number are out of date from now on
 
    procedure Put
-     (From    : Client;
+     (From    : Line_Requests.Single;
       Request : Robot_Session.Request;
       Order   : Orders.Order := (others => <>));
    --  From has a request. Order: the monitor's, if it stands behind it
@@ -63,18 +37,19 @@ package Robot_Line with SPARK_Mode is
    procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time);
    --  Shortly before this time nothing but a stop or a movement is begun
 
-   procedure Take (Next : out Job; Found : out Boolean);
+   procedure Take (Next : out Line_Requests.Job; Found : out Boolean);
    --  The most urgent request; waits for one. Found is false where it must
    --  wait until the reload is done. For the owner of the line only
 
    procedure Finish
-     (Done   : Job;
-      State  : Robot_Session.State;
-      Result : Robot_Session.Outcome;
+     (Done    : Line_Requests.Job;
+      State   : Robot_Session.State;
+      Result  : Robot_Session.Outcome;
       At_Time : Ada.Real_Time.Time);
    --  Result has come of Done, and State is the session's now
 
-   procedure Collect (From : Client; Result : out Robot_Session.Outcome);
+   procedure Collect
+     (From : Line_Requests.Client; Result : out Robot_Session.Outcome);
    --  What came of the last request of From
 
    procedure Get_Status (Current : out Status);

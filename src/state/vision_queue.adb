@@ -3,50 +3,33 @@
 --  though two tasks share the work.
 
 with Schedule;
+with Vision_Turns;
 
 package body Vision_Queue with SPARK_Mode is
-
-   type Order_Array is array (1 .. Orders.Capacity) of Orders.Order;
 
    protected Queue with Priority => Schedule.Order_Ceiling is
       procedure Put (Item : Orders.Order; Now : out Boolean);
       procedure Next (Item : out Orders.Order; Found : out Boolean);
       procedure Clear;
    private
-      Items : Order_Array;
-      First : Positive range 1 .. Orders.Capacity := 1;
-      Count : Orders.Order_Count := 0;
-      Busy  : Boolean := False;  --  an order is being carried out
+      Turns : Vision_Turns.State;
    end Queue;
 
    protected body Queue is
 
       procedure Put (Item : Orders.Order; Now : out Boolean) is
       begin
-         Now := not Busy;
-         if not Busy then
-            Busy := True;
-         elsif Count < Orders.Capacity then
-            Items ((First - 1 + Count) mod Orders.Capacity + 1) := Item;
-            Count := Count + 1;
-         end if;
+         Vision_Turns.Put (Turns, Item, Now);
       end Put;
 
       procedure Next (Item : out Orders.Order; Found : out Boolean) is
       begin
-         Item := Items (First);
-         Found := Count > 0;
-         if Count > 0 then
-            First := First mod Orders.Capacity + 1;
-            Count := Count - 1;
-         else
-            Busy := False;
-         end if;
+         Vision_Turns.Next (Turns, Item, Found);
       end Next;
 
       procedure Clear is
       begin
-         Count := 0;
+         Vision_Turns.Clear (Turns);
       end Clear;
 
    end Queue;

@@ -126,6 +126,9 @@ package body Line_Exchange with SPARK_Mode is
    begin
       Robot_Session.Start_Request (State, Request, Progress, Step);
       while Step.Kind /= Robot_Session.Finish loop
+         pragma Loop_Invariant (Robot_Session.Is_Under_Way (State, Progress));
+         pragma Loop_Variant
+           (Decreases => Robot_Session.Steps_Left (State, Progress));
          Last := (others => <>);
          case Step.Kind is
             when Robot_Session.Open_Device =>

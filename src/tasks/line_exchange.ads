@@ -9,6 +9,11 @@ package Line_Exchange with SPARK_Mode is
    procedure Carry_Out
      (State   : in out Robot_Session.State;
       Request : Robot_Session.Request;
-      Result  : out Robot_Session.Outcome);
+      Result  : out Robot_Session.Outcome)
+   with
+     Pre  => Robot_Session.Is_Consistent (State),
+     Post => Robot_Session.Is_Consistent (State);
+   --  Comes to an end: a request has Robot_Session.Max_Steps steps at most,
+   --  and none of them waits for longer than the answer's time-out
 
 end Line_Exchange;

@@ -42,7 +42,8 @@ package body Monitor_Tasks with SPARK_Mode is
      (Line   : String;
       Rank   : in out Orders.Ticket;
       After  : in out Orders.Ticket;
-      Open   : out Boolean);
+      Open   : out Boolean)
+   with Pre => Line'First = 1 and then Line'Last <= Max_Line;
    --  One line of the monitor: its message becomes an order. Rank and After
    --  are those of the last one
 
@@ -332,21 +333,17 @@ package body Monitor_Tasks with SPARK_Mode is
    ----------------
 
    procedure Bring_Back is
-      Next     : Orders.Ticket;
-      Result   : Robot_Session.Outcome;
-      Was_Open : Boolean;
-      Idle     : Boolean;
-      Limit    : Time;
-      Now      : Time;
+      Next  : Orders.Ticket;
+      Idle  : Boolean;
+      Limit : Time;
+      Now   : Time;
    begin
       --  the robot first: from here on no order of this session counts
       Monitor_Sockets.Shut_Down;
       Outbox.Close_Session (Next);
       Robot_Line.Begin_Session (Next);
       Robot_Clients.Safe_State.Ask
-        ((Kind => Robot_Session.Close_Line, others => <>), (others => <>),
-         Result);
-      Vision_State.Close (Was_Open);
+        ((Kind => Robot_Session.Close_Line, others => <>));
       Vision_State.Begin_Session (Next);
       Camera_Requests.Close;
       Outbox.Wait_Sender;

@@ -5,6 +5,7 @@
 with Ada.Real_Time;    use Ada.Real_Time;
 with Journal;
 with Line_Exchange;
+with Line_Requests;
 with Monitor_Protocol; use Monitor_Protocol;
 with Orders;
 with Options;
@@ -20,8 +21,8 @@ with Texts;
 
 package body Robot_Tasks with SPARK_Mode is
 
-   use type Robot_Line.Client;
-   use type Robot_Line.Verdict_Kind;
+   use type Line_Requests.Client;
+   use type Line_Requests.Verdict_Kind;
 
    function Answer_To (Result : Outcome) return Answer_Kind is
      (case Result.Kind is
@@ -33,7 +34,7 @@ package body Robot_Tasks with SPARK_Mode is
    procedure Tell_Of (Note : Note_Kind);
    --  What the monitor and the log learn of Note
 
-   function Drive_Command (M : Message) return Robot_Protocol.Command is
+   function Drive_Command (M : Message) return Movement is
      (case M.Kind is
          when Go_Forward  => Robot_Protocol.Forward,
          when Go_Backward => Robot_Protocol.Backward,
@@ -96,23 +97,24 @@ package body Robot_Tasks with SPARK_Mode is
 
    task body Th_Line is
       State  : Robot_Session.State;
-      Job    : Robot_Line.Job;
+      Job    : Line_Requests.Job;
       Found  : Boolean;
       Result : Outcome;
       Ended  : Time;
    begin
       Process.Name_Task ("th_line");
       loop
+         pragma Loop_Invariant (Is_Consistent (State));
          Robot_Line.Take (Job, Found);
          if Found then
-            if Job.Verdict = Robot_Line.Carry_Out then
+            if Job.Verdict = Line_Requests.Carry_Out then
                Line_Exchange.Carry_Out (State, Job.Request, Result);
             else
                Result := (Kind => Refused, others => <>);
             end if;
             Ended := Clock;
             Robot_Line.Finish (Job, State, Result, Ended);
-            if Job.From = Robot_Line.Stop_Order then
+            if Job.From = Line_Requests.Stop_Order then
                Outbox.Answer (Job.Order.Number, Answer_To (Result));
             else
                Robot_Clients.Signal (Job.From);
@@ -331,10 +333,9 @@ package body Robot_Tasks with SPARK_Mode is
    -------------------
 
    task body Th_Keep_Alive is
-      Begun  : Robot_Line.Status;
-      Now    : Robot_Line.Status;
-      Next   : Time;
-      Result : Outcome;
+      Begun : Robot_Line.Status;
+      Now   : Robot_Line.Status;
+      Next  : Time;
    begin
       Process.Name_Task ("th_keep_alive");
       loop
@@ -349,8 +350,7 @@ package body Robot_Tasks with SPARK_Mode is
               and then Next - Now.Used_At >= Schedule.Idle_Line
             then
                Robot_Clients.Keep_Alive.Ask
-                 ((Kind => Keep_Alive, others => <>), (others => <>),
-                  Result);
+                 ((Kind => Keep_Alive, others => <>));
             end if;
             Next := Next + Schedule.Keep_Alive_Period;
             Skip_Past (Next, Schedule.Keep_Alive_Period);

@@ -34,6 +34,14 @@ package body Vision_Tasks with SPARK_Mode is
    procedure Camera_Failed (Why : String);
    --  The camera delivers no more: say so, and close it (once)
 
+   procedure Draw_Arena (Slot : Vision.Slot; Arena : Vision.Arena_Corners);
+
+   procedure Draw_Robots
+     (Slot   : Vision.Slot;
+      Robots : Vision.Robot_Array;
+      Count  : Vision.Robot_Count);
+   --  What cannot be drawn is missing in the image (the log says why)
+
    procedure Log_Reason (What : String);
    --  What and the reason that vision_c gives
 
@@ -64,6 +72,38 @@ package body Vision_Tasks with SPARK_Mode is
          Log_Reason ("image left out: ");
       end if;
    end Encode;
+
+   ----------------
+   -- Draw_Arena --
+   ----------------
+
+   procedure Draw_Arena (Slot : Vision.Slot; Arena : Vision.Arena_Corners) is
+      Result : Vision.Status;
+   begin
+      Vision.Draw_Arena (Slot, Arena, Result);
+      if Result /= Vision.Done then
+         Log_Reason ("arena not drawn: ");
+      end if;
+   end Draw_Arena;
+
+   -----------------
+   -- Draw_Robots --
+   -----------------
+
+   procedure Draw_Robots
+     (Slot   : Vision.Slot;
+      Robots : Vision.Robot_Array;
+      Count  : Vision.Robot_Count)
+   is
+      Result : Vision.Status;
+   begin
+      for I in 1 .. Count loop
+         Vision.Draw_Robot (Slot, Robots (I), Result);
+         if Result /= Vision.Done then
+            Log_Reason ("robot not drawn: ");
+         end if;
+      end loop;
+   end Draw_Robots;
 
    ----------------
    -- Log_Reason --
@@ -161,7 +201,7 @@ package body Vision_Tasks with SPARK_Mode is
       Last    : Natural;
       Length  : Outbox.Message_Length;
    begin
-      Process.Name_Task ("th_capture_img");
+      Process.Name_Task ("th_capture_img", Real_Time => False);
       loop
          Camera_Events.Wait_Opened;
          Settings.Get (Chosen);
@@ -186,7 +226,7 @@ package body Vision_Tasks with SPARK_Mode is
                         Vision_Mode.Uses_Arena (Seen.Mode),
                         Robots, Count, Result);
                      Place := Not_Found;
-                     if Count > 0 then
+                     if Result = Vision.Done then
                         Place :=
                           (Id    => Integer (Robots (1).Id),
                            Angle => Micro (Robots (1).Angle),
@@ -197,12 +237,10 @@ package body Vision_Tasks with SPARK_Mode is
                      end if;
                      Format_Position (Place, Text, Last);
                      Outbox.Put_Position (Text (1 .. Last), Made);
-                     for I in 1 .. Count loop
-                        Vision.Draw_Robot (Slot, Robots (I), Result);
-                     end loop;
+                     Draw_Robots (Slot, Robots, Count);
                   end if;
                   if Vision_Mode.Uses_Arena (Seen.Mode) then
-                     Vision.Draw_Arena (Slot, Seen.Arena, Result);
+                     Draw_Arena (Slot, Seen.Arena);
                   end if;
                   Encode (Slot, Chosen.Quality, Image_Jpeg, Image_Text,
                           Length);
@@ -235,7 +273,7 @@ package body Vision_Tasks with SPARK_Mode is
       Result : Vision.Status;
       Length : Outbox.Message_Length;
    begin
-      Process.Name_Task ("th_arene");
+      Process.Name_Task ("th_arene", Real_Time => False);
       loop
          Task_Ports.Arena.Wait (Order);
          if Order.Message.Kind = Ask_Arena then
@@ -249,7 +287,7 @@ package body Vision_Tasks with SPARK_Mode is
                if Found then
                   Vision.Find_Arena (Slot, Arena, Result);
                   if Result = Vision.Done then
-                     Vision.Draw_Arena (Slot, Arena, Result);
+                     Draw_Arena (Slot, Arena);
                      Encode (Slot, Chosen.Quality, Arena_Jpeg, Arena_Text,
                              Length);
                   end if;
@@ -292,7 +330,7 @@ package body Vision_Tasks with SPARK_Mode is
       Slot   : Vision.Slot;
       Now    : Time;
    begin
-      Process.Name_Task ("th_camera");
+      Process.Name_Task ("th_camera", Real_Time => False);
       loop
          Camera_Requests.Wait_Open (Number);
          Settings.Get (Chosen);

@@ -4,8 +4,9 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Ada.Real_Time;
+with Line_Requests;    use Line_Requests;
 with Orders;           use Orders;
-with Robot_Line;       use Robot_Line;
+with Robot_Line;
 with Robot_Session;
 
 package body Robot_Line_Tests is
@@ -39,7 +40,7 @@ package body Robot_Line_Tests is
       Kind  : Robot_Session.Request_Kind;
       Order : Orders.Order := (others => <>)) is
    begin
-      Put (From, (Kind => Kind, others => <>), Order);
+      Robot_Line.Put (From, (Kind => Kind, others => <>), Order);
    end Ask;
 
    -----------
@@ -52,12 +53,13 @@ package body Robot_Line_Tests is
       Next  : Job;
       Found : Boolean;
    begin
-      Take (Next, Found);
+      Robot_Line.Take (Next, Found);
       Assert (Found and then Next.From = From,
               From'Image & " expected, not " & Next.From'Image);
       Assert (Next.Verdict = Verdict, From'Image & Next.Verdict'Image);
-      Finish (Next, (Line_Open => True, others => <>), (others => <>),
-              Ada.Real_Time.Clock);
+      Robot_Line.Finish
+        (Next, (Line_Open => True, others => <>), (others => <>),
+         Ada.Real_Time.Clock);
    end Check;
 
    ----------
@@ -90,10 +92,10 @@ package body Robot_Line_Tests is
    procedure Test_Out_Of_Date (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Begin_Session (300);
+      Robot_Line.Begin_Session (300);
       Ask (Reset, Robot_Session.Reset, Numbered (301, 7, 5));
-      Put_Stop (Numbered (302, 0, 0));
-      Begin_Session (310);
+      Robot_Line.Put_Stop (Numbered (302, 0, 0));
+      Robot_Line.Begin_Session (310);
       Check (Reset, Out_Of_Date);
 
       --  and does not count among the orders of the new one
@@ -109,9 +111,9 @@ package body Robot_Line_Tests is
    procedure Test_Overtaken (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Begin_Session (200);
+      Robot_Line.Begin_Session (200);
       Ask (Move, Robot_Session.Drive, Numbered (200, 1, 0));
-      Put_Stop (Numbered (201, 0, 0));
+      Robot_Line.Put_Stop (Numbered (201, 0, 0));
       Check (Stop_Order);
       Check (Move, Overtaken);
       Ask (Move, Robot_Session.Drive, Numbered (202, 2, 0));
@@ -125,12 +127,12 @@ package body Robot_Line_Tests is
    procedure Test_Places (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Begin_Session (100);
+      Robot_Line.Begin_Session (100);
       Ask (Move, Robot_Session.Drive, Numbered (103, 4, 3));
       Ask (Reset, Robot_Session.Reset, Numbered (102, 3, 1));
       Ask (Query, Robot_Session.Ping, Numbered (101, 2, 1));
       Ask (Open, Robot_Session.Open_Line, Numbered (100, 1, 0));
-      Put_Stop (Numbered (104, 0, 3));
+      Robot_Line.Put_Stop (Numbered (104, 0, 3));
       Check (Stop_Order);
       Check (Open);
       Check (Query);
@@ -145,13 +147,13 @@ package body Robot_Line_Tests is
    procedure Test_Urgency (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Begin_Session (10);
+      Robot_Line.Begin_Session (10);
       Ask (Keep_Alive, Robot_Session.Keep_Alive);
       Ask (Query, Robot_Session.Ping, Numbered (11, 2, 0));
       Ask (Battery, Robot_Session.Get_Battery);
       Ask (Move, Robot_Session.Drive, Numbered (13, 3, 0));
       Ask (Reload, Robot_Session.Reload);
-      Put_Stop (Numbered (12, 0, 0));
+      Robot_Line.Put_Stop (Numbered (12, 0, 0));
       Ask (Safe_State, Robot_Session.Close_Line);
       Check (Safe_State);
       Check (Stop_Order);

@@ -1,0 +1,73 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Queues of bounded length, first in first out: nothing is lost while there
+--  is room, and there never is more in one than its capacity.
+
+package body Bounded_Queues with SPARK_Mode is
+
+   -----------
+   -- Clear --
+   -----------
+
+   procedure Clear (Q : in out Queue) is
+   begin
+      Q.Length := 0;
+   end Clear;
+
+   ---------
+   -- Put --
+   ---------
+
+   procedure Put (Q : in out Queue; Item : Element) is
+   begin
+      if Q.Length < Capacity then
+         Q.Items (Index (Q.First, Q.Length + 1)) := Item;
+         Q.Length := Q.Length + 1;
+      end if;
+   end Put;
+
+   ---------------------
+   -- Put_Over_Oldest --
+   ---------------------
+
+   procedure Put_Over_Oldest (Q : in out Queue; Item : Element) is
+   begin
+      if Is_Full (Q) then
+         Remove_First (Q);
+      end if;
+      Put (Q, Item);
+   end Put_Over_Oldest;
+
+   ------------------
+   -- Remove_First --
+   ------------------
+
+   procedure Remove_First (Q : in out Queue) is
+   begin
+      Q.First := (if Q.First = Capacity then 1 else Q.First + 1);
+      Q.Length := Q.Length - 1;
+   end Remove_First;
+
+   -------------
+   -- Replace --
+   -------------
+
+   procedure Replace (Q : in out Queue; I : Place; Item : Element) is
+   begin
+      Q.Items (Index (Q.First, I)) := Item;
+   end Replace;
+
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take (Q : in out Queue; Item : out Element; Found : out Boolean)
+   is
+   begin
+      Item := Q.Items (Q.First);
+      Found := Q.Length > 0;
+      if Found then
+         Remove_First (Q);
+      end if;
+   end Take;
+
+end Bounded_Queues;
