@@ -1,0 +1,144 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What the analysis takes for granted: processor times as measured, and
+--  the load for which the deadlines are promised. Times in microseconds.
+
+with Response_Times; use Response_Times;
+
+package Budgets with SPARK_Mode is
+
+   --  An activity is what a task does between two waits. Where a task waits
+   --  for the robot's line in between, it has two.
+
+   type Activity_Name is
+     (Kernel,              --  timer ticks and interrupts of a processor
+      Stop,                --  th_stop: signal to stop order
+      Line_Request,        --  th_line: takes a request, writes its frame
+      Line_Answer,         --  th_line: reads the answer, says so
+      Reload_Due,          --  th_reloadWD: asks for the reload
+      Reload_Done,         --  th_reloadWD: when the next is due
+      Newcomer,            --  th_server: admits a monitor
+      Move_Order,          --  th_move: asks for the movement
+      Move_Answer,         --  th_move: answers the monitor
+      Receive,             --  th_receiveFromMon: one command
+      Loss,                --  th_comMonPerdue: one look; a loss, up to the
+                           --  request that stops the robot
+      Hold,                --  th_hold: all that it does in 100 ms
+      Send_Answer,         --  th_sendToMon: an answer
+      Send_Battery,        --  th_sendToMon: a battery level
+      Send_Position,       --  th_sendToMon: a position
+      Send_Image,          --  th_sendToMon: an image
+      Battery_Due,         --  th_batteryLevel: asks for the level
+      Battery_Done,        --  th_batteryLevel: passes it on
+      Open_Close,          --  th_openComRobot: order and answer
+      Start,               --  th_startRobot: order and answer
+      Start_Watchdog,      --  th_startRobotWD: order and answer
+      Reset,               --  th_resetRobot: order and answer
+      Query_Order,         --  th_query: asks
+      Query_Answer,        --  th_query: answers the monitor
+      Keep_Alive,          --  th_keepAlive: asks, takes note
+      Camera_Control,      --  th_cameraControl: order and answer
+      Capture,             --  th_captureImg: position, drawing, JPEG, base64
+      Arena,               --  th_arene: search, drawing, JPEG, base64
+      Camera,              --  th_camera: one image of the camera
+      Console,             --  th_console: one line of the log
+      Environment);        --  main procedure: waits for ever
+
+   type Activity_Times is array (Activity_Name) of Span;
+
+   Processor_Time : constant Activity_Times :=
+     (Kernel          => 10,      --  assumed
+      Stop            => 180,
+      Line_Request    => 105,
+      Line_Answer     => 105,
+      Reload_Due      => 45,
+      Reload_Done     => 45,
+      Newcomer        => 150,
+      Move_Order      => 70,
+      Move_Answer     => 70,
+      Receive         => 155,
+      Loss            => 150,
+      Hold            => 110,
+      Send_Answer     => 105,
+      Send_Battery    => 105,
+      Send_Position   => 105,
+      Send_Image      => 355,
+      Battery_Due     => 65,
+      Battery_Done    => 65,
+      Open_Close      => 85,
+      Start           => 95,
+      Start_Watchdog  => 95,
+      Reset           => 130,
+      Query_Order     => 70,
+      Query_Answer    => 70,
+      Keep_Alive      => 105,
+      Camera_Control  => 80,
+      Capture         => 9_500,
+      Arena           => 6_700,
+      Camera          => 2_250,
+      Console         => 70,
+      Environment     => 0);      --  it does nothing any more
+
+   Capture_Low  : constant Span := 3_800;
+   Capture_High : constant Span := 5_900;
+   --  99 of 100 images take no less, no more
+
+   --  The operations of the protected objects
+
+   type Operation_Name is
+     (Outbox_Short,        --  every operation that copies no image
+      Outbox_Image,        --  Put_Image, Answer_With_Image, Take
+      Line_Operation,      --  Robot_Line
+      Port_Operation,      --  Order_Ports, Vision_Queue
+      Vision_Operation,    --  Vision_State, Camera_Requests, Frame_Store
+      Session_Operation,
+      Journal_Operation,
+      Settings_Operation,
+      Event_Operation);    --  the mutex of a suspension object
+
+   type Operation_Times is array (Operation_Name) of Span;
+
+   Operation_Time : constant Operation_Times :=
+     (Outbox_Short        => 2,
+      Outbox_Image        => 8,
+      Line_Operation      => 3,
+      Port_Operation      => 2,
+      Vision_Operation    => 2,
+      Session_Operation   => 2,
+      Journal_Operation   => 3,
+      Settings_Operation  => 2,
+      Event_Operation     => 2);
+
+   --  The load
+
+   Command_Interval : constant Positive_Span := 50_000;
+   --  between two commands of the monitor: 25 a second, as in script/bench.
+   --  A monitor that waits for each answer cannot send movements faster
+   Session_Interval : constant Positive_Span := 1_000_000;
+   --  between two beginnings, two ends of a session
+   Arena_Interval   : constant Positive_Span := 1_000_000;
+   Camera_Interval  : constant Positive_Span := 33_333;
+   --  30 images a second are asked of a camera
+   Tick_Interval    : constant Positive_Span := 1_000;
+   --  of the kernel: timer ticks, network and serial interrupts together
+
+   Robot_Turnaround : constant Span := 5_000;
+   --  from the last byte of a command to the first byte of its answer:
+   --  both radios and the robot. To be measured on a real pair
+
+   Wake_Latency     : constant Span := 200;
+   --  of the kernel, from the event to the task's first instruction, while
+   --  no task of ours is in the way. PREEMPT_RT, or a kernel as prompt
+
+   Message_Gap      : constant Span := 4_000;
+   --  --message-gap, its default
+
+   Cortex_A53_Factor : constant := 8;
+   --  how much longer an A53 of 1.2 GHz takes
+
+   --  Frames on the line, in bytes: text, checksum, end
+
+   Short_Frame    : constant := 3;   --  one letter
+   Stop_Frame     : constant := 5;   --  M=0
+   Longest_Frame  : constant := 10;  --  M=-32768
+
+end Budgets;

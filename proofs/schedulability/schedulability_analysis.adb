@@ -1,0 +1,421 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Prints the response-time analysis of the supervisor. Exit status 1 where
+--  a deadline is missed with the priorities of src/tasks/schedule.ads.
+
+with Ada.Command_Line;  use Ada.Command_Line;
+with Ada.Strings;       use Ada.Strings;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Ada.Text_IO;       use Ada.Text_IO;
+
+with Budgets;           use Budgets;
+with Response_Times;    use Response_Times;
+with Supervisor_Model;  use Supervisor_Model;
+
+procedure Schedulability_Analysis is
+
+   Here : constant Machine := (Factor => 1, Many => False);
+   Pi   : constant Machine := (Factor => Cortex_A53_Factor, Many => True);
+
+   Load_Here : constant Load := (others => <>);
+
+   Whole : Boolean := False;
+   --  every table, not only those of the priorities in use
+
+   function Trimmed (Value : Microseconds) return String is
+     (Trim (Microseconds'Image (Value), Both));
+
+   function Milliseconds (Value : Microseconds) return String;
+   --  With three decimals
+
+   function Column (Text : String; Width : Positive) return String is
+     (if Text'Length >= Width then " " & Text
+      else (1 .. Width - Text'Length => ' ') & Text);
+
+   function Task_Name (Name : Activity_Name) return String is
+     (case Name is
+         when Kernel          => "(kernel)",
+         when Stop            => "th_stop",
+         when Line_Request | Line_Answer => "th_line",
+         when Reload_Due | Reload_Done   => "th_reloadWD",
+         when Newcomer        => "th_server",
+         when Move_Order | Move_Answer   => "th_move",
+         when Receive         => "th_receiveFromMon",
+         when Loss            => "th_comMonPerdue",
+         when Hold            => "th_hold",
+         when Send_Answer .. Send_Image  => "th_sendToMon",
+         when Battery_Due | Battery_Done => "th_batteryLevel",
+         when Open_Close      => "th_openComRobot",
+         when Start           => "th_startRobot",
+         when Start_Watchdog  => "th_startRobotWD",
+         when Reset           => "th_resetRobot",
+         when Query_Order | Query_Answer => "th_query",
+         when Keep_Alive      => "th_keepAlive",
+         when Camera_Control  => "th_cameraControl",
+         when Capture         => "th_captureImg",
+         when Arena           => "th_arene",
+         when Camera          => "th_camera",
+         when Console         => "th_console",
+         when Environment     => "(main)");
+
+   function Part (Name : Activity_Name) return String is
+     (case Name is
+         when Line_Request    => "request",
+         when Line_Answer     => "answer",
+         when Reload_Due | Battery_Due   => "due",
+         when Reload_Done | Battery_Done => "done",
+         when Move_Order | Query_Order   => "order",
+         when Move_Answer | Query_Answer | Send_Answer => "answer",
+         when Send_Battery    => "battery",
+         when Send_Position   => "position",
+         when Send_Image      => "image",
+         when others          => "");
+
+   function Meaning (Name : Requirement_Name) return String is
+     (case Name is
+         when F2_Admitted     => "F2  connection to its admission",
+         when F4_Own_Answer   => "F4  command to the supervisor's answer",
+         when F4_Robot_Answer => "F4  robot's answer to the monitor's",
+         when F4_Unasked      => "F4  robot's answer to the battery message",
+         when F6_Stop         => "F6  loss of the monitor to stop sent",
+         when F11_Reload      => "F11 reload due to its first byte",
+         when F12_First_Byte  => "F12 order to first byte, line free",
+         when F12_At_Robot    => "F12 order to last byte, line in use",
+         when F13_Level       => "F13 level due to its message, all waits",
+         when F13_Processor   => "F13 the same without line and hold",
+         when F15_Image       => "F15 image due to image ready",
+         when F15_Jitter      => "F15 jitter of the image sent");
+
+   procedure Print_Table (Item : Analysis);
+   procedure Print_Line (Item : Analysis);
+   procedure Print_Requirements (Item : Analysis; Inverted : Analysis);
+   --  Inverted: the same with the mutexes of events as they are
+   procedure Print_Loads (Item : Analysis);
+
+   procedure Analyse_And_Print
+     (Title  : String;
+      Choice : Priority_Choice;
+      Where  : Placement;
+      On     : Machine;
+      Under  : Load;
+      Full   : Boolean;
+      Good   : out Boolean);
+
+   procedure Print_Limits (On : Machine);
+   --  How far each assumption may be wrong before a deadline is missed
+
+   ------------------
+   -- Milliseconds --
+   ------------------
+
+   function Milliseconds (Value : Microseconds) return String is
+      Rest : constant String := Trimmed (1_000 + Value mod 1_000);
+   begin
+      return Trimmed (Value / 1_000) & "."
+        & Rest (Rest'First + 1 .. Rest'Last);
+   end Milliseconds;
+
+   -----------------
+   -- Print_Table --
+   -----------------
+
+   procedure Print_Table (Item : Analysis) is
+   begin
+      Put_Line
+        (Head ("task", 27) & "prio cpu" & Column ("period", 10)
+         & Column ("deadline", 10) & Column ("budget", 9)
+         & Column ("blocking", 9) & Column ("response", 9)
+         & Column ("margin", 10));
+      for A in Activity_Name loop
+         declare
+            R        : Activity renames Item.Set (Row (A));
+            B        : Bound renames Item.Bounds (A);
+            Deadline : constant Span := Item.Deadlines (A);
+         begin
+            Put_Line
+              (Head (Head (Task_Name (A), 18) & Part (A), 27)
+               & Column (Trim (Urgency'Image (R.Priority), Both), 4)
+               & Column (Trim (Processor_Number'Image (R.Processor), Both), 4)
+               & Column (Milliseconds (R.Period), 10)
+               & Column
+                   ((if Deadline = 0 then "-" else Milliseconds (Deadline)),
+                    10)
+               & Column (Milliseconds (R.Budget), 9)
+               & Column (Milliseconds (R.Blocking), 9)
+               & Column
+                   ((if B.Exists then Milliseconds (B.Local) else "none"), 9)
+               & (if Deadline = 0 then ""
+                  elsif not B.Exists or else B.Local > Deadline
+                  then Column ("MISSED", 10)
+                  else Column (Milliseconds (Deadline - B.Local), 10)));
+         end;
+      end loop;
+   end Print_Table;
+
+   ----------------
+   -- Print_Line --
+   ----------------
+
+   procedure Print_Line (Item : Analysis) is
+      function Client_Name (C : Line_Client) return String is
+        (case C is
+            when Safe_State  => "end of a session",
+            when Stop_Order  => "stop",
+            when Reload      => "reload",
+            when Movement    => "movement",
+            when Battery     => "battery",
+            when Other_Order => "other order",
+            when Ping        => "ping");
+   begin
+      Put_Line
+        (Head ("robot's line, by urgency", 27) & Column ("length", 18)
+         & Column ("begun", 10) & Column ("ended", 9));
+      for C in Line_Client loop
+         Put_Line
+           (Head (Client_Name (C), 27)
+            & Column (Milliseconds (Item.Line_Length (C)), 18)
+            & (if Item.Line (C).Exists
+               then Column (Milliseconds (Item.Line (C).Start), 10)
+                 & Column (Milliseconds (Item.Line (C).Finish), 9)
+               else Column ("none", 10)));
+      end loop;
+   end Print_Line;
+
+   ------------------------
+   -- Print_Requirements --
+   ------------------------
+
+   procedure Print_Requirements (Item : Analysis; Inverted : Analysis) is
+   begin
+      Put_Line
+        (Head ("from the cause to the effect", 44) & Column ("bound", 10)
+         & Column ("demanded", 10) & Column ("margin", 10)
+         & Column ("inverted", 10));
+      for R in Requirement_Name loop
+         declare
+            This  : Requirement renames Item.Requirements (R);
+            Worse : Requirement renames Inverted.Requirements (R);
+         begin
+            Put_Line
+              (Head (Meaning (R), 44)
+               & Column
+                   ((if This.Known then Milliseconds (This.Bound)
+                     else "none"), 10)
+               & Column (Milliseconds (This.Limit), 10)
+               & (if Met (This)
+                  then Column (Milliseconds (This.Limit - This.Bound), 10)
+                  elsif Always (R) then Column ("MISSED", 10)
+                  else Column ("not all", 10))
+               & Column
+                   ((if Worse.Known then Milliseconds (Worse.Bound)
+                     else "none"), 10)
+               & (if Met (Worse) then "" else " !"));
+         end;
+      end loop;
+   end Print_Requirements;
+
+   -----------------
+   -- Print_Loads --
+   -----------------
+
+   procedure Print_Loads (Item : Analysis) is
+   begin
+      Put ("processors' load:");
+      for P in Processor_Number range 1 .. 4 loop
+         declare
+            Share : constant Microseconds := Load_Of (Item, P);
+         begin
+            if Share > 0 then
+               Put ("  cpu" & P'Image & ":"
+                    & Microseconds'Image (Share / 100) & " %");
+            end if;
+         end;
+      end loop;
+      New_Line;
+   end Print_Loads;
+
+   -----------------------
+   -- Analyse_And_Print --
+   -----------------------
+
+   procedure Analyse_And_Print
+     (Title  : String;
+      Choice : Priority_Choice;
+      Where  : Placement;
+      On     : Machine;
+      Under  : Load;
+      Full   : Boolean;
+      Good   : out Boolean)
+   is
+      Ideal    : Load := Under;
+      Result   : Analysis;
+      Inverted : Analysis;
+   begin
+      Analyse (Choice, Where, On, Under, Inverted);
+      Ideal.Ideal_Events := True;
+      Analyse (Choice, Where, On, Ideal, Result);
+      Good := Deadlines_Met (Result);
+      New_Line;
+      Put_Line ("== " & Title);
+      if Full then
+         Print_Table (Result);
+         Print_Loads (Result);
+         New_Line;
+         Print_Line (Result);
+         New_Line;
+      end if;
+      Print_Requirements (Result, Inverted);
+      Put_Line
+        ("verdict: "
+         & (if All_Met (Result)
+            then "every deadline is met, in the worst case"
+            elsif Good
+            then "every deadline is met; what is demanded of 99 or 99.9 in"
+              & " 100 not in the worst case"
+            else "NOT every deadline is met"));
+   end Analyse_And_Print;
+
+   ------------------
+   -- Print_Limits --
+   ------------------
+
+   procedure Print_Limits (On : Machine) is
+
+      generic
+         Step, Last : Microseconds;
+         with function Enough (Result : Analysis) return Boolean;
+         with procedure Choose
+           (Value : Microseconds; M : in out Machine; L : in out Load);
+      function Largest return Microseconds;
+
+      function Largest return Microseconds is
+         Best   : Microseconds := 0;
+         Value  : Microseconds := Step;
+         Result : Analysis;
+      begin
+         while Value <= Last loop
+            declare
+               M : Machine := On;
+               L : Load := (Ideal_Events => True, others => <>);
+            begin
+               Choose (Value, M, L);
+               Analyse (Of_The_Table, Real_Time_Apart, M, L, Result);
+            end;
+            exit when not Enough (Result);
+            Best := Value;
+            Value := Value + Step;
+         end loop;
+         return Best;
+      end Largest;
+
+      procedure Choose_Factor
+        (Value : Microseconds; M : in out Machine; L : in out Load);
+      procedure Choose_Latency
+        (Value : Microseconds; M : in out Machine; L : in out Load);
+      procedure Choose_Turnaround
+        (Value : Microseconds; M : in out Machine; L : in out Load);
+
+      procedure Choose_Factor
+        (Value : Microseconds; M : in out Machine; L : in out Load)
+      is
+         pragma Unreferenced (L);
+      begin
+         M.Factor := Value;
+      end Choose_Factor;
+
+      procedure Choose_Latency
+        (Value : Microseconds; M : in out Machine; L : in out Load)
+      is
+         pragma Unreferenced (M);
+      begin
+         L.Latency := Value;
+      end Choose_Latency;
+
+      procedure Choose_Turnaround
+        (Value : Microseconds; M : in out Machine; L : in out Load)
+      is
+         pragma Unreferenced (M);
+      begin
+         L.Turnaround := Value;
+      end Choose_Turnaround;
+
+      function Factor_All is
+        new Largest (1, 200, All_Met, Choose_Factor);
+      function Factor_Most is
+        new Largest (1, 200, Deadlines_Met, Choose_Factor);
+      function Latency_All is
+        new Largest (50, 20_000, All_Met, Choose_Latency);
+      function Latency_Most is
+        new Largest (50, 20_000, Deadlines_Met, Choose_Latency);
+      function Turnaround_All is
+        new Largest (500, 80_000, All_Met, Choose_Turnaround);
+      function Turnaround_Most is
+        new Largest (500, 80_000, Deadlines_Met, Choose_Turnaround);
+   begin
+      Put_Line ("how far it holds:                what is demanded of every"
+                & " one    of 99 or 99.9 in 100");
+      Put_Line ("   budgets times            "
+                & Column (Trimmed (Factor_Most), 20)
+                & Column (Trimmed (Factor_All), 20));
+      Put_Line ("   wake-up latency          "
+                & Column (Milliseconds (Latency_Most), 20)
+                & Column (Milliseconds (Latency_All), 20));
+      Put_Line ("   the robot's turnaround   "
+                & Column (Milliseconds (Turnaround_Most), 20)
+                & Column (Milliseconds (Turnaround_All), 20));
+   end Print_Limits;
+
+   Good_Here, Good_On_Pi, Unused : Boolean;
+
+begin
+   if Argument_Count = 1 and then Argument (1) = "--all" then
+      Whole := True;
+   elsif Argument_Count > 0 then
+      Put_Line (Standard_Error, "usage: schedulability [--all]");
+      Set_Exit_Status (2);
+      return;
+   end if;
+
+   Put_Line ("Response-time analysis, fixed priorities, immediate ceilings");
+   Put_Line ("times in milliseconds; response: from the release to the end");
+   Put_Line ("load: a command each " & Milliseconds (Command_Interval)
+             & ", an image each 100.000; robot answers within "
+             & Milliseconds (Robot_Turnaround));
+   Put_Line ("cpu 1, the real-time processor: every task but th_captureImg,"
+             & " th_arene, th_camera");
+
+   Analyse_And_Print
+     ("priorities of schedule.ads, this machine: image work on cpu 2",
+      Of_The_Table, Real_Time_Apart, Here, Load_Here, True, Good_Here);
+   Print_Limits (Here);
+   Analyse_And_Print
+     ("priorities of schedule.ads, Cortex-A53: budgets times"
+      & Positive_Span'Image (Pi.Factor) & ", image work on cpu 2 to 4",
+      Of_The_Table, Real_Time_Apart, Pi, Load_Here, True, Good_On_Pi);
+   Print_Limits (Pi);
+   Analyse_And_Print
+     ("the report's priorities, one processor, this machine",
+      Of_The_Report, One_Processor, Here,
+      Load_Here, Whole, Unused);
+   Analyse_And_Print
+     ("the report's priorities, one processor, Cortex-A53",
+      Of_The_Report, One_Processor, Pi,
+      Load_Here, Whole, Unused);
+   Analyse_And_Print
+     ("the report's priorities, image work apart, this machine",
+      Of_The_Report, Real_Time_Apart, Here, Load_Here, Whole, Unused);
+   Analyse_And_Print
+     ("the report's priorities, image work apart, Cortex-A53",
+      Of_The_Report, Real_Time_Apart, Pi, Load_Here, Whole, Unused);
+   Analyse_And_Print
+     ("priorities of schedule.ads, one processor, this machine",
+      Of_The_Table, One_Processor, Here,
+      Load_Here, Whole, Unused);
+
+   New_Line;
+   Put_Line
+     (if Good_Here and then Good_On_Pi
+      then "schedulability: every deadline is met, on both machines"
+      else "schedulability: NOT every deadline is met");
+   Set_Exit_Status
+     (if Good_Here and then Good_On_Pi then Success else Failure);
+end Schedulability_Analysis;

@@ -1,0 +1,954 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The supervisor as the analysis sees it: which activity runs where, what
+--  sets it off, what it calls; and the bounds that the features demand.
+
+with Ada.Real_Time;
+with Schedule;
+with System;
+
+package body Supervisor_Model with SPARK_Mode is
+
+   use type Ada.Real_Time.Time_Span;
+
+   Max_Rounds : constant := 100;
+   --  of jitters and bounds
+
+   --  Times of the table, in microseconds
+
+   One : constant Ada.Real_Time.Time_Span := Ada.Real_Time.Microseconds (1);
+
+   Reload_Period  : constant Integer := Schedule.Reload_Period / One;
+   Battery_Period : constant Integer := Schedule.Battery_Period / One;
+   Ping_Period    : constant Integer := Schedule.Keep_Alive_Period / One;
+   Link_Period    : constant Integer := Schedule.Link_Period / One;
+   Hold_Limit     : constant Integer := Schedule.Hold_Limit / One;
+   Byte_Time      : constant Integer := Schedule.Byte_Time / One;
+   Reload_Quiet   : constant Integer := Schedule.Reload_Quiet / One;
+
+   Image_Period   : constant := 100_000;  --  F15
+
+   type Event_Name is
+     (Line_Work,      --  Robot_Line: a request has come
+      Order_Arrived,  --  Order_Ports
+      Outbox_Work,    --  Outbox: something may be sent
+      Hold_Begun,     --  Outbox: something is held back
+      Log_Arrived);   --  Journal
+   --  Suspension objects that tasks of different priorities touch, apart
+   --  from those whose only setter is more urgent than who waits
+
+   function To_Span (Value : Integer) return Span is
+     (if Value in 0 .. Horizon then Span (Value) else Horizon);
+
+   function To_Period (Value : Integer) return Positive_Span is
+     (if Value in 1 .. Horizon then Positive_Span (Value) else Horizon);
+
+   function Capped (Value : Microseconds) return Span is
+     (if Value <= Horizon then Value else Horizon);
+
+   function Frame_Time (Length : Natural) return Span is
+     (Capped (Microseconds (Length) * To_Span (Byte_Time)))
+   with Pre => Length <= 1_000;
+
+   function Period_Of (Name : Activity_Name) return Positive_Span;
+
+   function Processor_Of
+     (Name : Activity_Name; Where : Placement; On : Machine)
+      return Processor_Number;
+
+   function Calls (Name : Activity_Name; Which : Operation_Name)
+     return Natural
+   with Post => Calls'Result <= 20;
+   --  How often one release calls such an operation, at most
+
+   function Touches (Name : Activity_Name; Event : Event_Name) return Boolean
+   is (case Event is
+          when Line_Work =>
+             Name in Line_Request | Line_Answer | Reload_Due | Reload_Done
+               | Move_Order | Battery_Due | Open_Close | Start
+               | Start_Watchdog | Reset | Query_Order | Keep_Alive | Loss
+               | Receive,
+          when Order_Arrived =>
+             Name in Receive | Move_Order | Open_Close | Start
+               | Start_Watchdog | Reset | Query_Order | Camera_Control
+               | Arena,
+          when Outbox_Work =>
+             Name in Send_Answer .. Send_Image | Move_Answer | Query_Answer
+               | Battery_Done | Receive | Line_Answer | Open_Close | Start
+               | Start_Watchdog | Reset | Hold | Camera_Control | Capture
+               | Arena,
+          when Hold_Begun =>
+             Name in Hold | Battery_Done | Line_Answer | Capture,
+          when Log_Arrived =>
+             Name in Console | Stop | Line_Answer | Newcomer | Receive | Loss
+               | Start | Start_Watchdog | Arena | Camera);
+
+   procedure Fill
+     (Choice : Priority_Choice;
+      Where  : Placement;
+      On     : Machine;
+      Under  : Load;
+      Set    : out Activity_Set);
+   --  Everything but the jitters
+
+   procedure Bound_Line
+     (Bounds : Row_Bounds;
+      Under  : Load;
+      Length : out Line_Times;
+      Line   : out Line_Bounds);
+
+   procedure Set_Jitters
+     (Set     : in out Activity_Set;
+      Bounds  : Row_Bounds;
+      Line    : Line_Bounds;
+      Changed : out Boolean);
+
+   type Member_Set is array (Activity_Name) of Boolean;
+
+   procedure Bound_Chain
+     (Set     : Activity_Set;
+      Members : Member_Set;
+      Pauses  : Natural;
+      Result  : out Bound)
+   with Pre => Pauses <= 10;
+   --  Of activities of one processor that set each other off, one after the
+   --  other: together they are like one with the lowest of their
+   --  priorities. Pauses: message gaps on the way
+
+   procedure Judge
+     (Set    : Activity_Set;
+      Bounds : Row_Bounds;
+      Line   : Line_Bounds;
+      On     : Machine;
+      Result : out Requirement_Array);
+
+   -----------------
+   -- Priority_Of --
+   -----------------
+
+   function Priority_Of
+     (Name : Activity_Name; Choice : Priority_Choice) return Urgency
+   is
+      Own : constant System.Any_Priority :=
+        (case Name is
+            when Kernel          => System.Any_Priority'Last,
+            when Stop            => Schedule.Stop_Priority,
+            when Line_Request | Line_Answer => Schedule.Line_Priority,
+            when Reload_Due | Reload_Done   => Schedule.Reload_Priority,
+            when Newcomer        => Schedule.Server_Priority,
+            when Move_Order | Move_Answer   => Schedule.Move_Priority,
+            when Receive         => Schedule.Receive_Priority,
+            when Loss            => Schedule.Lost_Priority,
+            when Hold            => Schedule.Hold_Priority,
+            when Send_Answer .. Send_Image  => Schedule.Send_Priority,
+            when Battery_Due | Battery_Done => Schedule.Battery_Priority,
+            when Open_Close      => Schedule.Open_Priority,
+            when Start           => Schedule.Start_Priority,
+            when Start_Watchdog  => Schedule.Start_Watchdog_Priority,
+            when Reset           => Schedule.Reset_Priority,
+            when Query_Order | Query_Answer => Schedule.Query_Priority,
+            when Keep_Alive      => Schedule.Keep_Alive_Priority,
+            when Camera_Control  => Schedule.Camera_Control_Priority,
+            when Capture         => Schedule.Capture_Priority,
+            when Arena           => Schedule.Arena_Priority,
+            when Camera          => Schedule.Camera_Priority,
+            when Console         => Schedule.Console_Priority,
+            when Environment     => Schedule.Main_Priority);
+   begin
+      if Choice = Of_The_Table
+        or else Name in Kernel | Stop | Console | Environment
+      then
+         return Urgency (Own);
+      end if;
+      return
+        (case Name is
+            when Newcomer => 30,
+            when Receive  => 25,
+            when Loss | Hold | Send_Answer .. Send_Image => 22,
+            when others   => 20);
+   end Priority_Of;
+
+   ---------------
+   -- Period_Of --
+   ---------------
+
+   function Period_Of (Name : Activity_Name) return Positive_Span is
+     (case Name is
+         when Kernel => Tick_Interval,
+         when Stop | Newcomer | Environment | Open_Close | Start
+            | Start_Watchdog | Reset | Camera_Control => Session_Interval,
+         when Line_Request | Line_Answer =>
+            --  no sooner than the line has carried a command and an answer
+            Positive_Span'Max (1, Frame_Time (2 * Short_Frame)),
+         when Reload_Due | Reload_Done => To_Period (Reload_Period),
+         when Move_Order | Move_Answer | Receive | Send_Answer | Query_Order
+            | Query_Answer => Command_Interval,
+         when Loss => To_Period (Link_Period),
+         when Hold => To_Period (Hold_Limit),
+         when Send_Battery | Battery_Due | Battery_Done =>
+            To_Period (Battery_Period),
+         when Send_Position | Send_Image | Capture => Image_Period,
+         when Keep_Alive => To_Period (Ping_Period),
+         when Arena => Arena_Interval,
+         when Camera => Camera_Interval,
+         when Console => Command_Interval);
+
+   ------------------
+   -- Processor_Of --
+   ------------------
+
+   function Processor_Of
+     (Name : Activity_Name; Where : Placement; On : Machine)
+      return Processor_Number
+   is
+     (if Where = One_Processor then 1
+      elsif Name = Capture then 2
+      elsif Name = Arena then (if On.Many then 3 else 2)
+      elsif Name = Camera then (if On.Many then 4 else 2)
+      else 1);
+
+   -----------
+   -- Calls --
+   -----------
+
+   function Calls (Name : Activity_Name; Which : Operation_Name)
+     return Natural
+   is
+     (case Which is
+         when Outbox_Short =>
+           (case Name is
+               when Line_Answer | Move_Answer | Battery_Done | Open_Close
+                  | Start | Start_Watchdog | Reset | Query_Answer | Loss
+                  | Newcomer => 1,
+               when Receive | Camera_Control | Capture | Arena => 2,
+               when Send_Answer .. Send_Image => 3,
+               when Hold => 9,
+               when others => 0),
+         when Outbox_Image =>
+           (case Name is
+               when Send_Answer .. Send_Image | Capture | Arena => 1,
+               when others => 0),
+         when Line_Operation =>
+           (case Name is
+               when Line_Answer | Move_Order | Move_Answer | Receive
+                  | Query_Order | Query_Answer => 1,
+               when Stop | Line_Request | Reload_Due | Reload_Done | Loss
+                  | Battery_Due | Battery_Done | Open_Close | Start
+                  | Start_Watchdog | Reset => 2,
+               when Keep_Alive => 3,
+               when others => 0),
+         when Port_Operation =>
+           (case Name is
+               when Move_Order | Query_Order => 1,
+               when Receive | Open_Close | Start | Start_Watchdog | Reset
+                  | Camera_Control | Arena => 2,
+               when Loss => 8,
+               when others => 0),
+         when Vision_Operation =>
+           (case Name is
+               when Stop => 1,
+               when Loss | Camera_Control => 3,
+               when Camera => 3,
+               when Capture | Arena => 4,
+               when others => 0),
+         when Session_Operation =>
+           (case Name is
+               when Receive => 1,
+               when Stop | Loss => 2,
+               when Newcomer => 3,
+               when others => 0),
+         when Journal_Operation =>
+           (case Name is
+               when Stop | Line_Answer | Newcomer | Receive | Loss | Start
+                  | Start_Watchdog => 1,
+               when Console => 2,
+               when others => 0),
+         when Settings_Operation =>
+           (case Name is
+               when Newcomer | Send_Answer .. Send_Image | Arena => 1,
+               when others => 0),
+         when Event_Operation =>
+           (case Name is
+               when Capture | Arena => 4,
+               when Console => 2,
+               when Camera => 1,
+               when Kernel | Environment => 0,
+               when others => 3));
+
+   ----------
+   -- Fill --
+   ----------
+
+   procedure Fill
+     (Choice : Priority_Choice;
+      Where  : Placement;
+      On     : Machine;
+      Under  : Load;
+      Set    : out Activity_Set)
+   is
+      subtype Operations is Operation_Index range
+        1 .. Operation_Name'Pos (Operation_Name'Last) + 1;
+
+      function Ceiling_Of (Which : Operation_Name) return Urgency is
+        (Urgency
+           (case Which is
+               when Outbox_Short | Outbox_Image => Schedule.Outbox_Ceiling,
+               when Line_Operation     => Schedule.Line_Ceiling,
+               when Port_Operation     => Schedule.Order_Ceiling,
+               when Vision_Operation   => Schedule.Vision_Ceiling,
+               when Session_Operation  => Schedule.Session_Ceiling,
+               when Journal_Operation  => Schedule.Journal_Ceiling,
+               when Settings_Operation => Schedule.Settings_Ceiling,
+               when Event_Operation    => System.Any_Priority'First));
+
+      Sections : Section_Array (Row_Index, Operations) :=
+        (others => (others => 0));
+      Ceilings : Ceiling_Array (Operations) := (others => 0);
+      Longest  : Span := 0;
+      Lower    : Span;
+      Far      : Microseconds;
+      Wait     : Microseconds;
+
+      subtype Image_Processor is Processor_Number range 1 .. 4;
+
+      type Object_Name is
+        (Outbox, Line, Port, Vision, Session, Journal, Settings, Event);
+
+      function Object_Of (Which : Operation_Name) return Object_Name is
+        (case Which is
+            when Outbox_Short | Outbox_Image => Outbox,
+            when Line_Operation     => Line,
+            when Port_Operation     => Port,
+            when Vision_Operation   => Vision,
+            when Session_Operation  => Session,
+            when Journal_Operation  => Journal,
+            when Settings_Operation => Settings,
+            when Event_Operation    => Event);
+
+      function Longest_At
+        (Where_Else : Processor_Number;
+         Object     : Object_Name;
+         Here       : Processor_Number) return Span
+      with Global => (Input => (Set, Sections));
+      --  The longest section in the object on another processor than Here
+
+      function Longest_At
+        (Where_Else : Processor_Number;
+         Object     : Object_Name;
+         Here       : Processor_Number) return Span
+      is
+         Result : Span := 0;
+      begin
+         if Where_Else /= Here then
+            for A in Activity_Name loop
+               if Set (Row (A)).Processor = Where_Else then
+                  for O in Operation_Name loop
+                     if Object_Of (O) = Object then
+                        Result := Span'Max
+                          (Result,
+                           Sections (Row (A), Operation_Name'Pos (O) + 1));
+                     end if;
+                  end loop;
+               end if;
+            end loop;
+         end if;
+         return Result;
+      end Longest_At;
+
+   begin
+      Set := (others => <>);
+      for O in Operation_Name loop
+         Longest := Span'Max
+           (Longest, Capped (Operation_Time (O) * On.Factor));
+      end loop;
+
+      for A in Activity_Name loop
+         for O in Operation_Name loop
+            if Calls (A, O) > 0 then
+               Sections (Row (A), Operation_Name'Pos (O) + 1) :=
+                 Capped (Operation_Time (O) * On.Factor);
+            end if;
+         end loop;
+         Set (Row (A)) :=
+           (Processor => Processor_Of (A, Where, On),
+            Priority  => Priority_Of (A, Choice),
+            Period    => Period_Of (A),
+            Jitter    => 0,
+            Budget    => Capped (Processor_Time (A) * On.Factor),
+            Deferral  => 0,
+            Blocking  => 0,
+            Level     => Priority_Of (A, Choice));
+      end loop;
+
+      --  the kernel on the other processors
+      if Where = Real_Time_Apart then
+         for Other in Row_Index range
+           Row (Activity_Name'Last) + 1 .. Row_Index'Last
+         loop
+            if On.Many or else Other = Row (Activity_Name'Last) + 1 then
+               Set (Other) := Set (Row (Kernel));
+               Set (Other).Processor :=
+                 Other - Row (Activity_Name'Last) + 1;
+            end if;
+         end loop;
+      end if;
+
+      for O in Operation_Name loop
+         Ceilings (Operation_Name'Pos (O) + 1) := Ceiling_Of (O);
+      end loop;
+
+      for A in Activity_Name loop
+         --  the lowest with which it shares the mutex of an event
+         if not Under.Ideal_Events then
+            for E in Event_Name loop
+               for B in Activity_Name loop
+                  if Touches (A, E) and then Touches (B, E)
+                    and then Set (Row (A)).Processor = Set (Row (B)).Processor
+                  then
+                     Set (Row (A)).Level := Urgency'Min
+                       (Set (Row (A)).Level, Set (Row (B)).Priority);
+                  end if;
+               end loop;
+            end loop;
+         end if;
+         Lower := Ceiling_Blocking (Set, Sections, Ceilings, Row (A));
+         Wait := 0;
+         for O in Operation_Name loop
+            --  a task on each other processor may be in the object just
+            --  then; and who sleeps for it lets a less urgent one in here
+            Far := 0;
+            for P in Image_Processor loop
+               Far := Far
+                 + Longest_At (P, Object_Of (O), Set (Row (A)).Processor);
+               pragma Loop_Invariant
+                 (Far <= Microseconds (P) * Horizon);
+            end loop;
+            if Far > 0 then
+               Wait := Wait + Microseconds (Calls (A, O)) * (Far + Lower);
+            end if;
+            pragma Loop_Invariant
+              (Wait <= Microseconds (Operation_Name'Pos (O) + 1)
+                 * (20 * 5 * Horizon));
+         end loop;
+         if A /= Kernel then
+            Wait := Wait + Under.Latency;
+         end if;
+         Set (Row (A)).Deferral := Capped (Wait);
+         Wait := Wait + Lower;
+         if Set (Row (A)).Level < Set (Row (A)).Priority then
+            Wait := Wait + Longest
+              + Capped (Operation_Time (Event_Operation) * On.Factor);
+         end if;
+         Set (Row (A)).Blocking := Capped (Wait);
+      end loop;
+   end Fill;
+
+   ----------------
+   -- Bound_Line --
+   ----------------
+
+   procedure Bound_Line
+     (Bounds : Row_Bounds;
+      Under  : Load;
+      Length : out Line_Times;
+      Line   : out Line_Bounds)
+   is
+      Own : constant Microseconds :=
+        Bounds (Line_Request).Local + Bounds (Line_Answer).Local;
+      --  of the line's owner, between two transactions
+
+      function Exchange (Bytes : Natural) return Span is
+        (Capped (Frame_Time (Bytes + Short_Frame) + Under.Turnaround + Own))
+      with Pre => Bytes <= 100;
+
+      subtype Client_Index is Activity_Index range
+        1 .. Line_Client'Pos (Line_Client'Last) + 1;
+      subtype Client_Set is Activity_Array (Client_Index);
+
+      function Index (Who : Line_Client) return Client_Index is
+        (Line_Client'Pos (Who) + 1);
+
+      function Rank (Who : Line_Client) return Urgency is
+        (Line_Client'Pos (Line_Client'Last) - Line_Client'Pos (Who) + 1);
+
+      type Client_Times is array (Line_Client) of Span;
+
+      procedure Bound_One
+        (Who : Line_Client; Lengths : Client_Times; Result : out Bound);
+      --  Of Who, where each client's transactions have these lengths; 0 for
+      --  one that does not occur
+
+      ---------------
+      -- Bound_One --
+      ---------------
+
+      procedure Bound_One
+        (Who : Line_Client; Lengths : Client_Times; Result : out Bound)
+      is
+         Clients : Client_Set := (others => <>);
+      begin
+         for C in Line_Client loop
+            Clients (Index (C)) :=
+              (Processor => 1,
+               Priority  => Rank (C),
+               Period    =>
+                 (case C is
+                     when Safe_State => Session_Interval,
+                     when Reload     => To_Period (Reload_Period),
+                     when Battery    => To_Period (Battery_Period),
+                     when Ping       => To_Period (Ping_Period),
+                     when others     => Command_Interval),
+               Jitter    =>
+                 (case C is
+                     when Safe_State  => Bounds (Loss).Finish,
+                     when Stop_Order  => Bounds (Receive).Finish,
+                     when Reload      => Bounds (Reload_Due).Finish,
+                     when Movement    => Bounds (Move_Order).Finish,
+                     when Battery     => Bounds (Battery_Due).Finish,
+                     when Other_Order => Bounds (Query_Order).Finish,
+                     when Ping        => Bounds (Keep_Alive).Finish),
+               Budget    => Lengths (C),
+               Deferral  => 0,
+               Blocking  => 0,
+               Level     => Urgency'Last);
+         end loop;
+         Transaction_Bound (Clients, Index (Who), Result);
+      end Bound_One;
+
+      Drive  : Span;   --  the longest stop or movement
+      Order  : Span;   --  the longest of the monitor's orders
+      Alone  : Bound;
+      Behind : Bound;
+      Quiet  : constant Span := To_Span (Reload_Quiet);
+   begin
+      Length :=
+        (Safe_State | Stop_Order => Exchange (Stop_Frame),
+         Movement                => Exchange (Longest_Frame),
+         Other_Order             => Capped
+           (Exchange (Stop_Frame) + Exchange (Short_Frame)),
+         --  what ends the robot's run stops it first
+         Reload | Battery | Ping => Exchange (Short_Frame));
+      Drive := Span'Max (Length (Stop_Order), Length (Movement));
+      Order := Span'Max (Drive, Length (Other_Order));
+
+      --  The monitor's orders are one stream: where one is analysed, or has
+      --  the line, the next is no nearer than Command_Interval. So the
+      --  stream appears once in each set, at its most urgent; where others
+      --  may be in progress they appear below as well.
+
+      Line := (others => <>);
+
+      Bound_One
+        (Safe_State,
+         (Safe_State  => Length (Safe_State),
+          Stop_Order  => 0,
+          Reload      => Length (Reload),
+          Movement    => 0,
+          Battery     => Length (Battery),
+          Other_Order => Order,
+          Ping        => Length (Ping)),
+         Line (Safe_State));
+
+      Bound_One
+        (Stop_Order,
+         (Safe_State | Movement | Other_Order => 0,
+          Stop_Order  => Drive,
+          Reload      => Length (Reload),
+          Battery     => Length (Battery),
+          Ping        => Length (Ping)),
+         Line (Stop_Order));
+
+      --  The reload waits for an order begun before it is due, and for
+      --  stops; or before these also for one exchange that had begun when
+      --  the quiet zone did
+      Bound_One
+        (Reload,
+         (Safe_State | Movement | Battery | Other_Order => 0,
+          Stop_Order  => Length (Stop_Order),
+          Reload      => Length (Reload),
+          Ping        => Capped (Length (Ping) + Drive - Length (Stop_Order))),
+         Behind);
+      Bound_One
+        (Reload,
+         (Safe_State | Movement | Battery | Other_Order | Ping => 0,
+          Stop_Order  => Drive,
+          Reload      => Length (Reload)),
+         Alone);
+      if Alone.Exists and then Behind.Exists then
+         Line (Reload) :=
+           (Exists => True,
+            Start  => Span'Max
+              (Alone.Start, Span'Max (Behind.Start, Quiet) - Quiet),
+            Finish => Span'Max
+              (Alone.Finish, Span'Max (Behind.Finish, Quiet) - Quiet),
+            Local  => Span'Max
+              (Alone.Local, Span'Max (Behind.Local, Quiet) - Quiet));
+      end if;
+
+      Bound_One
+        (Movement,
+         (Safe_State | Stop_Order | Other_Order => 0,
+          Reload      => Length (Reload),
+          Movement    => Drive,
+          Battery     => Length (Battery),
+          Ping        => Length (Ping)),
+         Line (Movement));
+
+      Bound_One
+        (Battery,
+         (Safe_State | Movement => 0,
+          Stop_Order  => Drive,
+          Reload      => Length (Reload),
+          Battery     => Length (Battery),
+          Other_Order => Length (Other_Order),
+          Ping        => Length (Ping)),
+         Line (Battery));
+
+      Bound_One
+        (Other_Order,
+         (Safe_State | Stop_Order | Movement => 0,
+          Reload      => Length (Reload),
+          Battery     => Length (Battery),
+          Other_Order => Order,
+          Ping        => Length (Ping)),
+         Line (Other_Order));
+
+      Bound_One
+        (Ping,
+         (Safe_State | Movement | Other_Order => 0,
+          Stop_Order  => Order,
+          Reload      => Length (Reload),
+          Battery     => Length (Battery),
+          Ping        => Length (Ping)),
+         Line (Ping));
+   end Bound_Line;
+
+   -----------------
+   -- Set_Jitters --
+   -----------------
+
+   procedure Set_Jitters
+     (Set     : in out Activity_Set;
+      Bounds  : Row_Bounds;
+      Line    : Line_Bounds;
+      Changed : out Boolean)
+   is
+      New_Jitter : Span;
+   begin
+      Changed := False;
+      for A in Activity_Name loop
+         New_Jitter :=
+           (case A is
+               when Reload_Done  => Line (Reload).Finish,
+               when Move_Order | Query_Order | Camera_Control =>
+                  Bounds (Receive).Finish,
+               when Move_Answer  => Line (Movement).Finish,
+               when Open_Close | Start | Start_Watchdog | Reset
+                  | Query_Answer => Line (Other_Order).Finish,
+               when Battery_Done => Line (Battery).Finish,
+               when Send_Answer  => Span'Max
+                 (Bounds (Receive).Finish,
+                  Span'Max (Bounds (Move_Answer).Finish,
+                            Bounds (Query_Answer).Finish)),
+               when Send_Battery => Bounds (Battery_Done).Finish,
+               when Send_Position | Send_Image => Bounds (Capture).Finish,
+               when others       => 0);
+         if New_Jitter /= Set (Row (A)).Jitter then
+            Set (Row (A)).Jitter := New_Jitter;
+            Changed := True;
+         end if;
+      end loop;
+   end Set_Jitters;
+
+   -----------------
+   -- Bound_Chain --
+   -----------------
+
+   procedure Bound_Chain
+     (Set     : Activity_Set;
+      Members : Member_Set;
+      Pauses  : Natural;
+      Result  : out Bound)
+   is
+      Others_Set : Activity_Set := Set;
+      Host       : Row_Index    := Row_Index'Last;
+      Whole      : Activity     := (Priority => Urgency'Last, others => <>);
+      Budget     : Microseconds := Microseconds (Pauses) * Message_Gap;
+      Blocking   : Microseconds := 0;
+   begin
+      for A in Activity_Name loop
+         if Members (A) then
+            Budget := Budget + Set (Row (A)).Budget;
+            Blocking := Blocking + Set (Row (A)).Blocking;
+            Whole.Processor := Set (Row (A)).Processor;
+            Whole.Priority :=
+              Urgency'Min (Whole.Priority, Set (Row (A)).Priority);
+            Whole.Level := Urgency'Min (Whole.Level, Set (Row (A)).Level);
+            if A not in Line_Request | Line_Answer then
+               --  these go on for other transactions; the rest is the
+               --  chain's own
+               Whole.Period :=
+                 Positive_Span'Min (Whole.Period, Set (Row (A)).Period);
+               Others_Set (Row (A)).Budget := 0;
+               Host := Row (A);
+            end if;
+         end if;
+         pragma Loop_Invariant
+           (Budget <= 10 * Message_Gap + Microseconds (Row (A)) * Horizon
+            and then Blocking <= Microseconds (Row (A)) * Horizon);
+      end loop;
+      if Budget > Horizon or else Blocking > Horizon then
+         Result := (others => <>);
+         return;
+      end if;
+      Whole.Budget := Budget;
+      Whole.Blocking := Blocking;
+      Others_Set (Host) := Whole;
+      Pre_Emptive_Bound (Others_Set, Host, Result);
+   end Bound_Chain;
+
+   -----------
+   -- Judge --
+   -----------
+
+   procedure Judge
+     (Set    : Activity_Set;
+      Bounds : Row_Bounds;
+      Line   : Line_Bounds;
+      On     : Machine;
+      Result : out Requirement_Array)
+   is
+      Spread : constant Span :=
+        Capped ((Capture_High - Capture_Low) * On.Factor);
+      Request : constant Bound := Bounds (Line_Request);
+      Asked, Told, Ended : Bound;
+
+      procedure Conclude
+        (Name : Requirement_Name; Value : Microseconds; Known : Boolean)
+      with Global => (In_Out => Result), Pre => Value <= 100 * Horizon;
+
+      procedure Conclude
+        (Name : Requirement_Name; Value : Microseconds; Known : Boolean) is
+      begin
+         Result (Name).Bound := Value;
+         Result (Name).Known := Known;
+      end Conclude;
+
+   begin
+      Result :=
+        (F2_Admitted     => (Limit => 50_000, others => <>),
+         F4_Own_Answer   => (Limit => 10_000, others => <>),
+         F4_Robot_Answer => (Limit => 10_000, others => <>),
+         F4_Unasked      => (Limit => 10_000, others => <>),
+         F6_Stop         => (Limit => 100_000, others => <>),
+         F11_Reload      => (Limit => 50_000, others => <>),
+         F12_First_Byte  => (Limit => 5_000, others => <>),
+         F12_At_Robot    => (Limit => 100_000, others => <>),
+         F13_Level       =>
+           (Limit => To_Period (Battery_Period), others => <>),
+         F13_Processor   => (Limit => 20_000, others => <>),
+         F15_Image       => (Limit => Image_Period, others => <>),
+         F15_Jitter      => (Limit => 20_000, others => <>));
+
+      Conclude (F2_Admitted, Bounds (Newcomer).Finish,
+                Bounds (Newcomer).Exists);
+
+      --  answers: an image may be under way, and a pause follows it
+
+      Bound_Chain
+        (Set,
+         (Receive | Send_Image | Send_Answer => True, others => False),
+         1, Told);
+      Conclude (F4_Own_Answer, Told.Finish, Told.Exists);
+
+      Bound_Chain
+        (Set,
+         (Line_Answer | Query_Answer | Send_Image | Send_Answer => True,
+          others => False),
+         1, Told);
+      Conclude (F4_Robot_Answer, Told.Finish, Told.Exists);
+
+      --  before the battery's level an answer may go, with a pause of its
+      --  own
+
+      Bound_Chain
+        (Set,
+         (Line_Answer | Battery_Done | Send_Image | Send_Answer
+            | Send_Battery => True,
+          others => False),
+         2, Told);
+      Conclude (F4_Unasked, Told.Finish, Told.Exists);
+
+      --  the robot's line
+
+      Bound_Chain
+        (Set,
+         (Receive | Move_Order | Line_Request => True, others => False),
+         0, Asked);
+      Conclude (F12_First_Byte, Asked.Finish, Asked.Exists);
+      Conclude
+        (F12_At_Robot,
+         Line (Movement).Start + Request.Local + Frame_Time (Longest_Frame),
+         Line (Movement).Exists and then Request.Exists);
+      Conclude
+        (F11_Reload,
+         Line (Reload).Start + Request.Local,
+         Line (Reload).Exists and then Request.Exists);
+      Conclude
+        (F6_Stop,
+         Line (Safe_State).Start + Request.Local + Frame_Time (Stop_Frame),
+         Line (Safe_State).Exists and then Request.Exists);
+
+      --  the battery: to its request, and from the answer on. What may be
+      --  under way to the monitor goes first; an unanswered command may
+      --  hold the level back
+
+      Bound_Chain
+        (Set,
+         (Battery_Due | Line_Request => True, others => False),
+         0, Asked);
+      Bound_Chain
+        (Set,
+         (Line_Answer | Battery_Done | Send_Image | Send_Battery => True,
+          others => False),
+         1, Ended);
+      Conclude
+        (F13_Processor, Asked.Finish + Ended.Finish,
+         Asked.Exists and then Ended.Exists);
+      Conclude
+        (F13_Level,
+         Line (Battery).Finish + Told.Finish + To_Span (Hold_Limit),
+         Line (Battery).Exists and then Told.Exists);
+
+      --  the image: in time for the next one; and how far its sending may
+      --  be from its place in the period
+
+      Conclude (F15_Image, Bounds (Capture).Finish, Bounds (Capture).Exists);
+      Bound_Chain
+        (Set,
+         (Send_Position | Send_Battery | Send_Image => True,
+          others => False),
+         1, Ended);
+      Conclude
+        (F15_Jitter,
+         Spread + Ended.Finish
+         + (if Bounds (Capture).Finish >= Set (Row (Capture)).Budget
+            then Bounds (Capture).Finish - Set (Row (Capture)).Budget
+            else 0),
+         Bounds (Capture).Exists and then Ended.Exists);
+   end Judge;
+
+   -------------
+   -- Analyse --
+   -------------
+
+   procedure Analyse
+     (Choice : Priority_Choice;
+      Where  : Placement;
+      On     : Machine;
+      Under  : Load;
+      Result : out Analysis)
+   is
+      procedure Bound_One
+        (Set : Activity_Set; Name : Activity_Name; Value : out Bound);
+
+      ---------------
+      -- Bound_One --
+      ---------------
+
+      procedure Bound_One
+        (Set : Activity_Set; Name : Activity_Name; Value : out Bound)
+      is
+         Normal : Activity_Set := Set;
+      begin
+         --  Stop: the run ends, and nothing is promised beside the stop.
+         --  Newcomer: there is no session yet
+         if Name /= Stop then
+            Normal (Row (Stop)).Budget := 0;
+         end if;
+         if Name /= Newcomer then
+            Normal (Row (Newcomer)).Budget := 0;
+         end if;
+         Pre_Emptive_Bound (Normal, Row (Name), Value);
+      end Bound_One;
+
+      In_Session : Activity_Set;
+      Changed    : Boolean;
+   begin
+      Result := (others => <>);
+      Fill (Choice, Where, On, Under, Result.Set);
+      for Round in 1 .. Max_Rounds loop
+         for A in Activity_Name loop
+            Bound_One (Result.Set, A, Result.Bounds (A));
+         end loop;
+         Bound_Line
+           (Result.Bounds, Under, Result.Line_Length, Result.Line);
+         Set_Jitters (Result.Set, Result.Bounds, Result.Line, Changed);
+         Result.Settled := not Changed;
+         exit when Result.Settled;
+      end loop;
+
+      for A in Activity_Name loop
+         Result.Deadlines (A) :=
+           (case A is
+               when Kernel | Console | Environment => 0,
+               when Newcomer | Loss => 50_000,     --  F2, F5
+               when Stop            => 100_000,
+               when Reload_Due      => 50_000,     --  F11
+               when others          => Period_Of (A));
+      end loop;
+      In_Session := Result.Set;
+      In_Session (Row (Stop)).Budget := 0;
+      In_Session (Row (Newcomer)).Budget := 0;
+      Judge
+        (In_Session, Result.Bounds, Result.Line, On, Result.Requirements);
+      if not Result.Settled then
+         for R of Result.Requirements loop
+            R.Known := False;
+         end loop;
+      end if;
+   end Analyse;
+
+   -------------------
+   -- Deadlines_Met --
+   -------------------
+
+   function Deadlines_Met (Result : Analysis) return Boolean is
+     (Result.Settled
+      and then
+        (for all A in Activity_Name =>
+           Result.Deadlines (A) = 0
+           or else (Result.Bounds (A).Exists
+                    and then Result.Bounds (A).Local
+                      <= Result.Deadlines (A)))
+      and then
+        (for all R in Requirement_Name =>
+           (if Always (R) then Met (Result.Requirements (R)))));
+
+   -------------
+   -- All_Met --
+   -------------
+
+   function All_Met (Result : Analysis) return Boolean is
+     (Deadlines_Met (Result)
+      and then (for all R of Result.Requirements => Met (R)));
+
+   -------------
+   -- Load_Of --
+   -------------
+
+   function Load_Of
+     (Result : Analysis; Processor : Processor_Number) return Microseconds
+   is
+      Sum : Microseconds := 0;
+   begin
+      for A in Result.Set'Range loop
+         if Result.Set (A).Processor = Processor then
+            Sum := Sum
+              + Result.Set (A).Budget * 10_000 / Result.Set (A).Period;
+         end if;
+         pragma Loop_Invariant (Sum <= Microseconds (A) * 10_000 * Horizon);
+      end loop;
+      return Sum;
+   end Load_Of;
+
+end Supervisor_Model;

@@ -1,0 +1,117 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The supervisor as the analysis sees it: which activity runs where, what
+--  sets it off, what it calls; and the bounds that the features demand.
+
+with Budgets;        use Budgets;
+with Response_Times; use Response_Times;
+
+package Supervisor_Model with SPARK_Mode is
+
+   type Priority_Choice is
+     (Of_The_Table,        --  src/tasks/schedule.ads
+      Of_The_Report);
+   --  The report's threads with their own; what it has not takes the number
+   --  of the threads that did the work there
+
+   type Placement is
+     (Real_Time_Apart,     --  tasks above the image work on one processor
+      One_Processor);      --  everything on one
+
+   type Machine is record
+      Factor        : Positive_Span := 1;
+      --  by which budgets are multiplied
+      Many          : Boolean := False;
+      --  a processor for each of the three image tasks; else one for all
+   end record
+   with Predicate => Factor <= 1_000;
+
+   type Load is record
+      Turnaround : Span := Robot_Turnaround;
+      Latency    : Span := Wake_Latency;
+      Ideal_Events : Boolean := False;
+      --  as if the mutex of a suspension object knew a ceiling
+   end record
+   with Predicate => Turnaround <= 1_000_000 and then Latency <= 1_000_000;
+
+   type Line_Client is
+     (Safe_State, Stop_Order, Reload, Movement, Battery, Other_Order, Ping);
+   --  Of the robot's line, by falling urgency
+
+   type Requirement_Name is
+     (F2_Admitted,
+      F4_Own_Answer,
+      F4_Robot_Answer,
+      F4_Unasked,
+      F6_Stop,
+      F11_Reload,
+      F12_First_Byte,
+      F12_At_Robot,
+      F13_Level,
+      F13_Processor,
+      F15_Image,
+      F15_Jitter);
+
+   type Requirement is record
+      Bound : Microseconds := 0;
+      Limit : Microseconds := 0;
+      Known : Boolean := False;
+      --  a bound exists
+   end record;
+
+   function Always (Name : Requirement_Name) return Boolean is
+     (Name in F2_Admitted | F6_Stop | F11_Reload | F12_At_Robot | F13_Level
+        | F15_Image);
+   --  Demanded of every single one. The others are demanded of 99 or 99.9
+   --  in 100: a bound for the worst case is more than that
+
+   function Met (Item : Requirement) return Boolean is
+     (Item.Known and then Item.Bound <= Item.Limit);
+
+   subtype Row_Index is Activity_Index range
+     1 .. Activity_Name'Pos (Activity_Name'Last) + 4;
+   --  All activities, then the kernel on three other processors
+
+   function Row (Name : Activity_Name) return Row_Index is
+     (Activity_Name'Pos (Name) + 1);
+
+   subtype Activity_Set is Activity_Array (Row_Index);
+
+   type Row_Bounds is array (Activity_Name) of Bound;
+   type Line_Bounds is array (Line_Client) of Bound;
+   type Line_Times is array (Line_Client) of Span;
+   type Deadline_Times is array (Activity_Name) of Span;
+   type Requirement_Array is array (Requirement_Name) of Requirement;
+
+   type Analysis is record
+      Set          : Activity_Set;
+      Bounds       : Row_Bounds;
+      Deadlines    : Deadline_Times := (others => 0);
+      --  of one activity, from its arrival; 0: none of its own
+      Settled      : Boolean := False;
+      --  jitters and bounds agree
+      Line_Length  : Line_Times  := (others => 0);
+      Line         : Line_Bounds;
+      Requirements : Requirement_Array;
+   end record;
+
+   procedure Analyse
+     (Choice : Priority_Choice;
+      Where  : Placement;
+      On     : Machine;
+      Under  : Load;
+      Result : out Analysis);
+
+   function Priority_Of
+     (Name : Activity_Name; Choice : Priority_Choice) return Urgency;
+
+   function Deadlines_Met (Result : Analysis) return Boolean;
+   --  Every deadline of an activity, every requirement of every single one
+
+   function All_Met (Result : Analysis) return Boolean;
+   --  And in the worst case even what is demanded of most
+
+   function Load_Of
+     (Result : Analysis; Processor : Processor_Number) return Microseconds;
+   --  Utilisation in parts per 10_000
+
+end Supervisor_Model;
