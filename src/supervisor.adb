@@ -11,6 +11,7 @@ with Journal;
 with Options;
 with Process;
 with Program_Arguments;
+with Robot_Line;
 with Schedule;
 with Serial_Line;
 with Session;
@@ -105,7 +106,7 @@ package body Supervisor with SPARK_Mode is
          when Command_Lines.Run =>
             Serve (Command_Line.Chosen);
       end case;
-      --  once more: orders may have been sent since the failure
+      --  once more: orders may have been sent after that of the failure
       Serial_Line.Stop_Blindly;
       Process.Leave (Process.Internal_Failure);
    end Run;
@@ -136,6 +137,7 @@ package body Supervisor with SPARK_Mode is
                 & "(destijl --check tells how to get them)"));
 
       Failures.Wait_Stop_Failed;
+      Robot_Line.Refuse_Orders;
       --  its last lines are written meanwhile
       Now := Clock;
       delay until Now + Schedule.Console_Limit;

@@ -459,10 +459,12 @@ package body Outbox with SPARK_Mode is
    procedure Wait_Sender is
       Busy : Boolean;
    begin
-      Box.Get_Busy (Busy);
-      if Busy then
+      --  the event may be a late one of the session before
+      loop
+         Box.Get_Busy (Busy);
+         exit when not Busy;
          Suspend_Until_True (Sender_Left);
-      end if;
+      end loop;
    end Wait_Sender;
 
    -------------

@@ -157,6 +157,16 @@ package body Robot_Line with SPARK_Mode is
       Set_True (Work);
    end Begin_Session;
 
+   -------------------
+   -- Refuse_Orders --
+   -------------------
+
+   procedure Refuse_Orders is
+   begin
+      Line.Begin_Session (Orders.Ticket'Last);
+      Set_True (Work);
+   end Refuse_Orders;
+
    ---------
    -- Put --
    ---------

@@ -24,6 +24,9 @@ package Robot_Line with SPARK_Mode is
    procedure Begin_Session (First : Orders.Ticket);
    --  Orders with a lower number are out of date from now on
 
+   procedure Refuse_Orders;
+   --  All orders are out of date from now on: the process ends
+
    procedure Put
      (From    : Line_Requests.Single;
       Request : Robot_Session.Request;

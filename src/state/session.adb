@@ -15,6 +15,7 @@ package body Session with SPARK_Mode is
    Watch_Begins    : Suspension_Object;
 
    protected State with Priority => Schedule.Session_Ceiling is
+      procedure Begin_Active (Admitted : out Boolean);
       procedure Set (Stage : Stage_Kind);
       procedure Get (Stage : out Stage_Kind);
       procedure Stop;
@@ -25,6 +26,14 @@ package body Session with SPARK_Mode is
    end State;
 
    protected body State is
+
+      procedure Begin_Active (Admitted : out Boolean) is
+      begin
+         Admitted := not Stopping;
+         if Admitted then
+            Current := Active;
+         end if;
+      end Begin_Active;
 
       procedure Set (Stage : Stage_Kind) is
       begin
@@ -61,12 +70,20 @@ package body Session with SPARK_Mode is
    -- Begin_Active --
    ------------------
 
-   procedure Begin_Active is
+   procedure Begin_Active (Admitted : out Boolean) is
    begin
-      State.Set (Active);
+      State.Begin_Active (Admitted);
+   end Begin_Active;
+
+   ----------------
+   -- Begin_Work --
+   ----------------
+
+   procedure Begin_Work is
+   begin
       Set_True (Receive_Begins);
       Set_True (Watch_Begins);
-   end Begin_Active;
+   end Begin_Work;
 
    -------------------
    -- Begin_Closing --

@@ -12,11 +12,15 @@ package Session with SPARK_Mode is
 
    procedure Get_Stage (Stage : out Stage_Kind);
 
-   procedure Begin_Active;
+   procedure Begin_Active (Admitted : out Boolean);
+   --  Not where the supervisor is stopping
    procedure Begin_Closing;
    procedure End_Closing;
    procedure End_Closed;
    --  The four steps of a session, each after the one before
+
+   procedure Begin_Work;
+   --  The session's tasks begin: its connection is admitted
 
    procedure Request_Stop;
    --  The supervisor is stopping: no monitor is admitted any more, and the

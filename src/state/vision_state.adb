@@ -16,7 +16,8 @@ package body Vision_State with SPARK_Mode is
         (Number  : Orders.Ticket;
          Needed  : out Boolean;
          Is_Open : out Boolean);
-      procedure Opened (Number : Orders.Ticket; Success : Boolean);
+      procedure Opened
+        (Number : Orders.Ticket; Success : Boolean; Is_Open : out Boolean);
       procedure Close (Was_Open : out Boolean);
       procedure Close_By_Order (Number : Orders.Ticket; Done : out Boolean);
       procedure Ask_Arena (Number : Orders.Ticket; Accepted : out Boolean);
@@ -63,10 +64,13 @@ package body Vision_State with SPARK_Mode is
          end if;
       end Ask_Open;
 
-      procedure Opened (Number : Orders.Ticket; Success : Boolean) is
+      procedure Opened
+        (Number : Orders.Ticket; Success : Boolean; Is_Open : out Boolean) is
       begin
+         Is_Open := False;
          if Number >= First then
             Vision_Mode.Opened (Current.Mode, Success);
+            Is_Open := Vision_Mode.Is_Open (Current.Mode);
          end if;
       end Opened;
 
@@ -162,9 +166,10 @@ package body Vision_State with SPARK_Mode is
    -- Opened --
    ------------
 
-   procedure Opened (Number : Orders.Ticket; Success : Boolean) is
+   procedure Opened
+     (Number : Orders.Ticket; Success : Boolean; Is_Open : out Boolean) is
    begin
-      Store.Opened (Number, Success);
+      Store.Opened (Number, Success, Is_Open);
    end Opened;
 
    -----------

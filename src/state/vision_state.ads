@@ -24,7 +24,10 @@ package Vision_State with SPARK_Mode is
    --  Needed: the camera is to be opened now. Is_Open: it is already.
    --  Neither: the session has ended
 
-   procedure Opened (Number : Orders.Ticket; Success : Boolean);
+   procedure Opened
+     (Number : Orders.Ticket; Success : Boolean; Is_Open : out Boolean);
+   --  What came of the opening. Is_Open is false, too, where the session has
+   --  ended or the camera has failed meanwhile
 
    procedure Close (Was_Open : out Boolean);
    --  No camera any more: it has failed, or the session has ended

@@ -105,6 +105,7 @@ package body Monitor_Tasks with SPARK_Mode is
    procedure Meet_Newcomer (Peer : Texts.Text) is
       Stage    : Session.Stage_Kind;
       Stopping : Boolean;
+      Admitted : Boolean := False;
       Line     : Texts.Text;
    begin
       Session.Get_Stopping (Stopping);
@@ -115,22 +116,25 @@ package body Monitor_Tasks with SPARK_Mode is
          Close_Session;
          Stage := Session.Free;
       end if;
-      if Stopping then
-         Monitor_Sockets.Refuse
-           ("MSSG:refused: the supervisor is stopping" & ASCII.LF);
-      elsif Stage = Session.Active then
+      if Stage = Session.Free then
+         Session.Begin_Active (Admitted);
+      end if;
+      if Stage = Session.Active then
          Monitor_Sockets.Refuse
            ("MSSG:refused: another monitor is connected" & ASCII.LF);
          Texts.Set (Line, "second monitor refused: ");
          Texts.Append (Line, Peer.Data (1 .. Peer.Length));
          Journal.Put (Options.Warning, Line);
-      else
+      elsif Admitted then
          Monitor_Sockets.Admit;
          Outbox.Open_Session;
          Texts.Set (Line, "monitor connected from ");
          Texts.Append (Line, Peer.Data (1 .. Peer.Length));
          Journal.Put (Options.Info, Line);
-         Session.Begin_Active;
+         Session.Begin_Work;
+      else
+         Monitor_Sockets.Refuse
+           ("MSSG:refused: the supervisor is stopping" & ASCII.LF);
       end if;
    end Meet_Newcomer;
 
@@ -284,10 +288,11 @@ package body Monitor_Tasks with SPARK_Mode is
             Monitor_Sockets.Send (Outgoing, Length, Success);
             Last_Sent := Clock;
             Answered := Kind = Outbox.Answer;
-            Outbox.Sent;
+            --  before the session may end: the next has a connection, too
             if not Success then
                Monitor_Sockets.Shut_Down;
             end if;
+            Outbox.Sent;
          end if;
       end loop;
    end Th_Send_To_Mon;

@@ -209,6 +209,9 @@ package body Robot_Tasks with SPARK_Mode is
          loop
             Robot_Line.Set_Reload_Due (Next);
             delay until Next;
+            Robot_Line.Get_Status (Now);
+            --  a run that has begun meanwhile has its own reloads
+            exit when not Same_Run (Now, Begun);
             Robot_Clients.Reload.Ask
               ((Kind => Reload, others => <>), (others => <>), Result);
             Robot_Line.Get_Status (Now);

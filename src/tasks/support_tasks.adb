@@ -66,7 +66,7 @@ package body Support_Tasks with SPARK_Mode is
       Start : constant Time := Clock;
       Item  : Journal.Line;
    begin
-      Process.Name_Task ("th_console");
+      Process.Name_Task ("th_console", Real_Time => False);
       loop
          Journal.Take (Item);
          Write (Item, Start);
@@ -126,7 +126,8 @@ package body Support_Tasks with SPARK_Mode is
       loop
          Process.Wait_Signal (Kind);
          if Kind = Process.Failure then
-            --  whoever has failed, the robot stops now
+            --  whoever has failed, the robot stops now, for good
+            Robot_Line.Refuse_Orders;
             Serial_Line.Stop_Blindly;
          end if;
          Journal.Put (Options.Info, "stopping");

@@ -147,6 +147,7 @@ package body Vision_Tasks with SPARK_Mode is
    task body Th_Camera_Control is
       Order    : Orders.Order;
       Needed   : Boolean;
+      Opened   : Boolean;
       Success  : Boolean;
    begin
       Process.Name_Task ("th_camera_contr");
@@ -156,10 +157,13 @@ package body Vision_Tasks with SPARK_Mode is
             when Open_Camera =>
                Vision_State.Ask_Open (Order.Number, Needed, Success);
                if Needed then
-                  Camera_Requests.Open (Success);
-                  Vision_State.Opened (Order.Number, Success);
+                  Camera_Requests.Open (Opened);
+                  Vision_State.Opened (Order.Number, Opened, Success);
                   if Success then
                      Camera_Events.Opened;
+                  else
+                     --  opened for nobody, perhaps
+                     Camera_Requests.Close;
                   end if;
                end if;
             when Close_Camera =>
