@@ -140,5 +140,7 @@ package Budgets with SPARK_Mode is
    Short_Frame    : constant := 3;   --  one letter
    Stop_Frame     : constant := 5;   --  M=0
    Longest_Frame  : constant := 10;  --  M=-32768
+   Probe_Frames   : constant := 5;
+   --  a letter and what the answer to V is longer than the usual one
 
 end Budgets;

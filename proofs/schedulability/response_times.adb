@@ -58,7 +58,6 @@ package body Response_Times with SPARK_Mode is
       Next : Microseconds;
    begin
       Window := Demand;
-      Found := False;
       for Round in 1 .. Max_Rounds loop
          Next := Demand + Interference (Set, Who, Window);
          Found := Next = Window;
@@ -164,7 +163,6 @@ package body Response_Times with SPARK_Mode is
          Next     : Microseconds;
       begin
          Length := Span'Max (1, Set (Who).Budget);
-         Found := False;
          for Round in 1 .. Max_Rounds loop
             Next := Blocking;
             for I in Set'Range loop
@@ -191,7 +189,6 @@ package body Response_Times with SPARK_Mode is
          Next : Microseconds;
       begin
          Length := Demand;
-         Found := False;
          for Round in 1 .. Max_Rounds loop
             Next := Demand;
             for I in Set'Range loop

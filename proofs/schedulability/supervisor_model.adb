@@ -24,6 +24,7 @@ package body Supervisor_Model with SPARK_Mode is
    Hold_Limit     : constant Integer := Schedule.Hold_Limit / One;
    Byte_Time      : constant Integer := Schedule.Byte_Time / One;
    Reload_Quiet   : constant Integer := Schedule.Reload_Quiet / One;
+   Answer_Timeout : constant Integer := Schedule.Answer_Timeout / One;
 
    Image_Period   : constant := 100_000;  --  F15
 
@@ -60,6 +61,18 @@ package body Supervisor_Model with SPARK_Mode is
    with Post => Calls'Result <= 20;
    --  How often one release calls such an operation, at most
 
+   function Ceiling_Of (Which : Operation_Name) return Urgency is
+     (Urgency
+        (case Which is
+            when Outbox_Short | Outbox_Image => Schedule.Outbox_Ceiling,
+            when Line_Operation     => Schedule.Line_Ceiling,
+            when Port_Operation     => Schedule.Order_Ceiling,
+            when Vision_Operation   => Schedule.Vision_Ceiling,
+            when Session_Operation  => Schedule.Session_Ceiling,
+            when Journal_Operation  => Schedule.Journal_Ceiling,
+            when Settings_Operation => Schedule.Settings_Ceiling,
+            when Event_Operation    => System.Any_Priority'First));
+
    function Touches (Name : Activity_Name; Event : Event_Name) return Boolean
    is (case Event is
           when Line_Work =>
@@ -92,6 +105,7 @@ package body Supervisor_Model with SPARK_Mode is
 
    procedure Bound_Line
      (Bounds : Row_Bounds;
+      Owner  : Owner_Bounds;
       Under  : Load;
       Length : out Line_Times;
       Line   : out Line_Bounds);
@@ -117,6 +131,7 @@ package body Supervisor_Model with SPARK_Mode is
    procedure Judge
      (Set    : Activity_Set;
       Bounds : Row_Bounds;
+      Owner  : Owner_Bounds;
       Line   : Line_Bounds;
       On     : Machine;
       Result : out Requirement_Array);
@@ -166,6 +181,46 @@ package body Supervisor_Model with SPARK_Mode is
             when Loss | Hold | Send_Answer .. Send_Image => 22,
             when others   => 20);
    end Priority_Of;
+
+   ---------------
+   -- Task_Name --
+   ---------------
+
+   function Task_Name (Name : Activity_Name) return String is
+     (case Name is
+         when Kernel          => "(kernel)",
+         when Stop            => "th_stop",
+         when Line_Request | Line_Answer => "th_line",
+         when Reload_Due | Reload_Done   => "th_reloadWD",
+         when Newcomer        => "th_server",
+         when Move_Order | Move_Answer   => "th_move",
+         when Receive         => "th_receiveFromMon",
+         when Loss            => "th_comMonPerdue",
+         when Hold            => "th_hold",
+         when Send_Answer .. Send_Image  => "th_sendToMon",
+         when Battery_Due | Battery_Done => "th_batteryLevel",
+         when Open_Close      => "th_openComRobot",
+         when Start           => "th_startRobot",
+         when Start_Watchdog  => "th_startRobotWD",
+         when Reset           => "th_resetRobot",
+         when Query_Order | Query_Answer => "th_query",
+         when Keep_Alive      => "th_keepAlive",
+         when Camera_Control  => "th_cameraControl",
+         when Capture         => "th_captureImg",
+         when Arena           => "th_arene",
+         when Camera          => "th_camera",
+         when Console         => "th_console",
+         when Environment     => "(main)");
+
+   -------------------
+   -- Ceilings_Hold --
+   -------------------
+
+   function Ceilings_Hold (Choice : Priority_Choice) return Boolean is
+     (for all A in Activity_Name =>
+        (for all O in Operation_Name =>
+           (if O /= Event_Operation and then Calls (A, O) > 0
+            then Priority_Of (A, Choice) <= Ceiling_Of (O))));
 
    ---------------
    -- Period_Of --
@@ -288,18 +343,6 @@ package body Supervisor_Model with SPARK_Mode is
       subtype Operations is Operation_Index range
         1 .. Operation_Name'Pos (Operation_Name'Last) + 1;
 
-      function Ceiling_Of (Which : Operation_Name) return Urgency is
-        (Urgency
-           (case Which is
-               when Outbox_Short | Outbox_Image => Schedule.Outbox_Ceiling,
-               when Line_Operation     => Schedule.Line_Ceiling,
-               when Port_Operation     => Schedule.Order_Ceiling,
-               when Vision_Operation   => Schedule.Vision_Ceiling,
-               when Session_Operation  => Schedule.Session_Ceiling,
-               when Journal_Operation  => Schedule.Journal_Ceiling,
-               when Settings_Operation => Schedule.Settings_Ceiling,
-               when Event_Operation    => System.Any_Priority'First));
-
       Sections : Section_Array (Row_Index, Operations) :=
         (others => (others => 0));
       Ceilings : Ceiling_Array (Operations) := (others => 0);
@@ -358,14 +401,14 @@ package body Supervisor_Model with SPARK_Mode is
       Set := (others => <>);
       for O in Operation_Name loop
          Longest := Span'Max
-           (Longest, Capped (Operation_Time (O) * On.Factor));
+           (Longest, Capped (Operation_Time (O) * On.Percent / 100));
       end loop;
 
       for A in Activity_Name loop
          for O in Operation_Name loop
             if Calls (A, O) > 0 then
                Sections (Row (A), Operation_Name'Pos (O) + 1) :=
-                 Capped (Operation_Time (O) * On.Factor);
+                 Capped (Operation_Time (O) * On.Percent / 100);
             end if;
          end loop;
          Set (Row (A)) :=
@@ -373,7 +416,7 @@ package body Supervisor_Model with SPARK_Mode is
             Priority  => Priority_Of (A, Choice),
             Period    => Period_Of (A),
             Jitter    => 0,
-            Budget    => Capped (Processor_Time (A) * On.Factor),
+            Budget    => Capped (Processor_Time (A) * On.Percent / 100),
             Deferral  => 0,
             Blocking  => 0,
             Level     => Priority_Of (A, Choice));
@@ -436,7 +479,7 @@ package body Supervisor_Model with SPARK_Mode is
          Wait := Wait + Lower;
          if Set (Row (A)).Level < Set (Row (A)).Priority then
             Wait := Wait + Longest
-              + Capped (Operation_Time (Event_Operation) * On.Factor);
+              + Capped (Operation_Time (Event_Operation) * On.Percent / 100);
          end if;
          Set (Row (A)).Blocking := Capped (Wait);
       end loop;
@@ -448,12 +491,13 @@ package body Supervisor_Model with SPARK_Mode is
 
    procedure Bound_Line
      (Bounds : Row_Bounds;
+      Owner  : Owner_Bounds;
       Under  : Load;
       Length : out Line_Times;
       Line   : out Line_Bounds)
    is
       Own : constant Microseconds :=
-        Bounds (Line_Request).Local + Bounds (Line_Answer).Local;
+        Owner.Request.Local + Owner.Answer.Local;
       --  of the line's owner, between two transactions
 
       function Exchange (Bytes : Natural) return Span is
@@ -496,6 +540,7 @@ package body Supervisor_Model with SPARK_Mode is
                      when Reload     => To_Period (Reload_Period),
                      when Battery    => To_Period (Battery_Period),
                      when Ping       => To_Period (Ping_Period),
+                     when Unanswered => Horizon,
                      when others     => Command_Interval),
                Jitter    =>
                  (case C is
@@ -505,7 +550,8 @@ package body Supervisor_Model with SPARK_Mode is
                      when Movement    => Bounds (Move_Order).Finish,
                      when Battery     => Bounds (Battery_Due).Finish,
                      when Other_Order => Bounds (Query_Order).Finish,
-                     when Ping        => Bounds (Keep_Alive).Finish),
+                     when Ping        => Bounds (Keep_Alive).Finish,
+                     when Unanswered  => 0),
                Budget    => Lengths (C),
                Deferral  => 0,
                Blocking  => 0,
@@ -518,7 +564,19 @@ package body Supervisor_Model with SPARK_Mode is
       Order  : Span;   --  the longest of the monitor's orders
       Alone  : Bound;
       Behind : Bound;
-      Quiet  : constant Span := To_Span (Reload_Quiet);
+      Silence : constant Span :=
+        (if Under.Silent
+         then Capped (Frame_Time (Longest_Frame) + To_Span (Answer_Timeout)
+                      + Own)
+         else 0);
+      Resumed : constant Span :=
+        (if Under.Silent then Capped (Silence + Exchange (Probe_Frames))
+         else 0);
+      --  a stop does not wait for the probe
+      Quiet   : constant Span :=
+        (if Under.Silent then 0 else To_Span (Reload_Quiet));
+      --  the exchange that is not answered may be a movement: begun even
+      --  when the reload is nearly due
    begin
       Length :=
         (Safe_State | Stop_Order => Exchange (Stop_Frame),
@@ -526,7 +584,8 @@ package body Supervisor_Model with SPARK_Mode is
          Other_Order             => Capped
            (Exchange (Stop_Frame) + Exchange (Short_Frame)),
          --  what ends the robot's run stops it first
-         Reload | Battery | Ping => Exchange (Short_Frame));
+         Reload | Battery | Ping => Exchange (Short_Frame),
+         Unanswered              => 0);
       Drive := Span'Max (Length (Stop_Order), Length (Movement));
       Order := Span'Max (Drive, Length (Other_Order));
 
@@ -545,7 +604,8 @@ package body Supervisor_Model with SPARK_Mode is
           Movement    => 0,
           Battery     => Length (Battery),
           Other_Order => Order,
-          Ping        => Length (Ping)),
+          Ping        => Length (Ping),
+          Unanswered  => Silence),
          Line (Safe_State));
 
       Bound_One
@@ -554,7 +614,8 @@ package body Supervisor_Model with SPARK_Mode is
           Stop_Order  => Drive,
           Reload      => Length (Reload),
           Battery     => Length (Battery),
-          Ping        => Length (Ping)),
+          Ping        => Length (Ping),
+          Unanswered  => Silence),
          Line (Stop_Order));
 
       --  The reload waits for an order begun before it is due, and for
@@ -565,13 +626,15 @@ package body Supervisor_Model with SPARK_Mode is
          (Safe_State | Movement | Battery | Other_Order => 0,
           Stop_Order  => Length (Stop_Order),
           Reload      => Length (Reload),
-          Ping        => Capped (Length (Ping) + Drive - Length (Stop_Order))),
+          Ping        => Capped (Length (Ping) + Drive - Length (Stop_Order)),
+          Unanswered  => Resumed),
          Behind);
       Bound_One
         (Reload,
          (Safe_State | Movement | Battery | Other_Order | Ping => 0,
           Stop_Order  => Drive,
-          Reload      => Length (Reload)),
+          Reload      => Length (Reload),
+          Unanswered  => Resumed),
          Alone);
       if Alone.Exists and then Behind.Exists then
          Line (Reload) :=
@@ -590,7 +653,8 @@ package body Supervisor_Model with SPARK_Mode is
           Reload      => Length (Reload),
           Movement    => Drive,
           Battery     => Length (Battery),
-          Ping        => Length (Ping)),
+          Ping        => Length (Ping),
+          Unanswered  => Resumed),
          Line (Movement));
 
       Bound_One
@@ -600,7 +664,8 @@ package body Supervisor_Model with SPARK_Mode is
           Reload      => Length (Reload),
           Battery     => Length (Battery),
           Other_Order => Length (Other_Order),
-          Ping        => Length (Ping)),
+          Ping        => Length (Ping),
+          Unanswered  => Resumed),
          Line (Battery));
 
       Bound_One
@@ -609,7 +674,8 @@ package body Supervisor_Model with SPARK_Mode is
           Reload      => Length (Reload),
           Battery     => Length (Battery),
           Other_Order => Order,
-          Ping        => Length (Ping)),
+          Ping        => Length (Ping),
+          Unanswered  => Resumed),
          Line (Other_Order));
 
       Bound_One
@@ -618,7 +684,8 @@ package body Supervisor_Model with SPARK_Mode is
           Stop_Order  => Order,
           Reload      => Length (Reload),
           Battery     => Length (Battery),
-          Ping        => Length (Ping)),
+          Ping        => Length (Ping),
+          Unanswered  => Resumed),
          Line (Ping));
    end Bound_Line;
 
@@ -713,13 +780,14 @@ package body Supervisor_Model with SPARK_Mode is
    procedure Judge
      (Set    : Activity_Set;
       Bounds : Row_Bounds;
+      Owner  : Owner_Bounds;
       Line   : Line_Bounds;
       On     : Machine;
       Result : out Requirement_Array)
    is
       Spread : constant Span :=
-        Capped ((Capture_High - Capture_Low) * On.Factor);
-      Request : constant Bound := Bounds (Line_Request);
+        Capped ((Capture_High - Capture_Low) * On.Percent / 100);
+      Request : constant Bound := Owner.Request;
       Asked, Told, Ended : Bound;
 
       procedure Conclude
@@ -767,16 +835,12 @@ package body Supervisor_Model with SPARK_Mode is
          1, Told);
       Conclude (F4_Robot_Answer, Told.Finish, Told.Exists);
 
-      --  before the battery's level an answer may go, with a pause of its
-      --  own
-
       Bound_Chain
         (Set,
-         (Line_Answer | Battery_Done | Send_Image | Send_Answer
-            | Send_Battery => True,
+         (Line_Answer | Battery_Done | Send_Image | Send_Battery => True,
           others => False),
-         2, Told);
-      Conclude (F4_Unasked, Told.Finish, Told.Exists);
+         1, Ended);
+      Conclude (F4_Unasked, Ended.Finish, Ended.Exists);
 
       --  the robot's line
 
@@ -798,22 +862,23 @@ package body Supervisor_Model with SPARK_Mode is
          Line (Safe_State).Start + Request.Local + Frame_Time (Stop_Frame),
          Line (Safe_State).Exists and then Request.Exists);
 
-      --  the battery: to its request, and from the answer on. What may be
-      --  under way to the monitor goes first; an unanswered command may
-      --  hold the level back
+      --  the battery: to its request, and from the answer on. A command
+      --  without its answer may hold the level back; then that answer goes
+      --  first, with a pause of its own
 
       Bound_Chain
         (Set,
          (Battery_Due | Line_Request => True, others => False),
          0, Asked);
-      Bound_Chain
-        (Set,
-         (Line_Answer | Battery_Done | Send_Image | Send_Battery => True,
-          others => False),
-         1, Ended);
       Conclude
         (F13_Processor, Asked.Finish + Ended.Finish,
          Asked.Exists and then Ended.Exists);
+      Bound_Chain
+        (Set,
+         (Line_Answer | Battery_Done | Send_Image | Send_Answer
+            | Send_Battery => True,
+          others => False),
+         2, Told);
       Conclude
         (F13_Level,
          Line (Battery).Finish + Told.Finish + To_Span (Hold_Limit),
@@ -871,17 +936,34 @@ package body Supervisor_Model with SPARK_Mode is
          Pre_Emptive_Bound (Normal, Row (Name), Value);
       end Bound_One;
 
+      procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds);
+
+      -----------------
+      -- Bound_Owner --
+      -----------------
+
+      procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds) is
+         Alone : Activity_Set := Set;
+      begin
+         Alone (Row (Line_Answer)).Budget := 0;
+         Bound_One (Alone, Line_Request, Value.Request);
+         Alone (Row (Line_Answer)).Budget := Set (Row (Line_Answer)).Budget;
+         Alone (Row (Line_Request)).Budget := 0;
+         Bound_One (Alone, Line_Answer, Value.Answer);
+      end Bound_Owner;
+
       In_Session : Activity_Set;
       Changed    : Boolean;
    begin
-      Result := (others => <>);
       Fill (Choice, Where, On, Under, Result.Set);
       for Round in 1 .. Max_Rounds loop
          for A in Activity_Name loop
             Bound_One (Result.Set, A, Result.Bounds (A));
          end loop;
+         Bound_Owner (Result.Set, Result.Owner);
          Bound_Line
-           (Result.Bounds, Under, Result.Line_Length, Result.Line);
+           (Result.Bounds, Result.Owner, Under, Result.Line_Length,
+            Result.Line);
          Set_Jitters (Result.Set, Result.Bounds, Result.Line, Changed);
          Result.Settled := not Changed;
          exit when Result.Settled;
@@ -900,7 +982,8 @@ package body Supervisor_Model with SPARK_Mode is
       In_Session (Row (Stop)).Budget := 0;
       In_Session (Row (Newcomer)).Budget := 0;
       Judge
-        (In_Session, Result.Bounds, Result.Line, On, Result.Requirements);
+        (In_Session, Result.Bounds, Result.Owner, Result.Line, On,
+         Result.Requirements);
       if not Result.Settled then
          for R of Result.Requirements loop
             R.Known := False;

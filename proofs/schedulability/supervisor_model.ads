@@ -18,24 +18,28 @@ package Supervisor_Model with SPARK_Mode is
       One_Processor);      --  everything on one
 
    type Machine is record
-      Factor        : Positive_Span := 1;
-      --  by which budgets are multiplied
+      Percent       : Positive_Span := 100;
+      --  of the budgets: what they are multiplied by
       Many          : Boolean := False;
       --  a processor for each of the three image tasks; else one for all
    end record
-   with Predicate => Factor <= 1_000;
+   with Predicate => Percent <= 100_000;
 
    type Load is record
       Turnaround : Span := Robot_Turnaround;
       Latency    : Span := Wake_Latency;
       Ideal_Events : Boolean := False;
       --  as if the mutex of a suspension object knew a ceiling
+      Silent     : Boolean := False;
+      --  one exchange stays without an answer, until its time-out
    end record
    with Predicate => Turnaround <= 1_000_000 and then Latency <= 1_000_000;
 
    type Line_Client is
-     (Safe_State, Stop_Order, Reload, Movement, Battery, Other_Order, Ping);
-   --  Of the robot's line, by falling urgency
+     (Safe_State, Stop_Order, Reload, Movement, Battery, Other_Order, Ping,
+      Unanswered);
+   --  Of the robot's line, by falling urgency; then an exchange that is not
+   --  answered, with the probe that brings the line into step again
 
    type Requirement_Name is
      (F2_Admitted,
@@ -77,6 +81,13 @@ package Supervisor_Model with SPARK_Mode is
    subtype Activity_Set is Activity_Array (Row_Index);
 
    type Row_Bounds is array (Activity_Name) of Bound;
+   type Owner_Bounds is record
+      Request : Bound;
+      Answer  : Bound;
+   end record;
+   --  Of the line's owner within one transaction: its two activities do not
+   --  delay each other
+
    type Line_Bounds is array (Line_Client) of Bound;
    type Line_Times is array (Line_Client) of Span;
    type Deadline_Times is array (Activity_Name) of Span;
@@ -85,6 +96,7 @@ package Supervisor_Model with SPARK_Mode is
    type Analysis is record
       Set          : Activity_Set;
       Bounds       : Row_Bounds;
+      Owner        : Owner_Bounds;
       Deadlines    : Deadline_Times := (others => 0);
       --  of one activity, from its arrival; 0: none of its own
       Settled      : Boolean := False;
@@ -94,12 +106,21 @@ package Supervisor_Model with SPARK_Mode is
       Requirements : Requirement_Array;
    end record;
 
+   Reload_Limit : constant Microseconds;
+   --  A reload that is not later than this misses one window at most; the
+   --  robot stops at the third
+
    procedure Analyse
      (Choice : Priority_Choice;
       Where  : Placement;
       On     : Machine;
       Under  : Load;
       Result : out Analysis);
+
+   function Task_Name (Name : Activity_Name) return String;
+
+   function Ceilings_Hold (Choice : Priority_Choice) return Boolean;
+   --  No activity calls an operation whose ceiling is below its priority
 
    function Priority_Of
      (Name : Activity_Name; Choice : Priority_Choice) return Urgency;
@@ -113,5 +134,9 @@ package Supervisor_Model with SPARK_Mode is
    function Load_Of
      (Result : Analysis; Processor : Processor_Number) return Microseconds;
    --  Utilisation in parts per 10_000
+
+private
+
+   Reload_Limit : constant Microseconds := 1_000_000;
 
 end Supervisor_Model;

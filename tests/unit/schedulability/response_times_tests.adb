@@ -1,0 +1,368 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The analysis on published examples whose answers are known.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Response_Times;   use Response_Times;
+
+package body Response_Times_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Unbounded : constant := -1;
+
+   type Answer_Array is array (Activity_Index range <>) of Integer;
+
+   function Item
+     (Priority : Urgency; Period, Budget : Span; Jitter : Span := 0)
+      return Activity
+   is ((Priority => Priority, Period => Period, Budget => Budget,
+        Jitter => Jitter, others => <>));
+
+   procedure Check (Set : Activity_Array; Answers : Answer_Array);
+   --  Pre-emptive responses
+
+   procedure Check_Line (Set : Activity_Array; Answers : Answer_Array);
+   --  The same of a line
+
+   procedure Test_Liu_Layland (T : in out Any_Test);
+   procedure Test_Burns_Wellings_A (T : in out Any_Test);
+   procedure Test_Burns_Wellings_B (T : in out Any_Test);
+   procedure Test_Burns_Wellings_C (T : in out Any_Test);
+   procedure Test_Burns_Wellings_D (T : in out Any_Test);
+   procedure Test_Sha_Goodenough (T : in out Any_Test);
+   procedure Test_Lehoczky (T : in out Any_Test);
+   procedure Test_CAN (T : in out Any_Test);
+   procedure Test_Ceilings (T : in out Any_Test);
+   procedure Test_Ceiling_Table (T : in out Any_Test);
+   procedure Test_Jitter (T : in out Any_Test);
+   procedure Test_Blocking (T : in out Any_Test);
+   procedure Test_Level (T : in out Any_Test);
+   procedure Test_Processors (T : in out Any_Test);
+   procedure Test_Overload (T : in out Any_Test);
+
+   -----------
+   -- Check --
+   -----------
+
+   procedure Check (Set : Activity_Array; Answers : Answer_Array) is
+      Result : Bound;
+   begin
+      for I in Set'Range loop
+         Pre_Emptive_Bound (Set, I, Result);
+         if Answers (I) = Unbounded then
+            Assert (not Result.Exists, "no bound expected of" & I'Image);
+         else
+            Assert
+              (Result.Exists and then Result.Finish = Span (Answers (I)),
+               I'Image & ":" & Result.Finish'Image & " instead of"
+               & Answers (I)'Image);
+         end if;
+      end loop;
+   end Check;
+
+   ----------------
+   -- Check_Line --
+   ----------------
+
+   procedure Check_Line (Set : Activity_Array; Answers : Answer_Array) is
+      Result : Bound;
+   begin
+      for I in Set'Range loop
+         Transaction_Bound (Set, I, Result);
+         Assert
+           (Result.Exists and then Result.Finish = Span (Answers (I)),
+            I'Image & ":" & Result.Finish'Image & " instead of"
+            & Answers (I)'Image);
+      end loop;
+   end Check_Line;
+
+   ----------------------
+   -- Test_Liu_Layland --
+   ----------------------
+
+   procedure Test_Liu_Layland (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      --  C. L. Liu, J. W. Layland, Scheduling Algorithms for Multi-
+      --  programming in a Hard-Real-Time Environment, JACM 20 (1973),
+      --  section 4: T1 = 2, T2 = 5, C1 = C2 = 1. The shorter period first:
+      --  feasible, and C2 can be raised to 2 but no further (3 would be
+      --  more than the processor has)
+      Check ((Item (2, 2, 1), Item (1, 5, 1)), (1, 2));
+      Check ((Item (2, 2, 1), Item (1, 5, 2)), (1, 4));
+      Check ((Item (2, 2, 1), Item (1, 5, 3)), (1, Unbounded));
+      --  the other way round neither can be raised: here C2 = 2
+      Check ((Item (1, 2, 1), Item (2, 5, 1)), (2, 1));
+      Check ((Item (1, 2, 1), Item (2, 5, 2)), (3, 2));
+   end Test_Liu_Layland;
+
+   ---------------------------
+   -- Test_Burns_Wellings_A --
+   ---------------------------
+
+   --  A. Burns, A. Wellings, Real-Time Systems and Programming Languages,
+   --  the chapter on scheduling: the example task sets A to C of the
+   --  utilisation-based test, D of the response-time analysis
+
+   procedure Test_Burns_Wellings_A (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      --  fails the test at 0.82, and task a misses its deadline of 50
+      Check ((Item (1, 50, 12), Item (2, 40, 10), Item (3, 30, 10)),
+             (52, 20, 10));
+   end Test_Burns_Wellings_A;
+
+   ---------------------------
+   -- Test_Burns_Wellings_B --
+   ---------------------------
+
+   procedure Test_Burns_Wellings_B (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      --  passes at 0.775
+      Check ((Item (1, 80, 32), Item (2, 40, 5), Item (3, 16, 4)),
+             (58, 9, 4));
+   end Test_Burns_Wellings_B;
+
+   ---------------------------
+   -- Test_Burns_Wellings_C --
+   ---------------------------
+
+   procedure Test_Burns_Wellings_C (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      --  at 1.0, and yet all deadlines are met, the last at 80 of 80
+      Check ((Item (1, 80, 40), Item (2, 40, 10), Item (3, 20, 5)),
+             (80, 15, 5));
+   end Test_Burns_Wellings_C;
+
+   ---------------------------
+   -- Test_Burns_Wellings_D --
+   ---------------------------
+
+   procedure Test_Burns_Wellings_D (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      --  worked in the text: 3, 6, and 20 after 5, 11, 14, 17
+      Check ((Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5)),
+             (3, 6, 20));
+   end Test_Burns_Wellings_D;
+
+   -------------------------
+   -- Test_Sha_Goodenough --
+   -------------------------
+
+   procedure Test_Sha_Goodenough (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      --  L. Sha, J. B. Goodenough, Real-Time Scheduling Theory and Ada,
+      --  IEEE Computer 23 (1990): with C1 = 40 beyond the bound for three
+      --  tasks, but the third ends at 300, before its period of 350
+      Check ((Item (3, 100, 40), Item (2, 150, 40), Item (1, 350, 100)),
+             (40, 80, 300));
+   end Test_Sha_Goodenough;
+
+   -------------------
+   -- Test_Lehoczky --
+   -------------------
+
+   procedure Test_Lehoczky (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      --  J. P. Lehoczky, Fixed Priority Scheduling of Periodic Task Sets
+      --  with Arbitrary Deadlines, RTSS 1990: the releases of task 2 take
+      --  114, 102, 116, 104, 118, 106, 94; not the first is the worst
+      Check ((Item (2, 70, 26), Item (1, 100, 62)), (26, 118));
+   end Test_Lehoczky;
+
+   --------------
+   -- Test_CAN --
+   --------------
+
+   procedure Test_CAN (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      --  R. I. Davis, A. Burns, R. J. Bril, J. J. Lukkien, Controller Area
+      --  Network (CAN) schedulability analysis: refuted, revisited and
+      --  revised, Real-Time Systems 35 (2007): three messages of 1 ms. The
+      --  second instance of the third takes 3.5 ms, where the analysis
+      --  that they refute gives 3
+      Check_Line
+        ((Item (3, 2_500, 1_000), Item (2, 3_500, 1_000),
+          Item (1, 3_500, 1_000)),
+         (2_000, 3_000, 3_500));
+   end Test_CAN;
+
+   -------------------
+   -- Test_Ceilings --
+   -------------------
+
+   procedure Test_Ceilings (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      --  Burns and Wellings, the exercise on the priority ceiling protocol:
+      --  tasks a to e, resources R1 to R6 of 50, 150, 75, 300, 250, 175 ms;
+      --  a uses R3, b R1 and R2, c R3, R4 and R5, d R1, R5 and R6, e R2
+      --  and R6
+      Set : constant Activity_Array :=
+        (Item (5, 1, 0), Item (4, 1, 0), Item (3, 1, 0), Item (2, 1, 0),
+         Item (1, 1, 0));
+      Uses : constant Section_Array (1 .. 5, 1 .. 6) :=
+        ((0, 0, 75, 0, 0, 0),
+         (50, 150, 0, 0, 0, 0),
+         (0, 0, 75, 300, 250, 0),
+         (50, 0, 0, 0, 250, 175),
+         (0, 150, 0, 0, 0, 175));
+      Ceilings : constant Ceiling_Array := Least_Ceilings (Set, Uses);
+      Expected : constant array (1 .. 5) of Span := (75, 150, 250, 175, 0);
+   begin
+      Assert (Ceilings = (4, 4, 5, 3, 3, 2), "ceilings");
+      for I in Set'Range loop
+         Assert (Ceiling_Blocking (Set, Uses, Ceilings, I) = Expected (I),
+                 "blocking of" & I'Image);
+      end loop;
+   end Test_Ceilings;
+
+   ------------------------
+   -- Test_Ceiling_Table --
+   ------------------------
+
+   procedure Test_Ceiling_Table (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      --  G. Buttazzo, Hard Real-Time Computing Systems, the chapter on
+      --  resource access: four tasks, three semaphores, under the priority
+      --  ceiling protocol
+      Set : constant Activity_Array :=
+        (Item (4, 1, 0), Item (3, 1, 0), Item (2, 1, 0), Item (1, 1, 0));
+      Uses : constant Section_Array (1 .. 4, 1 .. 3) :=
+        ((1, 2, 0),
+         (0, 9, 3),
+         (8, 7, 0),
+         (6, 5, 4));
+      Ceilings : constant Ceiling_Array := Least_Ceilings (Set, Uses);
+      Expected : constant array (1 .. 4) of Span := (9, 8, 6, 0);
+   begin
+      for I in Set'Range loop
+         Assert (Ceiling_Blocking (Set, Uses, Ceilings, I) = Expected (I),
+                 "blocking of" & I'Image);
+      end loop;
+   end Test_Ceiling_Table;
+
+   -----------------
+   -- Test_Jitter --
+   -----------------
+
+   procedure Test_Jitter (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Bound;
+   begin
+      --  by hand: releases of the first may be 8 apart, so two of them meet
+      --  the second: 3 + 2 x 4
+      Check ((Item (2, 12, 4, Jitter => 4), Item (1, 30, 5)), (8, 13));
+      Check ((Item (2, 12, 4), Item (1, 30, 5)), (4, 9));
+      --  two releases at once and the third 2 later: this ends at 12, 10
+      --  after its release
+      Pre_Emptive_Bound
+        ((1 => Item (1, 10, 4, Jitter => 18)), 1, Result);
+      Assert (Result.Finish = 22, Result.Finish'Image);
+      Assert (Result.Local = 10, Result.Local'Image);
+   end Test_Jitter;
+
+   -------------------
+   -- Test_Blocking --
+   -------------------
+
+   procedure Test_Blocking (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Set : Activity_Array :=
+        (Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5));
+   begin
+      --  set D of Burns and Wellings with sections of 2 below: 3 + 2, and
+      --  3 + 2 + 2 x 3, for the window goes beyond 7
+      Set (1).Blocking := 2;
+      Set (2).Blocking := 2;
+      Check (Set, (5, 11, 20));
+   end Test_Blocking;
+
+   ----------------
+   -- Test_Level --
+   ----------------
+
+   procedure Test_Level (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Set : Activity_Array :=
+        (Item (3, 50, 2), Item (2, 50, 7), Item (1, 50, 3));
+   begin
+      Check (Set, (2, 9, 12));
+      --  the first shares a lock without ceiling with the third
+      Set (1).Level := 1;
+      Check (Set, (12, 9, 12));
+   end Test_Level;
+
+   ---------------------
+   -- Test_Processors --
+   ---------------------
+
+   procedure Test_Processors (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Set : Activity_Array :=
+        (Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5));
+   begin
+      Set (1).Processor := 2;
+      Check (Set, (3, 3, 8));
+   end Test_Processors;
+
+   -------------------
+   -- Test_Overload --
+   -------------------
+
+   procedure Test_Overload (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Bound;
+   begin
+      Check ((Item (2, 10, 6), Item (1, 20, 9)), (6, Unbounded));
+      Transaction_Bound
+        (Activity_Array'(Item (2, 10, 6), Item (1, 20, 9)), 2, Result);
+      Assert (not Result.Exists, "a line that never rests has no bound");
+      --  a full load leaves a bound
+      Check ((Item (2, 10, 5), Item (1, 20, 10)), (5, 20));
+   end Test_Overload;
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Liu_Layland'Access, "Liu and Layland 1973");
+      Register_Routine
+        (T, Test_Burns_Wellings_A'Access, "Burns and Wellings, set A");
+      Register_Routine
+        (T, Test_Burns_Wellings_B'Access, "Burns and Wellings, set B");
+      Register_Routine
+        (T, Test_Burns_Wellings_C'Access, "Burns and Wellings, set C");
+      Register_Routine
+        (T, Test_Burns_Wellings_D'Access, "Burns and Wellings, set D");
+      Register_Routine
+        (T, Test_Sha_Goodenough'Access, "Sha and Goodenough 1990");
+      Register_Routine (T, Test_Lehoczky'Access, "Lehoczky 1990");
+      Register_Routine (T, Test_CAN'Access, "Davis and others 2007");
+      Register_Routine
+        (T, Test_Ceilings'Access, "Burns and Wellings, ceilings");
+      Register_Routine (T, Test_Ceiling_Table'Access, "Buttazzo, ceilings");
+      Register_Routine (T, Test_Jitter'Access, "release jitter");
+      Register_Routine (T, Test_Blocking'Access, "blocking");
+      Register_Routine (T, Test_Level'Access, "a lock without ceiling");
+      Register_Routine (T, Test_Processors'Access, "two processors");
+      Register_Routine (T, Test_Overload'Access, "overload has no bound");
+   end Register_Tests;
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Response_Times"));
+
+end Response_Times_Tests;

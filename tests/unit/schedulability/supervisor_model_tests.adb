@@ -1,0 +1,247 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The supervisor as the analysis sees it: complete, and sensitive.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Ada.Characters.Handling; use Ada.Characters.Handling;
+with Ada.Strings;             use Ada.Strings;
+with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
+with Ada.Text_IO;             use Ada.Text_IO;
+
+with Budgets;          use Budgets;
+with Response_Times;   use Response_Times;
+with Supervisor_Model; use Supervisor_Model;
+
+package body Supervisor_Model_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Usual : constant Load := (Ideal_Events => True, others => <>);
+
+   function Reduced (Name : String) return String;
+   --  In lower case, without underlines
+
+   function Is_Analysed (Name : String) return Boolean is
+     (for some A in Activity_Name =>
+        Reduced (Task_Name (A)) = Reduced (Name));
+
+   procedure Check_Tasks (File_Name : String; Found : in out Natural);
+   --  The tasks that it declares are analysed
+
+   procedure Test_Complete (T : in out Any_Test);
+   procedure Test_Ceilings (T : in out Any_Test);
+   procedure Test_Here (T : in out Any_Test);
+   procedure Test_Cortex (T : in out Any_Test);
+   procedure Test_Report (T : in out Any_Test);
+   procedure Test_Slow_Robot (T : in out Any_Test);
+   procedure Test_Slow_Kernel (T : in out Any_Test);
+   procedure Test_Slow_Processor (T : in out Any_Test);
+   procedure Test_Inverted (T : in out Any_Test);
+
+   -------------
+   -- Reduced --
+   -------------
+
+   function Reduced (Name : String) return String is
+      Result : String (Name'Range);
+      Last   : Natural := Name'First - 1;
+   begin
+      for C of Name loop
+         if C /= '_' then
+            Last := Last + 1;
+            Result (Last) := To_Lower (C);
+         end if;
+      end loop;
+      return Result (Name'First .. Last);
+   end Reduced;
+
+   -----------------
+   -- Check_Tasks --
+   -----------------
+
+   procedure Check_Tasks (File_Name : String; Found : in out Natural) is
+      Head : constant String := "task ";
+      File : File_Type;
+   begin
+      Open (File, In_File, "src/tasks/" & File_Name);
+      while not End_Of_File (File) loop
+         declare
+            Line : constant String := Trim (Get_Line (File), Both);
+            Last : Natural;
+         begin
+            if Index (Line, Head) = 1 then
+               Last := Index (Line & " ", " ", Head'Length + 1) - 1;
+               Assert
+                 (Is_Analysed (Line (Head'Length + 1 .. Last)),
+                  Line & " is not analysed");
+               Found := Found + 1;
+            end if;
+         end;
+      end loop;
+      Close (File);
+   end Check_Tasks;
+
+   -------------------
+   -- Test_Complete --
+   -------------------
+
+   procedure Test_Complete (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Found : Natural := 0;
+   begin
+      Check_Tasks ("monitor_tasks.ads", Found);
+      Check_Tasks ("robot_tasks.ads", Found);
+      Check_Tasks ("vision_tasks.ads", Found);
+      Check_Tasks ("support_tasks.ads", Found);
+      Assert (Found = 21, "tasks declared:" & Found'Image);
+   end Test_Complete;
+
+   -------------------
+   -- Test_Ceilings --
+   -------------------
+
+   procedure Test_Ceilings (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Ceilings_Hold (Of_The_Table), "table");
+      Assert (Ceilings_Hold (Of_The_Report), "report");
+   end Test_Ceilings;
+
+   ---------------
+   -- Test_Here --
+   ---------------
+
+   procedure Test_Here (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Analysis;
+   begin
+      Analyse
+        (Of_The_Table, Real_Time_Apart, (others => <>), Usual, Result);
+      Assert (Result.Settled, "not settled");
+      Assert (All_Met (Result), "a deadline is missed");
+   end Test_Here;
+
+   -----------------
+   -- Test_Cortex --
+   -----------------
+
+   procedure Test_Cortex (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Analysis;
+   begin
+      Analyse
+        (Of_The_Table, Real_Time_Apart,
+         (Percent => 100 * Cortex_A53_Factor, Many => True), Usual, Result);
+      Assert (Deadlines_Met (Result), "a deadline is missed");
+   end Test_Cortex;
+
+   -----------------
+   -- Test_Report --
+   -----------------
+
+   procedure Test_Report (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Analysis;
+   begin
+      Analyse
+        (Of_The_Report, One_Processor, (others => <>), Usual, Result);
+      Assert (not Met (Result.Requirements (F11_Reload)), "F11");
+      Assert (not Met (Result.Requirements (F12_First_Byte)), "F12");
+      Assert (Met (Result.Requirements (F2_Admitted)), "F2");
+   end Test_Report;
+
+   ---------------------
+   -- Test_Slow_Robot --
+   ---------------------
+
+   procedure Test_Slow_Robot (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Analysis;
+   begin
+      Analyse
+        (Of_The_Table, Real_Time_Apart, (others => <>),
+         (Turnaround => 40_000, Ideal_Events => True, others => <>),
+         Result);
+      Assert (not Met (Result.Requirements (F11_Reload)), "F11");
+      Assert (Met (Result.Requirements (F12_First_Byte)),
+              "the processor's part does not depend on the robot");
+   end Test_Slow_Robot;
+
+   ----------------------
+   -- Test_Slow_Kernel --
+   ----------------------
+
+   procedure Test_Slow_Kernel (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Analysis;
+   begin
+      Analyse
+        (Of_The_Table, Real_Time_Apart, (others => <>),
+         (Latency => 2_000, Ideal_Events => True, others => <>), Result);
+      Assert (not Met (Result.Requirements (F12_First_Byte)), "F12");
+   end Test_Slow_Kernel;
+
+   -------------------------
+   -- Test_Slow_Processor --
+   -------------------------
+
+   procedure Test_Slow_Processor (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Analysis;
+   begin
+      Analyse
+        (Of_The_Table, Real_Time_Apart, (Percent => 3_000, Many => True),
+         Usual, Result);
+      Assert (not Deadlines_Met (Result), "nothing is missed");
+   end Test_Slow_Processor;
+
+   -------------------
+   -- Test_Inverted --
+   -------------------
+
+   procedure Test_Inverted (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Ideal, Inverted : Analysis;
+   begin
+      Analyse (Of_The_Table, Real_Time_Apart, (others => <>), Usual, Ideal);
+      Analyse
+        (Of_The_Table, Real_Time_Apart, (others => <>), (others => <>),
+         Inverted);
+      for R in Requirement_Name loop
+         Assert
+           (Inverted.Requirements (R).Bound >= Ideal.Requirements (R).Bound,
+            R'Image & " is better with an inversion");
+      end loop;
+   end Test_Inverted;
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine
+        (T, Test_Complete'Access, "every task of src/tasks is analysed");
+      Register_Routine
+        (T, Test_Ceilings'Access, "no ceiling below a caller");
+      Register_Routine (T, Test_Here'Access, "every deadline is met");
+      Register_Routine (T, Test_Cortex'Access, "on a Cortex-A53 too");
+      Register_Routine
+        (T, Test_Report'Access, "the report's priorities miss F11 and F12");
+      Register_Routine (T, Test_Slow_Robot'Access, "a slow robot is seen");
+      Register_Routine (T, Test_Slow_Kernel'Access, "a slow kernel is seen");
+      Register_Routine
+        (T, Test_Slow_Processor'Access, "a slow processor is seen");
+      Register_Routine
+        (T, Test_Inverted'Access, "an inversion makes nothing better");
+   end Register_Tests;
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Supervisor_Model"));
+
+end Supervisor_Model_Tests;
