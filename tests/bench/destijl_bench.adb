@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Prints the figures of F4, F11, F12, F13 and F15 under full load: images
---  with positions, 30 commands a second, two busy loops.
+--  with positions, 30 commands a second, two busy loops; and the processor
+--  times of the tasks beside the budgets of the response-time analysis.
 
 with Ada.Command_Line;      use Ada.Command_Line;
 with Ada.Exceptions;
@@ -23,13 +24,14 @@ with Monitor_Clients;       use Monitor_Clients;
 with Programs;
 with Rigs;                  use Rigs;
 with Samples;
+with Task_Times;
 
 procedure Destijl_Bench is
 
    Bad_Usage : exception;
 
    Seconds : Positive := 60;
-   --  of each of the two measurements
+   --  of each of the three measurements
    Quick_Seconds : constant := 10;
 
    procedure Read_Command_Line;
@@ -45,7 +47,8 @@ procedure Destijl_Bench is
    --  For the calling thread, where it is allowed: the times that the
    --  benchmark notes are not those of its own waiting
 
-   procedure Measure (Baud : Natural);
+   procedure Measure (Baud : Natural; Tasks : Boolean := False);
+   --  Tasks: the processor time of the tasks instead of the delays
 
    -----------------
    -- Print_Usage --
@@ -185,7 +188,7 @@ procedure Destijl_Bench is
    -- Measure --
    -------------
 
-   procedure Measure (Baud : Natural) is
+   procedure Measure (Baud : Natural; Tasks : Boolean := False) is
       use Ada.Numerics.Float_Random;
 
       Answer_Bytes : constant := 3;
@@ -394,6 +397,9 @@ procedure Destijl_Bench is
       Reset (Source, 5544);
       R.Emulator.Clear_Journal;
       First := R.Monitor.Count + 1;
+      if Tasks then
+         Task_Times.Start (R.Supervisor.Pid);
+      end if;
       Start := Now;
       while Now - Start < Duration (Seconds) loop
          Amount := Amount + 1;
@@ -421,6 +427,11 @@ procedure Destijl_Bench is
          end if;
       end loop;
       Prefer_Real_Time (False);
+      if Tasks then
+         Task_Times.Stop;
+         Task_Times.Print;
+         return;
+      end if;
 
       Journal := R.Emulator.Journal;
       Missed := R.Emulator.Status_Number ("missed_total");
@@ -472,6 +483,7 @@ begin
    Print_Machine;
    Measure (Baud => 9_600);
    Measure (Baud => 0);
+   Measure (Baud => 9_600, Tasks => True);
    Programs.Remove_Temporary_Folder;
    GNAT.OS_Lib.OS_Exit (0);
 

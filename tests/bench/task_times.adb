@@ -1,0 +1,248 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The processor time that the supervisor's tasks use, from the kernel, and
+--  beside it what the response-time analysis allows them.
+
+with Ada.Characters.Handling; use Ada.Characters.Handling;
+with Ada.Containers.Vectors;
+with Ada.Directories;         use Ada.Directories;
+with Ada.Strings;             use Ada.Strings;
+with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
+with Ada.Text_IO;             use Ada.Text_IO;
+with Interfaces.C;            use Interfaces.C;
+with System;
+
+with Budgets;                 use Budgets;
+with Instants;                use Instants;
+with Libc;
+with Response_Times;
+with Samples;
+with Supervisor_Model;
+
+package body Task_Times is
+
+   Pause : constant Duration := 0.002;
+   --  that ends a run
+   Between_Looks : constant Duration := 0.000_4;
+
+   type Thread is record
+      Name    : Unbounded_String;
+      File    : int      := -1;
+      Used    : Duration := 0.0;   --  in all, at the last look
+      Run     : Duration := 0.0;   --  in the run under way
+      Changed : Instant  := Never; --  when it was last seen to have run
+      Runs    : Samples.Set;
+   end record;
+
+   package Thread_Vectors is new Ada.Containers.Vectors (Positive, Thread);
+
+   Threads : Thread_Vectors.Vector;
+
+   function Pread
+     (File : int; Buffer : System.Address; Size : size_t; Offset : long)
+      return long
+   with Import, Convention => C, External_Name => "pread";
+
+   function Reduced (Name : String) return String;
+   --  In lower case, without underlines
+
+   function Budget_Of (Name : String) return Duration;
+   --  The longest of its activities'. Name: as the kernel keeps it, 15
+   --  characters
+
+   procedure Look (Item : in out Thread);
+
+   task type Watch_Task is
+      entry Stop;
+   end Watch_Task;
+
+   type Watch_Access is access Watch_Task;
+
+   Watch : Watch_Access;
+
+   -------------
+   -- Reduced --
+   -------------
+
+   function Reduced (Name : String) return String is
+      Result : Unbounded_String;
+   begin
+      for C of Name loop
+         if C /= '_' then
+            Append (Result, To_Lower (C));
+         end if;
+      end loop;
+      return To_String (Result);
+   end Reduced;
+
+   ---------------
+   -- Budget_Of --
+   ---------------
+
+   function Budget_Of (Name : String) return Duration is
+      Short : constant String := Reduced (Name);
+      Exact : Boolean := False;
+      Most  : Response_Times.Span := 0;
+   begin
+      for A in Activity_Name loop
+         Exact := Exact
+           or else Reduced (Supervisor_Model.Task_Name (A)) = Short;
+      end loop;
+      for A in Activity_Name loop
+         declare
+            Whole : constant String :=
+              Reduced (Supervisor_Model.Task_Name (A));
+         begin
+            if Whole = Short
+              or else (not Exact and then Index (Whole, Short) = 1)
+            then
+               Most := Response_Times.Span'Max (Most, Processor_Time (A));
+            end if;
+         end;
+      end loop;
+      return Duration (Most) / 1_000_000;
+   end Budget_Of;
+
+   ----------
+   -- Look --
+   ----------
+
+   procedure Look (Item : in out Thread) is
+      Text : String (1 .. 80);
+      Got  : constant long :=
+        Pread (Item.File, Text'Address, Text'Length, 0);
+      Last : Natural;
+      Used : Duration;
+      Time : constant Instant := Now;
+   begin
+      if Got <= 0 then
+         return;
+      end if;
+      --  nanoseconds on a processor, waiting for one, times on one
+      Last := Index (Text (1 .. Natural (Got)), " ") - 1;
+      Used := Duration (Long_Long_Integer'Value (Text (1 .. Last)) / 1_000)
+        / 1_000_000;
+      if Item.Changed = Never then
+         Item.Changed := Time;
+      elsif Used > Item.Used then
+         Item.Run := Item.Run + (Used - Item.Used);
+         Item.Changed := Time;
+      elsif Item.Run > 0.0 and then Time - Item.Changed > Pause then
+         Item.Runs.Add (Item.Run);
+         Item.Run := 0.0;
+      end if;
+      Item.Used := Used;
+   end Look;
+
+   ----------------
+   -- Watch_Task --
+   ----------------
+
+   task body Watch_Task is
+      Highest : aliased Libc.Sched_Param :=
+        (Priority => Libc.Above_Supervisor);
+      Unused  : constant int :=
+        Libc.Sched_Setscheduler (0, Libc.Sched_Fifo, Highest'Access);
+      --  where it is allowed: it must see the end of each run
+      pragma Unreferenced (Unused);
+   begin
+      loop
+         select
+            accept Stop;
+            exit;
+         or
+            delay Between_Looks;
+         end select;
+         for Item of Threads loop
+            Look (Item);
+         end loop;
+      end loop;
+   end Watch_Task;
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start (Process : Interfaces.C.int) is
+      Folder : constant String :=
+        "/proc/" & Trim (int'Image (Process), Both) & "/task";
+
+      procedure Add (Which : Directory_Entry_Type);
+
+      procedure Add (Which : Directory_Entry_Type) is
+         Place : constant String := Folder & "/" & Simple_Name (Which);
+         File  : File_Type;
+         Item  : Thread;
+      begin
+         if Simple_Name (Which) in "." | ".." then
+            return;
+         end if;
+         Open (File, In_File, Place & "/comm");
+         Item.Name := To_Unbounded_String (Get_Line (File));
+         Close (File);
+         Item.File := Libc.Open
+           (To_C (Place & "/schedstat"), Libc.O_Rdonly + Libc.O_Cloexec);
+         Threads.Append (Item);
+      end Add;
+
+   begin
+      Threads.Clear;
+      Search (Folder, "", (Directory => True, others => False), Add'Access);
+      Watch := new Watch_Task;
+   end Start;
+
+   ----------
+   -- Stop --
+   ----------
+
+   procedure Stop is
+      Unused : int;
+   begin
+      Watch.Stop;
+      for Item of Threads loop
+         Unused := Libc.Close (Item.File);
+      end loop;
+   end Stop;
+
+   -----------
+   -- Print --
+   -----------
+
+   procedure Print is
+
+      Width : constant := 12;
+
+      function Shown (Value : Duration) return String is
+        (Tail (Trim (Integer'Image (Integer (Value * 1_000_000)), Both),
+               Width));
+
+      procedure Put (Item : Thread);
+
+      procedure Put (Item : Thread) is
+         Name    : constant String := To_String (Item.Name);
+         Budget  : constant Duration := Budget_Of (Name);
+         Longest : constant Duration := Item.Runs.Quantile (1.0);
+      begin
+         if Item.Runs.Count > 0 and then Budget > 0.0 then
+            Put_Line
+              (Head (Name, 20)
+               & Tail (Trim (Natural'Image (Item.Runs.Count), Both), Width)
+               & Shown (Item.Runs.Quantile (0.5))
+               & Shown (Item.Runs.Quantile (0.99))
+               & Shown (Longest) & Shown (Budget)
+               & (if Longest <= Budget then "  within"
+                  else "  above"));
+         end if;
+      end Put;
+
+   begin
+      Put_Line
+        (Head ("processor time in us", 20) & Tail ("runs", Width)
+         & Tail ("median", Width) & Tail ("p99", Width)
+         & Tail ("max", Width) & Tail ("budget", Width));
+      for Item of Threads loop
+         Put (Item);
+      end loop;
+   end Print;
+
+end Task_Times;
