@@ -1,0 +1,244 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Prints how long operations of the protected objects take, as a task of
+--  the supervisor sees them, with the events that they set.
+
+with Ada.Real_Time;  use Ada.Real_Time;
+with Ada.Text_IO;    use Ada.Text_IO;
+with GNAT.OS_Lib;
+
+with Camera_Requests;
+with Journal;
+with Line_Requests;
+with Monitor_Protocol;
+with Options;
+with Orders;
+with Outbox;
+with Robot_Line;
+with Robot_Session;
+with Schedule;
+with Session;
+with Settings;
+with Task_Ports;
+with Texts;
+with Vision_State;
+
+procedure Operation_Times with Priority => Schedule.Line_Priority is
+
+   Calls : constant := 20_000;
+
+   type Sample_Index is range 1 .. Calls;
+   type Sample_Array is array (Sample_Index) of Natural;
+
+   Samples : Sample_Array;  --  in nanoseconds
+   Sample  : Sample_Index := 1;
+   Begun   : Time;
+
+   Image        : Outbox.Message_Buffer := (others => 'A');
+   Image_Length : constant := 100_000;
+   --  of an image of 640x480, in base64
+
+   procedure Start;
+   procedure Stop;
+   procedure Report (Name : String);
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start is
+   begin
+      Begun := Clock;
+   end Start;
+
+   ----------
+   -- Stop --
+   ----------
+
+   procedure Stop is
+   begin
+      Samples (Sample) := (Clock - Begun) / Nanoseconds (1);
+      if Sample < Sample_Index'Last then
+         Sample := Sample + 1;
+      end if;
+   end Stop;
+
+   ------------
+   -- Report --
+   ------------
+
+   procedure Report (Name : String) is
+      Last  : constant Sample_Index := Sample;
+      Value : Natural;
+      Place : Sample_Index;
+   begin
+      --  Shell sort: enough for this
+      for Gap of Sample_Array'(1 => 9_001, 2 => 2_048, 3 => 701, 4 => 301,
+                               5 => 132, 6 => 57, 7 => 23, 8 => 10,
+                               9 => 4, others => 1)
+      loop
+         for I in Sample_Index (Gap) + 1 .. Last loop
+            Value := Samples (I);
+            Place := I;
+            while Place > Sample_Index (Gap)
+              and then Samples (Place - Sample_Index (Gap)) > Value
+            loop
+               Samples (Place) := Samples (Place - Sample_Index (Gap));
+               Place := Place - Sample_Index (Gap);
+            end loop;
+            Samples (Place) := Value;
+         end loop;
+         exit when Gap = 1;
+      end loop;
+      Put_Line
+        (Name & (Name'Length + 1 .. 26 => ' ')
+         & Integer'Image (Samples (Last / 2 + 1))
+         & Integer'Image (Samples (Last - Last / 100))
+         & Integer'Image (Samples (Last - Last / 1000))
+         & Integer'Image (Samples (Last)));
+      Sample := 1;
+   end Report;
+
+   Number : Orders.Ticket;
+   Open   : Boolean;
+   Made   : Outbox.Generation;
+   Kind   : Outbox.Message_Kind;
+   Length : Outbox.Message_Length;
+   Order  : Orders.Order;
+   Status : Robot_Line.Status;
+   Job    : Line_Requests.Job;
+   View   : Vision_State.View;
+   Stage  : Session.Stage_Kind;
+   Chosen : Options.Values;
+   Wanted : Boolean;
+   Text   : Texts.Text;
+
+begin
+   Put_Line ("nanoseconds: median, 99 %, 99.9 %, longest");
+   Outbox.Open_Session;
+   for I in Sample_Index loop
+      Start;
+      Outbox.Reserve (Number, Open);
+      Stop;
+      Outbox.Answer (Number, Monitor_Protocol.Acknowledged);
+      Outbox.Take (Kind, Image, Length);
+      Outbox.Sent;
+   end loop;
+   Report ("Outbox.Reserve");
+
+   for I in Sample_Index loop
+      Outbox.Reserve (Number, Open);
+      Start;
+      Outbox.Answer (Number, Monitor_Protocol.Acknowledged);
+      Stop;
+      Outbox.Take (Kind, Image, Length);
+      Outbox.Sent;
+   end loop;
+   Report ("Outbox.Answer");
+
+   for I in Sample_Index loop
+      Outbox.Get_Generation (Made);
+      Start;
+      Outbox.Put_Image (Image, Image_Length, Made);
+      Stop;
+   end loop;
+   Report ("Outbox.Put_Image");
+
+   for I in Sample_Index range 1 .. 5_000 loop
+      Outbox.Get_Generation (Made);
+      Outbox.Put_Image (Image, Image_Length, Made);
+      Start;
+      Outbox.Take (Kind, Image, Length);
+      Stop;
+      Outbox.Sent;
+   end loop;
+   Report ("Outbox.Take, an image");
+
+   for I in Sample_Index loop
+      Start;
+      Robot_Line.Put
+        (Line_Requests.Battery,
+         (Kind => Robot_Session.Get_Battery, others => <>));
+      Stop;
+      Robot_Line.Take (Job, Open);
+   end loop;
+   Report ("Robot_Line.Put");
+
+   for I in Sample_Index loop
+      Robot_Line.Put
+        (Line_Requests.Battery,
+         (Kind => Robot_Session.Get_Battery, others => <>));
+      Start;
+      Robot_Line.Take (Job, Open);
+      Stop;
+   end loop;
+   Report ("Robot_Line.Take");
+
+   for I in Sample_Index loop
+      Start;
+      Robot_Line.Get_Status (Status);
+      Stop;
+   end loop;
+   Report ("Robot_Line.Get_Status");
+
+   Order.Message := (Kind => Monitor_Protocol.Go_Forward, others => <>);
+   for I in Sample_Index loop
+      Start;
+      Task_Ports.Move.Put (Order);
+      Stop;
+      Task_Ports.Move.Wait (Order);
+   end loop;
+   Report ("Order_Ports.Put");
+
+   for I in Sample_Index loop
+      Task_Ports.Move.Put (Order);
+      Start;
+      Task_Ports.Move.Wait (Order);
+      Stop;
+   end loop;
+   Report ("Order_Ports.Wait");
+
+   for I in Sample_Index loop
+      Start;
+      Vision_State.Get (View);
+      Stop;
+   end loop;
+   Report ("Vision_State.Get");
+
+   for I in Sample_Index loop
+      Start;
+      Camera_Requests.Get_Wanted (0, Wanted);
+      Stop;
+   end loop;
+   Report ("Camera_Requests.Get_Wanted");
+
+   for I in Sample_Index loop
+      Start;
+      Session.Get_Stage (Stage);
+      Stop;
+   end loop;
+   Report ("Session.Get_Stage");
+
+   for I in Sample_Index loop
+      Start;
+      Settings.Get (Chosen);
+      Stop;
+   end loop;
+   Report ("Settings.Get");
+
+   Texts.Set (Text, "received RMOV:-12345");
+   for I in Sample_Index loop
+      Start;
+      Journal.Put (Options.Debug, Text);
+      Stop;
+   end loop;
+   Report ("Journal.Put, not kept");
+
+   for I in Sample_Index range 1 .. 256 loop
+      Start;
+      Journal.Put (Options.Info, Text);
+      Stop;
+   end loop;
+   Report ("Journal.Put, kept");
+
+   GNAT.OS_Lib.OS_Exit (0);
+end Operation_Times;
