@@ -256,7 +256,7 @@ package body Supervisor_Model with SPARK_Mode is
       return Processor_Number
    is
      (if Where = One_Processor then 1
-      elsif Name = Capture then 2
+      elsif Name in Capture | Console | Environment then 2
       elsif Name = Arena then (if On.Many then 3 else 2)
       elsif Name = Camera then (if On.Many then 4 else 2)
       else 1);
@@ -914,7 +914,8 @@ package body Supervisor_Model with SPARK_Mode is
       Result : out Analysis)
    is
       procedure Bound_One
-        (Set : Activity_Set; Name : Activity_Name; Value : out Bound);
+        (Set : Activity_Set; Name : Activity_Name; Value : out Bound)
+      with Global => null;
 
       ---------------
       -- Bound_One --
@@ -936,7 +937,8 @@ package body Supervisor_Model with SPARK_Mode is
          Pre_Emptive_Bound (Normal, Row (Name), Value);
       end Bound_One;
 
-      procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds);
+      procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds)
+      with Global => null;
 
       -----------------
       -- Bound_Owner --

@@ -14,7 +14,8 @@ package Supervisor_Model with SPARK_Mode is
    --  of the threads that did the work there
 
    type Placement is
-     (Real_Time_Apart,     --  tasks above the image work on one processor
+     (Real_Time_Apart,     --  --cpu: all tasks but the image work and the
+                           --  console on one processor
       One_Processor);      --  everything on one
 
    type Machine is record
