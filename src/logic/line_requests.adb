@@ -5,18 +5,66 @@
 
 package body Line_Requests with SPARK_Mode is
 
+   procedure Prove_Transitivity (R : Requests; From, Best : Client)
+   with
+     Ghost,
+     Pre  => Best < From
+       and then Is_Pending (R, From)
+       and then Is_Pending (R, Best)
+       and then Is_Before (R, From, Best),
+     Post =>
+       (for all C in Client =>
+          (if C < From and then Is_Pending (R, C)
+             and then not Is_Before (R, C, Best)
+           then not Is_Before (R, C, From)));
+   --  What does not come before Best does not come before what does
+
    -------------------
    -- Begin_Session --
    -------------------
 
    procedure Begin_Session (R : in out Requests; First : Orders.Ticket) is
    begin
-      R.First := First;
+      R.First_Order := First;
       R.Last_Stop := 0;
       R.Completed := 0;
-      R.Changed := 0;
+      R.Last_Change := 0;
       Order_Queues.Clear (R.Stops);
    end Begin_Session;
+
+   ------------
+   -- Choose --
+   ------------
+
+   procedure Choose
+     (R     : Requests;
+      Quiet : Boolean;
+      From  : out Client;
+      Found : out Boolean) is
+   begin
+      From := Keep_Alive;
+      Found := False;
+      for Next in Client loop
+         if May_Go (R, Next, Quiet) then
+            if not Found then
+               From := Next;
+               Found := True;
+            elsif Is_Before (R, Next, From) then
+               Prove_Transitivity (R, Next, From);
+               From := Next;
+            end if;
+         end if;
+         pragma Loop_Invariant
+           (Found = (for some C in Client'First .. Next =>
+                       May_Go (R, C, Quiet)));
+         pragma Loop_Invariant
+           (if Found then From <= Next and then May_Go (R, From, Quiet));
+         pragma Loop_Invariant
+           (if Found then
+              (for all C in Client'First .. Next =>
+                 (if May_Go (R, C, Quiet) then not Is_Before (R, C, From))));
+      end loop;
+   end Choose;
 
    ------------
    -- Finish --
@@ -24,10 +72,10 @@ package body Line_Requests with SPARK_Mode is
 
    procedure Finish (R : in out Requests; Done : Job) is
    begin
-      if Done.Order.Number >= R.First and then Done.Order.Rank > 0 then
+      if Done.Order.Number >= R.First_Order and then Done.Order.Rank > 0 then
          R.Completed := R.Completed + 1;
          if Changes_Session (Done.Request.Kind) then
-            R.Changed := Done.Order.Rank;
+            R.Last_Change := Done.Order.Rank;
          end if;
       end if;
    end Finish;
@@ -56,50 +104,23 @@ package body Line_Requests with SPARK_Mode is
       R.Last_Stop := Order.Number;
    end Put_Stop;
 
-   ----------
-   -- Take --
-   ----------
+   ----------------------
+   -- Prove_Transitivity --
+   ----------------------
 
-   procedure Take
-     (R     : in out Requests;
-      Quiet : Boolean;
-      Next  : out Job;
-      Found : out Boolean)
-   is
-      Best : Client := Keep_Alive;
+   procedure Prove_Transitivity (R : Requests; From, Best : Client) is null;
+
+   ------------
+   -- Remove --
+   ------------
+
+   procedure Remove (R : in out Requests; From : Client) is
    begin
-      Found := False;
-      for From in Client loop
-         if May_Go (R, From, Quiet)
-           and then (not Found or else Is_Before (R, From, Best))
-         then
-            Best := From;
-            Found := True;
-         end if;
-         pragma Loop_Invariant
-           (Found = (for some C in Client'First .. From =>
-                       May_Go (R, C, Quiet)));
-         pragma Loop_Invariant
-           (if Found then Best <= From and then May_Go (R, Best, Quiet));
-         pragma Loop_Invariant
-           (if Found then
-              (for all C in Client'First .. From =>
-                 (if May_Go (R, C, Quiet) then not Is_Before (R, C, Best))));
-      end loop;
-
-      if Found then
-         Next := (From    => Best,
-                  Request => Request_Of (R, Best),
-                  Order   => Order_Of (R, Best),
-                  Verdict => Verdict_On (R, Best));
-         if Best = Stop_Order then
-            Order_Queues.Remove_First (R.Stops);
-         else
-            R.Slots (Best).Pending := False;
-         end if;
+      if From = Stop_Order then
+         Order_Queues.Remove_First (R.Stops);
       else
-         Next := (others => <>);
+         R.Slots (From).Pending := False;
       end if;
-   end Take;
+   end Remove;
 
 end Line_Requests;

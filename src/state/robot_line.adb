@@ -95,12 +95,17 @@ package body Robot_Line with SPARK_Mode is
       end Get_Ready;
 
       procedure Take
-        (Next : out Line_Requests.Job; Found : out Boolean; Now : Time) is
+        (Next : out Line_Requests.Job; Found : out Boolean; Now : Time)
+      is
+         From : Line_Requests.Client;
       begin
-         Line_Requests.Take (Waiting, Quiet (Now), Next, Found);
+         Line_Requests.Choose (Waiting, Quiet (Now), From, Found);
          if Found then
+            Next := Line_Requests.Job_Of (Waiting, From);
+            Line_Requests.Remove (Waiting, From);
             Refresh;
          else
+            Next := (others => <>);
             --  the reload that is due will make it ready again
             Ready := False;
          end if;
