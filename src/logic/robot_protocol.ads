@@ -335,4 +335,14 @@ package Robot_Protocol with SPARK_Mode is
    --  The frame received, without its terminator; an empty one in place of
    --  one that was too long, which Decode then finds malformed.
 
+   procedure Prove_Reception (Data : Byte_Array; Pending : Command_Kind)
+   with
+     Ghost,
+     Pre => Data'First = 1
+       and then Data'Last < Integer'Last
+       and then (for all B of Data => B /= Terminator);
+   --  Any bytes and a terminator make one frame, which is those bytes, or
+   --  empty where they are too many; and what Decode makes of it is an
+   --  answer to Pending, a refusal, or a failure: asserted in the body.
+
 end Robot_Protocol;
