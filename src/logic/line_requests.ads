@@ -11,7 +11,6 @@ package Line_Requests with SPARK_Mode is
 
    use type Orders.Order;
    use type Orders.Ticket;
-   use type Robot_Session.Request;
 
    type Client is
      (Safe_State,   --  the end of a session: stop and close

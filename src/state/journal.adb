@@ -15,6 +15,11 @@ package body Journal with SPARK_Mode is
 
    Arrived : Suspension_Object;
 
+   Start : constant Time := Clock;
+
+   procedure Get_Now (Now : out Instant)
+   with Global => (Input => (Start, Clock_Time));
+
    protected Buffer with Priority => Schedule.Journal_Ceiling is
       procedure Set_Level (Chosen : Options.Level);
       procedure Put (Item : Line);
@@ -78,6 +83,26 @@ package body Journal with SPARK_Mode is
 
    end Buffer;
 
+   -------------
+   -- Get_Now --
+   -------------
+
+   procedure Get_Now (Now : out Instant) is
+      Read  : constant Time := Clock;
+      Whole : Seconds_Count;
+      Rest  : Time_Span;
+   begin
+      --  not by a division of the time as a whole: its result, an Integer,
+      --  would be too small after 24 days
+      Split (Time_Of (0, Read - Start), Whole, Rest);
+      Now :=
+        (Seconds     => Natural
+           (Seconds_Count'Max
+              (0, Seconds_Count'Min (Whole, Seconds_Count (Natural'Last)))),
+         Thousandths =>
+           Integer'Max (0, Integer'Min (Rest / Milliseconds (1), 999)));
+   end Get_Now;
+
    ---------------
    -- Set_Level --
    ---------------
@@ -92,9 +117,11 @@ package body Journal with SPARK_Mode is
    ---------
 
    procedure Put (Level : Options.Level; Text : String) is
-      Now  : constant Time := Clock;
-      Item : Line := (Level => Level, Time => Now, Text => <>);
+      Now  : Instant;
+      Item : Line;
    begin
+      Get_Now (Now);
+      Item := (Level => Level, Time => Now, Text => <>);
       Texts.Set (Item.Text, Text);
       for C of Item.Text.Data loop
          if C not in ' ' .. '~' then

@@ -2,7 +2,6 @@
 --  The log on its way to the console: a bounded buffer, so that no task ever
 --  waits for the console.
 
-with Ada.Real_Time;
 with Options;
 with Texts;
 
@@ -12,9 +11,15 @@ package Journal with SPARK_Mode is
    --  Lines that wait for the console. A line more is not kept; how many
    --  were not is said as soon as there is room again
 
+   type Instant is record
+      Seconds     : Natural := 0;
+      Thousandths : Natural range 0 .. 999 := 0;
+   end record;
+   --  The time since the supervisor started
+
    type Line is record
       Level : Options.Level := Options.Info;
-      Time  : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      Time  : Instant;
       Text  : Texts.Text;
    end record;
 

@@ -352,19 +352,29 @@ package body Outbox with SPARK_Mode is
             when Send_Order.Nothing =>
                null;
             when Send_Order.Answer =>
-               if First_Answer (Answers).State = Ready_Image then
-                  Image_Slots.Get (Arena, Data, Length);
-                  Image_Slots.Clear (Arena);
-               else
-                  Write_Answer (First_Answer (Answers).Kind);
-               end if;
-               Remove_First (Answers);
+               declare
+                  Item : constant Answer_Queues.Answer :=
+                    First_Answer (Answers);
+               begin
+                  Remove_First (Answers);
+                  if Item.State = Ready_Image then
+                     Image_Slots.Get (Arena, Data, Length);
+                     Image_Slots.Clear (Arena);
+                  else
+                     Write_Answer (Item.Kind);
+                  end if;
+               end;
             when Send_Order.Robot_Lost =>
                Write_Answer (Monitor_Protocol.Timed_Out);
                Lost := False;
             when Send_Order.Text =>
-               Write_Text (Text_Queues.Element_At (Text, 1));
-               Text_Queues.Remove_First (Text);
+               declare
+                  Item : constant Texts.Text :=
+                    Text_Queues.Element_At (Text, 1);
+               begin
+                  Text_Queues.Remove_First (Text);
+                  Write_Text (Item);
+               end;
             when Send_Order.Battery =>
                Write_Answer (Level);
                Battery := False;

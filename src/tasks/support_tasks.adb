@@ -26,7 +26,7 @@ package body Support_Tasks with SPARK_Mode is
          when Options.Info    => "info",
          when Options.Debug   => "debug");
 
-   procedure Write (Item : Journal.Line; Start : Time);
+   procedure Write (Item : Journal.Line);
    --  One line of the log: "[seconds.milliseconds] level: text"
 
    procedure Wait_Session_End (Limit : Time);
@@ -39,14 +39,12 @@ package body Support_Tasks with SPARK_Mode is
    -- Write --
    -----------
 
-   procedure Write (Item : Journal.Line; Start : Time) is
-      Text    : Texts.Text;
-      Elapsed : constant Natural :=
-        Integer'Max (0, (Item.Time - Start) / Milliseconds (1));
-      Rest    : constant Natural := Elapsed mod 1000;
+   procedure Write (Item : Journal.Line) is
+      Text : Texts.Text;
+      Rest : constant Natural := Item.Time.Thousandths;
    begin
       Texts.Set (Text, "[");
-      Texts.Append (Text, Elapsed / 1000);
+      Texts.Append (Text, Item.Time.Seconds);
       Texts.Append (Text, ".");
       Texts.Append (Text, Rest / 100);
       Texts.Append (Text, Rest / 10 mod 10);
@@ -63,13 +61,12 @@ package body Support_Tasks with SPARK_Mode is
    ----------------
 
    task body Th_Console is
-      Start : constant Time := Clock;
-      Item  : Journal.Line;
+      Item : Journal.Line;
    begin
       Process.Name_Task ("th_console", Real_Time => False);
       loop
          Journal.Take (Item);
-         Write (Item, Start);
+         Write (Item);
          Journal.Written;
       end loop;
    end Th_Console;
