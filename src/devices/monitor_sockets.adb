@@ -17,7 +17,7 @@ package body Monitor_Sockets with
   Refined_State => (Network => (Listener, Arrived, Current, Waker))
 is
 
-   Epoch    : constant Time := Clock;  --  from which samples count
+   use type Monitor_Link.Milliseconds;
 
    Nobody   : constant int := -1;
    Listener : int := Nobody with Atomic;  --  takes connections
@@ -300,7 +300,8 @@ is
       No_Route  : constant := 113;  --  EHOSTUNREACH
    begin
       Loss := None;
-      Count := Poll (Entries'Address, 1, int (Wait / Milliseconds (1)));
+      Count := Poll
+        (Entries'Address, 1, int (Integer'Max (0, Wait / Milliseconds (1))));
       if Count > 0 then
          Ignored := Get_Option (Current, Level_Socket, Error_Option,
                                 Error'Address, Size'Address);
@@ -321,17 +322,21 @@ is
    ------------
 
    procedure Sample (Link : out Monitor_Link.Sample) is
-      Info : Tcp_Info;
-      Size : unsigned := Tcp_Info'Size / 8;
-      Now  : constant Time_Span := Clock - Epoch;
+      Info  : Tcp_Info;
+      Size  : unsigned := Tcp_Info'Size / 8;
+      Whole : Seconds_Count;
+      Rest  : Time_Span;
    begin
       Link := (others => <>);
+      --  not by a division of the time as a whole: its result, an Integer,
+      --  would be too small for the milliseconds of 25 days
+      Split (Clock, Whole, Rest);
       if Get_Option (Current, Level_Tcp, Info_Option,
                      Info'Address, Size'Address) = 0
       then
          Link :=
-           (Now            => Monitor_Link.Milliseconds
-              (Now / Milliseconds (1)),
+           (Now            => Monitor_Link.Milliseconds (Whole) * 1000
+              + Monitor_Link.Milliseconds (Rest / Milliseconds (1)),
             Unacknowledged => Natural (Info.Unacked),
             Since_Last_Ack => Monitor_Link.Milliseconds (Info.Last_Ack),
             Outstanding    => Natural (Info.Not_Sent + Info.Unacked),

@@ -58,10 +58,7 @@ is
    type Loss_Kind is (None, Closed_By_Peer, Reset_By_Peer, No_Sign_Of_Life);
 
    procedure Watch (Wait : Ada.Real_Time.Time_Span; Loss : out Loss_Kind)
-   with
-     Global => (In_Out => Network),
-     Pre    => Ada.Real_Time.">="
-       (Wait, Ada.Real_Time.Time_Span_Zero);
+   with Global => (In_Out => Network);
    --  Waits until the connection is over, for Wait at most, to the ms
 
    procedure Sample (Link : out Monitor_Link.Sample)

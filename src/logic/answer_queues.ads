@@ -8,6 +8,8 @@ with Orders;
 
 package Answer_Queues with SPARK_Mode is
 
+   pragma Annotate (GNATprove, Terminating, Answer_Queues);
+
    use type Orders.Ticket;
 
    type State_Kind is

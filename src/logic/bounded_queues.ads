@@ -7,6 +7,8 @@ generic
    Capacity : Positive;
 package Bounded_Queues with SPARK_Mode is
 
+   pragma Annotate (GNATprove, Terminating, Bounded_Queues);
+
    subtype Count is Natural range 0 .. Capacity;
 
    subtype Place is Positive range 1 .. Capacity;

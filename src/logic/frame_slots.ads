@@ -4,6 +4,8 @@
 
 package Frame_Slots with SPARK_Mode, Pure is
 
+   pragma Annotate (GNATprove, Terminating, Frame_Slots);
+
    type Slot is range 0 .. 5;
    --  A place for one image. One is with the camera's owner, one holds the
    --  newest image, one is with each of the two readers: there is always a

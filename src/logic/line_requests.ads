@@ -9,6 +9,8 @@ with Robot_Session;
 
 package Line_Requests with SPARK_Mode is
 
+   pragma Annotate (GNATprove, Terminating, Line_Requests);
+
    use type Orders.Order;
    use type Orders.Ticket;
 
@@ -65,6 +67,8 @@ package Line_Requests with SPARK_Mode is
       --  orders of the session that have been carried out, but stops
       Last_Change : Orders.Ticket := 0;
       --  the rank of the last of them that changed the session, 0 for none
+      Was_Stop    : Boolean := False;
+      --  what was taken last was a monitor's stop
    end record;
 
    function Changes_Session (Kind : Robot_Session.Request_Kind) return Boolean
@@ -125,7 +129,12 @@ package Line_Requests with SPARK_Mode is
        and then
          (From in Safe_State | Reload | Battery | Keep_Alive
           or else Is_In_Turn (R, From))
+       and then
+         (if From = Stop_Order and then R.Was_Stop then
+             not Is_Pending (R, Reload))
        and then (if Quiet then not Waits_For_Quiet (From)));
+   --  A stop behind a stop leaves a waiting reload the first place: stops
+   --  without end do not starve the watchdog
 
    subtype In_Order is Client range Open .. Query;
    --  Go in the order of the commands
@@ -220,6 +229,7 @@ package Line_Requests with SPARK_Mode is
    with
      Pre  => Is_Pending (R, From),
      Post => Is_Same_Past (R, R'Old)
+       and then R.Was_Stop = (From = Stop_Order)
        and then
          (if From = Stop_Order then
              Order_Queues.Is_Without_First (R.Stops, R'Old.Stops)

@@ -4,6 +4,8 @@
 
 package Send_Order with SPARK_Mode, Pure is
 
+   pragma Annotate (GNATprove, Terminating, Send_Order);
+
    type Choice is
      (Nothing,
       Answer,        --  to a command

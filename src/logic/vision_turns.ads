@@ -7,6 +7,8 @@ with Orders;
 
 package Vision_Turns with SPARK_Mode is
 
+   pragma Annotate (GNATprove, Terminating, Vision_Turns);
+
    use type Orders.Order;
 
    type State is private;
