@@ -64,6 +64,8 @@ package body Line_Requests with SPARK_Mode is
               (for all C in Client'First .. Next =>
                  (if May_Go (R, C, Quiet) then not Is_Before (R, C, From))));
       end loop;
+      pragma Assert
+        (if Is_Pending (R, Stop_Order) then May_Go (R, Stop_Order, Quiet));
    end Choose;
 
    ------------
@@ -116,6 +118,7 @@ package body Line_Requests with SPARK_Mode is
 
    procedure Remove (R : in out Requests; From : Client) is
    begin
+      R.Was_Stop := From = Stop_Order;
       if From = Stop_Order then
          Order_Queues.Remove_First (R.Stops);
       else

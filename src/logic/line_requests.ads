@@ -215,8 +215,15 @@ package Line_Requests with SPARK_Mode is
              May_Go (R, From, Quiet)
              and then (for all C in Client =>
                          (if May_Go (R, C, Quiet) then
-                             not Is_Before (R, C, From))));
-   --  The most urgent of what may go now
+                             not Is_Before (R, C, From))))
+       and then
+         (if Is_Pending (R, Stop_Order) then
+             Found
+             and then
+               (From in Safe_State | Stop_Order
+                or else (From = Reload and then R.Was_Stop)));
+   --  The most urgent of what may go now. A stop goes past everything but
+   --  the end of the session, and a reload after another stop
 
    function Job_Of (R : Requests; From : Client) return Job is
      ((From    => From,

@@ -30,6 +30,7 @@ package body Robot_Line_Tests is
    procedure Test_Overtaken (T : in out Any_Test);
    procedure Test_Places (T : in out Any_Test);
    procedure Test_Out_Of_Date (T : in out Any_Test);
+   procedure Test_Many_Stops (T : in out Any_Test);
 
    ---------
    -- Ask --
@@ -83,7 +84,30 @@ package body Robot_Line_Tests is
                         "orders that change the session keep their place");
       Register_Routine (T, Test_Out_Of_Date'Access,
                         "orders of a session that has ended");
+      Register_Routine (T, Test_Many_Stops'Access,
+                        "stops without end do not starve the reload");
    end Register_Tests;
+
+   ---------------------
+   -- Test_Many_Stops --
+   ---------------------
+
+   procedure Test_Many_Stops (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Robot_Line.Begin_Session (400);
+      Ask (Reload, Robot_Session.Reload, (others => <>));
+      Ask (Move, Robot_Session.Drive, Numbered (399, 0, 0));
+      for Number in Orders.Ticket range 400 .. 402 loop
+         Robot_Line.Put_Stop (Numbered (Number, 0, 0));
+      end loop;
+      Check (Stop_Order);
+      Check (Reload);
+      Check (Stop_Order);
+      --  nothing else goes before a stop
+      Check (Stop_Order);
+      Check (Move, Out_Of_Date);
+   end Test_Many_Stops;
 
    ----------------------
    -- Test_Out_Of_Date --
