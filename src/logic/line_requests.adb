@@ -64,8 +64,13 @@ package body Line_Requests with SPARK_Mode is
               (for all C in Client'First .. Next =>
                  (if May_Go (R, C, Quiet) then not Is_Before (R, C, From))));
       end loop;
+      pragma Assert (not Waits_For_Quiet (Stop_Order));
       pragma Assert
-        (if Is_Pending (R, Stop_Order) then May_Go (R, Stop_Order, Quiet));
+        (if Is_Pending (R, Stop_Order) then Is_In_Turn (R, Stop_Order));
+      pragma Assert
+        (if Is_Pending (R, Stop_Order) then
+            May_Go (R, Stop_Order, Quiet)
+            or else (R.Was_Stop and then May_Go (R, Reload, Quiet)));
    end Choose;
 
    ------------

@@ -22,7 +22,7 @@ package body Journal with SPARK_Mode is
 
    protected Buffer with Priority => Schedule.Journal_Ceiling is
       procedure Set_Level (Chosen : Options.Level);
-      procedure Put (Item : Line);
+      procedure Put (Item : Line; Wanted : out Boolean);
       procedure Take (Item : out Line; Found : out Boolean);
       procedure Written;
       procedure Get_Waiting (Waiting : out Natural);
@@ -40,9 +40,10 @@ package body Journal with SPARK_Mode is
          Least := Chosen;
       end Set_Level;
 
-      procedure Put (Item : Line) is
+      procedure Put (Item : Line; Wanted : out Boolean) is
       begin
-         if Item.Level > Least then
+         Wanted := Item.Level <= Least;
+         if not Wanted then
             return;
          end if;
          if Line_Queues.Is_Full (Kept) then
@@ -117,8 +118,9 @@ package body Journal with SPARK_Mode is
    ---------
 
    procedure Put (Level : Options.Level; Text : String) is
-      Now  : Instant;
-      Item : Line;
+      Now    : Instant;
+      Item   : Line;
+      Wanted : Boolean;
    begin
       Get_Now (Now);
       Item := (Level => Level, Time => Now, Text => <>);
@@ -128,8 +130,10 @@ package body Journal with SPARK_Mode is
             C := '?';
          end if;
       end loop;
-      Buffer.Put (Item);
-      Set_True (Arrived);
+      Buffer.Put (Item, Wanted);
+      if Wanted then
+         Set_True (Arrived);
+      end if;
    end Put;
 
    procedure Put (Level : Options.Level; Text : Texts.Text) is
