@@ -30,60 +30,19 @@ package body Monitor_Protocol with SPARK_Mode is
        and then Reads_As_Id (Buffer, Last'Old + 1, Last, Id);
    --  Appends Id.
 
-   subtype Number_Field is Integer range 2 .. 6;
-
-   function Field (P : Position; I : Number_Field) return Micro is
-     (case I is
-         when 2 => P.Angle,
-         when 3 => P.Cx,
-         when 4 => P.Cy,
-         when 5 => P.Dx,
-         when 6 => P.Dy);
-   --  The number in field I of P's line.
-
-   function Are_First_Fields
-     (Line : String; S : Field_Starts; P : Position; Count : Positive)
-     return Boolean
-   is (S (1) = First_Field
-       and then S (Count + 1) <= Line'Last + 2
-       and then (for all I in 1 .. Count => S (I) < S (I + 1))
-       and then (for all I in 2 .. Count =>
-                   Line (S (I) - 1) = Field_Separator)
-       and then (for all I in 1 .. Count =>
-                   (for all J in S (I) .. S (I + 1) - 2 =>
-                      Line (J) not in Field_Separator | Line_Feed))
-       and then Reads_As_Id (Line, S (1), S (2) - 2, P.Id)
-       and then (for all I in 2 .. Count =>
-                   Reads_As_Micro
-                     (Line, S (I), S (I + 1) - 2, Field (P, I))))
+   procedure Put_Field
+     (Value  : Micro;
+      Buffer : in out Position_Text;
+      Last   : in out Natural)
    with
-     Ghost,
-     Pre => Line'First = 1
-       and then Line'Last <= Max_Position
-       and then Count <= 6
-       and then (for all I in Field_Starts'Range =>
-                   S (I) in First_Field .. Line'Last + 2)
-       and then (for all I in 1 .. Count => S (I) < S (I + 1));
-   --  The first Count fields of Line are those of P, and begin at S.
-
-   procedure Prove_Same_Fields
-     (A, B  : String;
-      S     : Field_Starts;
-      P     : Position;
-      Count : Positive)
-   with
-     Ghost,
-     Pre  => A'First = 1
-       and then B'First = 1
-       and then A'Last <= Max_Position
-       and then B'Last = A'Last
-       and then Count <= 6
-       and then (for all I in Field_Starts'Range =>
-                   S (I) in First_Field .. A'Last + 2)
-       and then (for all I in 1 .. Count => S (I) < S (I + 1))
-       and then Are_First_Fields (A, S, P, Count)
-       and then (for all I in 1 .. S (Count + 1) - 2 => A (I) = B (I)),
-     Post => Are_First_Fields (B, S, P, Count);
+     Pre  => Last <= Max_Position - 21,
+     Post => Last in Last'Old + 9 .. Last'Old + 17
+       and then (for all I in 1 .. Last'Old => Buffer (I) = Buffer'Old (I))
+       and then Buffer (Last'Old + 1) = Field_Separator
+       and then (for all I in Last'Old + 2 .. Last =>
+                   Buffer (I) in '-' | '.' | '0' .. '9')
+       and then Reads_As_Micro (Buffer, Last'Old + 2, Last, Value);
+   --  Appends a separator and Value.
 
    procedure Prove_Same_Micro
      (A, B : String; First : Positive; Last : Natural; Value : Micro)
@@ -112,23 +71,77 @@ package body Monitor_Protocol with SPARK_Mode is
        and then (for all I in First .. Last => A (I) = B (I)),
      Post => Reads_As_Id (B, First, Last, Id);
 
+   function No_Separator
+     (Line : String; First : Positive; Last : Natural) return Boolean
+   is (for all I in First .. Last => Line (I) /= Field_Separator)
+   with
+     Ghost,
+     Pre => First >= Line'First and then Last <= Line'Last;
+
+   procedure Prove_Field_End
+     (Line : String; First : Positive; Last, Ending : Natural)
+   with
+     Ghost,
+     Pre  => Line'First = 1
+       and then Line'Last <= Max_Position
+       and then Last <= Line'Last
+       and then Ending <= Last
+       and then First <= Ending + 1
+       and then No_Separator (Line, First, Ending)
+       and then (if Ending < Last then
+                    Line (Ending + 1) = Field_Separator),
+     Post => Field_End (Line, First, Last) = Ending;
+   --  There is but one such end.
+
+   function Are_Cut
+     (Line : String; Last : Natural; S : Field_Starts) return Boolean
+   is (S (1) = First_Field
+       and then S (7) = Last + 2
+       and then S (1) < S (2)
+       and then S (2) < S (3)
+       and then S (3) < S (4)
+       and then S (4) < S (5)
+       and then S (5) < S (6)
+       and then S (6) < S (7)
+       and then Line (S (2) - 1) = Field_Separator
+       and then Line (S (3) - 1) = Field_Separator
+       and then Line (S (4) - 1) = Field_Separator
+       and then Line (S (5) - 1) = Field_Separator
+       and then Line (S (6) - 1) = Field_Separator
+       and then No_Separator (Line, S (1), S (2) - 2)
+       and then No_Separator (Line, S (2), S (3) - 2)
+       and then No_Separator (Line, S (3), S (4) - 2)
+       and then No_Separator (Line, S (4), S (5) - 2)
+       and then No_Separator (Line, S (5), S (6) - 2)
+       and then No_Separator (Line, S (6), S (7) - 2))
+   with
+     Ghost,
+     Pre => Line'First = 1
+       and then Line'Last <= Max_Position
+       and then Last <= Line'Last;
+   --  The separators of Line (1 .. Last) cut it into fields that begin at
+   --  S.
+
    procedure Prove_Starts (Line : String; Last : Natural; S : Field_Starts)
    with
      Ghost,
      Pre  => Line'First = 1
        and then Line'Last <= Max_Position
        and then Last in First_Field .. Line'Last
-       and then S (1) = First_Field
-       and then S (7) = Last + 2
-       and then (for all I in 1 .. 6 => S (I) < S (I + 1))
-       and then (for all I in 1 .. 6 =>
-                   (for all J in S (I) .. S (I + 1) - 2 =>
-                      Line (J) /= Field_Separator))
-       and then (for all I in 2 .. 6 => Line (S (I) - 1) = Field_Separator),
+       and then Are_Cut (Line, Last, S),
      Post => Starts (Line, Last) = S;
    --  Fields are where their separators say.
 
-   procedure Keep (R : in out Line_Reader; C : Character);
+   procedure Keep (R : in out Line_Reader; C : Character)
+   with
+     Post => R.Held = R'Old.Held
+       and then R.Finished = R'Old.Finished
+       and then R.Length = Integer'Min (R'Old.Length + 1, Max_Line)
+       and then R.Too_Long =
+                  (R'Old.Too_Long or else R'Old.Length = Max_Line)
+       and then (for all I in 1 .. R'Old.Length =>
+                   R.Data (I) = R'Old.Data (I))
+       and then (if R'Old.Length < Max_Line then R.Data (R.Length) = C);
    --  Appends C to the line where there is room, and notes where not.
 
    function Short (Text : String) return Short_Text
@@ -207,8 +220,10 @@ package body Monitor_Protocol with SPARK_Mode is
       Buffer : out Position_Text;
       Last   : out Natural)
    is
-      S      : Field_Starts := (others => First_Field) with Ghost;
-      Before : Position_Text with Ghost;
+      S     : Field_Starts := (others => First_Field) with Ghost;
+      With_Id, With_Angle, With_Cx, With_Cy, With_Dx, With_Dy :
+        Position_Text with Ghost;
+      --  what the line is with this field as its last
    begin
       Buffer := (others => ' ');
       Buffer (1) := Position_Label (1);
@@ -219,29 +234,47 @@ package body Monitor_Protocol with SPARK_Mode is
       Last := 5;
       Put_Id (P.Id, Buffer, Last);
       S (2) := Last + 2;
-      for I in Number_Field loop
-         pragma Loop_Invariant (Last in 6 .. 8 + 17 * (I - 2));
-         pragma Loop_Invariant (Last >= 6 + 9 * (I - 2));
-         pragma Loop_Invariant
-           (for all J in Field_Starts'Range =>
-              S (J) in First_Field .. Max_Position);
-         pragma Loop_Invariant (for all J in 1 .. I - 1 => S (J) < S (J + 1));
-         pragma Loop_Invariant (S (I) = Last + 2);
-         pragma Loop_Invariant (Begins_With (Buffer, Position_Label));
-         pragma Loop_Invariant (Has_Data (Buffer));
-         pragma Loop_Invariant (Are_First_Fields (Buffer, S, P, I - 1));
-         Before := Buffer;
-         Last := Last + 1;
-         Buffer (Last) := Field_Separator;
-         Put_Micro (Field (P, I), Buffer, Last);
-         Prove_Same_Fields (Before, Buffer, S, P, I - 1);
-         S (I + 1) := Last + 2;
-      end loop;
-      Before := Buffer;
+      With_Id := Buffer;
+      Put_Field (P.Angle, Buffer, Last);
+      S (3) := Last + 2;
+      With_Angle := Buffer;
+      Put_Field (P.Cx, Buffer, Last);
+      S (4) := Last + 2;
+      With_Cx := Buffer;
+      Put_Field (P.Cy, Buffer, Last);
+      S (5) := Last + 2;
+      With_Cy := Buffer;
+      Put_Field (P.Dx, Buffer, Last);
+      S (6) := Last + 2;
+      With_Dx := Buffer;
+      Put_Field (P.Dy, Buffer, Last);
+      S (7) := Last + 2;
+      With_Dy := Buffer;
       Last := Last + 1;
       Buffer (Last) := Line_Feed;
-      Prove_Same_Fields (Before, Buffer, S, P, 6);
+
+      pragma Assert
+        (for all I in 1 .. S (7) - 2 => Buffer (I) = With_Dy (I));
+      pragma Assert
+        (for all I in 1 .. S (6) - 2 => Buffer (I) = With_Dx (I));
+      pragma Assert
+        (for all I in 1 .. S (5) - 2 => Buffer (I) = With_Cy (I));
+      pragma Assert
+        (for all I in 1 .. S (4) - 2 => Buffer (I) = With_Cx (I));
+      pragma Assert
+        (for all I in 1 .. S (3) - 2 => Buffer (I) = With_Angle (I));
+      pragma Assert
+        (for all I in 1 .. S (2) - 2 => Buffer (I) = With_Id (I));
+      Prove_Same_Id (With_Id, Buffer, S (1), S (2) - 2, P.Id);
+      Prove_Same_Micro (With_Angle, Buffer, S (2), S (3) - 2, P.Angle);
+      Prove_Same_Micro (With_Cx, Buffer, S (3), S (4) - 2, P.Cx);
+      Prove_Same_Micro (With_Cy, Buffer, S (4), S (5) - 2, P.Cy);
+      Prove_Same_Micro (With_Dx, Buffer, S (5), S (6) - 2, P.Dx);
+      Prove_Same_Micro (With_Dy, Buffer, S (6), S (7) - 2, P.Dy);
+      pragma Assert (Are_Cut (Buffer, Last - 1, S));
       Prove_Starts (Buffer, Last - 1, S);
+      pragma Assert (Are_Fields (Buffer, Last - 1, S));
+      pragma Assert (Are_Fields_Of (Buffer, S, P));
    end Format_Position;
 
    --------------
@@ -307,6 +340,11 @@ package body Monitor_Protocol with SPARK_Mode is
          return;
       end if;
       S := Starts (Line, Last);
+      pragma Assert (Is_Micro (Line, S (2), S (3) - 2));
+      pragma Assert (Is_Micro (Line, S (3), S (4) - 2));
+      pragma Assert (Is_Micro (Line, S (4), S (5) - 2));
+      pragma Assert (Is_Micro (Line, S (5), S (6) - 2));
+      pragma Assert (Is_Micro (Line, S (6), S (7) - 2));
       P := (Id    => Id_Value (Line, S (1), S (2) - 2),
             Angle => Micro (Fraction_Value (Line, S (2), S (3) - 2)),
             Cx    => Micro (Fraction_Value (Line, S (3), S (4) - 2)),
@@ -314,6 +352,57 @@ package body Monitor_Protocol with SPARK_Mode is
             Dx    => Micro (Fraction_Value (Line, S (5), S (6) - 2)),
             Dy    => Micro (Fraction_Value (Line, S (6), S (7) - 2)));
    end Parse_Position;
+
+   -------------------
+   -- Prove_Reading --
+   -------------------
+
+   procedure Prove_Reading (Text : String) is
+      R        : Line_Reader;
+      Line     : String (1 .. Max_Line) := (others => ' ');
+      Last     : Natural;
+      Size     : Natural := 0;
+      Complete : Boolean;
+   begin
+      for I in Text'Range loop
+         Accept_Character (R, Text (I), Complete);
+         pragma Assert (not Complete);
+         Size := (if Text (I) = Carriage_Return then I - 1 else I);
+         pragma Loop_Invariant (not Is_Complete (R));
+         pragma Loop_Invariant (Is_Held (R) = (Text (I) = Carriage_Return));
+         pragma Loop_Invariant
+           (Size = (if Text (I) = Carriage_Return then I - 1 else I));
+         pragma Loop_Invariant (Length (R) = Integer'Min (Size, Max_Line));
+         pragma Loop_Invariant (Is_Too_Long (R) = (Size > Max_Line));
+         pragma Loop_Invariant
+           (for all J in 1 .. Length (R) => Item (R, J) = Text (J));
+      end loop;
+      Accept_Character (R, Line_Feed, Complete);
+      pragma Assert (Complete);
+      Get_Line (R, Line, Last);
+      pragma Assert
+        (Size = (if Text'Length > 0
+                   and then Text (Text'Last) = Carriage_Return
+                 then Text'Length - 1 else Text'Length));
+      pragma Assert (Last = (if Size > Max_Line then 0 else Size));
+      pragma Assert (for all I in 1 .. Last => Line (I) = Text (I));
+   end Prove_Reading;
+
+   ---------------------
+   -- Prove_Field_End --
+   ---------------------
+
+   procedure Prove_Field_End
+     (Line : String; First : Positive; Last, Ending : Natural)
+   is
+      Found : constant Natural := Field_End (Line, First, Last);
+   begin
+      pragma Assert
+        (if Found < Ending then Line (Found + 1) = Field_Separator);
+      pragma Assert (Found >= Ending);
+      pragma Assert
+        (if Found > Ending then Line (Ending + 1) /= Field_Separator);
+   end Prove_Field_End;
 
    ----------------------
    -- Prove_Round_Trip --
@@ -330,26 +419,6 @@ package body Monitor_Protocol with SPARK_Mode is
       pragma Assert (OK);
       pragma Assert (Q = P);
    end Prove_Round_Trip;
-
-   -----------------------
-   -- Prove_Same_Fields --
-   -----------------------
-
-   procedure Prove_Same_Fields
-     (A, B  : String;
-      S     : Field_Starts;
-      P     : Position;
-      Count : Positive)
-   is
-   begin
-      Prove_Same_Id (A, B, S (1), S (2) - 2, P.Id);
-      for I in 2 .. Count loop
-         Prove_Same_Micro (A, B, S (I), S (I + 1) - 2, Field (P, I));
-         pragma Loop_Invariant
-           (for all J in 2 .. I =>
-              Reads_As_Micro (B, S (J), S (J + 1) - 2, Field (P, J)));
-      end loop;
-   end Prove_Same_Fields;
 
    -------------------
    -- Prove_Same_Id --
@@ -386,11 +455,35 @@ package body Monitor_Protocol with SPARK_Mode is
    is
       T : constant Field_Starts := Starts (Line, Last);
    begin
-      for I in 1 .. 6 loop
-         pragma Loop_Invariant (for all J in 1 .. I => T (J) = S (J));
-         pragma Assert (Field_End (Line, T (I), Last) = S (I + 1) - 2);
-      end loop;
+      pragma Assert (T (1) = S (1));
+      Prove_Field_End (Line, S (1), Last, S (2) - 2);
+      pragma Assert (T (2) = S (2));
+      Prove_Field_End (Line, S (2), Last, S (3) - 2);
+      pragma Assert (T (3) = S (3));
+      Prove_Field_End (Line, S (3), Last, S (4) - 2);
+      pragma Assert (T (4) = S (4));
+      Prove_Field_End (Line, S (4), Last, S (5) - 2);
+      pragma Assert (T (5) = S (5));
+      Prove_Field_End (Line, S (5), Last, S (6) - 2);
+      pragma Assert (T (6) = S (6));
+      Prove_Field_End (Line, S (6), Last, S (7) - 2);
+      pragma Assert (T (7) = S (7));
    end Prove_Starts;
+
+   ---------------
+   -- Put_Field --
+   ---------------
+
+   procedure Put_Field
+     (Value  : Micro;
+      Buffer : in out Position_Text;
+      Last   : in out Natural)
+   is
+   begin
+      Last := Last + 1;
+      Buffer (Last) := Field_Separator;
+      Put_Micro (Value, Buffer, Last);
+   end Put_Field;
 
    ------------
    -- Put_Id --
@@ -420,16 +513,23 @@ package body Monitor_Protocol with SPARK_Mode is
       Buffer : in out Position_Text;
       Last   : in out Natural)
    is
-      Size : constant Micro := abs Value;
+      Size   : constant Micro := abs Value;
+      First  : constant Positive := Last + 1 with Ghost;
+      Before : Position_Text with Ghost;
    begin
       if Value < 0 then
          Last := Last + 1;
          Buffer (Last) := '-';
       end if;
       Numbers.Append (Numbers.Number (Size / 1_000_000), 1, Buffer, Last);
+      Before := Buffer;
       Last := Last + 1;
       Buffer (Last) := '.';
       Numbers.Append (Numbers.Number (Size mod 1_000_000), 6, Buffer, Last);
+      Numbers.Prove_Same_Value
+        (Before, Buffer, Whole_First (Buffer, First), Last - 7);
+      pragma Assert (Is_Fraction (Buffer, First, Last));
+      pragma Assert (Fraction_Value (Buffer, First, Last) = Wide (Value));
    end Put_Micro;
 
    -----------
@@ -455,6 +555,7 @@ package body Monitor_Protocol with SPARK_Mode is
       for I in 1 .. 6 loop
          exit when Result (I) > Last + 1;
          Result (I + 1) := Field_End (Line, Result (I), Last) + 2;
+         pragma Loop_Invariant (Result (1) = First_Field);
          pragma Loop_Invariant
            (for all J in 1 .. I =>
               Result (J) <= Last + 1

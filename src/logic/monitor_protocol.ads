@@ -200,14 +200,56 @@ package Monitor_Protocol with SPARK_Mode is
    function Is_Too_Long (R : Line_Reader) return Boolean;
    --  The line has more than Max_Line characters: the rest is dropped.
 
+   function Is_Complete (R : Line_Reader) return Boolean with Ghost;
+   --  Its line feed has come: the next character begins another line.
+
+   function Is_Held (R : Line_Reader) return Boolean with Ghost;
+   --  A carriage return has come; the next character tells whether it
+   --  belongs to the end of the line.
+
+   function Item (R : Line_Reader; I : Positive) return Character
+   with Ghost, Pre => I <= Length (R);
+   --  Character I of the line.
+
+   function Kept (R : Line_Reader) return Line_Length is
+     (if Is_Complete (R) then 0 else Length (R))
+   with Ghost;
+   --  Characters that the line under way has already.
+
+   function Added (R : Line_Reader; C : Character) return Natural is
+     ((if Is_Held (R) and then not Is_Complete (R) and then C /= Line_Feed
+       then 1 else 0)
+      + (if C in Carriage_Return | Line_Feed then 0 else 1))
+   with Ghost;
+   --  How many it gets with C: a carriage return waits for what follows it.
+
    procedure Clear (R : out Line_Reader)
-   with Post => Length (R) = 0 and then not Is_Too_Long (R);
+   with
+     Post => Length (R) = 0
+       and then not Is_Too_Long (R)
+       and then not Is_Complete (R)
+       and then not Is_Held (R);
    --  Forgets all that has arrived.
 
    procedure Accept_Character
      (R : in out Line_Reader; C : Character; Complete : out Boolean)
    with
-     Post => Complete = (C = Line_Feed);
+     Post => Complete = (C = Line_Feed)
+       and then Is_Complete (R) = Complete
+       and then (if not Complete then Is_Held (R) = (C = Carriage_Return))
+       and then Length (R) =
+         Integer'Min (Kept (R'Old) + Added (R'Old, C), Max_Line)
+       and then Is_Too_Long (R) =
+         ((Is_Too_Long (R'Old) and then not Is_Complete (R'Old))
+          or else Kept (R'Old) + Added (R'Old, C) > Max_Line)
+       and then
+         (for all I in 1 .. Length (R) =>
+            Item (R, I) =
+              (if I <= Kept (R'Old) then Item (R'Old, I)
+               elsif I < Kept (R'Old) + Added (R'Old, C)
+                 or else C = Carriage_Return
+               then Carriage_Return
+               else C));
    --  Takes the next character. Complete: it ended a line, which Get_Line
    --  gives; the character after it begins another line.
 
@@ -215,10 +257,21 @@ package Monitor_Protocol with SPARK_Mode is
      (R : Line_Reader; Line : in out String; Last : out Natural)
    with
      Pre  => Line'First = 1 and then Line'Last >= Max_Line,
-     Post => Last = (if Is_Too_Long (R) then 0 else Length (R));
+     Post => Last = (if Is_Too_Long (R) then 0 else Length (R))
+       and then (for all I in 1 .. Last => Line (I) = Item (R, I));
    --  The line is Line (1 .. Last), without its end and the carriage return
    --  before it. A line that is too long is given as an empty one, which
    --  Parse finds malformed.
+
+   procedure Prove_Reading (Text : String)
+   with
+     Ghost,
+     Pre => Text'First = 1
+       and then Text'Last < Integer'Last
+       and then (for all C of Text => C /= Line_Feed);
+   --  Any characters and a line feed make one line: those characters, but
+   --  for a carriage return at the end, and nothing where they are more
+   --  than Max_Line: asserted in the body. Parse takes any line.
 
    --  Answers
 
@@ -313,8 +366,8 @@ package Monitor_Protocol with SPARK_Mode is
    with
      Pre  => Line'Last < Integer'Last
        and then First >= Line'First
-       and then First <= Last + 1
-       and then Last <= Line'Last,
+       and then Last <= Line'Last
+       and then First <= Last + 1,
      Post => Field_End'Result in First - 1 .. Last
        and then (for all I in First .. Field_End'Result =>
                    Line (I) /= Field_Separator)
@@ -419,10 +472,18 @@ package Monitor_Protocol with SPARK_Mode is
      (Line : String; Last : Natural; S : Field_Starts) return Boolean
    is (S (1) = First_Field
        and then S (7) = Last + 2
-       and then (for all I in 1 .. 6 => S (I) < S (I + 1))
+       and then S (1) < S (2)
+       and then S (2) < S (3)
+       and then S (3) < S (4)
+       and then S (4) < S (5)
+       and then S (5) < S (6)
+       and then S (6) < S (7)
        and then Is_Id (Line, S (1), S (2) - 2)
-       and then (for all I in 2 .. 6 =>
-                   Is_Micro (Line, S (I), S (I + 1) - 2)))
+       and then Is_Micro (Line, S (2), S (3) - 2)
+       and then Is_Micro (Line, S (3), S (4) - 2)
+       and then Is_Micro (Line, S (4), S (5) - 2)
+       and then Is_Micro (Line, S (5), S (6) - 2)
+       and then Is_Micro (Line, S (6), S (7) - 2))
    with Pre => Line'First = 1
      and then Line'Last <= Max_Position
      and then Last <= Line'Last;
@@ -447,8 +508,14 @@ package Monitor_Protocol with SPARK_Mode is
        and then Reads_As_Micro (Line, S (6), S (7) - 2, P.Dy))
    with Pre => Line'First = 1
      and then Line'Last <= Max_Position
+     and then S (1) = First_Field
      and then S (7) <= Line'Last + 2
-     and then (for all I in 1 .. 6 => S (I) < S (I + 1));
+     and then S (1) < S (2)
+     and then S (2) < S (3)
+     and then S (3) < S (4)
+     and then S (4) < S (5)
+     and then S (5) < S (6)
+     and then S (6) < S (7);
 
    function Reads_As
      (Line : String; Last : Natural; P : Position) return Boolean
@@ -504,5 +571,12 @@ private
    function Length (R : Line_Reader) return Line_Length is (R.Length);
 
    function Is_Too_Long (R : Line_Reader) return Boolean is (R.Too_Long);
+
+   function Is_Complete (R : Line_Reader) return Boolean is (R.Finished);
+
+   function Is_Held (R : Line_Reader) return Boolean is (R.Held);
+
+   function Item (R : Line_Reader; I : Positive) return Character is
+     (R.Data (I));
 
 end Monitor_Protocol;
