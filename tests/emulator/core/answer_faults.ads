@@ -7,6 +7,8 @@ with Robot_Core;
 
 package Answer_Faults with SPARK_Mode, Pure is
 
+   pragma Annotate (GNATprove, Terminating, Answer_Faults);
+
    use type Robot_Core.Octet;
 
    type Effect_Kind is

@@ -27,6 +27,8 @@ with Robot_Motion;
 
 package Robot_Core with SPARK_Mode, Pure is
 
+   pragma Annotate (GNATprove, Terminating, Robot_Core);
+
    use type Interfaces.Unsigned_8;
    use type Robot_Motion.Micro;
 

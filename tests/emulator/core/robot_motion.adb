@@ -134,7 +134,7 @@ package body Robot_Motion with SPARK_Mode is
    -- Place --
    -----------
 
-   procedure Place (M : in out Motion; At_Pose : Pose) is
+   procedure Place (M : out Motion; At_Pose : Pose) is
    begin
       M := (From => At_Pose, others => <>);
    end Place;

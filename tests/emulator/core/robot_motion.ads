@@ -4,6 +4,8 @@
 
 package Robot_Motion with SPARK_Mode, Pure is
 
+   pragma Annotate (GNATprove, Terminating, Robot_Motion);
+
    type Micro is range -2 ** 62 .. 2 ** 62;
    --  Micrometres, microdegrees and microseconds
 
@@ -58,9 +60,13 @@ package Robot_Motion with SPARK_Mode, Pure is
    --  Wheels turning. Against a wall they go on turning (they slip) for as
    --  long as the order would have taken.
 
-   function Pose_Of (M : Motion) return Pose;
+   function Start_Of (M : Motion) return Pose;
+   --  Where the order under way began, or where the robot rests
 
-   procedure Place (M : in out Motion; At_Pose : Pose)
+   function Pose_Of (M : Motion) return Pose
+     with Post => (if not Is_Moving (M) then Pose_Of'Result = Start_Of (M));
+
+   procedure Place (M : out Motion; At_Pose : Pose)
      with Post => Pose_Of (M) = At_Pose and then not Is_Moving (M);
    --  Puts the robot somewhere by hand, at rest
 
@@ -110,5 +116,7 @@ private
    end record;
 
    function Is_Moving (M : Motion) return Boolean is (M.Order /= None);
+
+   function Start_Of (M : Motion) return Pose is (M.From);
 
 end Robot_Motion;
