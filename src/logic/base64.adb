@@ -92,6 +92,21 @@ package body Base64 with SPARK_Mode is
                = Natural (Input (3 * K + 3)));
    --  Group K of an encoding is well-formed and gives its bytes back.
 
+   procedure Prove_Bits (B1, B2, B3 : Natural)
+   with
+     Ghost,
+     Pre  => B1 <= 255 and then B2 <= 255 and then B3 <= 255,
+     Post => B1 / 4 <= 63
+       and then B1 mod 4 * 16 + B2 / 16 <= 63
+       and then B2 mod 16 * 4 + B3 / 64 <= 63
+       and then B1 / 4 * 4 + (B1 mod 4 * 16 + B2 / 16) / 16 = B1
+       and then (B1 mod 4 * 16 + B2 / 16) mod 16 * 16
+                + (B2 mod 16 * 4 + B3 / 64) / 4 = B2
+       and then (B2 mod 16 * 4 + B3 / 64) mod 4 * 64 + B3 mod 64 = B3
+       and then (if B2 = 0 then (B1 mod 4 * 16 + B2 / 16) mod 16 = 0)
+       and then (if B3 = 0 then (B2 mod 16 * 4 + B3 / 64) mod 4 = 0);
+   --  Three bytes cut into four sextets, and put together again.
+
    procedure Prove_Byte_Back
      (Input : Byte_Array; Length : Natural; Text : String; I : Positive)
    with
@@ -354,31 +369,42 @@ package body Base64 with SPARK_Mode is
            Output (First + P) = Encoded_At (Input, Length, P));
    end Encode;
 
-   ----------------
-   -- Encoded_At --
-   ----------------
+   ---------------------
+   -- Group_Character --
+   ---------------------
 
-   function Encoded_At
-     (Input : Byte_Array; Length, P : Natural) return Character
+   function Group_Character
+     (Input : Byte_Array; Length, K : Natural; J : Place) return Character
    is
-      I  : constant Positive := P / 4 * 3 + 1;
-      N1 : constant Natural := Bits (Input, Length, I);
-      N2 : constant Natural := Bits (Input, Length, I + 1);
-      N3 : constant Natural := Bits (Input, Length, I + 2);
+      N1 : constant Natural := Bits (Input, Length, 3 * K + 1);
+      N2 : constant Natural := Bits (Input, Length, 3 * K + 2);
+      N3 : constant Natural := Bits (Input, Length, 3 * K + 3);
    begin
-      case P mod 4 is
+      case J is
          when 0 =>
             return Symbol (N1 / 4);
          when 1 =>
             return Symbol (N1 mod 4 * 16 + N2 / 16);
          when 2 =>
-            return (if I + 1 > Length then Padding
+            return (if 3 * K + 2 > Length then Padding
                     else Symbol (N2 mod 16 * 4 + N3 / 64));
-         when others =>
-            return (if I + 2 > Length then Padding
+         when 3 =>
+            return (if 3 * K + 3 > Length then Padding
                     else Symbol (N3 mod 64));
       end case;
-   end Encoded_At;
+   end Group_Character;
+
+   ----------------
+   -- Prove_Bits --
+   ----------------
+
+   procedure Prove_Bits (B1, B2, B3 : Natural) is
+   begin
+      pragma Assert ((B1 mod 4 * 16 + B2 / 16) / 16 = B1 mod 4);
+      pragma Assert ((B1 mod 4 * 16 + B2 / 16) mod 16 = B2 / 16);
+      pragma Assert ((B2 mod 16 * 4 + B3 / 64) / 4 = B2 mod 16);
+      pragma Assert ((B2 mod 16 * 4 + B3 / 64) mod 4 = B3 / 64);
+   end Prove_Bits;
 
    -----------------
    -- Prove_Bytes --
@@ -411,7 +437,16 @@ package body Base64 with SPARK_Mode is
    -- Prove_Group --
    -----------------
 
-   procedure Prove_Group (Input : Byte_Array; Length, K : Natural) is null;
+   procedure Prove_Group (Input : Byte_Array; Length, K : Natural) is
+   begin
+      for J in Place loop
+         pragma Assert ((4 * K + J) / 4 = K);
+         pragma Assert ((4 * K + J) mod 4 = J);
+         pragma Assert
+           (Encoded_At (Input, Length, 4 * K + J)
+              = Group_Character (Input, Length, K, J));
+      end loop;
+   end Prove_Group;
 
    ----------------------
    -- Prove_Group_Back --
@@ -428,6 +463,7 @@ package body Base64 with SPARK_Mode is
       V3 : constant Sextet := B2 mod 16 * 4 + B3 / 64;
       V4 : constant Sextet := B3 mod 64;
    begin
+      Prove_Bits (B1, B2, B3);
       Prove_Group (Input, Length, K);
       Prove_Bytes (Text, K);
       Prove_Symbol (V1);

@@ -19,6 +19,8 @@ package Base64 with SPARK_Mode is
 
    subtype Sextet is Natural range 0 .. 63;
 
+   subtype Place is Natural range 0 .. 3;
+
    function Symbol (Value : Sextet) return Character is
      (if Value < 26 then Character'Val (Character'Pos ('A') + Value)
       elsif Value < 52 then Character'Val (Character'Pos ('a') + Value - 26)
@@ -57,25 +59,39 @@ package Base64 with SPARK_Mode is
      Post => Bits'Result <= 255;
    --  Byte I of the input, zero behind its end.
 
-   function Encoded_At
-     (Input : Byte_Array; Length, P : Natural) return Character
+   function Group_Character
+     (Input : Byte_Array; Length, K : Natural; J : Place) return Character
    with
      Ghost,
-     Pre  => Is_Input (Input, Length) and then P < Encoded_Length (Length),
-     Post => Encoded_At'Result =
-       (case P mod 4 is
+     Pre  => Is_Input (Input, Length)
+       and then K < Encoded_Length (Length) / 4,
+     Post => Group_Character'Result =
+       (case J is
            when 0 =>
-             Symbol (Bits (Input, Length, P / 4 * 3 + 1) / 4),
+             Symbol (Bits (Input, Length, 3 * K + 1) / 4),
            when 1 =>
-             Symbol (Bits (Input, Length, P / 4 * 3 + 1) mod 4 * 16
-                     + Bits (Input, Length, P / 4 * 3 + 2) / 16),
+             Symbol (Bits (Input, Length, 3 * K + 1) mod 4 * 16
+                     + Bits (Input, Length, 3 * K + 2) / 16),
            when 2 =>
-             (if P / 4 * 3 + 2 > Length then Padding
-              else Symbol (Bits (Input, Length, P / 4 * 3 + 2) mod 16 * 4
-                           + Bits (Input, Length, P / 4 * 3 + 3) / 64)),
-           when others =>
-             (if P / 4 * 3 + 3 > Length then Padding
-              else Symbol (Bits (Input, Length, P / 4 * 3 + 3) mod 64)));
+             (if 3 * K + 2 > Length then Padding
+              else Symbol (Bits (Input, Length, 3 * K + 2) mod 16 * 4
+                           + Bits (Input, Length, 3 * K + 3) / 64)),
+           when 3 =>
+             (if 3 * K + 3 > Length then Padding
+              else Symbol (Bits (Input, Length, 3 * K + 3) mod 64)))
+       and then (Is_Symbol (Group_Character'Result)
+                 or else Group_Character'Result = Padding)
+       and then (Group_Character'Result = Padding) =
+                  (J > 1 and then 3 * K + J > Length);
+   --  Character J of group K, both counted from 0, of the encoding of
+   --  Input (1 .. Length).
+
+   function Encoded_At
+     (Input : Byte_Array; Length, P : Natural) return Character
+   is (Group_Character (Input, Length, P / 4, P mod 4))
+   with
+     Ghost,
+     Pre => Is_Input (Input, Length) and then P < Encoded_Length (Length);
    --  Character P, counted from 0, of the encoding of Input (1 .. Length).
 
    function Are_Symbols_At (Text : String; K : Natural) return Boolean
