@@ -6,6 +6,8 @@ with Options;
 
 package Settings with SPARK_Mode is
 
+   pragma Annotate (GNATprove, Terminating, Settings);
+
    procedure Set (Chosen : Options.Values);
 
    procedure Get (Chosen : out Options.Values);

@@ -6,6 +6,8 @@ with Orders;
 
 package Vision_Queue with SPARK_Mode is
 
+   pragma Annotate (GNATprove, Terminating, Vision_Queue);
+
    procedure Put
      (Item : Orders.Order; Now : out Boolean);
    --  Now: Item may be carried out at once; else it waits its turn here

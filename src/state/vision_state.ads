@@ -8,6 +8,8 @@ with Vision_Mode;
 
 package Vision_State with SPARK_Mode is
 
+   pragma Annotate (GNATprove, Terminating, Vision_State);
+
    type View is record
       Mode  : Vision_Mode.State;
       Arena : Vision.Arena_Corners := Vision.No_Arena;
