@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+   The end of the process: an orderly stop, at any point of a session, or
+   the failure of any task; and the log, which nobody waits for. */
+
+#include "common.pml"
+
+#define LINES  1         /* the log's buffer; a line more is not kept */
+
+bool Left  = false;      /* the process has ended: nothing runs any more */
+bool Moves = false;      /* a movement has gone out, and no stop since */
+bool Fault = false;      /* a task has failed */
+bool Orderly = false;    /* an orderly stop is under way */
+
+mtype:signal = { None, Stop_Request, Failure };
+mtype:signal Pending = None;
+
+mtype:task = { Nobody, Of_Stop, Of_Main, Of_Line, Of_Lost, Other };
+mtype:task Failed = Nobody;
+
+/* Journal */
+typedef Journal_Buffer_Type { byte Count; bool Writing };
+PROTECTED (Journal_Buffer);
+EVENT (Journal_Arrived);
+bool Console_Stuck = false;       /* takes no more: a pipe nobody reads */
+
+inline Put_Line () {
+   atomic {
+      if
+      :: Journal_Buffer.Count < LINES -> Journal_Buffer.Count++
+      :: else
+      fi
+   };
+#ifndef MUTANT_LOG_WITHOUT_EVENT
+   Set_True (Journal_Arrived)
+#else
+   skip
+#endif
+}
+
+active proctype Th_Console () provided (!Left)
+{
+end_wait:
+   atomic {
+      Journal_Arrived -> Journal_Arrived = false;
+look: if
+      :: Journal_Buffer.Count > 0 ->
+         Journal_Buffer.Count--;
+         Journal_Buffer.Writing = true
+      :: else -> goto end_wait
+      fi
+   };
+end_stuck:
+   atomic { !Console_Stuck -> Journal_Buffer.Writing = false; goto look }
+}
+
+/* Settings: set once, before the server begins */
+typedef Settings_Store_Type { bool Set };
+PROTECTED (Settings_Store);
+EVENT (Session_Server_Allowed);
+EVENT (Failures_Stop_Failed);
+
+/* Robot_Line, Session, as far as the end needs them: the session's tasks
+   are in session.pml, the line's in orders.pml */
+mtype:stage = { Free, Active, Closing };
+mtype:stage Stage = Free;
+bool Stopping  = false;
+bool Line_Open = false;
+bool Refused   = false;   /* Robot_Line: no order is carried out any more */
+
+/* The fall-back handler of a task that ends; runs in that task */
+typedef Failures_Fallback_Type { bool Used };
+PROTECTED (Failures_Fallback);
+
+inline Stop_Blindly () { Moves = false }
+
+inline Ended (which) {
+   atomic {
+      Failures_Fallback.Used = true;
+      Put_Line ();
+      if
+      :: which == Of_Stop ->
+         Stop_Blindly ();
+#ifndef MUTANT_FAILED_STOP_NOT_TOLD
+         Set_True (Failures_Stop_Failed)
+#endif
+      :: else -> Pending = Failure
+      fi
+   }
+}
+
+/* Any task may fail, once, at any time but during an orderly stop */
+active proctype Any_Task () provided (!Left)
+{
+   mtype:task which;
+   if
+   :: which = Of_Stop
+   :: which = Of_Main
+   :: which = Of_Line
+   :: which = Of_Lost
+   :: which = Other
+   :: goto none
+   fi;
+   atomic {
+      if
+      :: Orderly -> goto none
+      :: else -> Failed = which; Fault = true
+      fi;
+      Ended (which)
+   };
+none:
+   skip
+}
+
+/* A signal from outside, at any time, or never; a console that sticks */
+active proctype User () provided (!Left)
+{
+   if
+   :: atomic { Pending == None -> Pending = Stop_Request }
+   :: skip
+   fi;
+   if
+   :: Console_Stuck = true
+   :: skip
+   fi
+}
+
+active proctype Supervisor () provided (!Left && Failed != Of_Main)
+{
+   Settings_Store.Set = true;
+   Set_True (Session_Server_Allowed);
+end_wait:
+   Suspend_Until_True (Failures_Stop_Failed);
+   /* its last lines are written meanwhile */
+   atomic { Stop_Blindly (); Left = true }
+}
+
+/* Admits a monitor, not while the supervisor stops */
+active proctype Th_Server () provided (!Left)
+{
+   byte again = 2;
+   Suspend_Until_True (Session_Server_Allowed);
+   assert (Settings_Store.Set);
+end_wait:
+   do
+#ifndef MUTANT_ADMITTED_WHILE_STOPPING
+   :: atomic { again > 0 && Stage == Free && !Stopping ->
+               again--; Stage = Active }
+#else
+   :: atomic { again > 0 && Stage == Free && !Stopping -> again-- };
+      Stage = Active
+#endif
+   od
+}
+
+/* Th_Line: while a monitor is in command, its movements go out */
+active proctype Th_Line () provided (!Left && Failed != Of_Line)
+{
+end_wait:
+   do
+   :: atomic { Stage == Active && !Refused && !Moves ->
+               Line_Open = true; Moves = true }
+   :: atomic { Stage == Closing && Line_Open ->
+               Moves = false; Line_Open = false }
+   od
+}
+
+active proctype Th_Com_Mon_Perdue () provided (!Left && Failed != Of_Lost)
+{
+end_wait:
+   do
+   :: atomic { Stage == Active -> Stage = Closing };
+      Put_Line ();
+      !Line_Open;
+      Stage = Free
+   od
+}
+
+#define Session_Over  (Stage == Free && !Line_Open)
+
+active proctype Th_Stop () provided (!Left && Failed != Of_Stop)
+{
+   mtype:signal kind = None;
+end_wait:
+   atomic { Pending != None -> kind = Pending; Pending = None;
+            Orderly = (kind == Stop_Request && !Fault) };
+#ifndef MUTANT_WAITING_ORDERS_CARRIED_OUT
+   Refused = Refused || kind == Failure;
+#endif
+   if
+   :: kind == Failure -> Stop_Blindly ()
+   :: else
+   fi;
+   Put_Line ();
+   Stopping = true;
+   /* Wait_Session_End: as long as it takes, or, where a task has failed or
+      the line hangs, until the limit */
+   if
+   :: Session_Over
+   :: Fault
+   fi;
+   if
+   :: Line_Open -> Stop_Blindly ()
+   :: else
+   fi;
+   Put_Line ();
+   /* Wait_Console */
+   if
+   :: Journal_Buffer.Count == 0 && !Journal_Buffer.Writing
+   :: Console_Stuck
+   :: Fault
+   fi;
+   atomic { assert (!Moves); Left = true }
+}
+
+ltl ends_when_told
+   { [] ((Pending != None || Fault) -> <> Left) }
+ltl log_is_written
+   { [] (Journal_Buffer.Count > 0 -> <> (Journal_Buffer.Count == 0 || Console_Stuck || Left)) }

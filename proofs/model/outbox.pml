@@ -1,0 +1,292 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+   Commands and answers, the unasked messages and their hold, up to the end
+   of a session and into the next. */
+
+#include "common.pml"
+
+#define SESSIONS  2
+#ifndef COMMANDS
+#define COMMANDS  2   /* in each session */
+#endif
+#ifndef CAPACITY
+#define CAPACITY  1   /* commands that may wait for their answers */
+#endif
+#ifndef UNASKED
+#define UNASKED   1   /* unasked messages, in all */
+#endif
+
+bool Shut      = false;   /* the connection, in either direction */
+bool Reads     = false;   /* the monitor takes what it is sent */
+bool Patient   = false;   /* it sends no more and waits for its answers */
+bool Busy      = false;   /* the sender is sending */
+bool Handling  = false;   /* a command has been received */
+byte Owed      = 0;       /* answers that it has not got */
+
+mtype:message = { Nothing, An_Answer, An_Unasked };
+mtype:place   = { Awaited, Ready_Text, Ready_Nothing };
+typedef Outbox_Box_Type {
+   bool Open;
+   bool Ready;
+   mtype:place Places [CAPACITY] = Awaited;  /* the first is the oldest */
+   byte Count;
+   byte Head = 1;
+   bool Unasked;    /* one that waits */
+   bool Released;
+   bool Answered;
+   bool Renewed     /* Held_Since is newer than th_hold has seen */
+};
+PROTECTED (Outbox_Box);
+EVENT (Outbox_Room);
+EVENT (Outbox_Work);
+EVENT (Outbox_Hold_Begun);
+
+#define Box           Outbox_Box
+#define Answer_Waits  (Box.Count > 0 && Box.Places [0] != Awaited)
+
+inline Next_Place () {
+#if CAPACITY > 1
+   Box.Places [0] = Box.Places [1];
+#endif
+   Box.Places [CAPACITY - 1] = Awaited;
+   Box.Count--;
+   Box.Head++
+}
+
+inline Refresh () {
+   do
+   :: Box.Count > 0 && Box.Places [0] == Ready_Nothing -> Next_Place ()
+   :: else -> break
+   od;
+   Box.Released = Box.Released && Box.Unasked;
+   Box.Ready = Box.Open && (Answer_Waits ||
+      (Box.Unasked && (Box.Count == 0 || Box.Released)))
+}
+
+inline Answer (number, item) {
+#ifdef MUTANT_EVENT_BEFORE_STATE
+   Set_True (Outbox_Work);
+   Set_True (Outbox_Room);
+#endif
+   d_step {
+      if
+      :: number >= Box.Head && number - Box.Head < Box.Count ->
+         /* no command is answered twice */
+         assert (Box.Places [number - Box.Head] == Awaited);
+         Box.Places [number - Box.Head] = item;
+         Refresh ()
+      :: else
+      fi
+   }
+#ifndef MUTANT_EVENT_BEFORE_STATE
+#ifndef MUTANT_ANSWER_WITHOUT_EVENT
+   Set_True (Outbox_Work);
+#endif
+   Set_True (Outbox_Room)
+#endif
+}
+
+/* Orders on their way to the tasks that carry them out: see orders.pml and
+   vision.pml. Here tasks that take any time, in any order. */
+
+chan Dispatched = [CAPACITY] of { byte };
+
+active [CAPACITY] proctype Executor ()
+{
+   byte number;
+end_wait:
+   do
+   :: Dispatched ? number;
+#ifdef STUCK
+end_stuck:
+      false;              /* as an opening may that waits for its camera */
+#endif
+      Answer (number, Ready_Text);
+      number = 0
+   od
+}
+
+EVENT (Session_Receive_Begins);
+EVENT (Session_Receive_Ended);
+
+active proctype Th_Receive_From_Mon ()
+{
+   byte number, sent;
+end_wait:
+   do
+   :: Suspend_Until_True (Session_Receive_Begins);
+      do
+      :: atomic { Shut -> break }
+      :: atomic { !Patient && sent < COMMANDS ->
+                  sent++; Handling = true };
+         /* Reserve */
+reserve: atomic {
+            if
+            :: !Box.Open -> Handling = false; break
+            :: Box.Open && Box.Count < CAPACITY ->
+               number = Box.Head + Box.Count;
+               Box.Places [Box.Count] = Awaited;
+               Box.Count++;
+               Refresh ();
+               goto reserved
+            :: Box.Open && Box.Count == CAPACITY
+            fi
+         };
+         atomic { Outbox_Room -> Outbox_Room = false; goto reserve };
+reserved:
+         if
+         :: Answer (number, Ready_Nothing)              /* Log_Message */
+         :: Owed++; Answer (number, Ready_Text)         /* Malformed */
+         :: atomic { Owed++; assert (len (Dispatched) < CAPACITY);
+                     Dispatched ! number }
+         fi;
+         atomic { number = 0; Handling = false }
+      od;
+      sent = 0;
+      Set_True (Session_Receive_Ended)
+   od
+}
+
+active proctype Th_Send_To_Mon ()
+{
+   mtype:message kind = Nothing;
+end_wait:
+   atomic {
+      Outbox_Work -> Outbox_Work = false;
+look: if :: !Box.Ready -> goto end_wait :: else fi
+   };
+   /* the gap between messages; Take */
+   atomic {
+      if
+      :: Box.Open && Answer_Waits &&
+         !(Box.Unasked && Box.Released && Box.Answered) ->
+         kind = An_Answer;
+         Box.Answered = true;
+         Next_Place ()
+      :: else ->
+         if
+         :: Box.Open && Box.Unasked && (Box.Count == 0 || Box.Released) ->
+            kind = An_Unasked;
+            Box.Answered = false;
+            Box.Unasked = false
+         :: else -> goto look
+         fi
+      fi;
+      Busy = true;
+      Refresh ()
+   };
+   if
+   :: kind == An_Answer -> Set_True (Outbox_Room)
+   :: else
+   fi;
+   /* Send */
+   atomic {
+      if
+      :: Reads && !Shut ->
+         assert (kind != An_Answer || Owed > 0);
+         Owed = Owed - (kind == An_Answer)
+      :: Shut
+      fi;
+      kind = Nothing;
+      Busy = false;
+      goto look
+   }
+}
+
+active proctype Th_Hold ()
+{
+end_wait:
+   atomic {
+      Outbox_Hold_Begun -> Outbox_Hold_Begun = false;
+look: Box.Renewed = false;
+      if :: !(Box.Unasked && !Box.Released) -> goto end_wait :: else fi
+   };
+   /* delay until At_Time; End_Hold */
+   atomic {
+      if
+      :: Box.Unasked -> Box.Released = true; Refresh ()
+      :: Box.Unasked && Box.Renewed
+      :: !Box.Unasked
+      fi
+   };
+#ifndef MUTANT_HOLD_WITHOUT_EVENT
+   Set_True (Outbox_Work);
+#endif
+   atomic { true -> goto look }
+}
+
+/* Robot and vision have something to say that nobody asked for */
+
+active proctype Unasked_Source ()
+{
+   byte left = UNASKED;
+end_wait:
+   do
+   :: atomic {
+         left > 0 && Box.Open -> left--;
+         if :: !Box.Unasked -> Box.Renewed = true :: else fi;
+         Box.Unasked = true;
+         Refresh ()
+      };
+      Set_True (Outbox_Work);
+#ifndef MUTANT_HOLD_NOT_BEGUN
+      Set_True (Outbox_Hold_Begun)
+#endif
+   od
+}
+
+active proctype Th_Com_Mon_Perdue ()
+{
+   byte session;
+   do
+   :: session < SESSIONS ->
+      atomic {
+         session++;
+         Box.Open = true;
+         Box.Answered = false;
+         Box.Unasked = false;
+         Refresh ();
+         Shut = false;
+         Owed = 0
+      };
+      Set_True (Session_Receive_Begins);
+      if
+      :: Reads = true;
+         if
+         :: true
+         :: /* exactly one answer each, else it waits for ever */
+            Patient = true;
+            atomic { Owed == 0 && !Handling -> Patient = false }
+         :: /* or it never goes */
+end_stays:  false
+         fi
+      :: Reads = false
+      fi;
+      /* lost; Bring_Back */
+      atomic { Shut = true; Reads = false };
+      atomic {
+         Box.Open = false;
+         Box.Head = Box.Head + Box.Count;
+         Box.Count = 0;
+         Box.Places [0] = Awaited;
+         Box.Places [CAPACITY - 1] = Awaited;
+         Box.Unasked = false;
+         Refresh ()
+      };
+#ifndef MUTANT_CLOSE_WITHOUT_ROOM
+      Set_True (Outbox_Room);
+#endif
+      !Busy;                     /* Wait_Sender: see session.pml */
+      Suspend_Until_True (Session_Receive_Ended);
+      /* Task_Ports.Clear */
+      atomic {
+         do
+         :: Dispatched ? _
+         :: len (Dispatched) == 0 -> break
+         od
+      }
+   :: else -> break
+   od
+}
+
+ltl every_command_answered { [] (Patient -> <> !Patient) }
+ltl unasked_not_held_for_ever { [] (Box.Unasked -> <> !Box.Unasked) }

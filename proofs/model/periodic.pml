@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+   The periodic tasks of the robot, which a start sets going: reload of the
+   watchdog, battery, keep-alive; while orders come without end. */
+
+#include "common.pml"
+
+/* Checked in parts: with -DRELOAD the watchdog's reload against stops
+   without end, or with -DMOVES against movements without end; else one of the
+   companions of a run, battery or, with -DKEEP_ALIVE, keep-alive, with both
+   ways to start. */
+
+#define STOPS  1         /* that wait at a time */
+
+inline Outbox_Answer (its_number) { skip }
+
+#define EVENTS_AT_ONCE
+#include "line.pml"
+
+EVENT (Robot_Events_For_Reload);
+EVENT (Robot_Events_For_Battery);
+EVENT (Robot_Events_For_Keep_Alive);
+
+#define In_Watchdog_Mode  (L.Mode == Started_With_Watchdog)
+#define Same_Run(c)       (L.Mode != Not_Started && !L.New_Epoch [c])
+
+/* Orders, at any time, of any kind: they carry no number, as if each were
+   in turn; orders.pml has the numbers */
+
+active proctype Th_Start_Robot_WD ()
+{
+end_wait:
+   do
+   :: Ask (Robot_Clients_Start_Watchdog, Start_Watchdog, 0, 0, 0);
+      atomic {
+         Finished (Robot_Clients_Start_Watchdog);
+         if
+         :: L.Result [Robot_Clients_Start_Watchdog] != Done ->
+            L.Result [Robot_Clients_Start_Watchdog] = 0;
+            goto end_wait
+         :: else -> L.Result [Robot_Clients_Start_Watchdog] = 0
+         fi
+      };
+#ifdef RELOAD
+#ifndef MUTANT_RELOAD_NOT_BEGUN
+      Set_True (Robot_Events_For_Reload)
+#endif
+#else
+#ifndef MUTANT_BATTERY_NOT_BEGUN
+      Set_True (Robot_Events_For_Battery);
+#endif
+      Set_True (Robot_Events_For_Keep_Alive)
+#endif
+   od
+}
+
+#ifndef RELOAD
+active proctype Th_Start_Robot ()
+{
+end_wait:
+   do
+   :: Ask (Robot_Clients_Start, Start, 0, 0, 0);
+      atomic {
+         Finished (Robot_Clients_Start);
+         if
+         :: L.Result [Robot_Clients_Start] != Done ->
+            L.Result [Robot_Clients_Start] = 0;
+            goto end_wait
+         :: else -> L.Result [Robot_Clients_Start] = 0
+         fi
+      };
+      Set_True (Robot_Events_For_Battery);
+      Set_True (Robot_Events_For_Keep_Alive)
+   od
+}
+#endif
+
+active proctype Th_Reset_Robot ()
+{
+end_wait:
+   do
+   :: if
+      :: Ask (Robot_Clients_Reset, Open_Line, 0, 0, 0)
+      :: Ask (Robot_Clients_Reset, Reset, 0, 0, 0)
+      fi;
+      atomic {
+         Finished (Robot_Clients_Reset);
+         L.Result [Robot_Clients_Reset] = 0
+      }
+   od
+}
+
+#ifdef MOVES
+active proctype Th_Move ()
+{
+end_wait:
+   do
+   :: Ask (Robot_Clients_Move, Drive, 0, 0, 0);
+      atomic {
+         Finished (Robot_Clients_Move);
+         L.Result [Robot_Clients_Move] = 0
+      }
+   od
+}
+
+#endif
+
+#ifdef RELOAD
+#ifndef MOVES
+active proctype Stop_Source ()
+{
+end_wait:
+   do
+   :: atomic { len (Stops) < STOPS -> Put_Stop (1) }
+   od
+}
+#endif
+
+active proctype Th_Reload_WD ()
+{
+end_wait:
+   atomic {
+      Robot_Events_For_Reload -> Robot_Events_For_Reload = false;
+      L.New_Epoch [Robot_Clients_Reload] = false;
+look: if
+      :: Same_Run (Robot_Clients_Reload) && In_Watchdog_Mode
+      :: else -> goto end_wait
+      fi
+   };
+   d_step {
+      L.Reload_Due = Far;
+      Reloaded = false;
+      Refresh_Line ()
+   }
+   Set_True (Robot_Line_Work);
+   atomic {
+      /* delay until Next */
+      L.Reload_Due != Far || L.New_Epoch [Robot_Clients_Reload];
+      /* the look and the request: nothing begins and ends on the line
+         between the two, the task's priority is next to its owner's */
+#ifndef MUTANT_RELOAD_WITHOUT_LOOK
+      if
+      :: Same_Run (Robot_Clients_Reload) && In_Watchdog_Mode
+      :: else -> goto end_wait
+      fi;
+#endif
+      Put (Robot_Clients_Reload, Reload, 0, 0, 0)
+   };
+   atomic {
+      Finished (Robot_Clients_Reload);
+      L.Result [Robot_Clients_Reload] = 0;
+      goto look
+   }
+}
+
+/* The time at which the reload is due comes near, and passes */
+
+active proctype Clock ()
+{
+end_wait:
+   do
+   :: atomic { L.Reload_Due == Far  -> L.Reload_Due = Near }
+   :: atomic { L.Reload_Due == Near -> L.Reload_Due = Past }
+   od
+}
+
+#else
+
+/* Battery and keep-alive: from a start on, as long as the same run lasts */
+
+inline Accompany (begun, client, what) {
+   atomic {
+      begun -> begun = false;
+      L.New_Epoch [client] = false;
+look: if
+      :: Same_Run (client)
+      :: else -> goto end_wait
+      fi
+   };
+   /* delay until Next */
+   atomic {
+      if
+      :: Same_Run (client)
+      :: else -> goto end_wait
+      fi
+   };
+   Ask (client, what, 0, 0, 0);
+   atomic {
+      Finished (client);
+      L.Result [client] = 0;
+      goto look
+   }
+}
+
+#ifndef KEEP_ALIVE
+active proctype Th_Battery_Level ()
+{
+end_wait:
+   Accompany (Robot_Events_For_Battery, Robot_Clients_Battery, Query)
+}
+
+#else
+active proctype Th_Keep_Alive ()
+{
+end_wait:
+   Accompany (Robot_Events_For_Keep_Alive, Robot_Clients_Keep_Alive,
+              Keep_Alive)
+}
+#endif
+
+#endif
+
+#ifdef RELOAD
+ltl reload_never_starves
+   { [] (L.Pending [Robot_Clients_Reload] -> <> !L.Pending [Robot_Clients_Reload]) }
+ltl reload_as_long_as_it_runs
+   { []<> (!In_Watchdog_Mode || Reloaded) && []<> (!In_Watchdog_Mode || !Reloaded) }
+#else
+#ifndef KEEP_ALIVE
+ltl battery_as_long_as_it_runs
+   { []<> (L.Mode == Not_Started || L.Pending [Robot_Clients_Battery]) }
+#else
+ltl line_kept_alive_as_long_as_it_runs
+   { []<> (L.Mode == Not_Started || L.Pending [Robot_Clients_Keep_Alive]) }
+#endif
+#endif

@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+   The session with the monitor: admission, the loss of the monitor, the way
+   back to the initial state, and who may use the connection meanwhile. What
+   is received and sent is in outbox.pml. */
+
+#include "common.pml"
+
+#ifndef MONITORS
+#define MONITORS  2   /* that come, at any time, also at the same time */
+#endif
+
+/* The network: one connection for each monitor, 0 is none */
+
+mtype:peer      = { Away, Present, Gone, Silent };
+mtype:admission = { Not_Met, Admitted, Rejected };
+
+mtype:peer      Peer [MONITORS + 1] = Away;
+mtype:admission Met  [MONITORS + 1] = Not_Met;
+bool Shut [MONITORS + 1] = false;      /* by the supervisor */
+byte Current = 0;                      /* the monitor's in command */
+bool Waker   = false;                  /* Wake_Server */
+chan Backlog = [MONITORS] of { byte };
+
+bool In_Receive = false;
+bool In_Send    = false;
+bool In_Watch   = false;
+
+#define Over(c)  (Shut [c] || Peer [c] == Gone)
+
+inline Shut_Down (own) {
+   /* frees Receive, Send and Watch; must not hit the next monitor */
+   atomic { assert (Current == own); Shut [Current] = true }
+}
+
+mtype:stage = { Free, Active, Closing, Closed };
+typedef Session_State_Type { mtype:stage Current = Free };
+PROTECTED (Session_State);
+EVENT (Session_Server_Allowed);
+EVENT (Session_Listening);
+EVENT (Session_Session_Closed);
+EVENT (Session_Receive_Begins);
+EVENT (Session_Receive_Ended);
+EVENT (Session_Watch_Begins);
+#define Stage  Session_State.Current
+
+bool Outbox_Open = false;    /* of Outbox.Box: see outbox.pml */
+bool Outbox_Busy = false;
+EVENT (Outbox_Sender_Left);
+
+active proctype Supervisor ()
+{
+   Set_True (Session_Server_Allowed);
+   Suspend_Until_True (Session_Listening)
+}
+
+inline Close_Session () {
+   atomic {
+      Session_Session_Closed -> Session_Session_Closed = false;
+      /* what Monitor_Sockets.Close asks for */
+      assert (!In_Receive && !In_Send && !In_Watch);
+      Current = 0
+   };
+   Stage = Free
+}
+
+active proctype Th_Server ()
+{
+   byte peer;
+   Suspend_Until_True (Session_Server_Allowed);
+   Set_True (Session_Listening);
+end_wait:
+   do
+   :: atomic {
+         Waker -> Waker = false;
+         if :: Stage != Closed -> goto end_wait :: else fi
+      };
+      Close_Session ()
+   :: atomic {
+         !Waker && len (Backlog) > 0 -> Backlog ? peer;
+         /* Meet_Newcomer */
+         if
+         :: Stage == Active ->
+            Met [peer] = Rejected; peer = 0; goto end_wait
+         :: Stage == Free -> goto admit
+         :: else
+         fi
+      };
+      Close_Session ();
+admit:
+      Stage = Active;     /* not while stopping: see ending.pml */
+      atomic { assert (Current == 0); Current = peer };
+      Outbox_Open = true;
+      Met [peer] = Admitted;
+      Set_True (Session_Receive_Begins);
+      atomic { peer = 0; Set_True (Session_Watch_Begins) }
+   od
+}
+
+active proctype Th_Receive_From_Mon ()
+{
+   byte own;
+end_wait:
+   do
+   :: atomic { Session_Receive_Begins -> Session_Receive_Begins = false;
+               own = Current; In_Receive = true };
+      if
+      :: Over (own)
+      :: !Outbox_Open          /* found in Outbox.Reserve */
+      fi;
+      Shut_Down (own);
+      atomic { In_Receive = false; own = 0 };
+      Set_True (Session_Receive_Ended)
+   od
+}
+
+active proctype Th_Send_To_Mon ()
+{
+   bool success, closed;
+   byte own;
+end_wait:
+   do
+   :: /* Take: something to send, at any time */
+      atomic { Outbox_Open -> Outbox_Busy = true };
+      atomic { assert (Current != 0); own = Current; In_Send = true };
+      /* a silent monitor, or one that does not read, blocks it */
+      if
+      :: atomic { !Shut [own] && Peer [own] == Present -> success = true }
+      :: atomic { Over (own) -> success = false }
+      fi;
+      In_Send = false;
+#ifndef MUTANT_SENT_BEFORE_SHUT_DOWN
+      if :: !success -> Shut_Down (own) :: else fi;
+#endif
+      atomic { Outbox_Busy = false; closed = !Outbox_Open };
+      if :: closed -> Set_True (Outbox_Sender_Left) :: else fi;
+#ifdef MUTANT_SENT_BEFORE_SHUT_DOWN
+      if :: !success -> Shut_Down (own) :: else fi;
+#endif
+      atomic { own = 0; success = false; closed = false }
+   od
+}
+
+active proctype Th_Com_Mon_Perdue ()
+{
+   byte own;
+end_wait:
+   do
+   :: atomic { Session_Watch_Begins -> Session_Watch_Begins = false;
+               own = Current; In_Watch = true };
+      /* Wait_Loss: Watch and Judge */
+      atomic { Over (own) || Peer [own] == Silent -> In_Watch = false };
+      Set_False (Session_Session_Closed);
+      Stage = Closing;
+      /* Bring_Back */
+#ifdef MUTANT_WAITS_SWAPPED
+      Suspend_Until_True (Session_Receive_Ended);
+#endif
+      Shut_Down (own);
+      Set_False (Outbox_Sender_Left);
+      Outbox_Open = false;
+      /* the robot: see orders.pml; the camera: see vision.pml */
+      do
+      :: atomic { !Outbox_Busy -> break }
+      :: atomic { Outbox_Busy -> skip };
+         Suspend_Until_True (Outbox_Sender_Left)
+#ifdef MUTANT_SENDER_LOOKED_AT_ONCE
+         ; break
+#endif
+      od;
+#ifndef MUTANT_WAITS_SWAPPED
+      Suspend_Until_True (Session_Receive_Ended);
+#endif
+      own = 0;
+      /* End_Closing */
+#ifdef MUTANT_CLOSED_BEFORE_STATE
+      Set_True (Session_Session_Closed);
+#endif
+      Stage = Closed;
+#ifndef MUTANT_CLOSED_BEFORE_STATE
+      Set_True (Session_Session_Closed);
+#endif
+#ifndef MUTANT_SERVER_NOT_WOKEN
+      Waker = true
+#endif
+   od
+}
+
+/* A monitor comes when it likes, and closes, or falls silent (cable out, or
+   it reads no more) at any point; also before it has been admitted */
+
+proctype Monitor (byte c)
+{
+   Peer [c] = Present;
+   Backlog ! c;
+   if
+   :: Peer [c] = Gone
+   :: Peer [c] = Silent
+   fi
+}
+
+init {
+   byte c = 1;
+   atomic { do :: c <= MONITORS -> run Monitor (c); c++ :: else -> break od }
+}
+
+#define Is_Lost  (Stage == Active && Current != 0 && Peer [Current] != Present)
+
+ltl initial_state_again { [] (Is_Lost -> <> (Stage == Free)) }
