@@ -3,7 +3,7 @@
 
 package Camera_Events with SPARK_Mode is
 
-   procedure Opened;
+   procedure Opened with Annotate => (GNATprove, Terminating);
 
    procedure Wait_Opened;
    --  For th_captureImg only

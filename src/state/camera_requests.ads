@@ -10,22 +10,25 @@ package Camera_Requests with SPARK_Mode is
    --  Asks for the camera and waits for what comes of it. For
    --  th_cameraControl only
 
-   procedure Close;
+   procedure Close with Annotate => (GNATprove, Terminating);
    --  The camera is no longer wanted. Does not wait
 
-   procedure Get_Idle (Idle : out Boolean);
+   procedure Get_Idle (Idle : out Boolean)
+   with Annotate => (GNATprove, Terminating);
    --  Whether the owner has released the camera
 
    procedure Wait_Open (Number : out Request_Number);
    --  Until the camera is wanted. For the owner only
 
-   procedure Get_Wanted (Number : Request_Number; Wanted : out Boolean);
+   procedure Get_Wanted (Number : Request_Number; Wanted : out Boolean)
+   with Annotate => (GNATprove, Terminating);
    --  Whether the camera opened for Number is wanted still
 
-   procedure Report (Success : Boolean);
+   procedure Report (Success : Boolean)
+   with Annotate => (GNATprove, Terminating);
    --  What came of opening it. For the owner only
 
-   procedure Released;
+   procedure Released with Annotate => (GNATprove, Terminating);
    --  The owner has closed the camera
 
 end Camera_Requests;

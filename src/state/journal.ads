@@ -23,20 +23,24 @@ package Journal with SPARK_Mode is
       Text  : Texts.Text;
    end record;
 
-   procedure Set_Level (Least : Options.Level);
+   procedure Set_Level (Least : Options.Level)
+   with Annotate => (GNATprove, Terminating);
    --  Lines less serious than Least are not kept
 
-   procedure Put (Level : Options.Level; Text : String);
-   procedure Put (Level : Options.Level; Text : Texts.Text);
+   procedure Put (Level : Options.Level; Text : String)
+   with Annotate => (GNATprove, Terminating);
+   procedure Put (Level : Options.Level; Text : Texts.Text)
+   with Annotate => (GNATprove, Terminating);
    --  One line. Characters that are no printable ASCII are shown as '?'
 
    procedure Take (Item : out Line);
    --  The oldest line; waits for it. For the console's task only
 
-   procedure Get_Waiting (Count : out Natural);
+   procedure Get_Waiting (Count : out Natural)
+   with Annotate => (GNATprove, Terminating);
    --  How many lines are not yet written
 
-   procedure Written;
+   procedure Written with Annotate => (GNATprove, Terminating);
    --  The line taken last is on the console
 
 end Journal;

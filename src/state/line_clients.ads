@@ -19,7 +19,7 @@ package Line_Clients with SPARK_Mode is
    --  The same for a request of its own, where it makes no difference what
    --  comes of it
 
-   procedure Signal;
+   procedure Signal with Annotate => (GNATprove, Terminating);
    --  The request has been carried out
 
 end Line_Clients;

@@ -9,14 +9,15 @@ with Schedule;
 generic
 package Order_Ports with SPARK_Mode is
 
-   procedure Put (Item : Orders.Order);
+   procedure Put (Item : Orders.Order)
+   with Annotate => (GNATprove, Terminating);
    --  An order for the task. There is always room: no more orders are
    --  under way than the port holds
 
    procedure Wait (Item : out Orders.Order);
    --  The next order; waits for it. For the one task of the port
 
-   procedure Clear;
+   procedure Clear with Annotate => (GNATprove, Terminating);
    --  Forget the orders that wait: their session has ended
 
 private

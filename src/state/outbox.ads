@@ -23,10 +23,11 @@ package Outbox with SPARK_Mode is
    -- For the session tasks --
    ---------------------------
 
-   procedure Open_Session;
+   procedure Open_Session with Annotate => (GNATprove, Terminating);
    --  Empties the box: a monitor has been admitted
 
-   procedure Close_Session (Next : out Orders.Ticket);
+   procedure Close_Session (Next : out Orders.Ticket)
+   with Annotate => (GNATprove, Terminating);
    --  Empties the box and frees whoever waits for it. Commands have lower
    --  numbers than Next so far
 
@@ -44,10 +45,12 @@ package Outbox with SPARK_Mode is
    --  ended meanwhile. For th_receiveFromMon only
 
    procedure Answer
-     (Number : Orders.Ticket; Kind : Monitor_Protocol.Answer_Kind);
+     (Number : Orders.Ticket; Kind : Monitor_Protocol.Answer_Kind)
+   with Annotate => (GNATprove, Terminating);
    --  The answer of one command; without effect if its session has ended
 
-   procedure Answer_Nothing (Number : Orders.Ticket);
+   procedure Answer_Nothing (Number : Orders.Ticket)
+   with Annotate => (GNATprove, Terminating);
    --  The command has no answer, but later ones have waited for it
 
    procedure Answer_With_Image
@@ -61,28 +64,33 @@ package Outbox with SPARK_Mode is
    -- The unasked messages --
    --------------------------
 
-   procedure Put_Robot_Lost;
+   procedure Put_Robot_Lost with Annotate => (GNATprove, Terminating);
    --  ATIM, unasked (F9)
 
-   procedure Put_Text (Text : Texts.Text);
+   procedure Put_Text (Text : Texts.Text)
+   with Annotate => (GNATprove, Terminating);
    --  MSSG. Eight may wait; of more the oldest is dropped
 
-   procedure Put_Battery (Kind : Monitor_Protocol.Answer_Kind);
+   procedure Put_Battery (Kind : Monitor_Protocol.Answer_Kind)
+   with Annotate => (GNATprove, Terminating);
 
-   procedure Get_Generation (Current : out Generation);
+   procedure Get_Generation (Current : out Generation)
+   with Annotate => (GNATprove, Terminating);
 
    procedure Put_Position
      (Text   : String;
-      Made   : Generation);
+      Made   : Generation)
+   with Annotate => (GNATprove, Terminating);
    --  The line as it is to be sent, at most Position_Length characters
 
    procedure Put_Image
      (Data   : Message_Buffer;
       Length : Message_Length;
-      Made   : Generation);
+      Made   : Generation)
+   with Annotate => (GNATprove, Terminating);
    --  Replaces an image that waits still
 
-   procedure Stop_Images;
+   procedure Stop_Images with Annotate => (GNATprove, Terminating);
    --  Begins a new generation; what waits of the older one is dropped
 
    ------------------
@@ -97,12 +105,13 @@ package Outbox with SPARK_Mode is
    procedure Take
      (Kind   : out Message_Kind;
       Data   : in out Message_Buffer;
-      Length : out Message_Length);
+      Length : out Message_Length)
+   with Annotate => (GNATprove, Terminating);
    --  The most urgent message that may be sent now, if any: answers first,
    --  unless unasked ones have been held back for long enough. Until Sent
    --  the sender counts as busy. For th_sendToMon only
 
-   procedure Sent;
+   procedure Sent with Annotate => (GNATprove, Terminating);
    --  What was taken has been sent, or could not be
 
    ----------------------------------
@@ -113,13 +122,15 @@ package Outbox with SPARK_Mode is
    --  Until an unasked message begins to wait. For the hold's task only
 
    procedure Get_Hold_End
-     (Any : out Boolean; At_Time : out Ada.Real_Time.Time);
+     (Any : out Boolean; At_Time : out Ada.Real_Time.Time)
+   with Annotate => (GNATprove, Terminating);
    --  Whether unasked messages wait and are held back still; until when
 
-   procedure End_Hold;
+   procedure End_Hold with Annotate => (GNATprove, Terminating);
    --  Release those whose time has come
 
-   procedure Get_Waiting (Count : out Orders.Order_Count);
+   procedure Get_Waiting (Count : out Orders.Order_Count)
+   with Annotate => (GNATprove, Terminating);
    --  Commands that wait for their answer
 
    Position_Length : constant := 128;

@@ -17,7 +17,8 @@ package Robot_Clients with SPARK_Mode is
    package Query is new Line_Clients (Line_Requests.Query);
    package Keep_Alive is new Line_Clients (Line_Requests.Keep_Alive);
 
-   procedure Signal (Who : Line_Requests.Client);
+   procedure Signal (Who : Line_Requests.Client)
+   with Annotate => (GNATprove, Terminating);
    --  The request of Who has been carried out. A stop has no client: the
    --  owner of the line answers it
 

@@ -3,7 +3,8 @@
 
 package Robot_Events with SPARK_Mode is
 
-   procedure Started (With_Watchdog : Boolean);
+   procedure Started (With_Watchdog : Boolean)
+   with Annotate => (GNATprove, Terminating);
 
    procedure Wait_Battery;
    --  For th_batteryLevel only

@@ -21,7 +21,8 @@ package Robot_Line with SPARK_Mode is
       --  the end of the last exchange
    end record;
 
-   procedure Begin_Session (First : Orders.Ticket);
+   procedure Begin_Session (First : Orders.Ticket)
+   with Annotate => (GNATprove, Terminating);
    --  Orders with a lower number are out of date from now on
 
    procedure Refuse_Orders;
@@ -30,14 +31,17 @@ package Robot_Line with SPARK_Mode is
    procedure Put
      (From    : Line_Requests.Single;
       Request : Robot_Session.Request;
-      Order   : Orders.Order := (others => <>));
+      Order   : Orders.Order := (others => <>))
+   with Annotate => (GNATprove, Terminating);
    --  From has a request. Order: the monitor's, if it stands behind it
 
-   procedure Put_Stop (Order : Orders.Order);
+   procedure Put_Stop (Order : Orders.Order)
+   with Annotate => (GNATprove, Terminating);
    --  A monitor's stop. Movements that are still waiting and are older
    --  become void
 
-   procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time);
+   procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time)
+   with Annotate => (GNATprove, Terminating);
    --  Shortly before this time nothing but a stop or a movement is begun
 
    procedure Take (Next : out Line_Requests.Job; Found : out Boolean);
@@ -48,13 +52,16 @@ package Robot_Line with SPARK_Mode is
      (Done    : Line_Requests.Job;
       State   : Robot_Session.State;
       Result  : Robot_Session.Outcome;
-      At_Time : Ada.Real_Time.Time);
+      At_Time : Ada.Real_Time.Time)
+   with Annotate => (GNATprove, Terminating);
    --  Result has come of Done, and State is the session's now
 
    procedure Collect
-     (From : Line_Requests.Client; Result : out Robot_Session.Outcome);
+     (From : Line_Requests.Client; Result : out Robot_Session.Outcome)
+   with Annotate => (GNATprove, Terminating);
    --  What came of the last request of From
 
-   procedure Get_Status (Current : out Status);
+   procedure Get_Status (Current : out Status)
+   with Annotate => (GNATprove, Terminating);
 
 end Robot_Line;

@@ -10,32 +10,35 @@ package Session with SPARK_Mode is
       Closing,    --  it is lost: robot, camera and queues are brought back
       Closed);    --  they have been; its connection is to be closed
 
-   procedure Get_Stage (Stage : out Stage_Kind);
+   procedure Get_Stage (Stage : out Stage_Kind)
+   with Annotate => (GNATprove, Terminating);
 
-   procedure Begin_Active (Admitted : out Boolean);
+   procedure Begin_Active (Admitted : out Boolean)
+   with Annotate => (GNATprove, Terminating);
    --  Not where the supervisor is stopping
-   procedure Begin_Closing;
-   procedure End_Closing;
-   procedure End_Closed;
+   procedure Begin_Closing with Annotate => (GNATprove, Terminating);
+   procedure End_Closing with Annotate => (GNATprove, Terminating);
+   procedure End_Closed with Annotate => (GNATprove, Terminating);
    --  The four steps of a session, each after the one before
 
    procedure Begin_Work;
    --  The session's tasks begin: its connection is admitted
 
-   procedure Request_Stop;
+   procedure Request_Stop with Annotate => (GNATprove, Terminating);
    --  The supervisor is stopping: no monitor is admitted any more, and the
    --  one in command counts as lost
 
-   procedure Get_Stopping (Stopping : out Boolean);
+   procedure Get_Stopping (Stopping : out Boolean)
+   with Annotate => (GNATprove, Terminating);
 
    --  The events, each for one task
 
-   procedure Allow_Server;
+   procedure Allow_Server with Annotate => (GNATprove, Terminating);
    --  The options are set
    procedure Wait_Server;
    --  For th_server only
 
-   procedure Server_Listens;
+   procedure Server_Listens with Annotate => (GNATprove, Terminating);
    procedure Wait_Listening;
    --  For the main procedure only
 
@@ -44,7 +47,7 @@ package Session with SPARK_Mode is
 
    procedure Wait_Receive;
    --  Until a session begins. For th_receiveFromMon only
-   procedure Receiver_Left;
+   procedure Receiver_Left with Annotate => (GNATprove, Terminating);
    procedure Wait_Receiver_Left;
    --  For th_comMonPerdue only
 

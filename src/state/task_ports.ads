@@ -7,6 +7,8 @@ with Orders;
 
 package Task_Ports with SPARK_Mode is
 
+   pragma Annotate (GNATprove, Terminating, Task_Ports);
+
    package Open_Robot is new Order_Ports;
    package Start_Robot is new Order_Ports;
    package Start_Robot_Watchdog is new Order_Ports;
