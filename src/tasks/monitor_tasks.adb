@@ -5,6 +5,7 @@
 with Ada.Real_Time;    use Ada.Real_Time;
 with Camera_Requests;
 with Console;
+with Frame_Store;
 with Journal;
 with Monitor_Link;
 with Monitor_Protocol; use Monitor_Protocol;
@@ -351,6 +352,8 @@ package body Monitor_Tasks with SPARK_Mode is
         ((Kind => Robot_Session.Close_Line, others => <>));
       Vision_State.Begin_Session (Next);
       Camera_Requests.Close;
+      --  a search for the arena does not wait for a camera that hangs
+      Frame_Store.End_Delivery;
       Outbox.Wait_Sender;
       Session.Wait_Receiver_Left;
       Task_Ports.Clear;
