@@ -2,7 +2,7 @@
 --  Decimal numbers of up to eight digits, in text of characters or of
 --  octets: what both wire formats write and read.
 
-package body Decimals with SPARK_Mode is
+package body Decimals is
 
    subtype Exponent is Natural range 0 .. Max_Digits - 1;
 

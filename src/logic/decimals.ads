@@ -2,11 +2,13 @@
 --  Decimal numbers of up to eight digits, in text of characters or of
 --  octets: what both wire formats write and read.
 
+--  A generic is proved in its instances, with the SPARK mode that they have.
+
 generic
    type Symbol is (<>);
    --  Characters or octets: the positions are those of ASCII, 0 .. 255.
    type Text is array (Positive range <>) of Symbol;
-package Decimals with SPARK_Mode is
+package Decimals is
 
    Max_Digits : constant := 8;
 

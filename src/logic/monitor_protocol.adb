@@ -132,6 +132,21 @@ package body Monitor_Protocol with SPARK_Mode is
      Post => Starts (Line, Last) = S;
    --  Fields are where their separators say.
 
+   procedure Prove_Position
+     (Line : String; Last : Natural; S : Field_Starts; P : Position)
+   with
+     Ghost,
+     Pre  => Line'First = 1
+       and then Line'Last <= Max_Position
+       and then Last in First_Field .. Line'Last
+       and then Begins_With (Line, Position_Label)
+       and then Has_Data (Line)
+       and then Are_Cut (Line, Last, S)
+       and then Are_Fields (Line, Last, S)
+       and then Are_Fields_Of (Line, S, P),
+     Post => Reads_As (Line, Last, P);
+   --  A line that is cut at S into the fields of P says P.
+
    procedure Keep (R : in out Line_Reader; C : Character)
    with
      Post => R.Held = R'Old.Held
@@ -235,21 +250,27 @@ package body Monitor_Protocol with SPARK_Mode is
       Put_Id (P.Id, Buffer, Last);
       S (2) := Last + 2;
       With_Id := Buffer;
+      pragma Assert (for all I in 1 .. Last => Buffer (I) /= Line_Feed);
       Put_Field (P.Angle, Buffer, Last);
       S (3) := Last + 2;
       With_Angle := Buffer;
+      pragma Assert (for all I in 1 .. Last => Buffer (I) /= Line_Feed);
       Put_Field (P.Cx, Buffer, Last);
       S (4) := Last + 2;
       With_Cx := Buffer;
+      pragma Assert (for all I in 1 .. Last => Buffer (I) /= Line_Feed);
       Put_Field (P.Cy, Buffer, Last);
       S (5) := Last + 2;
       With_Cy := Buffer;
+      pragma Assert (for all I in 1 .. Last => Buffer (I) /= Line_Feed);
       Put_Field (P.Dx, Buffer, Last);
       S (6) := Last + 2;
       With_Dx := Buffer;
+      pragma Assert (for all I in 1 .. Last => Buffer (I) /= Line_Feed);
       Put_Field (P.Dy, Buffer, Last);
       S (7) := Last + 2;
       With_Dy := Buffer;
+      pragma Assert (for all I in 1 .. Last => Buffer (I) /= Line_Feed);
       Last := Last + 1;
       Buffer (Last) := Line_Feed;
 
@@ -272,9 +293,9 @@ package body Monitor_Protocol with SPARK_Mode is
       Prove_Same_Micro (With_Dx, Buffer, S (5), S (6) - 2, P.Dx);
       Prove_Same_Micro (With_Dy, Buffer, S (6), S (7) - 2, P.Dy);
       pragma Assert (Are_Cut (Buffer, Last - 1, S));
-      Prove_Starts (Buffer, Last - 1, S);
       pragma Assert (Are_Fields (Buffer, Last - 1, S));
       pragma Assert (Are_Fields_Of (Buffer, S, P));
+      Prove_Position (Buffer, Last - 1, S, P);
    end Format_Position;
 
    --------------
@@ -403,6 +424,27 @@ package body Monitor_Protocol with SPARK_Mode is
       pragma Assert
         (if Found > Ending then Line (Ending + 1) /= Field_Separator);
    end Prove_Field_End;
+
+   --------------------
+   -- Prove_Position --
+   --------------------
+
+   procedure Prove_Position
+     (Line : String; Last : Natural; S : Field_Starts; P : Position)
+   is
+      T : constant Field_Starts := Starts (Line, Last);
+   begin
+      Prove_Starts (Line, Last, S);
+      pragma Assert (T (1) = S (1));
+      pragma Assert (T (2) = S (2));
+      pragma Assert (T (3) = S (3));
+      pragma Assert (T (4) = S (4));
+      pragma Assert (T (5) = S (5));
+      pragma Assert (T (6) = S (6));
+      pragma Assert (T (7) = S (7));
+      pragma Assert (Are_Fields (Line, Last, T));
+      pragma Assert (Are_Fields_Of (Line, T, P));
+   end Prove_Position;
 
    ----------------------
    -- Prove_Round_Trip --
