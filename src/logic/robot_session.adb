@@ -4,6 +4,9 @@
 
 package body Robot_Session with SPARK_Mode is
 
+   pragma Assertion_Policy (Post => Ignore);
+   --  As in the specification
+
    package Wire renames Robot_Protocol;
 
    procedure Begin_Exchange
@@ -25,12 +28,14 @@ package body Robot_Session with SPARK_Mode is
        and then P.Result = P'Old.Result
        and then P.Stopped = (P'Old.Stopped or else Sends_Stop (Next))
        and then
-         (if Line_Health.In_Step (S.Health) then Next = (Exchange, Command)
+         (if Line_Health.In_Step (S.Health) then
+             Next.Kind = Exchange and then Next.Command = Command
           elsif Next.Kind = Send then
              Command = Wire.Stop and then Sends_Stop (Next)
           else Next.Kind = Synchronise
              and then P.In_Probe
-             and then Next.Command = (Line_Health.Probe (S.Health), 0))
+             and then Next.Command.Kind = Line_Health.Probe (S.Health)
+             and then Next.Command.Value = 0)
        and then (if P'Old.Blind then Next.Kind /= Send);
    --  The step that exchanges Command in Phase: a probe comes first where
    --  the line is out of step, and before the probe, blindly, a stop
@@ -43,8 +48,11 @@ package body Robot_Session with SPARK_Mode is
      Post => P.Phase = Ended
        and then P.Request = P'Old.Request
        and then P.Stopped = P'Old.Stopped
-       and then P.Result = (Kind, P'Old.Result.Value, P'Old.Result.Note)
-       and then Next = (Finish, Wire.Stop);
+       and then P.Result.Kind = Kind
+       and then P.Result.Value = P'Old.Result.Value
+       and then P.Result.Note = P'Old.Result.Note
+       and then Next.Kind = Finish
+       and then Next.Command = Wire.Stop;
    --  The request has come to its end
 
    procedure Act
