@@ -8,6 +8,7 @@ generic
 package Bounded_Queues with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Bounded_Queues);
+   --  A claim that GNATprove checks: every subprogram ends
 
    subtype Count is Natural range 0 .. Capacity;
 

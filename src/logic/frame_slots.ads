@@ -5,6 +5,7 @@
 package Frame_Slots with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Frame_Slots);
+   --  A claim that GNATprove checks: every subprogram ends
 
    type Slot is range 0 .. 5;
    --  A place for one image. One is with the camera's owner, one holds the

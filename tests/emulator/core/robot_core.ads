@@ -28,6 +28,7 @@ with Robot_Motion;
 package Robot_Core with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Robot_Core);
+   --  A claim that GNATprove checks: every subprogram ends
 
    use type Interfaces.Unsigned_8;
    use type Robot_Motion.Micro;

@@ -5,6 +5,7 @@
 package Robot_Motion with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Robot_Motion);
+   --  A claim that GNATprove checks: every subprogram ends
 
    type Micro is range -2 ** 62 .. 2 ** 62;
    --  Micrometres, microdegrees and microseconds
