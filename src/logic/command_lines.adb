@@ -181,8 +181,7 @@ package body Command_Lines with SPARK_Mode is
    begin
       Texts.Set (Result, Value);
       if Value = "" then
-         Fail (R, "a value is missing after ");
-         Texts.Append (R.Reason, Name_Of (R.Awaited));
+         Finish (R);
       end if;
    end Read_Text;
 
