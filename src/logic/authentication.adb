@@ -59,10 +59,10 @@ package body Authentication with SPARK_Mode is
    ------------------
 
    procedure Append_Shown (To : in out Texts.Text; Line : String) is
-      Last : constant Natural := Shown_Length (Line);
+      Last : constant Natural := Line'First - 1 + Shown_Length (Line);
    begin
-      Texts.Append (To, Line (1 .. Last));
-      if Last > 0 and then Is_Label_End (Line, Last) then
+      Texts.Append (To, Line (Line'First .. Last));
+      if Last in Line'Range and then Is_Label_End (Line, Last) then
          Texts.Append (To, "...");
       end if;
    end Append_Shown;
@@ -151,10 +151,10 @@ package body Authentication with SPARK_Mode is
    begin
       for I in Line'Range loop
          if Is_Label_End (Line, I) then
-            return I;
+            return I - Line'First + 1;
          end if;
          pragma Loop_Invariant
-           (for all J in 1 .. I => not Is_Label_End (Line, J));
+           (for all J in Line'First .. I => not Is_Label_End (Line, J));
       end loop;
       return Line'Length;
    end Shown_Length;

@@ -99,6 +99,10 @@ package Authentication with SPARK_Mode is
 
    function Decision (R : Reader) return Verdict;
 
+   function Is_Open (R : Reader) return Boolean is
+     (Decision (R) = Undecided and then Length (R) < Max_Line);
+   --  It takes a character more: always, while nothing is decided.
+
    function Is_Right (R : Reader; T : Token) return Boolean is
      (Length (R) in Label'Length + T.Length + 1 .. Label'Length + T.Length + 2
       and then Item (R, Length (R)) = Line_Feed
@@ -111,14 +115,12 @@ package Authentication with SPARK_Mode is
    --  It is the label, the token, a carriage return or none, a line feed.
 
    procedure Clear (R : out Reader)
-   with Post => Length (R) = 0 and then Decision (R) = Undecided;
+   with Post => Length (R) = 0 and then Is_Open (R);
 
    procedure Accept_Character
      (R : in out Reader; T : Token; C : Character)
    with
-     Pre  => Decision (R) = Undecided
-       and then Length (R) < Max_Line
-       and then T.Length > 0,
+     Pre  => Is_Open (R) and then T.Length > 0,
      Post => Length (R) = Length (R'Old) + 1
        and then Item (R, Length (R)) = C
        and then (for all I in 1 .. Length (R'Old) =>
@@ -134,28 +136,30 @@ package Authentication with SPARK_Mode is
    --  For the log
 
    function Is_Label_End (Line : String; I : Positive) return Boolean is
-     (I >= Label'Length
+     (I - Line'First >= Label'Length - 1
       and then Line (I - 4) = Label (1)
       and then Line (I - 3) = Label (2)
       and then Line (I - 2) = Label (3)
       and then Line (I - 1) = Label (4)
       and then Line (I) = Label (5))
-   with Pre => Line'First = 1 and then I <= Line'Last;
+   with Pre => I in Line'Range;
 
    function Shown_Length (Line : String) return Natural
    with
-     Pre  => Line'First = 1 and then Line'Last < Integer'Last,
+     Pre  => Line'Last in Line'First - 1 .. Integer'Last - 1,
      Post => Shown_Length'Result <= Line'Length
-       and then (for all I in 1 .. Shown_Length'Result - 1 =>
+       and then (for all I in Line'First
+                              .. Line'First + Shown_Length'Result - 2 =>
                    not Is_Label_End (Line, I))
-       and then (if Shown_Length'Result < Line'Last then
+       and then (if Shown_Length'Result < Line'Length then
                     Shown_Length'Result > 0
-                    and then Is_Label_End (Line, Shown_Length'Result));
+                    and then Is_Label_End
+                      (Line, Line'First + Shown_Length'Result - 1));
    --  Line up to its first label of a token; all of it where there is none.
 
    procedure Append_Shown (To : in out Texts.Text; Line : String)
    with
-     Pre  => Line'First = 1 and then Line'Last < Integer'Last,
+     Pre  => Line'Last in Line'First - 1 .. Integer'Last - 1,
      Post => To.Length >= To.Length'Old
        and then (for all I in 1 .. To.Length'Old =>
                    To.Data (I) = To.Data'Old (I))
@@ -163,7 +167,7 @@ package Authentication with SPARK_Mode is
          (for all I in To.Length'Old + 1 .. To.Length =>
             To.Data (I) =
               (if I - To.Length'Old <= Shown_Length (Line)
-               then Line (I - To.Length'Old)
+               then Line (Line'First + (I - To.Length'Old - 1))
                else '.'));
    --  To followed by Line, of which nothing is shown behind a label of a
    --  token but three dots. No token gets into the log.
