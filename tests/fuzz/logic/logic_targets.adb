@@ -4,6 +4,7 @@
 
 with Ada.Exceptions;
 with Ada.Text_IO; use Ada.Text_IO;
+with Admission_Targets;
 with Bytes;
 with Monitor_Targets;
 with Robot_Targets;
@@ -55,6 +56,8 @@ package body Logic_Targets is
          when Frames    => Robot_Targets.Frames (Data);
          when Commands  => Robot_Targets.Commands (Data);
          when Sessions  => Robot_Targets.Sessions (Data);
+         when Networks  => Admission_Targets.Network_Lists (Data);
+         when Tokens    => Admission_Targets.Tokens (Data);
          when Arguments => Text_Targets.Arguments (Data);
          when Base64    => Text_Targets.Base64_Texts (Data);
          when Decimals  => Text_Targets.Decimal_Numbers (Data);

@@ -1,15 +1,69 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Fuzz targets: what comes from the monitor.
 
-with Expectations;     use Expectations;
-with Input_Readers;    use Input_Readers;
-with Monitor_Protocol; use Monitor_Protocol;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Expectations;      use Expectations;
+with Input_Readers;     use Input_Readers;
+with Monitor_Protocol;  use Monitor_Protocol;
 with Texts;
 
 package body Monitor_Targets is
 
    procedure Parse_Anywhere (Line : String);
-   --  Line means the same wherever its first index is
+   --  Line means the same wherever its first index is, and what the table of
+   --  the wire format says
+
+   function Meaning (Line : String) return Message;
+   --  That, said in another way than Parse does
+
+   -------------
+   -- Meaning --
+   -------------
+
+   function Meaning (Line : String) return Message is
+      Colon  : constant Natural := Index (Line, ":");
+      Start  : constant String :=
+        (if Colon = 0 then Line else Line (Line'First .. Colon - 1));
+      Text   : constant String :=
+        (if Colon = 0 then "" else Line (Colon + 1 .. Line'Last));
+      Kind   : Message_Kind := Malformed;
+      Value  : Integer := 0;
+      Signed : Boolean;
+   begin
+      for K in Known_Kind loop
+         if Start = Label (K) then
+            Kind := K;
+         end if;
+      end loop;
+      case Kind is
+         when Malformed =>
+            null;
+         when Log_Message =>
+            if Colon = 0 then
+               Kind := Malformed;
+            end if;
+         when Move_Robot | Turn_Robot =>
+            Signed := Text'Length > 0 and then Text (Text'First) in '+' | '-';
+            if Text'Length = Boolean'Pos (Signed) then
+               return (Malformed, 0);
+            end if;
+            for I in Text'First + Boolean'Pos (Signed) .. Text'Last loop
+               if Text (I) not in '0' .. '9' then
+                  return (Malformed, 0);
+               end if;
+               Value := Integer'Min
+                 (100_000, 10 * Value + Character'Pos (Text (I)) - 48);
+            end loop;
+            Value :=
+              (if Text (Text'First) = '-' then -Integer'Min (Value, 32_768)
+               else Integer'Min (Value, 32_767));
+         when others =>
+            if Text /= "" then
+               Kind := Malformed;
+            end if;
+      end case;
+      return (Kind, Value);
+   end Meaning;
 
    --------------------
    -- Parse_Anywhere --
@@ -24,6 +78,7 @@ package body Monitor_Targets is
       Shifted := Line;
       Parse (Line, Here);
       Parse (Shifted, There);
+      Expect (Here = Meaning (Line), "a line has another meaning");
       Expect (Here = There, "a line's meaning depends on its index");
       Texts.Set (Text, "received ");
       Texts.Append (Text, Line);
