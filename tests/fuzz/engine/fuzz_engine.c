@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 
 // Of AFL++'s run time, afl-compiler-rt.o. Its compilers would write these
 // declarations, and the two marks below that afl-fuzz looks for in a
@@ -89,6 +90,9 @@ void fuzz_all(fuzz_target target) {
   (void)many_inputs;
   (void)own_start;
   __afl_manual_init();
+  // A copy waits stopped between two inputs, and afl-fuzz was seen to end
+  // without it.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (__afl_fuzz_ptr == NULL) {
     give_file(stdin, target);
     return;

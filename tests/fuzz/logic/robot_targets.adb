@@ -181,6 +181,9 @@ package body Robot_Targets is
                when others => Robot_Protocol.Stop);
          Robot_Session.Start_Request (S, Wanted, P, Next);
          Steps := 0;
+         --  the unit's own postconditions, which it does not check itself
+         pragma Assert (Robot_Session.Is_Under_Way (S, P));
+         pragma Assert (Robot_Session.Is_Allowed (S, P, Next));
          while Next.Kind /= Robot_Session.Finish loop
             Expect
               (not Robot_Session.Sends_Movement (Next)
@@ -195,6 +198,8 @@ package body Robot_Targets is
               (Steps <= Robot_Session.Max_Steps, "a request does not end");
             Answer;
             Robot_Session.Continue_Request (S, P, Last, Next);
+            pragma Assert (Robot_Session.Is_Under_Way (S, P));
+            pragma Assert (Robot_Session.Is_Allowed (S, P, Next));
          end loop;
          Expect (Robot_Session.Is_Consistent (S), "an inconsistent state");
       end loop;

@@ -315,7 +315,7 @@ void call(Input &input) {
 }  // namespace
 
 void calls(const unsigned char *data, std::size_t size) {
-  constexpr int most = 24;
+  constexpr int most = 12;
   static const unsigned char flat[48 * 32 * 3] = {};
   Input input(data, size);
   forget_all();
