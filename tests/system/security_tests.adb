@@ -742,6 +742,7 @@ package body Security_Tests is
       Refuse ("AUTH:correct-horse-batterz" & LF);
       Refuse ("AUTH:Correct-horse-battery" & LF);
       Refuse ("AUTH:" & Token & "x" & LF);
+      Refuse ("AUTH:" & Token & " " & LF);
       Refuse ("AUTH:correct-horse-batter" & LF);
       Refuse ("AUTH: " & Token & LF);
       Refuse (" AUTH:" & Token & LF);
