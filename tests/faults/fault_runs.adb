@@ -47,7 +47,9 @@ package body Fault_Runs is
      (Queue : in out Injection_Vectors.Vector; S : Scope);
 
    function Is_Wanted (S : Scope; Item : Injection) return Boolean is
-     (Index (Name (Item.First, Item.Second), To_String (S.Only)) > 0
+     ((S.Only = Null_Unbounded_String
+       or else Index
+         (Name (Item.First, Item.Second), To_String (S.Only)) > 0)
       and then (S.At_Repetition = 0
                 or else S.At_Repetition = Item.Repetition));
 
@@ -149,7 +151,12 @@ package body Fault_Runs is
    -- Run --
    ---------
 
-   procedure Run (S : Scope; Jobs : Positive; Program : String) is
+   procedure Run
+     (S        : Scope;
+      Jobs     : Positive;
+      Program  : String;
+      Repeated : out Natural)
+   is
 
       type Job is limited record
          Process : Child;
@@ -237,9 +244,13 @@ package body Fault_Runs is
                  (Text, J.Process.Element (Output, Number).Text & ASCII.LF);
             end loop;
             J.Seen := Last;
-            Finish_One
-              (J, To_String (J.Process.Element (Output, Word).Text),
-               To_String (Text));
+            declare
+               Parts : constant Arguments := Words
+                 (To_String (J.Process.Element (Output, Word).Text));
+            begin
+               Repeated := Repeated + Natural'Value (Parts.Element (2));
+               Finish_One (J, Parts.Element (1), To_String (Text));
+            end;
          elsif not J.Process.Is_Running
            or else Now - J.Since > Injection_Limit
          then
@@ -264,6 +275,7 @@ package body Fault_Runs is
       end Look;
 
    begin
+      Repeated := 0;
       for Number in 1 .. Faults.Count loop
          for Repetition in 1 .. S.Times loop
             if Is_Wanted (S, (Number, 0, Repetition)) then
@@ -348,7 +360,8 @@ package body Fault_Runs is
               ((case Outcome.Ends_As is
                    when Held            => "held",
                    when Violated        => "violated",
-                   when Impossible_Here => "impossible"));
+                   when Impossible_Here => "impossible")
+               & Outcome.Repeated'Image);
             Put (To_String (Outcome.Account));
             Put_Line ("--- end");
             Flush;
