@@ -66,7 +66,7 @@ procedure Destijl_Faults is
       Put_Line ("bin/destijl_faults [OPTION ...]");
       Put_Line ("  --seed N        of everything random (1)");
       Put_Line ("  --times N       of each fault alone (100)");
-      Put_Line ("  --pairs N       of each two groups, at random (100)");
+      Put_Line ("  --pairs N       each in so many pairs, at random (100)");
       Put_Line ("  --only PART     faults and pairs with this in their name");
       Put_Line ("  --at N          only the repetition N");
       Put_Line ("  --jobs N        worlds side by side (10)");
@@ -103,7 +103,7 @@ procedure Destijl_Faults is
                end if;
             elsif Name = "--short" then
                S.Times := 1;
-               S.Pairs := 3;
+               S.Pairs := 1;
             elsif Name = "--markdown" then
                Markdown := To_Unbounded_String (Value);
             elsif Name = "--supervisor" then

@@ -11,7 +11,7 @@ package Fault_Runs is
       Times : Natural := 100;
       --  of each fault alone
       Pairs : Natural := 100;
-      --  of each two groups
+      --  in which each fault is, with another at random
       Only  : Unbounded_String;
       --  a part of the name of a fault or a pair
       At_Repetition : Natural := 0;
