@@ -264,8 +264,10 @@ package body Fault_Runs is
                Figures := Worst
                  (Figures,
                   (Repeated     => Natural'Value (Parts.Element (2)),
-                   Slowest_Stop => Duration'Value (Parts.Element (3)),
-                   Growth       => Natural'Value (Parts.Element (4))));
+                   Stops        => Natural'Value (Parts.Element (3)),
+                   Late_Stops   => Natural'Value (Parts.Element (4)),
+                   Slowest_Stop => Duration'Value (Parts.Element (5)),
+                   Growth       => Natural'Value (Parts.Element (6))));
                Finish_One (J, Parts.Element (1), To_String (Text));
             end;
          elsif not J.Process.Is_Running
@@ -379,6 +381,8 @@ package body Fault_Runs is
                    when Violated        => "violated",
                    when Impossible_Here => "impossible")
                & Outcome.Figures.Repeated'Image
+               & Outcome.Figures.Stops'Image
+               & Outcome.Figures.Late_Stops'Image
                & Outcome.Figures.Slowest_Stop'Image
                & Outcome.Figures.Growth'Image);
             Put (To_String (Outcome.Account));

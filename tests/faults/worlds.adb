@@ -78,6 +78,8 @@ package body Worlds is
 
    function Worst (Left, Right : Figure_Set) return Figure_Set is
      ((Repeated     => Left.Repeated + Right.Repeated,
+       Stops        => Left.Stops + Right.Stops,
+       Late_Stops   => Left.Late_Stops + Right.Late_Stops,
        Slowest_Stop =>
          Duration'Max (Left.Slowest_Stop, Right.Slowest_Stop),
        Growth       => Natural'Max (Left.Growth, Right.Growth)));
@@ -422,31 +424,47 @@ package body Worlds is
    ---------------
 
    procedure Try_Order (W : in out World; Command, Answer : String) is
-      Deadline : constant Instant := Now + Answer_Limit;
-      Item     : Monitor_Clients.Message;
-      Found    : Boolean;
+      Second_Look : constant Duration := 0.3;
+      --  The first ATIM may have been the unasked one
+      Deadline    : Instant := Now + Answer_Limit;
+      Late        : Boolean;
+      Item        : Monitor_Clients.Message;
+      Found       : Boolean;
+      Timed_Out   : Boolean := False;
    begin
       W.Expect_Answers;
       W.Say (Command);
       loop
+         Late := Now > Deadline;
          Take (W, Item, Found);
          Check
            (not Is_Broken (W.Ledger),
             "not answered exactly once: " & Complaint (W.Ledger));
-         exit when Found and then Is_Complete (W.Ledger);
          Check (W.Present, "no session any more for " & Command);
-         if not Found then
-            Check (Now < Deadline, "no answer to " & Command);
+         if Found and then Is_Complete (W.Ledger) then
+            if Index (Answer, Item.Label) > 0 then
+               return;
+            elsif Item.Label = "ATIM" then
+               if not Timed_Out then
+                  Timed_Out := True;
+                  Deadline := Now + Second_Look;
+               end if;
+            elsif Is_Answer (Kind_Of (Command), Item.Label) then
+               if Item.Label = "ANAK" and then Log_Says (W, "robot lost") > 0
+               then
+                  raise Robot_Silent;
+               end if;
+               raise Failed with Command & " was answered " & Item.Label
+                 & " instead of " & Answer;
+            end if;
+         elsif not Found then
+            if Late and then Timed_Out then
+               raise Robot_Silent;
+            end if;
+            Check (not Late, "no answer to " & Command);
             delay 0.001;
          end if;
       end loop;
-      if Index (Answer, Item.Label) = 0 then
-         if Item.Label = "ATIM" then
-            raise Robot_Silent;
-         end if;
-         raise Failed with Command & " was answered " & Item.Label
-           & " instead of " & Answer;
-      end if;
    end Try_Order;
 
    -----------
@@ -458,8 +476,8 @@ package body Worlds is
       Try_Order (W, Command, Answer);
    exception
       when Robot_Silent =>
-         raise Failed with Command & " was answered ATIM instead of "
-           & Answer;
+         raise Failed with Command & " had no answer from the robot instead"
+           & " of " & Answer;
    end Order;
 
    -------------------
@@ -531,6 +549,7 @@ package body Worlds is
                   "the robot's answers are late, again and again");
                W.Say ("RCLS");
                W.Expect_Answers;
+               delay Line_Pause;
          end;
       end loop;
    end Bring_To;
@@ -707,6 +726,10 @@ package body Worlds is
          end if;
       end loop;
       if Usual and then Moved and then Stop > Since then
+         W.Figures.Stops := W.Figures.Stops + 1;
+         if Stop - Since > W.Nobody_Limit then
+            W.Figures.Late_Stops := W.Figures.Late_Stops + 1;
+         end if;
          W.Figures.Slowest_Stop :=
            Duration'Max (W.Figures.Slowest_Stop, Stop - Since);
       end if;

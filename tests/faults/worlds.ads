@@ -57,14 +57,18 @@ package Worlds is
    type Figure_Set is record
       Repeated     : Natural := 0;
       --  sessions begun again, see Tolerances.Line_Attempts
+      Stops        : Natural := 0;
+      --  of a moving robot, after a close or a reset
+      Late_Stops   : Natural := 0;
+      --  of these, within the margin for noise only
       Slowest_Stop : Duration := 0.0;
-      --  from a close or a reset to the stop order on the wire
+      --  from the close to the stop order on the wire
       Growth       : Natural := 0;
       --  kilobytes, of the supervisor's memory since its first session
    end record;
 
    function Worst (Left, Right : Figure_Set) return Figure_Set;
-   --  The sum of Repeated, the maximum of the others
+   --  Counts are added; of the others the maximum
 
    type World is tagged limited record
       Emulator   : Emulators.Emulator;
