@@ -10,6 +10,7 @@ with Child_Processes;     use Child_Processes;
 with Fault_Tables;
 with Faults;              use Faults;
 with Instants;            use Instants;
+with Network_Links;
 with Programs;
 with Random_Numbers;
 with Trials;              use Trials;
@@ -289,6 +290,7 @@ package body Fault_Runs is
                "   it has not come to an end" & ASCII.LF
                & To_String (Text));
             J.Process.Stop;
+            Network_Links.Remove_Left (J.Process.Pid);
             Begin_Job (J);
          end if;
       end Look;

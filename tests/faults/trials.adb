@@ -7,6 +7,7 @@ with Answer_Ledgers;    use Answer_Ledgers;
 with Expectations;      use Expectations;
 with Faults;            use Faults;
 with Instants;          use Instants;
+with Line_Probes;
 with Random_Numbers;    use Random_Numbers;
 with Tolerances;        use Tolerances;
 
@@ -432,6 +433,7 @@ package body Trials is
    begin
       The_World.Destroy;
       The_Link.Remove;
+      Line_Probes.Stop;
    end Finish;
 
 end Trials;

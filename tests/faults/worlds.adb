@@ -7,6 +7,7 @@ with GNAT.Sockets;
 
 with Child_Processes;
 with Expectations;        use Expectations;
+with Line_Probes;
 with Process_Facts;
 with Random_Numbers;      use Random_Numbers;
 with Tolerances;          use Tolerances;
@@ -102,6 +103,7 @@ package body Worlds is
 
    procedure Build (W : in out World; P : Plan) is
    begin
+      Line_Probes.Start;
       W.Destroy;
       W.The_Plan := P;
       if P.Through_Link and then The_Link.Namespace = "" then
@@ -340,6 +342,9 @@ package body Worlds is
             Found := True;
          elsif Was_Closed then
             Forget_Session (W);
+            if W.Nobody_Since = Never then
+               W.Nobody_In_Command;
+            end if;
          end if;
       end if;
    end Take;
@@ -645,6 +650,7 @@ package body Worlds is
    begin
       W.Nobody_Since := Since;
       W.Nobody_Limit := Within;
+      W.Stop_Counted := False;
    end Nobody_In_Command;
 
    ---------------------
@@ -692,8 +698,8 @@ package body Worlds is
                   and then Text (Text'First) in 'M' | 'T'
                   and then not Is_Movement (Text)));
    begin
-      W.Nobody_Since := Never;
       if Since = Never or else not W.Line_Works then
+         W.Nobody_Since := Never;
          return;
       end if;
       loop
@@ -714,7 +720,9 @@ package body Worlds is
          if Is_Movement (To_String (Item.Command)) then
             Stop := Never;
             Moved := True;
-            if Item.First > Limit then
+            if Item.First
+              > Limit + 2 * Line_Probes.Worst (Since, Item.First)
+            then
                W.Violate
                  (Robot_Stands,
                   To_String (Item.Command) & " on the wire "
@@ -725,7 +733,10 @@ package body Worlds is
             Stop := Item.Last;
          end if;
       end loop;
-      if Usual and then Moved and then Stop > Since then
+      if Usual and then Moved and then Stop > Since
+        and then not W.Stop_Counted
+      then
+         W.Stop_Counted := True;
          W.Figures.Stops := W.Figures.Stops + 1;
          if Stop - Since > W.Nobody_Limit then
             W.Figures.Late_Stops := W.Figures.Late_Stops + 1;
@@ -733,7 +744,9 @@ package body Worlds is
          W.Figures.Slowest_Stop :=
            Duration'Max (W.Figures.Slowest_Stop, Stop - Since);
       end if;
-      if Late and then Stop > Limit then
+      if Late and then Stop > Limit + 2 * Line_Probes.Worst (Since, Stop)
+      then
+         --  twice: its way, and that of an answer which it had to wait for
          W.Violate
            (Robot_Stands,
             "it stood only " & Milliseconds (Stop - Since)

@@ -103,6 +103,7 @@ package Worlds is
       --  lines of the log before this session
       Nobody_Since   : Instant := Never;
       Nobody_Limit   : Duration := 0.0;
+      Stop_Counted   : Boolean := False;
       Found_By       : Instant := Never;
       --  when a loss of the monitor is to have been found, at the latest
       Port           : Natural := 0;
@@ -197,7 +198,8 @@ package Worlds is
       Since     : Instant := Now;
       Within    : Duration := Tolerances.Stop_Limit);
    --  From Since the robot must stand Within, and a margin: checked after
-   --  the fault. Lose says so itself.
+   --  the fault. Lose says so itself, and where the supervisor closes the
+   --  connection it holds from then on.
 
    procedure Supervisor_Ends (W : in out World; Status : Integer);
    --  This fault ends it, with this status; it need not have ended yet
@@ -206,7 +208,8 @@ package Worlds is
    --  An orderly close, if there is a session
 
    procedure Await_Standing (W : in out World);
-   --  The third invariant, where nobody is in command
+   --  The third invariant, where nobody is in command. May be repeated: a
+   --  movement afterwards is found as well
 
    --  Findings
 
