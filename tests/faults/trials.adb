@@ -19,6 +19,10 @@ package body Trials is
    Images_Limit : constant Duration := 5.0;
    --  for the first image of a camera
 
+   Drive_Limit : constant Duration := 2.0;
+   --  for the robot to stand after RSTP; how fast that is, is measured
+   --  elsewhere
+
    The_World : World;
 
    function Is_In_Need (First : Positive; Second : Natural) return Plan;
@@ -268,12 +272,14 @@ package body Trials is
             end loop;
          end;
       end if;
-      W.Order ("RSTP", "AACK ATIM");
-      W.Emulator.Await_Status ("moving", "0", Within => Stop_Limit + Noise);
+      --  a stop and a close do what they are to do even where the line was
+      --  late four times in a row
+      W.Order ("RSTP", "AACK ATIM ANAK");
+      W.Emulator.Await_Status ("moving", "0", Within => Drive_Limit);
       if Chance (W.Source, 2) then
          --  else the end of the session does it
          W.Order ("CCLS", "AACK");
-         W.Order ("RCLS", "AACK");
+         W.Order ("RCLS", "AACK ATIM");
       else
          W.Say ("RGFW");
          W.Expect_Answers;

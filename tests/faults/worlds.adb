@@ -543,7 +543,7 @@ package body Worlds is
                       when 3 => "RGLF",
                       when others => "RGRI"), "AACK");
                W.Emulator.Await_Status
-                 ("moving", "1", Within => Stop_Limit + Noise);
+                 ("moving", "1", Within => Return_Limit);
             end if;
             exit;
          exception
