@@ -379,6 +379,7 @@ package body Trials is
         (W.Source, Seed, Name (First, Second) & Repetition'Image);
       W.Violations := 0;
       W.Account := Null_Unbounded_String;
+      W.Alone := Second = 0;
       W.Line_Works := True;
       W.Robot_Ready := True;
       W.Reachable := True;
