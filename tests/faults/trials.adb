@@ -329,7 +329,7 @@ package body Trials is
    ----------
 
    function Tail (Text : String) return String is
-      Lines  : constant := 30;
+      Lines  : constant := 40;
       Longest : constant := 160;
       Count  : Natural := 0;
       First  : Natural := Text'Last + 1;
@@ -432,6 +432,7 @@ package body Trials is
    procedure Finish is
    begin
       The_World.Destroy;
+      The_Link.Remove;
    end Finish;
 
 end Trials;

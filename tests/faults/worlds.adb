@@ -100,8 +100,8 @@ package body Worlds is
          else To_String (W.The_Plan.Camera));
       Options : constant String :=
         "--serial " & W.Emulator.Device & " --camera " & Camera
-        & " --frame-size " & Images
-        & " " & To_String (W.The_Plan.Options);
+        & " --frame-size " & Images & " --log-level debug "
+        & To_String (W.The_Plan.Options);
       Port    : Natural;
       Ready   : Boolean := False;
    begin
