@@ -621,31 +621,34 @@ package body Arena_Camera is
    is
       State : Interfaces.Unsigned_32 := Interfaces.Unsigned_32 (Number);
 
-      procedure Draw (Value : out Interfaces.Unsigned_32);
+      procedure Draw (Below : Image_Length; Value : out Image_Length);
       --  The next number of a linear congruential sequence
 
-      procedure Draw (Value : out Interfaces.Unsigned_32) is
+      procedure Draw (Below : Image_Length; Value : out Image_Length) is
          use type Interfaces.Unsigned_32;
       begin
          State := State * 1_664_525 + 1_013_904_223;
-         Value := Interfaces.Shift_Right (State, 8);
+         Value := Image_Length
+           (Interfaces.Shift_Right (State, 8)
+            mod Interfaces.Unsigned_32 (Below));
       end Draw;
 
       procedure Set_Random (Place : Image_Index);
 
       procedure Set_Random (Place : Image_Index) is
-         use type Interfaces.Unsigned_32;
-         Value : Interfaces.Unsigned_32;
+         Value : Image_Length;
       begin
-         Draw (Value);
-         Data (Place) := Stream_Element (Value mod 256);
+         Draw (256, Value);
+         Data (Place) := Stream_Element (Value);
       end Set_Random;
 
       type Kind is
         (Noise, Half, Wrong_Bytes, Wrong_Head, Nothing, No_Header);
 
       Chosen : constant Kind := Kind'Val (Number mod 6);
-      Value  : Interfaces.Unsigned_32;
+      Head   : constant Image_Length := Image_Length'Min (Length, 700);
+      --  Of a JPEG: markers, tables and the size
+      Value  : Image_Length;
    begin
       Bare := Chosen = No_Header;
       case Chosen is
@@ -657,17 +660,13 @@ package body Arena_Camera is
             Length := Image_Length'Max (1, Length / 2);
          when Wrong_Bytes =>
             for K in 1 .. 100 loop
-               Draw (Value);
-               Set_Random (1 + Image_Length (Value) mod Length);
+               Draw (Length, Value);
+               Set_Random (1 + Value);
             end loop;
          when Wrong_Head =>
-            --  Of a JPEG: markers, tables and the size are in its first 700
-            --  bytes
             for K in 1 .. 40 loop
-               Draw (Value);
-               Set_Random
-                 (1 + Image_Length (Value)
-                  mod Image_Length'Min (Length, 700));
+               Draw (Head, Value);
+               Set_Random (1 + Value);
             end loop;
          when Nothing =>
             Length := 1;

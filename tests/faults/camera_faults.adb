@@ -29,6 +29,9 @@ package body Camera_Faults is
    procedure Expect_Robot_Answers (W : in out World);
    --  As quickly as ever, while the camera does what it does
 
+   procedure Expect_Fitting (W : in out World);
+   --  The last image fills the size asked for, in one direction at least
+
    type Camera_Fault is abstract new Fault with null record;
 
    overriding procedure Lift (F : in out Camera_Fault; W : in out World);
@@ -97,6 +100,20 @@ package body Camera_Faults is
       Expect
         (W, "RPIN", (if W.Robot = Line_Closed then "ANAK" else "AACK"));
    end Expect_Robot_Answers;
+
+   --------------------
+   -- Expect_Fitting --
+   --------------------
+
+   procedure Expect_Fitting (W : in out World) is
+      Width, Height : Natural;
+   begin
+      Get_Image_Size (W, Width, Height);
+      Check
+        (Width in 1 .. Asked_Width and then Height in 1 .. Asked_Height
+         and then (Width = Asked_Width or else Height = Asked_Height),
+         "an image of" & Width'Image & " x" & Height'Image);
+   end Expect_Fitting;
 
    ----------
    -- Lift --
@@ -286,8 +303,6 @@ package body Camera_Faults is
    overriding procedure Inject (F : in out Other_Size; W : in out World) is
       Widest  : constant := 1_600;
       Highest : constant := 1_200;
-      Within  : constant Duration := 5.0;
-      --  A large image takes the camera half a second to draw
       B       : Before;
       Width   : Natural;
       Height  : Natural;
@@ -307,12 +322,25 @@ package body Camera_Faults is
       if F.Width > 0 then
          Ask_For (F.Width, F.Height);
          if W.Alone then
-            Expect_Image_Size (W, F.Fit_Width, F.Fit_Height, Within);
-            Expect_Robot_Answers (W);
+            --  in mid-stream the images are made to fit, one way or another
             Expect_Images (W, 3);
-            W.Emulator.Tell ("camera mend");
-            Expect_Image_Size (W, Asked_Width, Asked_Height, Within);
+            Expect_Fitting (W);
+            Expect_Robot_Answers (W);
             Expect_Open (W, B);
+
+            --  from the beginning their proportions are kept
+            Expect (W, "CCLS", "AACK");
+            W.Order ("COPN", "AACK");
+            Expect_Images (W, 1);
+            Get_Image_Size (W, Width, Height);
+            Check
+              (Width = F.Fit_Width and then Height = F.Fit_Height,
+               "images of" & Width'Image & " x" & Height'Image
+               & " instead of" & F.Fit_Width'Image & " x"
+               & F.Fit_Height'Image);
+            W.Emulator.Tell ("camera mend");
+            Expect_Images (W, 3);
+            Expect_Fitting (W);
          end if;
       else
          for Number in 1 .. Whole (W.Source, 4, 10) loop
@@ -322,14 +350,11 @@ package body Camera_Faults is
          end loop;
          if W.Alone then
             Expect_Images (W, 2);
-            Get_Image_Size (W, Width, Height);
-            Check
-              (Width in 1 .. Asked_Width and then Height in 1 .. Asked_Height
-               and then (Width = Asked_Width or else Height = Asked_Height),
-               "an image of" & Width'Image & " x" & Height'Image);
+            Expect_Fitting (W);
             Expect_Robot_Answers (W);
             W.Emulator.Tell ("camera mend");
-            Expect_Image_Size (W, Asked_Width, Asked_Height, Within);
+            Expect_Images (W, 3);
+            Expect_Fitting (W);
             Expect_Open (W, B);
          end if;
       end if;

@@ -79,10 +79,6 @@ package Demands is
    procedure Expect_Open (W : in out World; B : Before);
    --  It has not been closed since
 
-   procedure Expect_Image_Size
-     (W : in out World; Width, Height : Positive; Within : Duration);
-   --  Images of this size are sent, after some time
-
    procedure Get_Image_Size
      (W : in out World; Width, Height : out Natural);
    --  Of the last image; 0 where it is none

@@ -284,6 +284,11 @@ package body Robot_Faults is
          W.Emulator.Tell (Command);
          Expect_Loss (W, B);
          W.Emulator.Tell (Mended);
+         Expect (W, "ROPN", "AACK");
+
+         --  what is late still may spoil the first exchanges
+
+         delay F.Late_By;
          Expect_Return (W);
          Expect_Truth (W);
       else
@@ -456,6 +461,9 @@ package body Robot_Faults is
                 when Switched_Off_And_On => "reset-robot",
                 when Empty               => "battery critical",
                 when Charging            => "charge on"));
+         if F.Why = Switched_Off_And_On then
+            W.Emulator.Await_Status ("state", "idle", Within => 1.0);
+         end if;
          W.Robot_Ready := W.Robot_Ready and then F.Why /= Empty;
          return;
       end if;
@@ -531,10 +539,8 @@ package body Robot_Faults is
    overriding procedure Lift (F : in out Robot_Stops; W : in out World) is
    begin
       case F.Why is
-         when Disabled =>
+         when Disabled | Switched_Off_And_On =>
             null;
-         when Switched_Off_And_On =>
-            W.Emulator.Await_Status ("state", "idle", Within => 1.0);
          when Empty =>
             W.Emulator.Tell ("battery 2");
          when Charging =>

@@ -401,7 +401,9 @@ package body Worlds is
                end if;
             end;
          end loop;
-         W.Listen;
+         if Closed (W) then
+            W.Listen;
+         end if;
          Check (not Late, "no answer to " & Command);
          delay 0.001;
       end loop;
