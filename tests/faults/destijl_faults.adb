@@ -4,6 +4,8 @@
 
 with Ada.Command_Line;      use Ada.Command_Line;
 with Ada.Exceptions;
+with Ada.Strings;           use Ada.Strings;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
@@ -25,6 +27,7 @@ procedure Destijl_Faults is
    Program  : constant String := Programs.Beside ("destijl_faults");
    S        : Scope;
    Jobs     : Positive := 10;
+   Repeated : Natural;
    Markdown : Unbounded_String;
    Is_Job   : Boolean := False;
    Is_List  : Boolean := False;
@@ -33,6 +36,9 @@ procedure Destijl_Faults is
 
    function Value return String;
    --  Of the option at Place, which moves on
+
+   function Plain (Number : Natural) return String is
+     (Trim (Number'Image, Both));
 
    procedure Read_Options;
 
@@ -60,7 +66,7 @@ procedure Destijl_Faults is
       Put_Line ("bin/destijl_faults [OPTION ...]");
       Put_Line ("  --seed N        of everything random (1)");
       Put_Line ("  --times N       of each fault alone (100)");
-      Put_Line ("  --pairs N       of each two groups, at random (100)");
+      Put_Line ("  --pairs N       each in so many pairs, at random (100)");
       Put_Line ("  --only PART     faults and pairs with this in their name");
       Put_Line ("  --at N          only the repetition N");
       Put_Line ("  --jobs N        worlds side by side (10)");
@@ -97,7 +103,7 @@ procedure Destijl_Faults is
                end if;
             elsif Name = "--short" then
                S.Times := 1;
-               S.Pairs := 3;
+               S.Pairs := 1;
             elsif Name = "--markdown" then
                Markdown := To_Unbounded_String (Value);
             elsif Name = "--supervisor" then
@@ -142,14 +148,19 @@ begin
    else
       Put_Line ("seed" & S.Seed'Image);
       Flush;
-      Fault_Runs.Run (S, Jobs, Program);
+      Fault_Runs.Run (S, Jobs, Program, Repeated);
       Fault_Tables.Print;
       if Markdown /= "" then
          Fault_Tables.Print (To_String (Markdown));
       end if;
+      if Repeated > 0 then
+         Put_Line
+           (Plain (Repeated)
+            & " sessions were begun again: the emulated line was late");
+      end if;
       Put_Line
-        (Fault_Tables.Injections'Image & " injections,"
-         & Fault_Tables.Violations'Image & " violations");
+        (Plain (Fault_Tables.Injections) & " injections, "
+         & Plain (Fault_Tables.Violations) & " violations");
       if Fault_Tables.Violations > 0 or else Fault_Tables.Injections = 0
       then
          Set_Exit_Status (1);

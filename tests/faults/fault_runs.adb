@@ -47,15 +47,22 @@ package body Fault_Runs is
      (Queue : in out Injection_Vectors.Vector; S : Scope);
 
    function Is_Wanted (S : Scope; Item : Injection) return Boolean is
-     (Index (Name (Item.First, Item.Second), To_String (S.Only)) > 0
+     ((S.Only = Null_Unbounded_String
+       or else Index
+         (Name (Item.First, Item.Second), To_String (S.Only)) > 0)
       and then (S.At_Repetition = 0
                 or else S.At_Repetition = Item.Repetition));
 
+   type Counts is array (Positive range <>) of Natural;
+
    procedure Draw_Pair
      (Source        : in out Random_Numbers.Generator;
-      One, Other    : Group_Kind;
+      Fault         : Positive;
+      Used          : Counts;
+      Limit         : Positive;
       First, Second : out Natural);
-   --  0 where no two of these groups go together
+   --  Fault and another, if possible one in fewer pairs than Limit; 0 where
+   --  it goes together with none
 
    ----------------
    -- Worlds_Key --
@@ -95,19 +102,25 @@ package body Fault_Runs is
 
    procedure Draw_Pair
      (Source        : in out Random_Numbers.Generator;
-      One, Other    : Group_Kind;
+      Fault         : Positive;
+      Used          : Counts;
+      Limit         : Positive;
       First, Second : out Natural)
    is
-      Attempts : constant := 500;
+      Attempts : constant := 2_000;
+      Fair     : constant := 1_000;
+      --  so long the other one must be short of pairs, too
+      Other    : Positive;
    begin
       for Attempt in 1 .. Attempts loop
-         First := Random_Numbers.Whole (Source, 1, Faults.Count);
-         Second := Random_Numbers.Whole (Source, 1, Faults.Count);
-         if (Element (First).Group = One
-             and then Element (Second).Group = Other)
-           or else (Element (First).Group = Other
-                    and then Element (Second).Group = One)
-         then
+         Other := Random_Numbers.Whole (Source, 1, Faults.Count);
+         if Attempt > Fair or else Used (Other) < Limit then
+            First := Fault;
+            Second := Other;
+            if Random_Numbers.Chance (Source, 2) then
+               First := Other;
+               Second := Fault;
+            end if;
             if Go_Together (Element (First).all, Element (Second).all) then
                return;
             end if;
@@ -125,22 +138,25 @@ package body Fault_Runs is
      (Queue : in out Injection_Vectors.Vector; S : Scope)
    is
       First, Second : Natural;
+      Number        : Natural := 0;
+      Used          : Counts (1 .. Faults.Count) := (others => 0);
       Source        : Random_Numbers.Generator;
    begin
-      for One in Group_Kind loop
-         for Other in One .. Group_Kind'Last loop
-            for Number in 1 .. S.Pairs loop
-               --  by its number alone, however many there are to be
-               Random_Numbers.Start
-                 (Source, S.Seed,
-                  One'Image & Other'Image & Number'Image);
-               Draw_Pair (Source, One, Other, First, Second);
-               if First > 0
-                 and then Is_Wanted (S, (First, Second, Number))
-               then
-                  Queue.Append ((First, Second, Number));
+      Random_Numbers.Start (Source, S.Seed, "pairs");
+      --  round by round: the first are the same, however many there are
+      for Round in 1 .. S.Pairs loop
+         for Fault in Used'Range loop
+            if Used (Fault) < Round and then not Element (Fault).Alone then
+               Draw_Pair (Source, Fault, Used, Round, First, Second);
+               if First > 0 then
+                  Used (First) := Used (First) + 1;
+                  Used (Second) := Used (Second) + 1;
+                  Number := Number + 1;
+                  if Is_Wanted (S, (First, Second, Number)) then
+                     Queue.Append ((First, Second, Number));
+                  end if;
                end if;
-            end loop;
+            end if;
          end loop;
       end loop;
    end Add_Pairs;
@@ -149,7 +165,12 @@ package body Fault_Runs is
    -- Run --
    ---------
 
-   procedure Run (S : Scope; Jobs : Positive; Program : String) is
+   procedure Run
+     (S        : Scope;
+      Jobs     : Positive;
+      Program  : String;
+      Repeated : out Natural)
+   is
 
       type Job is limited record
          Process : Child;
@@ -237,9 +258,13 @@ package body Fault_Runs is
                  (Text, J.Process.Element (Output, Number).Text & ASCII.LF);
             end loop;
             J.Seen := Last;
-            Finish_One
-              (J, To_String (J.Process.Element (Output, Word).Text),
-               To_String (Text));
+            declare
+               Parts : constant Arguments := Words
+                 (To_String (J.Process.Element (Output, Word).Text));
+            begin
+               Repeated := Repeated + Natural'Value (Parts.Element (2));
+               Finish_One (J, Parts.Element (1), To_String (Text));
+            end;
          elsif not J.Process.Is_Running
            or else Now - J.Since > Injection_Limit
          then
@@ -264,6 +289,7 @@ package body Fault_Runs is
       end Look;
 
    begin
+      Repeated := 0;
       for Number in 1 .. Faults.Count loop
          for Repetition in 1 .. S.Times loop
             if Is_Wanted (S, (Number, 0, Repetition)) then
@@ -348,7 +374,8 @@ package body Fault_Runs is
               ((case Outcome.Ends_As is
                    when Held            => "held",
                    when Violated        => "violated",
-                   when Impossible_Here => "impossible"));
+                   when Impossible_Here => "impossible")
+               & Outcome.Repeated'Image);
             Put (To_String (Outcome.Account));
             Put_Line ("--- end");
             Flush;

@@ -11,7 +11,7 @@ package Fault_Runs is
       Times : Natural := 100;
       --  of each fault alone
       Pairs : Natural := 100;
-      --  of each two groups
+      --  in which each fault is, with another at random
       Only  : Unbounded_String;
       --  a part of the name of a fault or a pair
       At_Repetition : Natural := 0;
@@ -20,11 +20,16 @@ package Fault_Runs is
 
    Most_Jobs : constant := 32;
 
-   procedure Run (S : Scope; Jobs : Positive; Program : String)
+   procedure Run
+     (S        : Scope;
+      Jobs     : Positive;
+      Program  : String;
+      Repeated : out Natural)
      with Pre => Jobs <= Most_Jobs;
    --  Program is this one, which each of the jobs runs. Violations are
-   --  printed as they come, and everything is counted in Fault_Tables. To
-   --  be called from the environment task.
+   --  printed as they come, and everything is counted in Fault_Tables.
+   --  Repeated: see Tolerances.Line_Attempts. To be called from the
+   --  environment task.
 
    procedure Work (Seed : Natural);
    --  What each of the jobs does: takes injections from standard input, one
