@@ -50,6 +50,9 @@ package body Demands is
          if W.Monitor.Closed_By_Peer (0.0) /= Open then
             W.Listen;
          end if;
+         Check
+           (not Is_Broken (W.Ledger),
+            "not answered exactly once: " & Complaint (W.Ledger));
          Check (not Late, "no answer to " & Command);
          delay 0.001;
       end loop;
@@ -84,6 +87,11 @@ package body Demands is
    begin
       Expect (W, "ROPN", "AACK");
       Expect (W, "RRST", "AACK");
+
+      --  a level that was held back for this answer may follow it
+
+      delay 0.1;
+      W.Listen;
       W.Robot := Line_Open;
    end Quieten;
 

@@ -98,6 +98,8 @@ package Worlds is
       Repeated       : Natural := 0;
       --  sessions begun again, for the robot's answer was late
       Violations     : Natural := 0;
+      Is_Serious     : Boolean := False;
+      --  one among them that no late line explains
       Account        : Unbounded_String;
       --  what was violated, line by line
    end record;
