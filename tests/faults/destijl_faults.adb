@@ -16,9 +16,12 @@ with Fault_List;
 with Fault_Runs;            use Fault_Runs;
 with Fault_Tables;
 with Faults;
+with Instants;
 with Libc;
 with Programs;
 with Raw_Probes;
+with Tolerances;
+with Worlds;
 
 procedure Destijl_Faults is
 
@@ -27,7 +30,7 @@ procedure Destijl_Faults is
    Program  : constant String := Programs.Beside ("destijl_faults");
    S        : Scope;
    Jobs     : Positive := 10;
-   Repeated : Natural;
+   Figures  : Worlds.Figure_Set;
    Markdown : Unbounded_String;
    Is_Job   : Boolean := False;
    Is_List  : Boolean := False;
@@ -148,14 +151,23 @@ begin
    else
       Put_Line ("seed" & S.Seed'Image);
       Flush;
-      Fault_Runs.Run (S, Jobs, Program, Repeated);
+      Fault_Runs.Run (S, Jobs, Program, Figures);
       Fault_Tables.Print;
       if Markdown /= "" then
          Fault_Tables.Print (To_String (Markdown));
       end if;
-      if Repeated > 0 then
+      Put_Line
+        (Plain (Figures.Stops) & " stops of a moving robot after a close or"
+         & " a reset: the slowest after "
+         & Instants.Milliseconds (Figures.Slowest_Stop) & ", "
+         & Plain (Figures.Late_Stops) & " later than the "
+         & Instants.Milliseconds
+             (Tolerances.Loss_Limit + Tolerances.Stop_Limit)
+         & " demanded");
+      Put_Line ("memory grew by" & Figures.Growth'Image & " kB at most");
+      if Figures.Repeated > 0 then
          Put_Line
-           (Plain (Repeated)
+           (Plain (Figures.Repeated)
             & " sessions were begun again: the emulated line was late");
       end if;
       Put_Line

@@ -13,7 +13,6 @@ with Instants;            use Instants;
 with Programs;
 with Random_Numbers;
 with Trials;              use Trials;
-with Worlds;              use Worlds;
 
 package body Fault_Runs is
 
@@ -169,7 +168,7 @@ package body Fault_Runs is
      (S        : Scope;
       Jobs     : Positive;
       Program  : String;
-      Repeated : out Natural)
+      Figures  : out Figure_Set)
    is
 
       type Job is limited record
@@ -262,7 +261,13 @@ package body Fault_Runs is
                Parts : constant Arguments := Words
                  (To_String (J.Process.Element (Output, Word).Text));
             begin
-               Repeated := Repeated + Natural'Value (Parts.Element (2));
+               Figures := Worst
+                 (Figures,
+                  (Repeated     => Natural'Value (Parts.Element (2)),
+                   Stops        => Natural'Value (Parts.Element (3)),
+                   Late_Stops   => Natural'Value (Parts.Element (4)),
+                   Slowest_Stop => Duration'Value (Parts.Element (5)),
+                   Growth       => Natural'Value (Parts.Element (6))));
                Finish_One (J, Parts.Element (1), To_String (Text));
             end;
          elsif not J.Process.Is_Running
@@ -289,7 +294,7 @@ package body Fault_Runs is
       end Look;
 
    begin
-      Repeated := 0;
+      Figures := (others => <>);
       for Number in 1 .. Faults.Count loop
          for Repetition in 1 .. S.Times loop
             if Is_Wanted (S, (Number, 0, Repetition)) then
@@ -375,7 +380,11 @@ package body Fault_Runs is
                    when Held            => "held",
                    when Violated        => "violated",
                    when Impossible_Here => "impossible")
-               & Outcome.Repeated'Image);
+               & Outcome.Figures.Repeated'Image
+               & Outcome.Figures.Stops'Image
+               & Outcome.Figures.Late_Stops'Image
+               & Outcome.Figures.Slowest_Stop'Image
+               & Outcome.Figures.Growth'Image);
             Put (To_String (Outcome.Account));
             Put_Line ("--- end");
             Flush;

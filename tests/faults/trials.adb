@@ -10,7 +10,6 @@ with Instants;          use Instants;
 with Line_Watch;
 with Random_Numbers;    use Random_Numbers;
 with Tolerances;        use Tolerances;
-with Worlds;            use Worlds;
 
 package body Trials is
 
@@ -386,7 +385,7 @@ package body Trials is
            or else Again = Line_Attempts - 1;
          Again := Again + 1;
       end loop;
-      Outcome.Repeated := Outcome.Repeated + Again;
+      Outcome.Figures.Repeated := Outcome.Figures.Repeated + Again;
    end Run;
 
    --------------
@@ -411,7 +410,7 @@ package body Trials is
         (W.Source, Seed, Name (First, Second) & Repetition'Image);
       W.Violations := 0;
       W.Is_Serious := False;
-      W.Repeated := 0;
+      W.Figures := (others => <>);
       W.Account := Null_Unbounded_String;
       W.Alone := Second = 0;
       W.Line_Works := True;
@@ -445,7 +444,7 @@ package body Trials is
               (Ada.Exceptions.Exception_Message (Occurrence));
             W.Destroy;
       end;
-      Outcome.Repeated := W.Repeated;
+      Outcome.Figures := W.Figures;
       if W.Violations > 0 then
          Outcome.Ends_As := Violated;
          Outcome.Account :=
@@ -455,6 +454,7 @@ package body Trials is
            & (if W.Is_Built then
                 ", log (its last lines):" & ASCII.LF
                 & Tail (W.Supervisor.Log_Text)
+                & "   at the robot:" & ASCII.LF & W.Wire_Tail
               else (1 => ASCII.LF));
          W.Destroy;
       end if;

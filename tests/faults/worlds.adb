@@ -72,6 +72,18 @@ package body Worlds is
       return Positive (Place.Port);
    end Free_Port;
 
+   -----------
+   -- Worst --
+   -----------
+
+   function Worst (Left, Right : Figure_Set) return Figure_Set is
+     ((Repeated     => Left.Repeated + Right.Repeated,
+       Stops        => Left.Stops + Right.Stops,
+       Late_Stops   => Left.Late_Stops + Right.Late_Stops,
+       Slowest_Stop =>
+         Duration'Max (Left.Slowest_Stop, Right.Slowest_Stop),
+       Growth       => Natural'Max (Left.Growth, Right.Growth)));
+
    -------------
    -- Address --
    -------------
@@ -209,7 +221,9 @@ package body Worlds is
          end if;
          delay 0.02;
       end loop;
-      if Resident_Kilobytes (W.Pid) > W.Base_Memory + Memory_Growth then
+      W.Figures.Growth := Integer'Max
+        (W.Figures.Growth, Resident_Kilobytes (W.Pid) - W.Base_Memory);
+      if W.Figures.Growth > Memory_Growth then
          W.Violate
            (Nothing_Leaks,
             Resident_Kilobytes (W.Pid)'Image & " kB of memory, after"
@@ -267,12 +281,14 @@ package body Worlds is
             --  who is refused is told so, who is admitted is answered
             W.Say ("nope", Refused);
             while W.Present and then not Is_Complete (W.Ledger)
+              and then not Is_Broken (W.Ledger)
               and then Now < Deadline + Return_Limit
             loop
                delay 0.001;
                W.Listen;
             end loop;
-            exit when W.Present and then Is_Complete (W.Ledger);
+            exit when W.Present
+              and then (Is_Complete (W.Ledger) or else Is_Broken (W.Ledger));
          exception
             when Failed =>
                if Late then
@@ -408,28 +424,47 @@ package body Worlds is
    ---------------
 
    procedure Try_Order (W : in out World; Command, Answer : String) is
-      Deadline : constant Instant := Now + Answer_Limit;
-      Item     : Monitor_Clients.Message;
-      Found    : Boolean;
+      Second_Look : constant Duration := 0.3;
+      --  The first ATIM may have been the unasked one
+      Deadline    : Instant := Now + Answer_Limit;
+      Late        : Boolean;
+      Item        : Monitor_Clients.Message;
+      Found       : Boolean;
+      Timed_Out   : Boolean := False;
    begin
       W.Expect_Answers;
       W.Say (Command);
       loop
+         Late := Now > Deadline;
          Take (W, Item, Found);
-         exit when Found and then Is_Complete (W.Ledger);
+         Check
+           (not Is_Broken (W.Ledger),
+            "not answered exactly once: " & Complaint (W.Ledger));
          Check (W.Present, "no session any more for " & Command);
-         if not Found then
-            Check (Now < Deadline, "no answer to " & Command);
+         if Found and then Is_Complete (W.Ledger) then
+            if Index (Answer, Item.Label) > 0 then
+               return;
+            elsif Item.Label = "ATIM" then
+               if not Timed_Out then
+                  Timed_Out := True;
+                  Deadline := Now + Second_Look;
+               end if;
+            elsif Is_Answer (Kind_Of (Command), Item.Label) then
+               if Item.Label = "ANAK" and then Log_Says (W, "robot lost") > 0
+               then
+                  raise Robot_Silent;
+               end if;
+               raise Failed with Command & " was answered " & Item.Label
+                 & " instead of " & Answer;
+            end if;
+         elsif not Found then
+            if Late and then Timed_Out then
+               raise Robot_Silent;
+            end if;
+            Check (not Late, "no answer to " & Command);
             delay 0.001;
          end if;
       end loop;
-      if Index (Answer, Item.Label) = 0 then
-         if Item.Label = "ATIM" then
-            raise Robot_Silent;
-         end if;
-         raise Failed with Command & " was answered " & Item.Label
-           & " instead of " & Answer;
-      end if;
    end Try_Order;
 
    -----------
@@ -441,8 +476,8 @@ package body Worlds is
       Try_Order (W, Command, Answer);
    exception
       when Robot_Silent =>
-         raise Failed with Command & " was answered ATIM instead of "
-           & Answer;
+         raise Failed with Command & " had no answer from the robot instead"
+           & " of " & Answer;
    end Order;
 
    -------------------
@@ -508,12 +543,13 @@ package body Worlds is
             exit;
          exception
             when Robot_Silent =>
-               W.Repeated := W.Repeated + 1;
+               W.Figures.Repeated := W.Figures.Repeated + 1;
                Check
                  (Attempt < Line_Attempts,
                   "the robot's answers are late, again and again");
                W.Say ("RCLS");
                W.Expect_Answers;
+               delay Line_Pause;
          end;
       end loop;
    end Bring_To;
@@ -641,7 +677,9 @@ package body Worlds is
         W.Nobody_Since + W.Nobody_Limit + Noise;
       Since    : constant Instant := W.Nobody_Since;
       Stop     : Instant := Never;
+      Moved    : Boolean := False;
       Late     : Boolean;
+      Usual    : Boolean;
 
       function Is_Movement (Text : String) return Boolean is
         (Text'Length > 2
@@ -671,9 +709,11 @@ package body Worlds is
          delay 0.01;
       end loop;
       Late := Now > Limit;
+      Usual := W.Nobody_Limit <= Stop_Limit + Loss_Limit;
       for Item of W.Emulator.Journal loop
          if Is_Movement (To_String (Item.Command)) then
             Stop := Never;
+            Moved := True;
             if Item.First > Limit then
                W.Violate
                  (Robot_Stands,
@@ -685,6 +725,14 @@ package body Worlds is
             Stop := Item.Last;
          end if;
       end loop;
+      if Usual and then Moved and then Stop > Since then
+         W.Figures.Stops := W.Figures.Stops + 1;
+         if Stop - Since > W.Nobody_Limit then
+            W.Figures.Late_Stops := W.Figures.Late_Stops + 1;
+         end if;
+         W.Figures.Slowest_Stop :=
+           Duration'Max (W.Figures.Slowest_Stop, Stop - Since);
+      end if;
       if Late and then Stop > Limit then
          W.Violate
            (Robot_Stands,
@@ -692,6 +740,30 @@ package body Worlds is
             & " after nobody is in command");
       end if;
    end Await_Standing;
+
+   ---------------
+   -- Wire_Tail --
+   ---------------
+
+   function Wire_Tail (W : in out World) return String is
+      Shown  : constant := 12;
+      Notes  : constant Emulators.Notes := W.Emulator.Journal;
+      Result : Unbounded_String;
+   begin
+      for Number in Integer'Max (1, Notes.Last_Index - Shown + 1)
+        .. Notes.Last_Index
+      loop
+         Append
+           (Result,
+            "   " & Milliseconds (Notes (Number).Last - Now) & " "
+            & To_String (Notes (Number).Command) & " -> "
+            & To_String (Notes (Number).Answer) & ASCII.LF);
+      end loop;
+      return To_String (Result);
+   exception
+      when Failed =>
+         return "";
+   end Wire_Tail;
 
    -------------
    -- Violate --
