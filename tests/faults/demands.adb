@@ -196,7 +196,11 @@ package body Demands is
    -------------------
 
    procedure Expect_Return (W : in out World) is
+      On_Its_Way : constant Duration := 0.03;
+      --  The answer to the last stop: a line that is opened before it has
+      --  come takes it for the next one
    begin
+      delay On_Its_Way;
       Expect (W, "ROPN", "AACK");
       Expect (W, "RPIN", "AACK");
       W.Emulator.Await_Status ("moving", "0", Within => Stop_Limit + Noise);
