@@ -7,7 +7,7 @@ with Answer_Ledgers;    use Answer_Ledgers;
 with Expectations;      use Expectations;
 with Faults;            use Faults;
 with Instants;          use Instants;
-with Line_Probes;
+with Line_Watch;
 with Random_Numbers;    use Random_Numbers;
 with Tolerances;        use Tolerances;
 
@@ -24,6 +24,13 @@ package body Trials is
    --  elsewhere
 
    The_World : World;
+
+   procedure Run_Once
+     (First      : Positive;
+      Second     : Natural;
+      Seed       : Natural;
+      Repetition : Positive;
+      Outcome    : out Result);
 
    function Is_In_Need (First : Positive; Second : Natural) return Plan;
    --  Of this world
@@ -313,9 +320,11 @@ package body Trials is
       else
          Expect_Session_Goes_On;
          if Ends = Nothing and then not W.Present then
+            W.Is_Serious := True;
             W.Violate ("the session has ended without a reason");
          elsif Ends = Session_Ends and then Second = 0 and then W.Present
          then
+            W.Is_Serious := True;
             W.Violate ("the session has not ended");
          end if;
       end if;
@@ -372,6 +381,33 @@ package body Trials is
       Repetition : Positive;
       Outcome    : out Result)
    is
+      Again : Natural := 0;
+      Begun : Instant;
+   begin
+      Line_Watch.Start;
+      loop
+         Begun := Now;
+         Run_Once (First, Second, Seed, Repetition, Outcome);
+         exit when Outcome.Ends_As /= Violated
+           or else The_World.Is_Serious
+           or else Line_Watch.Worst (Begun, Now) < Late_Line
+           or else Again = Line_Attempts - 1;
+         Again := Again + 1;
+      end loop;
+      Outcome.Figures.Repeated := Outcome.Figures.Repeated + Again;
+   end Run;
+
+   --------------
+   -- Run_Once --
+   --------------
+
+   procedure Run_Once
+     (First      : Positive;
+      Second     : Natural;
+      Seed       : Natural;
+      Repetition : Positive;
+      Outcome    : out Result)
+   is
       W      : World renames The_World;
       Needed : constant Plan := Is_In_Need (First, Second);
       Robot  : Robot_Situation := Line_Closed;
@@ -382,8 +418,10 @@ package body Trials is
       Start
         (W.Source, Seed, Name (First, Second) & Repetition'Image);
       W.Violations := 0;
+      W.Is_Serious := False;
       W.Figures := (others => <>);
       W.Account := Null_Unbounded_String;
+      W.Alone := Second = 0;
       W.Line_Works := True;
       W.Robot_Ready := True;
       W.Reachable := True;
@@ -429,7 +467,7 @@ package body Trials is
               else (1 => ASCII.LF));
          W.Destroy;
       end if;
-   end Run;
+   end Run_Once;
 
    ------------
    -- Finish --
@@ -437,9 +475,9 @@ package body Trials is
 
    procedure Finish is
    begin
+      Line_Watch.Stop;
       The_World.Destroy;
       The_Link.Remove;
-      Line_Probes.Stop;
    end Finish;
 
 end Trials;

@@ -82,6 +82,10 @@ package Worlds is
       Camera     : Camera_Situation := Camera_Closed;
       --  as the session was brought to, before the fault
 
+      Alone      : Boolean := True;
+      --  no other fault is under way: the session is there, and a fault may
+      --  demand what only it can spoil
+
       --  What a fault tells the checks; reset before the next injection
 
       Line_Works : Boolean := True;
@@ -112,6 +116,8 @@ package Worlds is
       Base_Threads, Base_Descriptors, Base_Memory : Natural := 0;
       Figures        : Figure_Set;
       Violations     : Natural := 0;
+      Is_Serious     : Boolean := False;
+      --  one among them that no late line explains
       Account        : Unbounded_String;
       --  what was violated, line by line
    end record;
