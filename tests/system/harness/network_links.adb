@@ -21,10 +21,32 @@ package body Network_Links is
    Home : int := -1;
    --  the namespace to return to
 
+   Places : constant := 64 * 200;
+   --  nets of four addresses, from 10.213.0.0 on, one by process number
+   Place  : constant Natural := Natural (Libc.Getpid) mod Places;
+
+   function Address (Host : Positive) return String;
+   --  1 and 2 of this process's net
+
    procedure Run (Command : String);
    --  Raises Failed unless it succeeds
 
    function Succeeds (Command : String) return Boolean;
+
+   -------------
+   -- Address --
+   -------------
+
+   function Address (Host : Positive) return String is
+      function Plain (Value : Natural) return String is
+        (Trim (Value'Image, Both));
+   begin
+      return "10.213." & Plain (Place / 64) & "."
+        & Plain (Place mod 64 * 4 + Host);
+   end Address;
+
+   function Supervisor_Side return String is (Address (1));
+   function Monitor_Side return String is (Address (2));
 
    --------------
    -- Succeeds --

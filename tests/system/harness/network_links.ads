@@ -6,8 +6,9 @@ private with Ada.Finalization;
 
 package Network_Links is
 
-   Supervisor_Side : constant String := "10.213.77.1";
-   Monitor_Side    : constant String := "10.213.77.2";
+   function Supervisor_Side return String;
+   function Monitor_Side return String;
+   --  Addresses, this process's own: several may run at a time
 
    function Obstacle return String;
    --  Why no link can be made here; "" where one can

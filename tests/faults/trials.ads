@@ -1,0 +1,33 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  One injection: a session in a random state, a fault or two at random
+--  moments, and the five invariants afterwards.
+
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+package Trials is
+
+   type Outcome is (Held, Violated, Impossible_Here);
+
+   type Result is record
+      Ends_As : Outcome := Held;
+      Account : Unbounded_String;
+      --  what was violated and in which state of the world, or why this
+      --  machine does not allow it; several lines
+   end record;
+
+   function Name (First : Positive; Second : Natural) return String;
+   --  Of the faults with these numbers; Second 0: the first alone
+
+   procedure Run
+     (First      : Positive;
+      Second     : Natural;
+      Seed       : Natural;
+      Repetition : Positive;
+      Outcome    : out Result);
+   --  In the world of this process, which is built anew where it does not
+   --  fit
+
+   procedure Finish;
+   --  Leaves nothing running
+
+end Trials;

@@ -1,0 +1,655 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Where a fault is injected.
+
+with Ada.Strings;         use Ada.Strings;
+with Ada.Strings.Fixed;   use Ada.Strings.Fixed;
+with GNAT.Sockets;
+
+with Child_Processes;
+with Expectations;        use Expectations;
+with Process_Facts;
+with Random_Numbers;      use Random_Numbers;
+with Tolerances;          use Tolerances;
+
+package body Worlds is
+
+   Images : constant String := "320x240";
+   --  Small ones: a dozen worlds share two processors
+
+   Images_A_Second : constant String := "12";
+   --  of the emulated camera; the supervisor takes ten of them
+
+   Loopback : constant String := "127.0.0.1";
+
+   Calm_Words : constant Child_Processes.Arguments := Child_Processes.Words
+     ("RPIN RGST RGBT RLDW RPIN RGST nope MSSG:text");
+
+   All_Words : constant Child_Processes.Arguments := Child_Processes.Words
+     ("RPIN RGST RGBT RLDW RPIN RGST nope MSSG:text"
+      & " RGFW RGBW RGLF RGRI RSTP RMOV:40 RTRN:-40 RMOV:0 RSTP RGFW"
+      & " ROPN RCLS RSOW RSWW RRST COPN CCLS CASA CACO CAIN CPCO CPST");
+
+   procedure Forget_Session (W : in out World);
+   --  It has ended: what its ledger says is judged
+
+   procedure Note_Facts (W : in out World);
+   --  Once they no longer change
+
+   function Free_Port return Positive;
+
+   function Closed (W : World) return Boolean;
+   --  By the supervisor
+
+   function Log_Says (W : World; Text : String) return Natural;
+   --  How often, in this session
+
+   ---------------
+   -- Free_Port --
+   ---------------
+
+   function Free_Port return Positive is
+      use GNAT.Sockets;
+      Socket : Socket_Type;
+      Place  : Sock_Addr_Type;
+   begin
+      Create_Socket (Socket);
+      Bind_Socket (Socket, (Family_Inet, Inet_Addr (Loopback), 0));
+      Place := Get_Socket_Name (Socket);
+      Close_Socket (Socket);
+      return Positive (Place.Port);
+   end Free_Port;
+
+   -------------
+   -- Address --
+   -------------
+
+   function Address (W : World) return String is
+     (if W.The_Plan.Through_Link then Network_Links.Supervisor_Side
+      else Loopback);
+
+   function Pid (W : World) return Interfaces.C.int is (W.Supervisor.Pid);
+
+   function Is_Built (W : World) return Boolean is (W.Port > 0);
+
+   -----------
+   -- Build --
+   -----------
+
+   procedure Build (W : in out World; P : Plan) is
+   begin
+      W.Destroy;
+      W.The_Plan := P;
+      if P.Through_Link and then The_Link.Namespace = "" then
+         The_Link.Make;
+      end if;
+      W.Emulator.Start
+        (Camera  => True,
+         Options => "--camera-fps " & Images_A_Second
+           & " --frame-size " & Images
+           & " " & To_String (P.Emulator_Options));
+      W.Start_Supervisor;
+   end Build;
+
+   ----------------------
+   -- Start_Supervisor --
+   ----------------------
+
+   procedure Start_Supervisor (W : in out World) is
+      Camera  : constant String :=
+        (if W.The_Plan.Camera = "" then W.Emulator.Camera_Url
+         else To_String (W.The_Plan.Camera));
+      Options : constant String :=
+        "--serial " & W.Emulator.Device & " --camera " & Camera
+        & " --frame-size " & Images
+        & " " & To_String (W.The_Plan.Options);
+      Port    : Natural;
+      Ready   : Boolean := False;
+   begin
+      W.Port := 0;
+      W.Expected_End := False;
+      W.Present := False;
+      if W.The_Plan.Log_Is_Read then
+         W.Supervisor.Start
+           (Options,
+            To_String (W.The_Plan.Launcher), To_String (W.The_Plan.Program),
+            W.Address);
+         Port := W.Supervisor.Port;
+      else
+         Port := Free_Port;
+         W.Supervisor.Run
+           ("--bind " & W.Address & " --port"
+            & Port'Image & " " & Options,
+            To_String (W.The_Plan.Launcher), To_String (W.The_Plan.Program));
+         for Attempt in 1 .. 500 loop
+            Ready := Monitor_Clients.Connects (Port);
+            exit when Ready;
+            delay 0.02;
+         end loop;
+         Check (Ready, "the supervisor does not listen");
+      end if;
+      W.Port := Port;
+
+      --  with everything, so that what it takes from the system is taken
+      W.Begin_Session (Moving, Camera_Closed);
+      if W.The_Plan.Camera = "" then
+         W.Order ("COPN", "AACK");
+         W.Order ("CPCO", "AACK");
+         W.Talk (0.4, Calm => True);
+         W.Expect_Answers;
+         W.Order ("CASA", "CIMG ANAK");
+         W.Say ("CAIN");
+         W.Order ("CPST", "AACK");
+         W.Order ("CCLS", "AACK");
+      end if;
+      W.Lose (Orderly);
+      W.Await_Standing;
+      W.Join (Return_Limit + Noise);
+      W.Lose (Orderly);
+      Note_Facts (W);
+   end Start_Supervisor;
+
+   ----------------
+   -- Note_Facts --
+   ----------------
+
+   procedure Note_Facts (W : in out World) is
+      use Process_Facts;
+      Deadline : constant Instant := Now + Settle_Limit;
+      Same     : Natural := 0;
+   begin
+      while Same < 10 and then Now < Deadline loop
+         if Threads (W.Pid) = W.Base_Threads
+           and then Descriptors (W.Pid) = W.Base_Descriptors
+         then
+            Same := Same + 1;
+         else
+            Same := 0;
+            W.Base_Threads := Threads (W.Pid);
+            W.Base_Descriptors := Descriptors (W.Pid);
+         end if;
+         delay 0.02;
+      end loop;
+      W.Base_Memory := Resident_Kilobytes (W.Pid);
+   end Note_Facts;
+
+   ---------------------
+   -- Expect_No_Leaks --
+   ---------------------
+
+   procedure Expect_No_Leaks (W : in out World) is
+      use Process_Facts;
+      Deadline : constant Instant := Now + Settle_Limit;
+      Late     : Boolean;
+   begin
+      loop
+         Late := Now > Deadline;
+         exit when Threads (W.Pid) = W.Base_Threads
+           and then Descriptors (W.Pid) = W.Base_Descriptors;
+         if Late then
+            W.Violate
+              (Nothing_Leaks,
+               Threads (W.Pid)'Image & " threads instead of"
+               & W.Base_Threads'Image & ","
+               & Descriptors (W.Pid)'Image & " descriptors instead of"
+               & W.Base_Descriptors'Image);
+            exit;
+         end if;
+         delay 0.02;
+      end loop;
+      if Resident_Kilobytes (W.Pid) > W.Base_Memory + Memory_Growth then
+         W.Violate
+           (Nothing_Leaks,
+            Resident_Kilobytes (W.Pid)'Image & " kB of memory, after"
+            & W.Base_Memory'Image & " kB in the beginning");
+      end if;
+   end Expect_No_Leaks;
+
+   -------------
+   -- Destroy --
+   -------------
+
+   procedure Destroy (W : in out World) is
+   begin
+      W.Monitor.Close;
+      W.Present := False;
+      W.Nobody_Since := Never;
+      W.Supervisor.Stop;
+      W.Emulator.Stop;
+      W.Port := 0;
+   end Destroy;
+
+   ------------
+   -- Closed --
+   ------------
+
+   function Closed (W : World) return Boolean is
+      use type Monitor_Clients.Closing;
+   begin
+      return W.Monitor.Closed_By_Peer (0.0) /= Monitor_Clients.Open;
+   end Closed;
+
+   ----------
+   -- Join --
+   ----------
+
+   procedure Join (W : in out World; Within : Duration) is
+      Deadline : constant Instant := Now + Within;
+      Late     : Boolean;
+   begin
+      W.Await_Standing;
+      loop
+         Late := Now > Deadline;
+         Answer_Ledgers.Clear (W.Ledger);
+         W.Read := 0;
+         W.Session_Log := W.Supervisor.Log_Length;
+         begin
+            W.Monitor.Connect
+              (W.Port, W.Address,
+               Receive_Buffer => W.The_Plan.Receive_Buffer,
+               Namespace      =>
+                 (if W.The_Plan.Through_Link then The_Link.Namespace else ""),
+               Real_Time      => False);
+            W.Present := True;
+            W.Nobody_Since := Never;
+            --  who is refused is told so, who is admitted is answered
+            W.Say ("nope", Refused);
+            while W.Present and then not Is_Complete (W.Ledger)
+              and then Now < Deadline + Return_Limit
+            loop
+               delay 0.001;
+               W.Listen;
+            end loop;
+            exit when W.Present and then Is_Complete (W.Ledger);
+         exception
+            when Failed =>
+               if Late then
+                  W.Present := False;
+                  raise;
+               end if;
+         end;
+         W.Present := False;
+         Check
+           (not Late,
+            "no monitor is admitted within " & Milliseconds (Within));
+         delay 0.02;
+      end loop;
+   end Join;
+
+   -----------------
+   -- Try_To_Join --
+   -----------------
+
+   procedure Try_To_Join (W : in out World) is
+   begin
+      if not W.Present and then W.Reachable and then not W.Expected_End then
+         W.Join (Return_Limit);
+      end if;
+   exception
+      when Failed =>
+         W.Monitor.Close;
+   end Try_To_Join;
+
+   ------------
+   -- Listen --
+   ------------
+
+   procedure Listen (W : in out World) is
+   begin
+      if not W.Present then
+         return;
+      end if;
+      declare
+         Was_Closed : constant Boolean := Closed (W);
+      begin
+         while W.Read < W.Monitor.Count loop
+            W.Read := W.Read + 1;
+            Put_Message (W.Ledger, W.Monitor.Element (W.Read));
+         end loop;
+         if Was_Closed then
+            Forget_Session (W);
+         end if;
+      end;
+   end Listen;
+
+   ---------
+   -- Say --
+   ---------
+
+   procedure Say (W : in out World; Command : String) is
+   begin
+      W.Say (Command, Kind_Of (Command));
+   end Say;
+
+   procedure Say (W : in out World; Line : String; Answer : Answer_Kind) is
+   begin
+      W.Listen;
+      if W.Present then
+         Put_Command (W.Ledger, Line, Answer);
+         if not W.Monitor.Try_Send (Line & ASCII.LF) then
+            W.Listen;
+            if W.Present then
+               Forget_Session (W);
+            end if;
+         end if;
+      end if;
+   end Say;
+
+   ---------------
+   -- Say_Bytes --
+   ---------------
+
+   procedure Say_Bytes (W : in out World; Bytes : String) is
+   begin
+      if W.Present and then not W.Monitor.Try_Send (Bytes) then
+         W.Listen;
+         if W.Present then
+            Forget_Session (W);
+         end if;
+      end if;
+   end Say_Bytes;
+
+   --------------------
+   -- Expect_Answers --
+   --------------------
+
+   procedure Expect_Answers
+     (W : in out World; Within : Duration := Answer_Limit)
+   is
+      Deadline : constant Instant := Now + Within;
+      Late     : Boolean;
+   begin
+      loop
+         Late := Now > Deadline;
+         W.Listen;
+         exit when not W.Present or else Is_Complete (W.Ledger)
+           or else Is_Broken (W.Ledger);
+         Check
+           (not Late,
+            "after " & Milliseconds (Within) & " without an answer: "
+            & First_Waiting (W.Ledger) & ", and all of the"
+            & Waiting (W.Ledger)'Image & " since");
+         delay 0.001;
+      end loop;
+   end Expect_Answers;
+
+   -----------
+   -- Order --
+   -----------
+
+   procedure Order (W : in out World; Command, Answer : String) is
+      Deadline : constant Instant := Now + Answer_Limit;
+      Late     : Boolean;
+   begin
+      W.Expect_Answers;
+      W.Say (Command);
+      loop
+         Late := Now > Deadline;
+         Check (W.Present, "no session for " & Command);
+         while W.Read < W.Monitor.Count loop
+            W.Read := W.Read + 1;
+            declare
+               Item : constant Monitor_Clients.Message :=
+                 W.Monitor.Element (W.Read);
+            begin
+               Put_Message (W.Ledger, Item);
+               if Is_Complete (W.Ledger) then
+                  Check
+                    (Index (Answer, Item.Label) > 0,
+                     Command & " was answered " & Item.Label
+                     & " instead of " & Answer);
+                  return;
+               end if;
+            end;
+         end loop;
+         W.Listen;
+         Check (not Late, "no answer to " & Command);
+         delay 0.001;
+      end loop;
+   end Order;
+
+   -------------------
+   -- Begin_Session --
+   -------------------
+
+   procedure Begin_Session
+     (W : in out World; Robot : Robot_Situation; Camera : Camera_Situation)
+   is
+   begin
+      W.Robot := Robot;
+      W.Camera := Camera;
+      if not W.Present then
+         W.Join (Return_Limit + Noise);
+      end if;
+      if Robot >= Line_Open then
+         W.Order ("ROPN", "AACK");
+      end if;
+      case Robot is
+         when Line_Closed | Line_Open =>
+            null;
+         when Started | Moving =>
+            W.Order ("RSOW", "AACK");
+         when Started_With_Watchdog | Moving_With_Watchdog =>
+            W.Order ("RSWW", "AACK");
+      end case;
+      if Robot >= Moving then
+         W.Emulator.Clear_Journal;
+         W.Order
+           ((case Whole (W.Source, 1, 4) is
+                when 1 => "RGFW",
+                when 2 => "RGBW",
+                when 3 => "RGLF",
+                when others => "RGRI"), "AACK");
+      end if;
+      if Camera > Camera_Closed then
+         W.Order ("COPN", "AACK");
+      end if;
+      case Camera is
+         when Camera_Closed | Streaming =>
+            null;
+         when With_Position =>
+            W.Order ("CPCO", "AACK");
+         when Arena_Asked =>
+            W.Order ("CASA", "CIMG ANAK");
+         when Arena_Kept =>
+            W.Order ("CASA", "CIMG ANAK");
+            W.Say ("CACO");
+      end case;
+   end Begin_Session;
+
+   ----------
+   -- Talk --
+   ----------
+
+   procedure Talk
+     (W : in out World; For_Time : Duration; Calm : Boolean := False)
+   is
+      Deadline : constant Instant := Now + For_Time;
+   begin
+      loop
+         if Calm then
+            W.Say
+              (Calm_Words.Element
+                 (Whole (W.Source, 1, Natural (Calm_Words.Length))));
+         else
+            W.Say
+              (All_Words.Element
+                 (Whole (W.Source, 1, Natural (All_Words.Length))));
+         end if;
+         exit when Now >= Deadline;
+         delay Duration'Min
+           (Span (W.Source, 0.005, 0.1),
+            Duration'Max (0.0, Deadline - Now));
+      end loop;
+   end Talk;
+
+   --------------
+   -- Log_Says --
+   --------------
+
+   function Log_Says (W : World; Text : String) return Natural is
+     (W.Supervisor.Count_Of (Text, After => W.Session_Log));
+
+   --------------------
+   -- Forget_Session --
+   --------------------
+
+   procedure Forget_Session (W : in out World) is
+   begin
+      W.Present := False;
+      if Is_Broken (W.Ledger) then
+         W.Violate (Answered_Once, Complaint (W.Ledger));
+      elsif W.The_Plan.Log_Is_Read
+        and then Unasked_Losses (W.Ledger) > Log_Says (W, "robot lost")
+      then
+         --  the log may be a moment behind
+         delay 0.2;
+         if Unasked_Losses (W.Ledger) > Log_Says (W, "robot lost") then
+            W.Violate
+              (Answered_Once,
+               Unasked_Losses (W.Ledger)'Image & " ATIM came unasked, but"
+               & " the robot was lost" & Log_Says (W, "robot lost")'Image
+               & " times");
+         end if;
+      end if;
+   end Forget_Session;
+
+   ----------
+   -- Lose --
+   ----------
+
+   procedure Lose
+     (W         : in out World;
+      How       : Manner;
+      Detection : Duration := Loss_Limit) is
+   begin
+      W.Listen;
+      if not W.Present then
+         return;
+      end if;
+      Forget_Session (W);
+      case How is
+         when Orderly  => W.Monitor.Close;
+         when Abortive => W.Monitor.Reset;
+         when Silently => null;
+      end case;
+      W.Nobody_In_Command (Within => Detection + Stop_Limit);
+      W.Found_By := Now + Detection;
+   end Lose;
+
+   -----------------------
+   -- Nobody_In_Command --
+   -----------------------
+
+   procedure Nobody_In_Command
+     (W      : in out World;
+      Since  : Instant := Now;
+      Within : Duration := Stop_Limit) is
+   begin
+      W.Nobody_Since := Since;
+      W.Nobody_Limit := Within;
+   end Nobody_In_Command;
+
+   ---------------------
+   -- Supervisor_Ends --
+   ---------------------
+
+   procedure Supervisor_Ends (W : in out World; Status : Integer) is
+   begin
+      W.Expected_End := True;
+      W.Expected_Status := Status;
+   end Supervisor_Ends;
+
+   -----------------
+   -- End_Session --
+   -----------------
+
+   procedure End_Session (W : in out World) is
+   begin
+      W.Lose (Orderly);
+   end End_Session;
+
+   --------------------
+   -- Await_Standing --
+   --------------------
+
+   procedure Await_Standing (W : in out World) is
+      Patience : constant Duration := 3.0;
+      --  only to say how late it stood
+      Limit    : constant Instant :=
+        W.Nobody_Since + W.Nobody_Limit + Noise;
+      Since    : constant Instant := W.Nobody_Since;
+      Stop     : Instant := Never;
+      Late     : Boolean;
+
+      function Is_Movement (Text : String) return Boolean is
+        (Text'Length > 2
+         and then Text (Text'First) in 'M' | 'T'
+         and then Text (Text'First + 2 .. Text'Last) not in "0" | "-0");
+
+      function Stops (Text : String) return Boolean is
+        (Text in "r" | "z"
+         or else (Text'Length > 2
+                  and then Text (Text'First) in 'M' | 'T'
+                  and then not Is_Movement (Text)));
+   begin
+      W.Nobody_Since := Never;
+      if Since = Never or else not W.Line_Works then
+         return;
+      end if;
+      loop
+         Late := Now > Limit + Patience;
+         exit when W.Emulator.Status ("moving") = "0";
+         if Late then
+            W.Violate
+              (Robot_Stands,
+               "it still moves, " & Milliseconds (Now - Since)
+               & " after nobody is in command");
+            return;
+         end if;
+         delay 0.01;
+      end loop;
+      Late := Now > Limit;
+      for Item of W.Emulator.Journal loop
+         if Is_Movement (To_String (Item.Command)) then
+            Stop := Never;
+            if Item.First > Limit then
+               W.Violate
+                 (Robot_Stands,
+                  To_String (Item.Command) & " on the wire "
+                  & Milliseconds (Item.First - Since)
+                  & " after nobody is in command");
+            end if;
+         elsif Stop = Never and then Stops (To_String (Item.Command)) then
+            Stop := Item.Last;
+         end if;
+      end loop;
+      if Late and then Stop > Limit then
+         W.Violate
+           (Robot_Stands,
+            "it stood only " & Milliseconds (Stop - Since)
+            & " after nobody is in command");
+      end if;
+   end Await_Standing;
+
+   -------------
+   -- Violate --
+   -------------
+
+   procedure Violate (W : in out World; Which : Invariant; Text : String) is
+   begin
+      W.Violate
+        ((case Which is
+             when Supervisor_Lives => "the supervisor lives: ",
+             when Answered_Once    => "answered exactly once: ",
+             when Robot_Stands     => "the robot stands: ",
+             when Session_Works    => "a new session works: ",
+             when Nothing_Leaks    => "nothing leaks: ") & Text);
+   end Violate;
+
+   procedure Violate (W : in out World; Text : String) is
+   begin
+      W.Violations := W.Violations + 1;
+      Append (W.Account, "   " & Trim (Text, Both) & ASCII.LF);
+   end Violate;
+
+end Worlds;
