@@ -20,6 +20,7 @@ package body Trials is
    --  for the first image of a camera
 
    The_World : World;
+   The_Base  : Plan;
 
    function Is_In_Need (First : Positive; Second : Natural) return Plan;
    --  Of this world
@@ -65,7 +66,7 @@ package body Trials is
 
    function Is_In_Need (First : Positive; Second : Natural) return Plan is
    begin
-      return P : Plan do
+      return P : Plan := The_Base do
          Element (First).Prepare (P);
          if Second > 0 then
             Element (Second).Prepare (P);
@@ -423,6 +424,20 @@ package body Trials is
          W.Destroy;
       end if;
    end Run;
+
+   -----------
+   -- Build --
+   -----------
+
+   procedure Build (Base : Plan) is
+   begin
+      The_Base := Base;
+      The_World.Build (Base);
+   end Build;
+
+   function Process return Interfaces.C.int is (The_World.Pid);
+
+   function Port return Positive is (The_World.Port);
 
    ------------
    -- Finish --

@@ -3,6 +3,9 @@
 --  moments, and the five invariants afterwards.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Interfaces.C;
+
+with Worlds;
 
 package Trials is
 
@@ -26,6 +29,17 @@ package Trials is
       Outcome    : out Result);
    --  In the world of this process, which is built anew where it does not
    --  fit
+
+   --  For a soak, which does other things with the same supervisor in
+   --  between
+
+   procedure Build (Base : Worlds.Plan);
+   --  The world; Base is from now on what faults Prepare
+
+   function Process return Interfaces.C.int;
+   --  The supervisor of now
+   function Port return Positive;
+   --  Where it listens
 
    procedure Finish;
    --  Leaves nothing running
