@@ -102,6 +102,19 @@ package Libc is
    function Prctl (Option : int; Value : unsigned_long) return int
    with Import, Convention => C_Variadic_1, External_Name => "prctl";
 
+   type Resource_Limit is record
+      Soft : unsigned_long;
+      Hard : unsigned_long;
+   end record with Convention => C;
+
+   function Getrlimit
+     (Resource : int; Limit : access Resource_Limit) return int
+   with Import, Convention => C, External_Name => "getrlimit";
+
+   function Setrlimit
+     (Resource : int; Limit : access Resource_Limit) return int
+   with Import, Convention => C, External_Name => "setrlimit";
+
    function Geteuid return unsigned
    with Import, Convention => C, External_Name => "geteuid";
 
