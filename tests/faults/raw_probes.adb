@@ -188,10 +188,28 @@ package body Raw_Probes is
       Sockets  : array (1 .. Count) of Socket_Type := (others => No_Socket);
       Heard    : array (1 .. Count) of Boolean := (others => False);
       Waiting  : Natural := Count;
+      Patience : constant Duration := 1.5;
+      --  Where its queue is full the kernel forgets a connection that this
+      --  end takes for established, until a byte comes: who hears nothing
+      --  speaks
+      Asked    : Instant;
       Result   : Crowd_Result;
       Deadline : Instant;
       Bytes    : Stream_Element_Array (1 .. 512);
       Last     : Stream_Element_Offset;
+
+      procedure Speak (Socket : Socket_Type);
+
+      procedure Speak (Socket : Socket_Type) is
+         Line_End : constant Stream_Element_Array :=
+           (1 => Character'Pos (ASCII.LF));
+      begin
+         Send_Socket (Socket, Line_End, Last);
+      exception
+         when Socket_Error =>
+            --  its end is about to be seen
+            null;
+      end Speak;
 
       procedure Look (Number : Positive);
 
@@ -228,12 +246,21 @@ package body Raw_Probes is
          Begin_Connection (Socket, Place, Waits => False);
       end loop;
       Deadline := Now + Within;
+      Asked := Now;
       while Waiting > 0 and then Now < Deadline loop
          for Number in Sockets'Range loop
             if Sockets (Number) /= No_Socket then
                Look (Number);
             end if;
          end loop;
+         if Now - Asked > Patience then
+            Asked := Now;
+            for Socket of Sockets loop
+               if Socket /= No_Socket then
+                  Speak (Socket);
+               end if;
+            end loop;
+         end if;
          delay 0.005;
       end loop;
       for Number in Sockets'Range loop

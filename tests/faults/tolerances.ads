@@ -34,6 +34,11 @@ package Tolerances is
    --  For all answers of a session: as many exchanges as may wait, some of
    --  them with time-outs, and a camera that opens slowly
 
+   Line_Attempts : constant := 3;
+   --  To start and to move the robot: between two programs the kernel's
+   --  pseudo-terminal carries the bytes in a thread of ordinary priority,
+   --  and on a loaded machine an answer misses its 80 ms now and then
+
    Settle_Limit : constant Duration := 5.0;
    --  For descriptors and threads to be what they were, after a session
 

@@ -253,10 +253,7 @@ package body Trials is
       --  as at the start: nothing is open
       W.Order ("RPIN", "ANAK");
       W.Order ("CPCO", "ANAK");
-      W.Order ("ROPN", "AACK");
-      W.Order ((if Watchdog then "RSWW" else "RSOW"), "AACK");
-      W.Order ("RGFW", "AACK");
-      W.Emulator.Await_Status ("moving", "1", Within => 1.0);
+      W.Bring_To (if Watchdog then Moving_With_Watchdog else Moving);
       if W.The_Plan.Camera = "" and then W.Camera > Camera_Closed then
          W.Order ("COPN", "AACK");
          declare
@@ -272,14 +269,15 @@ package body Trials is
             end loop;
          end;
       end if;
-      W.Order ("RSTP", "AACK");
+      W.Order ("RSTP", "AACK ATIM");
       W.Emulator.Await_Status ("moving", "0", Within => Stop_Limit + Noise);
       if Chance (W.Source, 2) then
          --  else the end of the session does it
          W.Order ("CCLS", "AACK");
          W.Order ("RCLS", "AACK");
       else
-         W.Order ("RGFW", "AACK");
+         W.Say ("RGFW");
+         W.Expect_Answers;
       end if;
       W.Lose (Orderly);
       W.Await_Standing;
@@ -330,7 +328,7 @@ package body Trials is
    ----------
 
    function Tail (Text : String) return String is
-      Lines  : constant := 30;
+      Lines  : constant := 40;
       Longest : constant := 160;
       Count  : Natural := 0;
       First  : Natural := Text'Last + 1;
@@ -379,6 +377,7 @@ package body Trials is
       Start
         (W.Source, Seed, Name (First, Second) & Repetition'Image);
       W.Violations := 0;
+      W.Repeated := 0;
       W.Account := Null_Unbounded_String;
       W.Line_Works := True;
       W.Robot_Ready := True;
@@ -411,6 +410,7 @@ package body Trials is
               (Ada.Exceptions.Exception_Message (Occurrence));
             W.Destroy;
       end;
+      Outcome.Repeated := W.Repeated;
       if W.Violations > 0 then
          Outcome.Ends_As := Violated;
          Outcome.Account :=
@@ -446,6 +446,7 @@ package body Trials is
    procedure Finish is
    begin
       The_World.Destroy;
+      The_Link.Remove;
    end Finish;
 
 end Trials;

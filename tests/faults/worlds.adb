@@ -43,6 +43,19 @@ package body Worlds is
    function Log_Says (W : World; Text : String) return Natural;
    --  How often, in this session
 
+   procedure Take
+     (W     : in out World;
+      Item  : out Monitor_Clients.Message;
+      Found : out Boolean);
+   --  The next message, for the ledger and for Item. Where there is none any
+   --  more and the connection is closed the session is over.
+
+   Robot_Silent : exception;
+   --  An answer ATIM where another was expected
+
+   procedure Try_Order (W : in out World; Command, Answer : String);
+   --  As Order, but with Robot_Silent
+
    ---------------
    -- Free_Port --
    ---------------
@@ -100,8 +113,8 @@ package body Worlds is
          else To_String (W.The_Plan.Camera));
       Options : constant String :=
         "--serial " & W.Emulator.Device & " --camera " & Camera
-        & " --frame-size " & Images
-        & " " & To_String (W.The_Plan.Options);
+        & " --frame-size " & Images & " --log-level debug "
+        & To_String (W.The_Plan.Options);
       Port    : Natural;
       Ready   : Boolean := False;
    begin
@@ -289,26 +302,44 @@ package body Worlds is
          W.Monitor.Close;
    end Try_To_Join;
 
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take
+     (W     : in out World;
+      Item  : out Monitor_Clients.Message;
+      Found : out Boolean)
+   is
+      Was_Closed : Boolean;
+   begin
+      Item := (others => <>);
+      Found := False;
+      if W.Present then
+         Was_Closed := Closed (W);
+         if W.Read < W.Monitor.Count then
+            W.Read := W.Read + 1;
+            Item := W.Monitor.Element (W.Read);
+            Put_Message (W.Ledger, Item);
+            Found := True;
+         elsif Was_Closed then
+            Forget_Session (W);
+         end if;
+      end if;
+   end Take;
+
    ------------
    -- Listen --
    ------------
 
    procedure Listen (W : in out World) is
+      Unused : Monitor_Clients.Message;
+      Found  : Boolean;
    begin
-      if not W.Present then
-         return;
-      end if;
-      declare
-         Was_Closed : constant Boolean := Closed (W);
-      begin
-         while W.Read < W.Monitor.Count loop
-            W.Read := W.Read + 1;
-            Put_Message (W.Ledger, W.Monitor.Element (W.Read));
-         end loop;
-         if Was_Closed then
-            Forget_Session (W);
-         end if;
-      end;
+      loop
+         Take (W, Unused, Found);
+         exit when not Found;
+      end loop;
    end Listen;
 
    ---------
@@ -372,39 +403,46 @@ package body Worlds is
       end loop;
    end Expect_Answers;
 
+   ---------------
+   -- Try_Order --
+   ---------------
+
+   procedure Try_Order (W : in out World; Command, Answer : String) is
+      Deadline : constant Instant := Now + Answer_Limit;
+      Item     : Monitor_Clients.Message;
+      Found    : Boolean;
+   begin
+      W.Expect_Answers;
+      W.Say (Command);
+      loop
+         Take (W, Item, Found);
+         exit when Found and then Is_Complete (W.Ledger);
+         Check (W.Present, "no session any more for " & Command);
+         if not Found then
+            Check (Now < Deadline, "no answer to " & Command);
+            delay 0.001;
+         end if;
+      end loop;
+      if Index (Answer, Item.Label) = 0 then
+         if Item.Label = "ATIM" then
+            raise Robot_Silent;
+         end if;
+         raise Failed with Command & " was answered " & Item.Label
+           & " instead of " & Answer;
+      end if;
+   end Try_Order;
+
    -----------
    -- Order --
    -----------
 
    procedure Order (W : in out World; Command, Answer : String) is
-      Deadline : constant Instant := Now + Answer_Limit;
-      Late     : Boolean;
    begin
-      W.Expect_Answers;
-      W.Say (Command);
-      loop
-         Late := Now > Deadline;
-         Check (W.Present, "no session for " & Command);
-         while W.Read < W.Monitor.Count loop
-            W.Read := W.Read + 1;
-            declare
-               Item : constant Monitor_Clients.Message :=
-                 W.Monitor.Element (W.Read);
-            begin
-               Put_Message (W.Ledger, Item);
-               if Is_Complete (W.Ledger) then
-                  Check
-                    (Index (Answer, Item.Label) > 0,
-                     Command & " was answered " & Item.Label
-                     & " instead of " & Answer);
-                  return;
-               end if;
-            end;
-         end loop;
-         W.Listen;
-         Check (not Late, "no answer to " & Command);
-         delay 0.001;
-      end loop;
+      Try_Order (W, Command, Answer);
+   exception
+      when Robot_Silent =>
+         raise Failed with Command & " was answered ATIM instead of "
+           & Answer;
    end Order;
 
    -------------------
@@ -420,26 +458,7 @@ package body Worlds is
       if not W.Present then
          W.Join (Return_Limit + Noise);
       end if;
-      if Robot >= Line_Open then
-         W.Order ("ROPN", "AACK");
-      end if;
-      case Robot is
-         when Line_Closed | Line_Open =>
-            null;
-         when Started | Moving =>
-            W.Order ("RSOW", "AACK");
-         when Started_With_Watchdog | Moving_With_Watchdog =>
-            W.Order ("RSWW", "AACK");
-      end case;
-      if Robot >= Moving then
-         W.Emulator.Clear_Journal;
-         W.Order
-           ((case Whole (W.Source, 1, 4) is
-                when 1 => "RGFW",
-                when 2 => "RGBW",
-                when 3 => "RGLF",
-                when others => "RGRI"), "AACK");
-      end if;
+      W.Bring_To (Robot);
       if Camera > Camera_Closed then
          W.Order ("COPN", "AACK");
       end if;
@@ -455,6 +474,49 @@ package body Worlds is
             W.Say ("CACO");
       end case;
    end Begin_Session;
+
+   --------------
+   -- Bring_To --
+   --------------
+
+   procedure Bring_To (W : in out World; Robot : Robot_Situation) is
+   begin
+      for Attempt in 1 .. Line_Attempts loop
+         begin
+            if Robot >= Line_Open then
+               Try_Order (W, "ROPN", "AACK");
+            end if;
+            case Robot is
+               when Line_Closed | Line_Open =>
+                  null;
+               when Started | Moving =>
+                  Try_Order (W, "RSOW", "AACK");
+               when Started_With_Watchdog | Moving_With_Watchdog =>
+                  Try_Order (W, "RSWW", "AACK");
+            end case;
+            if Robot >= Moving then
+               Try_Order
+                 (W,
+                  (case Whole (W.Source, 1, 4) is
+                      when 1 => "RGFW",
+                      when 2 => "RGBW",
+                      when 3 => "RGLF",
+                      when others => "RGRI"), "AACK");
+               W.Emulator.Await_Status
+                 ("moving", "1", Within => Stop_Limit + Noise);
+            end if;
+            exit;
+         exception
+            when Robot_Silent =>
+               W.Repeated := W.Repeated + 1;
+               Check
+                 (Attempt < Line_Attempts,
+                  "the robot's answers are late, again and again");
+               W.Say ("RCLS");
+               W.Expect_Answers;
+         end;
+      end loop;
+   end Bring_To;
 
    ----------
    -- Talk --

@@ -91,6 +91,8 @@ package Worlds is
       Expected_End   : Boolean := False;
       Expected_Status : Integer := 0;
       Base_Threads, Base_Descriptors, Base_Memory : Natural := 0;
+      Repeated       : Natural := 0;
+      --  sessions begun again, for the robot's answer was late
       Violations     : Natural := 0;
       Account        : Unbounded_String;
       --  what was violated, line by line
@@ -121,6 +123,9 @@ package Worlds is
      (W : in out World; Robot : Robot_Situation; Camera : Camera_Situation);
    --  A monitor connects and brings robot and camera there by commands.
    --  Raises Failed where that does not succeed.
+
+   procedure Bring_To (W : in out World; Robot : Robot_Situation);
+   --  By commands, from a closed line. Raises Failed.
 
    procedure Join (W : in out World; Within : Duration);
    --  A monitor connects and is admitted; tried again while it is refused.

@@ -188,6 +188,15 @@ package body Network_Links is
    --------------
 
    overriding procedure Finalize (Object : in out Link) is
+   begin
+      Object.Remove;
+   end Finalize;
+
+   ------------
+   -- Remove --
+   ------------
+
+   procedure Remove (Object : in out Link) is
       Unused : Boolean;
    begin
       if Object.Made then
@@ -195,6 +204,6 @@ package body Network_Links is
          Unused := Succeeds ("ip link del " & Here);
          Unused := Succeeds ("ip netns del " & Name);
       end if;
-   end Finalize;
+   end Remove;
 
 end Network_Links;

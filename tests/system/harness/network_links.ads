@@ -25,6 +25,9 @@ package Network_Links is
    --  The cable is out at the monitor's end
    procedure Mend (Object : in out Link);
 
+   procedure Remove (Object : in out Link);
+   --  If it has been made
+
    procedure Fall_Silent (Object : in out Link);
    --  The cable is in, but the monitor's machine no longer answers
 
