@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  All groups of faults.
 
+with Machine_Faults;
 with Network_Faults;
 
 package body Fault_List is
@@ -8,6 +9,7 @@ package body Fault_List is
    procedure Register is
    begin
       Network_Faults.Register;
+      Machine_Faults.Register;
    end Register;
 
 end Fault_List;

@@ -149,6 +149,25 @@ package body Process_Facts is
       return Result;
    end Descriptors;
 
+   ----------------
+   -- Has_Mapped --
+   ----------------
+
+   function Has_Mapped (Process : int; Path : String) return Boolean is
+      File  : File_Type;
+      Found : Boolean := False;
+   begin
+      Open (File, In_File, Folder (Process) & "/maps");
+      while not Found and then not End_Of_File (File) loop
+         Found := Index (Get_Line (File), Path) > 0;
+      end loop;
+      Close (File);
+      return Found;
+   exception
+      when Name_Error | Use_Error =>
+         return False;
+   end Has_Mapped;
+
    ------------------
    -- Thread_Named --
    ------------------

@@ -10,6 +10,9 @@ package Process_Facts is
    function Descriptors (Process : int) return Natural;
    --  0 when there is no such process
 
+   function Has_Mapped (Process : int; Path : String) return Boolean;
+   --  A file, such as a library
+
    function Thread_Named (Process : int; Name : String) return int;
    --  Its number, 0 when there is none. Upper and lower case count as one;
    --  the kernel keeps the first 15 characters of a name.
