@@ -117,6 +117,9 @@ package body Machine_Faults is
    function Pipe return String;
    --  The named pipe that stands for standard error; made at its first use
 
+   function Drained return Natural;
+   --  Takes all that is in it; how many bytes that was
+
    function Clock_File return String;
    --  Of the supervisor's wall clock: a number of seconds
 
@@ -129,6 +132,8 @@ package body Machine_Faults is
    procedure Need_Tool (Name : String);
 
    Pipe_File : int := -1;
+
+   Standard_Error_Number : constant := 2;
 
    ------------
    -- Script --
@@ -179,6 +184,23 @@ package body Machine_Faults is
       end if;
       return Path;
    end Pipe;
+
+   -------------
+   -- Drained --
+   -------------
+
+   function Drained return Natural is
+      Buffer : String (1 .. 4_096);
+      Size   : long;
+      Result : Natural := 0;
+   begin
+      loop
+         Size := Libc.Read (Pipe_File, Buffer'Address, Buffer'Length);
+         exit when Size <= 0;
+         Result := Result + Natural (Size);
+      end loop;
+      return Result;
+   end Drained;
 
    ----------------
    -- Clock_File --
@@ -305,6 +327,15 @@ package body Machine_Faults is
       if F.Kind = Full_Disk and then not Is_Root then
          Skip ("only root can make a file system of 4 kB");
       end if;
+      if F.Kind in Full_Device | Full_Disk then
+         Check
+           (Process_Facts.Open_File (W.Pid, Standard_Error_Number)
+            = (if F.Kind = Full_Disk
+               then Programs.Temporary_Folder & "/disk/log"
+               else "/dev/full"),
+            "its standard error is "
+            & Process_Facts.Open_File (W.Pid, Standard_Error_Number));
+      end if;
       --  each is worth a line of the log
       for Number in 1 .. Whole (W.Source, 1, 200) loop
          W.Say ("nonsense");
@@ -328,6 +359,7 @@ package body Machine_Faults is
       Zeros : constant String (1 .. 4_096) := (others => ASCII.NUL);
       Last  : constant String := (1 => ASCII.NUL);
    begin
+      Check (Drained > 0, "the log does not go to the pipe");
       while Libc.Write (Pipe_File, Zeros'Address, Zeros'Length) > 0 loop
          null;
       end loop;
@@ -346,11 +378,9 @@ package body Machine_Faults is
 
    overriding procedure Lift (F : in out Full_Pipe; W : in out World) is
       pragma Unreferenced (F, W);
-      Buffer : String (1 .. 4_096);
+      Unused : constant Natural := Drained;
    begin
-      while Libc.Read (Pipe_File, Buffer'Address, Buffer'Length) > 0 loop
-         null;
-      end loop;
+      null;
    end Lift;
 
    -------------
@@ -422,30 +452,45 @@ package body Machine_Faults is
 
    overriding procedure Inject (F : in out No_Descriptors; W : in out World)
    is
+      Spare  : constant Natural := Whole (W.Source, 0, 1);
+      Log    : constant Natural := W.Supervisor.Log_Length;
       Few    : aliased Libc.Resource_Limit;
       Others_Who_Connect : array (1 .. Whole (W.Source, 0, 3))
         of Monitor_Clients.Client;
+
+      function Said return Boolean is
+        (W.Supervisor.Says ("a monitor could not connect", After => Log));
+
    begin
-      W.Listen;
+      W.Expect_Answers;
       F.Owner := W.Pid;
       Check
         (Libc.Prlimit (F.Owner, Libc.Rlimit_Nofile, null, F.Usual'Access) = 0,
          "its limits cannot be read");
-      --  none, or one more
       Few :=
         (Soft => unsigned_long
-           (Process_Facts.Descriptors (F.Owner) + Whole (W.Source, 0, 1)),
+           (Process_Facts.Descriptors (F.Owner) + Spare),
          Hard => F.Usual.Hard);
       Check
         (Libc.Prlimit (F.Owner, Libc.Rlimit_Nofile, Few'Access, null) = 0,
          "its limit cannot be set");
       W.Reachable := False;
-      W.Talk (Span (W.Source, 0.2, 1.0));
       for Other of Others_Who_Connect loop
          --  the kernel takes them, the supervisor cannot
          Other.Connect (W.Port, W.Address, Real_Time => False);
       end loop;
-      W.Talk (Span (W.Source, 0.0, 0.5));
+      W.Talk (Span (W.Source, 0.1, 0.5), Calm => True);
+      if W.The_Plan.Log_Is_Read and then W.Present and then Spare = 0
+        and then Others_Who_Connect'Length > 0
+      then
+         --  unless another fault has set one free
+         Check
+           (Said
+            or else unsigned_long (Process_Facts.Descriptors (F.Owner))
+              < Few.Soft,
+            "it could take a connection: the limit does not hold");
+      end if;
+      W.Talk (Span (W.Source, 0.2, 1.0));
    end Inject;
 
    overriding procedure Lift (F : in out No_Descriptors; W : in out World) is

@@ -58,6 +58,11 @@ package Libc is
    function Mkfifo (Path : char_array; Mode : unsigned) return int
    with Import, Convention => C, External_Name => "mkfifo";
 
+   function Readlink
+     (Path : char_array; Buffer : System.Address; Size : size_t) return long
+   with Import, Convention => C, External_Name => "readlink";
+   --  How long it is, without a NUL; negative where there is none
+
    function Dup2 (File, Onto : int) return int
    with Import, Convention => C, External_Name => "dup2";
 

@@ -9,6 +9,8 @@ with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with Ada.Text_IO;             use Ada.Text_IO;
 with GNAT.Directory_Operations;
 
+with Libc;
+
 package body Process_Facts is
 
    function Folder (Process : int) return String is
@@ -148,6 +150,19 @@ package body Process_Facts is
       For_Each_Entry (Folder (Process) & "/fd", Count'Access);
       return Result;
    end Descriptors;
+
+   ---------------
+   -- Open_File --
+   ---------------
+
+   function Open_File (Process : int; Descriptor : Natural) return String is
+      Target : String (1 .. 4_096);
+      Size   : constant long := Libc.Readlink
+        (To_C (Folder (Process) & "/fd/" & Trim (Descriptor'Image, Both)),
+         Target'Address, Target'Length);
+   begin
+      return Target (1 .. Natural (long'Max (0, Size)));
+   end Open_File;
 
    ----------------
    -- Has_Mapped --

@@ -10,6 +10,10 @@ package Process_Facts is
    function Descriptors (Process : int) return Natural;
    --  0 when there is no such process
 
+   function Open_File (Process : int; Descriptor : Natural) return String;
+   --  What is behind it, as the kernel names it: a path, "pipe:[123]"; ""
+   --  where it is closed
+
    function Has_Mapped (Process : int; Path : String) return Boolean;
    --  A file, such as a library
 
