@@ -16,9 +16,11 @@ with Fault_List;
 with Fault_Runs;            use Fault_Runs;
 with Fault_Tables;
 with Faults;
+with Instants;
 with Libc;
 with Programs;
 with Raw_Probes;
+with Worlds;
 
 procedure Destijl_Faults is
 
@@ -27,7 +29,7 @@ procedure Destijl_Faults is
    Program  : constant String := Programs.Beside ("destijl_faults");
    S        : Scope;
    Jobs     : Positive := 10;
-   Repeated : Natural;
+   Figures  : Worlds.Figure_Set;
    Markdown : Unbounded_String;
    Is_Job   : Boolean := False;
    Is_List  : Boolean := False;
@@ -66,7 +68,7 @@ procedure Destijl_Faults is
       Put_Line ("bin/destijl_faults [OPTION ...]");
       Put_Line ("  --seed N        of everything random (1)");
       Put_Line ("  --times N       of each fault alone (100)");
-      Put_Line ("  --pairs N       of each two groups, at random (100)");
+      Put_Line ("  --pairs N       each in so many pairs, at random (100)");
       Put_Line ("  --only PART     faults and pairs with this in their name");
       Put_Line ("  --at N          only the repetition N");
       Put_Line ("  --jobs N        worlds side by side (10)");
@@ -103,7 +105,7 @@ procedure Destijl_Faults is
                end if;
             elsif Name = "--short" then
                S.Times := 1;
-               S.Pairs := 3;
+               S.Pairs := 1;
             elsif Name = "--markdown" then
                Markdown := To_Unbounded_String (Value);
             elsif Name = "--supervisor" then
@@ -148,14 +150,18 @@ begin
    else
       Put_Line ("seed" & S.Seed'Image);
       Flush;
-      Fault_Runs.Run (S, Jobs, Program, Repeated);
+      Fault_Runs.Run (S, Jobs, Program, Figures);
       Fault_Tables.Print;
       if Markdown /= "" then
          Fault_Tables.Print (To_String (Markdown));
       end if;
-      if Repeated > 0 then
+      Put_Line
+        ("the stop order followed a close or a reset within "
+         & Instants.Milliseconds (Figures.Slowest_Stop)
+         & ", memory grew by" & Figures.Growth'Image & " kB at most");
+      if Figures.Repeated > 0 then
          Put_Line
-           (Plain (Repeated)
+           (Plain (Figures.Repeated)
             & " sessions were begun again: the emulated line was late");
       end if;
       Put_Line

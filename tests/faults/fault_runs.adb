@@ -13,7 +13,6 @@ with Instants;            use Instants;
 with Programs;
 with Random_Numbers;
 with Trials;              use Trials;
-with Worlds;              use Worlds;
 
 package body Fault_Runs is
 
@@ -53,11 +52,16 @@ package body Fault_Runs is
       and then (S.At_Repetition = 0
                 or else S.At_Repetition = Item.Repetition));
 
+   type Counts is array (Positive range <>) of Natural;
+
    procedure Draw_Pair
      (Source        : in out Random_Numbers.Generator;
-      One, Other    : Group_Kind;
+      Fault         : Positive;
+      Used          : Counts;
+      Limit         : Positive;
       First, Second : out Natural);
-   --  0 where no two of these groups go together
+   --  Fault and another, if possible one in fewer pairs than Limit; 0 where
+   --  it goes together with none
 
    ----------------
    -- Worlds_Key --
@@ -97,19 +101,25 @@ package body Fault_Runs is
 
    procedure Draw_Pair
      (Source        : in out Random_Numbers.Generator;
-      One, Other    : Group_Kind;
+      Fault         : Positive;
+      Used          : Counts;
+      Limit         : Positive;
       First, Second : out Natural)
    is
-      Attempts : constant := 500;
+      Attempts : constant := 2_000;
+      Fair     : constant := 1_000;
+      --  so long the other one must be short of pairs, too
+      Other    : Positive;
    begin
       for Attempt in 1 .. Attempts loop
-         First := Random_Numbers.Whole (Source, 1, Faults.Count);
-         Second := Random_Numbers.Whole (Source, 1, Faults.Count);
-         if (Element (First).Group = One
-             and then Element (Second).Group = Other)
-           or else (Element (First).Group = Other
-                    and then Element (Second).Group = One)
-         then
+         Other := Random_Numbers.Whole (Source, 1, Faults.Count);
+         if Attempt > Fair or else Used (Other) < Limit then
+            First := Fault;
+            Second := Other;
+            if Random_Numbers.Chance (Source, 2) then
+               First := Other;
+               Second := Fault;
+            end if;
             if Go_Together (Element (First).all, Element (Second).all) then
                return;
             end if;
@@ -127,22 +137,25 @@ package body Fault_Runs is
      (Queue : in out Injection_Vectors.Vector; S : Scope)
    is
       First, Second : Natural;
+      Number        : Natural := 0;
+      Used          : Counts (1 .. Faults.Count) := (others => 0);
       Source        : Random_Numbers.Generator;
    begin
-      for One in Group_Kind loop
-         for Other in One .. Group_Kind'Last loop
-            for Number in 1 .. S.Pairs loop
-               --  by its number alone, however many there are to be
-               Random_Numbers.Start
-                 (Source, S.Seed,
-                  One'Image & Other'Image & Number'Image);
-               Draw_Pair (Source, One, Other, First, Second);
-               if First > 0
-                 and then Is_Wanted (S, (First, Second, Number))
-               then
-                  Queue.Append ((First, Second, Number));
+      Random_Numbers.Start (Source, S.Seed, "pairs");
+      --  round by round: the first are the same, however many there are
+      for Round in 1 .. S.Pairs loop
+         for Fault in Used'Range loop
+            if Used (Fault) < Round and then not Element (Fault).Alone then
+               Draw_Pair (Source, Fault, Used, Round, First, Second);
+               if First > 0 then
+                  Used (First) := Used (First) + 1;
+                  Used (Second) := Used (Second) + 1;
+                  Number := Number + 1;
+                  if Is_Wanted (S, (First, Second, Number)) then
+                     Queue.Append ((First, Second, Number));
+                  end if;
                end if;
-            end loop;
+            end if;
          end loop;
       end loop;
    end Add_Pairs;
@@ -155,7 +168,7 @@ package body Fault_Runs is
      (S        : Scope;
       Jobs     : Positive;
       Program  : String;
-      Repeated : out Natural)
+      Figures  : out Figure_Set)
    is
 
       type Job is limited record
@@ -248,7 +261,11 @@ package body Fault_Runs is
                Parts : constant Arguments := Words
                  (To_String (J.Process.Element (Output, Word).Text));
             begin
-               Repeated := Repeated + Natural'Value (Parts.Element (2));
+               Figures := Worst
+                 (Figures,
+                  (Repeated     => Natural'Value (Parts.Element (2)),
+                   Slowest_Stop => Duration'Value (Parts.Element (3)),
+                   Growth       => Natural'Value (Parts.Element (4))));
                Finish_One (J, Parts.Element (1), To_String (Text));
             end;
          elsif not J.Process.Is_Running
@@ -275,7 +292,7 @@ package body Fault_Runs is
       end Look;
 
    begin
-      Repeated := 0;
+      Figures := (others => <>);
       for Number in 1 .. Faults.Count loop
          for Repetition in 1 .. S.Times loop
             if Is_Wanted (S, (Number, 0, Repetition)) then
@@ -361,7 +378,9 @@ package body Fault_Runs is
                    when Held            => "held",
                    when Violated        => "violated",
                    when Impossible_Here => "impossible")
-               & Outcome.Repeated'Image);
+               & Outcome.Figures.Repeated'Image
+               & Outcome.Figures.Slowest_Stop'Image
+               & Outcome.Figures.Growth'Image);
             Put (To_String (Outcome.Account));
             Put_Line ("--- end");
             Flush;

@@ -4,6 +4,8 @@
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
+with Worlds;                use Worlds;
+
 package Fault_Runs is
 
    type Scope is record
@@ -11,7 +13,7 @@ package Fault_Runs is
       Times : Natural := 100;
       --  of each fault alone
       Pairs : Natural := 100;
-      --  of each two groups
+      --  in which each fault is, with another at random
       Only  : Unbounded_String;
       --  a part of the name of a fault or a pair
       At_Repetition : Natural := 0;
@@ -24,12 +26,11 @@ package Fault_Runs is
      (S        : Scope;
       Jobs     : Positive;
       Program  : String;
-      Repeated : out Natural)
+      Figures  : out Figure_Set)
      with Pre => Jobs <= Most_Jobs;
    --  Program is this one, which each of the jobs runs. Violations are
    --  printed as they come, and everything is counted in Fault_Tables.
-   --  Repeated: see Tolerances.Line_Attempts. To be called from the
-   --  environment task.
+   --  Figures are the worst of all. To be called from the environment task.
 
    procedure Work (Seed : Natural);
    --  What each of the jobs does: takes injections from standard input, one

@@ -9,7 +9,6 @@ with Faults;            use Faults;
 with Instants;          use Instants;
 with Random_Numbers;    use Random_Numbers;
 with Tolerances;        use Tolerances;
-with Worlds;            use Worlds;
 
 package body Trials is
 
@@ -377,7 +376,7 @@ package body Trials is
       Start
         (W.Source, Seed, Name (First, Second) & Repetition'Image);
       W.Violations := 0;
-      W.Repeated := 0;
+      W.Figures := (others => <>);
       W.Account := Null_Unbounded_String;
       W.Line_Works := True;
       W.Robot_Ready := True;
@@ -410,7 +409,7 @@ package body Trials is
               (Ada.Exceptions.Exception_Message (Occurrence));
             W.Destroy;
       end;
-      Outcome.Repeated := W.Repeated;
+      Outcome.Figures := W.Figures;
       if W.Violations > 0 then
          Outcome.Ends_As := Violated;
          Outcome.Account :=
@@ -420,6 +419,7 @@ package body Trials is
            & (if W.Is_Built then
                 ", log (its last lines):" & ASCII.LF
                 & Tail (W.Supervisor.Log_Text)
+                & "   at the robot:" & ASCII.LF & W.Wire_Tail
               else (1 => ASCII.LF));
          W.Destroy;
       end if;

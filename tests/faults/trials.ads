@@ -7,14 +7,15 @@ with Interfaces.C;
 
 with Worlds;
 
+with Worlds;                use Worlds;
+
 package Trials is
 
    type Outcome is (Held, Violated, Impossible_Here);
 
    type Result is record
       Ends_As  : Outcome := Held;
-      Repeated : Natural := 0;
-      --  sessions begun again, see Tolerances.Line_Attempts
+      Figures  : Figure_Set;
       Account  : Unbounded_String;
       --  what was violated and in which state of the world, or why this
       --  machine does not allow it; several lines

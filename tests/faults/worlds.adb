@@ -72,6 +72,16 @@ package body Worlds is
       return Positive (Place.Port);
    end Free_Port;
 
+   -----------
+   -- Worst --
+   -----------
+
+   function Worst (Left, Right : Figure_Set) return Figure_Set is
+     ((Repeated     => Left.Repeated + Right.Repeated,
+       Slowest_Stop =>
+         Duration'Max (Left.Slowest_Stop, Right.Slowest_Stop),
+       Growth       => Natural'Max (Left.Growth, Right.Growth)));
+
    -------------
    -- Address --
    -------------
@@ -209,7 +219,9 @@ package body Worlds is
          end if;
          delay 0.02;
       end loop;
-      if Resident_Kilobytes (W.Pid) > W.Base_Memory + Memory_Growth then
+      W.Figures.Growth := Integer'Max
+        (W.Figures.Growth, Resident_Kilobytes (W.Pid) - W.Base_Memory);
+      if W.Figures.Growth > Memory_Growth then
          W.Violate
            (Nothing_Leaks,
             Resident_Kilobytes (W.Pid)'Image & " kB of memory, after"
@@ -267,12 +279,14 @@ package body Worlds is
             --  who is refused is told so, who is admitted is answered
             W.Say ("nope", Refused);
             while W.Present and then not Is_Complete (W.Ledger)
+              and then not Is_Broken (W.Ledger)
               and then Now < Deadline + Return_Limit
             loop
                delay 0.001;
                W.Listen;
             end loop;
-            exit when W.Present and then Is_Complete (W.Ledger);
+            exit when W.Present
+              and then (Is_Complete (W.Ledger) or else Is_Broken (W.Ledger));
          exception
             when Failed =>
                if Late then
@@ -416,6 +430,9 @@ package body Worlds is
       W.Say (Command);
       loop
          Take (W, Item, Found);
+         Check
+           (not Is_Broken (W.Ledger),
+            "not answered exactly once: " & Complaint (W.Ledger));
          exit when Found and then Is_Complete (W.Ledger);
          Check (W.Present, "no session any more for " & Command);
          if not Found then
@@ -508,7 +525,7 @@ package body Worlds is
             exit;
          exception
             when Robot_Silent =>
-               W.Repeated := W.Repeated + 1;
+               W.Figures.Repeated := W.Figures.Repeated + 1;
                Check
                  (Attempt < Line_Attempts,
                   "the robot's answers are late, again and again");
@@ -641,7 +658,9 @@ package body Worlds is
         W.Nobody_Since + W.Nobody_Limit + Noise;
       Since    : constant Instant := W.Nobody_Since;
       Stop     : Instant := Never;
+      Moved    : Boolean := False;
       Late     : Boolean;
+      Usual    : Boolean;
 
       function Is_Movement (Text : String) return Boolean is
         (Text'Length > 2
@@ -671,9 +690,11 @@ package body Worlds is
          delay 0.01;
       end loop;
       Late := Now > Limit;
+      Usual := W.Nobody_Limit <= Stop_Limit + Loss_Limit;
       for Item of W.Emulator.Journal loop
          if Is_Movement (To_String (Item.Command)) then
             Stop := Never;
+            Moved := True;
             if Item.First > Limit then
                W.Violate
                  (Robot_Stands,
@@ -685,6 +706,10 @@ package body Worlds is
             Stop := Item.Last;
          end if;
       end loop;
+      if Usual and then Moved and then Stop > Since then
+         W.Figures.Slowest_Stop :=
+           Duration'Max (W.Figures.Slowest_Stop, Stop - Since);
+      end if;
       if Late and then Stop > Limit then
          W.Violate
            (Robot_Stands,
@@ -692,6 +717,30 @@ package body Worlds is
             & " after nobody is in command");
       end if;
    end Await_Standing;
+
+   ---------------
+   -- Wire_Tail --
+   ---------------
+
+   function Wire_Tail (W : in out World) return String is
+      Shown  : constant := 12;
+      Notes  : constant Emulators.Notes := W.Emulator.Journal;
+      Result : Unbounded_String;
+   begin
+      for Number in Integer'Max (1, Notes.Last_Index - Shown + 1)
+        .. Notes.Last_Index
+      loop
+         Append
+           (Result,
+            "   " & Milliseconds (Notes (Number).Last - Now) & " "
+            & To_String (Notes (Number).Command) & " -> "
+            & To_String (Notes (Number).Answer) & ASCII.LF);
+      end loop;
+      return To_String (Result);
+   exception
+      when Failed =>
+         return "";
+   end Wire_Tail;
 
    -------------
    -- Violate --

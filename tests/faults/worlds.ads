@@ -52,6 +52,20 @@ package Worlds is
      (Supervisor_Lives, Answered_Once, Robot_Stands, Session_Works,
       Nothing_Leaks);
 
+   --  Worth knowing, beside whether all held
+
+   type Figure_Set is record
+      Repeated     : Natural := 0;
+      --  sessions begun again, see Tolerances.Line_Attempts
+      Slowest_Stop : Duration := 0.0;
+      --  from a close or a reset to the stop order on the wire
+      Growth       : Natural := 0;
+      --  kilobytes, of the supervisor's memory since its first session
+   end record;
+
+   function Worst (Left, Right : Figure_Set) return Figure_Set;
+   --  The sum of Repeated, the maximum of the others
+
    type World is tagged limited record
       Emulator   : Emulators.Emulator;
       Supervisor : Supervisors.Supervisor;
@@ -91,8 +105,7 @@ package Worlds is
       Expected_End   : Boolean := False;
       Expected_Status : Integer := 0;
       Base_Threads, Base_Descriptors, Base_Memory : Natural := 0;
-      Repeated       : Natural := 0;
-      --  sessions begun again, for the robot's answer was late
+      Figures        : Figure_Set;
       Violations     : Natural := 0;
       Account        : Unbounded_String;
       --  what was violated, line by line
@@ -197,6 +210,9 @@ package Worlds is
 
    procedure Violate (W : in out World; Text : String);
    --  What the fault itself demands beyond the five
+
+   function Wire_Tail (W : in out World) return String;
+   --  The last commands that the robot has heard, and when: lines
 
    procedure Expect_No_Leaks (W : in out World);
    --  The fifth invariant, between two sessions
