@@ -378,6 +378,7 @@ package body Trials is
       W.Violations := 0;
       W.Figures := (others => <>);
       W.Account := Null_Unbounded_String;
+      W.Alone := Second = 0;
       W.Line_Works := True;
       W.Robot_Ready := True;
       W.Reachable := True;

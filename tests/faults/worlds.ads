@@ -78,6 +78,10 @@ package Worlds is
       Camera     : Camera_Situation := Camera_Closed;
       --  as the session was brought to, before the fault
 
+      Alone      : Boolean := True;
+      --  no other fault is under way: the session is there, and a fault may
+      --  demand what only it can spoil
+
       --  What a fault tells the checks; reset before the next injection
 
       Line_Works : Boolean := True;
