@@ -5,8 +5,6 @@
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Interfaces.C;
 
-with Worlds;
-
 with Worlds;                use Worlds;
 
 package Trials is
@@ -36,7 +34,7 @@ package Trials is
    --  For a soak, which does other things with the same supervisor in
    --  between
 
-   procedure Build (Base : Worlds.Plan);
+   procedure Build (Base : Plan);
    --  The world; Base is from now on what faults Prepare
 
    function Process return Interfaces.C.int;
