@@ -2,6 +2,7 @@
 --  One injection.
 
 with Ada.Exceptions;
+with Interfaces.C;       use type Interfaces.C.int;
 
 with Answer_Ledgers;    use Answer_Ledgers;
 with Expectations;      use Expectations;
@@ -19,7 +20,6 @@ package body Trials is
    --  for the first image of a camera
 
    The_World : World;
-   The_Base  : Plan;
 
    function Is_In_Need (First : Positive; Second : Natural) return Plan;
    --  Of this world
@@ -65,7 +65,7 @@ package body Trials is
 
    function Is_In_Need (First : Positive; Second : Natural) return Plan is
    begin
-      return P : Plan := The_Base do
+      return P : Plan do
          Element (First).Prepare (P);
          if Second > 0 then
             Element (Second).Prepare (P);
@@ -430,13 +430,14 @@ package body Trials is
    -- Build --
    -----------
 
-   procedure Build (Base : Plan) is
+   procedure Build is
+      Usual : Plan;
    begin
-      The_Base := Base;
-      The_World.Build (Base);
+      The_World.Build (Usual);
    end Build;
 
-   function Process return Interfaces.C.int is (The_World.Pid);
+   function Process return Interfaces.C.int is
+     (if The_World.Is_Built then The_World.Pid else -1);
 
    function Port return Positive is (The_World.Port);
 

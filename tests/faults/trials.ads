@@ -34,11 +34,12 @@ package Trials is
    --  For a soak, which does other things with the same supervisor in
    --  between
 
-   procedure Build (Base : Plan);
-   --  The world; Base is from now on what faults Prepare
+   procedure Build;
+   --  The world as most faults need it
 
    function Process return Interfaces.C.int;
-   --  The supervisor of now
+   --  The supervisor of now, -1 where a violation has ended it
+
    function Port return Positive;
    --  Where it listens
 
