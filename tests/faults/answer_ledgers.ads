@@ -22,6 +22,9 @@ package Answer_Ledgers is
    function Kind_Of (Command : String) return Answer_Kind;
    --  Of a well-formed command
 
+   function Is_Answer (Kind : Answer_Kind; Label : String) return Boolean;
+   --  Whether a message with this label may be one
+
    type Ledger is private;
 
    procedure Clear (L : in out Ledger);

@@ -20,6 +20,7 @@ with Instants;
 with Libc;
 with Programs;
 with Raw_Probes;
+with Tolerances;
 with Worlds;
 
 procedure Destijl_Faults is
@@ -156,9 +157,14 @@ begin
          Fault_Tables.Print (To_String (Markdown));
       end if;
       Put_Line
-        ("the stop order followed a close or a reset within "
-         & Instants.Milliseconds (Figures.Slowest_Stop)
-         & ", memory grew by" & Figures.Growth'Image & " kB at most");
+        (Plain (Figures.Stops) & " stops of a moving robot after a close or"
+         & " a reset: the slowest after "
+         & Instants.Milliseconds (Figures.Slowest_Stop) & ", "
+         & Plain (Figures.Late_Stops) & " later than the "
+         & Instants.Milliseconds
+             (Tolerances.Loss_Limit + Tolerances.Stop_Limit)
+         & " demanded");
+      Put_Line ("memory grew by" & Figures.Growth'Image & " kB at most");
       if Figures.Repeated > 0 then
          Put_Line
            (Plain (Figures.Repeated)

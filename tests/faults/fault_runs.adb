@@ -10,6 +10,7 @@ with Child_Processes;     use Child_Processes;
 with Fault_Tables;
 with Faults;              use Faults;
 with Instants;            use Instants;
+with Network_Links;
 with Programs;
 with Random_Numbers;
 with Trials;              use Trials;
@@ -264,8 +265,10 @@ package body Fault_Runs is
                Figures := Worst
                  (Figures,
                   (Repeated     => Natural'Value (Parts.Element (2)),
-                   Slowest_Stop => Duration'Value (Parts.Element (3)),
-                   Growth       => Natural'Value (Parts.Element (4))));
+                   Stops        => Natural'Value (Parts.Element (3)),
+                   Late_Stops   => Natural'Value (Parts.Element (4)),
+                   Slowest_Stop => Duration'Value (Parts.Element (5)),
+                   Growth       => Natural'Value (Parts.Element (6))));
                Finish_One (J, Parts.Element (1), To_String (Text));
             end;
          elsif not J.Process.Is_Running
@@ -287,6 +290,7 @@ package body Fault_Runs is
                "   it has not come to an end" & ASCII.LF
                & To_String (Text));
             J.Process.Stop;
+            Network_Links.Remove_Left (J.Process.Pid);
             Begin_Job (J);
          end if;
       end Look;
@@ -379,6 +383,8 @@ package body Fault_Runs is
                    when Violated        => "violated",
                    when Impossible_Here => "impossible")
                & Outcome.Figures.Repeated'Image
+               & Outcome.Figures.Stops'Image
+               & Outcome.Figures.Late_Stops'Image
                & Outcome.Figures.Slowest_Stop'Image
                & Outcome.Figures.Growth'Image);
             Put (To_String (Outcome.Account));

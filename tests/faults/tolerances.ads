@@ -34,10 +34,13 @@ package Tolerances is
    --  For all answers of a session: as many exchanges as may wait, some of
    --  them with time-outs, and a camera that opens slowly
 
-   Line_Attempts : constant := 3;
+   Line_Attempts : constant := 5;
    --  To start and to move the robot: between two programs the kernel's
    --  pseudo-terminal carries the bytes in a thread of ordinary priority,
    --  and on a loaded machine an answer misses its 80 ms now and then
+
+   Line_Pause : constant Duration := 0.2;
+   --  Between two attempts, for late answers to come in
 
    Settle_Limit : constant Duration := 5.0;
    --  For descriptors and threads to be what they were, after a session

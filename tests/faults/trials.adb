@@ -8,6 +8,7 @@ with Answer_Ledgers;    use Answer_Ledgers;
 with Expectations;      use Expectations;
 with Faults;            use Faults;
 with Instants;          use Instants;
+with Line_Probes;
 with Random_Numbers;    use Random_Numbers;
 with Tolerances;        use Tolerances;
 
@@ -449,6 +450,7 @@ package body Trials is
    begin
       The_World.Destroy;
       The_Link.Remove;
+      Line_Probes.Stop;
    end Finish;
 
 end Trials;

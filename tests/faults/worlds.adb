@@ -7,6 +7,7 @@ with GNAT.Sockets;
 
 with Child_Processes;
 with Expectations;        use Expectations;
+with Line_Probes;
 with Process_Facts;
 with Random_Numbers;      use Random_Numbers;
 with Tolerances;          use Tolerances;
@@ -78,6 +79,8 @@ package body Worlds is
 
    function Worst (Left, Right : Figure_Set) return Figure_Set is
      ((Repeated     => Left.Repeated + Right.Repeated,
+       Stops        => Left.Stops + Right.Stops,
+       Late_Stops   => Left.Late_Stops + Right.Late_Stops,
        Slowest_Stop =>
          Duration'Max (Left.Slowest_Stop, Right.Slowest_Stop),
        Growth       => Natural'Max (Left.Growth, Right.Growth)));
@@ -100,6 +103,7 @@ package body Worlds is
 
    procedure Build (W : in out World; P : Plan) is
    begin
+      Line_Probes.Start;
       W.Destroy;
       W.The_Plan := P;
       if P.Through_Link and then The_Link.Namespace = "" then
@@ -338,6 +342,9 @@ package body Worlds is
             Found := True;
          elsif Was_Closed then
             Forget_Session (W);
+            if W.Nobody_Since = Never then
+               W.Nobody_In_Command;
+            end if;
          end if;
       end if;
    end Take;
@@ -422,31 +429,47 @@ package body Worlds is
    ---------------
 
    procedure Try_Order (W : in out World; Command, Answer : String) is
-      Deadline : constant Instant := Now + Answer_Limit;
-      Item     : Monitor_Clients.Message;
-      Found    : Boolean;
+      Second_Look : constant Duration := 0.3;
+      --  The first ATIM may have been the unasked one
+      Deadline    : Instant := Now + Answer_Limit;
+      Late        : Boolean;
+      Item        : Monitor_Clients.Message;
+      Found       : Boolean;
+      Timed_Out   : Boolean := False;
    begin
       W.Expect_Answers;
       W.Say (Command);
       loop
+         Late := Now > Deadline;
          Take (W, Item, Found);
          Check
            (not Is_Broken (W.Ledger),
             "not answered exactly once: " & Complaint (W.Ledger));
-         exit when Found and then Is_Complete (W.Ledger);
          Check (W.Present, "no session any more for " & Command);
-         if not Found then
-            Check (Now < Deadline, "no answer to " & Command);
+         if Found and then Is_Complete (W.Ledger) then
+            if Index (Answer, Item.Label) > 0 then
+               return;
+            elsif Item.Label = "ATIM" then
+               if not Timed_Out then
+                  Timed_Out := True;
+                  Deadline := Now + Second_Look;
+               end if;
+            elsif Is_Answer (Kind_Of (Command), Item.Label) then
+               if Item.Label = "ANAK" and then Log_Says (W, "robot lost") > 0
+               then
+                  raise Robot_Silent;
+               end if;
+               raise Failed with Command & " was answered " & Item.Label
+                 & " instead of " & Answer;
+            end if;
+         elsif not Found then
+            if Late and then Timed_Out then
+               raise Robot_Silent;
+            end if;
+            Check (not Late, "no answer to " & Command);
             delay 0.001;
          end if;
       end loop;
-      if Index (Answer, Item.Label) = 0 then
-         if Item.Label = "ATIM" then
-            raise Robot_Silent;
-         end if;
-         raise Failed with Command & " was answered " & Item.Label
-           & " instead of " & Answer;
-      end if;
    end Try_Order;
 
    -----------
@@ -458,8 +481,8 @@ package body Worlds is
       Try_Order (W, Command, Answer);
    exception
       when Robot_Silent =>
-         raise Failed with Command & " was answered ATIM instead of "
-           & Answer;
+         raise Failed with Command & " had no answer from the robot instead"
+           & " of " & Answer;
    end Order;
 
    -------------------
@@ -531,6 +554,7 @@ package body Worlds is
                   "the robot's answers are late, again and again");
                W.Say ("RCLS");
                W.Expect_Answers;
+               delay Line_Pause;
          end;
       end loop;
    end Bring_To;
@@ -626,6 +650,7 @@ package body Worlds is
    begin
       W.Nobody_Since := Since;
       W.Nobody_Limit := Within;
+      W.Stop_Counted := False;
    end Nobody_In_Command;
 
    ---------------------
@@ -673,8 +698,8 @@ package body Worlds is
                   and then Text (Text'First) in 'M' | 'T'
                   and then not Is_Movement (Text)));
    begin
-      W.Nobody_Since := Never;
       if Since = Never or else not W.Line_Works then
+         W.Nobody_Since := Never;
          return;
       end if;
       loop
@@ -695,7 +720,9 @@ package body Worlds is
          if Is_Movement (To_String (Item.Command)) then
             Stop := Never;
             Moved := True;
-            if Item.First > Limit then
+            if Item.First
+              > Limit + 2 * Line_Probes.Worst (Since, Item.First)
+            then
                W.Violate
                  (Robot_Stands,
                   To_String (Item.Command) & " on the wire "
@@ -706,11 +733,20 @@ package body Worlds is
             Stop := Item.Last;
          end if;
       end loop;
-      if Usual and then Moved and then Stop > Since then
+      if Usual and then Moved and then Stop > Since
+        and then not W.Stop_Counted
+      then
+         W.Stop_Counted := True;
+         W.Figures.Stops := W.Figures.Stops + 1;
+         if Stop - Since > W.Nobody_Limit then
+            W.Figures.Late_Stops := W.Figures.Late_Stops + 1;
+         end if;
          W.Figures.Slowest_Stop :=
            Duration'Max (W.Figures.Slowest_Stop, Stop - Since);
       end if;
-      if Late and then Stop > Limit then
+      if Late and then Stop > Limit + 2 * Line_Probes.Worst (Since, Stop)
+      then
+         --  twice: its way, and that of an answer which it had to wait for
          W.Violate
            (Robot_Stands,
             "it stood only " & Milliseconds (Stop - Since)

@@ -57,14 +57,18 @@ package Worlds is
    type Figure_Set is record
       Repeated     : Natural := 0;
       --  sessions begun again, see Tolerances.Line_Attempts
+      Stops        : Natural := 0;
+      --  of a moving robot, after a close or a reset
+      Late_Stops   : Natural := 0;
+      --  of these, within the margin for noise only
       Slowest_Stop : Duration := 0.0;
-      --  from a close or a reset to the stop order on the wire
+      --  from the close to the stop order on the wire
       Growth       : Natural := 0;
       --  kilobytes, of the supervisor's memory since its first session
    end record;
 
    function Worst (Left, Right : Figure_Set) return Figure_Set;
-   --  The sum of Repeated, the maximum of the others
+   --  Counts are added; of the others the maximum
 
    type World is tagged limited record
       Emulator   : Emulators.Emulator;
@@ -103,6 +107,7 @@ package Worlds is
       --  lines of the log before this session
       Nobody_Since   : Instant := Never;
       Nobody_Limit   : Duration := 0.0;
+      Stop_Counted   : Boolean := False;
       Found_By       : Instant := Never;
       --  when a loss of the monitor is to have been found, at the latest
       Port           : Natural := 0;
@@ -197,7 +202,8 @@ package Worlds is
       Since     : Instant := Now;
       Within    : Duration := Tolerances.Stop_Limit);
    --  From Since the robot must stand Within, and a margin: checked after
-   --  the fault. Lose says so itself.
+   --  the fault. Lose says so itself, and where the supervisor closes the
+   --  connection it holds from then on.
 
    procedure Supervisor_Ends (W : in out World; Status : Integer);
    --  This fault ends it, with this status; it need not have ended yet
@@ -206,7 +212,8 @@ package Worlds is
    --  An orderly close, if there is a session
 
    procedure Await_Standing (W : in out World);
-   --  The third invariant, where nobody is in command
+   --  The third invariant, where nobody is in command. May be repeated: a
+   --  movement afterwards is found as well
 
    --  Findings
 

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  A cable that can be pulled out.
 
+with Ada.Directories;
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with GNAT.OS_Lib;
@@ -12,10 +13,18 @@ with Libc;
 
 package body Network_Links is
 
-   Number : constant String := Trim (int'Image (Libc.Getpid), Both);
-   Name   : constant String := "destijl" & Number;
-   Here   : constant String := "dsh" & Number;
-   There  : constant String := "dst" & Number;
+   function Number (Process : int) return String is
+     (Trim (Process'Image, Both));
+
+   function Namespace_Of (Process : int) return String is
+     ("destijl" & Number (Process));
+
+   function Near_End_Of (Process : int) return String is
+     ("dsh" & Number (Process));
+
+   Name   : constant String := Namespace_Of (Libc.Getpid);
+   Here   : constant String := Near_End_Of (Libc.Getpid);
+   There  : constant String := "dst" & Number (Libc.Getpid);
    --  the process number keeps two runs on one machine apart
 
    Home : int := -1;
@@ -197,13 +206,24 @@ package body Network_Links is
    ------------
 
    procedure Remove (Object : in out Link) is
-      Unused : Boolean;
    begin
       if Object.Made then
          Object.Made := False;
-         Unused := Succeeds ("ip link del " & Here);
-         Unused := Succeeds ("ip netns del " & Name);
+         Remove_Left (Libc.Getpid);
       end if;
    end Remove;
+
+   -----------------
+   -- Remove_Left --
+   -----------------
+
+   procedure Remove_Left (Process : int) is
+      Unused : Boolean;
+   begin
+      if Ada.Directories.Exists ("/run/netns/" & Namespace_Of (Process)) then
+         Unused := Succeeds ("ip link del " & Near_End_Of (Process));
+         Unused := Succeeds ("ip netns del " & Namespace_Of (Process));
+      end if;
+   end Remove_Left;
 
 end Network_Links;

@@ -3,6 +3,7 @@
 --  interfaces and a network namespace: it can be pulled out.
 
 private with Ada.Finalization;
+with Interfaces.C;
 
 package Network_Links is
 
@@ -27,6 +28,9 @@ package Network_Links is
 
    procedure Remove (Object : in out Link);
    --  If it has been made
+
+   procedure Remove_Left (Process : Interfaces.C.int);
+   --  What a process that was killed has left
 
    procedure Fall_Silent (Object : in out Link);
    --  The cable is in, but the monitor's machine no longer answers
