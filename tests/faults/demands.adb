@@ -50,6 +50,9 @@ package body Demands is
          if W.Monitor.Closed_By_Peer (0.0) /= Open then
             W.Listen;
          end if;
+         Check
+           (not Is_Broken (W.Ledger),
+            "not answered exactly once: " & Complaint (W.Ledger));
          Check (not Late, "no answer to " & Command);
          delay 0.001;
       end loop;
@@ -84,6 +87,11 @@ package body Demands is
    begin
       Expect (W, "ROPN", "AACK");
       Expect (W, "RRST", "AACK");
+
+      --  a level that was held back for this answer may follow it
+
+      delay 0.1;
+      W.Listen;
       W.Robot := Line_Open;
    end Quieten;
 
@@ -188,7 +196,11 @@ package body Demands is
    -------------------
 
    procedure Expect_Return (W : in out World) is
+      On_Its_Way : constant Duration := 0.03;
+      --  The answer to the last stop: a line that is opened before it has
+      --  come takes it for the next one
    begin
+      delay On_Its_Way;
       Expect (W, "ROPN", "AACK");
       Expect (W, "RPIN", "AACK");
       W.Emulator.Await_Status ("moving", "0", Within => Stop_Limit + Noise);

@@ -276,6 +276,7 @@ package body Robot_Faults is
       Command : constant String := To_String (F.Command);
       Mended  : constant String := To_String (F.Mended);
       B       : Before;
+      Q       : Question;
    begin
       if not W.Alone then
          W.Emulator.Tell (Command);
@@ -296,14 +297,24 @@ package body Robot_Faults is
          for Round in 1 .. 3 loop
             B := Situation (W);
             W.Emulator.Tell (Command);
-            for Number in 1 .. Whole (W.Source, 1, Enough_To_Lose - 1) loop
+            for Number in 1 .. Whole
+              (W.Source, 1,
+               (if F.Late_By = 0.0 then Enough_To_Lose - 1 else 2))
+            loop
                Expect_Nothing (W, Any_Question (W));
             end loop;
             W.Emulator.Tell (Mended);
 
-            --  what is late comes while others are awaited
+            --  What is late comes while others are awaited, whose answers
+            --  it holds up. Never is it taken for one of them.
 
-            delay Span (W.Source, 0.0, F.Late_By);
+            if F.Late_By > 0.0 then
+               delay Span (W.Source, 0.0, F.Late_By);
+               for Number in 1 .. 2 loop
+                  Q := Any_Question (W);
+                  Expect (W, Questions (Q), Right_Answer (Q) & " ATIM");
+               end loop;
+            end if;
             for Number in 1 .. 3 loop
                Expect_Right (W);
             end loop;

@@ -39,6 +39,11 @@ package Tolerances is
    --  pseudo-terminal carries the bytes in a thread of ordinary priority,
    --  and on a loaded machine an answer misses its 80 ms now and then
 
+   Late_Line : constant Duration := 0.025;
+   --  A pseudo-terminal that takes so long for a byte (Line_Watch) may have
+   --  spoilt exchanges that no fault has spoilt. What was violated then only
+   --  because of an answer of the robot is looked at again, so often.
+
    Line_Pause : constant Duration := 0.2;
    --  Between two attempts, for late answers to come in
 

@@ -784,6 +784,7 @@ package body Worlds is
 
    procedure Violate (W : in out World; Which : Invariant; Text : String) is
    begin
+      W.Is_Serious := W.Is_Serious or else Which /= Session_Works;
       W.Violate
         ((case Which is
              when Supervisor_Lives => "the supervisor lives: ",

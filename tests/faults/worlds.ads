@@ -116,6 +116,8 @@ package Worlds is
       Base_Threads, Base_Descriptors, Base_Memory : Natural := 0;
       Figures        : Figure_Set;
       Violations     : Natural := 0;
+      Is_Serious     : Boolean := False;
+      --  one among them that no late line explains
       Account        : Unbounded_String;
       --  what was violated, line by line
    end record;
