@@ -2,6 +2,8 @@
 --  What would work here and what would not, and how to mend it: the option
 --  --check.
 
+with Admission;
+with Authentication;
 with Console;
 with Monitor_Sockets;
 with Process;
@@ -50,6 +52,7 @@ package body Checks with SPARK_Mode is
       Result : Vision.Status;
       Why    : Vision.Reason_Text;
       Last   : Natural;
+      Token  : Authentication.Token;
    begin
       Process.Get_Privileges (Held);
       case Held is
@@ -98,6 +101,18 @@ package body Checks with SPARK_Mode is
             else ": " & Why (1 .. Last)
               & " (name it with --camera; your user must be in the group "
               & "video)"));
+
+      Admission.Load_Token (Chosen.Token_File, Token, Good, Reason);
+      All_Well := All_Well and Good;
+      if Token.Length > 0 then
+         Report
+           (True, "token file " & Texts.Image (Chosen.Token_File)
+            & ": holds a token");
+      elsif not Good then
+         Report
+           (False, "token file " & Texts.Image (Chosen.Token_File) & ": "
+            & Texts.Image (Reason));
+      end if;
 
       Monitor_Sockets.Listen
         (Chosen.Bind, Chosen.Port, Bound, Good, Reason);

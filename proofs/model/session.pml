@@ -19,7 +19,9 @@ mtype:admission Met  [MONITORS + 1] = Not_Met;
 bool Shut [MONITORS + 1] = false;      /* by the supervisor */
 byte Current = 0;                      /* the monitor's in command */
 bool Waker   = false;                  /* Wake_Server */
-chan Backlog = [MONITORS] of { byte };
+chan Backlog  = [MONITORS] of { byte };
+chan Entitled = [MONITORS] of { byte }; /* Admission: to be admitted, or told why not */
+byte Waits    = 0;                     /* so many */
 
 bool In_Receive = false;
 bool In_Send    = false;
@@ -37,7 +39,6 @@ typedef Session_State_Type { mtype:stage Current = Free };
 PROTECTED (Session_State);
 EVENT (Session_Server_Allowed);
 EVENT (Session_Listening);
-EVENT (Session_Session_Closed);
 EVENT (Session_Receive_Begins);
 EVENT (Session_Receive_Ended);
 EVENT (Session_Watch_Begins);
@@ -55,7 +56,6 @@ active proctype Supervisor ()
 
 inline Close_Session () {
    atomic {
-      Session_Session_Closed -> Session_Session_Closed = false;
       /* what Monitor_Sockets.Close asks for */
       assert (!In_Receive && !In_Send && !In_Watch);
       Current = 0
@@ -69,31 +69,41 @@ active proctype Th_Server ()
    Suspend_Until_True (Session_Server_Allowed);
    Set_True (Session_Listening);
 end_wait:
-   do
-   :: atomic {
-         Waker -> Waker = false;
-         if :: Stage != Closed -> goto end_wait :: else fi
-      };
-      Close_Session ()
+   if
+   :: atomic { Waker -> Waker = false };
+      if
+      :: Stage == Closed ->
+         Close_Session ()
+#ifdef MUTANT_NEWCOMER_FORGOTTEN
+         ; goto end_wait
+#endif
+      :: else
+      fi
    :: atomic {
          !Waker && len (Backlog) > 0 -> Backlog ? peer;
-         /* Meet_Newcomer */
+         /* whose address or token is not right, or does not come in time,
+            is turned away; meanwhile it holds up nobody */
          if
-         :: Stage == Active ->
-            Met [peer] = Rejected; peer = 0; goto end_wait
-         :: Stage == Free -> goto admit
-         :: else
-         fi
-      };
-      Close_Session ();
-admit:
+         :: Entitled ! peer; Waits++
+         :: Met [peer] = Rejected
+         fi;
+         peer = 0
+      }
+   fi;
+   /* Decide */
+   do
+   :: atomic { Waits == 0 || Stage == Closing || Stage == Closed -> break }
+   :: atomic { Waits > 0 && Stage == Active ->
+               Entitled ? peer; Waits--; Met [peer] = Rejected; peer = 0 }
+   :: atomic { Waits > 0 && Stage == Free -> Entitled ? peer; Waits-- };
       Stage = Active;     /* not while stopping: see ending.pml */
       atomic { assert (Current == 0); Current = peer };
       Outbox_Open = true;
       Met [peer] = Admitted;
       Set_True (Session_Receive_Begins);
       atomic { peer = 0; Set_True (Session_Watch_Begins) }
-   od
+   od;
+   goto end_wait
 }
 
 active proctype Th_Receive_From_Mon ()
@@ -149,7 +159,6 @@ end_wait:
                own = Current; In_Watch = true };
       /* Wait_Loss: Watch and Judge */
       atomic { Over (own) || Peer [own] == Silent -> In_Watch = false };
-      Set_False (Session_Session_Closed);
       Stage = Closing;
       /* Bring_Back */
 #ifdef MUTANT_WAITS_SWAPPED
@@ -172,14 +181,14 @@ end_wait:
 #endif
       own = 0;
       /* End_Closing */
-#ifdef MUTANT_CLOSED_BEFORE_STATE
-      Set_True (Session_Session_Closed);
+#ifdef MUTANT_WOKEN_BEFORE_STATE
+      Waker = true;
 #endif
       Stage = Closed;
-#ifndef MUTANT_CLOSED_BEFORE_STATE
-      Set_True (Session_Session_Closed);
-#endif
-#ifndef MUTANT_SERVER_NOT_WOKEN
+      /* Wake_Server */
+#ifdef MUTANT_WOKEN_BEFORE_STATE
+      skip
+#elif !defined (MUTANT_SERVER_NOT_WOKEN)
       Waker = true
 #endif
    od
@@ -206,3 +215,4 @@ init {
 #define Is_Lost  (Stage == Active && Current != 0 && Peer [Current] != Present)
 
 ltl initial_state_again { [] (Is_Lost -> <> (Stage == Free)) }
+ltl newcomer_answered { [] (Waits > 0 -> <> (Waits == 0)) }

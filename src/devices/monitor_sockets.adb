@@ -1,10 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The TCP server for the monitor: a listening socket, the connection of the
---  monitor in command, and a newcomer that is to be admitted or refused.
+--  monitor in command, and newcomers that are to be admitted or refused.
 
 with Ada.Exceptions;
 with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Streams;   use Ada.Streams;
+with Bytes;
 with GNAT.OS_Lib;
 with GNAT.Sockets;  use GNAT.Sockets;
 with Interfaces;    use Interfaces;
@@ -14,16 +15,19 @@ with System;
 
 package body Monitor_Sockets with
   SPARK_Mode    => Off,
-  Refined_State => (Network => (Listener, Arrived, Current, Waker))
+  Refined_State => (Network => (Listener, Waiting, Current, Waker))
 is
 
    use type Monitor_Link.Milliseconds;
 
    Nobody   : constant int := -1;
    Listener : int := Nobody with Atomic;  --  takes connections
-   Arrived  : int := Nobody with Atomic;  --  the newcomer's
    Current  : int := Nobody with Atomic;  --  the monitor's in command
    Waker    : int := Nobody with Atomic;  --  an event counter: Wake_Server
+
+   Waiting : array (Place) of int := (others => Nobody)
+     with Atomic_Components;
+   --  the newcomers'
 
    Send_Buffer : constant := 65_536;
    --  Bytes; the kernel doubles it. More, and seconds of old images would
@@ -31,6 +35,8 @@ is
 
    Send_Flags    : constant := 16#4000#;  --  MSG_NOSIGNAL
    Send_Now      : constant := 16#4040#;  --  and MSG_DONTWAIT
+   Look_Now      : constant := 16#42#;    --  MSG_PEEK and MSG_DONTWAIT
+   Receive_Now   : constant := 16#40#;    --  MSG_DONTWAIT
    Both_Ways     : constant := 2;         --  SHUT_RDWR
    Level_Tcp     : constant := 6;         --  IPPROTO_TCP
    Level_Socket  : constant := 1;         --  SOL_SOCKET
@@ -91,6 +97,8 @@ is
       Shortest    : Unsigned_32;
    end record with Convention => C, Size => 152 * 8;
 
+   function Octets_Of (Host : Inet_Addr_Type) return Networks.Peer_Address;
+
    procedure Set_Number (Fd : int; Level : int; Name : int; Value : int);
    --  A socket option; a kernel without it leaves its own default
 
@@ -148,46 +156,99 @@ is
          Success := False;
    end Listen;
 
+   ---------------
+   -- Octets_Of --
+   ---------------
+
+   function Octets_Of (Host : Inet_Addr_Type) return Networks.Peer_Address is
+      Result : Networks.Peer_Address := (11 | 12 => 255, others => 0);
+   begin
+      case Host.Family is
+         when Family_Inet =>
+            for I in Host.Sin_V4'Range loop
+               Result (12 + I) := Bytes.Byte (Host.Sin_V4 (I));
+            end loop;
+         when Family_Inet6 =>
+            for I in Host.Sin_V6'Range loop
+               Result (I) := Bytes.Byte (Host.Sin_V6 (I));
+            end loop;
+      end case;
+      return Result;
+   end Octets_Of;
+
    -------------------
    -- Wait_Newcomer --
    -------------------
 
-   procedure Wait_Newcomer (Event : out Arrival; Peer : out Texts.Text) is
-      Entries : Poll_Array (1 .. 2) :=
-        ((Listener, Poll_In, 0), (Waker, Poll_In, 0));
+   procedure Wait_Newcomer
+     (Free       : Place_Choice;
+      Watched    : Place_Set;
+      Until_Time : Ada.Real_Time.Time;
+      Event      : out Arrival;
+      Where      : out Place;
+      From       : out Networks.Peer_Address;
+      Peer       : out Texts.Text)
+   is
+      Server  : constant Positive := Place'Last + 1;
+      Waking  : constant Positive := Place'Last + 2;
+      Entries : Poll_Array (1 .. Waking) := (others => (Nobody, Poll_In, 0));
+      Left    : Time_Span;
+      Wait_Ms : int := -1;
       Ignored : int;
       Count   : Unsigned_64 := 0;
       Taken   : Ssize;
-      pragma Unreferenced (Taken);
+      pragma Unreferenced (Ignored, Taken);
       Socket  : Socket_Type;
-      From    : Sock_Addr_Type;
+      Address : Sock_Addr_Type;
    begin
+      Event := Nothing;
+      Where := Place'First;
+      From := (others => 0);
       Texts.Set (Peer, "");
-      loop
-         Ignored := Poll (Entries'Address, 2, -1);
-         if Entries (2).Returned /= 0 then
-            Taken := Linux.Read (Waker, Count'Address, 8);
-            Event := Woken;
-            return;
-         end if;
-         if Entries (1).Returned /= 0 then
-            begin
-               Accept_Socket (To_Ada (Integer (Listener)), Socket, From);
-               Arrived := int (To_C (Socket));
-               Texts.Set (Peer, Image (From));
-               Event := Newcomer;
-               return;
-            exception
-               when E : others =>
-                  --  a newcomer that has gone already is no failure
-                  if GNAT.OS_Lib.Errno /= EAGAIN then
-                     Texts.Set (Peer, Ada.Exceptions.Exception_Message (E));
-                     Event := Failed;
-                     return;
-                  end if;
-            end;
+      for I in Place loop
+         if Watched (I) then
+            Entries (I).Descriptor := Waiting (I);
          end if;
       end loop;
+      if Free /= No_Place then
+         Entries (Server).Descriptor := Listener;
+      end if;
+      Entries (Waking).Descriptor := Waker;
+      if Until_Time /= Time_Last then
+         Left := Until_Time - Clock;
+         --  to the next millisecond: not awake too early again and again
+         Wait_Ms :=
+           (if Left < Time_Span_Zero then 0
+            else int (Integer'Min (Left / Milliseconds (1), 60_000)) + 1);
+      end if;
+      Ignored := Poll (Entries'Address, Entries'Length, Wait_Ms);
+      if Entries (Waking).Returned /= 0 then
+         Taken := Linux.Read (Waker, Count'Address, 8);
+         Event := Woken;
+         return;
+      end if;
+      for I in Place loop
+         if Entries (I).Returned /= 0 then
+            Event := Input;
+            Where := I;
+            return;
+         end if;
+      end loop;
+      if Entries (Server).Returned /= 0 then
+         Accept_Socket (To_Ada (Integer (Listener)), Socket, Address);
+         Where := Free;
+         Waiting (Free) := int (To_C (Socket));
+         From := Octets_Of (Address.Addr);
+         Texts.Set (Peer, Image (Address));
+         Event := Newcomer;
+      end if;
+   exception
+      when E : others =>
+         --  a newcomer that has gone already is no failure
+         if GNAT.OS_Lib.Errno /= EAGAIN then
+            Texts.Set (Peer, Ada.Exceptions.Exception_Message (E));
+            Event := Failed;
+         end if;
    end Wait_Newcomer;
 
    -----------------
@@ -202,12 +263,44 @@ is
       null;
    end Wake_Server;
 
+   ----------
+   -- Look --
+   ----------
+
+   procedure Look
+     (Where  : Place;
+      Data   : in out String;
+      Length : out Natural;
+      Open   : out Boolean)
+   is
+      Got : constant Ssize :=
+        C_Receive (Waiting (Where), Data'Address, Data'Length, Look_Now);
+   begin
+      Length := Natural (Ssize'Max (0, Got));
+      Open := Got > 0
+        or else (Got < 0 and then GNAT.OS_Lib.Errno in EAGAIN | EINTR);
+   end Look;
+
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take (Where : Place; Count : Natural) is
+      Data    : Stream_Element_Array
+        (1 .. Stream_Element_Offset (Count));
+      Ignored : constant Ssize :=
+        C_Receive (Waiting (Where), Data'Address, Data'Length, Receive_Now);
+      pragma Unreferenced (Ignored);
+   begin
+      null;
+   end Take;
+
    -----------
    -- Admit --
    -----------
 
-   procedure Admit is
-      Fd : constant int := Arrived;
+   procedure Admit (Where : Place) is
+      Fd : constant int := Waiting (Where);
    begin
       Set_Number (Fd, Level_Tcp, 1, 1);                 --  TCP_NODELAY
       Set_Number (Fd, Level_Socket, 7, Send_Buffer);    --  SO_SNDBUF
@@ -216,7 +309,7 @@ is
       Set_Number (Fd, Level_Tcp, Idle_Option, 1);
       Set_Number (Fd, Level_Tcp, Repeat_Option, 1);
       Set_Number (Fd, Level_Tcp, Count_Option, 3);
-      Arrived := Nobody;
+      Waiting (Where) := Nobody;
       Current := Fd;
    end Admit;
 
@@ -224,8 +317,8 @@ is
    -- Refuse --
    ------------
 
-   procedure Refuse (Message : String) is
-      Fd      : constant int := Arrived;
+   procedure Refuse (Where : Place; Message : String) is
+      Fd      : constant int := Waiting (Where);
       Ignored : Ssize;
       Ended   : int;
       pragma Unreferenced (Ignored, Ended);
@@ -235,8 +328,8 @@ is
       Ended := C_Shutdown (Fd, 1);  --  SHUT_WR
       --  what it has sent already would turn the close into a reset, which
       --  could overtake the message
-      Ignored := C_Receive (Fd, Unread'Address, Unread'Length, 16#40#);
-      Arrived := Nobody;
+      Ignored := C_Receive (Fd, Unread'Address, Unread'Length, Receive_Now);
+      Waiting (Where) := Nobody;
       Linux.Close (Fd);
    end Refuse;
 

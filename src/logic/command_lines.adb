@@ -2,6 +2,8 @@
 --  The command line: its arguments, read one after the other, make a request
 --  and the options of this run, or a reason why they do not.
 
+with Networks;
+
 package body Command_Lines with SPARK_Mode is
 
    procedure Fail
@@ -33,6 +35,8 @@ package body Command_Lines with SPARK_Mode is
          when None        => "",
          when Port        => "--port",
          when Bind        => "--bind",
+         when Allow       => "--allow",
+         when Token       => "--token",
          when Serial      => "--serial",
          when Camera      => "--camera",
          when Frame_Size  => "--frame-size",
@@ -56,6 +60,9 @@ package body Command_Lines with SPARK_Mode is
        and then Value'Last < Integer'Last,
      Post => Result in First .. Last;
    --  Value where it is a number in First .. Last; else First, and R is Wrong
+
+   procedure Read_Network (R : in out Reading; Value : String);
+   --  One more network whose monitors are admitted
 
    procedure Read_Size (R : in out Reading; Value : String)
    with
@@ -98,6 +105,37 @@ package body Command_Lines with SPARK_Mode is
          Texts.Append (R.Reason, Name_Of (R.Awaited));
       end if;
    end Finish;
+
+   ------------------
+   -- Read_Network --
+   ------------------
+
+   procedure Read_Network (R : in out Reading; Value : String) is
+      Text    : constant Texts.Text := Texts.To_Text (Value);
+      Network : Networks.Network;
+      Verdict : Networks.Verdict;
+   begin
+      Networks.Parse (Text.Data (1 .. Text.Length), Network, Verdict);
+      case Verdict is
+         when Networks.Good =>
+            if R.Chosen.Allowed.Count < Networks.Max_Networks then
+               Networks.Add (R.Chosen.Allowed, Network);
+            else
+               Fail (R, "--allow: more than ");
+               Texts.Append (R.Reason, Networks.Max_Networks);
+               Texts.Append (R.Reason, " networks");
+            end if;
+         when Networks.No_Address =>
+            Fail (R, "--allow: ", Value,
+                  " is no IPv4 network, such as 192.168.1.0/24");
+         when Networks.No_Length =>
+            Fail (R, "--allow: the length in ", Value,
+                  " is not a number in 0 .. 32");
+         when Networks.Not_Clean =>
+            Fail (R, "--allow: ", Value, " has bits set beyond its first ");
+            Texts.Append (R.Reason, Network.Length);
+      end case;
+   end Read_Network;
 
    -----------------
    -- Read_Number --
@@ -285,6 +323,11 @@ package body Command_Lines with SPARK_Mode is
          when Bind =>
             Read_Text (R, Value, Text);
             R.Chosen.Bind := Text;
+         when Allow =>
+            Read_Network (R, Value);
+         when Token =>
+            Read_Text (R, Value, Text);
+            R.Chosen.Token_File := Text;
          when Serial =>
             Read_Text (R, Value, Text);
             R.Chosen.Serial := Text;

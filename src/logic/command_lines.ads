@@ -14,8 +14,8 @@ package Command_Lines with SPARK_Mode is
    --  Whatever follows on the command line, the request stays
 
    type Option_Kind is
-     (None, Port, Bind, Serial, Camera, Frame_Size, Frame_Rate, Quality,
-      Marker, Message_Gap, Log_Level, Cpu);
+     (None, Port, Bind, Allow, Token, Serial, Camera, Frame_Size, Frame_Rate,
+      Quality, Marker, Message_Gap, Log_Level, Cpu);
 
    type Reading is record
       Request : Request_Kind := Run;
@@ -50,6 +50,12 @@ package Command_Lines with SPARK_Mode is
      & "Supervises a De Stijl robot for one monitor at a time." & LF & LF
      & "  --port N             port of the monitor (5544; 0: a free one)" & LF
      & "  --bind ADDRESS       address to listen on (0.0.0.0)" & LF
+     & "  --allow ADDRESS/LEN  admit monitors of this network only; up to 8"
+     & LF
+     & "                       times, for the monitors of any of them" & LF
+     & "  --token FILE         admit monitors that begin with a line AUTH:"
+     & LF
+     & "                       and the token in the first line of FILE" & LF
      & "  --serial PATH        serial line of the robot (/dev/ttyS0)" & LF
      & "  --camera SOURCE      number, device, image or video file, URL or"
      & LF

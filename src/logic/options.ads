@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What can be chosen on the command line, with the defaults.
 
+with Networks;
 with Texts;
 
 package Options with SPARK_Mode is
@@ -29,6 +30,10 @@ package Options with SPARK_Mode is
    type Values is record
       Port        : Port_Number  := 5_544;
       Bind        : Texts.Text   := Texts.To_Text ("0.0.0.0");
+      Allowed     : Networks.List;
+      --  whose monitors are admitted; none: everybody's
+      Token_File  : Texts.Text;
+      --  with the token that monitors must show; empty: none
       Serial      : Texts.Text   := Texts.To_Text ("/dev/ttyS0");
       Camera      : Texts.Text   := Texts.To_Text ("0");
       Width       : Pixel_Count  := 640;

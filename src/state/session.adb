@@ -9,7 +9,6 @@ package body Session with SPARK_Mode is
 
    Server_Allowed  : Suspension_Object;
    Listening       : Suspension_Object;
-   Session_Closed  : Suspension_Object;
    Receive_Begins  : Suspension_Object;
    Receive_Ended   : Suspension_Object;
    Watch_Begins    : Suspension_Object;
@@ -91,7 +90,6 @@ package body Session with SPARK_Mode is
 
    procedure Begin_Closing is
    begin
-      Set_False (Session_Closed);
       State.Set (Closing);
    end Begin_Closing;
 
@@ -102,7 +100,6 @@ package body Session with SPARK_Mode is
    procedure End_Closing is
    begin
       State.Set (Closed);
-      Set_True (Session_Closed);
    end End_Closing;
 
    ----------------
@@ -167,15 +164,6 @@ package body Session with SPARK_Mode is
    begin
       Suspend_Until_True (Listening);
    end Wait_Listening;
-
-   -----------------
-   -- Wait_Closed --
-   -----------------
-
-   procedure Wait_Closed is
-   begin
-      Suspend_Until_True (Session_Closed);
-   end Wait_Closed;
 
    ------------------
    -- Wait_Receive --

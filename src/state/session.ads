@@ -42,9 +42,6 @@ package Session with SPARK_Mode is
    procedure Wait_Listening;
    --  For the main procedure only
 
-   procedure Wait_Closed;
-   --  Until the session has been brought back. For th_server only
-
    procedure Wait_Receive;
    --  Until a session begins. For th_receiveFromMon only
    procedure Receiver_Left with Annotate => (GNATprove, Terminating);

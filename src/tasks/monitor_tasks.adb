@@ -3,6 +3,8 @@
 --  unasked messages.
 
 with Ada.Real_Time;    use Ada.Real_Time;
+with Admission;
+with Authentication;
 with Camera_Requests;
 with Console;
 with Frame_Store;
@@ -28,16 +30,10 @@ package body Monitor_Tasks with SPARK_Mode is
    use type Monitor_Sockets.Loss_Kind;
    use type Orders.Ticket;
    use type Outbox.Message_Kind;
-   use type Session.Stage_Kind;
 
-   procedure Start_Server;
+   procedure Start_Server (Gate : out Admission.Gate)
+   with Post => Admission.Is_Consistent (Gate);
    --  Listens, or says why it cannot and ends the process (F1)
-
-   procedure Close_Session;
-   --  The session has been brought back: ready for the next monitor
-
-   procedure Meet_Newcomer (Peer : Texts.Text);
-   --  Admits it, or tells it that a monitor is in command already
 
    procedure Handle
      (Line   : String;
@@ -58,14 +54,25 @@ package body Monitor_Tasks with SPARK_Mode is
    -- Start_Server --
    ------------------
 
-   procedure Start_Server is
+   procedure Start_Server (Gate : out Admission.Gate) is
       Chosen  : Options.Values;
+      Token   : Authentication.Token;
       Bound   : Options.Port_Number;
       Success : Boolean;
       Reason  : Texts.Text;
       Line    : Texts.Text;
    begin
       Settings.Get (Chosen);
+      Admission.Load_Token (Chosen.Token_File, Token, Success, Reason);
+      if not Success then
+         Texts.Set (Line, "destijl: cannot use the token file ");
+         Texts.Append (Line, Texts.Image (Chosen.Token_File));
+         Texts.Append (Line, ": ");
+         Texts.Append (Line, Texts.Image (Reason));
+         Console.Put_Log (Texts.Image (Line));
+         Process.Leave (Process.Cannot_Start);
+      end if;
+      Admission.Set_Up (Gate, Chosen.Allowed, Token);
       Monitor_Sockets.Listen
         (Chosen.Bind, Chosen.Port, Bound, Success, Reason);
       if Success then
@@ -88,91 +95,19 @@ package body Monitor_Tasks with SPARK_Mode is
       end if;
    end Start_Server;
 
-   -------------------
-   -- Close_Session --
-   -------------------
-
-   procedure Close_Session is
-   begin
-      Monitor_Sockets.Close;
-      Session.End_Closed;
-      Journal.Put (Options.Info, "session closed, ready for a new monitor");
-   end Close_Session;
-
-   -------------------
-   -- Meet_Newcomer --
-   -------------------
-
-   procedure Meet_Newcomer (Peer : Texts.Text) is
-      Stage    : Session.Stage_Kind;
-      Stopping : Boolean;
-      Admitted : Boolean := False;
-      Line     : Texts.Text;
-   begin
-      Session.Get_Stopping (Stopping);
-      Session.Get_Stage (Stage);
-      if Stage in Session.Closing | Session.Closed and then not Stopping then
-         --  it waits until all has been brought back
-         Session.Wait_Closed;
-         Close_Session;
-         Stage := Session.Free;
-      end if;
-      if Stage = Session.Free then
-         Session.Begin_Active (Admitted);
-      end if;
-      if Stage = Session.Active then
-         Monitor_Sockets.Refuse
-           ("MSSG:refused: another monitor is connected" & ASCII.LF);
-         Texts.Set (Line, "second monitor refused: ");
-         Texts.Append (Line, Peer.Data (1 .. Peer.Length));
-         Journal.Put (Options.Warning, Line);
-      elsif Admitted then
-         Monitor_Sockets.Admit;
-         Outbox.Open_Session;
-         Texts.Set (Line, "monitor connected from ");
-         Texts.Append (Line, Peer.Data (1 .. Peer.Length));
-         Journal.Put (Options.Info, Line);
-         Session.Begin_Work;
-      else
-         Monitor_Sockets.Refuse
-           ("MSSG:refused: the supervisor is stopping" & ASCII.LF);
-      end if;
-   end Meet_Newcomer;
-
    ---------------
    -- Th_Server --
    ---------------
 
    task body Th_Server is
-      Event : Monitor_Sockets.Arrival;
-      Peer  : Texts.Text;
-      Stage : Session.Stage_Kind;
-      Line  : Texts.Text;
-      Again : Time;
+      Gate : Admission.Gate;
    begin
       Process.Name_Task ("th_server");
       Session.Wait_Server;
-      Start_Server;
+      Start_Server (Gate);
       loop
-         Monitor_Sockets.Wait_Newcomer (Event, Peer);
-         case Event is
-            when Monitor_Sockets.Newcomer =>
-               Meet_Newcomer (Peer);
-            when Monitor_Sockets.Woken =>
-               Session.Get_Stage (Stage);
-               if Stage = Session.Closed then
-                  Session.Wait_Closed;
-                  Close_Session;
-               end if;
-            when Monitor_Sockets.Failed =>
-               Texts.Set (Line, "a monitor could not connect: ");
-               Texts.Append (Line, Peer.Data (1 .. Peer.Length));
-               Journal.Put (Options.Error, Line);
-               --  out of descriptors, most likely: not at full speed
-               Again := Clock;
-               Again := Again + Schedule.Accept_Pause;
-               delay until Again;
-         end case;
+         pragma Loop_Invariant (Admission.Is_Consistent (Gate));
+         Admission.Serve (Gate);
       end loop;
    end Th_Server;
 
@@ -191,7 +126,7 @@ package body Monitor_Tasks with SPARK_Mode is
    begin
       Parse (Line, Order.Message);
       Texts.Set (Text, "received ");
-      Texts.Append (Text, Line);
+      Authentication.Append_Shown (Text, Line);
       Journal.Put (Options.Debug, Text);
       Outbox.Reserve (Order.Number, Open);
       if not Open then
@@ -212,13 +147,13 @@ package body Monitor_Tasks with SPARK_Mode is
          when Log_Message =>
             Outbox.Answer_Nothing (Order.Number);
             Texts.Set (Text, "monitor says: ");
-            Texts.Append
+            Authentication.Append_Shown
               (Text, Line (Line'First + Text_Offset .. Line'Last));
             Journal.Put (Options.Info, Text);
          when Malformed =>
             Outbox.Answer (Order.Number, Not_Understood);
             Texts.Set (Text, "not understood: ");
-            Texts.Append (Text, Line);
+            Authentication.Append_Shown (Text, Line);
             Journal.Put (Options.Warning, Text);
          when others =>
             Task_Ports.Dispatch (Order);

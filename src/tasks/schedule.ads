@@ -92,6 +92,8 @@ package Schedule with SPARK_Mode is
    --  for the last lines of the log
    Accept_Pause      : constant Time_Span := Milliseconds (100);
    --  after a connection that could not be accepted
+   Token_Limit       : constant Time_Span := Milliseconds (2000);
+   --  for the first line of a newcomer, where a token is asked for
    Release_Poll      : constant Time_Span := Milliseconds (5);
    --  how often the ends of a session and of the process look again
 

@@ -2,6 +2,7 @@
 --  All groups of faults.
 
 with Camera_Faults;
+with Machine_Faults;
 with Network_Faults;
 with Robot_Faults;
 
@@ -12,6 +13,7 @@ package body Fault_List is
       Network_Faults.Register;
       Robot_Faults.Register;
       Camera_Faults.Register;
+      Machine_Faults.Register;
    end Register;
 
 end Fault_List;

@@ -2,6 +2,7 @@
 --  One injection.
 
 with Ada.Exceptions;
+with Interfaces.C;       use type Interfaces.C.int;
 
 with Answer_Ledgers;    use Answer_Ledgers;
 with Expectations;      use Expectations;
@@ -468,6 +469,21 @@ package body Trials is
          W.Destroy;
       end if;
    end Run_Once;
+
+   -----------
+   -- Build --
+   -----------
+
+   procedure Build is
+      Usual : Plan;
+   begin
+      The_World.Build (Usual);
+   end Build;
+
+   function Process return Interfaces.C.int is
+     (if The_World.Is_Built then The_World.Pid else -1);
+
+   function Port return Positive is (The_World.Port);
 
    ------------
    -- Finish --

@@ -3,6 +3,7 @@
 --  moments, and the five invariants afterwards.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Interfaces.C;
 
 with Worlds;                use Worlds;
 
@@ -29,6 +30,18 @@ package Trials is
       Outcome    : out Result);
    --  In the world of this process, which is built anew where it does not
    --  fit
+
+   --  For a soak, which does other things with the same supervisor in
+   --  between
+
+   procedure Build;
+   --  The world as most faults need it
+
+   function Process return Interfaces.C.int;
+   --  The supervisor of now, -1 where a violation has ended it
+
+   function Port return Positive;
+   --  Where it listens
 
    procedure Finish;
    --  Leaves nothing running

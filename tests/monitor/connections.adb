@@ -41,6 +41,9 @@ package body Connections is
    procedure Lose (Reason : String);
    --  The connection is lost, unless it is being closed
 
+   procedure Write_Line (Line : String);
+   --  To the supervisor, with its end
+
    task Reader is
       entry Start;
    end Reader;
@@ -137,9 +140,10 @@ package body Connections is
    ----------
 
    procedure Open
-     (Host   : String;
-      Port   : Positive;
-      Failed : out Boolean)
+     (Host       : String;
+      Port       : Positive;
+      First_Line : String;
+      Failed     : out Boolean)
    is
       Status : Selector_Status;
    begin
@@ -161,6 +165,9 @@ package body Connections is
       else
          Set_Socket_Option
            (Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
+         if First_Line /= "" then
+            Write_Line (First_Line);
+         end if;
       end if;
    exception
       when Error : Host_Error =>
@@ -207,18 +214,9 @@ package body Connections is
    procedure Send (Line : String) is
       use Monitor_Protocol;
 
-      Text  : constant String := Line & Line_Feed;
-      Data  : Stream_Element_Array (1 .. Text'Length);
-      First : Stream_Element_Offset := 1;
-      Last  : Stream_Element_Offset;
       Known : Message;
       OK    : Boolean := True;
    begin
-      for I in Text'Range loop
-         Data (Stream_Element_Offset (I - Text'First + 1)) :=
-           Character'Pos (Text (I));
-      end loop;
-
       Parse (Line, Known);
       Accounts.Put_Sent (Line);
       if Is_Answered (Known.Kind) then
@@ -230,10 +228,7 @@ package body Connections is
          return;
       end if;
 
-      while First <= Data'Last loop
-         Send_Socket (Socket, Data (First .. Data'Last), Last);
-         First := Last + 1;
-      end loop;
+      Write_Line (Line);
    exception
       when Error : Socket_Error =>
          Lose (Ada.Exceptions.Exception_Message (Error));
@@ -308,5 +303,25 @@ package body Connections is
          end if;
       end loop;
    end Timekeeper;
+
+   ----------------
+   -- Write_Line --
+   ----------------
+
+   procedure Write_Line (Line : String) is
+      Text  : constant String := Line & Monitor_Protocol.Line_Feed;
+      Data  : Stream_Element_Array (1 .. Text'Length);
+      First : Stream_Element_Offset := 1;
+      Last  : Stream_Element_Offset;
+   begin
+      for I in Text'Range loop
+         Data (Stream_Element_Offset (I - Text'First + 1)) :=
+           Character'Pos (Text (I));
+      end loop;
+      while First <= Data'Last loop
+         Send_Socket (Socket, Data (First .. Data'Last), Last);
+         First := Last + 1;
+      end loop;
+   end Write_Line;
 
 end Connections;

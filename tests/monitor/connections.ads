@@ -7,10 +7,12 @@ with Words;
 package Connections is
 
    procedure Open
-     (Host   : String;
-      Port   : Positive;
-      Failed : out Boolean);
-   --  The user is told why it failed
+     (Host       : String;
+      Port       : Positive;
+      First_Line : String;
+      Failed     : out Boolean);
+   --  And says First_Line, which has no answer, unless it is empty. The user
+   --  is told why it failed
 
    procedure Start (Timeout : Duration);
    --  Begin to read. A command without an answer after Timeout is

@@ -7,6 +7,8 @@ with Ada.Directories;
 with Ada.Exceptions;
 with Ada.Real_Time;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;
+with Authentication;
 with Connections;
 with GNAT.OS_Lib;           use GNAT.OS_Lib;
 with Interruptions;
@@ -38,6 +40,10 @@ procedure Destijl_Monitor is
    --  before the robot moves than in the middle
 
    procedure Make_Folder;
+
+   function First_Line (Token_File : String) return String;
+   --  What shows the token; empty where Token_File is. Ends the program
+   --  where there is no token in it
 
    procedure Connect;
 
@@ -151,7 +157,9 @@ procedure Destijl_Monitor is
    procedure Connect is
       Failed : Boolean;
    begin
-      Connections.Open (To_String (Values.Host), Values.Port, Failed);
+      Connections.Open
+        (To_String (Values.Host), Values.Port,
+         First_Line (To_String (Values.Token)), Failed);
       if Failed then
          OS_Exit (1);
       end if;
@@ -182,6 +190,38 @@ procedure Destijl_Monitor is
          Connections.Finish (Status);
       end if;
    end Fail;
+
+   ----------------
+   -- First_Line --
+   ----------------
+
+   function First_Line (Token_File : String) return String is
+      File  : Ada.Text_IO.File_Type;
+      Text  : String (1 .. 256);
+      Last  : Natural;
+      Token : Authentication.Token;
+      Good  : Boolean;
+   begin
+      if Token_File = "" then
+         return "";
+      end if;
+      Ada.Text_IO.Open (File, Ada.Text_IO.In_File, Token_File);
+      Ada.Text_IO.Get_Line (File, Text, Last);
+      Ada.Text_IO.Close (File);
+      Authentication.Read_Token (Text (1 .. Last), Token, Good);
+      if not Good then
+         Terminals.Put_Error (Token_File & " has no token in its first line");
+         OS_Exit (2);
+      end if;
+      return Authentication.Label & Token.Data (1 .. Token.Length);
+   exception
+      when Error : Ada.Text_IO.Name_Error | Ada.Text_IO.Use_Error
+         | Ada.Text_IO.End_Error =>
+         Terminals.Put_Error
+           ("cannot read the token: "
+            & Ada.Exceptions.Exception_Message (Error));
+         OS_Exit (2);
+   end First_Line;
 
    -----------------
    -- Make_Folder --

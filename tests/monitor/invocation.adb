@@ -22,6 +22,7 @@ package body Invocation is
       Put_Line ("supervisor and shows what comes back.");
       Put_Line ("  --host HOST      where the supervisor runs (127.0.0.1)");
       Put_Line ("  --port N         its port (5544)");
+      Put_Line ("  --token FILE     begin with the token in its first line");
       Put_Line ("  --script FILE    what to do, a command a line; - reads");
       Put_Line ("                   standard input");
       Put_Line ("  --images FOLDER  save every image there");
@@ -63,6 +64,8 @@ package body Invocation is
             end if;
          elsif Name = "--script" then
             Values.Script := +Given;
+         elsif Name = "--token" then
+            Values.Token := +Given;
          elsif Name = "--images" then
             Values.Images := +Given;
          else
@@ -88,7 +91,8 @@ package body Invocation is
                else Given (Given'First .. Equal - 1));
          begin
             if Name in
-              "--host" | "--port" | "--script" | "--images" | "--timeout"
+              "--host" | "--port" | "--token" | "--script" | "--images"
+                | "--timeout"
             then
                if Equal /= 0 then
                   Take (Name, Given (Equal + 1 .. Given'Last));

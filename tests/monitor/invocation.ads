@@ -11,6 +11,7 @@ package Invocation is
       Host    : Unbounded_String := To_Unbounded_String ("127.0.0.1");
       Port    : Positive         := 5_544;
       Script  : Unbounded_String;         --  empty: the keyboard; "-" too
+      Token   : Unbounded_String;         --  a file; empty: none is shown
       Images  : Unbounded_String;         --  empty: none is saved by itself
       Timeout : Duration         := 5.0;  --  s, for an answer
       Quiet   : Boolean          := False;

@@ -24,6 +24,7 @@ with Process_Tests;
 with Programs;
 with Robot_Tests;
 with Scenarios;
+with Security_Tests;
 with Server_Tests;
 
 procedure System_Tests is
@@ -85,6 +86,7 @@ begin
    Robot_Tests.Add_To (Suite);
    Camera_Tests.Add_To (Suite);
    Process_Tests.Add_To (Suite);
+   Security_Tests.Add_To (Suite);
    Never_Tests.Add_To (Suite);
 
    AUnit.Test_Suites.Run

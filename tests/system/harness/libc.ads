@@ -27,6 +27,9 @@ package Libc is
    --  0 is read from, 1 is written to
 
    O_Rdonly  : constant int := 8#0#;
+   O_Wronly  : constant int := 8#1#;
+   O_Rdwr    : constant int := 8#2#;
+   O_Nonblock : constant int := 8#4000#;
    O_Cloexec : constant int := 8#2000000#;
 
    function Pipe2 (Ends : out Pipe_Ends; Flags : int) return int
@@ -51,6 +54,14 @@ package Libc is
 
    function Chown (Path : char_array; User, Group : unsigned) return int
    with Import, Convention => C, External_Name => "chown";
+
+   function Mkfifo (Path : char_array; Mode : unsigned) return int
+   with Import, Convention => C, External_Name => "mkfifo";
+
+   function Readlink
+     (Path : char_array; Buffer : System.Address; Size : size_t) return long
+   with Import, Convention => C, External_Name => "readlink";
+   --  How long it is, without a NUL; negative where there is none
 
    function Dup2 (File, Onto : int) return int
    with Import, Convention => C, External_Name => "dup2";
@@ -120,6 +131,15 @@ package Libc is
 
    function Getpid return int
    with Import, Convention => C, External_Name => "getpid";
+
+   Rlimit_Nofile : constant int := 7;
+
+   function Prlimit
+     (Process  : int;
+      Resource : int;
+      New_Limit, Old_Limit : access Resource_Limit) return int
+   with Import, Convention => C, External_Name => "prlimit";
+   --  null: not to be set, not wanted
 
    --  Signals
 

@@ -308,20 +308,27 @@ package body Monitor_Clients is
      (Object         : in out Client;
       Port           : Positive;
       Address        : String  := "127.0.0.1";
+      Source         : String  := "";
       Receive_Buffer : Natural := 0;
       Namespace      : String  := "";
       Real_Time      : Boolean := True)
    is
+      Server : constant Inet_Addr_Type := Inet_Addr (Address);
       Status : Selector_Status;
    begin
       Object.Close;
       Object.Inner := new Parts;
       if Namespace = "" then
-         Create_Socket (Object.Inner.Socket);
+         Create_Socket (Object.Inner.Socket, Server.Family);
       else
          Network_Links.Enter (Namespace);
-         Create_Socket (Object.Inner.Socket);
+         Create_Socket (Object.Inner.Socket, Server.Family);
          Network_Links.Leave;
+      end if;
+      if Source /= "" then
+         Bind_Socket
+           (Object.Inner.Socket,
+            Network_Socket_Address (Inet_Addr (Source), Any_Port));
       end if;
       if Receive_Buffer > 0 then
          Set_Socket_Option
@@ -332,7 +339,7 @@ package body Monitor_Clients is
         (Object.Inner.Socket, Socket_Level, (Send_Timeout, 30.0));
       Connect_Socket
         (Object.Inner.Socket,
-         (Family_Inet, Inet_Addr (Address), Port_Type (Port)),
+         Network_Socket_Address (Server, Port_Type (Port)),
          Timeout => 5.0, Status => Status);
       Check (Status = Completed, "no connection to port" & Port'Image);
       Set_Socket_Option

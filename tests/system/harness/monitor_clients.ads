@@ -34,10 +34,12 @@ package Monitor_Clients is
      (Object         : in out Client;
       Port           : Positive;
       Address        : String  := "127.0.0.1";
+      Source         : String  := "";
       Receive_Buffer : Natural := 0;
       Namespace      : String  := "";
       Real_Time      : Boolean := True);
-   --  Receive_Buffer 0 leaves the system's. Namespace is that of
+   --  Source is the client's own address, the system's choice where it is
+   --  empty. Receive_Buffer 0 leaves the system's. Namespace is that of
    --  Network_Links. Real_Time: the task that receives gets the
    --  priority Libc.Above_Supervisor where that is allowed, so that the
    --  times it notes are those of arrival. Raises Failed when refused.

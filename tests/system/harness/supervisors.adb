@@ -67,7 +67,8 @@ package body Supervisors is
          Line  : constant String :=
            To_String (Object.Process.Element (Errors, Number).Text);
          First : constant Positive :=
-           Index (Line, ":", Index (Line, Listening) + Listening'Length) + 1;
+           Index (Line, ":", Going => Backward) + 1;
+         --  the last one: an address of IPv6 has its own
          Last  : Positive := First;
       begin
          Check

@@ -25,6 +25,7 @@ package body Command_Lines_Tests is
    procedure Test_Every_Option (T : in out Any_Test);
    procedure Test_Equals (T : in out Any_Test);
    procedure Test_Limits (T : in out Any_Test);
+   procedure Test_Networks (T : in out Any_Test);
    procedure Test_Requests (T : in out Any_Test);
    procedure Test_Wrong (T : in out Any_Test);
    procedure Test_Long (T : in out Any_Test);
@@ -82,6 +83,7 @@ package body Command_Lines_Tests is
       Register_Routine (T, Test_Every_Option'Access, "every option");
       Register_Routine (T, Test_Equals'Access, "name=value");
       Register_Routine (T, Test_Limits'Access, "limits of the numbers");
+      Register_Routine (T, Test_Networks'Access, "networks");
       Register_Routine (T, Test_Requests'Access, "requests");
       Register_Routine (T, Test_Wrong'Access, "bad usage");
       Register_Routine (T, Test_Long'Access, "an endless argument");
@@ -124,7 +126,8 @@ package body Command_Lines_Tests is
    procedure Test_Every_Option (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : constant Reading := Read
-        ("--port 7 --bind 127.0.0.1 --serial /dev/pts/3 --camera a.mp4"
+        ("--port 7 --bind 127.0.0.1 --allow 10.0.0.0/8 --allow 127.0.0.1"
+         & " --token /etc/token --serial /dev/pts/3 --camera a.mp4"
          & " --frame-size 320x240 --fps 25 --jpeg-quality 55"
          & " --marker triangle --message-gap 9 --log-level debug --cpu 3");
    begin
@@ -133,6 +136,12 @@ package body Command_Lines_Tests is
         (R.Chosen = Values'
            (Port        => 7,
             Bind        => Texts.To_Text ("127.0.0.1"),
+            Allowed     =>
+              (Items => (1      => (16#0A00_0000#, 8),
+                         2      => (16#7F00_0001#, 32),
+                         others => (0, 0)),
+               Count => 2),
+            Token_File  => Texts.To_Text ("/etc/token"),
             Serial      => Texts.To_Text ("/dev/pts/3"),
             Camera      => Texts.To_Text ("a.mp4"),
             Width       => 320,
@@ -208,6 +217,38 @@ package body Command_Lines_Tests is
       Take (R, (1 .. Texts.Max_Length => '-'));
       Assert (R.Request = Wrong, "a name as long as can be");
    end Test_Long;
+
+   -------------------
+   -- Test_Networks --
+   -------------------
+
+   procedure Test_Networks (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Eight : constant String :=
+        "--allow 10.0.0.1 --allow 10.0.0.2 --allow 10.0.0.3"
+        & " --allow 10.0.0.4 --allow 10.0.0.5 --allow 10.0.0.6"
+        & " --allow 10.0.0.7 --allow=10.0.0.8";
+   begin
+      Assert (Read (Eight).Request = Run, "eight of them");
+      Assert (Read (Eight).Chosen.Allowed.Count = 8, "their count");
+      Expect_Wrong
+        (Eight & " --allow 10.0.0.9", "--allow: more than 8 networks");
+      Expect_Wrong
+        ("--allow 10.0.0.1/8",
+         "--allow: '10.0.0.1/8' has bits set beyond its first 8");
+      Expect_Wrong
+        ("--allow 10.0.0.0/33",
+         "--allow: the length in '10.0.0.0/33' is not a number in 0 .. 32");
+      Expect_Wrong
+        ("--allow ::1",
+         "--allow: '::1' is no IPv4 network, such as 192.168.1.0/24");
+      Expect_Wrong
+        ("--allow=",
+         "--allow: '' is no IPv4 network, such as 192.168.1.0/24");
+      Expect_Wrong ("--allow", "a value is missing after --allow");
+      Expect_Wrong ("--token", "a value is missing after --token");
+      Expect_Wrong ("--token=", "a value is missing after --token");
+   end Test_Networks;
 
    -------------------
    -- Test_Requests --

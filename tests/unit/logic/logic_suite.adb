@@ -1,12 +1,14 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  All unit tests of the pure packages.
 
+with Authentication_Tests;
 with Base64_Tests;
 with Command_Lines_Tests;
 with Decimals_Tests;
 with Line_Health_Tests;
 with Monitor_Link_Tests;
 with Monitor_Protocol_Tests;
+with Networks_Tests;
 with Robot_Protocol_Tests;
 with Robot_Session_Tests;
 with Texts_Tests;
@@ -14,9 +16,11 @@ with Vision_Mode_Tests;
 
 package body Logic_Suite is
 
+   Token    : aliased Authentication_Tests.Test_Case;
    Base_64  : aliased Base64_Tests.Test_Case;
    Command  : aliased Command_Lines_Tests.Test_Case;
    Decimal  : aliased Decimals_Tests.Test_Case;
+   Network  : aliased Networks_Tests.Test_Case;
    Robot    : aliased Robot_Protocol_Tests.Test_Case;
    Monitor  : aliased Monitor_Protocol_Tests.Test_Case;
    Health   : aliased Line_Health_Tests.Test_Case;
@@ -33,9 +37,11 @@ package body Logic_Suite is
       Result : constant AUnit.Test_Suites.Access_Test_Suite :=
         AUnit.Test_Suites.New_Suite;
    begin
+      Result.Add_Test (Token'Access);
       Result.Add_Test (Base_64'Access);
       Result.Add_Test (Command'Access);
       Result.Add_Test (Decimal'Access);
+      Result.Add_Test (Network'Access);
       Result.Add_Test (Robot'Access);
       Result.Add_Test (Monitor'Access);
       Result.Add_Test (Health'Access);

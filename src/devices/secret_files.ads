@@ -1,0 +1,28 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Files that hold a secret: how such a file begins, and who may read it.
+
+with Authentication;
+with Texts;
+
+package Secret_Files with
+  SPARK_Mode,
+  Abstract_State =>
+    (Files with Synchronous, External => (Async_Readers, Async_Writers)),
+  Initializes => Files
+is
+
+   procedure Read
+     (Path    : Texts.Text;
+      Data    : out String;
+      Length  : out Natural;
+      Mode    : out Authentication.File_Mode;
+      Success : out Boolean;
+      Reason  : out Texts.Text)
+   with
+     Global => (In_Out => Files),
+     Post   => Length <= Data'Length;
+   --  The first characters of the file, as many as there are and as Data
+   --  takes, and its mode when they were read. Never waits. Reason says why
+   --  where Success is false
+
+end Secret_Files;

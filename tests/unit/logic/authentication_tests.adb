@@ -1,0 +1,317 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The token: its file, the line that shows it, and what the log shows.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Authentication;   use Authentication;
+with Texts;
+
+package body Authentication_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   LF : constant Character := Line_Feed;
+   CR : constant Character := Carriage_Return;
+
+   Usual : constant String := "correct-horse-battery";
+
+   function To_Token (Text : String) return Token;
+   --  A good one
+
+   procedure Expect_Token (Text : String; Good : Boolean);
+   --  Of a file
+
+   procedure Expect
+     (Text : String; Outcome : Verdict; Of_Token : String := Usual);
+   --  After all of Text, or where it is decided before
+
+   procedure Expect_Shown (Line : String; Shown : String);
+
+   procedure Test_Files (T : in out Any_Test);
+   procedure Test_Modes (T : in out Any_Test);
+   procedure Test_Right (T : in out Any_Test);
+   procedure Test_Wrong (T : in out Any_Test);
+   procedure Test_Every_Place (T : in out Any_Test);
+   procedure Test_Too_Long (T : in out Any_Test);
+   procedure Test_Decided_Once (T : in out Any_Test);
+   procedure Test_Shown (T : in out Any_Test);
+
+   ------------
+   -- Expect --
+   ------------
+
+   procedure Expect
+     (Text : String; Outcome : Verdict; Of_Token : String := Usual)
+   is
+      Known : constant Token := To_Token (Of_Token);
+      R     : Reader;
+   begin
+      for C of Text loop
+         Assert (Decision (R) = Undecided, "decided too early: " & Text);
+         Accept_Character (R, Known, C);
+      end loop;
+      Assert
+        (Decision (R) = Outcome, Decision (R)'Image & " after " & Text);
+   end Expect;
+
+   ------------------
+   -- Expect_Shown --
+   ------------------
+
+   procedure Expect_Shown (Line : String; Shown : String) is
+      Text : Texts.Text := Texts.To_Text ("it: ");
+   begin
+      Append_Shown (Text, Line);
+      Assert
+        (Texts.Image (Text) = "it: " & Shown,
+         Line & " is shown as " & Texts.Image (Text));
+   end Expect_Shown;
+
+   ------------------
+   -- Expect_Token --
+   ------------------
+
+   procedure Expect_Token (Text : String; Good : Boolean) is
+      Known : Token;
+      Read  : Boolean;
+   begin
+      Read_Token (Text, Known, Read);
+      Assert (Read = Good, "token: " & Text);
+      Assert ((Known.Length > 0) = Good, "its length: " & Text);
+   end Expect_Token;
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Authentication"));
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Files'Access, "the file of a token");
+      Register_Routine (T, Test_Modes'Access, "who may read it");
+      Register_Routine (T, Test_Right'Access, "the right line");
+      Register_Routine (T, Test_Wrong'Access, "wrong lines");
+      Register_Routine
+        (T, Test_Every_Place'Access, "a difference at every place");
+      Register_Routine (T, Test_Too_Long'Access, "a line without end");
+      Register_Routine
+        (T, Test_Decided_Once'Access, "a reader used again");
+      Register_Routine (T, Test_Shown'Access, "what the log shows");
+   end Register_Tests;
+
+   -----------------------
+   -- Test_Decided_Once --
+   -----------------------
+
+   procedure Test_Decided_Once (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Known : constant Token := To_Token (Usual);
+      R     : Reader;
+   begin
+      for C of String'("AUTH:" & Usual & LF) loop
+         Accept_Character (R, Known, C);
+      end loop;
+      Assert (Decision (R) = Right and then not Is_Open (R), "right");
+      Clear (R);
+      Assert (Is_Open (R) and then Length (R) = 0, "cleared");
+      Accept_Character (R, Known, LF);
+      Assert (Decision (R) = Wrong, "nothing is left of the line before");
+   end Test_Decided_Once;
+
+   ----------------------
+   -- Test_Every_Place --
+   ----------------------
+
+   procedure Test_Every_Place (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Try (Of_Token : String);
+
+      procedure Try (Of_Token : String) is
+         Line : constant String := "AUTH:" & Of_Token;
+         Bad  : String (1 .. Line'Length);
+      begin
+         Expect (Line & LF, Right, Of_Token);
+         Expect (Line & CR & LF, Right, Of_Token);
+         for I in Line'Range loop
+            --  each single bit: none may be left out of the comparison
+            for Bit in 0 .. 7 loop
+               Bad := Line;
+               Bad (I) := Character'Val
+                 (if Character'Pos (Line (I)) / 2 ** Bit mod 2 = 0
+                  then Character'Pos (Line (I)) + 2 ** Bit
+                  else Character'Pos (Line (I)) - 2 ** Bit);
+               if Bad (I) /= LF then
+                  Expect (Bad & LF, Wrong, Of_Token);
+               end if;
+            end loop;
+            Expect (Line (1 .. I - 1) & LF, Wrong, Of_Token);
+            Expect
+              (Line (1 .. I - 1) & Line (I + 1 .. Line'Last) & LF, Wrong,
+               Of_Token);
+         end loop;
+      end Try;
+
+   begin
+      Try ((1 .. Min_Token => 'x'));
+      Try (Usual);
+      Try ((1 .. Max_Token - 1 => '!', Max_Token => '~'));
+   end Test_Every_Place;
+
+   ----------------
+   -- Test_Files --
+   ----------------
+
+   procedure Test_Files (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Known : Token;
+      Good  : Boolean;
+   begin
+      Read_Token ("12345678" & LF & "the rest" & LF, Known, Good);
+      Assert
+        (Good and then Known.Data (1 .. Known.Length) = "12345678",
+         "the first line");
+      Expect_Token ("12345678", True);
+      Expect_Token ("1234567" & LF & "8", False);
+      Expect_Token ("1234567", False);
+      Expect_Token ("", False);
+      Expect_Token ((1 => LF), False);
+      Expect_Token (LF & "12345678" & LF, False);
+      Expect_Token ("1234 678" & LF, False);
+      Expect_Token (" 12345678" & LF, False);
+      Expect_Token ("12345678 " & LF, False);
+      Expect_Token ("12345678" & CR & LF, False);
+      Expect_Token ("1234" & ASCII.HT & "678" & LF, False);
+      Expect_Token ("1234" & ASCII.NUL & "678" & LF, False);
+      Expect_Token ("1234" & ASCII.DEL & "678" & LF, False);
+      Expect_Token ("1234" & Character'Val (16#E9#) & "678" & LF, False);
+      Expect_Token ("!!!!~~~~" & LF, True);
+      Expect_Token ((1 .. Max_Token => 'x') & LF, True);
+      Expect_Token ((1 .. Max_Token => 'x'), True);
+      Expect_Token ((1 .. Max_Token + 1 => 'x') & LF, False);
+      Expect_Token ((1 .. Max_Token + 1 => 'x'), False);
+   end Test_Files;
+
+   ----------------
+   -- Test_Modes --
+   ----------------
+
+   procedure Test_Modes (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Is_Kept_Secret (8#100600#), "rw-------");
+      Assert (Is_Kept_Secret (8#100400#), "r--------");
+      Assert (Is_Kept_Secret (8#100711#), "may run it, whatever that is");
+      Assert (not Is_Kept_Secret (8#100640#), "group reads");
+      Assert (not Is_Kept_Secret (8#100620#), "group writes");
+      Assert (not Is_Kept_Secret (8#100604#), "others read");
+      Assert (not Is_Kept_Secret (8#100602#), "others write");
+      Assert (not Is_Kept_Secret (8#100666#), "everybody");
+   end Test_Modes;
+
+   ----------------
+   -- Test_Right --
+   ----------------
+
+   procedure Test_Right (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Expect ("AUTH:" & Usual, Undecided);
+      Expect ("AUTH:" & Usual & CR, Undecided);
+      Expect ("AUTH:" & Usual & LF, Right);
+      Expect ("AUTH:" & Usual & CR & LF, Right);
+      Expect ("", Undecided);
+   end Test_Right;
+
+   ----------------
+   -- Test_Shown --
+   ----------------
+
+   procedure Test_Shown (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Whole : constant String := "--MSSG:AUTH:secret";
+      Full  : Texts.Text := Texts.To_Text ((1 .. 500 => '.'));
+   begin
+      Expect_Shown ("AUTH:secret", "AUTH:...");
+      Expect_Shown ("AUTH:", "AUTH:...");
+      Expect_Shown ("AUTH:AUTH:secret", "AUTH:...");
+      Expect_Shown ("xAUTH:secret", "xAUTH:...");
+      Expect_Shown ("MSSG:AUTH:secret", "MSSG:AUTH:...");
+      Expect_Shown ("AUTAUTH:secret", "AUTAUTH:...");
+      Expect_Shown ("RPIN", "RPIN");
+      Expect_Shown ("", "");
+      Expect_Shown ("AUTH", "AUTH");
+      Expect_Shown ("AUTH :x", "AUTH :x");
+      Expect_Shown (Whole (8 .. Whole'Last), "AUTH:...");
+      Expect_Shown (Whole (9 .. Whole'Last), "UTH:secret");
+      Expect_Shown (Whole (8 .. 7), "");
+      Append_Shown (Full, "0123456AUTH:secret");
+      Assert
+        (Full.Length = Texts.Max_Length
+         and then Full.Data (501 .. 512) = "0123456AUTH:",
+         "cut at its end: " & Texts.Image (Full));
+   end Test_Shown;
+
+   -------------------
+   -- Test_Too_Long --
+   -------------------
+
+   procedure Test_Too_Long (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Longest : constant String := (1 .. Max_Token => 'x');
+   begin
+      Expect ("AUTH:" & Longest & "xx", Wrong);
+      Expect ("AUTH:" & Longest & "x" & LF, Wrong);
+      Expect ("AUTH:" & Longest & CR & CR, Wrong);
+      Expect ((1 .. Max_Line - 1 => 'x'), Undecided);
+      Expect ((1 .. Max_Line => 'x'), Wrong);
+      Expect ((1 .. Max_Line => ASCII.NUL), Wrong);
+      Expect ("AUTH:" & Longest & CR & LF, Right, Longest);
+      Expect ("AUTH:" & Longest & CR & 'x', Wrong, Longest);
+   end Test_Too_Long;
+
+   ----------------
+   -- Test_Wrong --
+   ----------------
+
+   procedure Test_Wrong (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Expect ((1 => LF), Wrong);
+      Expect (CR & LF, Wrong);
+      Expect ("ROPN" & LF, Wrong);
+      Expect ("AUTH" & LF, Wrong);
+      Expect ("AUTH:" & LF, Wrong);
+      Expect ("auth:" & Usual & LF, Wrong);
+      Expect ("AUTH " & Usual & LF, Wrong);
+      Expect ("AUTH: " & Usual & LF, Wrong);
+      Expect (" AUTH:" & Usual & LF, Wrong);
+      Expect ("AUTH:" & Usual & " " & LF, Wrong);
+      Expect ("AUTH:" & Usual & CR & CR & LF, Wrong);
+      Expect ("AUTH:" & Usual & ASCII.NUL & LF, Wrong);
+      Expect ("AUTH:" & ASCII.NUL & Usual & LF, Wrong);
+      Expect ("AUTH:" & Usual & Usual & LF, Wrong);
+      Expect (Usual & LF, Wrong);
+   end Test_Wrong;
+
+   --------------
+   -- To_Token --
+   --------------
+
+   function To_Token (Text : String) return Token is
+      Result : Token;
+      Good   : Boolean;
+   begin
+      Read_Token (Text, Result, Good);
+      Assert (Good, "no token: " & Text);
+      return Result;
+   end To_Token;
+
+end Authentication_Tests;

@@ -1,0 +1,263 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Networks of IPv4: their text, their addresses, and whom a list admits.
+
+with Ada.Strings.Fixed;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Bytes;            use Bytes;
+with Interfaces;       use Interfaces;
+with Networks;         use Networks;
+
+package body Networks_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   function Read (Text : String) return Network;
+   --  A good one
+
+   procedure Expect (Text : String; Outcome : Verdict);
+
+   function Image (N : Natural) return String is
+     (Ada.Strings.Fixed.Trim (N'Image, Ada.Strings.Left));
+
+   function Peer (A : Address) return Peer_Address is
+     (11 | 12 => 255,
+      13     => Byte (Shift_Right (A, 24) and 255),
+      14     => Byte (Shift_Right (A, 16) and 255),
+      15     => Byte (Shift_Right (A, 8) and 255),
+      16     => Byte (A and 255),
+      others => 0);
+
+   procedure Test_Text (T : in out Any_Test);
+   procedure Test_Refused (T : in out Any_Test);
+   procedure Test_Clean (T : in out Any_Test);
+   procedure Test_Boundaries (T : in out Any_Test);
+   procedure Test_List (T : in out Any_Test);
+   procedure Test_Peers (T : in out Any_Test);
+
+   ------------
+   -- Expect --
+   ------------
+
+   procedure Expect (Text : String; Outcome : Verdict) is
+      N : Network;
+      V : Verdict;
+   begin
+      Parse (Text, N, V);
+      Assert (V = Outcome, Text & " is " & V'Image);
+   end Expect;
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Networks"));
+
+   ----------
+   -- Read --
+   ----------
+
+   function Read (Text : String) return Network is
+      N : Network;
+      V : Verdict;
+   begin
+      Parse (Text, N, V);
+      Assert (V = Good, Text & " is " & V'Image);
+      return N;
+   end Read;
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Text'Access, "the text of a network");
+      Register_Routine (T, Test_Refused'Access, "what is no network");
+      Register_Routine (T, Test_Clean'Access, "bits beyond the length");
+      Register_Routine
+        (T, Test_Boundaries'Access, "first and last address, and those by");
+      Register_Routine (T, Test_List'Access, "lists");
+      Register_Routine (T, Test_Peers'Access, "peers of IPv4 and of IPv6");
+   end Register_Tests;
+
+   ---------------------
+   -- Test_Boundaries --
+   ---------------------
+
+   procedure Test_Boundaries (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Pattern : constant Address := 16#CA5A_3CA5#;
+   begin
+      for Length in Prefix_Length loop
+         declare
+            Size  : constant Unsigned_64 := 2 ** (32 - Length);
+            First : constant Address :=
+              Address ((Unsigned_64 (Pattern) / Size) * Size);
+            Last  : constant Address :=
+              Address (Unsigned_64 (First) + (Size - 1));
+            N     : constant Network := (First, Length);
+         begin
+            Assert (Is_Network (N), "clean" & Length'Image);
+            Assert
+              (Contains (N, First) and then Contains (N, Last)
+               and then Contains (N, Pattern),
+               "in it" & Length'Image);
+            Assert
+              (Contains (N, First - 1) = (Length = 0)
+               and then Contains (N, Last + 1) = (Length = 0),
+               "beside it" & Length'Image);
+            if Length in 1 .. 31 then
+               Assert
+                 (not Is_Network ((Last, Length)), "not clean" & Length'Image);
+               Assert
+                 (not Contains (N, First xor 16#8000_0000#),
+                  "its first bit" & Length'Image);
+            end if;
+         end;
+      end loop;
+   end Test_Boundaries;
+
+   ----------------
+   -- Test_Clean --
+   ----------------
+
+   procedure Test_Clean (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Length in 0 .. 31 loop
+         Expect ("0.0.0.0/" & Image (Length), Good);
+         Expect ("0.0.0.1/" & Image (Length), Not_Clean);
+         Expect ("255.255.255.255/" & Image (Length), Not_Clean);
+      end loop;
+      Expect ("255.255.255.255/32", Good);
+      Expect ("128.0.0.0/1", Good);
+      Expect ("128.0.0.0/0", Not_Clean);
+      Expect ("10.128.0.0/9", Good);
+      Expect ("10.128.0.0/8", Not_Clean);
+      Expect ("192.168.1.4/30", Good);
+      Expect ("192.168.1.4/29", Not_Clean);
+   end Test_Clean;
+
+   ---------------
+   -- Test_List --
+   ---------------
+
+   procedure Test_List (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      L : List;
+   begin
+      Assert (Admits (L, Peer (16#0102_0304#)), "an empty list admits all");
+      Add (L, Read ("192.168.1.0/24"));
+      Assert (Admits (L, Peer (Joined (192, 168, 1, 0))), "first");
+      Assert (Admits (L, Peer (Joined (192, 168, 1, 255))), "last");
+      Assert (not Admits (L, Peer (Joined (192, 168, 2, 0))), "next");
+      Assert (not Admits (L, Peer (Joined (192, 168, 0, 255))), "before");
+      Add (L, Read ("10.0.0.7"));
+      Assert (Admits (L, Peer (Joined (10, 0, 0, 7))), "second network");
+      Assert (not Admits (L, Peer (Joined (10, 0, 0, 6))), "not below");
+      Assert (Admits (L, Peer (Joined (192, 168, 1, 9))), "first still");
+      for I in L.Count + 1 .. Max_Networks loop
+         Add (L, Read ("172.16." & Image (I) & ".0/24"));
+         Assert (L.Count = I, "count");
+         Assert
+           (Admits (L, Peer (Joined (172, 16, Byte (I), 1))),
+            "network" & I'Image);
+      end loop;
+      Assert (not Admits (L, Peer (Joined (172, 16, 9, 1))), "no ninth");
+   end Test_List;
+
+   ----------------
+   -- Test_Peers --
+   ----------------
+
+   procedure Test_Peers (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      L    : List;
+      Near : Peer_Address;
+   begin
+      Assert (Admits (L, (others => 0)), "no list, no matter");
+      Assert
+        (IPv4 (Peer (Joined (1, 2, 3, 4))) = 16#0102_0304#, "joined");
+      Add (L, Read ("0.0.0.0/0"));
+      Assert (Admits (L, Peer (0)), "all of IPv4");
+      Assert (Admits (L, Peer (16#FFFF_FFFF#)), "all of IPv4, its last");
+      Assert (not Admits (L, (16 => 1, others => 0)), "::1");
+      Assert
+        (not Admits (L, (1 => 16#FE#, 2 => 16#80#, others => 0)), "fe80::");
+      for I in 1 .. 12 loop
+         Near := Peer (Joined (127, 0, 0, 1));
+         Near (I) := Near (I) xor 1;
+         Assert (not Admits (L, Near), "not quite IPv4" & I'Image);
+      end loop;
+   end Test_Peers;
+
+   ------------------
+   -- Test_Refused --
+   ------------------
+
+   procedure Test_Refused (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Long : String (1 .. Max_Text) := (others => '1');
+   begin
+      Expect ("", No_Address);
+      Expect ("1", No_Address);
+      Expect ("1.2.3", No_Address);
+      Expect ("1.2.3.", No_Address);
+      Expect (".1.2.3", No_Address);
+      Expect ("1..2.3", No_Address);
+      Expect ("1.2.3.4.5", No_Address);
+      Expect ("1.2.3.4.", No_Address);
+      Expect ("1.2.3.4 ", No_Address);
+      Expect (" 1.2.3.4", No_Address);
+      Expect ("1.2.3.256", No_Address);
+      Expect ("256.2.3.4", No_Address);
+      Expect ("1.2.3.1000", No_Address);
+      Expect ("1.2.3.04", No_Address);
+      Expect ("01.2.3.4", No_Address);
+      Expect ("1.2.3.-4", No_Address);
+      Expect ("1.2.3.4-8", No_Address);
+      Expect ("1,2,3,4", No_Address);
+      Expect ("::1", No_Address);
+      Expect ("::1/128", No_Address);
+      Expect ("::ffff:1.2.3.4", No_Address);
+      Expect ("localhost", No_Address);
+      Expect ("/8", No_Address);
+      Expect ("1.2.3.4/", No_Length);
+      Expect ("1.2.3.4/33", No_Length);
+      Expect ("1.2.3.4/032", No_Length);
+      Expect ("1.2.3.4/1000", No_Length);
+      Expect ("1.2.3.4/-1", No_Length);
+      Expect ("1.2.3.4/+8", No_Length);
+      Expect ("1.2.3.4/8/8", No_Length);
+      Expect ("1.2.3.4/255.255.255.0", No_Length);
+      Expect ("1.2.3.4/32 ", No_Length);
+      Expect (Long, No_Address);
+      Long (1 .. 8) := "1.2.3.4/";
+      Expect (Long, No_Length);
+      Long := (1 .. 8 => '.', others => '0');
+      Expect (Long, No_Address);
+   end Test_Refused;
+
+   ---------------
+   -- Test_Text --
+   ---------------
+
+   procedure Test_Text (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Read ("0.0.0.0/0") = (0, 0), "all");
+      Assert (Read ("0.0.0.0") = (0, 32), "without a length it is 32");
+      Assert (Read ("1.2.3.4") = (16#0102_0304#, 32), "one");
+      Assert (Read ("1.2.3.4/32") = (16#0102_0304#, 32), "one, said so");
+      Assert (Read ("192.168.1.0/24") = (16#C0A8_0100#, 24), "24");
+      Assert (Read ("10.0.0.0/8") = (16#0A00_0000#, 8), "8");
+      Assert
+        (Read ("255.255.255.255") = (16#FFFF_FFFF#, 32), "the last address");
+      Assert (Read ("99.100.9.10/32") = (16#6364_090A#, 32), "all widths");
+   end Test_Text;
+
+end Networks_Tests;
