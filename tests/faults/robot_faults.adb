@@ -175,6 +175,7 @@ package body Robot_Faults is
    procedure In_Quiet (F : Spoilt_Answers'Class; W : in out World) is
       Few   : constant := Enough_To_Lose - 1;
       Bits  : constant := 24;
+      Kinds : constant := 3;
       Q     : Question;
       Count : Positive;
    begin
@@ -187,6 +188,19 @@ package body Robot_Faults is
             W.Emulator.Tell ("flip 1 " & Plain (Bit));
             Expect_Nothing (W, Q);
             Expect_Right (W);
+         end loop;
+      end if;
+
+      if F.How = Wrong_Kind then
+         --  every other kind for each: one of the answers to a question for
+         --  the battery's level nobody can tell from a level of 0
+         for Any of Questions loop
+            for Kind in 1 .. Kinds loop
+               W.Emulator.Tell ("wrong 1");
+               Expect
+                 (W, Any, (if Any = "RGBT" then "ATIM RBLV:0" else "ATIM"));
+               Expect_Right (W);
+            end loop;
          end loop;
       end if;
 
