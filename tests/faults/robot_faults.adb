@@ -17,6 +17,9 @@ package body Robot_Faults is
    Enough_To_Lose : constant := 4;
    --  F8: failures in a row
 
+   Start_Up : constant Duration := 0.25;
+   --  Of a robot that needs 100 ms (Emulators), by a tick of 100 ms
+
    function Plain (Value : Natural) return String is
      (Trim (Value'Image, Left));
 
@@ -487,7 +490,7 @@ package body Robot_Faults is
                 when Empty               => "battery critical",
                 when Charging            => "charge on"));
          if F.Why = Switched_Off_And_On then
-            W.Emulator.Await_Status ("state", "idle", Within => 1.0);
+            delay Start_Up;
          end if;
          W.Robot_Ready := W.Robot_Ready and then F.Why /= Empty;
          return;
