@@ -9,6 +9,7 @@ with Ada.Streams;      use Ada.Streams;
 with Ada.Strings;
 with Ada.Strings.Fixed;
 with Ada.Text_IO;
+with Interfaces;
 with Interfaces.C;     use Interfaces.C;
 
 with GNAT.Sockets;     use GNAT.Sockets;
@@ -44,6 +45,9 @@ package body Arena_Camera is
 
    type Viewer_Flags is array (Viewer_Number) of Boolean;
 
+   Largest_Alive : constant := 1_920 * 1_440;
+   --  Pixels. What is larger is drawn once: it would take half a second
+
    type Shot is record
       Scene  : Arena_Scenes.Scene;
       Number : Natural     := 0;
@@ -57,6 +61,10 @@ package body Arena_Camera is
       --  Before all others
 
       procedure Set_Mode (New_Mode : Mode_Kind);
+      procedure Set_Size (Width : Frame_Width; Height : Frame_Height);
+      procedure Set_Rate (Rate : Frame_Rate);
+      procedure Set_Opening (Time : Opening_Time);
+      procedure Mend;
 
       procedure Enter (Who : out Viewer_Count);
       --  A place for a viewer; 0 where all are taken
@@ -65,20 +73,26 @@ package body Arena_Camera is
       --  Not where the camera is off or has all its viewers
 
       entry Next (Viewer_Number)
-        (Data : out Image; Length : out Image_Length);
+        (Data : out Image; Length : out Image_Length; Bare : out Boolean);
       --  An image newer than the last one; Length 0: the camera is off
 
       entry Wait_For_Work;
       function Has_Work return Boolean;
-      procedure Publish (S : Shot; Data : Image; Length : Image_Length);
+      procedure Publish
+        (S : Shot; Data : Image; Length : Image_Length; Bare : Boolean);
 
       function Configuration return Settings;
+      function Current_Mode return Mode_Kind;
+      function Opening return Opening_Time;
       function Newest return Shot;
       function Watching return Natural;
 
    private
       Mode    : Mode_Kind := On;
+      Usual   : Settings;
+      --  At the start
       Chosen  : Settings;
+      Before  : Opening_Time := 0;
       Ready   : Boolean := False;
       Taken   : Viewer_Flags := (others => False);
       Looking : Viewer_Flags := (others => False);
@@ -87,6 +101,7 @@ package body Arena_Camera is
       Last    : Shot;
       Picture : Image;
       Size    : Image_Length := 0;
+      Is_Bare : Boolean := False;
    end Studio;
 
    task Painter with Storage_Size => 8 * 1_024 * 1_024;
@@ -107,12 +122,21 @@ package body Arena_Camera is
    Copies : array (Viewer_Number) of Image;
    --  Each viewer's own
 
-   function Scene_Now (Time : Nanoseconds; Seed : Natural)
+   function Scene_Now (Time : Nanoseconds; Seed : Natural; S : Settings)
      return Arena_Scenes.Scene;
    --  What there is to be seen
 
    function Truth (S : Shot) return String;
    --  A line of /pose
+
+   procedure Spoil
+     (Data   : in out Image;
+      Length : in out Image_Length;
+      Bare   : out Boolean;
+      Number : Natural)
+   with Pre => Length > 0;
+   --  Makes of a good image one of the kinds of bad ones, as its number has
+   --  it. Bare: to be sent without the header of its part.
 
    procedure Configure (Socket : Socket_Type);
    --  A viewer that takes nothing for long is given up, and little of what
@@ -173,7 +197,12 @@ package body Arena_Camera is
    task body Painter is
       S      : Shot;
       Due    : Nanoseconds;
-      Length : int;
+      Wanted : Settings;
+      Length : int := 0;
+      Size   : Image_Length;
+      Bare   : Boolean;
+      Again  : Boolean := False;
+      --  What is in Drawn may be delivered once more
    begin
       Give_Way;
       loop
@@ -182,11 +211,25 @@ package body Arena_Camera is
          while Studio.Has_Work loop
             S.Time   := Now;
             S.Number := Studio.Newest.Number + 1;
-            S.Scene  := Scene_Now (S.Time, S.Number);
-            Arena_Scenes.Draw
-              (S.Scene, Quality, Drawn'Address, Largest_Image, Length);
+            Wanted   := Studio.Configuration;
+            if not (Again
+                    and then S.Scene.Width = int (Wanted.Width)
+                    and then S.Scene.Height = int (Wanted.Height))
+            then
+               S.Scene := Scene_Now (S.Time, S.Number, Wanted);
+               Arena_Scenes.Draw
+                 (S.Scene, Quality, Drawn'Address, Largest_Image, Length);
+            end if;
+            Again := False;
             if Length > 0 then
-               Studio.Publish (S, Drawn, Image_Length (Length));
+               Size := Image_Length (Length);
+               Bare := False;
+               if Studio.Current_Mode = Garbage then
+                  Spoil (Drawn, Size, Bare, S.Number);
+               else
+                  Again := Wanted.Width * Wanted.Height > Largest_Alive;
+               end if;
+               Studio.Publish (S, Drawn, Size, Bare);
             end if;
 
             Due := Due
@@ -210,10 +253,9 @@ package body Arena_Camera is
    -- Scene_Now --
    ---------------
 
-   function Scene_Now (Time : Nanoseconds; Seed : Natural)
+   function Scene_Now (Time : Nanoseconds; Seed : Natural; S : Settings)
      return Arena_Scenes.Scene
    is
-      S     : constant Settings := Studio.Configuration;
       Robot : Robot_Core.Robot;
       Pose  : Robot_Motion.Pose;
    begin
@@ -261,8 +303,11 @@ package body Arena_Camera is
       function Is_Gone return Boolean;
       --  The viewer has closed
 
-      procedure Next_Image (Length : out Image_Length);
+      procedure Next_Image (Length : out Image_Length; Bare : out Boolean);
       --  Waits for it. 0: the camera is off, or the viewer has gone.
+
+      procedure Make_Wait;
+      --  As long as opening the camera takes, unless the viewer goes
 
       function Is_Gone return Boolean is
          Set : Poll_Array (1 .. 1) :=
@@ -273,15 +318,26 @@ package body Arena_Camera is
          return Set (1).Revents /= 0;
       end Is_Gone;
 
-      procedure Next_Image (Length : out Image_Length) is
+      procedure Make_Wait is
+         Step : constant Duration := 0.05;
+         Left : Duration := Duration (Studio.Opening) / 1_000;
+      begin
+         while Left > 0.0 and then not Is_Gone loop
+            delay Duration'Min (Left, Step);
+            Left := Left - Step;
+         end loop;
+      end Make_Wait;
+
+      procedure Next_Image (Length : out Image_Length; Bare : out Boolean) is
       begin
          loop
             select
-               Studio.Next (Who) (Copies (Who), Length);
+               Studio.Next (Who) (Copies (Who), Length, Bare);
                return;
             or
                delay 0.5;
                if Is_Gone then
+                  Bare   := False;
                   Length := 0;
                   return;
                end if;
@@ -364,6 +420,7 @@ package body Arena_Camera is
       Plain   : constant String := "text/plain";
       Path    : Unbounded_String;
       Length  : Image_Length;
+      Bare    : Boolean;
       Allowed : Boolean;
 
    begin
@@ -375,7 +432,8 @@ package body Arena_Camera is
             Time : constant Nanoseconds := Now;
          begin
             Reply ("200 OK", Plain,
-                   Truth ((Scene_Now (Time, 0), Studio.Newest.Number, Time))
+                   Truth ((Scene_Now (Time, 0, Studio.Configuration),
+                           Studio.Newest.Number, Time))
                    & ASCII.LF);
          end;
 
@@ -388,13 +446,14 @@ package body Arena_Camera is
          end if;
 
       elsif Path = "/stream.mjpg" or else Path = "/snapshot.jpg" then
+         Make_Wait;
          Studio.Begin_Watching (Who, Allowed);
          if not Allowed then
             Reply ("503 Service Unavailable", Plain,
                    "the camera is off, or has its 8 viewers" & ASCII.LF);
 
          elsif Path = "/snapshot.jpg" then
-            Next_Image (Length);
+            Next_Image (Length, Bare);
             if Length > 0 then
                Send ("HTTP/1.0 200 OK" & NL
                      & "Content-Type: image/jpeg" & NL
@@ -411,11 +470,13 @@ package body Arena_Camera is
                   & "Cache-Control: no-store" & NL
                   & "Connection: close" & NL & NL);
             loop
-               Next_Image (Length);
+               Next_Image (Length, Bare);
                exit when Length = 0;
-               Send ("--frame" & NL
-                     & "Content-Type: image/jpeg" & NL
-                     & "Content-Length:" & Length'Image & NL & NL);
+               if not Bare then
+                  Send ("--frame" & NL
+                        & "Content-Type: image/jpeg" & NL
+                        & "Content-Length:" & Length'Image & NL & NL);
+               end if;
                Send_Image (Length);
                Send (NL);
             end loop;
@@ -448,6 +509,8 @@ package body Arena_Camera is
 
       function Configuration return Settings is (Chosen);
 
+      function Current_Mode return Mode_Kind is (Mode);
+
       procedure Enter (Who : out Viewer_Count) is
       begin
          Who := 0;
@@ -461,7 +524,7 @@ package body Arena_Camera is
       end Enter;
 
       function Has_Work return Boolean is
-        (Ready and then Lookers > 0 and then Mode = On);
+        (Ready and then Lookers > 0 and then Mode in On | Garbage);
 
       procedure Leave (Who : Viewer_Number) is
       begin
@@ -472,12 +535,20 @@ package body Arena_Camera is
          Taken (Who) := False;
       end Leave;
 
+      procedure Mend is
+      begin
+         Mode   := On;
+         Chosen := Usual;
+         Before := 0;
+      end Mend;
+
       function Newest return Shot is (Last);
 
       entry Next (for Who in Viewer_Number)
-        (Data : out Image; Length : out Image_Length)
+        (Data : out Image; Length : out Image_Length; Bare : out Boolean)
         when Fresh (Who) or else Mode = Off is
       begin
+         Bare := Is_Bare;
          Fresh (Who) := False;
          if Mode = Off then
             Length := 0;
@@ -489,17 +560,22 @@ package body Arena_Camera is
 
       procedure Prepare (S : Settings) is
       begin
+         Usual  := S;
          Chosen := S;
          Ready  := True;
       end Prepare;
 
-      procedure Publish (S : Shot; Data : Image; Length : Image_Length) is
+      function Opening return Opening_Time is (Before);
+
+      procedure Publish
+        (S : Shot; Data : Image; Length : Image_Length; Bare : Boolean) is
       begin
-         if Mode = On then
-            Last  := S;
-            Size  := Length;
+         if Mode in On | Garbage then
+            Last    := S;
+            Size    := Length;
+            Is_Bare := Bare;
             Picture (1 .. Length) := Data (1 .. Length);
-            Fresh := Looking;
+            Fresh   := Looking;
          end if;
       end Publish;
 
@@ -507,6 +583,22 @@ package body Arena_Camera is
       begin
          Mode := New_Mode;
       end Set_Mode;
+
+      procedure Set_Opening (Time : Opening_Time) is
+      begin
+         Before := Time;
+      end Set_Opening;
+
+      procedure Set_Rate (Rate : Frame_Rate) is
+      begin
+         Chosen.Rate := Rate;
+      end Set_Rate;
+
+      procedure Set_Size (Width : Frame_Width; Height : Frame_Height) is
+      begin
+         Chosen.Width  := Width;
+         Chosen.Height := Height;
+      end Set_Size;
 
       entry Wait_For_Work when Has_Work is
       begin
@@ -516,6 +608,70 @@ package body Arena_Camera is
       function Watching return Natural is (Lookers);
 
    end Studio;
+
+   -----------
+   -- Spoil --
+   -----------
+
+   procedure Spoil
+     (Data   : in out Image;
+      Length : in out Image_Length;
+      Bare   : out Boolean;
+      Number : Natural)
+   is
+      State : Interfaces.Unsigned_32 := Interfaces.Unsigned_32 (Number);
+
+      procedure Draw (Below : Image_Length; Value : out Image_Length);
+      --  The next number of a linear congruential sequence
+
+      procedure Draw (Below : Image_Length; Value : out Image_Length) is
+         use type Interfaces.Unsigned_32;
+      begin
+         State := State * 1_664_525 + 1_013_904_223;
+         Value := Image_Length
+           (Interfaces.Shift_Right (State, 8)
+            mod Interfaces.Unsigned_32 (Below));
+      end Draw;
+
+      procedure Set_Random (Place : Image_Index);
+
+      procedure Set_Random (Place : Image_Index) is
+         Value : Image_Length;
+      begin
+         Draw (256, Value);
+         Data (Place) := Stream_Element (Value);
+      end Set_Random;
+
+      type Kind is
+        (Noise, Half, Wrong_Bytes, Wrong_Head, Nothing, No_Header);
+
+      Chosen : constant Kind := Kind'Val (Number mod 6);
+      Head   : constant Image_Length := Image_Length'Min (Length, 700);
+      --  Of a JPEG: markers, tables and the size
+      Value  : Image_Length;
+   begin
+      Bare := Chosen = No_Header;
+      case Chosen is
+         when Noise | No_Header =>
+            for K in 1 .. Length loop
+               Set_Random (K);
+            end loop;
+         when Half =>
+            Length := Image_Length'Max (1, Length / 2);
+         when Wrong_Bytes =>
+            for K in 1 .. 100 loop
+               Draw (Length, Value);
+               Set_Random (1 + Value);
+            end loop;
+         when Wrong_Head =>
+            for K in 1 .. 40 loop
+               Draw (Head, Value);
+               Set_Random (1 + Value);
+            end loop;
+         when Nothing =>
+            Length := 1;
+      end case;
+   end Spoil;
 
    -----------
    -- Truth --
@@ -592,6 +748,15 @@ package body Arena_Camera is
       end loop;
    end Viewer;
 
+   ----------
+   -- Mend --
+   ----------
+
+   procedure Mend is
+   begin
+      Studio.Mend;
+   end Mend;
+
    --------------
    -- Set_Mode --
    --------------
@@ -600,6 +765,33 @@ package body Arena_Camera is
    begin
       Studio.Set_Mode (Mode);
    end Set_Mode;
+
+   -----------------
+   -- Set_Opening --
+   -----------------
+
+   procedure Set_Opening (Time : Opening_Time) is
+   begin
+      Studio.Set_Opening (Time);
+   end Set_Opening;
+
+   --------------
+   -- Set_Rate --
+   --------------
+
+   procedure Set_Rate (Rate : Frame_Rate) is
+   begin
+      Studio.Set_Rate (Rate);
+   end Set_Rate;
+
+   --------------
+   -- Set_Size --
+   --------------
+
+   procedure Set_Size (Width : Frame_Width; Height : Frame_Height) is
+   begin
+      Studio.Set_Size (Width, Height);
+   end Set_Size;
 
    -----------
    -- Start --

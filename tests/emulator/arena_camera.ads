@@ -17,9 +17,11 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 package Arena_Camera is
 
-   subtype Frame_Width is Positive range 64 .. 1_920;
-   subtype Frame_Height is Positive range 48 .. 1_440;
-   subtype Frame_Rate is Positive range 1 .. 60;
+   subtype Frame_Width is Positive range 1 .. 4_096;
+   subtype Frame_Height is Positive range 1 .. 2_304;
+   --  Beyond what a camera of this kind has (1920 x 1440) an image is drawn
+   --  once and delivered again and again
+   subtype Frame_Rate is Positive range 1 .. 240;
    subtype Noise_Level is Natural range 0 .. 30;
    subtype Marker_Number is Natural range 0 .. 999;
 
@@ -45,9 +47,22 @@ package Arena_Camera is
    type Mode_Kind is
      (On,
       Stalled,   --  streams stay open, no image comes
+      Garbage,   --  what comes is no image, or a spoilt one
       Off);      --  streams are closed, new ones refused
 
    procedure Set_Mode (Mode : Mode_Kind);
+
+   procedure Set_Size (Width : Frame_Width; Height : Frame_Height);
+   procedure Set_Rate (Rate : Frame_Rate);
+   --  From the next image on
+
+   subtype Opening_Time is Natural range 0 .. 60_000;
+
+   procedure Set_Opening (Time : Opening_Time);
+   --  So many milliseconds pass before whoever asks for images hears of it
+
+   procedure Mend;
+   --  Mode, size, rate and opening as in the beginning
 
    function Viewers return Natural;
    --  Streams and snapshots under way

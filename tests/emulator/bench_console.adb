@@ -40,6 +40,9 @@ package body Bench_Console is
      (Name, Rest : String; Answer : in out Unbounded_String);
    --  The same; Bad_Value says what is wrong. Answer: if not "ok".
 
+   procedure Obey_Camera (Name, Rest : String);
+   --  A command to the camera that takes a value
+
    procedure Print_Journal;
    procedure Print_Help;
    function Status return String;
@@ -95,8 +98,20 @@ package body Bench_Console is
    procedure Obey
      (Name, Rest : String; Answer : in out Unbounded_String)
    is
-      function Number return Answer_Faults.Remaining is
+      Stop : constant Natural := Index (Rest & " ", Blanks);
+
+      function Count return Answer_Faults.Remaining is
         (Whole (Rest, 0, Answer_Faults.Remaining'Last));
+
+      function Number return Answer_Faults.Remaining is
+        (Whole (Rest (Rest'First .. Stop - 1),
+                0, Answer_Faults.Remaining'Last));
+      --  The first of one or two
+
+      function Second (Highest, Default : Natural) return Natural is
+        (if Stop > Rest'Last then Default
+         else Whole (Trim (Rest (Stop .. Rest'Last), Blanks, Blanks),
+                     0, Highest));
 
       procedure Say_Device;
 
@@ -109,13 +124,29 @@ package body Bench_Console is
       if Name = "silent" then
          Bench.Set_Silent (On_Or_Off (Rest));
       elsif Name = "drop" then
-         Bench.Set_Fault (Drop, Number);
+         Bench.Set_Fault (Drop, Count);
       elsif Name = "corrupt" then
-         Bench.Set_Fault (Corrupt, Number);
+         Bench.Set_Fault (Corrupt, Count);
       elsif Name = "garbage" then
-         Bench.Set_Fault (Garbage, Number);
+         Bench.Set_Fault (Garbage, Count);
       elsif Name = "truncate" then
+         Bench.Set_Kept_Bytes
+           (Second (Robot_Core.Answer_Length'Last, Default => 0));
          Bench.Set_Fault (Truncate, Number);
+      elsif Name = "flip" then
+         if Index (Rest, Blanks) > 0 then
+            Bench.Set_Bit (Second (Answer_Faults.Bit_Number'Last, 0));
+         end if;
+         Bench.Set_Fault (Flip, Number);
+      elsif Name = "wrong" then
+         Bench.Set_Fault (Wrong, Count);
+      elsif Name = "pile" then
+         Bench.Set_Pile (Whole (Rest, 0, Answer_Faults.Max_Pile));
+      elsif Name = "endless" then
+         Bench.Set_Endless (On_Or_Off (Rest));
+      elsif Name = "mend" then
+         No_More (Rest);
+         Bench.Mend;
       elsif Name = "delay" then
          Bench.Set_Delay
            (Libc.Nanoseconds (Whole (Rest, 0, Settings.Largest_Delay))
@@ -144,6 +175,9 @@ package body Bench_Console is
       elsif Name = "reset-robot" then
          No_More (Rest);
          Bench.Switch_On;
+      elsif Name = "starve" then
+         No_More (Rest);
+         Bench.Starve;
       elsif Name = "pose" then
          declare
             First  : constant Natural := Index (Rest, " ");
@@ -167,8 +201,13 @@ package body Bench_Console is
             Arena_Camera.Set_Mode (Arena_Camera.On);
          elsif Rest = "off" then
             Arena_Camera.Set_Mode (Arena_Camera.Off);
+         elsif Rest = "garbage" then
+            Arena_Camera.Set_Mode (Arena_Camera.Garbage);
+         elsif Rest = "mend" then
+            Arena_Camera.Mend;
          else
-            raise Bad_Value with "on, off or stall is expected";
+            Obey_Camera (Rest (Rest'First .. Stop - 1),
+                         Trim (Rest (Stop .. Rest'Last), Blanks, Blanks));
          end if;
 
       elsif Name = "status" then
@@ -197,6 +236,31 @@ package body Bench_Console is
       end if;
    end Obey;
 
+   -----------------
+   -- Obey_Camera --
+   -----------------
+
+   procedure Obey_Camera (Name, Rest : String) is
+      use Arena_Camera;
+   begin
+      if Name = "size" then
+         declare
+            Width  : Frame_Width;
+            Height : Frame_Height;
+         begin
+            Size (Rest, Width, Height);
+            Set_Size (Width, Height);
+         end;
+      elsif Name = "fps" then
+         Set_Rate (Whole (Rest, Frame_Rate'First, Frame_Rate'Last));
+      elsif Name = "opening" then
+         Set_Opening (Whole (Rest, 0, Opening_Time'Last));
+      else
+         raise Bad_Value with
+           "on, off, stall, garbage, size, fps, opening or mend is expected";
+      end if;
+   end Obey_Camera;
+
    ----------------
    -- Print_Help --
    ----------------
@@ -207,8 +271,15 @@ package body Bench_Console is
       Say ("drop N               the next N answers are lost");
       Say ("corrupt N            ... have a wrong checksum");
       Say ("garbage N            ... are random bytes instead");
-      Say ("truncate N           ... lack their carriage return");
+      Say ("truncate N [KEEP]    ... lack their carriage return, or are");
+      Say ("                     cut after KEEP bytes");
+      Say ("flip N [BIT]         ... have one bit flipped: the first that");
+      Say ("                     one, each its next");
+      Say ("wrong N              ... answer another question");
+      Say ("pile N               ... are held, and come with the last");
+      Say ("endless on|off       the next answer does not end");
       Say ("delay MS             every answer is late");
+      Say ("mend                 none of these any more");
       Say ("unasked BYTES        sends them now; \r, \n, \\, \xHH");
       Say ("hangup               the device goes away");
       Say ("return               and comes back, as a new one");
@@ -217,7 +288,13 @@ package body Bench_Console is
       Say ("charge on|off        the charger's plug");
       Say ("pose X Y HEADING     puts the robot there: cm, degrees");
       Say ("reset-robot          switches it off and on");
+      Say ("starve               its watchdog, if on, disables it");
       Say ("camera on|off|stall  off: closed; stall: no image comes");
+      Say ("camera garbage       what comes is no image");
+      Say ("camera size WxH      1x1 to 4096x2304, from the next image on");
+      Say ("camera fps N         1 to 240");
+      Say ("camera opening MS    it takes so long to open");
+      Say ("camera mend          on, size, rate and opening as at first");
       Say ("status               one line");
       Say ("journal              every command since it was cleared");
       Say ("journal clear");
@@ -351,6 +428,7 @@ package body Bench_Console is
               when Robot_Core.Full     => "2")
         & " commands=" & Plain (Robot_Core.Commands (R))
         & " stops=" & Plain (Robot_Core.Stops (R))
+        & " spoilt=" & Plain (Bench.Spoilt)
         & " charging=" & Switch (Robot_Core.Charging (R))
         & " device=" & Serial_Side.Device
         & " viewers=" & Plain (Arena_Camera.Viewers)

@@ -186,6 +186,29 @@ package body Readings is
       return (if Negative then -Value else Value);
    end Scaled;
 
+   ----------
+   -- Size --
+   ----------
+
+   procedure Size
+     (Text   : String;
+      Width  : out Arena_Camera.Frame_Width;
+      Height : out Arena_Camera.Frame_Height)
+   is
+      use Arena_Camera;
+      Cross : constant Natural := Ada.Strings.Fixed.Index (Text, "x");
+   begin
+      if Cross = 0 then
+         raise Bad_Value with "WIDTHxHEIGHT is expected";
+      end if;
+      Width := Whole
+        (Text (Text'First .. Cross - 1),
+         Frame_Width'First, Frame_Width'Last);
+      Height := Whole
+        (Text (Cross + 1 .. Text'Last),
+         Frame_Height'First, Frame_Height'Last);
+   end Size;
+
    -----------
    -- Whole --
    -----------

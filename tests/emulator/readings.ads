@@ -2,6 +2,7 @@
 --  Numbers, words and poses as a person writes them, on the command line or
 --  on standard input.
 
+with Arena_Camera;
 with Robot_Core;
 with Robot_Motion;
 
@@ -21,6 +22,12 @@ package Readings is
    function Pose (X, Y, Angle : String) return Robot_Motion.Pose;
    --  Centimetres from the left and from the bottom wall, degrees
    --  counter-clockwise from the x axis; decimals are allowed
+
+   procedure Size
+     (Text   : String;
+      Width  : out Arena_Camera.Frame_Width;
+      Height : out Arena_Camera.Frame_Height);
+   --  WIDTHxHEIGHT in pixels, or Bad_Value
 
    subtype Data_Length is Natural range 0 .. 256;
 

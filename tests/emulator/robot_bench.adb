@@ -5,7 +5,23 @@ package body Robot_Bench is
 
    use Robot_Core;
 
+   use type Answer_Faults.Effect_Kind;
+
    protected body Bench is
+
+      ------------
+      -- Babble --
+      ------------
+
+      procedure Babble (Byte : out Octet; Present : out Boolean) is
+      begin
+         Present := Babbling;
+         if Babbling then
+            Answer_Faults.Babble (Faults, Byte);
+         else
+            Byte := 0;
+         end if;
+      end Babble;
 
       -------------------
       -- Clear_Journal --
@@ -45,9 +61,14 @@ package body Robot_Bench is
          In_Frame := False;
 
          Answer_Faults.Apply
-           (Faults, Note.Exchange.Reply, Wire, Note.Effect);
+           (Faults, Note.Exchange.Kind, Note.Exchange.Reply, Wire,
+            Note.Effect);
          if Wire.Length > 0 then
             Late := Held_Back;
+         end if;
+         Babbling := Babbling or else Note.Effect = Answer_Faults.Endless;
+         if Note.Effect /= Answer_Faults.None or else Late > 0 then
+            Spoilings := Spoilings + 1;
          end if;
 
          Note.First := First;
@@ -87,10 +108,16 @@ package body Robot_Bench is
          Robot := The_Robot;
       end Look;
 
-      procedure Look (Faults : out Answer_Faults.Plan) is
+      ----------
+      -- Mend --
+      ----------
+
+      procedure Mend is
       begin
-         Faults := Bench.Faults;
-      end Look;
+         Faults    := (Seed => Faults.Seed, Turn => Faults.Turn, others => <>);
+         Held_Back := 0;
+         Babbling  := False;
+      end Mend;
 
       ---------------
       -- Next_Note --
@@ -134,6 +161,15 @@ package body Robot_Bench is
          Set_Charging (The_Robot, Plugged);
       end Set_Charging;
 
+      -------------
+      -- Set_Bit --
+      -------------
+
+      procedure Set_Bit (Value : Answer_Faults.Bit_Number) is
+      begin
+         Faults.Bit := Value;
+      end Set_Bit;
+
       ---------------
       -- Set_Delay --
       ---------------
@@ -142,6 +178,18 @@ package body Robot_Bench is
       begin
          Held_Back := Value;
       end Set_Delay;
+
+      -----------------
+      -- Set_Endless --
+      -----------------
+
+      procedure Set_Endless (Value : Boolean) is
+      begin
+         Faults.Endless := Value;
+         if not Value then
+            Babbling := False;
+         end if;
+      end Set_Endless;
 
       ---------------
       -- Set_Fault --
@@ -159,8 +207,30 @@ package body Robot_Bench is
                Faults.Garbage := Value;
             when Truncate =>
                Faults.Truncate := Value;
+            when Flip =>
+               Faults.Flip := Value;
+            when Wrong =>
+               Faults.Wrong := Value;
          end case;
       end Set_Fault;
+
+      --------------------
+      -- Set_Kept_Bytes --
+      --------------------
+
+      procedure Set_Kept_Bytes (Value : Answer_Length) is
+      begin
+         Faults.Keep := Value;
+      end Set_Kept_Bytes;
+
+      --------------
+      -- Set_Pile --
+      --------------
+
+      procedure Set_Pile (Value : Answer_Faults.Pile_Size) is
+      begin
+         Faults.Pile := Value;
+      end Set_Pile;
 
       ----------------
       -- Set_Silent --
@@ -170,6 +240,18 @@ package body Robot_Bench is
       begin
          Faults.Silent := Value;
       end Set_Silent;
+
+      function Spoilt return Natural is (Spoilings);
+
+      ------------
+      -- Starve --
+      ------------
+
+      procedure Starve is
+      begin
+         Let_Time_Pass;
+         Starve (The_Robot);
+      end Starve;
 
       ---------------
       -- Switch_On --

@@ -24,7 +24,7 @@ package Robot_Bench is
    is (if Time <= Origin then 0
        else Robot_Core.Time_Point ((Time - Origin) / 1_000));
 
-   type Fault_Kind is (Drop, Corrupt, Garbage, Truncate);
+   type Fault_Kind is (Drop, Corrupt, Garbage, Truncate, Flip, Wrong);
 
    protected Bench is
 
@@ -43,14 +43,27 @@ package Robot_Bench is
       --  A byte was on the line from Started to Ended. Wire is what goes
       --  back, Late how much later than Ended.
 
+      procedure Babble
+        (Byte : out Robot_Core.Octet; Present : out Boolean);
+      --  The next byte of an answer without end, while there is one
+
       procedure Let_Time_Pass;
 
+      procedure Mend;
+      --  None of the following faults any more
+
       procedure Set_Silent (Value : Boolean);
+      procedure Set_Endless (Value : Boolean);
       procedure Set_Fault
         (Kind : Fault_Kind; Value : Answer_Faults.Remaining);
+      procedure Set_Pile (Value : Answer_Faults.Pile_Size);
+      procedure Set_Kept_Bytes (Value : Robot_Core.Answer_Length);
+      procedure Set_Bit (Value : Answer_Faults.Bit_Number);
       procedure Set_Delay (Value : Libc.Nanoseconds);
       procedure Set_Battery (Level : Robot_Core.Battery_Level);
       procedure Set_Charging (Plugged : Boolean);
+      procedure Starve;
+      --  The robot's watchdog disables it
       procedure Place (Pose : Robot_Motion.Pose);
 
       procedure Clear_Journal;
@@ -58,7 +71,8 @@ package Robot_Bench is
       procedure Look (Robot : out Robot_Core.Robot);
       --  As it was when something last happened
 
-      procedure Look (Faults : out Answer_Faults.Plan);
+      function Spoilt return Natural;
+      --  Answers that went out otherwise than the robot gave them, or late
 
       procedure Next_Note
         (After : Journals.Note_Number;
@@ -70,6 +84,8 @@ package Robot_Bench is
       Boot_Time : Robot_Core.Tick_Count := Robot_Core.Boot_Ticks;
       Faults    : Answer_Faults.Plan;
       Held_Back : Libc.Nanoseconds := 0;
+      Babbling  : Boolean := False;
+      Spoilings : Natural := 0;
       Heard     : Journals.Journal;
       In_Frame  : Boolean := False;
       First     : Libc.Nanoseconds := 0;   --  start of the frame

@@ -139,9 +139,30 @@ package body Serial_Side is
       procedure Publish;
       procedure Serve_Requests;
       procedure Deliver;
+      procedure Babble;
       procedure Transmit;
       procedure Collect;
       procedure Wait;
+
+      ------------
+      -- Babble --
+      ------------
+
+      procedure Babble is
+         Shortest : constant Nanoseconds := 200_000;
+         --  Where bytes take no time an endless answer still does
+
+         Byte    : Robot_Core.Octet;
+         Present : Boolean;
+      begin
+         if To_Client.Count = 0 then
+            Robot_Bench.Bench.Babble (Byte, Present);
+            if Present then
+               Add (To_Client, Byte, From => Now,
+                    Time => Nanoseconds'Max (Byte_Time, Shortest));
+            end if;
+         end if;
+      end Babble;
 
       ----------------
       -- Close_Line --
@@ -362,6 +383,7 @@ package body Serial_Side is
       Prefer_Real_Time;
       loop
          Deliver;
+         Babble;
          Transmit;
          Wait;
          Robot_Bench.Bench.Let_Time_Pass;

@@ -114,21 +114,7 @@ package body Settings is
             Arena_Camera.Frame_Rate'Last);
 
       elsif Name = "--frame-size" then
-         declare
-            Cross : constant Natural := Index (Text, "x");
-         begin
-            if Cross = 0 then
-               raise Bad_Value with "WIDTHxHEIGHT is expected";
-            end if;
-            V.Camera.Width := Whole
-              (Text (Text'First .. Cross - 1),
-               Arena_Camera.Frame_Width'First,
-               Arena_Camera.Frame_Width'Last);
-            V.Camera.Height := Whole
-              (Text (Cross + 1 .. Text'Last),
-               Arena_Camera.Frame_Height'First,
-               Arena_Camera.Frame_Height'Last);
-         end;
+         Size (Text, V.Camera.Width, V.Camera.Height);
 
       elsif Name = "--noise" then
          V.Camera.Noise := Whole

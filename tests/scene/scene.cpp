@@ -92,8 +92,8 @@ bool within(double value, double low, double high) {
 }
 
 bool valid(const scene_description *scene) {
-  if (scene == nullptr || scene->width < 16 || scene->width > 8192 ||
-      scene->height < 16 || scene->height > 8192 ||
+  if (scene == nullptr || scene->width < 1 || scene->width > 8192 ||
+      scene->height < 1 || scene->height > 8192 ||
       !within(scene->fill, 0.3, 0.95) || !within(scene->turn, -360.0, 360.0) ||
       !within(scene->noise, 0.0, 30.0) || !within(scene->blur, 0.0, 20.0) ||
       !within(scene->uneven, 0.0, 0.7) || scene->robots < 0 ||

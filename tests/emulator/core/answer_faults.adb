@@ -15,9 +15,39 @@ package body Answer_Faults with SPARK_Mode is
    procedure Make_Garbage (Seed : in out Unsigned_32; Wire : out Wire_Bytes)
      with Post => Wire.Length > 0;
 
+   procedure Set (Wire : in out Wire_Bytes; C : Character)
+     with Post => Is_Text (Wire, C);
+   --  The frame of C
+
+   procedure Set_Version (Wire : in out Wire_Bytes)
+     with Post => Is_Version (Wire);
+
+   procedure Add (Kept : in out Wire_Bytes; Reply : Answer)
+     with Pre  => Kept.Length <= Max_Wire - Reply.Length,
+          Post => Kept.Length = Kept.Length'Old + Reply.Length;
+   --  Reply behind what is kept
+
+   procedure Choose
+     (To   : Command_Kind;
+      Turn : Unsigned_8;
+      Wire : in out Wire_Bytes)
+   with Post => Is_Of_Another_Kind (To, Wire);
+   --  One of the answers to other questions, another with another Turn
+
    function Spoilt (Sum : Octet) return Octet is
      (if (Sum xor 1) = Carriage_Return then Sum xor 2 else Sum xor 1);
    --  One bit of it wrong, but not the one that would end the frame
+
+   ---------
+   -- Add --
+   ---------
+
+   procedure Add (Kept : in out Wire_Bytes; Reply : Answer) is
+   begin
+      Kept.Data (Kept.Length + 1 .. Kept.Length + Reply.Length) :=
+        Reply.Data (1 .. Reply.Length);
+      Kept.Length := Kept.Length + Reply.Length;
+   end Add;
 
    -----------
    -- Apply --
@@ -25,6 +55,7 @@ package body Answer_Faults with SPARK_Mode is
 
    procedure Apply
      (P      : in out Plan;
+      To     : Command_Kind;
       Reply  : Answer;
       Wire   : out Wire_Bytes;
       Effect : out Effect_Kind) is
@@ -41,10 +72,30 @@ package body Answer_Faults with SPARK_Mode is
          Wire.Length := 0;
          Effect := Silent;
 
+      elsif P.Endless then
+         Wire.Length := Reply.Length - 1;
+         Effect := Endless;
+
       elsif P.Drop > 0 then
          P.Drop := P.Drop - 1;
          Wire.Length := 0;
          Effect := Dropped;
+
+      elsif P.Pile > 0 or else P.Kept.Length > 0 then
+         P.Pile := Natural'Max (P.Pile, 1) - 1;
+         if P.Kept.Length > Max_Wire - Reply.Length then
+            --  No room: what was kept so far is lost
+            P.Kept.Length := 0;
+         end if;
+         Add (P.Kept, Reply);
+         if P.Pile > 0 then
+            Wire.Length := 0;
+            Effect := Held;
+         else
+            Wire := P.Kept;
+            P.Kept.Length := 0;
+            Effect := Together;
+         end if;
 
       elsif P.Garbage > 0 then
          P.Garbage := P.Garbage - 1;
@@ -53,7 +104,9 @@ package body Answer_Faults with SPARK_Mode is
 
       elsif P.Truncate > 0 then
          P.Truncate := P.Truncate - 1;
-         Wire.Length := Reply.Length - 1;
+         Wire.Length :=
+           (if P.Keep = 0 then Reply.Length - 1
+            else Natural'Min (P.Keep, Reply.Length - 1));
          Effect := Truncated;
 
       elsif P.Corrupt > 0 then
@@ -61,8 +114,64 @@ package body Answer_Faults with SPARK_Mode is
          Wire.Data (Reply.Length - 1) :=
            Spoilt (Wire.Data (Reply.Length - 1));
          Effect := Corrupt;
+
+      elsif P.Flip > 0 then
+         P.Flip := P.Flip - 1;
+         declare
+            Place : constant Positive := Flipped_Byte (P.Bit, Reply.Length);
+         begin
+            Wire.Data (Place) := Wire.Data (Place) xor Mask (P.Bit mod 8);
+         end;
+         P.Bit := (if P.Bit < Bit_Number'Last then P.Bit + 1 else 0);
+         Effect := Flipped;
+
+      elsif P.Wrong > 0 then
+         P.Wrong := P.Wrong - 1;
+         Choose (To, P.Turn, Wire);
+         P.Turn := P.Turn + 1;
+         Effect := Wrong_Kind;
       end if;
    end Apply;
+
+   ------------
+   -- Babble --
+   ------------
+
+   procedure Babble (P : in out Plan; Byte : out Octet) is
+   begin
+      Draw (P.Seed, Byte);
+      if Byte = Carriage_Return then
+         Byte := 0;
+      end if;
+   end Babble;
+
+   ------------
+   -- Choose --
+   ------------
+
+   procedure Choose
+     (To   : Command_Kind;
+      Turn : Unsigned_8;
+      Wire : in out Wire_Bytes) is
+   begin
+      case To is
+         when Get_Battery | Get_Busy =>
+            case Turn mod 3 is
+               when 0      => Set (Wire, 'O');
+               when 1      => Set_Version (Wire);
+               when others =>
+                  Set (Wire, (if To = Get_Battery then '0' else '2'));
+            end case;
+         when Get_Version =>
+            Set (Wire, (if Turn mod 2 = 0 then 'O' else '1'));
+         when others =>
+            if Turn mod 2 = 0 then
+               Set (Wire, '1');
+            else
+               Set_Version (Wire);
+            end if;
+      end case;
+   end Choose;
 
    ----------
    -- Draw --
@@ -105,5 +214,28 @@ package body Answer_Faults with SPARK_Mode is
          Wire.Data (Wire.Length) := Carriage_Return;
       end if;
    end Make_Garbage;
+
+   ---------
+   -- Set --
+   ---------
+
+   procedure Set (Wire : in out Wire_Bytes; C : Character) is
+   begin
+      Wire.Length := 3;
+      Wire.Data (1 .. 3) :=
+        (Character'Pos (C), Character'Pos (C), Carriage_Return);
+   end Set;
+
+   -----------------
+   -- Set_Version --
+   -----------------
+
+   procedure Set_Version (Wire : in out Wire_Bytes) is
+   begin
+      Wire.Length := 5;
+      Wire.Data (1 .. 5) :=
+        (Character'Pos ('3'), Character'Pos ('.'), Character'Pos ('5'),
+         16#28#, Carriage_Return);
+   end Set_Version;
 
 end Answer_Faults;

@@ -13,22 +13,21 @@ package Answer_Faults with SPARK_Mode, Pure is
    use type Robot_Core.Octet;
 
    type Effect_Kind is
-     (None, Silent, Dropped, Garbage, Truncated, Corrupt);
+     (None, Silent, Endless, Dropped, Held, Together, Garbage, Truncated,
+      Corrupt, Flipped, Wrong_Kind);
 
    subtype Remaining is Natural range 0 .. 1_000_000;
    --  So many answers still to be spoilt
 
-   type Plan is record
-      Silent   : Boolean   := False;  --  no answer at all, until ended
-      Drop     : Remaining := 0;      --  not sent
-      Garbage  : Remaining := 0;      --  random bytes instead
-      Truncate : Remaining := 0;      --  without its carriage return
-      Corrupt  : Remaining := 0;      --  with a wrong checksum
-      Seed     : Interfaces.Unsigned_32 := 1;
-   end record;
-   --  Where several apply, one is used up at a time, in this order
+   subtype Bit_Number is Natural range 0 .. 1_000_000;
+   --  Of the bits of an answer, bit 0 of its first byte first, counted on
+   --  beyond its end and from its beginning again
 
-   Max_Wire : constant := 16;
+   Max_Pile : constant := 16;
+
+   subtype Pile_Size is Natural range 0 .. Max_Pile;
+
+   Max_Wire : constant := Max_Pile * Robot_Core.Answer_Length'Last;
 
    subtype Wire_Length is Natural range 0 .. Max_Wire;
 
@@ -37,19 +36,106 @@ package Answer_Faults with SPARK_Mode, Pure is
       Data   : Robot_Core.Octets (1 .. Max_Wire) := (others => 0);
    end record;
 
+   type Plan is record
+      Silent   : Boolean   := False;  --  no answer at all, until ended
+      Endless  : Boolean   := False;  --  no carriage return, until ended
+      Drop     : Remaining := 0;      --  not sent
+      Pile     : Pile_Size := 0;      --  held, and sent with the last of them
+      Garbage  : Remaining := 0;      --  random bytes instead
+      Truncate : Remaining := 0;      --  only the first Keep bytes
+      Corrupt  : Remaining := 0;      --  with a wrong checksum
+      Flip     : Remaining := 0;      --  with one bit flipped
+      Wrong    : Remaining := 0;      --  a good frame of another kind
+      Keep     : Robot_Core.Answer_Length := 0;
+      --  Of a truncated answer; 0: all but its carriage return
+      Bit      : Bit_Number := 0;
+      --  The next to be flipped. Each answer has its turn and moves it on.
+      Turn     : Interfaces.Unsigned_8 := 0;
+      --  Which wrong kind is next
+      Seed     : Interfaces.Unsigned_32 := 1;
+      Kept     : Wire_Bytes;
+      --  Answers held
+   end record;
+   --  Where several apply, one is used up at a time, in this order
+
+   --  The words of the contract
+
+   function Flipped_Byte
+     (Bit : Bit_Number; Length : Robot_Core.Answer_Length) return Positive
+   is (1 + Bit / 8 mod Length)
+   with Pre => Length > 0, Post => Flipped_Byte'Result <= Length;
+
+   Mask : constant array (Natural range 0 .. 7) of Robot_Core.Octet :=
+     (1, 2, 4, 8, 16, 32, 64, 128);
+
+   function Is_Flipped
+     (Reply : Robot_Core.Answer; Wire : Wire_Bytes; Bit : Bit_Number)
+      return Boolean
+   is (for all K in 1 .. Reply.Length =>
+         Wire.Data (K) =
+           (if K = Flipped_Byte (Bit, Reply.Length)
+            then Reply.Data (K) xor Mask (Bit mod 8)
+            else Reply.Data (K)))
+   with Pre => Reply.Length > 0;
+   --  Exactly that bit is another
+
+   function Is_Text (Wire : Wire_Bytes; C : Character) return Boolean is
+     (Wire.Length = 3
+      and then Wire.Data (1) = Character'Pos (C)
+      and then Wire.Data (2) = Character'Pos (C)
+      and then Wire.Data (3) = 16#0D#);
+   --  The frame of one character, which is its own checksum
+
+   function Is_Version (Wire : Wire_Bytes) return Boolean is
+     (Wire.Length = 5
+      and then Wire.Data (1) = Character'Pos ('3')
+      and then Wire.Data (2) = Character'Pos ('.')
+      and then Wire.Data (3) = Character'Pos ('5')
+      and then Wire.Data (4) = 16#28#
+      and then Wire.Data (5) = 16#0D#);
+
+   function Is_Of_Another_Kind
+     (To : Robot_Core.Command_Kind; Wire : Wire_Bytes) return Boolean
+   is (case To is
+          when Robot_Core.Get_Battery =>
+            Is_Text (Wire, 'O') or else Is_Version (Wire)
+            or else Is_Text (Wire, '0'),
+          when Robot_Core.Get_Busy    =>
+            Is_Text (Wire, 'O') or else Is_Version (Wire)
+            or else Is_Text (Wire, '2'),
+          when Robot_Core.Get_Version =>
+            Is_Text (Wire, 'O') or else Is_Text (Wire, '1'),
+          when others                 =>
+            Is_Version (Wire) or else Is_Text (Wire, '1'));
+   --  A good frame that answers another question. A state in place of a
+   --  battery's level is one that nobody can tell from a level of 0.
+
    procedure Apply
      (P      : in out Plan;
+      To     : Robot_Core.Command_Kind;
       Reply  : Robot_Core.Answer;
       Wire   : out Wire_Bytes;
       Effect : out Effect_Kind)
    with
      Post =>
        (case Effect is
-           when None | Corrupt   => Wire.Length = Reply.Length,
-           when Silent | Dropped => Wire.Length = 0,
-           when Truncated        => Wire.Length = Reply.Length - 1,
-           when Garbage          => Wire.Length > 0);
-   --  What leaves instead of Reply. An empty reply stays empty and uses up
-   --  nothing. Garbage never is a good frame.
+           when None | Corrupt          => Wire.Length = Reply.Length,
+           when Silent | Dropped | Held => Wire.Length = 0,
+           when Endless                 => Wire.Length = Reply.Length - 1,
+           when Together                => Wire.Length >= Reply.Length,
+           when Truncated               =>
+             Wire.Length in 1 .. Reply.Length - 1,
+           when Garbage                 => Wire.Length > 0,
+           when Flipped                 =>
+             Wire.Length = Reply.Length
+             and then Is_Flipped (Reply, Wire, P'Old.Bit),
+           when Wrong_Kind              =>
+             Is_Of_Another_Kind (To, Wire));
+   --  What leaves instead of Reply, which answers To. An empty reply stays
+   --  empty and uses up nothing. Garbage never is a good frame.
+
+   procedure Babble (P : in out Plan; Byte : out Robot_Core.Octet)
+     with Post => Byte /= 16#0D#;
+   --  The next byte of an answer that does not end
 
 end Answer_Faults;

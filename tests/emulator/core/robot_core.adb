@@ -522,6 +522,18 @@ package body Robot_Core with SPARK_Mode is
       Follow_Power (R);
    end Set_Charging;
 
+   ------------
+   -- Starve --
+   ------------
+
+   procedure Starve (R : in out Robot) is
+   begin
+      if R.Guarded then
+         Add_One (R.Disabled_Sum);
+         Enter (R, Watchdog_Disabled);
+      end if;
+   end Starve;
+
    ---------------
    -- Switch_On --
    ---------------

@@ -158,6 +158,14 @@ package Robot_Core with SPARK_Mode, Pure is
         else State (R) = State (R'Old));
    --  A byte has arrived. Complete: it ended a frame, Result tells the rest.
 
+   procedure Starve (R : in out Robot)
+     with Post => State (R) =
+                    (if Watchdog_On (R'Old) then Watchdog_Disabled
+                     else State (R'Old))
+                  and then Clock (R) = Clock (R'Old);
+   --  Its watchdog has missed as many reloads as disable it, whether they
+   --  came or not. Nothing where it is off.
+
    procedure Set_Battery (R : in out Robot; Level : Battery_Level)
      with Post => Battery (R) = Level;
 

@@ -13,4 +13,11 @@ package body Busy_Loops is
       end loop;
    end Start;
 
+   procedure Stop (Object : in out Load) is
+   begin
+      for Item of Object.Loops loop
+         Item.Stop;
+      end loop;
+   end Stop;
+
 end Busy_Loops;

@@ -11,6 +11,8 @@ package Busy_Loops is
    procedure Start (Object : in out Load; Count : Positive := 2)
      with Pre => Count <= 4;
 
+   procedure Stop (Object : in out Load);
+
 private
 
    type Children is array (1 .. 4) of Child_Processes.Child;

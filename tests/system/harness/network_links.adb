@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  A cable that can be pulled out.
 
+with Ada.Directories;
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with GNAT.OS_Lib;
@@ -12,19 +13,49 @@ with Libc;
 
 package body Network_Links is
 
-   Number : constant String := Trim (int'Image (Libc.Getpid), Both);
-   Name   : constant String := "destijl" & Number;
-   Here   : constant String := "dsh" & Number;
-   There  : constant String := "dst" & Number;
+   function Number (Process : int) return String is
+     (Trim (Process'Image, Both));
+
+   function Namespace_Of (Process : int) return String is
+     ("destijl" & Number (Process));
+
+   function Near_End_Of (Process : int) return String is
+     ("dsh" & Number (Process));
+
+   Name   : constant String := Namespace_Of (Libc.Getpid);
+   Here   : constant String := Near_End_Of (Libc.Getpid);
+   There  : constant String := "dst" & Number (Libc.Getpid);
    --  the process number keeps two runs on one machine apart
 
    Home : int := -1;
    --  the namespace to return to
 
+   Places : constant := 64 * 200;
+   --  nets of four addresses, from 10.213.0.0 on, one by process number
+   Place  : constant Natural := Natural (Libc.Getpid) mod Places;
+
+   function Address (Host : Positive) return String;
+   --  1 and 2 of this process's net
+
    procedure Run (Command : String);
    --  Raises Failed unless it succeeds
 
    function Succeeds (Command : String) return Boolean;
+
+   -------------
+   -- Address --
+   -------------
+
+   function Address (Host : Positive) return String is
+      function Plain (Value : Natural) return String is
+        (Trim (Value'Image, Both));
+   begin
+      return "10.213." & Plain (Place / 64) & "."
+        & Plain (Place mod 64 * 4 + Host);
+   end Address;
+
+   function Supervisor_Side return String is (Address (1));
+   function Monitor_Side return String is (Address (2));
 
    --------------
    -- Succeeds --
@@ -166,13 +197,33 @@ package body Network_Links is
    --------------
 
    overriding procedure Finalize (Object : in out Link) is
-      Unused : Boolean;
+   begin
+      Object.Remove;
+   end Finalize;
+
+   ------------
+   -- Remove --
+   ------------
+
+   procedure Remove (Object : in out Link) is
    begin
       if Object.Made then
          Object.Made := False;
-         Unused := Succeeds ("ip link del " & Here);
-         Unused := Succeeds ("ip netns del " & Name);
+         Remove_Left (Libc.Getpid);
       end if;
-   end Finalize;
+   end Remove;
+
+   -----------------
+   -- Remove_Left --
+   -----------------
+
+   procedure Remove_Left (Process : int) is
+      Unused : Boolean;
+   begin
+      if Ada.Directories.Exists ("/run/netns/" & Namespace_Of (Process)) then
+         Unused := Succeeds ("ip link del " & Near_End_Of (Process));
+         Unused := Succeeds ("ip netns del " & Namespace_Of (Process));
+      end if;
+   end Remove_Left;
 
 end Network_Links;

@@ -3,11 +3,13 @@
 --  interfaces and a network namespace: it can be pulled out.
 
 private with Ada.Finalization;
+with Interfaces.C;
 
 package Network_Links is
 
-   Supervisor_Side : constant String := "10.213.77.1";
-   Monitor_Side    : constant String := "10.213.77.2";
+   function Supervisor_Side return String;
+   function Monitor_Side return String;
+   --  Addresses, this process's own: several may run at a time
 
    function Obstacle return String;
    --  Why no link can be made here; "" where one can
@@ -23,6 +25,12 @@ package Network_Links is
    procedure Cut (Object : in out Link);
    --  The cable is out at the monitor's end
    procedure Mend (Object : in out Link);
+
+   procedure Remove (Object : in out Link);
+   --  If it has been made
+
+   procedure Remove_Left (Process : Interfaces.C.int);
+   --  What a process that was killed has left
 
    procedure Fall_Silent (Object : in out Link);
    --  The cable is in, but the monitor's machine no longer answers

@@ -9,6 +9,8 @@ with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with Ada.Text_IO;             use Ada.Text_IO;
 with GNAT.Directory_Operations;
 
+with Libc;
+
 package body Process_Facts is
 
    function Folder (Process : int) return String is
@@ -148,6 +150,38 @@ package body Process_Facts is
       For_Each_Entry (Folder (Process) & "/fd", Count'Access);
       return Result;
    end Descriptors;
+
+   ---------------
+   -- Open_File --
+   ---------------
+
+   function Open_File (Process : int; Descriptor : Natural) return String is
+      Target : String (1 .. 4_096);
+      Size   : constant long := Libc.Readlink
+        (To_C (Folder (Process) & "/fd/" & Trim (Descriptor'Image, Both)),
+         Target'Address, Target'Length);
+   begin
+      return Target (1 .. Natural (long'Max (0, Size)));
+   end Open_File;
+
+   ----------------
+   -- Has_Mapped --
+   ----------------
+
+   function Has_Mapped (Process : int; Path : String) return Boolean is
+      File  : File_Type;
+      Found : Boolean := False;
+   begin
+      Open (File, In_File, Folder (Process) & "/maps");
+      while not Found and then not End_Of_File (File) loop
+         Found := Index (Get_Line (File), Path) > 0;
+      end loop;
+      Close (File);
+      return Found;
+   exception
+      when Name_Error | Use_Error =>
+         return False;
+   end Has_Mapped;
 
    ------------------
    -- Thread_Named --

@@ -10,6 +10,13 @@ package Process_Facts is
    function Descriptors (Process : int) return Natural;
    --  0 when there is no such process
 
+   function Open_File (Process : int; Descriptor : Natural) return String;
+   --  What is behind it, as the kernel names it: a path, "pipe:[123]"; ""
+   --  where it is closed
+
+   function Has_Mapped (Process : int; Path : String) return Boolean;
+   --  A file, such as a library
+
    function Thread_Named (Process : int; Name : String) return int;
    --  Its number, 0 when there is none. Upper and lower case count as one;
    --  the kernel keeps the first 15 characters of a name.

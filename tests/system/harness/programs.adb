@@ -26,18 +26,27 @@ package body Programs is
    ----------
 
    function Path (Which : Program; Name : String) return String is
-      Here : GNAT.OS_Lib.String_Access;
    begin
       if Paths (Which) = "" then
-         Here := GNAT.OS_Lib.Locate_Exec_On_Path
-           (Ada.Command_Line.Command_Name);
-         Paths (Which) := To_Unbounded_String
-           (Compose
-              (Containing_Directory (Full_Name (Here.all)), Name));
-         GNAT.OS_Lib.Free (Here);
+         Paths (Which) := To_Unbounded_String (Beside (Name));
       end if;
       return To_String (Paths (Which));
    end Path;
+
+   ------------
+   -- Beside --
+   ------------
+
+   function Beside (Name : String) return String is
+      Here : GNAT.OS_Lib.String_Access :=
+        GNAT.OS_Lib.Locate_Exec_On_Path (Ada.Command_Line.Command_Name);
+   begin
+      return Found : constant String := Compose
+        (Containing_Directory (Full_Name (Here.all)), Name)
+      do
+         GNAT.OS_Lib.Free (Here);
+      end return;
+   end Beside;
 
    function Supervisor return String is
      (Path (The_Supervisor, "destijl"));

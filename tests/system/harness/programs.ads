@@ -3,6 +3,9 @@
 
 package Programs is
 
+   function Beside (Name : String) return String;
+   --  The program with this name in the folder of the running one
+
    function Supervisor return String;
    function Emulator return String;
    function Monitor return String;

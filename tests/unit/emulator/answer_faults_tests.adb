@@ -17,6 +17,12 @@ package body Answer_Faults_Tests is
    Ack : constant Answer :=
      (Length => 3, Data => (16#4F#, 16#4F#, CR, others => 0));
 
+   Version : constant Answer :=
+     (Length => 5,
+      Data   => (16#33#, 16#2E#, 16#35#, 16#28#, CR, others => 0));
+
+   type Answers is array (Positive range <>) of Answer;
+
    P      : Plan;
    Wire   : Wire_Bytes;
    Effect : Effect_Kind;
@@ -31,6 +37,12 @@ package body Answer_Faults_Tests is
    procedure Test_Corrupt (T : in out Any_Test);
    procedure Test_Truncate (T : in out Any_Test);
    procedure Test_Garbage (T : in out Any_Test);
+   procedure Test_Cut (T : in out Any_Test);
+   procedure Test_Flip (T : in out Any_Test);
+   procedure Test_Wrong_Kind (T : in out Any_Test);
+   procedure Test_Pile (T : in out Any_Test);
+   procedure Test_Pile_Is_Full (T : in out Any_Test);
+   procedure Test_Endless (T : in out Any_Test);
    procedure Test_Order (T : in out Any_Test);
    procedure Test_No_Answer (T : in out Any_Test);
 
@@ -66,19 +78,39 @@ package body Answer_Faults_Tests is
         (Length => 3, Data => (16#0C#, 16#0C#, CR, others => 0));
    begin
       P := (Corrupt => 2, others => <>);
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = Corrupt and then Sent'Length = 3
               and then Wire.Data (3) = CR
               and then not Is_Good_Frame (Sent), "first");
 
       --  The wrong checksum does not end the frame: 0x0C is near 0x0D
 
-      Apply (P, Close, Wire, Effect);
+      Apply (P, Ping, Close, Wire, Effect);
       Assert (Effect = Corrupt and then Wire.Data (2) not in 16#0C# | CR,
               "second");
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = None and then Is_Good_Frame (Sent), "third is good");
    end Test_Corrupt;
+
+   --------------
+   -- Test_Cut --
+   --------------
+
+   procedure Test_Cut (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      P := (Truncate => 3, Keep => 1, others => <>);
+      Apply (P, Get_Version, Version, Wire, Effect);
+      Assert (Effect = Truncated and then Sent = Version.Data (1 .. 1),
+              "one byte");
+      P.Keep := 4;
+      Apply (P, Get_Version, Version, Wire, Effect);
+      Assert (Effect = Truncated and then Sent = Version.Data (1 .. 4),
+              "four");
+      Apply (P, Ping, Ack, Wire, Effect);
+      Assert (Effect = Truncated and then Sent = Ack.Data (1 .. 2),
+              "never the whole answer");
+   end Test_Cut;
 
    ---------------
    -- Test_Drop --
@@ -89,12 +121,82 @@ package body Answer_Faults_Tests is
    begin
       P := (Drop => 3, others => <>);
       for K in 1 .. 3 loop
-         Apply (P, Ack, Wire, Effect);
+         Apply (P, Ping, Ack, Wire, Effect);
          Assert (Effect = Dropped and then Sent'Length = 0, "dropped");
       end loop;
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = None and then Sent = Ack.Data (1 .. 3), "sent");
    end Test_Drop;
+
+   ------------------
+   -- Test_Endless --
+   ------------------
+
+   procedure Test_Endless (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Byte  : Octet;
+      Count : Natural := 0;
+   begin
+      P := (Endless => True, Drop => 1, others => <>);
+      for K in 1 .. 3 loop
+         Apply (P, Ping, Ack, Wire, Effect);
+         Assert (Effect = Endless and then Sent = Ack.Data (1 .. 2), "cut");
+      end loop;
+      Assert (P.Drop = 1, "used up");
+      for K in 1 .. 10_000 loop
+         Babble (P, Byte);
+         Assert (Byte /= CR, "an end");
+         if Byte >= 128 then
+            Count := Count + 1;
+         end if;
+      end loop;
+      Assert (Count in 4_000 .. 6_000, "not at random");
+   end Test_Endless;
+
+   ---------------
+   -- Test_Flip --
+   ---------------
+
+   procedure Test_Flip (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Other : Natural;
+      Value : Octet;
+   begin
+      for Reply of Answers'(Ack, Version) loop
+         P := (Flip => 8 * Reply.Length + 1, others => <>);
+         for Bit in 0 .. 8 * Reply.Length - 1 loop
+            Apply (P, Ping, Reply, Wire, Effect);
+            Assert (Effect = Flipped and then Sent'Length = Reply.Length,
+                    "effect");
+            Other := 0;
+            for K in 1 .. Reply.Length loop
+               Value := Sent (K) xor Reply.Data (K);
+               if Value /= 0 then
+                  Other := Other + 1;
+                  Assert (K = 1 + Bit / 8 and then Value = 2 ** (Bit mod 8),
+                          "bit" & Bit'Image);
+               end if;
+            end loop;
+            Assert (Other = 1, "one byte is another");
+            Assert (not Is_Good_Frame (Sent), "a good frame all the same");
+         end loop;
+
+         --  Then from the first one again
+
+         Apply (P, Ping, Reply, Wire, Effect);
+         Assert (Effect = Flipped
+                 and then Sent (1) = (Reply.Data (1) xor 1), "again");
+         Apply (P, Ping, Reply, Wire, Effect);
+         Assert (Effect = None and then Is_Good_Frame (Sent), "over");
+      end loop;
+
+      P := (Flip => 1, Bit => 23, others => <>);
+      Apply (P, Ping, Ack, Wire, Effect);
+      Assert (Sent (3) = (CR xor 128) and then P.Bit = 24, "a chosen bit");
+      P := (Flip => 1, Bit => Bit_Number'Last, others => <>);
+      Apply (P, Ping, Ack, Wire, Effect);
+      Assert (P.Bit = 0, "the last of all");
+   end Test_Flip;
 
    ------------------
    -- Test_Garbage --
@@ -106,7 +208,7 @@ package body Answer_Faults_Tests is
    begin
       P := (Garbage => 10_000, others => <>);
       for K in 1 .. 10_000 loop
-         Apply (P, Ack, Wire, Effect);
+         Apply (P, Ping, Ack, Wire, Effect);
          Assert (Effect = Garbage, "effect");
          Assert (not Is_Good_Frame (Sent), "a good frame by chance");
          if Wire.Data (Wire.Length) = CR then
@@ -116,7 +218,7 @@ package body Answer_Faults_Tests is
          end if;
       end loop;
       Assert (Ended > 1_000 and then Open > 1_000, "one kind only");
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = None, "over");
    end Test_Garbage;
 
@@ -131,7 +233,7 @@ package body Answer_Faults_Tests is
       P := (Silent => False, Drop => 1, Garbage => 1, Truncate => 1,
             Corrupt => 1, others => <>);
       for K in 1 .. 5 loop
-         Apply (P, Nothing, Wire, Effect);
+         Apply (P, Ping, Nothing, Wire, Effect);
          Assert (Effect = None and then Sent'Length = 0, "something sent");
       end loop;
       Assert (P.Drop = 1 and then P.Garbage = 1 and then P.Truncate = 1
@@ -146,7 +248,7 @@ package body Answer_Faults_Tests is
       pragma Unreferenced (T);
    begin
       P := (others => <>);
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = None and then Sent = Ack.Data (1 .. 3), "changed");
    end Test_None;
 
@@ -159,15 +261,15 @@ package body Answer_Faults_Tests is
    begin
       P := (Drop => 1, Garbage => 1, Truncate => 1, Corrupt => 1,
             others => <>);
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = Dropped, "first");
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = Garbage, "second");
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = Truncated, "third");
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = Corrupt, "fourth");
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = None, "fifth");
    end Test_Order;
 
@@ -180,7 +282,7 @@ package body Answer_Faults_Tests is
    begin
       P := (Silent => True, Drop => 1, others => <>);
       for K in 1 .. 10 loop
-         Apply (P, Ack, Wire, Effect);
+         Apply (P, Ping, Ack, Wire, Effect);
          Assert (Effect = Silent and then Sent'Length = 0, "said something");
       end loop;
       Assert (P.Drop = 1, "silence uses up nothing");
@@ -194,11 +296,104 @@ package body Answer_Faults_Tests is
       pragma Unreferenced (T);
    begin
       P := (Truncate => 1, others => <>);
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = Truncated and then Sent = Ack.Data (1 .. 2), "cut");
-      Apply (P, Ack, Wire, Effect);
+      Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = None, "over");
    end Test_Truncate;
+
+   ---------------
+   -- Test_Pile --
+   ---------------
+
+   procedure Test_Pile (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      P := (Pile => 3, others => <>);
+      Apply (P, Ping, Ack, Wire, Effect);
+      Assert (Effect = Held and then Sent'Length = 0, "first");
+      Apply (P, Get_Version, Version, Wire, Effect);
+      Assert (Effect = Held and then Sent'Length = 0, "second");
+      Apply (P, Ping, Ack, Wire, Effect);
+      Assert (Effect = Together
+              and then Sent = Ack.Data (1 .. 3) & Version.Data (1 .. 5)
+                              & Ack.Data (1 .. 3), "together, in order");
+      Apply (P, Ping, Ack, Wire, Effect);
+      Assert (Effect = None and then Sent = Ack.Data (1 .. 3), "over");
+
+      --  One that is called off early, and one of a single answer
+
+      P := (Pile => 3, others => <>);
+      Apply (P, Ping, Ack, Wire, Effect);
+      P.Pile := 0;
+      Apply (P, Ping, Ack, Wire, Effect);
+      Assert (Effect = Together and then Sent'Length = 6, "called off");
+      P := (Pile => 1, others => <>);
+      Apply (P, Ping, Ack, Wire, Effect);
+      Assert (Sent = Ack.Data (1 .. 3), "alone");
+   end Test_Pile;
+
+   -----------------------
+   -- Test_Pile_Is_Full --
+   -----------------------
+
+   procedure Test_Pile_Is_Full (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Longest : constant Answer := (Length => 8, Data => (others => 65));
+   begin
+      P := (Pile => Max_Pile, others => <>);
+      for K in 1 .. Max_Pile - 1 loop
+         Apply (P, Ping, Longest, Wire, Effect);
+         Assert (Effect = Held, "held");
+      end loop;
+      P.Pile := 5;
+      for K in 1 .. 4 loop
+         Apply (P, Ping, Longest, Wire, Effect);
+         Assert (Effect = Held, "held on");
+      end loop;
+      Apply (P, Ping, Longest, Wire, Effect);
+      Assert (Effect = Together and then Sent'Length = 8 * 4,
+              "the newest, from the one on for which there was no room");
+   end Test_Pile_Is_Full;
+
+   ---------------------
+   -- Test_Wrong_Kind --
+   ---------------------
+
+   procedure Test_Wrong_Kind (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Expect (To : Command_Kind; Texts : String);
+      --  In turn, one character each; V for the version
+
+      procedure Expect (To : Command_Kind; Texts : String) is
+      begin
+         P := (Wrong => 2 * Texts'Length, others => <>);
+         for K in 1 .. 2 loop
+            for C of Texts loop
+               Apply (P, To, Ack, Wire, Effect);
+               Assert (Effect = Wrong_Kind and then Is_Good_Frame (Sent),
+                       "a good frame");
+               if C = 'V' then
+                  Assert (Sent = Version.Data (1 .. 5), "the version");
+               else
+                  Assert (Sent'Length = 3
+                          and then Sent (1) = Character'Pos (C),
+                          "text " & C);
+               end if;
+            end loop;
+         end loop;
+         Apply (P, To, Ack, Wire, Effect);
+         Assert (Effect = None, "over");
+      end Expect;
+   begin
+      Expect (Get_Battery, "OV0");
+      Expect (Get_Busy, "OV2");
+      Expect (Get_Version, "O1");
+      Expect (Ping, "1V");
+      Expect (Move, "1V");
+      Expect (Unknown, "1V");
+   end Test_Wrong_Kind;
 
    --------------------
    -- Register_Tests --
@@ -213,6 +408,12 @@ package body Answer_Faults_Tests is
       Register_Routine (T, Test_Corrupt'Access, "corrupt");
       Register_Routine (T, Test_Truncate'Access, "truncate");
       Register_Routine (T, Test_Garbage'Access, "garbage");
+      Register_Routine (T, Test_Cut'Access, "cut anywhere");
+      Register_Routine (T, Test_Flip'Access, "every bit flipped");
+      Register_Routine (T, Test_Wrong_Kind'Access, "wrong kind");
+      Register_Routine (T, Test_Pile'Access, "piled up");
+      Register_Routine (T, Test_Pile_Is_Full'Access, "a pile too high");
+      Register_Routine (T, Test_Endless'Access, "endless");
       Register_Routine (T, Test_Order'Access, "several at once");
       Register_Routine (T, Test_No_Answer'Access, "no answer");
    end Register_Tests;

@@ -85,6 +85,7 @@ package body Robot_Core_Tests is
    procedure Test_Charging (T : in out Any_Test);
    procedure Test_Low_Battery (T : in out Any_Test);
    procedure Test_Power_Cycle (T : in out Any_Test);
+   procedure Test_Starve (T : in out Any_Test);
    procedure Test_Counters (T : in out Any_Test);
    procedure Test_Time_Goes_One_Way (T : in out Any_Test);
 
@@ -836,6 +837,33 @@ package body Robot_Core_Tests is
       end loop;
    end Test_Reload_Rows;
 
+   -----------------
+   -- Test_Starve --
+   -----------------
+
+   procedure Test_Starve (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      R : Robot;
+   begin
+      for State in State_Kind loop
+         R := In_State (State);
+         Starve (R);
+         Expect_State (R, State);
+      end loop;
+
+      R := In_State (Idle);
+      Expect (R, "W", "O");
+      Expect (R, "M=100", "O");
+      Wait (R, 1);
+      Starve (R);
+      Expect_State (R, Watchdog_Disabled);
+      Assert (Disabled_Count (R) = 1, "counted");
+      Expect (R, "w", "E");
+      Expect (R, "M=0", "E");
+      Expect (R, "r", "O");
+      Expect_State (R, Idle);
+   end Test_Starve;
+
    ------------------------------
    -- Test_Reset_From_Disabled --
    ------------------------------
@@ -1295,6 +1323,7 @@ package body Robot_Core_Tests is
       Register_Routine (T, Test_Charging'Access, "in charge");
       Register_Routine (T, Test_Low_Battery'Access, "low battery");
       Register_Routine (T, Test_Power_Cycle'Access, "power cycle");
+      Register_Routine (T, Test_Starve'Access, "its watchdog disables it");
       Register_Routine (T, Test_Counters'Access, "counters");
       Register_Routine (T, Test_Time_Goes_One_Way'Access, "time");
    end Register_Tests;

@@ -1,0 +1,418 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  One supervisor for half an hour: sessions with everything, and between
+--  them random faults. Does it remain what it was in the first minutes?
+
+with Ada.Command_Line;      use Ada.Command_Line;
+with Ada.Containers.Vectors;
+with Ada.Exceptions;
+with Ada.Strings;           use Ada.Strings;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;           use Ada.Text_IO;
+with GNAT.OS_Lib;
+with Interfaces.C;          use Interfaces.C;
+with System;
+
+with Child_Processes;
+with Expectations;          use Expectations;
+with Fault_List;
+with Faults;                use Faults;
+with Instants;              use Instants;
+with Libc;
+with Monitor_Clients;       use Monitor_Clients;
+with Programs;
+with Random_Numbers;        use Random_Numbers;
+with Soak_Records;
+with Trials;
+with Worlds;
+
+procedure Destijl_Soak is
+
+   Bad_Usage : exception;
+
+   Shortest : constant := 2;
+   --  minutes: a tenth must have several calm stretches
+   Longest  : constant := 24 * 60;
+
+   Longest_Fault : constant Duration := 12.0;
+   --  Longer ones would leave no time for the others
+
+   package Number_Vectors is new Ada.Containers.Vectors (Positive, Positive);
+
+   Minutes  : Positive := 30;
+   Seed     : Natural  := 0;
+   Svg_Path : Unbounded_String;
+   Csv_Path : Unbounded_String;
+
+   Source     : Generator;
+   Eligible   : Number_Vectors.Vector;
+   --  faults that leave the supervisor running
+   Violations : Natural := 0;
+   Late_Answers : Natural := 0;
+   --  of the robot, in calm sessions
+
+   procedure Print_Usage (To : File_Type);
+
+   procedure Read_Command_Line;
+
+   procedure Choose_Faults;
+
+   procedure Prefer_Real_Time (Wanted : Boolean);
+   --  For the calling thread, where it is allowed: the times that it notes
+   --  are not those of its own waiting
+
+   procedure Complain (Text : String);
+
+   procedure Stay_Calm (For_Time : Duration);
+   --  A session with everything that is measured
+
+   procedure Inject_Fault (Number : Positive; Repetition : Positive);
+
+   procedure Warm_Up;
+   --  What is taken with the first images, and with the first of each size,
+   --  is not growth
+
+   procedure Soak (Good : out Boolean);
+
+   function Plain (Value : Natural) return String is
+     (Trim (Value'Image, Both));
+
+   -----------------
+   -- Print_Usage --
+   -----------------
+
+   procedure Print_Usage (To : File_Type) is
+   begin
+      Put_Line (To, "usage: destijl_soak [OPTION ...]");
+      Put_Line (To, "   --minutes N   how long (30)");
+      Put_Line (To, "   --seed N      of everything random (from the clock)");
+      Put_Line (To, "   --svg FILE    draw curves");
+      Put_Line (To, "   --csv FILE    write a line for each second");
+      Put_Line (To, "   --supervisor PATH, --emulator PATH");
+      Put_Line (To, "                 instead of those beside this one");
+      Put_Line (To, "Exit status: 0 all is in the end as in the beginning,");
+      Put_Line (To, "1 not so, 2 bad usage.");
+   end Print_Usage;
+
+   -----------------------
+   -- Read_Command_Line --
+   -----------------------
+
+   procedure Read_Command_Line is
+      Number : Positive := 1;
+
+      function Value return String;
+      --  The next argument
+
+      function Value return String is
+      begin
+         if Number = Argument_Count then
+            raise Bad_Usage with Argument (Number) & " needs a value";
+         end if;
+         Number := Number + 1;
+         return Argument (Number);
+      end Value;
+
+   begin
+      Seed := Natural (Long_Long_Integer (Now) / 1000 mod 1_000_000);
+      while Number <= Argument_Count loop
+         declare
+            Name : constant String := Argument (Number);
+         begin
+            if Name = "--minutes" then
+               Minutes := Positive'Value (Value);
+               if Minutes not in Shortest .. Longest then
+                  raise Constraint_Error;
+               end if;
+            elsif Name = "--seed" then
+               Seed := Natural'Value (Value);
+            elsif Name = "--svg" then
+               Svg_Path := To_Unbounded_String (Value);
+            elsif Name = "--csv" then
+               Csv_Path := To_Unbounded_String (Value);
+            elsif Name = "--supervisor" then
+               Programs.Set_Supervisor (Value);
+            elsif Name = "--emulator" then
+               Programs.Set_Emulator (Value);
+            elsif Name = "--help" then
+               Print_Usage (Standard_Output);
+               GNAT.OS_Lib.OS_Exit (0);
+            else
+               raise Bad_Usage with "unknown option " & Name;
+            end if;
+         exception
+            when Constraint_Error =>
+               raise Bad_Usage with Name & " takes a number"
+                 & (if Name = "--minutes"
+                    then " from" & Integer'Image (Shortest) & " to"
+                      & Integer'Image (Longest)
+                    else "");
+         end;
+         Number := Number + 1;
+      end loop;
+   end Read_Command_Line;
+
+   -------------------
+   -- Choose_Faults --
+   -------------------
+
+   procedure Choose_Faults is
+      use type Worlds.Plan;
+   begin
+      Fault_List.Register;
+      for Number in 1 .. Faults.Count loop
+         declare
+            P : Worlds.Plan;
+         begin
+            Element (Number).Prepare (P);
+            if P = (others => <>)
+              and then Element (Number).Ends /= Supervisor_Ends
+              and then Element (Number).Cost <= Longest_Fault
+            then
+               Eligible.Append (Number);
+            end if;
+         end;
+      end loop;
+   end Choose_Faults;
+
+   ----------------------
+   -- Prefer_Real_Time --
+   ----------------------
+
+   procedure Prefer_Real_Time (Wanted : Boolean) is
+      Highest : aliased Libc.Sched_Param :=
+        (Priority => Libc.Above_Supervisor);
+      None    : aliased Libc.Sched_Param := (Priority => 0);
+      Unused  : int;
+   begin
+      if Wanted then
+         Unused := Libc.Sched_Setscheduler
+           (0, Libc.Sched_Fifo, Highest'Access);
+      else
+         Unused := Libc.Sched_Setscheduler
+           (0, Libc.Sched_Other, None'Access);
+      end if;
+   end Prefer_Real_Time;
+
+   --------------
+   -- Complain --
+   --------------
+
+   procedure Complain (Text : String) is
+   begin
+      Violations := Violations + 1;
+      Put_Line ("VIOLATION: " & Text);
+      Flush;
+   end Complain;
+
+   ---------------
+   -- Stay_Calm --
+   ---------------
+
+   procedure Stay_Calm (For_Time : Duration) is
+      Monitor : Client;
+      Amount  : Natural := 0;
+      First   : Positive;
+      Last    : Instant := Never;
+      Start   : Instant;
+      Unused  : Message;
+
+      procedure Ask (Command : String; Own : Boolean);
+
+      procedure Note_Images;
+
+      procedure Ask (Command : String; Own : Boolean) is
+         Item : Message;
+         Time : Instant;
+      begin
+         Monitor.Skip_To_Now;
+         Time := Now;
+         Monitor.Send_Line (Command);
+         Item := Monitor.Next_Answer (Command => Command);
+         if Own then
+            Check (Item.Label = "ACER", Command & ": " & Item.Label);
+            Soak_Records.Add_Answer (Item.Time, Item.Time - Time);
+         elsif Item.Label = "ATIM" then
+            --  see Tolerances.Line_Attempts
+            Late_Answers := Late_Answers + 1;
+         else
+            Check (Item.Label = "AACK", Command & ": " & Item.Label);
+         end if;
+      end Ask;
+
+      procedure Note_Images is
+      begin
+         for Number in First .. Monitor.Count loop
+            declare
+               Item : constant Message := Monitor.Element (Number);
+            begin
+               if Item.Label = "CIMG" then
+                  if Last /= Never then
+                     Soak_Records.Add_Image (Item.Time, Item.Time - Last);
+                  end if;
+                  Last := Item.Time;
+               end if;
+            end;
+         end loop;
+      end Note_Images;
+
+   begin
+      Monitor.Connect (Trials.Port);
+      Monitor.Expect ("ROPN", "AACK");
+      Monitor.Expect ("RSWW", "AACK");
+      Monitor.Expect ("COPN", "AACK", Within => 10.0);
+      Monitor.Expect ("CPCO", "AACK");
+      Unused := Monitor.Next_Of ("CPOS", Within => 5.0);
+      Unused := Monitor.Next_Of ("CIMG", Within => 5.0);
+      delay 0.5;
+      First := Monitor.Count + 1;
+      Prefer_Real_Time (True);
+      Soak_Records.Set_Calm (True);
+      Start := Now;
+      while Now - Start < For_Time loop
+         Amount := Amount + 1;
+         Ask ("what", Own => True);
+         delay Span (Source, 0.02, 0.06);
+         if Amount mod 4 = 0 then
+            Ask ((case Whole (Source, 1, 6) is
+                     when 1      => "RGFW",
+                     when 2      => "RGRI",
+                     when 3      => "RMOV:-120",
+                     when 4      => "RTRN:45",
+                     when others => "RSTP"), Own => False);
+         end if;
+      end loop;
+      Soak_Records.Set_Calm (False);
+      Prefer_Real_Time (False);
+      Note_Images;
+      Check (Monitor.Broken_Images = 0, "broken images");
+      Monitor.Close;
+   exception
+      when Occurrence : Failed =>
+         Soak_Records.Set_Calm (False);
+         Prefer_Real_Time (False);
+         Complain
+           ("in a calm session: "
+            & Ada.Exceptions.Exception_Message (Occurrence));
+   end Stay_Calm;
+
+   ------------------
+   -- Inject_Fault --
+   ------------------
+
+   procedure Inject_Fault (Number : Positive; Repetition : Positive) is
+      use type Trials.Outcome;
+      Result : Trials.Result;
+   begin
+      Trials.Run
+        (First      => Number,
+         Second     => 0,
+         Seed       => Seed,
+         Repetition => Repetition,
+         Outcome    => Result);
+      if Result.Ends_As = Trials.Violated then
+         Complain
+           (Trials.Name (Number, 0) & ASCII.LF & To_String (Result.Account));
+      end if;
+   end Inject_Fault;
+
+   -------------
+   -- Warm_Up --
+   -------------
+
+   procedure Warm_Up is
+   begin
+      Stay_Calm (5.0);
+      for Number of Eligible loop
+         if Element (Number).Group = Camera then
+            Inject_Fault (Number, Repetition => 1);
+         end if;
+      end loop;
+   end Warm_Up;
+
+   ----------
+   -- Soak --
+   ----------
+
+   procedure Soak (Good : out Boolean) is
+      Start      : Instant;
+      Process    : int;
+      Repetition : Positive := 2;
+      --  1 is that of the warm-up
+      Figures    : Boolean;
+   begin
+      Trials.Build;
+      Process := Trials.Process;
+      Warm_Up;
+      Soak_Records.Begin_Recording (Process);
+      Start := Now;
+      while Now - Start < Duration (60 * Minutes)
+        and then Trials.Process = Process
+      loop
+         Stay_Calm (Span (Source, 3.0, 8.0));
+         exit when Now - Start >= Duration (60 * Minutes);
+         Soak_Records.Count_Fault;
+         Inject_Fault
+           (Eligible (Whole (Source, 1, Natural (Eligible.Length))),
+            Repetition);
+         Repetition := Repetition + 1;
+      end loop;
+      Soak_Records.End_Recording;
+
+      Put_Line
+        (Plain (Minutes) & " minutes," & Soak_Records.Faults'Image
+         & " faults of" & Natural (Eligible.Length)'Image & " kinds, seed"
+         & Seed'Image
+         & (if Late_Answers = 0 then ""
+            else "; the emulated line was late" & Late_Answers'Image
+              & " times"));
+      Soak_Records.Print_And_Judge (Figures);
+      if Trials.Process /= Process then
+         Complain ("it is no longer the same supervisor");
+      end if;
+      if Csv_Path /= "" then
+         Soak_Records.Write_Csv (To_String (Csv_Path));
+      end if;
+      if Svg_Path /= "" then
+         Soak_Records.Draw_Svg
+           (To_String (Svg_Path),
+            "Supervisor," & Minutes'Image & " minutes with"
+            & Soak_Records.Faults'Image
+            & " random faults (strokes on the upper axis)");
+      end if;
+      Good := Figures and then Violations = 0;
+      Put_Line
+        ((if Good then "in the end as in the beginning, "
+          else "NOT in the end as in the beginning, ")
+         & Plain (Violations) & " violations");
+      Trials.Finish;
+   end Soak;
+
+   Good   : Boolean;
+   Unused : System.Address;
+
+begin
+   --  the supervisor may close a connection while something is sent
+   Unused := Libc.Signal (Libc.Sigpipe, Libc.Ignored);
+   Read_Command_Line;
+   Put_Line ("seed" & Seed'Image);
+   Flush;
+   Start (Source, Seed, "soak");
+   Choose_Faults;
+   Soak (Good);
+   Programs.Remove_Temporary_Folder;
+   GNAT.OS_Lib.OS_Exit (if Good then 0 else 1);
+exception
+   when Occurrence : Bad_Usage =>
+      Put_Line
+        (Standard_Error,
+         "destijl_soak: " & Ada.Exceptions.Exception_Message (Occurrence));
+      Print_Usage (Standard_Error);
+      GNAT.OS_Lib.OS_Exit (2);
+   when Occurrence : others =>
+      Child_Processes.Stop_All;
+      Put_Line
+        (Standard_Error,
+         Ada.Exceptions.Exception_Information (Occurrence));
+      GNAT.OS_Lib.OS_Exit (1);
+end Destijl_Soak;

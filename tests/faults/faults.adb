@@ -1,0 +1,54 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The list of the faults.
+
+with Ada.Containers.Vectors;
+
+package body Faults is
+
+   package Fault_Vectors is new Ada.Containers.Vectors
+     (Positive, Fault_Access);
+
+   List : Fault_Vectors.Vector;
+
+   procedure Add (F : not null Fault_Access) is
+   begin
+      List.Append (F);
+   end Add;
+
+   function Count return Natural is (Natural (List.Length));
+
+   function Element (Number : Positive) return not null Fault_Access is
+     (List.Element (Number));
+
+   -----------------
+   -- Go_Together --
+   -----------------
+
+   function Go_Together (A, B : Fault'Class) return Boolean is
+      First  : Plan;
+      Second : Plan;
+
+      function Both_Set (Left, Right : Unbounded_String) return Boolean is
+        (Left /= Null_Unbounded_String
+         and then Right /= Null_Unbounded_String);
+   begin
+      A.Prepare (First);
+      B.Prepare (Second);
+      --  where both want to start something in their own way there is no
+      --  world for them, and nothing can follow the supervisor's end
+      return A.Name /= B.Name
+        and then not A.Alone
+        and then not B.Alone
+        and then A.Ends /= Supervisor_Ends
+        and then not Both_Set (First.Launcher, Second.Launcher)
+        and then not Both_Set (First.Program, Second.Program)
+        and then not Both_Set (First.Camera, Second.Camera)
+        and then not Both_Set
+          (First.Emulator_Options, Second.Emulator_Options)
+        and then not (A.Camera = Camera_Streaming
+                      and then B.Camera = No_Camera)
+        and then not (A.Camera = No_Camera
+                      and then B.Camera = Camera_Streaming);
+   end Go_Together;
+
+end Faults;

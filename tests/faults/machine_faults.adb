@@ -1,0 +1,689 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What a machine and its administrator can do to the supervisor.
+
+with Ada.Directories;       use Ada.Directories;
+with Ada.Strings;           use Ada.Strings;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;           use Ada.Text_IO;
+with GNAT.OS_Lib;
+with Interfaces.C;          use Interfaces.C;
+with System.Multiprocessors;
+
+with Busy_Loops;
+with Expectations;          use Expectations;
+with Faults;                use Faults;
+with Libc;
+with Monitor_Clients;
+with Process_Facts;
+with Programs;
+with Random_Numbers;        use Random_Numbers;
+with Supervisors;
+with Tolerances;            use Tolerances;
+with Worlds;                use Worlds;
+
+package body Machine_Faults is
+
+   --  Signals
+
+   type Stopping is new Fault with record
+      Signal : int := Libc.Sigterm;
+   end record;
+
+   overriding procedure Inject (F : in out Stopping; W : in out World);
+
+   type Broken_Pipes is new Fault with null record;
+
+   overriding procedure Inject (F : in out Broken_Pipes; W : in out World);
+
+   type Killing is new Fault with null record;
+
+   overriding procedure Inject (F : in out Killing; W : in out World);
+
+   --  Standard error
+
+   type Bad_Error_Kind is (All_Closed, Closed, Full_Device, Full_Disk);
+
+   type Bad_Error is new Fault with record
+      Kind : Bad_Error_Kind := Closed;
+   end record;
+   --  It is so from the start
+
+   overriding procedure Prepare (F : Bad_Error; P : in out Plan);
+   overriding procedure Inject (F : in out Bad_Error; W : in out World);
+
+   type Full_Pipe is new Fault with null record;
+   --  It fills up, and is read again later
+
+   overriding procedure Prepare (F : Full_Pipe; P : in out Plan);
+   overriding procedure Inject (F : in out Full_Pipe; W : in out World);
+   overriding procedure Lift (F : in out Full_Pipe; W : in out World);
+
+   --  Clock, processors, descriptors
+
+   type Set_Clock is new Fault with null record;
+   --  The machine's own clock is not touched: others live by it. A small
+   --  library that is loaded before the C library's tells the supervisor,
+   --  and nobody else, another time. A deadline that is computed from it is
+   --  then an hour off for the kernel, whose clock has not changed: that
+   --  shows a dependence more surely than a real change does, which only
+   --  meets the waits that are under way.
+
+   overriding procedure Prepare (F : Set_Clock; P : in out Plan);
+   overriding procedure Inject (F : in out Set_Clock; W : in out World);
+   overriding procedure Lift (F : in out Set_Clock; W : in out World);
+
+   type Busy is new Fault with record
+      Load : Busy_Loops.Load;
+   end record;
+
+   overriding procedure Inject (F : in out Busy; W : in out World);
+   overriding procedure Lift (F : in out Busy; W : in out World);
+
+   type No_Descriptors is new Fault with record
+      Usual : aliased Libc.Resource_Limit := (0, 0);
+      Owner : int := 0;
+      --  whose limit it is
+   end record;
+
+   overriding procedure Inject (F : in out No_Descriptors; W : in out World);
+   overriding procedure Lift (F : in out No_Descriptors; W : in out World);
+
+   --  Privileges
+
+   type Privilege_Kind is (Root, User, User_With_Nice);
+
+   type Started_As is new Fault with record
+      Kind : Privilege_Kind := Root;
+   end record;
+
+   overriding procedure Prepare (F : Started_As; P : in out Plan);
+   overriding procedure Inject (F : in out Started_As; W : in out World);
+
+   type Root_Without_Nice is new Fault with null record;
+
+   overriding procedure Inject
+     (F : in out Root_Without_Nice; W : in out World);
+
+   function Is_Root return Boolean is (Libc.Geteuid = 0);
+
+   function Script (Name : String; Text : String) return Unbounded_String;
+   --  A shell script of this run with Text as its lines, that runs its
+   --  arguments; its path
+
+   function Copied_Supervisor return String;
+   --  Where every user can run it
+
+   function Pipe return String;
+   --  The named pipe that stands for standard error; made at its first use
+
+   function Drained return Natural;
+   --  Takes all that is in it; how many bytes that was
+
+   function Clock_File return String;
+   --  Of the supervisor's wall clock: a number of seconds
+
+   procedure Set_Shift (Seconds : Long_Long_Integer);
+
+   function Clock_Library return String is
+     (Compose (Containing_Directory (Programs.Supervisor),
+               "libclock_shift.so"));
+
+   procedure Need_Tool (Name : String);
+
+   Pipe_File : int := -1;
+
+   Standard_Error_Number : constant := 2;
+
+   ------------
+   -- Script --
+   ------------
+
+   function Script (Name : String; Text : String) return Unbounded_String is
+      Path   : constant String := Programs.Temporary_Folder & "/" & Name;
+      File   : File_Type;
+      Unused : int;
+   begin
+      if not Exists (Path) then
+         Create (File, Out_File, Path);
+         Put_Line (File, "#!/bin/sh");
+         Put_Line (File, Text);
+         Close (File);
+         Unused := Libc.Chmod (To_C (Path), 8#755#);
+      end if;
+      return To_Unbounded_String (Path);
+   end Script;
+
+   -----------------------
+   -- Copied_Supervisor --
+   -----------------------
+
+   function Copied_Supervisor return String is
+      Copy   : constant String := Programs.Temporary_Folder & "/destijl";
+      Unused : int;
+   begin
+      if not Exists (Copy) then
+         Copy_File (Programs.Supervisor, Copy);
+         Unused := Libc.Chmod (To_C (Copy), 8#755#);
+      end if;
+      return Copy;
+   end Copied_Supervisor;
+
+   ----------
+   -- Pipe --
+   ----------
+
+   function Pipe return String is
+      Path : constant String := Programs.Temporary_Folder & "/log";
+   begin
+      if Pipe_File < 0 then
+         Check (Libc.Mkfifo (To_C (Path), 8#600#) = 0, "no pipe to be had");
+         --  for reading and writing: nobody then waits for its other end
+         Pipe_File := Libc.Open
+           (To_C (Path), Libc.O_Rdwr + Libc.O_Nonblock + Libc.O_Cloexec);
+      end if;
+      return Path;
+   end Pipe;
+
+   -------------
+   -- Drained --
+   -------------
+
+   function Drained return Natural is
+      Buffer : String (1 .. 4_096);
+      Size   : long;
+      Result : Natural := 0;
+   begin
+      loop
+         Size := Libc.Read (Pipe_File, Buffer'Address, Buffer'Length);
+         exit when Size <= 0;
+         Result := Result + Natural (Size);
+      end loop;
+      return Result;
+   end Drained;
+
+   ----------------
+   -- Clock_File --
+   ----------------
+
+   function Clock_File return String is
+     (Programs.Temporary_Folder & "/clock");
+
+   ---------------
+   -- Set_Shift --
+   ---------------
+
+   procedure Set_Shift (Seconds : Long_Long_Integer) is
+      Size   : constant := 8;
+      Value  : aliased constant Long_Long_Integer := Seconds;
+      File   : File_Type;
+      Place  : int;
+      Unused : int;
+   begin
+      if not Exists (Clock_File) then
+         Create (File, Out_File, Clock_File);
+         Close (File);
+      end if;
+      Place := Libc.Open (To_C (Clock_File), Libc.O_Wronly + Libc.O_Cloexec);
+      Check
+        (Libc.Write (Place, Value'Address, Size) = Size,
+         "the clock cannot be set");
+      Unused := Libc.Close (Place);
+   end Set_Shift;
+
+   ---------------
+   -- Need_Tool --
+   ---------------
+
+   procedure Need_Tool (Name : String) is
+      use type GNAT.OS_Lib.String_Access;
+      Tool : GNAT.OS_Lib.String_Access :=
+        GNAT.OS_Lib.Locate_Exec_On_Path (Name);
+   begin
+      if Tool = null then
+         Skip ("there is no " & Name & " here");
+      end if;
+      GNAT.OS_Lib.Free (Tool);
+   end Need_Tool;
+
+   ------------
+   -- Inject --
+   ------------
+
+   overriding procedure Inject (F : in out Stopping; W : in out World) is
+   begin
+      W.Listen;
+      W.Supervisor.Send_Signal (F.Signal);
+      W.Nobody_In_Command (Within => Stop_Limit);
+      W.Supervisor_Ends (Status => 0);
+      if Chance (W.Source, 3) and then W.Supervisor.Is_Running then
+         --  an impatient user
+         W.Supervisor.Send_Signal (F.Signal);
+      end if;
+   end Inject;
+
+   overriding procedure Inject (F : in out Broken_Pipes; W : in out World) is
+      pragma Unreferenced (F);
+   begin
+      for Number in 1 .. Whole (W.Source, 1, 20) loop
+         W.Supervisor.Send_Signal (Libc.Sigpipe);
+         W.Talk (Span (W.Source, 0.0, 0.02), Calm => True);
+      end loop;
+   end Inject;
+
+   overriding procedure Inject (F : in out Killing; W : in out World) is
+      pragma Unreferenced (F);
+   begin
+      W.Listen;
+      if W.Present and then W.Line_Works
+        and then W.Robot /= Moving_With_Watchdog
+      then
+         --  one without it would drive on
+         W.Order ("RCLS", "AACK ANAK");
+         W.Bring_To (Moving_With_Watchdog);
+         W.Talk (Span (W.Source, 0.0, 1.5), Calm => True);
+      end if;
+      W.Supervisor.Send_Signal (Libc.Sigkill);
+      W.Supervisor_Ends (Status => 128 + Integer (Libc.Sigkill));
+      --  its own doing: nothing on the line says so
+      W.Emulator.Await_Status
+        ("moving", "0", Within => Watchdog_Limit + Noise);
+      W.Robot_Ready := False;
+   end Inject;
+
+   -------------
+   -- Prepare --
+   -------------
+
+   overriding procedure Prepare (F : Bad_Error; P : in out Plan) is
+   begin
+      P.Log_Is_Read := False;
+      P.Launcher :=
+        (case F.Kind is
+            when All_Closed  =>
+               Script ("all_closed", "exec ""$@"" <&- >&- 2>&-"),
+            when Closed      => Script ("closed", "exec ""$@"" 2>&-"),
+            when Full_Device =>
+               Script ("full_device", "exec ""$@"" 2>/dev/full"),
+            when Full_Disk   =>
+               Script
+                 ("full_disk",
+                  "set -e" & ASCII.LF
+                  & "disk=$(dirname ""$0"")/disk" & ASCII.LF
+                  & "if [ ""$1"" != --mounted ]; then" & ASCII.LF
+                  & "   mkdir -p ""$disk""" & ASCII.LF
+                  & "   unshare --mount true 2>/dev/null ||" & ASCII.LF
+                  & "      exec ""$@"" 2>/dev/full" & ASCII.LF
+                  & "   exec unshare --mount --propagation private"
+                  & " ""$0"" --mounted ""$@""" & ASCII.LF
+                  & "fi" & ASCII.LF
+                  & "shift" & ASCII.LF
+                  & "mount -t tmpfs -o size=4k tmpfs ""$disk""" & ASCII.LF
+                  & "exec ""$@"" 2>""$disk/log"""));
+   end Prepare;
+
+   overriding procedure Inject (F : in out Bad_Error; W : in out World) is
+   begin
+      if F.Kind = Full_Disk and then not Is_Root then
+         Skip ("only root can make a file system of 4 kB");
+      end if;
+      if F.Kind in Full_Device | Full_Disk then
+         Check
+           (Process_Facts.Open_File (W.Pid, Standard_Error_Number)
+            = (if F.Kind = Full_Disk
+               then Programs.Temporary_Folder & "/disk/log"
+               else "/dev/full"),
+            "its standard error is "
+            & Process_Facts.Open_File (W.Pid, Standard_Error_Number));
+      end if;
+      --  each is worth a line of the log
+      for Number in 1 .. Whole (W.Source, 1, 200) loop
+         W.Say ("nonsense");
+      end loop;
+      W.Talk (Span (W.Source, 0.0, 0.5));
+   end Inject;
+
+   -------------
+   -- Prepare --
+   -------------
+
+   overriding procedure Prepare (F : Full_Pipe; P : in out Plan) is
+      pragma Unreferenced (F);
+   begin
+      P.Log_Is_Read := False;
+      P.Launcher := Script ("pipe", "exec ""$@"" 2>'" & Pipe & "'");
+   end Prepare;
+
+   overriding procedure Inject (F : in out Full_Pipe; W : in out World) is
+      pragma Unreferenced (F);
+      Zeros : constant String (1 .. 4_096) := (others => ASCII.NUL);
+      Last  : constant String := (1 => ASCII.NUL);
+   begin
+      Check (Drained > 0, "the log does not go to the pipe");
+      while Libc.Write (Pipe_File, Zeros'Address, Zeros'Length) > 0 loop
+         null;
+      end loop;
+      Check
+        (Libc.Write (Pipe_File, Last'Address, 1) < 0, "the pipe is not full");
+      for Number in 1 .. Whole (W.Source, 1, 600) loop
+         W.Say ("nonsense");
+      end loop;
+      W.Talk (Span (W.Source, 0.0, 0.5));
+      if Chance (W.Source, 3) then
+         W.Expect_Answers;
+         W.Lose (Orderly);
+         W.Try_To_Join;
+      end if;
+   end Inject;
+
+   overriding procedure Lift (F : in out Full_Pipe; W : in out World) is
+      pragma Unreferenced (F, W);
+      Unused : constant Natural := Drained;
+   begin
+      null;
+   end Lift;
+
+   -------------
+   -- Prepare --
+   -------------
+
+   overriding procedure Prepare (F : Set_Clock; P : in out Plan) is
+      pragma Unreferenced (F);
+   begin
+      if not Exists (Clock_File) then
+         Set_Shift (0);
+      end if;
+      P.Launcher := To_Unbounded_String
+        ("env LD_PRELOAD=" & Clock_Library & " CLOCK_SHIFT=" & Clock_File);
+   end Prepare;
+
+   overriding procedure Inject (F : in out Set_Clock; W : in out World) is
+      pragma Unreferenced (F);
+      Hour : constant := 3_600;
+      Year : constant := 365 * 24 * Hour;
+   begin
+      if not Exists (Clock_Library) then
+         Skip ("there is no " & Clock_Library);
+      end if;
+      Check
+        (Process_Facts.Has_Mapped (W.Pid, Clock_Library),
+         "the supervisor has not loaded " & Clock_Library);
+      for Number in 1 .. Whole (W.Source, 1, 4) loop
+         Set_Shift
+           ((case Whole (W.Source, 1, 5) is
+                when 1      => Hour,
+                when 2      => -Hour,
+                when 3      => 20 * Year,
+                when 4      => -20 * Year,
+                when others =>
+                   Long_Long_Integer (Whole (W.Source, -10, 10))));
+         W.Talk (Span (W.Source, 0.0, 0.5));
+      end loop;
+   end Inject;
+
+   overriding procedure Lift (F : in out Set_Clock; W : in out World) is
+      pragma Unreferenced (F, W);
+   begin
+      Set_Shift (0);
+   end Lift;
+
+   ------------
+   -- Inject --
+   ------------
+
+   overriding procedure Inject (F : in out Busy; W : in out World) is
+      Most : constant := 4;
+   begin
+      F.Load.Start
+        (Positive'Min
+           (Most, Positive (System.Multiprocessors.Number_Of_CPUs)));
+      W.Talk (Span (W.Source, 0.5, 1.5));
+   end Inject;
+
+   overriding procedure Lift (F : in out Busy; W : in out World) is
+      pragma Unreferenced (W);
+   begin
+      F.Load.Stop;
+   end Lift;
+
+   ------------
+   -- Inject --
+   ------------
+
+   overriding procedure Inject (F : in out No_Descriptors; W : in out World)
+   is
+      Spare  : constant Natural := Whole (W.Source, 0, 1);
+      Log    : constant Natural := W.Supervisor.Log_Length;
+      Few    : aliased Libc.Resource_Limit;
+      Others_Who_Connect : array (1 .. Whole (W.Source, 0, 3))
+        of Monitor_Clients.Client;
+
+      function Said return Boolean is
+        (W.Supervisor.Says ("a monitor could not connect", After => Log));
+
+   begin
+      W.Expect_Answers;
+      F.Owner := W.Pid;
+      Check
+        (Libc.Prlimit (F.Owner, Libc.Rlimit_Nofile, null, F.Usual'Access) = 0,
+         "its limits cannot be read");
+      Few :=
+        (Soft => unsigned_long
+           (Process_Facts.Descriptors (F.Owner) + Spare),
+         Hard => F.Usual.Hard);
+      Check
+        (Libc.Prlimit (F.Owner, Libc.Rlimit_Nofile, Few'Access, null) = 0,
+         "its limit cannot be set");
+      W.Reachable := False;
+      for Other of Others_Who_Connect loop
+         --  the kernel takes them, the supervisor cannot
+         Other.Connect (W.Port, W.Address, Real_Time => False);
+      end loop;
+      W.Talk (Span (W.Source, 0.1, 0.5), Calm => True);
+      if W.The_Plan.Log_Is_Read and then W.Present and then Spare = 0
+        and then Others_Who_Connect'Length > 0
+      then
+         --  unless another fault has set one free
+         Check
+           (Said
+            or else unsigned_long (Process_Facts.Descriptors (F.Owner))
+              < Few.Soft,
+            "it could take a connection: the limit does not hold");
+      end if;
+      W.Talk (Span (W.Source, 0.2, 1.0));
+   end Inject;
+
+   overriding procedure Lift (F : in out No_Descriptors; W : in out World) is
+   begin
+      if F.Owner = W.Pid and then not W.Expected_End then
+         Check
+           (Libc.Prlimit (F.Owner, Libc.Rlimit_Nofile, F.Usual'Access, null)
+            = 0,
+            "its limit cannot be set back");
+      end if;
+      W.Reachable := True;
+   end Lift;
+
+   -------------
+   -- Prepare --
+   -------------
+
+   overriding procedure Prepare (F : Started_As; P : in out Plan) is
+      Give_Line : constant String :=
+        "for word; do" & ASCII.LF
+        & "   [ ""$before"" != --serial ] || chown 65534 ""$word""" & ASCII.LF
+        & "   before=$word" & ASCII.LF
+        & "done" & ASCII.LF;
+      --  the robot's line: another user's cannot be opened
+
+      As_User   : constant String :=
+        "exec setpriv --reuid=65534 --regid=65534 --clear-groups ";
+   begin
+      P.Fresh := True;
+      if F.Kind /= Root and then Is_Root then
+         P.Program := To_Unbounded_String (Copied_Supervisor);
+         P.Launcher :=
+           (case F.Kind is
+               when User_With_Nice =>
+                  Script
+                    ("user_with_nice",
+                     Give_Line & As_User
+                     & "--inh-caps=-all,+sys_nice --ambient-caps=+sys_nice"
+                     & " --bounding-set=-all,+sys_nice ""$@"""),
+               when others         =>
+                  Script
+                    ("user",
+                     Give_Line & As_User & "--inh-caps=-all ""$@"""));
+      end if;
+   end Prepare;
+
+   overriding procedure Inject (F : in out Started_As; W : in out World) is
+   begin
+      if not Is_Root and then F.Kind /= User then
+         Skip ("only root can change its privileges");
+      end if;
+      Need_Tool ("setpriv");
+      W.Supervisor.Expect_Log
+        ((case F.Kind is
+             when Root           =>
+                "real-time priorities: yes (FIFO), ceilings checked",
+             when User_With_Nice =>
+                "real-time priorities: yes (FIFO), ceilings not checked",
+             when User           => "real-time priorities: none"),
+         Within => 2.0);
+      W.Talk (Span (W.Source, 0.2, 1.0));
+   end Inject;
+
+   ------------
+   -- Inject --
+   ------------
+
+   overriding procedure Inject
+     (F : in out Root_Without_Nice; W : in out World)
+   is
+      pragma Unreferenced (F);
+      Refused : Supervisors.Supervisor;
+      Status  : Integer;
+   begin
+      if not Is_Root then
+         Skip ("only root can change its privileges");
+      end if;
+      Need_Tool ("setpriv");
+      Refused.Run
+        ("--port 0 --bind 127.0.0.1",
+         Launcher =>
+           "setpriv --bounding-set=-sys_nice --inh-caps=-sys_nice");
+      W.Talk (Span (W.Source, 0.0, 0.3));
+      Status := Refused.Exit_Status (Within => 2.0 + Noise);
+      Check (Status = 1, "exit status" & Status'Image & " instead of 1");
+      Refused.Expect_Log ("CAP_SYS_NICE", Within => 1.0);
+      Check
+        (Index (Refused.Log_Text, "listening") = 0, "it says that it listens");
+   end Inject;
+
+   --------------
+   -- Register --
+   --------------
+
+   procedure Register is
+
+      function Named (Name : String) return Unbounded_String
+        renames To_Unbounded_String;
+
+   begin
+      Add (new Stopping'
+             (Group  => Machine,
+              Name   => Named ("SIGTERM"),
+              Ends   => Supervisor_Ends,
+              Cost   => 3.0,
+              Signal => Libc.Sigterm,
+              others => <>));
+      Add (new Stopping'
+             (Group  => Machine,
+              Name   => Named ("SIGINT"),
+              Ends   => Supervisor_Ends,
+              Cost   => 3.0,
+              Signal => Libc.Sigint,
+              others => <>));
+      Add (new Stopping'
+             (Group  => Machine,
+              Name   => Named ("SIGHUP"),
+              Ends   => Supervisor_Ends,
+              Cost   => 3.0,
+              Signal => Libc.Sighup,
+              others => <>));
+      Add (new Broken_Pipes'
+             (Group  => Machine,
+              Name   => Named ("SIGPIPE"),
+              others => <>));
+      Add (new Killing'
+             (Group  => Machine,
+              Name   => Named ("SIGKILL while moving, with watchdog"),
+              Ends   => Supervisor_Ends,
+              Robot  => Robot_Moving,
+              Cost   => 8.0,
+              Alone  => True,
+              others => <>));
+      Add (new Bad_Error'
+             (Group  => Machine,
+              Name   => Named ("standard error closed"),
+              Kind   => Closed,
+              others => <>));
+      Add (new Bad_Error'
+             (Group  => Machine,
+              Name   => Named ("input, output and error closed"),
+              Kind   => All_Closed,
+              others => <>));
+      Add (new Full_Pipe'
+             (Group  => Machine,
+              Name   => Named ("full pipe behind standard error"),
+              others => <>));
+      Add (new Bad_Error'
+             (Group  => Machine,
+              Name   => Named ("full device behind standard error"),
+              Kind   => Full_Device,
+              others => <>));
+      Add (new Bad_Error'
+             (Group  => Machine,
+              Name   => Named ("full disk behind standard error"),
+              Kind   => Full_Disk,
+              others => <>));
+      Add (new Set_Clock'
+             (Group  => Machine,
+              Name   => Named ("wall clock set back and forth"),
+              others => <>));
+      Add (new Busy'
+             (Group  => Machine,
+              Name   => Named ("all processors busy"),
+              others => <>));
+      Add (new No_Descriptors'
+             (Group  => Machine,
+              Name   => Named ("out of descriptors"),
+              others => <>));
+      Add (new Started_As'
+             (Group  => Machine,
+              Name   => Named ("started as root"),
+              Kind   => Root,
+              Cost   => 3.0,
+              others => <>));
+      Add (new Started_As'
+             (Group  => Machine,
+              Name   => Named ("started as an ordinary user"),
+              Kind   => User,
+              Cost   => 3.0,
+              Alone  => True,
+              others => <>));
+      Add (new Started_As'
+             (Group  => Machine,
+              Name   => Named ("started with cap_sys_nice only"),
+              Kind   => User_With_Nice,
+              Cost   => 3.0,
+              Alone  => True,
+              others => <>));
+      Add (new Root_Without_Nice'
+             (Group  => Machine,
+              Name   => Named ("started as root without cap_sys_nice"),
+              others => <>));
+   end Register;
+
+end Machine_Faults;

@@ -1,0 +1,557 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What a network and those who use it can do to the supervisor.
+
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Answer_Ledgers;        use Answer_Ledgers;
+with Child_Processes;       use Child_Processes;
+with Expectations;          use Expectations;
+with Faults;                use Faults;
+with Instants;              use Instants;
+with Monitor_Clients;
+with Random_Numbers;        use Random_Numbers;
+with Raw_Probes;
+with Tolerances;            use Tolerances;
+with Worlds;                use Worlds;
+
+package body Network_Faults is
+
+   Commands : constant Arguments := Words
+     ("ROPN RCLS RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP RMOV RTRN"
+      & " RPOF RGBT RGST COPN CCLS CASA CACO CAIN CPCO CPST MSSG");
+   --  All that the monitor can say
+
+   --  The monitor leaves
+
+   type Departure is new Fault with record
+      How      : Manner := Orderly;
+      Mid_Line : Boolean := False;
+   end record;
+
+   overriding procedure Inject (F : in out Departure; W : in out World);
+
+   --  The cable is cut: no packet comes any more
+
+   type Cut_Cable is new Fault with null record;
+
+   overriding procedure Prepare (F : Cut_Cable; P : in out Plan);
+   overriding procedure Inject (F : in out Cut_Cable; W : in out World);
+   overriding procedure Lift (F : in out Cut_Cable; W : in out World);
+
+   --  The monitor reads nothing
+
+   type Stall is new Fault with record
+      Length : Duration := 1.0;
+   end record;
+
+   overriding procedure Prepare (F : Stall; P : in out Plan);
+   overriding procedure Inject (F : in out Stall; W : in out World);
+
+   --  What it sends
+
+   type Sending_Kind is
+     (Byte_By_Byte, Endless_Line, Nul_Bytes, Invalid_Text, Odd_Data);
+
+   type Sending is new Fault with record
+      Kind : Sending_Kind := Byte_By_Byte;
+   end record;
+
+   overriding procedure Inject (F : in out Sending; W : in out World);
+
+   procedure Send_Slowly (W : in out World);
+   procedure Send_Endless_Line (W : in out World);
+   procedure Send_Nul_Bytes (W : in out World);
+   procedure Send_Invalid_Text (W : in out World);
+   procedure Send_Odd_Data (W : in out World);
+
+   --  Others who connect
+
+   type Crowd_Of_Clients is new Fault with null record;
+
+   overriding procedure Inject
+     (F : in out Crowd_Of_Clients; W : in out World);
+
+   type Scan is new Fault with null record;
+
+   overriding procedure Inject (F : in out Scan; W : in out World);
+
+   type Half_Open_Scan is new Fault with null record;
+
+   overriding procedure Inject (F : in out Half_Open_Scan; W : in out World);
+
+   type Second_Monitor is new Fault with null record;
+
+   overriding procedure Inject (F : in out Second_Monitor; W : in out World);
+
+   function Any_Command (W : in out World) return String is
+     (Commands.Element (Whole (W.Source, 1, Natural (Commands.Length))));
+
+   function Amid (W : in out World; Line, Part : String) return String;
+   --  Line with Part put in somewhere
+
+   ----------
+   -- Amid --
+   ----------
+
+   function Amid (W : in out World; Line, Part : String) return String is
+      Place : constant Natural := Whole (W.Source, 0, Line'Length);
+   begin
+      return Line (Line'First .. Line'First + Place - 1) & Part
+        & Line (Line'First + Place .. Line'Last);
+   end Amid;
+
+   ------------
+   -- Inject --
+   ------------
+
+   overriding procedure Inject (F : in out Departure; W : in out World) is
+   begin
+      if F.Mid_Line then
+         declare
+            Line : constant String := Any_Command (W) & ":-123";
+         begin
+            W.Say_Bytes
+              (Line (1 .. Whole (W.Source, 1, Line'Length)));
+         end;
+      end if;
+      W.Lose (F.How);
+   end Inject;
+
+   -------------
+   -- Prepare --
+   -------------
+
+   overriding procedure Prepare (F : Cut_Cable; P : in out Plan) is
+      pragma Unreferenced (F);
+   begin
+      P.Through_Link := True;
+   end Prepare;
+
+   overriding procedure Inject (F : in out Cut_Cable; W : in out World) is
+      pragma Unreferenced (F);
+      Log   : constant Natural := W.Session_Log;
+      Start : Instant;
+   begin
+      W.Reachable := False;
+      W.Listen;
+      The_Link.Cut;
+      Start := Now;
+      if W.Present then
+         W.Lose (Silently, Detection => Vanished_Limit);
+         Check
+           (W.Supervisor.Says
+              ("monitor lost", Vanished_Limit + Noise, After => Log),
+            "the monitor that vanished is not missed within "
+            & Milliseconds (Now - Start));
+      end if;
+   end Inject;
+
+   overriding procedure Lift (F : in out Cut_Cable; W : in out World) is
+      pragma Unreferenced (F);
+   begin
+      The_Link.Mend;
+      W.Monitor.Close;
+      W.Reachable := True;
+   end Lift;
+
+   -------------
+   -- Prepare --
+   -------------
+
+   overriding procedure Prepare (F : Stall; P : in out Plan) is
+      pragma Unreferenced (F);
+   begin
+      P.Receive_Buffer := 8_192;
+      --  soon full
+   end Prepare;
+
+   overriding procedure Inject (F : in out Stall; W : in out World) is
+      use type Monitor_Clients.Closing;
+      Filling : constant Duration := 1.5;
+      --  Images on their way until the last of them is taken, and a sample
+      Start   : constant Instant := Now;
+      Ends    : constant Instant := Start + F.Length;
+   begin
+      W.Listen;
+      if not W.Present then
+         return;
+      end if;
+      W.Monitor.Pause;
+      while Now < Ends loop
+         W.Talk (0.1, Calm => True);
+         delay Duration'Max
+           (0.0, Duration'Min (Ends - Now, Span (W.Source, 0.0, 2.0)));
+      end loop;
+      W.Monitor.Resume;
+      if W.Present and then F.Length > Stalled_Limit
+        and then W.Monitor.Closed_By_Peer (3.0) /= Monitor_Clients.Open
+      then
+         W.Listen;
+         W.Nobody_In_Command
+           (Start, Within => Stalled_Limit + Filling + Stop_Limit);
+      end if;
+   end Inject;
+
+   -----------------
+   -- Send_Slowly --
+   -----------------
+
+   procedure Send_Slowly (W : in out World) is
+      Lines : constant Arguments := Words
+        ("RPIN RGST RSTP RMOV:-12 RTRN:+45 nope RGBT RLDW");
+   begin
+      for Number in 1 .. 4 loop
+         declare
+            Line : constant String := Lines.Element
+              (Whole (W.Source, 1, Natural (Lines.Length)));
+         begin
+            for C of Line loop
+               W.Say_Bytes ((1 => C));
+               delay Span (W.Source, 0.0, 0.04);
+            end loop;
+            W.Say ("", Kind_Of (Line));
+         end;
+      end loop;
+   end Send_Slowly;
+
+   -----------------------
+   -- Send_Endless_Line --
+   -----------------------
+
+   procedure Send_Endless_Line (W : in out World) is
+      Pieces : constant := 16;
+      Piece  : constant String (1 .. 65_536) :=
+        (others =>
+           (if Chance (W.Source, 2) then '9' else Octet (W.Source)));
+      Plain  : String := Piece;
+   begin
+      for C of Plain loop
+         if C = ASCII.LF then
+            C := '9';
+         end if;
+      end loop;
+      if Chance (W.Source, 2) then
+         W.Say_Bytes ("RMOV:");
+      end if;
+      for Number in 1 .. Pieces loop
+         W.Say_Bytes (Plain);
+      end loop;
+      W.Say ("", Refused);
+   end Send_Endless_Line;
+
+   --------------------
+   -- Send_Nul_Bytes --
+   --------------------
+
+   procedure Send_Nul_Bytes (W : in out World) is
+   begin
+      W.Say ((1 .. Whole (W.Source, 1, 300) => ASCII.NUL), Refused);
+      for Number in 1 .. 20 loop
+         W.Say
+           (Amid (W, "RMOV:12", (1 => ASCII.NUL)), Refused);
+         declare
+            Name : constant String := Any_Command (W);
+         begin
+            W.Say (Amid (W, Name, (1 => ASCII.NUL)), Refused);
+         end;
+      end loop;
+   end Send_Nul_Bytes;
+
+   -----------------------
+   -- Send_Invalid_Text --
+   -----------------------
+
+   procedure Send_Invalid_Text (W : in out World) is
+
+      function Bytes (First : Natural; Rest : String := "") return String is
+        (Character'Val (First) & Rest);
+
+      function Any_Flaw return String is
+        (case Whole (W.Source, 1, 8) is
+            when 1      => Bytes (16#C3#, "("),
+            --  a continuation is missing
+            when 2      => Bytes (16#80#),
+            --  one without a beginning
+            when 3      => Bytes (16#FF#, Bytes (16#FE#)),
+            when 4      => Bytes (16#C0#, Bytes (16#8A#)),
+            --  a line feed, too long
+            when 5      => Bytes (16#ED#, Bytes (16#A0#, Bytes (16#80#))),
+            --  half a surrogate pair
+            when 6      => Bytes (16#F4#, Bytes (16#90#, Bytes
+                                  (16#80#, Bytes (16#80#)))),
+            --  past the last code point
+            when 7      => Bytes (16#E2#, Bytes (16#82#)),
+            --  cut off
+            when others => Bytes (16#F8#, Bytes (Whole (W.Source, 128, 255))));
+
+   begin
+      for Number in 1 .. 20 loop
+         W.Say (Amid (W, "RTRN:-7", Any_Flaw), Refused);
+         declare
+            Name : constant String := Any_Command (W);
+         begin
+            W.Say (Amid (W, Name, Any_Flaw), Refused);
+         end;
+         W.Say ("MSSG:" & Amid (W, "text", Any_Flaw), Silent);
+      end loop;
+   end Send_Invalid_Text;
+
+   -------------------
+   -- Send_Odd_Data --
+   -------------------
+
+   procedure Send_Odd_Data (W : in out World) is
+      Count : constant Positive := Positive (Commands.Length);
+      Shift : constant Natural := Whole (W.Source, 1, Count);
+
+      procedure Say_All (Name : String);
+      --  Without its data, with a number beyond all bounds, a negative one,
+      --  and nonsense
+
+      procedure Say_All (Name : String) is
+         Nines : constant String (1 .. Whole (W.Source, 6, 400)) :=
+           (others => '9');
+         Plain : constant Answer_Kind := Kind_Of (Name);
+      begin
+         if Name in "RMOV" | "RTRN" then
+            W.Say (Name, Refused);
+            W.Say (Name & ":", Refused);
+            W.Say (Name & ":" & Nines, Usual);
+            W.Say (Name & ":-" & Nines, Usual);
+            W.Say (Name & ":--1", Refused);
+            W.Say (Name & ":x" & Text (W.Source, 20), Refused);
+         elsif Name = "MSSG" then
+            W.Say (Name, Refused);
+            W.Say (Name & ":", Silent);
+            W.Say (Name & ":" & Nines, Perhaps);
+            W.Say (Name & ":-1", Silent);
+            W.Say (Name & ":x" & Text (W.Source, 20), Silent);
+         else
+            W.Say (Name, Plain);
+            W.Say (Name & ":", Plain);
+            W.Say (Name & ":" & Nines, Refused);
+            W.Say (Name & ":-" & Nines, Refused);
+            W.Say (Name & ":x" & Text (W.Source, 20), Refused);
+         end if;
+      end Say_All;
+
+   begin
+      for Number in 1 .. Count loop
+         Say_All (Commands.Element ((Number + Shift) mod Count + 1));
+      end loop;
+      --  RPOF has switched it off
+      W.Robot_Ready := False;
+   end Send_Odd_Data;
+
+   ------------
+   -- Inject --
+   ------------
+
+   overriding procedure Inject (F : in out Sending; W : in out World) is
+   begin
+      W.Listen;
+      if W.Present then
+         case F.Kind is
+            when Byte_By_Byte => Send_Slowly (W);
+            when Endless_Line => Send_Endless_Line (W);
+            when Nul_Bytes    => Send_Nul_Bytes (W);
+            when Invalid_Text => Send_Invalid_Text (W);
+            when Odd_Data     => Send_Odd_Data (W);
+         end case;
+      end if;
+   end Inject;
+
+   ------------
+   -- Inject --
+   ------------
+
+   overriding procedure Inject
+     (F : in out Crowd_Of_Clients; W : in out World)
+   is
+      pragma Unreferenced (F);
+      Count    : constant := 1_000;
+      Patience : constant Duration := 20.0;
+      --  Who finds the queue of the kernel full tries again after 1, 3, 7 s
+      Seen     : Raw_Probes.Crowd_Result;
+   begin
+      if W.Expected_End or else not W.Reachable then
+         return;
+      end if;
+      W.Listen;
+      Seen := Raw_Probes.Crowd (W.Address, W.Port, Count, Patience);
+      W.Listen;
+      --  Where there is no monitor one of them is it, until it leaves. Who
+      --  had to speak may see a reset before the reason.
+      Check
+        (not W.Present
+         or else (Seen.Closed = Count and then Seen.Left = 0
+                  and then Seen.Told > Count / 2),
+         Seen.Told'Image & " of" & Count'Image & " were told why,"
+         & Seen.Closed'Image & " were closed,"
+         & Seen.Left'Image & " were left to wait");
+   end Inject;
+
+   ------------
+   -- Inject --
+   ------------
+
+   overriding procedure Inject (F : in out Scan; W : in out World) is
+      pragma Unreferenced (F);
+   begin
+      Raw_Probes.Knock
+        (W.Address, W.Port, Whole (W.Source, 50, 300), W.Source);
+   end Inject;
+
+   ------------
+   -- Inject --
+   ------------
+
+   overriding procedure Inject
+     (F : in out Half_Open_Scan; W : in out World)
+   is
+      pragma Unreferenced (F);
+   begin
+      if not Raw_Probes.Can_Half_Open then
+         Skip ("packets of one's own need CAP_NET_RAW");
+      end if;
+      Raw_Probes.Half_Open
+        (W.Address, W.Port, Whole (W.Source, 50, 300), W.Source);
+   end Inject;
+
+   ------------
+   -- Inject --
+   ------------
+
+   overriding procedure Inject
+     (F : in out Second_Monitor; W : in out World)
+   is
+      pragma Unreferenced (F);
+      use type Monitor_Clients.Closing;
+      Mark  : constant String := "12321";
+      --  no other movement is so long
+      Other : Monitor_Clients.Client;
+      Item  : Monitor_Clients.Message;
+      Taken : Boolean;
+   begin
+      for Number in 1 .. Whole (W.Source, 1, 4) loop
+         W.Listen;
+         exit when not W.Present;
+         Other.Connect (W.Port, W.Address, Real_Time => False);
+         for Attempt in 1 .. Whole (W.Source, 1, 10) loop
+            Taken := Other.Try_Send ("RMOV:" & Mark & ASCII.LF);
+            exit when not Taken;
+            W.Talk (0.0, Calm => True);
+         end loop;
+         Item := Other.Next (Return_Limit + Noise);
+         W.Listen;
+         exit when not W.Present;
+         Check
+           ((Item.Number = 0 or else Item.Label = "MSSG")
+            and then Other.Closed_By_Peer (Return_Limit + Noise)
+              /= Monitor_Clients.Open
+            and then Other.Count <= 1,
+            "a second monitor is answered " & Item.Label);
+      end loop;
+      Other.Close;
+      Check
+        (not W.Present
+         or else W.Emulator.Count_Of ("M=" & Mark) = 0,
+         "the robot has obeyed a second monitor");
+   end Inject;
+
+   --------------
+   -- Register --
+   --------------
+
+   procedure Register is
+      function Named (Text : String) return Unbounded_String
+        renames To_Unbounded_String;
+   begin
+      Add (new Departure'
+             (Name     => Named ("orderly close"),
+              Ends     => Session_Ends,
+              How      => Orderly,
+              others   => <>));
+      Add (new Departure'
+             (Name     => Named ("reset"),
+              Ends     => Session_Ends,
+              How      => Abortive,
+              others   => <>));
+      Add (new Departure'
+             (Name     => Named ("half a line, then close"),
+              Ends     => Session_Ends,
+              How      => Orderly,
+              Mid_Line => True,
+              others   => <>));
+      Add (new Departure'
+             (Name     => Named ("half a line, then reset"),
+              Ends     => Session_Ends,
+              How      => Abortive,
+              Mid_Line => True,
+              others   => <>));
+      Add (new Cut_Cable'
+             (Name     => Named ("vanishing without a packet"),
+              Ends     => Session_Ends,
+              Cost     => 6.0,
+              others   => <>));
+      Add (new Stall'
+             (Name     => Named ("stall of 1 s"),
+              Camera   => Camera_Streaming,
+              Cost     => 1.0,
+              Length   => 1.0,
+              others   => <>));
+      Add (new Stall'
+             (Name     => Named ("stall of 5 s"),
+              Camera   => Camera_Streaming,
+              Cost     => 5.0,
+              Length   => 5.0,
+              others   => <>));
+      Add (new Stall'
+             (Name     => Named ("stall of 14 s"),
+              Camera   => Camera_Streaming,
+              Cost     => 14.0,
+              Length   => 14.0,
+              others   => <>));
+      Add (new Stall'
+             (Name     => Named ("stall of 20 s"),
+              Ends     => Session_Ends,
+              Camera   => Camera_Streaming,
+              Cost     => 20.0,
+              Length   => 20.0,
+              others   => <>));
+      Add (new Sending'
+             (Name     => Named ("byte by byte"),
+              Kind     => Byte_By_Byte,
+              others   => <>));
+      Add (new Sending'
+             (Name     => Named ("a line of 1 MB without end"),
+              Kind     => Endless_Line,
+              others   => <>));
+      Add (new Sending'
+             (Name     => Named ("NUL bytes"),
+              Kind     => Nul_Bytes,
+              others   => <>));
+      Add (new Sending'
+             (Name     => Named ("invalid UTF-8"),
+              Kind     => Invalid_Text,
+              others   => <>));
+      Add (new Sending'
+             (Name     => Named ("every command with odd data"),
+              Cost     => 3.0,
+              Kind     => Odd_Data,
+              others   => <>));
+      Add (new Crowd_Of_Clients'
+             (Name     => Named ("1,000 connections at once"),
+              others   => <>));
+      Add (new Scan'
+             (Name     => Named ("port scan"),
+              others   => <>));
+      Add (new Half_Open_Scan'
+             (Name     => Named ("half-open port scan"),
+              others   => <>));
+      Add (new Second_Monitor'
+             (Name     => Named ("second monitor talks over the first"),
+              others   => <>));
+   end Register;
+
+end Network_Faults;

@@ -1,0 +1,96 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Random numbers that a seed repeats.
+
+with Interfaces; use Interfaces;
+
+package body Random_Numbers is
+
+   procedure Step (Source : in out Generator; Value : out Unsigned_64);
+   --  A counter with an odd step, its bits mixed
+
+   ----------
+   -- Step --
+   ----------
+
+   procedure Step (Source : in out Generator; Value : out Unsigned_64) is
+   begin
+      Source.State := Source.State + 16#9E37_79B9_7F4A_7C15#;
+      Value := Source.State;
+      Value := (Value xor Shift_Right (Value, 30)) * 16#BF58_476D_1CE4_E5B9#;
+      Value := (Value xor Shift_Right (Value, 27)) * 16#94D0_49BB_1331_11EB#;
+      Value := Value xor Shift_Right (Value, 31);
+   end Step;
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start
+     (Source : in out Generator; Seed : Natural; Name : String)
+   is
+      Value : Unsigned_64;
+   begin
+      Source.State := Unsigned_64 (Seed);
+      for C of Name loop
+         Step (Source, Value);
+         Source.State := Value xor Unsigned_64 (Character'Pos (C));
+      end loop;
+   end Start;
+
+   -----------
+   -- Whole --
+   -----------
+
+   function Whole
+     (Source : in out Generator; Low, High : Integer) return Integer
+   is
+      Value : Unsigned_64;
+   begin
+      Step (Source, Value);
+      return Integer
+        (Long_Long_Integer (Low)
+         + Long_Long_Integer
+             (Shift_Right (Value, 1)
+              mod Unsigned_64
+                (Long_Long_Integer (High) - Long_Long_Integer (Low) + 1)));
+   end Whole;
+
+   ------------
+   -- Chance --
+   ------------
+
+   function Chance
+     (Source : in out Generator; One_In : Positive) return Boolean
+   is (Whole (Source, 1, One_In) = 1);
+
+   ----------
+   -- Span --
+   ----------
+
+   function Span
+     (Source : in out Generator; Low, High : Duration) return Duration
+   is
+     (Low + Duration (Whole (Source, 0, Integer ((High - Low) * 1_000)))
+      / 1_000);
+
+   -----------
+   -- Octet --
+   -----------
+
+   function Octet (Source : in out Generator) return Character is
+     (Character'Val (Whole (Source, 0, 255)));
+
+   ----------
+   -- Text --
+   ----------
+
+   function Text (Source : in out Generator; Size : Natural) return String is
+   begin
+      return Result : String (1 .. Size) do
+         for C of Result loop
+            C := Character'Val (Whole (Source, 32, 126));
+         end loop;
+      end return;
+   end Text;
+
+end Random_Numbers;

@@ -1,0 +1,562 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What a soak has measured.
+
+with Ada.Containers.Vectors;
+with Ada.Float_Text_IO;
+with Ada.Strings;         use Ada.Strings;
+with Ada.Strings.Fixed;   use Ada.Strings.Fixed;
+with Ada.Text_IO;         use Ada.Text_IO;
+
+with Process_Facts;
+with Svg_Charts;
+
+package body Soak_Records is
+
+   --  By how much the last tenth may be worse than the first. A leak of a
+   --  kilobyte a second would add 1600 between the middles of the two
+   --  tenths of half an hour; the rest are for a machine that is not alone.
+   Memory_Margin : constant Natural := 1024;  --  kilobytes, of the median
+   Median_Factor : constant Float := 1.5;
+   Median_Margin : constant Duration := 0.000_5;
+   Tail_Factor   : constant Float := 1.5;
+   Tail_Margin   : constant Duration := 0.002;
+   Worst_Margin  : constant Duration := 0.010;
+   Rate_Margin   : constant Float := 0.01;  --  of the images a second
+
+   Window : constant Duration := 30.0;
+   --  of the curves' percentiles
+
+   type Second is record
+      Time        : Duration := 0.0;
+      --  since the recording began
+      Memory      : Natural := 0;
+      Descriptors : Natural := 0;
+      Threads     : Natural := 0;
+      Calm        : Boolean := False;
+      Faults      : Natural := 0;
+      --  so far
+      Stolen      : Float := 0.0;
+      --  by the host of a virtual machine: percent of the processors
+   end record;
+
+   type Event is record
+      Time  : Duration := 0.0;
+      Value : Duration := 0.0;
+   end record;
+
+   package Second_Vectors is new Ada.Containers.Vectors (Positive, Second);
+   package Event_Vectors is new Ada.Containers.Vectors (Positive, Event);
+   package Value_Vectors is new Ada.Containers.Vectors (Positive, Duration);
+   package Value_Sorting is new Value_Vectors.Generic_Sorting;
+
+   Start   : Instant := Never;
+   Seconds : Second_Vectors.Vector;
+   Answers : Event_Vectors.Vector;
+   Images  : Event_Vectors.Vector;
+   Begun   : Event_Vectors.Vector;
+   --  faults
+
+   protected State is
+      procedure Set_Calm (Value : Boolean);
+      procedure Count_Fault;
+      procedure Take_Second (Was_Calm : out Boolean);
+      function Faults return Natural;
+   private
+      Calm      : Boolean := False;
+      Disturbed : Boolean := True;
+      --  since the last second
+      Count     : Natural := 0;
+   end State;
+
+   task Sampler is
+      entry Start_With (Process : Interfaces.C.int);
+      entry Stop;
+   end Sampler;
+
+   package Integers is new Ada.Text_IO.Integer_IO (Long_Long_Integer);
+
+   procedure Read_Processor_Times (All_Times, Stolen : out Float);
+   --  Since the machine was started; their unit does not matter
+
+   function Between
+     (From : Event_Vectors.Vector; First, Last : Duration)
+      return Value_Vectors.Vector;
+   --  Sorted
+
+   function Quantile
+     (Values : Value_Vectors.Vector; Share : Float) return Duration;
+
+   function Rate (Intervals : Value_Vectors.Vector) return Float;
+   --  A second
+
+   function Last_Time return Duration is
+     (if Seconds.Is_Empty then 0.0 else Seconds.Last_Element.Time);
+
+   function Plain (Value : Natural) return String is
+     (Trim (Value'Image, Both));
+
+   function Fixed (Value : Float; Aft : Positive := 2) return String;
+
+   function In_Ms (Value : Duration) return String is
+     (Fixed (Float (Value) * 1000.0));
+
+   -----------
+   -- State --
+   -----------
+
+   protected body State is
+
+      procedure Set_Calm (Value : Boolean) is
+      begin
+         Calm := Value;
+         if not Value then
+            Disturbed := True;
+         end if;
+      end Set_Calm;
+
+      procedure Count_Fault is
+      begin
+         Count := Count + 1;
+      end Count_Fault;
+
+      procedure Take_Second (Was_Calm : out Boolean) is
+      begin
+         Was_Calm := Calm and then not Disturbed;
+         Disturbed := not Calm;
+      end Take_Second;
+
+      function Faults return Natural is (Count);
+
+   end State;
+
+   --------------------------
+   -- Read_Processor_Times --
+   --------------------------
+
+   procedure Read_Processor_Times (All_Times, Stolen : out Float) is
+      --  user, nice, system, idle, waiting, interrupts (2), stolen
+      Steal : constant := 8;
+      File  : File_Type;
+      Value : Long_Long_Integer;
+      Last  : Natural;
+   begin
+      All_Times := 0.0;
+      Stolen := 0.0;
+      Open (File, In_File, "/proc/stat");
+      declare
+         Line : constant String := Get_Line (File);
+      begin
+         Close (File);
+         Last := Line'First + 3;
+         for Field in 1 .. Steal loop
+            Integers.Get (Line (Last + 1 .. Line'Last), Value, Last);
+            All_Times := All_Times + Float (Value);
+            if Field = Steal then
+               Stolen := Float (Value);
+            end if;
+         end loop;
+      end;
+   exception
+      when Name_Error | Use_Error | Data_Error | End_Error =>
+         null;
+   end Read_Processor_Times;
+
+   -------------
+   -- Sampler --
+   -------------
+
+   task body Sampler is
+      Last_Times, Last_Stolen : Float := 0.0;
+      Times, Stolen           : Float;
+      Watched : Interfaces.C.int := 0;
+      Next    : Second;
+      Calm    : Boolean;
+      Stopped : Boolean := False;
+   begin
+      select
+         accept Start_With (Process : Interfaces.C.int) do
+            Watched := Process;
+            Start := Now;
+         end Start_With;
+      or
+         terminate;
+      end select;
+      while not Stopped loop
+         select
+            accept Stop do
+               Stopped := True;
+            end Stop;
+         or
+            delay 1.0 * (Natural (Seconds.Length) + 1) - (Now - Start);
+            State.Take_Second (Calm);
+            Next :=
+              (Time        => Now - Start,
+               Memory      => Process_Facts.Resident_Kilobytes (Watched),
+               Descriptors => Process_Facts.Descriptors (Watched),
+               Threads     => Process_Facts.Threads (Watched),
+               Calm        => Calm,
+               Faults      => State.Faults,
+               Stolen      => 0.0);
+            Read_Processor_Times (Times, Stolen);
+            if not Seconds.Is_Empty and then Times > Last_Times then
+               Next.Stolen :=
+                 100.0 * (Stolen - Last_Stolen) / (Times - Last_Times);
+            end if;
+            Last_Times := Times;
+            Last_Stolen := Stolen;
+            Seconds.Append (Next);
+         end select;
+      end loop;
+   end Sampler;
+
+   procedure Begin_Recording (Process : Interfaces.C.int) is
+   begin
+      Sampler.Start_With (Process);
+   end Begin_Recording;
+
+   procedure End_Recording is
+   begin
+      Sampler.Stop;
+   end End_Recording;
+
+   procedure Set_Calm (Value : Boolean) is
+   begin
+      State.Set_Calm (Value);
+   end Set_Calm;
+
+   procedure Count_Fault is
+   begin
+      State.Count_Fault;
+      Begun.Append ((Now - Start, 0.0));
+   end Count_Fault;
+
+   procedure Add_Answer (Time : Instant; Latency : Duration) is
+   begin
+      if Start /= Never then
+         Answers.Append ((Time - Start, Latency));
+      end if;
+   end Add_Answer;
+
+   procedure Add_Image (Time : Instant; Interval : Duration) is
+   begin
+      if Start /= Never then
+         Images.Append ((Time - Start, Interval));
+      end if;
+   end Add_Image;
+
+   function Faults return Natural is (State.Faults);
+
+   -------------
+   -- Between --
+   -------------
+
+   function Between
+     (From : Event_Vectors.Vector; First, Last : Duration)
+      return Value_Vectors.Vector
+   is
+      Result : Value_Vectors.Vector;
+   begin
+      for Item of From loop
+         if Item.Time >= First and then Item.Time < Last then
+            Result.Append (Item.Value);
+         end if;
+      end loop;
+      Value_Sorting.Sort (Result);
+      return Result;
+   end Between;
+
+   --------------
+   -- Quantile --
+   --------------
+
+   function Quantile
+     (Values : Value_Vectors.Vector; Share : Float) return Duration
+   is
+      Count : constant Natural := Natural (Values.Length);
+   begin
+      return
+        (if Count = 0 then 0.0
+         else Values
+           (Positive'Min
+              (Count,
+               1 + Natural (Float'Floor (Share * Float (Count))))));
+   end Quantile;
+
+   ----------
+   -- Rate --
+   ----------
+
+   function Rate (Intervals : Value_Vectors.Vector) return Float is
+      Sum : Duration := 0.0;
+   begin
+      for Value of Intervals loop
+         Sum := Sum + Value;
+      end loop;
+      return
+        (if Sum <= 0.0 then 0.0
+         else Float (Intervals.Length) / Float (Sum));
+   end Rate;
+
+   -----------
+   -- Fixed --
+   -----------
+
+   function Fixed (Value : Float; Aft : Positive := 2) return String is
+      Text : String (1 .. 30);
+   begin
+      Ada.Float_Text_IO.Put (Text, Value, Aft => Aft, Exp => 0);
+      return Trim (Text, Both);
+   end Fixed;
+
+   ---------------------
+   -- Print_And_Judge --
+   ---------------------
+
+   procedure Print_And_Judge (Good : out Boolean) is
+      Tenth : constant Duration := Last_Time / 10;
+
+      type Figures is record
+         Calm        : Natural := 0;
+         --  seconds
+         Answers     : Natural := 0;
+         Median, Tail, Worst : Duration := 0.0;
+         Memory      : Natural := 0;
+         Descriptors : Natural := 0;
+         Threads     : Natural := 0;
+         --  medians of the calm seconds
+         Images      : Natural := 0;
+         Rate        : Float := 0.0;
+         Stolen      : Float := 0.0;
+         --  mean of the calm seconds
+      end record;
+
+      function Figures_Of (First, Last : Duration) return Figures;
+
+      procedure Line (Name, First, Last, Limit : String; Met : Boolean);
+
+      function Figures_Of (First, Last : Duration) return Figures is
+         Result      : Figures;
+         Latencies   : constant Value_Vectors.Vector :=
+           Between (Answers, First, Last);
+         Intervals   : constant Value_Vectors.Vector :=
+           Between (Images, First, Last);
+         Memory, Descriptors, Threads : Value_Vectors.Vector;
+
+         function Median (Values : in out Value_Vectors.Vector)
+            return Natural;
+
+         function Median (Values : in out Value_Vectors.Vector)
+            return Natural is
+         begin
+            Value_Sorting.Sort (Values);
+            return Natural (Quantile (Values, 0.5));
+         end Median;
+
+      begin
+         for Item of Seconds loop
+            if Item.Calm and then Item.Time >= First and then Item.Time < Last
+            then
+               Result.Calm := Result.Calm + 1;
+               Memory.Append (Duration (Item.Memory));
+               Descriptors.Append (Duration (Item.Descriptors));
+               Threads.Append (Duration (Item.Threads));
+               Result.Stolen := Result.Stolen + Item.Stolen;
+            end if;
+         end loop;
+         Result.Stolen :=
+           Result.Stolen / Float (Positive'Max (1, Result.Calm));
+         Result.Memory := Median (Memory);
+         Result.Descriptors := Median (Descriptors);
+         Result.Threads := Median (Threads);
+         Result.Answers := Natural (Latencies.Length);
+         Result.Median := Quantile (Latencies, 0.5);
+         Result.Tail := Quantile (Latencies, 0.99);
+         Result.Worst := Quantile (Latencies, 1.0);
+         Result.Images := Natural (Intervals.Length);
+         Result.Rate := Rate (Intervals);
+         return Result;
+      end Figures_Of;
+
+      A : constant Figures := Figures_Of (0.0, Tenth);
+      Z : constant Figures := Figures_Of (Last_Time - Tenth, Duration'Last);
+
+      procedure Line (Name, First, Last, Limit : String; Met : Boolean) is
+      begin
+         Put_Line
+           ("| " & Head (Name, 24) & " | " & Tail (First, 9) & " | "
+            & Tail (Last, 9) & " | " & Head (Limit, 26) & " | "
+            & (if Met then "yes" else "NO ") & " |");
+         Good := Good and then Met;
+      end Line;
+
+      Median_Limit : constant Duration :=
+        Duration (Median_Factor * Float (A.Median)) + Median_Margin;
+      Tail_Limit   : constant Duration :=
+        Duration (Tail_Factor * Float (A.Tail)) + Tail_Margin;
+      Worst_Limit  : constant Duration :=
+        Duration (Tail_Factor * Float (A.Worst)) + Worst_Margin;
+
+   begin
+      Good := True;
+      Put_Line
+        ("| " & Head ("", 24) & " | 1st tenth |last tenth | "
+         & Head ("limit", 26) & " | met |");
+      Put_Line ("|---|---|---|---|---|");
+      Line ("calm seconds", Plain (A.Calm), Plain (Z.Calm), "> 0",
+            A.Calm > 0 and then Z.Calm > 0);
+      Line ("answers", Plain (A.Answers), Plain (Z.Answers), "> 0",
+            A.Answers > 0 and then Z.Answers > 0);
+      Line ("answer, median, ms", In_Ms (A.Median), In_Ms (Z.Median),
+            "<= " & In_Ms (Median_Limit) & " (x 1.5 + 0.5)",
+            Z.Median <= Median_Limit);
+      Line ("answer, p99, ms", In_Ms (A.Tail), In_Ms (Z.Tail),
+            "<= " & In_Ms (Tail_Limit) & " (x 1.5 + 2)",
+            Z.Tail <= Tail_Limit);
+      Line ("answer, maximum, ms", In_Ms (A.Worst), In_Ms (Z.Worst),
+            "<= " & In_Ms (Worst_Limit) & " (x 1.5 + 10)",
+            Z.Worst <= Worst_Limit);
+      Line ("memory, kB", Plain (A.Memory), Plain (Z.Memory),
+            "<= " & Plain (A.Memory + Memory_Margin) & " (+ 1024)",
+            Z.Memory <= A.Memory + Memory_Margin);
+      Line ("descriptors", Plain (A.Descriptors), Plain (Z.Descriptors),
+            "the same", Z.Descriptors = A.Descriptors);
+      Line ("threads", Plain (A.Threads), Plain (Z.Threads),
+            "the same", Z.Threads = A.Threads);
+      Line ("images a second", Fixed (A.Rate), Fixed (Z.Rate),
+            "within 1 %",
+            A.Rate > 0.0
+            and then abs (Z.Rate - A.Rate) <= Rate_Margin * A.Rate);
+      Line ("taken by the host, %", Fixed (A.Stolen), Fixed (Z.Stolen),
+            "none: for the reader", True);
+   end Print_And_Judge;
+
+   ---------------
+   -- Write_Csv --
+   ---------------
+
+   procedure Write_Csv (Path : String) is
+      File : File_Type;
+   begin
+      Create (File, Out_File, Path);
+      Put_Line
+        (File,
+         "second,calm,faults,stolen_percent,memory_kb,descriptors,threads,"
+         & "images,answers,median_ms,maximum_ms");
+      for Item of Seconds loop
+         declare
+            Latencies : constant Value_Vectors.Vector :=
+              Between (Answers, Item.Time - 1.0, Item.Time);
+            Frames    : constant Natural := Natural
+              (Between (Images, Item.Time - 1.0, Item.Time).Length);
+         begin
+            Put_Line
+              (File,
+               Plain (Natural (Item.Time)) & ","
+               & (if Item.Calm then "1" else "0") & ","
+               & Plain (Item.Faults) & "," & Fixed (Item.Stolen) & ","
+               & Plain (Item.Memory) & ","
+               & Plain (Item.Descriptors) & "," & Plain (Item.Threads) & ","
+               & Plain (Frames) & "," & Plain (Natural (Latencies.Length))
+               & ","
+               & (if Latencies.Is_Empty then ","
+                  else In_Ms (Quantile (Latencies, 0.5)) & ","
+                    & In_Ms (Quantile (Latencies, 1.0))));
+         end;
+      end loop;
+      Close (File);
+   end Write_Csv;
+
+   --------------
+   -- Draw_Svg --
+   --------------
+
+   procedure Draw_Svg (Path : String; Title : String) is
+      use Svg_Charts;
+
+      function In_Minutes (Time : Duration) return Float is
+        (Float (Time) / 60.0);
+
+      C : Chart;
+      Memory, Descriptors, Threads  : Points;
+      Median, Tail, Worst, Pictures : Points;
+      Most_Memory  : Natural := 1;
+      Most_Numbers : Natural := 1;
+      Highest      : Float := 0.001;
+      Lowest       : Float := Float'Last;
+      Time         : Duration := 0.0;
+
+      procedure Add_Window;
+      --  The half minute from Time on, where it has been calm for a while
+
+      procedure Mark_Faults;
+
+      procedure Add_Window is
+         Enough    : constant := 10;
+         Latencies : constant Value_Vectors.Vector :=
+           Between (Answers, Time, Time + Window);
+         Intervals : constant Value_Vectors.Vector :=
+           Between (Images, Time, Time + Window);
+         X         : constant Float := In_Minutes (Time + Window / 2);
+      begin
+         if Natural (Latencies.Length) >= Enough then
+            Median.Append
+              ((X, 1000.0 * Float (Quantile (Latencies, 0.5))));
+            Tail.Append ((X, 1000.0 * Float (Quantile (Latencies, 0.99))));
+            Worst.Append ((X, 1000.0 * Float (Quantile (Latencies, 1.0))));
+            Highest := Float'Max (Highest, Worst.Last_Element.Y);
+            Lowest := Float'Min (Lowest, Median.Last_Element.Y);
+         end if;
+         if Natural (Intervals.Length) >= Enough then
+            Pictures.Append ((X, Rate (Intervals)));
+         end if;
+      end Add_Window;
+
+      procedure Mark_Faults is
+      begin
+         for Item of Begun loop
+            Mark (C, In_Minutes (Item.Time));
+         end loop;
+      end Mark_Faults;
+
+   begin
+      for Item of Seconds loop
+         Memory.Append
+           ((In_Minutes (Item.Time), Float (Item.Memory) / 1024.0));
+         Descriptors.Append
+           ((In_Minutes (Item.Time), Float (Item.Descriptors)));
+         Threads.Append ((In_Minutes (Item.Time), Float (Item.Threads)));
+         Most_Memory := Natural'Max (Most_Memory, Item.Memory);
+         Most_Numbers := Natural'Max
+           (Most_Numbers, Natural'Max (Item.Descriptors, Item.Threads));
+      end loop;
+      while Time + Window <= Last_Time loop
+         Add_Window;
+         Time := Time + Window;
+      end loop;
+      if Lowest > Highest then
+         Lowest := Highest / 10.0;
+      end if;
+
+      Svg_Charts.Start
+        (C, Path, Title, In_Minutes (Last_Time), "minutes", Panels => 4);
+      Begin_Panel
+        (C, "resident memory, MB", 0.0, Float (Most_Memory) / 1024.0);
+      Draw (C, Memory, "each second", Blue);
+      Mark_Faults;
+      Begin_Panel
+        (C, "descriptors and threads, each second", 0.0,
+         Float (Most_Numbers));
+      Draw (C, Threads, "threads", Orange, Stepped => True);
+      Draw (C, Descriptors, "descriptors", Blue, Stepped => True);
+      Begin_Panel
+        (C, "answer to a command, ms, per half minute", Lowest, Highest,
+         Logarithmic);
+      Draw (C, Worst, "maximum", Orange);
+      Draw (C, Tail, "p99", Green);
+      Draw (C, Median, "median", Blue);
+      Begin_Panel (C, "images a second, per half minute", 0.0, 12.0);
+      Draw (C, Pictures, "mean", Blue);
+      Finish (C);
+   end Draw_Svg;
+
+end Soak_Records;
