@@ -3,13 +3,22 @@
 
 with Interfaces.C; use Interfaces.C;
 
-with Instants;     use Instants;
 with Libc;
 
 package body Line_Watch is
 
-   Pause  : constant Duration := 0.005;
+   Pause  : constant Duration := 0.02;
    --  Between two bytes
+
+   type Passage is record
+      Sent    : Instant := Never;
+      Arrived : Instant := Never;
+      --  Never while it is on its way
+   end record;
+
+   Most : constant := 3_000;
+
+   type Passages is array (0 .. Most - 1) of Passage;
 
    Closed : constant int := -1;
 
@@ -17,16 +26,14 @@ package body Line_Watch is
       procedure Begin_Once (First : out Boolean);
       procedure End_All;
       function Is_Ended return Boolean;
-      procedure Forget;
-      procedure Note (Time : Duration);
-      procedure Set_Pending (Since : Instant);
-      function Worst return Duration;
+      procedure Send (Time : Instant);
+      procedure Arrive (Time : Instant);
+      function Worst (From, To : Instant) return Duration;
    private
-      Begun   : Boolean := False;
-      Ended   : Boolean := False;
-      Slowest : Duration := 0.0;
-      Pending : Instant := Never;
-      --  When the byte was sent that is on its way
+      Begun  : Boolean := False;
+      Ended  : Boolean := False;
+      Bytes  : Passages;
+      Newest : Natural := 0;
    end Record_Of;
 
    task Runner is
@@ -109,25 +116,30 @@ package body Line_Watch is
 
       function Is_Ended return Boolean is (Ended);
 
-      procedure Forget is
+      procedure Send (Time : Instant) is
       begin
-         Slowest := 0.0;
-      end Forget;
+         Newest := (Newest + 1) mod Most;
+         Bytes (Newest) := (Sent => Time, Arrived => Never);
+      end Send;
 
-      procedure Note (Time : Duration) is
+      procedure Arrive (Time : Instant) is
       begin
-         Slowest := Duration'Max (Slowest, Time);
-         Pending := Never;
-      end Note;
+         Bytes (Newest).Arrived := Time;
+      end Arrive;
 
-      procedure Set_Pending (Since : Instant) is
+      function Worst (From, To : Instant) return Duration is
+         Result  : Duration := 0.0;
+         Arrival : Instant;
       begin
-         Pending := Since;
-      end Set_Pending;
-
-      function Worst return Duration is
-        (if Pending = Never then Slowest
-         else Duration'Max (Slowest, Now - Pending));
+         for P of Bytes loop
+            Arrival := (if P.Arrived = Never then Now else P.Arrived);
+            if P.Sent /= Never and then P.Sent <= To and then Arrival >= From
+            then
+               Result := Duration'Max (Result, Arrival - P.Sent);
+            end if;
+         end loop;
+         return Result;
+      end Worst;
 
    end Record_Of;
 
@@ -141,7 +153,6 @@ package body Line_Watch is
       Slave  : int := Closed;
       Byte   : aliased unsigned_char := 0;
       Ready  : aliased Libc.Poll_Descriptor;
-      Sent   : Instant;
       Done   : long;
       Unused : int;
    begin
@@ -156,8 +167,7 @@ package body Line_Watch is
          terminate;
       end select;
       while Slave /= Closed and then not Record_Of.Is_Ended loop
-         Sent := Now;
-         Record_Of.Set_Pending (Sent);
+         Record_Of.Send (Now);
          Done := Libc.Write (Master, Byte'Address, 1);
          exit when Done /= 1;
          loop
@@ -168,7 +178,7 @@ package body Line_Watch is
          if Ready.Returned /= 0 then
             Done := Libc.Read (Slave, Byte'Address, 1);
          end if;
-         Record_Of.Note (Now - Sent);
+         Record_Of.Arrive (Now);
          delay Pause;
       end loop;
       if Slave /= Closed then
@@ -206,11 +216,7 @@ package body Line_Watch is
       end if;
    end Stop;
 
-   procedure Forget is
-   begin
-      Record_Of.Forget;
-   end Forget;
-
-   function Worst return Duration is (Record_Of.Worst);
+   function Worst (From, To : Instant) return Duration is
+     (Record_Of.Worst (From, To));
 
 end Line_Watch;

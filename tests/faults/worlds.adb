@@ -7,7 +7,7 @@ with GNAT.Sockets;
 
 with Child_Processes;
 with Expectations;        use Expectations;
-with Line_Probes;
+with Line_Watch;
 with Process_Facts;
 with Random_Numbers;      use Random_Numbers;
 with Tolerances;          use Tolerances;
@@ -103,7 +103,6 @@ package body Worlds is
 
    procedure Build (W : in out World; P : Plan) is
    begin
-      Line_Probes.Start;
       W.Destroy;
       W.The_Plan := P;
       if P.Through_Link and then The_Link.Namespace = "" then
@@ -543,7 +542,7 @@ package body Worlds is
                       when 3 => "RGLF",
                       when others => "RGRI"), "AACK");
                W.Emulator.Await_Status
-                 ("moving", "1", Within => Stop_Limit + Noise);
+                 ("moving", "1", Within => Return_Limit);
             end if;
             exit;
          exception
@@ -721,7 +720,7 @@ package body Worlds is
             Stop := Never;
             Moved := True;
             if Item.First
-              > Limit + 2 * Line_Probes.Worst (Since, Item.First)
+              > Limit + 2 * Line_Watch.Worst (Since, Item.First)
             then
                W.Violate
                  (Robot_Stands,
@@ -744,7 +743,7 @@ package body Worlds is
          W.Figures.Slowest_Stop :=
            Duration'Max (W.Figures.Slowest_Stop, Stop - Since);
       end if;
-      if Late and then Stop > Limit + 2 * Line_Probes.Worst (Since, Stop)
+      if Late and then Stop > Limit + 2 * Line_Watch.Worst (Since, Stop)
       then
          --  twice: its way, and that of an answer which it had to wait for
          W.Violate
