@@ -29,7 +29,7 @@ procedure Destijl_Faults is
 
    Program  : constant String := Programs.Beside ("destijl_faults");
    S        : Scope;
-   Jobs     : Positive := 10;
+   Jobs     : Positive := 12;
    Figures  : Worlds.Figure_Set;
    Markdown : Unbounded_String;
    Is_Job   : Boolean := False;
@@ -72,7 +72,7 @@ procedure Destijl_Faults is
       Put_Line ("  --pairs N       each in so many pairs, at random (100)");
       Put_Line ("  --only PART     faults and pairs with this in their name");
       Put_Line ("  --at N          only the repetition N");
-      Put_Line ("  --jobs N        worlds side by side (10)");
+      Put_Line ("  --jobs N        worlds side by side (12)");
       Put_Line ("  --short         each fault once, some pairs");
       Put_Line ("  --markdown FILE the table, as a file");
       Put_Line ("  --supervisor, --emulator PATH  other programs");

@@ -459,7 +459,8 @@ package body Machine_Faults is
         of Monitor_Clients.Client;
 
       function Said return Boolean is
-        (W.Supervisor.Says ("a monitor could not connect", After => Log));
+        (W.Supervisor.Says
+           ("a monitor could not connect", Within => Noise, After => Log));
 
    begin
       W.Expect_Answers;

@@ -709,6 +709,7 @@ package body Worlds is
               (Robot_Stands,
                "it still moves, " & Milliseconds (Now - Since)
                & " after nobody is in command");
+            W.Nobody_Since := Never;
             return;
          end if;
          delay 0.01;
@@ -750,6 +751,7 @@ package body Worlds is
            (Robot_Stands,
             "it stood only " & Milliseconds (Stop - Since)
             & " after nobody is in command");
+         W.Nobody_Since := Never;
       end if;
    end Await_Standing;
 
