@@ -146,7 +146,7 @@ package Authentication with SPARK_Mode is
 
    function Shown_Length (Line : String) return Natural
    with
-     Pre  => Line'Last < Integer'Last,
+     Pre  => Line'First > 0 and then Line'Last < Integer'Last,
      Post => Shown_Length'Result <= Line'Length
        and then (for all I in Line'First
                               .. Line'First + Shown_Length'Result - 2 =>
@@ -159,7 +159,7 @@ package Authentication with SPARK_Mode is
 
    procedure Append_Shown (To : in out Texts.Text; Line : String)
    with
-     Pre  => Line'Last < Integer'Last,
+     Pre  => Line'First > 0 and then Line'Last < Integer'Last,
      Post => To.Length >= To.Length'Old
        and then (for all I in 1 .. To.Length'Old =>
                    To.Data (I) = To.Data'Old (I))

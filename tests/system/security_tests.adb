@@ -742,6 +742,7 @@ package body Security_Tests is
       Refuse ("AUTH:correct-horse-batterz" & LF);
       Refuse ("AUTH:Correct-horse-battery" & LF);
       Refuse ("AUTH:" & Token & "x" & LF);
+      Refuse ("AUTH:" & Token & " " & LF);
       Refuse ("AUTH:correct-horse-batter" & LF);
       Refuse ("AUTH: " & Token & LF);
       Refuse (" AUTH:" & Token & LF);
@@ -819,6 +820,7 @@ package body Security_Tests is
       Check (Next.Next (Within => 3.0).Label = "ANAK", "not admitted");
       Note ("admitted after " & Milliseconds (Now - Start));
       Expect_Refused (Last, Not_Alone);
+      R.Supervisor.Expect_Log ("second monitor refused", Within => 2.0);
       Check
         (R.Supervisor.Time_Of ("session closed")
          <= R.Supervisor.Time_Of ("second monitor refused"),
