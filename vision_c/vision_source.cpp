@@ -10,6 +10,7 @@
 #include <string>
 
 #include <errno.h>
+#include <malloc.h>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/stat.h>
@@ -27,6 +28,7 @@ namespace {
 constexpr int open_limit = 3000;  // milliseconds, of a URL
 constexpr int read_limit = 2000;  // the first image comes after the opening
 constexpr double still_rate = 25.0;  // images a second
+constexpr int large = 1 << 20;       // bytes
 
 enum class Kind { none, still, video, live };
 
@@ -56,6 +58,9 @@ struct Settings {
     // The reason of a failure is returned, not printed.
     setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
     setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "2", 0);  // seconds
+    // An image of 4K is given back to the system when it is no longer
+    // needed. The C library would else keep all large memory from then on.
+    mallopt(M_MMAP_THRESHOLD, large);
     if (std::getenv("OPENCV_LOG_LEVEL") == nullptr)
       cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   }
@@ -94,6 +99,7 @@ void close(Source &from) {
   from.kind = Kind::none;
   from.waiting = false;
   from.capture.release();
+  from.raw.release();
   from.still.release();
 }
 

@@ -5,6 +5,7 @@
 with Console;
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
+with Linux;
 with System;
 
 package body Process with
@@ -64,6 +65,9 @@ is
    function Effective_User return unsigned
    with Import, Convention => C, External_Name => "geteuid";
 
+   function Open (Path : System.Address; Flags : int) return int
+   with Import, Convention => C_Variadic_2, External_Name => "open";
+
    procedure Exit_At_Once (Status : int)
    with Import, Convention => C, External_Name => "_exit", No_Return;
 
@@ -110,8 +114,30 @@ is
    procedure Keep (Thread : Thread_Number);
    --  On its set; Thread as in Threads
 
+   procedure Open_Standard_Streams;
+   --  Where they are closed, nothing else may get their descriptors: the log
+   --  would be written to the monitor or to the robot
+
    procedure Block_Signals;
    procedure Examine_Privileges;
+
+   ---------------------------
+   -- Open_Standard_Streams --
+   ---------------------------
+
+   procedure Open_Standard_Streams is
+      Nowhere    : constant String := "/dev/null" & ASCII.NUL;
+      Read_Write : constant := 2;  --  O_RDWR
+      Found      : int;
+   begin
+      loop
+         Found := Open (Nowhere'Address, Read_Write);
+         exit when Found not in 0 .. 2;
+      end loop;
+      if Found > 2 then
+         Linux.Close (Found);
+      end if;
+   end Open_Standard_Streams;
 
    -------------------
    -- Block_Signals --
@@ -264,6 +290,7 @@ is
    end Leave;
 
 begin
+   Open_Standard_Streams;
    Block_Signals;
    Examine_Privileges;
 end Process;

@@ -15,14 +15,17 @@ is
    Read_Only    : constant int := 8#2004400#;
    --  O_RDONLY, O_CLOEXEC, O_NONBLOCK, O_NOCTTY
    Of_The_File  : constant int := 16#1000#;         --  AT_EMPTY_PATH
-   Type_And_Mode : constant unsigned := 16#0003#;   --  STATX_TYPE, _MODE
+   Wanted       : constant unsigned := 16#000B#;
+   --  STATX_TYPE, STATX_MODE, STATX_UID
 
    --  The kernel's struct statx (linux/stat.h), the same on all machines
    type Filler is array (Positive range <>) of Unsigned_32
      with Convention => C;
 
    type File_Status is record
-      Before : Filler (1 .. 7);
+      Before : Filler (1 .. 5);
+      Owner  : Unsigned_32;
+      Group  : Unsigned_32;
       Mode   : Unsigned_16;
       Spare  : Unsigned_16;
       Behind : Filler (1 .. 56);
@@ -48,6 +51,7 @@ is
       Data    : out String;
       Length  : out Natural;
       Mode    : out Authentication.File_Mode;
+      Owner   : out Authentication.User_Number;
       Success : out Boolean;
       Reason  : out Texts.Text)
    is
@@ -58,12 +62,14 @@ is
       Data := (others => ' ');
       Length := 0;
       Mode := 0;
+      Owner := 0;
       Texts.Set (Reason, "");
       if File >= 0
-        and then Status_Of (File, To_C (""), Of_The_File, Type_And_Mode,
-                            Status'Address) = 0
+        and then Status_Of
+          (File, To_C (""), Of_The_File, Wanted, Status'Address) = 0
       then
          Mode := Authentication.File_Mode (Status.Mode);
+         Owner := Status.Owner;
          Got := Linux.Read (File, Data'Address, Data'Length);
       end if;
       Success := Got >= 0;

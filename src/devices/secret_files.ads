@@ -16,13 +16,14 @@ is
       Data    : out String;
       Length  : out Natural;
       Mode    : out Authentication.File_Mode;
+      Owner   : out Authentication.User_Number;
       Success : out Boolean;
       Reason  : out Texts.Text)
    with
      Global => (In_Out => Files),
      Post   => Length <= Data'Length;
    --  The first characters of the file, as many as there are and as Data
-   --  takes, and its mode when they were read. Never waits. Reason says why
-   --  where Success is false
+   --  takes, its mode and its owner when they were read. Never waits.
+   --  Reason says why where Success is false
 
 end Secret_Files;

@@ -73,9 +73,18 @@ package Authentication with SPARK_Mode is
    type File_Mode is mod 2 ** 16;
    --  The type of a file and who may do what with it, as stat has it.
 
-   function Is_Kept_Secret (Mode : File_Mode) return Boolean is
-     ((Mode and 8#066#) = 0);
-   --  Neither its group nor others can read or write the file.
+   subtype User_Number is Interfaces.Unsigned_32;
+
+   Root : constant User_Number := 0;
+
+   function Is_Kept_Secret
+     (Mode : File_Mode; Owner : User_Number) return Boolean
+   is ((Mode and 8#026#) = 0
+       and then ((Mode and 8#040#) = 0 or else Owner = Root));
+   --  Neither its group nor others can read or write the file; but where
+   --  root owns it, it may have chosen a group that reads. (systemd gives a
+   --  service its credentials with an access control list, which shows as
+   --  that.)
 
    --  The first line of a newcomer
 
@@ -146,7 +155,7 @@ package Authentication with SPARK_Mode is
 
    function Shown_Length (Line : String) return Natural
    with
-     Pre  => Line'Last < Integer'Last,
+     Pre  => Line'First > 0 and then Line'Last < Integer'Last,
      Post => Shown_Length'Result <= Line'Length
        and then (for all I in Line'First
                               .. Line'First + Shown_Length'Result - 2 =>
@@ -159,7 +168,7 @@ package Authentication with SPARK_Mode is
 
    procedure Append_Shown (To : in out Texts.Text; Line : String)
    with
-     Pre  => Line'Last < Integer'Last,
+     Pre  => Line'First > 0 and then Line'Last < Integer'Last,
      Post => To.Length >= To.Length'Old
        and then (for all I in 1 .. To.Length'Old =>
                    To.Data (I) = To.Data'Old (I))

@@ -12,7 +12,7 @@ package body Line_Health with SPARK_Mode is
       Owed : Class_Set := H.Owed;
    begin
       Owed (Class_Of (Command)) := True;
-      H := (Failures => H.Failures + 1, Owed => Owed);
+      H := (Failures => H.Failures + 1, Owed => Owed, Untried => False);
    end Failure;
 
    -------------
@@ -20,7 +20,14 @@ package body Line_Health with SPARK_Mode is
    -------------
 
    function Initial return State is
-     ((Failures => 0, Owed => (others => False)));
+     ((Failures => 0, Owed => (others => False), Untried => False));
+
+   ------------
+   -- Opened --
+   ------------
+
+   function Opened return State is
+     ((Failures => 0, Owed => (others => False), Untried => True));
 
    -----------
    -- Probe --

@@ -14,7 +14,10 @@ package Line_Health with SPARK_Mode is
    --  anything for which Robot_Protocol.Is_Answer (Reply, Probe) is False,
    --  a refusal or a damaged frame too, for any command that arrived
    --  damaged is refused. The robot answers in order, so with the probe's
-   --  own answer nothing is owed any more.
+   --  own answer nothing is owed any more. A line that has just been opened
+   --  is out of step, too: the answer to a last stop, sent without awaiting
+   --  it when the line was lost or by a supervisor that ended, may still be
+   --  on its way.
 
    Max_Failures : constant := 4;
    --  In a row, and the line is lost: more than 3 (F8).
@@ -33,14 +36,19 @@ package Line_Health with SPARK_Mode is
    function Lost (H : State) return Boolean is (Failures (H) = Max_Failures);
    --  No further exchange: close the line.
 
-   function In_Step (H : State) return Boolean is (Failures (H) = 0);
+   function In_Step (H : State) return Boolean;
    --  The next frame to arrive is the answer to the next command.
 
    function Initial return State
    with Post => In_Step (Initial'Result)
-     and then not Lost (Initial'Result)
+     and then Failures (Initial'Result) = 0
      and then (for all C in Answer_Class => not Is_Owed (Initial'Result, C));
-   --  The line as it has just been opened, its input flushed.
+
+   function Opened return State
+   with Post => not In_Step (Opened'Result)
+     and then Failures (Opened'Result) = 0
+     and then (for all C in Answer_Class => not Is_Owed (Opened'Result, C));
+   --  The line as it has just been opened.
 
    function Probe (H : State) return Command_Kind
    with
@@ -53,7 +61,7 @@ package Line_Health with SPARK_Mode is
    with
      Pre  => not Lost (H),
      Post => In_Step (H)
-       and then not Lost (H)
+       and then Failures (H) = 0
        and then (for all C in Answer_Class => not Is_Owed (H, C));
    --  An answer came: that of a command sent in step, or a probe's own.
 
@@ -61,6 +69,7 @@ package Line_Health with SPARK_Mode is
    with
      Pre  => not Lost (H),
      Post => Failures (H) = Failures (H'Old) + 1
+       and then not In_Step (H)
        and then Lost (H) = (Failures (H'Old) = Max_Failures - 1)
        and then
          (for all C in Answer_Class =>
@@ -96,12 +105,16 @@ private
    type State is record
       Failures : Failure_Count := 0;
       Owed     : Class_Set     := (others => False);
+      Untried  : Boolean       := False;  --  since it was opened
    end record
    with Dynamic_Predicate => Count (State.Owed) <= State.Failures;
    --  A failure adds one class at most: while the line is not lost, one of
    --  the four classes is free for a probe.
 
    function Failures (H : State) return Failure_Count is (H.Failures);
+
+   function In_Step (H : State) return Boolean is
+     (H.Failures = 0 and then not H.Untried);
 
    function Is_Owed (H : State; Class : Answer_Class) return Boolean is
      (H.Owed (Class));

@@ -327,7 +327,7 @@ package body Robot_Session with SPARK_Mode is
             if Last.Ok then
                S := (Line_Open => True,
                      Mode      => Not_Started,
-                     Health    => Line_Health.Initial);
+                     Health    => Line_Health.Opened);
                Begin_Exchange (S, P, Clearing, (Wire.Reset, 0), Next);
             else
                Finish (P, Not_Opened, Next);

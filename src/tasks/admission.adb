@@ -237,6 +237,7 @@ package body Admission with SPARK_Mode is
       Data   : String (1 .. 256);
       Length : Natural;
       Mode   : Authentication.File_Mode;
+      Owner  : Authentication.User_Number;
    begin
       Token := (others => <>);
       Texts.Set (Reason, "");
@@ -244,9 +245,10 @@ package body Admission with SPARK_Mode is
       if Success then
          return;
       end if;
-      Secret_Files.Read (Path, Data, Length, Mode, Success, Reason);
+      Secret_Files.Read
+        (Path, Data, Length, Mode, Owner, Success, Reason);
       if Success then
-         Success := Authentication.Is_Kept_Secret (Mode);
+         Success := Authentication.Is_Kept_Secret (Mode, Owner);
          if Success then
             Authentication.Read_Token (Data (1 .. Length), Token, Success);
             if not Success then

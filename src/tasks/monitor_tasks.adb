@@ -64,6 +64,7 @@ package body Monitor_Tasks with SPARK_Mode is
    begin
       Settings.Get (Chosen);
       Admission.Load_Token (Chosen.Token_File, Token, Success, Reason);
+      Admission.Set_Up (Gate, Chosen.Allowed, Token);
       if not Success then
          Texts.Set (Line, "destijl: cannot use the token file ");
          Texts.Append (Line, Texts.Image (Chosen.Token_File));
@@ -72,7 +73,6 @@ package body Monitor_Tasks with SPARK_Mode is
          Console.Put_Log (Texts.Image (Line));
          Process.Leave (Process.Cannot_Start);
       end if;
-      Admission.Set_Up (Gate, Chosen.Allowed, Token);
       Monitor_Sockets.Listen
         (Chosen.Bind, Chosen.Port, Bound, Success, Reason);
       if Success then

@@ -28,6 +28,7 @@ package body Robot_Tests is
    procedure Four_Failures;
    procedure Silence_Found;
    procedure Lost_Keeps_Camera;
+   procedure Reopened_At_Once;
    procedure Garbled;
    procedure Late_Answers;
    procedure Unasked_Bytes;
@@ -282,6 +283,32 @@ package body Robot_Tests is
       Expect_Works_Again (R);
       R.Monitor.Expect ("CCLS", "AACK");
    end Lost_Keeps_Camera;
+
+   ----------------------
+   -- Reopened_At_Once --
+   ----------------------
+
+   procedure Reopened_At_Once is
+      --  While the answer to the last stop on the lost line is on its way:
+      --  it must not pass for that of the next command
+      R    : Rig;
+      Item : Message;
+   begin
+      Assemble (R);
+      for Round in 1 .. 10 loop
+         R.Monitor.Expect ("ROPN", "AACK");
+         R.Emulator.Tell ("drop 4");
+         for Number in 1 .. 4 loop
+            R.Monitor.Expect ("RPIN", "ATIM");
+         end loop;
+         Item := R.Monitor.Next_Of ("ATIM", Within => 2.0);
+         Check (Item.Number > 0, "no unasked ATIM");
+         R.Monitor.Expect ("ROPN", "AACK");
+         R.Monitor.Expect ("RGST", "RCST:0");
+         R.Monitor.Expect ("RSOW", "AACK");
+         R.Monitor.Expect ("RCLS", "AACK");
+      end loop;
+   end Reopened_At_Once;
 
    -------------
    -- Garbled --
@@ -971,6 +998,7 @@ package body Robot_Tests is
       Add (Suite, "F08_Silence_Found_In_Time", Silence_Found'Access);
       Add (Suite, "F09_Rule_6_Lost_Robot_Keeps_Camera",
            Lost_Keeps_Camera'Access);
+      Add (Suite, "F09_Reopened_At_Once", Reopened_At_Once'Access);
       Add (Suite, "F08_Garbled_Answers", Garbled'Access);
       Add (Suite, "F08_Late_Answers", Late_Answers'Access);
       Add (Suite, "F08_Unasked_Bytes", Unasked_Bytes'Access);

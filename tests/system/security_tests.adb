@@ -244,7 +244,7 @@ package body Security_Tests is
    begin
       Refuse (Programs.Temporary_Folder & "/no_such_file", "No such file");
       Refuse (Programs.Temporary_Folder, "Is a directory");
-      Refuse (Token_File (Mode => 8#640#), Not_Alone);
+      Refuse (Token_File (Mode => 8#660#), Not_Alone);
       Refuse (Token_File (Mode => 8#620#), Not_Alone);
       Refuse (Token_File (Mode => 8#604#), Not_Alone);
       Refuse (Token_File (Mode => 8#602#), Not_Alone);
@@ -253,7 +253,7 @@ package body Security_Tests is
       Refuse (Token_File ((1 .. 5_000 => 'x')), No_Token);
       Refuse (Token_File (Token & CR & LF), No_Token);
       Report (Programs.Temporary_Folder & "/no_such_file", "No such file");
-      Report (Token_File (Mode => 8#640#), Not_Alone);
+      Report (Token_File (Mode => 8#604#), Not_Alone);
       Report (Token_File (""), No_Token);
       S.Run ("--port 0 --check --token " & Token_File (Mode => 8#400#));
       Check (S.Exit_Status (Within => 15.0) in 0 | 1, "--check");
@@ -742,6 +742,7 @@ package body Security_Tests is
       Refuse ("AUTH:correct-horse-batterz" & LF);
       Refuse ("AUTH:Correct-horse-battery" & LF);
       Refuse ("AUTH:" & Token & "x" & LF);
+      Refuse ("AUTH:" & Token & " " & LF);
       Refuse ("AUTH:correct-horse-batter" & LF);
       Refuse ("AUTH: " & Token & LF);
       Refuse (" AUTH:" & Token & LF);
@@ -819,6 +820,7 @@ package body Security_Tests is
       Check (Next.Next (Within => 3.0).Label = "ANAK", "not admitted");
       Note ("admitted after " & Milliseconds (Now - Start));
       Expect_Refused (Last, Not_Alone);
+      R.Supervisor.Expect_Log ("second monitor refused", Within => 2.0);
       Check
         (R.Supervisor.Time_Of ("session closed")
          <= R.Supervisor.Time_Of ("second monitor refused"),

@@ -350,6 +350,8 @@ package body Server_Tests is
       Refuse ("--port -1");
       Refuse ("--port five");
       Refuse ("--port 99999999999999999999");
+      Refuse ("--allow 10.0.0");
+      Refuse ("--token");
       Refuse ("--frame-size 640");
       Refuse ("--frame-size 0x0");
       Refuse ("--frame-size 640x480x2");
@@ -383,6 +385,8 @@ package body Server_Tests is
       begin
          Expect ("--port");
          Expect ("--bind");
+         Expect ("--allow");
+         Expect ("--token");
          Expect ("--serial");
          Expect ("--camera");
          Expect ("--frame-size");

@@ -206,14 +206,18 @@ package body Authentication_Tests is
    procedure Test_Modes (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Assert (Is_Kept_Secret (8#100600#), "rw-------");
-      Assert (Is_Kept_Secret (8#100400#), "r--------");
-      Assert (Is_Kept_Secret (8#100711#), "may run it, whatever that is");
-      Assert (not Is_Kept_Secret (8#100640#), "group reads");
-      Assert (not Is_Kept_Secret (8#100620#), "group writes");
-      Assert (not Is_Kept_Secret (8#100604#), "others read");
-      Assert (not Is_Kept_Secret (8#100602#), "others write");
-      Assert (not Is_Kept_Secret (8#100666#), "everybody");
+      Assert (Is_Kept_Secret (8#100600#, 1000), "rw-------");
+      Assert (Is_Kept_Secret (8#100400#, 1000), "r--------");
+      Assert
+        (Is_Kept_Secret (8#100711#, 1000), "may run it, whatever that is");
+      Assert (not Is_Kept_Secret (8#100640#, 1000), "group reads");
+      Assert (not Is_Kept_Secret (8#100620#, 1000), "group writes");
+      Assert (not Is_Kept_Secret (8#100604#, 1000), "others read");
+      Assert (not Is_Kept_Secret (8#100602#, 1000), "others write");
+      Assert (not Is_Kept_Secret (8#100666#, 1000), "everybody");
+      Assert (Is_Kept_Secret (8#100440#, Root), "root's, a group reads");
+      Assert (not Is_Kept_Secret (8#100460#, Root), "root's, a group writes");
+      Assert (not Is_Kept_Secret (8#100444#, Root), "root's, others read");
    end Test_Modes;
 
    ----------------

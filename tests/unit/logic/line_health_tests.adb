@@ -97,6 +97,7 @@ package body Line_Health_Tests is
    begin
       Visited := 0;
       Explore (Initial, 8);
+      Explore (Opened, 4);
       Assert (Visited > 10_000, "states visited");
    end Test_Explore;
 
@@ -135,6 +136,17 @@ package body Line_Health_Tests is
               "in step");
       Assert ((for all C in Answer_Class => not Is_Owed (H, C)),
               "nothing is owed");
+      H := Opened;
+      Assert (Failures (H) = 0 and then not In_Step (H)
+              and then Probe (H) = Version,
+              "just opened: something may still be on its way");
+      Success (H);
+      Assert (H = Initial, "nothing any more");
+      H := Opened;
+      Failure (H, Version);
+      Assert (Failures (H) = 1 and then Is_Owed (H, Text)
+              and then Probe (H) = Battery,
+              "a failure counts");
    end Test_Initial;
 
    -----------------------

@@ -496,7 +496,7 @@ package body Robot_Session_Tests is
          Carry_Out (S, Ping, "-", "~?!.C", (Timed_Out, 0, Robot_Lost));
          Assert (S = State'(others => <>), "at the fourth");
          Carry_Out (S, Ping, "", "", (Not_Open, 0, Nothing));
-         Carry_Out (S, Open_Line, "", "Or", (Done, 0, Nothing));
+         Carry_Out (S, Open_Line, "", "O~Vr", (Done, 0, Nothing));
 
          --  A success in between, and the count begins again
 
@@ -521,16 +521,21 @@ package body Robot_Session_Tests is
    begin
       Carry_Out (S, Open_Line, "-", "O", (Not_Opened, 0, Nothing));
       Assert (not S.Line_Open, "not opened");
-      Carry_Out (S, Open_Line, "++", "Or", (Done, 0, Nothing));
+      Carry_Out (S, Open_Line, "+++", "O~Vr", (Done, 0, Nothing));
       Assert (S = Opened (Not_Started), "open, in step");
       S := (others => <>);
-      Carry_Out (S, Open_Line, "+E", "Or", (Done, 0, Nothing));
+      Carry_Out (S, Open_Line, "++E", "O~Vr", (Done, 0, Nothing));
       Assert (S = Opened (Not_Started), "the robot did not run");
 
       --  Its robot may be off: the line is open all the same
 
       S := (others => <>);
-      Carry_Out (S, Open_Line, "+-", "Or", (Done, 0, Nothing));
+      Carry_Out (S, Open_Line, "+-", "O~V", (Done, 0, Nothing));
+      Assert (S.Line_Open and then S.Mode = Not_Started
+              and then Line_Health.Failures (S.Health) = 1,
+              "open, one failure");
+      S := (others => <>);
+      Carry_Out (S, Open_Line, "++-", "O~Vr", (Done, 0, Nothing));
       Assert (S.Line_Open and then S.Mode = Not_Started
               and then Line_Health.Failures (S.Health) = 1,
               "open, one failure");

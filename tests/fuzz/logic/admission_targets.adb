@@ -1,0 +1,209 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Fuzz targets: who is admitted.
+
+with Ada.Strings;       use Ada.Strings;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Authentication;
+with Expectations;      use Expectations;
+with Input_Readers;     use Input_Readers;
+with Interfaces;        use Interfaces;
+with Networks;
+with Texts;
+
+package body Admission_Targets is
+
+   use Bytes;
+   use type Authentication.Verdict;
+   use type Networks.Network;
+   use type Networks.Verdict;
+
+   procedure Take_Part (R : in out Reader; Last : out Natural);
+   --  Takes all up to a NUL and the NUL: the input up to Last, and what has
+   --  been taken before
+
+   function Image (N : Networks.Network) return String;
+   --  ADDRESS/LEN
+
+   -----------
+   -- Image --
+   -----------
+
+   function Image (N : Networks.Network) return String is
+      function Number (Value : Integer) return String is
+        (Trim (Integer'Image (Value), Both));
+
+      function Octet (Place : Natural) return String is
+        (Number (Integer (Shift_Right (N.Start, 8 * (3 - Place)) and 255)));
+   begin
+      return Octet (0) & "." & Octet (1) & "." & Octet (2) & "." & Octet (3)
+        & "/" & Number (N.Length);
+   end Image;
+
+   ---------------
+   -- Take_Part --
+   ---------------
+
+   procedure Take_Part (R : in out Reader; Last : out Natural) is
+      C : Character;
+   begin
+      Last := R.Used;
+      while not Is_Empty (R) loop
+         Take (R, C);
+         exit when C = ASCII.NUL;
+         Last := R.Used;
+      end loop;
+   end Take_Part;
+
+   -------------------
+   -- Network_Lists --
+   -------------------
+
+   procedure Network_Lists (Data : Byte_Array) is
+      R      : Reader := (Size => Data'Length, Data => Data, Used => 0);
+      Text   : constant String := Rest (R);
+      First  : Positive := 1;
+      Last   : Natural;
+      L      : Networks.List;
+
+      procedure Read (Line : String);
+
+      procedure Read (Line : String) is
+         Plain : constant String (1 .. Line'Length) := Line;
+         N     : Networks.Network;
+         Again : Networks.Network;
+         V     : Networks.Verdict;
+      begin
+         if Plain'Length > Networks.Max_Text then
+            return;
+         end if;
+         Networks.Parse (Plain, N, V);
+         if V = Networks.Good then
+            Networks.Parse (Image (N), Again, V);
+            Expect
+              (V = Networks.Good and then Again = N
+               and then (Image (N) = Plain or else Image (N) = Plain & "/32"),
+               "a network is not read as written");
+            if L.Count < Networks.Max_Networks then
+               Networks.Add (L, N);
+            end if;
+         end if;
+      end Read;
+
+      procedure Meet;
+      --  A peer
+
+      procedure Meet is
+         P       : Networks.Peer_Address;
+         A       : Unsigned_32 := 0;
+         Mapped  : Boolean;
+         Inside  : Boolean := L.Count = 0;
+         Mask    : Unsigned_32;
+      begin
+         for Octet of P loop
+            Take (R, Octet);
+         end loop;
+         Mapped := P (1 .. 12) = (1 .. 10 => 0, 11 .. 12 => 255);
+         for I in 13 .. 16 loop
+            A := 256 * A + Unsigned_32 (P (I));
+         end loop;
+         for I in 1 .. L.Count loop
+            Mask :=
+              (if L.Items (I).Length = 0 then 0
+               else Shift_Left (16#FFFF_FFFF#, 32 - L.Items (I).Length));
+            if Mapped and then (A and Mask) = L.Items (I).Start then
+               Inside := True;
+            end if;
+         end loop;
+         Expect
+           (Networks.Admits (L, P) = Inside, "somebody else is admitted");
+      end Meet;
+
+   begin
+      Take_Part (R, Last);
+      for I in 1 .. Last loop
+         if Text (I) = ASCII.LF then
+            Read (Text (First .. I - 1));
+            First := I + 1;
+         end if;
+      end loop;
+      Read (Text (First .. Last));
+      while not Is_Empty (R) loop
+         Meet;
+      end loop;
+   end Network_Lists;
+
+   ------------
+   -- Tokens --
+   ------------
+
+   procedure Tokens (Data : Byte_Array) is
+      R     : Reader := (Size => Data'Length, Data => Data, Used => 0);
+      Text  : constant String := Rest (R);
+      Last  : Natural;
+      T     : Authentication.Token;
+      Good  : Boolean;
+
+      procedure Show (Line : String);
+      --  In the log nothing of Line stands behind the first label
+
+      procedure Greet (Sent : String);
+      --  A newcomer that says so
+
+      procedure Show (Line : String) is
+         Label : constant Natural := Index (Line, Authentication.Label);
+         Log   : Texts.Text;
+      begin
+         Texts.Set (Log, "> ");
+         Authentication.Append_Shown (Log, Line);
+         Expect
+           (Texts.Image (Log) =
+              Texts.Image
+                (Texts.To_Text
+                   ("> "
+                    & (if Label = 0 then Line
+                       else Line (Line'First .. Label + 4) & "..."))),
+            "the log shows what it must not");
+      end Show;
+
+      procedure Greet (Sent : String) is
+         Line     : constant String :=
+           Authentication.Label & T.Data (1 .. T.Length);
+         Newcomer : Authentication.Reader;
+         Used     : Natural := 0;
+      begin
+         Authentication.Clear (Newcomer);
+         for C of Sent loop
+            exit when not Authentication.Is_Open (Newcomer);
+            Authentication.Accept_Character (Newcomer, T, C);
+            Used := Used + 1;
+         end loop;
+         Expect
+           ((Authentication.Decision (Newcomer) = Authentication.Right) =
+              (Head (Sent, Line'Length + 1) = Line & ASCII.LF
+               or else Head (Sent, Line'Length + 2) =
+                 Line & ASCII.CR & ASCII.LF),
+            "a token is taken for another");
+         Expect
+           (Used = Integer'Min (Sent'Length, Authentication.Max_Line)
+            or else Sent (Sent'First + Used - 1) = ASCII.LF,
+            "a newcomer is judged too early");
+      end Greet;
+
+   begin
+      Take_Part (R, Last);
+      Authentication.Read_Token (Text (1 .. Last), T, Good);
+      if not Good then
+         Authentication.Read_Token ("0123456789abcdef", T, Good);
+         Expect (Good, "a token is refused");
+      end if;
+      declare
+         Sent : constant String := Rest (R);
+      begin
+         Greet (Sent);
+         Greet (Authentication.Label & T.Data (1 .. T.Length) & Sent);
+         Show (Sent);
+         Show ("x" & Authentication.Label & Sent);
+      end;
+   end Tokens;
+
+end Admission_Targets;

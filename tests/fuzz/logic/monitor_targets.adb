@@ -1,0 +1,195 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Fuzz targets: what comes from the monitor.
+
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Expectations;      use Expectations;
+with Input_Readers;     use Input_Readers;
+with Monitor_Protocol;  use Monitor_Protocol;
+with Texts;
+
+package body Monitor_Targets is
+
+   procedure Parse_Anywhere (Line : String);
+   --  Line means the same wherever its first index is, and what the table of
+   --  the wire format says
+
+   function Meaning (Line : String) return Message;
+   --  That, said in another way than Parse does
+
+   -------------
+   -- Meaning --
+   -------------
+
+   function Meaning (Line : String) return Message is
+      Colon  : constant Natural := Index (Line, ":");
+      Start  : constant String :=
+        (if Colon = 0 then Line else Line (Line'First .. Colon - 1));
+      Text   : constant String :=
+        (if Colon = 0 then "" else Line (Colon + 1 .. Line'Last));
+      Kind   : Message_Kind := Malformed;
+      Value  : Integer := 0;
+      Signed : Boolean;
+   begin
+      for K in Known_Kind loop
+         if Start = Label (K) then
+            Kind := K;
+         end if;
+      end loop;
+      case Kind is
+         when Malformed =>
+            null;
+         when Log_Message =>
+            if Colon = 0 then
+               Kind := Malformed;
+            end if;
+         when Move_Robot | Turn_Robot =>
+            Signed := Text'Length > 0 and then Text (Text'First) in '+' | '-';
+            if Text'Length = Boolean'Pos (Signed) then
+               return (Malformed, 0);
+            end if;
+            for I in Text'First + Boolean'Pos (Signed) .. Text'Last loop
+               if Text (I) not in '0' .. '9' then
+                  return (Malformed, 0);
+               end if;
+               Value := Integer'Min
+                 (100_000, 10 * Value + Character'Pos (Text (I)) - 48);
+            end loop;
+            Value :=
+              (if Text (Text'First) = '-' then -Integer'Min (Value, 32_768)
+               else Integer'Min (Value, 32_767));
+         when others =>
+            if Text /= "" then
+               Kind := Malformed;
+            end if;
+      end case;
+      return (Kind, Value);
+   end Meaning;
+
+   --------------------
+   -- Parse_Anywhere --
+   --------------------
+
+   procedure Parse_Anywhere (Line : String) is
+      Shifted : String (Integer'Last - Line'Length .. Integer'Last - 1);
+      Here    : Message;
+      There   : Message;
+      Text    : Texts.Text;
+   begin
+      Shifted := Line;
+      Parse (Line, Here);
+      Parse (Shifted, There);
+      Expect (Here = Meaning (Line), "a line has another meaning");
+      Expect (Here = There, "a line's meaning depends on its index");
+      Texts.Set (Text, "received ");
+      Texts.Append (Text, Line);
+      if Here.Kind = Log_Message then
+         Texts.Set (Text, "monitor says: ");
+         Texts.Append
+           (Text, Line (Line'First + Text_Offset .. Line'Last));
+      end if;
+   end Parse_Anywhere;
+
+   -----------
+   -- Lines --
+   -----------
+
+   procedure Lines (Data : Bytes.Byte_Array) is
+      Reader   : Line_Reader;
+      Line     : String (1 .. Max_Line) := (others => ' ');
+      Last     : Natural;
+      Complete : Boolean;
+      Begun    : Positive := 1;
+      --  where the line under way began, in All_Text
+      Ended    : Natural;
+      R        : constant Input_Readers.Reader :=
+        (Size => Data'Length, Data => Data, Used => 0);
+      All_Text : constant String := Rest (R);
+   begin
+      Clear (Reader);
+      for I in All_Text'Range loop
+         Accept_Character (Reader, All_Text (I), Complete);
+         if Complete then
+            Get_Line (Reader, Line, Last);
+            Ended := I - 1;
+            if Ended >= Begun and then All_Text (Ended) = Carriage_Return then
+               Ended := Ended - 1;
+            end if;
+            if Ended - Begun + 1 > Max_Line then
+               Expect (Last = 0, "a line that is too long is not empty");
+            else
+               Expect
+                 (Line (1 .. Last) = All_Text (Begun .. Ended),
+                  "a line is not what came");
+            end if;
+            Parse_Anywhere (Line (1 .. Last));
+            Begun := I + 1;
+         end if;
+      end loop;
+      --  Parse takes more than a reader gives: any length, any character
+      Parse_Anywhere (All_Text);
+      for C of All_Text loop
+         if C = Line_Feed then
+            return;
+         end if;
+      end loop;
+      Prove_Reading (All_Text);
+   end Lines;
+
+   ---------------
+   -- Positions --
+   ---------------
+
+   procedure Positions (Data : Bytes.Byte_Array) is
+      R      : Input_Readers.Reader :=
+        (Size => Data'Length, Data => Data, Used => 0);
+      Text   : constant String := Rest (R);
+      Line   : Position_Text := (others => ' ');
+      Last   : constant Natural := Integer'Min (Text'Length, Max_Position);
+      P      : Position;
+      Again  : Position;
+      OK     : Boolean;
+      Buffer : Position_Text;
+      Length : Natural;
+
+      procedure Write;
+      --  P comes back from what is written of it
+
+      procedure Take (M : out Micro);
+
+      procedure Take (M : out Micro) is
+         High : Integer;
+         Low  : Integer;
+      begin
+         Take (R, -10_000_000, 10_000_000, High);
+         Take (R, 0, 999_999, Low);
+         M := (if High = 10_000_000 then Micro'Last
+               else Micro (High) * 1_000_000 + Micro (Low));
+      end Take;
+
+      procedure Write is
+      begin
+         Format_Position (P, Buffer, Length);
+         Parse_Position (Buffer, Length - 1, Again, OK);
+         Expect (OK and then Again = P, "a position is not read as written");
+         Prove_Round_Trip (P);
+      end Write;
+
+   begin
+      Line (1 .. Last) := Text (1 .. Last);
+      Parse_Position (Line, Last, P, OK);
+      if OK then
+         Write;
+      end if;
+      Parse_Position (Line (1 .. Last), Last, Again, OK);
+      Expect (Again = P, "what is behind a position counts");
+
+      Take (R, -1, 999, P.Id);
+      Take (P.Angle);
+      Take (P.Cx);
+      Take (P.Cy);
+      Take (P.Dx);
+      Take (P.Dy);
+      Write;
+   end Positions;
+
+end Monitor_Targets;

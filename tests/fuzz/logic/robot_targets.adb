@@ -1,0 +1,208 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Fuzz targets: what comes from the robot.
+
+with Expectations;   use Expectations;
+with Input_Readers;  use Input_Readers;
+with Robot_Protocol; use Robot_Protocol;
+with Robot_Session;
+
+package body Robot_Targets is
+
+   use Bytes; use type Bytes.Byte;
+   use type Robot_Session.Mode_Kind;
+   use type Robot_Session.Step_Kind;
+
+   procedure Read_Frame (F : Frame);
+   --  Against each command, with and without its terminator
+
+   ----------------
+   -- Read_Frame --
+   ----------------
+
+   procedure Read_Frame (F : Frame) is
+      Ended  : Frame := F;
+      Answer : Reply;
+      Same   : Reply;
+      Told   : Reading;
+   begin
+      if F.Length < Max_Frame then
+         Ended.Length := F.Length + 1;
+         Ended.Data (Ended.Length) := Terminator;
+      end if;
+      for Pending in Command_Kind loop
+         Decode (F, Pending, Answer);
+         Expect
+           (Is_Answer (Answer.Kind, Pending)
+            or else Answer.Kind in Refused | Unknown_Command | Failed_Reply,
+            "an answer to another command is taken");
+         if Ended.Length > F.Length
+           and then (F.Length = 0 or else F.Data (F.Length) /= Terminator)
+         then
+            Decode (Ended, Pending, Same);
+            Expect (Same = Answer, "a terminator changes an answer");
+         end if;
+      end loop;
+      Told := Decoded (Ended);
+      if Told.OK then
+         Encode (Told.Value, Ended);
+         Expect (Decoded (Ended) = Told, "a command is not read as written");
+      end if;
+   end Read_Frame;
+
+   ------------
+   -- Frames --
+   ------------
+
+   procedure Frames (Data : Byte_Array) is
+      R        : Receiver;
+      F        : Frame;
+      Complete : Boolean;
+      Begun    : Positive := 1;
+      Whole    : Boolean  := True;
+   begin
+      for I in Data'Range loop
+         Accept_Byte (R, Data (I), Complete);
+         if Complete then
+            Whole := False;
+            Get (R, F);
+            if I - Begun > Max_Frame then
+               Expect (F.Length = 0, "a frame that is too long is not empty");
+            else
+               Expect
+                 (F.Data (1 .. F.Length) = Data (Begun .. I - 1),
+                  "a frame is not what came");
+            end if;
+            Read_Frame (F);
+            Begun := I + 1;
+         end if;
+      end loop;
+      if Whole then
+         for Pending in Command_Kind loop
+            Prove_Reception (Data, Pending);
+         end loop;
+      end if;
+
+      --  any bytes at all, terminators among them
+      F.Length := Natural'Min (Data'Length, Max_Frame);
+      F.Data (1 .. F.Length) := Data (1 .. F.Length);
+      Read_Frame (F);
+   end Frames;
+
+   --------------
+   -- Commands --
+   --------------
+
+   procedure Commands (Data : Byte_Array) is
+      R     : Reader := (Size => Data'Length, Data => Data, Used => 0);
+      Place : Integer;
+      C     : Command;
+      F     : Frame;
+   begin
+      while not Is_Empty (R) loop
+         Take
+           (R, 0, Command_Kind'Pos (Command_Kind'Last), Place);
+         C.Kind := Command_Kind'Val (Place);
+         Take (R, Argument'First, Argument'Last, C.Value);
+         Encode (C, F);
+         Read_Frame (F);
+      end loop;
+   end Commands;
+
+   --------------
+   -- Sessions --
+   --------------
+
+   procedure Sessions (Data : Byte_Array) is
+      R       : Reader := (Size => Data'Length, Data => Data, Used => 0);
+      S       : Robot_Session.State;
+      P       : Robot_Session.Progress;
+      Wanted  : Robot_Session.Request;
+      Next    : Robot_Session.Step;
+      Last    : Robot_Session.Step_Result;
+      Choice  : Byte;
+      Steps   : Natural;
+      F       : Frame;
+
+      procedure Answer;
+      --  What the robot says to Next: a byte tells how many bytes arrive
+
+      procedure Answer is
+         Receiving : Receiver;
+         B         : Byte;
+         Complete  : Boolean := False;
+      begin
+         Last := (Ok => False, Reply => <>);
+         Take (R, B);
+         case Next.Kind is
+            when Robot_Session.Exchange | Robot_Session.Synchronise =>
+               case B is
+                  when 0 =>
+                     null;  --  nothing in time
+                  when Character'Pos ('O') | Character'Pos ('E')
+                     | Character'Pos ('C')
+                     | Character'Pos ('0') .. Character'Pos ('2') =>
+                     --  a sound answer: text and checksum are the same
+                     Accept_Byte (Receiving, B, Complete);
+                     Accept_Byte (Receiving, B, Complete);
+                     Accept_Byte (Receiving, Terminator, Complete);
+                  when others =>
+                     for I in 1 .. B loop
+                        Take (R, B);
+                        Accept_Byte (Receiving, B, Complete);
+                        exit when Complete;
+                     end loop;
+               end case;
+               if Complete then
+                  Get (Receiving, F);
+                  Decode (F, Next.Command.Kind, Last.Reply);
+                  --  as the owner of the line has it
+                  Last.Ok :=
+                    (if Next.Kind = Robot_Session.Synchronise
+                     then Is_Answer (Last.Reply.Kind, Next.Command.Kind)
+                     else Last.Reply.Kind not in Failed_Reply);
+               end if;
+            when others =>
+               Last.Ok := B mod 2 = 0;
+         end case;
+      end Answer;
+
+   begin
+      while not Is_Empty (R) loop
+         Take (R, Choice);
+         Wanted.Kind := Robot_Session.Request_Kind'Val
+           (Natural (Choice)
+            mod (Robot_Session.Request_Kind'Pos
+                   (Robot_Session.Request_Kind'Last) + 1));
+         Wanted.Command :=
+           (case Choice / 16 mod 4 is
+               when 0 => Forward,
+               when 1 => Left,
+               when 2 => (Move, 1),
+               when others => Robot_Protocol.Stop);
+         Robot_Session.Start_Request (S, Wanted, P, Next);
+         Steps := 0;
+         --  the unit's own postconditions, which it does not check itself
+         pragma Assert (Robot_Session.Is_Under_Way (S, P));
+         pragma Assert (Robot_Session.Is_Allowed (S, P, Next));
+         while Next.Kind /= Robot_Session.Finish loop
+            Expect
+              (not Robot_Session.Sends_Movement (Next)
+               or else S.Mode /= Robot_Session.Not_Started,
+               "a movement before the start");
+            if Robot_Session.Is_Sent (Next) then
+               Expect (S.Line_Open, "something is sent on a closed line");
+               Encode (Next.Command, F);
+            end if;
+            Steps := Steps + 1;
+            Expect
+              (Steps <= Robot_Session.Max_Steps, "a request does not end");
+            Answer;
+            Robot_Session.Continue_Request (S, P, Last, Next);
+            pragma Assert (Robot_Session.Is_Under_Way (S, P));
+            pragma Assert (Robot_Session.Is_Allowed (S, P, Next));
+         end loop;
+         Expect (Robot_Session.Is_Consistent (S), "an inconsistent state");
+      end loop;
+   end Sessions;
+
+end Robot_Targets;

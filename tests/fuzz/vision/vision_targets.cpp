@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fuzz targets of vision_c: see vision_targets.hpp.
+
+#include "vision_targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "scene.h"
+#include "vision_inputs.hpp"
+#include "vision_internal.hpp"
+
+double Input::coordinate() {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  static const double notable[] = {
+      0.0,    -0.0,    0.5,  -0.5,  1.0,  -1.0,  1e6,      -1e6, 1000001.0,
+      -1e6 - 1e-9, 1e-300, 1e9, -1e9, 2147483647.0, 2147483648.0, 1e300,
+      -1e300, infinite, -infinite, std::nan("")};
+  const unsigned choice = byte();
+  if (choice < sizeof notable / sizeof notable[0])
+    return notable[choice];
+  if (choice < 0x40)
+    return share(-1e6, 1e6);
+  return share(-64.0, 512.0);
+}
+
+namespace {
+
+void expect(bool condition, const char *otherwise) {
+  if (condition)
+    return;
+  std::fprintf(stderr, "vision_c: %s (%s)\n", otherwise, vision_reason());
+  std::abort();
+}
+
+// Every call gives one of the documented results, and says why.
+void check(vision_status status) {
+  expect(status >= VISION_OK && status <= VISION_FAILED, "unknown status");
+  const char *const reason = vision_reason();
+  expect(reason != nullptr && std::strlen(reason) < 160, "reason too long");
+  for (const char *next = reason; *next != '\0'; ++next)
+    expect(static_cast<unsigned char>(*next) >= ' ', "reason of two lines");
+}
+
+// OpenCV failing inside is documented, but nothing here should make it.
+void check_no_failure(vision_status status) {
+  check(status);
+  expect(status != VISION_FAILED, "OpenCV failed");
+}
+
+// As at the start of the program: one input must not depend on another.
+void forget_all() {
+  vision_close();
+  for (int slot = 0; slot < VISION_SLOTS; ++slot)
+    *vision::frame(slot) = vision::Frame();
+}
+
+bool holds(int slot) {
+  int width = 0, height = 0;
+  return vision_size(slot, &width, &height) == VISION_OK;
+}
+
+void check_robot(const vision_robot &robot, vision_marker marker) {
+  expect(robot.id >= 0 && robot.id <= 999, "identifier out of its range");
+  expect(marker == VISION_MARKER_ARUCO || robot.id == 0, "triangle's number");
+  expect(vision::sound(robot.centre) && vision::sound(robot.direction),
+         "robot at no place");
+  expect(robot.angle > -180.0 && robot.angle <= 180.0, "angle out of range");
+}
+
+void find_robots(int slot, vision_marker marker, const vision_arena *arena,
+                 int capacity, std::vector<vision_robot> &found) {
+  // of exactly that size: one robot more, and the sanitizer sees it
+  const std::unique_ptr<vision_robot[]> place(
+      new vision_robot[std::size_t(std::max(capacity, 0))]);
+  int count = -1;
+  const vision_status status = vision_find_robots(
+      slot, marker, arena, place.get(), capacity, &count);
+  check_no_failure(status);
+  expect(status == VISION_OK ? count >= 1 && count <= capacity : count == 0,
+         "wrong count of robots");
+  for (int n = 0; n < count; ++n) {
+    check_robot(place[std::size_t(n)], marker);
+    expect(n == 0 || place[std::size_t(n - 1)].id <= place[std::size_t(n)].id,
+           "robots out of order");
+  }
+  found.assign(place.get(), place.get() + count);
+}
+
+bool find_arena(int slot, vision_arena &arena) {
+  const vision_status status = vision_find_arena(slot, &arena);
+  check_no_failure(status);
+  if (status == VISION_OK)
+    expect(vision::sound(arena), "arena at no place");
+  return status == VISION_OK;
+}
+
+void draw_robot(int slot, const vision_robot &robot) {
+  const vision_status status = vision_draw_robot(slot, &robot);
+  check_no_failure(status);
+}
+
+void draw_arena(int slot, const vision_arena &arena) {
+  const vision_status status = vision_draw_arena(slot, &arena);
+  check_no_failure(status);
+  expect(status == (holds(slot) && vision::sound(arena) ? VISION_OK
+                                                        : VISION_BAD_ARGUMENT),
+         "arena drawn, or not, against the rule");
+}
+
+void encode(int slot, int quality, int capacity) {
+  const std::unique_ptr<unsigned char[]> buffer(
+      new unsigned char[std::size_t(std::max(capacity, 0))]);
+  int length = -1;
+  const vision_status status =
+      vision_encode(slot, quality, buffer.get(), capacity, &length);
+  check_no_failure(status);
+  if (status != VISION_OK) {
+    expect(length == 0, "a length without a JPEG");
+    return;
+  }
+  expect(quality >= 1 && quality <= 100, "a quality that there is not");
+  expect(length > 3 && length <= capacity && buffer[0] == 0xFF &&
+             buffer[1] == 0xD8 && buffer[std::size_t(length) - 2] == 0xFF &&
+             buffer[std::size_t(length) - 1] == 0xD9,
+         "not a JPEG");
+}
+
+// ------------------------------------------------------------------- Calls
+
+// Sizes up to the limit and beyond; the limit on pixels is ours, for speed.
+void choose_size(Input &input, int &width, int &height) {
+  static const int notable[] = {VISION_MAX_SIDE, VISION_MAX_SIDE + 1,
+                                0, -1, 1, 15, 16, 17, 4096,
+                                std::numeric_limits<int>::max(),
+                                std::numeric_limits<int>::min()};
+  constexpr int count = sizeof notable / sizeof notable[0];
+  constexpr int pixels = 64 * 1024;
+  const auto side = [&] {
+    const int choice = int(input.byte());
+    return choice < count ? notable[choice] : choice;
+  };
+  width = side();
+  height = side();
+  if (width >= 1 && width <= VISION_MAX_SIDE && height >= 1 &&
+      height <= VISION_MAX_SIDE)
+    height = std::min(height, std::max(1, pixels / width));
+}
+
+void load(Input &input, int slot) {
+  int width, height;
+  choose_size(input, width, height);
+  const bool good = width >= 1 && width <= VISION_MAX_SIDE && height >= 1 &&
+                    height <= VISION_MAX_SIDE;
+  // A refused image must not be looked at: there are no pixels of it.
+  const std::size_t bytes = good ? std::size_t(width) * height * 3 : 0;
+  const std::unique_ptr<unsigned char[]> bgr(new unsigned char[bytes]);
+
+  const unsigned kind = input.byte() % 4;
+  if (kind == 0) {  // the input's own bytes, again and again
+    const std::size_t length =
+        std::max<std::size_t>(1, std::min<std::size_t>(input.word(),
+                                                       input.remaining()));
+    std::vector<unsigned char> tile(length);
+    for (unsigned char &value : tile)
+      value = static_cast<unsigned char>(input.byte());
+    for (std::size_t k = 0; k < bytes; ++k)
+      bgr[k] = tile[k % length];
+  } else if (kind == 1) {  // noise
+    unsigned state = input.word();
+    for (std::size_t k = 0; k < bytes; ++k) {
+      state = state * 1664525u + 1013904223u;
+      bgr[k] = static_cast<unsigned char>(state >> 24);
+    }
+  } else {  // flat or a ramp, and rectangles on it
+    const unsigned grey = input.byte();
+    const unsigned slope = kind == 3 ? input.byte() : 0;
+    for (std::size_t k = 0; k < bytes; ++k)
+      bgr[k] = static_cast<unsigned char>(
+          grey + slope * (k / 3 % std::size_t(width)) / 64);
+    for (unsigned count = input.byte() % 16; good && count > 0; --count) {
+      const int left = input.number(0, width - 1);
+      const int top = input.number(0, height - 1);
+      const int right = input.number(left, width - 1);
+      const int bottom = input.number(top, height - 1);
+      const unsigned value = input.byte();
+      for (int y = top; y <= bottom; ++y)
+        std::memset(&bgr[(std::size_t(y) * width + left) * 3], int(value),
+                    std::size_t(right - left + 1) * 3);
+    }
+  }
+
+  const vision_status status =
+      vision_load(slot, input.byte() == 1 ? nullptr : bgr.get(), width,
+                  height);
+  check_no_failure(status);
+  if (status == VISION_OK) {
+    int stored_width = 0, stored_height = 0;
+    expect(vision_size(slot, &stored_width, &stored_height) == VISION_OK &&
+               stored_width == width && stored_height == height,
+           "another size than was loaded");
+  }
+}
+
+// A name of no source: neither camera, nor device, nor URL, nor pipeline.
+void open_nothing(Input &input) {
+  std::string name(input.byte(), '\0');
+  for (char &c : name) {
+    c = char(input.byte());
+    if (std::strchr("/!:", c) != nullptr || (c >= '0' && c <= '9'))
+      c = '~';
+  }
+  const int width = input.number(-1, 10000);
+  const int height = input.number(-1, 10000);
+  const int fps = input.number(-1, 200);
+  const vision_status status =
+      vision_open(input.byte() == 1 ? nullptr : name.c_str(), width, height,
+                  fps);
+  check_no_failure(status);
+  expect(status == VISION_NO_CAMERA || status == VISION_BAD_ARGUMENT,
+         "a source that there is not is open");
+}
+
+void call(Input &input) {
+  const unsigned choice = input.byte();
+  // most often the same one, so that there is something in it
+  const unsigned place = input.byte();
+  const int slot =
+      place < 64 ? int(place % (VISION_SLOTS + 2)) - 1 : VISION_SLOTS - 1;
+  vision_arena arena;
+  std::vector<vision_robot> robots;
+
+  switch (choice % 10) {
+  case 0:
+    load(input, slot);
+    break;
+  case 1: {
+    int size = 0;
+    check_no_failure(vision_size(slot, nullptr, &size));
+    check_no_failure(vision_size(slot, &size, nullptr));
+    break;
+  }
+  case 2:
+    find_arena(slot, arena);
+    check_no_failure(vision_find_arena(slot, nullptr));
+    break;
+  case 3:
+  case 4: {
+    const bool bounded = input.byte() % 2 == 1;
+    if (bounded && (input.byte() % 2 == 1 || !find_arena(slot, arena)))
+      for (vision_point &corner : arena.corner)
+        corner = input.point();
+    const vision_marker marker =
+        choice % 10 == 3 ? VISION_MARKER_ARUCO : VISION_MARKER_TRIANGLE;
+    find_robots(slot, marker, bounded ? &arena : nullptr,
+                input.number(-1, 6), robots);
+    for (const vision_robot &robot : robots)
+      draw_robot(slot, robot);
+    break;
+  }
+  case 5:
+    for (vision_point &corner : arena.corner)
+      corner = input.point();
+    draw_arena(slot, arena);
+    check_no_failure(vision_draw_arena(slot, nullptr));
+    break;
+  case 6: {
+    vision_robot robot;
+    robot.id = int(input.word() << 16 | input.word());
+    robot.centre = input.point();
+    robot.direction = input.point();
+    robot.angle = input.coordinate();
+    draw_robot(slot, robot);
+    check_no_failure(vision_draw_robot(slot, nullptr));
+    break;
+  }
+  case 7: {
+    const int quality = input.number(-2, 103);
+    encode(slot, quality, input.byte() % 2 == 1 ? 1 << 20
+                                                : input.number(-1, 4000));
+    break;
+  }
+  case 8:
+    open_nothing(input);
+    check_no_failure(vision_grab(slot));
+    break;
+  default: {
+    int count = -1;
+    vision_robot robot;
+    unsigned char byte = 0;
+    check(vision_find_robots(slot, VISION_MARKER_ARUCO, nullptr, nullptr, 1,
+                             &count));
+    check(vision_find_robots(slot, VISION_MARKER_ARUCO, nullptr, &robot, 1,
+                             nullptr));
+    check(vision_encode(slot, 80, nullptr, 1, &count));
+    check(vision_encode(slot, 80, &byte, 1, nullptr));
+    check(vision_close());
+    expect(vision_library() != nullptr, "a library without a version");
+  }
+  }
+}
+
+}  // namespace
+
+void calls(const unsigned char *data, std::size_t size) {
+  constexpr int most = 12;
+  static const unsigned char flat[48 * 32 * 3] = {};
+  Input input(data, size);
+  forget_all();
+  check_no_failure(vision_load(VISION_SLOTS - 1, flat, 48, 32));
+  for (int count = 0; count < most && !input.empty(); ++count)
+    call(input);
+}
+
+// ------------------------------------------------------------------ Scenes
+
+namespace {
+
+// What the supervisor does with each image.
+void work(Input &input, int slot) {
+  vision_arena arena;
+  std::vector<vision_robot> robots;
+  const unsigned choice = input.byte();
+  const vision_marker marker =
+      choice & 1 ? VISION_MARKER_TRIANGLE : VISION_MARKER_ARUCO;
+  const bool bounded = find_arena(slot, arena) && (choice & 2);
+  find_robots(slot, marker, bounded ? &arena : nullptr, 4, robots);
+  if (bounded)
+    draw_arena(slot, arena);
+  for (const vision_robot &robot : robots)
+    draw_robot(slot, robot);
+  encode(slot, input.number(1, 100), 1 << 20);
+}
+
+}  // namespace
+
+void scenes(const unsigned char *data, std::size_t size) {
+  static const int sizes[][2] = {{64, 48},   {80, 60},   {96, 72},
+                                 {160, 120}, {320, 240}, {33, 97},
+                                 {240, 60},  {128, 128}};
+  constexpr unsigned most_patches = 32;
+  Input input(data, size);
+  forget_all();
+
+  scene_description scene = scene_default();
+  const int *const chosen = sizes[input.byte() % 8];
+  scene.width = chosen[0];
+  scene.height = chosen[1];
+  scene.arena = input.byte() % 8 != 7;
+  scene.fill = input.share(0.3, 0.95);
+  scene.turn = input.share(-30.0, 30.0);
+  scene.noise = input.share(0.0, 30.0);
+  scene.blur = input.share(0.0, 3.0);
+  scene.uneven = input.share(0.0, 0.7);
+  scene.seed = input.word();
+  scene.robots = int(input.byte() % 5);
+  for (int n = 0; n < scene.robots; ++n) {
+    scene_robot &robot = scene.robot[n];
+    robot.marker = int(input.byte() % 2);
+    robot.id = input.number(0, 999);
+    robot.x = input.share(0.0, 80.0);
+    robot.y = input.share(0.0, 60.0);
+    robot.heading = input.share(-360.0, 360.0);
+  }
+  std::vector<unsigned char> bgr(std::size_t(scene.width) * scene.height * 3);
+  if (scene_draw(&scene, bgr.data()) != 0)
+    return;
+
+  const unsigned first_choice = input.byte();
+  for (unsigned count = input.byte() % most_patches; count > 0; --count) {
+    const int left = input.number(0, scene.width - 1);
+    const int top = input.number(0, scene.height - 1);
+    const int right = input.number(left, scene.width - 1);
+    const int bottom = input.number(top, scene.height - 1);
+    const unsigned value = input.byte(), way = input.byte() % 3;
+    for (int y = top; y <= bottom; ++y)
+      for (int k = left * 3; k < right * 3 + 3; ++k) {
+        unsigned char &here = bgr[std::size_t(y) * scene.width * 3 + k];
+        here = static_cast<unsigned char>(way == 0   ? value
+                                          : way == 1 ? here ^ value
+                                                     : here + value);
+      }
+  }
+
+  const int slot = int(first_choice % VISION_SLOTS);
+  check_no_failure(vision_load(slot, bgr.data(), scene.width, scene.height));
+  work(input, slot);
+}
+
+// ------------------------------------------------------------------- Files
+
+void files(const unsigned char *data, std::size_t size) {
+  Input input(data, size);
+  forget_all();
+  const int width = input.number(1, 400);
+  const int height = input.number(1, 400);
+  const unsigned slot = input.byte() % VISION_SLOTS;
+  const int quality = input.number(1, 100);
+
+  const int file = memfd_create("image", 0);
+  expect(file >= 0, "no place for a file");
+  const char *const name = "/proc/self/fd/";
+  const std::string path = name + std::to_string(file);
+  const std::size_t length = input.remaining();
+  expect(write(file, input.rest(), length) == ssize_t(length),
+         "no place for the bytes of a file");
+
+  // What is no image would go to FFmpeg as a video; its parsers are long
+  // under a fuzzer of their own.
+  if (cv::haveImageReader(path)) {
+    const vision_status status =
+        vision_open(path.c_str(), width, height, 25);
+    check_no_failure(status);
+    if (status == VISION_OK) {
+      check_no_failure(vision_grab(int(slot)));
+      int stored_width = 0, stored_height = 0;
+      expect(vision_size(int(slot), &stored_width, &stored_height) ==
+                     VISION_OK &&
+                 stored_width >= 1 && stored_width <= width &&
+                 stored_height >= 1 && stored_height <= height,
+             "the image does not fit");
+      vision_arena arena;
+      find_arena(int(slot), arena);
+      encode(int(slot), quality, 1 << 20);
+    }
+  }
+  vision_close();
+  close(file);
+}
