@@ -291,6 +291,7 @@ package body Fault_Runs is
                & To_String (Text));
             J.Process.Stop;
             Network_Links.Remove_Left (J.Process.Pid);
+            Programs.Remove_Left (J.Process.Pid);
             Begin_Job (J);
          end if;
       end Look;
