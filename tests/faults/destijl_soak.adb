@@ -19,10 +19,12 @@ with Fault_List;
 with Faults;                use Faults;
 with Instants;              use Instants;
 with Libc;
+with Line_Watch;
 with Monitor_Clients;       use Monitor_Clients;
 with Programs;
 with Random_Numbers;        use Random_Numbers;
 with Soak_Records;
+with Tolerances;
 with Trials;
 with Worlds;
 
@@ -216,6 +218,7 @@ procedure Destijl_Soak is
       Last    : Instant := Never;
       Start   : Instant;
       Unused  : Message;
+      Begun   : constant Instant := Now;
 
       procedure Ask (Command : String; Own : Boolean);
 
@@ -232,8 +235,10 @@ procedure Destijl_Soak is
          if Own then
             Check (Item.Label = "ACER", Command & ": " & Item.Label);
             Soak_Records.Add_Answer (Item.Time, Item.Time - Time);
-         elsif Item.Label = "ATIM" then
-            --  see Tolerances.Line_Attempts
+         elsif Item.Label in "ATIM" | "ACRJ"
+           and then Line_Watch.Worst (Begun, Now) >= Tolerances.Late_Line
+         then
+            --  of an answer or of a reload: the kernel's doing
             Late_Answers := Late_Answers + 1;
          else
             Check (Item.Label = "AACK", Command & ": " & Item.Label);
@@ -257,6 +262,7 @@ procedure Destijl_Soak is
       end Note_Images;
 
    begin
+      Line_Watch.Start;
       Monitor.Connect (Trials.Port);
       Monitor.Expect ("ROPN", "AACK");
       Monitor.Expect ("RSWW", "AACK");
@@ -291,9 +297,14 @@ procedure Destijl_Soak is
       when Occurrence : Failed =>
          Soak_Records.Set_Calm (False);
          Prefer_Real_Time (False);
-         Complain
-           ("in a calm session: "
-            & Ada.Exceptions.Exception_Message (Occurrence));
+         if Line_Watch.Worst (Begun, Now) >= Tolerances.Late_Line then
+            --  such as a start that the robot's silence has spoilt
+            Late_Answers := Late_Answers + 1;
+         else
+            Complain
+              ("in a calm session: "
+               & Ada.Exceptions.Exception_Message (Occurrence));
+         end if;
    end Stay_Calm;
 
    ------------------

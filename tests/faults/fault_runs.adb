@@ -232,7 +232,7 @@ package body Fault_Runs is
             if J.Item.Second = 0 and then J.Item.Repetition = 1 then
                Put_Line
                  (Name (J.Item.First, 0) & " is not possible here:");
-               Put (Text);
+               Put ("   " & Text);
             end if;
          else
             Fault_Tables.Count
@@ -291,6 +291,7 @@ package body Fault_Runs is
                & To_String (Text));
             J.Process.Stop;
             Network_Links.Remove_Left (J.Process.Pid);
+            Programs.Remove_Left (J.Process.Pid);
             Begin_Job (J);
          end if;
       end Look;
@@ -388,6 +389,9 @@ package body Fault_Runs is
                & Outcome.Figures.Slowest_Stop'Image
                & Outcome.Figures.Growth'Image);
             Put (To_String (Outcome.Account));
+            if Outcome.Ends_As = Impossible_Here then
+               New_Line;
+            end if;
             Put_Line ("--- end");
             Flush;
          end;

@@ -26,6 +26,9 @@ package body Trials is
 
    The_World : World;
 
+   Is_Kept : Boolean := False;
+   --  its supervisor is to live on after a violation
+
    procedure Run_Once
      (First      : Positive;
       Second     : Natural;
@@ -58,6 +61,9 @@ package body Trials is
    procedure Expect_New_Session;
 
    procedure Lift (Number : Positive);
+
+   procedure Give_Up;
+   --  After what leaves the world in a state that nobody knows
 
    function Tail (Text : String) return String;
    --  Its last lines, indented
@@ -398,6 +404,29 @@ package body Trials is
       Outcome.Figures.Repeated := Outcome.Figures.Repeated + Again;
    end Run;
 
+   -------------
+   -- Give_Up --
+   -------------
+
+   procedure Give_Up is
+      W : World renames The_World;
+   begin
+      if not Is_Kept or else not W.Is_Built
+        or else not W.Supervisor.Is_Running
+      then
+         W.Destroy;
+         return;
+      end if;
+      W.Monitor.Close;
+      W.Present := False;
+      W.Nobody_Since := Never;
+      W.Emulator.Tell ("reset-robot");
+      W.Emulator.Await_Status ("state", "idle", Within => 5.0);
+   exception
+      when Failed =>
+         W.Destroy;
+   end Give_Up;
+
    --------------
    -- Run_Once --
    --------------
@@ -441,7 +470,7 @@ package body Trials is
          if Outcome.Ends_As /= Impossible_Here then
             Expect_Invariants (First, Second);
          else
-            W.Destroy;
+            Give_Up;
          end if;
       exception
          when Occurrence : Failed =>
@@ -452,7 +481,7 @@ package body Trials is
             Outcome.Ends_As := Impossible_Here;
             Outcome.Account := To_Unbounded_String
               (Ada.Exceptions.Exception_Message (Occurrence));
-            W.Destroy;
+            Give_Up;
       end;
       Outcome.Figures := W.Figures;
       if W.Violations > 0 then
@@ -466,7 +495,7 @@ package body Trials is
                 & Tail (W.Supervisor.Log_Text)
                 & "   at the robot:" & ASCII.LF & W.Wire_Tail
               else (1 => ASCII.LF));
-         W.Destroy;
+         Give_Up;
       end if;
    end Run_Once;
 
@@ -477,6 +506,7 @@ package body Trials is
    procedure Build is
       Usual : Plan;
    begin
+      Is_Kept := True;
       The_World.Build (Usual);
    end Build;
 

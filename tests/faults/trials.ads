@@ -35,7 +35,8 @@ package Trials is
    --  between
 
    procedure Build;
-   --  The world as most faults need it
+   --  The world as most faults need it. From now on a violation, unless it
+   --  is its end, does not end its supervisor.
 
    function Process return Interfaces.C.int;
    --  The supervisor of now, -1 where a violation has ended it

@@ -147,7 +147,7 @@ package body Worlds is
             & Port'Image & " " & Options,
             To_String (W.The_Plan.Launcher), To_String (W.The_Plan.Program));
          for Attempt in 1 .. 500 loop
-            Ready := Monitor_Clients.Connects (Port);
+            Ready := Monitor_Clients.Connects (Port, W.Address);
             exit when Ready;
             delay 0.02;
          end loop;

@@ -357,14 +357,16 @@ package body Monitor_Clients is
    -- Connects --
    --------------
 
-   function Connects (Port : Positive) return Boolean is
+   function Connects
+     (Port : Positive; Address : String := "127.0.0.1") return Boolean
+   is
       Socket : Socket_Type;
       Status : Selector_Status;
    begin
       Create_Socket (Socket);
       begin
          Connect_Socket
-           (Socket, (Family_Inet, Loopback_Inet_Addr, Port_Type (Port)),
+           (Socket, (Family_Inet, Inet_Addr (Address), Port_Type (Port)),
             Timeout => 2.0, Status => Status);
       exception
          when Socket_Error =>

@@ -44,8 +44,9 @@ package Monitor_Clients is
    --  priority Libc.Above_Supervisor where that is allowed, so that the
    --  times it notes are those of arrival. Raises Failed when refused.
 
-   function Connects (Port : Positive) return Boolean;
-   --  Whether anybody listens at 127.0.0.1:Port
+   function Connects
+     (Port : Positive; Address : String := "127.0.0.1") return Boolean;
+   --  Whether anybody listens there
 
    procedure Send (Object : in out Client; Bytes : String);
    --  As they are; blocks while the supervisor takes nothing, 30 s at most.

@@ -18,6 +18,11 @@ package body Programs is
    Paths  : array (Program) of Unbounded_String;
    Folder : Unbounded_String;
 
+   function Folder_Of (Process : int) return String is
+     ("/tmp/destijl_tests." & Trim (Process'Image, Both));
+
+   procedure Remove (Path : String);
+
    function Path (Which : Program; Name : String) return String;
    --  As set, or Name in the folder of the running program
 
@@ -86,28 +91,41 @@ package body Programs is
    begin
       if Folder = "" then
          Folder := To_Unbounded_String
-           ("/tmp/destijl_tests." & Trim (int'Image (Libc.Getpid), Both));
+           (Folder_Of (Libc.Getpid));
          Create_Directory (To_String (Folder));
          Unused := Libc.Chmod (To_C (To_String (Folder)), Open_To_All);
       end if;
       return To_String (Folder);
    end Temporary_Folder;
 
+   ------------
+   -- Remove --
+   ------------
+
+   procedure Remove (Path : String) is
+      --  By the system's own tool: links whose emulator has gone point
+      --  nowhere, and Ada.Directories does not see those.
+      Unused : Integer;
+   begin
+      Unused := GNAT.OS_Lib.Spawn
+        ("/bin/rm", (new String'("-rf"), new String'(Path)));
+   end Remove;
+
    -----------------------------
    -- Remove_Temporary_Folder --
    -----------------------------
 
    procedure Remove_Temporary_Folder is
-      --  By the system's own tool: links whose emulator has gone point
-      --  nowhere, and Ada.Directories does not see those.
-      Unused : Integer;
    begin
       if Folder /= "" then
-         Unused := GNAT.OS_Lib.Spawn
-           ("/bin/rm",
-            (new String'("-rf"), new String'(To_String (Folder))));
+         Remove (To_String (Folder));
          Folder := Null_Unbounded_String;
       end if;
    end Remove_Temporary_Folder;
+
+   procedure Remove_Left (Process : int) is
+   begin
+      Remove (Folder_Of (Process));
+   end Remove_Left;
 
 end Programs;

@@ -1,6 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Where the programs under test are: beside the running one, unless told.
 
+with Interfaces.C;
+
 package Programs is
 
    function Beside (Name : String) return String;
@@ -18,5 +20,8 @@ package Programs is
    --  One for this run, made at its first use, open to every user
 
    procedure Remove_Temporary_Folder;
+
+   procedure Remove_Left (Process : Interfaces.C.int);
+   --  The temporary folder of a process that was killed
 
 end Programs;
