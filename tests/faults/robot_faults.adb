@@ -17,6 +17,9 @@ package body Robot_Faults is
    Enough_To_Lose : constant := 4;
    --  F8: failures in a row
 
+   Start_Up : constant Duration := 0.25;
+   --  Of a robot that needs 100 ms (Emulators), by a tick of 100 ms
+
    function Plain (Value : Natural) return String is
      (Trim (Value'Image, Left));
 
@@ -175,6 +178,7 @@ package body Robot_Faults is
    procedure In_Quiet (F : Spoilt_Answers'Class; W : in out World) is
       Few   : constant := Enough_To_Lose - 1;
       Bits  : constant := 24;
+      Kinds : constant := 3;
       Q     : Question;
       Count : Positive;
    begin
@@ -187,6 +191,19 @@ package body Robot_Faults is
             W.Emulator.Tell ("flip 1 " & Plain (Bit));
             Expect_Nothing (W, Q);
             Expect_Right (W);
+         end loop;
+      end if;
+
+      if F.How = Wrong_Kind then
+         --  every other kind for each: one of the answers to a question for
+         --  the battery's level nobody can tell from a level of 0
+         for Any of Questions loop
+            for Kind in 1 .. Kinds loop
+               W.Emulator.Tell ("wrong 1");
+               Expect
+                 (W, Any, (if Any = "RGBT" then "ATIM RBLV:0" else "ATIM"));
+               Expect_Right (W);
+            end loop;
          end loop;
       end if;
 
@@ -473,7 +490,7 @@ package body Robot_Faults is
                 when Empty               => "battery critical",
                 when Charging            => "charge on"));
          if F.Why = Switched_Off_And_On then
-            W.Emulator.Await_Status ("state", "idle", Within => 1.0);
+            delay Start_Up;
          end if;
          W.Robot_Ready := W.Robot_Ready and then F.Why /= Empty;
          return;
