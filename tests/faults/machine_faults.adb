@@ -133,8 +133,6 @@ package body Machine_Faults is
 
    Pipe_File : int := -1;
 
-   Standard_Error_Number : constant := 2;
-
    ------------
    -- Script --
    ------------
@@ -323,19 +321,22 @@ package body Machine_Faults is
    end Prepare;
 
    overriding procedure Inject (F : in out Bad_Error; W : in out World) is
+      Standard_Error : constant := 2;
+      Error_File     : constant String :=
+        Process_Facts.Open_File (W.Pid, Standard_Error);
    begin
       if F.Kind = Full_Disk and then not Is_Root then
          Skip ("only root can make a file system of 4 kB");
       end if;
-      if F.Kind in Full_Device | Full_Disk then
-         Check
-           (Process_Facts.Open_File (W.Pid, Standard_Error_Number)
-            = (if F.Kind = Full_Disk
-               then Programs.Temporary_Folder & "/disk/log"
-               else "/dev/full"),
-            "its standard error is "
-            & Process_Facts.Open_File (W.Pid, Standard_Error_Number));
-      end if;
+      --  where it is closed nothing else may take its place
+      Check
+        (Error_File =
+           (case F.Kind is
+               when Closed | All_Closed => "/dev/null",
+               when Full_Device         => "/dev/full",
+               when Full_Disk           =>
+                  Programs.Temporary_Folder & "/disk/log"),
+         "its standard error is " & Error_File);
       --  each is worth a line of the log
       for Number in 1 .. Whole (W.Source, 1, 200) loop
          W.Say ("nonsense");
