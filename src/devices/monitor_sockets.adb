@@ -33,6 +33,10 @@ is
    --  Bytes; the kernel doubles it. More, and seconds of old images would
    --  wait there for a slow monitor
 
+   Queue_Length : constant := 1_024;
+   --  Of those who wait to be admitted or refused. Whoever finds the kernel's
+   --  queue full tries again later and later, and may do so for ever
+
    Send_Flags    : constant := 16#4000#;  --  MSG_NOSIGNAL
    Send_Now      : constant := 16#4040#;  --  and MSG_DONTWAIT
    Look_Now      : constant := 16#42#;    --  MSG_PEEK and MSG_DONTWAIT
@@ -140,7 +144,7 @@ is
       end;
       Set_Socket_Option (Server, Socket_Level, (Reuse_Address, True));
       Bind_Socket (Server, Place);
-      Listen_Socket (Server, 16);
+      Listen_Socket (Server, Queue_Length);
       --  a newcomer that is gone again must not block the accept
       Control_Socket (Server, Non_Blocking);
       Bound := Natural (Get_Socket_Name (Server).Port);
