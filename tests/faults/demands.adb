@@ -19,7 +19,7 @@ package body Demands is
    Reload_Period : constant Duration := 1.0;
    --  F11
 
-   Images_Limit : constant Duration := 3.0;
+   Images_Limit : constant Duration := 6.0;
    --  For one image more: ten a second, by programs of low priority
 
    ------------
