@@ -471,7 +471,7 @@ package body Machine_Faults is
          "its limits cannot be read");
       Few :=
         (Soft => unsigned_long
-           (Process_Facts.Descriptors (F.Owner) + Spare),
+           (Process_Facts.Next_Descriptor (F.Owner) + Spare),
          Hard => F.Usual.Hard);
       Check
         (Libc.Prlimit (F.Owner, Libc.Rlimit_Nofile, Few'Access, null) = 0,
@@ -488,7 +488,7 @@ package body Machine_Faults is
          --  unless another fault has set one free
          Check
            (Said
-            or else unsigned_long (Process_Facts.Descriptors (F.Owner))
+            or else unsigned_long (Process_Facts.Next_Descriptor (F.Owner))
               < Few.Soft,
             "it could take a connection: the limit does not hold");
       end if;

@@ -183,6 +183,32 @@ package body Process_Facts is
          return False;
    end Has_Mapped;
 
+   ---------------------
+   -- Next_Descriptor --
+   ---------------------
+
+   function Next_Descriptor (Process : int) return Natural is
+      Most   : constant := 4_095;
+      Taken  : array (0 .. Most) of Boolean := (others => False);
+      Result : Natural := 0;
+
+      procedure Take (Name : String);
+
+      procedure Take (Name : String) is
+         Number : constant Natural := Natural'Value (Name);
+      begin
+         if Number <= Most then
+            Taken (Number) := True;
+         end if;
+      end Take;
+   begin
+      For_Each_Entry (Folder (Process) & "/fd", Take'Access);
+      while Result < Most and then Taken (Result) loop
+         Result := Result + 1;
+      end loop;
+      return Result;
+   end Next_Descriptor;
+
    ------------------
    -- Thread_Named --
    ------------------

@@ -10,6 +10,9 @@ package Process_Facts is
    function Descriptors (Process : int) return Natural;
    --  0 when there is no such process
 
+   function Next_Descriptor (Process : int) return Natural;
+   --  The number of the one that it would open now: the lowest free one
+
    function Open_File (Process : int; Descriptor : Natural) return String;
    --  What is behind it, as the kernel names it: a path, "pipe:[123]"; ""
    --  where it is closed
