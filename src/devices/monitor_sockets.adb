@@ -247,7 +247,7 @@ is
          Event := Newcomer;
       end if;
    exception
-      when E : others =>
+      when E : Socket_Error =>
          --  a newcomer that has gone already is no failure
          if GNAT.OS_Lib.Errno /= EAGAIN then
             Texts.Set (Peer, Ada.Exceptions.Exception_Message (E));
