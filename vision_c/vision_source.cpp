@@ -193,8 +193,18 @@ void wait(Source &from) {
   from.next.tv_nsec = nanoseconds % 1000000000L;
 }
 
+// Empty where there is no image to be read. OpenCV throws where a file says
+// that it holds an absurdly large one.
+cv::Mat read_still(const std::string &name) {
+  try {
+    return cv::imread(name, cv::IMREAD_COLOR);
+  } catch (const cv::Exception &) {
+    return {};
+  }
+}
+
 vision_status open_still(Source &from) {
-  cv::Mat image = cv::imread(from.name, cv::IMREAD_COLOR);
+  cv::Mat image = read_still(from.name);
   if (!fit(image, from.still, from.width, from.height))
     return fail(VISION_NO_CAMERA, "%s: no image that can be read",
                 from.name.c_str());
