@@ -21,6 +21,7 @@ with Emulators;
 with Instants;              use Instants;
 with Libc;
 with Monitor_Clients;       use Monitor_Clients;
+with Own_Priority;
 with Programs;
 with Rigs;                  use Rigs;
 with Samples;
@@ -42,10 +43,6 @@ procedure Destijl_Bench is
    --  The first line of a file that contains Key; "" if there is none
 
    procedure Print_Machine;
-
-   procedure Prefer_Real_Time (Wanted : Boolean);
-   --  For the calling thread, where it is allowed: the times that the
-   --  benchmark notes are not those of its own waiting
 
    procedure Measure (Baud : Natural; Tasks : Boolean := False);
    --  Tasks: the processor time of the tasks instead of the delays
@@ -164,25 +161,6 @@ procedure Destijl_Bench is
         ("load: images with positions at 10 a second, 30 commands a"
          & " second, two busy loops");
    end Print_Machine;
-
-   ----------------------
-   -- Prefer_Real_Time --
-   ----------------------
-
-   procedure Prefer_Real_Time (Wanted : Boolean) is
-      Highest : aliased Libc.Sched_Param :=
-        (Priority => Libc.Above_Supervisor);
-      None    : aliased Libc.Sched_Param := (Priority => 0);
-      Unused  : Interfaces.C.int;
-   begin
-      if Wanted then
-         Unused := Libc.Sched_Setscheduler
-           (0, Libc.Sched_Fifo, Highest'Access);
-      else
-         Unused := Libc.Sched_Setscheduler
-           (0, Libc.Sched_Other, None'Access);
-      end if;
-   end Prefer_Real_Time;
 
    -------------
    -- Measure --
@@ -393,7 +371,7 @@ procedure Destijl_Bench is
       Load.Start;
       delay 2.0;
 
-      Prefer_Real_Time (True);
+      Own_Priority.Prefer_Real_Time (True);
       Reset (Source, 5544);
       R.Emulator.Clear_Journal;
       First := R.Monitor.Count + 1;
@@ -426,7 +404,7 @@ procedure Destijl_Bench is
             Pause;
          end if;
       end loop;
-      Prefer_Real_Time (False);
+      Own_Priority.Prefer_Real_Time (False);
       if Tasks then
          Task_Times.Stop;
          Task_Times.Print;

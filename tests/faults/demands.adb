@@ -196,11 +196,8 @@ package body Demands is
    -------------------
 
    procedure Expect_Return (W : in out World) is
-      On_Its_Way : constant Duration := 0.03;
-      --  The answer to the last stop: a line that is opened before it has
-      --  come takes it for the next one
    begin
-      delay On_Its_Way;
+      --  at once, while the answer to the last stop is still on its way
       Expect (W, "ROPN", "AACK");
       Expect (W, "RPIN", "AACK");
       W.Emulator.Await_Status ("moving", "0", Within => Stop_Limit + Noise);

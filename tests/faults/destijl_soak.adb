@@ -21,6 +21,7 @@ with Instants;              use Instants;
 with Libc;
 with Line_Watch;
 with Monitor_Clients;       use Monitor_Clients;
+with Own_Priority;
 with Programs;
 with Random_Numbers;        use Random_Numbers;
 with Soak_Records;
@@ -58,10 +59,6 @@ procedure Destijl_Soak is
    procedure Read_Command_Line;
 
    procedure Choose_Faults;
-
-   procedure Prefer_Real_Time (Wanted : Boolean);
-   --  For the calling thread, where it is allowed: the times that it notes
-   --  are not those of its own waiting
 
    procedure Complain (Text : String);
 
@@ -177,25 +174,6 @@ procedure Destijl_Soak is
       end loop;
    end Choose_Faults;
 
-   ----------------------
-   -- Prefer_Real_Time --
-   ----------------------
-
-   procedure Prefer_Real_Time (Wanted : Boolean) is
-      Highest : aliased Libc.Sched_Param :=
-        (Priority => Libc.Above_Supervisor);
-      None    : aliased Libc.Sched_Param := (Priority => 0);
-      Unused  : int;
-   begin
-      if Wanted then
-         Unused := Libc.Sched_Setscheduler
-           (0, Libc.Sched_Fifo, Highest'Access);
-      else
-         Unused := Libc.Sched_Setscheduler
-           (0, Libc.Sched_Other, None'Access);
-      end if;
-   end Prefer_Real_Time;
-
    --------------
    -- Complain --
    --------------
@@ -272,7 +250,7 @@ procedure Destijl_Soak is
       Unused := Monitor.Next_Of ("CIMG", Within => 5.0);
       delay 0.5;
       First := Monitor.Count + 1;
-      Prefer_Real_Time (True);
+      Own_Priority.Prefer_Real_Time (True);
       Soak_Records.Set_Calm (True);
       Start := Now;
       while Now - Start < For_Time loop
@@ -289,14 +267,14 @@ procedure Destijl_Soak is
          end if;
       end loop;
       Soak_Records.Set_Calm (False);
-      Prefer_Real_Time (False);
+      Own_Priority.Prefer_Real_Time (False);
       Note_Images;
       Check (Monitor.Broken_Images = 0, "broken images");
       Monitor.Close;
    exception
       when Occurrence : Failed =>
          Soak_Records.Set_Calm (False);
-         Prefer_Real_Time (False);
+         Own_Priority.Prefer_Real_Time (False);
          if Line_Watch.Worst (Begun, Now) >= Tolerances.Late_Line then
             --  such as a start that the robot's silence has spoilt
             Late_Answers := Late_Answers + 1;

@@ -4,6 +4,7 @@
 with Interfaces.C; use Interfaces.C;
 
 with Libc;
+with Own_Priority;
 
 package body Line_Watch is
 
@@ -148,7 +149,6 @@ package body Line_Watch is
    ------------
 
    task body Runner is
-      Param  : aliased Libc.Sched_Param := (Priority => Libc.Above_Supervisor);
       Master : int := Closed;
       Slave  : int := Closed;
       Byte   : aliased unsigned_char := 0;
@@ -158,8 +158,7 @@ package body Line_Watch is
    begin
       select
          accept Start;
-         Unused := Libc.Sched_Setscheduler
-           (0, Libc.Sched_Fifo, Param'Access);
+         Own_Priority.Prefer_Real_Time (True);
          Open (Master, Slave);
       or
          accept Stop;
