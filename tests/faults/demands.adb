@@ -196,8 +196,11 @@ package body Demands is
    -------------------
 
    procedure Expect_Return (W : in out World) is
+      On_Its_Way : constant Duration := 0.03;
+      --  The unasked ATIM, which could be taken for an answer. (A line that
+      --  is opened at once is system test F09_Reopened_At_Once.)
    begin
-      --  at once, while the answer to the last stop is still on its way
+      delay On_Its_Way;
       Expect (W, "ROPN", "AACK");
       Expect (W, "RPIN", "AACK");
       W.Emulator.Await_Status ("moving", "0", Within => Stop_Limit + Noise);
