@@ -90,6 +90,8 @@ package body Programs is
       Unused      : int;
    begin
       if Folder = "" then
+         --  one that a killed process of the same number has left
+         Remove_Left (Libc.Getpid);
          Folder := To_Unbounded_String
            (Folder_Of (Libc.Getpid));
          Create_Directory (To_String (Folder));
