@@ -22,7 +22,7 @@ package body Reports is
    Keys   : constant array (Figure) of Name_Text :=
      ("median", "p99   ", "p999  ", "max   ");
 
-   Name_Width : constant := 46;
+   Name_Width : constant := 56;
    Width      : constant := 11;
 
    type Curve is record
