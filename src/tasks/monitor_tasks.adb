@@ -123,11 +123,15 @@ package body Monitor_Tasks with SPARK_Mode is
    is
       Order : Orders.Order;
       Text  : Texts.Text;
+      Kept  : Boolean;
    begin
       Parse (Line, Order.Message);
-      Texts.Set (Text, "received ");
-      Authentication.Append_Shown (Text, Line);
-      Journal.Put (Options.Debug, Text);
+      Journal.Get_Kept (Options.Debug, Kept);
+      if Kept then
+         Texts.Set (Text, "received ");
+         Authentication.Append_Shown (Text, Line);
+         Journal.Put (Options.Debug, Text);
+      end if;
       Outbox.Reserve (Order.Number, Open);
       if not Open then
          return;
@@ -206,6 +210,8 @@ package body Monitor_Tasks with SPARK_Mode is
    task body Th_Send_To_Mon is
       Chosen    : Options.Values;
       Last_Sent : Time := Time_First;
+      Next      : Time;
+      Now       : Time;
       Answered  : Boolean := False;  --  the last message was an answer
       Is_Answer : Boolean;
       Kind      : Outbox.Message_Kind;
@@ -215,9 +221,14 @@ package body Monitor_Tasks with SPARK_Mode is
       Process.Name_Task ("th_send_to_mon");
       loop
          Outbox.Wait (Is_Answer);
-         Settings.Get (Chosen);
          if not (Answered and then Is_Answer) then
-            delay until Last_Sent + Milliseconds (Chosen.Message_Gap);
+            Settings.Get (Chosen);
+            Next := Last_Sent + Milliseconds (Chosen.Message_Gap);
+            --  even a delay that has passed already takes its time
+            Now := Clock;
+            if Now < Next then
+               delay until Next;
+            end if;
          end if;
          Outbox.Take (Kind, Outgoing, Length);
          if Kind /= Outbox.Nothing then
