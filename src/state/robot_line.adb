@@ -7,6 +7,7 @@ with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Line_Health;
 with Schedule;
+with Trace;
 
 package body Robot_Line with SPARK_Mode is
 
@@ -159,6 +160,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Begin_Session (First : Orders.Ticket) is
    begin
       Line.Begin_Session (First);
+      Trace.Release (Schedule.Th_Line);
       Set_True (Work);
    end Begin_Session;
 
@@ -169,6 +171,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Refuse_Orders is
    begin
       Line.Begin_Session (Orders.Ticket'Last);
+      Trace.Release (Schedule.Th_Line);
       Set_True (Work);
    end Refuse_Orders;
 
@@ -182,6 +185,7 @@ package body Robot_Line with SPARK_Mode is
       Order   : Orders.Order := (others => <>)) is
    begin
       Line.Put (From, Request, Order);
+      Trace.Release (Schedule.Th_Line, Order.Number);
       Set_True (Work);
    end Put;
 
@@ -192,6 +196,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Put_Stop (Order : Orders.Order) is
    begin
       Line.Put_Stop (Order);
+      Trace.Release (Schedule.Th_Line, Order.Number);
       Set_True (Work);
    end Put_Stop;
 
@@ -202,6 +207,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time) is
    begin
       Line.Set_Reload_Due (At_Time);
+      Trace.Release (Schedule.Th_Line);
       Set_True (Work);
    end Set_Reload_Due;
 
@@ -213,13 +219,18 @@ package body Robot_Line with SPARK_Mode is
       Now   : Time;
       Ready : Boolean;
    begin
+      Trace.Done (Schedule.Th_Line);
       loop
          Line.Get_Ready (Ready);
          exit when Ready;
+         Trace.Idle (Schedule.Th_Line);
          Suspend_Until_True (Work);
       end loop;
       Now := Clock;
       Line.Take (Next, Found, Now);
+      if Found then
+         Trace.Start (Schedule.Th_Line, Next.Order.Number);
+      end if;
    end Take;
 
    ------------

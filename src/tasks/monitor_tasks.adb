@@ -22,6 +22,7 @@ with Session;
 with Settings;
 with Task_Ports;
 with Texts;
+with Trace;
 with Vision_State;
 
 package body Monitor_Tasks with SPARK_Mode is
@@ -132,6 +133,7 @@ package body Monitor_Tasks with SPARK_Mode is
       if not Open then
          return;
       end if;
+      Trace.Received (Order.Message.Kind, Order.Number);
       if Order.Message.Kind in Open_Robot .. Get_State
         and then Order.Message.Kind /= Stop_Robot
       then
@@ -183,6 +185,8 @@ package body Monitor_Tasks with SPARK_Mode is
          After := 0;
          loop
             Monitor_Sockets.Receive (Incoming, Length, Open);
+            Trace.Release (Schedule.Th_Receive_From_Mon);
+            Trace.Start (Schedule.Th_Receive_From_Mon);
             for I in 1 .. Length loop
                exit when not Open;
                Accept_Character (Reader, Incoming (I), Complete);
@@ -192,10 +196,12 @@ package body Monitor_Tasks with SPARK_Mode is
                end if;
             end loop;
             exit when not Open;
+            Trace.Done (Schedule.Th_Receive_From_Mon);
          end loop;
          --  the watch sees it, whatever ended the connection
          Monitor_Sockets.Shut_Down;
          Session.Receiver_Left;
+         Trace.Done (Schedule.Th_Receive_From_Mon);
       end loop;
    end Th_Receive_From_Mon;
 
@@ -206,6 +212,7 @@ package body Monitor_Tasks with SPARK_Mode is
    task body Th_Send_To_Mon is
       Chosen    : Options.Values;
       Last_Sent : Time := Time_First;
+      Gap_End   : Time;
       Answered  : Boolean := False;  --  the last message was an answer
       Is_Answer : Boolean;
       Kind      : Outbox.Message_Kind;
@@ -217,12 +224,16 @@ package body Monitor_Tasks with SPARK_Mode is
          Outbox.Wait (Is_Answer);
          Settings.Get (Chosen);
          if not (Answered and then Is_Answer) then
-            delay until Last_Sent + Milliseconds (Chosen.Message_Gap);
+            Gap_End := Last_Sent + Milliseconds (Chosen.Message_Gap);
+            Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
+            delay until Gap_End;
+            Trace.Resume (Schedule.Th_Send_To_Mon, Gap_End);
          end if;
          Outbox.Take (Kind, Outgoing, Length);
          if Kind /= Outbox.Nothing then
             Monitor_Sockets.Send (Outgoing, Length, Success);
             Last_Sent := Clock;
+            Trace.Sent (Outgoing (1 .. 4));
             Answered := Kind = Outbox.Answer;
             --  before the session may end: the next has a connection, too
             if not Success then
@@ -248,11 +259,14 @@ package body Monitor_Tasks with SPARK_Mode is
       Monitor_Link.Start (Link, Sample.Now);
       loop
          Monitor_Sockets.Watch (Schedule.Link_Period, Loss);
+         Trace.Release (Schedule.Th_Com_Mon_Perdue);
+         Trace.Start (Schedule.Th_Com_Mon_Perdue);
          Session.Get_Stopping (Stopping);
          exit when Loss /= Monitor_Sockets.None or else Stopping;
          Monitor_Sockets.Sample (Sample);
          Monitor_Link.Judge (Link, Sample, Verdict);
          exit when Verdict /= Monitor_Link.Present;
+         Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
       Texts.Set
         (Reason,
@@ -301,7 +315,9 @@ package body Monitor_Tasks with SPARK_Mode is
          exit when Idle;
          Now := Clock;
          exit when Now >= Limit;
+         Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Camera);
          delay until Now + Schedule.Release_Poll;
+         Trace.Resume (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Bring_Back;
 
@@ -324,6 +340,7 @@ package body Monitor_Tasks with SPARK_Mode is
          Bring_Back;
          Session.End_Closing;
          Monitor_Sockets.Wake_Server;
+         Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Th_Com_Mon_Perdue;
 
@@ -341,7 +358,9 @@ package body Monitor_Tasks with SPARK_Mode is
          loop
             Outbox.Get_Hold_End (Any, At_Time);
             exit when not Any;
+            Trace.Done (Schedule.Th_Hold);
             delay until At_Time;
+            Trace.Start (Schedule.Th_Hold, At_Time);
             Outbox.End_Hold;
          end loop;
       end loop;
