@@ -9,6 +9,7 @@ with Monitor_Sockets;
 with Process;
 with Serial_Line;
 with Texts;
+with Trace;
 with Vision;
 
 package body Checks with SPARK_Mode is
@@ -112,6 +113,15 @@ package body Checks with SPARK_Mode is
          Report
            (False, "token file " & Texts.Image (Chosen.Token_File) & ": "
             & Texts.Image (Reason));
+      end if;
+
+      if Chosen.Trace_File.Length > 0 then
+         Trace.Try (Chosen.Trace_File, Good, Reason);
+         All_Well := All_Well and Good;
+         Report
+           (Good, "trace file " & Texts.Image (Chosen.Trace_File)
+            & (if Good then ": can be written"
+               else ": " & Texts.Image (Reason)));
       end if;
 
       Monitor_Sockets.Listen

@@ -7,7 +7,8 @@ with Options;
 package Checks with SPARK_Mode is
 
    procedure Run (Chosen : Options.Values; All_Well : out Boolean);
-   --  Tries privileges, serial line, camera, token file and port, and
-   --  reports each in a line on standard output. Leaves all as it was
+   --  Tries privileges, serial line, camera, token file, trace file and
+   --  port, and reports each in a line on standard output. Leaves all as it
+   --  was
 
 end Checks;

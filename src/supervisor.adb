@@ -17,19 +17,22 @@ with Serial_Line;
 with Session;
 with Settings;
 with Texts;
+with Trace;
 
 with Monitor_Tasks;
 with Robot_Tasks;
 with Support_Tasks;
 with Vision_Tasks;
-pragma Unreferenced
-  (Monitor_Tasks, Robot_Tasks, Support_Tasks, Vision_Tasks);
+pragma Unreferenced (Monitor_Tasks, Robot_Tasks, Vision_Tasks);
 
 package body Supervisor with SPARK_Mode is
 
    procedure Read_Arguments (Command_Line : out Command_Lines.Reading);
 
    procedure Keep_On_Processor (Cpu : Options.Processor_Choice);
+   --  Leaves the process where that cannot be
+
+   procedure Open_Trace (Path : Texts.Text);
    --  Leaves the process where that cannot be
 
    procedure Serve (Chosen : Options.Values);
@@ -54,6 +57,28 @@ package body Supervisor with SPARK_Mode is
          end if;
       end if;
    end Keep_On_Processor;
+
+   ----------------
+   -- Open_Trace --
+   ----------------
+
+   procedure Open_Trace (Path : Texts.Text) is
+      Done   : Boolean;
+      Reason : Texts.Text;
+      Text   : Texts.Text;
+   begin
+      if Path.Length > 0 then
+         Trace.Open (Path, Done, Reason);
+         if not Done then
+            Texts.Set (Text, "destijl: cannot use the trace file ");
+            Texts.Append (Text, Texts.Image (Path));
+            Texts.Append (Text, ": ");
+            Texts.Append (Text, Texts.Image (Reason));
+            Console.Put_Log (Texts.Image (Text));
+            Process.Leave (Process.Cannot_Start);
+         end if;
+      end if;
+   end Open_Trace;
 
    --------------------
    -- Read_Arguments --
@@ -108,6 +133,7 @@ package body Supervisor with SPARK_Mode is
       end case;
       --  once more: orders may have been sent after that of the failure
       Serial_Line.Stop_Blindly;
+      Support_Tasks.Finish_Trace;
       Process.Leave (Process.Internal_Failure);
    end Run;
 
@@ -120,6 +146,7 @@ package body Supervisor with SPARK_Mode is
       Locked : Boolean;
       Now    : Time;
    begin
+      Open_Trace (Chosen.Trace_File);
       Keep_On_Processor (Chosen.Cpu);
       Process.Lock_Memory (Locked);
       Settings.Set (Chosen);

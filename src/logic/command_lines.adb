@@ -45,7 +45,8 @@ package body Command_Lines with SPARK_Mode is
          when Marker      => "--marker",
          when Message_Gap => "--message-gap",
          when Log_Level   => "--log-level",
-         when Cpu         => "--cpu");
+         when Cpu         => "--cpu",
+         when Trace       => "--trace");
 
    Max_Digits : constant := 9;
 
@@ -377,6 +378,9 @@ package body Command_Lines with SPARK_Mode is
               (R, Value, Options.Processor'First, Options.Processor'Last,
                Number);
             R.Chosen.Cpu := Number;
+         when Trace =>
+            Read_Text (R, Value, Text);
+            R.Chosen.Trace_File := Text;
       end case;
       R.Awaited := None;
    end Take_Value;

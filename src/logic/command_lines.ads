@@ -15,7 +15,7 @@ package Command_Lines with SPARK_Mode is
 
    type Option_Kind is
      (None, Port, Bind, Allow, Token, Serial, Camera, Frame_Size, Frame_Rate,
-      Quality, Marker, Message_Gap, Log_Level, Cpu);
+      Quality, Marker, Message_Gap, Log_Level, Cpu, Trace);
 
    type Reading is record
       Request : Request_Kind := Run;
@@ -71,6 +71,8 @@ package Command_Lines with SPARK_Mode is
      & LF
      & "                       all else off it" & LF
      & "  --log-level LEVEL    error, warning, info or debug (info)" & LF
+     & "  --trace FILE         at the end, write to FILE what every task did"
+     & LF
      & "  --check              say what would work, without starting" & LF
      & "  --version, --help" & LF & LF
      & "Exit status: 0 after an orderly stop, 1 where the server cannot"

@@ -45,6 +45,8 @@ package Options with SPARK_Mode is
       Log_Level   : Level        := Info;
       Cpu         : Processor_Choice := No_Processor;
       --  where the real-time tasks are kept; No_Processor: anywhere
+      Trace_File  : Texts.Text;
+      --  for what the tasks did; empty: no trace
    end record;
 
 end Options;

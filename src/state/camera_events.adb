@@ -2,6 +2,8 @@
 --  The event "the camera is open", for the periodic images.
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Schedule;
+with Trace;
 
 package body Camera_Events with SPARK_Mode is
 
@@ -13,6 +15,7 @@ package body Camera_Events with SPARK_Mode is
 
    procedure Opened is
    begin
+      Trace.Release (Schedule.Th_Capture_Img);
       Set_True (Images_Begin);
    end Opened;
 
@@ -22,6 +25,7 @@ package body Camera_Events with SPARK_Mode is
 
    procedure Wait_Opened is
    begin
+      Trace.Done (Schedule.Th_Capture_Img);
       Suspend_Until_True (Images_Begin);
    end Wait_Opened;
 

@@ -4,6 +4,7 @@
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Schedule;
+with Trace;
 
 package body Camera_Requests with SPARK_Mode is
 
@@ -85,8 +86,11 @@ package body Camera_Requests with SPARK_Mode is
    procedure Open (Success : out Boolean) is
    begin
       Requests.Open;
+      Trace.Release (Schedule.Th_Camera);
       Set_True (Asked);
+      Trace.Wait (Schedule.Th_Camera_Control, Trace.Camera);
       Suspend_Until_True (Answered);
+      Trace.Resume (Schedule.Th_Camera_Control);
       Requests.Collect (Success);
    end Open;
 
@@ -115,11 +119,14 @@ package body Camera_Requests with SPARK_Mode is
    procedure Wait_Open (Number : out Request_Number) is
       Found : Boolean;
    begin
+      Trace.Done (Schedule.Th_Camera);
       loop
          Requests.Take (Number, Found);
          exit when Found;
+         Trace.Idle (Schedule.Th_Camera);
          Suspend_Until_True (Asked);
       end loop;
+      Trace.Start (Schedule.Th_Camera);
    end Wait_Open;
 
    ----------------
@@ -138,6 +145,7 @@ package body Camera_Requests with SPARK_Mode is
    procedure Report (Success : Boolean) is
    begin
       Requests.Report (Success);
+      Trace.Release (Schedule.Th_Camera_Control);
       Set_True (Answered);
    end Report;
 

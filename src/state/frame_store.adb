@@ -5,6 +5,7 @@
 with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Schedule;
+with Trace;
 
 package body Frame_Store with SPARK_Mode is
 
@@ -141,7 +142,9 @@ package body Frame_Store with SPARK_Mode is
          Store.Get_Delivering (Delivering);
          Store.Claim_Newest (Slot, Found);
          exit when Found or else not Delivering;
+         Trace.Wait (Schedule.Th_Arene, Trace.Camera);
          Suspend_Until_True (Changed);
+         Trace.Resume (Schedule.Th_Arene);
       end loop;
    end Wait_Newest;
 

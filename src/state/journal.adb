@@ -6,6 +6,7 @@ with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Bounded_Queues;
 with Schedule;
+with Trace;
 
 package body Journal with SPARK_Mode is
 
@@ -137,6 +138,7 @@ package body Journal with SPARK_Mode is
             end if;
          end loop;
          Buffer.Put (Item);
+         Trace.Release (Schedule.Th_Console);
          Set_True (Arrived);
       end if;
    end Put;
@@ -153,11 +155,14 @@ package body Journal with SPARK_Mode is
    procedure Take (Item : out Line) is
       Found : Boolean;
    begin
+      Trace.Done (Schedule.Th_Console);
       loop
          Buffer.Take (Item, Found);
          exit when Found;
+         Trace.Idle (Schedule.Th_Console);
          Suspend_Until_True (Arrived);
       end loop;
+      Trace.Start (Schedule.Th_Console);
    end Take;
 
    -------------

@@ -3,6 +3,7 @@
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Robot_Line;
+with Trace;
 
 package body Line_Clients with SPARK_Mode is
 
@@ -18,14 +19,18 @@ package body Line_Clients with SPARK_Mode is
       Result  : out Robot_Session.Outcome) is
    begin
       Robot_Line.Put (Who, Request, Order);
+      Trace.Wait (Its_Task, Trace.Line);
       Suspend_Until_True (Finished);
+      Trace.Resume (Its_Task);
       Robot_Line.Collect (Who, Result);
    end Ask;
 
    procedure Ask (Request : Robot_Session.Request) is
    begin
       Robot_Line.Put (Who, Request);
+      Trace.Wait (Its_Task, Trace.Line);
       Suspend_Until_True (Finished);
+      Trace.Resume (Its_Task);
    end Ask;
 
    ------------
@@ -34,6 +39,7 @@ package body Line_Clients with SPARK_Mode is
 
    procedure Signal is
    begin
+      Trace.Release (Its_Task);
       Set_True (Finished);
    end Signal;
 

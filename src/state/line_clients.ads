@@ -4,9 +4,11 @@
 with Line_Requests;
 with Orders;
 with Robot_Session;
+with Schedule;
 
 generic
-   Who : Line_Requests.Single;
+   Who      : Line_Requests.Single;
+   Its_Task : Schedule.Task_Name;
 package Line_Clients with SPARK_Mode is
 
    procedure Ask

@@ -3,6 +3,7 @@
 --  first out, with the task waiting at its end.
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Trace;
 
 package body Order_Ports with SPARK_Mode is
 
@@ -34,6 +35,7 @@ package body Order_Ports with SPARK_Mode is
    procedure Put (Item : Orders.Order) is
    begin
       Port.Put (Item);
+      Trace.Release (Who, Item.Number);
       Set_True (Arrived);
    end Put;
 
@@ -44,11 +46,14 @@ package body Order_Ports with SPARK_Mode is
    procedure Wait (Item : out Orders.Order) is
       Found : Boolean;
    begin
+      Trace.Done (Who);
       loop
          Port.Take (Item, Found);
          exit when Found;
+         Trace.Idle (Who);
          Suspend_Until_True (Arrived);
       end loop;
+      Trace.Start (Who, Item.Number);
    end Wait;
 
    -----------

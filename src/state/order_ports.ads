@@ -7,6 +7,8 @@ with Orders;
 with Schedule;
 
 generic
+   Who : Schedule.Task_Name;
+   --  whose port it is
 package Order_Ports with SPARK_Mode is
 
    procedure Put (Item : Orders.Order)
@@ -15,7 +17,8 @@ package Order_Ports with SPARK_Mode is
    --  under way than the port holds
 
    procedure Wait (Item : out Orders.Order);
-   --  The next order; waits for it. For the one task of the port
+   --  The next order; waits for it. For the one task of the port, whose
+   --  job is from here to the next call
 
    procedure Clear with Annotate => (GNATprove, Terminating);
    --  Forget the orders that wait: their session has ended

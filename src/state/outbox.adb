@@ -8,6 +8,7 @@ with Answer_Queues;                use Answer_Queues;
 with Schedule;
 with Send_Order;
 with Text_Queues;
+with Trace;
 
 package body Outbox with SPARK_Mode is
 
@@ -473,7 +474,9 @@ package body Outbox with SPARK_Mode is
       loop
          Box.Get_Busy (Busy);
          exit when not Busy;
+         Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
          Suspend_Until_True (Sender_Left);
+         Trace.Resume (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Wait_Sender;
 
@@ -487,7 +490,9 @@ package body Outbox with SPARK_Mode is
       loop
          Box.Reserve (Number, Result);
          exit when Result /= Full;
+         Trace.Wait (Schedule.Th_Receive_From_Mon, Trace.Room);
          Suspend_Until_True (Room);
+         Trace.Resume (Schedule.Th_Receive_From_Mon);
       end loop;
       Open := Result = Reserved;
    end Reserve;
@@ -500,6 +505,7 @@ package body Outbox with SPARK_Mode is
      (Number : Orders.Ticket; Kind : Monitor_Protocol.Answer_Kind) is
    begin
       Box.Answer (Number, (State => Ready_Text, Kind => Kind));
+      Trace.Release (Schedule.Th_Send_To_Mon, Number);
       Set_True (Work);
       Set_True (Room);
    end Answer;
@@ -511,6 +517,7 @@ package body Outbox with SPARK_Mode is
    procedure Answer_Nothing (Number : Orders.Ticket) is
    begin
       Box.Answer (Number, (State => Ready_Nothing, others => <>));
+      Trace.Release (Schedule.Th_Send_To_Mon, Number);
       Set_True (Work);
       Set_True (Room);
    end Answer_Nothing;
@@ -529,8 +536,11 @@ package body Outbox with SPARK_Mode is
       loop
          Box.Answer_With_Image (Number, Data, Length, Accepted);
          exit when Accepted;
+         Trace.Wait (Schedule.Th_Arene, Trace.Room);
          Suspend_Until_True (Arena_Room);
+         Trace.Resume (Schedule.Th_Arene);
       end loop;
+      Trace.Release (Schedule.Th_Send_To_Mon, Number);
       Set_True (Work);
    end Answer_With_Image;
 
@@ -542,7 +552,9 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.Put_Lost (Now);
+      Trace.Release (Schedule.Th_Send_To_Mon);
       Set_True (Work);
+      Trace.Release (Schedule.Th_Hold);
       Set_True (Hold_Begun);
    end Put_Robot_Lost;
 
@@ -554,7 +566,9 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.Put_Text (Text, Now);
+      Trace.Release (Schedule.Th_Send_To_Mon);
       Set_True (Work);
+      Trace.Release (Schedule.Th_Hold);
       Set_True (Hold_Begun);
    end Put_Text;
 
@@ -566,7 +580,9 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.Put_Battery (Kind, Now);
+      Trace.Release (Schedule.Th_Send_To_Mon);
       Set_True (Work);
+      Trace.Release (Schedule.Th_Hold);
       Set_True (Hold_Begun);
    end Put_Battery;
 
@@ -587,7 +603,9 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.Put_Position (Text, Made, Now);
+      Trace.Release (Schedule.Th_Send_To_Mon);
       Set_True (Work);
+      Trace.Release (Schedule.Th_Hold);
       Set_True (Hold_Begun);
    end Put_Position;
 
@@ -603,7 +621,9 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.Put_Image (Data, Length, Made, Now);
+      Trace.Release (Schedule.Th_Send_To_Mon);
       Set_True (Work);
+      Trace.Release (Schedule.Th_Hold);
       Set_True (Hold_Begun);
    end Put_Image;
 
@@ -623,11 +643,14 @@ package body Outbox with SPARK_Mode is
    procedure Wait (Answer_Is_Next : out Boolean) is
       Ready : Boolean;
    begin
+      Trace.Done (Schedule.Th_Send_To_Mon);
       loop
          Box.Get_Ready (Ready, Answer_Is_Next);
          exit when Ready;
+         Trace.Idle (Schedule.Th_Send_To_Mon);
          Suspend_Until_True (Work);
       end loop;
+      Trace.Start (Schedule.Th_Send_To_Mon);
    end Wait;
 
    ----------
@@ -665,7 +688,9 @@ package body Outbox with SPARK_Mode is
 
    procedure Wait_Held is
    begin
+      Trace.Done (Schedule.Th_Hold);
       Suspend_Until_True (Hold_Begun);
+      Trace.Start (Schedule.Th_Hold);
    end Wait_Held;
 
    ------------------
@@ -686,6 +711,7 @@ package body Outbox with SPARK_Mode is
       Now : constant Time := Clock;
    begin
       Box.End_Hold (Now);
+      Trace.Release (Schedule.Th_Send_To_Mon);
       Set_True (Work);
    end End_Hold;
 

@@ -2,6 +2,8 @@
 --  The event "the robot has started", one for each periodic robot task.
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Schedule;
+with Trace;
 
 package body Robot_Events with SPARK_Mode is
 
@@ -16,9 +18,12 @@ package body Robot_Events with SPARK_Mode is
    procedure Started (With_Watchdog : Boolean) is
    begin
       if With_Watchdog then
+         Trace.Release (Schedule.Th_Reload_WD);
          Set_True (For_Reload);
       end if;
+      Trace.Release (Schedule.Th_Battery_Level);
       Set_True (For_Battery);
+      Trace.Release (Schedule.Th_Keep_Alive);
       Set_True (For_Keep_Alive);
    end Started;
 
@@ -28,7 +33,9 @@ package body Robot_Events with SPARK_Mode is
 
    procedure Wait_Battery is
    begin
+      Trace.Done (Schedule.Th_Battery_Level);
       Suspend_Until_True (For_Battery);
+      Trace.Start (Schedule.Th_Battery_Level);
    end Wait_Battery;
 
    ---------------------
@@ -37,7 +44,9 @@ package body Robot_Events with SPARK_Mode is
 
    procedure Wait_Keep_Alive is
    begin
+      Trace.Done (Schedule.Th_Keep_Alive);
       Suspend_Until_True (For_Keep_Alive);
+      Trace.Start (Schedule.Th_Keep_Alive);
    end Wait_Keep_Alive;
 
    -----------------
@@ -46,7 +55,9 @@ package body Robot_Events with SPARK_Mode is
 
    procedure Wait_Reload is
    begin
+      Trace.Done (Schedule.Th_Reload_WD);
       Suspend_Until_True (For_Reload);
+      Trace.Start (Schedule.Th_Reload_WD);
    end Wait_Reload;
 
 end Robot_Events;

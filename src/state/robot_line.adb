@@ -7,6 +7,7 @@ with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Line_Health;
 with Schedule;
+with Trace;
 
 package body Robot_Line with SPARK_Mode is
 
@@ -164,6 +165,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Begin_Session (First : Orders.Ticket) is
    begin
       Line.Begin_Session (First);
+      Trace.Release (Schedule.Th_Line);
       Set_True (Work);
    end Begin_Session;
 
@@ -174,6 +176,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Refuse_Orders is
    begin
       Line.Begin_Session (Orders.Ticket'Last);
+      Trace.Release (Schedule.Th_Line);
       Set_True (Work);
    end Refuse_Orders;
 
@@ -187,6 +190,7 @@ package body Robot_Line with SPARK_Mode is
       Order   : Orders.Order := (others => <>)) is
    begin
       Line.Put (From, Request, Order);
+      Trace.Release (Schedule.Th_Line, Order.Number);
       Set_True (Work);
    end Put;
 
@@ -197,6 +201,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Put_Stop (Order : Orders.Order) is
    begin
       Line.Put_Stop (Order);
+      Trace.Release (Schedule.Th_Line, Order.Number);
       Set_True (Work);
    end Put_Stop;
 
@@ -207,6 +212,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time) is
    begin
       Line.Set_Reload_Due (At_Time);
+      Trace.Release (Schedule.Th_Line);
       Set_True (Work);
    end Set_Reload_Due;
 
@@ -218,12 +224,17 @@ package body Robot_Line with SPARK_Mode is
       Now    : Time;
       Looked : Boolean;
    begin
+      Trace.Done (Schedule.Th_Line);
       loop
          Now := Clock;
          Line.Take (Next, Found, Looked, Now);
          exit when Looked;
+         Trace.Idle (Schedule.Th_Line);
          Suspend_Until_True (Work);
       end loop;
+      if Found then
+         Trace.Start (Schedule.Th_Line, Next.Order.Number);
+      end if;
    end Take;
 
    ------------

@@ -4,6 +4,7 @@
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Schedule;
+with Trace;
 
 package body Session with SPARK_Mode is
 
@@ -189,7 +190,9 @@ package body Session with SPARK_Mode is
 
    procedure Wait_Receiver_Left is
    begin
+      Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
       Suspend_Until_True (Receive_Ended);
+      Trace.Resume (Schedule.Th_Com_Mon_Perdue);
    end Wait_Receiver_Left;
 
    ----------------

@@ -4,20 +4,22 @@
 
 with Order_Ports;
 with Orders;
+with Schedule;
 
 package Task_Ports with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Task_Ports);
    --  A claim that GNATprove checks: every subprogram ends
 
-   package Open_Robot is new Order_Ports;
-   package Start_Robot is new Order_Ports;
-   package Start_Robot_Watchdog is new Order_Ports;
-   package Reset_Robot is new Order_Ports;
-   package Move is new Order_Ports;
-   package Query is new Order_Ports;
-   package Camera_Control is new Order_Ports;
-   package Arena is new Order_Ports;
+   package Open_Robot is new Order_Ports (Schedule.Th_Open_Com_Robot);
+   package Start_Robot is new Order_Ports (Schedule.Th_Start_Robot);
+   package Start_Robot_Watchdog is new
+     Order_Ports (Schedule.Th_Start_Robot_WD);
+   package Reset_Robot is new Order_Ports (Schedule.Th_Reset_Robot);
+   package Move is new Order_Ports (Schedule.Th_Move);
+   package Query is new Order_Ports (Schedule.Th_Query);
+   package Camera_Control is new Order_Ports (Schedule.Th_Camera_Control);
+   package Arena is new Order_Ports (Schedule.Th_Arene);
 
    procedure Dispatch (Item : Orders.Order);
    --  Item goes to the task that carries it out, to the vision in the order

@@ -10,6 +10,7 @@ with Outbox;
 with Schedule;
 with Secret_Files;
 with Session;
+with Trace;
 
 package body Admission with SPARK_Mode is
 
@@ -349,6 +350,8 @@ package body Admission with SPARK_Mode is
       Get_Next (G, Free, Watched, Limit);
       Monitor_Sockets.Wait_Newcomer
         (Free, Watched, Limit, Event, Where, From, Peer);
+      Trace.Release (Schedule.Th_Server);
+      Trace.Start (Schedule.Th_Server);
       case Event is
          when Monitor_Sockets.Newcomer =>
             Meet (G, Where, From, Peer);
@@ -368,6 +371,7 @@ package body Admission with SPARK_Mode is
       end case;
       Turn_Late_Away (G);
       Decide (G);
+      Trace.Done (Schedule.Th_Server);
    end Serve;
 
    ------------

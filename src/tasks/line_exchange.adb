@@ -11,6 +11,7 @@ with Schedule;
 with Serial_Line;
 with Settings;
 with Texts;
+with Trace;
 
 package body Line_Exchange with SPARK_Mode is
 
@@ -79,7 +80,9 @@ package body Line_Exchange with SPARK_Mode is
       Deadline := Clock;
       Deadline := Deadline + Schedule.Answer_Timeout
         + Out_Frame.Length * Schedule.Byte_Time;
+      Trace.Ordered (Schedule.Th_Line, Item.Kind);
       Serial_Line.Write (Out_Frame.Data, Out_Frame.Length, Ok);
+      Trace.Wait (Schedule.Th_Line, Trace.Answer);
       if not Ok then
          return;
       end if;
@@ -138,6 +141,7 @@ package body Line_Exchange with SPARK_Mode is
                Journal.Put (Options.Info, "robot line closed");
             when Robot_Session.Send =>
                Encode (Step.Command, Sending);
+               Trace.Ordered (Schedule.Th_Line, Step.Command.Kind);
                Serial_Line.Write (Sending.Data, Sending.Length, Last.Ok);
             when Robot_Session.Exchange =>
                Exchange (Step.Command, False, Last.Ok, Last.Reply);
@@ -146,6 +150,7 @@ package body Line_Exchange with SPARK_Mode is
             when Robot_Session.Finish =>
                null;
          end case;
+         Trace.Resume (Schedule.Th_Line);
          Robot_Session.Continue_Request (State, Progress, Last, Step);
       end loop;
       Result := Robot_Session.Result (Progress);

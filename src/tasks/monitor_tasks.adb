@@ -22,6 +22,7 @@ with Session;
 with Settings;
 with Task_Ports;
 with Texts;
+with Trace;
 with Vision_State;
 
 package body Monitor_Tasks with SPARK_Mode is
@@ -136,6 +137,7 @@ package body Monitor_Tasks with SPARK_Mode is
       if not Open then
          return;
       end if;
+      Trace.Received (Order.Message.Kind, Order.Number);
       if Order.Message.Kind in Open_Robot .. Get_State
         and then Order.Message.Kind /= Stop_Robot
       then
@@ -187,6 +189,8 @@ package body Monitor_Tasks with SPARK_Mode is
          After := 0;
          loop
             Monitor_Sockets.Receive (Incoming, Length, Open);
+            Trace.Release (Schedule.Th_Receive_From_Mon);
+            Trace.Start (Schedule.Th_Receive_From_Mon);
             for I in 1 .. Length loop
                exit when not Open;
                Accept_Character (Reader, Incoming (I), Complete);
@@ -196,10 +200,12 @@ package body Monitor_Tasks with SPARK_Mode is
                end if;
             end loop;
             exit when not Open;
+            Trace.Done (Schedule.Th_Receive_From_Mon);
          end loop;
          --  the watch sees it, whatever ended the connection
          Monitor_Sockets.Shut_Down;
          Session.Receiver_Left;
+         Trace.Done (Schedule.Th_Receive_From_Mon);
       end loop;
    end Th_Receive_From_Mon;
 
@@ -210,7 +216,7 @@ package body Monitor_Tasks with SPARK_Mode is
    task body Th_Send_To_Mon is
       Chosen    : Options.Values;
       Last_Sent : Time := Time_First;
-      Next      : Time;
+      Gap_End   : Time;
       Now       : Time;
       Answered  : Boolean := False;  --  the last message was an answer
       Is_Answer : Boolean;
@@ -223,17 +229,20 @@ package body Monitor_Tasks with SPARK_Mode is
          Outbox.Wait (Is_Answer);
          if not (Answered and then Is_Answer) then
             Settings.Get (Chosen);
-            Next := Last_Sent + Milliseconds (Chosen.Message_Gap);
+            Gap_End := Last_Sent + Milliseconds (Chosen.Message_Gap);
             --  even a delay that has passed already takes its time
             Now := Clock;
-            if Now < Next then
-               delay until Next;
+            if Now < Gap_End then
+               Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
+               delay until Gap_End;
+               Trace.Resume (Schedule.Th_Send_To_Mon, Gap_End);
             end if;
          end if;
          Outbox.Take (Kind, Outgoing, Length);
          if Kind /= Outbox.Nothing then
             Monitor_Sockets.Send (Outgoing, Length, Success);
             Last_Sent := Clock;
+            Trace.Sent (Outgoing (1 .. 4));
             Answered := Kind = Outbox.Answer;
             --  before the session may end: the next has a connection, too
             if not Success then
@@ -259,11 +268,14 @@ package body Monitor_Tasks with SPARK_Mode is
       Monitor_Link.Start (Link, Sample.Now);
       loop
          Monitor_Sockets.Watch (Schedule.Link_Period, Loss);
+         Trace.Release (Schedule.Th_Com_Mon_Perdue);
+         Trace.Start (Schedule.Th_Com_Mon_Perdue);
          Session.Get_Stopping (Stopping);
          exit when Loss /= Monitor_Sockets.None or else Stopping;
          Monitor_Sockets.Sample (Sample);
          Monitor_Link.Judge (Link, Sample, Verdict);
          exit when Verdict /= Monitor_Link.Present;
+         Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
       Texts.Set
         (Reason,
@@ -312,7 +324,9 @@ package body Monitor_Tasks with SPARK_Mode is
          exit when Idle;
          Now := Clock;
          exit when Now >= Limit;
+         Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Camera);
          delay until Now + Schedule.Release_Poll;
+         Trace.Resume (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Bring_Back;
 
@@ -335,6 +349,7 @@ package body Monitor_Tasks with SPARK_Mode is
          Bring_Back;
          Session.End_Closing;
          Monitor_Sockets.Wake_Server;
+         Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Th_Com_Mon_Perdue;
 
@@ -352,7 +367,9 @@ package body Monitor_Tasks with SPARK_Mode is
          loop
             Outbox.Get_Hold_End (Any, At_Time);
             exit when not Any;
+            Trace.Done (Schedule.Th_Hold);
             delay until At_Time;
+            Trace.Start (Schedule.Th_Hold, At_Time);
             Outbox.End_Hold;
          end loop;
       end loop;

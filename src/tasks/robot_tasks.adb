@@ -18,6 +18,7 @@ with Robot_Protocol;
 with Robot_Session;    use Robot_Session;
 with Task_Ports;
 with Texts;
+with Trace;
 
 package body Robot_Tasks with SPARK_Mode is
 
@@ -208,7 +209,9 @@ package body Robot_Tasks with SPARK_Mode is
            and then Now.Mode = Started_With_Watchdog
          loop
             Robot_Line.Set_Reload_Due (Next);
+            Trace.Done (Schedule.Th_Reload_WD);
             delay until Next;
+            Trace.Start (Schedule.Th_Reload_WD, Next);
             Robot_Line.Get_Status (Now);
             --  a run that has begun meanwhile has its own reloads
             exit when not Same_Run (Now, Begun);
@@ -282,7 +285,9 @@ package body Robot_Tasks with SPARK_Mode is
          Now := Begun;
          Next := Begun.Started_At + Schedule.Battery_Offset;
          while Same_Run (Now, Begun) loop
+            Trace.Done (Schedule.Th_Battery_Level);
             delay until Next;
+            Trace.Start (Schedule.Th_Battery_Level, Next);
             Robot_Line.Get_Status (Now);
             if Same_Run (Now, Begun) then
                Robot_Clients.Battery.Ask
@@ -347,7 +352,9 @@ package body Robot_Tasks with SPARK_Mode is
          Now := Begun;
          Next := Begun.Started_At + Schedule.Keep_Alive_Period;
          while Same_Run (Now, Begun) loop
+            Trace.Done (Schedule.Th_Keep_Alive);
             delay until Next;
+            Trace.Start (Schedule.Th_Keep_Alive, Next);
             Robot_Line.Get_Status (Now);
             if Same_Run (Now, Begun)
               and then Next - Now.Used_At >= Schedule.Idle_Line

@@ -43,6 +43,55 @@ package Schedule with SPARK_Mode is
    Console_Priority       : constant Priority := 2;   --  new: writes the log
    Main_Priority          : constant Priority := 1;
 
+   --  The tasks by name, the most urgent first.
+
+   type Task_Name is
+     (Th_Stop,
+      Th_Line,
+      Th_Reload_WD,
+      Th_Server,
+      Th_Move,
+      Th_Receive_From_Mon,
+      Th_Com_Mon_Perdue,
+      Th_Hold,
+      Th_Send_To_Mon,
+      Th_Battery_Level,
+      Th_Open_Com_Robot,
+      Th_Start_Robot,
+      Th_Start_Robot_WD,
+      Th_Reset_Robot,
+      Th_Query,
+      Th_Keep_Alive,
+      Th_Camera_Control,
+      Th_Capture_Img,
+      Th_Arene,
+      Th_Camera,
+      Th_Console);
+
+   function Priority_Of (Who : Task_Name) return Priority is
+     (case Who is
+         when Th_Stop             => Stop_Priority,
+         when Th_Line             => Line_Priority,
+         when Th_Reload_WD        => Reload_Priority,
+         when Th_Server           => Server_Priority,
+         when Th_Move             => Move_Priority,
+         when Th_Receive_From_Mon => Receive_Priority,
+         when Th_Com_Mon_Perdue   => Lost_Priority,
+         when Th_Hold             => Hold_Priority,
+         when Th_Send_To_Mon      => Send_Priority,
+         when Th_Battery_Level    => Battery_Priority,
+         when Th_Open_Com_Robot   => Open_Priority,
+         when Th_Start_Robot      => Start_Priority,
+         when Th_Start_Robot_WD   => Start_Watchdog_Priority,
+         when Th_Reset_Robot      => Reset_Priority,
+         when Th_Query            => Query_Priority,
+         when Th_Keep_Alive       => Keep_Alive_Priority,
+         when Th_Camera_Control   => Camera_Control_Priority,
+         when Th_Capture_Img      => Capture_Priority,
+         when Th_Arene            => Arena_Priority,
+         when Th_Camera           => Camera_Priority,
+         when Th_Console          => Console_Priority);
+
    --  Ceilings: the highest priority of the tasks that call the object.
 
    Outbox_Ceiling   : constant Priority := Stop_Priority;
@@ -94,6 +143,9 @@ package Schedule with SPARK_Mode is
    --  after a connection that could not be accepted
    Token_Limit       : constant Time_Span := Milliseconds (2000);
    --  for the first line of a newcomer, where a token is asked for
+   Trace_Limit       : constant Time_Span := Milliseconds (2000);
+   --  for the file of --trace; with Stop_Limit and Console_Limit less than
+   --  TimeoutStopSec of the systemd unit
    Release_Poll      : constant Time_Span := Milliseconds (5);
    --  how often the ends of a session and of the process look again
 

@@ -10,9 +10,11 @@ with Monitor_Sockets;
 with Options;
 with Process;
 with Robot_Line;
+with Robot_Protocol;
 with Serial_Line;
 with Session;
 with Texts;
+with Trace;
 
 package body Support_Tasks with SPARK_Mode is
 
@@ -89,7 +91,9 @@ package body Support_Tasks with SPARK_Mode is
            and then not Status.Open and then Idle;
          Now := Clock;
          exit when Now >= Limit;
+         Trace.Wait (Schedule.Th_Stop, Trace.Tasks);
          delay until Now + Schedule.Release_Poll;
+         Trace.Resume (Schedule.Th_Stop);
       end loop;
    end Wait_Session_End;
 
@@ -110,6 +114,26 @@ package body Support_Tasks with SPARK_Mode is
       end loop;
    end Wait_Console;
 
+   ------------------
+   -- Finish_Trace --
+   ------------------
+
+   procedure Finish_Trace is
+      Whole  : Boolean;
+      Reason : Texts.Text;
+      Line   : Texts.Text;
+      Now    : Time;
+   begin
+      Trace.Finish (Whole, Reason);
+      if not Whole then
+         Texts.Set (Line, "the trace is not complete: ");
+         Texts.Append (Line, Texts.Image (Reason));
+         Journal.Put (Options.Error, Line);
+         Now := Clock;
+         Wait_Console (Now + Schedule.Console_Limit);
+      end if;
+   end Finish_Trace;
+
    -------------
    -- Th_Stop --
    -------------
@@ -122,9 +146,12 @@ package body Support_Tasks with SPARK_Mode is
       Process.Name_Task ("th_stop");
       loop
          Process.Wait_Signal (Kind);
+         Trace.Release (Schedule.Th_Stop);
+         Trace.Start (Schedule.Th_Stop);
          if Kind = Process.Failure then
             --  whoever has failed, the robot stops now, for good
             Robot_Line.Refuse_Orders;
+            Trace.Ordered (Schedule.Th_Stop, Robot_Protocol.Move);
             Serial_Line.Stop_Blindly;
          end if;
          Journal.Put (Options.Info, "stopping");
@@ -136,6 +163,7 @@ package body Support_Tasks with SPARK_Mode is
                    else Schedule.Stop_Limit));
          Robot_Line.Get_Status (Status);
          if Status.Open then
+            Trace.Ordered (Schedule.Th_Stop, Robot_Protocol.Move);
             Serial_Line.Stop_Blindly;
          end if;
          Journal.Put
@@ -144,6 +172,8 @@ package body Support_Tasks with SPARK_Mode is
              else "stopped"));
          Now := Clock;
          Wait_Console (Now + Schedule.Console_Limit);
+         Trace.Done (Schedule.Th_Stop);
+         Finish_Trace;
          Process.Leave
            (if Kind = Process.Failure then Process.Internal_Failure
             else Process.Success);

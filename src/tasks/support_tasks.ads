@@ -15,4 +15,8 @@ package Support_Tasks with SPARK_Mode is
    --  Waits for the signal that ends the process: an orderly stop (exit 0),
    --  or a task that has failed (stop order, exit 3)
 
+   procedure Finish_Trace;
+   --  Writes the file of --trace, where there is one, and says in the log
+   --  where it is not complete. The last thing before the process ends
+
 end Support_Tasks;

@@ -14,6 +14,7 @@ with Process;
 with Settings;
 with Task_Ports;
 with Texts;
+with Trace;
 with Vision;
 with Vision_Mode;
 with Vision_State;
@@ -212,6 +213,7 @@ package body Vision_Tasks with SPARK_Mode is
          Period := Seconds (1) / Chosen.Frame_Rate;
          Next := Clock;
          loop
+            Trace.Start (Schedule.Th_Capture_Img, Next);
             --  the generation before the mode: an image made for a mode
             --  that has ended meanwhile is then not sent
             Outbox.Get_Generation (Made);
@@ -258,6 +260,7 @@ package body Vision_Tasks with SPARK_Mode is
             while Next <= Now loop
                Next := Next + Period;
             end loop;
+            Trace.Done (Schedule.Th_Capture_Img);
             delay until Next;
          end loop;
       end loop;
@@ -354,8 +357,11 @@ package body Vision_Tasks with SPARK_Mode is
             Journal.Put (Options.Info, "camera open");
             Camera_Requests.Report (True);
             loop
+               Trace.Start (Schedule.Th_Camera);
                Frame_Store.Claim_Empty (Slot);
+               Trace.Wait (Schedule.Th_Camera, Trace.Camera);
                Vision.Grab (Slot, Result);
+               Trace.Resume (Schedule.Th_Camera);
                if Result = Vision.Done then
                   Now := Clock;
                   Frame_Store.Publish (Slot, Now);

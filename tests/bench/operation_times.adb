@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Prints how long operations of the protected objects take, as a task of
---  the supervisor sees them, with the events that they set.
+--  Prints how long operations of the protected objects take, as a task sees
+--  them, with the events that they set; with --trace, what they record, too.
 
+with Ada.Command_Line;
 with Ada.Real_Time;  use Ada.Real_Time;
 with Ada.Text_IO;    use Ada.Text_IO;
 with GNAT.OS_Lib;
@@ -20,6 +21,7 @@ with Session;
 with Settings;
 with Task_Ports;
 with Texts;
+with Trace;
 with Vision_State;
 
 procedure Operation_Times with Priority => Schedule.Line_Priority is
@@ -114,6 +116,29 @@ procedure Operation_Times with Priority => Schedule.Line_Priority is
 
 begin
    Put_Line ("nanoseconds: median, 99 %, 99.9 %, longest");
+   for I in Sample_Index loop
+      Start;
+      for Turn in 1 .. 100 loop
+         Trace.Done (Schedule.Th_Line);
+      end loop;
+      Stop;
+   end loop;
+   Report ("100 Trace.Done, off");
+
+   if Ada.Command_Line.Argument_Count = 1
+     and then Ada.Command_Line.Argument (1) = "--trace"
+   then
+      Trace.Open (Texts.To_Text ("/dev/null"), Open, Text);
+      for I in Sample_Index loop
+         Start;
+         for Turn in 1 .. 100 loop
+            Trace.Done (Schedule.Th_Line);
+         end loop;
+         Stop;
+      end loop;
+      Report ("100 Trace.Done, on");
+   end if;
+
    Outbox.Open_Session;
    for I in Sample_Index loop
       Start;

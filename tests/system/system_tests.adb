@@ -26,6 +26,7 @@ with Robot_Tests;
 with Scenarios;
 with Security_Tests;
 with Server_Tests;
+with Trace_Tests;
 
 procedure System_Tests is
 
@@ -87,6 +88,7 @@ begin
    Camera_Tests.Add_To (Suite);
    Process_Tests.Add_To (Suite);
    Security_Tests.Add_To (Suite);
+   Trace_Tests.Add_To (Suite);
    Never_Tests.Add_To (Suite);
 
    AUnit.Test_Suites.Run

@@ -129,7 +129,8 @@ package body Command_Lines_Tests is
         ("--port 7 --bind 127.0.0.1 --allow 10.0.0.0/8 --allow 127.0.0.1"
          & " --token /etc/token --serial /dev/pts/3 --camera a.mp4"
          & " --frame-size 320x240 --fps 25 --jpeg-quality 55"
-         & " --marker triangle --message-gap 9 --log-level debug --cpu 3");
+         & " --marker triangle --message-gap 9 --log-level debug --cpu 3"
+         & " --trace /tmp/trace.json");
    begin
       Assert (R.Request = Run, Texts.Image (R.Reason));
       Assert
@@ -151,7 +152,8 @@ package body Command_Lines_Tests is
             Marker      => Triangle,
             Message_Gap => 9,
             Log_Level   => Debug,
-            Cpu         => 3),
+            Cpu         => 3,
+            Trace_File  => Texts.To_Text ("/tmp/trace.json")),
          "not what was chosen");
       for L in Level loop
          Assert
@@ -284,6 +286,8 @@ package body Command_Lines_Tests is
       Expect_Wrong ("--port 7 stray", "unexpected argument 'stray'");
       Expect_Wrong ("--serial", "a value is missing after --serial");
       Expect_Wrong ("--serial=", "a value is missing after --serial");
+      Expect_Wrong ("--trace", "a value is missing after --trace");
+      Expect_Wrong ("--trace=", "a value is missing after --trace");
       Expect_Wrong
         ("--serial --port 7", "a value is missing after --serial");
       Expect_Wrong

@@ -12,6 +12,7 @@ with Networks_Tests;
 with Robot_Protocol_Tests;
 with Robot_Session_Tests;
 with Texts_Tests;
+with Trace_Json_Tests;
 with Vision_Mode_Tests;
 
 package body Logic_Suite is
@@ -27,6 +28,7 @@ package body Logic_Suite is
    Link     : aliased Monitor_Link_Tests.Test_Case;
    Session  : aliased Robot_Session_Tests.Test_Case;
    Bounded  : aliased Texts_Tests.Test_Case;
+   Traced   : aliased Trace_Json_Tests.Test_Case;
    Mode     : aliased Vision_Mode_Tests.Test_Case;
 
    -----------
@@ -48,6 +50,7 @@ package body Logic_Suite is
       Result.Add_Test (Link'Access);
       Result.Add_Test (Session'Access);
       Result.Add_Test (Bounded'Access);
+      Result.Add_Test (Traced'Access);
       Result.Add_Test (Mode'Access);
       return Result;
    end Suite;

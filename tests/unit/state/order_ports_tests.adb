@@ -5,12 +5,13 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Order_Ports;
 with Orders;           use Orders;
+with Schedule;
 
 package body Order_Ports_Tests is
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
-   package Port is new Order_Ports;
+   package Port is new Order_Ports (Schedule.Th_Move);
 
    procedure Put (Number : Ticket);
 

@@ -6,6 +6,7 @@ with Journal_Tests;
 with Order_Ports_Tests;
 with Outbox_Tests;
 with Robot_Line_Tests;
+with Trace_Rings_Tests;
 with Vision_Queue_Tests;
 
 package body State_Suite is
@@ -15,6 +16,7 @@ package body State_Suite is
    Ports  : aliased Order_Ports_Tests.Test_Case;
    Box    : aliased Outbox_Tests.Test_Case;
    Line   : aliased Robot_Line_Tests.Test_Case;
+   Rings  : aliased Trace_Rings_Tests.Test_Case;
    Turns  : aliased Vision_Queue_Tests.Test_Case;
 
    -----------
@@ -30,6 +32,7 @@ package body State_Suite is
       Result.Add_Test (Ports'Access);
       Result.Add_Test (Box'Access);
       Result.Add_Test (Line'Access);
+      Result.Add_Test (Rings'Access);
       Result.Add_Test (Turns'Access);
       return Result;
    end Suite;

@@ -1,0 +1,123 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The memory of a flight recorder: a ring of events that any number of
+--  tasks write without waiting for each other. For Trace only.
+
+with Interfaces.C;            use Interfaces.C;
+with System.Storage_Elements; use System.Storage_Elements;
+
+package body Trace_Rings with SPARK_Mode => Off is
+
+   type Slot is record
+      State : aliased Unsigned_64;
+      --  0: empty; 2 N + 1: event N is being written; 2 N + 2: it is there.
+      --  Only who has changed it to the odd value writes the rest, so two
+      --  writers a whole round apart cannot mix their events
+      Item  : Trace_Json.Event;
+   end record
+   with Size => Slot_Bytes * 8;
+
+   Acquire : constant int := 2;  --  __ATOMIC_ACQUIRE
+   Release : constant int := 3;  --  __ATOMIC_RELEASE
+   Relaxed : constant int := 0;  --  __ATOMIC_RELAXED
+
+   function Load (From : System.Address; Order : int) return Unsigned_64
+   with
+     Import,
+     Convention    => Intrinsic,
+     External_Name => "__atomic_load_8";
+
+   procedure Store (To : System.Address; Value : Unsigned_64; Order : int)
+   with
+     Import,
+     Convention    => Intrinsic,
+     External_Name => "__atomic_store_8";
+
+   function Fetch_And_Add
+     (Counter : System.Address; Amount : Unsigned_64; Order : int)
+      return Unsigned_64
+   with
+     Import,
+     Convention    => Intrinsic,
+     External_Name => "__atomic_fetch_add_8";
+
+   function Compare_And_Swap
+     (Place : System.Address; Before, After : Unsigned_64) return Unsigned_64
+   with
+     Import,
+     Convention    => Intrinsic,
+     External_Name => "__sync_val_compare_and_swap_8";
+   --  What was there; After is there now where that was Before
+
+   procedure Fence
+   with
+     Import,
+     Convention    => Intrinsic,
+     External_Name => "__sync_synchronize";
+
+   function Place (R : Ring; Number : Unsigned_64) return System.Address is
+     (R.Where + Storage_Offset (Slot_Bytes * (Number mod R.Capacity)));
+
+   -----------
+   -- Count --
+   -----------
+
+   function Count (R : Ring) return Unsigned_64 is
+     (Load (R.Next'Address, Acquire));
+
+   ---------
+   -- Get --
+   ---------
+
+   procedure Get
+     (R      : Ring;
+      Number : Unsigned_64;
+      Item   : out Trace_Json.Event;
+      Found  : out Boolean)
+   is
+      Here : Slot with Import, Address => Place (R, Number);
+      Done : constant Unsigned_64 := 2 * Number + 2;
+   begin
+      Found := Load (Here.State'Address, Acquire) = Done;
+      if Found then
+         Item := Here.Item;
+         Fence;
+         Found := Load (Here.State'Address, Relaxed) = Done;
+      end if;
+      if not Found then
+         Item := (others => <>);
+      end if;
+   end Get;
+
+   ---------
+   -- Put --
+   ---------
+
+   procedure Put (R : in out Ring; Item : Trace_Json.Event) is
+      Number : constant Unsigned_64 :=
+        Fetch_And_Add (R.Next'Address, 1, Relaxed);
+      Here   : Slot with Import, Address => Place (R, Number);
+      Before : constant Unsigned_64 := Load (Here.State'Address, Relaxed);
+   begin
+      if Before mod 2 = 0
+        and then Before <= 2 * Number
+        and then Compare_And_Swap
+          (Here.State'Address, Before, 2 * Number + 1) = Before
+      then
+         Here.Item := Item;
+         Store (Here.State'Address, 2 * Number + 2, Release);
+      end if;
+   end Put;
+
+   ------------
+   -- Set_Up --
+   ------------
+
+   procedure Set_Up
+     (R : in out Ring; Where : System.Address; Capacity : Unsigned_64) is
+   begin
+      R.Where := Where;
+      R.Capacity := Capacity;
+      R.Next := 0;
+   end Set_Up;
+
+end Trace_Rings;

@@ -1,0 +1,392 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The trace: --trace FILE, from the events in the supervisor to the file.
+
+with Ada.Directories;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;
+with Interfaces.C;          use Interfaces.C;
+
+with Expectations;          use Expectations;
+with Libc;
+with Monitor_Clients;       use Monitor_Clients;
+with Process_Facts;
+with Programs;
+with Rigs;                  use Rigs;
+with Scenarios;             use Scenarios;
+with Supervisors;
+with Trace_Files;           use Trace_Files;
+
+package body Trace_Tests is
+
+   Tasks : constant := 21;
+
+   Writing_Time : constant Duration := 4.0;
+   --  of all that a test leaves in the trace, on a shared machine, with the
+   --  end of the session
+
+   function Trace_Path return String is
+     (Programs.Temporary_Folder & "/trace.json");
+
+   procedure Whole_Session;
+   procedure After_A_Failure;
+   procedure Nothing_Happened;
+   procedure Unusable_Files;
+   procedure Full_Disk;
+
+   procedure Stop_And_Read (R : in out Rig; T : out Trace);
+   --  Ends the supervisor in good order
+
+   procedure Check_Form (T : Trace);
+   --  What must hold of every trace: jobs and waits nested, begun and ended;
+   --  times that do not go back in any task
+
+   procedure Check_Way (T : Trace; Label, Carrier, Order : String);
+   --  One command of the monitor from its receipt by way of task Carrier
+   --  and the robot's answer to the monitor's
+
+   function Text_Of (Path : String) return String;
+
+   -------------------
+   -- Stop_And_Read --
+   -------------------
+
+   procedure Stop_And_Read (R : in out Rig; T : out Trace) is
+   begin
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Check
+        (R.Supervisor.Exit_Status (Within => Writing_Time) = 0,
+         "exit status: " & R.Supervisor.Log_Text);
+      Read (Trace_Path, T);
+   end Stop_And_Read;
+
+   ----------------
+   -- Check_Form --
+   ----------------
+
+   procedure Check_Form (T : Trace) is
+      Depth : array (Thread_Number) of Natural := (others => 0);
+      Last  : array (Thread_Number) of Nanoseconds := (others => 0);
+      Known : Natural := 0;
+   begin
+      for Item of T.Threads loop
+         Known := Known + (if Item.Name = "" then 0 else 1);
+      end loop;
+      Check (Known = Tasks, Known'Image & " tasks have a name");
+      Check (T.Kept = T.Recorded, "not all is kept");
+      for Item of T.Events loop
+         Check (T.Threads (Item.Thread).Name /= "", "an unknown task");
+         if Name (Item) not in "release" | "due" then
+            Check
+              (Item.Time >= Last (Item.Thread),
+               "back in time: " & Name (Item) & " at" & Item.Time'Image
+               & " of " & To_String (T.Threads (Item.Thread).Name));
+            Last (Item.Thread) := Item.Time;
+         end if;
+         case Item.Phase is
+            when 'B' =>
+               Check
+                 ((if Depth (Item.Thread) = 0 then Name (Item) = "job"
+                   else Depth (Item.Thread) = 1
+                     and then Index (Name (Item), "wait for ") = 1),
+                  Name (Item) & " begins at depth"
+                  & Depth (Item.Thread)'Image);
+               Depth (Item.Thread) := Depth (Item.Thread) + 1;
+            when 'E' =>
+               Check (Depth (Item.Thread) > 0, "an end without beginning");
+               Depth (Item.Thread) := Depth (Item.Thread) - 1;
+            when others =>
+               null;
+         end case;
+      end loop;
+      Check ((for all D of Depth => D = 0), "a beginning without end");
+   end Check_Form;
+
+   ---------------
+   -- Check_Way --
+   ---------------
+
+   procedure Check_Way (T : Trace; Label, Carrier, Order : String) is
+      Place   : Natural := 0;
+      Command : Natural := 0;
+      Since   : Nanoseconds := 0;
+
+      procedure Follow
+        (Who     : String;
+         What    : String;
+         Phase   : Character;
+         Numbered : Boolean := True);
+      --  The next such event
+
+      procedure Follow
+        (Who     : String;
+         What    : String;
+         Phase   : Character;
+         Numbered : Boolean := True)
+      is
+         Thread : constant Thread_Number := Thread_Of (T, Who);
+      begin
+         loop
+            Place := Place + 1;
+            Check
+              (Place <= T.Events.Last_Index,
+               Label & Command'Image & ": no " & What & " of " & Who);
+            declare
+               Item : Event renames T.Events (Place);
+            begin
+               if Item.Thread = Thread
+                 and then Item.Phase = Phase
+                 and then Name (Item) = What
+                 and then (not Numbered
+                           or else Command in 0 | Item.Command)
+               then
+                  Check (Item.Time >= Since, "an effect before its cause");
+                  Since := Item.Time;
+                  if Command = 0 then
+                     Command := Item.Command;
+                     Check (Command > 0, "a command without a number");
+                  end if;
+                  return;
+               end if;
+            end;
+         end loop;
+      end Follow;
+
+   begin
+      Follow ("th_receiveFromMon", "in " & Label, 'i');
+      Follow (Carrier, "release", 'i');
+      Follow (Carrier, "job", 'B');
+      Follow ("th_line", "job", 'B');
+      Follow ("th_line", "robot " & Order, 'i', Numbered => False);
+      Follow ("th_line", "wait for answer", 'B', Numbered => False);
+      Follow ("th_line", "", 'E', Numbered => False);
+      Follow (Carrier, "release", 'i', Numbered => False);
+      Follow ("th_sendToMon", "release", 'i');
+      Follow ("th_sendToMon", "job", 'B', Numbered => False);
+      Follow ("th_sendToMon", "out AACK", 'i', Numbered => False);
+   end Check_Way;
+
+   -------------
+   -- Text_Of --
+   -------------
+
+   function Text_Of (Path : String) return String is
+      use Ada.Text_IO;
+      File   : File_Type;
+      Result : Unbounded_String;
+   begin
+      Open (File, In_File, Path);
+      while not End_Of_File (File) loop
+         Append (Result, Get_Line (File) & ASCII.LF);
+      end loop;
+      Close (File);
+      return To_String (Result);
+   end Text_Of;
+
+   -------------------
+   -- Whole_Session --
+   -------------------
+
+   procedure Whole_Session is
+      Token : constant String := "correct-horse-battery";
+      R     : Rig;
+      Other : Client;
+      T     : Trace;
+      Jobs  : array (Thread_Number) of Natural := (others => 0);
+
+      function Token_File return String;
+
+      function Token_File return String is
+         use Ada.Text_IO;
+         Path : constant String := Programs.Temporary_Folder & "/token";
+         File : File_Type;
+      begin
+         Create (File, Out_File, Path);
+         Put_Line (File, Token);
+         Close (File);
+         Check (Libc.Chmod (To_C (Path), 8#600#) = 0, "chmod");
+         return Path;
+      end Token_File;
+
+   begin
+      Assemble
+        (R, Camera => True, Connected => False,
+         Supervisor_Options =>
+           "--trace " & Trace_Path & " --token " & Token_File);
+      Connect (R);
+      R.Monitor.Send_Line ("AUTH:" & Token);
+      Start_Robot (R, Watchdog => True);
+      R.Monitor.Expect ("RGFW", "AACK");
+      R.Monitor.Expect ("RSTP", "AACK");
+      Open_Camera (R, Positions => True);
+      R.Monitor.Expect ("CASA", "CIMG");
+      R.Monitor.Send_Line ("CACO");
+      R.Monitor.Send_Line ("AUTH:" & Token);
+      R.Monitor.Expect ("RPIN", "AACK");
+      delay 1.3;
+      R.Monitor.Expect ("CCLS", "AACK");
+      R.Monitor.Expect ("RRST", "AACK");
+      R.Monitor.Expect ("RSOW", "AACK");
+      delay 0.5;
+      Other.Connect (R.Supervisor.Port);
+      Other.Send_Line ("AUTH:" & Token);
+      R.Monitor.Close;
+      R.Supervisor.Expect_Log ("session closed", Within => 4.0);
+      Stop_And_Read (R, T);
+
+      Check_Form (T);
+      for Item of T.Events loop
+         if Item.Phase = 'B' and then Name (Item) = "job" then
+            Jobs (Item.Thread) := Jobs (Item.Thread) + 1;
+         end if;
+      end loop;
+      for Number in Thread_Number loop
+         Check
+           (T.Threads (Number).Name = "" or else Jobs (Number) > 0,
+            "no job of " & To_String (T.Threads (Number).Name));
+      end loop;
+      Check_Way (T, "ROPN", "th_openComRobot", "r");
+      Check_Way (T, "RSWW", "th_startRobotWD", "W");
+      Check_Way (T, "RGFW", "th_move", "M");
+      Check_Way (T, "RPIN", "th_query", "p");
+      Check_Way (T, "RRST", "th_resetRobot", "r");
+      Check_Way (T, "RSOW", "th_startRobot", "u");
+      Check
+        (Index (Text_Of (Trace_Path), Token) = 0, "the token is in the trace");
+   end Whole_Session;
+
+   ---------------------
+   -- After_A_Failure --
+   ---------------------
+
+   procedure After_A_Failure is
+      R : Rig;
+      T : Trace;
+
+      function Count_Of (Who, What : String) return Natural;
+
+      function Count_Of (Who, What : String) return Natural is
+         Result : Natural := 0;
+      begin
+         for Item of T.Events loop
+            if Item.Thread = Thread_Of (T, Who) and then Name (Item) = What
+            then
+               Result := Result + 1;
+            end if;
+         end loop;
+         return Result;
+      end Count_Of;
+
+   begin
+      Assemble (R, Supervisor_Options => "--trace " & Trace_Path);
+      Move_Forward (R);
+      Check
+        (Libc.Tgkill
+           (R.Supervisor.Pid,
+            Process_Facts.Thread_Named (R.Supervisor.Pid, "th_query"),
+            Libc.Sigsegv) = 0,
+         "the thread cannot be signalled");
+      Check
+        (R.Supervisor.Exit_Status (Within => Writing_Time) = 3,
+         "exit status: " & R.Supervisor.Log_Text);
+      Read (Trace_Path, T);
+      Check_Form (T);
+      Check (Count_Of ("th_receiveFromMon", "in RGFW") = 1, "the movement");
+      Check (Count_Of ("th_stop", "robot M") >= 1, "no stop in the trace");
+   end After_A_Failure;
+
+   ----------------------
+   -- Nothing_Happened --
+   ----------------------
+
+   procedure Nothing_Happened is
+      S : Supervisors.Supervisor;
+      T : Trace;
+   begin
+      S.Start ("--trace " & Trace_Path);
+      S.Send_Signal (Libc.Sigint);
+      Check (S.Exit_Status (Within => Writing_Time) = 0, S.Log_Text);
+      Read (Trace_Path, T);
+      Check_Form (T);
+   end Nothing_Happened;
+
+   --------------------
+   -- Unusable_Files --
+   --------------------
+
+   procedure Unusable_Files is
+
+      procedure Refuse (Path, Reason : String);
+      --  At the start, and by --check, which looks at the camera, too: it
+      --  takes its time
+
+      procedure Refuse (Path, Reason : String) is
+
+         procedure Run (Options, Said : String);
+
+         procedure Run (Options, Said : String) is
+            S : Supervisors.Supervisor;
+         begin
+            S.Run (Options & "--port 0 --trace " & Path);
+            Check (S.Exit_Status (Within => 15.0) = 1, "taken: " & Path);
+            delay 0.05;
+            Check
+              (Index (S.Log_Text & S.Output_Text,
+                      Said & " " & Path & ": " & Reason) > 0,
+               "not said why: " & S.Log_Text & S.Output_Text);
+            Check
+              (Index (S.Log_Text, "listening on") = 0, "it listens: " & Path);
+         end Run;
+
+      begin
+         Run ("", "destijl: cannot use the trace file");
+         Run ("--check ", "not ok  trace file");
+      end Refuse;
+
+      S : Supervisors.Supervisor;
+   begin
+      Refuse (Programs.Temporary_Folder & "/none/trace", "No such file");
+      Refuse (Programs.Temporary_Folder, "Is a directory");
+      S.Run ("--check --port 0 --trace " & Trace_Path & ".new");
+      Check (S.Exit_Status (Within => 15.0) in 0 | 1, "--check");
+      delay 0.05;
+      Check
+        (Index (S.Output_Text, "ok      trace file " & Trace_Path) > 0,
+         "a good trace file is not reported: " & S.Output_Text);
+      Check
+        (not Ada.Directories.Exists (Trace_Path & ".new"),
+         "--check has left its file");
+   end Unusable_Files;
+
+   ---------------
+   -- Full_Disk --
+   ---------------
+
+   procedure Full_Disk is
+      R : Rig;
+   begin
+      Assemble (R, Supervisor_Options => "--trace /dev/full");
+      Move_Forward (R);
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Check
+        (R.Supervisor.Exit_Status (Within => Writing_Time) = 0,
+         "exit status: " & R.Supervisor.Log_Text);
+      R.Supervisor.Expect_Log
+        ("the trace is not complete: No space left", Within => 1.0);
+      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+   end Full_Disk;
+
+   ------------
+   -- Add_To --
+   ------------
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "Trace_Whole_Session", Whole_Session'Access);
+      Add (Suite, "Trace_After_A_Failure", After_A_Failure'Access);
+      Add (Suite, "Trace_Nothing_Happened", Nothing_Happened'Access);
+      Add (Suite, "Trace_Unusable_Files", Unusable_Files'Access);
+      Add (Suite, "Trace_Full_Disk", Full_Disk'Access);
+   end Add_To;
+
+end Trace_Tests;
