@@ -71,7 +71,7 @@ package body Checks with SPARK_Mode is
             Report
               (False,
                "priorities: none (time-shared): run as root, or once "
-               & "'sudo setcap cap_sys_nice+ep bin/destijl'");
+               & "'sudo setcap cap_sys_nice,cap_ipc_lock+ep bin/destijl'");
       end case;
 
       Serial_Line.Open (Chosen.Serial, Good, Reason);

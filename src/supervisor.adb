@@ -142,11 +142,13 @@ package body Supervisor with SPARK_Mode is
    -----------
 
    procedure Serve (Chosen : Options.Values) is
-      Held : Process.Privilege_Kind;
-      Now  : Time;
+      Held   : Process.Privilege_Kind;
+      Locked : Boolean;
+      Now    : Time;
    begin
       Open_Trace (Chosen.Trace_File);
       Keep_On_Processor (Chosen.Cpu);
+      Process.Lock_Memory (Locked);
       Settings.Set (Chosen);
       Journal.Set_Level (Chosen.Log_Level);
       Session.Allow_Server;
@@ -162,6 +164,11 @@ package body Supervisor with SPARK_Mode is
              when others =>
                 "real-time priorities: none, deadlines are not guaranteed "
                 & "(destijl --check tells how to get them)"));
+      Journal.Put
+        (Options.Info,
+         (if Locked then "memory: locked"
+          else "memory: not locked, a page may have to be read again when "
+            & "it is needed (CAP_IPC_LOCK or LimitMEMLOCK=infinity)"));
 
       Failures.Wait_Stop_Failed;
       Robot_Line.Refuse_Orders;

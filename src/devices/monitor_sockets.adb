@@ -33,6 +33,11 @@ is
    --  Bytes; the kernel doubles it. More, and seconds of old images would
    --  wait there for a slow monitor
 
+   Receive_Buffer : constant := 65_536;
+   --  Bytes; the kernel doubles it, for what it needs itself. It does not
+   --  grow then: whoever sends faster than the robot drives has hundreds of
+   --  commands waiting here and not a megabyte
+
    Queue_Length : constant := 1_024;
    --  Of those who wait to be admitted or refused. Whoever finds the kernel's
    --  queue full tries again later and later, and may do so for ever
@@ -308,6 +313,7 @@ is
    begin
       Set_Number (Fd, Level_Tcp, 1, 1);                 --  TCP_NODELAY
       Set_Number (Fd, Level_Socket, 7, Send_Buffer);    --  SO_SNDBUF
+      Set_Number (Fd, Level_Socket, 8, Receive_Buffer); --  SO_RCVBUF
       --  an idle monitor that vanished: 1 s, then three probes of 1 s
       Set_Number (Fd, Level_Socket, 9, 1);              --  SO_KEEPALIVE
       Set_Number (Fd, Level_Tcp, Idle_Option, 1);
@@ -347,13 +353,14 @@ is
       Got : Ssize;
    begin
       Length := 0;
+      --  a command that has no answer must not make a sender wait that
+      --  holds the next one back until this one is acknowledged (Nagle). Now
+      --  that it is on its way, for the acknowledgement takes its time, too
+      Set_Number (Current, Level_Tcp, Quick_Option, 1);
       loop
          Got := C_Receive (Current, Data'Address, Data'Length, 0);
          exit when Got >= 0 or else GNAT.OS_Lib.Errno /= EINTR;
       end loop;
-      --  a command that has no answer must not make a sender wait that
-      --  holds the next one back until this one is acknowledged (Nagle)
-      Set_Number (Current, Level_Tcp, Quick_Option, 1);
       Open := Got > 0;
       if Got > 0 then
          Length := Natural (Got);

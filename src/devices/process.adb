@@ -7,13 +7,14 @@ with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
 with Linux;
 with System;
+with System.Storage_Elements;
 
 package body Process with
   SPARK_Mode    => Off,
   Refined_State =>
     (System_State =>
-       (Signals, Privileges, Threads, Thread_Count, Real_Time_Set, Other_Set,
-        Kept))
+       (Signals, Privileges, May_Lock, Threads, Thread_Count, Real_Time_Set,
+        Other_Set, Kept))
 is
 
    type Signal_Set is array (1 .. 16) of Unsigned_64 with Convention => C;
@@ -27,6 +28,8 @@ is
 
    Signals    : Signal_Set := (others => 0);
    Privileges : Privilege_Kind := User_Without_Real_Time;
+   May_Lock   : Boolean := False;
+   --  as much memory as it likes
 
    type Processor_Set is array (0 .. 1_023) of Boolean
      with Pack, Convention => C;
@@ -89,6 +92,31 @@ is
      (Option : int; Value : System.Address) return int
    with Import, Convention => C_Variadic_1, External_Name => "prctl";
 
+   type Resource_Limit is record
+      Soft, Hard : unsigned_long := 0;
+   end record with Convention => C;
+
+   Locked_Memory : constant int           := 8;  --  RLIMIT_MEMLOCK
+   Unlimited     : constant unsigned_long := unsigned_long'Last;
+
+   function Get_Limit (Resource : int; Limit : System.Address) return int
+   with Import, Convention => C, External_Name => "getrlimit";
+
+   Current_On_Fault : constant int := 1 + 2 + 4;
+   --  MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT
+
+   function Lock_All (Flags : int) return int
+   with Import, Convention => C, External_Name => "mlockall";
+
+   function Lock (Start : System.Address; Length : size_t) return int
+   with Import, Convention => C, External_Name => "mlock";
+
+   --  Of the program itself, from the linker
+   Code_Start : char
+   with Import, Convention => C, External_Name => "__executable_start";
+   Code_End : char
+   with Import, Convention => C, External_Name => "etext";
+
    function Own_Thread return int
    with Import, Convention => C, External_Name => "gettid";
 
@@ -113,6 +141,10 @@ is
 
    procedure Keep (Thread : Thread_Number);
    --  On its set; Thread as in Threads
+
+   procedure Touch_Stack with No_Inline;
+   --  The calling task's stack is in memory, to the depth that the tasks
+   --  without images reach
 
    procedure Open_Standard_Streams;
    --  Where they are closed, nothing else may get their descriptors: the log
@@ -166,7 +198,13 @@ is
       pragma Unreferenced (Ignored);
       Sys_Nice : constant Boolean :=
         (Data.Effective and Shift_Left (1, 23)) /= 0;
+      Ipc_Lock : constant Boolean :=
+        (Data.Effective and Shift_Left (1, 14)) /= 0;
+      Limit    : Resource_Limit;
    begin
+      May_Lock := Ipc_Lock
+        or else (Get_Limit (Locked_Memory, Limit'Address) = 0
+                 and then Limit.Soft = Unlimited);
       Privileges :=
         (if Effective_User = 0 then
            (if Sys_Nice then Root_With_Real_Time
@@ -192,6 +230,27 @@ is
    begin
       Held := Privileges;
    end Get_Privileges;
+
+   -----------------
+   -- Lock_Memory --
+   -----------------
+
+   procedure Lock_Memory (Done : out Boolean) is
+      use System.Storage_Elements;
+      Ignored : int;
+      pragma Unreferenced (Ignored);
+   begin
+      --  Under a limit a later allocation could fail. Only what is used is
+      --  kept: all of what OpenCV brings along would be a gigabyte
+      Done := May_Lock and then Lock_All (Current_On_Fault) = 0;
+      if Done then
+         --  the code that has not been needed so far, such as that of a
+         --  stop, is not to be read from a slow disk when it is
+         Ignored := Lock
+           (Code_Start'Address,
+            size_t (Code_End'Address - Code_Start'Address));
+      end if;
+   end Lock_Memory;
 
    ----------
    -- Keep --
@@ -235,6 +294,20 @@ is
       end if;
    end Keep_On;
 
+   -----------------
+   -- Touch_Stack --
+   -----------------
+
+   procedure Touch_Stack is
+      Page  : constant := 4_096;
+      Depth : constant := 16 * Page;
+      Stack : array (1 .. Depth) of char with Volatile;
+   begin
+      for Page_Number in 0 .. Depth / Page - 1 loop
+         Stack (Page_Number * Page + 1) := nul;
+      end loop;
+   end Touch_Stack;
+
    ---------------
    -- Name_Task --
    ---------------
@@ -248,6 +321,9 @@ is
       Place   : constant Positive := 1 + Natural
         (Fetch_And_Add (Thread_Count'Address, 1, Sequential));
    begin
+      if Real_Time then
+         Touch_Stack;
+      end if;
       Threads (Place) := (if Real_Time then Thread else -Thread);
       if Kept then
          Keep (Threads (Place));

@@ -23,13 +23,20 @@ is
    procedure Name_Task (Name : String; Real_Time : Boolean := True)
    with Global => (In_Out => System_State), Pre => Name'Length <= 15;
    --  The calling task's name, as ps -L and top -H show it, and whether
-   --  Keep_On is for it. First of all that a task does, and once
+   --  Keep_On is for it; the stack of one with Real_Time is in memory from
+   --  here on. First of all that a task does, and once
 
    procedure Keep_On (Cpu : Natural; Done : out Boolean)
    with Global => (In_Out => System_State);
    --  From here on the real-time tasks run on processor Cpu alone, and all
    --  other threads on the others, where there are any. Done is false where
    --  this process may not run on Cpu
+
+   procedure Lock_Memory (Done : out Boolean)
+   with Global => (In_Out => System_State);
+   --  From here on, what this process has once used stays in memory, and so
+   --  does all of the program's own code. Done is false where it may not
+   --  lock as much as it likes (CAP_IPC_LOCK, RLIMIT_MEMLOCK)
 
    type Signal_Kind is
      (Stop_Request,     --  SIGINT, SIGTERM, SIGHUP

@@ -18,17 +18,20 @@ package body Journal with SPARK_Mode is
 
    Start : constant Time := Clock;
 
+   Least : Options.Level := Options.Info
+     with Atomic, Async_Readers, Async_Writers;
+   --  Of what is kept. Not in the buffer: a line that is not kept costs next
+   --  to nothing, neither a lock nor the time of day
+
    procedure Get_Now (Now : out Instant)
    with Global => (Input => (Start, Clock_Time));
 
    protected Buffer with Priority => Schedule.Journal_Ceiling is
-      procedure Set_Level (Chosen : Options.Level);
-      procedure Put (Item : Line; Wanted : out Boolean);
+      procedure Put (Item : Line);
       procedure Take (Item : out Line; Found : out Boolean);
       procedure Written;
       procedure Get_Waiting (Waiting : out Natural);
    private
-      Least    : Options.Level := Options.Info;
       Kept     : Line_Queues.Queue;
       Not_Kept : Natural := 0;
       Writing  : Boolean := False;
@@ -36,17 +39,8 @@ package body Journal with SPARK_Mode is
 
    protected body Buffer is
 
-      procedure Set_Level (Chosen : Options.Level) is
+      procedure Put (Item : Line) is
       begin
-         Least := Chosen;
-      end Set_Level;
-
-      procedure Put (Item : Line; Wanted : out Boolean) is
-      begin
-         Wanted := Item.Level <= Least;
-         if not Wanted then
-            return;
-         end if;
          if Line_Queues.Is_Full (Kept) then
             if Not_Kept < Natural'Last then
                Not_Kept := Not_Kept + 1;
@@ -111,28 +105,39 @@ package body Journal with SPARK_Mode is
 
    procedure Set_Level (Least : Options.Level) is
    begin
-      Buffer.Set_Level (Least);
+      Journal.Least := Least;
    end Set_Level;
+
+   --------------
+   -- Get_Kept --
+   --------------
+
+   procedure Get_Kept (Level : Options.Level; Kept : out Boolean) is
+      Last_Kept : constant Options.Level := Least;
+   begin
+      Kept := Level <= Last_Kept;
+   end Get_Kept;
 
    ---------
    -- Put --
    ---------
 
    procedure Put (Level : Options.Level; Text : String) is
-      Now    : Instant;
-      Item   : Line;
-      Wanted : Boolean;
+      Kept : Boolean;
+      Now  : Instant;
+      Item : Line;
    begin
-      Get_Now (Now);
-      Item := (Level => Level, Time => Now, Text => <>);
-      Texts.Set (Item.Text, Text);
-      for C of Item.Text.Data loop
-         if C not in ' ' .. '~' then
-            C := '?';
-         end if;
-      end loop;
-      Buffer.Put (Item, Wanted);
-      if Wanted then
+      Get_Kept (Level, Kept);
+      if Kept then
+         Get_Now (Now);
+         Item := (Level => Level, Time => Now, Text => <>);
+         Texts.Set (Item.Text, Text);
+         for C of Item.Text.Data loop
+            if C not in ' ' .. '~' then
+               C := '?';
+            end if;
+         end loop;
+         Buffer.Put (Item);
          Trace.Release (Schedule.Th_Console);
          Set_True (Arrived);
       end if;

@@ -27,6 +27,10 @@ package Journal with SPARK_Mode is
    with Annotate => (GNATprove, Terminating);
    --  Lines less serious than Least are not kept
 
+   procedure Get_Kept (Level : Options.Level; Kept : out Boolean)
+   with Annotate => (GNATprove, Terminating);
+   --  Whether lines of this level are: for those that take time to make
+
    procedure Put (Level : Options.Level; Text : String)
    with Annotate => (GNATprove, Terminating);
    procedure Put (Level : Options.Level; Text : Texts.Text)

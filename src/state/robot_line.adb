@@ -29,9 +29,12 @@ package body Robot_Line with SPARK_Mode is
          Order   : Orders.Order);
       procedure Put_Stop (Order : Orders.Order);
       procedure Set_Reload_Due (At_Time : Time);
-      procedure Get_Ready (Now : out Boolean);
       procedure Take
-        (Next : out Line_Requests.Job; Found : out Boolean; Now : Time);
+        (Next    : out Line_Requests.Job;
+         Found   : out Boolean;
+         Looked  : out Boolean;
+         At_Time : Time);
+      --  Looked: something has come since nothing was found
       procedure Finish
         (Done    : Line_Requests.Job;
          State   : Robot_Session.State;
@@ -90,25 +93,27 @@ package body Robot_Line with SPARK_Mode is
          Refresh;
       end Set_Reload_Due;
 
-      procedure Get_Ready (Now : out Boolean) is
-      begin
-         Now := Ready;
-      end Get_Ready;
-
       procedure Take
-        (Next : out Line_Requests.Job; Found : out Boolean; Now : Time)
+        (Next    : out Line_Requests.Job;
+         Found   : out Boolean;
+         Looked  : out Boolean;
+         At_Time : Time)
       is
          From : Line_Requests.Client;
       begin
-         Line_Requests.Choose (Waiting, Quiet (Now), From, Found);
-         if Found then
-            Next := Line_Requests.Job_Of (Waiting, From);
-            Line_Requests.Remove (Waiting, From);
-            Refresh;
-         else
-            Next := (others => <>);
-            --  the reload that is due will make it ready again
-            Ready := False;
+         Next := (others => <>);
+         Found := False;
+         Looked := Ready;
+         if Ready then
+            Line_Requests.Choose (Waiting, Quiet (At_Time), From, Found);
+            if Found then
+               Next := Line_Requests.Job_Of (Waiting, From);
+               Line_Requests.Remove (Waiting, From);
+               Refresh;
+            else
+               --  the reload that is due will make it ready again
+               Ready := False;
+            end if;
          end if;
       end Take;
 
@@ -216,18 +221,17 @@ package body Robot_Line with SPARK_Mode is
    ----------
 
    procedure Take (Next : out Line_Requests.Job; Found : out Boolean) is
-      Now   : Time;
-      Ready : Boolean;
+      Now    : Time;
+      Looked : Boolean;
    begin
       Trace.Done (Schedule.Th_Line);
       loop
-         Line.Get_Ready (Ready);
-         exit when Ready;
+         Now := Clock;
+         Line.Take (Next, Found, Looked, Now);
+         exit when Looked;
          Trace.Idle (Schedule.Th_Line);
          Suspend_Until_True (Work);
       end loop;
-      Now := Clock;
-      Line.Take (Next, Found, Now);
       if Found then
          Trace.Start (Schedule.Th_Line, Next.Order.Number);
       end if;

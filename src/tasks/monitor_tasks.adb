@@ -124,11 +124,15 @@ package body Monitor_Tasks with SPARK_Mode is
    is
       Order : Orders.Order;
       Text  : Texts.Text;
+      Kept  : Boolean;
    begin
       Parse (Line, Order.Message);
-      Texts.Set (Text, "received ");
-      Authentication.Append_Shown (Text, Line);
-      Journal.Put (Options.Debug, Text);
+      Journal.Get_Kept (Options.Debug, Kept);
+      if Kept then
+         Texts.Set (Text, "received ");
+         Authentication.Append_Shown (Text, Line);
+         Journal.Put (Options.Debug, Text);
+      end if;
       Outbox.Reserve (Order.Number, Open);
       if not Open then
          return;
@@ -212,7 +216,8 @@ package body Monitor_Tasks with SPARK_Mode is
    task body Th_Send_To_Mon is
       Chosen    : Options.Values;
       Last_Sent : Time := Time_First;
-      Gap_End   : Time;
+      Next      : Time;
+      Now       : Time;
       Answered  : Boolean := False;  --  the last message was an answer
       Is_Answer : Boolean;
       Kind      : Outbox.Message_Kind;
@@ -222,12 +227,16 @@ package body Monitor_Tasks with SPARK_Mode is
       Process.Name_Task ("th_send_to_mon");
       loop
          Outbox.Wait (Is_Answer);
-         Settings.Get (Chosen);
          if not (Answered and then Is_Answer) then
-            Gap_End := Last_Sent + Milliseconds (Chosen.Message_Gap);
-            Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
-            delay until Gap_End;
-            Trace.Resume (Schedule.Th_Send_To_Mon, Gap_End);
+            Settings.Get (Chosen);
+            Next := Last_Sent + Milliseconds (Chosen.Message_Gap);
+            --  even a delay that has passed already takes its time
+            Now := Clock;
+            if Now < Next then
+               Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
+               delay until Next;
+               Trace.Resume (Schedule.Th_Send_To_Mon, Next);
+            end if;
          end if;
          Outbox.Take (Kind, Outgoing, Length);
          if Kind /= Outbox.Nothing then

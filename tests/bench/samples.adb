@@ -1,30 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Measured times of one kind, and their figures.
 
-with Ada.Strings;       use Ada.Strings;
-with Ada.Strings.Fixed; use Ada.Strings.Fixed;
-with Ada.Text_IO;       use Ada.Text_IO;
-
 package body Samples is
-
-   Name_Width   : constant := 44;
-   Column_Width : constant := 9;
-
-   function Column (Text : String) return String is
-     (Tail (Text, Column_Width));
-
-   function Milliseconds (Value : Duration) return String;
-   --  With three decimals
-
-   ------------------
-   -- Milliseconds --
-   ------------------
-
-   function Milliseconds (Value : Duration) return String is
-      type Shown is delta 0.001 digits 12;
-   begin
-      return Trim (Shown'Image (Shown (Value * 1000)), Both);
-   end Milliseconds;
 
    ---------
    -- Add --
@@ -55,51 +32,48 @@ package body Samples is
       return (if Object.Values.Is_Empty then 0.0 else Sum / Object.Count);
    end Mean;
 
+   ---------------
+   -- Quantiles --
+   ---------------
+
+   function Quantiles (Object : Set; Shares : Share_Array)
+     return Value_Array
+   is
+      Sorted : Vectors.Vector := Object.Values;
+      Result : Value_Array (Shares'Range) := (others => 0.0);
+      Place  : Natural;
+   begin
+      if not Sorted.Is_Empty then
+         Sorting.Sort (Sorted);
+         for I in Shares'Range loop
+            Place := Natural
+              (Float'Ceiling (Shares (I) * Float (Object.Count)));
+            Result (I) := Sorted
+              (Integer'Max (1, Integer'Min (Place, Object.Count)));
+         end loop;
+      end if;
+      return Result;
+   end Quantiles;
+
    --------------
    -- Quantile --
    --------------
 
    function Quantile (Object : Set; Share : Float) return Duration is
-      Sorted : Vectors.Vector := Object.Values;
-      Place  : Natural;
+     (Object.Quantiles ((1 => Share)) (1));
+
+   ----------------
+   -- From_Least --
+   ----------------
+
+   function From_Least (Object : Set) return Set is
+      Least  : constant Duration := Object.Quantile (0.0);
+      Result : Set;
    begin
-      if Sorted.Is_Empty then
-         return 0.0;
-      end if;
-      Sorting.Sort (Sorted);
-      Place := Natural (Float'Ceiling (Share * Float (Object.Count)));
-      return Sorted (Integer'Max (1, Integer'Min (Place, Object.Count)));
-   end Quantile;
-
-   ------------------
-   -- Print_Header --
-   ------------------
-
-   procedure Print_Header is
-   begin
-      Put_Line
-        (Head ("times in ms", Name_Width) & Column ("samples")
-         & Column ("median") & Column ("p99") & Column ("p99.9")
-         & Column ("max") & "  demanded");
-   end Print_Header;
-
-   -----------
-   -- Print --
-   -----------
-
-   procedure Print
-     (Object : Set; Name : String; Demand : String; Met : Boolean) is
-   begin
-      Put_Line
-        (Head (Name, Name_Width)
-         & Column (Trim (Natural'Image (Object.Count), Both))
-         & Column (Milliseconds (Object.Quantile (0.5)))
-         & Column (Milliseconds (Object.Quantile (0.99)))
-         & Column (Milliseconds (Object.Quantile (0.999)))
-         & Column (Milliseconds (Object.Quantile (1.0)))
-         & "  " & Demand
-         & (if Demand = "" then "" elsif Met then ": met"
-            else ": NOT MET"));
-   end Print;
+      for Value of Object.Values loop
+         Result.Add (Value - Least);
+      end loop;
+      return Result;
+   end From_Least;
 
 end Samples;

@@ -18,10 +18,15 @@ package Samples is
    --  The smallest value that at least Share of the samples do not exceed;
    --  0 without samples
 
-   procedure Print_Header;
-   procedure Print
-     (Object : Set; Name : String; Demand : String; Met : Boolean);
-   --  One line of the table: count, median, p99, p99.9, maximum in ms
+   type Share_Array is array (Positive range <>) of Float;
+   type Value_Array is array (Positive range <>) of Duration;
+
+   function Quantiles (Object : Set; Shares : Share_Array)
+     return Value_Array;
+   --  The same of many
+
+   function From_Least (Object : Set) return Set;
+   --  Each as its distance from the smallest
 
 private
 

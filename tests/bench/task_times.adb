@@ -15,6 +15,7 @@ with System;
 with Budgets;                 use Budgets;
 with Instants;                use Instants;
 with Libc;
+with Reports;
 with Response_Times;
 with Samples;
 with Supervisor_Model;
@@ -209,39 +210,19 @@ package body Task_Times is
    -----------
 
    procedure Print is
-
-      Width : constant := 12;
-
-      function Shown (Value : Duration) return String is
-        (Tail (Trim (Integer'Image (Integer (Value * 1_000_000)), Both),
-               Width));
-
-      procedure Put (Item : Thread);
-
-      procedure Put (Item : Thread) is
-         Name    : constant String := To_String (Item.Name);
-         Budget  : constant Duration := Budget_Of (Name);
-         Longest : constant Duration := Item.Runs.Quantile (1.0);
-      begin
-         if Item.Runs.Count > 0 and then Budget > 0.0 then
-            Put_Line
-              (Head (Name, 20)
-               & Tail (Trim (Natural'Image (Item.Runs.Count), Both), Width)
-               & Shown (Item.Runs.Quantile (0.5))
-               & Shown (Item.Runs.Quantile (0.99))
-               & Shown (Longest) & Shown (Budget)
-               & (if Longest <= Budget then "  within"
-                  else "  above"));
-         end if;
-      end Put;
-
    begin
-      Put_Line
-        (Head ("processor time in us", 20) & Tail ("runs", Width)
-         & Tail ("median", Width) & Tail ("p99", Width)
-         & Tail ("max", Width) & Tail ("budget", Width));
       for Item of Threads loop
-         Put (Item);
+         declare
+            Budget : constant Duration := Budget_Of (To_String (Item.Name));
+         begin
+            if Item.Runs.Count > 0 and then Budget > 0.0 then
+               Reports.Put
+                 (To_String (Item.Name), Item.Runs,
+                  "<= its budget," & Integer'Image
+                    (Integer (Budget * 1_000_000)) & " us",
+                  Item.Runs.Quantile (1.0) <= Budget);
+            end if;
+         end;
       end loop;
    end Print;
 

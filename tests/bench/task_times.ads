@@ -13,8 +13,7 @@ package Task_Times is
    procedure Stop;
 
    procedure Print;
-   --  A table: how often each task ran, the time of one run (the median and
-   --  the longest), and its budget. What a task does without a pause of
-   --  2 ms counts as one run
+   --  To the report: how long each run of each task took, beside its budget.
+   --  What a task does without a pause of 2 ms counts as one run
 
 end Task_Times;

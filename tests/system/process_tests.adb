@@ -37,6 +37,7 @@ package body Process_Tests is
    procedure Own_Processor;
    procedure Hundred_Connections;
    procedure Restarted_At_Once;
+   procedure Memory_Locked;
    procedure As_Root;
    procedure As_Ordinary_User;
    procedure With_File_Capability;
@@ -452,6 +453,63 @@ package body Process_Tests is
       return Copy;
    end Copied_Supervisor;
 
+   -------------------
+   -- Memory_Locked --
+   -------------------
+
+   procedure Memory_Locked is
+      --  Where the process may: by privilege, or by a limit that is none
+
+      A_Library : constant := 1_024;
+      --  Kilobytes: some lock a little for themselves
+
+      procedure Expect (Launcher : String; Locked : Boolean);
+
+      procedure Expect (Launcher : String; Locked : Boolean) is
+         R    : Rig;
+         Size : Natural;
+      begin
+         R.Emulator.Start (Camera => False);
+         R.Supervisor.Start
+           ("--serial " & R.Emulator.Device,
+            Launcher => Launcher, Program => Copied_Supervisor);
+         R.Supervisor.Expect_Log
+           ((if Locked then "memory: locked" else "memory: not locked"),
+            Within => 2.0);
+         Size := Process_Facts.Locked_Kilobytes (R.Supervisor.Pid);
+         Check
+           ((Size > A_Library) = Locked,
+            Launcher & ":" & Size'Image & " kB locked");
+         Check
+           (not Locked
+            or else Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
+              < Size / 2,
+            Launcher & ": all of the libraries is in memory");
+         Connect (R);
+         R.Monitor.Expect ("what", "ACER");
+      end Expect;
+
+      As_Much_As_It_Likes : constant String :=
+        "prlimit --memlock=unlimited:unlimited ";
+      A_Little            : constant String :=
+        "prlimit --memlock=8388608:8388608 ";
+      Tool                : Child;
+   begin
+      Need_Root;
+      Need_Tool ("setpriv");
+      Need_Tool ("prlimit");
+      Expect (A_Little & As_User, Locked => False);
+      Expect (A_Little & "setpriv --bounding-set=-ipc_lock",
+              Locked => False);
+      Expect (A_Little & "setpriv --no-new-privs", Locked => True);
+      Tool.Start ("prlimit", Words ("--memlock=unlimited:unlimited true"));
+      if Tool.Exit_Status (Within => 5.0) = 0 then
+         Expect (As_Much_As_It_Likes & As_User, Locked => True);
+      else
+         Note ("not tried without a limit: nobody may raise it here");
+      end if;
+   end Memory_Locked;
+
    -------------
    -- As_Root --
    -------------
@@ -691,6 +749,7 @@ package body Process_Tests is
       Add (Suite, "Never_Grows_In_100_Connections",
            Hundred_Connections'Access);
       Add (Suite, "Restart_At_Once", Restarted_At_Once'Access);
+      Add (Suite, "Memory_Is_Locked_Where_It_May", Memory_Locked'Access);
       Add (Suite, "Privileges_Of_Root", As_Root'Access);
       Add (Suite, "Privileges_By_File_Capability",
            With_File_Capability'Access);

@@ -26,4 +26,18 @@ package body Own_Priority is
       end if;
    end Prefer_Real_Time;
 
+   -----------------------
+   -- Real_Time_Allowed --
+   -----------------------
+
+   function Real_Time_Allowed return Boolean is
+      Lowest : aliased Libc.Sched_Param := (Priority => 1);
+      None   : aliased Libc.Sched_Param := (Priority => 0);
+   begin
+      return
+        Libc.Sched_Setscheduler (0, Libc.Sched_Fifo, Lowest'Access) = 0
+        and then Libc.Sched_Setscheduler
+          (0, Libc.Sched_Other, None'Access) = 0;
+   end Real_Time_Allowed;
+
 end Own_Priority;

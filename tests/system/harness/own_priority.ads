@@ -8,4 +8,7 @@ package Own_Priority is
    --  For the calling thread, where it is allowed: Libc.Above_Supervisor, or
    --  an ordinary one again. Where it is not, nothing changes.
 
+   function Real_Time_Allowed return Boolean;
+   --  To this process; the calling thread is an ordinary one afterwards
+
 end Own_Priority;

@@ -124,6 +124,13 @@ package body Process_Facts is
    function Resident_Kilobytes (Process : int) return Natural is
      (Status_Number (Process, "VmRSS"));
 
+   ----------------------
+   -- Locked_Kilobytes --
+   ----------------------
+
+   function Locked_Kilobytes (Process : int) return Natural is
+     (Status_Number (Process, "VmLck"));
+
    -------------
    -- Threads --
    -------------

@@ -6,6 +6,8 @@ with Interfaces.C; use Interfaces.C;
 package Process_Facts is
 
    function Resident_Kilobytes (Process : int) return Natural;
+   function Locked_Kilobytes (Process : int) return Natural;
+   --  Of its address space, whether in memory yet or not
    function Threads (Process : int) return Natural;
    function Descriptors (Process : int) return Natural;
    --  0 when there is no such process

@@ -1,0 +1,452 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Both ends in one hand.
+
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with GNAT.Sockets;
+with Interfaces;        use Interfaces;
+with Interfaces.C;      use Interfaces.C;
+with System;
+
+with Expectations;      use Expectations;
+with Libc;
+
+package body Both_Ends is
+
+   Limit      : constant Duration := 10.0;
+   Label_Size : constant := 4;
+
+   type State is record
+      Master, Slave : int     := -1;
+      Socket        : int     := -1;
+      By_Lines      : Boolean := False;
+      Name          : Unbounded_String;
+      Frame         : Event;  --  that is coming in
+      Message       : Event;
+      Frames        : Event_Vectors.Vector;
+      Messages      : Event_Vectors.Vector;
+      Held          : Unbounded_String;
+      --  a frame that the robot does not answer at once
+   end record;
+
+   States : array (Place) of State;
+
+   type Poll_Set is array (1 .. 2 * (Place'Pos (Place'Last) + 1))
+     of Libc.Poll_Descriptor
+     with Convention => C;
+
+   function Ppoll
+     (Files   : System.Address;
+      Count   : unsigned_long;
+      Timeout : access Libc.Timespec;
+      Mask    : System.Address) return int
+   with Import, Convention => C, External_Name => "ppoll";
+
+   function Open_Master (Flags : int) return int
+   with Import, Convention => C, External_Name => "posix_openpt";
+
+   function Grant (Master : int) return int
+   with Import, Convention => C, External_Name => "grantpt";
+
+   function Unlock (Master : int) return int
+   with Import, Convention => C, External_Name => "unlockpt";
+
+   function Slave_Name
+     (Master : int; Name : System.Address; Size : size_t) return int
+   with Import, Convention => C, External_Name => "ptsname_r";
+
+   No_Controlling_Terminal : constant int := 8#400#;  --  O_NOCTTY
+
+   procedure Write (File : int; Text : String);
+
+   procedure Hear (Where : Place);
+   --  What has come at the robot's end
+
+   procedure Receive (Where : Place);
+   --  What has come at the monitor's end
+
+   procedure Look (Until_Time : Instant);
+   --  Waits for something at any end, and takes it
+
+   function Answer_To (Command : String) return String is
+     (case Command (Command'First) is
+         when 'v'    => "2",
+         when 'b'    => "0",
+         when 'V'    => "3.5",
+         when others => "O");
+
+   ------------
+   -- Framed --
+   ------------
+
+   function Framed (Text : String) return String is
+      Sum : Unsigned_8 := 0;
+   begin
+      for C of Text loop
+         Sum := Sum xor Unsigned_8 (Character'Pos (C));
+      end loop;
+      return Text
+        & Character'Val (if Sum = 16#0D# then 16#0E# else Sum) & ASCII.CR;
+   end Framed;
+
+   -----------
+   -- Write --
+   -----------
+
+   procedure Write (File : int; Text : String) is
+   begin
+      Check
+        (Libc.Write (File, Text'Address, Text'Length) = Text'Length,
+         "cannot be written");
+   end Write;
+
+   ---------------
+   -- Open_Line --
+   ---------------
+
+   procedure Open_Line (Where : Place) is
+      S    : State renames States (Where);
+      Name : char_array (1 .. 64) := (others => nul);
+   begin
+      S.Master := Open_Master
+        (Libc.O_Rdwr + Libc.O_Nonblock + Libc.O_Cloexec
+         + No_Controlling_Terminal);
+      Check
+        (S.Master >= 0 and then Grant (S.Master) = 0
+         and then Unlock (S.Master) = 0
+         and then Slave_Name (S.Master, Name'Address, Name'Length) = 0,
+         "no pseudo-terminal to be had");
+      --  kept open, or the line would hang up whenever nobody else has it
+      S.Slave := Libc.Open
+        (Name, Libc.O_Rdwr + Libc.O_Cloexec + No_Controlling_Terminal);
+      Check
+        (S.Slave >= 0 and then Libc.Chmod (Name, 8#666#) = 0,
+         "the pseudo-terminal cannot be used");
+      S.Name := To_Unbounded_String (To_Ada (Name));
+   end Open_Line;
+
+   function Device (Where : Place) return String is
+     (To_String (States (Where).Name));
+
+   -------------
+   -- Connect --
+   -------------
+
+   procedure Connect (Where : Place; Port : Positive; By_Lines : Boolean) is
+      use GNAT.Sockets;
+      S      : State renames States (Where);
+      Socket : Socket_Type;
+   begin
+      Create_Socket (Socket);
+      Connect_Socket
+        (Socket,
+         (Family_Inet, Inet_Addr ("127.0.0.1"), Port_Type (Port)));
+      Set_Socket_Option
+        (Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
+      S.Socket := int (To_C (Socket));
+      S.By_Lines := By_Lines;
+      S.Message := (others => <>);
+   end Connect;
+
+   ----------------
+   -- Disconnect --
+   ----------------
+
+   procedure Disconnect (Where : Place) is
+      Unused : int;
+   begin
+      if States (Where).Socket >= 0 then
+         Unused := Libc.Close (States (Where).Socket);
+         States (Where).Socket := -1;
+      end if;
+   end Disconnect;
+
+   ---------------
+   -- Close_All --
+   ---------------
+
+   procedure Close_All is
+      Unused : int;
+   begin
+      for Where in Place loop
+         Disconnect (Where);
+         if States (Where).Master >= 0 then
+            Unused := Libc.Close (States (Where).Slave);
+            Unused := Libc.Close (States (Where).Master);
+         end if;
+         States (Where) := (others => <>);
+      end loop;
+   end Close_All;
+
+   function Frames (Where : Place) return Event_Vectors.Vector is
+     (States (Where).Frames);
+
+   function Messages (Where : Place) return Event_Vectors.Vector is
+     (States (Where).Messages);
+
+   ------------
+   -- Forget --
+   ------------
+
+   procedure Forget (Where : Place) is
+   begin
+      States (Where).Frames.Clear;
+      States (Where).Messages.Clear;
+   end Forget;
+
+   --------------------
+   -- Set_Unanswered --
+   --------------------
+
+   procedure Set_Unanswered (Where : Place; Frame : String) is
+   begin
+      States (Where).Held := To_Unbounded_String (Frame);
+   end Set_Unanswered;
+
+   ----------
+   -- Hear --
+   ----------
+
+   procedure Hear (Where : Place) is
+      S    : State renames States (Where);
+      Data : String (1 .. 256);
+      Last : long;
+      Time : Instant;
+   begin
+      Last := Libc.Read (S.Master, Data'Address, Data'Length);
+      Time := Now;
+      for C of Data (1 .. Natural (long'Max (0, Last))) loop
+         if S.Frame.Begun = Never then
+            S.Frame.Begun := Time;
+         end if;
+         if C = ASCII.CR then
+            S.Frame.Ended := Time;
+            --  without its checksum
+            S.Frame.Text := Head
+              (S.Frame.Text, Natural'Max (1, Length (S.Frame.Text)) - 1);
+            S.Frames.Append (S.Frame);
+            if S.Frame.Text /= S.Held and then Length (S.Frame.Text) > 0
+            then
+               Write
+                 (S.Master,
+                  Framed (Answer_To (To_String (S.Frame.Text))));
+            end if;
+            S.Frame := (others => <>);
+         else
+            Append (S.Frame.Text, C);
+         end if;
+      end loop;
+   end Hear;
+
+   -------------
+   -- Receive --
+   -------------
+
+   procedure Receive (Where : Place) is
+      S    : State renames States (Where);
+      Data : String (1 .. 65_536);
+      Last : long;
+      Next : Positive := 1;
+      Stop : Natural;
+      Time : Instant;
+   begin
+      Last := Libc.Read (S.Socket, Data'Address, Data'Length);
+      Time := Now;
+      Check (Last > 0, "the connection has ended");
+      if not S.By_Lines then
+         S.Messages.Append
+           (Event'(Time, Time, To_Unbounded_String ("data"), Natural (Last)));
+         return;
+      end if;
+      while Next <= Natural (Last) loop
+         if S.Message.Begun = Never then
+            S.Message.Begun := Time;
+         end if;
+         Stop := Index (Data (Next .. Natural (Last)), (1 => ASCII.LF));
+         if Length (S.Message.Text) < Label_Size then
+            Append
+              (S.Message.Text,
+               Data (Next .. (if Stop = 0 then Natural (Last)
+                              else Stop - 1)));
+            S.Message.Text := Head
+              (S.Message.Text,
+               Natural'Min (Label_Size, Length (S.Message.Text)));
+         end if;
+         S.Message.Size := S.Message.Size
+           + (if Stop = 0 then Natural (Last) else Stop) - Next + 1;
+         exit when Stop = 0;
+         S.Message.Ended := Time;
+         S.Messages.Append (S.Message);
+         S.Message := (others => <>);
+         Next := Stop + 1;
+      end loop;
+   end Receive;
+
+   ----------
+   -- Look --
+   ----------
+
+   procedure Look (Until_Time : Instant) is
+      Files : Poll_Set := (others => (-1, Libc.Poll_In, 0));
+      Left  : constant Long_Long_Integer :=
+        Long_Long_Integer'Max
+          (0, Long_Long_Integer (Until_Time) - Long_Long_Integer (Now));
+      Wait  : aliased Libc.Timespec :=
+        (long (Left / 1_000_000_000), long (Left mod 1_000_000_000));
+      Count : int;
+   begin
+      for Where in Place loop
+         Files (2 * Place'Pos (Where) + 1).File := States (Where).Master;
+         Files (2 * Place'Pos (Where) + 2).File := States (Where).Socket;
+      end loop;
+      Count := Ppoll
+        (Files'Address, Files'Length, Wait'Access, System.Null_Address);
+      if Count > 0 then
+         for Where in Place loop
+            if Files (2 * Place'Pos (Where) + 1).Returned /= 0 then
+               Hear (Where);
+            end if;
+            if Files (2 * Place'Pos (Where) + 2).Returned /= 0 then
+               Receive (Where);
+            end if;
+         end loop;
+      end if;
+   end Look;
+
+   -----------
+   -- Serve --
+   -----------
+
+   procedure Serve (For_Time : Duration) is
+      End_Time : constant Instant := Now + For_Time;
+   begin
+      loop
+         Look (End_Time);
+         exit when Now >= End_Time;
+      end loop;
+   end Serve;
+
+   ----------
+   -- Send --
+   ----------
+
+   procedure Send (Where : Place; Text : String) is
+   begin
+      Write (States (Where).Socket, Text);
+   end Send;
+
+   -------------------
+   -- Await_Message --
+   -------------------
+
+   procedure Await_Message
+     (Where : Place; Label : String; Count : Positive := 1)
+   is
+      S        : State renames States (Where);
+      End_Time : constant Instant := Now + Limit;
+      Seen     : Natural := 0;
+      Next     : Positive := 1;
+   begin
+      loop
+         while Next <= S.Messages.Last_Index loop
+            if Index (Label, To_String (S.Messages (Next).Text)) > 0 then
+               Seen := Seen + 1;
+            end if;
+            Next := Next + 1;
+         end loop;
+         exit when Seen >= Count;
+         Check (Now < End_Time, "no " & Label & " came");
+         Look (End_Time);
+      end loop;
+   end Await_Message;
+
+   -----------------
+   -- Await_Frame --
+   -----------------
+
+   procedure Await_Frame (Where : Place; Text : String; Time : out Instant)
+   is
+      S        : State renames States (Where);
+      End_Time : constant Instant := Now + 2.0;
+   begin
+      loop
+         for Item of S.Frames loop
+            if Item.Text = Text then
+               Time := Item.Begun;
+               return;
+            end if;
+         end loop;
+         Check (Now < End_Time, "no " & Text & " on the line");
+         Look (End_Time);
+      end loop;
+   end Await_Frame;
+
+   -------------
+   -- Measure --
+   -------------
+
+   procedure Measure
+     (Where   : Place;
+      Command : String;
+      Frame   : String;
+      Result  : out Exchange)
+   is
+      S     : State renames States (Where);
+      Begun : Instant;
+
+      Patience : constant Duration := 1.0;
+
+      function Seen_At return Instant;
+      --  When the order came to the robot; Never before
+
+      function Answer return Event;
+      --  What came to the monitor; its times are Never before
+
+      function Seen_At return Instant is
+      begin
+         for Item of S.Frames loop
+            if Item.Text = Frame then
+               return Item.Begun;
+            end if;
+         end loop;
+         return Never;
+      end Seen_At;
+
+      function Answer return Event is
+      begin
+         for Item of S.Messages loop
+            if not S.By_Lines
+              or else Index ("AACK ATIM ACRJ ANAK", To_String (Item.Text)) > 0
+            then
+               return Item;
+            end if;
+         end loop;
+         return (others => <>);
+      end Answer;
+
+   begin
+      Result := (others => <>);
+      Forget (Where);
+      Set_Unanswered (Where, Frame);
+      Begun := Now;
+      Write (S.Socket, Command);
+      while Seen_At = Never and then Answer.Ended = Never
+        and then Now - Begun < Patience
+      loop
+         Look (Begun + Patience);
+      end loop;
+      Result.Order := Seen_At - Begun;
+      Result.Clean := Seen_At /= Never and then S.Frames.Last_Index = 1;
+      Serve (0.001);
+      Begun := Now;
+      Write (S.Master, Framed ("O"));
+      while Answer.Ended = Never and then Now - Begun < Patience loop
+         Look (Begun + Patience);
+      end loop;
+      Result.Answer := Answer.Ended - Begun;
+      Result.Clean := Result.Clean
+        and then Answer.Ended /= Never
+        and then Index ("AACK data", To_String (Answer.Text)) > 0;
+      Set_Unanswered (Where, "");
+   end Measure;
+
+end Both_Ends;

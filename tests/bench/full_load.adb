@@ -1,0 +1,331 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The figures of F4, F11, F12, F13 and F15 under full load, and what the
+--  tasks take of the processors under it.
+
+with Ada.Numerics.Float_Random;
+with Ada.Strings;           use Ada.Strings;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Bench_Settings;
+with Busy_Loops;
+with Emulators;
+with Instants;              use Instants;
+with Monitor_Clients;       use Monitor_Clients;
+with Own_Priority;
+with Reports;
+with Rigs;                  use Rigs;
+with Samples;
+with Task_Times;
+
+package body Full_Load is
+
+   procedure Measure (Baud : Natural; Tasks : Boolean := False);
+   --  Tasks: the processor time of the tasks instead of the delays
+
+   -------------
+   -- Measure --
+   -------------
+
+   procedure Measure (Baud : Natural; Tasks : Boolean := False) is
+      use Ada.Numerics.Float_Random;
+
+      Answer_Bytes : constant := 3;
+      --  of the robot: a character, its checksum, the end
+
+      Byte_Time : constant Duration :=
+        (if Baud = 0 then 0.0 else 10.0 / Baud);
+
+      Where : constant String :=
+        (if Baud = 0 then "unpaced, " else "9600, ");
+      --  the robot's line
+
+      type Sending is record
+         Time  : Instant := Never;
+         Order : Unbounded_String;
+         --  as it will be on the wire, "" where it will not
+      end record;
+
+      R         : Rig;
+      Load      : Busy_Loops.Load;
+      Source    : Generator;
+      Start     : Instant;
+      First     : Natural;
+      Amount    : Natural := 0;
+      Own       : Samples.Set;
+      Robots    : Samples.Set;
+      Orders    : Samples.Set;
+      Net       : Samples.Set;
+      Reloads   : Samples.Set;
+      Batteries : Samples.Set;
+      Images    : Samples.Set;
+      Places    : Samples.Set;
+      Missed    : Natural;
+
+      Journal   : Emulators.Notes;
+      Sent      : array (1 .. 4 * 100 * Bench_Settings.Seconds) of Sending;
+      Sent_Last : Natural := 0;
+
+      procedure Ask_And_Note (Command : String; Wire : String);
+      --  Sends and waits for the answer; of an own answer notes the time
+
+      procedure Pause;
+      --  Between two commands: 15 to 45 ms
+
+      procedure Evaluate_Orders;
+      procedure Evaluate_Robot_Answers;
+      procedure Evaluate_Periods;
+
+      ------------------
+      -- Ask_And_Note --
+      ------------------
+
+      procedure Ask_And_Note (Command : String; Wire : String) is
+         Item : Message;
+         Time : Instant;
+      begin
+         R.Monitor.Skip_To_Now;
+         Time := Now;
+         R.Monitor.Send_Line (Command);
+         Item := R.Monitor.Next_Answer (Within => 5.0, Command => Command);
+         if Sent_Last < Sent'Last then
+            Sent_Last := Sent_Last + 1;
+            Sent (Sent_Last) := (Time, To_Unbounded_String (Wire));
+         end if;
+         if Wire = "" then
+            Own.Add (Item.Time - Time);
+         end if;
+      end Ask_And_Note;
+
+      -----------
+      -- Pause --
+      -----------
+
+      procedure Pause is
+      begin
+         delay 0.015 + 0.03 * Duration (Random (Source));
+      end Pause;
+
+      ---------------------
+      -- Evaluate_Orders --
+      ---------------------
+
+      procedure Evaluate_Orders is
+         --  Amounts differ from order to order, so that each is found
+         Free  : Instant := Never;
+         --  when the line was free again before the command
+         Place : Natural := 0;
+      begin
+         for Item of Journal loop
+            for Number in Place + 1 .. Sent_Last loop
+               if Sent (Number).Order = Item.Command
+                 and then Item.First > Sent (Number).Time
+                 and then (Element (Item.Command, 1) in 'M' | 'T')
+               then
+                  Orders.Add (Item.First - Sent (Number).Time);
+                  Net.Add
+                    (Item.First
+                     - Instant'Max (Sent (Number).Time, Free));
+                  Place := Number;
+                  exit;
+               end if;
+            end loop;
+            Free := Item.Last + Answer_Bytes * Byte_Time;
+         end loop;
+      end Evaluate_Orders;
+
+      ----------------------------
+      -- Evaluate_Robot_Answers --
+      ----------------------------
+
+      procedure Evaluate_Robot_Answers is
+         --  From the answer's last byte on the wire to the monitor. The
+         --  state is asked for by the monitor only.
+         Number : Positive := First;
+      begin
+         for Item of Journal loop
+            if Item.Command = "b" then
+               while Number <= R.Monitor.Count
+                 and then (R.Monitor.Element (Number).Label /= "RCST"
+                           or else R.Monitor.Element (Number).Time
+                             < Item.Last)
+               loop
+                  Number := Number + 1;
+               end loop;
+               exit when Number > R.Monitor.Count;
+               Robots.Add
+                 (R.Monitor.Element (Number).Time
+                  - (Item.Last + Answer_Bytes * Byte_Time));
+               Number := Number + 1;
+            end if;
+         end loop;
+      end Evaluate_Robot_Answers;
+
+      ----------------------
+      -- Evaluate_Periods --
+      ----------------------
+
+      procedure Evaluate_Periods is
+         Battery, Image, Place : Instant := Never;
+
+         procedure Add
+           (To : in out Samples.Set; Item : Message; Last : in out Instant);
+
+         procedure Add
+           (To : in out Samples.Set; Item : Message; Last : in out Instant)
+         is
+         begin
+            if Last /= Never then
+               To.Add (Item.Time - Last);
+            end if;
+            Last := Item.Time;
+         end Add;
+
+      begin
+         for Number in First .. R.Monitor.Count loop
+            declare
+               Item : constant Message := R.Monitor.Element (Number);
+            begin
+               if Item.Label = "RBLV" then
+                  Add (Batteries, Item, Battery);
+               elsif Item.Label = "CIMG" then
+                  Add (Images, Item, Image);
+               elsif Item.Label = "CPOS" then
+                  Add (Places, Item, Place);
+               end if;
+            end;
+         end loop;
+         for Item of Journal loop
+            if Item.Command = "w" and then Item.Interval > 0.0 then
+               Reloads.Add (Item.Interval);
+            end if;
+         end loop;
+      end Evaluate_Periods;
+
+      function Spread (Set : Samples.Set; Share : Float; Middle : Duration)
+         return Duration
+      is (Duration'Max
+           (abs (Set.Quantile (Share) - Middle),
+            abs (Set.Quantile (1.0 - Share) - Middle)));
+
+      function Image_Of (Value : Integer) return String is
+        (Trim (Integer'Image (Value), Both));
+
+   begin
+      Assemble
+        (R, Camera => True,
+         Emulator_Options => "--baud " & Image_Of (Baud));
+      Start_Robot (R, Watchdog => True);
+      Open_Camera (R, Positions => True);
+      Load.Start;
+      delay 2.0;
+
+      Own_Priority.Prefer_Real_Time (True);
+      Reset (Source, 5544);
+      R.Emulator.Clear_Journal;
+      First := R.Monitor.Count + 1;
+      if Tasks then
+         Task_Times.Start (R.Supervisor.Pid);
+      end if;
+      Start := Now;
+      while Now - Start < Duration (Bench_Settings.Seconds) loop
+         Amount := Amount + 1;
+         declare
+            Value : constant String := Image_Of (1 + Amount mod 9_000);
+         begin
+            case Amount mod 4 is
+               when 0 =>
+                  Ask_And_Note ("RMOV:-" & Value, "M=-" & Value);
+               when 1 =>
+                  Ask_And_Note ("RTRN:" & Value, "T=" & Value);
+               when 2 =>
+                  Ask_And_Note ("RMOV:" & Value, "M=" & Value);
+               when others =>
+                  Ask_And_Note ("RSTP", "M=0");
+            end case;
+         end;
+         Pause;
+         if Amount mod 4 = 0 then
+            Ask_And_Note ("RGST", "b");
+            Pause;
+         elsif Amount mod 4 = 2 then
+            Ask_And_Note ("what", "");
+            Pause;
+         end if;
+      end loop;
+      Own_Priority.Prefer_Real_Time (False);
+      if Tasks then
+         Task_Times.Stop;
+         Task_Times.Print;
+         return;
+      end if;
+
+      Journal := R.Emulator.Journal;
+      Missed := R.Emulator.Status_Number ("missed_total");
+      Evaluate_Orders;
+      Evaluate_Robot_Answers;
+      Evaluate_Periods;
+
+      Reports.Put
+        (Where & "F4 command to the supervisor's own answer", Own,
+         "p99.9 < 10 ms", Own.Quantile (0.999) < 0.010);
+      Reports.Put
+        (Where & "F4 robot's answer to the monitor's", Robots,
+         "p99.9 < 10 ms", Robots.Quantile (0.999) < 0.010);
+      Reports.Put
+        (Where & "F11 between reloads, at the robot", Reloads,
+         "1000 +- 50 ms, no window missed",
+         Missed = 0 and then Spread (Reloads, 1.0, 1.0) < 0.050);
+      Reports.Put (Where & "F12 order to first byte on the line", Orders);
+      if Baud > 0 then
+         Reports.Put
+           (Where & "F12 without waiting for the line", Net,
+            "p99.9 < 5 ms", Net.Quantile (0.999) < 0.005);
+      end if;
+      --  an unpaced line has no time of its own that could be told from the
+      --  robot's and the pseudo-terminal's
+      Reports.Put
+        (Where & "F13 between battery levels", Batteries,
+         "500 ms +- 1 %, p99 +- 20 ms",
+         abs (Batteries.Mean - 0.5) < 0.005
+         and then Spread (Batteries, 0.99, 0.5) < 0.020);
+      Reports.Put
+        (Where & "F15 between images", Images,
+         "100 ms +- 1 %, p99 +- 20 ms",
+         abs (Images.Mean - 0.1) < 0.001
+         and then Spread (Images, 0.99, 0.1) < 0.020);
+      Reports.Put (Where & "F18 between positions", Places);
+      Reports.Put_Note
+        (Where & "means: battery " & Milliseconds (Batteries.Mean)
+         & ", images " & Milliseconds (Images.Mean) & ", reloads "
+         & Milliseconds (Reloads.Mean) & "; missed windows:"
+         & Missed'Image);
+   end Measure;
+
+   ------------
+   -- Report --
+   ------------
+
+   procedure Report is
+   begin
+      Reports.Begin_Section
+        ("load", "images with positions, 30 commands a second, two busy"
+         & " loops");
+      Measure (Baud => 9_600);
+      Measure (Baud => 0);
+      Reports.End_Section;
+   end Report;
+
+   ------------------
+   -- Report_Tasks --
+   ------------------
+
+   procedure Report_Tasks is
+   begin
+      Reports.Begin_Section
+        ("tasks", "what one activity of a task takes under that load");
+      Measure (Baud => 9_600, Tasks => True);
+      Reports.End_Section;
+   end Report_Tasks;
+
+end Full_Load;

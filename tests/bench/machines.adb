@@ -1,0 +1,87 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What the figures were taken on.
+
+with Ada.Calendar.Formatting;
+with Ada.Strings;       use Ada.Strings;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Ada.Text_IO;       use Ada.Text_IO;
+with Interfaces.C;      use Interfaces.C;
+with System.Multiprocessors;
+
+with Libc;
+with Own_Priority;
+with Reports;
+
+package body Machines is
+
+   function Known (Text, Otherwise : String) return String is
+     (if Text = "" then Otherwise else Text);
+
+   ---------------
+   -- File_Line --
+   ---------------
+
+   function File_Line (Path : String; Key : String := "") return String is
+      File : File_Type;
+   begin
+      Open (File, In_File, Path);
+      while not End_Of_File (File) loop
+         declare
+            Line : constant String := Get_Line (File);
+         begin
+            if Key = "" or else Index (Line, Key) > 0 then
+               Close (File);
+               return Line;
+            end if;
+         end;
+      end loop;
+      Close (File);
+      return "";
+   exception
+      when Name_Error | Use_Error =>
+         return "";
+   end File_Line;
+
+   ------------
+   -- Report --
+   ------------
+
+   procedure Report is
+      Model : constant String := File_Line ("/proc/cpuinfo", "model name");
+      Board : constant String :=
+        File_Line ("/sys/firmware/devicetree/base/model");
+      Cpu   : constant String := "/sys/devices/system/cpu/";
+   begin
+      Reports.Put_Fact
+        ("machine",
+         (if Board /= "" then Board
+          elsif Model /= "" then
+             Trim (Model (Index (Model, ":") + 1 .. Model'Last), Both)
+          else "unknown processor")
+         & "," & System.Multiprocessors.Number_Of_CPUs'Image & " cores"
+         & (if File_Line ("/proc/cpuinfo", "hypervisor") = "" then ""
+            else ", virtual"));
+      Reports.Put_Fact
+        ("kernel",
+         File_Line ("/proc/sys/kernel/osrelease")
+         & (if File_Line ("/sys/kernel/realtime", "1") = "1"
+            then ", PREEMPT_RT" else ", not PREEMPT_RT"));
+      Reports.Put_Fact
+        ("governor",
+         Known (File_Line (Cpu & "cpu0/cpufreq/scaling_governor"),
+                "none visible")
+         & ", idle states: "
+         & Known (File_Line (Cpu & "cpuidle/current_driver"),
+                  "none visible"));
+      Reports.Put_Fact
+        ("user",
+         (if Libc.Geteuid = 0 then "root" else "an ordinary user")
+         & (if Own_Priority.Real_Time_Allowed
+            then ", real-time priorities"
+            else ", no real-time priorities"));
+      Reports.Put_Fact
+        ("begun", Ada.Calendar.Formatting.Image (Ada.Calendar.Clock)
+         & " UTC");
+   end Report;
+
+end Machines;

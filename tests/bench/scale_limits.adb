@@ -1,0 +1,350 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  How much the supervisor can do.
+
+with Ada.Containers.Indefinite_Ordered_Maps;
+with Ada.Directories;
+with Ada.Strings;       use Ada.Strings;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Base64;
+with Bench_Settings;
+with Both_Ends;         use Both_Ends;
+with Bytes;
+with Emulators;
+with Image_Slots;
+with Instants;          use Instants;
+with Machines;
+with Own_Priority;
+with Programs;
+with Reports;
+with Still_Cameras;
+with Supervisors;
+
+package body Scale_Limits is
+
+   Fastest : constant := 100;
+   --  images a second that --fps takes
+
+   Jpeg : constant Bytes.Byte_Array (1 .. Image_Slots.Max_Jpeg) :=
+     (others => 17);
+   Text : Image_Slots.Message_Buffer := (others => ' ');
+   --  too large for a stack
+
+   function Image_Of (Value : Integer) return String is
+     (Trim (Integer'Image (Value), Both));
+
+   procedure Take_Picture (Size : String; Path : String);
+   --  Of the emulated arena with its robot
+
+   function Keeps
+     (Picture, Size : String; Positions : Boolean; Rate : Positive)
+      return Boolean;
+   --  No period without its image, for a while
+
+   function Highest_Rate
+     (Picture, Size : String; Positions : Boolean) return Natural;
+
+   procedure Report_Rates;
+   procedure Report_Processor_Use (Positions : Boolean);
+   procedure Report_Commands;
+
+   ------------------
+   -- Take_Picture --
+   ------------------
+
+   procedure Take_Picture (Size : String; Path : String) is
+      Camera : Emulators.Emulator;
+   begin
+      Camera.Start (Camera => True, Options => "--frame-size " & Size);
+      Camera.Save_Snapshot (Path);
+   end Take_Picture;
+
+   -----------
+   -- Keeps --
+   -----------
+
+   function Keeps
+     (Picture, Size : String; Positions : Boolean; Rate : Positive)
+      return Boolean
+   is
+      Supervisor : Supervisors.Supervisor;
+      Port       : Positive;
+      Span       : constant Duration :=
+        Duration'Max (1.5, Duration (Bench_Settings.Seconds) / 20);
+      Last       : Instant := Never;
+      Longest    : Duration := 0.0;
+   begin
+      --  a little faster than is asked for: each period has a new image
+      Still_Cameras.Start (Picture, Rate + Rate / 10 + 1, Port);
+      Supervisor.Start
+        ("--message-gap 0 --frame-size " & Size & " --fps "
+         & Image_Of (Rate) & " --camera http://127.0.0.1:"
+         & Image_Of (Port) & "/");
+      Connect (Ours, Supervisor.Port, By_Lines => True);
+      Send (Ours, "COPN" & ASCII.LF
+            & (if Positions then "CPCO" & ASCII.LF else ""));
+      Await_Message (Ours, "CIMG", Count => 3);
+      Serve (0.3);
+      Forget (Ours);
+      Own_Priority.Prefer_Real_Time (True);
+      Serve (Span);
+      Own_Priority.Prefer_Real_Time (False);
+      for Item of Messages (Ours) loop
+         if Item.Text = "CIMG" then
+            if Last /= Never then
+               Longest := Duration'Max (Longest, Item.Ended - Last);
+            end if;
+            Last := Item.Ended;
+         end if;
+      end loop;
+      Close_All;
+      Supervisor.Stop;
+      Still_Cameras.Stop;
+      return Last /= Never and then Longest < 1.5 / Rate;
+   end Keeps;
+
+   ------------------
+   -- Highest_Rate --
+   ------------------
+
+   function Highest_Rate
+     (Picture, Size : String; Positions : Boolean) return Natural
+   is
+      Good : Natural  := 0;
+      Bad  : Positive := Fastest + 1;
+      Next : Positive := Fastest;
+   begin
+      --  until they are as close as five in a hundred
+      while Bad - Good > 1 + Good / 20 loop
+         --  one failure may be the machine's
+         if Keeps (Picture, Size, Positions, Next)
+           or else Keeps (Picture, Size, Positions, Next)
+         then
+            Good := Next;
+         else
+            Bad := Next;
+         end if;
+         Next := Integer'Max (1, (Good + Bad) / 2);
+      end loop;
+      return Good;
+   end Highest_Rate;
+
+   ------------------
+   -- Report_Rates --
+   ------------------
+
+   procedure Report_Rates is
+
+      procedure Report_Size (Size : String);
+
+      procedure Report_Size (Size : String) is
+         Picture : constant String :=
+           Programs.Temporary_Folder & "/" & Size & ".jpg";
+      begin
+         Take_Picture (Size, Picture);
+         for Positions in Boolean loop
+            Reports.Put_Number
+              ("highest rate, " & Size
+               & (if Positions then ", positions" else ""),
+               Float (Highest_Rate (Picture, Size, Positions)),
+               "images/s without a missed period (at most"
+               & Fastest'Image & ")");
+         end loop;
+         Ada.Directories.Delete_File (Picture);
+      end Report_Size;
+
+   begin
+      Report_Size ("320x240");
+      Report_Size ("640x480");
+      Report_Size ("1280x720");
+      Report_Size ("1920x1080");
+   end Report_Rates;
+
+   --------------------------
+   -- Report_Processor_Use --
+   --------------------------
+
+   procedure Report_Processor_Use (Positions : Boolean) is
+
+      package Maps is new Ada.Containers.Indefinite_Ordered_Maps
+        (String, Duration);
+      subtype Times is Maps.Map;
+
+      With_Opencv : constant String := "th_camera th_capture_img th_arene";
+
+      Camera     : Emulators.Emulator;
+      Supervisor : Supervisors.Supervisor;
+      Before     : Times;
+      After      : Times;
+      Span       : constant Duration :=
+        Duration'Max (5.0, Duration (Bench_Settings.Seconds) / 2);
+      All_Of_It  : Duration := 0.0;
+      Own        : Duration := 0.0;
+      Encoding   : Duration := 0.0;
+      Name       : constant String :=
+        (if Positions then " with positions" else "");
+
+      procedure Look (Result : out Times);
+      --  What each thread has used
+
+      function Encoding_Time return Duration;
+      --  Of an image like those that have come, in base64: what
+      --  th_captureImg does that is not OpenCV's
+
+      procedure Look (Result : out Times) is
+         use Ada.Directories;
+         Folder : constant String :=
+           "/proc/" & Image_Of (Integer (Supervisor.Pid)) & "/task";
+
+         procedure Add (Which : Directory_Entry_Type);
+
+         procedure Add (Which : Directory_Entry_Type) is
+            Thread : constant String := Folder & "/" & Simple_Name (Which);
+         begin
+            if Simple_Name (Which) not in "." | ".." then
+               declare
+                  Line : constant String :=
+                    Machines.File_Line (Thread & "/schedstat");
+               begin
+                  --  nanoseconds on a processor come first
+                  Result.Include
+                    (Machines.File_Line (Thread & "/comm") & " "
+                     & Simple_Name (Which),
+                     Duration
+                       (Long_Long_Integer'Value
+                          (Line (1 .. Index (Line, " ") - 1)) / 1_000)
+                     / 1_000_000);
+               end;
+            end if;
+         end Add;
+
+      begin
+         Result := Maps.Empty_Map;
+         Search
+           (Folder, "", (Directory => True, others => False), Add'Access);
+      end Look;
+
+      function Encoding_Time return Duration is
+         Rounds : constant := 200;
+         Last   : Natural;
+         Size   : Natural := 0;
+         Begun  : Instant;
+      begin
+         for Item of Messages (Ours) loop
+            if Item.Text = "CIMG" then
+               Size := Item.Size / 4 * 3;
+            end if;
+         end loop;
+         Begun := Now;
+         for Round in 1 .. Rounds loop
+            Base64.Encode (Jpeg, Size, Text, 6, Last);
+         end loop;
+         return (Now - Begun) / Rounds;
+      end Encoding_Time;
+
+   begin
+      Camera.Start (Camera => True);
+      Open_Line (Ours);
+      Supervisor.Start
+        ("--serial " & Device (Ours) & " --camera " & Camera.Camera_Url);
+      Connect (Ours, Supervisor.Port, By_Lines => True);
+      Send (Ours, "ROPN" & ASCII.LF & "RSWW" & ASCII.LF & "COPN" & ASCII.LF
+            & (if Positions then "CPCO" & ASCII.LF else ""));
+      Await_Message (Ours, "CIMG", Count => 5);
+      Look (Before);
+      Serve (Span);
+      Look (After);
+      Encoding := Encoding_Time * 10;
+      for Place in After.Iterate loop
+         declare
+            Thread : constant String := Maps.Key (Place);
+            Title  : constant String :=
+              Thread (1 .. Index (Thread, " ") - 1);
+            Used   : constant Duration := Maps.Element (Place)
+              - (if Before.Contains (Thread) then Before (Thread) else 0.0);
+         begin
+            All_Of_It := All_Of_It + Used;
+            if Index (Title, "th_") = 1
+              and then Index (With_Opencv, Title) = 0
+            then
+               Own := Own + Used;
+            end if;
+            if Index (With_Opencv, Title) > 0 and then Used > 0.0 then
+               Reports.Put_Number
+                 ("processor, " & Title & Name,
+                  100.0 * Float (Used) / Float (Span), "% of a core");
+            end if;
+         end;
+      end loop;
+      Close_All;
+      Reports.Put_Number
+        ("processor, all of it" & Name,
+         100.0 * Float (All_Of_It) / Float (Span),
+         "% of a core, 10 images/s of 640x480");
+      declare
+         Share : constant Float :=
+           100.0 * (Float (Own) / Float (Span) + Float (Encoding));
+      begin
+         Reports.Put_Number
+           ("processor, without OpenCV" & Name, Share, "% of a core",
+            Goal => "< 1 % of a core", Met => Share < 1.0);
+      end;
+   end Report_Processor_Use;
+
+   ---------------------
+   -- Report_Commands --
+   ---------------------
+
+   procedure Report_Commands is
+
+      procedure Count (Name, Command, Answer : String);
+
+      procedure Count (Name, Command, Answer : String) is
+         Supervisor : Supervisors.Supervisor;
+         Window     : constant := 32;  --  sent together
+         Span       : constant Duration :=
+           Duration (Bench_Settings.Seconds) / 10;
+         Total      : Natural := 0;
+         Begun      : Instant;
+      begin
+         Open_Line (Ours);
+         Supervisor.Start ("--serial " & Device (Ours));
+         Connect (Ours, Supervisor.Port, By_Lines => True);
+         Send (Ours, "ROPN" & ASCII.LF & "RSOW" & ASCII.LF);
+         Await_Message (Ours, "AACK", Count => 2);
+         Begun := Now;
+         while Now - Begun < Span loop
+            Forget (Ours);
+            Send (Ours, Window * (Command & ASCII.LF));
+            Await_Message (Ours, Answer, Count => Window);
+            Total := Total + Window;
+         end loop;
+         Reports.Put_Number
+           (Name, Float (Total) / Float (Duration'(Now - Begun)), "a second");
+         Close_All;
+      end Count;
+
+   begin
+      Count ("commands answered by the supervisor itself", "what", "ACER");
+      Count ("movements through an unpaced line", "RMOV:50", "AACK");
+   end Report_Commands;
+
+   ------------
+   -- Report --
+   ------------
+
+   procedure Report is
+   begin
+      Reports.Begin_Section ("scale", "how much it can do");
+      Report_Rates;
+      Report_Processor_Use (Positions => False);
+      Report_Processor_Use (Positions => True);
+      Report_Commands;
+      Reports.Put_Note
+        ("at 9600 baud an exchange of 8 and 3 bytes takes 11.5 ms: 87"
+         & " movements a second at most");
+      Reports.End_Section;
+   end Report;
+
+end Scale_Limits;
