@@ -9,7 +9,7 @@ package body Following with SPARK_Mode is
    ----------------
 
    procedure Begin_Anew
-     (S : in out State; Robots : Robot_Array; Found : Robot_Count) is
+     (S : out State; Robots : Robot_Array; Found : Robot_Count) is
    begin
       S := (Robots => Robots, Number => Found, Age => 0);
    end Begin_Anew;

@@ -120,7 +120,7 @@ package Following with SPARK_Mode is
    --  What has been found in the areas. Unless Done one is missing
 
    procedure Begin_Anew
-     (S : in out State; Robots : Robot_Array; Found : Robot_Count)
+     (S : out State; Robots : Robot_Array; Found : Robot_Count)
    with
      Post => Age (S) = 0
        and then Count (S) = Found
