@@ -126,8 +126,10 @@ static void *relay_first(void *argument) {
 static void *relay_second(void *argument) {
   struct relay *const relay = argument;
   char data[4096];
-  for (;;)
-    put(&relay->second, data, take(&relay->first, data));
+  ssize_t length;
+  while ((length = take(&relay->first, data)) > 0)
+    put(&relay->second, data, length);
+  return NULL;
 }
 
 static void *relay_third(void *argument) {
