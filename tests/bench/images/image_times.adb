@@ -154,9 +154,16 @@ procedure Image_Times is
 
    Began : Time;
 
+   procedure Add (To : in out Series; Value : Float);
    procedure Start;
    procedure Stop (S : in out Series);
    --  The time since Start is one more figure; Start again
+
+   procedure Add (To : in out Series; Value : Float) is
+   begin
+      To.Count := To.Count + 1;
+      To.Values (To.Count) := Value;
+   end Add;
 
    procedure Start is
    begin
@@ -166,8 +173,7 @@ procedure Image_Times is
    procedure Stop (S : in out Series) is
       Now : constant Time := Clock;
    begin
-      S.Count := S.Count + 1;
-      S.Values (S.Count) := Float (To_Duration (Now - Began)) * 1.0E6;
+      Add (S, Float (To_Duration (Now - Began)) * 1.0E6);
       Began := Clock;
    end Stop;
 
@@ -231,7 +237,7 @@ procedure Image_Times is
 
    type Stage is
      (Grabbing, Decoding, Arena_Search, Drawing, Encoding, To_Text,
-      Handing_Over, Sending, Whole, Passing, Floor);
+      Handing_Over, Sending, Whole, Passing, Through, None);
 
    Times  : constant array (Stage) of Series_Access :=
      (others => new Series);
@@ -254,14 +260,6 @@ procedure Image_Times is
       Last   : Natural;
       Begin_At : Time;
 
-      procedure Add (To : in out Series; Value : Time_Span);
-
-      procedure Add (To : in out Series; Value : Time_Span) is
-      begin
-         To.Count := To.Count + 1;
-         To.Values (To.Count) := Float (To_Duration (Value)) * 1.0E6;
-      end Add;
-
    begin
       for K in 1 .. Number loop
          Item := Scene (Width, Height, 1, K mod 20);
@@ -278,7 +276,9 @@ procedure Image_Times is
          Stop (Floors (Grabbing).all);
          Encode (0, Quality, Jpeg, Length, Result);
          Stop (Times (Passing).all);
-         Check (Length = Taken, "passed on");
+         Check (Result = Done and then Length = Taken, "passed on");
+         Add (Times (Through).all,
+              Times (Grabbing).Values (K) + Times (Passing).Values (K));
          Start;
          Floor_Copy (Jpeg'Address, Source'Address, size_t (Taken));
          Stop (Floors (Passing).all);
@@ -296,8 +296,10 @@ procedure Image_Times is
          Check (Count = 1, "robot");
          Start;
          Draw_Arena (0, Arena, Result);
+         Check (Result = Done, "drawing");
          Draw_Robot (0, Robots (1), Result);
          Stop (Times (Drawing).all);
+         Check (Result = Done, "drawing");
 
          --  Encoded and sent, the floor first or second in turn
          if K mod 2 = 0 then
@@ -310,6 +312,7 @@ procedure Image_Times is
          Begin_At := Began;
          Encode (0, Quality, Jpeg, Length, Result);
          Stop (Times (Encoding).all);
+         Check (Result = Done, "encoding");
          Base64.Encode (Jpeg, Length, Text, 6, Last);
          Stop (Times (To_Text).all);
          Image_Slots.Put (Box, Text, Last);
@@ -317,7 +320,8 @@ procedure Image_Times is
          Stop (Times (Handing_Over).all);
          Send (Wire, Out_Text'Address, int (Last));
          Stop (Times (Sending).all);
-         Add (Times (Whole).all, Clock - Begin_At);
+         Began := Begin_At;
+         Stop (Times (Whole).all);
          Start;
          Floor_Copy (Text'Address, Out_Text'Address, size_t (Last));
          Stop (Floors (To_Text).all);
@@ -336,12 +340,14 @@ procedure Image_Times is
               Times (Grabbing).all, Floors (Grabbing).all);
       Report ("image", "pass it on", Size,
               Times (Passing).all, Floors (Passing).all);
+      Report ("image", "camera's JPEG passed through", Size,
+              Times (Through).all, Floors (Through).all);
       Report ("image", "decode", Size,
               Times (Decoding).all, Floors (Decoding).all);
       Report ("image", "arena", Size,
-              Times (Arena_Search).all, Floors (Floor).all);
+              Times (Arena_Search).all, Floors (None).all);
       Report ("image", "draw", Size,
-              Times (Drawing).all, Floors (Floor).all);
+              Times (Drawing).all, Floors (None).all);
       Report ("image", "encode", Size,
               Times (Encoding).all, Floors (Encoding).all);
       Report ("image", "base64", Size,
@@ -388,6 +394,7 @@ procedure Image_Times is
             Follow_Robots (0, Options.Aruco, No_Arena, False, Areas, Parts,
                            Found, Count, Result);
             Stop (Follow.all);
+            Check (Result in Done | Not_Found, "following");
             Following.Settle (Known, 100, Found, Count, Settled);
             if not Settled then
                Follow.Count := Follow.Count - 1;
@@ -403,10 +410,8 @@ procedure Image_Times is
                       Result);
          Stop (Full.all);
          Check (Count = Robots, "robots");
-         Plain.Count := Plain.Count + 1;
-         Plain.Values (Plain.Count) := Full.Values (Full.Count);
-         Copy.Count := Copy.Count + 1;
-         Copy.Values (Copy.Count) := Full.Values (Full.Count);
+         Add (Plain.all, Full.Values (K));
+         Add (Copy.all, Full.Values (K));
          Following.Begin_Anew (Known, Found, Count);
       end loop;
       Report (Section, Name & "in the arena", Size, Inside.all, Copy.all);
