@@ -40,7 +40,9 @@ static void fail(const char *what) {
 
 static void prefer_real_time(int priority) {
   const struct sched_param parameter = {.sched_priority = priority};
-  if (priority > 0 && sched_setscheduler(0, SCHED_FIFO, &parameter) != 0)
+  if (priority == 0)
+    return;  // an ordinary user's limit would leave no room for stacks
+  if (sched_setscheduler(0, SCHED_FIFO, &parameter) != 0)
     fail("sched_setscheduler");
   if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
     fputs("forwarder: memory not locked\n", stderr);
