@@ -29,6 +29,8 @@ package body Reports is
       Name  : Unbounded_String;
       Set   : Samples.Set;
       Floor : Boolean := False;
+      Again : Boolean := False;
+      --  a second floor of the same times
    end record;
 
    package Curve_Vectors is new Ada.Containers.Vectors (Positive, Curve);
@@ -257,7 +259,10 @@ package body Reports is
       Goal  : String  := "";
       Met   : Boolean := True)
    is
+      use type Samples.Set;
       Ratios : Unbounded_String;
+      Again  : constant Boolean :=
+        (for some Item of Curves => not Item.Floor and then Item.Set = Ours);
    begin
       Put (Head (Name & ", ratio", Name_Width) & Column (""));
       for F in Figure loop
@@ -279,9 +284,11 @@ package body Reports is
          & Figures_Of (Ours) & ", ""floor"": {" & Figures_Of (Floor)
          & "}, ""ratio"": {" & To_String (Ratios) & "}"
          & Goal_Of (Goal, Met) & "}");
-      Curves.Append ((To_Unbounded_String (Name), Ours, False));
+      if not Again then
+         Curves.Append ((To_Unbounded_String (Name), Ours, others => False));
+      end if;
       Curves.Append
-        ((To_Unbounded_String (Name & ", floor"), Floor, True));
+        ((To_Unbounded_String (Name & ", floor"), Floor, True, Again));
    end Compare;
 
    ---------
@@ -301,7 +308,7 @@ package body Reports is
         (Rows,
          "{""name"": " & Quoted (Name) & ", ""unit"": ""us"", "
          & Figures_Of (Ours) & Goal_Of (Goal, Met) & "}");
-      Curves.Append ((To_Unbounded_String (Name), Ours, False));
+      Curves.Append ((To_Unbounded_String (Name), Ours, others => False));
    end Put;
 
    ----------------
@@ -473,7 +480,9 @@ package body Reports is
             Item   : constant Curve := Curves (I);
             Wanted : Samples.Share_Array (1 .. Steps);
             Dashes : constant String :=
-              (if Item.Floor then " stroke-dasharray=""5 4""" else "");
+              (if Item.Again then " stroke-dasharray=""2 3"""
+               elsif Item.Floor then " stroke-dasharray=""5 4"""
+               else "");
          begin
             if not Item.Floor then
                Kind := Kind + 1;
