@@ -221,7 +221,7 @@ package body Trace_Tests is
       Open_Camera (R, Positions => True);
       R.Monitor.Expect ("CASA", "CIMG");
       R.Monitor.Send_Line ("CACO");
-      R.Monitor.Send_Line ("AUTH:" & Token);
+      R.Monitor.Expect ("AUTH:" & Token, "ACER");
       R.Monitor.Expect ("RPIN", "AACK");
       delay 1.3;
       R.Monitor.Expect ("CCLS", "AACK");

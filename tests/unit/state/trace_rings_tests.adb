@@ -4,17 +4,18 @@
 with Ada.Calendar;
 with Ada.Directories;
 with Ada.Real_Time;
-with Interfaces;       use Interfaces;
+with Interfaces;              use Interfaces;
+with System.Storage_Elements; use System.Storage_Elements;
 
-with AUnit.Assertions; use AUnit.Assertions;
+with AUnit.Assertions;        use AUnit.Assertions;
 
 with Programs;
-with Schedule;         use Schedule;
+with Schedule;                use Schedule;
 with Texts;
 with Trace;
 with Trace_Files;
-with Trace_Json;       use Trace_Json;
-with Trace_Rings;      use Trace_Rings;
+with Trace_Json;              use Trace_Json;
+with Trace_Rings;             use Trace_Rings;
 
 package body Trace_Rings_Tests is
 
@@ -37,6 +38,7 @@ package body Trace_Rings_Tests is
 
    procedure Test_Round (T : in out Any_Test);
    procedure Test_Together (T : in out Any_Test);
+   procedure Test_Overtaken (T : in out Any_Test);
    procedure Test_File (T : in out Any_Test);
 
    ----------
@@ -56,6 +58,8 @@ package body Trace_Rings_Tests is
       Register_Routine (T, Test_Round'Access, "the newest are kept");
       Register_Routine
         (T, Test_Together'Access, "many writers, and a reader at once");
+      Register_Routine
+        (T, Test_Overtaken'Access, "a writer that is overtaken");
       Register_Routine
         (T, Test_File'Access, "a full ring, in time, in the file");
    end Register_Tests;
@@ -126,6 +130,66 @@ package body Trace_Rings_Tests is
       Assert (Success and then not Ada.Directories.Exists (Path), "again");
    end Test_File;
 
+   --------------------
+   -- Test_Overtaken --
+   --------------------
+
+   procedure Test_Overtaken (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Words : constant := Slot_Bytes / 8;
+      Here  : constant := 3;   --  a slot
+      Where : Memory := (others => 0);
+      R     : Ring;
+      Item  : Event;
+      Found : Boolean;
+      State : Unsigned_64 renames Where (Here * Words + 1);
+
+      procedure Put_Round (First : Unsigned_64);
+
+      procedure Expect (Number : Unsigned_64; Is_There : Boolean);
+
+      procedure Put_Round (First : Unsigned_64) is
+      begin
+         for Number in First .. First + Capacity - 1 loop
+            Put (R, Marked (Number));
+         end loop;
+      end Put_Round;
+
+      procedure Expect (Number : Unsigned_64; Is_There : Boolean) is
+      begin
+         Get (R, Number, Item, Found);
+         Assert (Found = Is_There, "event" & Number'Image);
+         Assert (not Found or else Item = Marked (Number), "mixed");
+      end Expect;
+
+   begin
+      Set_Up (R, Where'Address, Capacity);
+      Put_Round (0);
+      --  event 3 is being written still, and goes on to be
+      State := 2 * Here + 1;
+      Expect (Here, False);
+      declare
+         Before : constant Memory := Where;
+      begin
+         Put_Round (Capacity);
+         Assert
+           ((for all I in Here * Words + 1 .. (Here + 1) * Words =>
+               Where (I) = Before (I)),
+            "written by two");
+      end;
+      for Number in Unsigned_64 range Capacity .. 2 * Capacity - 1 loop
+         Expect (Number, Number /= Here + Capacity);
+      end loop;
+      State := 2 * Here + 2;
+      Put_Round (2 * Capacity);
+      Expect (Here + 2 * Capacity, True);
+      --  who comes late leaves a newer one alone
+      State := 2 * (Here + 100 * Capacity) + 2;
+      Put_Round (3 * Capacity);
+      Expect (Here + 3 * Capacity, False);
+      Assert (State = 2 * (Here + 100 * Capacity) + 2, "the newer is gone");
+   end Test_Overtaken;
+
    ----------------
    -- Test_Round --
    ----------------
@@ -163,8 +227,9 @@ package body Trace_Rings_Tests is
    procedure Test_Together (T : in out Any_Test) is
       pragma Unreferenced (T);
       Writers : constant := 4;
-      Each    : constant := 400_000;
-      Where   : Memory := (others => 0);
+      Each    : constant := 1_000_000;
+      Where   : array (1 .. Memory'Length + 8) of Unsigned_64 :=
+        (others => 0);
       R       : Ring;
       Seen    : Natural := 0;
       Mixed   : Natural := 0;
@@ -186,7 +251,13 @@ package body Trace_Rings_Tests is
       end Look;
 
    begin
-      Set_Up (R, Where'Address, Capacity);
+      --  so that every second slot lies in two lines of the cache: what is
+      --  half written is seen half written
+      for I in 1 .. 8 loop
+         if To_Integer (Where (I)'Address) mod 64 = 16 then
+            Set_Up (R, Where (I)'Address, Capacity);
+         end if;
+      end loop;
       declare
          task type Writer (Number : Integer);
 
