@@ -65,6 +65,15 @@ is
    function Get_Time (Clock : int; Now : System.Address) return int
    with Import, Convention => C, External_Name => "clock_gettime";
 
+   type Signal_Set is array (1 .. 16) of Unsigned_64 with Convention => C;
+
+   File_Too_Large : constant Signal_Set := (1 => 2 ** 24, others => 0);
+   --  SIGXFSZ, which would end the process
+
+   function Set_Mask
+     (How : int; Set : System.Address; Old : System.Address) return int
+   with Import, Convention => C, External_Name => "pthread_sigmask";
+
    function Set_Scheduler
      (Thread : int; Policy : int; Priority : System.Address) return int
    with Import, Convention => C, External_Name => "sched_setscheduler";
@@ -248,6 +257,7 @@ is
       On := False;
       --  nobody waits for this any more, and it takes long
       Ignored := Set_Scheduler (0, Time_Shared, Lowest'Address);
+      Ignored := Set_Mask (0, File_Too_Large'Address, System.Null_Address);
       Last := Trace_Rings.Count (Ring);
       Next := (if Last > Capacity then Last - Capacity else 0);
       Trace_Json.Begin_Text (First, Last, Last - Next, Line);
