@@ -72,13 +72,10 @@ end_wait:
    if
    :: atomic { Waker -> Waker = false };
       if
-      :: Stage == Closed ->
-         Close_Session ()
-#ifdef MUTANT_NEWCOMER_FORGOTTEN
-         ; goto end_wait
-#endif
+      :: Stage == Closed -> Close_Session ()
       :: else
-      fi
+      fi;
+      goto end_wait
    :: atomic {
          !Waker && len (Backlog) > 0 -> Backlog ? peer;
          /* whose address or token is not right, or does not come in time,
@@ -89,10 +86,14 @@ end_wait:
          fi;
          peer = 0
       }
+#ifndef MUTANT_NEWCOMER_FORGOTTEN
+   :: atomic { Waits > 0 && (Stage == Free || Stage == Active) -> skip }
+#endif
    fi;
-   /* Decide */
-   do
-   :: atomic { Waits == 0 || Stage == Closing || Stage == Closed -> break }
+   /* Decide: of one. The others are looked at next (Get_First), each in its
+      time */
+   if
+   :: atomic { Waits == 0 || Stage == Closing || Stage == Closed -> skip }
    :: atomic { Waits > 0 && Stage == Active ->
                Entitled ? peer; Waits--; Met [peer] = Rejected; peer = 0 }
    :: atomic { Waits > 0 && Stage == Free -> Entitled ? peer; Waits-- };
@@ -102,7 +103,7 @@ end_wait:
       Met [peer] = Admitted;
       Set_True (Session_Receive_Begins);
       atomic { peer = 0; Set_True (Session_Watch_Begins) }
-   od;
+   fi;
    goto end_wait
 }
 

@@ -16,7 +16,8 @@ package Budgets with SPARK_Mode is
       Line_Answer,         --  th_line: reads the answer, says so
       Reload_Due,          --  th_reloadWD: asks for the reload
       Reload_Done,         --  th_reloadWD: when the next is due
-      Newcomer,            --  th_server: admits a monitor
+      Newcomer,            --  th_server: takes a connection or reads a piece
+                           --  of its first line; admits or refuses
       Move_Order,          --  th_move: asks for the movement
       Move_Answer,         --  th_move: answers the monitor
       Receive,             --  th_receiveFromMon: one command
@@ -60,7 +61,7 @@ package Budgets with SPARK_Mode is
       Line_Answer     => 105,     --  bench: the same
       Reload_Due      => 45,      --  bench: 43 of 68
       Reload_Done     => 45,      --  bench: the same
-      Newcomer        => 150,     --  each:  150 of 13
+      Newcomer        => 235,     --  each:  230 of 1250
       Move_Order      => 70,      --  bench: 68 of 692
       Move_Answer     => 70,      --  bench: the same
       Receive         => 155,     --  each:  155 of 400

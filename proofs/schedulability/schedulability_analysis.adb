@@ -85,6 +85,9 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       Full   : Boolean;
       Good   : out Boolean);
 
+   procedure Analyse_Flood (Title : String; On : Machine; Good : out Boolean);
+   --  What is promised amid newcomers without end
+
    procedure Print_Limits (On : Machine);
    --  How far each assumption may be wrong before a deadline is missed
 
@@ -297,6 +300,31 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
             else "NOT every deadline is met"));
    end Analyse_And_Print;
 
+   -------------------
+   -- Analyse_Flood --
+   -------------------
+
+   procedure Analyse_Flood (Title : String; On : Machine; Good : out Boolean)
+   is
+      Under    : Load := (Flood => True, others => <>);
+      Result   : Analysis;
+      Inverted : Analysis;
+   begin
+      Analyse (Of_The_Table, Real_Time_Apart, On, Under, Inverted);
+      Under.Ideal_Events := True;
+      Analyse (Of_The_Table, Real_Time_Apart, On, Under, Result);
+      Good := Promises_Kept (Result)
+        and then Result.Bounds (Newcomer).Finish
+          <= Result.Deadlines (Newcomer);
+      New_Line;
+      Put_Line ("== amid a flood of newcomers, " & Title);
+      Print_Loads (Result);
+      Print_Requirements (Result, Inverted);
+      Put_Line
+        ("verdict: what is demanded of every single one is "
+         & (if Good then "kept" else "NOT kept"));
+   end Analyse_Flood;
+
    ------------------
    -- Print_Limits --
    ------------------
@@ -387,7 +415,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
                 & Column (Milliseconds (Turnaround_All), 20));
    end Print_Limits;
 
-   Good_Here, Good_On_Pi, Unused : Boolean;
+   Good_Here, Good_On_Pi, Flood_Here, Flood_On_Pi, Unused : Boolean;
    Good : Boolean;
 
 begin
@@ -416,6 +444,8 @@ begin
       & Positive_Span'Image (Pi.Percent / 100) & ", image work on cpu 2 to 4",
       Of_The_Table, Real_Time_Apart, Pi, Load_Here, True, Good_On_Pi);
    Print_Limits (Pi);
+   Analyse_Flood ("this machine", Here, Flood_Here);
+   Analyse_Flood ("Cortex-A53", Pi, Flood_On_Pi);
    Analyse_And_Print
      ("the report's priorities, one processor, this machine",
       Of_The_Report, One_Processor, Here,
@@ -441,6 +471,7 @@ begin
       & (if Ceilings_Hold (Of_The_Table) then "none below a caller"
          else "BELOW a caller's priority"));
    Good := Good_Here and then Good_On_Pi
+     and then Flood_Here and then Flood_On_Pi
      and then Ceilings_Hold (Of_The_Table);
    Put_Line
      ("schedulability: "

@@ -25,6 +25,7 @@ package body Supervisor_Model with SPARK_Mode is
    Byte_Time      : constant Integer := Schedule.Byte_Time / One;
    Reload_Quiet   : constant Integer := Schedule.Reload_Quiet / One;
    Answer_Timeout : constant Integer := Schedule.Answer_Timeout / One;
+   Newcomer_Interval : constant Integer := Schedule.Newcomer_Interval / One;
 
    Image_Period   : constant := 100_000;  --  F15
 
@@ -309,13 +310,14 @@ package body Supervisor_Model with SPARK_Mode is
            (case Name is
                when Receive => 1,
                when Stop | Loss => 2,
-               when Newcomer => 3,
+               when Newcomer => 9,
                when others => 0),
          when Journal_Operation =>
            (case Name is
-               when Stop | Line_Answer | Newcomer | Receive | Loss | Start
+               when Stop | Line_Answer | Receive | Loss | Start
                   | Start_Watchdog => 1,
                when Console => 2,
+               when Newcomer => 3,
                when others => 0),
          when Settings_Operation =>
            (case Name is
@@ -414,7 +416,9 @@ package body Supervisor_Model with SPARK_Mode is
          Set (Row (A)) :=
            (Processor => Processor_Of (A, Where, On),
             Priority  => Priority_Of (A, Choice),
-            Period    => Period_Of (A),
+            Period    =>
+              (if A = Newcomer and then Under.Flood
+               then To_Period (Newcomer_Interval) else Period_Of (A)),
             Jitter    => 0,
             Budget    => Capped (Processor_Time (A) * On.Percent / 100),
             Deferral  => 0,
@@ -817,8 +821,14 @@ package body Supervisor_Model with SPARK_Mode is
          F15_Image       => (Limit => Image_Period, others => <>),
          F15_Jitter      => (Limit => 20_000, others => <>));
 
-      Conclude (F2_Admitted, Bounds (Newcomer).Finish,
-                Bounds (Newcomer).Exists);
+      --  th_server has just seen to another; then to the connection, then
+      --  to its first line where a token is asked for
+
+      Conclude
+        (F2_Admitted,
+         2 * (Microseconds (To_Period (Newcomer_Interval))
+              + Bounds (Newcomer).Finish),
+         Bounds (Newcomer).Exists);
 
       --  answers: an image may be under way, and a pause follows it
 
@@ -927,11 +937,11 @@ package body Supervisor_Model with SPARK_Mode is
          Normal : Activity_Set := Set;
       begin
          --  Stop: the run ends, and nothing is promised beside the stop.
-         --  Newcomer: there is no session yet
+         --  Newcomer: without a flood there is no session yet
          if Name /= Stop then
             Normal (Row (Stop)).Budget := 0;
          end if;
-         if Name /= Newcomer then
+         if Name /= Newcomer and then not Under.Flood then
             Normal (Row (Newcomer)).Budget := 0;
          end if;
          Pre_Emptive_Bound (Normal, Row (Name), Value);
@@ -975,14 +985,17 @@ package body Supervisor_Model with SPARK_Mode is
          Result.Deadlines (A) :=
            (case A is
                when Kernel | Console | Environment => 0,
-               when Newcomer | Loss => 50_000,     --  F2, F5
+               when Loss            => 50_000,     --  F5
+               when Newcomer        => To_Period (Newcomer_Interval),
                when Stop            => 100_000,
                when Reload_Due      => 50_000,     --  F11
                when others          => Period_Of (A));
       end loop;
       In_Session := Result.Set;
       In_Session (Row (Stop)).Budget := 0;
-      In_Session (Row (Newcomer)).Budget := 0;
+      if not Under.Flood then
+         In_Session (Row (Newcomer)).Budget := 0;
+      end if;
       Judge
         (In_Session, Result.Bounds, Result.Owner, Result.Line, On,
          Result.Requirements);
@@ -994,20 +1007,27 @@ package body Supervisor_Model with SPARK_Mode is
    end Analyse;
 
    -------------------
+   -- Promises_Kept --
+   -------------------
+
+   function Promises_Kept (Result : Analysis) return Boolean is
+     (Result.Settled
+      and then
+        (for all R in Requirement_Name =>
+           (if Always (R) then Met (Result.Requirements (R)))));
+
+   -------------------
    -- Deadlines_Met --
    -------------------
 
    function Deadlines_Met (Result : Analysis) return Boolean is
-     (Result.Settled
+     (Promises_Kept (Result)
       and then
         (for all A in Activity_Name =>
            Result.Deadlines (A) = 0
            or else (Result.Bounds (A).Exists
                     and then Result.Bounds (A).Local
-                      <= Result.Deadlines (A)))
-      and then
-        (for all R in Requirement_Name =>
-           (if Always (R) then Met (Result.Requirements (R)))));
+                      <= Result.Deadlines (A))));
 
    -------------
    -- All_Met --

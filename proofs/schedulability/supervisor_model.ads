@@ -36,6 +36,8 @@ package Supervisor_Model with SPARK_Mode is
       --  as if the mutex of a suspension object knew a ceiling
       Silent     : Boolean := False;
       --  one exchange stays without an answer, until its time-out
+      Flood      : Boolean := False;
+      --  newcomers all the time, as many as th_server sees to
    end record
    with Predicate => Turnaround <= 1_000_000 and then Latency <= 1_000_000;
 
@@ -129,8 +131,11 @@ package Supervisor_Model with SPARK_Mode is
    function Priority_Of
      (Name : Activity_Name; Choice : Priority_Choice) return Urgency;
 
+   function Promises_Kept (Result : Analysis) return Boolean;
+   --  Every requirement of every single one
+
    function Deadlines_Met (Result : Analysis) return Boolean;
-   --  Every deadline of an activity, every requirement of every single one
+   --  And every deadline of an activity
 
    function All_Met (Result : Analysis) return Boolean;
    --  And in the worst case even what is demanded of most

@@ -15,7 +15,7 @@ with System;
 
 package body Monitor_Sockets with
   SPARK_Mode    => Off,
-  Refined_State => (Network => (Listener, Waiting, Current, Waker))
+  Refined_State => (Network => (Listener, Waiting, Current, Waker, Turn))
 is
 
    use type Monitor_Link.Milliseconds;
@@ -28,6 +28,14 @@ is
    Waiting : array (Place) of int := (others => Nobody)
      with Atomic_Components;
    --  the newcomers'
+
+   Listening : constant Positive := Place'Last + 1;
+   Waking    : constant Positive := Place'Last + 2;
+   --  beside the places: numbers of what th_server waits for
+
+   Turn : Positive range 1 .. Listening := Listening with Atomic;
+   --  of these, and without the last, whose turn it was: the next one is
+   --  asked first, so that nobody is passed over for ever
 
    Send_Buffer : constant := 65_536;
    --  Bytes; the kernel doubles it. More, and seconds of old images would
@@ -198,8 +206,6 @@ is
       From       : out Networks.Peer_Address;
       Peer       : out Texts.Text)
    is
-      Server  : constant Positive := Place'Last + 1;
-      Waking  : constant Positive := Place'Last + 2;
       Entries : Poll_Array (1 .. Waking) := (others => (Nobody, Poll_In, 0));
       Left    : Time_Span;
       Wait_Ms : int := -1;
@@ -220,7 +226,7 @@ is
          end if;
       end loop;
       if Free /= No_Place then
-         Entries (Server).Descriptor := Listener;
+         Entries (Listening).Descriptor := Listener;
       end if;
       Entries (Waking).Descriptor := Waker;
       if Until_Time /= Time_Last then
@@ -236,20 +242,20 @@ is
          Event := Woken;
          return;
       end if;
-      for I in Place loop
-         if Entries (I).Returned /= 0 then
-            Event := Input;
-            Where := I;
-            return;
-         end if;
+      for Step in 1 .. Listening loop
+         Turn := Turn mod Listening + 1;
+         exit when Entries (Turn).Returned /= 0;
       end loop;
-      if Entries (Server).Returned /= 0 then
+      if Entries (Turn).Returned /= 0 and then Turn = Listening then
          Accept_Socket (To_Ada (Integer (Listener)), Socket, Address);
          Where := Free;
          Waiting (Free) := int (To_C (Socket));
          From := Octets_Of (Address.Addr);
          Texts.Set (Peer, Image (Address));
          Event := Newcomer;
+      elsif Entries (Turn).Returned /= 0 then
+         Where := Turn;
+         Event := Input;
       end if;
    exception
       when E : Socket_Error =>

@@ -9,12 +9,13 @@ with Interfaces;              use Interfaces;
 with Interfaces.C;            use Interfaces.C;
 with Linux;                   use Linux;
 with System;                  use System;
+with System.Storage_Elements; use System.Storage_Elements;
 with Trace_Json;
 with Trace_Rings;
 
 package body Trace with
   SPARK_Mode    => Off,
-  Refined_State => (Recorder => (On, Ring, First, File, Chunk, Chunk_Last))
+  Refined_State => (Recorder => (On, Ring, First, File, Chunk_At, Chunk_Last))
 is
 
    use type Monitor_Protocol.Message_Kind;
@@ -24,9 +25,12 @@ is
    First : Unsigned_64 := 0;  --  when the recording began
    File  : int := -1;
 
-   Chunk      : String (1 .. 65_536);
+   subtype Chunk_Text is String (1 .. 65_536);
+   Chunk_At   : System.Address := System.Null_Address;
    Chunk_Last : Natural := 0;
-   --  What is to be written next
+   --  What is to be written next, behind the ring in memory
+
+   Ring_Bytes  : constant := Capacity * Trace_Rings.Slot_Bytes;
 
    Write_Only  : constant int := 8#2004401#;
    --  O_WRONLY, O_CLOEXEC, O_NONBLOCK, O_NOCTTY
@@ -61,6 +65,15 @@ is
    function Get_Time (Clock : int; Now : System.Address) return int
    with Import, Convention => C, External_Name => "clock_gettime";
 
+   type Signal_Set is array (1 .. 16) of Unsigned_64 with Convention => C;
+
+   File_Too_Large : constant Signal_Set := (1 => 2 ** 24, others => 0);
+   --  SIGXFSZ, which would end the process
+
+   function Set_Mask
+     (How : int; Set : System.Address; Old : System.Address) return int
+   with Import, Convention => C, External_Name => "pthread_sigmask";
+
    function Set_Scheduler
      (Thread : int; Policy : int; Priority : System.Address) return int
    with Import, Convention => C, External_Name => "sched_setscheduler";
@@ -92,6 +105,7 @@ is
    -----------
 
    procedure Flush (Success : in out Boolean) is
+      Chunk : Chunk_Text with Import, Address => Chunk_At;
       Next  : Positive := 1;
       Taken : Ssize;
    begin
@@ -112,6 +126,7 @@ is
    -----------
 
    procedure Write (Text : String; Success : in out Boolean) is
+      Chunk : Chunk_Text with Import, Address => Chunk_At;
    begin
       if Chunk_Last + Text'Length > Chunk'Last then
          Flush (Success);
@@ -203,7 +218,7 @@ is
         (To_C (Texts.Image (Path)), Write_Only + Or_Empty, File_Mode);
       if File >= 0 then
          Memory := Map
-           (System.Null_Address, Capacity * Trace_Rings.Slot_Bytes,
+           (System.Null_Address, Ring_Bytes + Chunk_Text'Length,
             Read_Write, All_Present, -1, 0);
       end if;
       Success := Memory /= Not_Mapped;
@@ -212,6 +227,7 @@ is
          (if Success then "" else Linux.Error_Text (GNAT.OS_Lib.Errno)));
       if Success then
          Trace_Rings.Set_Up (Ring, Memory, Capacity);
+         Chunk_At := Memory + Ring_Bytes;
          First := Now;
          On := True;
       end if;
@@ -241,6 +257,7 @@ is
       On := False;
       --  nobody waits for this any more, and it takes long
       Ignored := Set_Scheduler (0, Time_Shared, Lowest'Address);
+      Ignored := Set_Mask (0, File_Too_Large'Address, System.Null_Address);
       Last := Trace_Rings.Count (Ring);
       Next := (if Last > Capacity then Last - Capacity else 0);
       Trace_Json.Begin_Text (First, Last, Last - Next, Line);

@@ -328,7 +328,11 @@ package body Robot_Session with SPARK_Mode is
                S := (Line_Open => True,
                      Mode      => Not_Started,
                      Health    => Line_Health.Opened);
-               Begin_Exchange (S, P, Clearing, (Wire.Reset, 0), Next);
+               --  the reset first of all, without awaiting its answer:
+               --  a robot that hears, but answers late, is reset, too
+               P.Phase := Clearing;
+               P.Wanted := (Wire.Reset, 0);
+               Next := (Send, P.Wanted);
             else
                Finish (P, Not_Opened, Next);
             end if;
@@ -353,6 +357,11 @@ package body Robot_Session with SPARK_Mode is
               and then P.Wanted = Wire.Stop
             then
                --  the blind stop is out; now get into step
+               Begin_Exchange (S, P, Phase, Wanted, Next);
+            elsif Phase = Clearing and then not P.In_Probe
+              and then not Line_Health.In_Step (S.Health)
+            then
+               --  and so is the reset
                Begin_Exchange (S, P, Phase, Wanted, Next);
             elsif not Last.Ok then
                Unanswered (S, P, Next);

@@ -162,8 +162,13 @@ package Robot_Session with SPARK_Mode is
             not Line_Health.In_Step (S.Health)
             and then not Line_Health.Lost (S.Health)
             and then Next.Command.Kind = Line_Health.Probe (S.Health))
-      --  what is written without awaiting an answer is a stop
-      and then (if Next.Kind = Send then Sends_Stop (Next))
+      --  what is written without awaiting an answer is a stop, and the
+      --  reset of a line that has just been opened
+      and then
+        (if Next.Kind = Send then
+            Sends_Stop (Next)
+            or else (Next.Command.Kind = Robot_Protocol.Reset
+                     and then Request_Of (P).Kind = Open_Line))
       and then
         (if Next.Kind = Finish then
             Is_Consistent (S) and then Steps_Left (S, P) = 0))
@@ -230,7 +235,7 @@ private
 
    type Phase_Kind is
      (Opening,       --  the device
-      Clearing,      --  the reset that follows an opening
+      Clearing,      --  the reset that follows an opening, and a probe
       Leaving,       --  the stop on the way out of "started"
       Acting,        --  the command that the request is for
       Asking_Motion, --  after a refused reload: does it move?
@@ -302,13 +307,14 @@ private
       and then
         (if P.In_Probe then not Line_Health.In_Step (S.Health)
          elsif not Line_Health.In_Step (S.Health) then
-            P.Blind and then P.Wanted = Robot_Protocol.Stop)
+            P.Phase = Clearing
+            or else (P.Blind and then P.Wanted = Robot_Protocol.Stop))
       and then
         (if P.Blind or else P.Wanted = Robot_Protocol.Stop
          then P.Stopped))
    with Ghost;
-   --  A command of an exchange is out: the blind stop, a probe or the wanted
-   --  one
+   --  A command of an exchange is out: the blind stop, the reset of a line
+   --  just opened, a probe or the wanted one
 
    function Is_Under_Way (S : State; P : Progress) return Boolean is
      ((if P.Result.Note = Robot_Lost then
@@ -329,7 +335,8 @@ private
               and then
                 (case Exchange_Phase'(P.Phase) is
                     when Clearing      =>
-                      P.Wanted.Kind = Robot_Protocol.Reset,
+                      P.Request.Kind = Open_Line
+                      and then P.Wanted.Kind = Robot_Protocol.Reset,
                     when Leaving       =>
                       P.Wanted = Robot_Protocol.Stop
                       and then P.Request.Kind in

@@ -67,17 +67,21 @@ package body Admission with SPARK_Mode is
    with
      Pre  => Is_Consistent (G),
      Post => Is_Consistent (G);
-   --  Those who have not shown their token in time
+   --  One of those who have not shown their token in time
 
    procedure Close_Session;
    --  If it has been brought back: ready for the next monitor
 
-   function First_Entitled (G : Gate) return Monitor_Sockets.Place_Choice
+   procedure Get_First
+     (G     : Gate;
+      First : out Monitor_Sockets.Place_Choice;
+      Stage : out Session.Stage_Kind)
    with
      Post =>
-       (if First_Entitled'Result in Monitor_Sockets.Place then
-           G.Places (First_Entitled'Result).Stage = Entitled);
-   --  Of those, who came first
+       (if First in Monitor_Sockets.Place then
+           G.Places (First).Stage = Entitled);
+   --  Of those who are entitled, who came first; nobody while the end of a
+   --  session is dealt with. Stage: of the session
 
    procedure Let_In (G : in out Gate; Where : Monitor_Sockets.Place)
    with
@@ -90,8 +94,8 @@ package body Admission with SPARK_Mode is
    with
      Pre  => Is_Consistent (G),
      Post => Is_Consistent (G);
-   --  Admits the first of those entitled where nobody is in command, tells
-   --  the others why not. While the end of a session is dealt with they wait
+   --  Admits the first of those entitled where nobody is in command, or
+   --  tells it why not. While the end of a session is dealt with it waits
 
    -------------------
    -- Close_Session --
@@ -116,55 +120,57 @@ package body Admission with SPARK_Mode is
    procedure Decide (G : in out Gate) is
       Where    : Monitor_Sockets.Place_Choice;
       Stage    : Session.Stage_Kind;
-      Stopping : Boolean;
-      Admitted : Boolean;
+      Admitted : Boolean := False;
    begin
-      for Turn in Monitor_Sockets.Place loop
-         pragma Loop_Invariant (Is_Consistent (G));
-         Where := First_Entitled (G);
-         exit when Where = Monitor_Sockets.No_Place;
-         Session.Get_Stopping (Stopping);
-         Session.Get_Stage (Stage);
-         exit when Stage in Session.Closing | Session.Closed
-           and then not Stopping;
-         Admitted := False;
-         if Stage = Session.Free then
-            Session.Begin_Active (Admitted);
-         end if;
-         if Admitted then
-            Let_In (G, Where);
-         elsif Stage = Session.Active then
-            Turn_Away
-              (G, Where, "another monitor is connected",
-               "second monitor refused: ");
-         else
-            Turn_Away
-              (G, Where, "the supervisor is stopping",
-               "monitor refused, the supervisor is stopping: ");
-         end if;
-      end loop;
+      Get_First (G, Where, Stage);
+      if Where = Monitor_Sockets.No_Place then
+         return;
+      end if;
+      if Stage = Session.Free then
+         Session.Begin_Active (Admitted);
+      end if;
+      if Admitted then
+         Let_In (G, Where);
+      elsif Stage = Session.Active then
+         Turn_Away
+           (G, Where, "another monitor is connected",
+            "second monitor refused: ");
+      else
+         Turn_Away
+           (G, Where, "the supervisor is stopping",
+            "monitor refused, the supervisor is stopping: ");
+      end if;
    end Decide;
 
-   --------------------
-   -- First_Entitled --
-   --------------------
+   ---------------
+   -- Get_First --
+   ---------------
 
-   function First_Entitled (G : Gate) return Monitor_Sockets.Place_Choice is
-      Result : Monitor_Sockets.Place_Choice := Monitor_Sockets.No_Place;
+   procedure Get_First
+     (G     : Gate;
+      First : out Monitor_Sockets.Place_Choice;
+      Stage : out Session.Stage_Kind)
+   is
+      Stopping : Boolean;
    begin
+      First := Monitor_Sockets.No_Place;
+      Session.Get_Stopping (Stopping);
+      Session.Get_Stage (Stage);
+      if Stage in Session.Closing | Session.Closed and then not Stopping then
+         return;
+      end if;
       for I in Monitor_Sockets.Place loop
          if G.Places (I).Stage = Entitled
-           and then (Result = Monitor_Sockets.No_Place
-                     or else G.Places (I).Limit < G.Places (Result).Limit)
+           and then (First = Monitor_Sockets.No_Place
+                     or else G.Places (I).Limit < G.Places (First).Limit)
          then
-            Result := I;
+            First := I;
          end if;
          pragma Loop_Invariant
-           (if Result in Monitor_Sockets.Place then
-               G.Places (Result).Stage = Entitled);
+           (if First in Monitor_Sockets.Place then
+               G.Places (First).Stage = Entitled);
       end loop;
-      return Result;
-   end First_Entitled;
+   end Get_First;
 
    --------------
    -- Get_Next --
@@ -176,7 +182,9 @@ package body Admission with SPARK_Mode is
       Watched : out Monitor_Sockets.Place_Set;
       Limit   : out Time)
    is
-      Now : Time;
+      Now   : Time;
+      First : Monitor_Sockets.Place_Choice;
+      Stage : Session.Stage_Kind;
    begin
       Free := Monitor_Sockets.No_Place;
       Watched := (others => False);
@@ -206,6 +214,11 @@ package body Admission with SPARK_Mode is
          if G.Pause < Limit then
             Limit := G.Pause;
          end if;
+      end if;
+      --  who has waited for the end of a session, or behind another
+      Get_First (G, First, Stage);
+      if First in Monitor_Sockets.Place then
+         Limit := Now;
       end if;
    end Get_Next;
 
@@ -347,6 +360,7 @@ package body Admission with SPARK_Mode is
       Peer    : Texts.Text;
       Line    : Texts.Text;
    begin
+      delay until G.Rest;
       Get_Next (G, Free, Watched, Limit);
       Monitor_Sockets.Wait_Newcomer
         (Free, Watched, Limit, Event, Where, From, Peer);
@@ -358,7 +372,10 @@ package body Admission with SPARK_Mode is
          when Monitor_Sockets.Input =>
             Read (G, Where);
          when Monitor_Sockets.Woken =>
+            --  no newcomer: whoever has waited for it is seen to at once
             Close_Session;
+            Trace.Done (Schedule.Th_Server);
+            return;
          when Monitor_Sockets.Failed =>
             Texts.Set (Line, "a monitor could not connect: ");
             Texts.Append (Line, Texts.Image (Peer));
@@ -371,6 +388,8 @@ package body Admission with SPARK_Mode is
       end case;
       Turn_Late_Away (G);
       Decide (G);
+      G.Rest := Clock;
+      G.Rest := G.Rest + Schedule.Newcomer_Interval;
       Trace.Done (Schedule.Th_Server);
    end Serve;
 
@@ -418,6 +437,7 @@ package body Admission with SPARK_Mode is
          pragma Loop_Invariant (Is_Consistent (G));
          if G.Places (I).Stage = Asked and then Now >= G.Places (I).Limit then
             Turn_Away (G, I, Not_Authenticated, Noted_Not_Authenticated);
+            exit;
          end if;
       end loop;
    end Turn_Late_Away;

@@ -39,8 +39,10 @@ package Admission with SPARK_Mode is
    with
      Pre  => Is_Consistent (G),
      Post => Is_Consistent (G);
-   --  Waits for what comes next (a newcomer, a line of one, the end of its
-   --  time, the end of a session) and sees to it; waits for nothing else
+   --  Waits for what comes next (a newcomer, a piece of a line of one, the
+   --  end of its time, the end of a session) and sees to it: to one thing,
+   --  and a Newcomer_Interval of the table later to the next, however many
+   --  come
 
 private
 
@@ -66,6 +68,8 @@ private
       Places  : Newcomer_Array;
       Pause   : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
       --  nobody is taken in before: it has just failed
+      Rest    : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      --  nothing is seen to before
    end record;
 
    function Is_Entitled (G : Gate; N : Newcomer) return Boolean is

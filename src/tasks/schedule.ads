@@ -141,6 +141,13 @@ package Schedule with SPARK_Mode is
    --  for the last lines of the log
    Accept_Pause      : constant Time_Span := Milliseconds (100);
    --  after a connection that could not be accepted
+   Newcomer_Interval : constant Time_Span := Milliseconds (10);
+   --  between two newcomers, or two pieces of their first lines: how often
+   --  th_server sees to such a thing, at most. A flood of them may not take
+   --  so much of the processor that an order of the monitor in command is
+   --  late; with 5 ms it could be on a Cortex-A53 (proofs/schedulability).
+   --  A newcomer with a token needs two turns, and has 50 ms (F2). Who must
+   --  wait does so in the kernel's queue; a thousand, for 10 s
    Token_Limit       : constant Time_Span := Milliseconds (2000);
    --  for the first line of a newcomer, where a token is asked for
    Trace_Limit       : constant Time_Span := Milliseconds (2000);

@@ -21,6 +21,7 @@ with Programs;
 with Reports;
 with Scale_Limits;
 with Start_Times;
+with Trace_Responses;
 with Vision_Times;
 
 procedure Destijl_Bench is
@@ -28,7 +29,8 @@ procedure Destijl_Bench is
    Bad_Usage : exception;
 
    type Section is
-     (Orders, Answers, Periods, Images, Search, Scale, Start, Load, Tasks);
+     (Orders, Answers, Periods, Images, Search, Scale, Start, Load, Tasks,
+      Responses);
 
    Wanted : array (Section) of Boolean := (others => False);
    Folder : Unbounded_String;
@@ -55,6 +57,7 @@ procedure Destijl_Bench is
       Put_Line (To, "   --seconds N   of each measurement that lasts (60)");
       Put_Line (To, "   --quick       200 samples, 10 seconds");
       Put_Line (To, "   --out FOLDER  for JSON and plots (a temporary one)");
+      Put_Line (To, "   --file TRACE  for responses (one is made)");
       Put_Line (To, "   --supervisor PATH, --emulator PATH");
       Put_Line (To, "                 instead of those beside this one");
    end Print_Usage;
@@ -90,6 +93,8 @@ procedure Destijl_Bench is
             elsif Name = "--quick" then
                Bench_Settings.Seconds := 10;
                Bench_Settings.Sample_Count := 200;
+            elsif Name = "--file" then
+               Bench_Settings.Trace_File := To_Unbounded_String (Value);
             elsif Name = "--out" then
                Folder := To_Unbounded_String (Value);
             elsif Name = "--supervisor" then
@@ -131,6 +136,8 @@ procedure Destijl_Bench is
          when Start   => Start_Times.Report;
          when Load    => Full_Load.Report;
          when Tasks   => Full_Load.Report_Tasks;
+         when Responses =>
+            Trace_Responses.Report (To_String (Bench_Settings.Trace_File));
       end case;
    end Run;
 

@@ -449,6 +449,7 @@ package body Camera_Faults is
               Fit_Width  => Asked_Width,
               Fit_Height => 180,
               Cost       => 3.0,
+              Heavy      => True,
               others     => <>));
       Add (new Other_Rate'
              (Group  => Faults.Camera,

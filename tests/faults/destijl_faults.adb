@@ -11,7 +11,6 @@ with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
 with System;
 
-with Child_Processes;
 with Fault_List;
 with Fault_Runs;            use Fault_Runs;
 with Fault_Tables;
@@ -187,10 +186,5 @@ exception
          & " (--help)");
       Set_Exit_Status (2);
    when Occurrence : others =>
-      Put_Line
-        (Standard_Error,
-         Ada.Exceptions.Exception_Information (Occurrence));
-      Child_Processes.Stop_All;
-      Programs.Remove_Temporary_Folder;
-      GNAT.OS_Lib.OS_Exit (1);
+      Programs.Give_Up (Ada.Exceptions.Exception_Information (Occurrence));
 end Destijl_Faults;

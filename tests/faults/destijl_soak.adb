@@ -13,7 +13,6 @@ with GNAT.OS_Lib;
 with Interfaces.C;          use Interfaces.C;
 with System;
 
-with Child_Processes;
 with Expectations;          use Expectations;
 with Fault_List;
 with Faults;                use Faults;
@@ -405,9 +404,5 @@ exception
       Print_Usage (Standard_Error);
       GNAT.OS_Lib.OS_Exit (2);
    when Occurrence : others =>
-      Child_Processes.Stop_All;
-      Put_Line
-        (Standard_Error,
-         Ada.Exceptions.Exception_Information (Occurrence));
-      GNAT.OS_Lib.OS_Exit (1);
+      Programs.Give_Up (Ada.Exceptions.Exception_Information (Occurrence));
 end Destijl_Soak;

@@ -21,7 +21,7 @@ package body Fault_Runs is
    --  A process that has not come back by then hangs: that is a violation
 
    Long : constant Duration := 4.0;
-   --  Injections that take so long are begun first
+   --  Injections that take so long are begun first, after the heavy ones
 
    type Injection is record
       First      : Positive := 1;
@@ -35,6 +35,12 @@ package body Fault_Runs is
    function Cost (Item : Injection) return Duration is
      (Element (Item.First).Cost
       + (if Item.Second = 0 then 0.0 else Element (Item.Second).Cost));
+
+   Most_Heavy : constant := 2;
+
+   function Is_Heavy (Item : Injection) return Boolean is
+     (Element (Item.First).Heavy
+      or else (Item.Second > 0 and then Element (Item.Second).Heavy));
 
    function Worlds_Key (Item : Injection) return String;
    --  Injections with the same key share a world
@@ -89,7 +95,9 @@ package body Fault_Runs is
       Left_Cost  : constant Duration := Cost (Left);
       Right_Cost : constant Duration := Cost (Right);
    begin
-      if Left_Cost >= Long or else Right_Cost >= Long then
+      if Is_Heavy (Left) /= Is_Heavy (Right) then
+         return Is_Heavy (Left);
+      elsif Left_Cost >= Long or else Right_Cost >= Long then
          return Left_Cost > Right_Cost;
       else
          return Worlds_Key (Left) < Worlds_Key (Right);
@@ -183,12 +191,14 @@ package body Fault_Runs is
 
       All_Jobs : array (1 .. Jobs) of Job;
       Queue    : Injection_Vectors.Vector;
-      Next     : Positive := 1;
       Left     : Natural;
       Done     : Natural := 0;
       Shown    : Instant := Now;
 
       procedure Begin_Job (J : in out Job);
+
+      procedure Give (J : in out Job);
+      --  The next injection, if there is one for it
 
       procedure Look (J : in out Job);
       --  Takes what it says
@@ -208,6 +218,29 @@ package body Fault_Runs is
          J.Process.Start (Program, Options, "job");
          J.Seen := 0;
       end Begin_Job;
+
+      procedure Give (J : in out Job) is
+         Heavy : Natural := 0;
+         --  under way
+      begin
+         for Other of All_Jobs loop
+            if Other.Busy and then Is_Heavy (Other.Item) then
+               Heavy := Heavy + 1;
+            end if;
+         end loop;
+         for Number in 1 .. Queue.Last_Index loop
+            if Heavy < Most_Heavy or else not Is_Heavy (Queue (Number)) then
+               J.Item := Queue (Number);
+               Queue.Delete (Number);
+               J.Busy := True;
+               J.Since := Now;
+               J.Process.Put_Line
+                 (J.Item.First'Image & J.Item.Second'Image
+                  & J.Item.Repetition'Image);
+               return;
+            end if;
+         end loop;
+      end Give;
 
       procedure Report (J : Job; Text : String) is
       begin
@@ -310,30 +343,15 @@ package body Fault_Runs is
       Left := Natural (Queue.Length);
 
       for J of All_Jobs loop
-         exit when Next > Natural (Queue.Length);
          Begin_Job (J);
-         J.Item := Queue.Element (Next);
-         Next := Next + 1;
-         J.Busy := True;
-         J.Since := Now;
-         J.Process.Put_Line
-           (J.Item.First'Image & J.Item.Second'Image
-            & J.Item.Repetition'Image);
+         Give (J);
       end loop;
 
       while Left > 0 loop
          for J of All_Jobs loop
-            if J.Busy then
-               Look (J);
-               if not J.Busy and then Next <= Natural (Queue.Length) then
-                  J.Item := Queue.Element (Next);
-                  Next := Next + 1;
-                  J.Busy := True;
-                  J.Since := Now;
-                  J.Process.Put_Line
-                    (J.Item.First'Image & J.Item.Second'Image
-                     & J.Item.Repetition'Image);
-               end if;
+            Look (J);
+            if not J.Busy then
+               Give (J);
             end if;
          end loop;
          if Now - Shown > 60.0 then

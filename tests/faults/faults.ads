@@ -28,6 +28,8 @@ package Faults is
       --  what the session must have when the fault comes
       Cost   : Duration := 1.0;
       --  about how long Inject and Lift take: the long ones are begun first
+      Heavy  : Boolean := False;
+      --  it takes a processor: no more than two at the same time
       Alone  : Boolean := False;
       --  it is not combined with others
    end record;

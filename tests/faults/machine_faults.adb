@@ -439,6 +439,8 @@ package body Machine_Faults is
         (Positive'Min
            (Most, Positive (System.Multiprocessors.Number_Of_CPUs)));
       W.Talk (Span (W.Source, 0.5, 1.5));
+      --  amid the load, not when it is over
+      W.Expect_Answers;
    end Inject;
 
    overriding procedure Lift (F : in out Busy; W : in out World) is

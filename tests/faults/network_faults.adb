@@ -402,9 +402,11 @@ package body Network_Faults is
 
    overriding procedure Inject (F : in out Scan; W : in out World) is
       pragma Unreferenced (F);
+      Count : constant Positive := Whole (W.Source, 50, 300);
    begin
-      Raw_Probes.Knock
-        (W.Address, W.Port, Whole (W.Source, 50, 300), W.Source);
+      Raw_Probes.Knock (W.Address, W.Port, Count, W.Source);
+      --  who comes later waits behind them; the one in command does not
+      W.Talk (Count * (Newcomer_Interval + 0.002), Calm => True);
    end Inject;
 
    ------------
@@ -547,9 +549,11 @@ package body Network_Faults is
               others   => <>));
       Add (new Crowd_Of_Clients'
              (Name     => Named ("1,000 connections at once"),
+              Cost     => 10.0,
               others   => <>));
       Add (new Scan'
              (Name     => Named ("port scan"),
+              Cost     => 2.0,
               others   => <>));
       Add (new Half_Open_Scan'
              (Name     => Named ("half-open port scan"),

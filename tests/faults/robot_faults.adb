@@ -407,6 +407,8 @@ package body Robot_Faults is
 
    begin
       for Number in 1 .. Whole (W.Source, 5, 30) loop
+         --  through an adapter that is not there nothing comes
+         exit when not W.Line_Works;
          W.Emulator.Tell
            ("unasked "
             & (if Chance (W.Source, 4) then Noise_Text

@@ -25,6 +25,9 @@ package Tolerances is
    Watchdog_Limit : constant Duration := 3.6;
    --  A robot with its watchdog on stands, so long after the last reload
 
+   Newcomer_Interval : constant Duration := 0.01;
+   --  The supervisor sees to one newcomer in so long, the next in the queue
+
    --  Granted
 
    Noise : constant Duration := 0.5;

@@ -31,6 +31,7 @@ package body Robot_Tests is
    procedure Reopened_At_Once;
    procedure Garbled;
    procedure Late_Answers;
+   procedure Late_Reopened;
    procedure Unasked_Bytes;
    procedure Noisy_Line;
    procedure Silent_When_Opened;
@@ -309,6 +310,30 @@ package body Robot_Tests is
          R.Monitor.Expect ("RCLS", "AACK");
       end loop;
    end Reopened_At_Once;
+
+   -----------------
+   -- Late_Reopened --
+   -----------------
+
+   procedure Late_Reopened is
+      --  A robot that was lost while it was started, and whose answers are
+      --  late when its line is opened again, is reset nevertheless
+      R    : Rig;
+      Item : Message;
+   begin
+      Assemble (R);
+      R.Monitor.Expect ("ROPN", "AACK");
+      R.Monitor.Expect ("RSOW", "AACK");
+      R.Emulator.Tell ("drop 1000");
+      Item := R.Monitor.Next_Of ("ATIM", Within => 2.0);
+      Check (Item.Number > 0, "no unasked ATIM");
+      R.Emulator.Tell ("drop 0");
+      R.Emulator.Tell ("delay 200");
+      R.Monitor.Expect ("ROPN", "AACK");
+      R.Emulator.Tell ("delay 0");
+      delay 0.5;
+      R.Monitor.Expect ("RSOW", "AACK");
+   end Late_Reopened;
 
    -------------
    -- Garbled --
@@ -999,6 +1024,7 @@ package body Robot_Tests is
       Add (Suite, "F09_Rule_6_Lost_Robot_Keeps_Camera",
            Lost_Keeps_Camera'Access);
       Add (Suite, "F09_Reopened_At_Once", Reopened_At_Once'Access);
+      Add (Suite, "F09_Late_When_Reopened", Late_Reopened'Access);
       Add (Suite, "F08_Garbled_Answers", Garbled'Access);
       Add (Suite, "F08_Late_Answers", Late_Answers'Access);
       Add (Suite, "F08_Unasked_Bytes", Unasked_Bytes'Access);

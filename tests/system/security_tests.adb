@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Who is let in: addresses, tokens, and that no token gets into the log.
 
+with Ada.Containers.Generic_Array_Sort;
 with Ada.Directories;
 with Ada.Streams.Stream_IO; use Ada.Streams;
 with Ada.Strings;           use Ada.Strings;
@@ -11,6 +12,7 @@ with Interfaces.C;          use Interfaces.C;
 
 with Child_Processes;       use Child_Processes;
 with Expectations;          use Expectations;
+with Floods;
 with Instants;              use Instants;
 with Libc;
 with Monitor_Clients;       use Monitor_Clients;
@@ -18,6 +20,7 @@ with Programs;
 with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
 with Supervisors;           use Supervisors;
+with System.Multiprocessors;
 
 package body Security_Tests is
 
@@ -53,6 +56,8 @@ package body Security_Tests is
    procedure Token_Late;
    procedure Eight_Silent;
    procedure Disturbs_Nobody;
+   procedure Flood_Of_Newcomers;
+   procedure Lines_Bit_By_Bit;
    procedure Waits_For_The_End;
    procedure Bad_Token_Files;
    procedure Unreadable_Token_File;
@@ -486,6 +491,123 @@ package body Security_Tests is
       end;
    end Expect_Warnings;
 
+   ------------------------
+   -- Flood_Of_Newcomers --
+   ------------------------
+
+   procedure Flood_Of_Newcomers is
+      --  Whoever connects is more urgent than the orders of the one in
+      --  command (th_server goes before th_move), but has a bounded share
+      use type System.Multiprocessors.CPU;
+
+      Interval : constant Duration := 0.01;
+      --  between two that are seen to, at least
+      Rounds   : constant := 100;
+      Between  : constant Duration := 0.02;
+      Grant    : constant Duration := 0.005;
+      --  on a shared machine
+
+      type Times is array (Positive range <>) of Duration;
+      procedure Sort is new Ada.Containers.Generic_Array_Sort
+        (Positive, Duration, Times);
+
+      R     : Rig;
+      Crowd : Floods.Flood;
+
+      function Median return Duration;
+      --  From an order to its answer
+
+      function Median return Duration is
+         Taken : Times (1 .. Rounds);
+         Start : Instant;
+         Late  : Natural := 0;
+      begin
+         for Item of Taken loop
+            Start := Now;
+            if R.Monitor.Ask ("RGFW").Label = "ATIM" then
+               Late := Late + 1;
+            end if;
+            Item := Now - Start;
+            delay Between;
+         end loop;
+         --  on a loaded machine the emulated robot is late now and then
+         Check (Late < Rounds / 4, Late'Image & " orders without an answer");
+         Sort (Taken);
+         return Taken (Rounds / 2);
+      end Median;
+
+      Quiet, Amid : Duration;
+      Start       : Instant;
+      Served      : Natural;
+   begin
+      Assemble
+        (R,
+         Supervisor_Options =>
+           (if System.Multiprocessors.Number_Of_CPUs > 1 then "--cpu 0"
+            else ""));
+      Move_Forward (R);
+      Quiet := Median;
+      Start := Now;
+      Crowd.Start (R.Supervisor.Port);
+      delay 0.1;
+      Amid := Median;
+      Served := Crowd.Served;
+      Note
+        ("order to answer " & Milliseconds (Quiet) & ", amid the flood "
+         & Milliseconds (Amid) & "," & Served'Image & " served in "
+         & Milliseconds (Now - Start));
+      Check
+        (Served <= Natural ((Now - Start) / Interval) + 1,
+         "more newcomers are seen to than one in " & Milliseconds (Interval));
+      Check
+        (Served >= Natural ((Now - Start) / Interval) / 20,
+         "hardly any newcomer is seen to");
+      Check
+        (Amid <= 2 * Quiet + Grant, "orders wait for newcomers");
+      --  the end of a session is seen to all the same, whoever is next
+      R.Monitor.Close;
+      R.Supervisor.Expect_Log ("session closed", Within => At_Once);
+      Crowd.Stop;
+   end Flood_Of_Newcomers;
+
+   ----------------------
+   -- Lines_Bit_By_Bit --
+   ----------------------
+
+   procedure Lines_Bit_By_Bit is
+      --  Those who send their lines in many pieces do not keep off who
+      --  sends his at once
+      S       : Supervisor;
+      M       : Client;
+      Slow    : Client_Array (1 .. 7);
+      Between : constant Duration := 0.05;
+      --  seven pieces, of which each takes 10 ms
+      Start   : Instant := Never;
+      Unused  : Boolean;
+   begin
+      S.Start ("--token " & Token_File);
+      M.Connect (S.Port);
+      delay 0.1;
+      for Other of Slow loop
+         Other.Connect (S.Port, Real_Time => False);
+      end loop;
+      delay 0.2;
+      for Piece in 1 .. 25 loop
+         for Other of Slow loop
+            Unused := Other.Try_Send ("A");
+         end loop;
+         if Piece = 3 then
+            Start := Now;
+            M.Send (Good_Line & "RPIN" & LF);
+         end if;
+         delay Between;
+         exit when M.Count > 0;
+      end loop;
+      Check (M.Next (At_Once).Label = "ANAK", "not admitted");
+      Note ("admitted after " & Milliseconds (Now - Start));
+      Check_Within (Now - Start, 0.3, "its admission");
+   end Lines_Bit_By_Bit;
+
    -------------------------------
    -- Line_Without_Token_Option --
    -------------------------------
@@ -852,6 +974,8 @@ package body Security_Tests is
       Add (Suite, "Security_Token_Late", Token_Late'Access);
       Add (Suite, "Security_Eight_Silent", Eight_Silent'Access);
       Add (Suite, "Security_Disturbs_Nobody", Disturbs_Nobody'Access);
+      Add (Suite, "Security_Flood_Of_Newcomers", Flood_Of_Newcomers'Access);
+      Add (Suite, "Security_Lines_Bit_By_Bit", Lines_Bit_By_Bit'Access);
       Add (Suite, "Security_Waits_For_The_End", Waits_For_The_End'Access);
       Add (Suite, "Security_Bad_Token_Files", Bad_Token_Files'Access);
       Add (Suite, "Security_Unreadable_Token_File",

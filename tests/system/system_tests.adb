@@ -16,7 +16,6 @@ with GNAT.OS_Lib;
 with System;
 
 with Camera_Tests;
-with Child_Processes;
 with Libc;
 with Monitor_Tests;
 with Never_Tests;
@@ -46,9 +45,7 @@ procedure System_Tests is
          accept Done;
       or
          delay Time_Limit;
-         Put_Line ("the run has not ended within its time");
-         Child_Processes.Stop_All;
-         GNAT.OS_Lib.OS_Exit (1);
+         Programs.Give_Up ("the run has not ended within its time");
       end select;
    end Guard;
 
@@ -114,10 +111,5 @@ begin
 
 exception
    when Occurrence : others =>
-      Put_Line
-        (Standard_Error,
-         Ada.Exceptions.Exception_Information (Occurrence));
-      Child_Processes.Stop_All;
-      Programs.Remove_Temporary_Folder;
-      GNAT.OS_Lib.OS_Exit (1);
+      Programs.Give_Up (Ada.Exceptions.Exception_Information (Occurrence));
 end System_Tests;

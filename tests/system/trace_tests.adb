@@ -8,6 +8,7 @@ with Ada.Text_IO;
 with Interfaces.C;          use Interfaces.C;
 
 with Expectations;          use Expectations;
+with Instants;              use Instants;
 with Libc;
 with Monitor_Clients;       use Monitor_Clients;
 with Process_Facts;
@@ -316,6 +317,24 @@ package body Trace_Tests is
 
    procedure Unusable_Files is
 
+      function Comes
+        (S : Supervisors.Supervisor; Text : String) return Boolean;
+      --  On its console, perhaps a moment after its end
+
+      function Comes
+        (S : Supervisors.Supervisor; Text : String) return Boolean
+      is
+         Limit : constant Instant := Now + 2.0;
+      begin
+         while Index (S.Log_Text & S.Output_Text, Text) = 0 loop
+            if Now > Limit then
+               return False;
+            end if;
+            delay 0.01;
+         end loop;
+         return True;
+      end Comes;
+
       procedure Refuse (Path, Reason : String);
       --  At the start, and by --check, which looks at the camera, too: it
       --  takes its time
@@ -329,10 +348,8 @@ package body Trace_Tests is
          begin
             S.Run (Options & "--port 0 --trace " & Path);
             Check (S.Exit_Status (Within => 15.0) = 1, "taken: " & Path);
-            delay 0.05;
             Check
-              (Index (S.Log_Text & S.Output_Text,
-                      Said & " " & Path & ": " & Reason) > 0,
+              (Comes (S, Said & " " & Path & ": " & Reason),
                "not said why: " & S.Log_Text & S.Output_Text);
             Check
               (Index (S.Log_Text, "listening on") = 0, "it listens: " & Path);
@@ -349,9 +366,8 @@ package body Trace_Tests is
       Refuse (Programs.Temporary_Folder, "Is a directory");
       S.Run ("--check --port 0 --trace " & Trace_Path & ".new");
       Check (S.Exit_Status (Within => 15.0) in 0 | 1, "--check");
-      delay 0.05;
       Check
-        (Index (S.Output_Text, "ok      trace file " & Trace_Path) > 0,
+        (Comes (S, "ok      trace file " & Trace_Path),
          "a good trace file is not reported: " & S.Output_Text);
       Check
         (not Ada.Directories.Exists (Trace_Path & ".new"),
@@ -363,17 +379,28 @@ package body Trace_Tests is
    ---------------
 
    procedure Full_Disk is
-      R : Rig;
+
+      procedure Fill (Path, Launcher, Reason : String);
+
+      procedure Fill (Path, Launcher, Reason : String) is
+         R : Rig;
+      begin
+         Assemble
+           (R, Supervisor_Options => "--trace " & Path,
+            Launcher => Launcher);
+         Move_Forward (R);
+         R.Supervisor.Send_Signal (Libc.Sigterm);
+         Check
+           (R.Supervisor.Exit_Status (Within => Writing_Time) = 0,
+            "exit status: " & R.Supervisor.Log_Text);
+         R.Supervisor.Expect_Log
+           ("the trace is not complete: " & Reason, Within => 1.0);
+         R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      end Fill;
+
    begin
-      Assemble (R, Supervisor_Options => "--trace /dev/full");
-      Move_Forward (R);
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check
-        (R.Supervisor.Exit_Status (Within => Writing_Time) = 0,
-         "exit status: " & R.Supervisor.Log_Text);
-      R.Supervisor.Expect_Log
-        ("the trace is not complete: No space left", Within => 1.0);
-      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      Fill ("/dev/full", "", "No space left");
+      Fill (Trace_Path, "prlimit --fsize=4096", "File too large");
    end Full_Disk;
 
    ------------

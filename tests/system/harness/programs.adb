@@ -1,14 +1,16 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Where the programs under test are.
+--  Where the programs under test are, and the end of them.
 
 with Ada.Command_Line;
 with Ada.Directories;       use Ada.Directories;
 with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;
 with GNAT.OS_Lib;
 with Interfaces.C;          use Interfaces.C;
 
+with Child_Processes;
 with Libc;
 
 package body Programs is
@@ -129,5 +131,23 @@ package body Programs is
    begin
       Remove (Folder_Of (Process));
    end Remove_Left;
+
+   -------------
+   -- Give_Up --
+   -------------
+
+   procedure Give_Up (Reason : String) is
+   begin
+      Child_Processes.Stop_All;
+      Remove_Temporary_Folder;
+      begin
+         Ada.Text_IO.Put_Line (Ada.Text_IO.Standard_Error, Reason);
+      exception
+         when Ada.Text_IO.Device_Error =>
+            --  nobody reads it any more
+            null;
+      end;
+      GNAT.OS_Lib.OS_Exit (1);
+   end Give_Up;
 
 end Programs;

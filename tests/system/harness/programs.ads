@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Where the programs under test are: beside the running one, unless told.
+--  Where the programs under test are: beside the running one, unless told;
+--  and what is left of them when a run is given up.
 
 with Interfaces.C;
 
@@ -23,5 +24,10 @@ package Programs is
 
    procedure Remove_Left (Process : Interfaces.C.int);
    --  The temporary folder of a process that was killed
+
+   procedure Give_Up (Reason : String) with No_Return;
+   --  Ends the run, exit status 1, whatever its tasks wait for: stops the
+   --  programs and removes the temporary folder, then says why, where that
+   --  can still be said
 
 end Programs;

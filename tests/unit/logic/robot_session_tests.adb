@@ -254,7 +254,10 @@ package body Robot_Session_Tests is
             Now.Closed := True;
             Follow ((True, others => <>));
          when Send =>
-            Assert (Next.Command = Wire.Stop, "only a stop goes blindly");
+            Assert (Next.Command = Wire.Stop
+                    or else (Next.Command.Kind = Wire.Reset
+                             and then H.Request.Kind = Open_Line),
+                    "only a stop goes blindly, and an opening's reset");
             Follow ((True, others => <>));
          when Exchange =>
             Assert (Line_Health.In_Step (S.Health), "exchanged in step");
@@ -496,7 +499,7 @@ package body Robot_Session_Tests is
          Carry_Out (S, Ping, "-", "~?!.C", (Timed_Out, 0, Robot_Lost));
          Assert (S = State'(others => <>), "at the fourth");
          Carry_Out (S, Ping, "", "", (Not_Open, 0, Nothing));
-         Carry_Out (S, Open_Line, "", "O~Vr", (Done, 0, Nothing));
+         Carry_Out (S, Open_Line, "", "O!r~Vr", (Done, 0, Nothing));
 
          --  A success in between, and the count begins again
 
@@ -521,21 +524,22 @@ package body Robot_Session_Tests is
    begin
       Carry_Out (S, Open_Line, "-", "O", (Not_Opened, 0, Nothing));
       Assert (not S.Line_Open, "not opened");
-      Carry_Out (S, Open_Line, "+++", "O~Vr", (Done, 0, Nothing));
+      Carry_Out (S, Open_Line, "+++", "O!r~Vr", (Done, 0, Nothing));
       Assert (S = Opened (Not_Started), "open, in step");
       S := (others => <>);
-      Carry_Out (S, Open_Line, "++E", "O~Vr", (Done, 0, Nothing));
+      Carry_Out (S, Open_Line, "++E", "O!r~Vr", (Done, 0, Nothing));
       Assert (S = Opened (Not_Started), "the robot did not run");
 
-      --  Its robot may be off: the line is open all the same
+      --  Its robot may be off: the line is open all the same. One that
+      --  answers late has been reset
 
       S := (others => <>);
-      Carry_Out (S, Open_Line, "+-", "O~V", (Done, 0, Nothing));
+      Carry_Out (S, Open_Line, "+-", "O!r~V", (Done, 0, Nothing));
       Assert (S.Line_Open and then S.Mode = Not_Started
               and then Line_Health.Failures (S.Health) = 1,
               "open, one failure");
       S := (others => <>);
-      Carry_Out (S, Open_Line, "++-", "O~Vr", (Done, 0, Nothing));
+      Carry_Out (S, Open_Line, "++-", "O!r~Vr", (Done, 0, Nothing));
       Assert (S.Line_Open and then S.Mode = Not_Started
               and then Line_Health.Failures (S.Health) = 1,
               "open, one failure");

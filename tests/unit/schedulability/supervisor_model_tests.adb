@@ -32,6 +32,7 @@ package body Supervisor_Model_Tests is
    procedure Test_Ceilings (T : in out Any_Test);
    procedure Test_Here (T : in out Any_Test);
    procedure Test_Cortex (T : in out Any_Test);
+   procedure Test_Flood (T : in out Any_Test);
    procedure Test_Report (T : in out Any_Test);
    procedure Test_Slow_Robot (T : in out Any_Test);
    procedure Test_Slow_Kernel (T : in out Any_Test);
@@ -135,6 +136,32 @@ package body Supervisor_Model_Tests is
       Assert (Deadlines_Met (Result), "a deadline is missed");
    end Test_Cortex;
 
+   ----------------
+   -- Test_Flood --
+   ----------------
+
+   procedure Test_Flood (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      On    : constant Machine :=
+        (Percent => 100 * Cortex_A53_Factor, Many => True);
+      Under : Load := Usual;
+      Quiet : Analysis;
+      Amid  : Analysis;
+   begin
+      Analyse (Of_The_Table, Real_Time_Apart, On, Under, Quiet);
+      Under.Flood := True;
+      Analyse (Of_The_Table, Real_Time_Apart, On, Under, Amid);
+      Assert (Promises_Kept (Amid), "a promise is broken");
+      Assert
+        (Amid.Requirements (F12_At_Robot).Bound
+           > Quiet.Requirements (F12_At_Robot).Bound,
+         "orders do not feel it");
+      Assert
+        (Amid.Requirements (F2_Admitted).Bound
+           > 2 * Amid.Bounds (Newcomer).Finish,
+         "newcomers do not wait");
+   end Test_Flood;
+
    -----------------
    -- Test_Report --
    -----------------
@@ -227,6 +254,8 @@ package body Supervisor_Model_Tests is
         (T, Test_Ceilings'Access, "no ceiling below a caller");
       Register_Routine (T, Test_Here'Access, "every deadline is met");
       Register_Routine (T, Test_Cortex'Access, "on a Cortex-A53 too");
+      Register_Routine
+        (T, Test_Flood'Access, "a flood of newcomers is borne");
       Register_Routine
         (T, Test_Report'Access, "the report's priorities miss F11 and F12");
       Register_Routine (T, Test_Slow_Robot'Access, "a slow robot is seen");

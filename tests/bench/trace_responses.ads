@@ -1,0 +1,47 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The response times of the tasks, out of a file of --trace, beside the
+--  bounds of the response-time analysis.
+
+with Budgets;
+with Samples;
+
+package Trace_Responses is
+
+   --  An activity is what the analysis calls one: what a task does between
+   --  two waits. Its response is the time from its release to its end. What
+   --  releases it:
+   --    - the clock: the nominal instant;
+   --    - another task: the moment in which it signals the event, but for
+   --      the owner of the line not before it has ended the transaction
+   --      before (the analysis takes these for one after the other);
+   --    - the kernel (socket, robot's answer, camera): when the task has
+   --      seen it. The kernel's own latency is missing there.
+
+   type Response is record
+      Times : Samples.Set;
+      Bound : Duration := 0.0;
+      --  of this machine; 0.0: the analysis has none
+      Above : Natural  := 0;
+      --  how many were longer
+   end record;
+
+   type Response_Array is array (Budgets.Activity_Name) of Response;
+
+   procedure Read
+     (Path   : String;
+      Apart  : Boolean;
+      Result : out Response_Array);
+   --  Apart: the supervisor ran with --cpu. Raises Trace_Files.Bad_Trace
+   --  where Path is no trace
+
+   function Name_Of (Name : Budgets.Activity_Name) return String;
+   --  Of its task, and what part of its work it is
+
+   procedure Report (Path : String);
+   --  Of the trace in the file Path; where it is empty, of one that is made
+   --  first, under the load that the analysis takes for granted: 20 commands
+   --  a second, images with positions, and two busy loops. The supervisor
+   --  runs with --cpu, where there is more than one processor, and so must
+   --  have that of the file
+
+end Trace_Responses;
