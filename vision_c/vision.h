@@ -34,7 +34,8 @@ typedef enum {
   VISION_NO_IMAGE = 3,    /* the source delivered nothing usable */
   VISION_TOO_SMALL = 4,   /* the caller's buffer cannot hold the result */
   VISION_BAD_ARGUMENT = 5,
-  VISION_FAILED = 6       /* OpenCV failed inside */
+  VISION_FAILED = 6       /* OpenCV failed inside, or the camera's JPEG
+                             cannot be decoded */
 } vision_status;
 
 typedef enum {
@@ -47,6 +48,12 @@ typedef struct { double x, y; } vision_point;
 /* The four inner corners of the arena's white border, in the order top
  * left, top right, bottom right, bottom left as the image shows them. */
 typedef struct { vision_point corner[4]; } vision_arena;
+
+/* A square of the image: its middle, and half its side. */
+typedef struct {
+  vision_point centre;
+  double reach;
+} vision_area;
 
 typedef struct {
   int id;                  /* 0 .. 999; 0 for a triangle */
@@ -61,14 +68,21 @@ typedef struct {
  * to fit WIDTH x HEIGHT, its proportions kept, when the source delivers
  * another size. SOURCE stays the caller's. An open source is closed first.
  * May take as long as the source does, 5 s at most for a URL.
- * VISION_NO_CAMERA when it cannot be opened or gives no first image. */
+ * VISION_NO_CAMERA when it cannot be opened or gives no first image.
+ *
+ * Where the source has JPEG itself (Motion JPEG in an HTTP stream or a file,
+ * a V4L2 camera that grants MJPG), that is what is stored: it is decoded in
+ * the first function that needs pixels, in its thread, and encoded again
+ * only where something has been drawn in it or its size is not that asked
+ * for. */
 vision_status vision_open(const char *source, int width, int height, int fps);
 
 /* Waits for the next image of the open source and stores it in SLOT.
  * Paced by the source; a file is paced at its own rate (a still image at
  * 25 a second). VISION_NO_IMAGE when a URL ends, or after 2 s without an
- * image (3 s where damaged ones came), where the source lets itself be
- * interrupted. What a live source delivers waits in buffers of the system
+ * image (4 s where damaged ones came), where the source lets itself be
+ * interrupted. Damaged: no image, or, of a JPEG, a head from which nothing
+ * can be decoded; one that is damaged or ends further behind is stored. What a live source delivers waits in buffers of the system
  * and grows old there unless it is grabbed as fast as it comes. */
 vision_status vision_grab(int slot);
 
@@ -92,14 +106,29 @@ vision_status vision_find_robots(int slot, vision_marker marker,
                                  vision_robot *robots, int capacity,
                                  int *count);
 
+/* The same where the robots are known to be: in AREAS only, as long as the
+ * rest of the image (or of the arena) looks as it did when the calling thread
+ * searched it last, here or in vision_find_robots. VISION_NOT_FOUND, too,
+ * where it does not: search everywhere then. What is found is found with the
+ * same result. */
+vision_status vision_follow_robots(int slot, vision_marker marker,
+                                   const vision_arena *arena,
+                                   const vision_area *areas, int area_count,
+                                   vision_robot *robots, int capacity,
+                                   int *count);
+
 /* Draw into the image of SLOT; after the searches, from which drawings hide
  * what they look for. */
 vision_status vision_draw_arena(int slot, const vision_arena *arena);
 vision_status vision_draw_robot(int slot, const vision_robot *robot);
 
-/* Encodes the image of SLOT as JPEG, QUALITY 1 .. 100, into BUFFER of
- * CAPACITY bytes; LENGTH is how many were written. VISION_TOO_SMALL when
- * they do not fit (nothing is written then). */
+/* Writes the image of SLOT as JPEG into BUFFER of CAPACITY bytes; LENGTH is
+ * how many were written. The camera's own bytes, up to the end of the image,
+ * whatever QUALITY says, where they show the image as it is to be, fit, and
+ * are what any viewer takes: one scan, Huffman's code with its tables, an
+ * end, no marker that is out of place. Else the image is encoded, QUALITY
+ * 1 .. 100. VISION_TOO_SMALL when it does not fit (what BUFFER holds is
+ * undefined then). */
 vision_status vision_encode(int slot, int quality, unsigned char *buffer,
                             int capacity, int *length);
 
@@ -107,6 +136,12 @@ vision_status vision_encode(int slot, int quality, unsigned char *buffer,
  * without padding. The memory stays the caller's. */
 vision_status vision_load(int slot, const unsigned char *bgr, int width,
                           int height);
+
+/* Stores a JPEG from memory in SLOT, as vision_grab does with a camera's,
+ * to be fitted to WIDTH x HEIGHT. The memory stays the caller's.
+ * VISION_NO_IMAGE when it is damaged. */
+vision_status vision_load_jpeg(int slot, const unsigned char *jpeg,
+                               int length, int width, int height);
 
 /* What went wrong last in the calling thread, for a log: never null, valid
  * until the next call from this thread. */

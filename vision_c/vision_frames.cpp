@@ -12,7 +12,6 @@
 
 #include <opencv2/core/ocl.hpp>
 #include <opencv2/core/utility.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 namespace vision {
@@ -61,6 +60,36 @@ vision_status fail(vision_status status, const char *format, ...) {
   return status;
 }
 
+cv::Size fitting(const cv::Size &from, const cv::Size &limit) {
+  const double share = std::min(double(limit.width) / from.width,
+                                double(limit.height) / from.height);
+  return {std::max(1, cvRound(from.width * share)),
+          std::max(1, cvRound(from.height * share))};
+}
+
+void scale(cv::Mat &from, cv::Mat &to, const cv::Size &size) {
+  if (size == from.size())
+    std::swap(from, to);
+  else
+    cv::resize(from, to, size, 0, 0,
+               size.area() < from.size().area() ? cv::INTER_AREA
+                                                : cv::INTER_LINEAR);
+}
+
+bool make_pixels(Frame &here) {
+  if (here.content != Frame::Content::jpeg)
+    return true;
+  const cv::Size size = here.size();
+  if (!decode(here.jpeg, size, here.unscaled))
+    return false;
+  const bool is_large = here.unscaled.size() != size;
+  scale(here.unscaled, here.image, size);
+  if (is_large)
+    here.unscaled.release();  // a slot does not keep an image of 4K
+  here.content = Frame::Content::jpeg_and_pixels;
+  return true;
+}
+
 bool sound(const vision_arena &arena) {
   for (const vision_point &corner : arena.corner)
     if (!sound(corner))
@@ -73,17 +102,18 @@ bool sound(const vision_arena &arena) {
 using vision::fail;
 using vision::Frame;
 using vision::guarded;
+using vision::on_frame;
 using vision::on_image;
 using vision::sound;
 
 extern "C" {
 
 vision_status vision_size(int slot, int *width, int *height) {
-  return on_image(slot, [&](const Frame &here) {
+  return on_frame(slot, [&](const Frame &here) {
     if (width == nullptr || height == nullptr)
       return fail(VISION_BAD_ARGUMENT, "no place for the size");
-    *width = here.image.cols;
-    *height = here.image.rows;
+    *width = here.size().width;
+    *height = here.size().height;
     return VISION_OK;
   });
 }
@@ -98,6 +128,28 @@ vision_status vision_load(int slot, const unsigned char *bgr, int width,
                   width, height, slot);
     here->image.create(height, width, CV_8UC3);
     std::memcpy(here->image.data, bgr, std::size_t(width) * height * 3);
+    here->content = Frame::Content::pixels;
+    return VISION_OK;
+  });
+}
+
+vision_status vision_load_jpeg(int slot, const unsigned char *jpeg,
+                               int length, int width, int height) {
+  return guarded([&] {
+    Frame *const here = vision::frame(slot);
+    if (here == nullptr || jpeg == nullptr || length < 1 || width < 1 ||
+        height < 1 || width > VISION_MAX_SIDE || height > VISION_MAX_SIDE)
+      return fail(VISION_BAD_ARGUMENT, "cannot load %d bytes into slot %d",
+                  length, slot);
+    const cv::Mat bytes(1, length, CV_8UC1,
+                        const_cast<unsigned char *>(jpeg));
+    vision::Jpeg_Facts facts;
+    if (!vision::examine(bytes, facts))
+      return VISION_NO_IMAGE;
+    bytes.copyTo(here->jpeg);
+    here->facts = facts;
+    here->limit = {width, height};
+    here->content = Frame::Content::jpeg;
     return VISION_OK;
   });
 }
@@ -111,6 +163,7 @@ vision_status vision_draw_arena(int slot, const vision_arena *arena) {
       cv::line(here.image, vision::fine(arena->corner[k]),
                vision::fine(arena->corner[(k + 1) % 4]), green,
                vision::thickness(here.image), cv::LINE_AA, vision::shift);
+    here.content = Frame::Content::pixels;
     return VISION_OK;
   });
 }
@@ -145,6 +198,7 @@ vision_status vision_draw_robot(int slot, const vision_robot *robot) {
     for (const int pass : {2, 0})  // dark outline, then the text itself
       cv::putText(here.image, text, below, cv::FONT_HERSHEY_SIMPLEX, size,
                   pass ? black : yellow, (thick + 1) / 2 + pass, cv::LINE_AA);
+    here.content = Frame::Content::pixels;
     return VISION_OK;
   });
 }
@@ -153,21 +207,22 @@ vision_status vision_encode(int slot, int quality, unsigned char *buffer,
                             int capacity, int *length) {
   if (length != nullptr)
     *length = 0;
-  return on_image(slot, [&](Frame &here) {
+  return on_frame(slot, [&](Frame &here) {
     if (length == nullptr || buffer == nullptr || capacity < 0 ||
         quality < 1 || quality > 100)
       return fail(VISION_BAD_ARGUMENT,
                   "cannot encode at quality %d into %d bytes", quality,
                   capacity);
-    here.encoding.assign({cv::IMWRITE_JPEG_QUALITY, quality});
-    if (!cv::imencode(".jpg", here.image, here.encoded, here.encoding))
-      return fail(VISION_FAILED, "the image cannot be encoded");
-    if (here.encoded.size() > std::size_t(capacity))
-      return fail(VISION_TOO_SMALL, "the JPEG has %zu bytes, the buffer %d",
-                  here.encoded.size(), capacity);
-    std::memcpy(buffer, here.encoded.data(), here.encoded.size());
-    *length = int(here.encoded.size());
-    return VISION_OK;
+    const cv::Size delivered(here.facts.width, here.facts.height);
+    if (here.holds_jpeg() && here.size() == delivered &&
+        here.facts.whole > 0 && here.facts.whole <= std::size_t(capacity)) {
+      std::memcpy(buffer, here.jpeg.data, here.facts.whole);
+      *length = int(here.facts.whole);
+      return VISION_OK;
+    }
+    if (!vision::make_pixels(here))
+      return VISION_FAILED;
+    return vision::encode(here.image, quality, buffer, capacity, *length);
   });
 }
 

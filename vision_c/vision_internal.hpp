@@ -4,9 +4,9 @@
 #ifndef VISION_INTERNAL_HPP
 #define VISION_INTERNAL_HPP
 
+#include <cstddef>
 #include <exception>
 #include <new>
-#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -14,18 +14,67 @@
 
 namespace vision {
 
+// What is known of a JPEG without decoding it.
+struct Jpeg_Facts {
+  int width = 0, height = 0;
+  std::size_t whole = 0;  // bytes up to its end, if it can be passed on as it
+                          // is; else 0
+};
+
+// Looks at the head of a JPEG, and at the rest for what is no part of an
+// image. False, with a reason, where it cannot be decoded.
+bool examine(const cv::Mat &bytes, Jpeg_Facts &facts);
+
+// Decodes as far as the bytes are good; to a half, quarter or eighth of its
+// size where that is SIZE still or more. False, with a reason, where it
+// cannot be done.
+bool decode(const cv::Mat &bytes, const cv::Size &size, cv::Mat &image);
+
+// Encodes into BUFFER; what is in it is undefined unless VISION_OK.
+vision_status encode(const cv::Mat &image, int quality, unsigned char *buffer,
+                     int capacity, int &length);
+
+// The largest size of the proportions of FROM that fits into LIMIT.
+cv::Size fitting(const cv::Size &from, const cv::Size &limit);
+
+// Makes TO of SIZE from FROM; of the same size they swap, so that the buffers
+// go round and nothing is copied.
+void scale(cv::Mat &from, cv::Mat &to, const cv::Size &size);
+
 // An image and what the work on it needs. Everything is reused from one
 // image to the next, so that nothing is allocated once sizes have settled.
 struct Frame {
-  cv::Mat image;               // 8-bit BGR, empty until something is stored
+  // What a slot holds. A camera's own JPEG is decoded when its pixels are
+  // needed first, and passed on as it is until something is drawn in it.
+  enum class Content { nothing, pixels, jpeg, jpeg_and_pixels };
+
+  Content content = Content::nothing;
+  cv::Mat image;               // 8-bit BGR
+  cv::Mat jpeg;                // one row of bytes
+  Jpeg_Facts facts;            // about it
+  cv::Size limit;              // what it is to be scaled to fit
+  cv::Mat unscaled;            // as decoded
   cv::Mat grey, smooth;        // the searches' own
-  cv::Mat small, gradient, transposed, mask;
-  std::vector<unsigned char> encoded;
-  std::vector<int> encoding;   // parameters of the JPEG encoder
+  cv::Mat small, gradient, transposed, mask, tiles;
+
+  bool holds_jpeg() const {
+    return content == Content::jpeg || content == Content::jpeg_and_pixels;
+  }
+
+  // Of the image, decoded or not.
+  cv::Size size() const {
+    return content == Content::jpeg
+               ? fitting({facts.width, facts.height}, limit)
+               : image.size();
+  }
 };
 
 // The frame of a slot, null when there is no such slot.
 Frame *frame(int slot);
+
+// Decodes what a frame holds if need be. False, with a reason, where that
+// cannot be done.
+bool make_pixels(Frame &here);
 
 // Notes why the calling thread's operation fails, and returns the status.
 vision_status fail(vision_status status, const char *format, ...)
@@ -47,16 +96,24 @@ template <typename Operation> vision_status guarded(Operation operation) {
   }
 }
 
-// The same for an operation on the image of a slot, which has to be there.
+// The same for an operation on a slot, which has to hold an image.
 template <typename Operation>
-vision_status on_image(int slot, Operation operation) {
+vision_status on_frame(int slot, Operation operation) {
   return guarded([&] {
     Frame *const here = frame(slot);
     if (here == nullptr)
       return fail(VISION_BAD_ARGUMENT, "no slot %d", slot);
-    if (here->image.empty())
+    if (here->content == Frame::Content::nothing)
       return fail(VISION_BAD_ARGUMENT, "no image in slot %d", slot);
     return operation(*here);
+  });
+}
+
+// The same for an operation on the pixels of the image.
+template <typename Operation>
+vision_status on_image(int slot, Operation operation) {
+  return on_frame(slot, [&](Frame &here) {
+    return make_pixels(here) ? operation(here) : VISION_FAILED;
   });
 }
 

@@ -226,77 +226,110 @@ bool map_of(const Point *from, const Point *to, Map &map) {
   return true;
 }
 
+// A pixel of a shape: where it is, how bright, and what brightness gains by a
+// change of each parameter of its map to the image, of offset and contrast.
+struct Pixel {
+  double x, y, value;
+  std::array<double, 8> gain;
+};
+
+// The pixels of SHAPE (float, 0 .. 1) that USED marks and MAP has in the
+// image, every second in each direction.
+void choose_pixels(const cv::Mat &grey, const cv::Mat &shape,
+                   const cv::Mat &used, const Map &map,
+                   std::vector<Pixel> &pixels) {
+  constexpr int stride = 2;
+  pixels.clear();
+  for (int y = 1; y < shape.rows - 1; y += stride)
+    for (int x = 1; x < shape.cols - 1; x += stride) {
+      if (!used.at<uchar>(y, x) || !in_image(grey, apply(map, Point(x, y))))
+        continue;
+      const double dx =
+          (shape.at<float>(y, x + 1) - shape.at<float>(y, x - 1)) / 2;
+      const double dy =
+          (shape.at<float>(y + 1, x) - shape.at<float>(y - 1, x)) / 2;
+      const double value = shape.at<float>(y, x);
+      pixels.push_back({double(x), double(y), value,
+                        {dx * x, dx * y, dx, dy * x, dy * y, dy, 1.0, value}});
+    }
+}
+
 // Moves MAP so that SHAPE (float, 0 .. 1) lies on its image best, by least
 // squares (Gauss-Newton) over the pixels that USED marks; contrast and
 // brightness are fitted with it. DISTANCE is what remains, grey levels over
 // contrast. False where the shape slips away.
+//
+// The steps are taken in the shape's own coordinates: there the gradients,
+// and so the normal equations, are the same in every round.
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            Map &map, double &distance) {
-  using Vector = cv::Matx<double, 8, 1>;
-  constexpr int stride = 2;
+  using Normal = cv::Matx<double, 8, 8>;
+  constexpr int rounds = 8;
+  constexpr double enough = 1e-4;  // pixels of the image
+  static thread_local std::vector<Pixel> pixels;
   const Map start = map;
+  const Point extent(shape.cols, shape.rows);
   double offset = 0.0, contrast = 0.0;
 
-  for (int round = 0; round < 8; ++round) {
-    const double area = map(0, 0) * map(1, 1) - map(0, 1) * map(1, 0);
-    if (area < 1e-4)
-      return false;
-    cv::Matx<double, 8, 8> normal = cv::Matx<double, 8, 8>::zeros();
-    Vector right = Vector::zeros();
+  choose_pixels(grey, shape, used, map, pixels);
+  if (pixels.size() < 64)
+    return false;
+  Normal normal = Normal::zeros();
+  for (const Pixel &pixel : pixels)
+    for (int i = 0; i < 8; ++i)
+      for (int j = 0; j <= i; ++j)
+        normal(i, j) += pixel.gain[i] * pixel.gain[j];
+  for (int i = 0; i < 8; ++i)
+    for (int j = i + 1; j < 8; ++j)
+      normal(i, j) = normal(j, i);
+  bool solved = false;
+  const Normal inverse = normal.inv(cv::DECOMP_CHOLESKY, &solved);
+  const double number = normal(6, 6), sum = normal(6, 7);
+  const double spread = number * normal(7, 7) - sum * sum;
+  if (!solved || spread <= 0.0)
+    return false;
+
+  for (int round = 0; round < rounds; ++round) {
+    std::array<double, 8> right{};
     double squares = 0.0;
-    int count = 0;
-    for (int y = 1; y < shape.rows - 1; y += stride)
-      for (int x = 1; x < shape.cols - 1; x += stride) {
-        const Point at = apply(map, Point(x, y));
-        if (!used.at<uchar>(y, x) || !in_image(grey, at))
-          continue;
-        const double value = shape.at<float>(y, x);
-        const double dx =
-            contrast / 2 *
-            (shape.at<float>(y, x + 1) - shape.at<float>(y, x - 1));
-        const double dy =
-            contrast / 2 *
-            (shape.at<float>(y + 1, x) - shape.at<float>(y - 1, x));
-        // The shape's gradient as the image has it.
-        const double gx = (map(1, 1) * dx - map(1, 0) * dy) / area;
-        const double gy = (map(0, 0) * dy - map(0, 1) * dx) / area;
-        const double rest = sample(grey, at) - offset - contrast * value;
-        const double row[8] = {gx * x, gx * y, gx, gy * x,
-                               gy * y, gy,     -1, -value};
-        for (int i = 0; i < 8; ++i) {
-          right(i) -= row[i] * rest;
-          for (int j = 0; j <= i; ++j)
-            normal(i, j) += row[i] * row[j];
-        }
-        squares += rest * rest;
-        ++count;
-      }
-    if (count < 64)
-      return false;
-    distance = std::sqrt(squares / count) / std::max(1.0, contrast);
-    for (int i = 0; i < 8; ++i) {
-      if (round == 0 && i < 6) {
-        // The contrast first: without it there is no gradient.
-        for (int j = 0; j < 8; ++j)
-          normal(i, j) = normal(j, i) = i == j;
-        right(i) = 0;
-      }
-      for (int j = i + 1; j < 8; ++j)
-        normal(i, j) = normal(j, i);
+    for (const Pixel &pixel : pixels) {
+      const double rest =
+          sample(grey, apply(map, Point(pixel.x, pixel.y))) - offset -
+          contrast * pixel.value;
+      for (int i = 0; i < 8; ++i)
+        right[i] += pixel.gain[i] * rest;
+      squares += rest * rest;
     }
-    bool solved = false;
-    const cv::Matx<double, 8, 8> inverse =
-        normal.inv(cv::DECOMP_CHOLESKY, &solved);
-    if (!solved)
+    distance = std::sqrt(squares / number) / std::max(1.0, contrast);
+    if (round == 0) {
+      // Brightness and contrast first: without them there is no gradient.
+      offset = (normal(7, 7) * right[6] - sum * right[7]) / spread;
+      contrast = (number * right[7] - sum * right[6]) / spread;
+      if (contrast < 1.0)
+        return false;
+      continue;
+    }
+    std::array<double, 8> change{};
+    for (int i = 0; i < 8; ++i)
+      for (int j = 0; j < 8; ++j)
+        change[i] += inverse(i, j) * right[j];
+    // What is to be moved in the shape is to be moved back in the image.
+    const Map before = map;
+    for (int row = 0; row < 2; ++row)
+      for (int column = 0; column < 3; ++column)
+        map(row, column) -= (before(row, 0) * change[column] +
+                             before(row, 1) * change[3 + column]) /
+                            contrast;
+    offset += change[6];
+    contrast += change[7];
+    if (contrast < 1.0 ||
+        map(0, 0) * map(1, 1) - map(0, 1) * map(1, 0) < 1e-4)
       return false;
-    const Vector change = inverse * right;
-    for (int i = 0; i < 6; ++i)
-      map(i / 3, i % 3) += change(i);
-    offset += change(6);
-    contrast += change(7);
+    if (length(apply(map, extent) - apply(before, extent)) < enough &&
+        length(apply(map, Point()) - apply(before, Point())) < enough)
+      break;
   }
 
-  const Point extent(shape.cols, shape.rows);
   return contrast > 20.0 &&
          length(apply(map, extent) - apply(start, extent)) < 4.0 &&
          length(apply(map, Point()) - apply(start, Point())) < 4.0;
@@ -540,19 +573,25 @@ vision_status find_arena(Frame &here, vision_arena &arena) {
 // The part of the image that is searched, and how.
 struct Search {
   cv::Rect box;
+  double scope = 0.0;          // longest side of what a search everywhere has
   bool bounded = false;        // by the arena
-  std::array<Point, 4> field;  // in the box
+  std::array<Point, 4> field;
   double slack = 0.0;  // pixels that a centre may lie outside the field
   double width = 0.0;  // of the field, pixels
 };
+
+bool is_worth_it(const cv::Rect &box) {
+  return box.width >= 16 && box.height >= 16;
+}
 
 // False where there is too little to search in.
 bool limit(const Frame &here, const vision_arena *arena, Search &search) {
   const cv::Rect all(cv::Point(), here.image.size());
   search.box = all;
   search.width = 0.85 * here.image.cols;
+  search.scope = std::max(all.width, all.height);
   if (arena == nullptr)
-    return search.box.width >= 16 && search.box.height >= 16;
+    return is_worth_it(search.box);
 
   double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
   for (const vision_point &corner : arena->corner) {
@@ -570,15 +609,15 @@ bool limit(const Frame &here, const vision_arena *arena, Search &search) {
                                         cvFloor(top - margin)),
                               cv::Point(cvCeil(right + margin),
                                         cvCeil(bottom + margin)));
+  search.scope = std::max(search.box.width, search.box.height);
   for (int k = 0; k < 4; ++k)
-    search.field[k] = Point(arena->corner[k].x - search.box.x,
-                            arena->corner[k].y - search.box.y);
-  return search.box.width >= 16 && search.box.height >= 16;
+    search.field[k] = Point(arena->corner[k].x, arena->corner[k].y);
+  return is_worth_it(search.box);
 }
 
 bool in_field(const Search &search, const Point &centre) {
-  return !search.bounded ||
-         depth(centre, search.field.data(), 4) >= -search.slack;
+  return !search.bounded || depth(centre + Point(search.box.tl()),
+                                  search.field.data(), 4) >= -search.slack;
 }
 
 vision_robot make_robot(int id, const Point &centre, const Point &direction,
@@ -606,25 +645,30 @@ public:
 
 #ifdef VISION_ARUCO_IN_OBJDETECT
   Aruco() {
-    const auto dictionary = cv::aruco::getPredefinedDictionary(which);
     cv::aruco::DetectorParameters parameters;
     tune(parameters);
-    detector = cv::aruco::ArucoDetector(dictionary, parameters);
-    learn(dictionary);
+    detector = cv::aruco::ArucoDetector(
+        cv::aruco::getPredefinedDictionary(smallest), parameters);
+    learn(cv::aruco::getPredefinedDictionary(which));
   }
 
-  void detect(const cv::Mat &grey) {
+  void detect(const cv::Mat &grey, double scope) {
+    cv::aruco::DetectorParameters parameters =
+        detector.getDetectorParameters();
+    limit_sizes(parameters, grey, scope);
+    detector.setDetectorParameters(parameters);
     detector.detectMarkers(grey, known, ids, others);
   }
 #else
   Aruco()
-      : dictionary(cv::aruco::getPredefinedDictionary(which)),
+      : dictionary(cv::aruco::getPredefinedDictionary(smallest)),
         parameters(cv::aruco::DetectorParameters::create()) {
     tune(*parameters);
-    learn(*dictionary);
+    learn(*cv::aruco::getPredefinedDictionary(which));
   }
 
-  void detect(const cv::Mat &grey) {
+  void detect(const cv::Mat &grey, double scope) {
+    limit_sizes(*parameters, grey, scope);
     cv::aruco::detectMarkers(grey, dictionary, known, ids, parameters, others);
   }
 #endif
@@ -641,6 +685,8 @@ public:
 
 private:
   static constexpr auto which = cv::aruco::DICT_4X4_1000;
+  // What OpenCV compares each candidate with, for nothing.
+  static constexpr auto smallest = cv::aruco::DICT_4X4_50;
   std::vector<int> ids;
   std::vector<int> meaning = std::vector<int>(1 << 16, -1);
 #ifdef VISION_ARUCO_IN_OBJDETECT
@@ -654,8 +700,16 @@ private:
     parameters.adaptiveThreshWinSizeMin = 11;
     parameters.adaptiveThreshWinSizeMax = 27;
     parameters.adaptiveThreshWinSizeStep = 16;
-    parameters.minMarkerPerimeterRate = 0.05;
     parameters.polygonalApproxAccuracyRate = 0.05;
+  }
+
+  // A marker is as small or large as it may be in all of SCOPE, whatever
+  // part of it is searched.
+  static void limit_sizes(cv::aruco::DetectorParameters &parameters,
+                          const cv::Mat &grey, double scope) {
+    const double share = scope / std::max(grey.cols, grey.rows);
+    parameters.minMarkerPerimeterRate = 0.05 * share;
+    parameters.maxMarkerPerimeterRate = 4.0 * share;
   }
 
   void learn(const cv::aruco::Dictionary &dictionary) {
@@ -758,7 +812,18 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
 void find_markers(Frame &here, const Search &search,
                   std::vector<vision_robot> &robots) {
   static thread_local Aruco aruco;
-  aruco.detect(here.smooth);
+  // A marker is a candidate more than once: its outlines, and thresholds.
+  const auto is_known = [&](int id, const std::array<Point, 4> &corner) {
+    const Point centre =
+        (corner[0] + corner[2]) / 2 + Point(search.box.tl());
+    return std::any_of(
+        robots.begin(), robots.end(), [&](const vision_robot &robot) {
+          return robot.id == id &&
+                 std::hypot(robot.centre.x - centre.x,
+                            robot.centre.y - centre.y) < 4.0;
+        });
+  };
+  aruco.detect(here.smooth, search.scope);
   for (const std::vector<Corners> *list : {&aruco.known, &aruco.others})
     for (const Corners &candidate : *list) {
       std::array<Point, 4> corner;
@@ -773,7 +838,7 @@ void find_markers(Frame &here, const Search &search,
       if (!refine(here.smooth, corner.data(), 4, Bright::outside, reach,
                   0.12) ||
           !read_bits(read_modules(here.smooth, corner), bits) ||
-          !aruco.identify(bits, id, turns) ||
+          !aruco.identify(bits, id, turns) || is_known(id, corner) ||
           !align_marker(here.smooth, bits, corner))
         continue;
       // Turned so often, its top left corner is where that one is.
@@ -896,6 +961,73 @@ void find_triangles(Frame &here, const Search &search,
   }
 }
 
+// ---------------------------------------------------------------- Following
+
+// What each tile of the image looked like when it was searched last. As long
+// as one that is not searched looks the same, nothing has come there.
+struct Watch {
+  static constexpr int across = 80;   // tiles, along the longer side
+  static constexpr int samples = 4;   // of a tile, in each direction: green
+  static constexpr int change = 24;   // grey levels that are one: four times
+                                      // what a noise of 15 amounts to
+  cv::Mat seen;  // CV_16SC1, a tile a pixel: the sum of its samples
+
+  void look(const cv::Mat &image, cv::Mat &now, int &side) const;
+};
+
+void Watch::look(const cv::Mat &image, cv::Mat &now, int &side) const {
+  side = std::max(samples, (std::max(image.cols, image.rows) + across - 1) /
+                               across);
+  now.create(image.rows / side, image.cols / side, CV_16SC1);
+  std::array<int, samples> place;
+  for (int x = 0; x < samples; ++x)
+    place[x] = 3 * (x * side / samples) + 1;
+  for (int row = 0; row < now.rows; ++row) {
+    short *const sums = now.ptr<short>(row);
+    std::fill(sums, sums + now.cols, short(0));
+    for (int y = 0; y < samples; ++y) {
+      const uchar *next = image.ptr<uchar>(row * side + y * side / samples);
+      for (int column = 0; column < now.cols; ++column, next += 3 * side)
+        sums[column] =
+            short(sums[column] + next[place[0]] + next[place[1]] +
+                  next[place[2]] + next[place[3]]);
+    }
+  }
+}
+
+thread_local Watch watch;
+
+// The tiles that a part of the image touches.
+cv::Rect tiles_of(const cv::Rect &part, int side, const cv::Mat &tiles) {
+  const cv::Point first(part.x / side, part.y / side);
+  const cv::Point last((part.x + part.width + side - 1) / side,
+                       (part.y + part.height + side - 1) / side);
+  return cv::Rect(first, last) & cv::Rect(cv::Point(), tiles.size());
+}
+
+// Everything has been searched.
+void note_all(Frame &here) {
+  int side = 0;
+  watch.look(here.image, watch.seen, side);
+}
+
+// Whether something in WHOLE but not in PARTS has changed since it has been
+// searched. The parts count as searched then.
+bool has_changed(Frame &here, const cv::Rect &whole,
+                 const std::vector<cv::Rect> &parts) {
+  int side = 0;
+  watch.look(here.image, here.tiles, side);
+  if (here.tiles.size() != watch.seen.size())
+    return true;
+  for (const cv::Rect &part : parts) {
+    const cv::Rect tiles = tiles_of(part, side, here.tiles);
+    here.tiles(tiles).copyTo(watch.seen(tiles));
+  }
+  const cv::Rect tiles = tiles_of(whole, side, here.tiles);
+  return cv::norm(here.tiles(tiles), watch.seen(tiles), cv::NORM_INF) >
+         Watch::change * Watch::samples * Watch::samples;
+}
+
 // Of robots found twice at one place, one is enough.
 void drop_doubles(std::vector<vision_robot> &robots) {
   std::stable_sort(robots.begin(), robots.end(),
@@ -907,6 +1039,50 @@ void drop_doubles(std::vector<vision_robot> &robots) {
                                       a.centre.y - b.centre.y) < 8.0;
   };
   robots.erase(std::unique(robots.begin(), robots.end(), same), robots.end());
+}
+
+bool are_sound(const vision_area *areas, int count) {
+  if (areas == nullptr || count < 1)
+    return false;
+  return std::all_of(areas, areas + count, [](const vision_area &area) {
+    return sound(area.centre) && area.reach >= 0.0 && area.reach <= 1e6;
+  });
+}
+
+// Finds the robots in the parts of the image that CHOOSE names; nothing
+// where it says no.
+template <typename Choice>
+vision_status find_robots(int slot, vision_marker marker,
+                          const vision_arena *arena, vision_robot *robots,
+                          int capacity, int *count, Choice choose) {
+  if (count != nullptr)
+    *count = 0;
+  return on_image(slot, [&](Frame &here) {
+    if (robots == nullptr || count == nullptr || capacity < 1 ||
+        (marker != VISION_MARKER_ARUCO && marker != VISION_MARKER_TRIANGLE) ||
+        (arena != nullptr && !sound(*arena)))
+      return fail(VISION_BAD_ARGUMENT, "cannot search for robots so");
+
+    std::vector<vision_robot> found;
+    std::vector<cv::Rect> parts;
+    Search search;
+    if (limit(here, arena, search) && choose(here, search.box, parts))
+      for (const cv::Rect &part : parts) {
+        search.box = part;
+        cv::cvtColor(here.image(part), here.grey, cv::COLOR_BGR2GRAY);
+        cv::GaussianBlur(here.grey, here.smooth, cv::Size(), 0.8);
+        if (marker == VISION_MARKER_ARUCO)
+          find_markers(here, search, found);
+        else
+          find_triangles(here, search, found);
+      }
+    drop_doubles(found);
+    if (found.empty())
+      return fail(VISION_NOT_FOUND, "no robot in the image");
+    *count = std::min(capacity, int(found.size()));
+    std::copy(found.begin(), found.begin() + *count, robots);
+    return VISION_OK;
+  });
 }
 
 }  // namespace
@@ -931,31 +1107,39 @@ vision_status vision_find_robots(int slot, vision_marker marker,
                                  const vision_arena *arena,
                                  vision_robot *robots, int capacity,
                                  int *count) {
+  return vision::find_robots(
+      slot, marker, arena, robots, capacity, count,
+      [](Frame &here, const cv::Rect &whole, std::vector<cv::Rect> &parts) {
+        parts.push_back(whole);
+        vision::note_all(here);
+        return true;
+      });
+}
+
+vision_status vision_follow_robots(int slot, vision_marker marker,
+                                   const vision_arena *arena,
+                                   const vision_area *areas, int area_count,
+                                   vision_robot *robots, int capacity,
+                                   int *count) {
   if (count != nullptr)
     *count = 0;
-  return on_image(slot, [&](Frame &here) {
-    if (robots == nullptr || count == nullptr || capacity < 1 ||
-        (marker != VISION_MARKER_ARUCO && marker != VISION_MARKER_TRIANGLE) ||
-        (arena != nullptr && !vision::sound(*arena)))
-      return fail(VISION_BAD_ARGUMENT, "cannot search for robots so");
-
-    std::vector<vision_robot> found;
-    vision::Search search;
-    if (vision::limit(here, arena, search)) {
-      cv::cvtColor(here.image(search.box), here.grey, cv::COLOR_BGR2GRAY);
-      cv::GaussianBlur(here.grey, here.smooth, cv::Size(), 0.8);
-      if (marker == VISION_MARKER_ARUCO)
-        vision::find_markers(here, search, found);
-      else
-        vision::find_triangles(here, search, found);
-      vision::drop_doubles(found);
-    }
-    if (found.empty())
-      return fail(VISION_NOT_FOUND, "no robot in the image");
-    *count = std::min(capacity, int(found.size()));
-    std::copy(found.begin(), found.begin() + *count, robots);
-    return VISION_OK;
-  });
+  if (!vision::are_sound(areas, area_count))
+    return fail(VISION_BAD_ARGUMENT, "no areas to search in");
+  return vision::find_robots(
+      slot, marker, arena, robots, capacity, count,
+      [&](Frame &here, const cv::Rect &whole, std::vector<cv::Rect> &parts) {
+        for (int k = 0; k < area_count; ++k) {
+          const vision_area &area = areas[k];
+          const cv::Rect part =
+              whole & cv::Rect(cv::Point(cvFloor(area.centre.x - area.reach),
+                                         cvFloor(area.centre.y - area.reach)),
+                               cv::Point(cvCeil(area.centre.x + area.reach),
+                                         cvCeil(area.centre.y + area.reach)));
+          if (vision::is_worth_it(part))
+            parts.push_back(part);
+        }
+        return !vision::has_changed(here, whole, parts);
+      });
 }
 
 }  // extern "C"

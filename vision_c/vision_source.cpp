@@ -35,12 +35,14 @@ enum class Kind { none, still, video, live };
 struct Source {
   Kind kind = Kind::none;
   cv::VideoCapture capture;
-  cv::Mat raw;           // as delivered
+  cv::Mat raw;           // as delivered: pixels, or
+  bool is_jpeg = false;  // a row of bytes, of which there are
+  Jpeg_Facts facts;
   bool waiting = false;  // RAW holds an image that has not been grabbed
   cv::Mat still;         // as scaled
   std::string name;
   int backend = cv::CAP_FFMPEG;
-  int width = 0, height = 0;
+  cv::Size limit;
   long period = 0;         // nanoseconds between the images of a file
   timespec next{0, 0};     // when the next one is due
 };
@@ -98,14 +100,14 @@ private:
 void close(Source &from) {
   from.kind = Kind::none;
   from.waiting = false;
+  from.is_jpeg = false;
   from.capture.release();
   from.raw.release();
   from.still.release();
 }
 
-// Scales FROM to fit WIDTH x HEIGHT, into TO; false where FROM is nothing
-// that an image of ours can be made of.
-bool fit(cv::Mat &from, cv::Mat &to, int width, int height) {
+// Makes TO, an image of ours, from FROM; false where that cannot be done.
+bool convert(cv::Mat &from, cv::Mat &to, const cv::Size &limit) {
   if (from.dims != 2 || from.empty() || from.depth() != CV_8U ||
       from.cols > VISION_MAX_SIDE || from.rows > VISION_MAX_SIDE)
     return false;
@@ -115,16 +117,7 @@ bool fit(cv::Mat &from, cv::Mat &to, int width, int height) {
     cv::cvtColor(from, from, cv::COLOR_BGRA2BGR);
   else if (from.channels() != 3)
     return false;
-
-  const double scale = std::min(double(width) / from.cols,
-                                double(height) / from.rows);
-  const cv::Size size(std::max(1, cvRound(from.cols * scale)),
-                      std::max(1, cvRound(from.rows * scale)));
-  if (size == from.size())
-    std::swap(from, to);  // the buffers go round, nothing is copied
-  else
-    cv::resize(from, to, size, 0, 0,
-               scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  scale(from, to, fitting(from.size(), limit));
   return true;
 }
 
@@ -133,15 +126,44 @@ bool is_number(const std::string &name) {
          name.find_first_not_of("0123456789") == std::string::npos;
 }
 
-bool start(Source &from) {
+// Asks for the camera's own JPEG instead of pixels, where it has it: FFmpeg
+// then only takes the stream apart, V4L2 hands out the driver's buffer.
+void ask_for_jpeg(Source &from, int fps) {
+  static const double motion_jpeg =
+      cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
+  static const double unmarked =  // how OpenCV calls it in an HTTP stream
+      cv::VideoWriter::fourcc('m', 'j', 'p', 'e');
+  if (from.backend == cv::CAP_FFMPEG) {
+    const double codec = from.capture.get(cv::CAP_PROP_FOURCC);
+    from.is_jpeg = (codec == motion_jpeg || codec == unmarked) &&
+                   from.capture.set(cv::CAP_PROP_FORMAT, -1);
+  } else if (from.backend == cv::CAP_V4L2) {
+    from.capture.set(cv::CAP_PROP_FOURCC, motion_jpeg);
+    from.capture.set(cv::CAP_PROP_FRAME_WIDTH, from.limit.width);
+    from.capture.set(cv::CAP_PROP_FRAME_HEIGHT, from.limit.height);
+    from.capture.set(cv::CAP_PROP_FPS, fps);
+    from.capture.set(cv::CAP_PROP_BUFFERSIZE, 1);  // nothing old
+    from.is_jpeg =
+        from.capture.get(cv::CAP_PROP_FOURCC) == motion_jpeg &&
+        from.capture.set(cv::CAP_PROP_CONVERT_RGB, 0) &&
+        from.capture.get(cv::CAP_PROP_CONVERT_RGB) == 0;
+  }
+}
+
+bool start(Source &from, int fps) {
   const Time_Sharing while_threads_start;
+  bool is_open;
   if (is_number(from.name))
-    return from.capture.open(std::stoi(from.name), from.backend);
-  if (from.backend == cv::CAP_FFMPEG)
-    return from.capture.open(from.name, cv::CAP_FFMPEG,
-                             {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open_limit,
-                              cv::CAP_PROP_READ_TIMEOUT_MSEC, read_limit});
-  return from.capture.open(from.name, from.backend);
+    is_open = from.capture.open(std::stoi(from.name), from.backend);
+  else if (from.backend == cv::CAP_FFMPEG)
+    is_open = from.capture.open(from.name, cv::CAP_FFMPEG,
+                                {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open_limit,
+                                 cv::CAP_PROP_READ_TIMEOUT_MSEC, read_limit});
+  else
+    is_open = from.capture.open(from.name, from.backend);
+  if (is_open)
+    ask_for_jpeg(from, fps);
+  return is_open;
 }
 
 // Decides what the name stands for.
@@ -205,7 +227,7 @@ cv::Mat read_still(const std::string &name) {
 
 vision_status open_still(Source &from) {
   cv::Mat image = read_still(from.name);
-  if (!fit(image, from.still, from.width, from.height))
+  if (!convert(image, from.still, from.limit))
     return fail(VISION_NO_CAMERA, "%s: no image that can be read",
                 from.name.c_str());
   from.kind = Kind::still;
@@ -213,16 +235,68 @@ vision_status open_still(Source &from) {
   return VISION_OK;
 }
 
-vision_status open_stream(Source &from, int fps) {
-  if (!start(from))
-    return fail(VISION_NO_CAMERA, "%s: cannot be opened", from.name.c_str());
-  if (from.backend == cv::CAP_V4L2) {
-    from.capture.set(cv::CAP_PROP_FRAME_WIDTH, from.width);
-    from.capture.set(cv::CAP_PROP_FRAME_HEIGHT, from.height);
-    from.capture.set(cv::CAP_PROP_FPS, fps);
-    from.capture.set(cv::CAP_PROP_BUFFERSIZE, 1);  // nothing old
+// Whether what has been read into RAW is an image. A JPEG is not decoded for
+// that: what is seen of damage is a head that says nothing of use.
+bool is_image(Source &from) {
+  return !from.is_jpeg ||
+         (from.raw.type() == CV_8UC1 && from.raw.isContinuous() &&
+          examine(from.raw, from.facts));
+}
+
+// Reads the next image of a live source into RAW. One may be damaged now and
+// then, or be none.
+bool read_live(Source &from) {
+  // Where FFmpeg does not decode, what it cannot find its way in comes back
+  // in small pieces: hundreds of failures for an image of nonsense.
+  const bool in_pieces = from.is_jpeg && from.backend == cv::CAP_FFMPEG;
+  const int most_failures = in_pieces ? 5000 : 3;
+  const double patience = from.is_jpeg ? 2.0 : 1.0;  // seconds, but the last
+  const double begin = seconds();
+  int failures = 0;
+  do {
+    if (from.capture.read(from.raw) && !from.raw.empty()) {
+      if (is_image(from))
+        return true;
+    } else if (++failures == most_failures) {
+      return false;
+    }
+  } while (seconds() - begin <= patience);
+  return false;  // nothing came at all
+}
+
+// The same for a file: false at its end.
+bool read_video(Source &from) {
+  while (from.capture.read(from.raw) && !from.raw.empty())
+    if (is_image(from))
+      return true;
+  return false;
+}
+
+// Reads the next image into RAW. A file that ends begins again.
+bool read(Source &from) {
+  if (from.waiting) {
+    from.waiting = false;
+    return true;
   }
-  if (!from.capture.read(from.raw) || from.raw.empty())
+  if (from.kind == Kind::live)
+    return read_live(from);
+  if (read_video(from))
+    return true;
+  from.capture.release();
+  return start(from, 1) && read_video(from);
+}
+
+vision_status open_stream(Source &from, int fps) {
+  if (!start(from, fps))
+    return fail(VISION_NO_CAMERA, "%s: cannot be opened", from.name.c_str());
+  bool is_there = read(from);
+  if (!is_there && from.is_jpeg && from.backend == cv::CAP_V4L2) {
+    // granted, but not what came
+    from.is_jpeg = false;
+    from.capture.set(cv::CAP_PROP_CONVERT_RGB, 1);
+    is_there = read(from);
+  }
+  if (!is_there)
     return fail(VISION_NO_CAMERA, "%s: gives no image", from.name.c_str());
   if (from.kind == Kind::video) {
     const double rate = from.capture.get(cv::CAP_PROP_FPS);
@@ -230,35 +304,6 @@ vision_status open_stream(Source &from, int fps) {
     from.waiting = true;
   }
   return VISION_OK;
-}
-
-bool read_once(Source &from) {
-  return from.capture.read(from.raw) && !from.raw.empty();
-}
-
-// Reads the next image into RAW. A file that ends begins again; a live source
-// may deliver a damaged image now and then.
-bool read(Source &from) {
-  constexpr int attempts = 3;
-  constexpr double patience = 1.0;  // seconds, for all but the last
-  if (from.waiting) {
-    from.waiting = false;
-    return true;
-  }
-  if (from.kind == Kind::video) {
-    if (read_once(from))
-      return true;
-    from.capture.release();
-    return start(from) && read_once(from);
-  }
-  const double begin = seconds();
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    if (read_once(from))
-      return true;
-    if (seconds() - begin > patience)
-      return false;  // nothing came at all
-  }
-  return false;
 }
 
 }  // namespace
@@ -283,8 +328,7 @@ vision_status vision_open(const char *source, int width, int height,
     vision::frame(0);  // OpenCV's own settings
     Source &here = vision::source();
     here.name = source;
-    here.width = width;
-    here.height = height;
+    here.limit = {width, height};
     bool image_file = false;
     vision::classify(here, image_file);
     if (here.kind == Kind::none)
@@ -313,13 +357,22 @@ vision_status vision_grab(int slot) {
       vision::wait(from);
     if (from.kind == Kind::still) {
       from.still.copyTo(to->image);
+      to->content = Frame::Content::pixels;
       return VISION_OK;
     }
     if (!vision::read(from))
       return fail(VISION_NO_IMAGE, "%s: no image came", from.name.c_str());
-    if (!vision::fit(from.raw, to->image, from.width, from.height))
+    if (from.is_jpeg) {
+      std::swap(from.raw, to->jpeg);
+      to->facts = from.facts;
+      to->limit = from.limit;
+      to->content = Frame::Content::jpeg;
+      return VISION_OK;
+    }
+    if (!vision::convert(from.raw, to->image, from.limit))
       return fail(VISION_NO_IMAGE, "%s: an image of an unusable kind came",
                   from.name.c_str());
+    to->content = Frame::Content::pixels;
     return VISION_OK;
   });
 }

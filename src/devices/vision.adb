@@ -27,6 +27,15 @@ package body Vision with SPARK_Mode => Off is
    type C_Robots is array (Robot_Array'Range) of C_Robot
    with Convention => C;
 
+   type C_Area is record
+      Centre : C_Point;
+      Reach  : double;
+   end record
+   with Convention => C;
+
+   type C_Areas is array (Area_Array'Range) of C_Area
+   with Convention => C;
+
    Nowhere : constant C_Point := (0.0, 0.0);
 
    --  The functions of vision.h
@@ -51,6 +60,16 @@ package body Vision with SPARK_Mode => Off is
       Capacity     : int;
       Count        : out int) return int
    with Import, Convention => C, External_Name => "vision_find_robots";
+
+   function C_Follow_Robots
+     (Slot, Marker : int;
+      Arena        : access constant C_Arena;
+      Areas        : C_Areas;
+      Area_Count   : int;
+      Robots       : in out C_Robots;
+      Capacity     : int;
+      Count        : out int) return int
+   with Import, Convention => C, External_Name => "vision_follow_robots";
 
    function C_Draw_Arena (Slot : int; Arena : C_Arena) return int
    with Import, Convention => C, External_Name => "vision_draw_arena";
@@ -109,6 +128,46 @@ package body Vision with SPARK_Mode => Off is
    procedure Copy
      (From : System.Address; Text : out Reason_Text; Last : out Natural);
    --  The C string at From, cut at the length of Text
+
+   No_Robots : constant C_Robots :=
+     (others => (Id        => 0,
+                 Centre    => Nowhere,
+                 Direction => Nowhere,
+                 Angle     => 0.0));
+
+   procedure Take
+     (Found  : C_Robots;
+      Total  : int;
+      Robots : out Robot_Array;
+      Count  : out Robot_Count;
+      Result : in out Status);
+   --  What a search has found, where Result is Done
+
+   procedure Take
+     (Found  : C_Robots;
+      Total  : int;
+      Robots : out Robot_Array;
+      Count  : out Robot_Count;
+      Result : in out Status) is
+   begin
+      Robots := (others => <>);
+      Count := 0;
+      if Result = Done then
+         for K in 1 .. Natural (Total) loop
+            if Is_Sound (Found (K)) then
+               Count := Count + 1;
+               Robots (Count) :=
+                 (Id        => Identifier (Found (K).Id),
+                  Centre    => To_Ada (Found (K).Centre),
+                  Direction => To_Ada (Found (K).Direction),
+                  Angle     => Micro_Degrees (Found (K).Angle * Micro));
+            end if;
+         end loop;
+         if Count = 0 then
+            Result := Not_Found;
+         end if;
+      end if;
+   end Take;
 
    procedure Copy
      (From : System.Address; Text : out Reason_Text; Last : out Natural)
@@ -181,37 +240,46 @@ package body Vision with SPARK_Mode => Off is
       Result    : out Status)
    is
       Limit : aliased constant C_Arena := To_C (Arena);
-      Found : C_Robots :=
-        (others => (Id        => 0,
-                    Centre    => Nowhere,
-                    Direction => Nowhere,
-                    Angle     => 0.0));
+      Found : C_Robots := No_Robots;
       Total : int;
    begin
-      Robots := (others => <>);
-      Count := 0;
       Result := To_Status
         (C_Find_Robots
            (int (In_Slot),
             Options.Marker_Kind'Pos (Marker),
             (if Use_Arena then Limit'Access else null),
             Found, Found'Length, Total));
-      if Result = Done then
-         for K in 1 .. Natural (Total) loop
-            if Is_Sound (Found (K)) then
-               Count := Count + 1;
-               Robots (Count) :=
-                 (Id        => Identifier (Found (K).Id),
-                  Centre    => To_Ada (Found (K).Centre),
-                  Direction => To_Ada (Found (K).Direction),
-                  Angle     => Micro_Degrees (Found (K).Angle * Micro));
-            end if;
-         end loop;
-         if Count = 0 then
-            Result := Not_Found;
-         end if;
-      end if;
+      Take (Found, Total, Robots, Count, Result);
    end Find_Robots;
+
+   procedure Follow_Robots
+     (In_Slot   : Slot;
+      Marker    : Options.Marker_Kind;
+      Arena     : Arena_Corners;
+      Use_Arena : Boolean;
+      Areas     : Area_Array;
+      Number    : Robot_Count;
+      Robots    : out Robot_Array;
+      Count     : out Robot_Count;
+      Result    : out Status)
+   is
+      Limit    : aliased constant C_Arena := To_C (Arena);
+      Searched : C_Areas;
+      Found    : C_Robots := No_Robots;
+      Total    : int;
+   begin
+      for K in Searched'Range loop
+         Searched (K) :=
+           (To_C (Areas (K).Centre), double (Areas (K).Reach) / Micro);
+      end loop;
+      Result := To_Status
+        (C_Follow_Robots
+           (int (In_Slot),
+            Options.Marker_Kind'Pos (Marker),
+            (if Use_Arena then Limit'Access else null),
+            Searched, int (Number), Found, Found'Length, Total));
+      Take (Found, Total, Robots, Count, Result);
+   end Follow_Robots;
 
    procedure Draw_Arena
      (In_Slot : Slot;

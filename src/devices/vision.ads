@@ -30,7 +30,8 @@ is
       No_Image,      --  the source delivered nothing usable
       Too_Small,     --  the buffer cannot hold the result
       Bad_Argument,
-      Failed);       --  OpenCV failed inside, or memory is exhausted
+      Failed);       --  OpenCV failed inside, memory is exhausted, or the
+                     --  camera's JPEG cannot be decoded
 
    type Micro_Pixels is range -10 ** 13 .. 10 ** 13;
    --  Millionths of a pixel of the whole image, x to the right and y down, 0
@@ -64,6 +65,14 @@ is
 
    type Robot_Array is array (1 .. Robot_Count'Last) of Robot;
 
+   type Area is record
+      Centre : Point;
+      Reach  : Micro_Pixels := 0;
+   end record;
+   --  A square of the image: its middle, and half its side
+
+   type Area_Array is array (1 .. Robot_Count'Last) of Area;
+
    subtype Side is Positive range 1 .. 8_192;
    --  Of an image, in pixels
 
@@ -85,7 +94,9 @@ is
      Post   => Result in Done | No_Camera | Bad_Argument | Failed;
    --  Opens a camera number, device path, file, URL or GStreamer pipeline.
    --  Images come scaled to fit Width x Height. What was open is closed
-   --  first. Takes as long as the source does, 5 s at most for a URL.
+   --  first. Takes as long as the source does, 5 s at most for a URL. Of a
+   --  source that has JPEG itself that is kept, and decoded in the first
+   --  operation that needs pixels.
 
    procedure Grab (Into : Slot; Result : out Status)
    with
@@ -125,6 +136,24 @@ is
    --  where Use_Arena says so. To be called before anything is drawn: what is
    --  drawn hides what is searched.
 
+   procedure Follow_Robots
+     (In_Slot   : Slot;
+      Marker    : Options.Marker_Kind;
+      Arena     : Arena_Corners;
+      Use_Arena : Boolean;
+      Areas     : Area_Array;
+      Number    : Robot_Count;
+      Robots    : out Robot_Array;
+      Count     : out Robot_Count;
+      Result    : out Status)
+   with
+     Global => (Input => Frames),
+     Post   => Result in Done | Not_Found | Bad_Argument | Failed
+       and then (Result = Done) = (Count > 0);
+   --  The robots in Areas (1 .. Number). None where anything else in the
+   --  image, or in Arena, has changed since the calling task searched it
+   --  last, with this or with Find_Robots
+
    procedure Draw_Arena
      (In_Slot : Slot;
       Arena   : Arena_Corners;
@@ -153,7 +182,9 @@ is
        and then Length <= Buffer'Length
        and then (Result = Done) = (Length > 0);
    --  The image as JPEG, in the first Length bytes of Buffer; those behind
-   --  keep what they had
+   --  keep what they had. The camera's own bytes, of its own quality, where
+   --  nothing has been drawn, the size is that asked for and any viewer takes
+   --  them (vision_c/vision.h). Unless Done the buffer holds anything
 
    procedure Reason (Text : out Reason_Text; Last : out Natural)
    with

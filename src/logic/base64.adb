@@ -292,6 +292,10 @@ package body Base64 with SPARK_Mode is
       First  : Positive;
       Last   : out Natural)
    is
+      pragma Suppress (All_Checks);
+      --  Every image passes here: what is proved to hold is not looked at
+      --  again for each of its bytes
+
       Triples    : constant Natural := Length / 3;
       N1, N2, N3 : Natural range 0 .. 255;
    begin

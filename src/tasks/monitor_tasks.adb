@@ -215,7 +215,7 @@ package body Monitor_Tasks with SPARK_Mode is
    task body Th_Send_To_Mon is
       Chosen    : Options.Values;
       Last_Sent : Time := Time_First;
-      Next      : Time;
+      Gap_End   : Time;
       Now       : Time;
       Answered  : Boolean := False;  --  the last message was an answer
       Is_Answer : Boolean;
@@ -228,13 +228,13 @@ package body Monitor_Tasks with SPARK_Mode is
          Outbox.Wait (Is_Answer);
          if not (Answered and then Is_Answer) then
             Settings.Get (Chosen);
-            Next := Last_Sent + Milliseconds (Chosen.Message_Gap);
+            Gap_End := Last_Sent + Milliseconds (Chosen.Message_Gap);
             --  even a delay that has passed already takes its time
             Now := Clock;
-            if Now < Next then
+            if Now < Gap_End then
                Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
-               delay until Next;
-               Trace.Resume (Schedule.Th_Send_To_Mon, Next);
+               delay until Gap_End;
+               Trace.Resume (Schedule.Th_Send_To_Mon, Gap_End);
             end if;
          end if;
          Outbox.Take (Kind, Outgoing, Length);

@@ -5,6 +5,7 @@ with Ada.Real_Time;    use Ada.Real_Time;
 with Base64;
 with Camera_Events;
 with Camera_Requests;
+with Following;
 with Frame_Store;
 with Journal;
 with Monitor_Protocol; use Monitor_Protocol;
@@ -21,6 +22,7 @@ with Vision_State;
 
 package body Vision_Tasks with SPARK_Mode is
 
+   use type Vision.Arena_Corners;
    use type Vision.Status;
 
    procedure Encode
@@ -31,6 +33,20 @@ package body Vision_Tasks with SPARK_Mode is
       Length  : out Outbox.Message_Length);
    --  The message that shows the image of Slot; Length is 0 where it cannot
    --  be made (the log says why)
+
+   procedure Find_Robots
+     (Slot   : Vision.Slot;
+      Marker : Options.Marker_Kind;
+      Seen   : Vision_State.View;
+      Gap    : Following.Milliseconds;
+      Known  : in out Following.State;
+      Robots : out Vision.Robot_Array;
+      Count  : out Vision.Robot_Count);
+   --  Where they are in the image of Slot, which has come Gap after the one
+   --  that was searched last
+
+   function Gap_Between (First, Last : Time) return Following.Milliseconds;
+   --  Rounded up; the longest there is where it is longer
 
    procedure Camera_Failed (Why : String);
    --  The camera delivers no more: say so, and close it (once)
@@ -74,6 +90,41 @@ package body Vision_Tasks with SPARK_Mode is
       end if;
    end Encode;
 
+   -----------------
+   -- Find_Robots --
+   -----------------
+
+   procedure Find_Robots
+     (Slot   : Vision.Slot;
+      Marker : Options.Marker_Kind;
+      Seen   : Vision_State.View;
+      Gap    : Following.Milliseconds;
+      Known  : in out Following.State;
+      Robots : out Vision.Robot_Array;
+      Count  : out Vision.Robot_Count)
+   is
+      In_Arena : constant Boolean := Vision_Mode.Uses_Arena (Seen.Mode);
+      Areas    : Vision.Area_Array;
+      Number   : Vision.Robot_Count;
+      Done     : Boolean := False;
+      Ignored  : Vision.Status;
+   begin
+      Robots := (others => <>);
+      Count := 0;
+      Following.Plan (Known, Marker, Gap, Areas, Number);
+      if Number > 0 then
+         Vision.Follow_Robots
+           (Slot, Marker, Seen.Arena, In_Arena, Areas, Number,
+            Robots, Count, Ignored);
+         Following.Settle (Known, Gap, Robots, Count, Done);
+      end if;
+      if not Done then
+         Vision.Find_Robots
+           (Slot, Marker, Seen.Arena, In_Arena, Robots, Count, Ignored);
+         Following.Begin_Anew (Known, Robots, Count);
+      end if;
+   end Find_Robots;
+
    ----------------
    -- Draw_Arena --
    ----------------
@@ -105,6 +156,20 @@ package body Vision_Tasks with SPARK_Mode is
          end if;
       end loop;
    end Draw_Robots;
+
+   -----------------
+   -- Gap_Between --
+   -----------------
+
+   function Gap_Between (First, Last : Time) return Following.Milliseconds is
+      Longest : constant Integer := Integer (Following.Milliseconds'Last);
+   begin
+      return Following.Milliseconds
+        (if Last - First >= Milliseconds (Longest) then Longest
+         else Integer'Max
+           (0, Integer'Min (Longest - 1, (Last - First) / Milliseconds (1)))
+           + 1);
+   end Gap_Between;
 
    ----------------
    -- Log_Reason --
@@ -189,22 +254,24 @@ package body Vision_Tasks with SPARK_Mode is
    --------------------
 
    task body Th_Capture_Img is
-      Chosen  : Options.Values;
-      Period  : Time_Span;
-      Next    : Time;
-      Now     : Time;
-      Newest  : Time;
-      Made    : Outbox.Generation;
-      Seen    : Vision_State.View;
-      Slot    : Vision.Slot;
-      Found   : Boolean;
-      Robots  : Vision.Robot_Array;
-      Count   : Vision.Robot_Count;
-      Result  : Vision.Status;
-      Place   : Position;
-      Text    : Position_Text;
-      Last    : Natural;
-      Length  : Outbox.Message_Length;
+      Chosen   : Options.Values;
+      Period   : Time_Span;
+      Next     : Time;
+      Now      : Time;
+      Newest   : Time;
+      Made     : Outbox.Generation;
+      Seen     : Vision_State.View;
+      Slot     : Vision.Slot;
+      Found    : Boolean;
+      Robots   : Vision.Robot_Array;
+      Count    : Vision.Robot_Count;
+      Known    : Following.State;
+      Known_In : Vision.Arena_Corners := Vision.No_Arena;
+      Known_At : Time;
+      Place    : Position;
+      Text     : Position_Text;
+      Last     : Natural;
+      Length   : Outbox.Message_Length;
    begin
       Process.Name_Task ("th_capture_img", Real_Time => False);
       loop
@@ -212,6 +279,8 @@ package body Vision_Tasks with SPARK_Mode is
          Settings.Get (Chosen);
          Period := Seconds (1) / Chosen.Frame_Rate;
          Next := Clock;
+         Following.Forget (Known);
+         Known_At := Next;
          loop
             Trace.Start (Schedule.Th_Capture_Img, Next);
             --  the generation before the mode: an image made for a mode
@@ -226,13 +295,20 @@ package body Vision_Tasks with SPARK_Mode is
             elsif Vision_Mode.Images_Flow (Seen.Mode) then
                Frame_Store.Claim_Newest (Slot, Found);
                if Found then
+                  if not Seen.Mode.Position_On
+                    or else Seen.Arena /= Known_In
+                  then
+                     Following.Forget (Known);
+                     Known_In := Seen.Arena;
+                  end if;
                   if Seen.Mode.Position_On then
-                     Vision.Find_Robots
-                       (Slot, Chosen.Marker, Seen.Arena,
-                        Vision_Mode.Uses_Arena (Seen.Mode),
-                        Robots, Count, Result);
+                     Find_Robots
+                       (Slot, Chosen.Marker, Seen,
+                        Gap_Between (Known_At, Newest), Known,
+                        Robots, Count);
+                     Known_At := Newest;
                      Place := Not_Found;
-                     if Result = Vision.Done then
+                     if Count > 0 then
                         Place :=
                           (Id    => Integer (Robots (1).Id),
                            Angle => Micro (Robots (1).Angle),

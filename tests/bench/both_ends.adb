@@ -251,7 +251,12 @@ package body Both_Ends is
    begin
       Last := Libc.Read (S.Socket, Data'Address, Data'Length);
       Time := Now;
-      Check (Last > 0, "the connection has ended");
+      if Last <= 0 then
+         Disconnect (Where);
+         S.Messages.Append
+           (Event'(Time, Time, To_Unbounded_String (Gone), 0));
+         return;
+      end if;
       if not S.By_Lines then
          S.Messages.Append
            (Event'(Time, Time, To_Unbounded_String ("data"), Natural (Last)));

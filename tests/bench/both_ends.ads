@@ -41,7 +41,10 @@ package Both_Ends is
    --  Commands to the robot, without checksum and end
 
    function Messages (Where : Place) return Event_Vectors.Vector;
-   --  To the monitor, their labels only
+   --  To the monitor, their labels only; Gone where the other end has closed
+   --  the connection
+
+   Gone : constant String := "gone";
 
    procedure Forget (Where : Place);
    --  Frames and messages so far

@@ -22,13 +22,15 @@ with Reports;
 with Scale_Limits;
 with Start_Times;
 with Trace_Responses;
+with Vision_Times;
 
 procedure Destijl_Bench is
 
    Bad_Usage : exception;
 
    type Section is
-     (Orders, Answers, Periods, Scale, Start, Load, Tasks, Responses);
+     (Orders, Answers, Periods, Images, Search, Scale, Start, Load, Tasks,
+      Responses);
 
    Wanted : array (Section) of Boolean := (others => False);
    Folder : Unbounded_String;
@@ -128,6 +130,8 @@ procedure Destijl_Bench is
          when Orders  => Order_Times.Report_Orders;
          when Answers => Order_Times.Report_Answers;
          when Periods => Period_Times.Report;
+         when Images  => Vision_Times.Report_Images;
+         when Search  => Vision_Times.Report_Search;
          when Scale   => Scale_Limits.Report;
          when Start   => Start_Times.Report;
          when Load    => Full_Load.Report;

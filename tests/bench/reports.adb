@@ -22,7 +22,7 @@ package body Reports is
    Keys   : constant array (Figure) of Name_Text :=
      ("median", "p99   ", "p999  ", "max   ");
 
-   Name_Width : constant := 46;
+   Name_Width : constant := 56;
    Width      : constant := 11;
 
    type Curve is record
@@ -336,6 +336,51 @@ package body Reports is
         ((To_Unbounded_String (Name), To_Unbounded_String (Unit),
           Value, Floor));
    end Put_Number;
+
+   -----------
+   -- Adopt --
+   -----------
+
+   procedure Adopt (Row : String) is
+
+      function Member (Key : String) return String;
+      --  Its value, without quotation marks
+
+      function Member (Key : String) return String is
+         Place : constant Natural := Index (Row, """" & Key & """:");
+         First : constant Positive := Place + Key'Length + 3;
+         Last  : Natural := First;
+      begin
+         if Place = 0 then
+            return "";
+         elsif Row (First) = '"' then
+            return Row (First + 1 .. Index (Row, """", First + 1) - 1);
+         end if;
+         while Row (Last + 1) not in ',' | '}' loop
+            Last := Last + 1;
+         end loop;
+         return Row (First .. Last);
+      end Member;
+
+      Name  : constant String := Member ("size") & " " & Member ("name");
+      Floor : constant String := Member ("floor_median");
+   begin
+      Put (Head (Name, Name_Width) & Column (Member ("n")));
+      for F in Figure loop
+         Put (Column (Member (Trim (Keys (F), Both))));
+      end loop;
+      New_Line;
+      if Floor not in "" | "null" then
+         Put_Line
+           ("   ratio " & Member ("ratio") & ", the floor's median "
+            & Floor);
+      end if;
+      Next (Rows, Row);
+      Bars.Append
+        ((To_Unbounded_String (Name), To_Unbounded_String ("us"),
+          Float'Value (Member ("median")),
+          (if Floor in "" | "null" then 0.0 else Float'Value (Floor))));
+   end Adopt;
 
    --------------
    -- Put_Note --

@@ -45,6 +45,10 @@ package Reports is
       Met   : Boolean := True);
    --  One figure, beside the floor's where there is one
 
+   procedure Adopt (Row : String);
+   --  A row of JSON that another program has measured: an object with name,
+   --  size, n, median, p99, p999, max, and floor_median and ratio or null
+
    procedure Put_Note (Text : String);
    --  A line of explanation under the table
 

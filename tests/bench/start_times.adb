@@ -3,6 +3,7 @@
 
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Interfaces.C;
 
 with Bench_Settings;
@@ -127,9 +128,14 @@ package body Start_Times is
          Forget (Ours);
          Begun := Now;
          Disconnect (Ours);
-         Connect (Ours, Supervisor.Port, By_Lines => True);
-         Send (Ours, "what" & ASCII.LF);
-         Await_Message (Ours, "ACER");
+         loop
+            Connect (Ours, Supervisor.Port, By_Lines => True);
+            Forget (Ours);
+            Send (Ours, "what" & ASCII.LF);
+            Await_Message (Ours, "ACER " & Gone);
+            exit when Messages (Ours).Last_Element.Text = "ACER";
+            --  too early: the first counts as connected still
+         end loop;
          Ready.Add (Messages (Ours).Last_Element.Ended - Begun);
       end loop;
       Close_All;
@@ -155,7 +161,7 @@ package body Start_Times is
          Time_Start (Programs.Beside ("libraries_alone"), "", Libraries);
       end loop;
       Reports.Compare
-        ("start, to a program with the same libraries", Ours, Libraries,
+        ("start, to the same libraries alone", Ours, Libraries,
          "median < 50 ms", Ours.Quantile (0.5) < 0.050);
       Reports.Compare ("start, to the bare forwarder", Ours, Bare);
       Report_Readiness;

@@ -17,6 +17,7 @@ with Child_Processes;
 with Expectations;          use Expectations;
 with Fault_List;
 with Faults;                use Faults;
+with Host_Time;
 with Instants;              use Instants;
 with Libc;
 with Line_Watch;
@@ -197,6 +198,13 @@ procedure Destijl_Soak is
       Start   : Instant;
       Unused  : Message;
       Begun   : constant Instant := Now;
+      Taken   : constant Duration := Host_Time.Taken;
+
+      function Line_Was_Late return Boolean is
+        (Line_Watch.Worst (Begun, Now) >= Tolerances.Late_Line
+         or else Host_Time.Taken - Taken >= Tolerances.Late_Line);
+      --  The kernel's doing, or the host's, who takes the processors away
+      --  from the emulated robot as well
 
       procedure Ask (Command : String; Own : Boolean);
 
@@ -213,10 +221,8 @@ procedure Destijl_Soak is
          if Own then
             Check (Item.Label = "ACER", Command & ": " & Item.Label);
             Soak_Records.Add_Answer (Item.Time, Item.Time - Time);
-         elsif Item.Label in "ATIM" | "ACRJ"
-           and then Line_Watch.Worst (Begun, Now) >= Tolerances.Late_Line
-         then
-            --  of an answer or of a reload: the kernel's doing
+         elsif Item.Label in "ATIM" | "ACRJ" and then Line_Was_Late then
+            --  of an answer or of a reload
             Late_Answers := Late_Answers + 1;
          else
             Check (Item.Label = "AACK", Command & ": " & Item.Label);
@@ -275,7 +281,7 @@ procedure Destijl_Soak is
       when Occurrence : Failed =>
          Soak_Records.Set_Calm (False);
          Own_Priority.Prefer_Real_Time (False);
-         if Line_Watch.Worst (Begun, Now) >= Tolerances.Late_Line then
+         if Line_Was_Late then
             --  such as a start that the robot's silence has spoilt
             Late_Answers := Late_Answers + 1;
          else

@@ -28,6 +28,9 @@ package body Camera_Tests is
    procedure Not_Open_Is_Anak;
    procedure Image_Period;
    procedure Image_Size;
+   procedure Own_Jpeg;
+   procedure Changing_Size;
+   procedure Damaged_Images;
    procedure Other_Image_Rate;
    procedure Still_Image;
    procedure No_Image_After_Close;
@@ -304,6 +307,121 @@ package body Camera_Tests is
          "image of" & Facts.Width'Image & " x" & Facts.Height'Image);
       Check (R.Monitor.Last_Image'Length < 40_000, "a large image");
    end Image_Size;
+
+   --------------
+   -- Own_Jpeg --
+   --------------
+
+   procedure Own_Jpeg is
+      --  The camera's own bytes reach the monitor, unless something is drawn
+      Path : constant String := Programs.Temporary_Folder & "/own.jpg";
+      R    : Rig;
+
+      procedure Expect_Own (Own : Boolean; What : String);
+
+      procedure Expect_Own (Own : Boolean; What : String) is
+         Item : Message;
+      begin
+         R.Monitor.Skip_To_Now;
+         for Number in 1 .. 3 loop
+            Item := R.Monitor.Next_Of ("CIMG", Within => 3.0);
+         end loop;
+         Check (Item.Size > 1_000, "a small image");
+         Check
+           (Images.Is_File (R.Monitor.Last_Image, Path) = Own,
+            What & (if Own then ": not" else ": still")
+            & " the camera's own image");
+         Check
+           ((Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn)
+              /= Own, What & ": drawn");
+      end Expect_Own;
+
+   begin
+      --  Without noise one image is as the other
+      Assemble
+        (R, Camera => True,
+         Emulator_Options => "--noise 0 --pose 30,40,60",
+         Supervisor_Options => "--jpeg-quality 20");
+      Open_Camera (R);
+      R.Emulator.Save_Snapshot (Path);
+      Expect_Own (True, "from the beginning");
+      R.Monitor.Expect ("CPCO", "AACK");
+      Expect_Own (False, "with positions");
+      R.Monitor.Expect ("CPST", "AACK");
+      Expect_Own (True, "without positions again");
+      R.Monitor.Send_Line ("CASA");
+      Check (R.Monitor.Next_Of ("CIMG", Within => 5.0).Size > 0, "arena");
+      R.Monitor.Send_Line ("CACO");
+      delay 0.3;
+      Expect_Own (False, "with the arena");
+   end Own_Jpeg;
+
+   -------------------
+   -- Changing_Size --
+   -------------------
+
+   procedure Changing_Size is
+      --  In mid-stream, there and back
+      R : Rig;
+
+      procedure Expect_Size (Width, Height : Positive);
+
+      procedure Expect_Size (Width, Height : Positive) is
+         Facts : Images.Facts;
+         Item  : Message;
+      begin
+         R.Monitor.Skip_To_Now;
+         for Number in 1 .. 6 loop
+            Item := R.Monitor.Next_Of ("CIMG", Within => 3.0);
+         end loop;
+         Check (Item.Number > 0, "no image");
+         Facts := Images.Seen (R.Monitor.Last_Image);
+         Check
+           (Facts.Width = Width and then Facts.Height = Height,
+            "image of" & Facts.Width'Image & " x" & Facts.Height'Image);
+      end Expect_Size;
+
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R);
+      Expect_Size (640, 480);
+      R.Emulator.Tell ("camera size 320x180");
+      Expect_Size (640, 360);
+      R.Emulator.Tell ("camera size 1x1");
+      Expect_Size (480, 480);
+      R.Emulator.Tell ("camera size 1920x1080");
+      Expect_Size (640, 360);
+      R.Emulator.Tell ("camera size 640x480");
+      Expect_Size (640, 480);
+      Check (R.Monitor.Broken_Images = 0, "a broken image");
+   end Changing_Size;
+
+   --------------------
+   -- Damaged_Images --
+   --------------------
+
+   procedure Damaged_Images is
+      --  For a while that is shorter than the camera is waited for; what is
+      --  whole enough to be shown may come through, what is none may not
+      R : Rig;
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R);
+      for Attempt in 1 .. 4 loop
+         R.Emulator.Tell ("camera garbage");
+         delay 0.5;
+         R.Emulator.Tell ("camera mend");
+         R.Monitor.Skip_To_Now;
+         Check
+           (R.Monitor.Next_Of ("CIMG", Within => 3.0).Size > 1_000,
+            "no image after damaged ones");
+         Check
+           (Images.Seen (R.Monitor.Last_Image).Width > 0,
+            "an image that cannot be shown");
+      end loop;
+      Check (R.Monitor.Broken_Images = 0, "a broken image");
+      R.Monitor.Expect ("CCLS", "AACK");
+   end Damaged_Images;
 
    ----------------------
    -- Other_Image_Rate --
@@ -817,6 +935,9 @@ package body Camera_Tests is
       Add (Suite, "F14_Not_Open_Is_ANAK", Not_Open_Is_Anak'Access);
       Add (Suite, "F15_Image_Period", Image_Period'Access);
       Add (Suite, "F15_Image_Size_And_Quality", Image_Size'Access);
+      Add (Suite, "F15_Own_JPEG_Of_The_Camera", Own_Jpeg'Access);
+      Add (Suite, "F15_Image_Size_Changes", Changing_Size'Access);
+      Add (Suite, "F15_Damaged_Images", Damaged_Images'Access);
       Add (Suite, "F15_Other_Image_Rate", Other_Image_Rate'Access);
       Add (Suite, "F14_Still_Image_As_Camera", Still_Image'Access);
       Add (Suite, "F16_No_Image_After_Close", No_Image_After_Close'Access);

@@ -99,6 +99,65 @@ void find_robots(int slot, vision_marker marker, const vision_arena *arena,
   found.assign(place.get(), place.get() + count);
 }
 
+// Areas anywhere.
+void follow_robots(Input &input, int slot, vision_marker marker) {
+  const int number = input.number(-1, 5);
+  const std::unique_ptr<vision_area[]> areas(
+      new vision_area[std::size_t(std::max(number, 0))]);
+  for (int k = 0; k < number; ++k)
+    areas[std::size_t(k)] = {input.point(), input.coordinate()};
+  const int capacity = input.number(-1, 5);
+  const std::unique_ptr<vision_robot[]> place(
+      new vision_robot[std::size_t(std::max(capacity, 0))]);
+  int count = -1;
+  const vision_status status =
+      vision_follow_robots(slot, marker, nullptr,
+                           number < 0 ? nullptr : areas.get(), number,
+                           place.get(), capacity, &count);
+  check_no_failure(status);
+  expect(status == VISION_OK ? count >= 1 && count <= capacity : count == 0,
+         "wrong count of followed robots");
+  for (int n = 0; n < count; ++n)
+    check_robot(place[std::size_t(n)], marker);
+}
+
+// A JPEG as a camera delivers it: refused, or a size that fits; decoded or
+// not, and what goes out is a JPEG.
+void take_jpeg(Input &input, int slot, int width, int height) {
+  const std::size_t length = input.remaining();
+  const std::unique_ptr<unsigned char[]> bytes(new unsigned char[length]);
+  std::copy_n(input.rest(), length, bytes.get());
+  const vision_status status =
+      vision_load_jpeg(slot, bytes.get(), int(length), width, height);
+  check_no_failure(status);
+  if (status != VISION_OK)
+    return;
+  int stored_width = 0, stored_height = 0;
+  expect(vision_size(slot, &stored_width, &stored_height) == VISION_OK &&
+             stored_width >= 1 && stored_width <= width &&
+             stored_height >= 1 && stored_height <= height,
+         "the JPEG does not fit");
+  // a head may promise what nobody wants to wait for
+  const vision::Jpeg_Facts &facts = vision::frame(slot)->facts;
+  constexpr int most = 1 << 20;
+  expect(facts.whole <= length, "more of a JPEG than there is");
+  if (facts.width * facts.height > most)
+    return;
+  const std::unique_ptr<unsigned char[]> place(new unsigned char[most]);
+  int written = -1;
+  const vision_status sent =
+      vision_encode(slot, 80, place.get(), most, &written);
+  check(sent);
+  expect(sent == VISION_OK ? written > 3 && place[0] == 0xFF &&
+                                 place[1] == 0xD8 &&
+                                 place[std::size_t(written) - 2] == 0xFF &&
+                                 place[std::size_t(written) - 1] == 0xD9
+                           : written == 0,
+         "no JPEG is sent");
+  vision_arena arena;
+  check(vision_find_arena(slot, &arena));
+}
+
 bool find_arena(int slot, vision_arena &arena) {
   const vision_status status = vision_find_arena(slot, &arena);
   check_no_failure(status);
@@ -242,7 +301,7 @@ void call(Input &input) {
   vision_arena arena;
   std::vector<vision_robot> robots;
 
-  switch (choice % 10) {
+  switch (choice % 11) {
   case 0:
     load(input, slot);
     break;
@@ -263,7 +322,7 @@ void call(Input &input) {
       for (vision_point &corner : arena.corner)
         corner = input.point();
     const vision_marker marker =
-        choice % 10 == 3 ? VISION_MARKER_ARUCO : VISION_MARKER_TRIANGLE;
+        choice % 11 == 3 ? VISION_MARKER_ARUCO : VISION_MARKER_TRIANGLE;
     find_robots(slot, marker, bounded ? &arena : nullptr,
                 input.number(-1, 6), robots);
     for (const vision_robot &robot : robots)
@@ -296,6 +355,11 @@ void call(Input &input) {
     open_nothing(input);
     check_no_failure(vision_grab(slot));
     break;
+  case 9:
+    follow_robots(input, slot,
+                  input.byte() % 2 == 1 ? VISION_MARKER_TRIANGLE
+                                        : VISION_MARKER_ARUCO);
+    break;
   default: {
     int count = -1;
     vision_robot robot;
@@ -306,6 +370,10 @@ void call(Input &input) {
                              nullptr));
     check(vision_encode(slot, 80, nullptr, 1, &count));
     check(vision_encode(slot, 80, &byte, 1, nullptr));
+    check(vision_load_jpeg(slot, &byte, 1, 640, 480));
+    check(vision_load_jpeg(slot, nullptr, 1, 640, 480));
+    check(vision_load_jpeg(slot, &byte, -1, 640, 480));
+    check(vision_load_jpeg(slot, &byte, 1, 0, 9000));
     check(vision_close());
     expect(vision_library() != nullptr, "a library without a version");
   }
@@ -337,6 +405,17 @@ void work(Input &input, int slot) {
       choice & 1 ? VISION_MARKER_TRIANGLE : VISION_MARKER_ARUCO;
   const bool bounded = find_arena(slot, arena) && (choice & 2);
   find_robots(slot, marker, bounded ? &arena : nullptr, 4, robots);
+  // Searched again where they are, nothing having changed, they are there.
+  std::vector<vision_area> areas;
+  for (const vision_robot &robot : robots)
+    areas.push_back({robot.centre, 64.0});
+  std::vector<vision_robot> again(4);
+  int count = 0;
+  if (!areas.empty())
+    expect(vision_follow_robots(slot, marker, bounded ? &arena : nullptr,
+                                areas.data(), int(areas.size()), again.data(),
+                                4, &count) <= VISION_NOT_FOUND,
+           "robots cannot be followed");
   if (bounded)
     draw_arena(slot, arena);
   for (const vision_robot &robot : robots)
@@ -408,6 +487,9 @@ void files(const unsigned char *data, std::size_t size) {
   const int height = input.number(1, 400);
   const unsigned slot = input.byte() % VISION_SLOTS;
   const int quality = input.number(1, 100);
+
+  Input jpeg = input;
+  take_jpeg(jpeg, int(slot), width, height);
 
   const int file = memfd_create("image", 0);
   expect(file >= 0, "no place for a file");

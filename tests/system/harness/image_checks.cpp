@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <vector>
 
 namespace {
@@ -19,7 +21,7 @@ int digit(char c) {
   return -1;
 }
 
-cv::Mat decoded(const char *text, int length) {
+std::vector<unsigned char> bytes_of(const char *text, int length) {
   std::vector<unsigned char> bytes;
   unsigned bits = 0;
   int held = 0;
@@ -33,6 +35,11 @@ cv::Mat decoded(const char *text, int length) {
       bytes.push_back(static_cast<unsigned char>(bits >> held));
     }
   }
+  return bytes;
+}
+
+cv::Mat decoded(const char *text, int length) {
+  const std::vector<unsigned char> bytes = bytes_of(text, length);
   if (bytes.empty()) return {};
   return cv::imdecode(bytes, cv::IMREAD_COLOR);
 }
@@ -40,6 +47,19 @@ cv::Mat decoded(const char *text, int length) {
 }  // namespace
 
 extern "C" {
+
+/* Whether base64 TEXT stands for exactly what the file at PATH has: 0 if. */
+int image_is_file(const char *text, int length, const char *path) {
+  try {
+    std::ifstream file(path, std::ios::binary);
+    const std::vector<unsigned char> held(
+        (std::istreambuf_iterator<char>(file)),
+        std::istreambuf_iterator<char>());
+    return !held.empty() && held == bytes_of(text, length) ? 0 : 1;
+  } catch (...) {
+    return 1;
+  }
+}
 
 /* Size of the image in base64 TEXT, and how many of its pixels are clearly
  * coloured: the arena and its robot are grey, what is drawn over them is

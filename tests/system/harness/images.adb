@@ -17,6 +17,10 @@ package body Images is
      (Text : char_array; Length : int; X, Y : out double) return int
    with Import, Convention => C, External_Name => "image_marker";
 
+   function Image_Is_File
+     (Text : char_array; Length : int; Path : char_array) return int
+   with Import, Convention => C, External_Name => "image_is_file";
+
    function Image_Write_Empty (Path : char_array) return int
    with Import, Convention => C, External_Name => "image_write_empty";
 
@@ -47,6 +51,13 @@ package body Images is
       X := Float (Px);
       Y := Float (Py);
    end Find_Marker;
+
+   -------------
+   -- Is_File --
+   -------------
+
+   function Is_File (Text : String; Path : String) return Boolean is
+     (Image_Is_File (To_C (Text), int (Text'Length), To_C (Path)) = 0);
 
    -----------------
    -- Write_Empty --

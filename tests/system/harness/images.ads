@@ -20,6 +20,9 @@ package Images is
      (Text : String; Found : out Boolean; X, Y : out Float);
    --  The centre of the robot's ArUco marker, pixels
 
+   function Is_File (Text : String; Path : String) return Boolean;
+   --  Text is the base64 text of the very bytes of a file
+
    procedure Write_Empty (Path : String);
    --  A file with an image that shows neither arena nor robot
 

@@ -93,6 +93,13 @@ package Vision_C is
      (Slot : int; Bgr : System.Address; Width, Height : int) return Status
    with Import, Convention => C, External_Name => "vision_load";
 
+   function Load_Jpeg
+     (Slot          : int;
+      Jpeg          : System.Address;
+      Length        : int;
+      Width, Height : int) return Status
+   with Import, Convention => C, External_Name => "vision_load_jpeg";
+
    function Reason return System.Address
    with Import, Convention => C, External_Name => "vision_reason";
 

@@ -1,0 +1,25 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The places for images, too large for a stack.
+
+with Interfaces.C; use Interfaces.C;
+
+with Bytes;
+with Image_Slots;
+
+package Image_Buffers is
+
+   Canvas : array (1 .. 1_920 * 1_080 * 3) of aliased unsigned_char;
+   --  Pixels
+
+   Source : Bytes.Byte_Array (1 .. 2_000_000);
+   --  What the camera delivers
+
+   Jpeg : Bytes.Byte_Array (1 .. Image_Slots.Max_Jpeg) := (others => 0);
+   Text : Image_Slots.Message_Buffer := (others => ' ');
+   --  What is made of it
+
+   Box      : Image_Slots.Slot;
+   Out_Text : Image_Slots.Message_Buffer := (others => ' ');
+   --  What the sender takes
+
+end Image_Buffers;

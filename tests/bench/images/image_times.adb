@@ -1,0 +1,487 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  How long each stage of an image's way takes, from the camera's bytes to
+--  those on the socket, and each kind of search; beside the floors.
+
+with Ada.Command_Line; use Ada.Command_Line;
+with Ada.Containers.Generic_Array_Sort;
+with Ada.Exceptions;
+with Ada.Real_Time;    use Ada.Real_Time;
+with Ada.Strings;      use Ada.Strings;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Ada.Text_IO;      use Ada.Text_IO;
+
+with Interfaces.C;     use Interfaces.C;
+with System;
+
+with Base64;
+with Following;
+with Image_Buffers;    use Image_Buffers;
+with Image_Slots;
+with Options;
+with Scenes;
+with Vision;           use Vision;
+
+procedure Image_Times is
+
+   function C_Load
+     (Slot : int; Bgr : System.Address; Width, Height : int) return int
+   with Import, Convention => C, External_Name => "vision_load";
+
+   function C_Load_Jpeg
+     (Slot : int; Jpeg : System.Address; Length, Width, Height : int)
+      return int
+   with Import, Convention => C, External_Name => "vision_load_jpeg";
+
+   function Decode (Slot : int) return int
+   with Import, Convention => C, External_Name => "image_decode";
+
+   function Floor_Encode (Slot, Quality : int) return int
+   with Import, Convention => C, External_Name => "image_floor_encode";
+
+   function Floor_Decode (Data : System.Address; Length : int) return int
+   with Import, Convention => C, External_Name => "image_floor_decode";
+
+   procedure Floor_Copy (To, From : System.Address; Length : size_t)
+   with Import, Convention => C, External_Name => "image_floor_copy";
+
+   function Connect return int
+   with Import, Convention => C, External_Name => "image_connect";
+
+   procedure Send (Socket : int; Data : System.Address; Length : int)
+   with Import, Convention => C, External_Name => "image_send";
+
+   Wrong : exception;
+
+   procedure Check (Right : Boolean; What : String);
+
+   procedure Check (Right : Boolean; What : String) is
+   begin
+      if not Right then
+         raise Wrong with What;
+      end if;
+   end Check;
+
+   --  The figures of one stage, microseconds
+
+   Most : constant := 100_000;
+
+   type Figures is array (Positive range <>) of Float;
+
+   procedure Sort is new Ada.Containers.Generic_Array_Sort
+     (Positive, Float, Figures);
+
+   type Series is record
+      Values : Figures (1 .. Most);
+      Count  : Natural := 0;
+   end record;
+
+   type Series_Access is access Series;
+
+   function Quantile (S : Series; Share : Float) return Float is
+     (S.Values
+        (Integer'Max
+           (1, Integer (Float'Ceiling (Share * Float (S.Count))))));
+   --  Of sorted values
+
+   Number : Positive := 200;
+   File   : File_Type;
+
+   function Image (Value : Float; Digits_After : Natural := 1) return String;
+
+   function Image (Value : Float; Digits_After : Natural := 1) return String
+   is
+      package Numbers is new Ada.Text_IO.Float_IO (Float);
+      Text : String (1 .. 24);
+   begin
+      Numbers.Put (Text, Value, Digits_After, 0);
+      return Trim (Text, Left);
+   end Image;
+
+   procedure Report
+     (Section, Name, Size : String;
+      Item                : in out Series;
+      Floor               : in out Series);
+   --  A line of the table, and one of JSON; Floor may be empty. Both are
+   --  empty afterwards
+
+   procedure Report
+     (Section, Name, Size : String;
+      Item                : in out Series;
+      Floor               : in out Series)
+   is
+      Median   : Float;
+      By_Floor : Float := 0.0;
+
+      function Column (Text : String; Width : Positive) return String is
+        (Tail (Text, Width));
+
+   begin
+      Sort (Item.Values (1 .. Item.Count));
+      Sort (Floor.Values (1 .. Floor.Count));
+      Median := Quantile (Item, 0.5);
+      if Floor.Count > 0 then
+         By_Floor := Quantile (Floor, 0.5);
+      end if;
+      Put_Line
+        (Head (Size, 11) & Head (Name, 34)
+         & Column (Image (Median), 10)
+         & Column (Image (Quantile (Item, 0.99)), 10)
+         & Column (Image (Item.Values (Item.Count)), 10)
+         & (if Floor.Count > 0
+            then Column (Image (By_Floor), 10)
+              & Column (Image (Median / By_Floor, 2), 8)
+            else ""));
+      if Is_Open (File) then
+         Put_Line
+           (File,
+            "{""section"":""" & Section & """,""name"":""" & Name
+            & """,""size"":""" & Size & """,""unit"":""us"",""n"":"
+            & Trim (Item.Count'Image, Left)
+            & ",""median"":" & Image (Median, 2)
+            & ",""p99"":" & Image (Quantile (Item, 0.99), 2)
+            & ",""p999"":" & Image (Quantile (Item, 0.999), 2)
+            & ",""max"":" & Image (Item.Values (Item.Count), 2)
+            & ",""floor_median"":"
+            & (if Floor.Count > 0 then Image (By_Floor, 2) else "null")
+            & ",""ratio"":"
+            & (if Floor.Count > 0 then Image (Median / By_Floor, 3)
+               else "null")
+            & "}");
+      end if;
+      Item.Count := 0;
+      Floor.Count := 0;
+   end Report;
+
+   Began : Time;
+
+   procedure Add (To : in out Series; Value : Float);
+   procedure Start;
+   procedure Stop (S : in out Series);
+   --  The time since Start is one more figure; Start again
+
+   procedure Add (To : in out Series; Value : Float) is
+   begin
+      To.Count := To.Count + 1;
+      To.Values (To.Count) := Value;
+   end Add;
+
+   procedure Start is
+   begin
+      Began := Clock;
+   end Start;
+
+   procedure Stop (S : in out Series) is
+      Now : constant Time := Clock;
+   begin
+      Add (S, Float (To_Duration (Now - Began)) * 1.0E6);
+      Began := Clock;
+   end Stop;
+
+   --  The images
+
+   Taken : Natural;
+   --  Bytes of the camera's image
+
+   Quality : constant := 80;
+   --  The supervisor's own default, and the camera's
+
+   Markers : constant array (1 .. 4) of Scenes.Robot :=
+     ((0, 17, 30.3, 28.1, 33.0), (0, 29, 61.0, 44.2, 120.0),
+      (0, 3, 15.7, 50.0, 200.0), (0, 500, 66.1, 12.4, 290.0));
+
+   function Scene (Width, Height : Positive; Robots : Natural; K : Natural)
+     return Scenes.Description;
+   --  The robots have moved on a little from image to image, 10 cm/s
+
+   procedure Draw (Item : Scenes.Description);
+   --  Onto the canvas
+
+   procedure Show (Width, Height : Positive);
+   --  The canvas in slot 0
+
+   function Scene (Width, Height : Positive; Robots : Natural; K : Natural)
+     return Scenes.Description is
+   begin
+      return Item : Scenes.Description := Scenes.Default do
+         Item.Width := int (Width);
+         Item.Height := int (Height);
+         Item.Noise := 3.0;
+         Item.Seed := unsigned (K + 1);
+         Item.Robots := int (Robots);
+         for R in 1 .. Robots loop
+            Item.Robot (R - 1) := Markers (R);
+            Item.Robot (R - 1).X := Markers (R).X
+              + double (if K mod 14 < 7 then K mod 14 else 14 - K mod 14);
+            Item.Robot (R - 1).Heading :=
+              Markers (R).Heading + 5.0 * double (K);
+         end loop;
+      end return;
+   end Scene;
+
+   procedure Draw (Item : Scenes.Description) is
+      Drawn : aliased constant Scenes.Description := Item;
+   begin
+      Check (Scenes.Draw (Drawn'Access, Canvas'Address) = 0, "drawing");
+   end Draw;
+
+   procedure Show (Width, Height : Positive) is
+   begin
+      Check
+        (C_Load (0, Canvas'Address, int (Width), int (Height)) = 0,
+         "loading");
+   end Show;
+
+   --  The stages
+
+   Wire : constant int := Connect;
+
+   type Stage is
+     (Grabbing, Decoding, Arena_Search, Drawing, Encoding, To_Text,
+      Handing_Over, Sending, Whole, Passing, Through, None);
+
+   Times  : constant array (Stage) of Series_Access :=
+     (others => new Series);
+   Floors : constant array (Stage) of Series_Access :=
+     (others => new Series);
+
+   procedure Measure_Stages (Width, Height : Positive);
+   procedure Measure_Searches
+     (Width, Height : Positive; Robots : Natural; Section : String);
+
+   procedure Measure_Stages (Width, Height : Positive) is
+      Size   : constant String :=
+        Trim (Width'Image, Left) & "x" & Trim (Height'Image, Left);
+      Item   : aliased Scenes.Description := Scene (Width, Height, 1, 0);
+      Arena  : Arena_Corners;
+      Robots : Robot_Array;
+      Count  : Robot_Count;
+      Result : Status;
+      Length : Natural;
+      Last   : Natural;
+      Begin_At : Time;
+
+   begin
+      for K in 1 .. Number loop
+         Item := Scene (Width, Height, 1, K mod 20);
+         Taken := Natural
+           (Scenes.Jpeg (Item'Access, Quality, Source'Address,
+                         Source'Length));
+
+         --  The camera's bytes, kept and passed on
+         Start;
+         Check (C_Load_Jpeg (0, Source'Address, int (Taken), int (Width),
+                             int (Height)) = 0, "the camera's JPEG");
+         Stop (Times (Grabbing).all);
+         Floor_Copy (Jpeg'Address, Source'Address, size_t (Taken));
+         Stop (Floors (Grabbing).all);
+         Encode (0, Quality, Jpeg, Length, Result);
+         Stop (Times (Passing).all);
+         Check (Result = Done and then Length = Taken, "passed on");
+         Add (Times (Through).all,
+              Times (Grabbing).Values (K) + Times (Passing).Values (K));
+         Start;
+         Floor_Copy (Jpeg'Address, Source'Address, size_t (Taken));
+         Stop (Floors (Passing).all);
+
+         --  The same decoded, searched and drawn in
+         Check (Decode (0) = 0, "decoding");
+         Stop (Times (Decoding).all);
+         Check (Floor_Decode (Source'Address, int (Taken)) = int (Width),
+                "decoding");
+         Stop (Floors (Decoding).all);
+         Find_Arena (0, Arena, Result);
+         Stop (Times (Arena_Search).all);
+         Check (Result = Done, "arena");
+         Find_Robots (0, Options.Aruco, Arena, True, Robots, Count, Result);
+         Check (Count = 1, "robot");
+         Start;
+         Draw_Arena (0, Arena, Result);
+         Check (Result = Done, "drawing");
+         Draw_Robot (0, Robots (1), Result);
+         Stop (Times (Drawing).all);
+         Check (Result = Done, "drawing");
+
+         --  Encoded and sent, the floor first or second in turn
+         if K mod 2 = 0 then
+            Check (Floor_Encode (0, Quality) > 0, "encoding");
+            Start;
+            Check (Floor_Encode (0, Quality) > 0, "encoding");
+            Stop (Floors (Encoding).all);
+         end if;
+         Start;
+         Begin_At := Began;
+         Encode (0, Quality, Jpeg, Length, Result);
+         Stop (Times (Encoding).all);
+         Check (Result = Done, "encoding");
+         Base64.Encode (Jpeg, Length, Text, 6, Last);
+         Stop (Times (To_Text).all);
+         Image_Slots.Put (Box, Text, Last);
+         Image_Slots.Get (Box, Out_Text, Last);
+         Stop (Times (Handing_Over).all);
+         Send (Wire, Out_Text'Address, int (Last));
+         Stop (Times (Sending).all);
+         Began := Begin_At;
+         Stop (Times (Whole).all);
+         Start;
+         Floor_Copy (Text'Address, Out_Text'Address, size_t (Last));
+         Stop (Floors (To_Text).all);
+         if K mod 2 = 1 then
+            Check (Floor_Encode (0, Quality) > 0, "encoding");
+            Start;
+            Check (Floor_Encode (0, Quality) > 0, "encoding");
+            Stop (Floors (Encoding).all);
+         end if;
+      end loop;
+      Floors (Whole).all := Floors (Encoding).all;
+      Floors (Sending).all := Floors (To_Text).all;
+      Floors (Handing_Over).all := Floors (To_Text).all;
+
+      Report ("image", "grab: check and keep a JPEG", Size,
+              Times (Grabbing).all, Floors (Grabbing).all);
+      Report ("image", "pass it on", Size,
+              Times (Passing).all, Floors (Passing).all);
+      Report ("image", "camera's JPEG passed through", Size,
+              Times (Through).all, Floors (Through).all);
+      Report ("image", "decode", Size,
+              Times (Decoding).all, Floors (Decoding).all);
+      Report ("image", "arena", Size,
+              Times (Arena_Search).all, Floors (None).all);
+      Report ("image", "draw", Size,
+              Times (Drawing).all, Floors (None).all);
+      Report ("image", "encode", Size,
+              Times (Encoding).all, Floors (Encoding).all);
+      Report ("image", "base64", Size,
+              Times (To_Text).all, Floors (To_Text).all);
+      Report ("image", "hand over to the sender", Size,
+              Times (Handing_Over).all, Floors (Handing_Over).all);
+      Report ("image", "send", Size,
+              Times (Sending).all, Floors (Sending).all);
+      Report ("image", "encode + base64 + send", Size,
+              Times (Whole).all, Floors (Whole).all);
+   end Measure_Stages;
+
+   procedure Measure_Searches
+     (Width, Height : Positive; Robots : Natural; Section : String)
+   is
+      Size    : constant String :=
+        Trim (Width'Image, Left) & "x" & Trim (Height'Image, Left);
+      Full    : constant Series_Access := Times (Whole);
+      Inside  : constant Series_Access := Times (Passing);
+      Follow  : constant Series_Access := Times (Drawing);
+      Plain   : constant Series_Access := Floors (Whole);
+      Copy    : constant Series_Access := Floors (Passing);
+      Arena   : Arena_Corners;
+      Found   : Robot_Array;
+      Count   : Robot_Count;
+      Areas   : Area_Array;
+      Parts   : Robot_Count;
+      Known   : Following.State;
+      Settled : Boolean;
+      Result  : Status;
+      Name    : constant String :=
+        (if Section = "markers" then Trim (Robots'Image, Left) & " in view: "
+         else "search: ");
+   begin
+      for K in 1 .. Number loop
+         Draw (Scene (Width, Height, Robots, K));
+         Show (Width, Height);
+         Find_Arena (0, Arena, Result);
+         Check (Result = Done, "arena");
+
+         Following.Plan (Known, Options.Aruco, 100, Areas, Parts);
+         if Parts > 0 then
+            Start;
+            Follow_Robots (0, Options.Aruco, No_Arena, False, Areas, Parts,
+                           Found, Count, Result);
+            Stop (Follow.all);
+            Check (Result in Done | Not_Found, "following");
+            Following.Settle (Known, 100, Found, Count, Settled);
+            if not Settled then
+               Follow.Count := Follow.Count - 1;
+            end if;
+         end if;
+
+         Start;
+         Find_Robots (0, Options.Aruco, Arena, True, Found, Count, Result);
+         Stop (Inside.all);
+         Check (Count = Robots, "robots in the arena");
+         Start;
+         Find_Robots (0, Options.Aruco, No_Arena, False, Found, Count,
+                      Result);
+         Stop (Full.all);
+         Check (Count = Robots, "robots");
+         Add (Plain.all, Full.Values (K));
+         Add (Copy.all, Full.Values (K));
+         Following.Begin_Anew (Known, Found, Count);
+      end loop;
+      Report (Section, Name & "in the arena", Size, Inside.all, Copy.all);
+      if Follow.Count > 0 then
+         Report (Section, Name & "following", Size, Follow.all, Plain.all);
+      end if;
+      Plain.Count := 0;
+      Report (Section, Name & "whole image", Size, Full.all, Plain.all);
+   end Measure_Searches;
+
+   procedure Put_Usage;
+
+   procedure Put_Usage is
+   begin
+      Put_Line ("usage: image_times [--samples N] [--json FILE]");
+   end Put_Usage;
+
+   Argument_Number : Positive := 1;
+
+begin
+   while Argument_Number <= Argument_Count loop
+      if Argument (Argument_Number) = "--samples"
+        and then Argument_Number < Argument_Count
+      then
+         Number := Positive'Value (Argument (Argument_Number + 1));
+         Check (Number in 10 .. Most, "10 to 100000 samples");
+      elsif Argument (Argument_Number) = "--json"
+        and then Argument_Number < Argument_Count
+      then
+         Create (File, Out_File, Argument (Argument_Number + 1));
+      else
+         Put_Usage;
+         Set_Exit_Status
+           (if Argument (Argument_Number) in "-h" | "--help" then 0 else 2);
+         return;
+      end if;
+      Argument_Number := Argument_Number + 2;
+   end loop;
+
+   Put_Line ("Microseconds," & Number'Image & " images each. Floors:"
+             & " libjpeg-turbo alone for decode, encode and the sum;");
+   Put_Line ("memcpy of the same bytes for the other stages; the whole"
+             & " image for the searches.");
+   New_Line;
+   Put_Line (Head ("size", 11) & Head ("stage", 34) & Tail ("median", 10)
+             & Tail ("p99", 10) & Tail ("max", 10) & Tail ("floor", 10)
+             & Tail ("ratio", 8));
+   for Size in 1 .. 4 loop
+      declare
+         Width  : constant Positive :=
+           (case Size is when 1 => 320, when 2 => 640, when 3 => 1_280,
+                         when others => 1_920);
+         Height : constant Positive :=
+           (case Size is when 1 => 240, when 2 => 480, when 3 => 720,
+                         when others => 1_080);
+      begin
+         Measure_Stages (Width, Height);
+         Measure_Searches (Width, Height, 1, "search");
+      end;
+   end loop;
+   for Robots in 0 .. 4 loop
+      Measure_Searches (640, 480, Robots, "markers");
+   end loop;
+   if Is_Open (File) then
+      Close (File);
+   end if;
+exception
+   when Failure : Wrong | Constraint_Error =>
+      Put_Line
+        (Standard_Error,
+         "image_times: " & Ada.Exceptions.Exception_Message (Failure));
+      Set_Exit_Status (1);
+end Image_Times;

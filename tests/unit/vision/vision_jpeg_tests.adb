@@ -1,0 +1,532 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The camera's own JPEG: passed on as it is, or decoded, or refused.
+
+with Ada.Streams.Stream_IO; use Ada.Streams;
+with Interfaces.C;          use Interfaces.C;
+with System;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Pictures;
+with Scenes;
+with Vision_C; use Vision_C;
+
+package body Vision_Jpeg_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   subtype Octet is unsigned_char;
+
+   type Octets is array (Positive range <>) of aliased Octet;
+
+   Buffer : Octets (1 .. 1_000_000);
+   --  What the monitor would be sent
+
+   Room : Robot_Array (0 .. 7);
+
+   function Photograph
+     (Scene : Scenes.Description; Quality : int := 90) return Octets;
+   --  As a camera delivers it
+
+   function Load (Jpeg : Octets; Width, Height : int) return Status;
+   --  Into slot 0
+
+   procedure Load (Jpeg : Octets);
+   --  For images of its own size, 640 x 480, with success
+
+   function Sent (Quality : int := 80; Capacity : int := Buffer'Length)
+     return Octets;
+   --  Of slot 0
+
+   procedure Check_Anew (Jpeg, Made : Octets; What : String);
+   --  Made is another image than Jpeg, whole and one that can be decoded
+
+   function Position (Jpeg : Octets; Marker : Octet) return Positive;
+   --  Of the first segment of the head that is so marked; an image of ours
+   --  has one
+
+   procedure Test_Passed (T : in out Any_Test);
+   procedure Test_Drawn (T : in out Any_Test);
+   procedure Test_Other_Size (T : in out Any_Test);
+   procedure Test_Searched (T : in out Any_Test);
+   procedure Test_Behind_The_End (T : in out Any_Test);
+   procedure Test_Cut (T : in out Any_Test);
+   procedure Test_No_Image (T : in out Any_Test);
+   procedure Test_Absurd_Size (T : in out Any_Test);
+   procedure Test_Bad_Tables (T : in out Any_Test);
+   procedure Test_No_Tables (T : in out Any_Test);
+   procedure Test_Foreign_Marker (T : in out Any_Test);
+   procedure Test_Damaged_Inside (T : in out Any_Test);
+   procedure Test_Too_Large (T : in out Any_Test);
+   procedure Test_Arguments (T : in out Any_Test);
+   procedure Test_Video (T : in out Any_Test);
+   procedure Test_Damaged_Video (T : in out Any_Test);
+
+   function Photograph
+     (Scene : Scenes.Description; Quality : int := 90) return Octets
+   is
+      Drawn  : aliased constant Scenes.Description := Scene;
+      Jpeg   : Octets (1 .. 1_000_000);
+      Length : constant int :=
+        Scenes.Jpeg (Drawn'Access, Quality, Jpeg'Address, Jpeg'Length);
+   begin
+      Assert (Length > 0, "the scene can be encoded");
+      return Jpeg (1 .. Natural (Length));
+   end Photograph;
+
+   function Load (Jpeg : Octets; Width, Height : int) return Status is
+     (Load_Jpeg (0, Jpeg'Address, Jpeg'Length, Width, Height));
+
+   procedure Load (Jpeg : Octets) is
+   begin
+      Assert (Load (Jpeg, 640, 480) = Ok, "loaded");
+   end Load;
+
+   function Sent (Quality : int := 80; Capacity : int := Buffer'Length)
+     return Octets
+   is
+      Length : aliased int;
+   begin
+      Assert (Encode (0, Quality, Buffer'Address, Capacity, Length'Access)
+              = Ok, "encoded");
+      return Buffer (1 .. Natural (Length));
+   end Sent;
+
+   procedure Check_Anew (Jpeg, Made : Octets; What : String) is
+   begin
+      Assert (Made /= Jpeg, What & ": encoded anew");
+      Load (Made);
+      Assert (Sent = Made, What & ": and well");
+   end Check_Anew;
+
+   function Position (Jpeg : Octets; Marker : Octet) return Positive is
+   begin
+      for K in Jpeg'First .. Jpeg'Last - 1 loop
+         if Jpeg (K) = 16#FF# and then Jpeg (K + 1) = Marker then
+            return K;
+         end if;
+      end loop;
+      Assert (False, "no such segment");
+      return 1;
+   end Position;
+
+   --  Markers of a JPEG (T.81, table B.1)
+
+   Frame  : constant := 16#C0#;
+   Codes  : constant := 16#C4#;
+   Scan   : constant := 16#DA#;
+   Restart : constant := 16#D0#;
+   Quanta : constant := 16#DB#;
+
+   procedure Test_Passed (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene         : constant Scenes.Description :=
+        Pictures.Scene_With (0, 5, 40.0, 30.0, 10.0);
+      Field         : aliased Arena;
+      Count         : aliased int;
+      Width, Height : aliased int;
+   begin
+      for Quality in int range 1 .. 10 loop
+         declare
+            Jpeg : constant Octets := Photograph (Scene, 10 * Quality);
+         begin
+            Load (Jpeg);
+            Assert (Sent (Quality => 1) = Jpeg, "its own bytes");
+            Assert (Size (0, Width'Access, Height'Access) = Ok
+                    and then Width = 640 and then Height = 480, "size");
+            if Quality > 3 then
+               Assert (Find_Arena (0, Field'Access) = Ok, "arena");
+               Assert (Find_Robots (0, Aruco, Field'Access, Room'Address, 8,
+                                    Count'Access) = Ok and then Count = 1,
+                       "robot");
+               Assert (Sent = Jpeg, "still, after searches");
+            end if;
+         end;
+      end loop;
+   end Test_Passed;
+
+   procedure Test_Drawn (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Jpeg  : constant Octets := Photograph (Scenes.Default);
+      Field : aliased constant Arena :=
+        (Corner => ((20.0, 20.0), (300.5, 20.0), (300.0, 200.0),
+                    (20.0, 200.0)));
+      Robot : aliased constant Vision_C.Robot :=
+        (999, (150.0, 100.0), (170.0, 110.0), 0.0);
+   begin
+      Load (Jpeg);
+      Assert (Draw_Arena (0, Field'Access) = Ok, "draw the arena");
+      Check_Anew (Jpeg, Sent, "arena");
+      Load (Jpeg);
+      Assert (Draw_Robot (0, Robot'Access) = Ok, "draw a robot");
+      Check_Anew (Jpeg, Sent, "robot");
+      Load (Jpeg);
+      Assert (Sent = Jpeg, "a drawing does not stay");
+   end Test_Drawn;
+
+   procedure Test_Other_Size (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check (From_W, From_H, To_W, To_H : int);
+      --  Fitted into 640 x 480
+
+      procedure Check (From_W, From_H, To_W, To_H : int) is
+         Scene         : Scenes.Description := Scenes.Default;
+         What          : constant String := From_W'Image & " x" & From_H'Image;
+         Width, Height : aliased int;
+      begin
+         Scene.Width := From_W;
+         Scene.Height := From_H;
+         declare
+            Jpeg : constant Octets := Photograph (Scene);
+         begin
+            Load (Jpeg);
+            Assert (Size (0, Width'Access, Height'Access) = Ok
+                    and then Width = To_W and then Height = To_H,
+                    What & ": size");
+            declare
+               Made : constant Octets := Sent;
+            begin
+               if From_W = To_W and then From_H = To_H then
+                  Assert (Made = Jpeg, What & ": as it is");
+               else
+                  Assert (Made /= Jpeg, What & ": scaled");
+                  Load (Made);
+                  Assert (Size (0, Width'Access, Height'Access) = Ok
+                          and then Width = To_W and then Height = To_H,
+                          What & ": scaled size");
+               end if;
+            end;
+         end;
+      end Check;
+   begin
+      Check (640, 480, 640, 480);
+      Check (640, 360, 640, 360);
+      Check (320, 240, 640, 480);
+      Check (1_280, 960, 640, 480);
+      Check (3_840, 2_160, 640, 360);
+      Check (700, 500, 640, 457);
+      Check (1, 1, 480, 480);
+      Check (3_000, 2, 640, 1);
+      Check (2, 3_000, 1, 480);
+   end Test_Other_Size;
+
+   procedure Test_Searched (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Count : aliased int;
+      Scene : constant Scenes.Description :=
+        Pictures.Scene_With (0, 5, 40.0, 30.0, 10.0);
+      Jpeg  : constant Octets := Photograph (Scene);
+   begin
+      --  The searches see the same as in an image that came as pixels
+      Load (Jpeg);
+      Assert (Find_Robots (0, Aruco, null, Room'Address, 8, Count'Access)
+              = Ok and then Count = 1 and then Room (0).Id = 5, "a robot");
+   end Test_Searched;
+
+   procedure Test_Behind_The_End (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Jpeg : constant Octets := Photograph (Scenes.Default);
+   begin
+      --  A driver's buffer is not always cut
+      Load (Jpeg & Octets'(1 .. 5_000 => 0));
+      Assert (Sent = Jpeg, "zeros");
+      Load (Jpeg & Jpeg);
+      Assert (Sent = Jpeg, "another image");
+      Load (Jpeg & Octets'(16#0D#, 16#0A#));
+      Assert (Sent = Jpeg, "the end of a line");
+   end Test_Behind_The_End;
+
+   procedure Test_Cut (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Jpeg  : constant Octets := Photograph (Scenes.Default);
+      Begun : constant Positive := Position (Jpeg, Scan) + 14;
+      --  where the code begins
+   begin
+      for Last in 1 .. Begun - 1 loop
+         Assert (Load (Jpeg (1 .. Last), 640, 480) = No_Image,
+                 "a head of" & Last'Image);
+      end loop;
+      for Part in 1 .. 20 loop
+         declare
+            Last : constant Positive :=
+              Begun + (Jpeg'Last - 1 - Begun) * Part / 20;
+         begin
+            --  What there is of it is shown
+            Load (Jpeg (1 .. Last));
+            Check_Anew (Jpeg (1 .. Last), Sent, "cut at" & Last'Image);
+         end;
+      end loop;
+   end Test_Cut;
+
+   procedure Test_No_Image (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Noise : Octets (1 .. 20_000);
+      State : unsigned := 1;
+      Jpeg  : constant Octets := Photograph (Scenes.Default);
+   begin
+      Load (Jpeg);
+      for Round in 1 .. 50 loop
+         for B of Noise loop
+            State := State * 1_664_525 + 1_013_904_223;
+            B := Octet (State / 2 ** 16 mod 2 ** 8);
+         end loop;
+         Assert (Load (Noise, 640, 480) = No_Image, "noise");
+         Assert (Load (Jpeg (1 .. 2) & Noise, 640, 480) = No_Image,
+                 "noise with a beginning");
+      end loop;
+      Assert (Load (Octets'(1 .. 1 => 16#FF#), 640, 480) = No_Image,
+              "one byte");
+      Assert (Load (Octets'(1 .. 9_999 => 0), 640, 480) = No_Image, "zeros");
+      Assert (Sent = Jpeg, "the slot keeps what it had");
+   end Test_No_Image;
+
+   procedure Test_Absurd_Size (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Jpeg  : Octets := Photograph (Scenes.Default);
+      Place : constant Positive := Position (Jpeg, Frame) + 5;
+
+      procedure Set (Height, Width : Natural);
+
+      procedure Set (Height, Width : Natural) is
+      begin
+         Jpeg (Place .. Place + 3) :=
+           (Octet (Height / 256), Octet (Height mod 256),
+            Octet (Width / 256), Octet (Width mod 256));
+      end Set;
+   begin
+      for Side of Octets'(0, 1, 2, 3) loop
+         declare
+            Long : constant Natural :=
+              (case Side is when 0 => 0, when 1 => 8_193, when 2 => 40_000,
+                            when others => 65_535);
+         begin
+            Set (Long, 640);
+            Assert (Load (Jpeg, 640, 480) = No_Image, "height" & Long'Image);
+            Set (480, Long);
+            Assert (Load (Jpeg, 640, 480) = No_Image, "width" & Long'Image);
+         end;
+      end loop;
+      Set (480, 640);
+      Assert (Load (Jpeg, 640, 480) = Ok, "as it was");
+   end Test_Absurd_Size;
+
+   procedure Test_Bad_Tables (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Jpeg : Octets := Photograph (Scenes.Default);
+      Code : constant Positive := Position (Jpeg, Codes) + 5;
+   begin
+      --  More codes of one bit than there can be
+      Jpeg (Code) := 200;
+      Assert (Load (Jpeg, 640, 480) = No_Image, "codes");
+      Jpeg := Photograph (Scenes.Default);
+      Jpeg (Position (Jpeg, Quanta) + 1) := 16#EF#;
+      Jpeg (Position (Jpeg, Quanta) + 1) := 16#EF#;
+      Assert (Load (Jpeg, 640, 480) = No_Image, "no quantization");
+   end Test_Bad_Tables;
+
+   procedure Test_No_Tables (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Whole : constant Octets := Photograph (Scenes.Default);
+      First : constant Positive := Position (Whole, Codes);
+      Last  : constant Positive := Position (Whole, Scan);
+      Jpeg  : constant Octets :=
+        Whole (1 .. First - 1) & Whole (Last .. Whole'Last);
+      --  As many USB cameras have it: the usual tables are left out
+      Count : aliased int;
+   begin
+      Load (Whole);
+      Assert (Sent = Whole, "with its tables");
+      Load (Jpeg);
+      declare
+         Made : constant Octets := Sent (Quality => 90);
+      begin
+         Check_Anew (Jpeg, Made, "without tables");
+         Assert (Position (Made, Codes) > 1, "now with tables");
+      end;
+      Load (Jpeg);
+      Assert (Find_Robots (0, Aruco, null, Room'Address, 8, Count'Access)
+              = Not_Found, "can be searched");
+   end Test_No_Tables;
+
+   procedure Test_Foreign_Marker (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Jpeg   : Octets := Photograph (Scenes.Default);
+      Middle : constant Positive := Jpeg'Last / 2;
+   begin
+      Jpeg (Middle .. Middle + 1) := (16#FF#, Restart);
+      Load (Jpeg);
+      Assert (Sent = Jpeg, "a restart may stand there");
+      Jpeg (Middle + 1) := Quanta;
+      Load (Jpeg);
+      Check_Anew (Jpeg, Sent, "a table in the code");
+   end Test_Foreign_Marker;
+
+   procedure Test_Damaged_Inside (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Jpeg  : Octets := Photograph (Scenes.Default);
+      First : constant Positive := Position (Jpeg, Scan) + 100;
+      State : unsigned := 7;
+      Place : Positive;
+      Field : aliased Arena;
+   begin
+      --  What only decoding would show is passed on, and can be decoded
+      for Number in 1 .. 100 loop
+         State := State * 1_664_525 + 1_013_904_223;
+         Place := First + Natural (State / 2 ** 8) mod (Jpeg'Last - 3 - First);
+         if Jpeg (Place) /= 16#FF# and then Jpeg (Place - 1) /= 16#FF# then
+            Jpeg (Place) := Octet (State / 2 ** 16 mod 2 ** 7);
+         end if;
+      end loop;
+      Load (Jpeg);
+      Assert (Sent = Jpeg, "passed on");
+      Assert (Find_Arena (0, Field'Access) in Ok | Not_Found, "decoded");
+   end Test_Damaged_Inside;
+
+   procedure Test_Too_Large (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Noise := 20.0;
+      declare
+         Jpeg : constant Octets := Photograph (Scene, 100);
+      begin
+         Load (Jpeg);
+         Assert (Sent (Capacity => Jpeg'Length) = Jpeg, "just fits");
+         Check_Anew
+           (Jpeg, Sent (Quality => 50, Capacity => Jpeg'Length - 1),
+            "too large as it is");
+      end;
+   end Test_Too_Large;
+
+   procedure Test_Arguments (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Jpeg   : constant Octets := Photograph (Scenes.Default);
+      Length : aliased int;
+   begin
+      for Slot of Octets'(6, 255) loop
+         Assert (Load_Jpeg (int (Slot), Jpeg'Address, Jpeg'Length, 640, 480)
+                 = Bad_Argument
+                 and then
+                 Load_Jpeg (-int (Slot), Jpeg'Address, Jpeg'Length, 640, 480)
+                 = Bad_Argument, "slot");
+      end loop;
+      Assert (Load_Jpeg (0, System.Null_Address, 100, 640, 480)
+              = Bad_Argument, "null");
+      Assert (Load_Jpeg (0, Jpeg'Address, 0, 640, 480) = Bad_Argument
+              and then
+              Load_Jpeg (0, Jpeg'Address, -1, 640, 480) = Bad_Argument,
+              "length");
+      Assert (Load (Jpeg, 0, 480) = Bad_Argument
+              and then Load (Jpeg, 640, 8_193) = Bad_Argument, "size");
+      Load (Jpeg);
+      for Quality of Octets'(0, 101) loop
+         Assert (Encode (0, int (Quality), Buffer'Address, Buffer'Length,
+                         Length'Access) = Bad_Argument,
+                 "a quality that there is not");
+      end loop;
+   end Test_Arguments;
+
+   function Contents (Path : String) return Octets;
+
+   function Contents (Path : String) return Octets is
+      File : Stream_IO.File_Type;
+   begin
+      Stream_IO.Open (File, Stream_IO.In_File, Path);
+      return Data : Octets (1 .. Natural (Stream_IO.Size (File))) do
+         Octets'Read (Stream_IO.Stream (File), Data);
+         Stream_IO.Close (File);
+      end return;
+   end Contents;
+
+   function Is_In (Part, Whole : Octets) return Boolean is
+     (for some First in Whole'First .. Whole'Last - Part'Length + 1 =>
+        Whole (First + 200) = Part (Part'First + 200)
+        and then Whole (First .. First + Part'Length - 1) = Part);
+
+   procedure Test_Video (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Path  : constant String := Pictures.Temporary ("own.avi");
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Noise := 3.0;
+      Pictures.Save_Video (Scene, 4, 25, Path);
+      declare
+         Whole : constant Octets := Contents (Path);
+      begin
+         Assert (Open (To_C (Path), 640, 480, 10) = Ok, "open");
+         for Round in 1 .. 9 loop
+            Assert (Grab (0) = Ok, "grab" & Round'Image);
+            Assert (Is_In (Sent, Whole), "the video's own" & Round'Image);
+         end loop;
+         Assert (Open (To_C (Path), 320, 480, 10) = Ok, "open for less");
+         Assert (Grab (0) = Ok and then not Is_In (Sent, Whole),
+                 "encoded anew");
+         Assert (Close = Ok, "close");
+      end;
+      Pictures.Remove (Path);
+   end Test_Video;
+
+   procedure Test_Damaged_Video (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Path  : constant String := Pictures.Temporary ("damaged.avi");
+      Scene : Scenes.Description := Scenes.Default;
+      Found : Natural := 0;
+   begin
+      --  Of six images the third and the fourth have no head any more
+      Scene.Noise := 3.0;
+      Pictures.Save_Video (Scene, 6, 25, Path);
+      declare
+         Whole : Octets := Contents (Path);
+         File  : Stream_IO.File_Type;
+      begin
+         for K in Whole'First .. Whole'Last - 2 loop
+            if Whole (K .. K + 2) = (16#FF#, 16#D8#, 16#FF#) then
+               Found := Found + 1;
+               if Found in 3 | 4 then
+                  Whole (K + 2 .. K + 300) := (others => 0);
+               end if;
+            end if;
+         end loop;
+         Assert (Found = 6, "six images");
+         Stream_IO.Create (File, Name => Path);
+         Octets'Write (Stream_IO.Stream (File), Whole);
+         Stream_IO.Close (File);
+         Assert (Open (To_C (Path), 640, 480, 10) = Ok, "open");
+         for Round in 1 .. 9 loop
+            Assert (Grab (0) = Ok, "grab" & Round'Image);
+            Assert (Is_In (Sent, Whole), "a whole one" & Round'Image);
+         end loop;
+         Assert (Close = Ok, "close");
+      end;
+      Pictures.Remove (Path);
+   end Test_Damaged_Video;
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("the camera's own JPEG"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Passed'Access, "passed on as it is");
+      Register_Routine (T, Test_Drawn'Access, "not when drawn in");
+      Register_Routine (T, Test_Other_Size'Access, "nor of another size");
+      Register_Routine (T, Test_Searched'Access, "searched");
+      Register_Routine (T, Test_Behind_The_End'Access,
+                        "what stands behind its end");
+      Register_Routine (T, Test_Cut'Access, "cut anywhere");
+      Register_Routine (T, Test_No_Image'Access, "no image at all");
+      Register_Routine (T, Test_Absurd_Size'Access, "absurd sizes");
+      Register_Routine (T, Test_Bad_Tables'Access, "impossible tables");
+      Register_Routine (T, Test_No_Tables'Access, "the usual tables");
+      Register_Routine (T, Test_Foreign_Marker'Access,
+                        "markers in the code");
+      Register_Routine (T, Test_Damaged_Inside'Access, "damaged inside");
+      Register_Routine (T, Test_Too_Large'Access, "too large to be sent");
+      Register_Routine (T, Test_Arguments'Access, "arguments");
+      Register_Routine (T, Test_Video'Access, "the images of a video");
+      Register_Routine (T, Test_Damaged_Video'Access,
+                        "a video with damaged images");
+   end Register_Tests;
+
+end Vision_Jpeg_Tests;
