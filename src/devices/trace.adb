@@ -93,7 +93,9 @@ is
       Label  : Trace_Json.Label_Text := (others => ' '));
    --  An event of this moment
 
-   procedure Put_Due (Who : Task_Name; Due : Time);
+   function Count (Due : Time) return Unsigned_64 is
+     (Nanoseconds (Duration'Max (0.0, To_Duration (Due - Beginning))));
+   --  Due may be Time_First: at once
 
    procedure Flush (Success : in out Boolean);
 
@@ -161,22 +163,6 @@ is
       Trace_Rings.Put
         (Ring, (Now, Unsigned_64 (Number), Who, Kind, Label));
    end Put;
-
-   -------------
-   -- Put_Due --
-   -------------
-
-   procedure Put_Due (Who : Task_Name; Due : Time) is
-   begin
-      Trace_Rings.Put
-        (Ring,
-         --  Due may be Time_First: at once
-         (At_Time => Nanoseconds
-            (Duration'Max (0.0, To_Duration (Due - Beginning))),
-          Who     => Who,
-          Kind    => Trace_Json.Due,
-          others  => <>));
-   end Put_Due;
 
    ---------
    -- Try --
@@ -318,10 +304,20 @@ is
    procedure Start (Who : Task_Name; Due : Time) is
    begin
       if On then
-         Put_Due (Who, Due);
-         Put (Trace_Json.Start, Who);
+         Put (Trace_Json.Start_Due, Who, Orders.Ticket (Count (Due)));
       end if;
    end Start;
+
+   -------------
+   -- Take_Up --
+   -------------
+
+   procedure Take_Up (Who : Task_Name) is
+   begin
+      if On then
+         Put (Trace_Json.Take_Up, Who);
+      end if;
+   end Take_Up;
 
    ----------
    -- Done --
@@ -366,7 +362,8 @@ is
    procedure Resume (Who : Task_Name; Due : Time) is
    begin
       if On then
-         Put_Due (Who, Due);
+         Trace_Rings.Put
+           (Ring, (Count (Due), 0, Who, Trace_Json.Due, (others => ' ')));
          Put (Trace_Json.Resume, Who);
       end if;
    end Resume;

@@ -47,11 +47,15 @@ is
    procedure Release (Who : Task_Name; Number : Orders.Ticket := 0)
    with Global => (In_Out => Recorder);
    --  Who has something to do. Called where the event is signalled, just
-   --  before; by Who itself where the kernel is what signals
+   --  before
 
    procedure Start (Who : Task_Name; Number : Orders.Ticket := 0)
    with Global => (In_Out => Recorder);
    --  Who begins a job; Number: the monitor's command behind it
+
+   procedure Take_Up (Who : Task_Name)
+   with Global => (In_Out => Recorder);
+   --  Who begins a job that the kernel has released it for, just now
 
    procedure Start (Who : Task_Name; Due : Ada.Real_Time.Time)
    with Global => (In_Out => Recorder);
@@ -96,6 +100,6 @@ is
 
    procedure Ordered (Who : Task_Name; Kind : Robot_Protocol.Command_Kind)
    with Global => (In_Out => Recorder);
-   --  A command for the robot is about to be written
+   --  A command for the robot has been written
 
 end Trace;

@@ -54,6 +54,12 @@ package body Trace_Rings with SPARK_Mode => Off is
      Convention    => Intrinsic,
      External_Name => "__sync_synchronize";
 
+   procedure Prefetch (Where : System.Address; To_Write, Locality : int)
+   with
+     Import,
+     Convention    => Intrinsic,
+     External_Name => "__builtin_prefetch";
+
    function Place (R : Ring; Number : Unsigned_64) return System.Address is
      (R.Where + Storage_Offset (Slot_Bytes * (Number mod R.Capacity)));
 
@@ -105,6 +111,8 @@ package body Trace_Rings with SPARK_Mode => Off is
       then
          Here.Item := Item;
          Store (Here.State'Address, 2 * Number + 2, Release);
+         --  the ring is longer than the caches: the next slots on their way
+         Prefetch (Place (R, Number + 3), 1, 3);
       end if;
    end Put;
 

@@ -59,6 +59,8 @@ package body Trace_Json with SPARK_Mode is
      (Line : in out Texts.Text; First : Unsigned_64; Item : Event);
    --  All but the ends of slices
 
+   subtype Job_Start is Event_Kind range Start .. Start_Due;
+
    ------------
    -- Append --
    ------------
@@ -226,19 +228,40 @@ package body Trace_Json with SPARK_Mode is
       Line  : out Texts.Text) is
    begin
       Line := (others => <>);
-      if Item.Kind in Start | Done | Wait | Resume
+      if Item.Kind in Job_Start | Done | Wait | Resume
         and then Open (Item.Who) = Job_And_Wait
       then
          Append_End (Line, First, Item);
          Open (Item.Who) := Job;
       end if;
-      if Item.Kind in Start | Done and then Open (Item.Who) = Job then
+      if Item.Kind in Job_Start | Done and then Open (Item.Who) = Job then
          Append_End (Line, First, Item);
          Open (Item.Who) := None;
       end if;
       case Item.Kind is
-         when Start =>
-            Append_Other (Line, First, Item);
+         when Job_Start =>
+            if Item.Kind = Take_Up then
+               Append_Other
+                 (Line, First,
+                  (At_Time => Item.At_Time,
+                   Who     => Item.Who,
+                   Kind    => Release,
+                   others  => <>));
+            elsif Item.Kind = Start_Due then
+               Append_Other
+                 (Line, First,
+                  (At_Time => Item.Number,
+                   Who     => Item.Who,
+                   Kind    => Due,
+                   others  => <>));
+            end if;
+            Append_Other
+              (Line, First,
+               (At_Time => Item.At_Time,
+                Number  => (if Item.Kind = Start then Item.Number else 0),
+                Who     => Item.Who,
+                Kind    => Start,
+                others  => <>));
             Open (Item.Who) := Job;
          when Wait =>
             if Open (Item.Who) = Job then

@@ -17,6 +17,8 @@ package Trace_Json with SPARK_Mode is
      (Release,    --  the task has something to do from now on
       Due,        --  the same by the clock, from the time that was set
       Start,      --  of a job
+      Take_Up,    --  both at once: the kernel has released the task
+      Start_Due,  --  of a job whose release was at the time Number
       Done,       --  its end, or nothing where none is under way
       Wait,       --  the job waits, Label says what for
       Resume,     --  and goes on
@@ -30,7 +32,8 @@ package Trace_Json with SPARK_Mode is
 
    type Event is record
       At_Time : Unsigned_64 := 0;   --  in nanoseconds
-      Number  : Unsigned_64 := 0;   --  of the monitor's command, 0: none
+      Number  : Unsigned_64 := 0;
+      --  of the monitor's command, 0: none; of Start_Due: its release
       Who     : Schedule.Task_Name := Schedule.Task_Name'First;
       Kind    : Event_Kind := Idle;
       Label   : Label_Text := (others => ' ');
@@ -64,7 +67,7 @@ package Trace_Json with SPARK_Mode is
           (if Who /= Item.Who then Open (Who) = Open'Old (Who)))
        and then Open (Item.Who) =
          (case Item.Kind is
-             when Start => Job,
+             when Start | Take_Up | Start_Due => Job,
              when Done  => None,
              when Wait  =>
                (if Open'Old (Item.Who) = None then None else Job_And_Wait),

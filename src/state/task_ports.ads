@@ -13,8 +13,8 @@ package Task_Ports with SPARK_Mode is
 
    package Open_Robot is new Order_Ports (Schedule.Th_Open_Com_Robot);
    package Start_Robot is new Order_Ports (Schedule.Th_Start_Robot);
-   package Start_Robot_Watchdog is new
-     Order_Ports (Schedule.Th_Start_Robot_WD);
+   package Start_Robot_Watchdog is new Order_Ports
+     (Schedule.Th_Start_Robot_WD);
    package Reset_Robot is new Order_Ports (Schedule.Th_Reset_Robot);
    package Move is new Order_Ports (Schedule.Th_Move);
    package Query is new Order_Ports (Schedule.Th_Query);

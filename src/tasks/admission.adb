@@ -364,8 +364,7 @@ package body Admission with SPARK_Mode is
       Get_Next (G, Free, Watched, Limit);
       Monitor_Sockets.Wait_Newcomer
         (Free, Watched, Limit, Event, Where, From, Peer);
-      Trace.Release (Schedule.Th_Server);
-      Trace.Start (Schedule.Th_Server);
+      Trace.Take_Up (Schedule.Th_Server);
       case Event is
          when Monitor_Sockets.Newcomer =>
             Meet (G, Where, From, Peer);

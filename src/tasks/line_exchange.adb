@@ -80,8 +80,8 @@ package body Line_Exchange with SPARK_Mode is
       Deadline := Clock;
       Deadline := Deadline + Schedule.Answer_Timeout
         + Out_Frame.Length * Schedule.Byte_Time;
-      Trace.Ordered (Schedule.Th_Line, Item.Kind);
       Serial_Line.Write (Out_Frame.Data, Out_Frame.Length, Ok);
+      Trace.Ordered (Schedule.Th_Line, Item.Kind);
       Trace.Wait (Schedule.Th_Line, Trace.Answer);
       if not Ok then
          return;
@@ -141,8 +141,8 @@ package body Line_Exchange with SPARK_Mode is
                Journal.Put (Options.Info, "robot line closed");
             when Robot_Session.Send =>
                Encode (Step.Command, Sending);
-               Trace.Ordered (Schedule.Th_Line, Step.Command.Kind);
                Serial_Line.Write (Sending.Data, Sending.Length, Last.Ok);
+               Trace.Ordered (Schedule.Th_Line, Step.Command.Kind);
             when Robot_Session.Exchange =>
                Exchange (Step.Command, False, Last.Ok, Last.Reply);
             when Robot_Session.Synchronise =>

@@ -189,8 +189,7 @@ package body Monitor_Tasks with SPARK_Mode is
          After := 0;
          loop
             Monitor_Sockets.Receive (Incoming, Length, Open);
-            Trace.Release (Schedule.Th_Receive_From_Mon);
-            Trace.Start (Schedule.Th_Receive_From_Mon);
+            Trace.Take_Up (Schedule.Th_Receive_From_Mon);
             for I in 1 .. Length loop
                exit when not Open;
                Accept_Character (Reader, Incoming (I), Complete);
@@ -268,8 +267,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Monitor_Link.Start (Link, Sample.Now);
       loop
          Monitor_Sockets.Watch (Schedule.Link_Period, Loss);
-         Trace.Release (Schedule.Th_Com_Mon_Perdue);
-         Trace.Start (Schedule.Th_Com_Mon_Perdue);
+         Trace.Take_Up (Schedule.Th_Com_Mon_Perdue);
          Session.Get_Stopping (Stopping);
          exit when Loss /= Monitor_Sockets.None or else Stopping;
          Monitor_Sockets.Sample (Sample);

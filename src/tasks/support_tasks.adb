@@ -146,13 +146,12 @@ package body Support_Tasks with SPARK_Mode is
       Process.Name_Task ("th_stop");
       loop
          Process.Wait_Signal (Kind);
-         Trace.Release (Schedule.Th_Stop);
-         Trace.Start (Schedule.Th_Stop);
+         Trace.Take_Up (Schedule.Th_Stop);
          if Kind = Process.Failure then
             --  whoever has failed, the robot stops now, for good
             Robot_Line.Refuse_Orders;
-            Trace.Ordered (Schedule.Th_Stop, Robot_Protocol.Move);
             Serial_Line.Stop_Blindly;
+            Trace.Ordered (Schedule.Th_Stop, Robot_Protocol.Move);
          end if;
          Journal.Put (Options.Info, "stopping");
          Session.Request_Stop;
@@ -163,8 +162,8 @@ package body Support_Tasks with SPARK_Mode is
                    else Schedule.Stop_Limit));
          Robot_Line.Get_Status (Status);
          if Status.Open then
-            Trace.Ordered (Schedule.Th_Stop, Robot_Protocol.Move);
             Serial_Line.Stop_Blindly;
+            Trace.Ordered (Schedule.Th_Stop, Robot_Protocol.Move);
          end if;
          Journal.Put
            (Options.Info,

@@ -300,6 +300,9 @@ package body Trace_Responses is
       Check
         (R.Supervisor.Exit_Status (Within => 10.0) = 0,
          "the supervisor did not end in good order");
+      Check
+        (not R.Supervisor.Says ("the trace is not complete"),
+         R.Supervisor.Log_Text);
    end Make;
 
    ------------

@@ -90,7 +90,7 @@ package body Trace_Json_Tests is
       --  any sequence: events may be missing at every place
       for I in Unsigned_64 range 1 .. 10_000 loop
          Bits := Bits * 1_664_525 + 1_013_904_223;
-         Put_One (Event_Kind'Val (Shift_Right (Bits, 16) mod 10), I);
+         Put_One (Event_Kind'Val (Shift_Right (Bits, 16) mod 12), I);
       end loop;
       Put_One (Done, 10_001);
       Assert (Depth = 0, "not ended");
@@ -158,6 +158,21 @@ package body Trace_Json_Tests is
                 others => <>),
          "," & LF & "{""name"":""idle"",""ph"":""i"",""s"":""t"","
          & """pid"":1,""tid"":21,""ts"":0.000}");
+      Expect
+        (Open, (Kind => Take_Up, Who => Th_Stop, At_Time => 2_000,
+                others => <>),
+         "," & LF & "{""name"":""release"",""ph"":""i"",""s"":""t"","
+         & """pid"":1,""tid"":1,""ts"":1.000}"
+         & "," & LF & "{""name"":""job"",""ph"":""B"",""pid"":1,"
+         & """tid"":1,""ts"":1.000}");
+      Expect
+        (Open, (Kind => Start_Due, Who => Th_Stop, At_Time => 4_000,
+                Number => 3_000, others => <>),
+         "," & LF & "{""ph"":""E"",""pid"":1,""tid"":1,""ts"":3.000}"
+         & "," & LF & "{""name"":""due"",""ph"":""i"",""s"":""t"","
+         & """pid"":1,""tid"":1,""ts"":2.000}"
+         & "," & LF & "{""name"":""job"",""ph"":""B"",""pid"":1,"
+         & """tid"":1,""ts"":3.000}");
    end Test_Events;
 
    ----------------
@@ -186,7 +201,7 @@ package body Trace_Json_Tests is
    begin
       Put
         (Open, 0,
-         (Kind    => Start,
+         (Kind    => Start_Due,
           Who     => Task_Name'Last,
           At_Time => Unsigned_64'Last,
           Number  => Unsigned_64'Last,
@@ -195,7 +210,7 @@ package body Trace_Json_Tests is
       Assert (Line.Length < Texts.Max_Length, "an event is cut");
       Assert (Line.Data (Line.Length) = '}', Texts.Image (Line));
       Assert
-        (Count (Texts.Image (Line), "18446744073709551.615") = 3,
+        (Count (Texts.Image (Line), "18446744073709551.615") = 4,
          Texts.Image (Line));
       Begin_Text
         (Unsigned_64'Last, Unsigned_64'Last, Unsigned_64'Last, Line);

@@ -32,7 +32,7 @@ package body Trace_Rings_Tests is
      (At_Time => Value,
       Number  => not Value,
       Who     => Task_Name'Val (Value mod 21),
-      Kind    => Event_Kind'Val (Value mod 10),
+      Kind    => Event_Kind'Val (Value mod 12),
       Label   => (others => Character'Val (Value mod 251)));
    --  All of it depends on Value
 
