@@ -103,9 +103,9 @@ is
      Global => (In_Out => (Camera, Frames)),
      Post   => Result in Done | No_Camera | No_Image | Failed;
    --  Waits for the next image, 2 s at most (4 s where damaged ones come)
-   --  where the source lets itself be interrupted. The slot keeps what it had unless Done. What a live source
-   --  delivers waits in buffers and grows old there unless it is grabbed as
-   --  fast as it comes.
+   --  where the source lets itself be interrupted. The slot keeps what it had
+   --  unless Done. What a live source delivers waits in buffers and grows old
+   --  there unless it is grabbed as fast as it comes.
 
    procedure Close
    with Global => (In_Out => Camera);
