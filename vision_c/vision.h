@@ -67,7 +67,8 @@ typedef struct {
  * '!'). WIDTH, HEIGHT and FPS are asked of a camera; every frame is scaled
  * to fit WIDTH x HEIGHT, its proportions kept, when the source delivers
  * another size. SOURCE stays the caller's. An open source is closed first.
- * May take as long as the source does, 5 s at most for a URL.
+ * May take as long as the source does, 5 s at most for a URL (7 s where
+ * damaged images come).
  * VISION_NO_CAMERA when it cannot be opened or gives no first image.
  *
  * Where the source has JPEG itself (Motion JPEG in an HTTP stream or a file,

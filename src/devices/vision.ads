@@ -94,18 +94,18 @@ is
      Post   => Result in Done | No_Camera | Bad_Argument | Failed;
    --  Opens a camera number, device path, file, URL or GStreamer pipeline.
    --  Images come scaled to fit Width x Height. What was open is closed
-   --  first. Takes as long as the source does, 5 s at most for a URL. Of a
-   --  source that has JPEG itself that is kept, and decoded in the first
-   --  operation that needs pixels.
+   --  first. Takes as long as the source does, 5 s at most for a URL (7 s
+   --  where damaged images come). Of a source that has JPEG itself that is
+   --  kept, and decoded in the first operation that needs pixels.
 
    procedure Grab (Into : Slot; Result : out Status)
    with
      Global => (In_Out => (Camera, Frames)),
      Post   => Result in Done | No_Camera | No_Image | Failed;
-   --  Waits for the next image, 2 s at most where the source lets itself be
-   --  interrupted. The slot keeps what it had unless Done. What a live source
-   --  delivers waits in buffers and grows old there unless it is grabbed as
-   --  fast as it comes.
+   --  Waits for the next image, 2 s at most (4 s where damaged ones come)
+   --  where the source lets itself be interrupted. The slot keeps what it had
+   --  unless Done. What a live source delivers waits in buffers and grows old
+   --  there unless it is grabbed as fast as it comes.
 
    procedure Close
    with Global => (In_Out => Camera);

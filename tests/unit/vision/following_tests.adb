@@ -445,11 +445,13 @@ package body Following_Tests is
       Following.Begin_Anew (Known, Two, 2);
       Following.Settle
         (Known, 100, (Two (1), Robot_At (6, 0, 0), others => <>), 2, Done);
-      Assert (not Done, "another instead");
+      Assert (not Done and then Following.Count (Known) = 0,
+              "another instead");
       Following.Begin_Anew (Known, Two, 2);
       Following.Settle (Known, 0, (others => <>), 0, Done);
-      Assert (not Done, "none");
+      Assert (not Done and then Following.Count (Known) = 0, "none");
       Following.Begin_Anew (Known, Two, 2);
+      Assert (Following.Count (Known) = 2, "known again");
       Following.Forget (Known);
       Assert (Following.Count (Known) = 0, "forgotten");
    end Test_Settle;
