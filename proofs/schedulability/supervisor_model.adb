@@ -925,7 +925,7 @@ package body Supervisor_Model with SPARK_Mode is
    is
       procedure Bound_One
         (Set : Activity_Set; Name : Activity_Name; Value : out Bound)
-      with Global => null;
+      with Global => Under;
 
       ---------------
       -- Bound_One --
@@ -948,7 +948,7 @@ package body Supervisor_Model with SPARK_Mode is
       end Bound_One;
 
       procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds)
-      with Global => null;
+      with Global => Under;
 
       -----------------
       -- Bound_Owner --

@@ -185,6 +185,7 @@ package body Admission with SPARK_Mode is
       Now   : Time;
       First : Monitor_Sockets.Place_Choice;
       Stage : Session.Stage_Kind;
+      pragma Unreferenced (Stage);
    begin
       Free := Monitor_Sockets.No_Place;
       Watched := (others => False);

@@ -440,7 +440,14 @@ package body Machine_Faults is
            (Most, Positive (System.Multiprocessors.Number_Of_CPUs)));
       W.Talk (Span (W.Source, 0.5, 1.5));
       --  amid the load, not when it is over
-      W.Expect_Answers;
+      begin
+         W.Expect_Answers (if W.Alone then Busy_Limit else Answer_Limit);
+      exception
+         when Failed =>
+            --  a late line makes an answer another one, but not a late one
+            W.Is_Serious := True;
+            raise;
+      end;
    end Inject;
 
    overriding procedure Lift (F : in out Busy; W : in out World) is

@@ -37,6 +37,9 @@ package Tolerances is
    --  For all answers of a session: as many exchanges as may wait, some of
    --  them with time-outs, and a camera that opens slowly
 
+   Busy_Limit : constant Duration := 5.0;
+   --  The same where nothing is wrong but that the processors are busy
+
    Line_Attempts : constant := 5;
    --  To start and to move the robot: between two programs the kernel's
    --  pseudo-terminal carries the bytes in a thread of ordinary priority,
