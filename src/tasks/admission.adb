@@ -182,10 +182,9 @@ package body Admission with SPARK_Mode is
       Watched : out Monitor_Sockets.Place_Set;
       Limit   : out Time)
    is
-      Now   : Time;
-      First : Monitor_Sockets.Place_Choice;
-      Stage : Session.Stage_Kind;
-      pragma Unreferenced (Stage);
+      Now    : Time;
+      First  : Monitor_Sockets.Place_Choice;
+      Unused : Session.Stage_Kind;
    begin
       Free := Monitor_Sockets.No_Place;
       Watched := (others => False);
@@ -217,7 +216,7 @@ package body Admission with SPARK_Mode is
          end if;
       end if;
       --  who has waited for the end of a session, or behind another
-      Get_First (G, First, Stage);
+      Get_First (G, First, Unused);
       if First in Monitor_Sockets.Place then
          Limit := Now;
       end if;
