@@ -9,6 +9,7 @@ with Expectations;      use Expectations;
 with Faults;            use Faults;
 with Instants;          use Instants;
 with Line_Watch;
+with Process_Facts;
 with Random_Numbers;    use Random_Numbers;
 with Tolerances;        use Tolerances;
 
@@ -494,6 +495,8 @@ package body Trials is
                 ", log (its last lines):" & ASCII.LF
                 & Tail (W.Supervisor.Log_Text)
                 & "   at the robot:" & ASCII.LF & W.Wire_Tail
+                & "   its threads:" & Process_Facts.Thread_Waits (W.Pid)
+                & ASCII.LF
               else (1 => ASCII.LF));
          Give_Up;
       end if;

@@ -263,6 +263,28 @@ package body Process_Facts is
       return To_String (Result);
    end Thread_Names;
 
+   ------------------
+   -- Thread_Waits --
+   ------------------
+
+   function Thread_Waits (Process : int) return String is
+      Result : Unbounded_String;
+
+      procedure Add (Thread : String);
+
+      procedure Add (Thread : String) is
+         Place : constant String := Folder (Process) & "/task/" & Thread;
+      begin
+         Append
+           (Result,
+            " " & First_Line (Place & "/comm")
+            & ":" & First_Line (Place & "/wchan"));
+      end Add;
+   begin
+      For_Each_Entry (Folder (Process) & "/task", Add'Access);
+      return To_String (Result);
+   end Thread_Waits;
+
    ----------------
    -- Processors --
    ----------------

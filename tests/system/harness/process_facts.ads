@@ -28,6 +28,10 @@ package Process_Facts is
 
    function Thread_Names (Process : int) return String;
 
+   function Thread_Waits (Process : int) return String;
+   --  " name:function" of each thread, function being that of the kernel in
+   --  which it waits, "0" where it does not
+
    function Processors (Process : int; Thread : int) return String;
    --  Where the thread may run, as the kernel writes it: "0", "1-3"
 
