@@ -411,13 +411,13 @@ package body Process_Tests is
       Assemble
         (R, Camera => True, Emulator_Options => "--baud 0",
          Connected => False);
-      for Number in 1 .. 20 loop
+      for Number in 1 .. 60 loop
          Visit (Number);
       end loop;
       Memory := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
       Threads := Process_Facts.Threads (R.Supervisor.Pid);
       Descriptors := Process_Facts.Descriptors (R.Supervisor.Pid);
-      for Number in 21 .. 120 loop
+      for Number in 61 .. 160 loop
          Visit (Number);
       end loop;
       Note
