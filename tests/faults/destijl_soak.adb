@@ -16,7 +16,6 @@ with System;
 with Expectations;          use Expectations;
 with Fault_List;
 with Faults;                use Faults;
-with Host_Time;
 with Instants;              use Instants;
 with Libc;
 with Line_Watch;
@@ -197,13 +196,10 @@ procedure Destijl_Soak is
       Start   : Instant;
       Unused  : Message;
       Begun   : constant Instant := Now;
-      Taken   : constant Duration := Host_Time.Taken;
 
       function Line_Was_Late return Boolean is
-        (Line_Watch.Worst (Begun, Now) >= Tolerances.Late_Line
-         or else Host_Time.Taken - Taken >= Tolerances.Late_Line);
-      --  The kernel's doing, or the host's, who takes the processors away
-      --  from the emulated robot as well
+        (Line_Watch.Worst (Begun, Now) >= Tolerances.Late_Line);
+      --  The kernel's doing
 
       procedure Ask (Command : String; Own : Boolean);
 
