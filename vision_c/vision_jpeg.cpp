@@ -88,6 +88,10 @@ bool is_common(const jpeg_decompress_struct &object) {
     return false;
   for (int k = 0; k < object.num_components; ++k) {
     const jpeg_component_info &component = *object.cur_comp_info[k];
+    // libjpeg checks these numbers only when it begins to decode.
+    if (component.dc_tbl_no < 0 || component.dc_tbl_no >= NUM_HUFF_TBLS ||
+        component.ac_tbl_no < 0 || component.ac_tbl_no >= NUM_HUFF_TBLS)
+      return false;
     if (object.dc_huff_tbl_ptrs[component.dc_tbl_no] == nullptr ||
         object.ac_huff_tbl_ptrs[component.ac_tbl_no] == nullptr)
       return false;
