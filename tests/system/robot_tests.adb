@@ -629,60 +629,72 @@ package body Robot_Tests is
    procedure Watchdog_Kept is
       --  60 s with images, positions, orders and two busy loops; memory
       --  stays flat meanwhile
-      R         : Rig;
-      Load      : Busy_Loops.Load;
-      Early     : Natural := 0;
-      Late      : Natural;
-      Time      : Instant;
-      Round     : Natural := 0;
-      Worst     : Duration := 0.0;
-      Reloads   : Natural := 0;
+      R    : Rig;
+      Load : Busy_Loops.Load;
+
+      procedure Measure;
+
+      procedure Measure is
+         Missed_Before : constant Natural :=
+           Natural'Value (R.Emulator.Status ("missed_total"));
+
+         Early   : Natural := 0;
+         Late    : Natural;
+         Time    : constant Instant := Now;
+         Round   : Natural := 0;
+         Worst   : Duration := 0.0;
+         Reloads : Natural := 0;
+         Missed  : Natural;
+      begin
+         R.Emulator.Clear_Journal;
+         while Now - Time < 60.0 loop
+            R.Monitor.Expect
+              ((case Round mod 6 is
+                   when 0 => "RGFW", when 1 => "RGLF", when 2 => "RGBT",
+                   when 3 => "RMOV:-20", when 4 => "RGST",
+                   when others => "RSTP"),
+               (case Round mod 6 is
+                   when 2 => "RBLV", when 4 => "RCST", when others => "AACK"),
+               Within => 5.0);
+            Round := Round + 1;
+            if Early = 0 and then Now - Time > 15.0 then
+               Early := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
+            end if;
+            delay 0.047;
+         end loop;
+         Late := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
+         for Item of R.Emulator.Journal loop
+            if Item.Command = "w" then
+               Reloads := Reloads + 1;
+               Worst := Duration'Max (Worst, abs (Item.Interval - 1.0));
+            end if;
+         end loop;
+         Missed :=
+           Natural'Value (R.Emulator.Status ("missed_total")) - Missed_Before;
+         Note (Reloads'Image & " reloads, the worst by "
+               & Milliseconds (Worst) & " off," & Missed'Image & " missed;"
+               & Round'Image & " orders;"
+               & Natural'Image (Late) & " kB, after"
+               & Natural'Image (Early) & " kB");
+         Check
+           (Late <= Early + 1024,
+            "memory grows:" & Early'Image & " kB," & Late'Image & " kB");
+         Check (Reloads >= 58, "only" & Reloads'Image & " reloads");
+         --  without real-time priorities deadlines are not guaranteed, but
+         --  the robot runs on
+         if R.Supervisor.Says ("real-time priorities: yes") then
+            Check (Missed = 0, "missed windows:" & Missed'Image);
+         end if;
+      end Measure;
+
    begin
       Assemble (R, Camera => True);
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
       Load.Start;
-      Time := Now;
-      while Now - Time < 60.0 loop
-         R.Monitor.Expect
-           ((case Round mod 6 is
-                when 0 => "RGFW", when 1 => "RGLF", when 2 => "RGBT",
-                when 3 => "RMOV:-20", when 4 => "RGST",
-                when others => "RSTP"),
-            (case Round mod 6 is
-                when 2 => "RBLV", when 4 => "RCST", when others => "AACK"),
-            Within => 5.0);
-         Round := Round + 1;
-         if Early = 0 and then Now - Time > 15.0 then
-            Early := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
-         end if;
-         delay 0.047;
-      end loop;
-      Late := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
-      for Item of R.Emulator.Journal loop
-         if Item.Command = "w" then
-            Reloads := Reloads + 1;
-            Worst := Duration'Max (Worst, abs (Item.Interval - 1.0));
-         end if;
-      end loop;
-      Note (Reloads'Image & " reloads, the worst by "
-            & Milliseconds (Worst) & " off;" & Round'Image & " orders;"
-            & Natural'Image (Late) & " kB, after"
-            & Natural'Image (Early) & " kB");
-      Check (Reloads >= 58, "only" & Reloads'Image & " reloads");
-      if R.Supervisor.Says ("real-time priorities: yes") then
-         Check
-           (R.Emulator.Status ("missed_total") = "0",
-            "missed windows: " & R.Emulator.Status ("missed_total"));
-      else
-         --  deadlines are not guaranteed then, but the robot runs on
-         Note ("missed windows: " & R.Emulator.Status ("missed_total"));
-      end if;
+      Measure_Calmly (Measure'Access);
       Check
         (R.Emulator.Status ("disabled_count") = "0", "robot disabled");
-      Check
-        (Late <= Early + 1024,
-         "memory grows:" & Early'Image & " kB," & Late'Image & " kB");
       Check (R.Monitor.Broken_Images = 0, "a broken image");
    end Watchdog_Kept;
 
@@ -783,37 +795,46 @@ package body Robot_Tests is
    procedure Movement_Latency is
       --  F12: event-driven, 5 ms. Here only that it is of this order while
       --  images stream; the benchmark has the figures.
-      Count  : constant := 60;
-      R      : Rig;
-      Sent   : Durations.Vector;
-      Starts : array (1 .. Count) of Instant;
-      Place  : Natural := 0;
+      Count : constant := 60;
+      R     : Rig;
+
+      procedure Measure;
+
+      procedure Measure is
+         Sent   : Durations.Vector;
+         Starts : array (1 .. Count) of Instant;
+         Place  : Natural := 0;
+      begin
+         R.Emulator.Clear_Journal;
+         for Number in Starts'Range loop
+            R.Monitor.Skip_To_Now;
+            Starts (Number) := Now;
+            R.Monitor.Send_Line
+              ((if Number mod 2 = 0 then "RTRN:-30" else "RTRN:30"));
+            Check
+              (R.Monitor.Next_Answer.Label = "AACK",
+               "the order is refused");
+            delay 0.029;
+         end loop;
+         for Item of R.Emulator.Journal loop
+            if Index (Item.Command, "T=") = 1 then
+               Place := Place + 1;
+               Sent.Append (Item.First - Starts (Place));
+            end if;
+         end loop;
+         Check (Place = Count, Place'Image & " orders on the wire");
+         Sorting.Sort (Sent);
+         Note ("median " & Milliseconds (Sent (Count / 2)) & ", worst "
+               & Milliseconds (Sent.Last_Element));
+         Check_Within (Sent (Count / 2), 0.005, "the median order");
+         Check_Within (Sent.Last_Element, 0.1, "the slowest order");
+      end Measure;
+
    begin
       Assemble (R, Camera => True);
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
-      R.Emulator.Clear_Journal;
-      for Number in Starts'Range loop
-         R.Monitor.Skip_To_Now;
-         Starts (Number) := Now;
-         R.Monitor.Send_Line
-           ((if Number mod 2 = 0 then "RTRN:-30" else "RTRN:30"));
-         Check
-           (R.Monitor.Next_Answer.Label = "AACK", "the order is refused");
-         delay 0.029;
-      end loop;
-      for Item of R.Emulator.Journal loop
-         if Index (Item.Command, "T=") = 1 then
-            Place := Place + 1;
-            Sent.Append (Item.First - Starts (Place));
-         end if;
-      end loop;
-      Check (Place = Count, Place'Image & " orders on the wire");
-      Sorting.Sort (Sent);
-      Note ("median " & Milliseconds (Sent (Count / 2)) & ", worst "
-            & Milliseconds (Sent.Last_Element));
-      Check_Within (Sent (Count / 2), 0.005, "the median order");
-      Check_Within (Sent.Last_Element, 0.1, "the slowest order");
+      Measure_Calmly (Measure'Access);
    end Movement_Latency;
 
    --------------------
@@ -870,36 +891,42 @@ package body Robot_Tests is
 
    procedure Battery_Period is
       --  F13: 500 ms +- 1 %, jitter 20 ms
-      Count : constant := 12;
+      Count : constant Positive := 12;
 
-      function Mean_Period
-        (First, Last : Instant; Periods : Positive) return Duration
-      is ((Last - First) / Periods);
+      R    : Rig;
+      Item : Message;
 
-      R     : Rig;
-      Item  : Message;
-      First : Instant;
-      Last  : Instant;
+      procedure Measure;
+
+      procedure Measure is
+         First : Instant;
+         Last  : Instant;
+         Worst : Duration := 0.0;
+      begin
+         R.Monitor.Skip_To_Now;
+         Item := R.Monitor.Next_Of ("RBLV", Within => 2.0);
+         First := Item.Time;
+         Last := First;
+         for Number in 2 .. Count loop
+            Item := R.Monitor.Next_Of ("RBLV", Within => 2.0);
+            Check (Item.Data = "2", "battery " & To_String (Item.Data));
+            Worst := Duration'Max (Worst, abs (Item.Time - Last - 0.5));
+            Last := Item.Time;
+         end loop;
+         Note ("mean period " & Milliseconds ((Last - First) / (Count - 1))
+               & ", the worst by " & Milliseconds (Worst) & " off");
+         Check_Within (Worst, 0.1, "the battery's jitter");
+         Check_Within
+           (abs ((Last - First) / (Count - 1) - 0.5), 0.015,
+            "the battery's period off");
+      end Measure;
+
    begin
       Assemble (R);
       R.Monitor.Expect ("ROPN", "AACK");
       R.Monitor.Expect_Silence ("RBLV", For_Time => 0.8);
       R.Monitor.Expect ("RSOW", "AACK");
-      Item := R.Monitor.Next_Of ("RBLV", Within => 2.0);
-      First := Item.Time;
-      Last := First;
-      for Number in 2 .. Count loop
-         Item := R.Monitor.Next_Of ("RBLV", Within => 2.0);
-         Check (Item.Data = "2", "battery " & To_String (Item.Data));
-         Check_Within
-           (abs (Item.Time - Last - 0.5), 0.1, "the battery's jitter");
-         Last := Item.Time;
-      end loop;
-      Note ("mean period "
-            & Milliseconds (Mean_Period (First, Last, Count - 1)));
-      Check_Within
-        (abs (Mean_Period (First, Last, Count - 1) - 0.5), 0.015,
-         "the battery's period off");
+      Measure_Calmly (Measure'Access);
       R.Emulator.Tell ("battery 1");
       Item := R.Monitor.Next_Of ("RBLV", Within => 2.0);
       Item := R.Monitor.Next_Of ("RBLV", Within => 2.0);

@@ -577,35 +577,43 @@ package body Security_Tests is
    procedure Lines_Bit_By_Bit is
       --  Those who send their lines in many pieces do not keep off who
       --  sends his at once
-      S       : Supervisor;
-      M       : Client;
-      Slow    : Client_Array (1 .. 7);
       Between : constant Duration := 0.05;
       --  seven pieces, of which each takes 10 ms
-      Start   : Instant := Never;
-      Unused  : Boolean;
-   begin
-      S.Start ("--token " & Token_File);
-      M.Connect (S.Port);
-      delay 0.1;
-      for Other of Slow loop
-         Other.Connect (S.Port, Real_Time => False);
-      end loop;
-      delay 0.2;
-      for Piece in 1 .. 25 loop
+
+      procedure Measure;
+
+      procedure Measure is
+         S      : Supervisor;
+         M      : Client;
+         Slow   : Client_Array (1 .. 7);
+         Start  : Instant := Never;
+         Unused : Boolean;
+      begin
+         S.Start ("--token " & Token_File);
+         M.Connect (S.Port);
+         delay 0.1;
          for Other of Slow loop
-            Unused := Other.Try_Send ("A");
+            Other.Connect (S.Port, Real_Time => False);
          end loop;
-         if Piece = 3 then
-            Start := Now;
-            M.Send (Good_Line & "RPIN" & LF);
-         end if;
-         delay Between;
-         exit when M.Count > 0;
-      end loop;
-      Check (M.Next (At_Once).Label = "ANAK", "not admitted");
-      Note ("admitted after " & Milliseconds (Now - Start));
-      Check_Within (Now - Start, 0.3, "its admission");
+         delay 0.2;
+         for Piece in 1 .. 25 loop
+            for Other of Slow loop
+               Unused := Other.Try_Send ("A");
+            end loop;
+            if Piece = 3 then
+               Start := Now;
+               M.Send (Good_Line & "RPIN" & LF);
+            end if;
+            delay Between;
+            exit when M.Count > 0;
+         end loop;
+         Check (M.Next (At_Once).Label = "ANAK", "not admitted");
+         Note ("admitted after " & Milliseconds (Now - Start));
+         Check_Within (Now - Start, 0.3, "its admission");
+      end Measure;
+
+   begin
+      Measure_Calmly (Measure'Access);
    end Lines_Bit_By_Bit;
 
    -------------------------------

@@ -17,6 +17,14 @@ package Expectations is
      (Taken : Duration; Limit : Duration; What : String);
    --  Raises Failed unless Taken <= Limit
 
+   Attempts : constant := 3;
+
+   procedure Measure_Calmly (Measure : not null access procedure);
+   --  Measure, and if what it expects fails, again, Attempts times at most:
+   --  a virtual machine's host that takes its processors away for half a
+   --  second does so once, a defect comes each time. For times and periods
+   --  only. The last failure is raised, the others are noted.
+
    procedure Skip (Reason : String) with No_Return;
 
    procedure Note (Text : String);
