@@ -2,6 +2,7 @@
 // The source of images: a camera, a file, a URL or a GStreamer pipeline.
 
 #include "vision_internal.hpp"
+#include "vision_settings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 #include <string>
 
 #include <errno.h>
-#include <malloc.h>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/stat.h>
@@ -28,7 +28,6 @@ namespace {
 constexpr int open_limit = 3000;  // milliseconds, of a URL
 constexpr int read_limit = 2000;  // the first image comes after the opening
 constexpr double still_rate = 25.0;  // images a second
-constexpr int large = 1 << 20;       // bytes
 
 enum class Kind { none, still, video, live };
 
@@ -53,16 +52,10 @@ Source &source() {
   return *the_source;
 }
 
-// Before main, as the environment may only be changed while there is one
-// thread. What the user has set stays.
 struct Settings {
   Settings() {
+    prepare_process();
     // The reason of a failure is returned, not printed.
-    setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
-    setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "2", 0);  // seconds
-    // An image of 4K is given back to the system when it is no longer
-    // needed. The C library would else keep all large memory from then on.
-    mallopt(M_MMAP_THRESHOLD, large);
     if (std::getenv("OPENCV_LOG_LEVEL") == nullptr)
       cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   }

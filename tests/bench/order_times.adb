@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Orders and answers, beside a bare forwarder.
 
-with Ada.Directories;
 with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
@@ -67,9 +66,6 @@ package body Order_Times is
      "setpriv --reuid=65534 --regid=65534 --clear-groups"
      & " --inh-caps=+sys_nice --ambient-caps=+sys_nice";
 
-   function Everyones_Copy return String;
-   --  Of the supervisor, where every user can run it
-
    function Measurable (Under : Condition) return Boolean is
      (Under not in Service | Loaded_Service or else Libc.Geteuid = 0);
 
@@ -93,21 +89,6 @@ package body Order_Times is
    procedure Compare (Name : String; Which : Distributions);
    --  Against the goal of orders and answers, under each condition that has
    --  been measured
-
-   --------------------
-   -- Everyones_Copy --
-   --------------------
-
-   function Everyones_Copy return String is
-      Copy   : constant String := Programs.Temporary_Folder & "/destijl";
-      Unused : int;
-   begin
-      if not Ada.Directories.Exists (Copy) then
-         Ada.Directories.Copy_File (Programs.Supervisor, Copy);
-         Unused := Libc.Chmod (To_C (Copy), 8#755#);
-      end if;
-      return Copy;
-   end Everyones_Copy;
 
    ---------
    -- One --
@@ -262,7 +243,8 @@ package body Order_Times is
          Launcher =>
            (if Under in Service | Loaded_Service then As_Service else ""),
          Program  =>
-           (if Under in Service | Loaded_Service then Everyones_Copy
+           (if Under in Service | Loaded_Service
+            then Programs.Copied_Supervisor
             else ""));
       Connect (Both_Ends.Ours, Supervisor.Port, By_Lines => True);
       Own_Priority.Prefer_Real_Time (True);

@@ -111,9 +111,6 @@ package body Machine_Faults is
    --  A shell script of this run with Text as its lines, that runs its
    --  arguments; its path
 
-   function Copied_Supervisor return String;
-   --  Where every user can run it
-
    function Pipe return String;
    --  The named pipe that stands for standard error; made at its first use
 
@@ -151,21 +148,6 @@ package body Machine_Faults is
       end if;
       return To_Unbounded_String (Path);
    end Script;
-
-   -----------------------
-   -- Copied_Supervisor --
-   -----------------------
-
-   function Copied_Supervisor return String is
-      Copy   : constant String := Programs.Temporary_Folder & "/destijl";
-      Unused : int;
-   begin
-      if not Exists (Copy) then
-         Copy_File (Programs.Supervisor, Copy);
-         Unused := Libc.Chmod (To_C (Copy), 8#755#);
-      end if;
-      return Copy;
-   end Copied_Supervisor;
 
    ----------
    -- Pipe --
@@ -532,7 +514,7 @@ package body Machine_Faults is
    begin
       P.Fresh := True;
       if F.Kind /= Root and then Is_Root then
-         P.Program := To_Unbounded_String (Copied_Supervisor);
+         P.Program := To_Unbounded_String (Programs.Copied_Supervisor);
          P.Launcher :=
            (case F.Kind is
                when User_With_Nice =>

@@ -2,9 +2,11 @@
 --  F14 to F19: the camera, the arena and the positions.
 
 with Ada.Containers.Vectors;
+with Ada.Directories;
 with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Interfaces.C;          use Interfaces.C;
 
 with Emulators;
 with Expectations;          use Expectations;
@@ -24,6 +26,8 @@ package body Camera_Tests is
 
    procedure Open_And_Close;
    procedure Open_Fails;
+   procedure Loaded_When_Opened;
+   procedure Library_Missing;
    procedure Open_Takes_Long;
    procedure Not_Open_Is_Anak;
    procedure Image_Period;
@@ -214,6 +218,67 @@ package body Camera_Tests is
          Refuse (Url (1 .. Index (Url, "/", Backward)) & "pose");
       end;
    end Open_Fails;
+
+   ------------------------
+   -- Loaded_When_Opened --
+   ------------------------
+
+   procedure Loaded_When_Opened is
+      --  OpenCV, while the robot drives; before, the supervisor is small
+      Small : constant := 20_000;
+      --  Kilobytes
+      R     : Rig;
+      Size  : Natural;
+   begin
+      Assemble (R, Camera => True);
+      Start_Robot (R, Watchdog => True);
+      R.Monitor.Expect ("RGFW", "AACK");
+      R.Monitor.Expect ("CPCO", "ANAK");
+      R.Monitor.Expect ("CCLS", "AACK");
+      Size := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
+      Note ("without the camera" & Size'Image & " kB");
+      Check (Size < Small, "large without the camera:" & Size'Image & " kB");
+      Check
+        (not Process_Facts.Has_Mapped
+               (R.Supervisor.Pid, Programs.Vision_Library),
+         "loaded before the camera is opened");
+      Open_Camera (R);
+      Check
+        (Process_Facts.Has_Mapped
+           (R.Supervisor.Pid, Programs.Vision_Library), "not loaded");
+      Check
+        (R.Emulator.Status ("moving") = "1"
+         and then R.Emulator.Status ("disabled_count") = "0",
+         "the robot has stopped meanwhile");
+   end Loaded_When_Opened;
+
+   ---------------------
+   -- Library_Missing --
+   ---------------------
+
+   procedure Library_Missing is
+      --  The robot is driven all the same
+      Folder : constant String := Programs.Temporary_Folder & "/bare";
+      Copy   : constant String := Folder & "/destijl";
+      R      : Rig;
+   begin
+      Ada.Directories.Create_Directory (Folder);
+      Ada.Directories.Copy_File (Programs.Supervisor, Copy);
+      Check (Libc.Chmod (To_C (Copy), 8#755#) = 0, "the copy cannot be run");
+      Assemble (R, Camera => True, Program => Copy);
+      R.Monitor.Expect ("COPN", "ANAK");
+      R.Supervisor.Expect_Log
+        ("libdestijl_vision.so: cannot open", Within => 2.0);
+      Start_Robot (R);
+      R.Monitor.Expect ("RGFW", "AACK");
+      R.Emulator.Await_Status ("moving", "1", Within => 1.0);
+      R.Monitor.Expect ("CCLS", "AACK");
+
+      --  It is looked for each time
+      Ada.Directories.Copy_File
+        (Programs.Vision_Library, Folder & "/libdestijl_vision.so");
+      Open_Camera (R);
+   end Library_Missing;
 
    ---------------------
    -- Open_Takes_Long --
@@ -935,6 +1000,9 @@ package body Camera_Tests is
    begin
       Add (Suite, "F14_F16_Open_And_Close", Open_And_Close'Access);
       Add (Suite, "F14_Open_Fails", Open_Fails'Access);
+      Add
+        (Suite, "F14_Library_Loaded_When_Opened", Loaded_When_Opened'Access);
+      Add (Suite, "F14_Library_Missing", Library_Missing'Access);
       Add (Suite, "F14_Open_Takes_Long", Open_Takes_Long'Access);
       Add (Suite, "F14_Not_Open_Is_ANAK", Not_Open_Is_Anak'Access);
       Add (Suite, "F15_Image_Period", Image_Period'Access);

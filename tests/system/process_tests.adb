@@ -56,9 +56,6 @@ package body Process_Tests is
 
    procedure Stop_While_Moving (Signal : int);
 
-   function Copied_Supervisor return String;
-   --  Where every user can run it
-
    ---------------
    -- Need_Root --
    ---------------
@@ -438,21 +435,6 @@ package body Process_Tests is
          "descriptors before and after differ");
    end Hundred_Connections;
 
-   -----------------------
-   -- Copied_Supervisor --
-   -----------------------
-
-   function Copied_Supervisor return String is
-      Copy   : constant String := Programs.Temporary_Folder & "/destijl";
-      Unused : int;
-   begin
-      if not Ada.Directories.Exists (Copy) then
-         Ada.Directories.Copy_File (Programs.Supervisor, Copy);
-         Unused := Libc.Chmod (To_C (Copy), 8#755#);
-      end if;
-      return Copy;
-   end Copied_Supervisor;
-
    -------------------
    -- Memory_Locked --
    -------------------
@@ -472,7 +454,7 @@ package body Process_Tests is
          R.Emulator.Start (Camera => False);
          R.Supervisor.Start
            ("--serial " & R.Emulator.Device,
-            Launcher => Launcher, Program => Copied_Supervisor);
+            Launcher => Launcher, Program => Programs.Copied_Supervisor);
          R.Supervisor.Expect_Log
            ((if Locked then "memory: locked" else "memory: not locked"),
             Within => 2.0);
@@ -561,7 +543,7 @@ package body Process_Tests is
       R.Supervisor.Start
         ("--serial " & R.Emulator.Device & " --camera "
          & R.Emulator.Camera_Url,
-         Launcher => As_User, Program => Copied_Supervisor);
+         Launcher => As_User, Program => Programs.Copied_Supervisor);
       Connect (R);
       R.Supervisor.Expect_Log ("real-time priorities:", Within => 2.0);
       Move (Priorities (R), Theirs);
@@ -600,7 +582,7 @@ package body Process_Tests is
       Need_Root;
       Need_Tool ("setpriv");
       Need_Tool ("setcap");
-      Ada.Directories.Copy_File (Copied_Supervisor, Copy);
+      Ada.Directories.Copy_File (Programs.Copied_Supervisor, Copy);
       Tool.Start ("setcap", Words ("cap_sys_nice+ep " & Copy));
       if Tool.Exit_Status (Within => 10.0) /= 0 then
          Skip ("this file system keeps no capabilities");

@@ -64,6 +64,10 @@ package body Programs is
    function Monitor return String is
      (Path (The_Monitor, "destijl_monitor"));
 
+   function Vision_Library return String is
+     (Compose
+        (Containing_Directory (Supervisor), "libdestijl_vision.so"));
+
    --------------------
    -- Set_Supervisor --
    --------------------
@@ -101,6 +105,25 @@ package body Programs is
       end if;
       return To_String (Folder);
    end Temporary_Folder;
+
+   -----------------------
+   -- Copied_Supervisor --
+   -----------------------
+
+   function Copied_Supervisor return String is
+      To_Be_Run : constant := 8#755#;
+      Copy      : constant String := Compose (Temporary_Folder, "destijl");
+      Unused    : int;
+   begin
+      if not Exists (Copy) then
+         Copy_File (Supervisor, Copy);
+         Copy_File
+           (Vision_Library,
+            Compose (Temporary_Folder, Simple_Name (Vision_Library)));
+         Unused := Libc.Chmod (To_C (Copy), To_Be_Run);
+      end if;
+      return Copy;
+   end Copied_Supervisor;
 
    ------------
    -- Remove --

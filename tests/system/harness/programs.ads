@@ -13,12 +13,19 @@ package Programs is
    function Emulator return String;
    function Monitor return String;
 
+   function Vision_Library return String;
+   --  What the supervisor loads when the camera is opened first, beside it
+
    procedure Set_Supervisor (Path : String);
    procedure Set_Emulator (Path : String);
    procedure Set_Monitor (Path : String);
 
    function Temporary_Folder return String;
    --  One for this run, made at its first use, open to every user
+
+   function Copied_Supervisor return String;
+   --  A copy in the temporary folder, with its library, that every user can
+   --  run
 
    procedure Remove_Temporary_Folder;
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The functions of vision.h that the supervisor calls, as it is linked with
+// them: each passes on to libdestijl_vision.so beside the program, which is
+// loaded when the camera is opened first. OpenCV's libraries are some
+// hundreds: a start need not wait for them, nor a robot without a camera have
+// their memory.
+
+#include <atomic>
+#include <cstdio>
+#include <cstring>
+
+#include <dlfcn.h>
+#include <errno.h>
+#include <limits.h>
+#include <pthread.h>
+#include <unistd.h>
+
+#include "../vision.h"
+#include "../vision_settings.hpp"
+
+namespace {
+
+struct Functions {
+  decltype(&vision_open) open;
+  decltype(&vision_grab) grab;
+  decltype(&vision_close) close;
+  decltype(&vision_find_arena) find_arena;
+  decltype(&vision_find_robots) find_robots;
+  decltype(&vision_follow_robots) follow_robots;
+  decltype(&vision_draw_arena) draw_arena;
+  decltype(&vision_draw_robot) draw_robot;
+  decltype(&vision_encode) encode;
+  decltype(&vision_reason) reason;
+  decltype(&vision_library) library;
+};
+
+// Null until the library is there.
+std::atomic<const Functions *> functions{nullptr};
+
+// Of the calling thread, as long as there is no library.
+thread_local char reason[256] = "";
+
+struct Preparation {
+  Preparation() { vision::prepare_process(); }
+} const preparation;
+
+template <typename Function>
+bool find(void *library, const char *name, Function &function) {
+  void *const address = dlsym(library, name);
+  std::memcpy(&function, &address, sizeof function);
+  return address != nullptr;
+}
+
+bool find_all(void *library, Functions &all) {
+  return find(library, "vision_open", all.open) &&
+         find(library, "vision_grab", all.grab) &&
+         find(library, "vision_close", all.close) &&
+         find(library, "vision_find_arena", all.find_arena) &&
+         find(library, "vision_find_robots", all.find_robots) &&
+         find(library, "vision_follow_robots", all.follow_robots) &&
+         find(library, "vision_draw_arena", all.draw_arena) &&
+         find(library, "vision_draw_robot", all.draw_robot) &&
+         find(library, "vision_encode", all.encode) &&
+         find(library, "vision_reason", all.reason) &&
+         find(library, "vision_library", all.library);
+}
+
+// The path of the library into PATH; false where it cannot be told. By its
+// full name, as a search is restricted for a program with capabilities.
+bool locate(char *path, std::size_t capacity) {
+  static const char name[] = "libdestijl_vision.so";
+  const ssize_t length = readlink("/proc/self/exe", path, capacity);
+  if (length <= 0 || std::size_t(length) >= capacity)
+    return false;
+  path[length] = '\0';
+  char *const file = std::strrchr(path, '/') + 1;
+  if (std::size_t(file - path) + sizeof name > capacity)
+    return false;
+  std::memcpy(file, name, sizeof name);
+  return true;
+}
+
+// Loads the library unless that has been done. What fails is tried again with
+// the next call. Null, with a reason, where it cannot be had.
+const Functions *load() {
+  static pthread_mutex_t alone = PTHREAD_MUTEX_INITIALIZER;
+  static Functions all;
+  pthread_mutex_lock(&alone);
+  if (functions.load() == nullptr) {
+    char path[PATH_MAX];
+    if (!locate(path, sizeof path)) {
+      std::snprintf(reason, sizeof reason, "no path to the program: %s",
+                    std::strerror(errno));
+    } else if (void *const library = dlopen(path, RTLD_NOW | RTLD_LOCAL)) {
+      if (find_all(library, all))
+        functions.store(&all);
+      else {
+        std::snprintf(reason, sizeof reason, "%s", dlerror());
+        dlclose(library);
+      }
+    } else
+      std::snprintf(reason, sizeof reason, "%s", dlerror());
+  }
+  pthread_mutex_unlock(&alone);
+  return functions.load();
+}
+
+// Of a function without the library: nothing was ever stored in a slot.
+vision_status no_image() {
+  std::snprintf(reason, sizeof reason, "no camera was ever opened");
+  return VISION_BAD_ARGUMENT;
+}
+
+}  // namespace
+
+extern "C" {
+
+vision_status vision_open(const char *source, int width, int height,
+                          int fps) {
+  const Functions *const all = load();
+  return all != nullptr ? all->open(source, width, height, fps)
+                        : VISION_NO_CAMERA;
+}
+
+vision_status vision_grab(int slot) {
+  const Functions *const all = functions.load();
+  if (all != nullptr)
+    return all->grab(slot);
+  no_image();
+  return VISION_NO_CAMERA;
+}
+
+vision_status vision_close(void) {
+  const Functions *const all = functions.load();
+  return all != nullptr ? all->close() : VISION_OK;
+}
+
+vision_status vision_find_arena(int slot, vision_arena *arena) {
+  const Functions *const all = functions.load();
+  return all != nullptr ? all->find_arena(slot, arena) : no_image();
+}
+
+vision_status vision_find_robots(int slot, vision_marker marker,
+                                 const vision_arena *arena,
+                                 vision_robot *robots, int capacity,
+                                 int *count) {
+  const Functions *const all = functions.load();
+  *count = 0;
+  return all != nullptr ? all->find_robots(slot, marker, arena, robots,
+                                           capacity, count)
+                        : no_image();
+}
+
+vision_status vision_follow_robots(int slot, vision_marker marker,
+                                   const vision_arena *arena,
+                                   const vision_area *areas, int area_count,
+                                   vision_robot *robots, int capacity,
+                                   int *count) {
+  const Functions *const all = functions.load();
+  *count = 0;
+  *count = 0;
+  return all != nullptr ? all->follow_robots(slot, marker, arena, areas,
+                                             area_count, robots, capacity,
+                                             count)
+                        : no_image();
+}
+
+vision_status vision_draw_arena(int slot, const vision_arena *arena) {
+  const Functions *const all = functions.load();
+  return all != nullptr ? all->draw_arena(slot, arena) : no_image();
+}
+
+vision_status vision_draw_robot(int slot, const vision_robot *robot) {
+  const Functions *const all = functions.load();
+  return all != nullptr ? all->draw_robot(slot, robot) : no_image();
+}
+
+vision_status vision_encode(int slot, int quality, unsigned char *buffer,
+                            int capacity, int *length) {
+  const Functions *const all = functions.load();
+  *length = 0;
+  return all != nullptr ? all->encode(slot, quality, buffer, capacity, length)
+                        : no_image();
+}
+
+const char *vision_reason(void) {
+  const Functions *const all = functions.load();
+  return all != nullptr ? all->reason() : reason;
+}
+
+const char *vision_library(void) {
+  const Functions *const all = load();
+  return all != nullptr ? all->library() : "none";
+}
+
+}  // extern "C"
