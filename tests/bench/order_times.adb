@@ -12,6 +12,7 @@ with Busy_Loops;
 with Child_Processes;   use Child_Processes;
 with Emulators;
 with Expectations;      use Expectations;
+with Forwarders;
 with Instants;          use Instants;
 with Interfaces.C;      use Interfaces.C;
 with Libc;
@@ -19,7 +20,6 @@ with Own_Priority;
 with Programs;
 with Reports;
 with Samples;
-with Schedule;
 with Supervisors;
 
 package body Order_Times is
@@ -190,7 +190,7 @@ package body Order_Times is
    -------------
 
    procedure Measure (Under : Condition) is
-      Forwarders : array (Floor .. Relay) of Child;
+      Bare       : array (Floor .. Relay) of Child;
       Supervisor : Supervisors.Supervisor;
       Camera     : Emulators.Emulator;
       Load       : Busy_Loops.Load;
@@ -198,39 +198,13 @@ package body Order_Times is
 
       With_Load   : constant Boolean := Under in Loaded | Loaded_Service;
       With_Camera : constant Boolean := With_Load or else Under = With_Gap;
-
-      procedure Start_Forwarder (Which : Passage);
-
-      procedure Start_Forwarder (Which : Passage) is
-         Number : Natural;
-         Line   : Unbounded_String;
-      begin
-         Forwarders (Which).Start
-           (Programs.Beside ("forwarder"),
-            Words
-              ((if Which = Relay then "relay " else "forward ")
-               & Device (Place_Of (Which))
-               --  that of the task which writes to the line: Linux counts
-               --  from 1
-               & Integer'Image
-                   (if Own_Priority.Real_Time_Allowed
-                    then Schedule.Line_Priority + 1 else 0)));
-         Number := Forwarders (Which).Awaited (Errors, "listening on", 5.0);
-         Check (Number > 0, "the forwarder does not listen");
-         Line := Forwarders (Which).Element (Errors, Number).Text;
-         Connect
-           (Place_Of (Which),
-            Positive'Value
-              (Slice (Line, Index (Line, ":") + 1, Length (Line))),
-            By_Lines => False);
-      end Start_Forwarder;
-
    begin
       for Which in Passage loop
          Open_Line (Place_Of (Which));
       end loop;
-      for Which in Forwarders'Range loop
-         Start_Forwarder (Which);
+      for Which in Bare'Range loop
+         Forwarders.Start
+           (Bare (Which), Place_Of (Which), Relay => Which = Relay);
       end loop;
 
       if With_Camera then
