@@ -169,6 +169,12 @@ begin
            (Plain (Figures.Repeated)
             & " sessions were begun again: the emulated line was late");
       end if;
+      if Figures.Interrupted > 0 then
+         Put_Line
+           (Plain (Figures.Interrupted)
+            & " injections were made again: the machine's host had taken"
+            & " its processors");
+      end if;
       Put_Line
         (Plain (Fault_Tables.Injections) & " injections, "
          & Plain (Fault_Tables.Violations) & " violations");

@@ -298,10 +298,11 @@ package body Fault_Runs is
                Figures := Worst
                  (Figures,
                   (Repeated     => Natural'Value (Parts.Element (2)),
-                   Stops        => Natural'Value (Parts.Element (3)),
-                   Late_Stops   => Natural'Value (Parts.Element (4)),
-                   Slowest_Stop => Duration'Value (Parts.Element (5)),
-                   Growth       => Natural'Value (Parts.Element (6))));
+                   Interrupted  => Natural'Value (Parts.Element (3)),
+                   Stops        => Natural'Value (Parts.Element (4)),
+                   Late_Stops   => Natural'Value (Parts.Element (5)),
+                   Slowest_Stop => Duration'Value (Parts.Element (6)),
+                   Growth       => Natural'Value (Parts.Element (7))));
                Finish_One (J, Parts.Element (1), To_String (Text));
             end;
          elsif not J.Process.Is_Running
@@ -402,6 +403,7 @@ package body Fault_Runs is
                    when Violated        => "violated",
                    when Impossible_Here => "impossible")
                & Outcome.Figures.Repeated'Image
+               & Outcome.Figures.Interrupted'Image
                & Outcome.Figures.Stops'Image
                & Outcome.Figures.Late_Stops'Image
                & Outcome.Figures.Slowest_Stop'Image

@@ -427,7 +427,8 @@ package body Machine_Faults is
       exception
          when Failed =>
             --  a late line makes an answer another one, but not a late one
-            W.Is_Serious := True;
+            W.Explained_By :=
+              Explanation'Max (W.Explained_By, A_Stopped_Machine);
             raise;
       end;
    end Inject;

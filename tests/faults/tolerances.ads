@@ -50,6 +50,13 @@ package Tolerances is
    --  spoilt exchanges that no fault has spoilt. What was violated then only
    --  because of an answer of the robot is looked at again, so often.
 
+   Host_Grant : constant Duration := 0.1;
+   --  Of processor time that the host of a virtual machine takes during an
+   --  injection (Host_Time). Where it took more, what was violated only
+   --  because of a time is looked at again, as often: no program can hold
+   --  one then. What was answered twice, leaks or has died has no such
+   --  excuse.
+
    Line_Pause : constant Duration := 0.2;
    --  Between two attempts, for late answers to come in
 

@@ -8,6 +8,7 @@ with Answer_Ledgers;    use Answer_Ledgers;
 with Expectations;      use Expectations;
 with Faults;            use Faults;
 with Instants;          use Instants;
+with Host_Time;
 with Line_Watch;
 with Process_Facts;
 with Random_Numbers;    use Random_Numbers;
@@ -328,12 +329,13 @@ package body Trials is
       else
          Expect_Session_Goes_On;
          if Ends = Nothing and then not W.Present then
-            W.Is_Serious := True;
-            W.Violate ("the session has ended without a reason");
+            W.Violate
+              ("the session has ended without a reason",
+               By => A_Stopped_Machine);
          elsif Ends = Session_Ends and then Second = 0 and then W.Present
          then
-            W.Is_Serious := True;
-            W.Violate ("the session has not ended");
+            W.Violate
+              ("the session has not ended", By => A_Stopped_Machine);
          end if;
       end if;
       W.End_Session;
@@ -389,20 +391,34 @@ package body Trials is
       Repetition : Positive;
       Outcome    : out Result)
    is
-      Again : Natural := 0;
-      Begun : Instant;
+      Begun       : Instant;
+      Taken       : Duration;
+      Late        : Boolean;
+      Stopped     : Boolean;
+      Repeated    : Natural := 0;
+      Interrupted : Natural := 0;
    begin
       Line_Watch.Start;
-      loop
+      for Attempt in 1 .. Line_Attempts loop
          Begun := Now;
+         Taken := Host_Time.Taken;
          Run_Once (First, Second, Seed, Repetition, Outcome);
+         Late := The_World.Explained_By = A_Late_Line
+           and then Line_Watch.Worst (Begun, Now) >= Late_Line;
+         Stopped := The_World.Explained_By in A_Late_Line | A_Stopped_Machine
+           and then Host_Time.Taken - Taken >= Host_Grant;
          exit when Outcome.Ends_As /= Violated
-           or else The_World.Is_Serious
-           or else Line_Watch.Worst (Begun, Now) < Late_Line
-           or else Again = Line_Attempts - 1;
-         Again := Again + 1;
+           or else not (Late or else Stopped)
+           or else Attempt = Line_Attempts;
+         if Stopped then
+            Interrupted := Interrupted + 1;
+         else
+            Repeated := Repeated + 1;
+         end if;
       end loop;
-      Outcome.Figures.Repeated := Outcome.Figures.Repeated + Again;
+      Outcome.Figures.Repeated := Outcome.Figures.Repeated + Repeated;
+      Outcome.Figures.Interrupted :=
+        Outcome.Figures.Interrupted + Interrupted;
    end Run;
 
    -------------
@@ -449,7 +465,7 @@ package body Trials is
       Start
         (W.Source, Seed, Name (First, Second) & Repetition'Image);
       W.Violations := 0;
-      W.Is_Serious := False;
+      W.Explained_By := A_Late_Line;
       W.Figures := (others => <>);
       W.Account := Null_Unbounded_String;
       W.Alone := Second = 0;

@@ -79,6 +79,7 @@ package body Worlds is
 
    function Worst (Left, Right : Figure_Set) return Figure_Set is
      ((Repeated     => Left.Repeated + Right.Repeated,
+       Interrupted  => Left.Interrupted + Right.Interrupted,
        Stops        => Left.Stops + Right.Stops,
        Late_Stops   => Left.Late_Stops + Right.Late_Stops,
        Slowest_Stop =>
@@ -785,19 +786,26 @@ package body Worlds is
 
    procedure Violate (W : in out World; Which : Invariant; Text : String) is
    begin
-      W.Is_Serious := W.Is_Serious or else Which /= Session_Works;
       W.Violate
         ((case Which is
              when Supervisor_Lives => "the supervisor lives: ",
              when Answered_Once    => "answered exactly once: ",
              when Robot_Stands     => "the robot stands: ",
              when Session_Works    => "a new session works: ",
-             when Nothing_Leaks    => "nothing leaks: ") & Text);
+             when Nothing_Leaks    => "nothing leaks: ") & Text,
+         By =>
+           (case Which is
+               when Session_Works => A_Late_Line,
+               when Robot_Stands  => A_Stopped_Machine,
+               when Supervisor_Lives | Answered_Once | Nothing_Leaks =>
+                  Nothing_Else));
    end Violate;
 
-   procedure Violate (W : in out World; Text : String) is
+   procedure Violate
+     (W : in out World; Text : String; By : Explanation := A_Late_Line) is
    begin
       W.Violations := W.Violations + 1;
+      W.Explained_By := Explanation'Max (W.Explained_By, By);
       Append (W.Account, "   " & Trim (Text, Both) & ASCII.LF);
    end Violate;
 

@@ -52,11 +52,19 @@ package Worlds is
      (Supervisor_Lives, Answered_Once, Robot_Stands, Session_Works,
       Nothing_Leaks);
 
+   type Explanation is (A_Late_Line, A_Stopped_Machine, Nothing_Else);
+   --  What a violation may come from, other than the supervisor: a
+   --  pseudo-terminal that was late (Line_Watch), or the machine's host,
+   --  which took the processors (Host_Time); or from neither, such as two
+   --  answers to one command
+
    --  Worth knowing, beside whether all held
 
    type Figure_Set is record
       Repeated     : Natural := 0;
       --  sessions begun again, see Tolerances.Line_Attempts
+      Interrupted  : Natural := 0;
+      --  injections made again, see Tolerances.Host_Grant
       Stops        : Natural := 0;
       --  of a moving robot, after a close or a reset
       Late_Stops   : Natural := 0;
@@ -116,8 +124,8 @@ package Worlds is
       Base_Threads, Base_Descriptors, Base_Memory : Natural := 0;
       Figures        : Figure_Set;
       Violations     : Natural := 0;
-      Is_Serious     : Boolean := False;
-      --  one among them that no late line explains
+      Explained_By   : Explanation := A_Late_Line;
+      --  the one among them that the least can explain
       Account        : Unbounded_String;
       --  what was violated, line by line
    end record;
@@ -221,7 +229,8 @@ package Worlds is
 
    procedure Violate (W : in out World; Which : Invariant; Text : String);
 
-   procedure Violate (W : in out World; Text : String);
+   procedure Violate
+     (W : in out World; Text : String; By : Explanation := A_Late_Line);
    --  What the fault itself demands beyond the five
 
    function Wire_Tail (W : in out World) return String;
