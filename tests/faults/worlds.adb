@@ -167,6 +167,10 @@ package body Worlds is
          W.Say ("CAIN");
          W.Order ("CPST", "AACK");
          W.Order ("CCLS", "AACK");
+      else
+         --  OpenCV is loaded, at least
+         W.Order ("COPN", "AACK ANAK");
+         W.Order ("CCLS", "AACK");
       end if;
       W.Lose (Orderly);
       W.Await_Standing;
