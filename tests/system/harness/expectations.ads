@@ -17,13 +17,16 @@ package Expectations is
      (Taken : Duration; Limit : Duration; What : String);
    --  Raises Failed unless Taken <= Limit
 
-   Attempts : constant := 3;
+   Attempts      : constant := 3;
+   Most_Attempts : constant := 6;
+   Host_Grant    : constant Duration := 0.1;
 
    procedure Measure_Calmly (Measure : not null access procedure);
-   --  Measure, and if what it expects fails, again, Attempts times at most:
-   --  a virtual machine's host that takes its processors away for half a
-   --  second does so once, a defect comes each time. For times and periods
-   --  only. The last failure is raised, the others are noted.
+   --  Measure, and if what it expects fails, again: a virtual machine's host
+   --  that takes its processors away for half a second does so once, a defect
+   --  comes each time. Attempts times, and Most_Attempts where the host took
+   --  Host_Grant or more of processor time meanwhile (Host_Time). For times
+   --  and periods only. The last failure is raised, the others are noted.
 
    procedure Skip (Reason : String) with No_Return;
 
