@@ -12,6 +12,7 @@ with GNAT.OS_Lib;
 with System;
 
 with Fault_List;
+with Fault_Records;
 with Fault_Runs;            use Fault_Runs;
 with Fault_Tables;
 with Faults;
@@ -74,6 +75,8 @@ procedure Destijl_Faults is
       Put_Line ("  --jobs N        worlds side by side (12)");
       Put_Line ("  --short         each fault once, some pairs");
       Put_Line ("  --markdown FILE the table, as a file");
+      Put_Line ("  --record FILE   each result; begun again with the same");
+      Put_Line ("                  file, what is in it is not repeated");
       Put_Line ("  --supervisor, --emulator PATH  other programs");
       Put_Line ("  --list          the faults' names");
    end Print_Help;
@@ -108,6 +111,8 @@ procedure Destijl_Faults is
                S.Pairs := 1;
             elsif Name = "--markdown" then
                Markdown := To_Unbounded_String (Value);
+            elsif Name = "--record" then
+               S.Record_File := To_Unbounded_String (Value);
             elsif Name = "--supervisor" then
                Programs.Set_Supervisor (Value);
             elsif Name = "--emulator" then
@@ -185,7 +190,7 @@ begin
    end if;
 
 exception
-   when Occurrence : Usage_Error =>
+   when Occurrence : Usage_Error | Fault_Records.Wrong_Record =>
       Put_Line
         (Standard_Error,
          "destijl_faults: " & Ada.Exceptions.Exception_Message (Occurrence)

@@ -7,6 +7,7 @@ with Ada.Strings.Fixed;   use Ada.Strings.Fixed;
 with Ada.Text_IO;         use Ada.Text_IO;
 
 with Child_Processes;     use Child_Processes;
+with Fault_Records;
 with Fault_Tables;
 with Faults;              use Faults;
 with Instants;            use Instants;
@@ -41,6 +42,10 @@ package body Fault_Runs is
    function Is_Heavy (Item : Injection) return Boolean is
      (Element (Item.First).Heavy
       or else (Item.Second > 0 and then Element (Item.Second).Heavy));
+
+   function Key (Item : Injection) return String is
+     (Name (Item.First, Item.Second) & "," & Item.Repetition'Image);
+   --  In the record of a run
 
    function Worlds_Key (Item : Injection) return String;
    --  Injections with the same key share a world
@@ -253,26 +258,46 @@ package body Fault_Runs is
          Flush;
       end Report;
 
-      procedure Finish_One (J : in out Job; Word, Text : String);
+      procedure Count (Item : Injection; Result : String);
+      --  Result: as a job prints it
 
-      procedure Finish_One (J : in out Job; Word, Text : String) is
+      procedure Count (Item : Injection; Result : String) is
+         Parts : constant Arguments := Words (Result);
+         Word  : constant String := Parts.Element (1);
+      begin
+         Figures := Worst
+           (Figures,
+            (Repeated     => Natural'Value (Parts.Element (2)),
+             Interrupted  => Natural'Value (Parts.Element (3)),
+             Stops        => Natural'Value (Parts.Element (4)),
+             Late_Stops   => Natural'Value (Parts.Element (5)),
+             Slowest_Stop => Duration'Value (Parts.Element (6)),
+             Growth       => Natural'Value (Parts.Element (7))));
+         if Word = "impossible" then
+            Fault_Tables.Count_Impossible (Item.First, Item.Second);
+         else
+            Fault_Tables.Count (Item.First, Item.Second, Word = "violated");
+         end if;
+      end Count;
+
+      procedure Finish_One (J : in out Job; Result, Text : String);
+
+      procedure Finish_One (J : in out Job; Result, Text : String) is
+         Word : constant String := Words (Result).Element (1);
       begin
          J.Busy := False;
          Left := Left - 1;
          Done := Done + 1;
+         Count (J.Item, Result);
+         Fault_Records.Write (Key (J.Item), Result);
          if Word = "impossible" then
-            Fault_Tables.Count_Impossible (J.Item.First, J.Item.Second);
             if J.Item.Second = 0 and then J.Item.Repetition = 1 then
                Put_Line
                  (Name (J.Item.First, 0) & " is not possible here:");
                Put ("   " & Text);
             end if;
-         else
-            Fault_Tables.Count
-              (J.Item.First, J.Item.Second, Word = "violated");
-            if Word = "violated" then
-               Report (J, Text);
-            end if;
+         elsif Word = "violated" then
+            Report (J, Text);
          end if;
       end Finish_One;
 
@@ -291,20 +316,9 @@ package body Fault_Runs is
                  (Text, J.Process.Element (Output, Number).Text & ASCII.LF);
             end loop;
             J.Seen := Last;
-            declare
-               Parts : constant Arguments := Words
-                 (To_String (J.Process.Element (Output, Word).Text));
-            begin
-               Figures := Worst
-                 (Figures,
-                  (Repeated     => Natural'Value (Parts.Element (2)),
-                   Interrupted  => Natural'Value (Parts.Element (3)),
-                   Stops        => Natural'Value (Parts.Element (4)),
-                   Late_Stops   => Natural'Value (Parts.Element (5)),
-                   Slowest_Stop => Duration'Value (Parts.Element (6)),
-                   Growth       => Natural'Value (Parts.Element (7))));
-               Finish_One (J, Parts.Element (1), To_String (Text));
-            end;
+            Finish_One
+              (J, To_String (J.Process.Element (Output, Word).Text),
+               To_String (Text));
          elsif not J.Process.Is_Running
            or else Now - J.Since > Injection_Limit
          then
@@ -320,7 +334,7 @@ package body Fault_Runs is
                   & J.Process.Element (Errors, Number).Text & ASCII.LF);
             end loop;
             Finish_One
-              (J, "violated",
+              (J, "violated 0 0 0 0 0.0 0",
                "   it has not come to an end" & ASCII.LF
                & To_String (Text));
             J.Process.Stop;
@@ -341,6 +355,21 @@ package body Fault_Runs is
       end loop;
       Add_Pairs (Queue, S);
       Sorting.Sort (Queue);
+      if S.Record_File /= "" then
+         Fault_Records.Open (To_String (S.Record_File), S.Seed);
+         for Number in reverse 1 .. Queue.Last_Index loop
+            declare
+               Result : constant String :=
+                 Fault_Records.Result_Of (Key (Queue (Number)));
+            begin
+               if Result /= "" then
+                  Count (Queue (Number), Result);
+                  Queue.Delete (Number);
+                  Done := Done + 1;
+               end if;
+            end;
+         end loop;
+      end if;
       Left := Natural (Queue.Length);
 
       for J of All_Jobs loop

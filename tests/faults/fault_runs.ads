@@ -18,6 +18,9 @@ package Fault_Runs is
       --  a part of the name of a fault or a pair
       At_Repetition : Natural := 0;
       --  only this one; 0 is all
+      Record_File   : Unbounded_String;
+      --  where each result is written down; what is in it already is not
+      --  done again. Empty: none
    end record;
 
    Most_Jobs : constant := 32;
@@ -31,6 +34,7 @@ package Fault_Runs is
    --  Program is this one, which each of the jobs runs. Violations are
    --  printed as they come, and everything is counted in Fault_Tables.
    --  Figures are the worst of all. To be called from the environment task.
+   --  Raises Fault_Records.Wrong_Record where Record_File is of another run.
 
    procedure Work (Seed : Natural);
    --  What each of the jobs does: takes injections from standard input, one

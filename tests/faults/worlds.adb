@@ -214,6 +214,10 @@ package body Worlds is
    begin
       loop
          Late := Now > Deadline;
+         --  fewer: something had still been closing when they were counted
+         W.Base_Threads := Integer'Min (W.Base_Threads, Threads (W.Pid));
+         W.Base_Descriptors :=
+           Integer'Min (W.Base_Descriptors, Descriptors (W.Pid));
          exit when Threads (W.Pid) = W.Base_Threads
            and then Descriptors (W.Pid) = W.Base_Descriptors;
          if Late then
@@ -601,6 +605,7 @@ package body Worlds is
    --------------------
 
    procedure Forget_Session (W : in out World) is
+      Deadline : constant Instant := Now + Settle_Limit;
    begin
       W.Present := False;
       if Is_Broken (W.Ledger) then
@@ -608,8 +613,13 @@ package body Worlds is
       elsif W.The_Plan.Log_Is_Read
         and then Unasked_Losses (W.Ledger) > Log_Says (W, "robot lost")
       then
-         --  the log may be a moment behind
-         delay 0.2;
+         --  the log may be behind: it is written by a task of the lowest
+         --  priority
+         while Unasked_Losses (W.Ledger) > Log_Says (W, "robot lost")
+           and then Now < Deadline
+         loop
+            delay 0.02;
+         end loop;
          if Unasked_Losses (W.Ledger) > Log_Says (W, "robot lost") then
             W.Violate
               (Answered_Once,

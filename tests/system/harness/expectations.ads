@@ -17,16 +17,12 @@ package Expectations is
      (Taken : Duration; Limit : Duration; What : String);
    --  Raises Failed unless Taken <= Limit
 
-   Attempts      : constant := 3;
-   Most_Attempts : constant := 6;
-   Host_Grant    : constant Duration := 0.1;
-
    procedure Measure_Calmly (Measure : not null access procedure);
    --  Measure, and if what it expects fails, again: a virtual machine's host
    --  that takes its processors away for half a second does so once, a defect
-   --  comes each time. Attempts times, and Most_Attempts where the host took
-   --  Host_Grant or more of processor time meanwhile (Host_Time). For times
-   --  and periods only. The last failure is raised, the others are noted.
+   --  comes each time. Three times, and up to six where the host took 0.1 s
+   --  or more of processor time meanwhile (Host_Time). For times and periods
+   --  only. The last failure is raised, the others are noted.
 
    procedure Skip (Reason : String) with No_Return;
 
