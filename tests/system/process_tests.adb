@@ -574,8 +574,9 @@ package body Process_Tests is
    --------------------------
 
    procedure With_File_Capability is
-      --  An ordinary user's priorities, by the program's own capability
-      S    : Supervisors.Supervisor;
+      --  An ordinary user's priorities, by the program's own capability; the
+      --  linker searches in fewer places then, and finds the camera part
+      R    : Rig;
       Copy : constant String := Programs.Temporary_Folder & "/capable";
       Tool : Child;
    begin
@@ -589,11 +590,15 @@ package body Process_Tests is
       end if;
       Check
         (Libc.Chmod (To_C (Copy), 8#755#) = 0, "the copy cannot be run");
-      S.Start (Launcher => As_User, Program => Copy);
-      S.Expect_Log ("real-time priorities: yes", Within => 2.0);
-      Check (Connects (S.Port), "nobody listens");
-      S.Send_Signal (Libc.Sigterm);
-      Check (S.Exit_Status (Stop_Limit) = 0, "exit status");
+      R.Emulator.Start (Camera => True);
+      R.Supervisor.Start
+        ("--camera " & R.Emulator.Camera_Url,
+         Launcher => As_User, Program => Copy);
+      R.Supervisor.Expect_Log ("real-time priorities: yes", Within => 2.0);
+      Connect (R);
+      Open_Camera (R);
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Check (R.Supervisor.Exit_Status (Stop_Limit) = 0, "exit status");
    end With_File_Capability;
 
    -----------------------
