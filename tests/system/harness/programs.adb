@@ -117,9 +117,11 @@ package body Programs is
    begin
       if not Exists (Copy) then
          Copy_File (Supervisor, Copy);
-         Copy_File
-           (Vision_Library,
-            Compose (Temporary_Folder, Simple_Name (Vision_Library)));
+         if Exists (Vision_Library) then
+            Copy_File
+              (Vision_Library,
+               Compose (Temporary_Folder, Simple_Name (Vision_Library)));
+         end if;
          Unused := Libc.Chmod (To_C (Copy), To_Be_Run);
       end if;
       return Copy;
