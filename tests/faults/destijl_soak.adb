@@ -335,6 +335,7 @@ procedure Destijl_Soak is
    procedure Soak (Good : out Boolean) is
       Start      : Instant;
       Process    : int;
+      Chosen     : Positive;
       Repetition : Positive := 2;
       --  1 is that of the warm-up
       Figures    : Boolean;
@@ -349,10 +350,9 @@ procedure Destijl_Soak is
       loop
          Stay_Calm (Span (Source, 3.0, 8.0));
          exit when Now - Start >= Duration (60 * Minutes);
-         Soak_Records.Count_Fault;
-         Inject_Fault
-           (Eligible (Whole (Source, 1, Natural (Eligible.Length))),
-            Repetition);
+         Chosen := Eligible (Whole (Source, 1, Natural (Eligible.Length)));
+         Soak_Records.Count_Fault (To_String (Element (Chosen).Name));
+         Inject_Fault (Chosen, Repetition);
          Repetition := Repetition + 1;
       end loop;
       Soak_Records.End_Recording;

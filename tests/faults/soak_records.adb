@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What a soak has measured.
 
+with Ada.Containers.Indefinite_Vectors;
 with Ada.Containers.Vectors;
 with Ada.Float_Text_IO;
 with Ada.Strings;         use Ada.Strings;
@@ -53,6 +54,8 @@ package body Soak_Records is
    package Second_Vectors is new Ada.Containers.Vectors (Positive, Second);
    package Event_Vectors is new Ada.Containers.Vectors (Positive, Event);
    package Value_Vectors is new Ada.Containers.Vectors (Positive, Duration);
+   package Name_Vectors is new Ada.Containers.Indefinite_Vectors
+     (Positive, String);
    package Value_Sorting is new Value_Vectors.Generic_Sorting;
 
    Start   : Instant := Never;
@@ -61,6 +64,8 @@ package body Soak_Records is
    Images  : Event_Vectors.Vector;
    Begun   : Event_Vectors.Vector;
    --  faults
+   Names   : Name_Vectors.Vector;
+   --  theirs
 
    protected State is
       procedure Set_Calm (Value : Boolean);
@@ -197,8 +202,9 @@ package body Soak_Records is
       State.Set_Calm (Value);
    end Set_Calm;
 
-   procedure Count_Fault is
+   procedure Count_Fault (Name : String) is
    begin
+      Names.Append (Name);
       State.Count_Fault;
       Begun.Append ((Now - Start, 0.0));
    end Count_Fault;
@@ -427,13 +433,15 @@ package body Soak_Records is
    ---------------
 
    procedure Write_Csv (Path : String) is
-      File : File_Type;
+      File   : File_Type;
+      Before : Natural := 0;
+      --  faults
    begin
       Create (File, Out_File, Path);
       Put_Line
         (File,
          "second,calm,faults,stolen_percent,memory_kb,descriptors,threads,"
-         & "images,answers,median_ms,maximum_ms");
+         & "images,answers,median_ms,maximum_ms,fault_begun");
       for Item of Seconds loop
          declare
             Latencies : constant Value_Vectors.Vector :=
@@ -452,7 +460,11 @@ package body Soak_Records is
                & ","
                & (if Latencies.Is_Empty then ","
                   else In_Ms (Quantile (Latencies, 0.5)) & ","
-                    & In_Ms (Quantile (Latencies, 1.0))));
+                    & In_Ms (Quantile (Latencies, 1.0)))
+               & ","
+               & (if Item.Faults > Before
+                  then '"' & Names (Item.Faults) & '"' else ""));
+            Before := Item.Faults;
          end;
       end loop;
       Close (File);

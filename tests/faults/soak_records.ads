@@ -18,7 +18,7 @@ package Soak_Records is
    --  A session with everything and no fault: only seconds that are calm
    --  from end to end are compared
 
-   procedure Count_Fault;
+   procedure Count_Fault (Name : String);
    --  One begins
 
    procedure Add_Answer (Time : Instant; Latency : Duration);
