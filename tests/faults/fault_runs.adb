@@ -18,7 +18,7 @@ with Trials;              use Trials;
 
 package body Fault_Runs is
 
-   Injection_Limit : constant Duration := 240.0;
+   Injection_Limit : constant Duration := 600.0;
    --  A process that has not come back by then hangs: that is a violation
 
    Long : constant Duration := 4.0;

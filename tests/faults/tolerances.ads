@@ -53,9 +53,12 @@ package Tolerances is
    Host_Grant : constant Duration := 0.1;
    --  Of processor time that the host of a virtual machine takes during an
    --  injection (Host_Time). Where it took more, what was violated only
-   --  because of a time is looked at again, as often: no program can hold
+   --  because of a time is looked at again: no program can hold
    --  one then. What was answered twice, leaks or has died has no such
    --  excuse.
+
+   Host_Attempts : constant := 12;
+   --  So often at most
 
    Line_Pause : constant Duration := 0.2;
    --  Between two attempts, for late answers to come in

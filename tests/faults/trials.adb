@@ -399,7 +399,7 @@ package body Trials is
       Interrupted : Natural := 0;
    begin
       Line_Watch.Start;
-      for Attempt in 1 .. Line_Attempts loop
+      loop
          Begun := Now;
          Taken := Host_Time.Taken;
          Run_Once (First, Second, Seed, Repetition, Outcome);
@@ -409,7 +409,8 @@ package body Trials is
            and then Host_Time.Taken - Taken >= Host_Grant;
          exit when Outcome.Ends_As /= Violated
            or else not (Late or else Stopped)
-           or else Attempt = Line_Attempts;
+           or else Repeated = Line_Attempts - 1
+           or else Interrupted = Host_Attempts - 1;
          if Stopped then
             Interrupted := Interrupted + 1;
          else
