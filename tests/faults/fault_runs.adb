@@ -298,6 +298,11 @@ package body Fault_Runs is
             end if;
          elsif Word = "violated" then
             Report (J, Text);
+         elsif Text /= "" then
+            Put_Line
+              ("held in the end: " & Name (J.Item.First, J.Item.Second));
+            Put (Text);
+            Flush;
          end if;
       end Finish_One;
 

@@ -397,6 +397,8 @@ package body Trials is
       Stopped     : Boolean;
       Repeated    : Natural := 0;
       Interrupted : Natural := 0;
+      Excused     : Unbounded_String;
+      --  what was violated in those that were made again
    begin
       Line_Watch.Start;
       loop
@@ -411,12 +413,14 @@ package body Trials is
            or else not (Late or else Stopped)
            or else Repeated = Line_Attempts - 1
            or else Interrupted = Host_Attempts - 1;
+         Append (Excused, "   made again:" & ASCII.LF & The_World.Account);
          if Stopped then
             Interrupted := Interrupted + 1;
          else
             Repeated := Repeated + 1;
          end if;
       end loop;
+      Outcome.Account := Excused & Outcome.Account;
       Outcome.Figures.Repeated := Outcome.Figures.Repeated + Repeated;
       Outcome.Figures.Interrupted :=
         Outcome.Figures.Interrupted + Interrupted;

@@ -188,7 +188,8 @@ package body Worlds is
       Deadline : constant Instant := Now + Settle_Limit;
       Same     : Natural := 0;
    begin
-      while Same < 10 and then Now < Deadline loop
+      --  a second without a change: what is still closing is not to be counted
+      while Same < 50 and then Now < Deadline loop
          if Threads (W.Pid) = W.Base_Threads
            and then Descriptors (W.Pid) = W.Base_Descriptors
          then
@@ -214,10 +215,6 @@ package body Worlds is
    begin
       loop
          Late := Now > Deadline;
-         --  fewer: something had still been closing when they were counted
-         W.Base_Threads := Integer'Min (W.Base_Threads, Threads (W.Pid));
-         W.Base_Descriptors :=
-           Integer'Min (W.Base_Descriptors, Descriptors (W.Pid));
          exit when Threads (W.Pid) = W.Base_Threads
            and then Descriptors (W.Pid) = W.Base_Descriptors;
          if Late then

@@ -679,11 +679,11 @@ package body Robot_Tests is
          Check
            (Late <= Early + 1024,
             "memory grows:" & Early'Image & " kB," & Late'Image & " kB");
-         Check_Timing (Reloads >= 58, "only" & Reloads'Image & " reloads");
+         Check (Reloads >= 58, "only" & Reloads'Image & " reloads");
          --  without real-time priorities deadlines are not guaranteed, but
          --  the robot runs on
          if R.Supervisor.Says ("real-time priorities: yes") then
-            Check_Timing (Missed = 0, "missed windows:" & Missed'Image);
+            Check (Missed = 0, "missed windows:" & Missed'Image);
          end if;
       end Measure;
 

@@ -17,17 +17,12 @@ package Expectations is
      (Taken : Duration; Limit : Duration; What : String);
    --  Raises Failed unless Taken <= Limit
 
-   procedure Check_Timing (Condition : Boolean; Message : String);
-   --  The same as Check, of something that only a time decides
-
    procedure Measure_Calmly (Measure : not null access procedure);
-   --  Measure, and if what it expects fails, again: a virtual machine's host
-   --  that takes its processors away for half a second does so once, a defect
-   --  comes each time. Three times, and up to six where the host took 0.1 s
-   --  or more of processor time meanwhile (Host_Time). The last failure is
-   --  raised, the others are noted; but where the host took as much in that
-   --  one, too, and what failed is Check_Within or Check_Timing, it is only
-   --  noted that it cannot be judged here.
+   --  Measure, and if what it expects fails, again: three times, and up to
+   --  ten where a virtual machine's host took 0.1 s or more of processor time
+   --  meanwhile (Host_Time). The last failure is raised, the others are
+   --  noted. For times and periods only: a defect that comes each time is
+   --  found, one that comes seldom may not be.
 
    procedure Skip (Reason : String) with No_Return;
 
