@@ -80,6 +80,8 @@ is
 
    function Nanoseconds is
      new Ada.Unchecked_Conversion (Duration, Unsigned_64);
+   --  GNAT's Duration is a count of nanoseconds in 64 bits; with another size
+   --  this would not pass the validation build
 
    Beginning : constant Time := Time_Of (0, Time_Span_Zero);
    --  Of CLOCK_MONOTONIC, which is Ada's clock, too

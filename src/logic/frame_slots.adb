@@ -4,6 +4,18 @@
 
 package body Frame_Slots with SPARK_Mode is
 
+   procedure Find_Free
+     (S           : State;
+      First, Last : Slot'Base;
+      Which       : in out Slot)
+   with
+     Pre => First >= Slot'First and then Last <= Slot'Last,
+     Post =>
+       (if (for some W in First .. Last => Use_Of (S, W) = Free) then
+           Which in First .. Last and then Use_Of (S, Which) = Free
+        else Which = Which'Old);
+   --  The first free slot of First .. Last; Which remains if there is none
+
    --------------------
    -- Begin_Delivery --
    --------------------
@@ -21,19 +33,15 @@ package body Frame_Slots with SPARK_Mode is
    procedure Claim_Empty (S : in out State; Which : out Slot) is
    begin
       Which := Slot'First;
-      for W in Slot loop
-         if Use_Of (S, W) = Free then
-            Which := W;
-            exit;
-         end if;
-         pragma Loop_Invariant (Which = Slot'First);
-         pragma Loop_Invariant
-           (for all X in Slot'First .. W => Use_Of (S, X) /= Free);
-      end loop;
+      Find_Free (S, S.Last_Claimed + 1, Slot'Last, Which);
+      if Use_Of (S, Which) /= Free then
+         Find_Free (S, Slot'First, S.Last_Claimed, Which);
+      end if;
       if S.Newest = Which then
          S.Has_Newest := False;
       end if;
       S.In_Use (Which) := True;
+      S.Last_Claimed := Which;
    end Claim_Empty;
 
    ------------------
@@ -60,6 +68,25 @@ package body Frame_Slots with SPARK_Mode is
       S.Has_Newest := False;
       S.Delivering := False;
    end End_Delivery;
+
+   ---------------
+   -- Find_Free --
+   ---------------
+
+   procedure Find_Free
+     (S           : State;
+      First, Last : Slot'Base;
+      Which       : in out Slot) is
+   begin
+      for W in First .. Last loop
+         if Use_Of (S, W) = Free then
+            Which := W;
+            return;
+         end if;
+         pragma Loop_Invariant
+           (for all X in First .. W => Use_Of (S, X) /= Free);
+      end loop;
+   end Find_Free;
 
    ----------------------
    -- Prove_One_Newest --

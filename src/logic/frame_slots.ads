@@ -66,7 +66,9 @@ package Frame_Slots with SPARK_Mode, Pure is
              Use_Of (S'Old, Which) = Free)
        and then Is_Same_But (S, S'Old, Which, Drop => False)
        and then Is_Delivering (S) = Is_Delivering (S'Old);
-   --  A slot to be filled: a free one as long as there is one
+   --  A slot to be filled: a free one as long as there is one, the next after
+   --  the one claimed last. So each gets its memory soon after the start, and
+   --  none late, when a rare moment first needs it
 
    procedure Publish (S : in out State; Which : Slot)
    with
@@ -105,10 +107,11 @@ private
    type Slot_Set is array (Slot) of Boolean;
 
    type State is record
-      In_Use     : Slot_Set := (others => False);
-      Has_Newest : Boolean  := False;
-      Newest     : Slot     := Slot'First;
-      Delivering : Boolean  := False;
+      In_Use       : Slot_Set := (others => False);
+      Has_Newest   : Boolean  := False;
+      Newest       : Slot     := Slot'First;
+      Last_Claimed : Slot     := Slot'Last;
+      Delivering   : Boolean  := False;
    end record
    with Dynamic_Predicate =>
      (if State.Has_Newest then not State.In_Use (State.Newest));

@@ -27,6 +27,7 @@ package body Frame_Store_Tests is
    procedure Test_Once (T : in out Any_Test);
    procedure Test_Always_Free (T : in out Any_Test);
    procedure Test_End (T : in out Any_Test);
+   procedure Test_In_Turn (T : in out Any_Test);
    procedure Test_Times (T : in out Any_Test);
 
    ----------------
@@ -88,6 +89,7 @@ package body Frame_Store_Tests is
                         "an empty slot beside owner, newest and readers");
       Register_Routine (T, Test_End'Access,
                         "a delivery that ends drops what waits");
+      Register_Routine (T, Test_In_Turn'Access, "every slot in its turn");
       Register_Routine (T, Test_Times'Access, "when the last image came");
    end Register_Tests;
 
@@ -165,6 +167,32 @@ package body Frame_Store_Tests is
       Frame_Store.Release (Slot);
    end Test_End;
 
+   ------------------
+   -- Test_In_Turn --
+   ------------------
+
+   procedure Test_In_Turn (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Held, Slot, Last : Frame_Slots.Slot;
+
+      function Next (After : Frame_Slots.Slot) return Frame_Slots.Slot is
+        (if After = Frame_Slots.Slot'Last then Frame_Slots.Slot'First
+         else After + 1);
+   begin
+      Begin_Anew;
+      Frame_Store.Claim_Empty (Held);
+      Last := Held;
+      for Image in 1 .. 3 * Frame_Slots.Slot'Range_Length loop
+         Frame_Store.Claim_Empty (Slot);
+         Frame_Store.Publish (Slot, Clock);
+         Last := Next (Last);
+         if Last = Held then
+            Last := Next (Last);
+         end if;
+         Assert (Slot = Last, "the next free one, not" & Slot'Image);
+      end loop;
+   end Test_In_Turn;
+
    -----------------
    -- Test_Newest --
    -----------------
@@ -172,6 +200,7 @@ package body Frame_Store_Tests is
    procedure Test_Newest (T : in out Any_Test) is
       pragma Unreferenced (T);
       First, Second, Third : Frame_Slots.Slot;
+      Is_First_Free        : Boolean := False;
    begin
       Begin_Anew;
       Check_None;
@@ -180,9 +209,12 @@ package body Frame_Store_Tests is
       Frame_Store.Claim_Empty (Second);
       Assert (Second /= First, "the newest is not overwritten");
       Frame_Store.Publish (Second, Clock);
-      Frame_Store.Claim_Empty (Third);
-      Assert (Third = First, "what was dropped is free again");
-      Frame_Store.Release (Third);
+      for Other in 2 .. 6 loop
+         Frame_Store.Claim_Empty (Third);
+         Assert (Third /= Second, "nor by any of the others");
+         Is_First_Free := Is_First_Free or else Third = First;
+      end loop;
+      Assert (Is_First_Free, "what was dropped is free again");
       Check_Newest (Second);
    end Test_Newest;
 
