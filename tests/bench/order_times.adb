@@ -45,11 +45,12 @@ package body Order_Times is
 
    type Distribution is array (Passage) of Samples.Set;
 
-   type Condition is (Idle, Loaded, Service, Loaded_Service, With_Gap);
-   --  Service: as systemd runs it, an ordinary user with real-time
-   --  priorities. Only for root's run time does every protected operation
-   --  raise the priority to its ceiling and lower it again, by a call of the
-   --  system each
+   type Condition is
+     (Idle, Traced, Loaded, Service, Loaded_Service, With_Gap);
+   --  Traced: idle, with --trace. Service: as systemd runs it, an ordinary
+   --  user with real-time priorities. Only for root's run time does every
+   --  protected operation raise the priority to its ceiling and lower it
+   --  again, by a call of the system each
 
    type Distributions is array (Condition) of Distribution;
 
@@ -213,7 +214,10 @@ package body Order_Times is
       Supervisor.Start
         ("--serial " & Device (Both_Ends.Ours)
          & (if Under = With_Gap then "" else " --message-gap 0")
-         & (if With_Camera then " --camera " & Camera.Camera_Url else ""),
+         & (if With_Camera then " --camera " & Camera.Camera_Url else "")
+         & (if Under = Traced
+            then " --trace " & Programs.Temporary_Folder & "/orders.json"
+            else ""),
          Launcher =>
            (if Under in Service | Loaded_Service then As_Service else ""),
          Program  =>
@@ -307,6 +311,11 @@ package body Order_Times is
 
    begin
       Compare_One ("idle", Idle);
+      Reports.Compare
+        (Name & ", idle, with --trace, to the same without",
+         Which (Traced) (Ours), Which (Idle) (Ours),
+         "median <= 1.02 x the one without",
+         Ratio (Which (Traced) (Ours), Which (Idle) (Ours), 0.5) <= 1.02);
       Compare_One ("full load", Loaded);
       Compare_One ("idle, as a service", Service);
       Compare_One ("full load, as a service", Loaded_Service);

@@ -19,6 +19,21 @@ package body Samples is
    function Count (Object : Set) return Natural is
      (Natural (Object.Values.Length));
 
+   -----------------
+   -- Count_Above --
+   -----------------
+
+   function Count_Above (Object : Set; Limit : Duration) return Natural is
+      Result : Natural := 0;
+   begin
+      for Value of Object.Values loop
+         if Value > Limit then
+            Result := Result + 1;
+         end if;
+      end loop;
+      return Result;
+   end Count_Above;
+
    ----------
    -- Mean --
    ----------

@@ -11,6 +11,8 @@ package Samples is
 
    function Count (Object : Set) return Natural;
 
+   function Count_Above (Object : Set; Limit : Duration) return Natural;
+
    function Mean (Object : Set) return Duration;
 
    function Quantile (Object : Set; Share : Float) return Duration

@@ -31,8 +31,9 @@ procedure System_Tests is
 
    use type AUnit.Status;
 
-   Time_Limit : constant Duration := 900.0;
-   --  The whole run takes less than half of this
+   Time_Limit : constant Duration := 2_700.0;
+   --  The whole run takes a sixth of this. What is measured again where the
+   --  host of a virtual machine is busy takes the more
 
    task Guard is
       entry Done;
