@@ -79,13 +79,14 @@ void scale(cv::Mat &from, cv::Mat &to, const cv::Size &size) {
 bool make_pixels(Frame &here) {
   if (here.content != Frame::Content::jpeg)
     return true;
+  static thread_local cv::Mat unscaled;  // as decoded
   const cv::Size size = here.size();
-  if (!decode(here.jpeg, size, here.unscaled))
+  if (!decode(here.jpeg, size, unscaled))
     return false;
-  const bool is_large = here.unscaled.size() != size;
-  scale(here.unscaled, here.image, size);
+  const bool is_large = unscaled.size() != size;
+  scale(unscaled, here.image, size);
   if (is_large)
-    here.unscaled.release();  // a slot does not keep an image of 4K
+    unscaled.release();  // an image of 4K is not kept
   here.content = Frame::Content::jpeg_and_pixels;
   return true;
 }

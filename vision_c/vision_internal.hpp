@@ -41,8 +41,9 @@ cv::Size fitting(const cv::Size &from, const cv::Size &limit);
 // go round and nothing is copied.
 void scale(cv::Mat &from, cv::Mat &to, const cv::Size &size);
 
-// An image and what the work on it needs. Everything is reused from one
-// image to the next, so that nothing is allocated once sizes have settled.
+// An image. Its memory is used for the next one in the same slot, as is what
+// the work on it needs by the next work of the same thread, so that nothing is
+// allocated once sizes have settled.
 struct Frame {
   // What a slot holds. A camera's own JPEG is decoded when its pixels are
   // needed first, and passed on as it is until something is drawn in it.
@@ -53,9 +54,6 @@ struct Frame {
   cv::Mat jpeg;                // one row of bytes
   Jpeg_Facts facts;            // about it
   cv::Size limit;              // what it is to be scaled to fit
-  cv::Mat unscaled;            // as decoded
-  cv::Mat grey, smooth;        // the searches' own
-  cv::Mat small, gradient, transposed, mask, tiles;
 
   bool holds_jpeg() const {
     return content == Content::jpeg || content == Content::jpeg_and_pixels;

@@ -24,6 +24,13 @@ namespace {
 
 using Point = cv::Point2d;
 
+// Images that a search makes on its way; none outlasts it.
+struct Scratch {
+  cv::Mat grey, smooth, small, gradient, transposed, mask, tiles;
+};
+
+thread_local Scratch scratch;
+
 // ---------------------------------------------------------------- Geometry
 
 double cross(const Point &a, const Point &b) {
@@ -476,21 +483,21 @@ Line as_line(const Rim &rim, double width, bool transposed) {
 }
 
 // The arena in SMALL, to a pixel or two.
-bool find_outline(Frame &here, const cv::Mat &small, Point *corner) {
-  cv::Mat &gradient = here.gradient;
+bool find_outline(const cv::Mat &small, Point *corner) {
+  cv::Mat &gradient = scratch.gradient;
 
   const auto edges = [&](int dx, std::vector<Rim> &up,
                          std::vector<Rim> &down) {
     cv::Sobel(small, gradient, CV_16S, dx, 1 - dx, 3);
     if (dx == 1) {
-      cv::transpose(gradient, here.transposed);
-      std::swap(gradient, here.transposed);
+      cv::transpose(gradient, scratch.transposed);
+      std::swap(gradient, scratch.transposed);
     }
     double least = 0.0, greatest = 0.0;
     cv::minMaxLoc(gradient, &least, &greatest);
     const double slope = std::max(16.0, 0.12 * std::max(-least, greatest));
-    up = find_rims(gradient, true, slope, here.mask);
-    down = find_rims(gradient, false, slope, here.mask);
+    up = find_rims(gradient, true, slope, scratch.mask);
+    down = find_rims(gradient, false, slope, scratch.mask);
   };
 
   // A field is darker than its border: its top side is where the image gets
@@ -541,27 +548,27 @@ vision_status find_arena(Frame &here, vision_arena &arena) {
   if (std::min(size.width, size.height) < 16 * scale)
     return fail(VISION_NOT_FOUND, "too small an image for an arena");
 
-  cv::cvtColor(here.image, here.grey, cv::COLOR_BGR2GRAY);
-  cv::resize(here.grey, here.small,
+  cv::cvtColor(here.image, scratch.grey, cv::COLOR_BGR2GRAY);
+  cv::resize(scratch.grey, scratch.small,
              cv::Size(cvRound(size.width / scale),
                       cvRound(size.height / scale)),
              0, 0, cv::INTER_AREA);
-  cv::GaussianBlur(here.small, here.small, cv::Size(), 1.0);
+  cv::GaussianBlur(scratch.small, scratch.small, cv::Size(), 1.0);
 
   std::array<Point, 4> corner;
-  if (!find_outline(here, here.small, corner.data()))
+  if (!find_outline(scratch.small, corner.data()))
     return fail(VISION_NOT_FOUND, "no arena in the image");
 
-  const Point stretch(double(size.width) / here.small.cols,
-                      double(size.height) / here.small.rows);
+  const Point stretch(double(size.width) / scratch.small.cols,
+                      double(size.height) / scratch.small.rows);
   for (Point &point : corner)
     point = Point((point.x + 0.5) * stretch.x - 0.5,
                   (point.y + 0.5) * stretch.y - 0.5);
-  cv::GaussianBlur(here.grey, here.smooth, cv::Size(), 1.0);
+  cv::GaussianBlur(scratch.grey, scratch.smooth, cv::Size(), 1.0);
   const double reach = std::min(3.0 * scale, 30.0);
-  if (!refine(here.smooth, corner.data(), 4, Bright::outside, reach, 0.03) ||
-      !is_field(here.smooth, corner.data()) ||
-      border_support(here.smooth, corner.data()) <= 0.0)
+  if (!refine(scratch.smooth, corner.data(), 4, Bright::outside, reach, 0.03) ||
+      !is_field(scratch.smooth, corner.data()) ||
+      border_support(scratch.smooth, corner.data()) <= 0.0)
     return fail(VISION_NOT_FOUND, "no arena in the image");
   for (int k = 0; k < 4; ++k)
     arena.corner[k] = {corner[k].x, corner[k].y};
@@ -809,7 +816,7 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   return true;
 }
 
-void find_markers(Frame &here, const Search &search,
+void find_markers(const Search &search,
                   std::vector<vision_robot> &robots) {
   static thread_local Aruco aruco;
   // A marker is a candidate more than once: its outlines, and thresholds.
@@ -823,7 +830,7 @@ void find_markers(Frame &here, const Search &search,
                             robot.centre.y - centre.y) < 4.0;
         });
   };
-  aruco.detect(here.smooth, search.scope);
+  aruco.detect(scratch.smooth, search.scope);
   for (const std::vector<Corners> *list : {&aruco.known, &aruco.others})
     for (const Corners &candidate : *list) {
       std::array<Point, 4> corner;
@@ -835,11 +842,11 @@ void find_markers(Frame &here, const Search &search,
       const double reach = std::max(2.5, 0.75 * std::sqrt(area) / 6);
       unsigned bits = 0;
       int id = 0, turns = 0;
-      if (!refine(here.smooth, corner.data(), 4, Bright::outside, reach,
+      if (!refine(scratch.smooth, corner.data(), 4, Bright::outside, reach,
                   0.12) ||
-          !read_bits(read_modules(here.smooth, corner), bits) ||
+          !read_bits(read_modules(scratch.smooth, corner), bits) ||
           !aruco.identify(bits, id, turns) || is_known(id, corner) ||
-          !align_marker(here.smooth, bits, corner))
+          !align_marker(scratch.smooth, bits, corner))
         continue;
       // Turned so often, its top left corner is where that one is.
       std::rotate(corner.begin(), corner.begin() + turns, corner.end());
@@ -925,7 +932,7 @@ bool find_corners(const std::vector<cv::Point> &contour,
   return cv::contourArea(hull) < 1.6 * (largest / 2.0);
 }
 
-void find_triangles(Frame &here, const Search &search,
+void find_triangles(const Search &search,
                     std::vector<vision_robot> &robots) {
   static const Triangle drawn;
   // The triangle is 20 cm2, the field 80 cm wide; without an arena the field
@@ -934,13 +941,13 @@ void find_triangles(Frame &here, const Search &search,
   const double least = std::max(40.0, area * (search.bounded ? 0.4 : 0.08));
   const double most = 2.5 * area;
   const int block = std::min(std::max(cvRound(0.05 * search.width), 7), 400);
-  cv::adaptiveThreshold(here.smooth, here.mask, 255,
+  cv::adaptiveThreshold(scratch.smooth, scratch.mask, 255,
                         cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY,
                         2 * block + 1, -12);
-  cv::morphologyEx(here.mask, here.mask, cv::MORPH_OPEN,
+  cv::morphologyEx(scratch.mask, scratch.mask, cv::MORPH_OPEN,
                    cv::Mat());  // threads of noise that hang on a triangle
   std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(here.mask, contours, cv::RETR_LIST,
+  cv::findContours(scratch.mask, contours, cv::RETR_LIST,
                    cv::CHAIN_APPROX_SIMPLE);
   for (const std::vector<cv::Point> &contour : contours) {
     const double size = cv::contourArea(contour);
@@ -950,9 +957,9 @@ void find_triangles(Frame &here, const Search &search,
     if (!find_corners(contour, corner))
       continue;
     if (!order_triangle(corner) ||
-        !refine(here.smooth, corner.data(), 3, Bright::inside, 4.0, 0.15) ||
+        !refine(scratch.smooth, corner.data(), 3, Bright::inside, 4.0, 0.15) ||
         !order_triangle(corner) ||
-        !align(here.smooth, drawn.shape, drawn.used, drawn.corner.data(),
+        !align(scratch.smooth, drawn.shape, drawn.used, drawn.corner.data(),
                corner.data()))
       continue;
     const Point centre = (corner[0] + corner[1] + corner[2]) / 3;
@@ -1016,15 +1023,15 @@ void note_all(Frame &here) {
 bool has_changed(Frame &here, const cv::Rect &whole,
                  const std::vector<cv::Rect> &parts) {
   int side = 0;
-  watch.look(here.image, here.tiles, side);
-  if (here.tiles.size() != watch.seen.size())
+  watch.look(here.image, scratch.tiles, side);
+  if (scratch.tiles.size() != watch.seen.size())
     return true;
   for (const cv::Rect &part : parts) {
-    const cv::Rect tiles = tiles_of(part, side, here.tiles);
-    here.tiles(tiles).copyTo(watch.seen(tiles));
+    const cv::Rect tiles = tiles_of(part, side, scratch.tiles);
+    scratch.tiles(tiles).copyTo(watch.seen(tiles));
   }
-  const cv::Rect tiles = tiles_of(whole, side, here.tiles);
-  return cv::norm(here.tiles(tiles), watch.seen(tiles), cv::NORM_INF) >
+  const cv::Rect tiles = tiles_of(whole, side, scratch.tiles);
+  return cv::norm(scratch.tiles(tiles), watch.seen(tiles), cv::NORM_INF) >
          Watch::change * Watch::samples * Watch::samples;
 }
 
@@ -1069,12 +1076,12 @@ vision_status find_robots(int slot, vision_marker marker,
     if (limit(here, arena, search) && choose(here, search.box, parts))
       for (const cv::Rect &part : parts) {
         search.box = part;
-        cv::cvtColor(here.image(part), here.grey, cv::COLOR_BGR2GRAY);
-        cv::GaussianBlur(here.grey, here.smooth, cv::Size(), 0.8);
+        cv::cvtColor(here.image(part), scratch.grey, cv::COLOR_BGR2GRAY);
+        cv::GaussianBlur(scratch.grey, scratch.smooth, cv::Size(), 0.8);
         if (marker == VISION_MARKER_ARUCO)
-          find_markers(here, search, found);
+          find_markers(search, found);
         else
-          find_triangles(here, search, found);
+          find_triangles(search, found);
       }
     drop_doubles(found);
     if (found.empty())

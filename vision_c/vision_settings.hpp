@@ -4,28 +4,35 @@
 #ifndef VISION_SETTINGS_HPP
 #define VISION_SETTINGS_HPP
 
+#include <algorithm>
 #include <cstdlib>
 
 #include <malloc.h>
 
 namespace vision {
 
+// What images of this size need again and again, a byte for each pixel, stays
+// with the process; larger blocks go back to the system when they are no longer
+// needed. The C library would else keep for ever what an image of 4K needed.
+inline void keep_memory_for(int width, int height) {
+  constexpr int least = 128 << 10;  // bytes: the C library's own beginning
+  mallopt(M_MMAP_THRESHOLD, std::max(least, width * height / 4 * 5));
+}
+
 // Before main, as the environment may only be changed while there is one
 // thread; without effect where it has been called before. What the user has
 // set stays.
 inline void prepare_process() {
-  constexpr int large = 128 << 10;  // bytes, the C library's own beginning
   // The reason of a failure is returned, not printed.
   if (std::getenv("OPENCV_FFMPEG_LOGLEVEL") == nullptr)
     setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   if (std::getenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT") == nullptr)
     setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "2", 0);  // seconds
-  // What was needed for an image is given back to the system. The memory is
-  // locked, so the C library can give back only what it has mapped apart, and
-  // the end of the heap it began with: it would else keep for ever the most
-  // that each thread has ever had, and large blocks, too, after the first.
-  mallopt(M_MMAP_THRESHOLD, large);
+  // The memory is locked, so the C library can give back only what it has
+  // mapped apart (see keep_memory_for), and the end of the heap it began with:
+  // of each other heap it would keep the most there ever was.
   mallopt(M_ARENA_MAX, 1);
+  keep_memory_for(640, 480);
 }
 
 }  // namespace vision

@@ -318,6 +318,7 @@ vision_status vision_open(const char *source, int width, int height,
     if (source == nullptr || *source == '\0' || width < 1 || height < 1 ||
         width > VISION_MAX_SIDE || height > VISION_MAX_SIDE || fps < 1)
       return fail(VISION_BAD_ARGUMENT, "no source, or no size, or no rate");
+    vision::keep_memory_for(width, height);
     vision::frame(0);  // OpenCV's own settings
     Source &here = vision::source();
     here.name = source;
