@@ -390,6 +390,13 @@ package body Process_Tests is
          if Number mod 10 = 0 then
             Open_Camera (R, Positions => True);
          end if;
+         if Number = 10 then
+            --  each frame slot gets the memory of an image, once
+            for Image in 1 .. 40 loop
+               Check (R.Monitor.Next_Of ("CIMG", Within => 3.0).Size > 0,
+                      "an image");
+            end loop;
+         end if;
          R.Monitor.Expect ("RGFW", "AACK");
          case Number mod 3 is
             when 0 =>
