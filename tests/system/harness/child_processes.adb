@@ -433,6 +433,15 @@ package body Child_Processes is
          end if;
          delay 0.001;
       end loop;
+      --  What it said last is still being read; not for ever, as a
+      --  grandchild may hold the pipe
+      for From in Stream loop
+         for Attempt in 1 .. 500 loop
+            exit when Object.Inner.Readers (From)'Terminated
+              or else Object.Inner.Lists (From).Ignored;
+            delay 0.001;
+         end loop;
+      end loop;
       return Object.Inner.Status;
    end Exit_Status;
 
