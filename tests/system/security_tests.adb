@@ -103,10 +103,16 @@ package body Security_Tests is
       procedure Refuse (Source : String);
 
       procedure Admit (Source : String) is
-         M : Client;
+         Mark : constant Natural := S.Log_Length;
       begin
-         M.Connect (S.Port, Source => Source);
-         Expect_Admitted (M);
+         declare
+            M : Client;
+         begin
+            M.Connect (S.Port, Source => Source);
+            Expect_Admitted (M);
+         end;
+         --  the next one would be a second monitor before
+         S.Expect_Log ("session closed", Within => 4.0, After => Mark);
       end Admit;
 
       procedure Refuse (Source : String) is
