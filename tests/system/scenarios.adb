@@ -9,17 +9,20 @@ with AUnit.Assertions;
 
 with Child_Processes;
 with Expectations;
+with Host_Time;
 with Instants;              use Instants;
 with Programs;
+with Standstills;
 
 package body Scenarios is
 
    type Scenario_Access is access Scenario;
 
-   Filter        : Unbounded_String;
-   Count_Run     : Natural := 0;
-   Count_Failed  : Natural := 0;
-   Count_Skipped : Natural := 0;
+   Filter         : Unbounded_String;
+   Count_Run      : Natural := 0;
+   Count_Failed   : Natural := 0;
+   Count_Skipped  : Natural := 0;
+   Count_Repeated : Natural := 0;
 
    ----------
    -- Name --
@@ -34,11 +37,19 @@ package body Scenarios is
    --------------
 
    overriding procedure Run_Test (Test : in out Scenario) is
-      Start : constant Instant := Now;
+      Attempts    : constant := 5;
+      Start       : Instant := Now;
+      Host_Before : Duration := Host_Time.Taken;
 
       procedure Say (Line : String);
-
       procedure Report (Result : String);
+
+      function Stood_Still return String;
+      --  How, since Start; empty if too little to matter
+
+      ---------
+      -- Say --
+      ---------
 
       procedure Say (Line : String) is
       begin
@@ -50,32 +61,74 @@ package body Scenarios is
             Programs.Give_Up ("nobody reads what the tests have to say");
       end Say;
 
+      ------------
+      -- Report --
+      ------------
+
       procedure Report (Result : String) is
       begin
          Say (Result & ", " & Milliseconds (Now - Start));
       end Report;
 
+      -----------------
+      -- Stood_Still --
+      -----------------
+
+      function Stood_Still return String is
+         In_One_Piece : constant Duration := Standstills.Longest;
+         Of_Host      : constant Duration := Host_Time.Taken - Host_Before;
+      begin
+         return
+           (if In_One_Piece >= 0.02 or else Of_Host >= 0.05
+            then "stood still for " & Milliseconds (In_One_Piece)
+                 & ", its host took " & Milliseconds (Of_Host)
+            else "");
+      end Stood_Still;
+
    begin
       Count_Run := Count_Run + 1;
-      Child_Processes.Forget_Last_Lines;
       Say (Test.Title.all);
-      Test.Action.all;
-      Report ("   ok");
-   exception
-      when Occurrence : Expectations.Skipped =>
-         Count_Skipped := Count_Skipped + 1;
-         Report ("   skipped: " & Exception_Message (Occurrence));
-      when Occurrence : others =>
-         Count_Failed := Count_Failed + 1;
-         Report ("   FAILED: " & Exception_Message (Occurrence));
-         Child_Processes.Print_Last_Lines;
-         if Exception_Identity (Occurrence) = Expectations.Failed'Identity
-         then
-            AUnit.Assertions.Assert
-              (False, Exception_Message (Occurrence));
-         else
-            raise;
-         end if;
+      for Attempt in 1 .. Attempts loop
+         Child_Processes.Forget_Last_Lines;
+         Start := Now;
+         Standstills.Forget;
+         Host_Before := Host_Time.Taken;
+         begin
+            Test.Action.all;
+            Report ("   ok");
+            return;
+         exception
+            when Occurrence : Expectations.Skipped =>
+               Count_Skipped  := Count_Skipped + 1;
+               Report ("   skipped: " & Exception_Message (Occurrence));
+               return;
+            when Occurrence : others =>
+               declare
+                  Cause : constant String := Stood_Still;
+                  Again : constant Boolean :=
+                    Cause /= "" and then Attempt < Attempts;
+               begin
+                  Report ((if Again then "   again: " else "   FAILED: ")
+                          & Exception_Message (Occurrence));
+                  if Cause /= "" then
+                     Say ("      the machine " & Cause);
+                  end if;
+                  Child_Processes.Print_Last_Lines;
+                  if Again then
+                     Count_Repeated := Count_Repeated + 1;
+                  else
+                     Count_Failed := Count_Failed + 1;
+                     if Exception_Identity (Occurrence)
+                       = Expectations.Failed'Identity
+                     then
+                        AUnit.Assertions.Assert
+                          (False, Exception_Message (Occurrence));
+                     end if;
+                     raise;
+                  end if;
+               end;
+         end;
+      end loop;
    end Run_Test;
 
    ----------------
@@ -109,5 +162,6 @@ package body Scenarios is
    function Run_Count return Natural is (Count_Run);
    function Failed_Count return Natural is (Count_Failed);
    function Skipped_Count return Natural is (Count_Skipped);
+   function Repeated_Count return Natural is (Count_Repeated);
 
 end Scenarios;

@@ -15,6 +15,11 @@ package Scenarios is
      (Test : Scenario) return AUnit.Message_String;
 
    overriding procedure Run_Test (Test : in out Scenario);
+   --  Where Test fails and the machine stood still meanwhile, for 20 ms or
+   --  more in one piece (Standstills) or for 50 ms of processor time that
+   --  its host took (Host_Time), it says so and runs it again, five times at
+   --  most: the robot has 80 ms to answer, and a test cannot tell who was
+   --  late. A failure on a machine that ran is never made again.
 
    procedure Set_Filter (Text : String);
    --  Only scenarios whose name contains Text are added from now on
@@ -27,6 +32,9 @@ package Scenarios is
    function Run_Count return Natural;
    function Failed_Count return Natural;
    function Skipped_Count return Natural;
+
+   function Repeated_Count return Natural;
+   --  How often a test was run again
 
 private
 

@@ -25,6 +25,7 @@ with Robot_Tests;
 with Scenarios;
 with Security_Tests;
 with Server_Tests;
+with Standstills;
 with Trace_Tests;
 
 procedure System_Tests is
@@ -89,6 +90,7 @@ begin
    Trace_Tests.Add_To (Suite);
    Never_Tests.Add_To (Suite);
 
+   Standstills.Watch;
    AUnit.Test_Suites.Run
      (Suite, AUnit.Options.Default_Options, Result, Outcome);
    New_Line;
@@ -97,6 +99,11 @@ begin
 
    Guard.Done;
    Programs.Remove_Temporary_Folder;
+   if Scenarios.Repeated_Count > 0 then
+      Put_Line
+        (Image (Scenarios.Repeated_Count)
+         & " run again because the machine stood still");
+   end if;
    if Scenarios.Skipped_Count > 0 then
       Put_Line (Image (Scenarios.Skipped_Count) & " skipped");
    end if;

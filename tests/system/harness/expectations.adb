@@ -4,7 +4,6 @@
 with Ada.Exceptions; use Ada.Exceptions;
 with Ada.Text_IO;    use Ada.Text_IO;
 
-with Host_Time;
 with Instants;
 
 package body Expectations is
@@ -27,22 +26,15 @@ package body Expectations is
    end Check_Within;
 
    procedure Measure_Calmly (Measure : not null access procedure) is
-      Attempts      : constant := 3;
-      Most_Attempts : constant := 10;
-      Host_Grant    : constant Duration := 0.1;
-      Taken         : Duration;
+      Attempts : constant := 3;
    begin
-      for Attempt in 1 .. Most_Attempts loop
-         Taken := Host_Time.Taken;
+      for Attempt in 1 .. Attempts loop
          begin
             Measure.all;
             return;
          exception
             when Occurrence : Failed =>
-               Taken := Host_Time.Taken - Taken;
-               if Attempt = Most_Attempts
-                 or else (Attempt >= Attempts and then Taken < Host_Grant)
-               then
+               if Attempt = Attempts then
                   raise;
                end if;
                Note ("measured again: " & Exception_Message (Occurrence));

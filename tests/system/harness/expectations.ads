@@ -18,11 +18,10 @@ package Expectations is
    --  Raises Failed unless Taken <= Limit
 
    procedure Measure_Calmly (Measure : not null access procedure);
-   --  Measure, and if what it expects fails, again: three times, and up to
-   --  ten where a virtual machine's host took 0.1 s or more of processor time
-   --  meanwhile (Host_Time). The last failure is raised, the others are
-   --  noted. For times and periods only: a defect that comes each time is
-   --  found, one that comes seldom may not be.
+   --  Measure, and if what it expects fails, again, three times at most. The
+   --  last failure is raised, the others are noted. For times and periods
+   --  only: a defect that comes each time is found, one that comes seldom may
+   --  not be.
 
    procedure Skip (Reason : String) with No_Return;
 
