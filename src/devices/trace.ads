@@ -19,9 +19,9 @@ is
    --  Nothing here waits for a task, and all but Finish for nothing at all.
    --  A claim by reading: the body is outside SPARK
 
-   Capacity : constant := 2 ** 18;
-   --  Events kept, the newest: more than four minutes of a session with
-   --  images, positions and 25 commands a second, in 8 MiB
+   Capacity : constant := 2 ** 17;
+   --  Events kept, the newest: more than two minutes of a session with
+   --  images, positions and 25 commands a second, in 4 MiB
 
    subtype Task_Name is Schedule.Task_Name;
 

@@ -33,6 +33,9 @@ package body Start_Times is
    function Picture return String;
    --  An image of the arena in a file
 
+   function Recording return String is
+     ("--trace " & Programs.Temporary_Folder & "/start.json");
+
    procedure Report_Memory;
    procedure Report_Loading;
    procedure Report_Readiness;
@@ -110,6 +113,10 @@ package body Start_Times is
       end Put;
 
    begin
+      Supervisor.Start (Recording);
+      delay 0.5;
+      Put ("memory without camera, resident, with --trace", "Rss", "< 20 MB");
+      Supervisor.Stop;
       Supervisor.Start ("--camera " & Picture);
       delay 0.5;
       Put ("memory without camera, resident", "Rss", "< 20 MB");
@@ -296,19 +303,25 @@ package body Start_Times is
    ------------
 
    procedure Report is
-      Ours, Bare : Samples.Set;
+      Listening : constant String := "--port 0 --bind 127.0.0.1";
+
+      Ours, Bare, Recorded : Samples.Set;
    begin
       Reports.Begin_Section
         ("start", "start, readiness and memory");
       for Number in 1 .. Integer'Max (10, Bench_Settings.Sample_Count / 40)
       loop
-         Time_Start
-           (Programs.Supervisor, "--port 0 --bind 127.0.0.1", Ours);
+         Time_Start (Programs.Supervisor, Listening, Ours);
          Time_Start (Programs.Beside ("forwarder"), "start", Bare);
+         Time_Start
+           (Programs.Supervisor, Listening & " " & Recording, Recorded);
       end loop;
       Reports.Compare
         ("start to listening, to the bare forwarder", Ours, Bare,
          "median < 50 ms", Ours.Quantile (0.5) < 0.050);
+      Reports.Compare
+        ("the same with --trace, to one without", Recorded, Ours,
+         "median < 50 ms", Recorded.Quantile (0.5) < 0.050);
       Report_Readiness;
       Report_Memory;
       Report_Loading;
