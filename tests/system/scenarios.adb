@@ -99,7 +99,7 @@ package body Scenarios is
             return;
          exception
             when Occurrence : Expectations.Skipped =>
-               Count_Skipped  := Count_Skipped + 1;
+               Count_Skipped := Count_Skipped + 1;
                Report ("   skipped: " & Exception_Message (Occurrence));
                return;
             when Occurrence : others =>

@@ -33,8 +33,8 @@ procedure System_Tests is
    use type AUnit.Status;
 
    Time_Limit : constant Duration := 2_700.0;
-   --  The whole run takes a sixth of this. What is measured again where the
-   --  host of a virtual machine is busy takes the more
+   --  The whole run takes a sixth of this; more where tests are run again
+   --  because the machine stood still
 
    task Guard is
       entry Done;
