@@ -264,12 +264,13 @@ void choose_pixels(const cv::Mat &grey, const cv::Mat &shape,
 // Moves MAP so that SHAPE (float, 0 .. 1) lies on its image best, by least
 // squares (Gauss-Newton) over the pixels that USED marks; contrast and
 // brightness are fitted with it. DISTANCE is what remains, grey levels over
-// contrast. False where the shape slips away.
+// contrast. False where the shape slips away, or where more than MOST remains
+// after the first step, which is the largest by far.
 //
 // The steps are taken in the shape's own coordinates: there the gradients,
 // and so the normal equations, are the same in every round.
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
-           Map &map, double &distance) {
+           double most, Map &map, double &distance) {
   using Normal = cv::Matx<double, 8, 8>;
   constexpr int rounds = 8;
   constexpr double enough = 1e-4;  // pixels of the image
@@ -308,6 +309,8 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
       squares += rest * rest;
     }
     distance = std::sqrt(squares / number) / std::max(1.0, contrast);
+    if (round > 1 && distance > most)
+      return false;
     if (round == 0) {
       // Brightness and contrast first: without them there is no gradient.
       offset = (normal(7, 7) * right[6] - sum * right[7]) / spread;
@@ -343,11 +346,13 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
 }
 
 // Moves three CORNERs, which REFERENCE are in SHAPE (8-bit, sharp), to where
-// the shape lies in the image best. How sharp the image is is tried out.
+// the shape lies in the image best. How sharp the image is is tried out, until
+// it gets worse: the less sharp shapes behind fit worse still.
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            const Point *reference, Point *corner) {
+  constexpr double none = 1e9;
   Map start, best;
-  double least = 1e9;
+  double least = none;
   if (!map_of(reference, corner, start))
     return false;
   const double scale = std::sqrt(std::fabs(
@@ -361,9 +366,12 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
     shape.convertTo(blurred, CV_32F, 1.0 / 255.0);
     cv::GaussianBlur(blurred, blurred, cv::Size(), sigma / scale, 0.0,
                      cv::BORDER_REPLICATE);
-    if (align(grey, blurred, used, map, distance) && distance < least) {
+    if (align(grey, blurred, used, 1.5 * least, map, distance) &&
+        distance < least) {
       least = distance;
       best = map;
+    } else if (least < none) {
+      break;
     }
   }
   if (least > 0.15)
@@ -816,8 +824,7 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   return true;
 }
 
-void find_markers(const Search &search,
-                  std::vector<vision_robot> &robots) {
+void find_markers(const Search &search, std::vector<vision_robot> &robots) {
   static thread_local Aruco aruco;
   // A marker is a candidate more than once: its outlines, and thresholds.
   const auto is_known = [&](int id, const std::array<Point, 4> &corner) {
