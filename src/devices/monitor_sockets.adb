@@ -103,8 +103,9 @@ is
    type Tcp_Info is record
       States      : Word_Array (1 .. 6);   --  states, times, segment sizes
       Unacked     : Unsigned_32;           --  segments
-      Counters    : Word_Array (1 .. 7);   --  up to the last data received
-      Last_Ack    : Unsigned_32;           --  ms since the last one received
+      Counters    : Word_Array (1 .. 6);   --  up to the last one sent
+      Last_Data   : Unsigned_32;           --  ms since the last received
+      Last_Ack    : Unsigned_32;           --  ms since the last received
       Metrics     : Word_Array (1 .. 11);
       Pacing      : Word_Array (1 .. 4);
       Bytes_Acked : Unsigned_64;
@@ -448,7 +449,8 @@ is
            (Now            => Monitor_Link.Milliseconds (Whole) * 1000
               + Monitor_Link.Milliseconds (Rest / Milliseconds (1)),
             Unacknowledged => Natural (Info.Unacked),
-            Since_Last_Ack => Monitor_Link.Milliseconds (Info.Last_Ack),
+            Since_Heard    => Monitor_Link.Milliseconds
+              (Unsigned_32'Min (Info.Last_Ack, Info.Last_Data)),
             Outstanding    => Natural (Info.Not_Sent + Info.Unacked),
             Bytes_Acked    => Monitor_Link.Byte_Count
               (Info.Bytes_Acked and (2 ** 63 - 1)));

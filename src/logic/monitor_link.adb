@@ -22,8 +22,9 @@ package body Monitor_Link with SPARK_Mode is
       S.Acked   := X.Bytes_Acked;
 
       if S.Waiting
-        and then X.Since_Last_Ack > Vanished_After
-        and then Elapsed (S.Waiting_Since, X.Now) > Vanished_After
+        and then X.Since_Heard > Vanished_After
+        and then Elapsed (S.Watched_Since, X.Now) > Vanished_After
+        and then Elapsed (S.Waiting_Since, X.Now) >= Confirmed_After
       then
          V := Vanished;
       elsif S.Holding
@@ -41,7 +42,8 @@ package body Monitor_Link with SPARK_Mode is
 
    procedure Start (S : out State; Now : Milliseconds) is
    begin
-      S := (Waiting       => False,
+      S := (Watched_Since => Now,
+            Waiting       => False,
             Waiting_Since => Now,
             Holding       => False,
             Holding_Since => Now,

@@ -12,6 +12,10 @@ package Monitor_Link with SPARK_Mode is
    --  Sampled every 250 ms this finds a monitor that vanished without a
    --  packet within the 5 s of F5.
 
+   Confirmed_After : constant Milliseconds := 200;
+   --  Less than from one sample to the next: what has just been sent is to
+   --  have its time to be acknowledged.
+
    Stalled_After : constant Milliseconds := 15_000;
    --  A monitor that takes nothing for so long is lost.
 
@@ -20,8 +24,10 @@ package Monitor_Link with SPARK_Mode is
       --  Monotonic time of the sample.
       Unacknowledged : Natural      := 0;
       --  Segments sent and not acknowledged (tcpi_unacked).
-      Since_Last_Ack : Milliseconds := 0;
-      --  Age of the last acknowledgement (tcpi_last_ack_recv).
+      Since_Heard    : Milliseconds := 0;
+      --  Age of the last sign of life: an acknowledgement or data
+      --  (tcpi_last_ack_recv, tcpi_last_data_recv). On an idle connection
+      --  the kernel asks for one every second (keep-alive).
       Outstanding    : Natural      := 0;
       --  Bytes that the monitor's machine has not taken yet: in the kernel's
       --  queue, or held by a send that does not return.
@@ -35,6 +41,8 @@ package Monitor_Link with SPARK_Mode is
       Stalled);   --  it acknowledges, with a closed window: nobody reads
 
    type State is record
+      Watched_Since : Milliseconds := 0;
+      --  The connection was admitted, its keep-alive begun.
       Waiting       : Boolean      := False;
       --  Segments were under way at the last sample ...
       Waiting_Since : Milliseconds := 0;
@@ -57,6 +65,7 @@ package Monitor_Link with SPARK_Mode is
    with
      Post => not S.Waiting
        and then not S.Holding
+       and then S.Watched_Since = Now
        and then S.Waiting_Since = Now
        and then S.Holding_Since = Now
        and then S.Acked = 0;
@@ -66,6 +75,7 @@ package Monitor_Link with SPARK_Mode is
    with
      Post =>
        S.Acked = X.Bytes_Acked
+       and then S.Watched_Since = S'Old.Watched_Since
        and then S.Waiting = (X.Unacknowledged > 0)
        and then S.Waiting_Since =
          (if S'Old.Waiting and then S.Waiting
@@ -80,16 +90,18 @@ package Monitor_Link with SPARK_Mode is
           else X.Now)
        and then V =
          (if S.Waiting
-            and then X.Since_Last_Ack > Vanished_After
-            and then Elapsed (S.Waiting_Since, X.Now) > Vanished_After
+            and then X.Since_Heard > Vanished_After
+            and then Elapsed (S.Watched_Since, X.Now) > Vanished_After
+            and then Elapsed (S.Waiting_Since, X.Now) >= Confirmed_After
           then Vanished
           elsif S.Holding
             and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After
           then Stalled
           else Present);
-   --  Takes one sample. The age of the last acknowledgement alone does not
-   --  make a monitor vanish: on a connection that was idle for a minute it
-   --  is a minute old when the next message goes out. So the wait counts
-   --  from the first sample that saw segments under way, too.
+   --  Takes one sample. Silence alone does not make a monitor vanish: one
+   --  with a closed window, or that was kept waiting before it was admitted,
+   --  may not have been asked for anything for long. Nor does it count from
+   --  when the oldest message went out: the keep-alive that was not answered
+   --  before that is forgotten by the kernel as soon as a message follows.
 
 end Monitor_Link;

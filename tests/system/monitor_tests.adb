@@ -41,6 +41,7 @@ package body Monitor_Tests is
    procedure Lost_With_Everything_On;
    procedure Vanished_While_Idle;
    procedure Vanished_While_Streaming;
+   procedure Vanished_Before_A_Message;
    procedure Fallen_Silent;
    procedure Stalled;
    procedure Second_Is_Refused;
@@ -624,6 +625,33 @@ package body Monitor_Tests is
       Vanish (Streaming => True, Silent => False);
    end Vanished_While_Streaming;
 
+   procedure Vanished_Before_A_Message is
+      --  The first thing that it is sent, when the camera is open, ends the
+      --  kernel's own keep-alive 3 s after the cut
+      Link  : Network_Links.Link;
+      R     : Rig;
+      Time  : Instant;
+      Found : Duration;
+   begin
+      Link.Make;
+      Assemble (R, Camera => True, Bind => "0.0.0.0");
+      R.Emulator.Tell ("camera opening 3000");
+      R.Monitor.Connect
+        (R.Supervisor.Port, Network_Links.Supervisor_Side,
+         Namespace => Link.Namespace);
+      R.Monitor.Send_Line ("COPN");
+      delay 0.2;
+      Time := Now;
+      Link.Cut;
+      R.Supervisor.Expect_Log ("monitor lost", Within => 10.0);
+      Found := R.Supervisor.Time_Of ("monitor lost") - Time;
+      Note ("found after " & Milliseconds (Found));
+      Check_Within (Found, Vanish_Limit, "finding the loss");
+      R.Supervisor.Expect_Log ("session closed", Within => 3.0);
+      Connect (R);
+      Expect_Initial_State (R);
+   end Vanished_Before_A_Message;
+
    procedure Fallen_Silent is
    begin
       Vanish (Streaming => True, Silent => True);
@@ -824,6 +852,8 @@ package body Monitor_Tests is
            Vanished_While_Idle'Access);
       Add (Suite, "F05_Monitor_Vanished_While_Streaming",
            Vanished_While_Streaming'Access);
+      Add (Suite, "F05_Monitor_Vanished_Before_A_Message",
+           Vanished_Before_A_Message'Access);
       Add (Suite, "F05_Monitor_Machine_Fallen_Silent",
            Fallen_Silent'Access);
       Add (Suite, "F05_Monitor_Stalled", Stalled'Access);

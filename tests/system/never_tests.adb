@@ -22,6 +22,7 @@ package body Never_Tests is
    procedure Garbage_From_Robot;
    procedure Answers_Kept_For_A_Stalled_Monitor;
    procedure Flat_Over_Cycles;
+   procedure Flat_Over_Large_Images;
 
    subtype Byte is Character;
    package Random_Characters is new Ada.Numerics.Discrete_Random (Byte);
@@ -383,6 +384,51 @@ package body Never_Tests is
          "descriptors before and after differ");
    end Flat_Over_Cycles;
 
+   ----------------------------
+   -- Flat_Over_Large_Images --
+   ----------------------------
+
+   procedure Flat_Over_Large_Images is
+      --  What images of another size need goes back to the system, whichever
+      --  task and frame slot had it
+      Rounds : constant := 8;
+      R      : Rig;
+      Memory : Natural;
+      After  : Natural;
+
+      procedure Await_Images (Count : Positive);
+
+      procedure Await_Images (Count : Positive) is
+         Item : Message;
+      begin
+         for Number in 1 .. Count loop
+            Item := R.Monitor.Next_Of ("CIMG", Within => 10.0);
+            Check (Item.Number > 0, "no image");
+         end loop;
+      end Await_Images;
+
+   begin
+      Assemble (R, Camera => True);
+      Open_Camera (R, Positions => True);
+      Await_Images (12);
+      --  each of the frame slots has had one
+      R.Monitor.Expect ("CCLS", "AACK");
+      Memory := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
+      for Number in 1 .. Rounds loop
+         Open_Camera (R, Positions => True);
+         R.Emulator.Tell ("camera size 3840x2160");
+         Await_Images (3);
+         R.Emulator.Tell ("camera size 1600x1200");
+         Await_Images (2);
+         R.Emulator.Tell ("camera mend");
+         Await_Images (12);
+         R.Monitor.Expect ("CCLS", "AACK");
+      end loop;
+      After := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
+      Note (Memory'Image & " kB, then" & After'Image & " kB");
+      Check (After <= Memory + 1536, "memory grows");
+   end Flat_Over_Large_Images;
+
    ------------
    -- Add_To --
    ------------
@@ -403,6 +449,8 @@ package body Never_Tests is
       Add (Suite, "Never_Drops_An_Answer",
            Answers_Kept_For_A_Stalled_Monitor'Access);
       Add (Suite, "Never_Grows_In_Cycles", Flat_Over_Cycles'Access);
+      Add (Suite, "Never_Keeps_The_Memory_Of_Large_Images",
+           Flat_Over_Large_Images'Access);
    end Add_To;
 
 end Never_Tests;

@@ -106,7 +106,8 @@ package body Scenarios is
                declare
                   Cause : constant String := Stood_Still;
                   Again : constant Boolean :=
-                    Cause /= "" and then Attempt < Attempts;
+                    Cause /= "" and then Attempt < Attempts
+                    and then not Child_Processes.Any_Has_Failed;
                begin
                   Report ((if Again then "   again: " else "   FAILED: ")
                           & Exception_Message (Occurrence));

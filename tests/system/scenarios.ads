@@ -19,7 +19,8 @@ package Scenarios is
    --  more in one piece (Standstills) or for 50 ms of processor time that
    --  its host took (Host_Time), it says so and runs it again, five times at
    --  most: the robot has 80 ms to answer, and a test cannot tell who was
-   --  late. A failure on a machine that ran is never made again.
+   --  late. Never run again: what fails on a machine that ran, and where a
+   --  program has ended after an internal failure or by a fault.
 
    procedure Set_Filter (Text : String);
    --  Only scenarios whose name contains Text are added from now on

@@ -70,6 +70,7 @@ package body Child_Processes is
    end Running;
 
    Last_Lines : Arguments;
+   Failures   : Natural := 0;
 
    -------------
    -- Running --
@@ -485,6 +486,10 @@ package body Child_Processes is
               (Object.Inner.Outputs (Stream'Pos (From)));
          end if;
       end loop;
+      if Object.Inner.Status in 3 | 132 | 134 .. 136 | 139 then
+         --  the signals: SIGILL, SIGABRT, SIGBUS, SIGFPE, SIGSEGV
+         Failures := Failures + 1;
+      end if;
       for From in Stream loop
          if Object.Count (From) > 0 then
             Last_Lines.Append
@@ -536,6 +541,12 @@ package body Child_Processes is
       Ada.Text_IO.Flush;
    end Print_Last_Lines;
 
+   --------------------
+   -- Any_Has_Failed --
+   --------------------
+
+   function Any_Has_Failed return Boolean is (Failures > 0);
+
    -----------------------
    -- Forget_Last_Lines --
    -----------------------
@@ -543,6 +554,7 @@ package body Child_Processes is
    procedure Forget_Last_Lines is
    begin
       Last_Lines.Clear;
+      Failures := 0;
    end Forget_Last_Lines;
 
 end Child_Processes;

@@ -86,6 +86,10 @@ package Child_Processes is
    --  Prints what the programs that were stopped since Forget_Last_Lines
    --  said last, for the account of a failed test
 
+   function Any_Has_Failed return Boolean;
+   --  Whether one of these has ended after an internal failure (exit status
+   --  3) or by the signal of a fault
+
    procedure Forget_Last_Lines;
 
 private

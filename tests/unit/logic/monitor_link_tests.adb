@@ -19,7 +19,7 @@ package body Monitor_Link_Tests is
 
    function Next
      (Unacknowledged : Natural;
-      Since_Last_Ack : Milliseconds;
+      Since_Heard    : Milliseconds;
       Outstanding    : Natural;
       Bytes_Acked    : Byte_Count) return Verdict;
    --  The verdict on the sample after 250 ms more.
@@ -27,7 +27,8 @@ package body Monitor_Link_Tests is
    procedure Test_Quiet (T : in out Any_Test);
    procedure Test_Streaming (T : in out Any_Test);
    procedure Test_Vanished (T : in out Any_Test);
-   procedure Test_After_Idle (T : in out Any_Test);
+   procedure Test_Vanished_Idle (T : in out Any_Test);
+   procedure Test_After_Silence (T : in out Any_Test);
    procedure Test_Stalled (T : in out Any_Test);
    procedure Test_Slow (T : in out Any_Test);
    procedure Test_Pause (T : in out Any_Test);
@@ -57,7 +58,7 @@ package body Monitor_Link_Tests is
 
    function Next
      (Unacknowledged : Natural;
-      Since_Last_Ack : Milliseconds;
+      Since_Heard    : Milliseconds;
       Outstanding    : Natural;
       Bytes_Acked    : Byte_Count) return Verdict
    is
@@ -67,7 +68,7 @@ package body Monitor_Link_Tests is
       Judge (S,
              (Now            => Now,
               Unacknowledged => Unacknowledged,
-              Since_Last_Ack => Since_Last_Ack,
+              Since_Heard    => Since_Heard,
               Outstanding    => Outstanding,
               Bytes_Acked    => Bytes_Acked),
              V);
@@ -85,7 +86,9 @@ package body Monitor_Link_Tests is
       Register_Routine (T, Test_Streaming'Access, "images, acknowledged");
       Register_Routine (T, Test_Vanished'Access,
                         "F5: vanished, found within 5 s");
-      Register_Routine (T, Test_After_Idle'Access,
+      Register_Routine (T, Test_Vanished_Idle'Access,
+                        "F5: vanished while idle, a message follows");
+      Register_Routine (T, Test_After_Silence'Access,
                         "first message after a long silence");
       Register_Routine (T, Test_Stalled'Access,
                         "stalled: closed window for 15 s");
@@ -96,30 +99,32 @@ package body Monitor_Link_Tests is
       Register_Routine (T, Test_Clock'Access, "odd clocks, odd counters");
    end Register_Tests;
 
-   ---------------------
-   -- Test_After_Idle --
-   ---------------------
+   ------------------------
+   -- Test_After_Silence --
+   ------------------------
 
-   procedure Test_After_Idle (T : in out Any_Test) is
+   procedure Test_After_Silence (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      --  The last acknowledgement is a minute old when a message goes out
-      --  just before the sample
+      --  It was kept waiting for 20 s before it was admitted; a slow way to
+      --  it, and no sign of life since, but nothing was asked of it
 
       Begin_At (0);
-      for I in 1 .. 240 loop
-         Assert (Next (0, Milliseconds (I) * Step, 0, 77) = Present, "idle");
+      for I in 1 .. 16 loop
+         Assert (Next (1, 20_000 + Milliseconds (I) * Step, 7, 0) = Present,
+                 "just admitted");
       end loop;
-      Assert (Next (1, 60_250, 7, 77) = Present, "just sent");
-      Assert (Next (0, 245, 0, 84) = Present, "acknowledged");
+      Assert (Next (0, 20, 0, 7) = Present, "acknowledged");
 
-      --  A second one is not acknowledged
+      --  Its window was closed, and the kernel's probes have become rare
 
-      for I in 1 .. 17 loop
-         Assert (Next (1, 60_000, 7, 84) = Present, "not yet 4 s");
+      for I in 1 .. 40 loop
+         Assert (Next (0, Milliseconds (I) * Step, 9, 7) = Present,
+                 "closed window");
       end loop;
-      Assert (Next (1, 64_500, 7, 84) = Vanished, "over 4 s");
-   end Test_After_Idle;
+      Assert (Next (1, 10_250, 9, 7) = Present, "just sent");
+      Assert (Next (1, 10, 9, 16) = Present, "acknowledged");
+   end Test_After_Silence;
 
    ---------------
    -- Test_Both --
@@ -133,9 +138,9 @@ package body Monitor_Link_Tests is
          Assert (Next (0, 100, 5000, 9) =
                  (if I > 60 then Stalled else Present), "stalled");
       end loop;
-      for I in 1 .. 18 loop
+      for I in 1 .. 17 loop
          Assert (Next (2, Milliseconds (I) * Step, 5000, 9) =
-                 (if I = 18 then Vanished else Stalled), "then vanished");
+                 (if I = 17 then Vanished else Stalled), "then vanished");
       end loop;
    end Test_Both;
 
@@ -149,22 +154,22 @@ package body Monitor_Link_Tests is
    begin
       --  A time before the last one counts as no time at all
 
-      Begin_At (Milliseconds'Last);
-      Judge (S, (Now => 5, Unacknowledged => 1, Since_Last_Ack => 9_999,
+      Begin_At (1_000);
+      Judge (S, (Now => 5, Unacknowledged => 1, Since_Heard => 9_999,
                  Outstanding => 1, Bytes_Acked => 0), V);
       Assert (V = Present, "earlier than the start");
-      Judge (S, (Now => 0, Unacknowledged => 1, Since_Last_Ack => 9_999,
+      Judge (S, (Now => 0, Unacknowledged => 1, Since_Heard => 9_999,
                  Outstanding => 1, Bytes_Acked => 0), V);
       Assert (V = Present, "earlier again");
       Judge (S, (Now => Milliseconds'Last, Unacknowledged => Natural'Last,
-                 Since_Last_Ack => Milliseconds'Last,
+                 Since_Heard => Milliseconds'Last,
                  Outstanding => Natural'Last, Bytes_Acked => 0), V);
       Assert (V = Vanished, "a long time");
 
       --  Whatever moves the counter is progress
 
       Judge (S, (Now => Milliseconds'Last, Unacknowledged => 1,
-                 Since_Last_Ack => 9_999, Outstanding => 1,
+                 Since_Heard => 9_999, Outstanding => 1,
                  Bytes_Acked => Byte_Count'Last), V);
       Assert (V = Present, "progress");
    end Test_Clock;
@@ -284,5 +289,43 @@ package body Monitor_Link_Tests is
          Assert (Now - Cut > 4_000, "not before 4 s");
       end loop;
    end Test_Vanished;
+
+   ------------------------
+   -- Test_Vanished_Idle --
+   ------------------------
+
+   procedure Test_Vanished_Idle (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Cut  : Milliseconds;
+      Sent : Milliseconds;
+      V    : Verdict;
+   begin
+      --  The cable goes at every phase of the sampling, and something is
+      --  sent at any time before the kernel's own keep-alive would have
+      --  found it, 4 s later: from then on that no longer counts
+
+      for Phase in Milliseconds range 0 .. 249 loop
+         for Later in Milliseconds range 0 .. 79 loop
+            Begin_At (0);
+            for I in 1 .. 20 loop
+               Assert (Next (0, 10, 0, 5_000) = Present, "before");
+            end loop;
+            Cut := Now + Phase;
+            Sent := Cut + Later * 50;
+            V := Present;
+            while V = Present loop
+               V := Next
+                 (Unacknowledged => (if Now + Step > Sent then 1 else 0),
+                  Since_Heard    =>
+                    (if Now + Step > Cut then Now + Step - Cut else 10),
+                  Outstanding    => (if Now + Step > Sent then 7 else 0),
+                  Bytes_Acked    => 5_000);
+               Assert (Now - Cut < 5_000, "within 5 s");
+            end loop;
+            Assert (V = Vanished, "vanished");
+            Assert (Now - Cut > 4_000, "not before 4 s");
+         end loop;
+      end loop;
+   end Test_Vanished_Idle;
 
 end Monitor_Link_Tests;
