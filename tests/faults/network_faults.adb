@@ -129,9 +129,9 @@ package body Network_Faults is
 
    overriding procedure Inject (F : in out Cut_Cable; W : in out World) is
       pragma Unreferenced (F);
-      Log    : constant Natural := W.Session_Log;
-      Start  : Instant;
-      Missed : Boolean;
+      Log     : constant Natural := W.Session_Log;
+      Start   : Instant;
+      Noticed : Boolean;
    begin
       W.Reachable := False;
       W.Listen;
@@ -140,10 +140,10 @@ package body Network_Faults is
       if W.Present then
          W.Lose (Silently, Detection => Vanished_Limit);
          if W.The_Plan.Log_Is_Read then
-            Missed := W.Supervisor.Says
+            Noticed := W.Supervisor.Says
               ("monitor lost", Vanished_Limit + Noise, After => Log);
             Check
-              (Missed,
+              (Noticed,
                "the monitor that vanished is not missed within "
                & Milliseconds (Now - Start));
          else

@@ -17,9 +17,9 @@ package Scenarios is
    overriding procedure Run_Test (Test : in out Scenario);
    --  Where Test fails and the machine stood still meanwhile, for 20 ms or
    --  more in one piece (Standstills) or for 50 ms of processor time that
-   --  its host took (Host_Time), it says so and runs it again, five times at
-   --  most: the robot has 80 ms to answer, and a test cannot tell who was
-   --  late. Never run again: what fails on a machine that ran, and where a
+   --  its host took (Host_Time), it says so and runs it again, up to five
+   --  times in all: the robot has 80 ms to answer, and a test cannot tell who
+   --  was late. Never run again: what fails on a machine that ran, and where a
    --  program has ended after an internal failure or by a fault.
 
    procedure Set_Filter (Text : String);

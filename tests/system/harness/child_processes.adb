@@ -70,7 +70,7 @@ package body Child_Processes is
    end Running;
 
    Last_Lines : Arguments;
-   Failures   : Natural := 0;
+   Failed_One : Boolean := False;
 
    -------------
    -- Running --
@@ -488,7 +488,7 @@ package body Child_Processes is
       end loop;
       if Object.Inner.Status in 3 | 132 | 134 .. 136 | 139 then
          --  the signals: SIGILL, SIGABRT, SIGBUS, SIGFPE, SIGSEGV
-         Failures := Failures + 1;
+         Failed_One := True;
       end if;
       for From in Stream loop
          if Object.Count (From) > 0 then
@@ -545,7 +545,7 @@ package body Child_Processes is
    -- Any_Has_Failed --
    --------------------
 
-   function Any_Has_Failed return Boolean is (Failures > 0);
+   function Any_Has_Failed return Boolean is (Failed_One);
 
    -----------------------
    -- Forget_Last_Lines --
@@ -554,7 +554,7 @@ package body Child_Processes is
    procedure Forget_Last_Lines is
    begin
       Last_Lines.Clear;
-      Failures := 0;
+      Failed_One := False;
    end Forget_Last_Lines;
 
 end Child_Processes;
