@@ -35,6 +35,9 @@ package body Supervisor with SPARK_Mode is
    procedure Open_Trace (Path : Texts.Text);
    --  Leaves the process where that cannot be
 
+   procedure Keep_Trace;
+   --  Takes the trace to its file, again and again, until th_stop has failed
+
    procedure Serve (Chosen : Options.Values);
    --  Lets the tasks work; returns when the process must be ended here
 
@@ -57,6 +60,20 @@ package body Supervisor with SPARK_Mode is
          end if;
       end if;
    end Keep_On_Processor;
+
+   ----------------
+   -- Keep_Trace --
+   ----------------
+
+   procedure Keep_Trace is
+      Failed : Boolean;
+   begin
+      loop
+         Failures.Get_Stop_Failed (Failed);
+         exit when Failed;
+         Trace.Store;
+      end loop;
+   end Keep_Trace;
 
    ----------------
    -- Open_Trace --
@@ -170,6 +187,9 @@ package body Supervisor with SPARK_Mode is
           else "memory: not locked, a page may have to be read again when "
             & "it is needed (CAP_IPC_LOCK or LimitMEMLOCK=infinity)"));
 
+      if Chosen.Trace_File.Length > 0 then
+         Keep_Trace;
+      end if;
       Failures.Wait_Stop_Failed;
       Robot_Line.Refuse_Orders;
       --  its last lines are written meanwhile

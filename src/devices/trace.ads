@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The trace (--trace): what every task did and when, in memory while the
---  tasks work, in a file at the end. Without it each call tests one flag.
+--  The trace (--trace): what every task did and when. While the tasks work,
+--  the events go through memory to the far end of the file; at the end they
+--  become its text. Without it each call tests one flag.
 
 with Ada.Real_Time;
 with Monitor_Protocol;
@@ -16,32 +17,47 @@ package Trace with
   Initializes => Recorder
 is
    pragma Annotate (GNATprove, Terminating, Trace);
-   --  Nothing here waits for a task, and all but Finish for nothing at all.
+   --  Store waits for something to store, and Finish for Store, both for a
+   --  limited time, and both for the disk; nothing else waits for anything.
    --  A claim by reading: the body is outside SPARK
 
    Capacity : constant := 2 ** 17;
    --  Events kept, the newest: more than two minutes of a session with
-   --  images, positions and 25 commands a second, in 4 MiB
+   --  images, positions and 25 commands a second
+
+   In_Memory : constant := 2 ** 12;
+   --  The newest of them, in 128 KiB: the rest is in the file. What is
+   --  recorded faster than Store can take it there, is lost, the oldest first
 
    subtype Task_Name is Schedule.Task_Name;
 
    procedure Try
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    with Global => (In_Out => Recorder);
-   --  Whether Open would find a file to write to; leaves all as it was
+   --  Whether Open would find a file that it can use; leaves all as it was
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    with Global => (In_Out => Recorder);
-   --  Opens the file, takes the memory, and records from here on. Reason
-   --  says why where Success is false. Before the tasks work
+   --  Opens the file, which must not be a pipe or a terminal, takes the
+   --  memory, and records from here on. Reason says why where Success is
+   --  false. Once, before the tasks work
+
+   procedure Store with Global => (In_Out => Recorder);
+   --  Takes what has been recorded to the file. Waits before until it is a
+   --  quarter of In_Memory, or Wake has been called, Schedule.Store_Limit at
+   --  most. For one task only, from Open on
+
+   procedure Wake with Global => (In_Out => Recorder);
+   --  Ends the wait in Store, in the next one where none is under way
 
    procedure Finish (Whole : out Boolean; Reason : out Texts.Text)
    with Global => (In_Out => Recorder);
    --  Ends the recording and writes the file, where there is one. Whole is
-   --  false where not all is in it: the disk is full, or it took longer than
-   --  Schedule.Trace_Limit. The calling task gives up its real-time priority
-   --  first. When nothing is left to be done but to end the process
+   --  false where not all is in it: the disk is or was full, or it took
+   --  longer than Schedule.Trace_Limit. The calling task gives up its
+   --  real-time priority first. When nothing is left to be done but to end
+   --  the process
 
    --  The events. Who: the task that the event is about
 

@@ -98,21 +98,24 @@ package body Trace_Rings with SPARK_Mode => Off is
    -- Put --
    ---------
 
-   procedure Put (R : in out Ring; Item : Trace_Json.Event) is
-      Number : constant Unsigned_64 :=
+   procedure Put
+     (R : in out Ring; Item : Trace_Json.Event; Number : out Unsigned_64)
+   is
+      Own    : constant Unsigned_64 :=
         Fetch_And_Add (R.Next'Address, 1, Relaxed);
-      Here   : Slot with Import, Address => Place (R, Number);
+      Here   : Slot with Import, Address => Place (R, Own);
       Before : constant Unsigned_64 := Load (Here.State'Address, Relaxed);
    begin
+      Number := Own;
       if Before mod 2 = 0
-        and then Before <= 2 * Number
+        and then Before <= 2 * Own
         and then Compare_And_Swap
-          (Here.State'Address, Before, 2 * Number + 1) = Before
+          (Here.State'Address, Before, 2 * Own + 1) = Before
       then
          Here.Item := Item;
-         Store (Here.State'Address, 2 * Number + 2, Release);
-         --  the ring is longer than the caches: the next slots on their way
-         Prefetch (Place (R, Number + 3), 1, 3);
+         Store (Here.State'Address, 2 * Own + 2, Release);
+         --  it is long ago that a cache had them: the next slots on their way
+         Prefetch (Place (R, Own + 3), 1, 3);
       end if;
    end Put;
 

@@ -17,9 +17,11 @@ package Trace_Rings with SPARK_Mode => Off is
      (R : in out Ring; Where : System.Address; Capacity : Unsigned_64);
    --  An empty ring at Where, in Capacity * Slot_Bytes bytes of zeros
 
-   procedure Put (R : in out Ring; Item : Trace_Json.Event);
+   procedure Put
+     (R : in out Ring; Item : Trace_Json.Event; Number : out Unsigned_64);
    --  Over the oldest event where the ring is full. Never waits: where
-   --  another task is still writing there, Item is lost
+   --  another task is still writing there, Item is lost. Number: how many
+   --  events there were before
 
    function Count (R : Ring) return Unsigned_64;
    --  How many events have been put so far

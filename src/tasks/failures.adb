@@ -12,6 +12,7 @@ with Process;
 with Schedule;
 with Serial_Line;
 with Support_Tasks;
+with Trace;
 
 package body Failures with
   SPARK_Mode    => Off,
@@ -41,12 +42,22 @@ is
          if T = Support_Tasks.Th_Stop'Identity then
             Serial_Line.Stop_Blindly;
             Set_True (Stop_Failed);
+            Trace.Wake;
          else
             Process.Report_Failure;
          end if;
       end Ended;
 
    end Fallback;
+
+   ---------------------
+   -- Get_Stop_Failed --
+   ---------------------
+
+   procedure Get_Stop_Failed (Failed : out Boolean) is
+   begin
+      Failed := Current_State (Stop_Failed);
+   end Get_Stop_Failed;
 
    ----------------------
    -- Wait_Stop_Failed --

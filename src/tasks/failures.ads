@@ -11,6 +11,10 @@ is
    pragma Elaborate_Body;
    --  Its elaboration sets the handler for all tasks, before any runs
 
+   procedure Get_Stop_Failed (Failed : out Boolean)
+   with Global => (In_Out => Stop_Task);
+   --  Whether Wait_Stop_Failed would return at once
+
    procedure Wait_Stop_Failed with Global => (In_Out => Stop_Task);
    --  Waits until the task that ends the process has failed itself, and
    --  leaves the end of the process to the caller. For one task only

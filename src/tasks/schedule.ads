@@ -153,6 +153,9 @@ package Schedule with SPARK_Mode is
    Trace_Limit       : constant Time_Span := Milliseconds (2000);
    --  for the file of --trace; with Stop_Limit and Console_Limit less than
    --  TimeoutStopSec of the systemd unit
+   Store_Limit       : constant Time_Span := Milliseconds (10_000);
+   --  after which the main procedure takes the events of --trace to the file,
+   --  however few
    Release_Poll      : constant Time_Span := Milliseconds (5);
    --  how often the ends of a session and of the process look again
 

@@ -261,8 +261,10 @@ package body Trace_Tests is
    ---------------------
 
    procedure After_A_Failure is
-      R : Rig;
       T : Trace;
+
+      procedure Fail (Who : String);
+      --  While the robot moves
 
       function Count_Of (Who, What : String) return Natural;
 
@@ -278,21 +280,29 @@ package body Trace_Tests is
          return Result;
       end Count_Of;
 
+      procedure Fail (Who : String) is
+         R : Rig;
+      begin
+         Assemble (R, Supervisor_Options => "--trace " & Trace_Path);
+         Move_Forward (R);
+         Check
+           (Libc.Tgkill
+              (R.Supervisor.Pid,
+               Process_Facts.Thread_Named (R.Supervisor.Pid, Who),
+               Libc.Sigsegv) = 0,
+            "the thread cannot be signalled");
+         Check
+           (R.Supervisor.Exit_Status (Within => Writing_Time) = 3,
+            "exit status: " & R.Supervisor.Log_Text);
+         Read (Trace_Path, T);
+         Check_Form (T);
+         Check (Count_Of ("th_receiveFromMon", "in RGFW") = 1, "the movement");
+      end Fail;
+
    begin
-      Assemble (R, Supervisor_Options => "--trace " & Trace_Path);
-      Move_Forward (R);
-      Check
-        (Libc.Tgkill
-           (R.Supervisor.Pid,
-            Process_Facts.Thread_Named (R.Supervisor.Pid, "th_query"),
-            Libc.Sigsegv) = 0,
-         "the thread cannot be signalled");
-      Check
-        (R.Supervisor.Exit_Status (Within => Writing_Time) = 3,
-         "exit status: " & R.Supervisor.Log_Text);
-      Read (Trace_Path, T);
-      Check_Form (T);
-      Check (Count_Of ("th_receiveFromMon", "in RGFW") = 1, "the movement");
+      --  the main procedure, which ends the process then, is at the file
+      Fail ("th_stop");
+      Fail ("th_query");
       Check (Count_Of ("th_stop", "robot M") >= 1, "no stop in the trace");
    end After_A_Failure;
 
@@ -364,6 +374,7 @@ package body Trace_Tests is
    begin
       Refuse (Programs.Temporary_Folder & "/none/trace", "No such file");
       Refuse (Programs.Temporary_Folder, "Is a directory");
+      Refuse ("/dev/stdout", "Illegal seek");  --  a pipe, here
       S.Run ("--check --port 0 --trace " & Trace_Path & ".new");
       Check (S.Exit_Status (Within => 15.0) in 0 | 1, "--check");
       Check
