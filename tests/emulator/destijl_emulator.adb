@@ -56,6 +56,7 @@ begin
          null;
    end case;
 
+   Libc.Lock_Memory;
    Libc.Ignore_Broken_Pipes;
 
    Bench.Place (V.Pose);

@@ -154,6 +154,27 @@ package body Libc is
       end if;
    end Poll;
 
+   -----------------
+   -- Lock_Memory --
+   -----------------
+
+   procedure Lock_Memory is
+      function Effective_User return unsigned
+        with Import, Convention => C, External_Name => "geteuid";
+      function Lock_All (Flags : int) return int
+        with Import, Convention => C, External_Name => "mlockall";
+
+      Once_Used : constant := 7;
+      --  MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT
+
+      Ignored : int;
+   begin
+      --  anybody else may lock a little, and could not get more memory then
+      if Effective_User = 0 then
+         Ignored := Lock_All (Once_Used);
+      end if;
+   end Lock_Memory;
+
    ----------------------
    -- Prefer_Real_Time --
    ----------------------

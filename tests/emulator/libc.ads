@@ -114,6 +114,11 @@ package Libc is
    --  The calling task runs ahead of all ordinary ones, as hardware would,
    --  and wakes up on time; an ordinary user only gets the latter
 
+   procedure Lock_Memory;
+   --  For root: what this process has once used stays in memory, as a
+   --  robot's own would. Elsewhere the system could take the page that is
+   --  needed next, and read it from the disk again
+
    procedure Give_Way;
    --  The calling task and its threads run behind ordinary ones
 

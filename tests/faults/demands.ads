@@ -61,6 +61,10 @@ package Demands is
 
    procedure Expect_No_Loss (W : in out World; B : Before);
 
+   procedure Await_Unasked (W : in out World);
+   --  Lets the unasked ATIM of a lost robot come in, which a monitor could
+   --  take for the answer to what it asks next
+
    procedure Expect_Return (W : in out World);
    --  The line can be opened again, and works
 

@@ -454,10 +454,15 @@ package body Network_Faults is
          Item := Other.Next (Return_Limit + Noise);
          W.Listen;
          exit when not W.Present;
+         --  without a descriptor it can be neither admitted nor refused, and
+         --  waits in the kernel's queue
+         Check
+           (not W.Reachable
+            or else Other.Closed_By_Peer (Return_Limit + Noise)
+              /= Monitor_Clients.Open,
+            "a second monitor is not turned away");
          Check
            ((Item.Number = 0 or else Item.Label = "MSSG")
-            and then Other.Closed_By_Peer (Return_Limit + Noise)
-              /= Monitor_Clients.Open
             and then Other.Count <= 1,
             "a second monitor is answered " & Item.Label);
       end loop;

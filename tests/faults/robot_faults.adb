@@ -242,6 +242,7 @@ package body Robot_Faults is
             Expect_Nothing (W, Any_Question (W));
             W.Supervisor.Expect_Log
               ("robot lost", Within => Noise, After => B.Log);
+            Await_Unasked (W);
             Expect (W, "RPIN", "ANAK");
             W.Emulator.Tell ("mend");
             Expect_Return (W);

@@ -714,13 +714,15 @@ package body Worlds is
          return;
       end if;
       loop
-         Late := Now > Limit + Patience;
+         Late := Now > Limit + Patience + 2 * Line_Watch.Worst (Since, Now);
          exit when W.Emulator.Status ("moving") = "0";
          if Late then
             W.Violate
               (Robot_Stands,
                "it still moves, " & Milliseconds (Now - Since)
-               & " after nobody is in command");
+               & " after nobody is in command; a byte took "
+               & Milliseconds (Line_Watch.Worst (Since, Now))
+               & " through a pseudo-terminal meanwhile");
             W.Nobody_Since := Never;
             return;
          end if;

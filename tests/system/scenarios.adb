@@ -18,11 +18,43 @@ package body Scenarios is
 
    type Scenario_Access is access Scenario;
 
+   Too_Long : constant Duration := 0.02;
+   Too_Much : constant Duration := 0.05;
+   --  For processors to stand still in one piece, for the host to take
+
+   Most_Attempts   : constant := 12;
+   Most_Not_Judged : constant := 8;
+
+   Time_Left      : Duration := 1_800.0;
+   --  for what is run again, and for waiting before
    Filter         : Unbounded_String;
+   Not_Judged     : Unbounded_String;
+   Count_Unjudged : Natural := 0;
    Count_Run      : Natural := 0;
    Count_Failed   : Natural := 0;
    Count_Skipped  : Natural := 0;
    Count_Repeated : Natural := 0;
+
+   procedure Await_Calm (Limit : Duration);
+   --  Until processors and host have not stood still for a while
+
+   ----------------
+   -- Await_Calm --
+   ----------------
+
+   procedure Await_Calm (Limit : Duration) is
+      While_Calm  : constant Duration := 2.0;
+      Start       : constant Instant := Now;
+      Host_Before : Duration;
+   begin
+      while Now - Start < Limit loop
+         Standstills.Forget;
+         Host_Before := Host_Time.Taken;
+         delay While_Calm;
+         exit when Standstills.Longest < Too_Long
+           and then Host_Time.Taken - Host_Before < Too_Much;
+      end loop;
+   end Await_Calm;
 
    ----------
    -- Name --
@@ -37,7 +69,6 @@ package body Scenarios is
    --------------
 
    overriding procedure Run_Test (Test : in out Scenario) is
-      Attempts    : constant := 5;
       Start       : Instant := Now;
       Host_Before : Duration := Host_Time.Taken;
 
@@ -79,7 +110,7 @@ package body Scenarios is
          Of_Host      : constant Duration := Host_Time.Taken - Host_Before;
       begin
          return
-           (if In_One_Piece >= 0.02 or else Of_Host >= 0.05
+           (if In_One_Piece >= Too_Long or else Of_Host >= Too_Much
             then "stood still for " & Milliseconds (In_One_Piece)
                  & ", its host took " & Milliseconds (Of_Host)
             else "");
@@ -88,7 +119,7 @@ package body Scenarios is
    begin
       Count_Run := Count_Run + 1;
       Say (Test.Title.all);
-      for Attempt in 1 .. Attempts loop
+      for Attempt in 1 .. Most_Attempts loop
          Child_Processes.Forget_Last_Lines;
          Start := Now;
          Standstills.Forget;
@@ -104,12 +135,19 @@ package body Scenarios is
                return;
             when Occurrence : others =>
                declare
-                  Cause : constant String := Stood_Still;
-                  Again : constant Boolean :=
-                    Cause /= "" and then Attempt < Attempts
-                    and then not Child_Processes.Any_Has_Failed;
+                  Cause   : constant String := Stood_Still;
+                  Excused : constant Boolean :=
+                    Cause /= "" and then not Child_Processes.Any_Has_Failed;
+                  Again   : constant Boolean :=
+                    Excused and then Attempt < Most_Attempts
+                    and then Time_Left > 0.0;
+                  Open    : constant Boolean :=
+                    Excused and then not Again
+                    and then Count_Unjudged < Most_Not_Judged;
                begin
-                  Report ((if Again then "   again: " else "   FAILED: ")
+                  Report ((if Again then "   again: "
+                           elsif Open then "   not judged: "
+                           else "   FAILED: ")
                           & Exception_Message (Occurrence));
                   if Cause /= "" then
                      Say ("      the machine " & Cause);
@@ -117,6 +155,13 @@ package body Scenarios is
                   Child_Processes.Print_Last_Lines;
                   if Again then
                      Count_Repeated := Count_Repeated + 1;
+                     Await_Calm
+                       (Limit => Duration'Min (Time_Left, 10.0 * Attempt));
+                     Time_Left := Time_Left - (Now - Start);
+                  elsif Open then
+                     Count_Unjudged := Count_Unjudged + 1;
+                     Append (Not_Judged, " " & Test.Title.all);
+                     return;
                   else
                      Count_Failed := Count_Failed + 1;
                      if Exception_Identity (Occurrence)
@@ -163,6 +208,8 @@ package body Scenarios is
    function Run_Count return Natural is (Count_Run);
    function Failed_Count return Natural is (Count_Failed);
    function Skipped_Count return Natural is (Count_Skipped);
+   function Not_Judged_Count return Natural is (Count_Unjudged);
+   function Not_Judged_Names return String is (To_String (Not_Judged));
    function Repeated_Count return Natural is (Count_Repeated);
 
 end Scenarios;

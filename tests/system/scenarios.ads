@@ -17,10 +17,13 @@ package Scenarios is
    overriding procedure Run_Test (Test : in out Scenario);
    --  Where Test fails and the machine stood still meanwhile, for 20 ms or
    --  more in one piece (Standstills) or for 50 ms of processor time that
-   --  its host took (Host_Time), it says so and runs it again, up to five
-   --  times in all: the robot has 80 ms to answer, and a test cannot tell who
-   --  was late. Never run again: what fails on a machine that ran, and where a
-   --  program has ended after an internal failure or by a fault.
+   --  its host took (Host_Time), it says so, waits for a calm moment, and runs
+   --  it again: the robot has 80 ms to answer, and a test cannot tell who was
+   --  late. Up to twelve times, and for half an hour of all tests together;
+   --  then Test is not judged, which is neither passed nor failed. Of more
+   --  than eight tests that is not taken: the next one fails. Never run
+   --  again: what fails on a machine that ran, and where a program has ended
+   --  after an internal failure or by a fault.
 
    procedure Set_Filter (Text : String);
    --  Only scenarios whose name contains Text are added from now on
@@ -33,6 +36,11 @@ package Scenarios is
    function Run_Count return Natural;
    function Failed_Count return Natural;
    function Skipped_Count return Natural;
+
+   function Not_Judged_Count return Natural;
+
+   function Not_Judged_Names return String;
+   --  Each after a blank
 
    function Repeated_Count return Natural;
    --  How often a test was run again
