@@ -12,6 +12,7 @@ with Host_Time;
 with Line_Watch;
 with Process_Facts;
 with Random_Numbers;    use Random_Numbers;
+with Standstills;
 with Tolerances;        use Tolerances;
 
 package body Trials is
@@ -416,6 +417,7 @@ package body Trials is
          Append (Excused, "   made again:" & ASCII.LF & The_World.Account);
          if Stopped then
             Interrupted := Interrupted + 1;
+            Standstills.Await_Calm (Limit => 5.0 * Interrupted);
          else
             Repeated := Repeated + 1;
          end if;

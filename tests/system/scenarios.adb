@@ -18,10 +18,6 @@ package body Scenarios is
 
    type Scenario_Access is access Scenario;
 
-   Too_Long : constant Duration := 0.02;
-   Too_Much : constant Duration := 0.05;
-   --  For processors to stand still in one piece, for the host to take
-
    Most_Attempts   : constant := 12;
    Most_Not_Judged : constant := 8;
 
@@ -34,27 +30,6 @@ package body Scenarios is
    Count_Failed   : Natural := 0;
    Count_Skipped  : Natural := 0;
    Count_Repeated : Natural := 0;
-
-   procedure Await_Calm (Limit : Duration);
-   --  Until processors and host have not stood still for a while
-
-   ----------------
-   -- Await_Calm --
-   ----------------
-
-   procedure Await_Calm (Limit : Duration) is
-      While_Calm  : constant Duration := 2.0;
-      Start       : constant Instant := Now;
-      Host_Before : Duration;
-   begin
-      while Now - Start < Limit loop
-         Standstills.Forget;
-         Host_Before := Host_Time.Taken;
-         delay While_Calm;
-         exit when Standstills.Longest < Too_Long
-           and then Host_Time.Taken - Host_Before < Too_Much;
-      end loop;
-   end Await_Calm;
 
    ----------
    -- Name --
@@ -110,7 +85,8 @@ package body Scenarios is
          Of_Host      : constant Duration := Host_Time.Taken - Host_Before;
       begin
          return
-           (if In_One_Piece >= Too_Long or else Of_Host >= Too_Much
+           (if In_One_Piece >= Standstills.Too_Long
+              or else Of_Host >= Standstills.Too_Much
             then "stood still for " & Milliseconds (In_One_Piece)
                  & ", its host took " & Milliseconds (Of_Host)
             else "");
@@ -155,7 +131,7 @@ package body Scenarios is
                   Child_Processes.Print_Last_Lines;
                   if Again then
                      Count_Repeated := Count_Repeated + 1;
-                     Await_Calm
+                     Standstills.Await_Calm
                        (Limit => Duration'Min (Time_Left, 10.0 * Attempt));
                      Time_Left := Time_Left - (Now - Start);
                   elsif Open then

@@ -3,6 +3,7 @@
 
 with System.Multiprocessors.Dispatching_Domains;
 
+with Host_Time;
 with Instants;     use Instants;
 with Own_Priority;
 
@@ -83,5 +84,23 @@ package body Standstills is
    end Forget;
 
    function Longest return Duration is (Record_Of_All.Longest);
+
+   ----------------
+   -- Await_Calm --
+   ----------------
+
+   procedure Await_Calm (Limit : Duration) is
+      While_Calm  : constant Duration := 2.0;
+      Start       : constant Instant := Now;
+      Host_Before : Duration;
+   begin
+      while Now - Start < Limit loop
+         Forget;
+         Host_Before := Host_Time.Taken;
+         delay While_Calm;
+         exit when Longest < Too_Long
+           and then Host_Time.Taken - Host_Before < Too_Much;
+      end loop;
+   end Await_Calm;
 
 end Standstills;

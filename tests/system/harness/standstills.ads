@@ -15,4 +15,12 @@ package Standstills is
    function Longest return Duration;
    --  Of any processor since the last Forget; 0.0 without Watch
 
+   Too_Long : constant Duration := 0.02;
+   Too_Much : constant Duration := 0.05;
+   --  For a robot that has 80 ms to answer: to stand still in one piece, and
+   --  what the host takes of all processors together (Host_Time)
+
+   procedure Await_Calm (Limit : Duration);
+   --  Until there has been neither for a while, Limit at most; forgets
+
 end Standstills;
