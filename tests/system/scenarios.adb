@@ -18,6 +18,8 @@ package body Scenarios is
 
    type Scenario_Access is access Scenario;
 
+   Longest_Test    : constant Duration := 240.0;
+   --  some last a minute
    Most_Attempts   : constant := 12;
    Most_Not_Judged : constant := 8;
 
@@ -97,6 +99,7 @@ package body Scenarios is
       Say (Test.Title.all);
       for Attempt in 1 .. Most_Attempts loop
          Child_Processes.Forget_Last_Lines;
+         Expectations.Limit_Time (Longest_Test);
          Start := Now;
          Standstills.Forget;
          Host_Before := Host_Time.Taken;

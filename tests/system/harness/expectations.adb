@@ -4,9 +4,13 @@
 with Ada.Exceptions; use Ada.Exceptions;
 with Ada.Text_IO;    use Ada.Text_IO;
 
-with Instants;
+with Instants;     use Instants;
 
 package body Expectations is
+
+   Time_Limit : Duration := Duration'Last;
+   Begun      : Instant  := Now;
+   --  of the limit; one task sets both and looks at them
 
    procedure Check (Condition : Boolean; Message : String) is
    begin
@@ -21,8 +25,8 @@ package body Expectations is
    begin
       Check
         (Taken <= Limit,
-         What & " took " & Instants.Milliseconds (Taken)
-         & ", allowed are " & Instants.Milliseconds (Limit));
+         What & " took " & Milliseconds (Taken)
+         & ", allowed are " & Milliseconds (Limit));
    end Check_Within;
 
    procedure Measure_Calmly (Measure : not null access procedure) is
@@ -41,6 +45,19 @@ package body Expectations is
          end;
       end loop;
    end Measure_Calmly;
+
+   procedure Limit_Time (Span : Duration) is
+   begin
+      Begun := Now;
+      Time_Limit := Span;
+   end Limit_Time;
+
+   procedure Check_Time is
+   begin
+      Check
+        (Now - Begun < Time_Limit,
+         "it goes on for more than " & Milliseconds (Time_Limit));
+   end Check_Time;
 
    procedure Skip (Reason : String) is
    begin

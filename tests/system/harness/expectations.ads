@@ -23,6 +23,12 @@ package Expectations is
    --  only: a defect that comes each time is found, one that comes seldom may
    --  not be.
 
+   procedure Limit_Time (Span : Duration);
+   --  From now on Check_Time raises Failed when Span has passed
+
+   procedure Check_Time;
+   --  For what may wait again and again; nothing without Limit_Time
+
    procedure Skip (Reason : String) with No_Return;
 
    procedure Note (Text : String);

@@ -424,6 +424,7 @@ package body Monitor_Clients is
    function Next (Object : in out Client; Within : Duration) return Message is
       Deadline : constant Instant := Now + Within;
    begin
+      Check_Time;
       loop
          declare
             Late : constant Boolean := Now >= Deadline;
