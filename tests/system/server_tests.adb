@@ -5,6 +5,10 @@ with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;
+
+with GNAT.Sockets;          use GNAT.Sockets;
+with Interfaces.C;          use Interfaces.C;
 
 with Child_Processes;       use Child_Processes;
 with Expectations;          use Expectations;
@@ -12,6 +16,7 @@ with Instants;              use Instants;
 with Libc;
 with Monitor_Clients;       use Monitor_Clients;
 with Process_Facts;
+with Programs;
 with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
 with Supervisors;           use Supervisors;
@@ -29,6 +34,8 @@ package body Server_Tests is
    procedure Address_Not_Ours;
    procedure Address_Malformed;
    procedure Admitted_Quickly;
+   procedure Crowd_Finds_Room;
+   procedure Streams_Closed;
    procedure Burst_Of_10_000;
    procedure Burst_While_Started;
    procedure Flood_Keeps_Memory;
@@ -322,6 +329,91 @@ package body Server_Tests is
          "the flood took more than 1 MB of memory");
    end Flood_Keeps_Memory;
 
+   ----------------------
+   -- Crowd_Finds_Room --
+   ----------------------
+
+   procedure Crowd_Finds_Room is
+      --  Whoever waits to be told that another monitor is in command, waits
+      --  in the kernel's queue. Where it is full the kernel drops the
+      --  newcomer, who tries again after 1, 3 and 7 s.
+      Count : constant := 200;
+      Grant : constant Duration := 0.5;
+      R        : Rig;
+      Visitors : array (1 .. Count) of Socket_Type;
+      Start    : Instant;
+      Longest  : Duration := 0.0;
+   begin
+      Assemble (R);
+      for Visitor of Visitors loop
+         Create_Socket (Visitor);
+         Start := Now;
+         Connect_Socket
+           (Visitor,
+            (Family_Inet, Inet_Addr ("127.0.0.1"),
+             Port_Type (R.Supervisor.Port)));
+         Longest := Duration'Max (Longest, Now - Start);
+      end loop;
+      R.Monitor.Expect ("RPIN", "ANAK");
+      for Visitor of Visitors loop
+         Close_Socket (Visitor);
+      end loop;
+      Check_Within (Longest, Grant, "to get into the queue");
+   end Crowd_Finds_Room;
+
+   --------------------
+   -- Streams_Closed --
+   --------------------
+
+   procedure Streams_Closed is
+      --  Started without standard streams, a program is given their numbers
+      --  for what it opens first: the log must not go to a monitor
+      Count    : constant := 20;
+      Launcher : constant String :=
+        Programs.Temporary_Folder & "/streams_closed";
+      Limit    : constant Instant := Now + 10.0;
+      File     : Ada.Text_IO.File_Type;
+      First    : Supervisor;
+      S        : Supervisor;
+      M        : Client;
+      Port     : Positive;
+   begin
+      Ada.Text_IO.Create (File, Ada.Text_IO.Out_File, Launcher);
+      Ada.Text_IO.Put_Line (File, "#!/bin/sh");
+      Ada.Text_IO.Put_Line (File, "exec ""$@"" <&- >&- 2>&-");
+      Ada.Text_IO.Close (File);
+      Check (Libc.Chmod (To_C (Launcher), 8#755#) = 0, "chmod");
+
+      --  a port that is free: it cannot say on which it listens
+      First.Start;
+      Port := First.Port;
+      First.Stop;
+
+      S.Run
+        ("--bind 127.0.0.1 --log-level debug --port " & Image (Port),
+         Launcher);
+      loop
+         begin
+            M.Connect (Port);
+            exit;
+         exception
+            when Failed =>
+               if Now > Limit then
+                  raise;
+               end if;
+               delay 0.05;
+         end;
+      end loop;
+      for Number in 1 .. Count loop
+         M.Expect ("what", "ACER");
+      end loop;
+      delay 0.1;
+      Check
+        (M.Count = Count, "more than the answers:" & M.Count'Image);
+      S.Send_Signal (Libc.Sigterm);
+      Expect_End (S, 0, Within => End_Limit);
+   end Streams_Closed;
+
    -----------------
    -- Options_Bad --
    -----------------
@@ -518,10 +610,12 @@ package body Server_Tests is
       Add (Suite, "F01_Address_Malformed", Address_Malformed'Access);
       Add (Suite, "F02_Connection_Admitted_Quickly",
            Admitted_Quickly'Access);
+      Add (Suite, "F02_Crowd_Finds_Room_To_Wait", Crowd_Finds_Room'Access);
       Add (Suite, "F03_Burst_Of_10_000_Commands", Burst_Of_10_000'Access);
       Add (Suite, "F03_Burst_While_Started", Burst_While_Started'Access);
       Add (Suite, "F03_Rule_2_Flood_Keeps_Memory",
            Flood_Keeps_Memory'Access);
+      Add (Suite, "Never_Logs_To_A_Monitor", Streams_Closed'Access);
       Add (Suite, "Options_Bad", Options_Bad'Access);
       Add (Suite, "Options_Help", Options_Help'Access);
       Add (Suite, "Options_Version", Options_Version'Access);
