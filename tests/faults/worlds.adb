@@ -714,7 +714,7 @@ package body Worlds is
          return;
       end if;
       loop
-         Late := Now > Limit + Patience + 2 * Line_Watch.Worst (Since, Now);
+         Late := Now > Limit + Patience;
          exit when W.Emulator.Status ("moving") = "0";
          if Late then
             W.Violate
