@@ -300,7 +300,7 @@ package body Fault_Runs is
             Report (J, Text);
          elsif Text /= "" then
             Put_Line
-              ("held in the end: " & Name (J.Item.First, J.Item.Second));
+              ("held: " & Name (J.Item.First, J.Item.Second));
             Put (Text);
             Flush;
          end if;

@@ -340,14 +340,15 @@ package body Machine_Faults is
    overriding procedure Inject (F : in out Full_Pipe; W : in out World) is
       pragma Unreferenced (F);
       Zeros : constant String (1 .. 4_096) := (others => ASCII.NUL);
-      Last  : constant String := (1 => ASCII.NUL);
    begin
       Check (Drained > 0, "the log does not go to the pipe");
       while Libc.Write (Pipe_File, Zeros'Address, Zeros'Length) > 0 loop
          null;
       end loop;
-      Check
-        (Libc.Write (Pipe_File, Last'Address, 1) < 0, "the pipe is not full");
+      --  a line of the log may have left room in its page
+      while Libc.Write (Pipe_File, Zeros'Address, 1) > 0 loop
+         null;
+      end loop;
       for Number in 1 .. Whole (W.Source, 1, 600) loop
          W.Say ("nonsense");
       end loop;

@@ -475,6 +475,7 @@ package body Trials is
       W.Explained_By := A_Late_Line;
       W.Figures := (others => <>);
       W.Account := Null_Unbounded_String;
+      W.Remarks := Null_Unbounded_String;
       W.Alone := Second = 0;
       W.Line_Works := True;
       W.Robot_Ready := True;
@@ -511,7 +512,7 @@ package body Trials is
       if W.Violations > 0 then
          Outcome.Ends_As := Violated;
          Outcome.Account :=
-           W.Account
+           W.Account & W.Remarks
            & "   robot " & Robot_Situation'Image (Robot)
            & ", camera " & Camera_Situation'Image (Camera)
            & (if W.Is_Built then
@@ -522,6 +523,10 @@ package body Trials is
                 & ASCII.LF
               else (1 => ASCII.LF));
          Give_Up;
+      elsif W.Remarks /= Null_Unbounded_String then
+         Outcome.Account :=
+           W.Remarks & "   log (its last lines):" & ASCII.LF
+           & Tail (W.Supervisor.Log_Text);
       end if;
    end Run_Once;
 

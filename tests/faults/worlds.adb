@@ -754,6 +754,13 @@ package body Worlds is
          W.Figures.Stops := W.Figures.Stops + 1;
          if Stop - Since > W.Nobody_Limit then
             W.Figures.Late_Stops := W.Figures.Late_Stops + 1;
+            Append
+              (W.Remarks,
+               "   it stood " & Milliseconds (Stop - Since)
+               & " after nobody is in command; a byte took "
+               & Milliseconds (Line_Watch.Worst (Since, Stop))
+               & " through a pseudo-terminal meanwhile; at the robot:"
+               & ASCII.LF & W.Wire_Tail);
          end if;
          W.Figures.Slowest_Stop :=
            Duration'Max (W.Figures.Slowest_Stop, Stop - Since);

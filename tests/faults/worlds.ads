@@ -128,6 +128,8 @@ package Worlds is
       --  the one among them that the least can explain
       Account        : Unbounded_String;
       --  what was violated, line by line
+      Remarks        : Unbounded_String;
+      --  the same of stops that were late, but within the margin for noise
    end record;
 
    --  Building
