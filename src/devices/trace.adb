@@ -11,88 +11,33 @@ with Interfaces.C;            use Interfaces.C;
 with Linux;                   use Linux;
 with System;                  use System;
 with System.Storage_Elements; use System.Storage_Elements;
+with Trace_Storage;
 with Trace_Json;
 with Trace_Rings;
 
 package body Trace with
   SPARK_Mode    => Off,
   Refined_State =>
-    (Recorder =>
-       (On, Storing, Ring, First, File, Emptied, Stored, Store_Error,
-        Store_Due, Batch_At, Batch_First, Chunk_At, Chunk_Last, Written))
+    (Recorder => (On, Storing, Ring, File, First, Store_Due))
 is
 
    use type Monitor_Protocol.Message_Kind;
 
-   On      : Boolean := False with Atomic;
-   Storing : Boolean := False with Atomic;  --  Store is at work
-   Ring    : Trace_Rings.Ring;
-   First   : Unsigned_64 := 0;  --  when the recording began
-   File    : int := -1;
-
-   --  The far end of the file: a round of Capacity places
-
-   Store_At : constant := Capacity * (Texts.Max_Length + 32);
-   --  The text never gets there, and nothing is in between
-
-   type Stored_Event is record
-      Mark : Unsigned_64 := 0;      --  its number and 1 more, 0: none
-      Item : Trace_Json.Event;
-   end record
-   with Size => 32 * 8;
-
-   Stored_Bytes : constant := 32;
-   Batch_Length : constant := 512;
-
-   type Batch is array (Unsigned_64 range 0 .. Batch_Length - 1)
-     of Stored_Event
-   with Component_Size => Stored_Bytes * 8;
-
-   Emptied     : Boolean := False;
-   --  Whether the file's former contents are gone. The first Store sees to
-   --  it: it can take longer than all the rest of Open
-
-   Stored      : Unsigned_64 := 0;  --  events below this are in the file
-   Store_Error : Integer := 0;      --  why no more are, 0: they are
-   Store_Due   : int := -1;         --  an eventfd: it is time to store
-   Quarter     : constant := In_Memory / 4;
-   Batch_At    : System.Address := System.Null_Address;
-   Batch_First : Unsigned_64 := Unsigned_64'Last;
-   --  What goes to the file's end, or has come from there: in Finish it
-   --  begins with event Batch_First, if that is an event
-
-   subtype Chunk_Text is String (1 .. 8_192);
-   Chunk_At   : System.Address := System.Null_Address;
-   Chunk_Last : Natural := 0;
-   Written    : Natural := 0;
-   --  What is to be written next of the text, and the bytes before
+   On        : Boolean := False with Atomic;
+   Storing   : Boolean := False with Atomic;  --  Store is at work
+   Ring      : Trace_Rings.Ring;
+   File      : Trace_Storage.File;
+   First     : Unsigned_64 := 0;  --  when the recording began
+   Store_Due : int := -1;         --  an eventfd: it is time to store
+   Quarter   : constant := In_Memory / 4;
 
    Ring_Bytes  : constant := In_Memory * Trace_Rings.Slot_Bytes;
-   Batch_Bytes : constant := Batch_Length * Stored_Bytes;
-
-   Both_Ways   : constant int := 8#2004402#;
-   --  O_RDWR, O_CLOEXEC, O_NONBLOCK, O_NOCTTY
-   Or_Create   : constant int := 8#100#;   --  O_CREAT
-   Or_New      : constant int := 8#300#;   --  O_CREAT, O_EXCL
-   File_Mode   : constant unsigned := 8#644#;
-   No_Entry    : constant := 2;            --  ENOENT
-
    Read_Write  : constant int := 3;        --  PROT_READ, PROT_WRITE
    All_Present : constant int := 16#8022#;
    --  MAP_PRIVATE, MAP_ANONYMOUS, MAP_POPULATE: every page is there at once
 
    Monotonic   : constant int := 1;        --  CLOCK_MONOTONIC
    Time_Shared : constant int := 0;        --  SCHED_OTHER
-
-   function Open (Path : char_array; Flags : int; Mode : unsigned) return int
-   with Import, Convention => C_Variadic_2, External_Name => "open";
-
-   function Open_Places
-     (Path : char_array; Flags : int; Mode : unsigned) return int;
-   --  The same for a file with places; else -1, as for any other error
-
-   function Unlink (Path : char_array) return int
-   with Import, Convention => C, External_Name => "unlink";
 
    Event_Flags : constant int := 8#2004000#;  --  EFD_CLOEXEC, EFD_NONBLOCK
 
@@ -105,22 +50,6 @@ is
       Access_Kind, Flags, Descriptor : int;
       Offset : long) return System.Address
    with Import, Convention => C, External_Name => "mmap";
-
-   function Write_Place
-     (Descriptor : int; Data : System.Address; Length : size_t; Place : long)
-      return Ssize
-   with Import, Convention => C, External_Name => "pwrite";
-
-   function Read_Place
-     (Descriptor : int; Data : System.Address; Length : size_t; Place : long)
-      return Ssize
-   with Import, Convention => C, External_Name => "pread";
-
-   function Seek (Descriptor : int; Place : long; From : int) return long
-   with Import, Convention => C, External_Name => "lseek";
-
-   function Truncate (Descriptor : int; Length : long) return int
-   with Import, Convention => C, External_Name => "ftruncate";
 
    Not_Mapped : constant System.Address :=
      System'To_Address (System.Memory_Size - 1);  --  MAP_FAILED
@@ -164,11 +93,8 @@ is
      (Nanoseconds (Duration'Max (0.0, To_Duration (Due - Beginning))));
    --  Due may be Time_First: at once
 
-   function Place_Of (Number : Unsigned_64) return long is
-     (Store_At + Stored_Bytes * long (Number mod Capacity));
-
-   procedure Store_Batch (From : Unsigned_64; Length : Unsigned_64);
-   --  Events From and on, Length of them, from the batch to the file
+   procedure Set_Reason (Reason : out Texts.Text; Number : Integer);
+   --  As text, "" for 0
 
    procedure Fetch
      (Number : Unsigned_64;
@@ -176,46 +102,17 @@ is
       Found  : out Boolean);
    --  From the file or the ring, once the recording has ended
 
-   procedure Flush (Success : in out Boolean);
+   procedure Write (Line : Texts.Text);
 
-   procedure Write (Text : String; Success : in out Boolean);
-   --  Without effect where Success is false already
+   ----------------
+   -- Set_Reason --
+   ----------------
 
-   -----------
-   -- Flush --
-   -----------
-
-   procedure Flush (Success : in out Boolean) is
-      Chunk : Chunk_Text with Import, Address => Chunk_At;
-      Next  : Positive := 1;
-      Taken : Ssize;
+   procedure Set_Reason (Reason : out Texts.Text; Number : Integer) is
    begin
-      while Success and then Next <= Chunk_Last loop
-         Taken := Linux.Write
-           (File, Chunk (Next)'Address, size_t (Chunk_Last - Next + 1));
-         if Taken > 0 then
-            Next := Next + Positive (Taken);
-            Written := Written + Positive (Taken);
-         else
-            Success := GNAT.OS_Lib.Errno = EINTR;
-         end if;
-      end loop;
-      Chunk_Last := 0;
-   end Flush;
-
-   -----------
-   -- Write --
-   -----------
-
-   procedure Write (Text : String; Success : in out Boolean) is
-      Chunk : Chunk_Text with Import, Address => Chunk_At;
-   begin
-      if Chunk_Last + Text'Length > Chunk'Last then
-         Flush (Success);
-      end if;
-      Chunk (Chunk_Last + 1 .. Chunk_Last + Text'Length) := Text;
-      Chunk_Last := Chunk_Last + Text'Length;
-   end Write;
+      Texts.Set
+        (Reason, (if Number = 0 then "" else Linux.Error_Text (Number)));
+   end Set_Reason;
 
    ---------
    -- Now --
@@ -252,23 +149,6 @@ is
       Put ((Now, Unsigned_64 (Number), Who, Kind, Label));
    end Put;
 
-   -----------------
-   -- Open_Places --
-   -----------------
-
-   function Open_Places
-     (Path : char_array; Flags : int; Mode : unsigned) return int
-   is
-      Current : constant int := 1;  --  SEEK_CUR
-      Found   : constant int := Open (Path, Flags, Mode);
-   begin
-      if Found < 0 or else Seek (Found, 0, Current) >= 0 then
-         return Found;
-      end if;
-      Linux.Close (Found);
-      return -1;
-   end Open_Places;
-
    ---------
    -- Try --
    ---------
@@ -276,24 +156,11 @@ is
    procedure Try
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
-      Name    : constant char_array := To_C (Texts.Image (Path));
-      Found   : int;
-      Ignored : int;
+      Number : Integer;
    begin
-      Found := Open_Places (Name, Both_Ways, 0);
-      if Found < 0 and then GNAT.OS_Lib.Errno = No_Entry then
-         Found := Open_Places (Name, Both_Ways + Or_New, File_Mode);
-         if Found >= 0 then
-            Ignored := Unlink (Name);
-         end if;
-      end if;
-      Success := Found >= 0;
-      Texts.Set
-        (Reason,
-         (if Success then "" else Linux.Error_Text (GNAT.OS_Lib.Errno)));
-      if Success then
-         Linux.Close (Found);
-      end if;
+      Trace_Storage.Try (Texts.Image (Path), Number);
+      Success := Number = 0;
+      Set_Reason (Reason, Number);
    end Try;
 
    ----------
@@ -303,67 +170,39 @@ is
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
+      Number  : Integer;
       Memory  : System.Address := Not_Mapped;
       Ignored : int;
    begin
-      File := Open_Places
-        (To_C (Texts.Image (Path)), Both_Ways + Or_Create, File_Mode);
-      if File >= 0 then
+      Trace_Storage.Open (File, Texts.Image (Path), Number);
+      if Number = 0 then
          Store_Due := Event_Descriptor (0, Event_Flags);
+         if Store_Due >= 0 then
+            Memory := Map
+              (System.Null_Address, Ring_Bytes + Trace_Storage.Buffer_Bytes,
+               Read_Write, All_Present, -1, 0);
+         end if;
+         Number := (if Memory = Not_Mapped then GNAT.OS_Lib.Errno else 0);
       end if;
-      if Store_Due >= 0 then
-         Memory := Map
-           (System.Null_Address, Ring_Bytes + Batch_Bytes + Chunk_Text'Length,
-            Read_Write, All_Present, -1, 0);
-      end if;
-      Success := Memory /= Not_Mapped;
-      Texts.Set
-        (Reason,
-         (if Success then "" else Linux.Error_Text (GNAT.OS_Lib.Errno)));
+      Success := Number = 0;
+      Set_Reason (Reason, Number);
       if Success then
          Trace_Rings.Set_Up (Ring, Memory, In_Memory);
-         Batch_At := Memory + Ring_Bytes;
-         Chunk_At := Batch_At + Batch_Bytes;
+         Trace_Storage.Set_Up (File, Memory + Ring_Bytes, Capacity);
          Ignored := Set_Mask (0, File_Too_Large'Address, System.Null_Address);
          First := Now;
          On := True;
       end if;
    end Open;
 
-   -----------------
-   -- Store_Batch --
-   -----------------
-
-   procedure Store_Batch (From : Unsigned_64; Length : Unsigned_64) is
-      Bytes : constant Storage_Count := Storage_Count (Length) * Stored_Bytes;
-      Done  : Storage_Count := 0;
-      Taken : Ssize;
-   begin
-      while Store_Error = 0 and then Done < Bytes loop
-         Taken := Write_Place
-           (File, Batch_At + Done, size_t (Bytes - Done),
-            Place_Of (From) + long (Done));
-         if Taken > 0 then
-            Done := Done + Storage_Count (Taken);
-         elsif GNAT.OS_Lib.Errno /= EINTR then
-            Store_Error := GNAT.OS_Lib.Errno;
-         end if;
-      end loop;
-      if Store_Error = 0 then
-         Stored := From + Length;
-      end if;
-   end Store_Batch;
-
    -----------
    -- Store --
    -----------
 
    procedure Store is
-      Next    : Batch with Import, Address => Batch_At;
-      Last    : Unsigned_64;
-      Number  : Unsigned_64;
-      Length  : Unsigned_64;
+      Item    : Trace_Json.Event;
       Found   : Boolean;
+      Last    : Unsigned_64;  --  events are numbered below this
       Waited  : Poll_Array := (1 => (Store_Due, Poll_In, 0));
       Calls   : Unsigned_64;
       Taken   : Ssize;
@@ -375,32 +214,19 @@ is
          int (To_Duration (Schedule.Store_Limit * 1_000)));
       Taken := Read (Store_Due, Calls'Address, Calls'Size / 8);
       Storing := True;
-      if On and then Store_Error = 0 then
-         if not Emptied then
-            Ignored := Truncate (File, 0);
-            Emptied := True;
-         end if;
+      if On and then Trace_Storage.Save_Reason (File) = 0 then
+         Trace_Storage.Empty (File);
          Last := Trace_Rings.Count (Ring);
-         if Last - Stored > In_Memory then
-            Stored := Last - In_Memory;
+         if Last - Trace_Storage.Next_Event (File) > In_Memory then
+            Trace_Storage.Pass (File, Last - In_Memory);
          end if;
-         loop
-            Length := 0;
-            loop
-               Number := Stored + Length;
-               exit when Number = Last
-                 or else Length = Batch_Length
-                 or else (Length > 0 and then Number mod Capacity = 0);
-               Trace_Rings.Get (Ring, Number, Next (Length).Item, Found);
-               --  it may be being written; the next time it is there
-               exit when not Found and then Last - Number <= In_Memory / 2;
-               Next (Length).Mark := (if Found then Number + 1 else 0);
-               Length := Length + 1;
-            end loop;
-            exit when Length = 0;
-            Store_Batch (Stored, Length);
-            exit when Store_Error /= 0;
+         for Number in Trace_Storage.Next_Event (File) + 1 .. Last loop
+            Trace_Rings.Get (Ring, Number - 1, Item, Found);
+            --  it may be being written; the next time it is there
+            exit when not Found and then Last - Number < In_Memory / 2;
+            Trace_Storage.Put (File, Item, Found);
          end loop;
+         Trace_Storage.Save (File);
       end if;
       Storing := False;
    end Store;
@@ -426,25 +252,23 @@ is
    procedure Fetch
      (Number : Unsigned_64;
       Item   : out Trace_Json.Event;
-      Found  : out Boolean)
-   is
-      Read    : Batch with Import, Address => Batch_At;
-      Place   : constant Unsigned_64 := Number mod Batch_Length;
-      Ignored : Ssize;
+      Found  : out Boolean) is
    begin
-      if Number >= Stored then
+      if Number >= Trace_Storage.Next_Event (File) then
          Trace_Rings.Get (Ring, Number, Item, Found);
       else
-         if Number - Place /= Batch_First then
-            Batch_First := Number - Place;
-            Ignored := Read_Place
-              (File, Batch_At, Batch_Bytes, Place_Of (Batch_First));
-            --  what it does not read, has another mark
-         end if;
-         Item := Read (Place).Item;
-         Found := Read (Place).Mark = Number + 1;
+         Trace_Storage.Get (File, Number, Item, Found);
       end if;
    end Fetch;
+
+   -----------
+   -- Write --
+   -----------
+
+   procedure Write (Line : Texts.Text) is
+   begin
+      Trace_Storage.Write (File, Texts.Image (Line));
+   end Write;
 
    ------------
    -- Finish --
@@ -463,6 +287,7 @@ is
       Oldest  : Unsigned_64;
       Next    : Unsigned_64;
       In_Time : Boolean := True;
+      Problem : Integer := 0;
    begin
       Whole := True;
       Texts.Set (Reason, "");
@@ -485,17 +310,19 @@ is
             Kept := Kept + (if Found then 1 else 0);
          end loop;
          Trace_Json.Begin_Text (First, Last, Kept, Line);
-         Write (Texts.Image (Line), Whole);
+         Write (Line);
          for Who in Task_Name loop
             Trace_Json.Name_Task (Who, Line);
-            Write (Texts.Image (Line), Whole);
+            Write (Line);
          end loop;
          Next := Oldest;
-         while Whole and then In_Time and then Next < Last loop
+         while Trace_Storage.Write_Reason (File) = 0
+           and then In_Time and then Next < Last
+         loop
             Fetch (Next, Item, Found);
             if Found then
                Trace_Json.Put (Slices, First, Item, Line);
-               Write (Texts.Image (Line), Whole);
+               Write (Line);
             end if;
             Next := Next + 1;
             In_Time := Next mod 256 > 0 or else Clock < Limit;
@@ -506,21 +333,21 @@ is
                      Kind    => Trace_Json.Done,
                      others  => <>);
             Trace_Json.Put (Slices, First, Item, Line);
-            Write (Texts.Image (Line), Whole);
+            Write (Line);
          end loop;
-         Write (Trace_Json.End_Of_Text, Whole);
-         Flush (Whole);
-         if not Whole then
-            Texts.Set (Reason, Linux.Error_Text (GNAT.OS_Lib.Errno));
-         end if;
-         Ignored := Truncate (File, long (Written));
+         Trace_Storage.Write (File, Trace_Json.End_Of_Text);
+         Trace_Storage.End_Text (File);
+         Problem := Trace_Storage.Write_Reason (File);
       end if;
-      if Whole and then not In_Time then
+      if Problem = 0 and then not In_Time then
          Whole := False;
          Texts.Set (Reason, "it takes too long");
-      elsif Whole and then Store_Error /= 0 then
-         Whole := False;
-         Texts.Set (Reason, Linux.Error_Text (Store_Error));
+      else
+         if Problem = 0 then
+            Problem := Trace_Storage.Save_Reason (File);
+         end if;
+         Whole := Problem = 0;
+         Set_Reason (Reason, Problem);
       end if;
    end Finish;
 
