@@ -37,6 +37,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
      (case Name is
          when Line_Request    => "request",
          when Line_Answer     => "answer",
+         when Line_Open       => "open, close",
          when Reload_Due | Battery_Due   => "due",
          when Reload_Done | Battery_Done => "done",
          when Move_Order | Query_Order   => "order",

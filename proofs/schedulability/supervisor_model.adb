@@ -77,7 +77,7 @@ package body Supervisor_Model with SPARK_Mode is
    function Touches (Name : Activity_Name; Event : Event_Name) return Boolean
    is (case Event is
           when Line_Work =>
-             Name in Line_Request | Line_Answer | Reload_Due | Reload_Done
+             Name in Line_Request .. Line_Open | Reload_Due | Reload_Done
                | Move_Order | Battery_Due | Open_Close | Start
                | Start_Watchdog | Reset | Query_Order | Keep_Alive | Loss
                | Receive,
@@ -93,8 +93,8 @@ package body Supervisor_Model with SPARK_Mode is
           when Hold_Begun =>
              Name in Hold | Battery_Done | Line_Answer | Capture,
           when Log_Arrived =>
-             Name in Console | Stop | Line_Answer | Newcomer | Receive | Loss
-               | Start | Start_Watchdog | Arena | Camera);
+             Name in Console | Stop | Line_Answer | Line_Open | Newcomer
+               | Receive | Loss | Start | Start_Watchdog | Arena | Camera);
 
    procedure Fill
      (Choice : Priority_Choice;
@@ -148,7 +148,7 @@ package body Supervisor_Model with SPARK_Mode is
         (case Name is
             when Kernel          => System.Any_Priority'Last,
             when Stop            => Schedule.Stop_Priority,
-            when Line_Request | Line_Answer => Schedule.Line_Priority,
+            when Line_Request .. Line_Open  => Schedule.Line_Priority,
             when Reload_Due | Reload_Done   => Schedule.Reload_Priority,
             when Newcomer        => Schedule.Server_Priority,
             when Move_Order | Move_Answer   => Schedule.Move_Priority,
@@ -191,7 +191,7 @@ package body Supervisor_Model with SPARK_Mode is
      (case Name is
          when Kernel          => "(kernel)",
          when Stop            => "th_stop",
-         when Line_Request | Line_Answer => "th_line",
+         when Line_Request .. Line_Open  => "th_line",
          when Reload_Due | Reload_Done   => "th_reloadWD",
          when Newcomer        => "th_server",
          when Move_Order | Move_Answer   => "th_move",
@@ -230,7 +230,7 @@ package body Supervisor_Model with SPARK_Mode is
    function Period_Of (Name : Activity_Name) return Positive_Span is
      (case Name is
          when Kernel => Tick_Interval,
-         when Stop | Newcomer | Environment | Open_Close | Start
+         when Stop | Newcomer | Environment | Line_Open | Open_Close | Start
             | Start_Watchdog | Reset | Camera_Control => Session_Interval,
          when Line_Request | Line_Answer =>
             --  no sooner than the line has carried a command and an answer
@@ -314,14 +314,15 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Journal_Operation =>
            (case Name is
-               when Stop | Line_Answer | Receive | Loss | Start
+               when Stop | Line_Answer | Line_Open | Receive | Loss | Start
                   | Start_Watchdog => 1,
                when Console => 2,
                when Newcomer => 3,
                when others => 0),
          when Settings_Operation =>
            (case Name is
-               when Newcomer | Send_Answer .. Send_Image | Arena => 1,
+               when Line_Open | Newcomer | Send_Answer .. Send_Image
+                  | Arena => 1,
                when others => 0),
          when Event_Operation =>
            (case Name is
@@ -713,7 +714,7 @@ package body Supervisor_Model with SPARK_Mode is
                when Move_Order | Query_Order | Camera_Control =>
                   Bounds (Receive).Finish,
                when Move_Answer  => Line (Movement).Finish,
-               when Open_Close | Start | Start_Watchdog | Reset
+               when Line_Open | Open_Close | Start | Start_Watchdog | Reset
                   | Query_Answer => Line (Other_Order).Finish,
                when Battery_Done => Line (Battery).Finish,
                when Send_Answer  => Span'Max
@@ -957,10 +958,12 @@ package body Supervisor_Model with SPARK_Mode is
       procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds) is
          Alone : Activity_Set := Set;
       begin
+         --  a request can follow at once when the line has been opened
          Alone (Row (Line_Answer)).Budget := 0;
          Bound_One (Alone, Line_Request, Value.Request);
          Alone (Row (Line_Answer)).Budget := Set (Row (Line_Answer)).Budget;
          Alone (Row (Line_Request)).Budget := 0;
+         Alone (Row (Line_Open)).Budget := 0;
          Bound_One (Alone, Line_Answer, Value.Answer);
       end Bound_Owner;
 
