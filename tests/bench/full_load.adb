@@ -16,6 +16,7 @@ with Own_Priority;
 with Reports;
 with Rigs;                  use Rigs;
 with Samples;
+with Single_Commands;
 with Task_Times;
 
 package body Full_Load is
@@ -256,7 +257,6 @@ package body Full_Load is
       Own_Priority.Prefer_Real_Time (False);
       if Tasks then
          Task_Times.Stop;
-         Task_Times.Print;
          return;
       end if;
 
@@ -323,8 +323,11 @@ package body Full_Load is
    procedure Report_Tasks is
    begin
       Reports.Begin_Section
-        ("tasks", "what one activity of a task takes under that load");
+        ("tasks", "what one activity of a task takes under that load, and"
+         & " for single commands");
       Measure (Baud => 9_600, Tasks => True);
+      Single_Commands.Measure_Tasks;
+      Task_Times.Print;
       Reports.End_Section;
    end Report_Tasks;
 

@@ -3,6 +3,7 @@
 --  beside it what the response-time analysis allows them.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
+with Ada.Containers.Indefinite_Ordered_Maps;
 with Ada.Containers.Vectors;
 with Ada.Directories;         use Ada.Directories;
 with Ada.Strings;             use Ada.Strings;
@@ -32,12 +33,24 @@ package body Task_Times is
       Used    : Duration := 0.0;   --  in all, at the last look
       Run     : Duration := 0.0;   --  in the run under way
       Changed : Instant  := Never; --  when it was last seen to have run
-      Runs    : Samples.Set;
    end record;
 
    package Thread_Vectors is new Ada.Containers.Vectors (Positive, Thread);
 
    Threads : Thread_Vectors.Vector;
+
+   package Run_Maps is new Ada.Containers.Indefinite_Ordered_Maps
+     (String, Samples.Set, "=" => Samples."=");
+
+   Runs : Run_Maps.Map;  --  of the threads by their names
+
+   Owner : constant String := "th_line";
+
+   package Duration_Vectors is new Ada.Containers.Vectors (Positive, Duration);
+
+   Exchange : Duration_Vectors.Vector;  --  the owner's runs in this one
+   Requests : Samples.Set;
+   Answers  : Samples.Set;
 
    function Pread
      (File : int; Buffer : System.Address; Size : size_t; Offset : long)
@@ -48,12 +61,22 @@ package body Task_Times is
    --  In lower case, without underlines
 
    function Budget_Of (Name : String) return Duration;
-   --  The longest of its activities'. Name: as the kernel keeps it, 15
-   --  characters
+   --  The longest of a task's activities. Name: as the kernel keeps it
+
+   Kept : constant := 15;  --  characters, of a longer name
 
    procedure Look (Item : in out Thread);
 
+   procedure End_Run (Item : in out Thread);
+
+   procedure Put (Name : String; Set : Samples.Set; Budget : Duration);
+
+   function Budget_Of (Name : Activity_Name) return Duration is
+     (Duration (Processor_Time (Name)) / 1_000_000);
+
    task type Watch_Task is
+      entry Begin_Exchange;
+      entry End_Exchange;
       entry Stop;
    end Watch_Task;
 
@@ -82,20 +105,15 @@ package body Task_Times is
 
    function Budget_Of (Name : String) return Duration is
       Short : constant String := Reduced (Name);
-      Exact : Boolean := False;
       Most  : Response_Times.Span := 0;
    begin
-      for A in Activity_Name loop
-         Exact := Exact
-           or else Reduced (Supervisor_Model.Task_Name (A)) = Short;
-      end loop;
       for A in Activity_Name loop
          declare
             Whole : constant String :=
               Reduced (Supervisor_Model.Task_Name (A));
          begin
             if Whole = Short
-              or else (not Exact and then Index (Whole, Short) = 1)
+              or else (Name'Length = Kept and then Index (Whole, Short) = 1)
             then
                Most := Response_Times.Span'Max (Most, Processor_Time (A));
             end if;
@@ -103,6 +121,19 @@ package body Task_Times is
       end loop;
       return Duration (Most) / 1_000_000;
    end Budget_Of;
+
+   -------------
+   -- End_Run --
+   -------------
+
+   procedure End_Run (Item : in out Thread) is
+   begin
+      Runs (To_String (Item.Name)).Add (Item.Run);
+      if Item.Name = Owner then
+         Exchange.Append (Item.Run);
+      end if;
+      Item.Run := 0.0;
+   end End_Run;
 
    ----------
    -- Look --
@@ -117,6 +148,10 @@ package body Task_Times is
       Time : constant Instant := Now;
    begin
       if Got <= 0 then
+         --  its process has ended
+         if Item.Run > 0.0 then
+            End_Run (Item);
+         end if;
          return;
       end if;
       --  nanoseconds on a processor, waiting for one, times on one
@@ -129,8 +164,7 @@ package body Task_Times is
          Item.Run := Item.Run + (Used - Item.Used);
          Item.Changed := Time;
       elsif Item.Run > 0.0 and then Time - Item.Changed > Pause then
-         Item.Runs.Add (Item.Run);
-         Item.Run := 0.0;
+         End_Run (Item);
       end if;
       Item.Used := Used;
    end Look;
@@ -149,6 +183,15 @@ package body Task_Times is
    begin
       loop
          select
+            accept Begin_Exchange;
+            Exchange.Clear;
+         or
+            accept End_Exchange;
+            if Exchange.Last_Index = 2 then
+               Requests.Add (Exchange (1));
+               Answers.Add (Exchange (2));
+            end if;
+         or
             accept Stop;
             exit;
          or
@@ -164,7 +207,7 @@ package body Task_Times is
    -- Start --
    -----------
 
-   procedure Start (Process : Interfaces.C.int) is
+   procedure Start (Process : Interfaces.C.int; Except : String := "") is
       Folder : constant String :=
         "/proc/" & Trim (int'Image (Process), Both) & "/task";
 
@@ -174,6 +217,7 @@ package body Task_Times is
          Place : constant String := Folder & "/" & Simple_Name (Which);
          File  : File_Type;
          Item  : Thread;
+         None  : Samples.Set;
       begin
          if Simple_Name (Which) in "." | ".." then
             return;
@@ -181,9 +225,15 @@ package body Task_Times is
          Open (File, In_File, Place & "/comm");
          Item.Name := To_Unbounded_String (Get_Line (File));
          Close (File);
+         if Item.Name = Except then
+            return;
+         end if;
          Item.File := Libc.Open
            (To_C (Place & "/schedstat"), Libc.O_Rdonly + Libc.O_Cloexec);
          Threads.Append (Item);
+         if not Runs.Contains (To_String (Item.Name)) then
+            Runs.Insert (To_String (Item.Name), None);
+         end if;
       end Add;
 
    begin
@@ -191,6 +241,24 @@ package body Task_Times is
       Search (Folder, "", (Directory => True, others => False), Add'Access);
       Watch := new Watch_Task;
    end Start;
+
+   --------------------
+   -- Begin_Exchange --
+   --------------------
+
+   procedure Begin_Exchange is
+   begin
+      Watch.Begin_Exchange;
+   end Begin_Exchange;
+
+   ------------------
+   -- End_Exchange --
+   ------------------
+
+   procedure End_Exchange is
+   begin
+      Watch.End_Exchange;
+   end End_Exchange;
 
    ----------
    -- Stop --
@@ -205,27 +273,37 @@ package body Task_Times is
       end loop;
    end Stop;
 
+   ---------
+   -- Put --
+   ---------
+
+   procedure Put (Name : String; Set : Samples.Set; Budget : Duration) is
+      Above : constant Natural := Set.Count_Above (Budget);
+   begin
+      if Set.Count > 0 and then Budget > 0.0 then
+         Reports.Put
+           (Name, Set,
+            "<= its budget," & Integer'Image (Integer (Budget * 1_000_000))
+            & " us, but for one, and one in 1000;" & Above'Image & " longer",
+            Above <= 1 + Set.Count / 1_000);
+      end if;
+   end Put;
+
    -----------
    -- Print --
    -----------
 
    procedure Print is
    begin
-      for Item of Threads loop
-         declare
-            Budget : constant Duration := Budget_Of (To_String (Item.Name));
-            Above  : constant Natural  := Item.Runs.Count_Above (Budget);
-         begin
-            if Item.Runs.Count > 0 and then Budget > 0.0 then
-               Reports.Put
-                 (To_String (Item.Name), Item.Runs,
-                  "<= its budget," & Integer'Image
-                    (Integer (Budget * 1_000_000)) & " us, in 999 of 1000;"
-                  & Above'Image & " longer",
-                  Above <= Item.Runs.Count / 1_000);
-            end if;
-         end;
+      for Place in Runs.Iterate loop
+         Put
+           (Run_Maps.Key (Place), Run_Maps.Element (Place),
+            (if Run_Maps.Key (Place) = Owner
+             then Budget_Of (Line_Request) + Budget_Of (Line_Answer)
+             else Budget_Of (Run_Maps.Key (Place))));
       end loop;
+      Put (Owner & ", request", Requests, Budget_Of (Line_Request));
+      Put (Owner & ", answer", Answers, Budget_Of (Line_Answer));
    end Print;
 
 end Task_Times;
