@@ -55,19 +55,19 @@ package Budgets with SPARK_Mode is
    --  of which machine, and of how many it is the longest:
    --    bench  script/bench tasks: its load
    --    each   single commands, 20 ms apart, as they are in it now
-   --  Of 75_000 activities in seven minutes on the first machine 26 took
-   --  longer, of no task more than one and one in a thousand: by up to
-   --  0.7 ms, th_console once by 2.6, and often several tasks at once; the
-   --  analysis bears them as wake-ups that come late
+   --  Of 122_000 activities in eleven minutes on the first machine fewer
+   --  than one in a thousand of each task took longer, by up to 1 ms and
+   --  often several tasks' at once; the analysis bears them as wake-ups that
+   --  come late
 
    Processor_Time : constant Activity_Times :=
      (Kernel          => 10,      --  assumed, of each Tick_Interval
       Stop            => 180,     --  each 2:  177, SIGTERM while driving
-      Line_Request    => 105,     --  bench 2: 105 of 1356, with answers
-      Line_Answer     => 145,     --  each 1:  141 of 1316
+      Line_Request    => 115,     --  each 1:  112 of 2995
+      Line_Answer     => 145,     --  each 1:  142 of 2995
       Line_Open       => 240,     --  each 1:  238 of 518
-      Reload_Due      => 120,     --  each 1:  116 of 588
-      Reload_Done     => 120,     --  each 1:  the same
+      Reload_Due      => 150,     --  each 1:  146 of 1658
+      Reload_Done     => 150,     --  each 1:  the same
       Newcomer        => 315,     --  each 2:  311 of 2200, two interrupted
       Move_Order      => 140,     --  bench 1: 137 of 6561
       Move_Answer     => 140,     --  bench 1: the same
@@ -83,7 +83,7 @@ package Budgets with SPARK_Mode is
       Open_Close      => 140,     --  each 1:  138 of 800
       Start           => 135,     --  each 1:  135 of 867
       Start_Watchdog  => 130,     --  each 1:  128 of 496
-      Reset           => 130,     --  each 2:  127 of 12
+      Reset           => 160,     --  each 1:  158 of 2176
       Query_Order     => 105,     --  bench 1: 103 of 3221
       Query_Answer    => 105,     --  bench 1: the same
       Keep_Alive      => 105,     --  bench 2: 52 of 359, twice

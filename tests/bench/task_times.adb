@@ -148,10 +148,7 @@ package body Task_Times is
       Time : constant Instant := Now;
    begin
       if Got <= 0 then
-         --  its process has ended
-         if Item.Run > 0.0 then
-            End_Run (Item);
-         end if;
+         --  its process has ended, so that was what it did last, not its job
          return;
       end if;
       --  nanoseconds on a processor, waiting for one, times on one
