@@ -150,7 +150,6 @@ begin
 
    elsif Is_Job then
       Fault_Runs.Work (S.Seed);
-      Programs.Remove_Temporary_Folder;
 
    else
       Put_Line ("seed" & S.Seed'Image);
@@ -188,6 +187,7 @@ begin
          Set_Exit_Status (1);
       end if;
    end if;
+   Programs.Remove_Temporary_Folder;
 
 exception
    when Occurrence : Usage_Error | Fault_Records.Wrong_Record =>

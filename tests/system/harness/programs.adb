@@ -21,7 +21,9 @@ package body Programs is
    Folder : Unbounded_String;
 
    function Folder_Of (Process : int) return String is
-     ("/tmp/destijl_tests." & Trim (Process'Image, Both));
+     ("/tmp/destijl_tests." & Trim (Libc.Geteuid'Image, Both) & "."
+      & Trim (Process'Image, Both));
+   --  What a killed process of another user has left, cannot be removed
 
    procedure Remove (Path : String);
 
