@@ -281,8 +281,8 @@ package body Task_Times is
          Reports.Put
            (Name, Set,
             "<= its budget," & Integer'Image (Integer (Budget * 1_000_000))
-            & " us, but for one, and one in 1000;" & Above'Image & " longer",
-            Above <= 1 + Set.Count / 1_000);
+            & " us, in 999 of 1000;" & Above'Image & " longer",
+            Above <= Set.Count / 1_000);
       end if;
    end Put;
 
@@ -295,9 +295,7 @@ package body Task_Times is
       for Place in Runs.Iterate loop
          Put
            (Run_Maps.Key (Place), Run_Maps.Element (Place),
-            (if Run_Maps.Key (Place) = Owner
-             then Budget_Of (Line_Request) + Budget_Of (Line_Answer)
-             else Budget_Of (Run_Maps.Key (Place))));
+            Budget_Of (Run_Maps.Key (Place)));
       end loop;
       Put (Owner & ", request", Requests, Budget_Of (Line_Request));
       Put (Owner & ", answer", Answers, Budget_Of (Line_Answer));
