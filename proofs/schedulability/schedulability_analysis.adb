@@ -14,9 +14,9 @@ with Supervisor_Model;  use Supervisor_Model;
 procedure Schedulability_Analysis with SPARK_Mode => Off is
    --  Off: it prints; what is computed is in SPARK
 
-   Here : constant Machine := (Percent => 100, Many => False);
+   Here : constant Machine := (others => <>);
    Pi   : constant Machine :=
-     (Percent => 100 * Cortex_A53_Factor, Many => True);
+     (Percent => 100 * Cortex_A53_Factor, Second | Many => True);
 
    Load_Here : constant Load := (others => <>);
 
@@ -38,10 +38,13 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          when Line_Request    => "request",
          when Line_Answer     => "answer",
          when Line_Open       => "open, close",
-         when Reload_Due | Battery_Due   => "due",
-         when Reload_Done | Battery_Done => "done",
-         when Move_Order | Query_Order   => "order",
-         when Move_Answer | Query_Answer | Send_Answer => "answer",
+         when Reload_Due | Battery_Due | Ping_Due    => "due",
+         when Reload_Done | Battery_Done | Ping_Done => "done",
+         when Move_Order | Open_Order | Start_Order | Watchdog_Order
+            | Reset_Order | Query_Order | Camera_Order => "order",
+         when Move_Answer | Open_Answer | Start_Answer | Watchdog_Answer
+            | Reset_Answer | Query_Answer | Camera_Answer | Send_Answer =>
+            "answer",
          when Send_Battery    => "battery",
          when Send_Position   => "position",
          when Send_Image      => "image",
@@ -441,8 +444,9 @@ begin
       Of_The_Table, Real_Time_Apart, Here, Load_Here, True, Good_Here);
    Print_Limits (Here);
    Analyse_And_Print
-     ("priorities of schedule.ads, Cortex-A53: budgets times"
-      & Positive_Span'Image (Pi.Percent / 100) & ", image work on cpu 2 to 4",
+     ("priorities of schedule.ads, Cortex-A53: the second machine's budgets"
+      & " times" & Positive_Span'Image (Pi.Percent / 100)
+      & ", image work on cpu 2 to 4",
       Of_The_Table, Real_Time_Apart, Pi, Load_Here, True, Good_On_Pi);
    Print_Limits (Pi);
    Analyse_Flood ("this machine", Here, Flood_Here);

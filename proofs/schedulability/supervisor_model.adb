@@ -38,6 +38,23 @@ package body Supervisor_Model with SPARK_Mode is
    --  Suspension objects that tasks of different priorities touch, apart
    --  from those whose only setter is more urgent than who waits
 
+   --  A command of the monitor is for one of these, so that for everybody
+   --  else they are one stream, of the longest and a command apart
+
+   subtype Order_Name is Activity_Name
+   with Static_Predicate =>
+     Order_Name in Move_Order | Open_Order | Start_Order | Watchdog_Order
+       | Reset_Order | Query_Order;
+
+   subtype Answer_Name is Activity_Name
+   with Static_Predicate =>
+     Answer_Name in Move_Answer | Open_Answer | Start_Answer
+       | Watchdog_Answer | Reset_Answer | Query_Answer;
+
+   Last_Kernel : constant Row_Index := Row (Activity_Name'Last) + 3;
+   Orders_Row  : constant Row_Index := Last_Kernel + 1;
+   Answers_Row : constant Row_Index := Last_Kernel + 2;
+
    function To_Span (Value : Integer) return Span is
      (if Value in 0 .. Horizon then Span (Value) else Horizon);
 
@@ -78,23 +95,20 @@ package body Supervisor_Model with SPARK_Mode is
    is (case Event is
           when Line_Work =>
              Name in Line_Request .. Line_Open | Reload_Due | Reload_Done
-               | Move_Order | Battery_Due | Open_Close | Start
-               | Start_Watchdog | Reset | Query_Order | Keep_Alive | Loss
-               | Receive,
+               | Order_Name | Battery_Due | Ping_Due | Loss | Receive,
           when Order_Arrived =>
-             Name in Receive | Move_Order | Open_Close | Start
-               | Start_Watchdog | Reset | Query_Order | Camera_Control
-               | Arena,
+             Name in Receive | Order_Name | Answer_Name | Camera_Order
+               | Camera_Answer | Arena,
           when Outbox_Work =>
-             Name in Send_Answer .. Send_Image | Move_Answer | Query_Answer
-               | Battery_Done | Receive | Line_Answer | Open_Close | Start
-               | Start_Watchdog | Reset | Hold | Camera_Control | Capture
-               | Arena,
+             Name in Send_Answer .. Send_Image | Answer_Name | Battery_Done
+               | Receive | Line_Answer | Hold | Camera_Order
+               | Camera_Answer | Capture | Arena,
           when Hold_Begun =>
              Name in Hold | Battery_Done | Line_Answer | Capture,
           when Log_Arrived =>
              Name in Console | Stop | Line_Answer | Line_Open | Newcomer
-               | Receive | Loss | Start | Start_Watchdog | Arena | Camera);
+               | Receive | Loss | Start_Answer | Watchdog_Answer | Arena
+               | Camera);
 
    procedure Fill
      (Choice : Priority_Choice;
@@ -103,6 +117,30 @@ package body Supervisor_Model with SPARK_Mode is
       Under  : Load;
       Set    : out Activity_Set);
    --  Everything but the jitters
+
+   function Latest_Order (Bounds : Row_Bounds) return Span is
+     (Span'Max
+        (Span'Max (Bounds (Open_Order).Finish, Bounds (Start_Order).Finish),
+         Span'Max
+           (Bounds (Watchdog_Order).Finish,
+            Span'Max
+              (Bounds (Reset_Order).Finish, Bounds (Query_Order).Finish))));
+   --  From a command, other than a movement, to the request that it leads to
+
+   function Latest_Answer (Bounds : Row_Bounds) return Span is
+     (Span'Max
+        (Span'Max (Bounds (Open_Answer).Finish, Bounds (Start_Answer).Finish),
+         Span'Max
+           (Bounds (Watchdog_Answer).Finish,
+            Span'Max
+              (Bounds (Reset_Answer).Finish,
+               Span'Max (Bounds (Query_Answer).Finish,
+                         Bounds (Move_Answer).Finish)))));
+   --  From a command to the answer of its task
+
+   procedure See_Streams (Set : in out Activity_Set);
+   --  As all see the monitor's orders and their answers but these
+   --  themselves, to which their own command counts twice
 
    procedure Bound_Line
      (Bounds : Row_Bounds;
@@ -116,6 +154,13 @@ package body Supervisor_Model with SPARK_Mode is
       Bounds  : Row_Bounds;
       Line    : Line_Bounds;
       Changed : out Boolean);
+
+   function Budget_Of (Name : Activity_Name; On : Machine) return Span is
+     (Capped
+        (((if On.Second then Measured (Name) (Second)
+           else Processor_Time (Name))
+          + (if Name in Send_Answer .. Send_Image then Gap_Look else 0))
+         * On.Percent / 100));
 
    type Member_Set is array (Activity_Name) of Boolean;
 
@@ -157,13 +202,15 @@ package body Supervisor_Model with SPARK_Mode is
             when Hold            => Schedule.Hold_Priority,
             when Send_Answer .. Send_Image  => Schedule.Send_Priority,
             when Battery_Due | Battery_Done => Schedule.Battery_Priority,
-            when Open_Close      => Schedule.Open_Priority,
-            when Start           => Schedule.Start_Priority,
-            when Start_Watchdog  => Schedule.Start_Watchdog_Priority,
-            when Reset           => Schedule.Reset_Priority,
+            when Open_Order | Open_Answer   => Schedule.Open_Priority,
+            when Start_Order | Start_Answer => Schedule.Start_Priority,
+            when Watchdog_Order | Watchdog_Answer =>
+               Schedule.Start_Watchdog_Priority,
+            when Reset_Order | Reset_Answer => Schedule.Reset_Priority,
             when Query_Order | Query_Answer => Schedule.Query_Priority,
-            when Keep_Alive      => Schedule.Keep_Alive_Priority,
-            when Camera_Control  => Schedule.Camera_Control_Priority,
+            when Ping_Due | Ping_Done       => Schedule.Keep_Alive_Priority,
+            when Camera_Order | Camera_Answer =>
+               Schedule.Camera_Control_Priority,
             when Capture         => Schedule.Capture_Priority,
             when Arena           => Schedule.Arena_Priority,
             when Camera          => Schedule.Camera_Priority,
@@ -200,13 +247,13 @@ package body Supervisor_Model with SPARK_Mode is
          when Hold            => "th_hold",
          when Send_Answer .. Send_Image  => "th_sendToMon",
          when Battery_Due | Battery_Done => "th_batteryLevel",
-         when Open_Close      => "th_openComRobot",
-         when Start           => "th_startRobot",
-         when Start_Watchdog  => "th_startRobotWD",
-         when Reset           => "th_resetRobot",
+         when Open_Order | Open_Answer   => "th_openComRobot",
+         when Start_Order | Start_Answer => "th_startRobot",
+         when Watchdog_Order | Watchdog_Answer => "th_startRobotWD",
+         when Reset_Order | Reset_Answer => "th_resetRobot",
          when Query_Order | Query_Answer => "th_query",
-         when Keep_Alive      => "th_keepAlive",
-         when Camera_Control  => "th_cameraControl",
+         when Ping_Due | Ping_Done       => "th_keepAlive",
+         when Camera_Order | Camera_Answer => "th_cameraControl",
          when Capture         => "th_captureImg",
          when Arena           => "th_arene",
          when Camera          => "th_camera",
@@ -230,8 +277,9 @@ package body Supervisor_Model with SPARK_Mode is
    function Period_Of (Name : Activity_Name) return Positive_Span is
      (case Name is
          when Kernel => Tick_Interval,
-         when Stop | Newcomer | Environment | Line_Open | Open_Close | Start
-            | Start_Watchdog | Reset | Camera_Control => Session_Interval,
+         when Stop | Newcomer | Environment | Line_Open
+            | Open_Order .. Reset_Answer | Camera_Order | Camera_Answer =>
+            Session_Interval,
          when Line_Request | Line_Answer =>
             --  no sooner than the line has carried a command and an answer
             Positive_Span'Max (1, Frame_Time (2 * Short_Frame)),
@@ -243,7 +291,7 @@ package body Supervisor_Model with SPARK_Mode is
          when Send_Battery | Battery_Due | Battery_Done =>
             To_Period (Battery_Period),
          when Send_Position | Send_Image | Capture => Image_Period,
-         when Keep_Alive => To_Period (Ping_Period),
+         when Ping_Due | Ping_Done => To_Period (Ping_Period),
          when Arena => Arena_Interval,
          when Camera => Camera_Interval,
          when Console => Command_Interval);
@@ -272,10 +320,10 @@ package body Supervisor_Model with SPARK_Mode is
      (case Which is
          when Outbox_Short =>
            (case Name is
-               when Line_Answer | Move_Answer | Battery_Done | Open_Close
-                  | Start | Start_Watchdog | Reset | Query_Answer | Loss
+               when Line_Answer | Battery_Done | Answer_Name | Loss
                   | Newcomer => 1,
-               when Receive | Camera_Control | Capture | Arena => 2,
+               when Receive | Camera_Order | Camera_Answer | Capture
+                  | Arena => 2,
                when Send_Answer .. Send_Image => 3,
                when Hold => 9,
                when others => 0),
@@ -285,25 +333,21 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Line_Operation =>
            (case Name is
-               when Line_Answer | Move_Order | Move_Answer | Receive
-                  | Query_Order | Query_Answer => 1,
+               when Line_Answer | Receive | Order_Name | Answer_Name
+                  | Ping_Done => 1,
                when Stop | Line_Request | Reload_Due | Reload_Done | Loss
-                  | Battery_Due | Battery_Done | Open_Close | Start
-                  | Start_Watchdog | Reset => 2,
-               when Keep_Alive => 3,
+                  | Battery_Due | Battery_Done | Ping_Due => 2,
                when others => 0),
          when Port_Operation =>
            (case Name is
-               when Move_Order | Query_Order => 1,
-               when Receive | Open_Close | Start | Start_Watchdog | Reset
-                  | Camera_Control | Arena => 2,
+               when Order_Name | Answer_Name => 1,
+               when Receive | Camera_Order | Camera_Answer | Arena => 2,
                when Loss => 8,
                when others => 0),
          when Vision_Operation =>
            (case Name is
                when Stop => 1,
-               when Loss | Camera_Control => 3,
-               when Camera => 3,
+               when Loss | Camera_Order | Camera_Answer | Camera => 3,
                when Capture | Arena => 4,
                when others => 0),
          when Session_Operation =>
@@ -314,8 +358,8 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Journal_Operation =>
            (case Name is
-               when Stop | Line_Answer | Line_Open | Receive | Loss | Start
-                  | Start_Watchdog => 1,
+               when Stop | Line_Answer | Line_Open | Receive | Loss
+                  | Start_Answer | Watchdog_Answer => 1,
                when Console => 2,
                when Newcomer => 3,
                when others => 0),
@@ -421,7 +465,7 @@ package body Supervisor_Model with SPARK_Mode is
               (if A = Newcomer and then Under.Flood
                then To_Period (Newcomer_Interval) else Period_Of (A)),
             Jitter    => 0,
-            Budget    => Capped (Processor_Time (A) * On.Percent / 100),
+            Budget    => Budget_Of (A, On),
             Deferral  => 0,
             Blocking  => 0,
             Level     => Priority_Of (A, Choice));
@@ -430,7 +474,7 @@ package body Supervisor_Model with SPARK_Mode is
       --  the kernel on the other processors
       if Where = Real_Time_Apart then
          for Other in Row_Index range
-           Row (Activity_Name'Last) + 1 .. Row_Index'Last
+           Row (Activity_Name'Last) + 1 .. Last_Kernel
          loop
             if On.Many or else Other = Row (Activity_Name'Last) + 1 then
                Set (Other) := Set (Row (Kernel));
@@ -489,6 +533,46 @@ package body Supervisor_Model with SPARK_Mode is
          Set (Row (A)).Blocking := Capped (Wait);
       end loop;
    end Fill;
+
+   -----------------
+   -- See_Streams --
+   -----------------
+
+   procedure See_Streams (Set : in out Activity_Set) is
+
+      procedure Join (Name : Activity_Name; Stream : Row_Index)
+      with Global => (In_Out => Set);
+      --  Name is seen as part of the stream
+
+      ----------
+      -- Join --
+      ----------
+
+      procedure Join (Name : Activity_Name; Stream : Row_Index) is
+         Item : Activity renames Set (Row (Name));
+      begin
+         Set (Stream) :=
+           (Processor => Item.Processor,
+            Priority  => Urgency'Max (Set (Stream).Priority, Item.Priority),
+            Period    => Command_Interval,
+            Jitter    => Span'Max (Set (Stream).Jitter, Item.Jitter),
+            Budget    => Span'Max (Set (Stream).Budget, Item.Budget),
+            Deferral  => Span'Max (Set (Stream).Deferral, Item.Deferral),
+            Blocking  => 0,
+            Level     => Urgency'Last);
+         Set (Row (Name)).Budget := 0;
+      end Join;
+
+   begin
+      Set (Orders_Row) := (others => <>);
+      Set (Answers_Row) := (others => <>);
+      for Name in Order_Name loop
+         Join (Name, Orders_Row);
+      end loop;
+      for Name in Answer_Name loop
+         Join (Name, Answers_Row);
+      end loop;
+   end See_Streams;
 
    ----------------
    -- Bound_Line --
@@ -554,8 +638,8 @@ package body Supervisor_Model with SPARK_Mode is
                      when Reload      => Bounds (Reload_Due).Finish,
                      when Movement    => Bounds (Move_Order).Finish,
                      when Battery     => Bounds (Battery_Due).Finish,
-                     when Other_Order => Bounds (Query_Order).Finish,
-                     when Ping        => Bounds (Keep_Alive).Finish,
+                     when Other_Order => Latest_Order (Bounds),
+                     when Ping        => Bounds (Ping_Due).Finish,
                      when Unanswered  => 0),
                Budget    => Lengths (C),
                Deferral  => 0,
@@ -711,16 +795,15 @@ package body Supervisor_Model with SPARK_Mode is
          New_Jitter :=
            (case A is
                when Reload_Done  => Line (Reload).Finish,
-               when Move_Order | Query_Order | Camera_Control =>
-                  Bounds (Receive).Finish,
+               when Order_Name | Camera_Order => Bounds (Receive).Finish,
                when Move_Answer  => Line (Movement).Finish,
-               when Line_Open | Open_Close | Start | Start_Watchdog | Reset
-                  | Query_Answer => Line (Other_Order).Finish,
+               when Line_Open | Open_Answer | Start_Answer
+                  | Watchdog_Answer | Reset_Answer | Query_Answer =>
+                  Line (Other_Order).Finish,
                when Battery_Done => Line (Battery).Finish,
+               when Ping_Done    => Line (Ping).Finish,
                when Send_Answer  => Span'Max
-                 (Bounds (Receive).Finish,
-                  Span'Max (Bounds (Move_Answer).Finish,
-                            Bounds (Query_Answer).Finish)),
+                 (Bounds (Receive).Finish, Latest_Answer (Bounds)),
                when Send_Battery => Bounds (Battery_Done).Finish,
                when Send_Position | Send_Image => Bounds (Capture).Finish,
                when others       => 0);
@@ -747,6 +830,7 @@ package body Supervisor_Model with SPARK_Mode is
       Budget     : Microseconds := Microseconds (Pauses) * Message_Gap;
       Blocking   : Microseconds := 0;
    begin
+      See_Streams (Others_Set);
       for A in Activity_Name loop
          if Members (A) then
             Budget := Budget + Set (Row (A)).Budget;
@@ -945,6 +1029,8 @@ package body Supervisor_Model with SPARK_Mode is
          if Name /= Newcomer and then not Under.Flood then
             Normal (Row (Newcomer)).Budget := 0;
          end if;
+         See_Streams (Normal);
+         Normal (Row (Name)) := Set (Row (Name));
          Pre_Emptive_Bound (Normal, Row (Name), Value);
       end Bound_One;
 

@@ -24,6 +24,8 @@ package Supervisor_Model with SPARK_Mode is
    type Machine is record
       Percent       : Positive_Span := 100;
       --  of the budgets: what they are multiplied by
+      Second        : Boolean := False;
+      --  the budgets are the second machine's; else of each the longer one
       Many          : Boolean := False;
       --  a processor for each of the three image tasks; else one for all
    end record
@@ -78,8 +80,9 @@ package Supervisor_Model with SPARK_Mode is
      (Item.Known and then Item.Bound <= Item.Limit);
 
    subtype Row_Index is Activity_Index range
-     1 .. Activity_Name'Pos (Activity_Name'Last) + 4;
-   --  All activities, then the kernel on three other processors
+     1 .. Activity_Name'Pos (Activity_Name'Last) + 6;
+   --  All activities, then the kernel on three other processors and the
+   --  monitor's orders and their answers, as streams
 
    function Row (Name : Activity_Name) return Row_Index is
      (Activity_Name'Pos (Name) + 1);

@@ -147,7 +147,7 @@ package body Trace_Storage with SPARK_Mode => Off is
    ---------
 
    procedure Put
-     (F : in out File; Item : Trace_Json.Event; Found : Boolean := True)
+     (F : in out File; Item : Trace_Json.Event; Found : Boolean)
    is
       Next   : Batch with Import, Address => F.Batch_At;
       Number : constant Unsigned_64 := Next_Event (F);

@@ -38,7 +38,7 @@ package Trace_Storage with SPARK_Mode => Off is
    --  That Put takes, or Pass
 
    procedure Put
-     (F : in out File; Item : Trace_Json.Event; Found : Boolean := True);
+     (F : in out File; Item : Trace_Json.Event; Found : Boolean);
    --  Takes the next event, not Found: one that was lost. It is in the file
    --  after Save, or before
 

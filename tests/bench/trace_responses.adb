@@ -190,10 +190,13 @@ package body Trace_Responses is
       & (case Name is
             when Line_Request  => ", request",
             when Line_Answer   => ", answer",
-            when Reload_Due | Battery_Due   => ", due",
-            when Reload_Done | Battery_Done => ", done",
-            when Move_Order | Query_Order   => ", order",
-            when Move_Answer | Query_Answer | Send_Answer => ", answer",
+            when Reload_Due | Battery_Due | Ping_Due    => ", due",
+            when Reload_Done | Battery_Done | Ping_Done => ", done",
+            when Move_Order | Open_Order | Start_Order | Watchdog_Order
+               | Reset_Order | Query_Order | Camera_Order => ", order",
+            when Move_Answer | Open_Answer | Start_Answer | Watchdog_Answer
+               | Reset_Answer | Query_Answer | Camera_Answer
+               | Send_Answer => ", answer",
             when Send_Battery  => ", battery",
             when Send_Position => ", position",
             when Send_Image    => ", image",

@@ -33,6 +33,7 @@ package body Supervisor_Model_Tests is
    procedure Test_Here (T : in out Any_Test);
    procedure Test_Cortex (T : in out Any_Test);
    procedure Test_Flood (T : in out Any_Test);
+   procedure Test_Orders (T : in out Any_Test);
    procedure Test_Report (T : in out Any_Test);
    procedure Test_Slow_Robot (T : in out Any_Test);
    procedure Test_Slow_Kernel (T : in out Any_Test);
@@ -132,7 +133,8 @@ package body Supervisor_Model_Tests is
    begin
       Analyse
         (Of_The_Table, Real_Time_Apart,
-         (Percent => 100 * Cortex_A53_Factor, Many => True), Usual, Result);
+         (Percent => 100 * Cortex_A53_Factor, Second | Many => True), Usual,
+         Result);
       Assert (Deadlines_Met (Result), "a deadline is missed");
    end Test_Cortex;
 
@@ -143,7 +145,7 @@ package body Supervisor_Model_Tests is
    procedure Test_Flood (T : in out Any_Test) is
       pragma Unreferenced (T);
       On    : constant Machine :=
-        (Percent => 100 * Cortex_A53_Factor, Many => True);
+        (Percent => 100 * Cortex_A53_Factor, Second | Many => True);
       Under : Load := Usual;
       Quiet : Analysis;
       Amid  : Analysis;
@@ -161,6 +163,71 @@ package body Supervisor_Model_Tests is
            > 2 * Amid.Bounds (Newcomer).Finish,
          "newcomers do not wait");
    end Test_Flood;
+
+   -----------------
+   -- Test_Orders --
+   -----------------
+
+   procedure Test_Orders (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check (Name : Activity_Name; Result : Analysis);
+      --  It waits for an order and for an answer, but for less than those of
+      --  all tasks at once
+
+      -----------
+      -- Check --
+      -----------
+
+      procedure Check (Name : Activity_Name; Result : Analysis) is
+
+         function Wait_With_Queries return Span;
+         --  If there were no other orders
+
+         -----------------------
+         -- Wait_With_Queries --
+         -----------------------
+
+         function Wait_With_Queries return Span is
+            Set   : Activity_Set := Result.Set;
+            Value : Bound;
+         begin
+            Set (Row (Stop)).Budget := 0;
+            Set (Row (Newcomer)).Budget := 0;
+            for A in Activity_Name loop
+               if A in Move_Order | Move_Answer | Open_Order .. Query_Answer
+                 and then A not in Name | Query_Order | Query_Answer
+               then
+                  Set (Row (A)).Budget := 0;
+               end if;
+            end loop;
+            Pre_Emptive_Bound (Set, Row (Name), Value);
+            return Value.Local;
+         end Wait_With_Queries;
+
+         Local : constant Span := Result.Bounds (Name).Local;
+         Set   : Activity_Set := Result.Set;
+         All_Of_Them : Bound;
+      begin
+         Set (Row (Stop)).Budget := 0;
+         Set (Row (Newcomer)).Budget := 0;
+         Pre_Emptive_Bound (Set, Row (Name), All_Of_Them);
+         Assert
+           (Local < All_Of_Them.Local,
+            Name'Image & " waits for the orders of all tasks");
+         Assert
+           (Local >= Wait_With_Queries,
+            Name'Image & " waits for less than th_query");
+      end Check;
+
+      Result : Analysis;
+   begin
+      Analyse
+        (Of_The_Table, Real_Time_Apart, (others => <>), Usual, Result);
+      Check (Ping_Due, Result);
+      Check (Camera_Order, Result);
+      Check (Reset_Order, Result);
+   end Test_Orders;
 
    -----------------
    -- Test_Report --
@@ -217,8 +284,8 @@ package body Supervisor_Model_Tests is
       Result : Analysis;
    begin
       Analyse
-        (Of_The_Table, Real_Time_Apart, (Percent => 3_000, Many => True),
-         Usual, Result);
+        (Of_The_Table, Real_Time_Apart,
+         (Percent => 3_000, Second | Many => True), Usual, Result);
       Assert (not Deadlines_Met (Result), "nothing is missed");
    end Test_Slow_Processor;
 
@@ -256,6 +323,8 @@ package body Supervisor_Model_Tests is
       Register_Routine (T, Test_Cortex'Access, "on a Cortex-A53 too");
       Register_Routine
         (T, Test_Flood'Access, "a flood of newcomers is borne");
+      Register_Routine
+        (T, Test_Orders'Access, "the monitor's orders come one at a time");
       Register_Routine
         (T, Test_Report'Access, "the report's priorities miss F11 and F12");
       Register_Routine (T, Test_Slow_Robot'Access, "a slow robot is seen");
