@@ -13,13 +13,19 @@ package body Response_Times with SPARK_Mode is
    Most : constant := 4 * Horizon * Horizon;
    --  of the demand of one activity in a window
 
+   Too_Much : constant := Horizon + 1;
+
    function Demand_Of (Item : Activity; Window : Span) return Microseconds is
-     (Releases (Window, Item.Jitter + Item.Deferral, Item.Period)
-      * Item.Budget)
+     (if Item.Budget = 0 then 0
+      elsif Item.Jitter = Horizon then Too_Much
+      else Releases (Window, Item.Jitter + Item.Deferral, Item.Period)
+        * Item.Budget)
    with Post => Demand_Of'Result <= Most;
 
    function Queued_Of (Item : Activity; Window : Span) return Microseconds is
-     (((Window + Item.Jitter) / Item.Period + 1) * Item.Budget)
+     (if Item.Budget = 0 then 0
+      elsif Item.Jitter = Horizon then Too_Much
+      else ((Window + Item.Jitter) / Item.Period + 1) * Item.Budget)
    with Post => Queued_Of'Result <= Most;
    --  An arrival at the very end of the window goes before a transaction
    --  that has not begun

@@ -30,7 +30,8 @@ package Response_Times with SPARK_Mode, Pure is
       Period    : Positive_Span    := Horizon;
       --  between two arrivals, at least
       Jitter    : Span := 0;
-      --  from an arrival to the release that it leads to, at most
+      --  from an arrival to the release that it leads to, at most; Horizon:
+      --  without a bound, and so is all that it delays
       Budget    : Span := 0;
       --  processor time of one release, at most
       Deferral  : Span := 0;

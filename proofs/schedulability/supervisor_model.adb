@@ -51,10 +51,6 @@ package body Supervisor_Model with SPARK_Mode is
      Answer_Name in Move_Answer | Open_Answer | Start_Answer
        | Watchdog_Answer | Reset_Answer | Query_Answer;
 
-   Last_Kernel : constant Row_Index := Row (Activity_Name'Last) + 3;
-   Orders_Row  : constant Row_Index := Last_Kernel + 1;
-   Answers_Row : constant Row_Index := Last_Kernel + 2;
-
    function To_Span (Value : Integer) return Span is
      (if Value in 0 .. Horizon then Span (Value) else Horizon);
 
@@ -97,8 +93,8 @@ package body Supervisor_Model with SPARK_Mode is
              Name in Line_Request .. Line_Open | Reload_Due | Reload_Done
                | Order_Name | Battery_Due | Ping_Due | Loss | Receive,
           when Order_Arrived =>
-             Name in Receive | Order_Name | Answer_Name | Camera_Order
-               | Camera_Answer | Arena,
+             Name in Receive | Order_Name | Answer_Name
+               | Camera_Order | Camera_Answer | Arena,
           when Outbox_Work =>
              Name in Send_Answer .. Send_Image | Answer_Name | Battery_Done
                | Receive | Line_Answer | Hold | Camera_Order
@@ -118,29 +114,25 @@ package body Supervisor_Model with SPARK_Mode is
       Set    : out Activity_Set);
    --  Everything but the jitters
 
-   function Latest_Order (Bounds : Row_Bounds) return Span is
-     (Span'Max
-        (Span'Max (Bounds (Open_Order).Finish, Bounds (Start_Order).Finish),
-         Span'Max
-           (Bounds (Watchdog_Order).Finish,
-            Span'Max
-              (Bounds (Reset_Order).Finish, Bounds (Query_Order).Finish))));
+   function Latest (Item : Bound) return Span is
+     (if Item.Exists then Item.Finish else Horizon);
+   --  What it sets off can come as late as this
+
+   function Latest_Answered
+     (Item : Bound; Period : Positive_Span) return Span
+   is (Span'Min (Latest (Item), Period));
+   --  The same where the next is asked only after the answer: then no more
+   --  than one is late
+
+   function Latest_Order (Bounds : Row_Bounds) return Span;
    --  From a command, other than a movement, to the request that it leads to
 
-   function Latest_Answer (Bounds : Row_Bounds) return Span is
-     (Span'Max
-        (Span'Max (Bounds (Open_Answer).Finish, Bounds (Start_Answer).Finish),
-         Span'Max
-           (Bounds (Watchdog_Answer).Finish,
-            Span'Max
-              (Bounds (Reset_Answer).Finish,
-               Span'Max (Bounds (Query_Answer).Finish,
-                         Bounds (Move_Answer).Finish)))));
+   function Latest_Answer (Bounds : Row_Bounds) return Span;
    --  From a command to the answer of its task
 
    procedure See_Streams (Set : in out Activity_Set);
-   --  As all see the monitor's orders and their answers but these
-   --  themselves, to which their own command counts twice
+   --  As all others see the monitor's orders and their answers: nothing but
+   --  the streams
 
    procedure Bound_Line
      (Bounds : Row_Bounds;
@@ -421,6 +413,10 @@ package body Supervisor_Model with SPARK_Mode is
       with Global => (Input => (Set, Sections));
       --  The longest section in the object on another processor than Here
 
+      procedure Join (Name : Activity_Name; Stream : Row_Index)
+      with Global => (In_Out => Set);
+      --  Name is part of the stream
+
       function Longest_At
         (Where_Else : Processor_Number;
          Object     : Object_Name;
@@ -443,6 +439,21 @@ package body Supervisor_Model with SPARK_Mode is
          end if;
          return Result;
       end Longest_At;
+
+      ----------
+      -- Join --
+      ----------
+
+      procedure Join (Name : Activity_Name; Stream : Row_Index) is
+         Item : constant Activity := Set (Row (Name));
+         Whole : Activity renames Set (Stream);
+      begin
+         Whole.Processor := Item.Processor;
+         Whole.Priority := Urgency'Max (Whole.Priority, Item.Priority);
+         Whole.Period := Command_Interval;
+         Whole.Budget := Span'Max (Whole.Budget, Item.Budget);
+         Whole.Deferral := Span'Max (Whole.Deferral, Item.Deferral);
+      end Join;
 
    begin
       Set := (others => <>);
@@ -532,45 +543,54 @@ package body Supervisor_Model with SPARK_Mode is
          end if;
          Set (Row (A)).Blocking := Capped (Wait);
       end loop;
+
+      for Name in Order_Name loop
+         Join (Name, Orders_Row);
+      end loop;
+      for Name in Answer_Name loop
+         Join (Name, Answers_Row);
+      end loop;
    end Fill;
+
+   ------------------
+   -- Latest_Order --
+   ------------------
+
+   function Latest_Order (Bounds : Row_Bounds) return Span is
+      Result : Span := 0;
+   begin
+      for Name in Order_Name loop
+         if Name /= Move_Order then
+            Result := Span'Max (Result, Latest (Bounds (Name)));
+         end if;
+      end loop;
+      return Result;
+   end Latest_Order;
+
+   -------------------
+   -- Latest_Answer --
+   -------------------
+
+   function Latest_Answer (Bounds : Row_Bounds) return Span is
+      Result : Span := 0;
+   begin
+      for Name in Answer_Name loop
+         Result := Span'Max (Result, Latest (Bounds (Name)));
+      end loop;
+      return Result;
+   end Latest_Answer;
 
    -----------------
    -- See_Streams --
    -----------------
 
    procedure See_Streams (Set : in out Activity_Set) is
-
-      procedure Join (Name : Activity_Name; Stream : Row_Index)
-      with Global => (In_Out => Set);
-      --  Name is seen as part of the stream
-
-      ----------
-      -- Join --
-      ----------
-
-      procedure Join (Name : Activity_Name; Stream : Row_Index) is
-         Item : Activity renames Set (Row (Name));
-      begin
-         Set (Stream) :=
-           (Processor => Item.Processor,
-            Priority  => Urgency'Max (Set (Stream).Priority, Item.Priority),
-            Period    => Command_Interval,
-            Jitter    => Span'Max (Set (Stream).Jitter, Item.Jitter),
-            Budget    => Span'Max (Set (Stream).Budget, Item.Budget),
-            Deferral  => Span'Max (Set (Stream).Deferral, Item.Deferral),
-            Blocking  => 0,
-            Level     => Urgency'Last);
-         Set (Row (Name)).Budget := 0;
-      end Join;
-
    begin
-      Set (Orders_Row) := (others => <>);
-      Set (Answers_Row) := (others => <>);
       for Name in Order_Name loop
-         Join (Name, Orders_Row);
+         Set (Row (Name)).Budget := 0;
       end loop;
       for Name in Answer_Name loop
-         Join (Name, Answers_Row);
+         Set (Row (Name)).Budget := 0;
       end loop;
    end See_Streams;
 
@@ -586,7 +606,9 @@ package body Supervisor_Model with SPARK_Mode is
       Line   : out Line_Bounds)
    is
       Own : constant Microseconds :=
-        Owner.Request.Local + Owner.Answer.Local;
+        (if Owner.Request.Exists and then Owner.Answer.Exists
+         then Owner.Request.Local + Owner.Answer.Local
+         else Horizon);
       --  of the line's owner, between two transactions
 
       function Exchange (Bytes : Natural) return Span is
@@ -633,13 +655,13 @@ package body Supervisor_Model with SPARK_Mode is
                      when others     => Command_Interval),
                Jitter    =>
                  (case C is
-                     when Safe_State  => Bounds (Loss).Finish,
-                     when Stop_Order  => Bounds (Receive).Finish,
-                     when Reload      => Bounds (Reload_Due).Finish,
-                     when Movement    => Bounds (Move_Order).Finish,
-                     when Battery     => Bounds (Battery_Due).Finish,
+                     when Safe_State  => Latest (Bounds (Loss)),
+                     when Stop_Order  => Latest (Bounds (Receive)),
+                     when Reload      => Latest (Bounds (Reload_Due)),
+                     when Movement    => Latest (Bounds (Move_Order)),
+                     when Battery     => Latest (Bounds (Battery_Due)),
                      when Other_Order => Latest_Order (Bounds),
-                     when Ping        => Bounds (Ping_Due).Finish,
+                     when Ping        => Latest (Bounds (Ping_Due)),
                      when Unanswered  => 0),
                Budget    => Lengths (C),
                Deferral  => 0,
@@ -788,30 +810,76 @@ package body Supervisor_Model with SPARK_Mode is
       Line    : Line_Bounds;
       Changed : out Boolean)
    is
-      New_Jitter : Span;
+      All_Answered : constant Boolean :=
+        Line (Movement).Exists and then Line (Other_Order).Exists;
+      --  Otherwise answers come as fast as the line works, however late
+
+      Line_Period : constant Positive_Span := Period_Of (Line_Answer);
+      Line_Jitter : constant Span := Latest (Bounds (Line_Answer));
+
+      procedure Change (Which : Row_Index; Period : Positive_Span; To : Span)
+      with Global => (In_Out => (Set, Changed));
+      --  To this jitter
+
+      ------------
+      -- Change --
+      ------------
+
+      procedure Change (Which : Row_Index; Period : Positive_Span; To : Span)
+      is
+      begin
+         if Set (Which).Jitter /= To or else Set (Which).Period /= Period then
+            Set (Which).Jitter := To;
+            Set (Which).Period := Period;
+            Changed := True;
+         end if;
+      end Change;
+
    begin
       Changed := False;
       for A in Activity_Name loop
-         New_Jitter :=
-           (case A is
-               when Reload_Done  => Line (Reload).Finish,
-               when Order_Name | Camera_Order => Bounds (Receive).Finish,
-               when Move_Answer  => Line (Movement).Finish,
-               when Line_Open | Open_Answer | Start_Answer
-                  | Watchdog_Answer | Reset_Answer | Query_Answer =>
-                  Line (Other_Order).Finish,
-               when Battery_Done => Line (Battery).Finish,
-               when Ping_Done    => Line (Ping).Finish,
-               when Send_Answer  => Span'Max
-                 (Bounds (Receive).Finish, Latest_Answer (Bounds)),
-               when Send_Battery => Bounds (Battery_Done).Finish,
-               when Send_Position | Send_Image => Bounds (Capture).Finish,
-               when others       => 0);
-         if New_Jitter /= Set (Row (A)).Jitter then
-            Set (Row (A)).Jitter := New_Jitter;
-            Changed := True;
+         if A in Answer_Name | Line_Open and then not All_Answered then
+            Change (Row (A), Line_Period, Line_Jitter);
+         elsif A = Send_Answer and then not All_Answered then
+            --  as fast as the line works, and th_receiveFromMon's own
+            Change
+              (Row (A), Positive_Span'Max (1, Line_Period / 2),
+               Capped (Line_Period
+                       + Span'Max (Latest (Bounds (Receive)),
+                                   Latest_Answer (Bounds))));
+         else
+            Change
+              (Row (A), Set (Row (A)).Period,
+               (case A is
+                   when Reload_Done  =>
+                      Latest_Answered (Line (Reload), Period_Of (A)),
+                   when Order_Name | Camera_Order =>
+                      Latest (Bounds (Receive)),
+                   when Move_Answer  => Latest (Line (Movement)),
+                   when Line_Open | Open_Answer | Start_Answer
+                      | Watchdog_Answer | Reset_Answer | Query_Answer =>
+                      Latest (Line (Other_Order)),
+                   when Battery_Done =>
+                      Latest_Answered (Line (Battery), Period_Of (A)),
+                   when Ping_Done    =>
+                      Latest_Answered (Line (Ping), Period_Of (A)),
+                   when Send_Answer  => Span'Max
+                     (Latest (Bounds (Receive)), Latest_Answer (Bounds)),
+                   when Send_Battery => Latest (Bounds (Battery_Done)),
+                   when Send_Position | Send_Image =>
+                      Latest (Bounds (Capture)),
+                   when others       => 0));
          end if;
       end loop;
+
+      Change (Orders_Row, Command_Interval, Latest (Bounds (Receive)));
+      if All_Answered then
+         Change
+           (Answers_Row, Command_Interval,
+            Span'Max (Latest (Line (Movement)), Latest (Line (Other_Order))));
+      else
+         Change (Answers_Row, Line_Period, Line_Jitter);
+      end if;
    end Set_Jitters;
 
    -----------------
@@ -1136,7 +1204,9 @@ package body Supervisor_Model with SPARK_Mode is
       Sum : Microseconds := 0;
    begin
       for A in Result.Set'Range loop
-         if Result.Set (A).Processor = Processor then
+         if Result.Set (A).Processor = Processor
+           and then A not in Orders_Row | Answers_Row
+         then
             Sum := Sum
               + Result.Set (A).Budget * 10_000 / Result.Set (A).Period;
          end if;

@@ -87,6 +87,10 @@ package Supervisor_Model with SPARK_Mode is
    function Row (Name : Activity_Name) return Row_Index is
      (Activity_Name'Pos (Name) + 1);
 
+   Answers_Row : constant Row_Index := Row_Index'Last;
+   Orders_Row  : constant Row_Index := Answers_Row - 1;
+   Last_Kernel : constant Row_Index := Orders_Row - 1;
+
    subtype Activity_Set is Activity_Array (Row_Index);
 
    type Row_Bounds is array (Activity_Name) of Bound;

@@ -40,6 +40,7 @@ package body Response_Times_Tests is
    procedure Test_Level (T : in out Any_Test);
    procedure Test_Processors (T : in out Any_Test);
    procedure Test_Overload (T : in out Any_Test);
+   procedure Test_No_Jitter_Known (T : in out Any_Test);
 
    -----------
    -- Check --
@@ -70,10 +71,14 @@ package body Response_Times_Tests is
    begin
       for I in Set'Range loop
          Transaction_Bound (Set, I, Result);
-         Assert
-           (Result.Exists and then Result.Finish = Span (Answers (I)),
-            I'Image & ":" & Result.Finish'Image & " instead of"
-            & Answers (I)'Image);
+         if Answers (I) = Unbounded then
+            Assert (not Result.Exists, "no bound expected of" & I'Image);
+         else
+            Assert
+              (Result.Exists and then Result.Finish = Span (Answers (I)),
+               I'Image & ":" & Result.Finish'Image & " instead of"
+               & Answers (I)'Image);
+         end if;
       end loop;
    end Check_Line;
 
@@ -328,6 +333,22 @@ package body Response_Times_Tests is
       Check ((Item (2, 10, 5), Item (1, 20, 10)), (5, 20));
    end Test_Overload;
 
+   --------------------------
+   -- Test_No_Jitter_Known --
+   --------------------------
+
+   procedure Test_No_Jitter_Known (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Early : constant Activity := Item (3, 10_000, 1);
+      Late  : Activity := Item (2, 10_000, 1, Jitter => Horizon);
+      Last  : constant Activity := Item (1, 10_000, 2);
+   begin
+      Check ((Early, Late, Last), (1, Unbounded, Unbounded));
+      Check_Line ((Early, Late, Last), (3, Unbounded, Unbounded));
+      Late.Budget := 0;
+      Check ((Early, Last, Late), (1, 3, Unbounded));
+   end Test_No_Jitter_Known;
+
    --------------------
    -- Register_Tests --
    --------------------
@@ -356,6 +377,9 @@ package body Response_Times_Tests is
       Register_Routine (T, Test_Level'Access, "a lock without ceiling");
       Register_Routine (T, Test_Processors'Access, "two processors");
       Register_Routine (T, Test_Overload'Access, "overload has no bound");
+      Register_Routine
+        (T, Test_No_Jitter_Known'Access,
+         "nor has what waits for something without one");
    end Register_Tests;
 
    ----------

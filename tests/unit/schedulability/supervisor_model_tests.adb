@@ -194,6 +194,8 @@ package body Supervisor_Model_Tests is
          begin
             Set (Row (Stop)).Budget := 0;
             Set (Row (Newcomer)).Budget := 0;
+            Set (Orders_Row).Budget := 0;
+            Set (Answers_Row).Budget := 0;
             for A in Activity_Name loop
                if A in Move_Order | Move_Answer | Open_Order .. Query_Answer
                  and then A not in Name | Query_Order | Query_Answer
@@ -211,6 +213,8 @@ package body Supervisor_Model_Tests is
       begin
          Set (Row (Stop)).Budget := 0;
          Set (Row (Newcomer)).Budget := 0;
+         Set (Orders_Row).Budget := 0;
+         Set (Answers_Row).Budget := 0;
          Pre_Emptive_Bound (Set, Row (Name), All_Of_Them);
          Assert
            (Local < All_Of_Them.Local,
