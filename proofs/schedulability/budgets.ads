@@ -67,11 +67,11 @@ package Budgets with SPARK_Mode is
    --    bench  script/bench tasks: its load
    --    each   its single commands, 20 ms apart
    --    asking the tasks that ask the line and pass on what comes of it, all
-   --           in one: of 21_900 activities 9 took longer than 150 us
+   --           in one: of 53_955 activities 12 took longer than 150 us
    --    half   of the longest order and its answer together
-   --  Fewer than one in a thousand of each task took longer, by 1 ms, seldom
-   --  by 18, and often several tasks' at once, whatever they do. The analysis
-   --  bears these as wake-ups that come late
+   --  Fewer than one in a thousand of each task took longer, most by less than
+   --  1 ms, one by 13, and often several tasks' at once, whatever they do. The
+   --  analysis bears these as wake-ups that come late
 
    Measured : constant Activity_Times :=
      (Kernel          => (10, 10),        --  assumed, of each Tick_Interval

@@ -145,7 +145,7 @@ package Schedule with SPARK_Mode is
    --  between two newcomers, or two pieces of their first lines: how often
    --  th_server sees to such a thing, at most. A flood of them may not take
    --  so much of the processor that an order of the monitor in command is
-   --  late; with 5 ms it could be on a Cortex-A53 (proofs/schedulability).
+   --  late; with 4 ms it could be on a Cortex-A53 (proofs/schedulability).
    --  A newcomer with a token needs two turns, and has 50 ms (F2). Who must
    --  wait does so in the kernel's queue; a thousand, for 10 s
    Token_Limit       : constant Time_Span := Milliseconds (2000);
