@@ -75,7 +75,7 @@ package Budgets with SPARK_Mode is
 
    Measured : constant Activity_Times :=
      (Kernel          => (10, 10),        --  assumed, of each Tick_Interval
-      Stop            => (125, 180),      --  each 123 of 129, 177 of 20
+      Stop            => (125, 180),      --  each 123 of 129, 177 driving
       Line_Request    => (115, 105),      --  each 112 of 2995, bench 105
       Line_Answer     => (145, 105),      --  each 142 of 2995, bench 105
       Line_Open       => (240, 240),      --  each 238 of 518; as the first

@@ -93,8 +93,8 @@ package body Supervisor_Model with SPARK_Mode is
              Name in Line_Request .. Line_Open | Reload_Due | Reload_Done
                | Order_Name | Battery_Due | Ping_Due | Loss | Receive,
           when Order_Arrived =>
-             Name in Receive | Order_Name | Answer_Name
-               | Camera_Order | Camera_Answer | Arena,
+             Name in Receive | Order_Name | Answer_Name | Camera_Order
+               | Camera_Answer | Arena,
           when Outbox_Work =>
              Name in Send_Answer .. Send_Image | Answer_Name | Battery_Done
                | Receive | Line_Answer | Hold | Camera_Order
