@@ -19,6 +19,9 @@ package body Response_Times_Tests is
    is ((Priority => Priority, Period => Period, Budget => Budget,
         Jitter => Jitter, others => <>));
 
+   procedure Compare
+     (Who : Activity_Index; Result : Bound; Answer : Integer);
+
    procedure Check (Set : Activity_Array; Answers : Answer_Array);
    --  Pre-emptive responses
 
@@ -42,6 +45,23 @@ package body Response_Times_Tests is
    procedure Test_Overload (T : in out Any_Test);
    procedure Test_No_Jitter_Known (T : in out Any_Test);
 
+   -------------
+   -- Compare --
+   -------------
+
+   procedure Compare
+     (Who : Activity_Index; Result : Bound; Answer : Integer) is
+   begin
+      if Answer = Unbounded then
+         Assert (not Result.Exists, "no bound expected of" & Who'Image);
+      else
+         Assert
+           (Result.Exists and then Result.Finish = Span (Answer),
+            Who'Image & ":" & Result.Finish'Image & " instead of"
+            & Answer'Image);
+      end if;
+   end Compare;
+
    -----------
    -- Check --
    -----------
@@ -51,14 +71,7 @@ package body Response_Times_Tests is
    begin
       for I in Set'Range loop
          Pre_Emptive_Bound (Set, I, Result);
-         if Answers (I) = Unbounded then
-            Assert (not Result.Exists, "no bound expected of" & I'Image);
-         else
-            Assert
-              (Result.Exists and then Result.Finish = Span (Answers (I)),
-               I'Image & ":" & Result.Finish'Image & " instead of"
-               & Answers (I)'Image);
-         end if;
+         Compare (I, Result, Answers (I));
       end loop;
    end Check;
 
@@ -71,14 +84,7 @@ package body Response_Times_Tests is
    begin
       for I in Set'Range loop
          Transaction_Bound (Set, I, Result);
-         if Answers (I) = Unbounded then
-            Assert (not Result.Exists, "no bound expected of" & I'Image);
-         else
-            Assert
-              (Result.Exists and then Result.Finish = Span (Answers (I)),
-               I'Image & ":" & Result.Finish'Image & " instead of"
-               & Answers (I)'Image);
-         end if;
+         Compare (I, Result, Answers (I));
       end loop;
    end Check_Line;
 

@@ -181,6 +181,11 @@ package body Supervisor_Model_Tests is
 
       procedure Check (Name : Activity_Name; Result : Analysis) is
 
+         Left_Out : constant array (1 .. 4) of Row_Index :=
+           (Row (Stop), Row (Newcomer), Orders_Row, Answers_Row);
+         Each_One : Activity_Set := Result.Set;
+         --  Without these
+
          function Wait_With_Queries return Span;
          --  If there were no other orders
 
@@ -189,13 +194,9 @@ package body Supervisor_Model_Tests is
          -----------------------
 
          function Wait_With_Queries return Span is
-            Set   : Activity_Set := Result.Set;
+            Set   : Activity_Set := Each_One;
             Value : Bound;
          begin
-            Set (Row (Stop)).Budget := 0;
-            Set (Row (Newcomer)).Budget := 0;
-            Set (Orders_Row).Budget := 0;
-            Set (Answers_Row).Budget := 0;
             for A in Activity_Name loop
                if A in Move_Order | Move_Answer | Open_Order .. Query_Answer
                  and then A not in Name | Query_Order | Query_Answer
@@ -208,14 +209,12 @@ package body Supervisor_Model_Tests is
          end Wait_With_Queries;
 
          Local : constant Span := Result.Bounds (Name).Local;
-         Set   : Activity_Set := Result.Set;
          All_Of_Them : Bound;
       begin
-         Set (Row (Stop)).Budget := 0;
-         Set (Row (Newcomer)).Budget := 0;
-         Set (Orders_Row).Budget := 0;
-         Set (Answers_Row).Budget := 0;
-         Pre_Emptive_Bound (Set, Row (Name), All_Of_Them);
+         for Other of Left_Out loop
+            Each_One (Other).Budget := 0;
+         end loop;
+         Pre_Emptive_Bound (Each_One, Row (Name), All_Of_Them);
          Assert
            (Local < All_Of_Them.Local,
             Name'Image & " waits for the orders of all tasks");
