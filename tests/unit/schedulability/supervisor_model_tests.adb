@@ -35,6 +35,7 @@ package body Supervisor_Model_Tests is
    procedure Test_Flood (T : in out Any_Test);
    procedure Test_Orders (T : in out Any_Test);
    procedure Test_Report (T : in out Any_Test);
+   procedure Test_No_Bound (T : in out Any_Test);
    procedure Test_Slow_Robot (T : in out Any_Test);
    procedure Test_Slow_Kernel (T : in out Any_Test);
    procedure Test_Slow_Processor (T : in out Any_Test);
@@ -247,6 +248,25 @@ package body Supervisor_Model_Tests is
       Assert (Met (Result.Requirements (F2_Admitted)), "F2");
    end Test_Report;
 
+   -------------------
+   -- Test_No_Bound --
+   -------------------
+
+   procedure Test_No_Bound (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Analysis;
+   begin
+      Analyse
+        (Of_The_Report, One_Processor,
+         (Percent => 100 * Cortex_A53_Factor, Second | Many => True), Usual,
+         Result);
+      Assert
+        (not Result.Bounds (Capture).Exists, "images leave time for more");
+      Assert
+        (not Result.Bounds (Send_Image).Exists,
+         "an image is sent in time that is not made in time");
+   end Test_No_Bound;
+
    ---------------------
    -- Test_Slow_Robot --
    ---------------------
@@ -330,6 +350,8 @@ package body Supervisor_Model_Tests is
         (T, Test_Orders'Access, "the monitor's orders come one at a time");
       Register_Routine
         (T, Test_Report'Access, "the report's priorities miss F11 and F12");
+      Register_Routine
+        (T, Test_No_Bound'Access, "what is late makes others late");
       Register_Routine (T, Test_Slow_Robot'Access, "a slow robot is seen");
       Register_Routine (T, Test_Slow_Kernel'Access, "a slow kernel is seen");
       Register_Routine
