@@ -38,6 +38,7 @@ package body Task_Times is
    package Thread_Vectors is new Ada.Containers.Vectors (Positive, Thread);
 
    Threads : Thread_Vectors.Vector;
+   Gone    : Boolean := False;  --  one of them: their process is ending
 
    package Run_Maps is new Ada.Containers.Indefinite_Ordered_Maps
      (String, Samples.Set, "=" => Samples."=");
@@ -128,7 +129,10 @@ package body Task_Times is
 
    procedure End_Run (Item : in out Thread) is
    begin
-      Runs (To_String (Item.Name)).Add (Item.Run);
+      if not Gone then
+         --  otherwise it may have been the process's end, not the task's job
+         Runs (To_String (Item.Name)).Add (Item.Run);
+      end if;
       if Item.Name = Owner then
          Exchange.Append (Item.Run);
       end if;
@@ -148,7 +152,7 @@ package body Task_Times is
       Time : constant Instant := Now;
    begin
       if Got <= 0 then
-         --  its process has ended, so that was what it did last, not its job
+         Gone := True;
          return;
       end if;
       --  nanoseconds on a processor, waiting for one, times on one
@@ -235,6 +239,7 @@ package body Task_Times is
 
    begin
       Threads.Clear;
+      Gone := False;
       Search (Folder, "", (Directory => True, others => False), Add'Access);
       Watch := new Watch_Task;
    end Start;

@@ -22,6 +22,7 @@ package Task_Times is
    procedure Print;
    --  To the report: how long each run of each task took so far, in all
    --  processes, beside its budget. What a task does without a pause of 2 ms
-   --  counts as one run; of th_line that can be an answer and the next request
+   --  counts as one run; of th_line that can be an answer and the next
+   --  request. What it does while its process ends does not count
 
 end Task_Times;
