@@ -46,7 +46,9 @@ typedef enum {
 typedef struct { double x, y; } vision_point;
 
 /* The four inner corners of the arena's white border, in the order top
- * left, top right, bottom right, bottom left as the image shows them. */
+ * left, top right, bottom right, bottom left as the image shows them: the
+ * side from the first to the second is that which, with the side opposite,
+ * runs most to the right, however the field lies. */
 typedef struct { vision_point corner[4]; } vision_arena;
 
 /* A square of the image: its middle, and half its side. */
@@ -87,6 +89,12 @@ vision_status vision_open(const char *source, int width, int height, int fps);
  * and grows old there unless it is grabbed as fast as it comes. */
 vision_status vision_grab(int slot);
 
+/* What the open source delivers, such as "MJPG 640x480, 30 a second": the
+ * format, the size and, where the source says it, the rate that it granted;
+ * empty for a still image and where none is open. Never null, valid until the
+ * next call from this thread. */
+const char *vision_format(void);
+
 /* Closes the source; does nothing when none is open. */
 vision_status vision_close(void);
 
@@ -94,14 +102,19 @@ vision_status vision_close(void);
  * VISION_BAD_ARGUMENT when nothing was ever stored there. */
 vision_status vision_size(int slot, int *width, int *height);
 
-/* Finds the arena in the image of SLOT: a 4:3 grey field with a white
- * border that fills a good part of the image. VISION_NOT_FOUND if none. */
+/* Finds the arena in the image of SLOT: a plain 4:3 field in a brighter
+ * border of any width and brightness, either side up, from a third of the
+ * image's width. Robots, things and shadows may be on it; the lens may bend
+ * its sides, which meet in the corners. VISION_NOT_FOUND if none. */
 vision_status vision_find_arena(int slot, vision_arena *arena);
 
 /* Finds the robots in the image of SLOT, inside ARENA unless it is null
  * (their centre; a fiftieth of its width outside is tolerated), and writes
  * at most CAPACITY of them, lowest identifier first; COUNT is how many were
- * written. VISION_NOT_FOUND with COUNT 0 if none. */
+ * written. VISION_NOT_FOUND with COUNT 0 if none. A marker needs a side of
+ * 10 to 12 pixels and a white margin of a quarter of a module; one whose
+ * identifier is in doubt is not named. Its centre is the middle of its first
+ * and third corner, its direction the middle of its first and second. */
 vision_status vision_find_robots(int slot, vision_marker marker,
                                  const vision_arena *arena,
                                  vision_robot *robots, int capacity,

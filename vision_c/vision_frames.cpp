@@ -41,6 +41,50 @@ int thickness(const cv::Mat &image) {
   return std::max(1, std::min(image.cols, image.rows) / 240);
 }
 
+// Writes TEXT on a plate of its own, so that it can be read whatever is
+// behind: beside a marker that reaches REACH from CENTRE to its sides, in the
+// first corner where the plate is inside the image and does not hide TIP.
+void draw_label(cv::Mat &image, const std::string &text,
+                const cv::Point2d &centre, const cv::Point2d &tip,
+                double reach) {
+  const cv::Scalar black(0, 0, 0), white(255, 255, 255);
+  constexpr int font = cv::FONT_HERSHEY_SIMPLEX;
+  constexpr double digit_height = 21;  // of the font, at scale 1
+  const int height = std::max(12, std::min(image.cols, image.rows) / 24);
+  const int thick = std::max(1, height / 9);
+  const int margin = height / 4 + thick;
+  const double scale = height / digit_height;
+  const cv::Size letters =
+      cv::getTextSize(text, font, scale, thick, nullptr);
+  const cv::Size plate(letters.width + 2 * margin,
+                       letters.height + 2 * margin);
+  const double distance = reach + 3 * thickness(image);
+
+  const auto corner = [&](bool right, bool below) {
+    return cv::Point(
+        cvRound(right ? centre.x + distance
+                      : centre.x - distance - plate.width),
+        cvRound(below ? centre.y + distance
+                      : centre.y - distance - plate.height));
+  };
+  const cv::Rect whole(0, 0, image.cols, image.rows);
+  cv::Rect place(corner(true, true), plate);
+  for (const int n : {0, 1, 2, 3}) {
+    const cv::Rect here(corner(n % 2 == 0, n < 2), plate);
+    if ((here & whole) == here && !here.contains(tip)) {
+      place = here;
+      break;
+    }
+  }
+  place.x = std::clamp(place.x, 0, std::max(0, image.cols - plate.width));
+  place.y = std::clamp(place.y, 0, std::max(0, image.rows - plate.height));
+
+  cv::rectangle(image, place, black, cv::FILLED);
+  cv::putText(image, text,
+              {place.x + margin, place.y + margin + letters.height}, font,
+              scale, white, thick, cv::LINE_AA);
+}
+
 }  // namespace
 
 Frame *frame(int slot) {
@@ -173,7 +217,7 @@ vision_status vision_draw_robot(int slot, const vision_robot *robot) {
   return on_image(slot, [&](Frame &here) {
     if (robot == nullptr || !sound(robot->centre) || !sound(robot->direction))
       return fail(VISION_BAD_ARGUMENT, "no robot to draw");
-    const cv::Scalar red(40, 40, 255), black(0, 0, 0), yellow(0, 230, 255);
+    const cv::Scalar red(40, 40, 255);
     const int thick = vision::thickness(here.image);
     const cv::Point2d centre(robot->centre.x, robot->centre.y);
     const cv::Point2d ahead(robot->direction.x - centre.x,
@@ -190,15 +234,8 @@ vision_status vision_draw_robot(int slot, const vision_robot *robot) {
                (2 * thick) << vision::shift, red, cv::FILLED, cv::LINE_AA,
                vision::shift);
 
-    char text[16];
-    std::snprintf(text, sizeof text, "%d", robot->id);
-    const double size = 0.35 * thick;
-    const int distance = cvRound(std::hypot(ahead.x, ahead.y)) + 6 * thick;
-    const cv::Point below(cvRound(centre.x) + distance,
-                          cvRound(centre.y) + distance);
-    for (const int pass : {2, 0})  // dark outline, then the text itself
-      cv::putText(here.image, text, below, cv::FONT_HERSHEY_SIMPLEX, size,
-                  pass ? black : yellow, (thick + 1) / 2 + pass, cv::LINE_AA);
+    vision::draw_label(here.image, std::to_string(robot->id), centre,
+                       {tip.x, tip.y}, std::hypot(ahead.x, ahead.y));
     here.content = Frame::Content::pixels;
     return VISION_OK;
   });

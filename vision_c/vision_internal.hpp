@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the three parts of vision_c share: frame slots, errors, limits.
+// What the parts of vision_c share: frame slots, errors, limits.
 
 #ifndef VISION_INTERNAL_HPP
 #define VISION_INTERNAL_HPP

@@ -5,7 +5,9 @@
 #include "vision_settings.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
@@ -119,11 +121,12 @@ bool is_number(const std::string &name) {
          name.find_first_not_of("0123456789") == std::string::npos;
 }
 
+const double motion_jpeg = cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
+const double yuyv = cv::VideoWriter::fourcc('Y', 'U', 'Y', 'V');
+
 // Asks for the camera's own JPEG instead of pixels, where it has it: FFmpeg
 // then only takes the stream apart, V4L2 hands out the driver's buffer.
 void ask_for_jpeg(Source &from, int fps) {
-  static const double motion_jpeg =
-      cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
   static const double unmarked =  // how OpenCV calls it in an HTTP stream
       cv::VideoWriter::fourcc('m', 'j', 'p', 'e');
   if (from.backend == cv::CAP_FFMPEG) {
@@ -135,7 +138,10 @@ void ask_for_jpeg(Source &from, int fps) {
     from.capture.set(cv::CAP_PROP_FRAME_WIDTH, from.limit.width);
     from.capture.set(cv::CAP_PROP_FRAME_HEIGHT, from.limit.height);
     from.capture.set(cv::CAP_PROP_FPS, fps);
-    from.capture.set(cv::CAP_PROP_BUFFERSIZE, 1);  // nothing old
+    // One is filled while the other is here: with a single one a camera whose
+    // images take as long as the interval between them loses every other. Two
+    // hold nothing old.
+    from.capture.set(cv::CAP_PROP_BUFFERSIZE, 2);
     from.is_jpeg =
         from.capture.get(cv::CAP_PROP_FOURCC) == motion_jpeg &&
         from.capture.set(cv::CAP_PROP_CONVERT_RGB, 0) &&
@@ -279,15 +285,43 @@ bool read(Source &from) {
   return start(from, 1) && read_video(from);
 }
 
+// What has been granted: format, size, and the rate where the source says it.
+void describe(const Source &from, char *text, std::size_t capacity) {
+  const unsigned format = unsigned(from.capture.get(cv::CAP_PROP_FOURCC));
+  const double rate = from.capture.get(cv::CAP_PROP_FPS);
+  // of a URL FFmpeg makes it up
+  const bool rate_known =
+      rate > 0.0 && (from.kind == Kind::video || from.backend != cv::CAP_FFMPEG);
+  int length = 0;
+  for (int shift = 0; shift < 32 && length < 4; shift += 8) {
+    const unsigned char letter = (unsigned char)(format >> shift);
+    if (std::isprint(letter))
+      text[length++] = char(letter);
+  }
+  length += std::snprintf(
+      text + length, capacity - length, "%s%dx%d", length > 0 ? " " : "",
+      int(from.capture.get(cv::CAP_PROP_FRAME_WIDTH)),
+      int(from.capture.get(cv::CAP_PROP_FRAME_HEIGHT)));
+  if (rate_known)
+    std::snprintf(text + length, capacity - length, ", %.4g a second", rate);
+}
+
 vision_status open_stream(Source &from, int fps) {
   if (!start(from, fps))
-    return fail(VISION_NO_CAMERA, "%s: cannot be opened", from.name.c_str());
+    return fail(VISION_NO_CAMERA, "%s: cannot be opened%s",
+                from.name.c_str(),
+                from.backend == cv::CAP_V4L2
+                    ? ": no camera there, or another program uses it"
+                    : "");
   bool is_there = read(from);
   if (!is_there && from.is_jpeg && from.backend == cv::CAP_V4L2) {
-    // granted, but not what came
+    // granted, but not what came: OpenCV would show anything where it cannot
+    // decode, so that only another format will do
     from.is_jpeg = false;
     from.capture.set(cv::CAP_PROP_CONVERT_RGB, 1);
-    is_there = read(from);
+    from.capture.set(cv::CAP_PROP_FOURCC, yuyv);
+    is_there = from.capture.get(cv::CAP_PROP_FOURCC) != motion_jpeg &&
+               read(from);
   }
   if (!is_there)
     return fail(VISION_NO_CAMERA, "%s: gives no image", from.name.c_str());
@@ -347,15 +381,17 @@ vision_status vision_grab(int slot) {
       return fail(VISION_BAD_ARGUMENT, "no slot %d", slot);
     if (from.kind == Kind::none)
       return fail(VISION_NO_CAMERA, "no source is open");
-    if (from.kind != Kind::live)
-      vision::wait(from);
     if (from.kind == Kind::still) {
+      vision::wait(from);
       from.still.copyTo(to->image);
       to->content = Frame::Content::pixels;
       return VISION_OK;
     }
     if (!vision::read(from))
       return fail(VISION_NO_IMAGE, "%s: no image came", from.name.c_str());
+    // read before it is due: to begin a file again takes its time
+    if (from.kind == Kind::video)
+      vision::wait(from);
     if (from.is_jpeg) {
       std::swap(from.raw, to->jpeg);
       to->facts = from.facts;
@@ -369,6 +405,18 @@ vision_status vision_grab(int slot) {
     to->content = Frame::Content::pixels;
     return VISION_OK;
   });
+}
+
+const char *vision_format(void) {
+  static thread_local char text[80];
+  text[0] = '\0';
+  guarded([] {
+    const Source &from = vision::source();
+    if (from.kind == Kind::video || from.kind == Kind::live)
+      vision::describe(from, text, sizeof text);
+    return VISION_OK;
+  });
+  return text;
 }
 
 vision_status vision_close(void) {

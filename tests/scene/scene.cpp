@@ -419,6 +419,22 @@ int scene_jpeg(const scene_description *scene, int quality,
   }
 }
 
+int scene_decode_grey(const unsigned char *jpeg, int length, int width,
+                      int height, unsigned char *grey) {
+  try {
+    if (jpeg == nullptr || grey == nullptr || length < 1)
+      return -1;
+    const cv::Mat bytes(1, length, CV_8UC1, const_cast<unsigned char *>(jpeg));
+    const cv::Mat image = cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
+    if (image.size() != cv::Size(width, height))
+      return -1;
+    std::memcpy(grey, image.data, image.total());
+    return 0;
+  } catch (...) {
+    return -1;
+  }
+}
+
 int scene_video(const scene_description *scene, int frames, int fps,
                 const char *path) {
   try {

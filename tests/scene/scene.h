@@ -55,6 +55,11 @@ int scene_arena_truth(const scene_description *scene, double corner_xy[8]);
 int scene_jpeg(const scene_description *scene, int quality,
                unsigned char *buffer, int capacity);
 
+/* Decodes a JPEG as WIDTH * HEIGHT grey levels. 0 if done, -1 where it is
+ * not of that size. */
+int scene_decode_grey(const unsigned char *jpeg, int length, int width,
+                      int height, unsigned char *grey);
+
 /* Writes FRAMES images of the scene, their noise changing, as a Motion JPEG
  * video to PATH (.avi). 0 if done. */
 int scene_video(const scene_description *scene, int frames, int fps,

@@ -59,6 +59,13 @@ package Scenes is
       Capacity : int) return int
    with Import, Convention => C, External_Name => "scene_jpeg";
 
+   function Decode_Grey
+     (Jpeg          : System.Address;
+      Length        : int;
+      Width, Height : int;
+      Grey          : System.Address) return int
+   with Import, Convention => C, External_Name => "scene_decode_grey";
+
    function Video
      (Scene  : access constant Description;
       Frames : int;

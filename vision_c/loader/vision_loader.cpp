@@ -23,6 +23,7 @@ namespace {
 struct Functions {
   decltype(&vision_open) open;
   decltype(&vision_grab) grab;
+  decltype(&vision_format) format;
   decltype(&vision_close) close;
   decltype(&vision_find_arena) find_arena;
   decltype(&vision_find_robots) find_robots;
@@ -54,6 +55,7 @@ bool find(void *library, const char *name, Function &function) {
 bool find_all(void *library, Functions &all) {
   return find(library, "vision_open", all.open) &&
          find(library, "vision_grab", all.grab) &&
+         find(library, "vision_format", all.format) &&
          find(library, "vision_close", all.close) &&
          find(library, "vision_find_arena", all.find_arena) &&
          find(library, "vision_find_robots", all.find_robots) &&
@@ -128,6 +130,11 @@ vision_status vision_grab(int slot) {
     return all->grab(slot);
   no_image();
   return VISION_NO_CAMERA;
+}
+
+const char *vision_format(void) {
+  const Functions *const all = functions.load();
+  return all != nullptr ? all->format() : "";
 }
 
 vision_status vision_close(void) {

@@ -55,7 +55,14 @@ package body Pictures is
       Load (Width, Height, Slot);
    end Show_Plain;
 
-   procedure Show_Sheet
+   procedure Lay
+     (Scene         : Scenes.Description;
+      Width, Height : double;
+      Turn          : double;
+      Level         : Grey);
+   --  A sheet onto the canvas
+
+   procedure Lay
      (Scene         : Scenes.Description;
       Width, Height : double;
       Turn          : double;
@@ -67,7 +74,6 @@ package body Pictures is
       U, V   : double;
       Place  : int := 0;
    begin
-      Draw (Scene);
       for Row in 0 .. Scene.Height - 1 loop
          for Column in 0 .. Scene.Width - 1 loop
             U := double (Column) - double (Scene.Width) / 2.0;
@@ -80,8 +86,33 @@ package body Pictures is
             Place := Place + 3;
          end loop;
       end loop;
+   end Lay;
+
+   procedure Show_Sheet
+     (Scene         : Scenes.Description;
+      Width, Height : double;
+      Turn          : double;
+      Level         : Grey) is
+   begin
+      Draw (Scene);
+      Lay (Scene, Width, Height, Turn, Level);
       Load (Scene.Width, Scene.Height, 0);
    end Show_Sheet;
+
+   procedure Show_Frame
+     (Scene         : Scenes.Description;
+      Width, Height : double;
+      Turn          : double;
+      Level         : Grey;
+      Border        : double;
+      Border_Level  : Grey) is
+   begin
+      Draw (Scene);
+      Lay (Scene, Width + 2.0 * Border, Height + 2.0 * Border, Turn,
+           Border_Level);
+      Lay (Scene, Width, Height, Turn, Level);
+      Load (Scene.Width, Scene.Height, 0);
+   end Show_Frame;
 
    function Scene_With
      (Marker, Id    : int;

@@ -23,6 +23,15 @@ package Pictures is
    --  Scene with a sheet of one grey level in its middle, Width x Height
    --  pixels, turned by Turn degrees; into slot 0
 
+   procedure Show_Frame
+     (Scene         : Scenes.Description;
+      Width, Height : double;
+      Turn          : double;
+      Level         : Grey;
+      Border        : double;
+      Border_Level  : Grey);
+   --  The same sheet in a border that is Border pixels wide
+
    function Scene_With
      (Marker, Id    : int;
       X, Y, Heading : double) return Scenes.Description;

@@ -18,8 +18,15 @@ package body Vision_Arena_Tests is
    Tolerance : constant := 2.0;
    --  Pixels, of every corner
 
-   procedure Check_Found (Scene : Scenes.Description; What : String);
-   --  The arena is found, each corner where it is
+   procedure Check_Found
+     (Scene : Scenes.Description; What : String; Quarters : Natural := 0);
+   --  The arena is found, each corner where it is; Quarters turns clockwise
+   --  the field's own top left corner comes before that of the image
+
+   procedure Check_Frame
+     (Width : double; Border : double; Turn : double; What : String;
+      Level : Pictures.Grey := 120; Border_Level : Pictures.Grey := 235);
+   --  The same of a field that Show_Frame draws
 
    procedure Check_None (What : String);
    --  There is no arena in slot 0
@@ -29,6 +36,9 @@ package body Vision_Arena_Tests is
 
    procedure Test_Plain (T : in out Any_Test);
    procedure Test_Turned (T : in out Any_Test);
+   procedure Test_Upright (T : in out Any_Test);
+   procedure Test_Borders (T : in out Any_Test);
+   procedure Test_Light_Fields (T : in out Any_Test);
    procedure Test_Noise (T : in out Any_Test);
    procedure Test_Blur (T : in out Any_Test);
    procedure Test_Uneven_Light (T : in out Any_Test);
@@ -42,8 +52,11 @@ package body Vision_Arena_Tests is
    procedure Test_Noise_Alone (T : in out Any_Test);
    procedure Test_Paper (T : in out Any_Test);
    procedure Test_Robots_Alone (T : in out Any_Test);
+   procedure Test_Frames (T : in out Any_Test);
 
-   procedure Check_Found (Scene : Scenes.Description; What : String) is
+   procedure Check_Found
+     (Scene : Scenes.Description; What : String; Quarters : Natural := 0)
+   is
       use Ada.Numerics.Long_Elementary_Functions;
       Drawn    : aliased constant Scenes.Description := Scene;
       Found    : aliased Arena;
@@ -54,14 +67,45 @@ package body Vision_Arena_Tests is
       Assert (Scenes.Arena_Truth (Drawn'Access, Truth) = 0, "truth");
       Assert (Find_Arena (0, Found'Access) = Ok, What & ": found");
       for K in 0 .. 3 loop
-         Distance := Sqrt
-           (Long_Float ((Found.Corner (K).X - Truth (2 * K)) ** 2
-            + (Found.Corner (K).Y - Truth (2 * K + 1)) ** 2));
+         declare
+            Place : constant Natural := 2 * ((K + Quarters) mod 4);
+         begin
+            Distance := Sqrt
+              (Long_Float ((Found.Corner (K).X - Truth (Place)) ** 2
+               + (Found.Corner (K).Y - Truth (Place + 1)) ** 2));
+         end;
          Assert (Distance < Tolerance,
                  What & ": corner" & K'Image & " is off by"
                  & Distance'Image);
       end loop;
    end Check_Found;
+
+   procedure Check_Frame
+     (Width : double; Border : double; Turn : double; What : String;
+      Level : Pictures.Grey := 120; Border_Level : Pictures.Grey := 235)
+   is
+      use Ada.Numerics.Long_Elementary_Functions;
+      Floor : Scenes.Description := Disturbed (Noise => 2.0);
+      Found : aliased Arena;
+      Side  : constant array (0 .. 3) of double := (-0.5, 0.5, 0.5, -0.5);
+      Down  : constant array (0 .. 3) of double := (-0.5, -0.5, 0.5, 0.5);
+      Cosine : constant double := double (Cos (Long_Float (Turn), 360.0));
+      Sine   : constant double := double (Sin (Long_Float (Turn), 360.0));
+      Height : constant double := 0.75 * Width;
+      X, Y   : double;
+   begin
+      Floor.Arena := 0;
+      Pictures.Show_Frame
+        (Floor, Width, Height, Turn, Level, Border, Border_Level);
+      Assert (Find_Arena (0, Found'Access) = Ok, What & ": found");
+      for K in 0 .. 3 loop
+         X := 320.0 + Side (K) * Width * Cosine - Down (K) * Height * Sine;
+         Y := 240.0 + Side (K) * Width * Sine + Down (K) * Height * Cosine;
+         Assert (abs (Found.Corner (K).X - X) < Tolerance
+                   and then abs (Found.Corner (K).Y - Y) < Tolerance,
+                 What & ": corner" & K'Image);
+      end loop;
+   end Check_Frame;
 
    procedure Check_None (What : String) is
       Found : aliased Arena;
@@ -95,6 +139,45 @@ package body Vision_Arena_Tests is
                       "turned by" & Turn'Image);
       end loop;
    end Test_Turned;
+
+   procedure Test_Upright (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Scene : Scenes.Description := Scenes.Default;
+   begin
+      Scene.Fill := 0.6;
+      for Step in -3 .. 3 loop
+         Scene.Turn := 10.0 * double (Step);
+         Check_Found (Scene, "turned by" & Integer'Image (10 * Step));
+         Scene.Turn := 90.0 + 10.0 * double (Step);
+         Check_Found (Scene, "turned by" & Integer'Image (90 + 10 * Step),
+                      Quarters => 3);
+         Scene.Turn := -90.0 + 10.0 * double (Step);
+         Check_Found (Scene, "turned by" & Integer'Image (-90 + 10 * Step),
+                      Quarters => 1);
+      end loop;
+   end Test_Upright;
+
+   procedure Test_Borders (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      type Shares is array (Positive range <>) of double;
+   begin
+      for Share of Shares'(0.005, 0.01, 0.02, 0.03, 0.05, 0.075, 0.1) loop
+         for Turn in -1 .. 1 loop
+            Check_Frame (480.0, 480.0 * Share, 7.0 * double (Turn),
+                         "a border of" & Share'Image & " of the field");
+         end loop;
+      end loop;
+   end Test_Borders;
+
+   procedure Test_Light_Fields (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      use type Pictures.Grey;
+   begin
+      for Level in Pictures.Grey range 16 .. 20 loop
+         Check_Frame (400.0, 12.0, 3.0, "level" & Level'Image & "0",
+                      Level => 10 * Level, Border_Level => 10 * Level + 20);
+      end loop;
+   end Test_Light_Fields;
 
    procedure Test_Noise (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -277,6 +360,21 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Robots_Alone;
 
+   procedure Test_Frames (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Floor : Scenes.Description := Disturbed (Noise => 2.0);
+      type Ratios is array (Positive range <>) of double;
+   begin
+      Floor.Arena := 0;
+      for Ratio of Ratios'(1.0, 1.15, 1.5, 1.78) loop
+         for Turn in -1 .. 1 loop
+            Pictures.Show_Frame (Floor, 300.0 * Ratio, 300.0,
+                                 6.0 * double (Turn), 120, 12.0, 235);
+            Check_None ("a frame of" & Ratio'Image & " to 1");
+         end loop;
+      end loop;
+   end Test_Frames;
+
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("arena"));
 
@@ -285,6 +383,9 @@ package body Vision_Arena_Tests is
    begin
       Register_Routine (T, Test_Plain'Access, "a plain scene");
       Register_Routine (T, Test_Turned'Access, "camera turned");
+      Register_Routine (T, Test_Upright'Access, "upright, rolled");
+      Register_Routine (T, Test_Borders'Access, "borders of any width");
+      Register_Routine (T, Test_Light_Fields'Access, "light fields");
       Register_Routine (T, Test_Noise'Access, "noise");
       Register_Routine (T, Test_Blur'Access, "blur");
       Register_Routine (T, Test_Uneven_Light'Access, "uneven light");
@@ -299,6 +400,7 @@ package body Vision_Arena_Tests is
       Register_Routine (T, Test_Noise_Alone'Access, "none: noise");
       Register_Routine (T, Test_Paper'Access, "none: sheets");
       Register_Routine (T, Test_Robots_Alone'Access, "none: robots alone");
+      Register_Routine (T, Test_Frames'Access, "none: other frames");
    end Register_Tests;
 
 end Vision_Arena_Tests;

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  vision_c itself: arguments, slots, unusual sizes, drawing, encoding.
 
+with Ada.Unchecked_Deallocation;
 with Interfaces.C; use Interfaces.C;
 with System;       use System;
 
@@ -17,6 +18,8 @@ package body Vision_C_Tests is
    subtype Octet is unsigned_char;
 
    type Octets is array (int range <>) of aliased Octet;
+
+   type Coordinates is array (Positive range <>) of int;
 
    Empty_Slot : constant int := 5;
    --  No test puts an image there
@@ -35,6 +38,7 @@ package body Vision_C_Tests is
    procedure Test_Changing_Sizes (T : in out Any_Test);
    procedure Test_Draw (T : in out Any_Test);
    procedure Test_Draw_Far (T : in out Any_Test);
+   procedure Test_Label (T : in out Any_Test);
    procedure Test_Encode (T : in out Any_Test);
    procedure Test_Encode_Too_Small (T : in out Any_Test);
    procedure Test_Encode_Decodes (T : in out Any_Test);
@@ -251,6 +255,119 @@ package body Vision_C_Tests is
               "absurd direction");
    end Test_Draw_Far;
 
+   procedure Test_Label (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      Levels : constant Octets := (0, 60, 128, 200, 255);
+      Reach  : constant := 14;
+      --  from the marker's middle to its sides
+
+      procedure Check_At (Width, Height, X, Y, Id : int; Count : out Natural);
+      --  Letters are what is light over every background, their plate what
+      --  is dark. Count: pixels of the letters
+
+      procedure Check_At (Width, Height, X, Y, Id : int; Count : out Natural)
+      is
+         type Picture is array (0 .. Height - 1, 0 .. Width - 1) of Octet
+         with Convention => C;
+         type Picture_Access is access Picture;
+         procedure Free is
+           new Ada.Unchecked_Deallocation (Picture, Picture_Access);
+
+         Where  : constant String :=
+           Width'Image & " x" & Height'Image & ":" & Id'Image & " at"
+           & X'Image & Y'Image;
+         Robot  : aliased constant Vision_C.Robot :=
+           (Id, (double (X), double (Y)),
+            (double (X), double (Y - Reach)), 0.0);
+         Strip  : constant int := Reach - 3;
+         --  to both sides of the arrow, which shows upwards
+         Least  : Picture_Access := new Picture'(others => (others => 255));
+         Most   : Picture_Access := new Picture'(others => (others => 0));
+         Shown  : Picture_Access := new Picture;
+         Left   : int := Width;
+         Right  : int := -1;
+         Top    : int := Height;
+         Bottom : int := -1;
+
+         function Is_Light (Row, Column : int) return Boolean is
+           (Least (Row, Column) > 150 and then abs (Column - X) > Strip);
+         function Is_Dark (Row, Column : int) return Boolean is
+           (Most (Row, Column) < 60);
+      begin
+         for Level of Levels loop
+            Pictures.Show_Plain (Width, Height, Level);
+            Assert (Draw_Robot (0, Robot'Access) = Ok, "draw robot");
+            Assert
+              (Scenes.Decode_Grey
+                 (Buffer'Address, Encoded (0, 80, Buffer'Length),
+                  Width, Height, Shown.all'Address) = 0, "decode");
+            for Row in Shown'Range (1) loop
+               for Column in Shown'Range (2) loop
+                  Least (Row, Column) :=
+                    Octet'Min (Least (Row, Column), Shown (Row, Column));
+                  Most (Row, Column) :=
+                    Octet'Max (Most (Row, Column), Shown (Row, Column));
+               end loop;
+            end loop;
+         end loop;
+         Count := 0;
+         for Row in Shown'Range (1) loop
+            for Column in Shown'Range (2) loop
+               if Is_Light (Row, Column) then
+                  Count := Count + 1;
+                  Left := int'Min (Left, Column);
+                  Right := int'Max (Right, Column);
+                  Top := int'Min (Top, Row);
+                  Bottom := int'Max (Bottom, Row);
+               end if;
+            end loop;
+         end loop;
+         Assert (Bottom - Top + 1 >= 11, "too small, " & Where);
+         Assert (Bottom - Top < Height / 8, "too large, " & Where);
+         Assert
+           (int (Count) * 15 > (Bottom - Top + 1) * (Right - Left + 1),
+            "too thin, " & Where);
+         Assert
+           (Left >= 2 and then Right < Width - 2 and then Top >= 2
+            and then Bottom < Height - 2, "cut by the rim, " & Where);
+         Assert
+           ((for all Row in Top - 2 .. Bottom + 2 =>
+               Is_Dark (Row, Left - 2) and then Is_Dark (Row, Right + 2)),
+            "no plate to the sides, " & Where);
+         Assert
+           ((for all Column in Left - 2 .. Right + 2 =>
+               Is_Dark (Top - 2, Column)
+               and then Is_Dark (Bottom + 2, Column)),
+            "no plate above and below, " & Where);
+         Assert
+           (Left > X + Reach or else Right < X - Reach
+            or else Top > Y + Reach or else Bottom < Y - Reach,
+            "over the marker, " & Where);
+         Free (Least);
+         Free (Most);
+         Free (Shown);
+      end Check_At;
+
+      procedure Check_Size (Width, Height : int);
+
+      procedure Check_Size (Width, Height : int) is
+         One, Three : Natural;
+      begin
+         for X of Coordinates'(3, Width / 2, Width - 4) loop
+            for Y of Coordinates'(3, Height / 2, Height - 4) loop
+               Check_At (Width, Height, X, Y, 7, One);
+               Check_At (Width, Height, X, Y, 888, Three);
+               Assert (Three > 3 * One, "888 looks like 7");
+            end loop;
+         end loop;
+      end Check_Size;
+   begin
+      Check_Size (320, 240);
+      Check_Size (640, 480);
+      Check_Size (1_920, 1_080);
+   end Test_Label;
+
    procedure Test_Encode (T : in out Any_Test) is
       pragma Unreferenced (T);
       Low, High : int;
@@ -342,6 +459,8 @@ package body Vision_C_Tests is
                         "a size that changes from image to image");
       Register_Routine (T, Test_Draw'Access, "drawings show");
       Register_Routine (T, Test_Draw_Far'Access, "drawings out of sight");
+      Register_Routine (T, Test_Label'Access,
+                        "an identifier can be read over anything");
       Register_Routine (T, Test_Encode'Access, "JPEG and its quality");
       Register_Routine (T, Test_Encode_Too_Small'Access,
                         "a buffer too small");

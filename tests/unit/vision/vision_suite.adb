@@ -1,5 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  All unit tests of the vision.
+--  All unit tests of the vision, or those that the command line names.
+
+with Ada.Command_Line; use Ada.Command_Line;
+
+with AUnit.Test_Cases;
 
 with Following_Tests;
 with Vision_Arena_Tests;
@@ -22,14 +26,28 @@ package body Vision_Suite is
    function Suite return AUnit.Test_Suites.Access_Test_Suite is
       Result : constant AUnit.Test_Suites.Access_Test_Suite :=
         AUnit.Test_Suites.New_Suite;
+
+      procedure Add (Tests : not null access AUnit.Test_Cases.Test_Case'Class);
+      --  If its name, such as arena, is an argument, or none is
+
+      procedure Add
+        (Tests : not null access AUnit.Test_Cases.Test_Case'Class) is
+      begin
+         if Argument_Count = 0
+           or else (for some Number in 1 .. Argument_Count =>
+                      Argument (Number) = Tests.Name.all)
+         then
+            Result.Add_Test (Tests);
+         end if;
+      end Add;
    begin
-      Result.Add_Test (Wrapper'Access);
-      Result.Add_Test (Arena'Access);
-      Result.Add_Test (Robots'Access);
-      Result.Add_Test (Sources'Access);
-      Result.Add_Test (Jpeg'Access);
-      Result.Add_Test (Followed'Access);
-      Result.Add_Test (Ada_Side'Access);
+      Add (Wrapper'Access);
+      Add (Arena'Access);
+      Add (Robots'Access);
+      Add (Sources'Access);
+      Add (Jpeg'Access);
+      Add (Followed'Access);
+      Add (Ada_Side'Access);
       return Result;
    end Suite;
 

@@ -14,7 +14,6 @@ with Vision;  use Vision;
 
 package body Vision_Tests is
 
-   use type Interfaces.C.double;
    use type Bytes.Byte;
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;

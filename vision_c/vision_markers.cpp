@@ -1,0 +1,629 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search for ArUco markers: outlines of four corners, read and aligned.
+
+#include "vision_search.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
+#define VISION_ARUCO_IN_OBJDETECT
+#include <opencv2/objdetect/aruco_detector.hpp>
+#else
+#include <opencv2/aruco.hpp>
+#endif
+
+namespace vision {
+
+namespace {
+
+// The meaning of a marker's bits.
+class Dictionary {
+public:
+  Dictionary() {
+#ifdef VISION_ARUCO_IN_OBJDETECT
+    learn(cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000));
+#else
+    learn(*cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000));
+#endif
+  }
+
+  bool knows(unsigned bits) const { return meaning[bits] >= 0; }
+
+  // What 16 bits mean that it knows, row by row: a marker, and how many
+  // quarters of a turn clockwise the marker shows them.
+  int id(unsigned bits) const { return meaning[bits] / 4; }
+  int turns(unsigned bits) const { return meaning[bits] % 4; }
+
+private:
+  std::vector<int> meaning = std::vector<int>(1 << 16, -1);
+
+  void learn(const cv::aruco::Dictionary &dictionary) {
+    for (int id = 0; id < dictionary.bytesList.rows; ++id) {
+      const cv::Mat upright = cv::aruco::Dictionary::getBitsFromByteList(
+          dictionary.bytesList.rowRange(id, id + 1), 4);
+      unsigned bits = 0;
+      for (int k = 0; k < 16; ++k)
+        bits |= unsigned(upright.at<uchar>(k / 4, k % 4) != 0) << k;
+      for (int turns = 0; turns < 4; ++turns) {
+        meaning[bits] = 4 * id + turns;
+        bits = turned(bits);
+      }
+    }
+  }
+
+  // The bits after a quarter of a turn clockwise.
+  static unsigned turned(unsigned bits) {
+    unsigned result = 0;
+    for (int row = 0; row < 4; ++row)
+      for (int column = 0; column < 4; ++column)
+        result |= (bits >> (4 * (3 - column) + row) & 1u)
+                  << (4 * row + column);
+    return result;
+  }
+};
+
+// Grey levels, or labels, of the modules of a marker: 6 x 6 of its own, black
+// border included, and what is around them.
+template <typename Item> using Grid = std::array<std::array<Item, 8>, 8>;
+
+int ring_of(int row, int column) {
+  return std::min(std::min(row, column), std::min(7 - row, 7 - column));
+}
+
+int bit_of(int row, int column) {
+  return 4 * (row - 2) + column - 2;
+}
+
+// Where the marker lies in the image that it is read in, its modules counted
+// from its top left corner.
+const Quad six_by_six{Point(0, 0), Point(6, 0), Point(6, 6), Point(0, 6)};
+
+// The modules, each averaged over the middle of its area.
+Grid<double> read_modules(const cv::Mat &grey, const Map &map,
+                          double module) {
+  const int samples = std::min(std::max(cvRound(0.6 * module), 1), 4);
+  Grid<double> modules;
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column) {
+      double sum = 0.0;
+      for (int y = 0; y < samples; ++y)
+        for (int x = 0; x < samples; ++x)
+          sum += sample(
+              grey,
+              apply(map, Point(column - 0.5 +
+                                   0.6 * ((x + 0.5) / samples - 0.5),
+                               row - 0.5 +
+                                   0.6 * ((y + 0.5) / samples - 0.5))));
+      modules[row][column] = sum / (samples * samples);
+    }
+  return modules;
+}
+
+// What the modules were before an optic mixed neighbours: SHARE is what each
+// has of the next one's light.
+Grid<double> unmix(const Grid<double> &seen, double share) {
+  Grid<double> now = seen;
+  for (int round = 0; round < 4; ++round) {
+    const Grid<double> before = now;
+    const auto at = [&](int row, int column) {
+      return before[std::min(std::max(row, 0), 7)]
+                   [std::min(std::max(column, 0), 7)];
+    };
+    for (int row = 0; row < 8; ++row)
+      for (int column = 0; column < 8; ++column) {
+        double mixed = 0.0;
+        for (int y = -1; y <= 1; ++y)
+          for (int x = -1; x <= 1; ++x)
+            mixed += (y == 0 ? 1 - 2 * share : share) *
+                     (x == 0 ? 1 - 2 * share : share) *
+                     at(row + y, column + x);
+        now[row][column] += seen[row][column] - mixed;
+      }
+  }
+  return now;
+}
+
+// The modules of the border, one after the other.
+const std::array<std::array<int, 2>, 20> &border_modules() {
+  static const auto modules = [] {
+    std::array<std::array<int, 2>, 20> all;
+    for (int k = 0; k < 5; ++k) {
+      all[k] = {1, 1 + k};
+      all[5 + k] = {1 + k, 6};
+      all[10 + k] = {6, 6 - k};
+      all[15 + k] = {6 - k, 1};
+    }
+    return all;
+  }();
+  return modules;
+}
+
+// Whether the border is black, but for one place that something may cover:
+// what is not black all round is none.
+bool is_border(const Grid<bool> &black) {
+  constexpr int most_hidden = 4;
+  const auto &modules = border_modules();
+  const auto is_black = [&](int k) {
+    const auto &module = modules[k % 20];
+    return black[module[0]][module[1]];
+  };
+  int longest = 0;
+  for (int from = 0; from < 20; ++from) {
+    int run = 0;
+    while (run < 20 && is_black(from + run))
+      ++run;
+    longest = std::max(longest, run);
+  }
+  return longest >= 20 - most_hidden;
+}
+
+constexpr double least_contrast = 10.0;  // grey levels
+
+// One threshold for all: the one that divides the levels best (Otsu 1979).
+bool read_evenly(const Grid<double> &modules, unsigned &bits) {
+  std::array<double, 36> level;
+  for (int k = 0; k < 36; ++k)
+    level[k] = modules[1 + k / 6][1 + k % 6];
+  std::sort(level.begin(), level.end());
+  double total = 0.0, below = 0.0, best = -1.0, threshold = 0.0;
+  for (const double grey : level)
+    total += grey;
+  for (int k = 1; k < 36; ++k) {
+    below += level[k - 1];
+    const double apart = (total - below) / (36 - k) - below / k;
+    if (k >= 18 && apart * apart * k * (36 - k) > best) {
+      best = apart * apart * k * (36 - k);
+      threshold = (level[k - 1] + level[k]) / 2;
+      if (apart < least_contrast)
+        best = -1.0;
+    }
+  }
+  if (best < 0.0)
+    return false;
+  Grid<bool> black{};
+  bits = 0;
+  for (int row = 1; row < 7; ++row)
+    for (int column = 1; column < 7; ++column) {
+      black[row][column] = modules[row][column] <= threshold;
+      if (ring_of(row, column) > 1 && !black[row][column])
+        bits |= 1u << bit_of(row, column);
+    }
+  return is_border(black);
+}
+
+// One threshold for all, right above the border: in a shadow white may be
+// darker than the middle of what is lit.
+bool read_above_border(const Grid<double> &modules, unsigned &bits) {
+  double border = 0.0;
+  std::array<double, 16> level;
+  for (int row = 1; row < 7; ++row)
+    for (int column = 1; column < 7; ++column)
+      if (ring_of(row, column) == 1)
+        border = std::max(border, modules[row][column]);
+      else
+        level[bit_of(row, column)] = modules[row][column];
+  std::sort(level.begin(), level.end());
+  double below = border, threshold = 0.0;
+  for (const double grey : level) {
+    if (grey <= border)
+      continue;
+    if (grey - below > std::max(least_contrast, 0.3 * below)) {
+      threshold = (grey + below) / 2;
+      break;
+    }
+    below = grey;
+  }
+  if (threshold == 0.0)
+    return false;
+  bits = 0;
+  for (int row = 2; row < 6; ++row)
+    for (int column = 2; column < 6; ++column)
+      if (modules[row][column] > threshold)
+        bits |= 1u << bit_of(row, column);
+  return true;
+}
+
+// A threshold for each module, between the darkest and the brightest next to
+// it: for light that is not the same everywhere.
+bool read_locally(const Grid<double> &modules, unsigned &bits) {
+  Grid<double> low{}, high{};
+  std::vector<double> contrast;
+  for (int row = 2; row < 6; ++row)
+    for (int column = 2; column < 6; ++column) {
+      low[row][column] = 1e9;
+      high[row][column] = -1e9;
+      for (int y = row - 1; y <= row + 1; ++y)
+        for (int x = column - 1; x <= column + 1; ++x) {
+          low[row][column] = std::min(low[row][column], modules[y][x]);
+          high[row][column] = std::max(high[row][column], modules[y][x]);
+        }
+      contrast.push_back(high[row][column] - low[row][column]);
+    }
+  std::nth_element(contrast.begin(), contrast.begin() + 10, contrast.end());
+  const double usual = contrast[10];
+  if (usual < least_contrast)
+    return false;
+  bits = 0;
+  for (int row = 2; row < 6; ++row)
+    for (int column = 2; column < 6; ++column) {
+      double middle = (low[row][column] + high[row][column]) / 2;
+      if (high[row][column] - low[row][column] < 0.4 * usual) {
+        // alike all round: as bright as the border or not
+        const double border =
+            (modules[row][1] * (6 - column) + modules[row][6] * (column - 1) +
+             modules[1][column] * (6 - row) + modules[6][column] * (row - 1)) /
+            10;
+        middle = border + 0.5 * usual;
+      }
+      if (modules[row][column] > middle)
+        bits |= 1u << bit_of(row, column);
+    }
+  return true;
+}
+
+// The drawing of a marker that is compared with the image: its pixels for a
+// module, and the quiet zone's width in them.
+constexpr int pitch = 8;
+constexpr int extent = 8 * pitch;
+
+// Which pixels of a module are compared, in each direction: half of them, and
+// as many on either side of an edge, which is not drawn aside then.
+constexpr std::array<int, 4> compared{0, 2, 5, 7};
+constexpr int points = 8 * int(compared.size());
+
+constexpr int point(int k) {
+  return k / int(compared.size()) * pitch + compared[k % compared.size()];
+}
+
+bool is_white(unsigned bits, int row, int column) {
+  const int ring = ring_of(row, column);
+  return ring == 0 || (ring > 1 && (bits >> bit_of(row, column) & 1u));
+}
+
+// Draws a marker as MODULES light it, 0 for black and 1 for white in the
+// middle of both; SPREAD modules have the same light. Says in USED which
+// pixels are to be compared.
+void draw(unsigned bits, const Grid<double> &modules, double spread,
+          cv::Mat &shape, cv::Mat &used, Grid<double> &contrast) {
+  double white = 0.0, black = 0.0;
+  int whites = 0, blacks = 0;
+  for (int row = 1; row < 7; ++row)
+    for (int column = 1; column < 7; ++column) {
+      const bool bright = is_white(bits, row, column);
+      (bright ? white : black) += modules[row][column];
+      ++(bright ? whites : blacks);
+    }
+  white /= std::max(1, whites);
+  black /= blacks;
+  const double step = std::max(1.0, white - black);
+  const double middle = (white + black) / 2;
+
+  // A border that is bright, or what should be white around it and is not,
+  // is hidden, or not there.
+  Grid<bool> seen;
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column)
+      seen[row][column] =
+          ring_of(row, column) > 1 ||
+          (modules[row][column] > middle) == is_white(bits, row, column);
+
+  cv::Mat levels(8, 8, CV_32F);
+  std::array<double, 8> share;
+  for (int k = 0; k < 8; ++k)
+    share[k] = std::exp(-0.5 * k * k / (spread * spread));
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column) {
+      double sum[2] = {0.02 * black, 0.02 * white}, weight[2] = {0.02, 0.02};
+      for (int y = 1; y < 7; ++y)
+        for (int x = 1; x < 7; ++x) {
+          if (!seen[y][x])
+            continue;
+          const bool bright = is_white(bits, y, x);
+          const double w = share[std::abs(y - row)] * share[std::abs(x - column)];
+          sum[bright] += w * modules[y][x];
+          weight[bright] += w;
+        }
+      const double dark = sum[0] / weight[0], light = sum[1] / weight[1];
+      contrast[row][column] = std::max(0.1, (light - dark) / step);
+      levels.at<float>(row, column) = float(
+          ((is_white(bits, row, column) ? light : dark) - black) / step);
+    }
+  cv::resize(levels, shape, cv::Size(extent, extent), 0, 0,
+             cv::INTER_NEAREST);
+
+  // The rim of the quiet zone is blurred into what is around it.
+  constexpr int rim = int(compared.size()) / 2;
+  used.create(extent, extent, CV_8UC1);
+  used.setTo(0);
+  for (int y = rim; y < points - rim; ++y)
+    for (int x = rim; x < points - rim; ++x)
+      if (seen[point(y) / pitch][point(x) / pitch])
+        used.at<uchar>(point(y), point(x)) = 255;
+}
+
+// How much of a module's contrast in the drawing speaks for the other colour,
+// for each one: above a half, the other one fits better.
+Grid<double> doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
+                    const Grid<double> &contrast, const Fit &fit) {
+  // What is left over, and what a module gives to the pixels near it.
+  std::array<std::array<double, points>, points> rest{};
+  for (int y = 0; y < points; ++y)
+    for (int x = 0; x < points; ++x) {
+      const Point at = apply(fit.map, Point(point(x), point(y)));
+      if (used.at<uchar>(point(y), point(x)) && in_image(grey, at))
+        rest[y][x] = (sample(grey, at) - fit.offset) / fit.contrast -
+                     fit.shape.at<float>(point(y), point(x));
+    }
+  constexpr int per_module = int(compared.size());
+  std::array<double, 3 * per_module> profile;
+  const double width = std::sqrt(2.0) * std::max(0.1, fit.spread);
+  for (int k = 0; k < int(profile.size()); ++k) {
+    const double from = point(k) + 0.5 - pitch;  // the edge before it
+    profile[k] = 0.5 * (std::erf(from / width) -
+                        std::erf((from - pitch) / width));
+  }
+  Grid<double> doubt{};
+  for (int row = 1; row < 7; ++row)
+    for (int column = 1; column < 7; ++column) {
+      double along = 0.0, square = 0.0;
+      for (int y = 0; y < int(profile.size()); ++y)
+        for (int x = 0; x < int(profile.size()); ++x) {
+          const double share = profile[y] * profile[x];
+          along += share * rest[(row - 1) * per_module + y]
+                               [(column - 1) * per_module + x];
+          square += share * share;
+        }
+      doubt[row][column] = (is_white(bits, row, column) ? -1 : 1) * along /
+                           (square * contrast[row][column]);
+    }
+  return doubt;
+}
+
+const Dictionary &dictionary() {
+  static const Dictionary known;
+  return known;
+}
+
+// Whether nothing but BITS can be meant.
+bool is_certain(unsigned bits, const Grid<double> &doubt) {
+  constexpr double doubtful = 0.3, wrong = 0.45, most = 0.12;
+  double squares = 0.0;
+  Grid<bool> black{};
+  std::vector<unsigned> open;
+  for (int row = 1; row < 7; ++row)
+    for (int column = 1; column < 7; ++column) {
+      squares += doubt[row][column] * doubt[row][column];
+      if (ring_of(row, column) == 1) {
+        black[row][column] = doubt[row][column] <= wrong;
+      } else if (doubt[row][column] > wrong) {
+        return false;
+      } else if (doubt[row][column] > doubtful) {
+        open.push_back(1u << bit_of(row, column));
+      }
+    }
+  if (squares > 36 * most * most || !is_border(black) || open.size() > 3)
+    return false;
+  for (unsigned choice = 1; choice < 1u << open.size(); ++choice) {
+    unsigned other = bits;
+    for (std::size_t k = 0; k < open.size(); ++k)
+      if (choice >> k & 1u)
+        other ^= open[k];
+    if (dictionary().knows(other))
+      return false;
+  }
+  return true;
+}
+
+// The side of a square as large as QUAD.
+double size_of(const Quad &quad) {
+  return std::sqrt(std::fabs(cross(quad[2] - quad[0], quad[3] - quad[1])) /
+                   2);
+}
+
+// QUAD in an image that is reduced by SCALE, and back.
+Quad reduced(const Quad &quad, double scale) {
+  const Point half(0.5, 0.5);
+  Quad result;
+  for (int k = 0; k < 4; ++k)
+    result[k] = (quad[k] + half) * (1 / scale) - half;
+  return result;
+}
+
+// Whether it can be a marker's outline.
+bool is_sound(const Quad &quad) {
+  double shortest = 1e9, longest = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    const double side = length(quad[(k + 1) % 4] - quad[k]);
+    shortest = std::min(shortest, side);
+    longest = std::max(longest, side);
+  }
+  constexpr double smallest = 7.0;  // pixels
+  return shortest >= smallest && longest < 5.0 * shortest;
+}
+
+// Aligns the whole pattern of a marker, given its BITS: more edges than its
+// outline has, so less noise, and none that its inside draws away. False
+// where that leaves doubts.
+bool align_marker(const cv::Mat &grey, unsigned bits,
+                  const Grid<double> &modules, bool perspective,
+                  double spread, Quad &corner, double &blur) {
+  static const Quad reference = [] {
+    const double near = pitch - 0.5, far = 7 * pitch - 0.5;
+    return Quad{Point(near, near), Point(far, near), Point(far, far),
+                Point(near, far)};
+  }();
+  cv::Mat shape, used;
+  Grid<double> contrast;
+  draw(bits, modules, spread, shape, used, contrast);
+  Quad start = corner;
+  if (!perspective) {
+    // the parallelogram that is nearest
+    const Point over = (start[0] - start[1] + start[2] - start[3]) / 4;
+    start = {start[0] - over, start[1] + over, start[2] - over,
+             start[3] + over};
+  }
+  Fit fit;
+  fit.map = map_of(reference, start);
+  if (!align(grey, shape, used, perspective, 0.15, fit) ||
+      !is_certain(bits, doubts(grey, bits, used, contrast, fit)))
+    return false;
+  for (int k = 0; k < 4; ++k)
+    corner[k] = apply(fit.map, reference[k]);
+  blur = fit.spread / pitch * size_of(corner) / 6;
+  return true;
+}
+
+// Whether what is inside a candidate's outline is darker at its rim than
+// somewhere inside, before anything is known precisely.
+bool is_worth_it(const Grid<double> &modules) {
+  double brightest = 0.0, darkest = 255.0;
+  for (int row = 1; row < 7; ++row)
+    for (int column = 1; column < 7; ++column) {
+      if (ring_of(row, column) == 1)
+        darkest = std::min(darkest, modules[row][column]);
+      else
+        brightest = std::max(brightest, modules[row][column]);
+    }
+  const double middle = (brightest + darkest) / 2;
+  int dark = 0;
+  for (const auto &module : border_modules())
+    dark += modules[module[0]][module[1]] < middle;
+  return brightest > darkest + 0.8 * least_contrast && dark >= 13;
+}
+
+// Whether no module that is read as black is brighter than the border can be
+// in another light: a white one in a shadow may be.
+bool is_black_as_border(unsigned bits, const Grid<double> &modules) {
+  double border = 0.0, white = 0.0, black = 0.0;
+  int whites = 0;
+  for (int row = 1; row < 7; ++row)
+    for (int column = 1; column < 7; ++column) {
+      const double grey = modules[row][column];
+      if (ring_of(row, column) == 1) {
+        border = std::max(border, grey);
+      } else if (is_white(bits, row, column)) {
+        white += grey;
+        ++whites;
+      } else {
+        black = std::max(black, grey);
+      }
+    }
+  white /= std::max(1, whites);
+  return black < border + 0.2 * (white - border);
+}
+
+// Reads the marker whose outline is about HERE in an image reduced by SCALE:
+// GREY, and SMOOTH for its edges, which lie at most SHARE of a module away.
+// Its CORNERs are those in the image that is not reduced.
+bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
+                 double module, double share, Quad here, Quad &corner,
+                 int &id) {
+  Quad refined = here;
+  if (refine(smooth, refined.data(), 4, Bright::outside,
+             std::max(2.0, share * module / scale), 0.12))
+    here = refined;
+  const Grid<double> seen =
+      read_modules(grey, map_of(six_by_six, here), module / scale);
+  std::array<unsigned, 4> tried;
+  int tries = 0;
+  for (int k = 0; k < 4; ++k) {
+    unsigned bits = 0;
+    const bool done =
+        k == 0   ? read_evenly(seen, bits)
+        : k == 1 ? module < 5.0 && read_evenly(unmix(seen, 0.15), bits)
+        : k == 2 ? read_above_border(seen, bits)
+                 : read_locally(seen, bits);
+    if (!done || !dictionary().knows(bits) ||
+        std::find(tried.begin(), tried.begin() + tries, bits) !=
+            tried.begin() + tries)
+      continue;
+    tried[tries++] = bits;
+    // The same light all over the marker, nearly, or shadows and glare
+    Quad aligned = here;
+    double blur = 0.0;
+    if (!align_marker(grey, bits, seen, module > 2.5, 4.0, aligned, blur) &&
+        (module < 4.0 || !is_black_as_border(bits, seen) ||
+         !align_marker(grey, bits, seen, true, 1.0, aligned, blur)))
+      continue;
+    aligned = reduced(aligned, 1 / scale);
+    if (!is_sound(aligned))
+      continue;
+    corner = aligned;
+    // What covers a part of the outline is not near it now. The outline is
+    // the more precise, the sharper the image; the errors of both are not
+    // the same.
+    if (module > 3.5 &&
+        refine(scratch.smooth, aligned.data(), 4, Bright::outside,
+               std::min(std::max(1.5, 0.25 * module), 4.0), 0.12))
+      for (int n = 0; n < 4; ++n)
+        corner[n] = blur < 1.2 ? aligned[n] : (corner[n] + aligned[n]) / 2;
+    id = dictionary().id(bits);
+    // Turned so often, its top left corner is where that one is.
+    std::rotate(corner.begin(), corner.begin() + dictionary().turns(bits),
+                corner.end());
+    return true;
+  }
+  return false;
+}
+
+// Reads the marker whose outline is about CORNER, and moves that to where it
+// is, its own top left corner first. False where there is none.
+bool find_marker(Quad &corner, int &id) {
+  constexpr double most = 8.0;  // pixels of a module that are enough
+  const double module = size_of(corner) / 6;
+  int level = 0;
+  while (level + 1 < levels && module > most * (1 << level))
+    ++level;
+  const double scale = 1 << level;
+  const cv::Mat &smooth = scratch.level[level];
+  const cv::Mat &grey = module > 4.0 ? smooth : scratch.grey;
+
+  Quad here = reduced(corner, scale);
+  if (!is_worth_it(read_modules(grey, map_of(six_by_six, here),
+                                module / scale)))
+    return false;
+  // Near edges first: behind them may lie those of something brighter. Where
+  // something covers a corner, the outline is further off.
+  return read_marker(grey, smooth, scale, module, 0.45, here, corner, id) ||
+         (module > 3.0 &&
+          read_marker(grey, smooth, scale, module, 0.75, here, corner, id));
+}
+
+}  // namespace
+
+void find_markers(const Search &search, std::vector<vision_robot> &robots) {
+  static thread_local std::vector<Quad> quads;
+  quads.clear();
+  scratch.level[0] = scratch.smooth;
+  find_quads(scratch.smooth, 5, 1, quads);
+  for (int level = 1; level < levels; ++level) {
+    const cv::Mat &finer = scratch.level[level - 1];
+    const cv::Size half(finer.cols / 2, finer.rows / 2);
+    cv::resize(finer(cv::Rect(cv::Point(), half * 2)), scratch.level[level],
+               half, 0, 0, cv::INTER_AREA);
+    find_quads(scratch.level[level], 7, 1 << level, quads);
+  }
+
+  // A marker is a candidate more than once: its outlines, and thresholds.
+  std::vector<Quad> found;
+  const auto is_known = [&](const Quad &quad) {
+    const Point centre = (quad[0] + quad[2]) / 2;
+    return std::any_of(found.begin(), found.end(), [&](const Quad &known) {
+      return depth(centre, known.data(), 4) > 0.0;
+    });
+  };
+  for (Quad &corner : quads) {
+    int id = 0;
+    if (!is_sound(corner) || is_known(corner) || !find_marker(corner, id))
+      continue;
+    if (is_known(corner))
+      continue;
+    found.push_back(corner);
+    const Point centre = (corner[0] + corner[2]) / 2;
+    const Point direction = (corner[0] + corner[1]) / 2;
+    if (in_field(search, centre))
+      robots.push_back(make_robot(id, centre, direction, search));
+  }
+}
+
+}  // namespace vision

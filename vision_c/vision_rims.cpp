@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The outline of the arena's field: moved onto edges with sub-pixel
+// precision, all four sides and the lens at once.
+
+#include "vision_rims.hpp"
+
+namespace vision {
+
+namespace {
+
+constexpr int unknowns = 9;      // two a corner, and the lens
+constexpr int finest = 48;  // bands of a side, one edge each
+constexpr double least_bend = -0.4, most_bend = 0.1;
+
+using Vector = cv::Vec<double, unknowns>;
+using Matrix = cv::Matx<double, unknowns, unknowns>;
+
+// An edge of the image near a side. As the outline changes, it gets nearer by
+// PULL times: the side's two corners (x, y each), and the lens.
+struct Edge {
+  int side = 0;
+  double part = 0.0;      // of the side before it
+  double away = 0.0;      // pixels outside of the outline
+  double contrast = 0.0;  // grey levels
+  double inside = 0.0;    // grey level of the field
+  std::array<double, 5> pull;
+
+  int unknown(int n) const {
+    return n < 2 ? 2 * side + n : n < 4 ? (2 * side + n) % 8 : 8;
+  }
+
+  double rest(const Vector &change) const {
+    double sum = away;
+    for (int n = 0; n < 5; ++n)
+      sum -= pull[n] * change[unknown(n)];
+    return sum;
+  }
+};
+
+struct Edges {
+  std::array<Edge, 4 * finest> edge;
+  std::array<int, 4> seen{}, found{};  // bands of a side in the image, edges
+  int count = 0;
+};
+
+// A point of a side in the image, and what moves it.
+struct Place {
+  Point pixel, along, outward;
+  std::array<double, 5> pull;
+};
+
+Place place_on(const Outline &outline, const View &view, int side,
+               double part) {
+  const Point &from = outline.corner[side];
+  const Point &to = outline.corner[(side + 1) % 4];
+  const Point u = from + part * (to - from);
+  const double square = u.dot(u);
+  const double root =
+      std::sqrt(std::max(1.0 - 4.0 * outline.bend * square, 1e-2));
+  const double factor = 2.0 / (1.0 + root);
+  const double bending = factor * factor / root;
+  // Of the distortion at U, symmetric.
+  const auto turned = [&](const Point &by) {
+    return view.unit *
+           (factor * by + 2.0 * outline.bend * bending * u.dot(by) * u);
+  };
+  Place place;
+  place.pixel = view.pixel(factor * u);
+  place.along = turned(to - from);
+  place.along /= std::max(1e-9, length(place.along));
+  place.outward = Point(place.along.y, -place.along.x);
+  const Point pull = turned(place.outward);
+  place.pull = {(1 - part) * pull.x, (1 - part) * pull.y, part * pull.x,
+                part * pull.y,
+                view.unit * place.outward.dot(u) * square * bending};
+  return place;
+}
+
+// The mean of grey levels along a band, in 32nds of pixels.
+float band_mean(const cv::Mat &grey, const Point &first, const Point &next,
+                int lines) {
+  float sum = 0.0f;
+  for (int line = 0; line < lines; ++line) {
+    const float x = float(first.x + line * next.x);
+    const float y = float(first.y + line * next.y);
+    const int column = std::min(std::max(int(x), 0), grey.cols - 2);
+    const int row = std::min(std::max(int(y), 0), grey.rows - 2);
+    const float u = std::min(std::max(x - column, 0.0f), 1.0f);
+    const float v = std::min(std::max(y - row, 0.0f), 1.0f);
+    const uchar *const above = grey.data + row * grey.step + column;
+    const uchar *const below = above + grey.step;
+    const float upper = above[0] + u * (above[1] - above[0]);
+    const float lower = below[0] + u * (below[1] - below[0]);
+    sum += upper + v * (lower - upper);
+  }
+  return sum / lines;
+}
+
+// The edges along the outline, in bands: the profiles across a side are
+// averaged over a band, which takes noise off. Of several it is the innermost
+// that is not much weaker than the strongest: what is beyond the border may be
+// brighter still.
+void find_edges(const cv::Mat &grey, const Outline &outline, double reach,
+                double noise, double contrast, const Pace &pace,
+                Edges &edges) {
+  constexpr int most_steps = 14;  // to either side
+  constexpr int beside = 6;       // steps beyond them that the profile has
+  constexpr double end = 0.02;    // share of a side left out at its ends
+  constexpr double weaker = 0.4;
+  const View view(grey);
+  const double step = std::max(reach / most_steps, 0.5);
+  const int half = std::min(int(std::ceil(reach / step)), most_steps);
+  const int middle = half + beside;
+  std::array<float, 2 * (most_steps + beside) + 1> value, rise;
+
+  edges.count = 0;
+  for (int side = 0; side < 4; ++side) {
+    const double extent =
+        view.unit * length(outline.shown((side + 1) % 4) -
+                           outline.shown(side));
+    const int bands =
+        std::min(std::max(int(extent / 5.0), 12),
+                               std::min(pace.bands, finest));
+    const double band_length = extent * (1 - 2 * end) / bands;
+    const int lines =
+        std::min(std::max(int(band_length + 0.5), 1), pace.lines);
+    // A rise is a difference of two sums of so many values; two values half a
+    // pixel apart have much of their noise in common.
+    const int width = std::min(
+        std::max(cvRound(2.0 + 12.0 * noise / contrast), 2), beside - 1);
+    const float slope = float(
+        std::max(2.0 * width, 2.5 * noise * std::sqrt(2.8 * width / lines)));
+    edges.seen[side] = edges.found[side] = 0;
+    for (int band = 0; band < bands; ++band) {
+      Edge &edge = edges.edge[edges.count];
+      edge.part = end + (1 - 2 * end) * (band + 0.5) / bands;
+      const Place place = place_on(outline, view, side, edge.part);
+      if (!in_image(grey, place.pixel - place.outward) ||
+          !in_image(grey, place.pixel + place.outward))
+        continue;
+      ++edges.seen[side];
+      const Point next = place.along * (band_length / lines);
+      const Point first = place.pixel - next * ((lines - 1) / 2.0);
+      for (int i = 0; i <= 2 * middle; ++i)
+        value[i] = band_mean(
+            grey, first + place.outward * ((i - middle) * step), next, lines);
+      float most = 0.0f;
+      for (int i = middle - half - 1; i <= middle + half + 1; ++i) {
+        rise[i] = 0.0f;
+        for (int j = 1; j <= width; ++j)
+          rise[i] += value[i + j] - value[i - j];
+        most = std::max(most, rise[i]);
+      }
+      const float least = std::max(slope, float(weaker) * most);
+      int best = -1;
+      for (int i = middle - half; i <= middle + half && best < 0; ++i)
+        if (rise[i] >= least && rise[i] >= rise[i - 1] &&
+            rise[i] >= rise[i + 1])
+          best = i;
+      if (best < 0)
+        continue;
+      const float bow = 2.0f * rise[best] - rise[best - 1] - rise[best + 1];
+      const float shift =
+          bow > 0.0f ? 0.5f * (rise[best + 1] - rise[best - 1]) / bow : 0.0f;
+      int foot = best, top = best;
+      while (foot > best - 6 && value[foot - 1] < value[foot])
+        --foot;
+      while (top < best + 6 && value[top + 1] > value[top])
+        ++top;
+      edge.side = side;
+      edge.away = (best - middle + shift) * step;
+      edge.inside = value[foot];
+      edge.contrast = value[top] - value[foot];
+      edge.pull = place.pull;
+      ++edges.count;
+      ++edges.found[side];
+    }
+  }
+}
+
+// Moves the outline so that the edges lie on it; those that do not belong to
+// it (a robot stands there) lose their weight. WIDTH: pixels of distance that
+// halve a weight at last.
+bool move_onto(const Edges &edges, double width, double unit,
+               Outline &outline, Vector &change) {
+  constexpr int rounds = 7;
+  change = Vector::all(0.0);
+  for (int round = 0; round < rounds; ++round) {
+    const double scale = width * (1.0 + 16.0 / (1 + round * round));
+    Matrix left = Matrix::zeros();
+    Vector right = Vector::all(0.0);
+    for (int n = 0; n < edges.count; ++n) {
+      const Edge &edge = edges.edge[n];
+      const double rest = edge.rest(change);
+      const double share = 1.0 / (1.0 + rest * rest / (scale * scale));
+      for (int i = 0; i < 5; ++i) {
+        const double pull = share * edge.pull[i];
+        right[edge.unknown(i)] += pull * edge.away;
+        for (int j = 0; j < 5; ++j)
+          left(edge.unknown(i), edge.unknown(j)) += pull * edge.pull[j];
+      }
+    }
+    // What the edges do not tell stays: the lens, of a small field.
+    for (int i = 0; i < 8; ++i)
+      left(i, i) += 1e-4 * unit * unit;
+    const double stiffness = 100.0;
+    left(8, 8) += stiffness;
+    right[8] -= stiffness * outline.bend;
+    bool solved = false;
+    const Matrix inverse = left.inv(cv::DECOMP_CHOLESKY, &solved);
+    if (!solved)
+      return false;
+    change = inverse * right;
+    const double bend = std::min(
+        std::max(outline.bend + change[8], least_bend), most_bend);
+    change[8] = bend - outline.bend;
+  }
+  outline.bend += change[8];
+  for (int k = 0; k < 4; ++k)
+    outline.corner[k] += Point(change[2 * k], change[2 * k + 1]);
+  return true;
+}
+
+// Fits VALUE, of which some may be far off.
+Slope fit_slope(const Point *at, const double *value, int count) {
+  Slope slope{{0.0, 0.0, 0.0}};
+  double scale = 1e6;
+  for (int round = 0; round < 4; ++round) {
+    cv::Matx33d left = cv::Matx33d::eye() * 1e-3;
+    cv::Vec3d right(0.0, 0.0, 0.0);
+    double sum = 0.0, total = 0.0;
+    for (int n = 0; n < count; ++n) {
+      const cv::Vec3d term(1.0, at[n].x, at[n].y);
+      const double rest = value[n] - slope.at(at[n]);
+      const double share = 1.0 / (1.0 + rest * rest / (scale * scale));
+      left += share * (term * term.t());
+      right += share * value[n] * term;
+      sum += share * std::fabs(rest);
+      total += share;
+    }
+    slope.factor = left.solve(right, cv::DECOMP_CHOLESKY);
+    scale = round == 0 ? 1e6 : std::max(1.0, 1.5 * sum / total);
+    if (round == 0) {
+      sum = 0.0;
+      for (int n = 0; n < count; ++n)
+        sum += std::fabs(value[n] - slope.at(at[n]));
+      scale = std::max(1.0, 1.5 * sum / count);
+    }
+  }
+  return slope;
+}
+
+double middle_of(double *values, int count) {
+  std::nth_element(values, values + count / 2, values + count);
+  return values[count / 2];
+}
+
+}  // namespace
+
+bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
+            const Pace &pace, Evidence &evidence) {
+  static thread_local Edges room;
+  Edges &edges = room;
+  const View view(grey);
+  find_edges(grey, outline, reach, noise,
+             evidence.usual > 0.0 ? evidence.usual : 1e3, pace, edges);
+  for (int side = 0; side < 4; ++side)
+    if (edges.seen[side] < 8 || edges.found[side] < 0.3 * edges.seen[side])
+      return false;
+  Vector change;
+  const double width = std::max(0.5, reach / 6.0);
+  const Outline before = outline;
+  if (!move_onto(edges, width, view.unit, outline, change))
+    return false;
+  evidence.moved = 0.0;
+  for (int k = 0; k < 4; ++k)
+    evidence.moved =
+        std::max(evidence.moved, view.unit * length(outline.shown(k) -
+                                                    before.shown(k)));
+  for (int k = 0; k < 4; ++k) {
+    const Point &here = outline.corner[k];
+    const Point &next = outline.corner[(k + 1) % 4];
+    const Point &after = outline.corner[(k + 2) % 4];
+    if (!(length(here) < 4.0) || cross(next - here, after - next) < 1e-3)
+      return false;
+  }
+
+  std::array<int, 4> on{};
+  std::array<double, 4 * finest> contrast, level, rise;
+  std::array<Point, 4 * finest> place;
+  int total = 0, seen = 0;
+  for (int n = 0; n < edges.count; ++n) {
+    const Edge &edge = edges.edge[n];
+    if (std::fabs(edge.rest(change)) > 2.0 * width)
+      continue;
+    contrast[total] = edge.contrast / (edge.inside + 10.0);
+    level[total] = edge.inside;
+    rise[total] = edge.contrast;
+    place[total] = outline.corner[edge.side] +
+                   edge.part * (outline.corner[(edge.side + 1) % 4] -
+                                outline.corner[edge.side]);
+    ++total;
+  }
+  if (total == 0)
+    return false;
+  const double usual = middle_of(contrast.data(), total);
+  int alike = 0;
+  for (int n = 0; n < edges.count; ++n) {
+    const Edge &edge = edges.edge[n];
+    const double part = edge.contrast / (edge.inside + 10.0) / usual;
+    if (std::fabs(edge.rest(change)) > 2.0 * width || part < 0.5 ||
+        part > 2.0)
+      continue;
+    ++on[edge.side];
+    ++alike;
+  }
+  evidence.weakest = 1.0;
+  for (int side = 0; side < 4; ++side) {
+    seen += edges.seen[side];
+    evidence.weakest =
+        std::min(evidence.weakest, double(on[side]) / edges.seen[side]);
+  }
+  evidence.support = double(total) / seen;
+  evidence.alike = double(alike) / total;
+  if (pace.slopes) {
+    evidence.level = fit_slope(place.data(), level.data(), total);
+    evidence.contrast = fit_slope(place.data(), rise.data(), total);
+  }
+  evidence.usual = middle_of(rise.data(), total);
+
+  // Where two sides meet, the light on both is the same.
+  evidence.corners = 0;
+  for (int k = 0; k < 4; ++k) {
+    std::array<double, finest> before, after;
+    int before_count = 0, after_count = 0;
+    double local = 0.0;
+    for (int n = 0; n < edges.count; ++n) {
+      const Edge &edge = edges.edge[n];
+      if (std::fabs(edge.rest(change)) > 2.0 * width)
+        continue;
+      if (edge.side == k && edge.part < 0.35) {
+        after[after_count++] = edge.inside;
+        local += edge.contrast;
+      } else if (edge.side == (k + 3) % 4 && edge.part > 0.65) {
+        before[before_count++] = edge.inside;
+        local += edge.contrast;
+      }
+    }
+    if (before_count < 2 || after_count < 2)
+      continue;
+    local /= before_count + after_count;
+    if (std::fabs(middle_of(before.data(), before_count) -
+                  middle_of(after.data(), after_count)) <
+        0.5 * local + 2.0 * noise)
+      ++evidence.corners;
+  }
+  return true;
+}
+
+void look_inside(const cv::Mat &grey, const Outline &outline,
+                 const Evidence &evidence, double &dark, double &plain) {
+  constexpr int columns = 24, rows = 18;
+  const View view(grey);
+  int darker = 0, alike = 0;
+  const std::array<Point, 4> &c = outline.corner;
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) {
+      const double x = (column + 1.0) / (columns + 1);
+      const double y = (row + 1.0) / (rows + 1);
+      const Point u = (1 - y) * ((1 - x) * c[0] + x * c[1]) +
+                      y * ((1 - x) * c[3] + x * c[2]);
+      const double value =
+          sample(grey, view.pixel(distort(u, outline.bend)));
+      const double above = value - evidence.level.at(u);
+      const double limit =
+          0.5 * std::max(0.5 * evidence.usual, evidence.contrast.at(u));
+      darker += above < limit;
+      alike += std::fabs(above) < limit;
+    }
+  dark = double(darker) / (rows * columns);
+  plain = double(alike) / (rows * columns);
+}
+
+int ends_continued(const cv::Mat &small, const Outline &outline,
+                   double noise) {
+  constexpr int places = 7;
+  const View view(small);
+  // How much brighter it gets outwards there, a pixel inside, on the side and
+  // a pixel outside of it; false beyond the image.
+  using Rises = std::array<float, 3>;
+  const auto rises_at = [&](int side, double part, Rises &rises) {
+    const Place place = place_on(outline, view, side, part);
+    if (!in_image(small, place.pixel - 3.0 * place.outward) ||
+        !in_image(small, place.pixel + 3.0 * place.outward))
+      return false;
+    const Point first = place.pixel - place.along;
+    std::array<float, 7> value;
+    for (int i = 0; i < 7; ++i)
+      value[i] = band_mean(small, first + (i - 3.0) * place.outward,
+                           place.along, 3);
+    for (int i = 0; i < 3; ++i)
+      rises[i] = value[i + 3] + value[i + 4] - value[i + 1] - value[i];
+    return true;
+  };
+  int continued = 0;
+  for (int side = 0; side < 4; ++side) {
+    std::array<float, places> within;
+    int count = 0;
+    for (int n = 0; n < places; ++n) {
+      Rises rises;
+      if (rises_at(side, (n + 1.0) / (places + 1), rises))
+        within[count++] = *std::max_element(rises.begin(), rises.end());
+    }
+    if (count == 0)
+      continue;
+    std::nth_element(within.begin(), within.begin() + count / 2,
+                     within.begin() + count);
+    const float least =
+        std::max(0.2f * within[count / 2], float(2.0 * noise));
+    for (const double end : {0.0, 1.0}) {
+      int seen = 0;
+      std::array<int, 3> bright{};  // rough ground is so now here, now there
+      for (int n = 0; n < places; ++n) {
+        const double beyond = 0.06 + 0.04 * n;
+        Rises rises;
+        if (!rises_at(side, end == 0.0 ? -beyond : 1.0 + beyond, rises))
+          break;
+        ++seen;
+        for (int i = 0; i < 3; ++i)
+          bright[i] += rises[i] > least;
+      }
+      continued += seen >= 3 &&
+                   *std::max_element(bright.begin(), bright.end()) >=
+                       0.6 * seen;
+    }
+  }
+  return continued;
+}
+
+bool is_field(const Outline &outline, double tolerance) {
+  constexpr double narrowest = 3.6, widest = 1.1;  // focal lengths, in units
+  constexpr int steps = 8;
+  constexpr double greatest_tilt = 30.0;  // degrees
+  const std::array<Point, 4> &c = outline.corner;
+  // The plane to the undistorted image: where the square 0 .. 1 has its
+  // corners (Heckbert).
+  const Point sum = c[0] - c[1] + c[2] - c[3];
+  const Point one = c[1] - c[2], two = c[3] - c[2];
+  const double area = cross(one, two);
+  if (std::fabs(area) < 1e-6)
+    return false;
+  const double g = cross(sum, two) / area, h = cross(one, sum) / area;
+  const Point a = c[1] - c[0] + g * c[1], b = c[3] - c[0] + h * c[3];
+  double best = 1e9;
+  for (int n = 0; n < steps; ++n) {
+    const double focal =
+        widest * std::pow(narrowest / widest, double(n) / (steps - 1));
+    // The sides in space, in one unknown unit.
+    const cv::Vec3d right(a.x / focal, a.y / focal, g);
+    const cv::Vec3d down(b.x / focal, b.y / focal, h);
+    const double width = cv::norm(right), height = cv::norm(down);
+    if (width < 1e-9 || height < 1e-9)
+      continue;
+    const cv::Vec3d normal = right.cross(down);
+    const double upright = std::fabs(normal[2]) / cv::norm(normal);
+    if (upright < std::cos(greatest_tilt * CV_PI / 180.0))
+      continue;
+    const double ratio = std::max(width, height) / std::min(width, height);
+    best = std::min(
+        best, std::hypot(std::log(ratio * 0.75),
+                         right.dot(down) / (width * height)));
+  }
+  return best < tolerance;
+}
+
+}  // namespace vision

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The outline of the arena's field under a lens that bends its sides: how it
+// is moved onto the edges of an image, and whether they are an arena's.
+
+#ifndef VISION_RIMS_HPP
+#define VISION_RIMS_HPP
+
+#include "vision_search.hpp"
+
+namespace vision {
+
+// Undistorted points have their origin in the middle of the image, half of
+// its longest side as their unit, and lie on straight lines where the world
+// has them. The division model of radial distortion: an undistorted point is
+// its image / (1 + BEND * square of its distance from the middle).
+inline Point straighten(const Point &shown, double bend) {
+  return shown / (1.0 + bend * shown.dot(shown));
+}
+
+inline Point distort(const Point &straight, double bend) {
+  const double inner = 1.0 - 4.0 * bend * straight.dot(straight);
+  return straight * (2.0 / (1.0 + std::sqrt(std::max(inner, 1e-2))));
+}
+
+// Between the pixels of an image and points of unit half its longest side.
+struct View {
+  Point middle;
+  double unit;
+
+  explicit View(const cv::Mat &image)
+      : middle((image.cols - 1) / 2.0, (image.rows - 1) / 2.0),
+        unit(std::max(image.cols, image.rows) / 2.0) {}
+
+  Point pixel(const Point &shown) const { return middle + unit * shown; }
+};
+
+// Clockwise as the image shows it, the first side that which runs most to the
+// right.
+struct Outline {
+  std::array<Point, 4> corner;  // undistorted
+  double bend = 0.0;
+
+  Point shown(int k) const { return distort(corner[k], bend); }
+};
+
+// A level that changes evenly over the field, as light does.
+struct Slope {
+  cv::Vec3d factor;
+
+  double at(const Point &point) const {
+    return factor[0] + factor[1] * point.x + factor[2] * point.y;
+  }
+};
+
+// What an image shows along an outline.
+struct Evidence {
+  double moved = 0.0;     // pixels that a corner came to lie elsewhere
+  double support = 0.0;   // share of what can be seen that has an edge on it
+  double weakest = 0.0;   // the same of the side that has the least
+  int corners = 0;        // where the field is as bright beside both sides
+  double alike = 0.0;     // share of the edges whose contrast is the usual one
+  Slope level, contrast;  // grey levels beside the border, border to field
+  double usual = 0.0;     // contrast
+};
+
+// How closely an outline is looked at.
+struct Pace {
+  int bands;    // of a side, at most: an edge each
+  int lines;    // of a band, at most: the mean of so many profiles
+  bool slopes;  // of the light, too
+};
+
+constexpr Pace quick{16, 3, false}, normal{24, 4, false},
+    thorough{48, 8, true};
+
+// Moves OUTLINE onto edges that get brighter outwards, at most REACH pixels
+// away; NOISE is the standard deviation of a pixel. False where a side has
+// none.
+bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
+            const Pace &pace, Evidence &evidence);
+
+// The share of the field that is as dark as beside its border, or darker, and
+// that is neither darker nor brighter.
+void look_inside(const cv::Mat &grey, const Outline &outline,
+                 const Evidence &evidence, double &dark, double &plain);
+
+// At how many of the eight ends of the sides an edge goes on behind the
+// corner, as it does between tiles or window panes.
+int ends_continued(const cv::Mat &small, const Outline &outline,
+                   double noise);
+
+// Whether a 4:3 rectangle can look like OUTLINE, either side up, tilted by
+// no more than an arena's camera is, whatever its focal length.
+bool is_field(const Outline &outline, double tolerance);
+
+}  // namespace vision
+
+#endif

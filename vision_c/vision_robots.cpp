@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search for robots: everywhere, in the arena, or only where they are
+// known to be as long as nothing else has changed.
+
+#include "vision_search.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+namespace vision {
+
+thread_local Scratch scratch;
+
+bool in_field(const Search &search, const Point &centre) {
+  return !search.bounded || depth(centre + Point(search.box.tl()),
+                                  search.field.data(), 4) >= -search.slack;
+}
+
+vision_robot make_robot(int id, const Point &centre, const Point &direction,
+                        const Search &search) {
+  vision_robot robot;
+  const Point origin(search.box.tl());
+  robot.id = id;
+  robot.centre = {centre.x + origin.x, centre.y + origin.y};
+  robot.direction = {direction.x + origin.x, direction.y + origin.y};
+  robot.angle = std::atan2(centre.y - direction.y, centre.x - direction.x) *
+                180.0 / CV_PI;
+  if (robot.angle <= -180.0)
+    robot.angle = 180.0;
+  return robot;
+}
+
+namespace {
+
+// A part of an image as its reduced ones begin too: what is found in it is
+// found in the same pixels as in the whole.
+cv::Rect on_grid(const cv::Rect &box) {
+  constexpr int step = 1 << (levels - 1);
+  const cv::Point first(box.x / step * step, box.y / step * step);
+  return {first, box.br()};
+}
+
+bool is_worth_it(const cv::Rect &box) {
+  return box.width >= 16 && box.height >= 16;
+}
+
+// False where there is too little to search in.
+bool limit(const Frame &here, const vision_arena *arena, Search &search) {
+  const cv::Rect all(cv::Point(), here.image.size());
+  search.box = all;
+  search.width = 0.85 * here.image.cols;
+  if (arena == nullptr)
+    return is_worth_it(search.box);
+
+  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+  for (const vision_point &corner : arena->corner) {
+    left = std::min(left, corner.x);
+    right = std::max(right, corner.x);
+    top = std::min(top, corner.y);
+    bottom = std::max(bottom, corner.y);
+  }
+  // A robot whose centre is inside reaches out of the field.
+  search.bounded = true;
+  search.width = std::max(right - left, (bottom - top) * 4.0 / 3.0);
+  search.slack = 0.02 * search.width;
+  const double margin = 0.13 * search.width + 4.0;
+  search.box = on_grid(all & cv::Rect(cv::Point(cvFloor(left - margin),
+                                                cvFloor(top - margin)),
+                                      cv::Point(cvCeil(right + margin),
+                                                cvCeil(bottom + margin))));
+  for (int k = 0; k < 4; ++k)
+    search.field[k] = Point(arena->corner[k].x, arena->corner[k].y);
+  return is_worth_it(search.box);
+}
+
+// ---------------------------------------------------------------- Following
+
+// What each tile of the image looked like when it was searched last. As long
+// as one that is not searched looks the same, nothing has come there.
+struct Watch {
+  static constexpr int across = 80;   // tiles, along the longer side
+  static constexpr int samples = 4;   // of a tile, in each direction: green
+  static constexpr int change = 24;   // grey levels that are one: four times
+                                      // what a noise of 15 amounts to
+  cv::Mat seen;  // CV_16SC1, a tile a pixel: the sum of its samples
+
+  void look(const cv::Mat &image, cv::Mat &now, int &side) const;
+};
+
+void Watch::look(const cv::Mat &image, cv::Mat &now, int &side) const {
+  side = std::max(samples, (std::max(image.cols, image.rows) + across - 1) /
+                               across);
+  now.create(image.rows / side, image.cols / side, CV_16SC1);
+  std::array<int, samples> place;
+  for (int x = 0; x < samples; ++x)
+    place[x] = 3 * (x * side / samples) + 1;
+  for (int row = 0; row < now.rows; ++row) {
+    short *const sums = now.ptr<short>(row);
+    std::fill(sums, sums + now.cols, short(0));
+    for (int y = 0; y < samples; ++y) {
+      const uchar *next = image.ptr<uchar>(row * side + y * side / samples);
+      for (int column = 0; column < now.cols; ++column, next += 3 * side)
+        sums[column] =
+            short(sums[column] + next[place[0]] + next[place[1]] +
+                  next[place[2]] + next[place[3]]);
+    }
+  }
+}
+
+thread_local Watch watch;
+
+// The tiles that a part of the image touches.
+cv::Rect tiles_of(const cv::Rect &part, int side, const cv::Mat &tiles) {
+  const cv::Point first(part.x / side, part.y / side);
+  const cv::Point last((part.x + part.width + side - 1) / side,
+                       (part.y + part.height + side - 1) / side);
+  return cv::Rect(first, last) & cv::Rect(cv::Point(), tiles.size());
+}
+
+// Everything has been searched.
+void note_all(Frame &here) {
+  int side = 0;
+  watch.look(here.image, watch.seen, side);
+}
+
+// Whether something in WHOLE but not in PARTS has changed since it has been
+// searched. The parts count as searched then.
+bool has_changed(Frame &here, const cv::Rect &whole,
+                 const std::vector<cv::Rect> &parts) {
+  int side = 0;
+  watch.look(here.image, scratch.tiles, side);
+  if (scratch.tiles.size() != watch.seen.size())
+    return true;
+  for (const cv::Rect &part : parts) {
+    const cv::Rect tiles = tiles_of(part, side, scratch.tiles);
+    scratch.tiles(tiles).copyTo(watch.seen(tiles));
+  }
+  const cv::Rect tiles = tiles_of(whole, side, scratch.tiles);
+  return cv::norm(scratch.tiles(tiles), watch.seen(tiles), cv::NORM_INF) >
+         Watch::change * Watch::samples * Watch::samples;
+}
+
+// ---------------------------------------------------------------- Searching
+
+// Of robots found twice at one place, one is enough.
+void drop_doubles(std::vector<vision_robot> &robots) {
+  std::stable_sort(robots.begin(), robots.end(),
+                   [](const vision_robot &a, const vision_robot &b) {
+                     return a.id < b.id;
+                   });
+  const auto same = [](const vision_robot &a, const vision_robot &b) {
+    return a.id == b.id && std::hypot(a.centre.x - b.centre.x,
+                                      a.centre.y - b.centre.y) < 8.0;
+  };
+  robots.erase(std::unique(robots.begin(), robots.end(), same), robots.end());
+}
+
+bool are_sound(const vision_area *areas, int count) {
+  if (areas == nullptr || count < 1)
+    return false;
+  return std::all_of(areas, areas + count, [](const vision_area &area) {
+    return sound(area.centre) && area.reach >= 0.0 && area.reach <= 1e6;
+  });
+}
+
+// Finds the robots in the parts of the image that CHOOSE names; nothing
+// where it says no.
+template <typename Choice>
+vision_status find_robots(int slot, vision_marker marker,
+                          const vision_arena *arena, vision_robot *robots,
+                          int capacity, int *count, Choice choose) {
+  if (count != nullptr)
+    *count = 0;
+  return on_image(slot, [&](Frame &here) {
+    if (robots == nullptr || count == nullptr || capacity < 1 ||
+        (marker != VISION_MARKER_ARUCO && marker != VISION_MARKER_TRIANGLE) ||
+        (arena != nullptr && !sound(*arena)))
+      return fail(VISION_BAD_ARGUMENT, "cannot search for robots so");
+
+    std::vector<vision_robot> found;
+    std::vector<cv::Rect> parts;
+    Search search;
+    if (limit(here, arena, search) && choose(here, search.box, parts))
+      for (const cv::Rect &part : parts) {
+        search.box = part;
+        cv::cvtColor(here.image(part), scratch.grey, cv::COLOR_BGR2GRAY);
+        cv::GaussianBlur(scratch.grey, scratch.smooth, cv::Size(), 0.8);
+        if (marker == VISION_MARKER_ARUCO)
+          find_markers(search, found);
+        else
+          find_triangles(search, found);
+      }
+    drop_doubles(found);
+    if (found.empty())
+      return fail(VISION_NOT_FOUND, "no robot in the image");
+    *count = std::min(capacity, int(found.size()));
+    std::copy(found.begin(), found.begin() + *count, robots);
+    return VISION_OK;
+  });
+}
+
+}  // namespace
+
+}  // namespace vision
+
+using vision::fail;
+using vision::Frame;
+
+extern "C" {
+
+vision_status vision_find_robots(int slot, vision_marker marker,
+                                 const vision_arena *arena,
+                                 vision_robot *robots, int capacity,
+                                 int *count) {
+  return vision::find_robots(
+      slot, marker, arena, robots, capacity, count,
+      [](Frame &here, const cv::Rect &whole, std::vector<cv::Rect> &parts) {
+        parts.push_back(whole);
+        vision::note_all(here);
+        return true;
+      });
+}
+
+vision_status vision_follow_robots(int slot, vision_marker marker,
+                                   const vision_arena *arena,
+                                   const vision_area *areas, int area_count,
+                                   vision_robot *robots, int capacity,
+                                   int *count) {
+  if (count != nullptr)
+    *count = 0;
+  if (!vision::are_sound(areas, area_count))
+    return fail(VISION_BAD_ARGUMENT, "no areas to search in");
+  return vision::find_robots(
+      slot, marker, arena, robots, capacity, count,
+      [&](Frame &here, const cv::Rect &whole, std::vector<cv::Rect> &parts) {
+        for (int k = 0; k < area_count; ++k) {
+          const vision_area &area = areas[k];
+          const cv::Rect part =
+              whole & cv::Rect(cv::Point(cvFloor(area.centre.x - area.reach),
+                                         cvFloor(area.centre.y - area.reach)),
+                               cv::Point(cvCeil(area.centre.x + area.reach),
+                                         cvCeil(area.centre.y + area.reach)));
+          if (vision::is_worth_it(part))
+            parts.push_back(vision::on_grid(part));
+        }
+        return !vision::has_changed(here, whole, parts);
+      });
+}
+
+}  // extern "C"

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the searches share: geometry, grey levels between pixels, outlines
+// moved onto edges, drawn shapes aligned with the image.
+
+#ifndef VISION_SEARCH_HPP
+#define VISION_SEARCH_HPP
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "vision_internal.hpp"
+
+namespace vision {
+
+using Point = cv::Point2d;
+
+// How often an image is reduced by two, and once more, in the search for
+// markers.
+constexpr int levels = 4;
+
+// Images that a search makes on its way; none outlasts it.
+struct Scratch {
+  cv::Mat grey, smooth, small, gradient, transposed, mask, tiles;
+  cv::Mat darker;
+  std::array<cv::Mat, levels> level;  // the first is smooth itself
+};
+
+extern thread_local Scratch scratch;
+
+// ---------------------------------------------------------------- Geometry
+
+inline double cross(const Point &a, const Point &b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+inline double length(const Point &a) {
+  return std::hypot(a.x, a.y);
+}
+
+struct Line {
+  Point through, along;  // ALONG has length 1
+};
+
+inline bool intersect(const Line &a, const Line &b, Point &point) {
+  const double sine = cross(a.along, b.along);
+  if (std::fabs(sine) < 0.05)
+    return false;
+  point = a.through +
+          a.along * (cross(b.through - a.through, b.along) / sine);
+  return true;
+}
+
+// From one plane to another.
+using Map = cv::Matx33d;
+
+inline Point apply(const Map &map, const Point &p) {
+  double w = map(2, 0) * p.x + map(2, 1) * p.y + map(2, 2);
+  if (std::fabs(w) < 1e-9)
+    w = 1e-9;  // on the horizon: as good as nowhere
+  return {(map(0, 0) * p.x + map(0, 1) * p.y + map(0, 2)) / w,
+          (map(1, 0) * p.x + map(1, 1) * p.y + map(1, 2)) / w};
+}
+
+using Quad = std::array<Point, 4>;  // clockwise as the image shows it
+
+// The map that takes the corners FROM to the corners TO; one without
+// perspective where both are parallelograms.
+Map map_of(const Quad &from, const Quad &to);
+
+// How far POINT lies inside a convex polygon given clockwise as the image
+// shows it; negative outside.
+inline double depth(const Point &point, const Point *corner, int count) {
+  double least = 1e9;
+  for (int k = 0; k < count; ++k) {
+    const Point side = corner[(k + 1) % count] - corner[k];
+    least = std::min(least, cross(side, point - corner[k]) /
+                                std::max(1e-9, length(side)));
+  }
+  return least;
+}
+
+inline double sample(const cv::Mat &grey, const Point &at) {
+  const int column = int(std::min(std::max(0.0, at.x), grey.cols - 2.0));
+  const int row = int(std::min(std::max(0.0, at.y), grey.rows - 2.0));
+  const double u = std::min(std::max(0.0, at.x - column), 1.0);
+  const double v = std::min(std::max(0.0, at.y - row), 1.0);
+  const uchar *const above = grey.ptr<uchar>(row) + column;
+  const uchar *const below = grey.ptr<uchar>(row + 1) + column;
+  return (1 - v) * ((1 - u) * above[0] + u * above[1]) +
+         v * ((1 - u) * below[0] + u * below[1]);
+}
+
+inline bool in_image(const cv::Mat &grey, const Point &at) {
+  return at.x >= 0 && at.y >= 0 && at.x <= grey.cols - 1 &&
+         at.y <= grey.rows - 1;
+}
+
+// ------------------------------------------------- Refinement and alignment
+
+// Which side of an outline is the brighter one.
+enum class Bright { outside, inside };
+
+// Moves the corners of a convex polygon, clockwise as the image shows it,
+// so that its sides lie on edges of the image at most REACH pixels away; the
+// share END of a side is left out at each end. False where a side has none.
+bool refine(const cv::Mat &grey, Point *corner, int count, Bright bright,
+            double reach, double end);
+
+// Where a drawn shape lies in the image.
+struct Fit {
+  Map map;                // from the pixels of the shape to those of the image
+  cv::Mat shape;          // drawn as blurred as the image shows it
+  double spread = 0.0;    // of that blur, pixels of the shape
+  double offset = 0.0, contrast = 0.0;  // grey levels of the shape's 0, 0 to 1
+  double distance = 0.0;  // what remains, as a share of the contrast
+};
+
+// Moves FIT.map to where SHAPE (float, sharp; about 0 to 1) lies in the image
+// best, counting the pixels that USED marks, and tells the rest of FIT. How
+// sharp the image is is tried out, until it gets worse: the less sharp shapes
+// behind fit worse still. False where more than WORST remains.
+bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
+           bool perspective, double worst, Fit &fit);
+
+// ------------------------------------------------------------ Quadrilaterals
+
+// Adds the outlines of dark quadrilaterals in an image that is reduced by
+// SCALE, in the pixels of what is not. WINDOW is what dark is compared with.
+void find_quads(const cv::Mat &image, int window, int scale,
+                std::vector<Quad> &quads);
+
+// ------------------------------------------------------------------ Robots
+
+// The part of the image that is searched, and how.
+struct Search {
+  cv::Rect box;
+  bool bounded = false;        // by the arena
+  std::array<Point, 4> field;
+  double slack = 0.0;  // pixels that a centre may lie outside the field
+  double width = 0.0;  // of the field, pixels
+};
+
+bool in_field(const Search &search, const Point &centre);
+
+vision_robot make_robot(int id, const Point &centre, const Point &direction,
+                        const Search &search);
+
+// Add what is found in the smoothed image of the part that is searched.
+void find_markers(const Search &search, std::vector<vision_robot> &robots);
+void find_triangles(const Search &search, std::vector<vision_robot> &robots);
+
+}  // namespace vision
+
+#endif
