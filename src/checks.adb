@@ -87,11 +87,15 @@ package body Checks with SPARK_Mode is
 
       Vision.Open
         (Texts.Image (Chosen.Camera), Chosen.Width, Chosen.Height,
-         Chosen.Frame_Rate, Result);
+         Integer'Max (Options.Camera_Rate, Chosen.Frame_Rate), Result);
       if Result = Vision.Done then
          Vision.Grab (0, Result);
       end if;
-      Vision.Reason (Why, Last);
+      if Result = Vision.Done then
+         Vision.Get_Format (Why, Last);
+      else
+         Vision.Reason (Why, Last);
+      end if;
       Vision.Close;
       Good := Result = Vision.Done;
       All_Well := All_Well and Good;
@@ -99,6 +103,7 @@ package body Checks with SPARK_Mode is
         (Good,
          "camera " & Texts.Image (Chosen.Camera)
          & (if Good then ": delivers images"
+              & (if Last > 0 then ", " & Why (1 .. Last) else "")
             else ": " & Why (1 .. Last)
               & " (name it with --camera; your user must be in the group "
               & "video)"));

@@ -33,7 +33,8 @@ typedef Outbox_Box_Type {
    bool Unasked;    /* one that waits */
    bool Released;
    bool Answered;
-   bool Renewed     /* Held_Since is newer than th_hold has seen */
+   bool Holding;    /* Hold.On */
+   bool Renewed     /* its end is later than th_hold has seen */
 };
 PROTECTED (Outbox_Box);
 EVENT (Outbox_Room);
@@ -58,8 +59,16 @@ inline Refresh () {
    :: else -> break
    od;
    Box.Released = Box.Released && Box.Unasked;
+   Box.Holding = Box.Holding && Box.Unasked;
+   Box.Renewed = Box.Renewed && Box.Holding;
    Box.Ready = Box.Open && (Answer_Waits ||
       (Box.Unasked && (Box.Count == 0 || Box.Released)))
+}
+
+/* begun: a command or a message has just come, and the other waits */
+inline Begin_Hold (begun) {
+   begun = Box.Unasked && Box.Count > 0 && !Box.Holding;
+   Box.Holding = Box.Holding || begun
 }
 
 inline Answer (number, item) {
@@ -111,6 +120,7 @@ EVENT (Session_Receive_Ended);
 active proctype Th_Receive_From_Mon ()
 {
    byte number, sent;
+   bool begun;
 end_wait:
    do
    :: Suspend_Until_True (Session_Receive_Begins);
@@ -126,6 +136,10 @@ reserve: atomic {
                number = Box.Head + Box.Count;
                Box.Places [Box.Count] = Awaited;
                Box.Count++;
+               Begin_Hold (begun);
+               /* a hold that was on begins anew for this command */
+               Box.Renewed = Box.Renewed || begun ||
+                  (Box.Holding && Box.Count == 1);
                Refresh ();
                goto reserved
             :: Box.Open && Box.Count == CAPACITY
@@ -133,6 +147,10 @@ reserve: atomic {
          };
          atomic { Outbox_Room -> Outbox_Room = false; goto reserve };
 reserved:
+         if
+         :: begun -> atomic { begun = false; Set_True (Outbox_Hold_Begun) }
+         :: else
+         fi;
          if
          :: Answer (number, Ready_Nothing)              /* Log_Message */
          :: Owed++; Answer (number, Ready_Text)         /* Malformed */
@@ -154,7 +172,7 @@ end_wait:
       Outbox_Work -> Outbox_Work = false;
 look: if :: !Box.Ready -> goto end_wait :: else fi
    };
-   /* the gap between messages; Take */
+   /* the gap between messages, a delay after which it looks again; Take */
    atomic {
       if
       :: Box.Open && Answer_Waits &&
@@ -167,7 +185,8 @@ look: if :: !Box.Ready -> goto end_wait :: else fi
          :: Box.Open && Box.Unasked && (Box.Count == 0 || Box.Released) ->
             kind = An_Unasked;
             Box.Answered = false;
-            Box.Unasked = false
+            Box.Unasked = false;
+            Box.Holding = false
          :: else -> goto look
          fi
       fi;
@@ -198,14 +217,14 @@ end_wait:
    atomic {
       Outbox_Hold_Begun -> Outbox_Hold_Begun = false;
 look: Box.Renewed = false;
-      if :: !(Box.Unasked && !Box.Released) -> goto end_wait :: else fi
+      if :: !(Box.Holding && !Box.Released) -> goto end_wait :: else fi
    };
    /* delay until At_Time; End_Hold */
    atomic {
       if
-      :: Box.Unasked -> Box.Released = true; Refresh ()
-      :: Box.Unasked && Box.Renewed
-      :: !Box.Unasked
+      :: Box.Holding -> Box.Released = true; Refresh ()
+      :: Box.Holding && Box.Renewed
+      :: !Box.Holding
       fi
    };
 #ifndef MUTANT_HOLD_WITHOUT_EVENT
@@ -219,18 +238,24 @@ look: Box.Renewed = false;
 active proctype Unasked_Source ()
 {
    byte left = UNASKED;
+   bool begun;
 end_wait:
    do
    :: atomic {
          left > 0 && Box.Open -> left--;
-         if :: !Box.Unasked -> Box.Renewed = true :: else fi;
          Box.Unasked = true;
+         Begin_Hold (begun);
+         Box.Renewed = Box.Renewed || begun;
          Refresh ()
       };
       Set_True (Outbox_Work);
+      if
+      :: begun -> begun = false;
 #ifndef MUTANT_HOLD_NOT_BEGUN
-      Set_True (Outbox_Hold_Begun)
+         Set_True (Outbox_Hold_Begun)
 #endif
+      :: else
+      fi
    od
 }
 

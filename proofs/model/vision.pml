@@ -91,10 +91,12 @@ EVENT (Camera_Events_Images_Begin);
 typedef Frame_Store_Store_Type {
    bool Newest;
    bool Delivering;
+   bool Waits;            /* th_capture_img, for the next image */
    byte Claimed
 };
 PROTECTED (Frame_Store_Store);
 EVENT (Frame_Store_Changed);
+EVENT (Frame_Store_Look);
 #define FS  Frame_Store_Store
 
 bool Camera_Open    = false;   /* the device */
@@ -154,12 +156,40 @@ inline Vision_Done () {
    goto look
 }
 
+inline Tell_If_Awaited () {
+   if
+   :: FS.Waits -> FS.Waits = false; Set_True (Frame_Store_Look)
+   :: else
+   fi
+}
+
 inline End_Delivery () {
    FS.Newest = false;
    FS.Delivering = false;
 #ifndef MUTANT_END_WITHOUT_EVENT
-   Set_True (Frame_Store_Changed)
+   Set_True (Frame_Store_Changed);
 #endif
+#ifndef MUTANT_END_WITHOUT_LOOK
+   Tell_If_Awaited ()
+#endif
+}
+
+/* Nothing new for so long that the camera has failed */
+#ifdef MUTANT_SILENCE_UNNOTICED
+#define SILENT  false
+#else
+#define SILENT  (Camera_Hangs || !FS.Delivering)
+#endif
+
+/* Once in the period of the link: what th_capture_img waits for does not
+   come */
+inline Look_At_Silence () {
+   atomic {
+#ifdef MUTANT_SILENCE_WITHOUT_LOOK
+      false ->
+#endif
+      FS.Waits && SILENT -> Tell_If_Awaited ()
+   }
 }
 
 /* The camera delivers no more: close it, once; else go on at not_open */
@@ -240,13 +270,6 @@ answer:
    atomic { success = false; Answer (number); Vision_Done () }
 }
 
-/* Nothing new for so long that the camera has failed */
-#ifdef MUTANT_SILENCE_UNNOTICED
-#define SILENT  false
-#else
-#define SILENT  (Camera_Hangs || !FS.Delivering)
-#endif
-
 active proctype Th_Capture_Img ()
 {
 end_wait:
@@ -261,8 +284,10 @@ end_wait:
          :: SILENT && Is_Open
          :: VS.Stage == Streaming && FS.Newest ->
             FS.Newest = false; FS.Claimed++; goto image
-         :: Is_Open && (VS.Stage != Streaming || !FS.Newest) &&
-            !SILENT ->
+         :: VS.Stage == Streaming && !FS.Newest && !SILENT ->
+            FS.Waits = true;
+            Made_Is_Now = false; goto wait_look
+         :: Is_Open && VS.Stage != Streaming && !SILENT ->
             Made_Is_Now = false; goto pause
          fi
       };
@@ -276,6 +301,9 @@ image:                              /* is made; Release, Put_Image */
          assert (!(Outbox_Open && Made_Is_Now && Images_Stopped));
          Made_Is_Now = false
       };
+      goto pause;
+wait_look:
+      Suspend_Until_True (Frame_Store_Look);
 pause:                              /* delay until Next */
       skip
    od
@@ -385,11 +413,13 @@ look: if
    do
    :: /* Vision.Grab, Publish */
       atomic {
-         assert (FS.Claimed + FS.Newest < SLOTS);
+         /* with the image before the newest */
+         assert (FS.Claimed + 2 * FS.Newest < SLOTS);
          if
          :: success = true;
             FS.Newest = FS.Newest || FS.Delivering;
             Set_True (Frame_Store_Changed);
+            Tell_If_Awaited ();
             goto wanted
          :: goto wanted
          :: Camera_Hangs = true
@@ -470,7 +500,12 @@ active proctype Th_Com_Mon_Perdue ()
             kind = 0
          }
       :: atomic { Reads && sent == Limit && !Patient -> Patient = true };
-         atomic { Waiting == 0 -> Patient = false; break }
+         do
+         :: atomic { Waiting == 0 -> Patient = false; break }
+         :: Look_At_Silence ()
+         od;
+         break
+      :: Look_At_Silence ()
       :: break
       od;
       /* Close_Session */

@@ -17,14 +17,17 @@ package Budgets with SPARK_Mode is
       Line_Open,           --  th_line: opens or closes the device
       Reload_Due,          --  th_reloadWD: asks for the reload
       Reload_Done,         --  th_reloadWD: when the next is due
-      Newcomer,            --  th_server: takes a connection or reads a piece
-                           --  of its first line; admits or refuses
+      Newcomer,            --  th_server: one turn: takes in so many, reads
+                           --  what they sent, admits or refuses each
       Move_Order,          --  th_move: asks for the movement
       Move_Answer,         --  th_move: answers the monitor
       Receive,             --  th_receiveFromMon: one command
       Loss,                --  th_comMonPerdue: one look; a loss, up to the
                            --  request that stops the robot
-      Hold,                --  th_hold: all that it does in 100 ms
+      Hold,                --  th_hold: the end of a hold and the look for
+                           --  the next
+      Send_Look,           --  th_sendToMon: it wakes, and finds that it must
+                           --  wait for the gap after the last message
       Send_Answer,         --  th_sendToMon: an answer
       Send_Battery,        --  th_sendToMon: a battery level
       Send_Position,       --  th_sendToMon: a position
@@ -81,12 +84,14 @@ package Budgets with SPARK_Mode is
       Line_Open       => (240, 240),      --  each 238 of 518; as the first
       Reload_Due      => (150, 60),       --  asking, bench 59 of 480
       Reload_Done     => (150, 60),
-      Newcomer        => (205, 315),      --  each 202 of 774, 311 of 2200
+      Newcomer        => (450, 450),      --  floods: 428 of 1566; as the first
       Move_Order      => (150, 70),       --  asking, bench 68 of 692
       Move_Answer     => (150, 70),
       Receive         => (170, 155),      --  bench 169 of 9086, each 155
       Loss            => (170, 150),      --  bench 169 of 2350, each 147
       Hold            => (160, 160),      --  bench 156 of 2448, 159 of 602
+      Send_Look       => (100, 100),      --  a trace: 65 of 778 from release
+                                          --  to wait, the wake-up included
       Send_Answer     => (140, 105),      --  each 139 of 4817, 105 of 350
       Send_Battery    => (140, 105),      --  as an answer
       Send_Position   => (220, 105),      --  each 216 of 600; as an answer
@@ -117,12 +122,6 @@ package Budgets with SPARK_Mode is
      (Span'Max (Measured (Name) (First), Measured (Name) (Second)));
    --  "This machine" of the analysis is as slow as the slower of the two,
    --  in each activity
-
-   Gap_Look : constant Span := 100;
-   --  th_sendToMon, once a message: it wakes, and finds that it must wait
-   --  for the gap after the one before. From its release to its wait 65 of
-   --  778 in a trace of the first machine, the wake-up included; one was
-   --  interrupted
 
    Capture_Low  : constant Span := 2_250;
    Capture_High : constant Span := 5_400;
@@ -182,8 +181,11 @@ package Budgets with SPARK_Mode is
    --  of the kernel, from the event to the task's first instruction, while
    --  no task of ours is in the way. PREEMPT_RT, or a kernel as prompt
 
-   Message_Gap      : constant Span := 4_000;
-   --  --message-gap, its default
+   Message_Gap      : constant Span := 20_000;
+   --  --message-gap, its default: before an unasked message
+   Answer_Gap       : constant Span := 4_000;
+   --  before an answer; and the time after which th_sendToMon looks whether
+   --  there is one
 
    Cortex_A53_Factor : constant := 6;
    --  how much longer an A53 of 1.2 GHz takes than the second machine, see

@@ -45,6 +45,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          when Move_Answer | Open_Answer | Start_Answer | Watchdog_Answer
             | Reset_Answer | Query_Answer | Camera_Answer | Send_Answer =>
             "answer",
+         when Send_Look       => "gap",
          when Send_Battery    => "battery",
          when Send_Position   => "position",
          when Send_Image      => "image",
@@ -55,15 +56,15 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          when F2_Admitted     => "F2  connection to its admission",
          when F4_Own_Answer   => "F4  command to the supervisor's answer",
          when F4_Robot_Answer => "F4  robot's answer to the monitor's",
-         when F4_Unasked      => "F4  robot's answer to the battery message",
+         when F4_Unasked      => "F4  the same to the battery message *",
          when F6_Stop         => "F6  loss of the monitor to stop sent",
          when F11_Reload      => "F11 reload due to its first byte",
          when F12_First_Byte  => "F12 order to first byte, line free",
          when F12_At_Robot    => "F12 order to last byte, line in use",
-         when F13_Level       => "F13 level due to its message, all waits",
-         when F13_Processor   => "F13 the same without line and hold",
+         when F13_Level       => "F13 level due to its message, no hold",
+         when F13_Processor   => "F13 the same without line and gap *",
          when F15_Image       => "F15 image due to image ready",
-         when F15_Jitter      => "F15 jitter of the image sent");
+         when F15_Jitter      => "F15 jitter of the image sent *");
 
    procedure Print_Table (Item : Analysis);
    procedure Print_Line (Item : Analysis);
@@ -436,6 +437,8 @@ begin
    Put_Line ("load: a command each " & Milliseconds (Command_Interval)
              & ", an image each 100.000; robot answers within "
              & Milliseconds (Robot_Turnaround));
+   Put_Line ("*: but for a gap of " & Milliseconds (Message_Gap)
+             & " after another unasked message");
    Put_Line ("cpu 1, the real-time processor (--cpu): all tasks but"
              & " th_captureImg, th_arene, th_camera, th_console");
 

@@ -3,6 +3,7 @@
 --  sets it off, what it calls; and the bounds that the features demand.
 
 with Ada.Real_Time;
+with Image_Grid;
 with Schedule;
 with System;
 
@@ -21,13 +22,15 @@ package body Supervisor_Model with SPARK_Mode is
    Battery_Period : constant Integer := Schedule.Battery_Period / One;
    Ping_Period    : constant Integer := Schedule.Keep_Alive_Period / One;
    Link_Period    : constant Integer := Schedule.Link_Period / One;
-   Hold_Limit     : constant Integer := Schedule.Hold_Limit / One;
    Byte_Time      : constant Integer := Schedule.Byte_Time / One;
    Reload_Quiet   : constant Integer := Schedule.Reload_Quiet / One;
    Answer_Timeout : constant Integer := Schedule.Answer_Timeout / One;
    Newcomer_Interval : constant Integer := Schedule.Newcomer_Interval / One;
 
    Image_Period   : constant := 100_000;  --  F15
+   Hold_Interval  : constant := 50_000;
+   --  th_hold has to do with each hold once, and at its end: a hold begins
+   --  after a message, and with a command or the message after
 
    type Event_Name is
      (Line_Work,      --  Robot_Line: a request has come
@@ -96,7 +99,7 @@ package body Supervisor_Model with SPARK_Mode is
              Name in Receive | Order_Name | Answer_Name | Camera_Order
                | Camera_Answer | Arena,
           when Outbox_Work =>
-             Name in Send_Answer .. Send_Image | Answer_Name | Battery_Done
+             Name in Send_Look .. Send_Image | Answer_Name | Battery_Done
                | Receive | Line_Answer | Hold | Camera_Order
                | Camera_Answer | Capture | Arena,
           when Hold_Begun =>
@@ -149,9 +152,8 @@ package body Supervisor_Model with SPARK_Mode is
 
    function Budget_Of (Name : Activity_Name; On : Machine) return Span is
      (Capped
-        (((if On.Second then Measured (Name) (Second)
-           else Processor_Time (Name))
-          + (if Name in Send_Answer .. Send_Image then Gap_Look else 0))
+        ((if On.Second then Measured (Name) (Second)
+          else Processor_Time (Name))
          * On.Percent / 100));
 
    type Member_Set is array (Activity_Name) of Boolean;
@@ -159,9 +161,8 @@ package body Supervisor_Model with SPARK_Mode is
    procedure Bound_Chain
      (Set     : Activity_Set;
       Members : Member_Set;
-      Pauses  : Natural;
-      Result  : out Bound)
-   with Pre => Pauses <= 10;
+      Pauses  : Span;
+      Result  : out Bound);
    --  Of activities of one processor that set each other off, one after the
    --  other: together they are like one with the lowest of their
    --  priorities. Pauses: message gaps on the way
@@ -192,7 +193,7 @@ package body Supervisor_Model with SPARK_Mode is
             when Receive         => Schedule.Receive_Priority,
             when Loss            => Schedule.Lost_Priority,
             when Hold            => Schedule.Hold_Priority,
-            when Send_Answer .. Send_Image  => Schedule.Send_Priority,
+            when Send_Look .. Send_Image  => Schedule.Send_Priority,
             when Battery_Due | Battery_Done => Schedule.Battery_Priority,
             when Open_Order | Open_Answer   => Schedule.Open_Priority,
             when Start_Order | Start_Answer => Schedule.Start_Priority,
@@ -218,7 +219,7 @@ package body Supervisor_Model with SPARK_Mode is
         (case Name is
             when Newcomer => 30,
             when Receive  => 25,
-            when Loss | Hold | Send_Answer .. Send_Image => 22,
+            when Loss | Hold | Send_Look .. Send_Image => 22,
             when others   => 20);
    end Priority_Of;
 
@@ -237,7 +238,7 @@ package body Supervisor_Model with SPARK_Mode is
          when Receive         => "th_receiveFromMon",
          when Loss            => "th_comMonPerdue",
          when Hold            => "th_hold",
-         when Send_Answer .. Send_Image  => "th_sendToMon",
+         when Send_Look .. Send_Image  => "th_sendToMon",
          when Battery_Due | Battery_Done => "th_batteryLevel",
          when Open_Order | Open_Answer   => "th_openComRobot",
          when Start_Order | Start_Answer => "th_startRobot",
@@ -279,10 +280,13 @@ package body Supervisor_Model with SPARK_Mode is
          when Move_Order | Move_Answer | Receive | Send_Answer | Query_Order
             | Query_Answer => Command_Interval,
          when Loss => To_Period (Link_Period),
-         when Hold => To_Period (Hold_Limit),
+         when Hold => Hold_Interval,
+         when Send_Look => Answer_Gap,
          when Send_Battery | Battery_Due | Battery_Done =>
             To_Period (Battery_Period),
-         when Send_Position | Send_Image | Capture => Image_Period,
+         when Send_Position | Send_Image | Capture =>
+            --  where the grid makes up for what it has lost (Image_Grid)
+            Positive_Span (Image_Grid.Shortest (Image_Period)),
          when Ping_Due | Ping_Done => To_Period (Ping_Period),
          when Arena => Arena_Interval,
          when Camera => Camera_Interval,
@@ -316,12 +320,12 @@ package body Supervisor_Model with SPARK_Mode is
                   | Newcomer => 1,
                when Receive | Camera_Order | Camera_Answer | Capture
                   | Arena => 2,
-               when Send_Answer .. Send_Image => 3,
+               when Send_Look .. Send_Image => 3,
                when Hold => 9,
                when others => 0),
          when Outbox_Image =>
            (case Name is
-               when Send_Answer .. Send_Image | Capture | Arena => 1,
+               when Send_Look .. Send_Image | Capture | Arena => 1,
                when others => 0),
          when Line_Operation =>
            (case Name is
@@ -339,8 +343,9 @@ package body Supervisor_Model with SPARK_Mode is
          when Vision_Operation =>
            (case Name is
                when Stop => 1,
-               when Loss | Camera_Order | Camera_Answer | Camera => 3,
-               when Capture | Arena => 4,
+               when Camera_Order | Camera_Answer | Camera => 3,
+               when Loss | Arena => 4,
+               when Capture => 8,  --  with a look that finds no image
                when others => 0),
          when Session_Operation =>
            (case Name is
@@ -353,18 +358,18 @@ package body Supervisor_Model with SPARK_Mode is
                when Stop | Line_Answer | Line_Open | Receive | Loss
                   | Start_Answer | Watchdog_Answer => 1,
                when Console => 2,
-               when Newcomer => 3,
+               when Newcomer => Schedule.Hearings_Per_Turn + 3,
                when others => 0),
          when Settings_Operation =>
            (case Name is
-               when Line_Open | Newcomer | Send_Answer .. Send_Image
+               when Line_Open | Newcomer | Send_Look .. Send_Image
                   | Arena => 1,
                when others => 0),
          when Event_Operation =>
            (case Name is
                when Capture | Arena => 4,
-               when Console => 2,
-               when Camera => 1,
+               when Newcomer => Schedule.Hearings_Per_Turn + 3,
+               when Console | Camera => 2,
                when Kernel | Environment => 0,
                when others => 3));
 
@@ -889,13 +894,13 @@ package body Supervisor_Model with SPARK_Mode is
    procedure Bound_Chain
      (Set     : Activity_Set;
       Members : Member_Set;
-      Pauses  : Natural;
+      Pauses  : Span;
       Result  : out Bound)
    is
       Others_Set : Activity_Set := Set;
       Host       : Row_Index    := Row_Index'Last;
       Whole      : Activity     := (Priority => Urgency'Last, others => <>);
-      Budget     : Microseconds := Microseconds (Pauses) * Message_Gap;
+      Budget     : Microseconds := Microseconds (Pauses);
       Blocking   : Microseconds := 0;
    begin
       See_Streams (Others_Set);
@@ -917,7 +922,7 @@ package body Supervisor_Model with SPARK_Mode is
             end if;
          end if;
          pragma Loop_Invariant
-           (Budget <= 10 * Message_Gap + Microseconds (Row (A)) * Horizon
+           (Budget <= (Microseconds (Row (A)) + 1) * Horizon
             and then Blocking <= Microseconds (Row (A)) * Horizon);
       end loop;
       if Budget > Horizon or else Blocking > Horizon then
@@ -983,26 +988,27 @@ package body Supervisor_Model with SPARK_Mode is
               + Bounds (Newcomer).Finish),
          Bounds (Newcomer).Exists);
 
-      --  answers: an image may be under way, and a pause follows it
+      --  answers: an image may be under way, and a pause follows it. Of
+      --  unasked messages all but that pause
 
       Bound_Chain
         (Set,
          (Receive | Send_Image | Send_Answer => True, others => False),
-         1, Told);
+         Answer_Gap, Told);
       Conclude (F4_Own_Answer, Told.Finish, Told.Exists);
 
       Bound_Chain
         (Set,
          (Line_Answer | Query_Answer | Send_Image | Send_Answer => True,
           others => False),
-         1, Told);
+         Answer_Gap, Told);
       Conclude (F4_Robot_Answer, Told.Finish, Told.Exists);
 
       Bound_Chain
         (Set,
          (Line_Answer | Battery_Done | Send_Image | Send_Battery => True,
           others => False),
-         1, Ended);
+         0, Ended);
       Conclude (F4_Unasked, Ended.Finish, Ended.Exists);
 
       --  the robot's line
@@ -1025,9 +1031,9 @@ package body Supervisor_Model with SPARK_Mode is
          Line (Safe_State).Start + Request.Local + Frame_Time (Stop_Frame),
          Line (Safe_State).Exists and then Request.Exists);
 
-      --  the battery: to its request, and from the answer on. A command
-      --  without its answer may hold the level back; then that answer goes
-      --  first, with a pause of its own
+      --  the battery: to its request, and from the answer on. An answer
+      --  may go before the level, and an image before that, each with its
+      --  pause after it. All but the hold
 
       Bound_Chain
         (Set,
@@ -1038,24 +1044,20 @@ package body Supervisor_Model with SPARK_Mode is
          Asked.Exists and then Ended.Exists);
       Bound_Chain
         (Set,
-         (Line_Answer | Battery_Done | Send_Image | Send_Answer
-            | Send_Battery => True,
-          others => False),
-         2, Told);
+         (Send_Answer | Send_Battery => True, others => False), 0, Told);
       Conclude
         (F13_Level,
-         Line (Battery).Finish + Told.Finish + To_Span (Hold_Limit),
-         Line (Battery).Exists and then Told.Exists);
+         Line (Battery).Finish + Ended.Finish
+         + Answer_Gap + Told.Finish + Message_Gap + Told.Finish,
+         Line (Battery).Exists and then Ended.Exists and then Told.Exists);
 
       --  the image: in time for the next one; and how far its sending may
-      --  be from its place in the period
+      --  be from its place in the period, but for a pause
 
       Conclude (F15_Image, Bounds (Capture).Finish, Bounds (Capture).Exists);
       Bound_Chain
         (Set,
-         (Send_Position | Send_Battery | Send_Image => True,
-          others => False),
-         1, Ended);
+         (Send_Battery | Send_Image => True, others => False), 0, Ended);
       Conclude
         (F15_Jitter,
          Spread + Ended.Finish
@@ -1142,6 +1144,7 @@ package body Supervisor_Model with SPARK_Mode is
          Result.Deadlines (A) :=
            (case A is
                when Kernel | Console | Environment => 0,
+               when Send_Look       => 0,          --  it waits once more
                when Loss            => 50_000,     --  F5
                when Newcomer        => To_Period (Newcomer_Interval),
                when Stop            => 100_000,

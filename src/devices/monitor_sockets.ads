@@ -3,9 +3,11 @@
 --  monitor in command, and newcomers that are to be admitted or refused.
 
 with Ada.Real_Time;
+with Blocklists;
 with Monitor_Link;
 with Networks;
 with Options;
+with Pending_Connections;
 with Texts;
 
 package Monitor_Sockets with
@@ -25,35 +27,54 @@ is
    --  Bound: the port in use, chosen by the system where Port is 0. Reason
    --  says why where Success is false
 
-   subtype Place is Positive range 1 .. 8;
+   subtype Place is Pending_Connections.Place;
    --  Of a newcomer that has neither been admitted nor refused
 
-   No_Place : constant := 0;
+   subtype Place_Set is Pending_Connections.Place_Set;
 
-   subtype Place_Choice is Natural range No_Place .. Place'Last;
-
-   type Place_Set is array (Place) of Boolean;
-
-   type Arrival is (Newcomer, Input, Woken, Failed, Nothing);
-
-   procedure Wait_Newcomer
-     (Free       : Place_Choice;
-      Watched    : Place_Set;
+   procedure Wait
+     (Watched    : Place_Set;
+      Listens    : Boolean;
       Until_Time : Ada.Real_Time.Time;
-      Event      : out Arrival;
-      Where      : out Place;
-      From       : out Networks.Peer_Address;
-      Peer       : out Texts.Text)
+      Ready      : out Place_Set;
+      Queued     : out Boolean;
+      Woken      : out Boolean)
    with
      Global => (In_Out => Network, Input => Ada.Real_Time.Clock_Time),
      Post   =>
-       (if Event = Newcomer then Where = Free)
-       and then (if Event = Input then Watched (Where));
-   --  Waits for a connection, which gets the place Free (while there is
-   --  none nobody is taken in), for input or the end of a connection at one
-   --  of the places Watched, or until Wake_Server; until Until_Time at most.
-   --  From, Peer: the newcomer's address, and as a text with its port;
-   --  Peer where Failed: the reason. Nothing may come at any time
+       (for all P in Place => (if Ready (P) then Watched (P)))
+       and then (if Queued then Listens);
+   --  Waits until there is input, or the end of a connection, at one of the
+   --  places Watched, which then are Ready; where it Listens, until a
+   --  connection waits in the kernel's queue; until Wake_Server; until
+   --  Until_Time at most. Nothing may come at any time
+
+   type Arrival is (Newcomer, Nobody_There, Failed);
+
+   procedure Take_In
+     (Where  : Place;
+      From   : out Networks.Peer_Address;
+      Event  : out Arrival;
+      Reason : out Texts.Text)
+   with Global => (In_Out => Network);
+   --  The next connection of the kernel's queue gets the place Where, which
+   --  must be free; never waits. From: the newcomer's address. Reason says
+   --  why where it Failed
+
+   procedure Get_Name (Where : Place; Peer : out Texts.Text)
+   with Global => (In_Out => Network);
+   --  Of the newcomer that got this place last: its address and port
+
+   procedure Get_Queue (Length, Limit : out Natural)
+   with Global => (In_Out => Network);
+   --  How many connections wait in the kernel's queue, and how many can; no
+   --  connection where the kernel does not say
+
+   procedure Block (Sources : Blocklists.List)
+   with Global => (In_Out => Network);
+   --  From now on the kernel takes no notice of connections that begin at
+   --  Sources, and of all others: they are tried again after 1 s, then 2 s.
+   --  A kernel that cannot do that takes all
 
    procedure Wake_Server with Global => (In_Out => Network);
 
@@ -104,7 +125,13 @@ is
    procedure Sample (Link : out Monitor_Link.Sample)
    with
      Global => (In_Out => Network, Input => Ada.Real_Time.Clock_Time);
-   --  How the connection does, from the kernel (TCP_INFO)
+   --  How the connection does, from the kernel (TCP_INFO); only the time
+   --  where it does not say all that is needed
+
+   procedure Leave_To_Kernel with Global => (In_Out => Network);
+   --  Without samples: it ends the connection itself, for Watch to see, when
+   --  it has probed an idle monitor in vain (keep-alive), or when what was
+   --  sent has not been taken, for Monitor_Link.Vanished_After in either case
 
    procedure Shut_Down with Global => (In_Out => Network);
    --  Ends the connection in both directions; frees whoever waits in

@@ -16,6 +16,14 @@ package body Trace_Rings with SPARK_Mode => Off is
    end record
    with Size => Slot_Bytes * 8;
 
+   --  The order of memory, for processors that keep as little of it as those
+   --  of arm64 (on x86 only the compiler could disturb it). A writer: State
+   --  odd, fence, event, State even with release. A reader: State with
+   --  acquire, event, fence, State again. So whoever reads a part of an event
+   --  that is being written, sees the odd State behind it, and whoever sees
+   --  the even State sees all of its event. The numbers of events need no
+   --  order: R.Next says nothing of what a slot holds.
+
    Acquire : constant int := 2;  --  __ATOMIC_ACQUIRE
    Release : constant int := 3;  --  __ATOMIC_RELEASE
    Relaxed : constant int := 0;  --  __ATOMIC_RELAXED
@@ -41,18 +49,23 @@ package body Trace_Rings with SPARK_Mode => Off is
      External_Name => "__atomic_fetch_add_8";
 
    function Compare_And_Swap
-     (Place : System.Address; Before, After : Unsigned_64) return Unsigned_64
+     (Place   : System.Address;
+      Before  : System.Address;
+      After   : Unsigned_64;
+      Weak    : Boolean;
+      Success : int;
+      Failure : int) return Boolean
    with
      Import,
      Convention    => Intrinsic,
-     External_Name => "__sync_val_compare_and_swap_8";
-   --  What was there; After is there now where that was Before
+     External_Name => "__atomic_compare_exchange_8";
+   --  After is at Place now if the value at Before was there
 
-   procedure Fence
+   procedure Fence (Order : int)
    with
      Import,
      Convention    => Intrinsic,
-     External_Name => "__sync_synchronize";
+     External_Name => "__atomic_thread_fence";
 
    procedure Prefetch (Where : System.Address; To_Write, Locality : int)
    with
@@ -86,7 +99,7 @@ package body Trace_Rings with SPARK_Mode => Off is
       Found := Load (Here.State'Address, Acquire) = Done;
       if Found then
          Item := Here.Item;
-         Fence;
+         Fence (Acquire);
          Found := Load (Here.State'Address, Relaxed) = Done;
       end if;
       if not Found then
@@ -104,14 +117,16 @@ package body Trace_Rings with SPARK_Mode => Off is
       Own    : constant Unsigned_64 :=
         Fetch_And_Add (R.Next'Address, 1, Relaxed);
       Here   : Slot with Import, Address => Place (R, Own);
-      Before : constant Unsigned_64 := Load (Here.State'Address, Relaxed);
+      Before : aliased Unsigned_64 := Load (Here.State'Address, Relaxed);
    begin
       Number := Own;
       if Before mod 2 = 0
         and then Before <= 2 * Own
         and then Compare_And_Swap
-          (Here.State'Address, Before, 2 * Own + 1) = Before
+          (Here.State'Address, Before'Address, 2 * Own + 1, False,
+           Acquire, Relaxed)
       then
+         Fence (Release);
          Here.Item := Item;
          Store (Here.State'Address, 2 * Own + 2, Release);
          --  it is long ago that a cache had them: the next slots on their way

@@ -47,6 +47,9 @@ package body Vision with SPARK_Mode => Off is
    function C_Grab (Slot : int) return int
    with Import, Convention => C, External_Name => "vision_grab";
 
+   function C_Format return System.Address
+   with Import, Convention => C, External_Name => "vision_format";
+
    function C_Close return int
    with Import, Convention => C, External_Name => "vision_close";
 
@@ -202,6 +205,11 @@ package body Vision with SPARK_Mode => Off is
    begin
       Result := To_Status (C_Grab (int (Into)));
    end Grab;
+
+   procedure Get_Format (Text : out Reason_Text; Last : out Natural) is
+   begin
+      Copy (C_Format, Text, Last);
+   end Get_Format;
 
    procedure Close is
       Ignored : int;

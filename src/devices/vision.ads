@@ -107,6 +107,13 @@ is
    --  unless Done. What a live source delivers waits in buffers and grows old
    --  there unless it is grabbed as fast as it comes.
 
+   procedure Get_Format (Text : out Reason_Text; Last : out Natural)
+   with
+     Global => (Input => Camera),
+     Post   => Last <= Text'Last;
+   --  What the open source has granted, such as "MJPG 640x480, 30 a second":
+   --  Text (1 .. Last), the rest blank; nothing for a still image
+
    procedure Close
    with Global => (In_Out => Camera);
    --  Without effect where nothing is open

@@ -64,9 +64,9 @@ package Command_Lines with SPARK_Mode is
      & "  --fps N              images a second, 1 .. 100 (10)" & LF
      & "  --jpeg-quality N     1 .. 100 (80)" & LF
      & "  --marker KIND        aruco or triangle (aruco)" & LF
-     & "  --message-gap MS     between two messages of which one is unasked,"
+     & "  --message-gap MS     before each unasked message, 0 .. 1000 (20);"
      & LF
-     & "                       0 .. 1000 (4)" & LF
+     & "                       before an answer 4 at most" & LF
      & "  --cpu N              keep the real-time tasks on processor N, and"
      & LF
      & "                       all else off it" & LF

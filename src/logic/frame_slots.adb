@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Who may use which frame slot: at most one holds the newest image, for
---  whoever claims it first; the others are claimed by one task each, or free.
+--  Who may use which frame slot: one holds the newest image and one that
+--  before it, for whoever claims them first; the others are claimed by one
+--  task each, or free.
 
 package body Frame_Slots with SPARK_Mode is
 
@@ -23,6 +24,7 @@ package body Frame_Slots with SPARK_Mode is
    procedure Begin_Delivery (S : in out State) is
    begin
       S.Has_Newest := False;
+      S.Has_Older := False;
       S.Delivering := True;
    end Begin_Delivery;
 
@@ -37,9 +39,7 @@ package body Frame_Slots with SPARK_Mode is
       if Use_Of (S, Which) /= Free then
          Find_Free (S, Slot'First, S.Last_Claimed, Which);
       end if;
-      if S.Newest = Which then
-         S.Has_Newest := False;
-      end if;
+      Release (S, Which);
       S.In_Use (Which) := True;
       S.Last_Claimed := Which;
    end Claim_Empty;
@@ -55,9 +55,21 @@ package body Frame_Slots with SPARK_Mode is
       Found := S.Has_Newest;
       if Found then
          S.Has_Newest := False;
+         S.Has_Older := False;
          S.In_Use (Which) := True;
       end if;
    end Claim_Newest;
+
+   -----------------
+   -- Claim_Older --
+   -----------------
+
+   procedure Claim_Older (S : in out State; Which : out Slot) is
+   begin
+      Which := S.Older;
+      S.Has_Older := False;
+      S.In_Use (Which) := True;
+   end Claim_Older;
 
    ------------------
    -- End_Delivery --
@@ -66,6 +78,7 @@ package body Frame_Slots with SPARK_Mode is
    procedure End_Delivery (S : in out State) is
    begin
       S.Has_Newest := False;
+      S.Has_Older := False;
       S.Delivering := False;
    end End_Delivery;
 
@@ -88,11 +101,11 @@ package body Frame_Slots with SPARK_Mode is
       end loop;
    end Find_Free;
 
-   ----------------------
-   -- Prove_One_Newest --
-   ----------------------
+   --------------------
+   -- Prove_One_Each --
+   --------------------
 
-   procedure Prove_One_Newest (S : State) is null;
+   procedure Prove_One_Each (S : State) is null;
 
    -------------
    -- Publish --
@@ -102,8 +115,13 @@ package body Frame_Slots with SPARK_Mode is
    begin
       Release (S, Which);
       if S.Delivering then
-         S.Newest := Which;
-         S.Has_Newest := True;
+         S := (In_Use       => S.In_Use,
+               Has_Newest   => True,
+               Newest       => Which,
+               Has_Older    => S.Has_Newest,
+               Older        => S.Newest,
+               Last_Claimed => S.Last_Claimed,
+               Delivering   => True);
       end if;
    end Publish;
 
@@ -115,6 +133,9 @@ package body Frame_Slots with SPARK_Mode is
    begin
       if S.Newest = Which then
          S.Has_Newest := False;
+      end if;
+      if S.Older = Which then
+         S.Has_Older := False;
       end if;
       S.In_Use (Which) := False;
    end Release;

@@ -19,9 +19,19 @@ package Monitor_Link with SPARK_Mode is
    Stalled_After : constant Milliseconds := 15_000;
    --  A monitor that takes nothing for so long is lost.
 
+   Needed_Bytes : constant := 148;
+   --  Of the kernel's struct tcp_info, up to tcpi_notsent_bytes. How many it
+   --  fills in depends on its version; an emulated one may give 4.
+
+   function Is_Enough (Length : Natural) return Boolean is
+     (Length >= Needed_Bytes);
+   --  Length: of what the kernel has filled in.
+
    type Sample is record
       Now            : Milliseconds := 0;
       --  Monotonic time of the sample.
+      Known          : Boolean      := False;
+      --  The kernel has said what follows.
       Unacknowledged : Natural      := 0;
       --  Segments sent and not acknowledged (tcpi_unacked).
       Since_Heard    : Milliseconds := 0;
@@ -73,6 +83,7 @@ package Monitor_Link with SPARK_Mode is
 
    procedure Judge (S : in out State; X : Sample; V : out Verdict)
    with
+     Pre  => X.Known,
      Post =>
        S.Acked = X.Bytes_Acked
        and then S.Watched_Since = S'Old.Watched_Since

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Networks of IPv4, and the list of those whose monitors are admitted: the
---  option --allow.
+--  option --allow. Whom a peer's connections are counted for.
 
 package body Networks with SPARK_Mode is
 

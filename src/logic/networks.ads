@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Networks of IPv4, and the list of those whose monitors are admitted: the
---  option --allow.
+--  option --allow. Whom a peer's connections are counted for.
 
 with Bytes; use Bytes;
 with Interfaces;
@@ -12,6 +12,7 @@ package Networks with SPARK_Mode, Pure is
 
    use type Byte;
    use type Interfaces.Unsigned_32;
+   use type Interfaces.Unsigned_64;
 
    subtype Address is Interfaces.Unsigned_32;
    --  The first octet is the most significant.
@@ -56,6 +57,29 @@ package Networks with SPARK_Mode, Pure is
    function IPv4 (P : Peer_Address) return Address is
      (Joined (P (13), P (14), P (15), P (16)))
    with Pre => Is_IPv4 (P);
+
+   --  Sources
+
+   subtype Source is Interfaces.Unsigned_64;
+   --  Whom connections are counted for: an address of IPv4, or the first
+   --  half of one of IPv6, for whoever has one such has all 2 ** 64.
+
+   IPv4_Sources : constant Source := 16#FFFF_0000_0000#;
+   --  With the address behind it. Nobody has an address of IPv6 that begins
+   --  so (RFC 4291, 2.4: 0000::/8 is reserved).
+
+   function Octets
+     (P : Peer_Address; First : Positive) return Source
+   is (Source (P (First)) * 2 ** 24 + Source (P (First + 1)) * 2 ** 16
+       + Source (P (First + 2)) * 2 ** 8 + Source (P (First + 3)))
+   with Pre => First <= 13;
+
+   function Source_Of (P : Peer_Address) return Source is
+     (if Is_IPv4 (P) then IPv4_Sources + Octets (P, 13)
+      else Octets (P, 1) * 2 ** 32 + Octets (P, 5));
+
+   function Is_IPv4 (S : Source) return Boolean is
+     ((S and 16#FFFF_FFFF_0000_0000#) = IPv4_Sources);
 
    --  Lists
 

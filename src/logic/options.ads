@@ -2,6 +2,7 @@
 --  What can be chosen on the command line, with the defaults.
 
 with Networks;
+with Send_Order;
 with Texts;
 
 package Options with SPARK_Mode is
@@ -15,7 +16,7 @@ package Options with SPARK_Mode is
    subtype Pixel_Count is Positive range 16 .. 4_096;
    subtype Rate is Positive range 1 .. 100;
    subtype Percentage is Positive range 1 .. 100;
-   subtype Milliseconds is Natural range 0 .. 1_000;
+   subtype Milliseconds is Send_Order.Milliseconds;
 
    subtype Processor is Natural range 0 .. 1_023;
 
@@ -41,7 +42,7 @@ package Options with SPARK_Mode is
       Frame_Rate  : Rate         := 10;          --  images a second
       Quality     : Percentage   := 80;          --  of the JPEG
       Marker      : Marker_Kind  := Aruco;
-      Message_Gap : Milliseconds := 4;           --  PROTOCOL.md
+      Message_Gap : Milliseconds := 20;          --  PROTOCOL.md
       Log_Level   : Level        := Info;
       Cpu         : Processor_Choice := No_Processor;
       --  where the real-time tasks are kept; No_Processor: anywhere

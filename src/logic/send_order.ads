@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Which of the messages that wait goes to the monitor next (PROTOCOL rules 1
---  and 7): answers before what is unasked, images last of all.
+--  and 7), answers before what is unasked; and how long after the last one.
 
 package Send_Order with SPARK_Mode, Pure is
 
@@ -14,7 +14,7 @@ package Send_Order with SPARK_Mode, Pure is
       Text,
       Battery,
       Position,
-      Image);
+      Image);        --  and position take turns: they belong together
 
    subtype Unasked is Choice range Robot_Lost .. Image;
 
@@ -31,9 +31,16 @@ package Send_Order with SPARK_Mode, Pure is
       --  the unasked ones that wait ...
       Released : Boolean := False;
       --  ... and have been held back for long enough (rule 7)
-      Answered : Boolean := False;
-      --  what was sent last was an answer
+      Last     : Choice := Nothing;
+      --  what was sent last in this session
+      Imaged   : Boolean := False;
+      --  an image has been sent since the last position
    end record;
+
+   subtype Milliseconds is Natural range 0 .. 1_000;
+
+   Answer_Gap : constant Milliseconds := 4;
+   --  at most, before an answer (PROTOCOL.md)
 
    function Any_Unasked (W : Waiting) return Boolean is
      (for some Kind in Unasked => W.Messages (Kind));
@@ -42,20 +49,25 @@ package Send_Order with SPARK_Mode, Pure is
      (if W.Messages (Robot_Lost) then Robot_Lost
       elsif W.Messages (Text) then Text
       elsif W.Messages (Battery) then Battery
-      elsif W.Messages (Position) then Position
+      elsif W.Messages (Position)
+        and then (W.Imaged or else not W.Messages (Image))
+      then Position
       else Image)
    with
      Pre  => Any_Unasked (W),
      Post => W.Messages (First_Unasked'Result)
-       and then (for all Kind in Unasked =>
+       and then (for all Kind in Robot_Lost .. Battery =>
                    (if Kind < First_Unasked'Result then
-                       not W.Messages (Kind)));
+                       not W.Messages (Kind)))
+       and then
+         (if W.Messages (Position) and then W.Messages (Image) then
+            First_Unasked'Result /= (if W.Imaged then Image else Position));
 
    function Next (W : Waiting) return Choice is
      (if not W.Open then Nothing
       elsif W.Ready
         and then not (Any_Unasked (W) and then W.Released
-                      and then W.Answered)
+                      and then W.Last = Answer)
       then Answer
       elsif Any_Unasked (W) and then (not W.Commands or else W.Released)
       then First_Unasked (W)
@@ -73,7 +85,7 @@ package Send_Order with SPARK_Mode, Pure is
        --  for long enough; then the two take turns
        and then
          (if W.Open and then W.Ready then
-            (if not W.Released or else not W.Answered
+            (if not W.Released or else W.Last /= Answer
                or else not Any_Unasked (W)
              then Next'Result = Answer
              else Next'Result in Unasked))
@@ -86,12 +98,25 @@ package Send_Order with SPARK_Mode, Pure is
        and then
          (if W.Open and then Any_Unasked (W)
             and then (W.Released or else not W.Commands)
-          then Next'Result /= Nothing)
+          then Next'Result /= Nothing);
 
-       --  an image is the last of the unasked
-       and then
-         (if Next'Result = Image then
-            (for all Kind in Unasked =>
-               (if Kind /= Image then not W.Messages (Kind))));
+   function Gap
+     (W : Waiting; Sent : Choice; Between : Milliseconds) return Milliseconds
+   is
+     (if W.Last = Nothing or else Sent = Nothing
+        or else (W.Last = Answer and then Sent = Answer)
+      then 0
+      elsif Sent = Answer or else (W.Last = Answer and then W.Released)
+      then Milliseconds'Min (Between, Answer_Gap)
+      else Between)
+   with
+     Post => Gap'Result <= Between
+       and then (if Sent = Answer then Gap'Result <= Answer_Gap)
+       and then (if Sent in Unasked and then W.Last in Unasked then
+                    Gap'Result = Between);
+   --  How long after the last message Sent may follow it, where Between is
+   --  what two unasked ones are apart. An unasked one after an answer, too:
+   --  the monitor takes its time over that. But answers without end must not
+   --  hold the unasked back for ever
 
 end Send_Order;

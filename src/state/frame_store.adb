@@ -9,14 +9,28 @@ with Trace;
 
 package body Frame_Store with SPARK_Mode is
 
-   Changed : Suspension_Object;  --  an image has come, or none will
+   Changed : Suspension_Object;
+   --  An image has come, or none will: for th_arene
+
+   Look : Suspension_Object;
+   --  The same, or nothing has come for too long: for th_captureImg
 
    protected Store with Priority => Schedule.Vision_Ceiling is
       procedure Begin_Delivery (At_Time : Time);
-      procedure End_Delivery;
+      procedure End_Delivery (Awaited : out Boolean);
       procedure Claim_Empty (Slot : out Frame_Slots.Slot);
-      procedure Publish (Slot : Frame_Slots.Slot; At_Time : Time);
+      procedure Publish
+        (Slot : Frame_Slots.Slot; At_Time : Time; Awaited : out Boolean);
       procedure Release (Slot : Frame_Slots.Slot);
+      procedure Claim_Due
+        (Now     : Time;
+         Period  : Image_Grid.Period_Time;
+         Slot    : out Frame_Slots.Slot;
+         At_Time : out Time;
+         Reserve : out Boolean;
+         Found   : out Boolean;
+         Coming  : out Boolean);
+      procedure Look_At_Silence (Now : Time; Awaited : out Boolean);
       procedure Claim_Newest
         (Slot : out Frame_Slots.Slot; Found : out Boolean);
       procedure Get_Delivering (Now : out Boolean);
@@ -24,7 +38,25 @@ package body Frame_Store with SPARK_Mode is
    private
       Uses        : Frame_Slots.State;
       Newest_Time : Time := Time_First;
+      Older_Time  : Time := Time_First;
+      Waits       : Boolean := False;  --  th_captureImg, for the next image
    end Store;
+
+   procedure Tell_If (Awaited : Boolean);
+   --  th_captureImg has something to look at
+
+   -------------
+   -- Elapsed --
+   -------------
+
+   function Elapsed (First, Last : Time) return Image_Grid.Microseconds is
+      Longest : constant Integer := Integer (Image_Grid.Microseconds'Last);
+   begin
+      return Image_Grid.Microseconds
+        (if Last - First >= Microseconds (Longest) then Longest
+         else Integer'Max
+           (0, Integer'Min (Longest, (Last - First) / Microseconds (1))));
+   end Elapsed;
 
    protected body Store is
 
@@ -34,9 +66,11 @@ package body Frame_Store with SPARK_Mode is
          Newest_Time := At_Time;
       end Begin_Delivery;
 
-      procedure End_Delivery is
+      procedure End_Delivery (Awaited : out Boolean) is
       begin
          Frame_Slots.End_Delivery (Uses);
+         Awaited := Waits;
+         Waits := False;
       end End_Delivery;
 
       procedure Claim_Empty (Slot : out Frame_Slots.Slot) is
@@ -44,18 +78,58 @@ package body Frame_Store with SPARK_Mode is
          Frame_Slots.Claim_Empty (Uses, Slot);
       end Claim_Empty;
 
-      procedure Publish (Slot : Frame_Slots.Slot; At_Time : Time) is
+      procedure Publish
+        (Slot : Frame_Slots.Slot; At_Time : Time; Awaited : out Boolean) is
       begin
          Frame_Slots.Publish (Uses, Slot);
          if Frame_Slots.Is_Delivering (Uses) then
+            Older_Time := Newest_Time;
             Newest_Time := At_Time;
          end if;
+         Awaited := Waits;
+         Waits := False;
       end Publish;
 
       procedure Release (Slot : Frame_Slots.Slot) is
       begin
          Frame_Slots.Release (Uses, Slot);
       end Release;
+
+      procedure Claim_Due
+        (Now     : Time;
+         Period  : Image_Grid.Period_Time;
+         Slot    : out Frame_Slots.Slot;
+         At_Time : out Time;
+         Reserve : out Boolean;
+         Found   : out Boolean;
+         Coming  : out Boolean) is
+      begin
+         Reserve := Frame_Slots.Has_Older (Uses)
+           and then Frame_Slots.Has_Newest (Uses)
+           and then Image_Grid.Sends_Older
+             (Newest_Age => Elapsed (Newest_Time, Now),
+              Older_Age  => Elapsed (Older_Time, Now),
+              Period     => Period);
+         if Reserve then
+            Frame_Slots.Claim_Older (Uses, Slot);
+            At_Time := Older_Time;
+            Found := True;
+         else
+            Frame_Slots.Claim_Newest (Uses, Slot, Found);
+            At_Time := Newest_Time;
+         end if;
+         Coming := Frame_Slots.Is_Delivering (Uses);
+         Waits := Coming and then not Found;
+      end Claim_Due;
+
+      procedure Look_At_Silence (Now : Time; Awaited : out Boolean) is
+      begin
+         Awaited :=
+           Waits and then Now - Newest_Time > Schedule.Camera_Silence;
+         if Awaited then
+            Waits := False;
+         end if;
+      end Look_At_Silence;
 
       procedure Claim_Newest
         (Slot : out Frame_Slots.Slot; Found : out Boolean) is
@@ -89,9 +163,11 @@ package body Frame_Store with SPARK_Mode is
    ------------------
 
    procedure End_Delivery is
+      Awaited : Boolean;
    begin
-      Store.End_Delivery;
+      Store.End_Delivery (Awaited);
       Set_True (Changed);
+      Tell_If (Awaited);
    end End_Delivery;
 
    -----------------
@@ -108,9 +184,11 @@ package body Frame_Store with SPARK_Mode is
    -------------
 
    procedure Publish (Slot : Frame_Slots.Slot; At_Time : Ada.Real_Time.Time) is
+      Awaited : Boolean;
    begin
-      Store.Publish (Slot, At_Time);
+      Store.Publish (Slot, At_Time, Awaited);
       Set_True (Changed);
+      Tell_If (Awaited);
    end Publish;
 
    -------------
@@ -121,6 +199,54 @@ package body Frame_Store with SPARK_Mode is
    begin
       Store.Release (Slot);
    end Release;
+
+   ---------------
+   -- Claim_Due --
+   ---------------
+
+   procedure Claim_Due
+     (Now     : Ada.Real_Time.Time;
+      Period  : Image_Grid.Period_Time;
+      Slot    : out Frame_Slots.Slot;
+      At_Time : out Ada.Real_Time.Time;
+      Reserve : out Boolean;
+      Found   : out Boolean;
+      Coming  : out Boolean) is
+   begin
+      Store.Claim_Due (Now, Period, Slot, At_Time, Reserve, Found, Coming);
+   end Claim_Due;
+
+   ---------------
+   -- Wait_Look --
+   ---------------
+
+   procedure Wait_Look is
+   begin
+      Suspend_Until_True (Look);
+   end Wait_Look;
+
+   ---------------------
+   -- Look_At_Silence --
+   ---------------------
+
+   procedure Look_At_Silence (Now : Ada.Real_Time.Time) is
+      Awaited : Boolean;
+   begin
+      Store.Look_At_Silence (Now, Awaited);
+      Tell_If (Awaited);
+   end Look_At_Silence;
+
+   -------------
+   -- Tell_If --
+   -------------
+
+   procedure Tell_If (Awaited : Boolean) is
+   begin
+      if Awaited then
+         Trace.Release (Schedule.Th_Capture_Img);
+         Set_True (Look);
+      end if;
+   end Tell_If;
 
    ------------------
    -- Claim_Newest --

@@ -4,6 +4,7 @@
 
 with Ada.Real_Time;
 with Frame_Slots;
+with Image_Grid;
 
 package Frame_Store with SPARK_Mode is
 
@@ -20,15 +21,38 @@ package Frame_Store with SPARK_Mode is
 
    procedure Publish (Slot : Frame_Slots.Slot; At_Time : Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
-   --  The slot holds the newest image now; an older one is dropped
+   --  The slot holds the newest image now; but for the one before it, those
+   --  that nobody has claimed are dropped
 
    procedure Release (Slot : Frame_Slots.Slot)
    with Annotate => (GNATprove, Terminating);
    --  The slot is free again
 
+   procedure Claim_Due
+     (Now     : Ada.Real_Time.Time;
+      Period  : Image_Grid.Period_Time;
+      Slot    : out Frame_Slots.Slot;
+      At_Time : out Ada.Real_Time.Time;
+      Reserve : out Boolean;
+      Found   : out Boolean;
+      Coming  : out Boolean)
+   with Annotate => (GNATprove, Terminating);
+   --  The image that is to be sent at an instant of the grid, and when it
+   --  came; Reserve: a newer one waits. Where none is found, Coming tells
+   --  whether Wait_Look will end. For th_captureImg
+
+   procedure Wait_Look;
+   --  Until there is something to look at after a Claim_Due without an image:
+   --  one has come, or none will. For th_captureImg only
+
+   procedure Look_At_Silence (Now : Ada.Real_Time.Time)
+   with Annotate => (GNATprove, Terminating);
+   --  Ends Wait_Look where nothing has come for so long that the camera
+   --  counts as failed
+
    procedure Claim_Newest (Slot : out Frame_Slots.Slot; Found : out Boolean)
    with Annotate => (GNATprove, Terminating);
-   --  The newest image, if it has not been taken yet. For th_captureImg
+   --  The newest image, if it has not been taken yet
 
    procedure Wait_Newest (Slot : out Frame_Slots.Slot; Found : out Boolean);
    --  The same, and waits for it; not found when the delivery has ended.
@@ -37,5 +61,10 @@ package Frame_Store with SPARK_Mode is
    procedure Get_Newest_Time (At_Time : out Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
    --  When the last image came, or the delivery began
+
+   function Elapsed (First, Last : Ada.Real_Time.Time)
+     return Image_Grid.Microseconds;
+   --  From First to Last, 0 where it is earlier; the longest there is where
+   --  it is longer
 
 end Frame_Store;

@@ -5,8 +5,8 @@
 with Ada.Real_Time;                use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Answer_Queues;                use Answer_Queues;
+with Message_Holds;
 with Schedule;
-with Send_Order;
 with Text_Queues;
 with Trace;
 
@@ -30,30 +30,47 @@ package body Outbox with SPARK_Mode is
       procedure Close_Session (Next : out Orders.Ticket);
       procedure Get_Busy (Sender_Busy : out Boolean);
       procedure Reserve
-        (Number : out Orders.Ticket; Result : out Reserve_Result);
+        (Now    : Time;
+         Number : out Orders.Ticket;
+         Result : out Reserve_Result;
+         Begun  : out Boolean);
+      --  Begun, here and below: unasked messages begin to be held back
       procedure Answer (Number : Orders.Ticket; Item : Answer_Queues.Answer);
       procedure Answer_With_Image
         (Number   : Orders.Ticket;
          Data     : Message_Buffer;
          Length   : Message_Length;
          Accepted : out Boolean);
-      procedure Put_Lost (Now : Time);
-      procedure Put_Text (Item : Texts.Text; Now : Time);
+      procedure Put_Lost (Now : Time; Begun : out Boolean);
+      procedure Put_Text
+        (Item : Texts.Text; Now : Time; Begun : out Boolean);
       procedure Put_Battery
-        (Kind : Monitor_Protocol.Answer_Kind; Now : Time);
+        (Kind  : Monitor_Protocol.Answer_Kind;
+         Now   : Time;
+         Begun : out Boolean);
       procedure Get_Generation (Current : out Generation);
-      procedure Put_Position (Text : String; Made : Generation; Now : Time);
+      procedure Put_Position
+        (Text  : String;
+         Made  : Generation;
+         Now   : Time;
+         Begun : out Boolean);
       procedure Put_Image
         (Data   : Message_Buffer;
          Length : Message_Length;
          Made   : Generation;
-         Now    : Time);
+         Now    : Time;
+         Begun  : out Boolean);
       procedure Stop_Images;
-      procedure Get_Ready (Now : out Boolean; Answer_Is_Next : out Boolean);
+      procedure Get_Ready (Now : out Boolean);
+      procedure Get_Gap
+        (Between : Send_Order.Milliseconds;
+         Gap     : out Send_Order.Milliseconds);
       procedure Take
-        (Kind   : out Message_Kind;
-         Data   : in out Message_Buffer;
-         Length : out Message_Length);
+        (Between : Send_Order.Milliseconds;
+         Kept    : Send_Order.Milliseconds;
+         Kind    : out Message_Kind;
+         Data    : in out Message_Buffer;
+         Length  : out Message_Length);
       procedure Sent (Closed : out Boolean);
       procedure Get_Hold_End (Any : out Boolean; At_Time : out Time);
       procedure End_Hold (Now : Time);
@@ -75,9 +92,10 @@ package body Outbox with SPARK_Mode is
       Image    : Image_Slots.Slot;
       Now_Made : Generation := 0;
 
-      Held_Since : Time := Time_First;  --  of the oldest unasked one
-      Released   : Boolean := False;    --  held back for long enough
-      Answered   : Boolean := False;    --  the message taken last
+      Hold     : Message_Holds.Hold;
+      Released : Boolean := False;      --  held back for long enough
+      Last     : Send_Order.Choice := Send_Order.Nothing;  --  taken last
+      Imaged   : Boolean := False;      --  an image since the last position
    end Box;
 
    protected body Box is
@@ -93,7 +111,8 @@ package body Outbox with SPARK_Mode is
                        Send_Order.Image      =>
                          not Image_Slots.Is_Empty (Image)),
           Released => Released,
-          Answered => Answered))
+          Last     => Last,
+          Imaged   => Imaged))
       with Post => (if Waits'Result.Ready then Waits'Result.Commands);
 
       function Unasked_Waits return Boolean is
@@ -106,6 +125,7 @@ package body Outbox with SPARK_Mode is
          Battery := False;
          Position_Any := 0;
          Image_Slots.Clear (Image);
+         Hold.On := False;
          Released := False;
       end Drop_Unasked;
 
@@ -113,16 +133,19 @@ package body Outbox with SPARK_Mode is
       begin
          Skip_Nothing (Answers);
          if not Unasked_Waits then
+            Hold.On := False;
             Released := False;
          end if;
       end Refresh;
 
-      procedure Begin_Unasked (Now : Time) is
+      procedure Begin_Hold
+        (New_Command : Boolean; Now : Time; Begun : out Boolean) is
       begin
-         if not Unasked_Waits then
-            Held_Since := Now;
+         Begun := False;
+         if Unasked_Waits and then Answer_Queues.Length (Answers) > 0 then
+            Message_Holds.Begin_Hold (Hold, New_Command, Now, Begun);
          end if;
-      end Begin_Unasked;
+      end Begin_Hold;
 
       ------------------
       -- Open_Session --
@@ -131,7 +154,8 @@ package body Outbox with SPARK_Mode is
       procedure Open_Session is
       begin
          Open := True;
-         Answered := False;
+         Last := Send_Order.Nothing;
+         Imaged := False;
          Drop_Unasked;
       end Open_Session;
 
@@ -163,9 +187,13 @@ package body Outbox with SPARK_Mode is
       -------------
 
       procedure Reserve
-        (Number : out Orders.Ticket; Result : out Reserve_Result) is
+        (Now    : Time;
+         Number : out Orders.Ticket;
+         Result : out Reserve_Result;
+         Begun  : out Boolean) is
       begin
          Number := Next_Number (Answers);
+         Begun := False;
          if not Open then
             Result := Closed;
          elsif Answer_Queues.Length (Answers) = Orders.Capacity then
@@ -173,6 +201,10 @@ package body Outbox with SPARK_Mode is
          else
             Reserve (Answers);
             Result := Reserved;
+            Begin_Hold
+              (New_Command => Answer_Queues.Length (Answers) = 1,
+               Now         => Now,
+               Begun       => Begun);
          end if;
       end Reserve;
 
@@ -212,11 +244,12 @@ package body Outbox with SPARK_Mode is
       -- Put_Lost --
       --------------
 
-      procedure Put_Lost (Now : Time) is
+      procedure Put_Lost (Now : Time; Begun : out Boolean) is
       begin
+         Begun := False;
          if Open then
-            Begin_Unasked (Now);
             Lost := True;
+            Begin_Hold (False, Now, Begun);
          end if;
       end Put_Lost;
 
@@ -224,11 +257,13 @@ package body Outbox with SPARK_Mode is
       -- Put_Text --
       --------------
 
-      procedure Put_Text (Item : Texts.Text; Now : Time) is
+      procedure Put_Text
+        (Item : Texts.Text; Now : Time; Begun : out Boolean) is
       begin
+         Begun := False;
          if Open then
-            Begin_Unasked (Now);
             Text_Queues.Put_Over_Oldest (Text, Item);
+            Begin_Hold (False, Now, Begun);
          end if;
       end Put_Text;
 
@@ -237,12 +272,15 @@ package body Outbox with SPARK_Mode is
       -----------------
 
       procedure Put_Battery
-        (Kind : Monitor_Protocol.Answer_Kind; Now : Time) is
+        (Kind  : Monitor_Protocol.Answer_Kind;
+         Now   : Time;
+         Begun : out Boolean) is
       begin
+         Begun := False;
          if Open then
-            Begin_Unasked (Now);
             Battery := True;
             Level := Kind;
+            Begin_Hold (False, Now, Begun);
          end if;
       end Put_Battery;
 
@@ -259,14 +297,19 @@ package body Outbox with SPARK_Mode is
       -- Put_Position --
       ------------------
 
-      procedure Put_Position (Text : String; Made : Generation; Now : Time) is
+      procedure Put_Position
+        (Text  : String;
+         Made  : Generation;
+         Now   : Time;
+         Begun : out Boolean) is
       begin
+         Begun := False;
          if Open and then Made = Now_Made
            and then Text'Length in 1 .. Position_Length
          then
-            Begin_Unasked (Now);
             Position (1 .. Text'Length) := Text;
             Position_Any := Text'Length;
+            Begin_Hold (False, Now, Begun);
          end if;
       end Put_Position;
 
@@ -278,11 +321,13 @@ package body Outbox with SPARK_Mode is
         (Data   : Message_Buffer;
          Length : Message_Length;
          Made   : Generation;
-         Now    : Time) is
+         Now    : Time;
+         Begun  : out Boolean) is
       begin
+         Begun := False;
          if Open and then Made = Now_Made then
-            Begin_Unasked (Now);
             Image_Slots.Put (Image, Data, Length);
+            Begin_Hold (False, Now, Begun);
          end if;
       end Put_Image;
 
@@ -302,21 +347,32 @@ package body Outbox with SPARK_Mode is
       -- Get_Ready --
       ---------------
 
-      procedure Get_Ready
-        (Now : out Boolean; Answer_Is_Next : out Boolean) is
+      procedure Get_Ready (Now : out Boolean) is
       begin
          Now := Send_Order.Next (Waits) /= Send_Order.Nothing;
-         Answer_Is_Next := First_Is_Ready (Answers) and then not Released;
       end Get_Ready;
+
+      -------------
+      -- Get_Gap --
+      -------------
+
+      procedure Get_Gap
+        (Between : Send_Order.Milliseconds;
+         Gap     : out Send_Order.Milliseconds) is
+      begin
+         Gap := Send_Order.Gap (Waits, Send_Order.Next (Waits), Between);
+      end Get_Gap;
 
       ----------
       -- Take --
       ----------
 
       procedure Take
-        (Kind   : out Message_Kind;
-         Data   : in out Message_Buffer;
-         Length : out Message_Length)
+        (Between : Send_Order.Milliseconds;
+         Kept    : Send_Order.Milliseconds;
+         Kind    : out Message_Kind;
+         Data    : in out Message_Buffer;
+         Length  : out Message_Length)
       is
          procedure Write (S : String)
          with Pre => S'First = 1 and then S'Last <= Position_Length;
@@ -346,7 +402,10 @@ package body Outbox with SPARK_Mode is
             Data (Length) := ASCII.LF;
          end Write_Text;
 
-         Chosen : constant Send_Order.Choice := Send_Order.Next (Waits);
+         First  : constant Send_Order.Choice := Send_Order.Next (Waits);
+         Chosen : constant Send_Order.Choice :=
+           (if Send_Order.Gap (Waits, First, Between) <= Kept then First
+            else Send_Order.Nothing);
       begin
          Length := 0;
          case Chosen is
@@ -391,7 +450,15 @@ package body Outbox with SPARK_Mode is
                      when Send_Order.Answer  => Outbox.Answer,
                      when Send_Order.Unasked => Unasked);
          if Kind /= Nothing then
-            Answered := Kind = Outbox.Answer;
+            Last := Chosen;
+         end if;
+         if Kind = Unasked then
+            Imaged := Chosen = Send_Order.Image
+              or else (Imaged and then Chosen /= Send_Order.Position);
+            if Answer_Queues.Length (Answers) = 0 then
+               Hold.On := False;
+               Released := False;
+            end if;
          end if;
          if Open then
             Busy := Kind /= Nothing;
@@ -415,8 +482,8 @@ package body Outbox with SPARK_Mode is
 
       procedure Get_Hold_End (Any : out Boolean; At_Time : out Time) is
       begin
-         Any := Unasked_Waits and then not Released;
-         At_Time := Held_Since + Schedule.Hold_Limit;
+         Any := Hold.On and then not Released;
+         At_Time := (if Any then Message_Holds.Ending (Hold) else Time_First);
       end Get_Hold_End;
 
       --------------
@@ -425,8 +492,7 @@ package body Outbox with SPARK_Mode is
 
       procedure End_Hold (Now : Time) is
       begin
-         if Unasked_Waits and then Now - Held_Since >= Schedule.Hold_Limit
-         then
+         if Hold.On and then Now >= Message_Holds.Ending (Hold) then
             Released := True;
          end if;
       end End_Hold;
@@ -441,6 +507,36 @@ package body Outbox with SPARK_Mode is
       end Get_Waiting;
 
    end Box;
+
+   procedure Release_Hold with Annotate => (GNATprove, Terminating);
+   --  th_hold: unasked messages begin to be held back
+
+   procedure Release_Unasked (Begun : Boolean)
+   with Annotate => (GNATprove, Terminating);
+   --  An unasked message has been put into the box
+
+   ------------------
+   -- Release_Hold --
+   ------------------
+
+   procedure Release_Hold is
+   begin
+      Trace.Release (Schedule.Th_Hold);
+      Set_True (Hold_Begun);
+   end Release_Hold;
+
+   ---------------------
+   -- Release_Unasked --
+   ---------------------
+
+   procedure Release_Unasked (Begun : Boolean) is
+   begin
+      Trace.Release (Schedule.Th_Send_To_Mon);
+      Set_True (Work);
+      if Begun then
+         Release_Hold;
+      end if;
+   end Release_Unasked;
 
    ------------------
    -- Open_Session --
@@ -486,15 +582,21 @@ package body Outbox with SPARK_Mode is
 
    procedure Reserve (Number : out Orders.Ticket; Open : out Boolean) is
       Result : Reserve_Result;
+      Now    : Time;
+      Begun  : Boolean;
    begin
       loop
-         Box.Reserve (Number, Result);
+         Now := Clock;
+         Box.Reserve (Now, Number, Result, Begun);
          exit when Result /= Full;
          Trace.Wait (Schedule.Th_Receive_From_Mon, Trace.Room);
          Suspend_Until_True (Room);
          Trace.Resume (Schedule.Th_Receive_From_Mon);
       end loop;
       Open := Result = Reserved;
+      if Begun then
+         Release_Hold;
+      end if;
    end Reserve;
 
    ------------
@@ -549,13 +651,11 @@ package body Outbox with SPARK_Mode is
    --------------------
 
    procedure Put_Robot_Lost is
-      Now : constant Time := Clock;
+      Now   : constant Time := Clock;
+      Begun : Boolean;
    begin
-      Box.Put_Lost (Now);
-      Trace.Release (Schedule.Th_Send_To_Mon);
-      Set_True (Work);
-      Trace.Release (Schedule.Th_Hold);
-      Set_True (Hold_Begun);
+      Box.Put_Lost (Now, Begun);
+      Release_Unasked (Begun);
    end Put_Robot_Lost;
 
    --------------
@@ -563,13 +663,11 @@ package body Outbox with SPARK_Mode is
    --------------
 
    procedure Put_Text (Text : Texts.Text) is
-      Now : constant Time := Clock;
+      Now   : constant Time := Clock;
+      Begun : Boolean;
    begin
-      Box.Put_Text (Text, Now);
-      Trace.Release (Schedule.Th_Send_To_Mon);
-      Set_True (Work);
-      Trace.Release (Schedule.Th_Hold);
-      Set_True (Hold_Begun);
+      Box.Put_Text (Text, Now, Begun);
+      Release_Unasked (Begun);
    end Put_Text;
 
    -----------------
@@ -577,13 +675,11 @@ package body Outbox with SPARK_Mode is
    -----------------
 
    procedure Put_Battery (Kind : Monitor_Protocol.Answer_Kind) is
-      Now : constant Time := Clock;
+      Now   : constant Time := Clock;
+      Begun : Boolean;
    begin
-      Box.Put_Battery (Kind, Now);
-      Trace.Release (Schedule.Th_Send_To_Mon);
-      Set_True (Work);
-      Trace.Release (Schedule.Th_Hold);
-      Set_True (Hold_Begun);
+      Box.Put_Battery (Kind, Now, Begun);
+      Release_Unasked (Begun);
    end Put_Battery;
 
    --------------------
@@ -600,13 +696,11 @@ package body Outbox with SPARK_Mode is
    ------------------
 
    procedure Put_Position (Text : String; Made : Generation) is
-      Now : constant Time := Clock;
+      Now   : constant Time := Clock;
+      Begun : Boolean;
    begin
-      Box.Put_Position (Text, Made, Now);
-      Trace.Release (Schedule.Th_Send_To_Mon);
-      Set_True (Work);
-      Trace.Release (Schedule.Th_Hold);
-      Set_True (Hold_Begun);
+      Box.Put_Position (Text, Made, Now, Begun);
+      Release_Unasked (Begun);
    end Put_Position;
 
    ---------------
@@ -618,13 +712,11 @@ package body Outbox with SPARK_Mode is
       Length : Message_Length;
       Made   : Generation)
    is
-      Now : constant Time := Clock;
+      Now   : constant Time := Clock;
+      Begun : Boolean;
    begin
-      Box.Put_Image (Data, Length, Made, Now);
-      Trace.Release (Schedule.Th_Send_To_Mon);
-      Set_True (Work);
-      Trace.Release (Schedule.Th_Hold);
-      Set_True (Hold_Begun);
+      Box.Put_Image (Data, Length, Made, Now, Begun);
+      Release_Unasked (Begun);
    end Put_Image;
 
    -----------------
@@ -640,12 +732,12 @@ package body Outbox with SPARK_Mode is
    -- Wait --
    ----------
 
-   procedure Wait (Answer_Is_Next : out Boolean) is
+   procedure Wait is
       Ready : Boolean;
    begin
       Trace.Done (Schedule.Th_Send_To_Mon);
       loop
-         Box.Get_Ready (Ready, Answer_Is_Next);
+         Box.Get_Ready (Ready);
          exit when Ready;
          Trace.Idle (Schedule.Th_Send_To_Mon);
          Suspend_Until_True (Work);
@@ -653,16 +745,28 @@ package body Outbox with SPARK_Mode is
       Trace.Start (Schedule.Th_Send_To_Mon);
    end Wait;
 
+   -------------
+   -- Get_Gap --
+   -------------
+
+   procedure Get_Gap
+     (Between : Send_Order.Milliseconds; Gap : out Send_Order.Milliseconds) is
+   begin
+      Box.Get_Gap (Between, Gap);
+   end Get_Gap;
+
    ----------
    -- Take --
    ----------
 
    procedure Take
-     (Kind   : out Message_Kind;
-      Data   : in out Message_Buffer;
-      Length : out Message_Length) is
+     (Between : Send_Order.Milliseconds;
+      Kept    : Send_Order.Milliseconds;
+      Kind    : out Message_Kind;
+      Data    : in out Message_Buffer;
+      Length  : out Message_Length) is
    begin
-      Box.Take (Kind, Data, Length);
+      Box.Take (Between, Kept, Kind, Data, Length);
       if Kind = Answer then
          Set_True (Room);
          Set_True (Arena_Room);

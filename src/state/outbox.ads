@@ -6,6 +6,7 @@ with Ada.Real_Time;
 with Image_Slots;
 with Monitor_Protocol;
 with Orders;
+with Send_Order;
 with Texts;
 
 package Outbox with SPARK_Mode is
@@ -99,17 +100,27 @@ package Outbox with SPARK_Mode is
 
    type Message_Kind is (Nothing, Answer, Unasked);
 
-   procedure Wait (Answer_Is_Next : out Boolean);
-   --  Until something may be sent. For th_sendToMon only
+   procedure Wait;
+   --  Until something may be sent, but for the gap after the last message.
+   --  For th_sendToMon only
+
+   procedure Get_Gap
+     (Between : Send_Order.Milliseconds; Gap : out Send_Order.Milliseconds)
+   with Annotate => (GNATprove, Terminating);
+   --  How long after the last message the most urgent one may follow now;
+   --  Between two unasked ones
 
    procedure Take
-     (Kind   : out Message_Kind;
-      Data   : in out Message_Buffer;
-      Length : out Message_Length)
+     (Between : Send_Order.Milliseconds;
+      Kept    : Send_Order.Milliseconds;
+      Kind    : out Message_Kind;
+      Data    : in out Message_Buffer;
+      Length  : out Message_Length)
    with Annotate => (GNATprove, Terminating);
-   --  The most urgent message that may be sent now, if any: answers first,
-   --  unless unasked ones have been held back for long enough. Until Sent
-   --  the sender counts as busy. For th_sendToMon only
+   --  The most urgent message that may be sent now, if any, and if its gap
+   --  is no longer than the one that was Kept: answers first, unless unasked
+   --  ones have been held back for long enough. Until Sent the sender counts
+   --  as busy. For th_sendToMon only
 
    procedure Sent with Annotate => (GNATprove, Terminating);
    --  What was taken has been sent, or could not be
@@ -119,12 +130,12 @@ package Outbox with SPARK_Mode is
    ----------------------------------
 
    procedure Wait_Held;
-   --  Until an unasked message begins to wait. For the hold's task only
+   --  Until unasked messages begin to be held back. For the hold's task only
 
    procedure Get_Hold_End
      (Any : out Boolean; At_Time : out Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
-   --  Whether unasked messages wait and are held back still; until when
+   --  Whether unasked messages are held back still; until when
 
    procedure End_Hold with Annotate => (GNATprove, Terminating);
    --  Release those whose time has come

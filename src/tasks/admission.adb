@@ -5,16 +5,16 @@
 with Ada.Real_Time; use Ada.Real_Time;
 with Bytes;
 with Journal;
+with Monitor_Sockets;
 with Options;
 with Outbox;
-with Schedule;
 with Secret_Files;
 with Session;
 with Trace;
 
 package body Admission with SPARK_Mode is
 
-   use type Authentication.Verdict;
+   use Pending_Connections;
    use type Bytes.Byte_Array;
    use type Session.Stage_Kind;
 
@@ -23,79 +23,114 @@ package body Admission with SPARK_Mode is
    Noted_Not_Authenticated : constant String :=
      "newcomer refused, not authenticated: ";
 
+   type Reception is
+     (Vacant,      --  nobody is in command: the next one is admitted
+      Occupied,    --  somebody is, and all others are refused
+      Stopping,    --  the supervisor is: all are refused
+      Deferred);   --  the end of a session is dealt with: they are to wait
+
+   procedure Get_Reception (R : out Reception);
+
    procedure Get_Next
      (G       : Gate;
-      Free    : out Monitor_Sockets.Place_Choice;
-      Watched : out Monitor_Sockets.Place_Set;
-      Limit   : out Time)
-   with
-     Post =>
-       (if Free in Monitor_Sockets.Place then
-           G.Places (Free).Stage = Nobody)
-       and then
-         (for all I in Monitor_Sockets.Place =>
-            Watched (I) = (G.Places (I).Stage = Asked));
+      Watched : out Place_Set;
+      Listens : out Boolean;
+      Limit   : out Time);
    --  What is to be waited for, and how long
 
-   procedure Meet
-     (G     : in out Gate;
-      Where : Monitor_Sockets.Place;
-      From  : Networks.Peer_Address;
-      Peer  : Texts.Text)
+   procedure Read
+     (G      : in out Gate;
+      Where  : Place;
+      Length : out Natural;
+      Open   : out Boolean)
    with
-     Pre  => Is_Consistent (G),
-     Post => Is_Consistent (G);
-   --  A newcomer: asks for its token where there is one
+     Pre  => Is_Consistent (G) and then Is_Waiting (G.Table, Where),
+     Post => Is_Consistent (G) and then Is_Waiting (G.Table, Where);
+   --  What a newcomer has sent, up to the end of its first line: so many
+   --  characters
 
-   procedure Read (G : in out Gate; Where : Monitor_Sockets.Place)
-   with
-     Pre  => Is_Consistent (G) and then G.Places (Where).Stage = Asked,
-     Post => Is_Consistent (G);
-   --  What a newcomer has sent, up to the end of its first line
+   procedure Refuse
+     (L       : in out Refusal_Log;
+      Where   : Place;
+      Message : String;
+      Noted   : String)
+   with Pre => Message'Length < 100;
+   --  Tells who has come at this place Message, and Noted and its address to
+   --  the log, where it has a line for that
 
    procedure Turn_Away
      (G       : in out Gate;
-      Where   : Monitor_Sockets.Place;
+      Where   : Place;
       Message : String;
       Noted   : String)
    with
-     Pre  => Is_Consistent (G) and then Message'Length < 100,
-     Post => Is_Consistent (G) and then G.Places (Where).Stage = Nobody;
-   --  Tells it Message, and Noted and its address to the log
+     Pre  => Is_Consistent (G)
+       and then Is_Taken (G.Table, Where)
+       and then Message'Length < 100,
+     Post => Is_Consistent (G) and then not Is_Taken (G.Table, Where);
+   --  The same, and its place is free
 
-   procedure Turn_Late_Away (G : in out Gate)
+   procedure Let_In (G : in out Gate; Where : Place)
+   with
+     Pre  => Is_Consistent (G)
+       and then Is_Kept (G.Table, Where)
+       and then Is_Entitled (G, G.Places (Where)),
+     Post => Is_Consistent (G) and then not Is_Taken (G.Table, Where);
+   --  It is in command now
+
+   procedure Decide (G : in out Gate; Where : Place; R : in out Reception)
+   with
+     Pre  => Is_Consistent (G) and then Is_Kept (G.Table, Where),
+     Post => Is_Consistent (G);
+   --  Admits it where nobody is in command, or tells it why not, or lets it
+   --  wait
+
+   procedure Hear (G : in out Gate; Where : Place; R : in out Reception)
+   with
+     Pre  => Is_Consistent (G) and then Is_Waiting (G.Table, Where),
+     Post => Is_Consistent (G);
+   --  A newcomer that may have sent something, or has no more time
+
+   procedure Meet
+     (G     : in out Gate;
+      Where : Place;
+      From  : Networks.Peer_Address;
+      R     : in out Reception)
+   with
+     Pre  => Is_Consistent (G) and then not Is_Taken (G.Table, Where),
+     Post => Is_Consistent (G);
+   --  A newcomer: asks for its token where there is one. Where there are too
+   --  many now, one of them is turned away
+
+   subtype Work_Count is Natural range 0 .. Schedule.Newcomers_Per_Turn;
+
+   procedure Hear_Some
+     (G     : in out Gate;
+      Ready : Place_Set;
+      R     : in out Reception;
+      Left  : in out Work_Count)
    with
      Pre  => Is_Consistent (G),
      Post => Is_Consistent (G);
-   --  One of those who have not shown their token in time
+   --  Those that have been kept, and of those that wait the Ready ones and
+   --  those whose time is over, each source in turn. Left: of the turn's work
+
+   procedure Take_In_Some
+     (G : in out Gate; First : Reception; Most : Work_Count)
+   with
+     Pre  => Is_Consistent (G),
+     Post => Is_Consistent (G);
+   --  Newcomers from the kernel's queue, so many at most. First: how the first
+   --  of them is received
+
+   procedure Defend (D : in out Defence; Changed : out Boolean);
+   --  Blocks the sources that fill the kernel's queue, for a while
+
+   procedure Put_Unwritten (L : in out Refusal_Log);
+   --  The log learns of refusals that it has no lines of
 
    procedure Close_Session;
    --  If it has been brought back: ready for the next monitor
-
-   procedure Get_First
-     (G     : Gate;
-      First : out Monitor_Sockets.Place_Choice;
-      Stage : out Session.Stage_Kind)
-   with
-     Post =>
-       (if First in Monitor_Sockets.Place then
-           G.Places (First).Stage = Entitled);
-   --  Of those who are entitled, who came first; nobody while the end of a
-   --  session is dealt with. Stage: of the session
-
-   procedure Let_In (G : in out Gate; Where : Monitor_Sockets.Place)
-   with
-     Pre  => Is_Consistent (G)
-       and then Is_Entitled (G, G.Places (Where)),
-     Post => Is_Consistent (G) and then G.Places (Where).Stage = Nobody;
-   --  It is in command now
-
-   procedure Decide (G : in out Gate)
-   with
-     Pre  => Is_Consistent (G),
-     Post => Is_Consistent (G);
-   --  Admits the first of those entitled where nobody is in command, or
-   --  tells it why not. While the end of a session is dealt with it waits
 
    -------------------
    -- Close_Session --
@@ -117,60 +152,57 @@ package body Admission with SPARK_Mode is
    -- Decide --
    ------------
 
-   procedure Decide (G : in out Gate) is
-      Where    : Monitor_Sockets.Place_Choice;
-      Stage    : Session.Stage_Kind;
-      Admitted : Boolean := False;
+   procedure Decide (G : in out Gate; Where : Place; R : in out Reception) is
+      Admitted : Boolean;
    begin
-      Get_First (G, Where, Stage);
-      if Where = Monitor_Sockets.No_Place then
-         return;
-      end if;
-      if Stage = Session.Free then
+      if R = Vacant then
          Session.Begin_Active (Admitted);
+         R := (if Admitted then Occupied else Stopping);
+         if Admitted then
+            Let_In (G, Where);
+            return;
+         end if;
       end if;
-      if Admitted then
-         Let_In (G, Where);
-      elsif Stage = Session.Active then
-         Turn_Away
-           (G, Where, "another monitor is connected",
-            "second monitor refused: ");
-      else
-         Turn_Away
-           (G, Where, "the supervisor is stopping",
-            "monitor refused, the supervisor is stopping: ");
-      end if;
+      case R is
+         when Vacant | Deferred =>
+            null;
+         when Occupied =>
+            Turn_Away
+              (G, Where, "another monitor is connected",
+               "second monitor refused: ");
+         when Stopping =>
+            Turn_Away
+              (G, Where, "the supervisor is stopping",
+               "monitor refused, the supervisor is stopping: ");
+      end case;
    end Decide;
 
-   ---------------
-   -- Get_First --
-   ---------------
+   ------------
+   -- Defend --
+   ------------
 
-   procedure Get_First
-     (G     : Gate;
-      First : out Monitor_Sockets.Place_Choice;
-      Stage : out Session.Stage_Kind)
-   is
-      Stopping : Boolean;
+   procedure Defend (D : in out Defence; Changed : out Boolean) is
+      Now    : constant Time := Clock;
+      Length : Natural;
+      Limit  : Natural;
    begin
-      First := Monitor_Sockets.No_Place;
-      Session.Get_Stopping (Stopping);
-      Session.Get_Stage (Stage);
-      if Stage in Session.Closing | Session.Closed and then not Stopping then
-         return;
-      end if;
-      for I in Monitor_Sockets.Place loop
-         if G.Places (I).Stage = Entitled
-           and then (First = Monitor_Sockets.No_Place
-                     or else G.Places (I).Limit < G.Places (First).Limit)
-         then
-            First := I;
+      Changed := D.Blocked.Count > 0 and then Now >= D.Unblocking;
+      if Changed then
+         D.Blocked := (others => <>);
+      else
+         Monitor_Sockets.Get_Queue (Length, Limit);
+         --  a quarter: more come before th_server looks again
+         if Length > Limit / 4 then
+            Blocklists.Extend (D.Blocked, D.Arrivals, Changed);
          end if;
-         pragma Loop_Invariant
-           (if First in Monitor_Sockets.Place then
-               G.Places (First).Stage = Entitled);
-      end loop;
-   end Get_First;
+         if Changed then
+            D.Unblocking := Now + Schedule.Block_Time;
+         end if;
+      end if;
+      if Changed then
+         Monitor_Sockets.Block (D.Blocked);
+      end if;
+   end Defend;
 
    --------------
    -- Get_Next --
@@ -178,63 +210,149 @@ package body Admission with SPARK_Mode is
 
    procedure Get_Next
      (G       : Gate;
-      Free    : out Monitor_Sockets.Place_Choice;
-      Watched : out Monitor_Sockets.Place_Set;
+      Watched : out Place_Set;
+      Listens : out Boolean;
       Limit   : out Time)
    is
-      Now    : Time;
-      First  : Monitor_Sockets.Place_Choice;
-      Unused : Session.Stage_Kind;
+      Now : constant Time := Clock;
+      R   : Reception;
+
+      procedure End_By (T : Time);
+
+      procedure End_By (T : Time) is
+      begin
+         if T < Limit then
+            Limit := T;
+         end if;
+      end End_By;
+
    begin
-      Free := Monitor_Sockets.No_Place;
       Watched := (others => False);
       Limit := Time_Last;
-      for I in Monitor_Sockets.Place loop
-         case G.Places (I).Stage is
-            when Nobody =>
-               Free := I;
-            when Asked =>
-               Watched (I) := True;
-               if G.Places (I).Limit < Limit then
-                  Limit := G.Places (I).Limit;
-               end if;
-            when Entitled =>
-               null;
-         end case;
-         pragma Loop_Invariant
-           (if Free in Monitor_Sockets.Place then
-               G.Places (Free).Stage = Nobody);
-         pragma Loop_Invariant
-           (for all J in Monitor_Sockets.Place =>
-              Watched (J) = (J <= I and then G.Places (J).Stage = Asked));
+      for I in Place loop
+         if Is_Waiting (G.Table, I) then
+            Watched (I) := True;
+            End_By (G.Places (I).Limit);
+         end if;
       end loop;
-      Now := Clock;
-      if Now < G.Pause then
-         Free := Monitor_Sockets.No_Place;
-         if G.Pause < Limit then
-            Limit := G.Pause;
+      Listens := Now >= G.Pause;
+      if not Listens then
+         End_By (G.Pause);
+      end if;
+      if G.Floods.Blocked.Count > 0 then
+         End_By (G.Floods.Unblocking);
+      end if;
+      if G.Refusals.Unwritten > 0 then
+         End_By (G.Refusals.Last + Schedule.Refusal_Pause);
+      end if;
+      --  who has been kept until the end of a session
+      if First_Kept (G.Table) in Place then
+         Get_Reception (R);
+         if R /= Deferred then
+            Limit := Now;
          end if;
       end if;
-      --  who has waited for the end of a session, or behind another
-      Get_First (G, First, Unused);
-      if First in Monitor_Sockets.Place then
-         Limit := Now;
-      end if;
    end Get_Next;
+
+   -------------------
+   -- Get_Reception --
+   -------------------
+
+   procedure Get_Reception (R : out Reception) is
+      Ending : Boolean;
+      Stage  : Session.Stage_Kind;
+   begin
+      Session.Get_Stopping (Ending);
+      Session.Get_Stage (Stage);
+      R :=
+        (case Stage is
+            when Session.Free   => Vacant,
+            when Session.Active => Occupied,
+            when Session.Closing | Session.Closed =>
+              (if Ending then Stopping else Deferred));
+   end Get_Reception;
+
+   ----------
+   -- Hear --
+   ----------
+
+   procedure Hear (G : in out Gate; Where : Place; R : in out Reception) is
+      Now    : constant Time := Clock;
+      Length : Natural;
+      Open   : Boolean;
+      Unused : Natural;
+   begin
+      Read (G, Where, Length, Open);
+      if Length > 0 then
+         --  the end of a connection is seen behind what was sent
+         Read (G, Where, Unused, Open);
+      end if;
+      case Authentication.Decision (G.Places (Where).Reader) is
+         when Authentication.Right =>
+            Keep (G.Table, Where);
+            Decide (G, Where, R);
+         when Authentication.Undecided =>
+            if not Open or else Now >= G.Places (Where).Limit then
+               Turn_Away
+                 (G, Where, Not_Authenticated, Noted_Not_Authenticated);
+            end if;
+         when Authentication.Wrong =>
+            Turn_Away (G, Where, Not_Authenticated, Noted_Not_Authenticated);
+      end case;
+   end Hear;
+
+   ---------------
+   -- Hear_Some --
+   ---------------
+
+   procedure Hear_Some
+     (G     : in out Gate;
+      Ready : Place_Set;
+      R     : in out Reception;
+      Left  : in out Work_Count)
+   is
+      Now   : constant Time := Clock;
+      Due   : Place_Set := Ready;
+      Where : Place_Choice;
+   begin
+      for I in Place loop
+         Due (I) := Due (I) or else Now >= G.Places (I).Limit;
+      end loop;
+      for Step in 1 .. Schedule.Hearings_Per_Turn loop
+         exit when Left = 0;
+         Where := No_Place;
+         if R /= Deferred then
+            Where := First_Kept (G.Table);
+         end if;
+         if Where in Place then
+            Decide (G, Where, R);
+         else
+            Where := Next (G.Table, Due);
+            exit when Where = No_Place;
+            Due (Where) := False;
+            Serve (G.Table, Where);
+            Hear (G, Where, R);
+         end if;
+         Left := Left - 1;
+         pragma Loop_Invariant (Is_Consistent (G));
+      end loop;
+   end Hear_Some;
 
    ------------
    -- Let_In --
    ------------
 
-   procedure Let_In (G : in out Gate; Where : Monitor_Sockets.Place) is
+   procedure Let_In (G : in out Gate; Where : Place) is
       Line : Texts.Text;
+      Peer : Texts.Text;
    begin
+      Monitor_Sockets.Get_Name (Where, Peer);
       Monitor_Sockets.Admit (Where);
       Outbox.Open_Session;
       Texts.Set (Line, "monitor connected from ");
-      Texts.Append (Line, Texts.Image (G.Places (Where).Peer));
+      Texts.Append (Line, Texts.Image (Peer));
       Journal.Put (Options.Info, Line);
-      G.Places (Where) := (others => <>);
+      Leave (G.Table, Where);
       Session.Begin_Work;
    end Let_In;
 
@@ -285,110 +403,158 @@ package body Admission with SPARK_Mode is
 
    procedure Meet
      (G     : in out Gate;
-      Where : Monitor_Sockets.Place;
+      Where : Place;
       From  : Networks.Peer_Address;
-      Peer  : Texts.Text)
+      R     : in out Reception)
    is
-      Now : Time;
-      N   : Newcomer;
+      Now    : constant Time := Clock;
+      Excess : Place_Choice;
    begin
-      Now := Clock;
-      N := (From => From, Peer => Peer, Limit => Now + Schedule.Token_Limit,
-            others => <>);
-      if Networks.Admits (G.Allowed, From) then
-         N.Stage := (if G.Token.Length > 0 then Asked else Entitled);
-         G.Places (Where) := N;
-      else
-         G.Places (Where) := N;
-         Turn_Away
-           (G, Where, "this address is not allowed",
+      if not Networks.Admits (G.Allowed, From) then
+         Refuse
+           (G.Refusals, Where, "this address is not allowed",
             "newcomer refused, its address is not allowed: ");
+         return;
+      end if;
+      G.Places (Where) :=
+        (From => From, Limit => Now + Schedule.Token_Limit, others => <>);
+      Enter (G.Table, Where, Networks.Source_Of (From));
+      if G.Token.Length = 0 then
+         Keep (G.Table, Where);
+         Decide (G, Where, R);
+      else
+         Hear (G, Where, R);
+      end if;
+      if Is_Taken (G.Table, Where) then
+         Excess := Surplus (G.Table, Where);
+         if Excess in Place then
+            Turn_Away
+              (G, Excess, Not_Authenticated, Noted_Not_Authenticated);
+         end if;
       end if;
    end Meet;
+
+   -------------------
+   -- Put_Unwritten --
+   -------------------
+
+   procedure Put_Unwritten (L : in out Refusal_Log) is
+      Line : Texts.Text;
+   begin
+      if L.Unwritten > 0 then
+         Texts.Set (Line, "newcomers refused, too many for the log: ");
+         Texts.Append (Line, L.Unwritten);
+         Journal.Put (Options.Warning, Line);
+         L.Unwritten := 0;
+      end if;
+   end Put_Unwritten;
 
    ----------
    -- Read --
    ----------
 
-   procedure Read (G : in out Gate; Where : Monitor_Sockets.Place) is
-      Data   : String (1 .. Authentication.Max_Line) := (others => ' ');
-      Length : Natural;
-      Open   : Boolean;
-      N      : Newcomer := G.Places (Where);
-      Taken  : Natural := 0;
+   procedure Read
+     (G      : in out Gate;
+      Where  : Place;
+      Length : out Natural;
+      Open   : out Boolean)
+   is
+      Data  : String (1 .. Authentication.Max_Line) := (others => ' ');
+      N     : Newcomer := G.Places (Where);
+      Taken : Natural := 0;
    begin
       Monitor_Sockets.Look (Where, Data, Length, Open);
       for I in 1 .. Length loop
+         exit when not Authentication.Is_Open (N.Reader);
          Authentication.Accept_Character (N.Reader, G.Token, Data (I));
          Taken := I;
-         exit when Authentication.Decision (N.Reader)
-           /= Authentication.Undecided;
-         pragma Loop_Invariant (Authentication.Is_Open (N.Reader));
+         pragma Loop_Invariant (N.From = G.Places (Where).From);
          pragma Loop_Invariant
-           (N.Stage = Asked and then N.From = G.Places (Where).From);
+           (if Authentication.Decision (N.Reader) = Authentication.Right
+            then Authentication.Is_Right (N.Reader, G.Token));
          pragma Loop_Invariant (Taken = I);
       end loop;
       if Taken > 0 then
          Monitor_Sockets.Take (Where, Taken);
       end if;
-      case Authentication.Decision (N.Reader) is
-         when Authentication.Right =>
-            N.Stage := Entitled;
-            G.Places (Where) := N;
-         when Authentication.Undecided =>
-            G.Places (Where) := N;
-            if not Open then
-               Turn_Away
-                 (G, Where, Not_Authenticated, Noted_Not_Authenticated);
-            end if;
-         when Authentication.Wrong =>
-            Turn_Away (G, Where, Not_Authenticated, Noted_Not_Authenticated);
-      end case;
+      G.Places (Where) := N;
    end Read;
+
+   ------------
+   -- Refuse --
+   ------------
+
+   procedure Refuse
+     (L       : in out Refusal_Log;
+      Where   : Place;
+      Message : String;
+      Noted   : String)
+   is
+      Now  : constant Time := Clock;
+      Line : Texts.Text;
+      Peer : Texts.Text;
+   begin
+      Monitor_Sockets.Refuse
+        (Where, "MSSG:refused: " & Message & ASCII.LF);
+      if Now - Schedule.Refusal_Pause >= L.Last then
+         Put_Unwritten (L);
+         L.Lines := Max_Lines;
+      end if;
+      L.Last := Now;
+      if L.Lines > 0 and then L.Turn_Lines > 0 then
+         Monitor_Sockets.Get_Name (Where, Peer);
+         Texts.Set (Line, Noted);
+         Texts.Append (Line, Texts.Image (Peer));
+         Journal.Put (Options.Warning, Line);
+         L.Lines := L.Lines - 1;
+         L.Turn_Lines := L.Turn_Lines - 1;
+      elsif L.Unwritten < Natural'Last then
+         L.Unwritten := L.Unwritten + 1;
+      end if;
+   end Refuse;
 
    -----------
    -- Serve --
    -----------
 
    procedure Serve (G : in out Gate) is
-      Free    : Monitor_Sockets.Place_Choice;
-      Watched : Monitor_Sockets.Place_Set;
+      Watched : Place_Set;
+      Ready   : Place_Set;
+      Listens : Boolean;
+      Queued  : Boolean;
+      Woken   : Boolean;
       Limit   : Time;
-      Event   : Monitor_Sockets.Arrival;
-      Where   : Monitor_Sockets.Place;
-      From    : Networks.Peer_Address;
-      Peer    : Texts.Text;
-      Line    : Texts.Text;
+      R       : Reception;
+      Left    : Work_Count := Work_Count'Last;
+      Changed : Boolean;
    begin
       delay until G.Rest;
-      Get_Next (G, Free, Watched, Limit);
-      Monitor_Sockets.Wait_Newcomer
-        (Free, Watched, Limit, Event, Where, From, Peer);
+      Get_Next (G, Watched, Listens, Limit);
+      Monitor_Sockets.Wait (Watched, Listens, Limit, Ready, Queued, Woken);
       Trace.Take_Up (Schedule.Th_Server);
-      case Event is
-         when Monitor_Sockets.Newcomer =>
-            Meet (G, Where, From, Peer);
-         when Monitor_Sockets.Input =>
-            Read (G, Where);
-         when Monitor_Sockets.Woken =>
-            --  no newcomer: whoever has waited for it is seen to at once
-            Close_Session;
-            Trace.Done (Schedule.Th_Server);
-            return;
-         when Monitor_Sockets.Failed =>
-            Texts.Set (Line, "a monitor could not connect: ");
-            Texts.Append (Line, Texts.Image (Peer));
-            Journal.Put (Options.Error, Line);
-            --  out of descriptors, most likely: not at full speed
-            G.Pause := Clock;
-            G.Pause := G.Pause + Schedule.Accept_Pause;
-         when Monitor_Sockets.Nothing =>
-            null;
-      end case;
-      Turn_Late_Away (G);
-      Decide (G);
-      G.Rest := Clock;
-      G.Rest := G.Rest + Schedule.Newcomer_Interval;
+      if Woken then
+         --  no newcomer: whoever has waited for it is seen to at once
+         Close_Session;
+         Trace.Done (Schedule.Th_Server);
+         return;
+      end if;
+      Get_Reception (R);
+      G.Refusals.Lines :=
+        Line_Count'Min (G.Refusals.Lines, Max_Lines - 1) + 1;
+      G.Refusals.Turn_Lines := Turn_Line_Count'Last;
+      Hear_Some (G, Ready, R, Left);
+      Defend (G.Floods, Changed);
+      --  to give the kernel another filter takes as long as to take some in
+      if Queued and then not Changed then
+         Take_In_Some (G, R, Left);
+      end if;
+      Limit := Clock;
+      if G.Refusals.Unwritten > 0
+        and then Limit - Schedule.Refusal_Pause >= G.Refusals.Last
+      then
+         Put_Unwritten (G.Refusals);
+      end if;
+      G.Rest := Limit + Schedule.Newcomer_Interval;
       Trace.Done (Schedule.Th_Server);
    end Serve;
 
@@ -404,41 +570,58 @@ package body Admission with SPARK_Mode is
       G := (Allowed => Allowed, Token => Token, others => <>);
    end Set_Up;
 
+   ------------------
+   -- Take_In_Some --
+   ------------------
+
+   procedure Take_In_Some
+     (G : in out Gate; First : Reception; Most : Work_Count)
+   is
+      R      : Reception  := First;
+      Left   : Work_Count := Most;
+      Where  : Place_Choice;
+      From   : Networks.Peer_Address;
+      Event  : Monitor_Sockets.Arrival;
+      Reason : Texts.Text;
+      Line   : Texts.Text;
+   begin
+      while Left > 0 loop
+         pragma Loop_Invariant (Is_Consistent (G));
+         Where := Free_Place (G.Table);
+         exit when Where = No_Place;
+         Monitor_Sockets.Take_In (Where, From, Event, Reason);
+         case Event is
+            when Monitor_Sockets.Newcomer =>
+               Blocklists.Note (G.Floods.Arrivals, Networks.Source_Of (From));
+               Meet (G, Where, From, R);
+            when Monitor_Sockets.Nobody_There =>
+               Blocklists.Clear (G.Floods.Arrivals);
+               exit;
+            when Monitor_Sockets.Failed =>
+               Texts.Set (Line, "a monitor could not connect: ");
+               Texts.Append (Line, Texts.Image (Reason));
+               Journal.Put (Options.Error, Line);
+               --  out of descriptors, most likely: not at full speed
+               G.Pause := Clock;
+               G.Pause := G.Pause + Schedule.Accept_Pause;
+               exit;
+         end case;
+         Left := Left - 1;
+      end loop;
+   end Take_In_Some;
+
    ---------------
    -- Turn_Away --
    ---------------
 
    procedure Turn_Away
      (G       : in out Gate;
-      Where   : Monitor_Sockets.Place;
+      Where   : Place;
       Message : String;
-      Noted   : String)
-   is
-      Line : Texts.Text;
+      Noted   : String) is
    begin
-      Monitor_Sockets.Refuse
-        (Where, "MSSG:refused: " & Message & ASCII.LF);
-      Texts.Set (Line, Noted);
-      Texts.Append (Line, Texts.Image (G.Places (Where).Peer));
-      Journal.Put (Options.Warning, Line);
-      G.Places (Where) := (others => <>);
+      Refuse (G.Refusals, Where, Message, Noted);
+      Leave (G.Table, Where);
    end Turn_Away;
-
-   --------------------
-   -- Turn_Late_Away --
-   --------------------
-
-   procedure Turn_Late_Away (G : in out Gate) is
-      Now : Time;
-   begin
-      Now := Clock;
-      for I in Monitor_Sockets.Place loop
-         pragma Loop_Invariant (Is_Consistent (G));
-         if G.Places (I).Stage = Asked and then Now >= G.Places (I).Limit then
-            Turn_Away (G, I, Not_Authenticated, Noted_Not_Authenticated);
-            exit;
-         end if;
-      end loop;
-   end Turn_Late_Away;
 
 end Admission;

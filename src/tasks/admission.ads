@@ -4,8 +4,10 @@
 
 with Ada.Real_Time;
 with Authentication;
-with Monitor_Sockets;
+with Blocklists;
 with Networks;
+with Pending_Connections;
+with Schedule;
 with Texts;
 
 package Admission with SPARK_Mode is
@@ -20,6 +22,8 @@ package Admission with SPARK_Mode is
               else Success = (Token.Length > 0));
    --  The token in the file Path, none where Path is empty. Reason says why
    --  where Success is false
+
+   use type Authentication.Verdict;
 
    type Gate is private;
    --  Who is let in, and who waits for it
@@ -39,37 +43,65 @@ package Admission with SPARK_Mode is
    with
      Pre  => Is_Consistent (G),
      Post => Is_Consistent (G);
-   --  Waits for what comes next (a newcomer, a piece of a line of one, the
-   --  end of its time, the end of a session) and sees to it: to one thing,
+   --  Waits for what comes next (newcomers, pieces of their lines, the end of
+   --  their time, the end of a session) and sees to it: to so many of them,
    --  and a Newcomer_Interval of the table later to the next, however many
-   --  come
+   --  come. Every source of them has its turn
 
 private
 
-   type Stage_Kind is
-     (Nobody,     --  the place is free
-      Asked,      --  its token is awaited
-      Entitled);  --  to be admitted, or told why that cannot be
+   subtype Place is Pending_Connections.Place;
 
    type Newcomer is record
-      Stage  : Stage_Kind            := Nobody;
       From   : Networks.Peer_Address := (others => 0);
-      Peer   : Texts.Text;           --  the same and its port, for the log
       Limit  : Ada.Real_Time.Time    := Ada.Real_Time.Time_First;
-      --  for its token; who has the earlier one came first
+      --  for its token
       Reader : Authentication.Reader;
    end record;
 
-   type Newcomer_Array is array (Monitor_Sockets.Place) of Newcomer;
+   type Newcomer_Array is array (Place) of Newcomer;
+
+   Max_Lines : constant := 32;
+   --  Of the log, on newcomers that were refused. Then there is one more
+   --  each turn, so that a flood does not keep other lines out of the log,
+   --  and as many again when nobody was refused for a Refusal_Pause
+
+   subtype Line_Count is Natural range 0 .. Max_Lines;
+
+   subtype Turn_Line_Count is Natural range 0 .. Schedule.Hearings_Per_Turn;
+
+   type Refusal_Log is record
+      Lines      : Line_Count := Max_Lines;
+      --  that may be written now
+      Turn_Lines : Turn_Line_Count := 0;
+      --  of these, in this turn
+      Unwritten  : Natural := 0;
+      --  refusals since the last such line
+      Last       : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      --  refusal
+   end record;
+
+   type Defence is record
+      Arrivals   : Blocklists.History;
+      --  since there was nobody in the kernel's queue
+      Blocked    : Blocklists.List;
+      Unblocking : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      --  of those who are blocked
+   end record;
 
    type Gate is record
-      Allowed : Networks.List;
-      Token   : Authentication.Token;
-      Places  : Newcomer_Array;
-      Pause   : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      Allowed  : Networks.List;
+      Token    : Authentication.Token;
+      Table    : Pending_Connections.Table;
+      Places   : Newcomer_Array;
+      --  a newcomer waits until it has shown its token. It is kept where
+      --  nobody can be told yet whether it is admitted
+      Pause    : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
       --  nobody is taken in before: it has just failed
-      Rest    : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      Rest     : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
       --  nothing is seen to before
+      Floods   : Defence;
+      Refusals : Refusal_Log;
    end record;
 
    function Is_Entitled (G : Gate; N : Newcomer) return Boolean is
@@ -81,14 +113,17 @@ private
    function Is_Asked (G : Gate; N : Newcomer) return Boolean is
      (Networks.Admits (G.Allowed, N.From)
       and then G.Token.Length > 0
-      and then Authentication.Is_Open (N.Reader))
+      and then (if Authentication.Decision (N.Reader) = Authentication.Right
+                then Authentication.Is_Right (N.Reader, G.Token)))
    with Ghost;
 
    function Is_Consistent (G : Gate) return Boolean is
-     (for all N of G.Places =>
-        (case N.Stage is
-            when Nobody   => True,
-            when Asked    => Is_Asked (G, N),
-            when Entitled => Is_Entitled (G, N)));
+     (Pending_Connections.Is_Consistent (G.Table)
+      and then
+        (for all P in Place =>
+           (if Pending_Connections.Is_Kept (G.Table, P) then
+               Is_Entitled (G, G.Places (P))
+            elsif Pending_Connections.Is_Taken (G.Table, P) then
+               Is_Asked (G, G.Places (P)))));
 
 end Admission;

@@ -18,6 +18,7 @@ with Process;
 with Robot_Clients;
 with Robot_Line;
 with Robot_Session;
+with Send_Order;
 with Session;
 with Settings;
 with Task_Ports;
@@ -215,34 +216,38 @@ package body Monitor_Tasks with SPARK_Mode is
    task body Th_Send_To_Mon is
       Chosen    : Options.Values;
       Last_Sent : Time := Time_First;
+      Gap       : Send_Order.Milliseconds;
       Gap_End   : Time;
+      Next_Look : Time;
       Now       : Time;
-      Answered  : Boolean := False;  --  the last message was an answer
-      Is_Answer : Boolean;
       Kind      : Outbox.Message_Kind;
       Length    : Outbox.Message_Length;
       Success   : Boolean;
    begin
       Process.Name_Task ("th_send_to_mon");
       loop
-         Outbox.Wait (Is_Answer);
-         if not (Answered and then Is_Answer) then
-            Settings.Get (Chosen);
-            Gap_End := Last_Sent + Milliseconds (Chosen.Message_Gap);
+         Outbox.Wait;
+         Settings.Get (Chosen);
+         loop
+            Outbox.Get_Gap (Chosen.Message_Gap, Gap);
+            Gap_End := Last_Sent + Milliseconds (Gap);
             --  even a delay that has passed already takes its time
             Now := Clock;
-            if Now < Gap_End then
-               Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
-               delay until Gap_End;
-               Trace.Resume (Schedule.Th_Send_To_Mon, Gap_End);
+            exit when Now >= Gap_End;
+            --  an answer that comes meanwhile has a shorter gap
+            Next_Look := Now + Milliseconds (Send_Order.Answer_Gap);
+            if Gap_End < Next_Look then
+               Next_Look := Gap_End;
             end if;
-         end if;
-         Outbox.Take (Kind, Outgoing, Length);
+            Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
+            delay until Next_Look;
+            Trace.Resume (Schedule.Th_Send_To_Mon, Next_Look);
+         end loop;
+         Outbox.Take (Chosen.Message_Gap, Gap, Kind, Outgoing, Length);
          if Kind /= Outbox.Nothing then
             Monitor_Sockets.Send (Outgoing, Length, Success);
             Last_Sent := Clock;
             Trace.Sent (Outgoing (1 .. 4));
-            Answered := Kind = Outbox.Answer;
             --  before the session may end: the next has a connection, too
             if not Success then
                Monitor_Sockets.Shut_Down;
@@ -262,8 +267,16 @@ package body Monitor_Tasks with SPARK_Mode is
       Verdict  : Monitor_Link.Verdict := Monitor_Link.Present;
       Loss     : Monitor_Sockets.Loss_Kind;
       Stopping : Boolean;
+      Now      : Time;
    begin
       Monitor_Sockets.Sample (Sample);
+      if not Sample.Known then
+         Monitor_Sockets.Leave_To_Kernel;
+         Texts.Set
+           (Reason, "no TCP_INFO: a monitor that vanishes, or takes nothing"
+            & " for 4 s, is lost by keep-alive");
+         Journal.Put (Options.Warning, Reason);
+      end if;
       Monitor_Link.Start (Link, Sample.Now);
       loop
          Monitor_Sockets.Watch (Schedule.Link_Period, Loss);
@@ -271,8 +284,12 @@ package body Monitor_Tasks with SPARK_Mode is
          Session.Get_Stopping (Stopping);
          exit when Loss /= Monitor_Sockets.None or else Stopping;
          Monitor_Sockets.Sample (Sample);
-         Monitor_Link.Judge (Link, Sample, Verdict);
+         if Sample.Known then
+            Monitor_Link.Judge (Link, Sample, Verdict);
+         end if;
          exit when Verdict /= Monitor_Link.Present;
+         Now := Clock;
+         Frame_Store.Look_At_Silence (Now);
          Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
       Texts.Set

@@ -114,8 +114,8 @@ package Schedule with SPARK_Mode is
    --  lost line must be found
    Idle_Line         : constant Time_Span := Milliseconds (80);
    --  a line that had an exchange this recently needs no ping
-   Hold_Limit        : constant Time_Span := Milliseconds (100);
-   --  PROTOCOL rule 7
+   Hold_Limit        : constant Time_Span := Milliseconds (950);
+   --  PROTOCOL rule 7: the existing monitor waits 1 s for an answer
    Link_Period       : constant Time_Span := Milliseconds (250);
    --  how often the monitor's link is examined
 
@@ -142,12 +142,23 @@ package Schedule with SPARK_Mode is
    Accept_Pause      : constant Time_Span := Milliseconds (100);
    --  after a connection that could not be accepted
    Newcomer_Interval : constant Time_Span := Milliseconds (10);
-   --  between two newcomers, or two pieces of their first lines: how often
-   --  th_server sees to such a thing, at most. A flood of them may not take
-   --  so much of the processor that an order of the monitor in command is
-   --  late; with 4 ms it could be on a Cortex-A53 (proofs/schedulability).
-   --  A newcomer with a token needs two turns, and has 50 ms (F2). Who must
-   --  wait does so in the kernel's queue; a thousand, for 10 s
+   --  between two turns in which th_server sees to newcomers and their first
+   --  lines, at least. A flood of them may not take so much of the processor
+   --  that an order of the monitor in command is late; with 4 ms it could be
+   --  on a Cortex-A53 (proofs/schedulability). A newcomer with a token needs
+   --  two turns, and has 50 ms (F2)
+   Newcomers_Per_Turn : constant := 10;
+   --  whom th_server takes in, hears or refuses in a turn. The kernel's queue
+   --  of 1,024 is empty after a second
+   Hearings_Per_Turn : constant := 3;
+   --  of these at most are newcomers that it has taken in before; and so many
+   --  refusals at most get a line each in the log. A line may wait for the
+   --  task that writes it (proofs/schedulability, "inverted")
+   Block_Time        : constant Time_Span := Milliseconds (900);
+   --  for sources that flood. Less than the second after which the kernel of
+   --  a monitor there tries again
+   Refusal_Pause     : constant Time_Span := Milliseconds (1000);
+   --  without a refusal: each of the next is in the log again
    Token_Limit       : constant Time_Span := Milliseconds (2000);
    --  for the first line of a newcomer, where a token is asked for
    Trace_Limit       : constant Time_Span := Milliseconds (2000);

@@ -7,6 +7,7 @@ with Camera_Events;
 with Camera_Requests;
 with Following;
 with Frame_Store;
+with Image_Grid;
 with Journal;
 with Monitor_Protocol; use Monitor_Protocol;
 with Options;
@@ -22,6 +23,7 @@ with Vision_State;
 
 package body Vision_Tasks with SPARK_Mode is
 
+   use type Image_Grid.Microseconds;
    use type Vision.Arena_Corners;
    use type Vision.Status;
 
@@ -162,14 +164,8 @@ package body Vision_Tasks with SPARK_Mode is
    -----------------
 
    function Gap_Between (First, Last : Time) return Following.Milliseconds is
-      Longest : constant Integer := Integer (Following.Milliseconds'Last);
-   begin
-      return Following.Milliseconds
-        (if Last - First >= Milliseconds (Longest) then Longest
-         else Integer'Max
-           (0, Integer'Min (Longest - 1, (Last - First) / Milliseconds (1)))
-           + 1);
-   end Gap_Between;
+     (Following.Milliseconds
+        ((Frame_Store.Elapsed (First, Last) + 999) / 1_000));
 
    ----------------
    -- Log_Reason --
@@ -255,15 +251,21 @@ package body Vision_Tasks with SPARK_Mode is
 
    task body Th_Capture_Img is
       Chosen   : Options.Values;
-      Period   : Time_Span;
-      Next     : Time;
+      Period   : Image_Grid.Period_Time;
+      Grid     : Image_Grid.State;
+      Step     : Image_Grid.Microseconds;
+      Next     : Time;     --  instant of the grid
       Now      : Time;
       Newest   : Time;
+      Came     : Time;     --  the image that is sent
+      Reserve  : Boolean;
+      Coming   : Boolean;
+      Waited   : Boolean;  --  for the next image, since Next
       Made     : Outbox.Generation;
       Seen     : Vision_State.View;
       Slot     : Vision.Slot;
       Found    : Boolean;
-      Robots   : Vision.Robot_Array;
+      Robots   : Vision.Robot_Array := (others => <>);
       Count    : Vision.Robot_Count;
       Known    : Following.State;
       Known_In : Vision.Arena_Corners := Vision.No_Arena;
@@ -277,12 +279,20 @@ package body Vision_Tasks with SPARK_Mode is
       loop
          Camera_Events.Wait_Opened;
          Settings.Get (Chosen);
-         Period := Seconds (1) / Chosen.Frame_Rate;
+         Period := 1_000_000 / Image_Grid.Microseconds (Chosen.Frame_Rate);
+         Grid := Image_Grid.Initial;
          Next := Clock;
+         Waited := False;
          Following.Forget (Known);
          Known_At := Next;
          loop
-            Trace.Start (Schedule.Th_Capture_Img, Next);
+            if Waited then
+               Trace.Start (Schedule.Th_Capture_Img);
+            else
+               Trace.Start (Schedule.Th_Capture_Img, Next);
+            end if;
+            Step := Period;
+            Coming := False;
             --  the generation before the mode: an image made for a mode
             --  that has ended meanwhile is then not sent
             Outbox.Get_Generation (Made);
@@ -293,21 +303,32 @@ package body Vision_Tasks with SPARK_Mode is
             if Now - Newest > Schedule.Camera_Silence then
                Camera_Failed ("it has delivered nothing for 2.5 s");
             elsif Vision_Mode.Images_Flow (Seen.Mode) then
-               Frame_Store.Claim_Newest (Slot, Found);
+               Frame_Store.Claim_Due
+                 (Now, Period, Slot, Came, Reserve, Found, Coming);
                if Found then
+                  Coming := False;
+                  if Waited then
+                     Image_Grid.Wait_Ended
+                       (Grid, Frame_Store.Elapsed (Next, Came), Period);
+                     Next := Came;
+                  end if;
+                  Image_Grid.Step
+                    (Grid, Frame_Store.Elapsed (Came, Now), Reserve, Period,
+                     Step);
                   if not Seen.Mode.Position_On
                     or else Seen.Arena /= Known_In
                   then
                      Following.Forget (Known);
                      Known_In := Seen.Arena;
                   end if;
+                  Count := 0;
+                  Place := Not_Found;
                   if Seen.Mode.Position_On then
                      Find_Robots
                        (Slot, Chosen.Marker, Seen,
-                        Gap_Between (Known_At, Newest), Known,
+                        Gap_Between (Known_At, Came), Known,
                         Robots, Count);
-                     Known_At := Newest;
-                     Place := Not_Found;
+                     Known_At := Came;
                      if Count > 0 then
                         Place :=
                           (Id    => Integer (Robots (1).Id),
@@ -317,27 +338,39 @@ package body Vision_Tasks with SPARK_Mode is
                            Dx    => Micro (Robots (1).Direction.X),
                            Dy    => Micro (Robots (1).Direction.Y));
                      end if;
-                     Format_Position (Place, Text, Last);
-                     Outbox.Put_Position (Text (1 .. Last), Made);
-                     Draw_Robots (Slot, Robots, Count);
                   end if;
                   if Vision_Mode.Uses_Arena (Seen.Mode) then
                      Draw_Arena (Slot, Seen.Arena);
                   end if;
+                  --  over the arena's line
+                  Draw_Robots (Slot, Robots, Count);
                   Encode (Slot, Chosen.Quality, Image_Jpeg, Image_Text,
                           Length);
                   Frame_Store.Release (Slot);
                   if Length > 0 then
                      Outbox.Put_Image (Image_Text, Length, Made);
                   end if;
+                  if Seen.Mode.Position_On then
+                     --  after its image, which is to be punctual
+                     Format_Position (Place, Text, Last);
+                     Outbox.Put_Position (Text (1 .. Last), Made);
+                  end if;
                end if;
             end if;
-            Now := Clock;
-            while Next <= Now loop
-               Next := Next + Period;
-            end loop;
-            Trace.Done (Schedule.Th_Capture_Img);
-            delay until Next;
+            Waited := Coming;
+            if Waited then
+               Trace.Done (Schedule.Th_Capture_Img);
+               Frame_Store.Wait_Look;
+            else
+               Now := Clock;
+               loop
+                  Next := Next + Microseconds (Integer (Step));
+                  exit when Next > Now;
+                  Step := Period;
+               end loop;
+               Trace.Done (Schedule.Th_Capture_Img);
+               delay until Next;
+            end if;
          end loop;
       end loop;
    end Th_Capture_Img;

@@ -121,7 +121,7 @@ package body Full_Load is
             for Number in Place + 1 .. Sent_Last loop
                if Sent (Number).Order = Item.Command
                  and then Item.First > Sent (Number).Time
-                 and then (Element (Item.Command, 1) in 'M' | 'T')
+                 and then Element (Item.Command, 1) in 'M' | 'T'
                then
                   Orders.Add (Item.First - Sent (Number).Time);
                   Net.Add

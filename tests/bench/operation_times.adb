@@ -145,7 +145,7 @@ begin
       Outbox.Reserve (Number, Open);
       Stop;
       Outbox.Answer (Number, Monitor_Protocol.Acknowledged);
-      Outbox.Take (Kind, Image, Length);
+      Outbox.Take (0, 0, Kind, Image, Length);
       Outbox.Sent;
    end loop;
    Report ("Outbox.Reserve");
@@ -155,7 +155,7 @@ begin
       Start;
       Outbox.Answer (Number, Monitor_Protocol.Acknowledged);
       Stop;
-      Outbox.Take (Kind, Image, Length);
+      Outbox.Take (0, 0, Kind, Image, Length);
       Outbox.Sent;
    end loop;
    Report ("Outbox.Answer");
@@ -172,7 +172,7 @@ begin
       Outbox.Get_Generation (Made);
       Outbox.Put_Image (Image, Image_Length, Made);
       Start;
-      Outbox.Take (Kind, Image, Length);
+      Outbox.Take (0, 0, Kind, Image, Length);
       Stop;
       Outbox.Sent;
    end loop;

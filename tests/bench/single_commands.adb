@@ -4,6 +4,7 @@
 with Bench_Settings;
 with Busy_Loops;
 with Expectations;    use Expectations;
+with Floods;
 with Instants;        use Instants;
 with Libc;
 with Monitor_Clients; use Monitor_Clients;
@@ -132,6 +133,8 @@ package body Single_Commands is
    ---------------
 
    procedure Turn_Away (R : in out Rig) is
+      --  One by one, then more at once than are seen to in a turn
+      Crowd : Floods.Crowd (40);
    begin
       for Number in 1 .. 5 loop
          declare
@@ -144,6 +147,8 @@ package body Single_Commands is
          end;
          delay Pause;
       end loop;
+      Crowd.Come (R.Supervisor.Port, Floods.Address (1));
+      delay 5 * Pause;
    end Turn_Away;
 
    ------------------

@@ -7,6 +7,7 @@ with Answer_Ledgers;        use Answer_Ledgers;
 with Child_Processes;       use Child_Processes;
 with Expectations;          use Expectations;
 with Faults;                use Faults;
+with Floods;
 with Instants;              use Instants;
 with Monitor_Clients;
 with Random_Numbers;        use Random_Numbers;
@@ -70,6 +71,11 @@ package body Network_Faults is
 
    overriding procedure Inject
      (F : in out Crowd_Of_Clients; W : in out World);
+
+   type Flood_Of_Clients is new Fault with null record;
+
+   overriding procedure Inject
+     (F : in out Flood_Of_Clients; W : in out World);
 
    type Scan is new Fault with null record;
 
@@ -402,13 +408,51 @@ package body Network_Faults is
    -- Inject --
    ------------
 
+   overriding procedure Inject
+     (F : in out Flood_Of_Clients; W : in out World)
+   is
+      pragma Unreferenced (F);
+      Loopback : constant String := "127.0.0.1";
+      Length   : constant Duration := 1.0;
+      Queue    : constant := 1_024;
+      Flood    : Floods.Flood;
+      Other    : Monitor_Clients.Client;
+      Start    : Instant;
+      Seen     : Boolean;
+   begin
+      if W.Expected_End or else not W.Reachable
+        or else W.Address /= Loopback
+      then
+         return;
+      end if;
+      Flood.Start (W.Port, Floods.Restless);
+      W.Talk (Length, Calm => True);
+      Start := Now;
+      Other.Connect
+        (W.Port, W.Address, Source => "127.0.0.2", Real_Time => False);
+      Seen := Other.Next (Admission_Limit + Noise).Number > 0;
+      W.Listen;
+      --  where there is no monitor one of them is it, until it leaves
+      Check
+        (not W.Present or else Seen,
+         "who comes amid the flood is not seen to within "
+         & Milliseconds (Now - Start));
+      Other.Close;
+      Flood.Stop;
+      W.Talk (Block_Time + Queue * Newcomer_Time, Calm => True);
+   end Inject;
+
+   ------------
+   -- Inject --
+   ------------
+
    overriding procedure Inject (F : in out Scan; W : in out World) is
       pragma Unreferenced (F);
       Count : constant Positive := Whole (W.Source, 50, 300);
    begin
       Raw_Probes.Knock (W.Address, W.Port, Count, W.Source);
       --  who comes later waits behind them; the one in command does not
-      W.Talk (Count * (Newcomer_Interval + 0.002), Calm => True);
+      W.Talk (Block_Time + Count * Newcomer_Time, Calm => True);
    end Inject;
 
    ------------
@@ -557,6 +601,10 @@ package body Network_Faults is
       Add (new Crowd_Of_Clients'
              (Name     => Named ("1,000 connections at once"),
               Cost     => 10.0,
+              others   => <>));
+      Add (new Flood_Of_Clients'
+             (Name     => Named ("flood of connections"),
+              Cost     => 5.0,
               others   => <>));
       Add (new Scan'
              (Name     => Named ("port scan"),

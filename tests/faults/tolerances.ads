@@ -25,8 +25,15 @@ package Tolerances is
    Watchdog_Limit : constant Duration := 3.6;
    --  A robot with its watchdog on stands, so long after the last reload
 
-   Newcomer_Interval : constant Duration := 0.01;
-   --  The supervisor sees to one newcomer in so long, the next in the queue
+   Admission_Limit : constant Duration := 2.0;
+   --  Who comes amid a flood from other addresses is seen to
+
+   Newcomer_Time : constant Duration := 0.0012;
+   --  The supervisor sees to ten newcomers in ten times that
+
+   Block_Time : constant Duration := 1.0;
+   --  Who comes from where a flood came from may have to try again after
+   --  that
 
    --  Granted
 

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  System tests as AUnit test cases.
 
+with Ada.Containers.Indefinite_Vectors;
 with Ada.Exceptions;        use Ada.Exceptions;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -16,6 +17,9 @@ with Standstills;
 
 package body Scenarios is
 
+   package Text_Vectors is
+     new Ada.Containers.Indefinite_Vectors (Positive, String);
+
    type Scenario_Access is access Scenario;
 
    Longest_Test    : constant Duration := 240.0;
@@ -25,7 +29,7 @@ package body Scenarios is
 
    Time_Left      : Duration := 1_800.0;
    --  for what is run again, and for waiting before
-   Filter         : Unbounded_String;
+   Filters        : Text_Vectors.Vector;
    Not_Judged     : Unbounded_String;
    Count_Unjudged : Natural := 0;
    Count_Run      : Natural := 0;
@@ -157,13 +161,13 @@ package body Scenarios is
    end Run_Test;
 
    ----------------
-   -- Set_Filter --
+   -- Add_Filter --
    ----------------
 
-   procedure Set_Filter (Text : String) is
+   procedure Add_Filter (Text : String) is
    begin
-      Filter := To_Unbounded_String (Text);
-   end Set_Filter;
+      Filters.Append (Text);
+   end Add_Filter;
 
    ---------
    -- Add --
@@ -176,7 +180,9 @@ package body Scenarios is
    is
       Test : Scenario_Access;
    begin
-      if Filter = "" or else Index (Name, To_String (Filter)) > 0 then
+      if Filters.Is_Empty
+        or else (for some Text of Filters => Index (Name, Text) > 0)
+      then
          Test := new Scenario;
          Test.Title := new String'(Name);
          Test.Action := Run;

@@ -25,8 +25,8 @@ package Scenarios is
    --  again: what fails on a machine that ran, and where a program has ended
    --  after an internal failure or by a fault.
 
-   procedure Set_Filter (Text : String);
-   --  Only scenarios whose name contains Text are added from now on
+   procedure Add_Filter (Text : String);
+   --  Only scenarios whose name contains one of these are added from now on
 
    procedure Add
      (Suite : AUnit.Test_Suites.Access_Test_Suite;

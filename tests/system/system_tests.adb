@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Runs the system tests. An argument without dashes is a part of the names
---  of the tests to run; --supervisor, --emulator and --monitor name other
+--  Runs the system tests. Arguments without dashes are parts of the names of
+--  the tests to run; --supervisor, --emulator and --monitor name other
 --  programs than those beside this one.
 
 with Ada.Command_Line;  use Ada.Command_Line;
@@ -25,6 +25,7 @@ with Robot_Tests;
 with Scenarios;
 with Security_Tests;
 with Server_Tests;
+with Source_Tests;
 with Standstills;
 with Trace_Tests;
 
@@ -76,7 +77,7 @@ begin
          Number := Number + 1;
          Programs.Set_Monitor (Argument (Number));
       else
-         Scenarios.Set_Filter (Argument (Number));
+         Scenarios.Add_Filter (Argument (Number));
       end if;
       Number := Number + 1;
    end loop;
@@ -85,6 +86,7 @@ begin
    Monitor_Tests.Add_To (Suite);
    Robot_Tests.Add_To (Suite);
    Camera_Tests.Add_To (Suite);
+   Source_Tests.Add_To (Suite);
    Process_Tests.Add_To (Suite);
    Security_Tests.Add_To (Suite);
    Trace_Tests.Add_To (Suite);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the stages of an image's way are compared with: libjpeg-turbo alone,
-// memcpy; and a monitor that takes whatever it is sent.
+// memcpy, OpenCV's detector of markers; and a monitor that takes whatever it
+// is sent.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +17,14 @@
 #include <unistd.h>
 
 #include <jpeglib.h>
+
+#include <opencv2/imgproc.hpp>
+#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
+#define ARUCO_IN_OBJDETECT
+#include <opencv2/objdetect/aruco_detector.hpp>
+#else
+#include <opencv2/aruco.hpp>
+#endif
 
 #include "vision_internal.hpp"
 
@@ -103,6 +113,28 @@ int image_floor_decode(const unsigned char *bytes, int length) {
 void image_floor_copy(void *to, const void *from, std::size_t length) {
   std::memcpy(to, from, length);
   asm volatile("" : : "r"(to) : "memory");
+}
+
+// Searches the image of a slot for markers with OpenCV's detector as it comes.
+// How many of the IDS, COUNT of them, it finds, each once.
+int image_floor_markers(int slot, const int *ids, int count) {
+  static cv::Mat grey;
+  std::vector<std::vector<cv::Point2f>> corners;
+  std::vector<int> found;
+  cv::cvtColor(vision::frame(slot)->image, grey, cv::COLOR_BGR2GRAY);
+#ifdef ARUCO_IN_OBJDETECT
+  static const cv::aruco::ArucoDetector detector(
+      cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000));
+  detector.detectMarkers(grey, corners, found);
+#else
+  static const auto dictionary =
+      cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000);
+  cv::aruco::detectMarkers(grey, dictionary, corners, found);
+#endif
+  int right = 0;
+  for (int k = 0; k < count; ++k)
+    right += std::find(found.begin(), found.end(), ids[k]) != found.end();
+  return right;
 }
 
 // A connection over the loop-back interface, set as the supervisor sets it.

@@ -44,6 +44,12 @@ procedure Image_Times is
    procedure Floor_Copy (To, From : System.Address; Length : size_t)
    with Import, Convention => C, External_Name => "image_floor_copy";
 
+   type Identifiers is array (1 .. 4) of int;
+
+   function Floor_Markers (Slot : int; Ids : Identifiers; Count : int)
+     return int
+   with Import, Convention => C, External_Name => "image_floor_markers";
+
    function Connect return int
    with Import, Convention => C, External_Name => "image_connect";
 
@@ -422,6 +428,86 @@ procedure Image_Times is
       Report (Section, Name & "whole image", Size, Full.all, Plain.all);
    end Measure_Searches;
 
+   --  Markers beside OpenCV's detector at its defaults, on the same images
+
+   type Disturbance is (Plain, Small, Blurred, Noisy, Dark);
+
+   procedure Measure_Peer
+     (Width, Height : Positive; Kind : Disturbance);
+
+   procedure Measure_Peer
+     (Width, Height : Positive; Kind : Disturbance)
+   is
+      Size  : constant String :=
+        Trim (Width'Image, Left) & "x" & Trim (Height'Image, Left);
+      Ours  : constant Series_Access := Times (Whole);
+      Peer  : constant Series_Access := Floors (Whole);
+      Item  : Scenes.Description;
+      Found : Robot_Array;
+      Count : Robot_Count;
+      Result : Status;
+      Ids   : Identifiers;
+      Right, Right_Peer : Natural := 0;
+
+      procedure Search;
+      procedure Search_Peer;
+
+      procedure Search is
+      begin
+         Start;
+         Find_Robots (0, Options.Aruco, No_Arena, False, Found, Count,
+                      Result);
+         Stop (Ours.all);
+         for Id of Ids loop
+            if (for some K in 1 .. Count => int (Found (K).Id) = Id) then
+               Right := Right + 1;
+            end if;
+         end loop;
+      end Search;
+
+      procedure Search_Peer is
+         Known : int;
+      begin
+         Start;
+         Known := Floor_Markers (0, Ids, Ids'Length);
+         Stop (Peer.all);
+         Right_Peer := Right_Peer + Natural (Known);
+      end Search_Peer;
+
+      function Share (Part : Natural) return String is
+        (Image (100.0 * Float (Part) / Float (Number * Ids'Length), 0)
+         & " %");
+
+   begin
+      for K in Ids'Range loop
+         Ids (K) := Markers (K).Id;
+      end loop;
+      for K in 1 .. Number loop
+         Item := Scene (Width, Height, Ids'Length, K);
+         case Kind is
+            when Plain   => null;
+            when Small   => Item.Fill := 0.4;
+            when Blurred => Item.Blur := double (Width) / 256.0;
+            when Noisy   => Item.Noise := 25.0;
+            when Dark    => Item.Uneven := 0.7;
+         end case;
+         Draw (Item);
+         Show (Width, Height);
+         if K mod 2 = 0 then
+            Search_Peer;
+            Search;
+         else
+            Search;
+            Search_Peer;
+         end if;
+      end loop;
+      Report
+        ("search",
+         Head (Kind'Image, 8) & Share (Right) & ", OpenCV's "
+         & Share (Right_Peer),
+         Size, Ours.all, Peer.all);
+   end Measure_Peer;
+
    procedure Put_Usage;
 
    procedure Put_Usage is
@@ -454,7 +540,9 @@ begin
    Put_Line ("Microseconds," & Number'Image & " images each. Floors:"
              & " libjpeg-turbo alone for decode, encode and the sum;");
    Put_Line ("memcpy of the same bytes for the other stages; the whole"
-             & " image for the searches.");
+             & " image for the searches; OpenCV's own");
+   Put_Line ("detector for the rows that name what share of the markers each"
+             & " has found.");
    New_Line;
    Put_Line (Head ("size", 11) & Head ("stage", 34) & Tail ("median", 10)
              & Tail ("p99", 10) & Tail ("max", 10) & Tail ("floor", 10)
@@ -470,6 +558,9 @@ begin
       begin
          Measure_Stages (Width, Height);
          Measure_Searches (Width, Height, 1, "search");
+         for Kind in Disturbance loop
+            Measure_Peer (Width, Height, Kind);
+         end loop;
       end;
    end loop;
    for Robots in 0 .. 4 loop

@@ -1,25 +1,44 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Others who connect, as fast as they are seen to: several senders, each
---  with an address of its own and many connections at a time.
+--  Others who connect: several senders, each with an address of its own and
+--  many connections at a time; or a crowd from one address at once.
 
 private with Ada.Finalization;
+private with GNAT.Sockets;
 
 package Floods is
 
    type Flood is tagged limited private;
    --  Ends when it leaves its scope
 
-   procedure Start (Object : in out Flood; Port : Positive);
-   --  Of a supervisor on this machine
+   type Manner is
+     (Patient,    --  connects again as soon as it is told something
+      Restless,   --  says something wrong and connects again at once
+      Slow);      --  sends its first line a byte at a time
+
+   procedure Start
+     (Object : in out Flood; Port : Positive; How : Manner := Patient);
+   --  Of a supervisor that listens on 127.0.0.1
 
    function Served (Object : Flood) return Natural;
    --  How many of them it has told something, or closed
 
    procedure Stop (Object : in out Flood);
 
-private
+   function Address (Number : Positive) return String;
+   --  Of a sender
 
    Senders : constant := 4;
+
+   type Crowd (Count : Positive) is tagged limited private;
+   --  Goes when it leaves its scope
+
+   procedure Come (Object : in out Crowd; Port : Positive; Own : String);
+   --  Connections with noise, from the address Own: half of them stay, the
+   --  others are closed at once
+
+   procedure Go (Object : in out Crowd);
+
+private
 
    type Sender;
    type Sender_Access is access Sender;
@@ -36,7 +55,10 @@ private
    end Progress;
 
    task type Sender
-     (Number : Positive; Port : Positive; Seen : not null access Progress)
+     (Number : Positive;
+      Port   : Positive;
+      How    : Manner;
+      Seen   : not null access Progress)
    is
       pragma Storage_Size (512 * 1024);
    end Sender;
@@ -47,5 +69,15 @@ private
    end record;
 
    overriding procedure Finalize (Object : in out Flood) renames Stop;
+
+   type Socket_Array is array (Positive range <>) of GNAT.Sockets.Socket_Type;
+
+   type Crowd (Count : Positive) is
+     new Ada.Finalization.Limited_Controlled with record
+      Sockets : Socket_Array (1 .. Count) :=
+        (others => GNAT.Sockets.No_Socket);
+   end record;
+
+   overriding procedure Finalize (Object : in out Crowd) renames Go;
 
 end Floods;

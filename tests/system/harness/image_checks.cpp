@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /* What a received image shows, and images for cameras that are files. C
  * interface for Images; no exception leaves it. */
-#include <opencv2/aruco.hpp>
+#include <opencv2/core/version.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
+#include <opencv2/objdetect/aruco_detector.hpp>
+#else
+#include <opencv2/aruco.hpp>
+#endif
 
 #include <algorithm>
 #include <fstream>
@@ -92,9 +97,13 @@ int image_marker(const char *text, int length, double *x, double *y) {
     if (image.empty()) return 1;
     std::vector<std::vector<cv::Point2f>> corners;
     std::vector<int> ids;
-    cv::aruco::detectMarkers(
-        image, cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000),
-        corners, ids);
+    const auto dictionary =
+        cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000);
+#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
+    cv::aruco::ArucoDetector(dictionary).detectMarkers(image, corners, ids);
+#else
+    cv::aruco::detectMarkers(image, dictionary, corners, ids);
+#endif
     if (corners.empty()) return 1;
     *x = (corners[0][0].x + corners[0][2].x) / 2.0;
     *y = (corners[0][0].y + corners[0][2].y) / 2.0;
@@ -110,6 +119,20 @@ int image_write_empty(const char *path) {
     cv::Mat image(480, 640, CV_8UC3, cv::Scalar::all(70));
     cv::randn(image, 70, 3);
     return cv::imwrite(path, image) ? 0 : 1;
+  } catch (...) {
+    return 2;
+  }
+}
+
+/* Writes the image of the file FROM to TO as a camera's YUYV, without colour:
+ * a byte of brightness for each pixel, and one that says grey. 0 if done. */
+int image_write_yuyv(const char *from, const char *to) {
+  try {
+    const cv::Mat image = cv::imread(from, cv::IMREAD_GRAYSCALE);
+    std::ofstream file(to, std::ios::binary);
+    for (const unsigned char *p = image.datastart; p < image.dataend; ++p)
+      file.put(static_cast<char>(*p)).put(static_cast<char>(128));
+    return !image.empty() && file.flush() ? 0 : 1;
   } catch (...) {
     return 2;
   }

@@ -24,6 +24,9 @@ package body Images is
    function Image_Write_Empty (Path : char_array) return int
    with Import, Convention => C, External_Name => "image_write_empty";
 
+   function Image_Write_Yuyv (Image, Path : char_array) return int
+   with Import, Convention => C, External_Name => "image_write_yuyv";
+
    ----------
    -- Seen --
    ----------
@@ -67,5 +70,16 @@ package body Images is
    begin
       Check (Image_Write_Empty (To_C (Path)) = 0, "cannot write " & Path);
    end Write_Empty;
+
+   ----------------
+   -- Write_Yuyv --
+   ----------------
+
+   procedure Write_Yuyv (Image, Path : String) is
+   begin
+      Check
+        (Image_Write_Yuyv (To_C (Image), To_C (Path)) = 0,
+         "cannot write " & Path);
+   end Write_Yuyv;
 
 end Images;

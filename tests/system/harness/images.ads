@@ -26,4 +26,8 @@ package Images is
    procedure Write_Empty (Path : String);
    --  A file with an image that shows neither arena nor robot
 
+   procedure Write_Yuyv (Image, Path : String);
+   --  A file with what the file Image shows, as a camera delivers it that has
+   --  YUYV and no colour
+
 end Images;

@@ -3,6 +3,7 @@
 
 with Ada.Containers.Vectors;
 with Ada.Exceptions;
+with Ada.Numerics.Float_Random;
 with Ada.Streams;           use Ada.Streams;
 with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
@@ -39,6 +40,7 @@ package body Monitor_Clients is
       procedure Keep_Images (Count : Positive);
       procedure Set_Paused (Value : Boolean);
       procedure Set_Rate (Value : Natural);
+      procedure Set_Late (Least, Most : Duration; To_Each : Boolean);
       procedure Set_Leaving;
       function Count return Natural;
       function Element (Number : Positive) return Message;
@@ -48,6 +50,9 @@ package body Monitor_Clients is
       function Broken_Images return Natural;
       function Paused return Boolean;
       function Rate return Natural;
+      function Late_To_Each return Boolean;
+      function Least_Late return Duration;
+      function Most_Late return Duration;
       function Leaving return Boolean;
    private
       Messages  : Message_Vectors.Vector;
@@ -58,6 +63,9 @@ package body Monitor_Clients is
       End_State : Closing := Open;
       Is_Paused : Boolean := False;
       Limit     : Natural := 0;
+      Each      : Boolean := False;
+      Least     : Duration := 0.0;
+      Most      : Duration := 0.0;
       Is_Leaving : Boolean := False;
    end Inbox;
 
@@ -160,6 +168,13 @@ package body Monitor_Clients is
          Limit := Value;
       end Set_Rate;
 
+      procedure Set_Late (Least, Most : Duration; To_Each : Boolean) is
+      begin
+         Inbox.Least := Least;
+         Inbox.Most := Most;
+         Each := To_Each;
+      end Set_Late;
+
       procedure Set_Leaving is
       begin
          Is_Leaving := True;
@@ -194,6 +209,12 @@ package body Monitor_Clients is
 
       function Rate return Natural is (Limit);
 
+      function Late_To_Each return Boolean is (Each);
+
+      function Least_Late return Duration is (Least);
+
+      function Most_Late return Duration is (Most);
+
       function Leaving return Boolean is (Is_Leaving);
 
    end Inbox;
@@ -208,10 +229,25 @@ package body Monitor_Clients is
       Last   : Stream_Element_Offset;
       Rest   : Unbounded_String;
       Group  : Positive := 1;
+      Late   : Duration := 0.0;
+      Chance : Ada.Numerics.Float_Random.Generator;
       Param  : aliased Libc.Sched_Param := (Priority => Libc.Above_Supervisor);
       Unused : int;
 
+      procedure Be_Late;
+
       procedure Take (Text : Unbounded_String; Time : Instant);
+
+      procedure Be_Late is
+         Start : constant Instant := Now;
+      begin
+         if Box.Most_Late > 0.0 then
+            delay Box.Least_Late
+              + (Box.Most_Late - Box.Least_Late)
+              * Duration (Ada.Numerics.Float_Random.Random (Chance));
+         end if;
+         Late := Now - Start;
+      end Be_Late;
 
       procedure Take (Text : Unbounded_String; Time : Instant) is
          Item  : Message;
@@ -219,6 +255,7 @@ package body Monitor_Clients is
       begin
          Item.Time := Time;
          Item.Group := Group;
+         Item.Late := Late;
          Item.Size := Length (Text);
          Move (Slice (Text, 1, Natural'Min (4, Length (Text))), Item.Label,
                Drop => Right);
@@ -235,6 +272,7 @@ package body Monitor_Clients is
       end Take;
 
    begin
+      Ada.Numerics.Float_Random.Reset (Chance);
       if Real_Time then
          Unused := Libc.Sched_Setscheduler
            (0, Libc.Sched_Fifo, Param'Access);
@@ -263,6 +301,9 @@ package body Monitor_Clients is
                     (Most, Stream_Element_Offset (Box.Rate) / 50 + 1);
                   delay Duration (Most) / Box.Rate;
                end if;
+               if Box.Late_To_Each and then Length (Rest) = 0 then
+                  Be_Late;
+               end if;
                Receive_Socket (Socket.all, Buffer (1 .. Most), Last);
                if Last < Buffer'First then
                   Box.Ended (Orderly);
@@ -288,6 +329,9 @@ package body Monitor_Clients is
                   end loop;
                   if First > Bytes'Last then
                      Group := Group + 1;
+                     if not Box.Late_To_Each then
+                        Be_Late;
+                     end if;
                   else
                      Append (Rest, Bytes (First .. Bytes'Last));
                   end if;
@@ -613,6 +657,12 @@ package body Monitor_Clients is
    begin
       Object.Inner.Box.Set_Rate (Rate);
    end Limit_Reading;
+
+   procedure Be_Late
+     (Object : in out Client; Least, Most : Duration; To_Each : Boolean) is
+   begin
+      Object.Inner.Box.Set_Late (Least, Most, To_Each);
+   end Be_Late;
 
    --------------------
    -- Closed_By_Peer --

@@ -20,6 +20,8 @@ package Monitor_Clients is
       --  The existing monitor's reader takes what it receives up to a final
       --  end of line as one message: messages with the same group would be
       --  one for it
+      Late   : Duration := 0.0;
+      --  how late the reader was
       Label  : Message_Label := "    ";
       Data   : Unbounded_String;
       --  what follows the colon; of an image only its first characters
@@ -119,6 +121,11 @@ package Monitor_Clients is
    --  Nothing is read from the socket in between
    procedure Limit_Reading (Object : in out Client; Rate : Natural);
    --  Bytes a second; 0 is no limit
+   procedure Be_Late
+     (Object : in out Client; Least, Most : Duration; To_Each : Boolean)
+     with Pre => Least <= Most;
+   --  From now on the reader is late, by a random time: to each group that
+   --  has come, or only after each, which it is busy with
 
    --  The end
 

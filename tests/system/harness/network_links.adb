@@ -40,6 +40,10 @@ package body Network_Links is
    procedure Run (Command : String);
    --  Raises Failed unless it succeeds
 
+   procedure Run_There (Command : String);
+   --  The same at the monitor's end. Not by ip -n, which mounts a /sys of
+   --  its own and fails where / is no mount point
+
    function Succeeds (Command : String) return Boolean;
 
    -------------
@@ -80,6 +84,19 @@ package body Network_Links is
       Check (Succeeds (Command), "failed: " & Command);
    end Run;
 
+   ---------------
+   -- Run_There --
+   ---------------
+
+   procedure Run_There (Command : String) is
+      Done : Boolean;
+   begin
+      Enter (Name);
+      Done := Succeeds (Command);
+      Leave;
+      Check (Done, "failed: " & Command);
+   end Run_There;
+
    --------------
    -- Obstacle --
    --------------
@@ -119,9 +136,8 @@ package body Network_Links is
       Run ("ip link set " & There & " netns " & Name);
       Run ("ip addr add " & Supervisor_Side & "/30 dev " & Here);
       Run ("ip link set " & Here & " up");
-      Run ("ip -n " & Name & " addr add " & Monitor_Side & "/30 dev "
-           & There);
-      Run ("ip -n " & Name & " link set " & There & " up");
+      Run_There ("ip addr add " & Monitor_Side & "/30 dev " & There);
+      Run_There ("ip link set " & There & " up");
    end Make;
 
    ---------------
@@ -138,7 +154,7 @@ package body Network_Links is
    procedure Cut (Object : in out Link) is
    begin
       Check (Object.Made, "no link to cut");
-      Run ("ip -n " & Name & " link set " & There & " down");
+      Run_There ("ip link set " & There & " down");
    end Cut;
 
    ----------
@@ -148,7 +164,7 @@ package body Network_Links is
    procedure Mend (Object : in out Link) is
    begin
       Check (Object.Made, "no link to mend");
-      Run ("ip -n " & Name & " link set " & There & " up");
+      Run_There ("ip link set " & There & " up");
    end Mend;
 
    -----------------
@@ -158,8 +174,7 @@ package body Network_Links is
    procedure Fall_Silent (Object : in out Link) is
    begin
       Check (Object.Made, "no link to silence");
-      Run ("ip -n " & Name & " addr del " & Monitor_Side & "/30 dev "
-           & There);
+      Run_There ("ip addr del " & Monitor_Side & "/30 dev " & There);
    end Fall_Silent;
 
    -----------

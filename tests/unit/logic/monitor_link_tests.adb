@@ -34,6 +34,7 @@ package body Monitor_Link_Tests is
    procedure Test_Pause (T : in out Any_Test);
    procedure Test_Both (T : in out Any_Test);
    procedure Test_Clock (T : in out Any_Test);
+   procedure Test_Length (T : in out Any_Test);
 
    --------------
    -- Begin_At --
@@ -67,6 +68,7 @@ package body Monitor_Link_Tests is
       Now := Now + Step;
       Judge (S,
              (Now            => Now,
+              Known          => True,
               Unacknowledged => Unacknowledged,
               Since_Heard    => Since_Heard,
               Outstanding    => Outstanding,
@@ -97,6 +99,7 @@ package body Monitor_Link_Tests is
                         "pauses below the limit, again and again");
       Register_Routine (T, Test_Both'Access, "vanished goes first");
       Register_Routine (T, Test_Clock'Access, "odd clocks, odd counters");
+      Register_Routine (T, Test_Length'Access, "what the kernel gives");
    end Register_Tests;
 
    ------------------------
@@ -155,24 +158,42 @@ package body Monitor_Link_Tests is
       --  A time before the last one counts as no time at all
 
       Begin_At (1_000);
-      Judge (S, (Now => 5, Unacknowledged => 1, Since_Heard => 9_999,
-                 Outstanding => 1, Bytes_Acked => 0), V);
+      Judge (S, (Now => 5, Known => True, Unacknowledged => 1,
+                 Since_Heard => 9_999, Outstanding => 1, Bytes_Acked => 0), V);
       Assert (V = Present, "earlier than the start");
-      Judge (S, (Now => 0, Unacknowledged => 1, Since_Heard => 9_999,
-                 Outstanding => 1, Bytes_Acked => 0), V);
+      Judge (S, (Now => 0, Known => True, Unacknowledged => 1,
+                 Since_Heard => 9_999, Outstanding => 1, Bytes_Acked => 0), V);
       Assert (V = Present, "earlier again");
-      Judge (S, (Now => Milliseconds'Last, Unacknowledged => Natural'Last,
+      Judge (S, (Now => Milliseconds'Last, Known => True,
+                 Unacknowledged => Natural'Last,
                  Since_Heard => Milliseconds'Last,
                  Outstanding => Natural'Last, Bytes_Acked => 0), V);
       Assert (V = Vanished, "a long time");
 
       --  Whatever moves the counter is progress
 
-      Judge (S, (Now => Milliseconds'Last, Unacknowledged => 1,
-                 Since_Heard => 9_999, Outstanding => 1,
+      Judge (S, (Now => Milliseconds'Last, Known => True,
+                 Unacknowledged => 1, Since_Heard => 9_999, Outstanding => 1,
                  Bytes_Acked => Byte_Count'Last), V);
       Assert (V = Present, "progress");
    end Test_Clock;
+
+   -----------------
+   -- Test_Length --
+   -----------------
+
+   procedure Test_Length (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      --  Of struct tcp_info up to and with the last field before
+      --  tcpi_notsent_bytes, and with that one
+   begin
+      for Length in 0 .. 147 loop
+         Assert (not Is_Enough (Length), "too little");
+      end loop;
+      for Length in 148 .. 300 loop
+         Assert (Is_Enough (Length), "enough");
+      end loop;
+   end Test_Length;
 
    ----------------
    -- Test_Pause --

@@ -35,6 +35,7 @@ package body Networks_Tests is
    procedure Test_Boundaries (T : in out Any_Test);
    procedure Test_List (T : in out Any_Test);
    procedure Test_Peers (T : in out Any_Test);
+   procedure Test_Sources (T : in out Any_Test);
 
    ------------
    -- Expect --
@@ -82,6 +83,7 @@ package body Networks_Tests is
         (T, Test_Boundaries'Access, "first and last address, and those by");
       Register_Routine (T, Test_List'Access, "lists");
       Register_Routine (T, Test_Peers'Access, "peers of IPv4 and of IPv6");
+      Register_Routine (T, Test_Sources'Access, "sources of connections");
    end Register_Tests;
 
    ---------------------
@@ -241,6 +243,37 @@ package body Networks_Tests is
       Long := (1 .. 8 => '.', others => '0');
       Expect (Long, No_Address);
    end Test_Refused;
+
+   ------------------
+   -- Test_Sources --
+   ------------------
+
+   procedure Test_Sources (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Local : constant Peer_Address := (1 => 16#FE#, 2 => 16#80#, others => 1);
+      Near  : Peer_Address := Local;
+   begin
+      for I in 0 .. 31 loop
+         Assert
+           (Source_Of (Peer (2 ** I)) /= Source_Of (Peer (0)),
+            "two addresses are one source");
+      end loop;
+      Assert
+        (Source_Of (Peer (Joined (1, 2, 3, 4))) = 16#FFFF_0102_0304#,
+         "of IPv4");
+      Assert (Is_IPv4 (Source_Of (Peer (16#FFFF_FFFF#))), "the last of IPv4");
+      Assert (Is_IPv4 (Source_Of (Peer (0))), "the first of IPv4");
+      Assert (Source_Of (Local) = 16#FE80_0101_0101_0101#, "of IPv6");
+      Assert (not Is_IPv4 (Source_Of (Local)), "of IPv6, not of IPv4");
+      Assert (not Is_IPv4 (Source_Of ((16 => 1, others => 0))), "::1");
+      for I in Local'Range loop
+         Near := Local;
+         Near (I) := Near (I) xor 1;
+         Assert
+           ((Source_Of (Near) = Source_Of (Local)) = (I > 8),
+            "octet" & I'Image);
+      end loop;
+   end Test_Sources;
 
    ---------------
    -- Test_Text --

@@ -7,10 +7,14 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Frame_Slots;
 with Frame_Store;
+with Image_Grid;
 
 package body Frame_Store_Tests is
 
    use type Frame_Slots.Slot;
+   use type Image_Grid.Microseconds;
+
+   Period : constant := 100_000;
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
@@ -29,6 +33,19 @@ package body Frame_Store_Tests is
    procedure Test_End (T : in out Any_Test);
    procedure Test_In_Turn (T : in out Any_Test);
    procedure Test_Times (T : in out Any_Test);
+   procedure Test_Reserve (T : in out Any_Test);
+   procedure Test_Wait (T : in out Any_Test);
+   procedure Test_Elapsed (T : in out Any_Test);
+
+   procedure Put (At_Time : Time; Slot : out Frame_Slots.Slot);
+   --  An image comes
+
+   procedure Claim_Due
+     (Now     : Time;
+      Slot    : out Frame_Slots.Slot;
+      At_Time : out Time;
+      Reserve : out Boolean);
+   --  What is sent at Now; it is released again
 
    ----------------
    -- Begin_Anew --
@@ -69,6 +86,34 @@ package body Frame_Store_Tests is
       Assert (not Found, "no image expected, not" & Taken'Image);
    end Check_None;
 
+   ---------------
+   -- Claim_Due --
+   ---------------
+
+   procedure Claim_Due
+     (Now     : Time;
+      Slot    : out Frame_Slots.Slot;
+      At_Time : out Time;
+      Reserve : out Boolean)
+   is
+      Found, Coming : Boolean;
+   begin
+      Frame_Store.Claim_Due
+        (Now, Period, Slot, At_Time, Reserve, Found, Coming);
+      Assert (Found and then Coming, "an image is due");
+      Frame_Store.Release (Slot);
+   end Claim_Due;
+
+   ---------
+   -- Put --
+   ---------
+
+   procedure Put (At_Time : Time; Slot : out Frame_Slots.Slot) is
+   begin
+      Frame_Store.Claim_Empty (Slot);
+      Frame_Store.Publish (Slot, At_Time);
+   end Put;
+
    ----------
    -- Name --
    ----------
@@ -86,11 +131,16 @@ package body Frame_Store_Tests is
       Register_Routine (T, Test_Newest'Access, "the newest image wins");
       Register_Routine (T, Test_Once'Access, "each image is taken once");
       Register_Routine (T, Test_Always_Free'Access,
-                        "an empty slot beside owner, newest and readers");
+                        "an empty slot beside owner, two that wait, readers");
       Register_Routine (T, Test_End'Access,
                         "a delivery that ends drops what waits");
       Register_Routine (T, Test_In_Turn'Access, "every slot in its turn");
       Register_Routine (T, Test_Times'Access, "when the last image came");
+      Register_Routine (T, Test_Reserve'Access,
+                        "what has just come is kept in reserve");
+      Register_Routine (T, Test_Wait'Access,
+                        "who waits for an image is told of what ends it");
+      Register_Routine (T, Test_Elapsed'Access, "times between images");
    end Register_Tests;
 
    ----------------------
@@ -120,10 +170,14 @@ package body Frame_Store_Tests is
       Assert (not Held (Slot), "one for the newest");
       Frame_Store.Publish (Slot, Clock);
       Held (Slot) := True;
+      Frame_Store.Claim_Empty (Slot);
+      Assert (not Held (Slot), "one for the image after it");
+      Frame_Store.Publish (Slot, Clock);
+      Held (Slot) := True;
 
       --  and the owner claims the others
 
-      for I in 4 .. Held'Length loop
+      for I in 5 .. Held'Length loop
          Frame_Store.Claim_Empty (Slot);
          Assert (not Held (Slot), "slot" & I'Image & " of all");
          Held (Slot) := True;
@@ -193,14 +247,125 @@ package body Frame_Store_Tests is
       end loop;
    end Test_In_Turn;
 
+   ------------------
+   -- Test_Elapsed --
+   ------------------
+
+   procedure Test_Elapsed (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Begun : constant Time := Clock;
+   begin
+      Assert (Frame_Store.Elapsed (Begun, Begun) = 0, "none");
+      Assert (Frame_Store.Elapsed (Begun, Begun + Microseconds (1)) = 1,
+              "a microsecond");
+      Assert (Frame_Store.Elapsed (Begun + Seconds (1), Begun) = 0,
+              "none that is negative");
+      Assert (Frame_Store.Elapsed (Begun, Begun + Seconds (5_000))
+                = Image_Grid.Microseconds'Last, "more than there is");
+   end Test_Elapsed;
+
+   ------------------
+   -- Test_Reserve --
+   ------------------
+
+   procedure Test_Reserve (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Begun                : constant Time := Clock;
+      First, Second, Third : Frame_Slots.Slot;
+      Slot                 : Frame_Slots.Slot;
+      At_Time              : Time;
+      Reserve              : Boolean;
+   begin
+      Begin_Anew;
+      Put (Begun, First);
+      Claim_Due (Begun + Milliseconds (50), Slot, At_Time, Reserve);
+      Assert (Slot = First and then At_Time = Begun and then not Reserve,
+              "one that waits alone");
+      Check_None;
+
+      --  the second has just come
+
+      Put (Begun + Milliseconds (100), First);
+      Put (Begun + Milliseconds (195), Second);
+      Claim_Due (Begun + Milliseconds (200), Slot, At_Time, Reserve);
+      Assert (Slot = First and then Reserve
+              and then At_Time = Begun + Milliseconds (100), "the older one");
+      Claim_Due (Begun + Milliseconds (300), Slot, At_Time, Reserve);
+      Assert (Slot = Second and then not Reserve
+              and then At_Time = Begun + Milliseconds (195), "the reserve");
+      Check_None;
+
+      --  the second has been there for a while: the first is left out
+
+      Put (Begun + Milliseconds (300), First);
+      Put (Begun + Milliseconds (380), Second);
+      Claim_Due (Begun + Milliseconds (400), Slot, At_Time, Reserve);
+      Assert (Slot = Second and then not Reserve, "the newer one");
+      Check_None;
+
+      --  of three the oldest is left out in any case
+
+      Put (Begun + Milliseconds (400), Slot);
+      Put (Begun + Milliseconds (450), Second);
+      Put (Begun + Milliseconds (499), Third);
+      Claim_Due (Begun + Milliseconds (500), Slot, At_Time, Reserve);
+      Assert (Slot = Second and then Reserve, "the second of three");
+      Check_Newest (Third);
+   end Test_Reserve;
+
+   ---------------
+   -- Test_Wait --
+   ---------------
+
+   procedure Test_Wait (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Begun   : constant Time := Clock;
+      Slot    : Frame_Slots.Slot;
+      At_Time : Time;
+      Reserve : Boolean;
+      Found   : Boolean;
+      Coming  : Boolean;
+
+      procedure Begin_Wait (Expected : Boolean);
+      --  Nothing is due; Expected: something is still to come
+
+      procedure Begin_Wait (Expected : Boolean) is
+      begin
+         Frame_Store.Claim_Due
+           (Begun, Period, Slot, At_Time, Reserve, Found, Coming);
+         Assert (not Found, "nothing is due");
+         Assert (Coming = Expected, "coming: " & Coming'Image);
+      end Begin_Wait;
+
+   begin
+      --  each Wait_Look returns, or the test does not end
+
+      Begin_Anew;
+      Frame_Store.Begin_Delivery (Begun);
+      Begin_Wait (Expected => True);
+      Put (Begun, Slot);
+      Frame_Store.Wait_Look;
+      Claim_Due (Begun, Slot, At_Time, Reserve);
+
+      Begin_Wait (Expected => True);
+      Frame_Store.Look_At_Silence (Begun + Milliseconds (2_000));
+      Frame_Store.Look_At_Silence (Begun + Milliseconds (2_600));
+      Frame_Store.Wait_Look;
+
+      Begin_Wait (Expected => True);
+      Frame_Store.End_Delivery;
+      Frame_Store.Wait_Look;
+      Begin_Wait (Expected => False);
+   end Test_Wait;
+
    -----------------
    -- Test_Newest --
    -----------------
 
    procedure Test_Newest (T : in out Any_Test) is
       pragma Unreferenced (T);
-      First, Second, Third : Frame_Slots.Slot;
-      Is_First_Free        : Boolean := False;
+      First, Second, Third, Other : Frame_Slots.Slot;
+      Is_First_Free               : Boolean := False;
    begin
       Begin_Anew;
       Check_None;
@@ -209,13 +374,21 @@ package body Frame_Store_Tests is
       Frame_Store.Claim_Empty (Second);
       Assert (Second /= First, "the newest is not overwritten");
       Frame_Store.Publish (Second, Clock);
-      for Other in 2 .. 6 loop
-         Frame_Store.Claim_Empty (Third);
-         Assert (Third /= Second, "nor by any of the others");
-         Is_First_Free := Is_First_Free or else Third = First;
+      Frame_Store.Claim_Empty (Third);
+      Assert (Third /= First and then Third /= Second,
+              "nor the one before it");
+      Frame_Store.Publish (Third, Clock);
+      for Claimed in 3 .. 6 loop
+         Frame_Store.Claim_Empty (Other);
+         Assert (Other /= Second and then Other /= Third,
+                 "neither by any of the others");
+         Is_First_Free := Is_First_Free or else Other = First;
       end loop;
       Assert (Is_First_Free, "what was dropped is free again");
-      Check_Newest (Second);
+      Check_Newest (Third);
+      Check_None;
+      Frame_Store.Claim_Empty (Other);
+      Assert (Other in Second | Third, "and the one before it is dropped");
    end Test_Newest;
 
    ---------------

@@ -8,6 +8,8 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Monitor_Protocol; use Monitor_Protocol;
 with Orders;           use Orders;
 with Outbox;
+with Schedule;
+with Send_Order;
 with Texts;
 
 package body Outbox_Tests is
@@ -18,8 +20,13 @@ package body Outbox_Tests is
 
    Data : Outbox.Message_Buffer := (others => ' ');
 
-   procedure Check (Kind : Outbox.Message_Kind; Text : String);
-   --  What is taken next, without its line feed.
+   Gap : constant := 20;
+
+   procedure Check
+     (Kind : Outbox.Message_Kind;
+      Text : String;
+      Kept : Send_Order.Milliseconds := Gap);
+   --  What is taken next, without its line feed, Kept after the one before.
 
    procedure Begin_Anew;
    --  A session with nothing in it.
@@ -30,9 +37,15 @@ package body Outbox_Tests is
    procedure Put_Picture (Text : String);
    --  A periodic image.
 
+   procedure Put_Place (Text : String);
+   --  A position.
+
    procedure Test_Order (T : in out Any_Test);
    procedure Test_Newest (T : in out Any_Test);
    procedure Test_Hold (T : in out Any_Test);
+   procedure Test_Hold_Of_Each (T : in out Any_Test);
+   procedure Test_Hold_Of_All (T : in out Any_Test);
+   procedure Test_Gap (T : in out Any_Test);
    procedure Test_Stale (T : in out Any_Test);
    procedure Test_Full (T : in out Any_Test);
 
@@ -52,11 +65,15 @@ package body Outbox_Tests is
    -- Check --
    -----------
 
-   procedure Check (Kind : Outbox.Message_Kind; Text : String) is
+   procedure Check
+     (Kind : Outbox.Message_Kind;
+      Text : String;
+      Kept : Send_Order.Milliseconds := Gap)
+   is
       Taken  : Outbox.Message_Kind;
       Length : Outbox.Message_Length;
    begin
-      Outbox.Take (Taken, Data, Length);
+      Outbox.Take (Gap, Kept, Taken, Data, Length);
       Assert (Taken = Kind, Text & ": " & Taken'Image);
       Assert (Data (1 .. Natural'Max (Length - 1, 0)) = Text,
               "text of " & Text);
@@ -96,6 +113,17 @@ package body Outbox_Tests is
       Outbox.Put_Image (Data, Text'Length + 1, Made);
    end Put_Picture;
 
+   ---------------
+   -- Put_Place --
+   ---------------
+
+   procedure Put_Place (Text : String) is
+      Made : Outbox.Generation;
+   begin
+      Outbox.Get_Generation (Made);
+      Outbox.Put_Position (Text & ASCII.LF, Made);
+   end Put_Place;
+
    --------------------
    -- Register_Tests --
    --------------------
@@ -106,6 +134,11 @@ package body Outbox_Tests is
       Register_Routine (T, Test_Order'Access, "answers in order");
       Register_Routine (T, Test_Newest'Access, "the newest image wins");
       Register_Routine (T, Test_Hold'Access, "rule 7: the hold");
+      Register_Routine
+        (T, Test_Hold_Of_Each'Access, "each command has its hold");
+      Register_Routine
+        (T, Test_Hold_Of_All'Access, "commands without end hold no longer");
+      Register_Routine (T, Test_Gap'Access, "the gap and the turns");
       Register_Routine (T, Test_Stale'Access, "numbers out of date");
       Register_Routine (T, Test_Full'Access, "room for 256");
    end Register_Tests;
@@ -147,7 +180,7 @@ package body Outbox_Tests is
       Put_Picture ("MIMG:one");
       Outbox.End_Hold;
       Check (Outbox.Nothing, "");
-      delay until Clock + Milliseconds (105);
+      delay until Clock + Schedule.Hold_Limit;
       Outbox.End_Hold;
       Outbox.Answer (First, Acknowledged);
       Outbox.Answer (Second, Refused);
@@ -156,6 +189,126 @@ package body Outbox_Tests is
       Check (Outbox.Answer, "ACRJ");
       Check (Outbox.Unasked, "MIMG:one");
    end Test_Hold;
+
+   ----------------------
+   -- Test_Hold_Of_All --
+   ----------------------
+
+   procedure Test_Hold_Of_All (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      --  A command each 10 ms, answered at once, leaves no gap of 20 ms
+      Any      : Boolean;
+      At_Time  : Time;
+      First_End : Time := Time_Last - Schedule.Hold_Limit;
+      Number   : Ticket;
+      Taken    : Outbox.Message_Kind := Outbox.Answer;
+      Length   : Outbox.Message_Length;
+      Answered : Natural := 0;
+   begin
+      Begin_Anew;
+      Outbox.Answer (Place, Acknowledged);
+      Check (Outbox.Answer, "AACK");
+      Outbox.Put_Battery (Battery_Full);
+      Outbox.Get_Hold_End (Any, At_Time);
+      Assert (not Any, "no command waits");
+      for Turn in 1 .. 1_000 loop
+         Number := Place;
+         Outbox.Get_Hold_End (Any, At_Time);
+         Assert (Any, "there is a hold");
+         First_End := (if Turn = 1 then At_Time else First_End);
+         Assert
+           (At_Time <= First_End + Schedule.Hold_Limit, "held too long");
+         Outbox.Answer (Number, Acknowledged);
+         Check (Outbox.Answer, "AACK");
+         Answered := Answered + 1;
+         delay until Clock + Milliseconds (10);
+         if Clock >= At_Time then
+            Outbox.End_Hold;
+         end if;
+         Outbox.Take (Gap, 10, Taken, Data, Length);
+         Outbox.Sent;
+         exit when Taken = Outbox.Unasked;
+      end loop;
+      Assert (Taken = Outbox.Unasked, "held back for ever");
+      Assert (Clock >= At_Time, "not held back");
+      Assert (Answered > 1, "too few commands");
+   end Test_Hold_Of_All;
+
+   -----------------------
+   -- Test_Hold_Of_Each --
+   -----------------------
+
+   procedure Test_Hold_Of_Each (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      --  However long unasked ones have waited for a slow monitor
+      Number  : Ticket;
+      Any     : Boolean;
+      First   : Time;
+      Second  : Time;
+      Now     : Time;
+   begin
+      Begin_Anew;
+      Number := Place;
+      Outbox.Put_Battery (Battery_Full);
+      Put_Picture ("MIMG:one");
+      Outbox.Get_Hold_End (Any, First);
+      Assert (Any, "there is a hold");
+      Outbox.Answer (Number, Acknowledged);
+      Check (Outbox.Answer, "AACK");
+      Check (Outbox.Unasked, "RBLV:2");
+      Now := Clock;
+      Number := Place;
+      Outbox.Get_Hold_End (Any, Second);
+      Assert (Any and then Second >= Now + Schedule.Hold_Limit,
+              "not the hold of the second command");
+      delay until First;
+      Outbox.End_Hold;
+      if Clock < Second then
+         Check (Outbox.Nothing, "");
+      end if;
+      delay until Second;
+      Outbox.End_Hold;
+      Check (Outbox.Unasked, "MIMG:one");
+      Outbox.Answer (Number, Acknowledged);
+      Check (Outbox.Answer, "AACK");
+   end Test_Hold_Of_Each;
+
+   --------------
+   -- Test_Gap --
+   --------------
+
+   procedure Test_Gap (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check_Gap (Expected : Send_Order.Milliseconds);
+
+      procedure Check_Gap (Expected : Send_Order.Milliseconds) is
+         Value : Send_Order.Milliseconds;
+      begin
+         Outbox.Get_Gap (Gap, Value);
+         Assert (Value = Expected, "the gap is" & Value'Image);
+      end Check_Gap;
+
+   begin
+      Begin_Anew;
+      Put_Place ("CPOS:one");
+      Put_Picture ("MIMG:one");
+      Check_Gap (0);
+      Check (Outbox.Unasked, "MIMG:one", Kept => 0);
+      Check_Gap (20);
+      Put_Picture ("MIMG:two");
+      Put_Place ("CPOS:two");
+      Check (Outbox.Nothing, "", Kept => 19);
+      Check (Outbox.Unasked, "CPOS:two");
+      Outbox.Answer (Place, Acknowledged);
+      Check_Gap (4);
+      Check (Outbox.Answer, "AACK", Kept => 4);
+      Check_Gap (20);
+      Check (Outbox.Nothing, "", Kept => 4);
+      Check (Outbox.Unasked, "MIMG:two");
+      Check_Gap (0);
+      Check (Outbox.Nothing, "");
+   end Test_Gap;
 
    -----------------
    -- Test_Newest --

@@ -1,0 +1,350 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  When images are sent: sources of many rates, with jitter and drift.
+
+with Ada.Containers.Vectors;
+with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
+
+with AUnit.Assertions;          use AUnit.Assertions;
+
+with Frame_Slots;
+with Image_Grid;                use Image_Grid;
+
+package body Image_Grid_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   package Times is new Ada.Containers.Vectors (Positive, Long_Float);
+   package Sorting is new Times.Generic_Sorting;
+
+   Period : constant Period_Time := 100_000;
+
+   --  What follows is in milliseconds
+
+   Length : constant Long_Float := 60_000.0;
+   --  Of a run
+
+   Settled : constant Long_Float := 3_000.0;
+   --  The grid lies where it is to be
+
+   type Source is record
+      First_Rate : Long_Float;
+      Last_Rate  : Long_Float;
+      --  a second; in between, as of a clock that drifts
+      Jitter     : Long_Float := 0.0;
+      --  each image comes up to so much earlier or later
+   end record;
+
+   function Even (Rate : Long_Float; Jitter : Long_Float := 0.0)
+     return Source is (Rate, Rate, Jitter);
+
+   type Figures is record
+      Sent      : Natural := 0;
+      Left_Out  : Natural := 0;     --  images that came and were not sent
+      Mean_Rate : Long_Float := 0.0;
+      Off_99    : Long_Float := 0.0;
+      --  99 of 100 intervals are not further from the mean one
+      Oldest    : Long_Float := 0.0;
+   end record;
+
+   procedure Run (From : Source; Phase : Long_Float; Result : out Figures);
+   --  Sends what From delivers, which begins Phase after the grid, as
+   --  th_captureImg does, a task that wakes up to 1 ms late
+
+   Phases : constant array (1 .. 7) of Long_Float :=
+     (0.0, 0.3, 1.0, 20.0, 50.0, 70.0, 99.0);
+
+   procedure Test_Fast (T : in out Any_Test);
+   procedure Test_Slow (T : in out Any_Test);
+   procedure Test_Jitter (T : in out Any_Test);
+   procedure Test_Drift (T : in out Any_Test);
+   procedure Test_Step (T : in out Any_Test);
+
+   function Image (F : Figures) return String is
+     (F.Mean_Rate'Image & " a second, off by" & F.Off_99'Image & ", oldest"
+      & F.Oldest'Image & "," & F.Sent'Image & " sent," & F.Left_Out'Image
+      & " left out");
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Image_Grid"));
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Fast'Access,
+                        "ten a second from ten or more");
+      Register_Routine (T, Test_Slow'Access,
+                        "every image of a slower source, as it comes");
+      Register_Routine (T, Test_Jitter'Access, "jitter of 30 ms");
+      Register_Routine (T, Test_Drift'Access, "a clock that drifts");
+      Register_Routine (T, Test_Step'Access, "a step makes up for little");
+   end Register_Tests;
+
+   ---------
+   -- Run --
+   ---------
+
+   procedure Run (From : Source; Phase : Long_Float; Result : out Figures) is
+
+      type Arrival is record
+         Time   : Long_Float := 0.0;
+         Number : Natural    := 0;
+      end record;
+
+      Random  : Generator;
+      In_Slot : array (Frame_Slots.Slot) of Arrival;
+      Newest  : Arrival;
+      Older   : Arrival;
+      Uses    : Frame_Slots.State;
+      Nominal : Long_Float := Phase;
+      Coming  : Arrival := (-1_000.0, 0);
+      Sent    : Arrival;
+      Grid    : Image_Grid.State := Initial;
+      Next    : Long_Float := 0.0;
+      Now     : Long_Float;
+      Slot    : Frame_Slots.Slot;
+      Found   : Boolean;
+      Reserve : Boolean;
+      Step    : Microseconds;
+      First   : Long_Float := 0.0;
+      Last    : Long_Float := 0.0;
+      Between : Times.Vector;
+
+      function Chance return Long_Float is
+        (Long_Float (Float'(Ada.Numerics.Float_Random.Random (Random))));
+
+      function Age (Item : Arrival) return Microseconds is
+        (Microseconds (1_000.0 * Long_Float'Max (0.0, Now - Item.Time)));
+
+      procedure Prepare;
+      --  When the next image is to come
+
+      procedure Come;
+      --  It comes
+
+      procedure Prepare is
+      begin
+         Coming :=
+           (Time   => Long_Float'Max
+              (Coming.Time + 0.1,
+               Nominal + From.Jitter * (2.0 * Chance - 1.0)),
+            Number => Coming.Number + 1);
+         Nominal := Nominal + 1_000.0
+           / (From.First_Rate
+              + (From.Last_Rate - From.First_Rate) * Nominal / Length);
+      end Prepare;
+
+      procedure Come is
+      begin
+         Frame_Slots.Claim_Empty (Uses, Slot);
+         In_Slot (Slot) := Coming;
+         Frame_Slots.Publish (Uses, Slot);
+         Older := Newest;
+         Newest := Coming;
+         Prepare;
+      end Come;
+
+   begin
+      Reset (Random, 7);
+      Result := (others => <>);
+      Frame_Slots.Begin_Delivery (Uses);
+      Prepare;
+      loop
+         Now := Next + Chance;
+         while Coming.Time <= Now loop
+            Come;
+         end loop;
+         if not Frame_Slots.Has_Newest (Uses) then
+            Now := Coming.Time;
+            Wait_Ended
+              (Grid, Microseconds (1_000.0 * (Now - Next)), Period);
+            Next := Now;
+            Come;
+         end if;
+         exit when Now > Length;
+         Reserve := Frame_Slots.Has_Older (Uses)
+           and then Sends_Older (Age (Newest), Age (Older), Period);
+         if Reserve then
+            Frame_Slots.Claim_Older (Uses, Slot);
+         else
+            Frame_Slots.Claim_Newest (Uses, Slot, Found);
+            Assert (Found, "an image");
+         end if;
+         Assert (In_Slot (Slot).Number > Sent.Number, "sent twice");
+         if Now > Settled then
+            if Result.Sent = 0 then
+               First := Now;
+            else
+               Between.Append (Now - Last);
+               Result.Left_Out := Result.Left_Out
+                 + In_Slot (Slot).Number - Sent.Number - 1;
+            end if;
+            Result.Sent := Result.Sent + 1;
+            Result.Oldest :=
+              Long_Float'Max (Result.Oldest, Now - In_Slot (Slot).Time);
+            Last := Now;
+         end if;
+         Sent := In_Slot (Slot);
+         Image_Grid.Step (Grid, Age (Sent), Reserve, Period, Step);
+         Next := Next + Long_Float (Step) / 1_000.0;
+         Frame_Slots.Release (Uses, Slot);
+      end loop;
+      Result.Mean_Rate :=
+        1_000.0 * Long_Float (Result.Sent - 1) / (Last - First);
+      for Item of Between loop
+         Item := abs (Item - 1_000.0 / Result.Mean_Rate);
+      end loop;
+      Sorting.Sort (Between);
+      Result.Off_99 :=
+        Between (Positive (0.99 * Long_Float (Between.Last_Index)));
+   end Run;
+
+   ---------------
+   -- Test_Fast --
+   ---------------
+
+   procedure Test_Fast (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Rates  : constant array (Positive range <>) of Long_Float :=
+        (10.0, 10.001, 10.1, 10.3, 10.7, 11.0, 12.0, 15.0, 25.0, 29.97,
+         30.0, 60.0);
+      Result : Figures;
+   begin
+      for Rate of Rates loop
+         for Phase of Phases loop
+            Run (Even (Rate), Phase, Result);
+            Assert
+              (abs (Result.Mean_Rate - 10.0) < 0.02
+               and then Result.Off_99 < 12.0
+               and then Result.Oldest < 1_000.0 / Rate + 14.0,
+               Rate'Image & " a second, phase" & Phase'Image & ":"
+               & Image (Result));
+         end loop;
+      end loop;
+   end Test_Fast;
+
+   ---------------
+   -- Test_Slow --
+   ---------------
+
+   procedure Test_Slow (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Rates  : constant array (Positive range <>) of Long_Float :=
+        (1.0, 5.0, 7.5, 9.0, 9.9, 9.99);
+      Result : Figures;
+   begin
+      for Rate of Rates loop
+         for Phase of Phases loop
+            Run (Even (Rate), Phase, Result);
+            Assert
+              (abs (Result.Mean_Rate - Rate) < 0.002 * Rate
+               and then Result.Left_Out = 0
+               and then Result.Off_99 < 2.0
+               and then Result.Oldest < 2.0,
+               Rate'Image & " a second, phase" & Phase'Image & ":"
+               & Image (Result));
+         end loop;
+      end loop;
+   end Test_Slow;
+
+   -----------------
+   -- Test_Jitter --
+   -----------------
+
+   procedure Test_Jitter (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Jitter : constant := 30.0;
+      Rates  : constant array (Positive range <>) of Long_Float :=
+        (5.0, 7.5, 9.9, 10.0, 10.1, 12.0, 15.0, 25.0, 29.97, 30.0, 60.0);
+      Result : Figures;
+      Wanted : Long_Float;
+   begin
+      for Rate of Rates loop
+         for Phase of Phases loop
+            Run (Even (Rate, Jitter), Phase, Result);
+            Wanted := Long_Float'Min (10.0, Rate);
+            Assert
+              (abs (Result.Mean_Rate - Wanted) < 0.005 * Wanted
+               and then (Rate > 10.0 or else Result.Left_Out = 0)
+               and then (Rate < 10.0 or else Result.Off_99 < 20.0)
+               and then Result.Oldest < 1_000.0 / Rate + 2.0 * Jitter + 14.0,
+               Rate'Image & " a second, phase" & Phase'Image & ":"
+               & Image (Result));
+         end loop;
+      end loop;
+   end Test_Jitter;
+
+   ----------------
+   -- Test_Drift --
+   ----------------
+
+   procedure Test_Drift (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Figures;
+   begin
+      for Phase of Phases loop
+         Run ((10.05, 9.95, 0.0), Phase, Result);
+         Assert
+           (abs (Result.Mean_Rate - 9.9875) < 0.02
+            and then Result.Off_99 < 5.0,
+            "slower, phase" & Phase'Image & ":" & Image (Result));
+         Run ((9.95, 10.05, 5.0), Phase, Result);
+         Assert
+           (abs (Result.Mean_Rate - 9.9875) < 0.02
+            and then Result.Off_99 < 12.0,
+            "faster, phase" & Phase'Image & ":" & Image (Result));
+      end loop;
+   end Test_Drift;
+
+   ---------------
+   -- Test_Step --
+   ---------------
+
+   procedure Test_Step (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Grid   : Image_Grid.State := Initial;
+      Length : Microseconds;
+   begin
+      Wait_Ended (Grid, 15_000, Period);
+      Assert (Lost (Grid) = 0, "the wait for the first image");
+      Step (Grid, 0, False, Period, Length);
+      Assert (Length = Period, "nothing is lost");
+      Step (Grid, 0, True, Period, Length);
+      Assert (Length = Period, "nothing is lost, though there is more");
+      Wait_Ended (Grid, 15_000, Period);
+      Step (Grid, 0, False, Period, Length);
+      Assert (Length = Period, "as good as it gets");
+      Step (Grid, 99_000, True, Period, Length);
+      Assert (Length = 90_000, "a tenth of a period");
+      Step (Grid, 99_000, True, Period, Length);
+      Assert (Length = 95_000, "the rest");
+      Step (Grid, 99_000, True, Period, Length);
+      Assert (Length = Period, "all has been made up for");
+
+      Wait_Ended (Grid, Microseconds'Last, Period);
+      Assert (Lost (Grid) = Most_Lost (Period), "so much at most");
+      for Image in 1 .. Enough_Early - 1 loop
+         Step (Grid, 20_000, False, Period, Length);
+         Assert (Length = Period, "may be chance");
+      end loop;
+      Step (Grid, 19_000, False, Period, Length);
+      Assert (Length = Period, "it was");
+      for Image in 1 .. Enough_Early - 1 loop
+         Step (Grid, 20_000, False, Period, Length);
+      end loop;
+      Step (Grid, 20_000, False, Period, Length);
+      Assert (Length = 90_000, "it is none");
+      Step (Grid, 19_000, False, Period, Length);
+      Assert (Length = Period, "that is all");
+      Assert (Lost (Grid) = Most_Lost (Period) - 10_000,
+              "the rest is not forgotten");
+   end Test_Step;
+
+end Image_Grid_Tests;

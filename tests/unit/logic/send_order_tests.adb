@@ -1,0 +1,222 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What goes to the monitor next, and how long after the message before it.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Send_Order;       use Send_Order;
+
+package body Send_Order_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Everything : constant Unasked_Set := (others => True);
+
+   procedure Send (W : in out Waiting; Expected : Choice);
+   --  It is next, and is sent
+
+   procedure Test_Order (T : in out Any_Test);
+   procedure Test_Turns (T : in out Any_Test);
+   procedure Test_Hold (T : in out Any_Test);
+   procedure Test_Gap (T : in out Any_Test);
+   procedure Test_Every_Gap (T : in out Any_Test);
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Send_Order"));
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Order'Access, "most urgent first");
+      Register_Routine (T, Test_Turns'Access, "image and position in turn");
+      Register_Routine (T, Test_Hold'Access, "rule 7: the hold");
+      Register_Routine (T, Test_Gap'Access, "the gap by default");
+      Register_Routine (T, Test_Every_Gap'Access, "every gap");
+   end Register_Tests;
+
+   ----------
+   -- Send --
+   ----------
+
+   procedure Send (W : in out Waiting; Expected : Choice) is
+      Sent : constant Choice := Next (W);
+   begin
+      Assert (Sent = Expected, Sent'Image & " instead of " & Expected'Image);
+      if Sent in Unasked then
+         W.Messages (Sent) := False;
+      end if;
+      W.Last := Sent;
+      W.Imaged := Sent = Image or else (W.Imaged and then Sent /= Position);
+   end Send;
+
+   ----------------
+   -- Test_Order --
+   ----------------
+
+   procedure Test_Order (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      W : Waiting := (Open => True, Messages => Everything, others => <>);
+   begin
+      W.Commands := True;
+      W.Ready := True;
+      Send (W, Answer);
+      W.Commands := False;
+      W.Ready := False;
+      Send (W, Robot_Lost);
+      Send (W, Text);
+      Send (W, Battery);
+      Send (W, Image);
+      Send (W, Position);
+      Assert (Next (W) = Nothing, "nothing is left");
+      W.Messages := Everything;
+      W.Open := False;
+      Assert (Next (W) = Nothing, "there is no monitor");
+   end Test_Order;
+
+   ----------------
+   -- Test_Turns --
+   ----------------
+
+   procedure Test_Turns (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      W : Waiting := (Open => True, Messages => Everything, others => <>);
+   begin
+      Send (W, Robot_Lost);
+      Send (W, Text);
+      --  a monitor so slow that there are always new ones of both
+      for Round in 1 .. 3 loop
+         W.Messages (Battery) := True;
+         Send (W, Battery);
+         Send (W, Image);
+         W.Messages (Image) := True;
+         W.Messages (Battery) := True;
+         Send (W, Battery);
+         Send (W, Position);
+         W.Messages (Position) := True;
+      end loop;
+      --  one without the other
+      W.Messages (Image) := False;
+      Send (W, Position);
+      W.Messages (Image) := True;
+      Send (W, Image);
+      W.Messages (Image) := True;
+      Send (W, Image);
+   end Test_Turns;
+
+   ---------------
+   -- Test_Hold --
+   ---------------
+
+   procedure Test_Hold (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      W : Waiting :=
+        (Open     => True,
+         Commands => True,
+         Messages => (Battery | Image => True, others => False),
+         others   => <>);
+   begin
+      Assert (Next (W) = Nothing, "held back");
+      W.Released := True;
+      Send (W, Battery);
+      W.Ready := True;
+      Send (W, Answer);
+      Send (W, Image);
+      Send (W, Answer);
+      W.Messages := Everything;
+      W.Released := False;
+      Send (W, Answer);
+      Send (W, Answer);
+   end Test_Hold;
+
+   --------------
+   -- Test_Gap --
+   --------------
+
+   procedure Test_Gap (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check
+        (Last, Sent : Choice;
+         Between    : Milliseconds;
+         Expected   : Milliseconds;
+         Released   : Boolean := False);
+
+      procedure Check
+        (Last, Sent : Choice;
+         Between    : Milliseconds;
+         Expected   : Milliseconds;
+         Released   : Boolean := False)
+      is
+         Value : constant Milliseconds :=
+           Gap
+             ((Open     => True,
+               Last     => Last,
+               Released => Released,
+               others   => <>),
+              Sent, Between);
+      begin
+         Assert
+           (Value = Expected,
+            Sent'Image & " after " & Last'Image & ":" & Value'Image);
+      end Check;
+
+   begin
+      Check (Nothing, Image, 20, 0);
+      Check (Image, Position, 20, 20);
+      Check (Position, Battery, 20, 20);
+      Check (Image, Answer, 20, 4);
+      Check (Image, Answer, 3, 3);
+      Check (Image, Answer, 0, 0);
+      Check (Answer, Answer, 20, 0);
+      Check (Answer, Image, 20, 20);
+      Check (Answer, Image, 20, 4, Released => True);
+      Check (Answer, Image, 0, 0, Released => True);
+      Check (Image, Battery, 20, 20, Released => True);
+      Check (Image, Answer, 1_000, 4);
+      Check (Image, Nothing, 20, 0);
+   end Test_Gap;
+
+   --------------------
+   -- Test_Every_Gap --
+   --------------------
+
+   procedure Test_Every_Gap (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      --  An answer never waits for more than two short gaps and a message in
+      --  between, whatever else there is
+      W : Waiting;
+   begin
+      for Released in Boolean loop
+         for Last in Choice loop
+            for Kind in Unasked loop
+               for Between in Milliseconds loop
+                  W := (Open     => True,
+                        Commands => True,
+                        Ready    => True,
+                        Released => Released,
+                        Last     => Last,
+                        others   => <>);
+                  W.Messages (Kind) := True;
+                  Assert
+                    (Gap (W, Next (W), Between)
+                     <= Milliseconds'Min (Between, Answer_Gap),
+                     "an answer waits for long");
+                  if Last in Unasked then
+                     Assert
+                       (Gap (W, Kind, Between) = Between,
+                        "two unasked ones are not kept apart");
+                  end if;
+               end loop;
+            end loop;
+         end loop;
+      end loop;
+   end Test_Every_Gap;
+
+end Send_Order_Tests;
