@@ -4,6 +4,7 @@
 
 with Ada.Characters.Latin_1; use Ada.Characters.Latin_1;
 with Options;
+with Project_Version;
 with Texts;
 
 package Command_Lines with SPARK_Mode is
@@ -79,6 +80,6 @@ package Command_Lines with SPARK_Mode is
      & LF
      & "start, 2 for bad usage, 3 after an internal failure.";
 
-   Version : constant String := "destijl 0.1.0";
+   Version : constant String := "destijl " & Project_Version.Number;
 
 end Command_Lines;

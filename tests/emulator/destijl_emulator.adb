@@ -11,6 +11,7 @@ with GNAT.OS_Lib;
 with Arena_Camera;
 with Bench_Console;
 with Libc;
+with Project_Version;
 with Robot_Bench;           use Robot_Bench;
 with Serial_Side;
 with Settings;
@@ -44,7 +45,7 @@ begin
          GNAT.OS_Lib.OS_Exit (0);
       when Settings.Show_Version =>
          Bench_Console.Say
-           ("destijl_emulator " & Settings.Version
+           ("destijl_emulator " & Project_Version.Number
             & ", robot firmware 3.5");
          GNAT.OS_Lib.OS_Exit (0);
       when Settings.Bad_Usage =>

@@ -10,8 +10,6 @@ with Serial_Side;
 
 package Settings is
 
-   Version : constant String := "0.1.0";
-
    Largest_Delay : constant := 60_000;
    --  Of an answer, milliseconds
 

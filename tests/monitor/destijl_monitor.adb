@@ -15,6 +15,7 @@ with Interruptions;
 with Invocation;
 with Line_Inputs;
 with Numerals;
+with Project_Version;
 with Terminals;
 with Words;
 
@@ -264,7 +265,7 @@ procedure Destijl_Monitor is
          when Invocation.Run =>
             null;
          when Invocation.Say_Version =>
-            Terminals.Put_Line ("destijl_monitor " & Invocation.Version);
+            Terminals.Put_Line ("destijl_monitor " & Project_Version.Number);
             OS_Exit (0);
          when Invocation.Say_Usage =>
             Invocation.Put_Usage (Terminals.Put_Line'Access);

@@ -5,8 +5,6 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 package Invocation is
 
-   Version : constant String := "0.1.0";
-
    type Options is record
       Host    : Unbounded_String := To_Unbounded_String ("127.0.0.1");
       Port    : Positive         := 5_544;
