@@ -595,13 +595,14 @@ void find_markers(const Search &search, std::vector<vision_robot> &robots) {
   static thread_local std::vector<Quad> quads;
   quads.clear();
   scratch.level[0] = scratch.smooth;
-  find_quads(scratch.smooth, 5, 1, quads);
+  find_quads(scratch.smooth, 5, 4, 1, quads);
+  find_quads(scratch.smooth, 7, 3, 1, quads);
   for (int level = 1; level < levels; ++level) {
     const cv::Mat &finer = scratch.level[level - 1];
     const cv::Size half(finer.cols / 2, finer.rows / 2);
     cv::resize(finer(cv::Rect(cv::Point(), half * 2)), scratch.level[level],
                half, 0, 0, cv::INTER_AREA);
-    find_quads(scratch.level[level], 7, 1 << level, quads);
+    find_quads(scratch.level[level], 7, 4, 1 << level, quads);
   }
 
   // A marker is a candidate more than once: its outlines, and thresholds.

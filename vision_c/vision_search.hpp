@@ -126,9 +126,10 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
 
 // ------------------------------------------------------------ Quadrilaterals
 
-// Adds the outlines of dark quadrilaterals in an image that is reduced by
-// SCALE, in the pixels of what is not. WINDOW is what dark is compared with.
-void find_quads(const cv::Mat &image, int window, int scale,
+// Adds the outlines of quadrilaterals in an image that is reduced by SCALE,
+// in the pixels of what is not: of what is by DARKER grey levels darker than
+// the mean of a WINDOW around it.
+void find_quads(const cv::Mat &image, int window, int darker, int scale,
                 std::vector<Quad> &quads);
 
 // ------------------------------------------------------------------ Robots
