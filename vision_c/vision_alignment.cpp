@@ -63,7 +63,7 @@ public:
     place.clear();
     for (int row = 1; row < used.rows - 1; ++row)
       for (int column = 1; column < used.cols - 1; ++column) {
-        if (!used.at<uchar>(row, column))
+        if (used.at<uchar>(row, column) != compared)
           continue;
         const Point at((column - frame.x) / frame.scale,
                        (row - frame.y) / frame.scale);
@@ -286,6 +286,7 @@ Map map_of(const Quad &from, const Quad &to) {
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit) {
   constexpr double none = 1e9;
+  constexpr double good = 0.04;  // no other can be much better
   const Frame_Of_Shape frame(shape);
   const Map to_unit = frame.to_unit();
   Map start = fit.map * to_unit.inv();
@@ -306,8 +307,9 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
   const auto try_blur = [&](double sigma) {  // pixels of the image
     Map map = start;
     Fit now;
-    cv::GaussianBlur(shape, blurred, cv::Size(), sigma / scale, 0.0,
-                     cv::BORDER_REPLICATE);
+    const int around = 2 * cvCeil(2.5 * sigma / scale) + 1;
+    cv::GaussianBlur(shape, blurred, cv::Size(around, around), sigma / scale,
+                     0.0, cv::BORDER_REPLICATE);
     if (!comparison.align(blurred, perspective ? 8 : 6, least, map, now))
       return false;
     least = now.distance;
@@ -319,7 +321,9 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
   };
   // Most images are as sharp as the first.
   try_blur(0.9);
-  if (try_blur(1.4) || (!try_blur(0.6) && least == none))
+  if (least < good)
+    ;
+  else if (try_blur(1.4) || (!try_blur(0.6) && least == none))
     try_blur(2.2);
   fit.map = start * to_unit;
   return least <= worst;

@@ -292,11 +292,12 @@ constexpr int extent = 8 * pitch;
 
 // Which pixels of a module are compared, in each direction: half of them, and
 // as many on either side of an edge, which is not drawn aside then.
-constexpr std::array<int, 4> compared{0, 2, 5, 7};
-constexpr int points = 8 * int(compared.size());
+constexpr std::array<int, 4> places{0, 2, 5, 7};
+constexpr int points = 8 * int(places.size());
+constexpr uchar read_only = 1;  // not to be compared, but looked at
 
 constexpr int point(int k) {
-  return k / int(compared.size()) * pitch + compared[k % compared.size()];
+  return k / int(places.size()) * pitch + places[k % places.size()];
 }
 
 bool is_white(unsigned bits, int row, int column) {
@@ -439,13 +440,14 @@ void draw(unsigned bits, const Grid<double> &modules, bool evenly,
   large.copyTo(shape, mask);
 
   // The rim of the quiet zone is blurred into what is around it.
-  constexpr int rim = int(compared.size()) / 2;
+  constexpr int rim = int(places.size()) / 2;
   used.create(extent, extent, CV_8UC1);
   used.setTo(0);
   for (int y = rim; y < points - rim; ++y)
     for (int x = rim; x < points - rim; ++x)
       if (seen[point(y) / pitch][point(x) / pitch])
-        used.at<uchar>(point(y), point(x)) = 255;
+        used.at<uchar>(point(y), point(x)) =
+            (x + y) % 2 == 0 ? compared : read_only;
 }
 
 // How much of a module's contrast in the drawing speaks for the other colour,
@@ -461,7 +463,7 @@ Grid<double> doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
         rest[y][x] = (sample(grey, at) - fit.offset) / fit.contrast -
                      fit.shape.at<float>(point(y), point(x));
     }
-  constexpr int per_module = int(compared.size());
+  constexpr int per_module = int(places.size());
   std::array<double, 3 * per_module> profile;
   const double width = std::sqrt(2.0) * std::max(0.1, fit.spread);
   for (int k = 0; k < int(profile.size()); ++k) {
