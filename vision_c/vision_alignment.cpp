@@ -321,9 +321,8 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
   };
   // Most images are as sharp as the first.
   try_blur(0.9);
-  if (least < good)
-    ;
-  else if (try_blur(1.4) || (!try_blur(0.6) && least == none))
+  if (least > good &&
+      (try_blur(1.4) || (!try_blur(0.6) && least == none)))
     try_blur(2.2);
   fit.map = start * to_unit;
   return least <= worst;

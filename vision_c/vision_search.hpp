@@ -120,9 +120,10 @@ struct Fit {
 constexpr uchar compared = 255;  // a pixel of a shape
 
 // Moves FIT.map to where SHAPE (float, sharp; about 0 to 1) lies in the image
-// best, counting the pixels that USED says are COMPARED, and tells the rest of FIT. How
-// sharp the image is is tried out, until it gets worse: the less sharp shapes
-// behind fit worse still. False where more than WORST remains.
+// best, counting the pixels that USED says are COMPARED, and tells the rest
+// of FIT. How sharp the image is is tried out, until it fits well or gets
+// worse: the less sharp shapes behind fit worse still. False where more than
+// WORST remains.
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit);
 
