@@ -677,7 +677,7 @@ void find_markers(const Search &search, std::vector<vision_robot> &robots) {
   static thread_local std::vector<Quad> quads;
   quads.clear();
   scratch.level[0] = scratch.smooth;
-  find_quads(scratch.smooth, 5, 3, 1, quads);
+  find_quads(scratch.smooth, 5, 2, 1, quads);
   for (int level = 1; level < levels; ++level) {
     const cv::Mat &finer = scratch.level[level - 1];
     const cv::Size half(finer.cols / 2, finer.rows / 2);

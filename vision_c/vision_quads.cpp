@@ -10,6 +10,8 @@ namespace vision {
 
 namespace {
 
+constexpr int grain = 3;         // grey levels that noise seldom has
+constexpr double crowded = 0.15; // of the pixels
 constexpr double rough = 0.05;      // of the perimeter, what an outline may
                                     // differ from its polygon
 constexpr double rough_hull = 0.03;  // the same of its convex hull
@@ -40,6 +42,11 @@ void find_quads(const cv::Mat &image, int window, int darker, int scale,
   cv::subtract(scratch.darker, image, scratch.darker);
   cv::threshold(scratch.darker, scratch.mask, darker - 1, 255,
                 cv::THRESH_BINARY);
+  // Where so much is darker, much of it is noise or grain.
+  if (darker < grain &&
+      cv::countNonZero(scratch.mask) > crowded * double(image.total()))
+    cv::threshold(scratch.darker, scratch.mask, grain - 1, 255,
+                  cv::THRESH_BINARY);
   cv::findContours(scratch.mask, contours, cv::RETR_LIST,
                    cv::CHAIN_APPROX_SIMPLE);
   for (const std::vector<cv::Point> &contour : contours) {
