@@ -15,6 +15,7 @@ constexpr double crowded = 0.15; // of the pixels
 constexpr double rough = 0.05;      // of the perimeter, what an outline may
                                     // differ from its polygon
 constexpr double rough_hull = 0.03;  // the same of its convex hull
+constexpr double opened = 1.6;       // times the hull's perimeter
 constexpr int shortest_side = 7;    // pixels
 constexpr std::size_t most = 4096;  // candidates: nobody has so many robots
 
@@ -58,9 +59,11 @@ void find_quads(const cv::Mat &image, int window, int darker, int scale,
     if (cv::contourArea(contour, true) > 0.0)
       continue;
     if (!find_polygon(contour, rough, polygon)) {
-      // Something bright over a side opens it.
+      // Something bright over a side opens a frame: the outline runs along
+      // its inside, too.
       cv::convexHull(contour, hull);
-      if (!find_polygon(hull, rough_hull, polygon))
+      if (cv::arcLength(contour, true) < opened * cv::arcLength(hull, true) ||
+          !find_polygon(hull, rough_hull, polygon))
         continue;
     }
     Quad quad;
