@@ -85,8 +85,9 @@ vision_status vision_open(const char *source, int width, int height, int fps);
  * 25 a second). VISION_NO_IMAGE when a URL ends, or after 2 s without an
  * image (4 s where damaged ones came), where the source lets itself be
  * interrupted. Damaged: no image, or, of a JPEG, a head from which nothing
- * can be decoded; one that is damaged or ends further behind is stored. What a live source delivers waits in buffers of the system
- * and grows old there unless it is grabbed as fast as it comes. */
+ * can be decoded; one that is damaged or ends further behind is stored.
+ * What a live source delivers waits in buffers of the system and grows old
+ * there unless it is grabbed as fast as it comes. */
 vision_status vision_grab(int slot);
 
 /* What the open source delivers, such as "MJPG 640x480, 30 a second": the

@@ -43,61 +43,161 @@ bool keeps_turn(const Map &map) {
   return nearest > 0.2 * map(2, 2) && cv::determinant(map) > 1e-6;
 }
 
-// A pixel of a shape: where it is, how bright, and what brightness gains by a
-// change of each parameter of its map to the image, of offset and contrast.
-constexpr int most_gains = 10;
+// What the brightness of a pixel of a shape gains by a change of offset,
+// contrast and each parameter of its map to the image; what is not used stays
+// 0. Four at a time, as any processor here has vectors for.
+typedef float Four __attribute__((vector_size(16)));
+constexpr int fours = 3, most_gains = 4 * fours;
+using Gains = std::array<Four, fours>;
 
-struct Pixel {
-  double x, y, value;
-  std::array<double, most_gains> gain;
+// The pixels of shapes of one size that are compared with an image, and what
+// they show.
+class Comparison {
+public:
+  Comparison(const cv::Mat &image, const cv::Mat &used, const Map &map)
+      : grey(image), frame(used), x(buffers.x), y(buffers.y),
+        seen(buffers.seen), value(buffers.value), place(buffers.place),
+        gains(buffers.gains) {
+    x.clear();
+    y.clear();
+    place.clear();
+    for (int row = 1; row < used.rows - 1; ++row)
+      for (int column = 1; column < used.cols - 1; ++column) {
+        if (used.at<uchar>(row, column) != compared)
+          continue;
+        const Point at((column - frame.x) / frame.scale,
+                       (row - frame.y) / frame.scale);
+        if (!in_image(grey, apply(map, at)))
+          continue;
+        x.push_back(float(at.x));
+        y.push_back(float(at.y));
+        place.push_back(row * used.cols + column);
+      }
+    look(map);
+  }
+
+  // Moves MAP, from unit coordinates of the shape, so that SHAPE (float) lies
+  // on its image best, by least squares (Gauss-Newton); contrast and
+  // brightness are fitted with it. FIT.distance is what remains, grey levels
+  // over contrast. False, and nothing is changed, where the shape slips away,
+  // or where not less than LEAST remains; it is not tried where a twentieth
+  // more remains at the beginning.
+  //
+  // The steps are taken in the shape's own coordinates: there the gradients,
+  // and so the normal equations, are the same in every round.
+  bool align(const cv::Mat &shape, int parameters, double least, Map &map,
+             Fit &fit);
+
+private:
+  // Nothing is allocated from search to search.
+  struct Buffers {
+    std::vector<float> x, y, seen, value;
+    std::vector<int> place;
+    std::vector<Gains> gains;
+  };
+  static thread_local Buffers buffers;
+
+  const cv::Mat &grey;
+  const Frame_Of_Shape frame;
+  // Where each pixel is, in unit coordinates and in the shape; what the image
+  // and the shape show there.
+  std::vector<float> &x, &y, &seen, &value;
+  std::vector<int> &place;
+  std::vector<Gains> &gains;
+
+  void look(const Map &map);
+  bool fit_brightness(Fit &fit) const;
+  void find_gains(const cv::Mat &shape, int parameters);
+  bool solve(int used, cv::Matx<double, most_gains, most_gains> &inverse);
 };
 
-// The pixels of SHAPE (float) that USED marks and MAP has in the image.
-void choose_pixels(const cv::Mat &grey, const cv::Mat &shape,
-                   const cv::Mat &used, const Map &map, int parameters,
-                   std::vector<Pixel> &pixels) {
-  const Frame_Of_Shape frame(shape);
-  pixels.clear();
-  for (int row = 1; row < shape.rows - 1; ++row)
-    for (int column = 1; column < shape.cols - 1; ++column) {
-      if (!used.at<uchar>(row, column))
-        continue;
-      const double x = (column - frame.x) / frame.scale;
-      const double y = (row - frame.y) / frame.scale;
-      if (!in_image(grey, apply(map, Point(x, y))))
-        continue;
-      const double value = shape.at<float>(row, column);
-      const double dx = (shape.at<float>(row, column + 1) -
-                         shape.at<float>(row, column - 1)) *
-                        frame.scale / 2;
-      const double dy = (shape.at<float>(row + 1, column) -
-                         shape.at<float>(row - 1, column)) *
-                        frame.scale / 2;
-      Pixel pixel{x, y, value, {}};
-      pixel.gain = {1.0, value, dx * x, dx * y, dx, dy * x, dy * y, dy};
-      if (parameters > 6) {
-        pixel.gain[8] = -(dx * x + dy * y) * x;
-        pixel.gain[9] = -(dx * x + dy * y) * y;
-      }
-      pixels.push_back(pixel);
-    }
+thread_local Comparison::Buffers Comparison::buffers;
+
+// What the image shows at each pixel.
+void Comparison::look(const Map &map) {
+  std::array<float, 9> m;
+  for (int k = 0; k < 9; ++k)
+    m[k] = float(map.val[k]);
+  const float right = float(grey.cols - 1), bottom = float(grey.rows - 1);
+  seen.resize(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const float w = 1.0f / (m[6] * x[k] + m[7] * y[k] + m[8]);
+    const float u = std::min(
+        std::max((m[0] * x[k] + m[1] * y[k] + m[2]) * w, 0.0f), right);
+    const float v = std::min(
+        std::max((m[3] * x[k] + m[4] * y[k] + m[5]) * w, 0.0f), bottom);
+    const int column = std::min(int(u), grey.cols - 2);
+    const int row = std::min(int(v), grey.rows - 2);
+    const uchar *const above = grey.data + row * grey.step + column;
+    const uchar *const below = above + grey.step;
+    const float s = u - float(column), t = v - float(row);
+    const float upper = above[0] + s * (above[1] - above[0]);
+    const float lower = below[0] + s * (below[1] - below[0]);
+    seen[k] = upper + t * (lower - upper);
+  }
 }
 
-// Moves MAP, from unit coordinates of the shape, so that SHAPE (float) lies
-// on its image best, by least squares (Gauss-Newton) over the pixels that
-// USED marks; contrast and brightness are fitted with it. FIT.distance is
-// what remains, grey levels over contrast. False where the shape slips away,
-// or where more than MOST remains with the right brightness and contrast.
-//
-// The steps are taken in the shape's own coordinates: there the gradients,
-// and so the normal equations, are the same in every round.
-bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
-           int parameters, double most, Map &map, Fit &fit) {
-  constexpr int rounds = 10;
+// The brightness and contrast that fit best, and what remains then.
+bool Comparison::fit_brightness(Fit &fit) const {
+  const double number = double(x.size());
+  double v = 0.0, vv = 0.0, s = 0.0, sv = 0.0, ss = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    v += value[k];
+    vv += value[k] * value[k];
+    s += seen[k];
+    sv += seen[k] * value[k];
+    ss += seen[k] * seen[k];
+  }
+  const double spread = number * vv - v * v;
+  if (spread <= 0.0)
+    return false;
+  fit.contrast = (number * sv - v * s) / spread;
+  fit.offset = (s - fit.contrast * v) / number;
+  const double squares = ss - fit.offset * s - fit.contrast * sv;
+  fit.distance = std::sqrt(std::max(0.0, squares) / number) /
+                 std::max(1.0, fit.contrast);
+  return fit.contrast >= 1.0;
+}
+
+void Comparison::find_gains(const cv::Mat &shape, int parameters) {
+  const int across = shape.cols;
+  const float half = float(frame.scale / 2);
+  gains.resize(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const float *const at = shape.ptr<float>() + place[k];
+    const float dx = (at[1] - at[-1]) * half;
+    const float dy = (at[across] - at[-across]) * half;
+    const float turn =
+        parameters > 6 ? -(dx * x[k] + dy * y[k]) : 0.0f;
+    gains[k] = {Four{1.0f, value[k], dx * x[k], dx * y[k]},
+                Four{dx, dy * x[k], dy * y[k], dy},
+                Four{turn * x[k], turn * y[k], 0.0f, 0.0f}};
+  }
+}
+
+// The inverse of the normal equations of the first USED gains.
+bool Comparison::solve(int used,
+                       cv::Matx<double, most_gains, most_gains> &inverse) {
+  std::array<Gains, most_gains> sum{};  // its lower half
+  for (const Gains &gain : gains)
+    for (int i = 0; i < most_gains; ++i)
+      for (int j = 0; j <= i / 4; ++j)
+        sum[i][j] += gain[i / 4][i % 4] * gain[j];
+  cv::Matx<double, most_gains, most_gains> normal;
+  for (int i = 0; i < most_gains; ++i)
+    for (int j = 0; j <= i; ++j)
+      normal(i, j) = normal(j, i) =
+          i < used && j < used ? sum[i][j / 4][j % 4] : i == j;
+  bool solved = false;
+  inverse = normal.inv(cv::DECOMP_CHOLESKY, &solved);
+  return solved;
+}
+
+bool Comparison::align(const cv::Mat &shape, int parameters, double least,
+                       Map &map, Fit &fit) {
+  const double most = 1.05 * least;
+  constexpr int rounds = 9;
   constexpr double enough = 5e-3;  // pixels of the image
-  static thread_local std::vector<Pixel> pixels;
-  const int gains = parameters + 2;
-  const Map start = map;
   constexpr std::array<std::array<double, 2>, 4> ends{
       {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   const auto moved = [&](const Map &from, const Map &to) {
@@ -109,68 +209,69 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
     return largest;
   };
 
-  choose_pixels(grey, shape, used, map, parameters, pixels);
-  if (pixels.size() < 64)
+  if (x.size() < 64)
     return false;
-  cv::Matx<double, most_gains, most_gains> normal;
-  for (const Pixel &pixel : pixels)
-    for (int i = 0; i < gains; ++i)
-      for (int j = 0; j <= i; ++j)
-        normal(i, j) += pixel.gain[i] * pixel.gain[j];
-  for (int i = 0; i < gains; ++i)
-    for (int j = i + 1; j < gains; ++j)
-      normal(i, j) = normal(j, i);
-  for (int i = gains; i < most_gains; ++i)
-    normal(i, i) = 1.0;
-  bool solved = false;
-  const auto inverse = normal.inv(cv::DECOMP_CHOLESKY, &solved);
-  const double number = normal(0, 0), sum = normal(0, 1);
-  const double spread = number * normal(1, 1) - sum * sum;
-  if (!solved || spread <= 0.0)
+  value.resize(x.size());
+  for (std::size_t k = 0; k < x.size(); ++k)
+    value[k] = shape.ptr<float>()[place[k]];
+  Fit now;
+  cv::Matx<double, most_gains, most_gains> inverse;
+  if (!fit_brightness(now) || now.distance > most)
+    return false;
+  find_gains(shape, parameters);
+  if (!solve(parameters + 2, inverse))
     return false;
 
-  fit.offset = fit.contrast = 0.0;
+  const Map start = map;
+  const auto failed = [&] {
+    look(start);
+    return false;
+  };
+  Map next = start;
   for (int round = 0; round < rounds; ++round) {
-    std::array<double, most_gains> right{};
-    double squares = 0.0;
-    for (const Pixel &pixel : pixels) {
-      const double rest = sample(grey, apply(map, Point(pixel.x, pixel.y))) -
-                          fit.offset - fit.contrast * pixel.value;
-      for (int i = 0; i < gains; ++i)
-        right[i] += pixel.gain[i] * rest;
+    if (round > 0)
+      look(next);
+    Gains right{};
+    const float offset = float(now.offset), contrast = float(now.contrast);
+    float squares = 0.0f;
+    for (std::size_t k = 0; k < gains.size(); ++k) {
+      const float rest = seen[k] - offset - contrast * value[k];
+      for (int i = 0; i < fours; ++i)
+        right[i] += gains[k][i] * rest;
       squares += rest * rest;
     }
-    fit.distance = std::sqrt(squares / number) / std::max(1.0, fit.contrast);
-    if (round > 0 && fit.distance > most)
-      return false;
-    if (round == 0) {
-      // Brightness and contrast first: without them there is no gradient.
-      fit.offset = (normal(1, 1) * right[0] - sum * right[1]) / spread;
-      fit.contrast = (number * right[1] - sum * right[0]) / spread;
-      if (fit.contrast < 1.0)
-        return false;
-      continue;
-    }
+    now.distance = std::sqrt(squares / float(gains.size())) /
+                   std::max(1.0, now.contrast);
+    if (now.distance > most)
+      return failed();
     std::array<double, most_gains> change{};
-    for (int i = 0; i < gains; ++i)
-      for (int j = 0; j < gains; ++j)
-        change[i] += inverse(i, j) * right[j];
-    fit.offset += change[0];
-    fit.contrast += change[1];
+    for (int i = 0; i < parameters + 2; ++i)
+      for (int j = 0; j < parameters + 2; ++j)
+        change[i] += inverse(i, j) * right[j / 4][j % 4];
+    now.offset += change[0];
+    now.contrast += change[1];
     // What is to be moved in the shape is to be moved back in the image.
-    const auto part = [&](int k) { return change[2 + k] / fit.contrast; };
+    const auto part = [&](int k) { return change[2 + k] / now.contrast; };
     const Map step(1 + part(0), part(1), part(2), part(3), 1 + part(4),
                    part(5), part(6), part(7), 1);
-    const Map before = map;
-    if (fit.contrast < 1.0 || cv::determinant(step) < 0.1)
-      return false;
-    map = before * step.inv();
-    if (!keeps_turn(map))
-      return false;
-    if (moved(before, map) < enough)
+    const Map before = next;
+    if (now.contrast < 1.0 || cv::determinant(step) < 0.1)
+      return failed();
+    next = before * step.inv();
+    if (!keeps_turn(next))
+      return failed();
+    if (moved(before, next) < enough)
       break;
   }
-  return fit.contrast > 8.0 && moved(start, map) < 6.0;
+  if (now.distance >= least || now.contrast <= 8.0 ||
+      moved(start, next) >= 6.0)
+    return failed();
+  look(next);
+  map = next;
+  fit.offset = now.offset;
+  fit.contrast = now.contrast;
+  fit.distance = now.distance;
+  return true;
 }
 
 }  // namespace
@@ -185,6 +286,7 @@ Map map_of(const Quad &from, const Quad &to) {
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit) {
   constexpr double none = 1e9;
+  constexpr double good = 0.04;  // no other can be much better
   const Frame_Of_Shape frame(shape);
   const Map to_unit = frame.to_unit();
   Map start = fit.map * to_unit.inv();
@@ -200,15 +302,15 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
       frame.scale;
   if (scale < 1e-3)
     return false;
+  Comparison comparison(grey, used, start);
   cv::Mat blurred;
   const auto try_blur = [&](double sigma) {  // pixels of the image
     Map map = start;
     Fit now;
-    cv::GaussianBlur(shape, blurred, cv::Size(), sigma / scale, 0.0,
-                     cv::BORDER_REPLICATE);
-    if (!align(grey, blurred, used, perspective ? 8 : 6, 1.05 * least, map,
-               now) ||
-        now.distance >= least)
+    const int around = 2 * cvCeil(2.5 * sigma / scale) + 1;
+    cv::GaussianBlur(shape, blurred, cv::Size(around, around), sigma / scale,
+                     0.0, cv::BORDER_REPLICATE);
+    if (!comparison.align(blurred, perspective ? 8 : 6, least, map, now))
       return false;
     least = now.distance;
     fit = now;
@@ -219,7 +321,8 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
   };
   // Most images are as sharp as the first.
   try_blur(0.9);
-  if (try_blur(1.4) || (!try_blur(0.6) && least == none))
+  if (least > good &&
+      (try_blur(1.4) || (!try_blur(0.6) && least == none)))
     try_blur(2.2);
   fit.map = start * to_unit;
   return least <= worst;

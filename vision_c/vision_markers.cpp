@@ -34,8 +34,12 @@ public:
   int id(unsigned bits) const { return meaning[bits] / 4; }
   int turns(unsigned bits) const { return meaning[bits] % 4; }
 
+  // All that it knows, in each turn.
+  const std::vector<unsigned> &words() const { return known; }
+
 private:
   std::vector<int> meaning = std::vector<int>(1 << 16, -1);
+  std::vector<unsigned> known;
 
   void learn(const cv::aruco::Dictionary &dictionary) {
     for (int id = 0; id < dictionary.bytesList.rows; ++id) {
@@ -46,6 +50,7 @@ private:
         bits |= unsigned(upright.at<uchar>(k / 4, k % 4) != 0) << k;
       for (int turns = 0; turns < 4; ++turns) {
         meaning[bits] = 4 * id + turns;
+        known.push_back(bits);
         bits = turned(bits);
       }
     }
@@ -61,6 +66,11 @@ private:
     return result;
   }
 };
+
+const Dictionary &dictionary() {
+  static const Dictionary known;
+  return known;
+}
 
 // Grey levels, or labels, of the modules of a marker: 6 x 6 of its own, black
 // border included, and what is around them.
@@ -191,74 +201,88 @@ bool read_evenly(const Grid<double> &modules, unsigned &bits) {
   return is_border(black);
 }
 
-// One threshold for all, right above the border: in a shadow white may be
-// darker than the middle of what is lit.
-bool read_above_border(const Grid<double> &modules, unsigned &bits) {
-  double border = 0.0;
-  std::array<double, 16> level;
-  for (int row = 1; row < 7; ++row)
-    for (int column = 1; column < 7; ++column)
-      if (ring_of(row, column) == 1)
-        border = std::max(border, modules[row][column]);
-      else
-        level[bit_of(row, column)] = modules[row][column];
-  std::sort(level.begin(), level.end());
-  double below = border, threshold = 0.0;
-  for (const double grey : level) {
-    if (grey <= border)
-      continue;
-    if (grey - below > std::max(least_contrast, 0.3 * below)) {
-      threshold = (grey + below) / 2;
-      break;
+// How each known marker differs from what light alone can be: glare and
+// shadows are the same for modules that are next to each other, nearly. What
+// is left of 36 modules without a mean around each one is compared.
+class Differences {
+public:
+  Differences() {
+    constexpr double spread = 1.0;  // modules
+    cv::Matx<double, 36, 36> left;
+    for (int i = 0; i < 36; ++i) {
+      double total = 0.0;
+      for (int k = 0; k < 36; ++k)
+        total += near(i, k, spread);
+      for (int k = 0; k < 36; ++k)
+        left(i, k) = (i == k) - near(i, k, spread) / total;
     }
-    below = grey;
+    product = left.t() * left;
+    for (const unsigned bits : dictionary().words()) {
+      double sum = 0.0;
+      for (int i = 0; i < 16; ++i)
+        for (int k = 0; k < 16; ++k)
+          if (bits >> i & bits >> k & 1u)
+            sum += product(inner(i), inner(k));
+      length_of.push_back(std::sqrt(sum));
+    }
   }
-  if (threshold == 0.0)
-    return false;
-  bits = 0;
-  for (int row = 2; row < 6; ++row)
-    for (int column = 2; column < 6; ++column)
-      if (modules[row][column] > threshold)
-        bits |= 1u << bit_of(row, column);
-  return true;
-}
 
-// A threshold for each module, between the darkest and the brightest next to
-// it: for light that is not the same everywhere.
-bool read_locally(const Grid<double> &modules, unsigned &bits) {
-  Grid<double> low{}, high{};
-  std::vector<double> contrast;
-  for (int row = 2; row < 6; ++row)
-    for (int column = 2; column < 6; ++column) {
-      low[row][column] = 1e9;
-      high[row][column] = -1e9;
-      for (int y = row - 1; y <= row + 1; ++y)
-        for (int x = column - 1; x <= column + 1; ++x) {
-          low[row][column] = std::min(low[row][column], modules[y][x]);
-          high[row][column] = std::max(high[row][column], modules[y][x]);
-        }
-      contrast.push_back(high[row][column] - low[row][column]);
-    }
-  std::nth_element(contrast.begin(), contrast.begin() + 10, contrast.end());
-  const double usual = contrast[10];
-  if (usual < least_contrast)
-    return false;
-  bits = 0;
-  for (int row = 2; row < 6; ++row)
-    for (int column = 2; column < 6; ++column) {
-      double middle = (low[row][column] + high[row][column]) / 2;
-      if (high[row][column] - low[row][column] < 0.4 * usual) {
-        // alike all round: as bright as the border or not
-        const double border =
-            (modules[row][1] * (6 - column) + modules[row][6] * (column - 1) +
-             modules[1][column] * (6 - row) + modules[6][column] * (row - 1)) /
-            10;
-        middle = border + 0.5 * usual;
+  // The marker that is most like MODULES. False where none is, or another
+  // one nearly as much.
+  bool read(const Grid<double> &modules, unsigned &bits) const {
+    constexpr double like = 0.75;   // the cosine between both, at least
+    constexpr double apart = 0.75;  // its sine, as a share of the next one's
+    cv::Matx<double, 36, 1> seen;
+    for (int k = 0; k < 36; ++k)
+      seen(k) = modules[1 + k / 6][1 + k % 6];
+    const cv::Matx<double, 36, 1> rest = product * seen;
+    const double square = rest.dot(seen);
+    if (square < 1.0)
+      return false;
+    std::array<std::array<double, 256>, 2> part;
+    for (int half = 0; half < 2; ++half) {
+      part[half][0] = 0.0;
+      for (unsigned byte = 1; byte < 256; ++byte) {
+        int lowest = 0;
+        while (!(byte >> lowest & 1u))
+          ++lowest;
+        part[half][byte] = part[half][byte & (byte - 1)] +
+                           rest(inner(8 * half + lowest));
       }
-      if (modules[row][column] > middle)
-        bits |= 1u << bit_of(row, column);
     }
-  return true;
+    double best = 0.0, next = 0.0;
+    const std::vector<unsigned> &words = dictionary().words();
+    for (std::size_t k = 0; k < words.size(); ++k) {
+      const double cosine =
+          (part[0][words[k] & 255u] + part[1][words[k] >> 8]) / length_of[k];
+      if (cosine > best) {
+        next = best;
+        best = cosine;
+        bits = words[k];
+      } else {
+        next = std::max(next, cosine);
+      }
+    }
+    return best * best > like * like * square &&
+           square - best * best <= apart * apart * (square - next * next);
+  }
+
+private:
+  cv::Matx<double, 36, 36> product;
+  std::vector<double> length_of;
+
+  // Of the 36 modules the one that bears a bit.
+  static int inner(int bit) { return 7 + bit / 4 * 6 + bit % 4; }
+
+  static double near(int i, int k, double spread) {
+    const double x = i % 6 - k % 6, y = i / 6 - k / 6;
+    return std::exp(-0.5 * (x * x + y * y) / (spread * spread));
+  }
+};
+
+const Differences &differences() {
+  static const Differences known;
+  return known;
 }
 
 // The drawing of a marker that is compared with the image: its pixels for a
@@ -268,11 +292,12 @@ constexpr int extent = 8 * pitch;
 
 // Which pixels of a module are compared, in each direction: half of them, and
 // as many on either side of an edge, which is not drawn aside then.
-constexpr std::array<int, 4> compared{0, 2, 5, 7};
-constexpr int points = 8 * int(compared.size());
+constexpr std::array<int, 4> places{0, 2, 5, 7};
+constexpr int points = 8 * int(places.size());
+constexpr uchar read_only = 1;  // not to be compared, but looked at
 
 constexpr int point(int k) {
-  return k / int(compared.size()) * pitch + compared[k % compared.size()];
+  return k / int(places.size()) * pitch + places[k % places.size()];
 }
 
 bool is_white(unsigned bits, int row, int column) {
@@ -280,10 +305,97 @@ bool is_white(unsigned bits, int row, int column) {
   return ring == 0 || (ring > 1 && (bits >> bit_of(row, column) & 1u));
 }
 
+// What black and white are at each module.
+struct Light {
+  Grid<double> black{}, white{};
+};
+
+// Where the light is the same nearly: means over what is not far, of those
+// modules that are SEEN.
+Light light_far(unsigned bits, const Grid<double> &modules,
+                const Grid<bool> &seen, double black, double white) {
+  constexpr double spread = 4.0;  // modules
+  std::array<double, 8> share;
+  for (int k = 0; k < 8; ++k)
+    share[k] = std::exp(-0.5 * k * k / (spread * spread));
+  Light light;
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column) {
+      double sum[2] = {0.02 * black, 0.02 * white}, weight[2] = {0.02, 0.02};
+      for (int y = 1; y < 7; ++y)
+        for (int x = 1; x < 7; ++x) {
+          if (!seen[y][x])
+            continue;
+          const bool bright = is_white(bits, y, x);
+          const double w =
+              share[std::abs(y - row)] * share[std::abs(x - column)];
+          sum[bright] += w * modules[y][x];
+          weight[bright] += w;
+        }
+      light.black[row][column] = sum[0] / weight[0];
+      light.white[row][column] = sum[1] / weight[1];
+    }
+  return light;
+}
+
+// Where it is not: black is what it is at the modules next to a place, were
+// they black. How much brighter white is there does not change as fast.
+Light light_near(unsigned bits, const Grid<double> &modules,
+                 const Grid<bool> &seen, double black, double white) {
+  constexpr double spread = 0.9, spread_of_steps = 2.0;  // modules
+  const auto share = [](double x, double y, double reach) {
+    return std::exp(-0.5 * (x * x + y * y) / (reach * reach));
+  };
+  struct Step {
+    double row, column, grey;
+  };
+  std::vector<Step> steps;
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column)
+      for (const bool down : {false, true}) {
+        const int y = row + down, x = column + !down;
+        if (y > 7 || x > 7 || !seen[row][column] || !seen[y][x] ||
+            is_white(bits, row, column) == is_white(bits, y, x))
+          continue;
+        const double grey = modules[y][x] - modules[row][column];
+        steps.push_back({(row + y) / 2.0, (column + x) / 2.0,
+                         is_white(bits, y, x) ? grey : -grey});
+      }
+  Light light;
+  Grid<double> step;
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column) {
+      double sum = 0.02 * (white - black), weight = 0.02;
+      for (const Step &one : steps) {
+        const double w =
+            share(one.column - column, one.row - row, spread_of_steps);
+        sum += w * one.grey;
+        weight += w;
+      }
+      step[row][column] = sum / weight;
+    }
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column) {
+      double sum = 0.001 * black, weight = 0.001;
+      for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+          if (!seen[y][x])
+            continue;
+          const double w = share(x - column, y - row, spread);
+          sum += w * (modules[y][x] -
+                      (is_white(bits, y, x) ? step[y][x] : 0.0));
+          weight += w;
+        }
+      light.black[row][column] = sum / weight;
+      light.white[row][column] = sum / weight + step[row][column];
+    }
+  return light;
+}
+
 // Draws a marker as MODULES light it, 0 for black and 1 for white in the
-// middle of both; SPREAD modules have the same light. Says in USED which
+// middle of both; EVENLY: nearly the same all over it. Says in USED which
 // pixels are to be compared.
-void draw(unsigned bits, const Grid<double> &modules, double spread,
+void draw(unsigned bits, const Grid<double> &modules, bool evenly,
           cv::Mat &shape, cv::Mat &used, Grid<double> &contrast) {
   double white = 0.0, black = 0.0;
   int whites = 0, blacks = 0;
@@ -307,38 +419,35 @@ void draw(unsigned bits, const Grid<double> &modules, double spread,
           ring_of(row, column) > 1 ||
           (modules[row][column] > middle) == is_white(bits, row, column);
 
-  cv::Mat levels(8, 8, CV_32F);
-  std::array<double, 8> share;
-  for (int k = 0; k < 8; ++k)
-    share[k] = std::exp(-0.5 * k * k / (spread * spread));
+  const Light light = (evenly ? light_far : light_near)(bits, modules, seen,
+                                                        black, white);
+  cv::Mat dark(8, 8, CV_32F), bright(8, 8, CV_32F), pattern(8, 8, CV_8U);
   for (int row = 0; row < 8; ++row)
     for (int column = 0; column < 8; ++column) {
-      double sum[2] = {0.02 * black, 0.02 * white}, weight[2] = {0.02, 0.02};
-      for (int y = 1; y < 7; ++y)
-        for (int x = 1; x < 7; ++x) {
-          if (!seen[y][x])
-            continue;
-          const bool bright = is_white(bits, y, x);
-          const double w = share[std::abs(y - row)] * share[std::abs(x - column)];
-          sum[bright] += w * modules[y][x];
-          weight[bright] += w;
-        }
-      const double dark = sum[0] / weight[0], light = sum[1] / weight[1];
-      contrast[row][column] = std::max(0.1, (light - dark) / step);
-      levels.at<float>(row, column) = float(
-          ((is_white(bits, row, column) ? light : dark) - black) / step);
+      const double from = light.black[row][column];
+      const double to = light.white[row][column];
+      contrast[row][column] = std::max(0.1, (to - from) / step);
+      dark.at<float>(row, column) = float((from - black) / step);
+      bright.at<float>(row, column) = float((to - black) / step);
+      pattern.at<uchar>(row, column) = is_white(bits, row, column) ? 255 : 0;
     }
-  cv::resize(levels, shape, cv::Size(extent, extent), 0, 0,
-             cv::INTER_NEAREST);
+  const cv::Size size(extent, extent);
+  const int between = evenly ? cv::INTER_NEAREST : cv::INTER_LINEAR;
+  cv::Mat large, mask;
+  cv::resize(dark, shape, size, 0, 0, between);
+  cv::resize(bright, large, size, 0, 0, between);
+  cv::resize(pattern, mask, size, 0, 0, cv::INTER_NEAREST);
+  large.copyTo(shape, mask);
 
   // The rim of the quiet zone is blurred into what is around it.
-  constexpr int rim = int(compared.size()) / 2;
+  constexpr int rim = int(places.size()) / 2;
   used.create(extent, extent, CV_8UC1);
   used.setTo(0);
   for (int y = rim; y < points - rim; ++y)
     for (int x = rim; x < points - rim; ++x)
       if (seen[point(y) / pitch][point(x) / pitch])
-        used.at<uchar>(point(y), point(x)) = 255;
+        used.at<uchar>(point(y), point(x)) =
+            (x + y) % 2 == 0 ? compared : read_only;
 }
 
 // How much of a module's contrast in the drawing speaks for the other colour,
@@ -354,7 +463,7 @@ Grid<double> doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
         rest[y][x] = (sample(grey, at) - fit.offset) / fit.contrast -
                      fit.shape.at<float>(point(y), point(x));
     }
-  constexpr int per_module = int(compared.size());
+  constexpr int per_module = int(places.size());
   std::array<double, 3 * per_module> profile;
   const double width = std::sqrt(2.0) * std::max(0.1, fit.spread);
   for (int k = 0; k < int(profile.size()); ++k) {
@@ -377,11 +486,6 @@ Grid<double> doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
                            (square * contrast[row][column]);
     }
   return doubt;
-}
-
-const Dictionary &dictionary() {
-  static const Dictionary known;
-  return known;
 }
 
 // Whether nothing but BITS can be meant.
@@ -446,7 +550,7 @@ bool is_sound(const Quad &quad) {
 // where that leaves doubts.
 bool align_marker(const cv::Mat &grey, unsigned bits,
                   const Grid<double> &modules, bool perspective,
-                  double spread, Quad &corner, double &blur) {
+                  bool evenly, Quad &corner, double &blur) {
   static const Quad reference = [] {
     const double near = pitch - 0.5, far = 7 * pitch - 0.5;
     return Quad{Point(near, near), Point(far, near), Point(far, far),
@@ -454,7 +558,7 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   }();
   cv::Mat shape, used;
   Grid<double> contrast;
-  draw(bits, modules, spread, shape, used, contrast);
+  draw(bits, modules, evenly, shape, used, contrast);
   Quad start = corner;
   if (!perspective) {
     // the parallelogram that is nearest
@@ -491,27 +595,6 @@ bool is_worth_it(const Grid<double> &modules) {
   return brightest > darkest + 0.8 * least_contrast && dark >= 13;
 }
 
-// Whether no module that is read as black is brighter than the border can be
-// in another light: a white one in a shadow may be.
-bool is_black_as_border(unsigned bits, const Grid<double> &modules) {
-  double border = 0.0, white = 0.0, black = 0.0;
-  int whites = 0;
-  for (int row = 1; row < 7; ++row)
-    for (int column = 1; column < 7; ++column) {
-      const double grey = modules[row][column];
-      if (ring_of(row, column) == 1) {
-        border = std::max(border, grey);
-      } else if (is_white(bits, row, column)) {
-        white += grey;
-        ++whites;
-      } else {
-        black = std::max(black, grey);
-      }
-    }
-  white /= std::max(1, whites);
-  return black < border + 0.2 * (white - border);
-}
-
 // Reads the marker whose outline is about HERE in an image reduced by SCALE:
 // GREY, and SMOOTH for its edges, which lie at most SHARE of a module away.
 // Its CORNERs are those in the image that is not reduced.
@@ -524,15 +607,14 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
     here = refined;
   const Grid<double> seen =
       read_modules(grey, map_of(six_by_six, here), module / scale);
-  std::array<unsigned, 4> tried;
+  std::array<unsigned, 3> tried;
   int tries = 0;
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < 3; ++k) {
     unsigned bits = 0;
     const bool done =
         k == 0   ? read_evenly(seen, bits)
         : k == 1 ? module < 5.0 && read_evenly(unmix(seen, 0.15), bits)
-        : k == 2 ? read_above_border(seen, bits)
-                 : read_locally(seen, bits);
+                 : differences().read(seen, bits);
     if (!done || !dictionary().knows(bits) ||
         std::find(tried.begin(), tried.begin() + tries, bits) !=
             tried.begin() + tries)
@@ -541,9 +623,9 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
     // The same light all over the marker, nearly, or shadows and glare
     Quad aligned = here;
     double blur = 0.0;
-    if (!align_marker(grey, bits, seen, module > 2.5, 4.0, aligned, blur) &&
-        (module < 4.0 || !is_black_as_border(bits, seen) ||
-         !align_marker(grey, bits, seen, true, 1.0, aligned, blur)))
+    if (!align_marker(grey, bits, seen, module > 2.5, true, aligned, blur) &&
+        (module < 3.5 ||
+         !align_marker(grey, bits, seen, true, false, aligned, blur)))
       continue;
     aligned = reduced(aligned, 1 / scale);
     if (!is_sound(aligned))
@@ -595,13 +677,13 @@ void find_markers(const Search &search, std::vector<vision_robot> &robots) {
   static thread_local std::vector<Quad> quads;
   quads.clear();
   scratch.level[0] = scratch.smooth;
-  find_quads(scratch.smooth, 5, 1, quads);
+  find_quads(scratch.smooth, 5, 2, 1, quads);
   for (int level = 1; level < levels; ++level) {
     const cv::Mat &finer = scratch.level[level - 1];
     const cv::Size half(finer.cols / 2, finer.rows / 2);
     cv::resize(finer(cv::Rect(cv::Point(), half * 2)), scratch.level[level],
                half, 0, 0, cv::INTER_AREA);
-    find_quads(scratch.level[level], 7, 1 << level, quads);
+    find_quads(scratch.level[level], 7, 4, 1 << level, quads);
   }
 
   // A marker is a candidate more than once: its outlines, and thresholds.

@@ -10,9 +10,12 @@ namespace vision {
 
 namespace {
 
-constexpr int darker = 4;           // grey levels that are dark
+constexpr int grain = 3;         // grey levels that noise seldom has
+constexpr double crowded = 0.15; // of the pixels
 constexpr double rough = 0.05;      // of the perimeter, what an outline may
                                     // differ from its polygon
+constexpr double rough_hull = 0.03;  // the same of its convex hull
+constexpr double opened = 1.6;       // times the hull's perimeter
 constexpr int shortest_side = 7;    // pixels
 constexpr std::size_t most = 4096;  // candidates: nobody has so many robots
 
@@ -20,17 +23,31 @@ bool is_large_enough(const cv::Rect &box) {
   return std::min(box.width, box.height) >= shortest_side;
 }
 
+// The quadrilateral that an outline is but for its roughness. False where it
+// is none.
+bool find_polygon(const std::vector<cv::Point> &outline, double tolerance,
+                  std::vector<cv::Point> &polygon) {
+  cv::approxPolyDP(outline, polygon,
+                   tolerance * cv::arcLength(outline, true), true);
+  return polygon.size() == 4 && cv::isContourConvex(polygon);
+}
+
 }  // namespace
 
-void find_quads(const cv::Mat &image, int window, int scale,
+void find_quads(const cv::Mat &image, int window, int darker, int scale,
                 std::vector<Quad> &quads) {
   static thread_local std::vector<std::vector<cv::Point>> contours;
-  std::vector<cv::Point> polygon;
+  static thread_local std::vector<cv::Point> polygon, hull;
   cv::blur(image, scratch.darker, cv::Size(window, window),
            cv::Point(-1, -1), cv::BORDER_REPLICATE);
   cv::subtract(scratch.darker, image, scratch.darker);
   cv::threshold(scratch.darker, scratch.mask, darker - 1, 255,
                 cv::THRESH_BINARY);
+  // Where so much is darker, much of it is noise or grain.
+  if (darker < grain &&
+      cv::countNonZero(scratch.mask) > crowded * double(image.total()))
+    cv::threshold(scratch.darker, scratch.mask, grain - 1, 255,
+                  cv::THRESH_BINARY);
   cv::findContours(scratch.mask, contours, cv::RETR_LIST,
                    cv::CHAIN_APPROX_SIMPLE);
   for (const std::vector<cv::Point> &contour : contours) {
@@ -38,18 +55,23 @@ void find_quads(const cv::Mat &image, int window, int scale,
       break;
     if (contour.size() < 4 || !is_large_enough(cv::boundingRect(contour)))
       continue;
-    cv::approxPolyDP(contour, polygon,
-                     rough * cv::arcLength(contour, true), true);
-    if (polygon.size() != 4 || !cv::isContourConvex(polygon))
-      continue;
     // Not the inner outline, which turns the other way
-    if (cv::contourArea(polygon, true) > 0.0)
+    if (cv::contourArea(contour, true) > 0.0)
       continue;
+    if (!find_polygon(contour, rough, polygon)) {
+      // Something bright over a side opens a frame: the outline runs along
+      // its inside, too.
+      cv::convexHull(contour, hull);
+      if (cv::arcLength(contour, true) < opened * cv::arcLength(hull, true) ||
+          !find_polygon(hull, rough_hull, polygon))
+        continue;
+    }
     Quad quad;
     for (int k = 0; k < 4; ++k)
       quad[k] = (Point(polygon[k]) + Point(0.5, 0.5)) * scale -
                 Point(0.5, 0.5);
-    std::reverse(quad.begin(), quad.end());
+    if (cross(quad[1] - quad[0], quad[2] - quad[1]) < 0.0)
+      std::reverse(quad.begin(), quad.end());
     quads.push_back(quad);
   }
 }

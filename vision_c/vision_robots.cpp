@@ -183,7 +183,7 @@ vision_status find_robots(int slot, vision_marker marker,
       for (const cv::Rect &part : parts) {
         search.box = part;
         cv::cvtColor(here.image(part), scratch.grey, cv::COLOR_BGR2GRAY);
-        cv::GaussianBlur(scratch.grey, scratch.smooth, cv::Size(), 0.8);
+        cv::GaussianBlur(scratch.grey, scratch.smooth, cv::Size(5, 5), 0.8);
         if (marker == VISION_MARKER_ARUCO)
           find_markers(search, found);
         else

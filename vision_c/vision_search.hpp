@@ -117,18 +117,22 @@ struct Fit {
   double distance = 0.0;  // what remains, as a share of the contrast
 };
 
+constexpr uchar compared = 255;  // a pixel of a shape
+
 // Moves FIT.map to where SHAPE (float, sharp; about 0 to 1) lies in the image
-// best, counting the pixels that USED marks, and tells the rest of FIT. How
-// sharp the image is is tried out, until it gets worse: the less sharp shapes
-// behind fit worse still. False where more than WORST remains.
+// best, counting the pixels that USED says are COMPARED, and tells the rest
+// of FIT. How sharp the image is is tried out, until it fits well or gets
+// worse: the less sharp shapes behind fit worse still. False where more than
+// WORST remains.
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit);
 
 // ------------------------------------------------------------ Quadrilaterals
 
-// Adds the outlines of dark quadrilaterals in an image that is reduced by
-// SCALE, in the pixels of what is not. WINDOW is what dark is compared with.
-void find_quads(const cv::Mat &image, int window, int scale,
+// Adds the outlines of quadrilaterals in an image that is reduced by SCALE,
+// in the pixels of what is not: of what is by DARKER grey levels darker than
+// the mean of a WINDOW around it.
+void find_quads(const cv::Mat &image, int window, int darker, int scale,
                 std::vector<Quad> &quads);
 
 // ------------------------------------------------------------------ Robots

@@ -291,7 +291,8 @@ void describe(const Source &from, char *text, std::size_t capacity) {
   const double rate = from.capture.get(cv::CAP_PROP_FPS);
   // of a URL FFmpeg makes it up
   const bool rate_known =
-      rate > 0.0 && (from.kind == Kind::video || from.backend != cv::CAP_FFMPEG);
+      rate > 0.0 &&
+      (from.kind == Kind::video || from.backend != cv::CAP_FFMPEG);
   int length = 0;
   for (int shift = 0; shift < 32 && length < 4; shift += 8) {
     const unsigned char letter = (unsigned char)(format >> shift);

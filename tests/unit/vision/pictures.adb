@@ -19,6 +19,7 @@ package body Pictures is
      of aliased Grey;
 
    Canvas : Pixels;
+   Drawn  : Pixels;  --  what Show_Aslant bends
 
    procedure Load (Width, Height, Slot : int);
    --  The canvas into Slot
@@ -113,6 +114,76 @@ package body Pictures is
       Lay (Scene, Width, Height, Turn, Level);
       Load (Scene.Width, Scene.Height, 0);
    end Show_Frame;
+
+   procedure Show_Changed
+     (Scene  : Scenes.Description;
+      Change : not null access function
+        (X, Y : Long_Float; Level : Long_Float) return Long_Float)
+   is
+      Place : int := 0;
+   begin
+      Draw (Scene);
+      for Row in 0 .. Scene.Height - 1 loop
+         for Column in 0 .. Scene.Width - 1 loop
+            for K in Place .. Place + 2 loop
+               Canvas (K) := Grey
+                 (Long_Float'Max
+                    (0.0,
+                     Long_Float'Min
+                       (255.0,
+                        Change (Long_Float (Column), Long_Float (Row),
+                                Long_Float (Canvas (K))))));
+            end loop;
+            Place := Place + 3;
+         end loop;
+      end loop;
+      Load (Scene.Width, Scene.Height, 0);
+   end Show_Changed;
+
+   procedure Show_Aslant (Scene : Scenes.Description; G, H : Long_Float) is
+      Last     : constant int := Scene.Width * Scene.Height * 3 - 1;
+      Middle_X : constant Long_Float := Long_Float (Scene.Width - 1) / 2.0;
+      Middle_Y : constant Long_Float := Long_Float (Scene.Height - 1) / 2.0;
+      Place    : int := 0;
+   begin
+      Draw (Scene);
+      Drawn (0 .. Last) := Canvas (0 .. Last);
+      for Row in 0 .. Scene.Height - 1 loop
+         for Column in 0 .. Scene.Width - 1 loop
+            declare
+               U     : constant Long_Float := Long_Float (Column) - Middle_X;
+               V     : constant Long_Float := Long_Float (Row) - Middle_Y;
+               Depth : constant Long_Float := 1.0 - G * U - H * V;
+               X     : constant Long_Float := Middle_X + U / Depth;
+               Y     : constant Long_Float := Middle_Y + V / Depth;
+               Left  : constant int := int (Long_Float'Floor (X));
+               Top   : constant int := int (Long_Float'Floor (Y));
+               Right_Share : constant Long_Float := X - Long_Float (Left);
+               Lower_Share : constant Long_Float := Y - Long_Float (Top);
+
+               function At_Pixel (X, Y, Colour : int) return Long_Float is
+                 (Long_Float
+                    (Drawn
+                       ((int'Max (0, int'Min (Y, Scene.Height - 1))
+                         * Scene.Width
+                         + int'Max (0, int'Min (X, Scene.Width - 1))) * 3
+                        + Colour)));
+            begin
+               for C in int range 0 .. 2 loop
+                  Canvas (Place + C) := Grey
+                    ((1.0 - Lower_Share)
+                     * ((1.0 - Right_Share) * At_Pixel (Left, Top, C)
+                        + Right_Share * At_Pixel (Left + 1, Top, C))
+                     + Lower_Share
+                     * ((1.0 - Right_Share) * At_Pixel (Left, Top + 1, C)
+                        + Right_Share * At_Pixel (Left + 1, Top + 1, C)));
+               end loop;
+            end;
+            Place := Place + 3;
+         end loop;
+      end loop;
+      Load (Scene.Width, Scene.Height, 0);
+   end Show_Aslant;
 
    function Scene_With
      (Marker, Id    : int;

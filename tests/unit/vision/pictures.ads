@@ -32,6 +32,17 @@ package Pictures is
       Border_Level  : Grey);
    --  The same sheet in a border that is Border pixels wide
 
+   procedure Show_Changed
+     (Scene  : Scenes.Description;
+      Change : not null access function
+        (X, Y : Long_Float; Level : Long_Float) return Long_Float);
+   --  Scene with each grey level as Change makes it of that at (X, Y); into
+   --  slot 0
+
+   procedure Show_Aslant (Scene : Scenes.Description; G, H : Long_Float);
+   --  What Scene shows at (X, Y), seen at (X, Y) / (1 + G X + H Y), both from
+   --  the middle of the image; into slot 0
+
    function Scene_With
      (Marker, Id    : int;
       X, Y, Heading : double) return Scenes.Description;

@@ -47,6 +47,37 @@ package body Vision_Robot_Tests is
    procedure Test_Strange_Arenas (T : in out Any_Test);
    procedure Test_None (T : in out Any_Test);
    procedure Test_Other_Marker (T : in out Any_Test);
+   procedure Test_Faint (T : in out Any_Test);
+   procedure Test_Glare (T : in out Any_Test);
+   procedure Test_Blot (T : in out Any_Test);
+   procedure Test_Margin (T : in out Any_Test);
+   procedure Test_Aslant (T : in out Any_Test);
+   procedure Test_Doubtful (T : in out Any_Test);
+
+   --  A marker whose image is changed where it lies
+
+   type Place is record
+      Scene          : Scenes.Description;
+      Cx, Cy, Dx, Dy : Long_Float;  --  the truth
+   end record;
+
+   function Marker_At (Step : Natural) return Place;
+   --  Another place, heading and identifier for each Step
+
+   function Along (P : Place; X, Y : Long_Float) return Long_Float is
+     (((X - P.Cx) * (P.Dx - P.Cx) + (Y - P.Cy) * (P.Dy - P.Cy))
+      / ((P.Dx - P.Cx) ** 2 + (P.Dy - P.Cy) ** 2) * 3.0);
+   function Across (P : Place; X, Y : Long_Float) return Long_Float is
+     (((Y - P.Cy) * (P.Dx - P.Cx) - (X - P.Cx) * (P.Dy - P.Cy))
+      / ((P.Dx - P.Cx) ** 2 + (P.Dy - P.Cy) ** 2) * 3.0);
+   --  Where (X, Y) lies in the marker: modules from its centre
+
+   procedure Check_Changed
+     (P      : Place;
+      Change : not null access function
+        (X, Y : Long_Float; Level : Long_Float) return Long_Float;
+      What   : String);
+   --  The marker is found in its image as Change makes it
 
    procedure Search
      (Scene : Scenes.Description; Kind : Marker; What : String)
@@ -394,6 +425,214 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Other_Marker;
 
+   function Marker_At (Step : Natural) return Place is
+      Scene          : aliased constant Scenes.Description :=
+        Pictures.Scene_With
+          (0, int (83 * Step), 20.0 + 3.3 * double (Step),
+           15.0 + double (7 * Step mod 12) * 2.7, 31.0 * double (Step));
+      Cx, Cy, Dx, Dy : double;
+   begin
+      Assert (Scenes.Robot_Truth (Scene'Access, 0, Cx, Cy, Dx, Dy) = 0,
+              "truth");
+      return (Scene, Long_Float (Cx), Long_Float (Cy), Long_Float (Dx),
+              Long_Float (Dy));
+   end Marker_At;
+
+   procedure Check_Changed
+     (P      : Place;
+      Change : not null access function
+        (X, Y : Long_Float; Level : Long_Float) return Long_Float;
+      What   : String) is
+   begin
+      Pictures.Show_Changed (P.Scene, Change);
+      Assert (Find_Robots (0, Aruco, null, Found'Address, Found'Length,
+                           Count'Access) = Ok, What & ": found");
+      Assert (Count = 1, What & ": one");
+      Check (P.Scene, 0, What);
+   end Check_Changed;
+
+   procedure Test_Faint (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      function Faint (X, Y : Long_Float; Level : Long_Float)
+        return Long_Float;
+
+      function Faint (X, Y : Long_Float; Level : Long_Float)
+        return Long_Float
+      is
+         pragma Unreferenced (X, Y);
+      begin
+         return 90.0 + 22.0 * Level / 255.0;
+      end Faint;
+   begin
+      for Step in 0 .. 11 loop
+         Check_Changed (Marker_At (Step), Faint'Access,
+                        "22 grey levels from black to white," & Step'Image);
+      end loop;
+   end Test_Faint;
+
+   procedure Test_Glare (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      use Ada.Numerics.Long_Elementary_Functions;
+   begin
+      for Step in 0 .. 11 loop
+         declare
+            P : constant Place := Marker_At (Step);
+
+            --  A streak, two modules wide, over the middle
+            function Glare (X, Y : Long_Float; Level : Long_Float)
+              return Long_Float
+            is (0.55 * Level
+                + 65.0 * Exp (-0.5 * ((Along (P, X, Y) + Across (P, X, Y))
+                                      / 1.4) ** 2
+                              - 0.5 * (Along (P, X, Y) / 5.0) ** 2));
+         begin
+            Check_Changed (P, Glare'Access, "glare," & Step'Image);
+         end;
+      end loop;
+   end Test_Glare;
+
+   procedure Test_Blot (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Step in 0 .. 11 loop
+         for Bright in Boolean loop
+            declare
+               P     : constant Place := Marker_At (Step);
+               Where : constant Long_Float :=
+                 -1.5 + 3.0 * Long_Float (Step) / 11.0;
+
+               function Blot (X, Y : Long_Float; Level : Long_Float)
+                 return Long_Float
+               is (if (Along (P, X, Y) - 3.0) ** 2
+                     + (Across (P, X, Y) - Where) ** 2 < 0.6 ** 2
+                   then (if Bright then 230.0 else 30.0)
+                   else Level);
+            begin
+               Check_Changed (P, Blot'Access,
+                              (if Bright then "bright" else "dark")
+                              & " blot over a side," & Step'Image);
+            end;
+         end loop;
+      end loop;
+   end Test_Blot;
+
+   procedure Test_Margin (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Step in 0 .. 11 loop
+         declare
+            P : constant Place := Marker_At (Step);
+
+            --  Cut so, on a dark robot
+            function Cut (X, Y : Long_Float; Level : Long_Float)
+              return Long_Float
+            is (if Long_Float'Max (abs Along (P, X, Y), abs Across (P, X, Y))
+                  in 3.4 .. 6.0
+                then 40.0 else Level);
+         begin
+            Check_Changed (P, Cut'Access,
+                           "white margin of 0.4 modules," & Step'Image);
+         end;
+      end loop;
+   end Test_Margin;
+
+   procedure Test_Aslant (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      use Ada.Numerics.Long_Elementary_Functions;
+      Scene          : aliased Scenes.Description;
+      Cx, Cy, Dx, Dy : double;
+   begin
+      for Step in 0 .. 11 loop
+         Scene := Pictures.Scene_With (0, int (83 * Step), 40.0, 30.0,
+                                       31.0 * double (Step));
+         Scene.Width := 1_920;
+         Scene.Height := 1_080;
+         Assert (Scenes.Robot_Truth (Scene'Access, 0, Cx, Cy, Dx, Dy) = 0,
+                 "truth");
+         declare
+            G : constant Long_Float := 8.0E-4 * Cos (Long_Float (Step));
+            H : constant Long_Float := 8.0E-4 * Sin (Long_Float (Step));
+            Ahead_X : constant Long_Float := Long_Float (Dx - Cx);
+            Ahead_Y : constant Long_Float := Long_Float (Dy - Cy);
+
+            --  Where the corner is seen that lies so
+            function Seen_X (Ahead, Right : Long_Float) return Long_Float;
+            function Seen_Y (Ahead, Right : Long_Float) return Long_Float;
+            function Depth (X, Y : Long_Float) return Long_Float is
+              (1.0 + G * X + H * Y);
+            function From_X (Ahead, Right : Long_Float) return Long_Float is
+              (Long_Float (Cx) - 959.5 + Ahead * Ahead_X - Right * Ahead_Y);
+            function From_Y (Ahead, Right : Long_Float) return Long_Float is
+              (Long_Float (Cy) - 539.5 + Ahead * Ahead_Y + Right * Ahead_X);
+            function Seen_X (Ahead, Right : Long_Float) return Long_Float is
+              (959.5 + From_X (Ahead, Right)
+               / Depth (From_X (Ahead, Right), From_Y (Ahead, Right)));
+            function Seen_Y (Ahead, Right : Long_Float) return Long_Float is
+              (539.5 + From_Y (Ahead, Right)
+               / Depth (From_X (Ahead, Right), From_Y (Ahead, Right)));
+            --  The middle between its first and third corner
+            True_X : constant Long_Float :=
+              (Seen_X (1.0, -1.0) + Seen_X (-1.0, 1.0)) / 2.0;
+            True_Y : constant Long_Float :=
+              (Seen_Y (1.0, -1.0) + Seen_Y (-1.0, 1.0)) / 2.0;
+            Front_X : constant Long_Float :=
+              (Seen_X (1.0, -1.0) + Seen_X (1.0, 1.0)) / 2.0;
+            Front_Y : constant Long_Float :=
+              (Seen_Y (1.0, -1.0) + Seen_Y (1.0, 1.0)) / 2.0;
+         begin
+            Pictures.Show_Aslant (Scene, G, H);
+            Assert (Find_Robots (0, Aruco, null, Found'Address, 8,
+                                 Count'Access) = Ok
+                    and then Count = 1 and then Found (0).Id = int (83 * Step),
+                    "aslant," & Step'Image);
+            Assert
+              (Sqrt ((Long_Float (Found (0).Centre.X) - True_X) ** 2
+                     + (Long_Float (Found (0).Centre.Y) - True_Y) ** 2) < 0.5,
+               "its centre," & Step'Image);
+            Assert
+              (Sqrt ((Long_Float (Found (0).Direction.X) - Front_X) ** 2
+                     + (Long_Float (Found (0).Direction.Y) - Front_Y) ** 2)
+               < 0.7,
+               "its direction," & Step'Image);
+         end;
+      end loop;
+   end Test_Aslant;
+
+   procedure Test_Doubtful (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Result : Status;
+   begin
+      --  One module that is covered: named rightly or not at all
+      for Step in 0 .. 5 loop
+         for Module in 0 .. 15 loop
+            for Level in 0 .. 3 loop
+               declare
+                  P : constant Place := Marker_At (Step);
+
+                  function Cover (X, Y : Long_Float; Level_Here : Long_Float)
+                    return Long_Float
+                  is (if abs (Along (P, X, Y)
+                              - Long_Float (Module / 4) + 1.5) < 0.5
+                        and then
+                          abs (Across (P, X, Y)
+                               - Long_Float (Module mod 4) + 1.5) < 0.5
+                      then 20.0 + 70.0 * Long_Float (Level) else Level_Here);
+               begin
+                  Pictures.Show_Changed (P.Scene, Cover'Access);
+                  Result := Find_Robots (0, Aruco, null, Found'Address, 8,
+                                         Count'Access);
+                  Assert (Result = Not_Found
+                          or else (Count = 1
+                                   and then Found (0).Id = int (83 * Step)),
+                          "identifier with module" & Module'Image
+                          & " covered," & Step'Image);
+               end;
+            end loop;
+         end loop;
+      end loop;
+   end Test_Doubtful;
+
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("robots"));
 
@@ -421,6 +660,13 @@ package body Vision_Robot_Tests is
       Register_Routine (T, Test_Strange_Arenas'Access, "strange arenas");
       Register_Routine (T, Test_None'Access, "no robot");
       Register_Routine (T, Test_Other_Marker'Access, "the other marker");
+      Register_Routine (T, Test_Faint'Access, "a faint marker");
+      Register_Routine (T, Test_Glare'Access, "glare on a marker");
+      Register_Routine (T, Test_Blot'Access, "a blot over its side");
+      Register_Routine (T, Test_Margin'Access, "a narrow white margin");
+      Register_Routine (T, Test_Aslant'Access, "seen from close and aslant");
+      Register_Routine (T, Test_Doubtful'Access,
+                        "one of its modules covered");
    end Register_Tests;
 
 end Vision_Robot_Tests;
