@@ -113,6 +113,11 @@ private:
 
 thread_local Comparison::Buffers Comparison::buffers;
 
+// AT in 0 .. LAST; what is no number, far behind the camera, is 0.
+float within(float at, float last) {
+  return at > 0.0f ? std::min(at, last) : 0.0f;
+}
+
 // What the image shows at each pixel.
 void Comparison::look(const Map &map) {
   std::array<float, 9> m;
@@ -122,10 +127,8 @@ void Comparison::look(const Map &map) {
   seen.resize(x.size());
   for (std::size_t k = 0; k < x.size(); ++k) {
     const float w = 1.0f / (m[6] * x[k] + m[7] * y[k] + m[8]);
-    const float u = std::min(
-        std::max((m[0] * x[k] + m[1] * y[k] + m[2]) * w, 0.0f), right);
-    const float v = std::min(
-        std::max((m[3] * x[k] + m[4] * y[k] + m[5]) * w, 0.0f), bottom);
+    const float u = within((m[0] * x[k] + m[1] * y[k] + m[2]) * w, right);
+    const float v = within((m[3] * x[k] + m[4] * y[k] + m[5]) * w, bottom);
     const int column = std::min(int(u), grey.cols - 2);
     const int row = std::min(int(v), grey.rows - 2);
     const uchar *const above = grey.data + row * grey.step + column;
