@@ -26,33 +26,46 @@ procedure Destijl_Emulator is
    Problem : Unbounded_String;
    Port    : Natural;
 
+   procedure Tell (Text : String);
+   --  Ends the process, with status 1 where nobody can read Text
+
    procedure Give_Up (Reason : String; Status : Integer);
-   --  Ends the process
+   --  Ends the process with Status, whether Reason can be written or not
+
+   --  An exception that left the main procedure would not end the process:
+   --  it would wait for the tasks, for ever.
+
+   procedure Tell (Text : String) is
+   begin
+      Ada.Text_IO.Put_Line (Text);
+      Ada.Text_IO.Flush;
+      GNAT.OS_Lib.OS_Exit (0);
+   exception
+      when Ada.Text_IO.Device_Error =>
+         GNAT.OS_Lib.OS_Exit (1);
+   end Tell;
 
    procedure Give_Up (Reason : String; Status : Integer) is
    begin
       Ada.Text_IO.Put_Line
         (Ada.Text_IO.Standard_Error, "destijl_emulator: " & Reason);
       GNAT.OS_Lib.OS_Exit (Status);
+   exception
+      when Ada.Text_IO.Device_Error =>
+         GNAT.OS_Lib.OS_Exit (Status);
    end Give_Up;
 
 begin
    Settings.Read_Command_Line (V, Wish, Problem);
    case Wish is
       when Settings.Show_Help =>
-         Ada.Text_IO.Put (Settings.Usage);
-         Ada.Text_IO.Flush;
-         GNAT.OS_Lib.OS_Exit (0);
+         Tell (Settings.Usage);
       when Settings.Show_Version =>
-         Bench_Console.Say
-           ("destijl_emulator " & Project_Version.Number
-            & ", robot firmware 3.5");
-         GNAT.OS_Lib.OS_Exit (0);
+         Tell ("destijl_emulator " & Project_Version.Number
+               & ", robot firmware 3.5");
       when Settings.Bad_Usage =>
-         Ada.Text_IO.Put (Ada.Text_IO.Standard_Error,
-                          "destijl_emulator: " & To_String (Problem)
-                          & ASCII.LF & ASCII.LF & Settings.Usage);
-         GNAT.OS_Lib.OS_Exit (2);
+         Give_Up
+           (To_String (Problem) & ASCII.LF & ASCII.LF & Settings.Usage, 2);
       when Settings.Work =>
          null;
    end case;

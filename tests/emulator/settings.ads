@@ -40,6 +40,7 @@ package Settings is
    --  Reason: of Bad_Usage
 
    Usage : constant String;
+   --  Lines, the last one without its end
 
 private
 
@@ -72,6 +73,6 @@ private
      & "  --truncate N         leaves out their carriage return" & NL
      & "  --delay MS           answers late" & NL & NL
      & "  --help               this text" & NL
-     & "  --version" & NL;
+     & "  --version";
 
 end Settings;
