@@ -36,7 +36,7 @@ bool find_polygon(const std::vector<cv::Point> &outline, double tolerance,
 
 void find_quads(const cv::Mat &image, int window, int darker, int scale,
                 std::vector<Quad> &quads) {
-  static thread_local std::vector<std::vector<cv::Point>> contours;
+  std::vector<std::vector<cv::Point>> contours;
   static thread_local std::vector<cv::Point> polygon, hull;
   cv::blur(image, scratch.darker, cv::Size(window, window),
            cv::Point(-1, -1), cv::BORDER_REPLICATE);
