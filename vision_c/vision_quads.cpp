@@ -66,10 +66,15 @@ void find_quads(const cv::Mat &image, int window, int darker, int scale,
           !find_polygon(hull, rough_hull, polygon))
         continue;
     }
+    // An outline joins the centres of its pixels, half a pixel inside.
+    const Point middle = Point(polygon[0] + polygon[1] + polygon[2] +
+                               polygon[3]) / 4;
+    const double larger =
+        1.0 + 1.0 / std::sqrt(std::max(1.0, cv::contourArea(polygon)));
     Quad quad;
     for (int k = 0; k < 4; ++k)
-      quad[k] = (Point(polygon[k]) + Point(0.5, 0.5)) * scale -
-                Point(0.5, 0.5);
+      quad[k] = (middle + (Point(polygon[k]) - middle) * larger +
+                 Point(0.5, 0.5)) * scale - Point(0.5, 0.5);
     if (cross(quad[1] - quad[0], quad[2] - quad[1]) < 0.0)
       std::reverse(quad.begin(), quad.end());
     quads.push_back(quad);
