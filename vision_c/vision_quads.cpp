@@ -17,6 +17,8 @@ constexpr double rough = 0.05;      // of the perimeter, what an outline may
 constexpr double rough_hull = 0.03;  // the same of its convex hull
 constexpr double opened = 1.6;       // times the hull's perimeter
 constexpr int shortest_side = 7;    // pixels
+constexpr int around = 7;           // pixels: a square around each one, in
+constexpr int company = 9;          // which so many are dark, or it is noise
 constexpr std::size_t most = 4096;  // candidates: nobody has so many robots
 
 bool is_large_enough(const cv::Rect &box) {
@@ -48,6 +50,14 @@ void find_quads(const cv::Mat &image, int window, int darker, int scale,
       cv::countNonZero(scratch.mask) > crowded * double(image.total()))
     cv::threshold(scratch.darker, scratch.mask, grain - 1, 255,
                   cv::THRESH_BINARY);
+  // Most of a search would go to the outlines of specks. The border of the
+  // smallest marker has ten pixels in such a square at its corners.
+  cv::blur(scratch.mask, scratch.darker, cv::Size(around, around),
+           cv::Point(-1, -1), cv::BORDER_REPLICATE);
+  cv::threshold(scratch.darker, scratch.darker,
+                255 * company / (around * around) - 1, 255,
+                cv::THRESH_BINARY);
+  cv::bitwise_and(scratch.mask, scratch.darker, scratch.mask);
   cv::findContours(scratch.mask, contours, cv::RETR_LIST,
                    cv::CHAIN_APPROX_SIMPLE);
   for (const std::vector<cv::Point> &contour : contours) {
