@@ -688,6 +688,13 @@ void find_markers(const Search &search, std::vector<vision_robot> &robots) {
 
   // A marker is a candidate more than once: its outlines, and thresholds.
   std::vector<Quad> found;
+  // What the image's rim cuts is none: nothing is known beyond.
+  const cv::Rect2d whole(-0.5, -0.5, scratch.smooth.cols, scratch.smooth.rows);
+  const auto is_cut = [&](const Quad &quad) {
+    return !std::all_of(quad.begin(), quad.end(), [&](const Point &corner) {
+      return whole.contains(corner);
+    });
+  };
   const auto is_known = [&](const Quad &quad) {
     const Point centre = (quad[0] + quad[2]) / 2;
     return std::any_of(found.begin(), found.end(), [&](const Quad &known) {
@@ -698,7 +705,7 @@ void find_markers(const Search &search, std::vector<vision_robot> &robots) {
     int id = 0;
     if (!is_sound(corner) || is_known(corner) || !find_marker(corner, id))
       continue;
-    if (is_known(corner))
+    if (is_known(corner) || is_cut(corner))
       continue;
     found.push_back(corner);
     const Point centre = (corner[0] + corner[2]) / 2;
