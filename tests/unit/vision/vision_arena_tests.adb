@@ -171,7 +171,6 @@ package body Vision_Arena_Tests is
 
    procedure Test_Light_Fields (T : in out Any_Test) is
       pragma Unreferenced (T);
-      use type Pictures.Grey;
    begin
       for Level in Pictures.Grey range 16 .. 20 loop
          Check_Frame (400.0, 12.0, 3.0, "level" & Level'Image & "0",
