@@ -26,18 +26,6 @@ bool order_triangle(std::array<Point, 3> &corner) {
          base < 0.9 * std::min(left, right) && base > 0.25 * left;
 }
 
-// Whether three corners, the tip first, have the proportions of that triangle
-// as a camera sees it that looks down up to 30 degrees aslant: other white
-// things have three corners, too.
-bool has_proportions(const std::array<Point, 3> &corner) {
-  const double base = length(corner[2] - corner[1]);
-  const double right = length(corner[1] - corner[0]);
-  const double left = length(corner[2] - corner[0]);
-  const double side = (left + right) / 2;
-  return std::fabs(left - right) < 0.12 * side && base > 0.51 * side &&
-         base < 0.7 * side;
-}
-
 // A triangle as the platform's robots carry it, drawn; where its corners
 // are, and what of the drawing is compared with the image.
 struct Triangle {
@@ -71,6 +59,17 @@ struct Triangle {
       for (int x = 1; x < used.cols; x += 2)
         used.at<uchar>(y, x) =
             depth(Point(x, y), wider.data(), 3) > 0.0 ? 255 : 0;
+  }
+
+  // Whether a camera that looks down at most 30 degrees aslant sees it so:
+  // other white things have three corners, too. What it sees is the drawing
+  // stretched; no direction may be stretched more than that over another.
+  bool is_seen_as(const std::array<Point, 3> &found) const {
+    const double most = 1.0 / std::cos(CV_PI / 6.0);
+    const Point across = (found[1] - found[2]) / width;
+    const Point ahead = (found[0] - (found[1] + found[2]) / 2) / height;
+    return across.dot(across) + ahead.dot(ahead) <=
+           (most + 1.0 / most) * std::fabs(cross(across, ahead));
   }
 
   // Moves the corners of one in the image to where it lies best.
@@ -112,37 +111,80 @@ bool find_corners(const std::vector<cv::Point> &contour,
   return cv::contourArea(hull) < 1.6 * (largest / 2.0);
 }
 
+// The corners of the triangle that a contour is. False where it is none.
+bool find_triangle(const std::vector<cv::Point> &contour,
+                   std::array<Point, 3> &corner) {
+  static const Triangle drawn;
+  return find_corners(contour, corner) && order_triangle(corner) &&
+         refine(scratch.smooth, corner.data(), 3, Bright::inside, 4.0,
+                0.15) &&
+         order_triangle(corner) && drawn.align(corner) &&
+         drawn.is_seen_as(corner);
+}
+
+constexpr int brighter = 12;  // grey levels, than what is around
+
+struct Limits {
+  double least, most;  // pixels of a triangle
+};
+
+// Adds the triangles among the things that a mask of a part of the image
+// shows, and those that lie on them: on a body that is itself brighter than
+// the floor, say. BELOW: how many things more may lie on each other.
+void find_in(cv::Mat &mask, const cv::Point &origin, int below,
+             const Limits &limits,
+             std::vector<std::array<Point, 3>> &triangles) {
+  constexpr double solid = 0.25;  // of its box: so all boxes together are not
+                                  // larger than the part four times
+  std::vector<std::vector<cv::Point>> contours, outline;
+  std::vector<cv::Vec4i> next;  // next, previous, first hole, around
+  cv::morphologyEx(mask, mask, cv::MORPH_OPEN,
+                   cv::Mat());  // threads of noise that hang on a triangle
+  cv::findContours(mask, contours, next, cv::RETR_CCOMP,
+                   cv::CHAIN_APPROX_SIMPLE, origin);
+  for (std::size_t k = 0; k < contours.size(); ++k) {
+    double size = cv::contourArea(contours[k]);
+    if (next[k][3] >= 0 || size < limits.least)
+      continue;
+    std::array<Point, 3> corner;
+    if (size <= limits.most && find_triangle(contours[k], corner)) {
+      triangles.push_back(corner);
+      continue;
+    }
+    outline = {contours[k]};
+    for (int hole = next[k][2]; hole >= 0; hole = next[hole][0]) {
+      outline.push_back(contours[hole]);
+      size -= cv::contourArea(contours[hole]);
+    }
+    const cv::Rect box = cv::boundingRect(contours[k]);
+    if (below == 0 || size < 2 * limits.least || size < solid * box.area())
+      continue;
+    cv::Mat thing = cv::Mat::zeros(box.size(), CV_8UC1), bright;
+    cv::fillPoly(thing, outline, 255, cv::LINE_8, 0, -box.tl());
+    const cv::Mat part = scratch.smooth(box);
+    cv::threshold(part, bright, cv::mean(part, thing)[0] + brighter, 255,
+                  cv::THRESH_BINARY);
+    cv::bitwise_and(thing, bright, thing);
+    find_in(thing, box.tl(), below - 1, limits, triangles);
+  }
+}
+
 }  // namespace
 
 void find_triangles(const Search &search,
                     std::vector<vision_robot> &robots) {
-  static const Triangle drawn;
   // The triangle is 20 cm2, the field 80 cm wide; without an arena the field
   // may be narrower than is assumed.
   const double area = 20.0 / (80.0 * 80.0) * search.width * search.width;
-  const double least = std::max(40.0, area * (search.bounded ? 0.4 : 0.08));
-  const double most = 2.5 * area;
+  const Limits limits{
+      std::max(40.0, area * (search.bounded ? 0.4 : 0.08)), 2.5 * area};
   const int block = std::min(std::max(cvRound(0.05 * search.width), 7), 400);
   cv::adaptiveThreshold(scratch.smooth, scratch.mask, 255,
                         cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY,
-                        2 * block + 1, -12);
-  cv::morphologyEx(scratch.mask, scratch.mask, cv::MORPH_OPEN,
-                   cv::Mat());  // threads of noise that hang on a triangle
-  std::vector<std::vector<cv::Point>> contours;
-  cv::findContours(scratch.mask, contours, cv::RETR_LIST,
-                   cv::CHAIN_APPROX_SIMPLE);
-  for (const std::vector<cv::Point> &contour : contours) {
-    const double size = cv::contourArea(contour);
-    if (size < least || size > most)
-      continue;
-    std::array<Point, 3> corner;
-    if (!find_corners(contour, corner))
-      continue;
-    if (!order_triangle(corner) ||
-        !refine(scratch.smooth, corner.data(), 3, Bright::inside, 4.0, 0.15) ||
-        !order_triangle(corner) || !drawn.align(corner) ||
-        !has_proportions(corner))
-      continue;
+                        2 * block + 1, -brighter);
+  std::vector<std::array<Point, 3>> triangles;
+  find_in(scratch.mask, cv::Point(), 2, limits, triangles);
+  for (const std::array<Point, 3> &corner : triangles) {
     const Point centre = (corner[0] + corner[1] + corner[2]) / 3;
     if (in_field(search, centre))
       robots.push_back(make_robot(0, centre, corner[0], search));

@@ -53,6 +53,8 @@ package body Vision_Robot_Tests is
    procedure Test_Margin (T : in out Any_Test);
    procedure Test_Aslant (T : in out Any_Test);
    procedure Test_Doubtful (T : in out Any_Test);
+   procedure Test_Triangle_On_Bright (T : in out Any_Test);
+   procedure Test_Set_Square (T : in out Any_Test);
 
    --  A marker whose image is changed where it lies
 
@@ -633,6 +635,101 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Doubtful;
 
+   --  White things with three corners, from the middle of the image: where
+   --  (X, Y) lies ahead of it and aside, at each of twelve headings
+
+   use Ada.Numerics.Long_Elementary_Functions;
+
+   Middle_X : constant := 320.0;
+   Middle_Y : constant := 240.0;
+
+   function Heading (Step : Natural) return Long_Float is
+     (31.0 * Long_Float (Step));  --  degrees
+
+   function Ahead (Step : Natural; X, Y : Long_Float) return Long_Float is
+     ((X - Middle_X) * Cos (Heading (Step), 360.0)
+      + (Y - Middle_Y) * Sin (Heading (Step), 360.0));
+   function Aside (Step : Natural; X, Y : Long_Float) return Long_Float is
+     ((Y - Middle_Y) * Cos (Heading (Step), 360.0)
+      - (X - Middle_X) * Sin (Heading (Step), 360.0));
+
+   function Blend (Under, Over, Depth : Long_Float) return Long_Float is
+     (Under + (Over - Under)
+              * Long_Float'Max (0.0, Long_Float'Min (1.0, 0.5 + Depth)));
+   --  A pixel on an edge shows both
+
+   procedure Test_Triangle_On_Bright (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Step in 0 .. 11 loop
+         declare
+            function Change (X, Y : Long_Float; Level : Long_Float)
+              return Long_Float;
+
+            function Change (X, Y : Long_Float; Level : Long_Float)
+              return Long_Float
+            is
+               pragma Unreferenced (Level);
+               U    : constant Long_Float := Ahead (Step, X, Y);
+               V    : constant Long_Float := abs Aside (Step, X, Y);
+               Side : constant Long_Float := 0.954 * (0.3125 * (24.0 - U) - V);
+            begin
+               return Blend (Blend (40.0, 110.0,
+                                    Long_Float'Min (36.0 - abs U, 30.0 - V)),
+                             230.0, Long_Float'Min (U + 14.0, Side));
+            end Change;
+         begin
+            Pictures.Show_Changed (Scenes.Default, Change'Access);
+            Assert (Find_Robots (0, Triangle, null, Found'Address, 8,
+                                 Count'Access) = Ok and then Count = 1,
+                    "found" & Step'Image);
+            declare
+               X : constant Long_Float := Long_Float (Found (0).Direction.X);
+               Y : constant Long_Float := Long_Float (Found (0).Direction.Y);
+            begin
+               Assert (abs (Ahead (Step, X, Y) - 24.0) < Position_Tolerance
+                       and then abs Aside (Step, X, Y) < Position_Tolerance,
+                       "tip" & Step'Image);
+            end;
+         end;
+      end loop;
+   end Test_Triangle_On_Bright;
+
+   procedure Test_Set_Square (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Step in 0 .. 11 loop
+         for Lean in 0 .. 2 loop  --  more and more aslant
+            declare
+               Tip : constant Long_Float := 2.0 * Long_Float (Lean);
+
+               function Change (X, Y : Long_Float; Level : Long_Float)
+                 return Long_Float;
+
+               function Change (X, Y : Long_Float; Level : Long_Float)
+                 return Long_Float
+               is
+                  pragma Unreferenced (Level);
+                  U    : constant Long_Float := Ahead (Step, X, Y) + 24.0;
+                  V    : constant Long_Float := Aside (Step, X, Y) + 18.0;
+                  Long : constant Long_Float := V - Tip * U / 64.0;
+                  Side : constant Long_Float :=
+                    0.88 * (37.0 - (37.0 - Tip) * U / 64.0 - V);
+               begin
+                  return Blend (40.0, 230.0,
+                                Long_Float'Min
+                                  (U, Long_Float'Min (Long, Side)));
+               end Change;
+            begin
+               Pictures.Show_Changed (Scenes.Default, Change'Access);
+               Assert (Find_Robots (0, Triangle, null, Found'Address, 8,
+                                    Count'Access) = Not_Found,
+                       "a set square" & Step'Image & Lean'Image);
+            end;
+         end loop;
+      end loop;
+   end Test_Set_Square;
+
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("robots"));
 
@@ -667,6 +764,9 @@ package body Vision_Robot_Tests is
       Register_Routine (T, Test_Aslant'Access, "seen from close and aslant");
       Register_Routine (T, Test_Doubtful'Access,
                         "one of its modules covered");
+      Register_Routine (T, Test_Triangle_On_Bright'Access,
+                        "a triangle on something bright");
+      Register_Routine (T, Test_Set_Square'Access, "a set square is no robot");
    end Register_Tests;
 
 end Vision_Robot_Tests;
