@@ -88,6 +88,10 @@ public:
   bool align(const cv::Mat &shape, int parameters, double least, Map &map,
              Fit &fit);
 
+  // By how much the square of the blur of SHAPE, to which the last alignment
+  // has led, is less than that of the image; pixels of the shape.
+  double blur_left(const cv::Mat &shape, const Fit &fit) const;
+
 private:
   // Nothing is allocated from search to search.
   struct Buffers {
@@ -108,36 +112,20 @@ private:
   void look(const Map &map);
   bool fit_brightness(Fit &fit) const;
   void find_gains(const cv::Mat &shape, int parameters);
-  bool solve(int used, cv::Matx<double, most_gains, most_gains> &inverse);
+  bool solve(int used);
+
+  // Of the normal equations
+  cv::Matx<double, most_gains, most_gains> inverse;
 };
 
 thread_local Comparison::Buffers Comparison::buffers;
 
-// AT in 0 .. LAST; what is no number, far behind the camera, is 0.
-float within(float at, float last) {
-  return at > 0.0f ? std::min(at, last) : 0.0f;
-}
-
 // What the image shows at each pixel.
 void Comparison::look(const Map &map) {
-  std::array<float, 9> m;
-  for (int k = 0; k < 9; ++k)
-    m[k] = float(map.val[k]);
-  const float right = float(grey.cols - 1), bottom = float(grey.rows - 1);
+  const cv::Matx33f single = map;
   seen.resize(x.size());
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const float w = 1.0f / (m[6] * x[k] + m[7] * y[k] + m[8]);
-    const float u = within((m[0] * x[k] + m[1] * y[k] + m[2]) * w, right);
-    const float v = within((m[3] * x[k] + m[4] * y[k] + m[5]) * w, bottom);
-    const int column = std::min(int(u), grey.cols - 2);
-    const int row = std::min(int(v), grey.rows - 2);
-    const uchar *const above = grey.data + row * grey.step + column;
-    const uchar *const below = above + grey.step;
-    const float s = u - float(column), t = v - float(row);
-    const float upper = above[0] + s * (above[1] - above[0]);
-    const float lower = below[0] + s * (below[1] - below[0]);
-    seen[k] = upper + t * (lower - upper);
-  }
+  for (std::size_t k = 0; k < x.size(); ++k)
+    seen[k] = sample(grey, single, x[k], y[k]);
 }
 
 // The brightness and contrast that fit best, and what remains then.
@@ -178,9 +166,8 @@ void Comparison::find_gains(const cv::Mat &shape, int parameters) {
   }
 }
 
-// The inverse of the normal equations of the first USED gains.
-bool Comparison::solve(int used,
-                       cv::Matx<double, most_gains, most_gains> &inverse) {
+// Inverts the normal equations of the first USED gains.
+bool Comparison::solve(int used) {
   std::array<Gains, most_gains> sum{};  // its lower half
   for (const Gains &gain : gains)
     for (int i = 0; i < most_gains; ++i)
@@ -218,11 +205,10 @@ bool Comparison::align(const cv::Mat &shape, int parameters, double least,
   for (std::size_t k = 0; k < x.size(); ++k)
     value[k] = shape.ptr<float>()[place[k]];
   Fit now;
-  cv::Matx<double, most_gains, most_gains> inverse;
   if (!fit_brightness(now) || now.distance > most)
     return false;
   find_gains(shape, parameters);
-  if (!solve(parameters + 2, inverse))
+  if (!solve(parameters + 2))
     return false;
 
   const Map start = map;
@@ -277,6 +263,29 @@ bool Comparison::align(const cv::Mat &shape, int parameters, double least,
   return true;
 }
 
+// A blur changes a shape by half of its Laplacian; what of that the other
+// parameters would do as well does not count.
+double Comparison::blur_left(const cv::Mat &shape, const Fit &fit) const {
+  const int across = shape.cols;
+  Gains sum{};
+  double along = 0.0, square = 0.0;
+  for (std::size_t k = 0; k < gains.size(); ++k) {
+    const float *const at = shape.ptr<float>() + place[k];
+    const float gain = 0.5f * (at[1] + at[-1] + at[across] + at[-across] -
+                               4.0f * at[0]);
+    const float rest =
+        seen[k] - float(fit.offset) - float(fit.contrast) * value[k];
+    along += gain * rest;
+    square += gain * gain;
+    for (int i = 0; i < fours; ++i)
+      sum[i] += gains[k][i] * gain;
+  }
+  for (int i = 0; i < most_gains; ++i)
+    for (int j = 0; j < most_gains; ++j)
+      square -= inverse(i, j) * sum[i / 4][i % 4] * sum[j / 4][j % 4];
+  return along / (fit.contrast * std::max(1e-6, square));
+}
+
 }  // namespace
 
 Map map_of(const Quad &from, const Quad &to) {
@@ -290,6 +299,7 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit) {
   constexpr double none = 1e9;
   constexpr double good = 0.04;  // no other can be much better
+  constexpr double sharpest = 0.75, dullest = 2.2;  // pixels of the image
   const Frame_Of_Shape frame(shape);
   const Map to_unit = frame.to_unit();
   Map start = fit.map * to_unit.inv();
@@ -307,6 +317,7 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
     return false;
   Comparison comparison(grey, used, start);
   cv::Mat blurred;
+  double next = 0.0;  // what seems to fit better
   const auto try_blur = [&](double sigma) {  // pixels of the image
     Map map = start;
     Fit now;
@@ -319,14 +330,21 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
     fit = now;
     start = map;
     fit.spread = sigma / scale;
+    const double square = sigma * sigma +
+                          scale * scale * comparison.blur_left(blurred, fit);
+    next = std::min(std::sqrt(std::max(square, sharpest * sharpest)), dullest);
     std::swap(fit.shape, blurred);
     return true;
   };
-  // Most images are as sharp as the first.
-  try_blur(0.9);
-  if (least > good &&
-      (try_blur(1.4) || (!try_blur(0.6) && least == none)))
-    try_blur(2.2);
+  // Most images are about as sharp as the first.
+  bool better = false;
+  for (const double sigma : {0.9, 1.4, 0.6, 2.2})
+    if ((better = try_blur(sigma)))
+      break;
+  for (int round = 0; round < 2 && better && least > good &&
+                      std::fabs(next - fit.spread * scale) > 0.1 * next;
+       ++round)
+    better = try_blur(next);
   fit.map = start * to_unit;
   return least <= worst;
 }

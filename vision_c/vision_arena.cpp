@@ -520,7 +520,8 @@ vision_status find_arena(Frame &here, vision_arena &arena) {
       break;
   }
 
-  const double noise = noise_of(grey), noise_small = noise_of(small);
+  const double noise = noise_of(grey);
+  const double noise_small = scale > 1.0 ? noise_of(small) : noise;
   // Closer and closer, at fewer and fewer.
   Candidates near, nearer;
   for (int n = 0; n < found.count; ++n) {

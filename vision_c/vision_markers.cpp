@@ -92,19 +92,18 @@ const Quad six_by_six{Point(0, 0), Point(6, 0), Point(6, 6), Point(0, 6)};
 Grid<double> read_modules(const cv::Mat &grey, const Map &map,
                           double module) {
   const int samples = std::min(std::max(cvRound(0.6 * module), 1), 4);
+  const cv::Matx33f single = map;
+  const auto place = [&](int k, int sample) {
+    return float(k - 0.5 + 0.6 * ((sample + 0.5) / samples - 0.5));
+  };
   Grid<double> modules;
   for (int row = 0; row < 8; ++row)
     for (int column = 0; column < 8; ++column) {
-      double sum = 0.0;
+      float sum = 0.0f;
       for (int y = 0; y < samples; ++y)
         for (int x = 0; x < samples; ++x)
-          sum += sample(
-              grey,
-              apply(map, Point(column - 0.5 +
-                                   0.6 * ((x + 0.5) / samples - 0.5),
-                               row - 0.5 +
-                                   0.6 * ((y + 0.5) / samples - 0.5))));
-      modules[row][column] = sum / (samples * samples);
+          sum += sample(grey, single, place(column, x), place(row, y));
+      modules[row][column] = sum / float(samples * samples);
     }
   return modules;
 }
@@ -319,22 +318,28 @@ Light light_far(unsigned bits, const Grid<double> &modules,
   for (int k = 0; k < 8; ++k)
     share[k] = std::exp(-0.5 * k * k / (spread * spread));
   Light light;
-  for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; ++column) {
-      double sum[2] = {0.02 * black, 0.02 * white}, weight[2] = {0.02, 0.02};
-      for (int y = 1; y < 7; ++y)
-        for (int x = 1; x < 7; ++x) {
-          if (!seen[y][x])
-            continue;
-          const bool bright = is_white(bits, y, x);
-          const double w =
-              share[std::abs(y - row)] * share[std::abs(x - column)];
-          sum[bright] += w * modules[y][x];
-          weight[bright] += w;
+  for (const bool bright : {false, true}) {
+    Grid<double> sum{}, weight{};  // along each row
+    for (int y = 1; y < 7; ++y)
+      for (int x = 1; x < 7; ++x) {
+        if (!seen[y][x] || is_white(bits, y, x) != bright)
+          continue;
+        for (int column = 0; column < 8; ++column) {
+          const double w = share[std::abs(x - column)];
+          sum[y][column] += w * modules[y][x];
+          weight[y][column] += w;
         }
-      light.black[row][column] = sum[0] / weight[0];
-      light.white[row][column] = sum[1] / weight[1];
-    }
+      }
+    for (int row = 0; row < 8; ++row)
+      for (int column = 0; column < 8; ++column) {
+        double total = 0.02 * (bright ? white : black), part = 0.02;
+        for (int y = 1; y < 7; ++y) {
+          total += share[std::abs(y - row)] * sum[y][column];
+          part += share[std::abs(y - row)] * weight[y][column];
+        }
+        (bright ? light.white : light.black)[row][column] = total / part;
+      }
+  }
   return light;
 }
 
@@ -432,12 +437,16 @@ void draw(unsigned bits, const Grid<double> &modules, bool evenly,
       pattern.at<uchar>(row, column) = is_white(bits, row, column) ? 255 : 0;
     }
   const cv::Size size(extent, extent);
-  const int between = evenly ? cv::INTER_NEAREST : cv::INTER_LINEAR;
-  cv::Mat large, mask;
-  cv::resize(dark, shape, size, 0, 0, between);
-  cv::resize(bright, large, size, 0, 0, between);
-  cv::resize(pattern, mask, size, 0, 0, cv::INTER_NEAREST);
-  large.copyTo(shape, mask);
+  if (evenly) {
+    bright.copyTo(dark, pattern);
+    cv::resize(dark, shape, size, 0, 0, cv::INTER_NEAREST);
+  } else {
+    cv::Mat large, mask;
+    cv::resize(dark, shape, size, 0, 0, cv::INTER_LINEAR);
+    cv::resize(bright, large, size, 0, 0, cv::INTER_LINEAR);
+    cv::resize(pattern, mask, size, 0, 0, cv::INTER_NEAREST);
+    large.copyTo(shape, mask);
+  }
 
   // The rim of the quiet zone is blurred into what is around it.
   constexpr int rim = int(places.size()) / 2;
@@ -674,17 +683,10 @@ bool find_marker(Quad &corner, int &id) {
 }  // namespace
 
 void find_markers(const Search &search, std::vector<vision_robot> &robots) {
-  static thread_local std::vector<Quad> quads;
-  quads.clear();
-  scratch.level[0] = scratch.smooth;
-  find_quads(scratch.smooth, 5, 2, 1, quads);
-  for (int level = 1; level < levels; ++level) {
-    const cv::Mat &finer = scratch.level[level - 1];
-    const cv::Size half(finer.cols / 2, finer.rows / 2);
-    cv::resize(finer(cv::Rect(cv::Point(), half * 2)), scratch.level[level],
-               half, 0, 0, cv::INTER_AREA);
-    find_quads(scratch.level[level], 7, 4, 1 << level, quads);
-  }
+  constexpr double enough = 14.0;  // pixels of a side that give an outline
+  static thread_local std::vector<Quad> quads, small;
+  const std::size_t before = robots.size();
+  small.clear();
 
   // A marker is a candidate more than once: its outlines, and thresholds.
   std::vector<Quad> found;
@@ -701,18 +703,43 @@ void find_markers(const Search &search, std::vector<vision_robot> &robots) {
       return depth(centre, known.data(), 4) > 0.0;
     });
   };
-  for (Quad &corner : quads) {
+  const auto read = [&](Quad &corner) {
     int id = 0;
-    if (!is_sound(corner) || is_known(corner) || !find_marker(corner, id))
-      continue;
-    if (is_known(corner) || is_cut(corner))
-      continue;
+    if (!is_sound(corner) || is_known(corner) || !find_marker(corner, id) ||
+        is_known(corner) || is_cut(corner))
+      return;
     found.push_back(corner);
     const Point centre = (corner[0] + corner[2]) / 2;
     const Point direction = (corner[0] + corner[1]) / 2;
     if (in_field(search, centre))
       robots.push_back(make_robot(id, centre, direction, search));
+  };
+
+  scratch.level[0] = scratch.smooth;
+  for (int level = 1; level < levels; ++level) {
+    const cv::Mat &finer = scratch.level[level - 1];
+    const cv::Size half(finer.cols / 2, finer.rows / 2);
+    cv::resize(finer(cv::Rect(cv::Point(), half * 2)), scratch.level[level],
+               half, 0, 0, cv::INTER_AREA);
   }
+  // Where there are fewer pixels there is less noise, and less to do.
+  for (int level = levels - 1; level >= 0; --level) {
+    const cv::Mat &image = scratch.level[level];
+    const int window = level == 0 ? 5 : 7;
+    if (level > 0 && std::min(image.cols, image.rows) < enough + window)
+      continue;
+    quads.clear();
+    find_quads(image, window, level == 0 ? 2 : 4, 1 << level, quads);
+    for (Quad &corner : quads)
+      if (level == 0 || size_of(corner) >= enough * (1 << level))
+        read(corner);
+      else
+        small.push_back(corner);
+    if (search.known > 0 && int(robots.size() - before) >= search.known)
+      return;
+  }
+  for (Quad &corner : small)
+    read(corner);
 }
 
 }  // namespace vision

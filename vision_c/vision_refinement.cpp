@@ -45,13 +45,10 @@ void find_edges(const cv::Mat &grey, const Point &from, const Point &to,
     if (!in_image(grey, first - across) || !in_image(grey, first + across) ||
         !in_image(grey, last - across) || !in_image(grey, last + across))
       continue;
-    for (int i = -half; i <= half; ++i) {
-      double sum = 0.0;
-      for (int line = 0; line < lines; ++line)
-        sum += sample(grey, from + along * place(line + 0.5) +
-                                outward * (i * step));
-      value[i + half] = sum / lines;
-    }
+    const Point next = along * (used / bands / lines);
+    for (int i = -half; i <= half; ++i)
+      value[i + half] =
+          mean_along(grey, first + outward * (i * step), next, lines);
     int best = 1;
     for (int i = 1; i < 2 * half; ++i) {
       rise[i] = sign * (value[i + 1] - value[i - 1]);

@@ -76,26 +76,6 @@ Place place_on(const Outline &outline, const View &view, int side,
   return place;
 }
 
-// The mean of grey levels along a band, in 32nds of pixels.
-float band_mean(const cv::Mat &grey, const Point &first, const Point &next,
-                int lines) {
-  float sum = 0.0f;
-  for (int line = 0; line < lines; ++line) {
-    const float x = float(first.x + line * next.x);
-    const float y = float(first.y + line * next.y);
-    const int column = std::min(std::max(int(x), 0), grey.cols - 2);
-    const int row = std::min(std::max(int(y), 0), grey.rows - 2);
-    const float u = std::min(std::max(x - column, 0.0f), 1.0f);
-    const float v = std::min(std::max(y - row, 0.0f), 1.0f);
-    const uchar *const above = grey.data + row * grey.step + column;
-    const uchar *const below = above + grey.step;
-    const float upper = above[0] + u * (above[1] - above[0]);
-    const float lower = below[0] + u * (below[1] - below[0]);
-    sum += upper + v * (lower - upper);
-  }
-  return sum / lines;
-}
-
 // The edges along the outline, in bands: the profiles across a side are
 // averaged over a band, which takes noise off. Of several it is the innermost
 // that is not much weaker than the strongest: what is beyond the border may be
@@ -142,7 +122,7 @@ void find_edges(const cv::Mat &grey, const Outline &outline, double reach,
       const Point next = place.along * (band_length / lines);
       const Point first = place.pixel - next * ((lines - 1) / 2.0);
       for (int i = 0; i <= 2 * middle; ++i)
-        value[i] = band_mean(
+        value[i] = mean_along(
             grey, first + place.outward * ((i - middle) * step), next, lines);
       float most = 0.0f;
       for (int i = middle - half - 1; i <= middle + half + 1; ++i) {
@@ -396,8 +376,8 @@ int ends_continued(const cv::Mat &small, const Outline &outline,
     const Point first = place.pixel - place.along;
     std::array<float, 7> value;
     for (int i = 0; i < 7; ++i)
-      value[i] = band_mean(small, first + (i - 3.0) * place.outward,
-                           place.along, 3);
+      value[i] = mean_along(small, first + (i - 3.0) * place.outward,
+                            place.along, 3);
     for (int i = 0; i < 3; ++i)
       rises[i] = value[i + 3] + value[i + 4] - value[i + 1] - value[i];
     return true;

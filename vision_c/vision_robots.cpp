@@ -139,6 +139,17 @@ bool has_changed(Frame &here, const cv::Rect &whole,
          Watch::change * Watch::samples * Watch::samples;
 }
 
+// What the calling thread found last.
+thread_local std::vector<vision_robot> last;
+
+int count_last(const cv::Rect &part) {
+  return int(std::count_if(
+      last.begin(), last.end(), [&](const vision_robot &robot) {
+        return part.contains(cv::Point(cvRound(robot.centre.x),
+                                       cvRound(robot.centre.y)));
+      }));
+}
+
 // ---------------------------------------------------------------- Searching
 
 // Of robots found twice at one place, one is enough.
@@ -163,11 +174,12 @@ bool are_sound(const vision_area *areas, int count) {
 }
 
 // Finds the robots in the parts of the image that CHOOSE names; nothing
-// where it says no.
+// where it says no. FOLLOWED: those found last are enough.
 template <typename Choice>
 vision_status find_robots(int slot, vision_marker marker,
                           const vision_arena *arena, vision_robot *robots,
-                          int capacity, int *count, Choice choose) {
+                          int capacity, int *count, bool followed,
+                          Choice choose) {
   if (count != nullptr)
     *count = 0;
   return on_image(slot, [&](Frame &here) {
@@ -182,6 +194,7 @@ vision_status find_robots(int slot, vision_marker marker,
     if (limit(here, arena, search) && choose(here, search.box, parts))
       for (const cv::Rect &part : parts) {
         search.box = part;
+        search.known = followed ? count_last(part) : 0;
         cv::cvtColor(here.image(part), scratch.grey, cv::COLOR_BGR2GRAY);
         cv::GaussianBlur(scratch.grey, scratch.smooth, cv::Size(5, 5), 0.8);
         if (marker == VISION_MARKER_ARUCO)
@@ -190,6 +203,7 @@ vision_status find_robots(int slot, vision_marker marker,
           find_triangles(search, found);
       }
     drop_doubles(found);
+    last = found;
     if (found.empty())
       return fail(VISION_NOT_FOUND, "no robot in the image");
     *count = std::min(capacity, int(found.size()));
@@ -212,7 +226,7 @@ vision_status vision_find_robots(int slot, vision_marker marker,
                                  vision_robot *robots, int capacity,
                                  int *count) {
   return vision::find_robots(
-      slot, marker, arena, robots, capacity, count,
+      slot, marker, arena, robots, capacity, count, false,
       [](Frame &here, const cv::Rect &whole, std::vector<cv::Rect> &parts) {
         parts.push_back(whole);
         vision::note_all(here);
@@ -230,7 +244,7 @@ vision_status vision_follow_robots(int slot, vision_marker marker,
   if (!vision::are_sound(areas, area_count))
     return fail(VISION_BAD_ARGUMENT, "no areas to search in");
   return vision::find_robots(
-      slot, marker, arena, robots, capacity, count,
+      slot, marker, arena, robots, capacity, count, true,
       [&](Frame &here, const cv::Rect &whole, std::vector<cv::Rect> &parts) {
         for (int k = 0; k < area_count; ++k) {
           const vision_area &area = areas[k];

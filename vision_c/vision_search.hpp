@@ -36,7 +36,7 @@ inline double cross(const Point &a, const Point &b) {
 }
 
 inline double length(const Point &a) {
-  return std::hypot(a.x, a.y);
+  return std::sqrt(a.dot(a));
 }
 
 struct Line {
@@ -59,8 +59,9 @@ inline Point apply(const Map &map, const Point &p) {
   double w = map(2, 0) * p.x + map(2, 1) * p.y + map(2, 2);
   if (std::fabs(w) < 1e-9)
     w = 1e-9;  // on the horizon: as good as nowhere
-  return {(map(0, 0) * p.x + map(0, 1) * p.y + map(0, 2)) / w,
-          (map(1, 0) * p.x + map(1, 1) * p.y + map(1, 2)) / w};
+  w = 1.0 / w;
+  return {(map(0, 0) * p.x + map(0, 1) * p.y + map(0, 2)) * w,
+          (map(1, 0) * p.x + map(1, 1) * p.y + map(1, 2)) * w};
 }
 
 using Quad = std::array<Point, 4>;  // clockwise as the image shows it
@@ -81,15 +82,46 @@ inline double depth(const Point &point, const Point *corner, int count) {
   return least;
 }
 
+// AT in 0 .. LAST; what is no number, far behind the camera, is 0.
+inline float within(float at, float last) {
+  return at > 0.0f ? std::min(at, last) : 0.0f;
+}
+
+// Between pixels; beyond the image, what its rim shows.
+inline float sample(const cv::Mat &grey, float x, float y) {
+  const float right = within(x, float(grey.cols - 1));
+  const float down = within(y, float(grey.rows - 1));
+  const int column = std::min(int(right), grey.cols - 2);
+  const int row = std::min(int(down), grey.rows - 2);
+  const float u = right - float(column), v = down - float(row);
+  const uchar *const above = grey.data + row * grey.step.p[0] + column;
+  const uchar *const below = above + grey.step.p[0];
+  const float upper = above[0] + u * (above[1] - above[0]);
+  const float lower = below[0] + u * (below[1] - below[0]);
+  return upper + v * (lower - upper);
+}
+
 inline double sample(const cv::Mat &grey, const Point &at) {
-  const int column = int(std::min(std::max(0.0, at.x), grey.cols - 2.0));
-  const int row = int(std::min(std::max(0.0, at.y), grey.rows - 2.0));
-  const double u = std::min(std::max(0.0, at.x - column), 1.0);
-  const double v = std::min(std::max(0.0, at.y - row), 1.0);
-  const uchar *const above = grey.ptr<uchar>(row) + column;
-  const uchar *const below = grey.ptr<uchar>(row + 1) + column;
-  return (1 - v) * ((1 - u) * above[0] + u * above[1]) +
-         v * ((1 - u) * below[0] + u * below[1]);
+  return sample(grey, float(at.x), float(at.y));
+}
+
+// Where MAP takes a point.
+inline float sample(const cv::Mat &grey, const cv::Matx33f &map, float x,
+                    float y) {
+  const float w = 1.0f / (map(2, 0) * x + map(2, 1) * y + map(2, 2));
+  return sample(grey, (map(0, 0) * x + map(0, 1) * y + map(0, 2)) * w,
+                (map(1, 0) * x + map(1, 1) * y + map(1, 2)) * w);
+}
+
+// The mean of COUNT places, each by STEP further than the one before.
+inline float mean_along(const cv::Mat &grey, const Point &first,
+                        const Point &step, int count) {
+  const float x = float(first.x), y = float(first.y);
+  const float right = float(step.x), down = float(step.y);
+  float sum = 0.0f;
+  for (int k = 0; k < count; ++k)
+    sum += sample(grey, x + float(k) * right, y + float(k) * down);
+  return sum / float(count);
 }
 
 inline bool in_image(const cv::Mat &grey, const Point &at) {
@@ -121,9 +153,9 @@ constexpr uchar compared = 255;  // a pixel of a shape
 
 // Moves FIT.map to where SHAPE (float, sharp; about 0 to 1) lies in the image
 // best, counting the pixels that USED says are COMPARED, and tells the rest
-// of FIT. How sharp the image is is tried out, until it fits well or gets
-// worse: the less sharp shapes behind fit worse still. False where more than
-// WORST remains.
+// of FIT. How sharp the image is is estimated from what remains of a first
+// try, and tried again, until it fits well or no better. False where more
+// than WORST remains.
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit);
 
@@ -144,6 +176,7 @@ struct Search {
   std::array<Point, 4> field;
   double slack = 0.0;  // pixels that a centre may lie outside the field
   double width = 0.0;  // of the field, pixels
+  int known = 0;  // robots that are enough; 0: all that are here
 };
 
 bool in_field(const Search &search, const Point &centre);
