@@ -299,7 +299,7 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit) {
   constexpr double none = 1e9;
   constexpr double good = 0.04;  // no other can be much better
-  constexpr double sharpest = 0.75, dullest = 2.2;  // pixels of the image
+  constexpr double sharpest = 0.68, dullest = 2.2;  // pixels of the image
   const Frame_Of_Shape frame(shape);
   const Map to_unit = frame.to_unit();
   Map start = fit.map * to_unit.inv();
