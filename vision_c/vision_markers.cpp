@@ -604,6 +604,9 @@ bool is_worth_it(const Grid<double> &modules) {
   return brightest > darkest + 0.8 * least_contrast && dark >= 13;
 }
 
+// Pixels of a side: pictograms on a box of 8 pixels were read as markers.
+constexpr double least_size = 9.0;
+
 // Reads the marker whose outline is about HERE in an image reduced by SCALE:
 // GREY, and SMOOTH for its edges, which lie at most SHARE of a module away.
 // Its CORNERs are those in the image that is not reduced.
@@ -637,7 +640,7 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
          !align_marker(grey, bits, seen, true, false, aligned, blur)))
       continue;
     aligned = reduced(aligned, 1 / scale);
-    if (!is_sound(aligned))
+    if (!is_sound(aligned) || size_of(aligned) < least_size)
       continue;
     corner = aligned;
     // What covers a part of the outline is not near it now. The outline is
