@@ -113,8 +113,8 @@ vision_status vision_find_arena(int slot, vision_arena *arena);
  * (their centre; a fiftieth of its width outside is tolerated), and writes
  * at most CAPACITY of them, lowest identifier first; COUNT is how many were
  * written. VISION_NOT_FOUND with COUNT 0 if none. A marker needs a side of
- * 10 to 12 pixels and a white margin of a quarter of a module; one whose
- * identifier is in doubt is not named. Its centre is the middle of its first
+ * 10 to 12 pixels (of less than 9 it is none) and a white margin of a quarter
+ * of a module; one whose identifier is in doubt is not named. Its centre is the middle of its first
  * and third corner, its direction the middle of its first and second. */
 vision_status vision_find_robots(int slot, vision_marker marker,
                                  const vision_arena *arena,
@@ -124,8 +124,9 @@ vision_status vision_find_robots(int slot, vision_marker marker,
 /* The same where the robots are known to be: in AREAS only, as long as the
  * rest of the image (or of the arena) looks as it did when the calling thread
  * searched it last, here or in vision_find_robots. VISION_NOT_FOUND, too,
- * where it does not: search everywhere then. What is found is found with the
- * same result. */
+ * where it does not: search everywhere then. An area's search ends with as
+ * many robots as the calling thread found there last. What is found is found
+ * with the same result. */
 vision_status vision_follow_robots(int slot, vision_marker marker,
                                    const vision_arena *arena,
                                    const vision_area *areas, int area_count,
