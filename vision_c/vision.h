@@ -114,8 +114,9 @@ vision_status vision_find_arena(int slot, vision_arena *arena);
  * at most CAPACITY of them, lowest identifier first; COUNT is how many were
  * written. VISION_NOT_FOUND with COUNT 0 if none. A marker needs a side of
  * 10 to 12 pixels (of less than 9 it is none) and a white margin of a quarter
- * of a module; one whose identifier is in doubt is not named. Its centre is the middle of its first
- * and third corner, its direction the middle of its first and second. */
+ * of a module; one whose identifier is in doubt is not named. Its centre is
+ * the middle of its first and third corner, its direction the middle of its
+ * first and second. */
 vision_status vision_find_robots(int slot, vision_marker marker,
                                  const vision_arena *arena,
                                  vision_robot *robots, int capacity,
