@@ -45,8 +45,7 @@ bool keeps_turn(const Map &map) {
 
 // What the brightness of a pixel of a shape gains by a change of offset,
 // contrast and each parameter of its map to the image; what is not used stays
-// 0. Four at a time, as any processor here has vectors for.
-typedef float Four __attribute__((vector_size(16)));
+// 0.
 constexpr int fours = 3, most_gains = 4 * fours;
 using Gains = std::array<Four, fours>;
 
@@ -73,6 +72,10 @@ public:
         y.push_back(float(at.y));
         place.push_back(row * used.cols + column);
       }
+    while (x.size() % 4 != 0) {
+      x.push_back(x.back());
+      y.push_back(y.back());
+    }
     look(map);
   }
 
@@ -93,7 +96,8 @@ public:
   double blur_left(const cv::Mat &shape, const Fit &fit) const;
 
 private:
-  // Nothing is allocated from search to search.
+  // Nothing is allocated from search to search. The places are filled up to
+  // a multiple of four, and so is what is seen there.
   struct Buffers {
     std::vector<float> x, y, seen, value;
     std::vector<int> place;
@@ -124,15 +128,18 @@ thread_local Comparison::Buffers Comparison::buffers;
 void Comparison::look(const Map &map) {
   const cv::Matx33f single = map;
   seen.resize(x.size());
-  for (std::size_t k = 0; k < x.size(); ++k)
-    seen[k] = sample(grey, single, x[k], y[k]);
+  for (std::size_t k = 0; k < x.size(); k += 4) {
+    Four right = load(&x[k]), down = load(&y[k]);
+    move(single, right, down);
+    store(sample(grey, right, down), &seen[k]);
+  }
 }
 
 // The brightness and contrast that fit best, and what remains then.
 bool Comparison::fit_brightness(Fit &fit) const {
-  const double number = double(x.size());
+  const double number = double(place.size());
   double v = 0.0, vv = 0.0, s = 0.0, sv = 0.0, ss = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k) {
+  for (std::size_t k = 0; k < place.size(); ++k) {
     v += value[k];
     vv += value[k] * value[k];
     s += seen[k];
@@ -153,8 +160,8 @@ bool Comparison::fit_brightness(Fit &fit) const {
 void Comparison::find_gains(const cv::Mat &shape, int parameters) {
   const int across = shape.cols;
   const float half = float(frame.scale / 2);
-  gains.resize(x.size());
-  for (std::size_t k = 0; k < x.size(); ++k) {
+  gains.resize(place.size());
+  for (std::size_t k = 0; k < place.size(); ++k) {
     const float *const at = shape.ptr<float>() + place[k];
     const float dx = (at[1] - at[-1]) * half;
     const float dy = (at[across] - at[-across]) * half;
@@ -170,7 +177,9 @@ void Comparison::find_gains(const cv::Mat &shape, int parameters) {
 bool Comparison::solve(int used) {
   std::array<Gains, most_gains> sum{};  // its lower half
   for (const Gains &gain : gains)
+#pragma GCC unroll 12
     for (int i = 0; i < most_gains; ++i)
+#pragma GCC unroll 3
       for (int j = 0; j <= i / 4; ++j)
         sum[i][j] += gain[i / 4][i % 4] * gain[j];
   cv::Matx<double, most_gains, most_gains> normal;
@@ -199,10 +208,10 @@ bool Comparison::align(const cv::Mat &shape, int parameters, double least,
     return largest;
   };
 
-  if (x.size() < 64)
+  if (place.size() < 64)
     return false;
-  value.resize(x.size());
-  for (std::size_t k = 0; k < x.size(); ++k)
+  value.resize(place.size());
+  for (std::size_t k = 0; k < place.size(); ++k)
     value[k] = shape.ptr<float>()[place[k]];
   Fit now;
   if (!fit_brightness(now) || now.distance > most)
@@ -225,6 +234,7 @@ bool Comparison::align(const cv::Mat &shape, int parameters, double least,
     float squares = 0.0f;
     for (std::size_t k = 0; k < gains.size(); ++k) {
       const float rest = seen[k] - offset - contrast * value[k];
+#pragma GCC unroll 3
       for (int i = 0; i < fours; ++i)
         right[i] += gains[k][i] * rest;
       squares += rest * rest;
@@ -337,9 +347,10 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
     return true;
   };
   // Most images are about as sharp as the first.
-  bool better = false;
+  const double known = fit.spread * scale;
+  bool better = known > 0.0 && try_blur(known);
   for (const double sigma : {0.9, 1.4, 0.6, 2.2})
-    if ((better = try_blur(sigma)))
+    if (better || (better = try_blur(sigma)))
       break;
   for (int round = 0; round < 2 && better && least > good &&
                       std::fabs(next - fit.spread * scale) > 0.1 * next;

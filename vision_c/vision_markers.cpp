@@ -93,17 +93,22 @@ Grid<double> read_modules(const cv::Mat &grey, const Map &map,
                           double module) {
   const int samples = std::min(std::max(cvRound(0.6 * module), 1), 4);
   const cv::Matx33f single = map;
-  const auto place = [&](int k, int sample) {
-    return float(k - 0.5 + 0.6 * ((sample + 0.5) / samples - 0.5));
-  };
+  std::array<float, 4> place;  // in a module
+  for (int k = 0; k < samples; ++k)
+    place[k] = float(0.6 * ((k + 0.5) / samples - 0.5) - 0.5);
   Grid<double> modules;
   for (int row = 0; row < 8; ++row)
-    for (int column = 0; column < 8; ++column) {
-      float sum = 0.0f;
+    for (int column = 0; column < 8; column += 4) {
+      const Four columns = Four{0, 1, 2, 3} + float(column);
+      Four sum{};
       for (int y = 0; y < samples; ++y)
-        for (int x = 0; x < samples; ++x)
-          sum += sample(grey, single, place(column, x), place(row, y));
-      modules[row][column] = sum / float(samples * samples);
+        for (int x = 0; x < samples; ++x) {
+          Four right = columns + place[x], down = Four{} + (row + place[y]);
+          move(single, right, down);
+          sum += sample(grey, right, down);
+        }
+      for (int k = 0; k < 4; ++k)
+        modules[row][column + k] = sum[k] / float(samples * samples);
     }
   return modules;
 }
@@ -465,35 +470,46 @@ Grid<double> doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
                     const Grid<double> &contrast, const Fit &fit) {
   // What is left over, and what a module gives to the pixels near it.
   std::array<std::array<double, points>, points> rest{};
+  const cv::Matx33f map = fit.map;
   for (int y = 0; y < points; ++y)
-    for (int x = 0; x < points; ++x) {
-      const Point at = apply(fit.map, Point(point(x), point(y)));
-      if (used.at<uchar>(point(y), point(x)) && in_image(grey, at))
-        rest[y][x] = (sample(grey, at) - fit.offset) / fit.contrast -
-                     fit.shape.at<float>(point(y), point(x));
+    for (int x = 0; x < points; x += 4) {
+      Four right{float(point(x)), float(point(x + 1)), float(point(x + 2)),
+                 float(point(x + 3))};
+      Four down = Four{} + float(point(y));
+      move(map, right, down);
+      const Four seen = sample(grey, right, down);
+      for (int k = 0; k < 4; ++k)
+        if (used.at<uchar>(point(y), point(x + k)) &&
+            in_image(grey, Point(right[k], down[k])))
+          rest[y][x + k] = (seen[k] - fit.offset) / fit.contrast -
+                           fit.shape.at<float>(point(y), point(x + k));
     }
   constexpr int per_module = int(places.size());
-  std::array<double, 3 * per_module> profile;
+  constexpr int around = 3 * per_module;
+  std::array<double, around> profile;
   const double width = std::sqrt(2.0) * std::max(0.1, fit.spread);
-  for (int k = 0; k < int(profile.size()); ++k) {
+  double square = 0.0;  // of what a module gives
+  for (int k = 0; k < around; ++k) {
     const double from = point(k) + 0.5 - pitch;  // the edge before it
     profile[k] = 0.5 * (std::erf(from / width) -
                         std::erf((from - pitch) / width));
+    square += profile[k] * profile[k];
   }
+  square *= square;
   Grid<double> doubt{};
-  for (int row = 1; row < 7; ++row)
-    for (int column = 1; column < 7; ++column) {
-      double along = 0.0, square = 0.0;
-      for (int y = 0; y < int(profile.size()); ++y)
-        for (int x = 0; x < int(profile.size()); ++x) {
-          const double share = profile[y] * profile[x];
-          along += share * rest[(row - 1) * per_module + y]
-                               [(column - 1) * per_module + x];
-          square += share * share;
-        }
+  for (int column = 1; column < 7; ++column) {
+    std::array<double, points> across{};
+    for (int y = 0; y < points; ++y)
+      for (int k = 0; k < around; ++k)
+        across[y] += profile[k] * rest[y][(column - 1) * per_module + k];
+    for (int row = 1; row < 7; ++row) {
+      double along = 0.0;
+      for (int k = 0; k < around; ++k)
+        along += profile[k] * across[(row - 1) * per_module + k];
       doubt[row][column] = (is_white(bits, row, column) ? -1 : 1) * along /
                            (square * contrast[row][column]);
     }
+  }
   return doubt;
 }
 
@@ -555,8 +571,9 @@ bool is_sound(const Quad &quad) {
 }
 
 // Aligns the whole pattern of a marker, given its BITS: more edges than its
-// outline has, so less noise, and none that its inside draws away. False
-// where that leaves doubts.
+// outline has, so less noise, and none that its inside draws away. BLUR, in
+// pixels, is the image's where it is known, and then what it has turned out
+// to be. False where that leaves doubts.
 bool align_marker(const cv::Mat &grey, unsigned bits,
                   const Grid<double> &modules, bool perspective,
                   bool evenly, Quad &corner, double &blur) {
@@ -577,6 +594,7 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   }
   Fit fit;
   fit.map = map_of(reference, start);
+  fit.spread = blur * pitch * 6 / size_of(start);
   if (!align(grey, shape, used, perspective, 0.15, fit) ||
       !is_certain(bits, doubts(grey, bits, used, contrast, fit)))
     return false;
@@ -611,8 +629,8 @@ constexpr double least_size = 9.0;
 // GREY, and SMOOTH for its edges, which lie at most SHARE of a module away.
 // Its CORNERs are those in the image that is not reduced.
 bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
-                 double module, double share, Quad here, Quad &corner,
-                 int &id) {
+                 double module, double share, Quad here, double &blur,
+                 Quad &corner, int &id) {
   Quad refined = here;
   if (refine(smooth, refined.data(), 4, Bright::outside,
              std::max(2.0, share * module / scale), 0.12))
@@ -634,7 +652,6 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
     tried[tries++] = bits;
     // The same light all over the marker, nearly, or shadows and glare
     Quad aligned = here;
-    double blur = 0.0;
     if (!align_marker(grey, bits, seen, module > 2.5, true, aligned, blur) &&
         (module < 3.5 ||
          !align_marker(grey, bits, seen, true, false, aligned, blur)))
@@ -661,8 +678,9 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
 }
 
 // Reads the marker whose outline is about CORNER, and moves that to where it
-// is, its own top left corner first. False where there is none.
-bool find_marker(Quad &corner, int &id) {
+// is, its own top left corner first; BLUR as for the alignment. False where
+// there is none.
+bool find_marker(Quad &corner, int &id, double &blur) {
   constexpr double most = 8.0;  // pixels of a module that are enough
   const double module = size_of(corner) / 6;
   int level = 0;
@@ -678,14 +696,15 @@ bool find_marker(Quad &corner, int &id) {
     return false;
   // Near edges first: behind them may lie those of something brighter. Where
   // something covers a corner, the outline is further off.
-  return read_marker(grey, smooth, scale, module, 0.45, here, corner, id) ||
-         (module > 3.0 &&
-          read_marker(grey, smooth, scale, module, 0.75, here, corner, id));
+  return read_marker(grey, smooth, scale, module, 0.45, here, blur, corner,
+                     id) ||
+         (module > 3.0 && read_marker(grey, smooth, scale, module, 0.75, here,
+                                      blur, corner, id));
 }
 
 }  // namespace
 
-void find_markers(const Search &search, std::vector<vision_robot> &robots) {
+void find_markers(Search &search, std::vector<vision_robot> &robots) {
   constexpr double enough = 14.0;  // pixels of a side that give an outline
   static thread_local std::vector<Quad> quads, small;
   const std::size_t before = robots.size();
@@ -708,9 +727,11 @@ void find_markers(const Search &search, std::vector<vision_robot> &robots) {
   };
   const auto read = [&](Quad &corner) {
     int id = 0;
-    if (!is_sound(corner) || is_known(corner) || !find_marker(corner, id) ||
-        is_known(corner) || is_cut(corner))
+    double blur = search.blur;
+    if (!is_sound(corner) || is_known(corner) ||
+        !find_marker(corner, id, blur) || is_known(corner) || is_cut(corner))
       return;
+    search.found_blur = blur;
     found.push_back(corner);
     const Point centre = (corner[0] + corner[2]) / 2;
     const Point direction = (corner[0] + corner[1]) / 2;
@@ -725,8 +746,13 @@ void find_markers(const Search &search, std::vector<vision_robot> &robots) {
     cv::resize(finer(cv::Rect(cv::Point(), half * 2)), scratch.level[level],
                half, 0, 0, cv::INTER_AREA);
   }
-  // Where there are fewer pixels there is less noise, and less to do.
-  for (int level = levels - 1; level >= 0; --level) {
+  // Where there are fewer pixels there is less noise, and less to do, as long
+  // as the markers are large enough there.
+  int coarsest = levels - 1;
+  while (search.size > 0.0 && coarsest > 0 &&
+         1.25 * search.size < enough * (1 << coarsest))
+    --coarsest;
+  for (int level = coarsest; level >= 0; --level) {
     const cv::Mat &image = scratch.level[level];
     const int window = level == 0 ? 5 : 7;
     if (level > 0 && std::min(image.cols, image.rows) < enough + window)

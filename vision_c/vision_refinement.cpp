@@ -33,7 +33,8 @@ void find_edges(const cv::Mat &grey, const Point &from, const Point &to,
   const int bands =
       std::min(std::max(int(used / 4.0), fewest_bands), most_bands);
   const int lines = std::min(std::max(int(used / bands + 0.5), 2), 8);
-  std::array<double, most> value, rise;
+  std::array<float, most + 3> value;
+  std::array<double, most> rise;
 
   for (int band = 0; band < bands; ++band) {
     const auto place = [&](double line) {
@@ -46,9 +47,19 @@ void find_edges(const cv::Mat &grey, const Point &from, const Point &to,
         !in_image(grey, last - across) || !in_image(grey, last + across))
       continue;
     const Point next = along * (used / bands / lines);
-    for (int i = -half; i <= half; ++i)
-      value[i + half] =
-          mean_along(grey, first + outward * (i * step), next, lines);
+    const Point inner = first - across;
+    for (int i = 0; i <= 2 * half; i += 4) {
+      const Four place = (Four{0, 1, 2, 3} + float(i)) * float(step);
+      Four x = float(inner.x) + place * float(outward.x);
+      Four y = float(inner.y) + place * float(outward.y);
+      Four sum{};
+      for (int line = 0; line < lines; ++line) {
+        sum += sample(grey, x, y);
+        x += float(next.x);
+        y += float(next.y);
+      }
+      store(sum / float(lines), &value[i]);
+    }
     int best = 1;
     for (int i = 1; i < 2 * half; ++i) {
       rise[i] = sign * (value[i + 1] - value[i - 1]);
@@ -110,6 +121,7 @@ bool fit_line(const std::vector<Edge> &edges, const Point &from,
 
 bool refine(const cv::Mat &grey, Point *corner, int count, Bright bright,
             double reach, double end) {
+  constexpr double enough = 0.25;  // pixels: the same edges again
   std::array<Line, 4> line;
   std::vector<Edge> edges;
   for (const double distance :
@@ -122,9 +134,15 @@ bool refine(const cv::Mat &grey, Point *corner, int count, Bright bright,
       if (!fit_line(edges, from, to, line[k]))
         return false;
     }
-    for (int k = 0; k < count; ++k)
+    double moved = 0.0;
+    for (int k = 0; k < count; ++k) {
+      const Point before = corner[k];
       if (!intersect(line[(k + count - 1) % count], line[k], corner[k]))
         return false;
+      moved = std::max(moved, length(corner[k] - before));
+    }
+    if (moved < enough)
+      break;
   }
   return true;
 }

@@ -39,6 +39,14 @@ cv::Rect on_grid(const cv::Rect &box) {
   return {first, box.br()};
 }
 
+// Wider where there is room: what OpenCV does to many pixels at once it does
+// to so many.
+cv::Rect in_vectors(const cv::Rect &box, const cv::Rect &whole) {
+  constexpr int many = 32;
+  const int width = (box.width + many - 1) / many * many;
+  return cv::Rect(box.x, box.y, width, box.height) & whole;
+}
+
 bool is_worth_it(const cv::Rect &box) {
   return box.width >= 16 && box.height >= 16;
 }
@@ -90,19 +98,19 @@ void Watch::look(const cv::Mat &image, cv::Mat &now, int &side) const {
   side = std::max(samples, (std::max(image.cols, image.rows) + across - 1) /
                                across);
   now.create(image.rows / side, image.cols / side, CV_16SC1);
-  std::array<int, samples> place;
-  for (int x = 0; x < samples; ++x)
-    place[x] = 3 * (x * side / samples) + 1;
+  const std::ptrdiff_t next = 3 * (side / samples);
+  const auto sum = [&](const uchar *at) {
+    return at[0] + at[next] + at[2 * next] + at[3 * next];
+  };
   for (int row = 0; row < now.rows; ++row) {
+    std::array<const uchar *, samples> at;
+    for (int y = 0; y < samples; ++y)
+      at[y] = image.ptr<uchar>(row * side + y * (side / samples)) + 1;
     short *const sums = now.ptr<short>(row);
-    std::fill(sums, sums + now.cols, short(0));
-    for (int y = 0; y < samples; ++y) {
-      const uchar *next = image.ptr<uchar>(row * side + y * side / samples);
-      for (int column = 0; column < now.cols; ++column, next += 3 * side)
-        sums[column] =
-            short(sums[column] + next[place[0]] + next[place[1]] +
-                  next[place[2]] + next[place[3]]);
-    }
+    std::ptrdiff_t place = 0;
+    for (int column = 0; column < now.cols; ++column, place += 3 * side)
+      sums[column] = short(sum(at[0] + place) + sum(at[1] + place) +
+                           sum(at[2] + place) + sum(at[3] + place));
   }
 }
 
@@ -139,15 +147,40 @@ bool has_changed(Frame &here, const cv::Rect &whole,
          Watch::change * Watch::samples * Watch::samples;
 }
 
-// What the calling thread found last.
+// What the calling thread found last, and how blurred.
 thread_local std::vector<vision_robot> last;
 
-int count_last(const cv::Rect &part) {
-  return int(std::count_if(
-      last.begin(), last.end(), [&](const vision_robot &robot) {
-        return part.contains(cv::Point(cvRound(robot.centre.x),
-                                       cvRound(robot.centre.y)));
-      }));
+thread_local double last_blur = 0.0;
+
+// Those found last in a part are enough there.
+void expect_last(const cv::Rect &part, Search &search) {
+  search.known = 0;
+  search.size = 0.0;
+  // How blurred an image is is estimated in steps, and where it is blurred the
+  // outlines depend on the steps.
+  constexpr double sharp = 1.0;  // pixels
+  search.blur = last_blur < sharp ? last_blur : 0.0;
+  for (const vision_robot &robot : last)
+    if (part.contains(cv::Point(cvRound(robot.centre.x),
+                                cvRound(robot.centre.y)))) {
+      ++search.known;
+      search.size = std::max(
+          search.size, 2 * std::hypot(robot.direction.x - robot.centre.x,
+                                      robot.direction.y - robot.centre.y));
+    }
+}
+
+// How much further a robot reaches than its marker, where one was found last;
+// pixels. An ArUco marker reaches 1.4 times as far as from its centre to the
+// point that the robot looks at, the robot 2.2 times.
+double beside(vision_marker marker, const vision_point &at) {
+  constexpr double share = 0.55;
+  for (const vision_robot &robot : last)
+    if (marker == VISION_MARKER_ARUCO &&
+        std::hypot(robot.centre.x - at.x, robot.centre.y - at.y) < 1.0)
+      return share * std::hypot(robot.direction.x - at.x,
+                                robot.direction.y - at.y);
+  return 0.0;
 }
 
 // ---------------------------------------------------------------- Searching
@@ -194,7 +227,8 @@ vision_status find_robots(int slot, vision_marker marker,
     if (limit(here, arena, search) && choose(here, search.box, parts))
       for (const cv::Rect &part : parts) {
         search.box = part;
-        search.known = followed ? count_last(part) : 0;
+        if (followed)
+          expect_last(part, search);
         cv::cvtColor(here.image(part), scratch.grey, cv::COLOR_BGR2GRAY);
         cv::GaussianBlur(scratch.grey, scratch.smooth, cv::Size(5, 5), 0.8);
         if (marker == VISION_MARKER_ARUCO)
@@ -204,6 +238,7 @@ vision_status find_robots(int slot, vision_marker marker,
       }
     drop_doubles(found);
     last = found;
+    last_blur = search.found_blur;
     if (found.empty())
       return fail(VISION_NOT_FOUND, "no robot in the image");
     *count = std::min(capacity, int(found.size()));
@@ -246,17 +281,25 @@ vision_status vision_follow_robots(int slot, vision_marker marker,
   return vision::find_robots(
       slot, marker, arena, robots, capacity, count, true,
       [&](Frame &here, const cv::Rect &whole, std::vector<cv::Rect> &parts) {
+        std::vector<cv::Rect> bodies;
         for (int k = 0; k < area_count; ++k) {
-          const vision_area &area = areas[k];
-          const cv::Rect part =
-              whole & cv::Rect(cv::Point(cvFloor(area.centre.x - area.reach),
-                                         cvFloor(area.centre.y - area.reach)),
-                               cv::Point(cvCeil(area.centre.x + area.reach),
-                                         cvCeil(area.centre.y + area.reach)));
-          if (vision::is_worth_it(part))
-            parts.push_back(vision::on_grid(part));
+          const auto part = [&](double reach) {
+            const vision_point &at = areas[k].centre;
+            return whole &
+                   cv::Rect(cv::Point(cvFloor(at.x - reach),
+                                      cvFloor(at.y - reach)),
+                            cv::Point(cvCeil(at.x + reach),
+                                      cvCeil(at.y + reach)));
+          };
+          const cv::Rect body = part(areas[k].reach);
+          if (!body.empty())
+            bodies.push_back(body);
+          const cv::Rect search =
+              part(areas[k].reach - vision::beside(marker, areas[k].centre));
+          if (vision::is_worth_it(search))
+            parts.push_back(vision::in_vectors(vision::on_grid(search), whole));
         }
-        return !vision::has_changed(here, whole, parts);
+        return !vision::has_changed(here, whole, bodies);
       });
 }
 

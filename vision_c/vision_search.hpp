@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "vision_internal.hpp"
@@ -105,12 +106,63 @@ inline double sample(const cv::Mat &grey, const Point &at) {
   return sample(grey, float(at.x), float(at.y));
 }
 
-// Where MAP takes a point.
-inline float sample(const cv::Mat &grey, const cv::Matx33f &map, float x,
-                    float y) {
-  const float w = 1.0f / (map(2, 0) * x + map(2, 1) * y + map(2, 2));
-  return sample(grey, (map(0, 0) * x + map(0, 1) * y + map(0, 2)) * w,
-                (map(1, 0) * x + map(1, 1) * y + map(1, 2)) * w);
+// Four at a time, as any processor here has vectors for.
+typedef float Four __attribute__((vector_size(16)));
+typedef int Four_Places __attribute__((vector_size(16)));
+
+inline Four load(const float *from) {
+  Four four;
+  std::memcpy(&four, from, sizeof four);
+  return four;
+}
+
+inline void store(const Four &four, float *to) {
+  std::memcpy(to, &four, sizeof four);
+}
+
+// The smaller one of each.
+inline Four_Places least(const Four_Places &at, int last) {
+  const Four_Places most = Four_Places{} + last;
+  return at < most ? at : most;
+}
+
+inline Four within(const Four &at, float last) {
+  const Four zero{}, most = zero + last;
+  const Four low = at > zero ? at : zero;  // so is what is no number
+  return low < most ? low : most;
+}
+
+inline Four sample(const cv::Mat &grey, const Four &x, const Four &y) {
+  const Four right = within(x, float(grey.cols - 1));
+  const Four down = within(y, float(grey.rows - 1));
+  const Four_Places column =
+      least(__builtin_convertvector(right, Four_Places), grey.cols - 2);
+  const Four_Places row =
+      least(__builtin_convertvector(down, Four_Places), grey.rows - 2);
+  const std::size_t step = grey.step.p[0];
+  Four_Places a, b, c, d;
+  for (int k = 0; k < 4; ++k) {
+    const uchar *const above = grey.data + row[k] * step + column[k];
+    a[k] = above[0];
+    b[k] = above[1];
+    c[k] = above[step];
+    d[k] = above[step + 1];
+  }
+  const Four u = right - __builtin_convertvector(column, Four);
+  const Four v = down - __builtin_convertvector(row, Four);
+  const Four upper = __builtin_convertvector(a, Four) +
+                     u * __builtin_convertvector(b - a, Four);
+  const Four lower = __builtin_convertvector(c, Four) +
+                     u * __builtin_convertvector(d - c, Four);
+  return upper + v * (lower - upper);
+}
+
+// Takes four points to where MAP takes them.
+inline void move(const cv::Matx33f &map, Four &x, Four &y) {
+  const Four w = 1.0f / (map(2, 0) * x + map(2, 1) * y + map(2, 2));
+  const Four right = (map(0, 0) * x + map(0, 1) * y + map(0, 2)) * w;
+  y = (map(1, 0) * x + map(1, 1) * y + map(1, 2)) * w;
+  x = right;
 }
 
 // The mean of COUNT places, each by STEP further than the one before.
@@ -154,8 +206,8 @@ constexpr uchar compared = 255;  // a pixel of a shape
 // Moves FIT.map to where SHAPE (float, sharp; about 0 to 1) lies in the image
 // best, counting the pixels that USED says are COMPARED, and tells the rest
 // of FIT. How sharp the image is is estimated from what remains of a first
-// try, and tried again, until it fits well or no better. False where more
-// than WORST remains.
+// try, with FIT.spread where that is known, and tried again, until it fits
+// well or no better. False where more than WORST remains.
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit);
 
@@ -177,6 +229,10 @@ struct Search {
   double slack = 0.0;  // pixels that a centre may lie outside the field
   double width = 0.0;  // of the field, pixels
   int known = 0;  // robots that are enough; 0: all that are here
+  double size = 0.0;  // of their markers' sides, about; pixels
+  double blur = 0.0;  // of the image in which a marker was read last, in its
+                      // pixels; 0: not known
+  double found_blur = 0.0;  // and of those that this search reads
 };
 
 bool in_field(const Search &search, const Point &centre);
@@ -185,7 +241,7 @@ vision_robot make_robot(int id, const Point &centre, const Point &direction,
                         const Search &search);
 
 // Add what is found in the smoothed image of the part that is searched.
-void find_markers(const Search &search, std::vector<vision_robot> &robots);
+void find_markers(Search &search, std::vector<vision_robot> &robots);
 void find_triangles(const Search &search, std::vector<vision_robot> &robots);
 
 }  // namespace vision
