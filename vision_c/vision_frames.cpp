@@ -123,7 +123,7 @@ void scale(cv::Mat &from, cv::Mat &to, const cv::Size &size) {
 bool make_pixels(Frame &here) {
   if (here.content != Frame::Content::jpeg)
     return true;
-  static thread_local cv::Mat unscaled;  // as decoded
+  static thread_local Kept unscaled;  // as decoded
   const cv::Size size = here.size();
   if (!decode(here.jpeg, size, unscaled))
     return false;

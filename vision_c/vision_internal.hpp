@@ -41,6 +41,16 @@ cv::Size fitting(const cv::Size &from, const cv::Size &limit);
 // go round and nothing is copied.
 void scale(cv::Mat &from, cv::Mat &to, const cv::Size &size);
 
+// An image, or something of its size, that is kept for the next one. Where it
+// is large its memory is mapped apart, and goes back to the system when it is
+// no longer needed (vision_memory.cpp).
+struct Kept : cv::Mat {
+  Kept();
+};
+
+// Images will be of this size, or are scaled to it.
+void expect_images(int width, int height);
+
 // An image. Its memory is used for the next one in the same slot, as is what
 // the work on it needs by the next work of the same thread, so that nothing is
 // allocated once sizes have settled.
@@ -50,8 +60,8 @@ struct Frame {
   enum class Content { nothing, pixels, jpeg, jpeg_and_pixels };
 
   Content content = Content::nothing;
-  cv::Mat image;               // 8-bit BGR
-  cv::Mat jpeg;                // one row of bytes
+  Kept image;                  // 8-bit BGR
+  Kept jpeg;                   // one row of bytes
   Jpeg_Facts facts;            // about it
   cv::Size limit;              // what it is to be scaled to fit
 

@@ -11,13 +11,14 @@
 
 namespace vision {
 
+constexpr int least_mapped = 128 << 10;  // bytes: the C library's beginning
+
 // What images of this size need again and again, a byte for each pixel, stays
 // with the process; larger blocks go back to the system when they are no
 // longer needed. The C library would else keep for ever what an image of 4K
 // needed.
 inline void keep_memory_for(int width, int height) {
-  constexpr int least = 128 << 10;  // bytes: the C library's own beginning
-  mallopt(M_MMAP_THRESHOLD, std::max(least, width * height / 4 * 5));
+  mallopt(M_MMAP_THRESHOLD, std::max(least_mapped, width * height / 4 * 5));
 }
 
 // Before main, as the environment may only be changed while there is one

@@ -36,11 +36,11 @@ enum class Kind { none, still, video, live };
 struct Source {
   Kind kind = Kind::none;
   cv::VideoCapture capture;
-  cv::Mat raw;           // as delivered: pixels, or
+  Kept raw;              // as delivered: pixels, or
   bool is_jpeg = false;  // a row of bytes, of which there are
   Jpeg_Facts facts;
   bool waiting = false;  // RAW holds an image that has not been grabbed
-  cv::Mat still;         // as scaled
+  Kept still;            // as scaled
   std::string name;
   int backend = cv::CAP_FFMPEG;
   cv::Size limit;
@@ -97,8 +97,8 @@ void close(Source &from) {
   from.waiting = false;
   from.is_jpeg = false;
   from.capture.release();
-  from.raw.release();
-  from.still.release();
+  from.raw = Kept();
+  from.still = Kept();
 }
 
 // Makes TO, an image of ours, from FROM; false where that cannot be done.
@@ -353,7 +353,7 @@ vision_status vision_open(const char *source, int width, int height,
     if (source == nullptr || *source == '\0' || width < 1 || height < 1 ||
         width > VISION_MAX_SIDE || height > VISION_MAX_SIDE || fps < 1)
       return fail(VISION_BAD_ARGUMENT, "no source, or no size, or no rate");
-    vision::keep_memory_for(width, height);
+    vision::expect_images(width, height);
     vision::frame(0);  // OpenCV's own settings
     Source &here = vision::source();
     here.name = source;

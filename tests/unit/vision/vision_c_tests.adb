@@ -36,6 +36,7 @@ package body Vision_C_Tests is
    procedure Test_Numbers (T : in out Any_Test);
    procedure Test_Sizes (T : in out Any_Test);
    procedure Test_Changing_Sizes (T : in out Any_Test);
+   procedure Test_Memory_Apart (T : in out Any_Test);
    procedure Test_Draw (T : in out Any_Test);
    procedure Test_Draw_Far (T : in out Any_Test);
    procedure Test_Label (T : in out Any_Test);
@@ -215,6 +216,49 @@ package body Vision_C_Tests is
                  "robot");
       end loop;
    end Test_Changing_Sizes;
+
+   procedure Test_Memory_Apart (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      --  A hole in the heap that the image would fit into, as OpenCV's
+      --  outlines leave them; and how much of the heap is in use then
+      type Heap_Facts is array (1 .. 10) of size_t with Convention => C;
+      In_Use : constant := 8;
+
+      type Heap_Account is record
+         Fact : Heap_Facts;
+      end record
+      with Convention => C;
+
+      function Account return Heap_Account
+      with Import, Convention => C, External_Name => "mallinfo2";
+
+      function Allocate (Bytes : size_t) return System.Address
+      with Import, Convention => C, External_Name => "malloc";
+
+      procedure Free (Block : System.Address)
+      with Import, Convention => C, External_Name => "free";
+
+      Image : constant size_t := 640 * 480 * 3;
+      Piece : constant size_t := 64 * 1_024;
+      Block : array (1 .. 3 * Image / Piece) of System.Address;
+      Rim   : System.Address;
+      Used  : size_t;
+   begin
+      Assert (Open (To_C ("no such file"), 640, 480, 10) = No_Camera, "open");
+      Assert (Load (0, Buffer'Address, 16, 16) = Ok, "a small image");
+      for Next of Block loop
+         Next := Allocate (Piece);
+      end loop;
+      Rim := Allocate (Piece);
+      for Next of Block loop
+         Free (Next);
+      end loop;
+      Used := Account.Fact (In_Use);
+      Assert (Load (0, Buffer'Address, 640, 480) = Ok, "an image");
+      Assert (Account.Fact (In_Use) < Used + Piece, "an image in the heap");
+      Free (Rim);
+   end Test_Memory_Apart;
 
    procedure Test_Draw (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -457,6 +501,8 @@ package body Vision_C_Tests is
       Register_Routine (T, Test_Sizes'Access, "unusual sizes");
       Register_Routine (T, Test_Changing_Sizes'Access,
                         "a size that changes from image to image");
+      Register_Routine (T, Test_Memory_Apart'Access,
+                        "an image is not in the heap");
       Register_Routine (T, Test_Draw'Access, "drawings show");
       Register_Routine (T, Test_Draw_Far'Access, "drawings out of sight");
       Register_Routine (T, Test_Label'Access,

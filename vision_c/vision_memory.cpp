@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The memory of what is kept from one image to the next.
+
+#include "vision_internal.hpp"
+#include "vision_settings.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include <sys/mman.h>
+
+namespace vision {
+
+namespace {
+
+// Bytes. An image has six times as many, the camera's own JPEG of one seldom
+// as many: its size changes with each, and to map memory takes its time.
+int least_for(int width, int height) {
+  return std::max(least_mapped, width * height / 2);
+}
+
+std::atomic<int> least{least_for(640, 480)};
+
+// Maps what is large. The C library does that only where no hole of its heap
+// is large enough, and OpenCV's outlines leave such holes: an image in there
+// would keep the heap from shrinking for as long as it is kept.
+class Apart : public cv::MatAllocator {
+public:
+  cv::UMatData *allocate(int dimensions, const int *sizes, int type,
+                         void *data, std::size_t *step, cv::AccessFlag access,
+                         cv::UMatUsageFlags usage) const override {
+    std::size_t bytes = CV_ELEM_SIZE(type);
+    for (int k = 0; k < dimensions; ++k)
+      bytes *= std::size_t(sizes[k]);
+    if (data != nullptr || bytes < std::size_t(least))
+      return cv::Mat::getStdAllocator()->allocate(dimensions, sizes, type,
+                                                  data, step, access, usage);
+    void *const place = mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (place == MAP_FAILED)
+      throw std::bad_alloc();
+    cv::UMatData *const block = new cv::UMatData(this);
+    block->data = block->origdata = static_cast<uchar *>(place);
+    block->size = bytes;
+    if (step != nullptr) {
+      std::size_t next = CV_ELEM_SIZE(type);
+      for (int k = dimensions - 1; k >= 0; --k) {
+        step[k] = next;
+        next *= std::size_t(sizes[k]);
+      }
+    }
+    return block;
+  }
+
+  bool allocate(cv::UMatData *block, cv::AccessFlag,
+                cv::UMatUsageFlags) const override {
+    return block != nullptr;
+  }
+
+  void deallocate(cv::UMatData *block) const override {
+    munmap(block->origdata, block->size);
+    delete block;
+  }
+};
+
+}  // namespace
+
+void expect_images(int width, int height) {
+  keep_memory_for(width, height);
+  least = least_for(width, height);
+}
+
+Kept::Kept() {
+#ifndef __SANITIZE_ADDRESS__  // which sees a step outside only in the heap
+  // Never destroyed, for the reason that frame gives.
+  static cv::MatAllocator *const apart = new Apart;
+  allocator = apart;
+#endif
+}
+
+}  // namespace vision
