@@ -85,7 +85,8 @@ bool limit(const Frame &here, const vision_arena *arena, Search &search) {
 // What each tile of the image looked like when it was searched last. As long
 // as one that is not searched looks the same, nothing has come there.
 struct Watch {
-  static constexpr int across = 80;   // tiles, along the longer side
+  static constexpr int across = 80;   // tiles, along the longer side, where
+  static constexpr int least = 8;     // pixels are not more than a tile's side
   static constexpr int samples = 4;   // of a tile, in each direction: green
   static constexpr int change = 24;   // grey levels that are one: four times
                                       // what a noise of 15 amounts to
@@ -95,8 +96,8 @@ struct Watch {
 };
 
 void Watch::look(const cv::Mat &image, cv::Mat &now, int &side) const {
-  side = std::max(samples, (std::max(image.cols, image.rows) + across - 1) /
-                               across);
+  side = std::max(least, (std::max(image.cols, image.rows) + across - 1) /
+                             across);
   now.create(image.rows / side, image.cols / side, CV_16SC1);
   const std::ptrdiff_t next = 3 * (side / samples);
   const auto sum = [&](const uchar *at) {

@@ -387,14 +387,40 @@ procedure Image_Times is
       Name    : constant String :=
         (if Section = "markers" then Trim (Robots'Image, Left) & " in view: "
          else "search: ");
-   begin
-      for K in 1 .. Number loop
-         Draw (Scene (Width, Height, Robots, K));
-         Show (Width, Height);
-         Find_Arena (0, Arena, Result);
-         Check (Result = Done, "arena");
 
+      --  Each search has some images in a row, as the supervisor would make
+      --  it: the caches hold what it needs, not what another one left
+      Row : constant := 10;
+      type Search is (In_Arena, By_Following, In_Whole);
+
+      procedure Everywhere (Where : Search);
+      procedure Follow_On;
+
+      ----------------
+      -- Everywhere --
+      ----------------
+
+      procedure Everywhere (Where : Search) is
+      begin
+         Start;
+         Find_Robots (0, Options.Aruco, Arena, Where = In_Arena, Found,
+                      Count, Result);
+         case Where is
+            when In_Arena     => Stop (Inside.all);
+            when By_Following => null;  --  none is followed yet
+            when In_Whole     => Stop (Full.all);
+         end case;
+         Check (Count = Robots, "robots");
+      end Everywhere;
+
+      ---------------
+      -- Follow_On --
+      ---------------
+
+      procedure Follow_On is
+      begin
          Following.Plan (Known, Options.Aruco, 100, Areas, Parts);
+         Settled := False;
          if Parts > 0 then
             Start;
             Follow_Robots (0, Options.Aruco, No_Arena, False, Areas, Parts,
@@ -406,19 +432,35 @@ procedure Image_Times is
                Follow.Count := Follow.Count - 1;
             end if;
          end if;
+         if not Settled then
+            Everywhere (By_Following);
+            Following.Begin_Anew (Known, Found, Count);
+         end if;
+      end Follow_On;
 
-         Start;
-         Find_Robots (0, Options.Aruco, Arena, True, Found, Count, Result);
-         Stop (Inside.all);
-         Check (Count = Robots, "robots in the arena");
-         Start;
-         Find_Robots (0, Options.Aruco, No_Arena, False, Found, Count,
-                      Result);
-         Stop (Full.all);
-         Check (Count = Robots, "robots");
-         Add (Plain.all, Full.Values (K));
-         Add (Copy.all, Full.Values (K));
-         Following.Begin_Anew (Known, Found, Count);
+   begin
+      Draw (Scene (Width, Height, Robots, 0));
+      Show (Width, Height);
+      Find_Arena (0, Arena, Result);
+      Check (Result = Done, "arena");
+      for First in 0 .. (Number - 1) / Row loop
+         for Where in Search loop
+            for K in First * Row + 1
+              .. Positive'Min (Number, (First + 1) * Row)
+            loop
+               Draw (Scene (Width, Height, Robots, K));
+               Show (Width, Height);
+               if Where = By_Following then
+                  Follow_On;
+               else
+                  Everywhere (Where);
+               end if;
+            end loop;
+         end loop;
+      end loop;
+      for Value of Full.Values (1 .. Full.Count) loop
+         Add (Plain.all, Value);
+         Add (Copy.all, Value);
       end loop;
       Report (Section, Name & "in the arena", Size, Inside.all, Copy.all);
       if Follow.Count > 0 then
