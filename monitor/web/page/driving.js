@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What drives and what stops: keys, the pad, and all that must end a drive.
+// A key or button held drives; when the last one is released the robot stops.
+
+const KEYS = {
+  ArrowUp: "RGFW", ArrowDown: "RGBW", ArrowLeft: "RGLF", ArrowRight: "RGRI",
+  KeyW: "RGFW", KeyS: "RGBW", KeyA: "RGLF", KeyD: "RGRI",
+};
+
+// A click of a screen reader cannot be held: it goes a short way
+const STEPS = {
+  RGFW: ["RMOV", 50], RGBW: ["RMOV", -50], RGLF: ["RTRN", 15], RGRI: ["RTRN", -15],
+};
+
+const TEXT = new Set(["text", "search", "password", "email", "url", "tel"]);
+
+const writes = (element) => element?.tagName === "TEXTAREA" ||
+  element?.isContentEditable ||
+  (element?.tagName === "INPUT" && TEXT.has(element.type));
+
+// What needs arrows and letters for itself
+const takesKeys = (element) => writes(element) ||
+  element?.tagName === "SELECT" ||
+  (element?.tagName === "INPUT" && ["number", "range"].includes(element.type));
+
+export class Driving {
+  // page: order (label, value), mayDrive (), whyNot (), stopped ()
+  constructor(page) {
+    this.page = page;
+    this.held = new Map();         // what is held: its order, the oldest first
+    this.moving = false;           // a movement was ordered and no stop since
+  }
+
+  get current() { return [...this.held.values()].pop() ?? ""; }
+
+  press(source, label) {
+    if (!this.page.mayDrive()) {
+      this.page.whyNot();
+      return;
+    }
+    const before = this.current;
+    this.held.delete(source);
+    this.held.set(source, label);
+    this.follow(before);
+  }
+
+  release(source) {
+    const before = this.current;
+    if (!this.held.delete(source)) return;
+    this.follow(before);
+  }
+
+  follow(before) {
+    const { current } = this;
+    if (current === before) return;
+    this.show();
+    if (current === "") this.order("RSTP");
+    else this.order(current);
+  }
+
+  order(label, value) {
+    if (label === "RSTP") {
+      return this.page.order("RSTP").then((result) => {
+        if (result.answer === "AACK" && this.held.size === 0) this.moving = false;
+        return result;
+      });
+    }
+    this.moving = true;
+    return this.page.order(label, value);
+  }
+
+  // Nothing is held any more; what is still pressed counts when pressed anew
+  letGo() {
+    this.held.clear();
+    this.show();
+  }
+
+  show() {
+    const { current } = this;
+    document.documentElement.dataset.held = current;
+    for (const button of document.querySelectorAll("[data-order]"))
+      button.classList.toggle("held", button.dataset.order === current);
+  }
+
+  stop() {
+    this.letGo();
+    return this.order("RSTP");
+  }
+
+  // Where the user's attention or the page is gone
+  stopIfMoving() {
+    if (this.moving || this.held.size > 0) this.stop();
+    else this.letGo();
+  }
+
+  listen() {
+    addEventListener("keydown", (event) => this.keyDown(event), true);
+    addEventListener("keyup", (event) => this.keyUp(event), true);
+    for (const button of document.querySelectorAll("[data-order]"))
+      this.listenToPad(button);
+  }
+
+  keyDown(event) {
+    if (event.isComposing) return;
+    if (event.code === "Space" || event.key === " ") {
+      if (writes(event.target)) return;
+      event.preventDefault();
+      event.stopPropagation();
+      if (!event.repeat) this.page.stopped();
+      return;
+    }
+    if (event.key === "Escape") {
+      if (!event.repeat) this.page.stopped();
+      return;
+    }
+    // With one of these held some systems never tell of the other's release
+    if (["Control", "Alt", "Meta"].includes(event.key)) {
+      if (this.held.size > 0) this.stop();
+      return;
+    }
+    const label = KEYS[event.code];
+    if (!label || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (takesKeys(event.target) || document.querySelector("dialog[open]")) return;
+    if (this.page.mayDrive()) event.preventDefault();
+    if (!event.repeat) this.press("key " + event.code, label);
+  }
+
+  keyUp(event) {
+    // Firefox presses a button when space is released
+    if ((event.code === "Space" || event.key === " ") && !writes(event.target))
+      event.preventDefault();
+    this.release("key " + event.code);
+  }
+
+  listenToPad(button) {
+    const label = button.dataset.order;
+    button.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      try { button.setPointerCapture(event.pointerId); } catch { /* is gone */ }
+      this.press("pointer " + event.pointerId, label);
+    });
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture"])
+      button.addEventListener(end, (event) => this.release("pointer " + event.pointerId));
+    button.addEventListener("contextmenu", (event) => event.preventDefault());
+    button.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter") return;
+      event.preventDefault();
+      if (!event.repeat) this.press("button " + label, label);
+    });
+    button.addEventListener("keyup", (event) => {
+      if (event.key === "Enter") this.release("button " + label);
+    });
+    button.addEventListener("blur", () => this.release("button " + label));
+    button.addEventListener("click", (event) => {
+      if (event.detail !== 0) return;
+      if (this.page.mayDrive()) this.order(...STEPS[label]);
+      else this.page.whyNot();
+    });
+  }
+}

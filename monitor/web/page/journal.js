@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said: the log of all events, and of them the last that matters,
+// in a live region: politely, or for stops and losses at once.
+
+import { clock, has, language, t } from "./words.js";
+
+const MOST = 300;                  // entries of the log
+
+const alertBox = document.getElementById("alert");
+const newsBox = document.getElementById("news");
+const list = document.getElementById("log");
+const entries = [];
+let said;
+
+const URGENT = new Set(["supervisor_lost", "supervisor_refused", "robot_lost",
+  "wheel_lost", "wheel_seized", "stopped_by", "stopped_silent", "camera_silent",
+  "recording_failed"]);
+
+// Orders that are routine once they are done
+const QUIET = new Set(["RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN",
+  "RPIN", "RGBT", "RGST", "CPCO", "CPST", "CACO", "CAIN"]);
+
+export const orderWords = (label, value) => t(label, { value });
+
+export function answerWords(answer) {
+  if (!answer) return t("sent");
+  const [label, n] = answer.split(":");
+  if (label === "RBLV") return t("RBLV", { n: Number(n) < 0 ? t("battery_unknown") : t("battery_" + n) });
+  if (label === "RCST") return t("RCST_" + n);
+  return t(label);
+}
+
+export const succeeded = (answer) => ["AACK", "CIMG"].includes(answer) ||
+  /^(RBLV|RCST):/.test(answer ?? "");
+
+// What to do about a refusal
+export function remedy(label, answer) {
+  const key = ["do_" + label + "_" + answer, "do_" + answer].find(has);
+  return key ? t(key) : "";
+}
+
+export const refusal = (label, answer) =>
+  `${answerWords(answer)}. ${remedy(label, answer)}`.trim();
+
+function words({ code, args = {} }) {
+  if (code === "order") {
+    const done = succeeded(args.answer);
+    const sentence = t(typeof args.ms === "number" ? "ev_order_ms" : "ev_order", {
+      name: args.name, order: orderWords(args.label, args.value),
+      answer: answerWords(args.answer), ms: Math.round(args.ms),
+    });
+    return done || !args.answer ? sentence : `${sentence}. ${remedy(args.label, args.answer)}`;
+  }
+  if (code === "unanswered") return t("ev_unanswered", { order: orderWords(args.label, "") });
+  if (!has("ev_" + code)) return t("ev_unknown", { code, args: JSON.stringify(args) });
+  return t("ev_" + code, args);
+}
+
+export function entry(event, time = clock(event.time)) {
+  const item = document.createElement("li");
+  item.dataset.code = event.code;
+  item.dataset.level = event.level;
+  if (event.code === "order") {
+    item.dataset.label = event.args.label;
+    item.dataset.answer = event.args.answer ?? "";
+  }
+  const when = document.createElement("time");
+  when.textContent = time;
+  const level = document.createElement("span");
+  level.className = "level";
+  level.setAttribute("role", "img");
+  level.setAttribute("aria-label", t("level_" + event.level));
+  const what = document.createElement("span");
+  what.className = "what";
+  what.textContent = words(event);
+  // The supervisor speaks English
+  if (event.code === "message" && language() !== "en") what.lang = "en";
+  item.append(when, level, what);
+  return item;
+}
+
+function put(event) {
+  entries.push(event);
+  list.prepend(entry(event));
+  if (entries.length > MOST) {
+    entries.shift();
+    list.lastElementChild.remove();
+  }
+  document.getElementById("log-empty").hidden = true;
+}
+
+// All that was before
+export function restore(events) {
+  entries.length = 0;
+  list.replaceChildren();
+  document.getElementById("log-empty").hidden = events.length > 0;
+  for (const event of events) put(event);
+}
+
+export function renew() {
+  restore([...entries]);
+  if (said) show();
+}
+
+// mine: the event is about what this page ordered, and was said then
+export function happened(event, mine) {
+  put(event);
+  if (event.code === "order") {
+    if (mine || (succeeded(event.args.answer) && QUIET.has(event.args.label))) return;
+    news(() => words(event));
+  } else if (event.level === "error" || URGENT.has(event.code)) {
+    alarm(() => words(event));
+  } else {
+    news(() => words(event));
+  }
+}
+
+function show() {
+  const { box, text } = said;
+  const other = box === alertBox ? newsBox : alertBox;
+  other.textContent = "";
+  // The same words again are said again only if they were away
+  box.textContent = "";
+  setTimeout(() => { if (said.box === box) box.textContent = said.text(); }, 30);
+  document.getElementById("says").title = text();
+}
+
+// text is a function, so that it can be said in the other language as well
+export function news(text) {
+  said = { box: newsBox, text };
+  show();
+}
+
+export function alarm(text) {
+  said = { box: alertBox, text };
+  show();
+}
+
+export function listen() {
+  const all = document.getElementById("log-all");
+  all.onclick = () => {
+    const pressed = all.getAttribute("aria-pressed") !== "true";
+    all.setAttribute("aria-pressed", String(pressed));
+    list.classList.toggle("brief", !pressed);
+  };
+}

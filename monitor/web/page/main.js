@@ -1,0 +1,710 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page: what comes from the gateway is shown, what the user wants is sent.
+
+import { Driving } from "./driving.js";
+import * as journal from "./journal.js";
+import { Link } from "./link.js";
+import { Picture } from "./picture.js";
+import { Battery, Latency, makePlot } from "./plots.js";
+import { Recordings } from "./recordings.js";
+import { Starter } from "./start.js";
+import { clock, number, onLanguage, start as startWords, stored, t } from "./words.js";
+
+const at = (id) => document.getElementById(id);
+const root = document.documentElement;
+
+const OLD = 1500;                  // ms without an image: the picture is old
+const BACK = 20000;                // ms after which a wheel is not taken back
+const BACK_WAIT = 2500;            // ms for our former connection to be gone
+const RATE_OVER = 3000;            // ms over which images a second are counted
+const LOGIN_AFTER = 3;             // failures; then the token may be the reason
+
+const ROBOT_ORDERS = ["RSWW", "RSOW", "RRST", "ROPN", "RCLS", "RPIN", "RGST", "RGBT", "RPOF"];
+const CAMERA_ORDERS = ["COPN", "CCLS", "CPCO", "CPST", "CASA", "CACO", "CAIN"];
+const DRIVING = new Set(["RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN"]);
+const LEVEL = { closed: "off", open: "warn", started: "ok", lost: "bad",
+  connecting: "warn", connected: "ok", refused: "bad" };
+
+const state = {
+  supervisor: "connecting", robot: "closed", watchdog: false, camera: false,
+  positions: false, arena: "none", battery: -1, driver: null, asking: [],
+  viewers: [], recording: null,
+};
+let me = null;
+let role = "viewer";
+let recorded = false;
+let welcomedAt = 0;
+let wheelBack = false;             // ours before the connection went: wanted back
+let searching = false;
+let lastImage = 0;
+const imageTimes = [];
+
+const mine = () => me !== null && state.driver === me;
+const viewer = (id) => state.viewers.find((one) => one.id === id);
+const nameOf = (id) => viewer(id)?.name ?? "?";
+
+// ---------------------------------------------------------------- the wheel
+
+// That the wheel was ours outlives a reload, not the tab
+const remembered = {
+  get() {
+    try {
+      const since = Number(sessionStorage.getItem("destijl.wheel"));
+      return since > 0 && Date.now() - since < BACK;
+    } catch { return false; }
+  },
+  set(yes) {
+    try {
+      if (yes) sessionStorage.setItem("destijl.wheel", String(Date.now()));
+      else sessionStorage.removeItem("destijl.wheel");
+    } catch { /* not taken back then */ }
+  },
+};
+
+const wheel = (what, to) => link.send(to === undefined
+  ? { type: "wheel", do: what } : { type: "wheel", do: what, to });
+
+function takeBack() {
+  if (!wheelBack || document.hidden) return;
+  if (state.driver === null && state.asking.length === 0) wheel("take");
+  if (mine() || performance.now() - welcomedAt > BACK_WAIT || state.asking.length > 0)
+    wheelBack = false;
+}
+
+// ------------------------------------------------------------------- orders
+
+async function order(label, value) {
+  if (label === "CASA") searching = true;
+  const result = await link.order(label, value);
+  if (label === "CASA") {
+    searching = false;
+    show();
+  }
+  if (DRIVING.has(label) && result.answer === "AACK") {
+    latency.add(result.total);
+    tileLatency();
+  }
+  return result;
+}
+
+// An order of the user: a refusal is said, with what to do
+async function wish(label, value) {
+  const result = await order(label, value);
+  const { answer } = result;
+  if (!journal.succeeded(answer))
+    journal.alarm(() => t("order_answer", {
+      order: journal.orderWords(label, value), answer: journal.refusal(label, answer),
+    }));
+  else if (!DRIVING.has(label))
+    journal.news(() => t("order_answer", {
+      order: journal.orderWords(label, value), answer: journal.answerWords(answer),
+    }));
+  return result;
+}
+
+function whyNot() {
+  if (!link.usable) journal.alarm(() => t("link_connecting"));
+  else if (state.driver === null) journal.news(() => t("wheel_first_take"));
+  else {
+    const name = nameOf(state.driver);
+    journal.news(() => t("wheel_first_ask", { name }));
+  }
+}
+
+const driving = new Driving({ order: wish, mayDrive: () => link.usable && mine(), whyNot, stopped });
+
+// The user wants the robot to stand: whoever drives, whatever was before
+async function stopped() {
+  const button = at("stop");
+  button.classList.add("pressed");
+  setTimeout(() => button.classList.remove("pressed"), 250);
+  if (!link.usable) {
+    driving.letGo();
+    journal.alarm(() => t("link_offline_stop"));
+    return;
+  }
+  const { answer, total } = await driving.stop();
+  if (answer === "AACK")
+    journal.alarm(() => t("order_ms", { order: t("RSTP"), answer: t("AACK"), ms: Math.round(total) }));
+}
+
+// --------------------------------------------------------------- connection
+
+const link = new Link({ message: receive, image: receiveImage, change: linkChanged });
+
+function linkChanged(now, before, reason) {
+  root.dataset.link = now;
+  if (now === "open") {
+    if (before === "lost" || before === "slow") journal.news(() => t("link_back"));
+  } else if (now === "slow") {
+    if (mine()) {
+      journal.alarm(() => t("link_slow"));
+      driving.stop();
+    } else journal.news(() => t("link_slow_watch"));
+  } else if (now === "lost") {
+    driving.letGo();
+    driving.moving = false;
+    if (before === "open" || before === "slow")
+      journal.alarm(() => reason ? t("link_refused", { reason }) : t("link_lost"));
+    if (mine()) remembered.set(true);
+    me = null;
+    if (link.failures === LOGIN_AFTER) askForLogin();
+  }
+  show();
+}
+
+// The gateway answers pages without token with the form
+async function askForLogin() {
+  try {
+    const { status } = await fetch("/recordings", { cache: "no-store" });
+    if (status === 401 || status === 403) location.reload();
+  } catch { /* not there: the link tries again */ }
+}
+
+function receive(message) {
+  switch (message.type) {
+    case "welcome":
+      welcome(message);
+      break;
+    case "state":
+      takeState(message);
+      break;
+    case "position":
+      if (state.positions) {
+        picture.add(message, performance.now());
+        tilePosition();
+      }
+      break;
+    case "event":
+      journal.happened(message, message.code === "order" && mine() ||
+        message.code === "stopped_by" && mine() && message.args.name === nameOf(me));
+      if (message.code === "order" && !mine() && DRIVING.has(message.args.label) &&
+          message.args.answer === "AACK") {
+        latency.add(message.args.ms);
+        tileLatency();
+      }
+      break;
+  }
+}
+
+function welcome(message) {
+  me = message.you;
+  role = message.role;
+  recorded = message.recordings;
+  welcomedAt = performance.now();
+  lastImage = 0;
+  unseen = 0;
+  waiting = undefined;
+  driving.letGo();
+  picture.clear();
+  wheelBack = remembered.get();
+  Object.assign(state, message.state);
+  journal.restore(message.events);
+  battery.set(message.battery);
+  const name = stored.get("destijl.name");
+  if (name && name !== nameOf(me)) link.send({ type: "name", name });
+  if (document.activeElement !== at("name")) at("name").value = name || nameOf(me);
+  changed();
+}
+
+function takeState({ type, ...fields }) {
+  const before = { ...state };
+  Object.assign(state, fields);
+  if ("battery" in fields) battery.add(Date.now(), state.battery);
+  if (before.driver === me && state.driver !== me) {
+    driving.letGo();
+    driving.moving = false;
+    remembered.set(false);
+  }
+  if (!state.positions || !state.camera) picture.clear();
+  changed();
+}
+
+function changed() {
+  const drives = mine();
+  link.drives = drives;
+  if (drives) {
+    remembered.set(true);
+    wheelBack = false;
+  }
+  takeBack();
+  show();
+}
+
+// ------------------------------------------------------------------- images
+
+const picture = new Picture(at("picture"), at("overlay"));
+let waiting;                       // the newest image that is not drawn yet
+let unseen = 0;                    // images since the last that was drawn
+let drawing = false;
+
+function receiveImage(blob) {
+  waiting = blob;
+  unseen += 1;
+  drawImages();
+}
+
+async function drawImages() {
+  // A hidden page shows nothing: the gateway waits with the next
+  if (drawing) return;
+  drawing = true;
+  while (waiting && !document.hidden) {
+    const blob = waiting;
+    const count = unseen;
+    waiting = undefined;
+    unseen = 0;
+    try {
+      await picture.show(blob);
+      lastImage = performance.now();
+      imageTimes.push(lastImage);
+      at("picture").dataset.images = Number(at("picture").dataset.images) + 1;
+      if (at("picture").hidden) {
+        at("picture").hidden = false;
+        showPictureNote();
+      }
+    } catch { /* damaged: the next one comes */ }
+    link.seen(count);
+  }
+  drawing = false;
+}
+
+function showPictureNote() {
+  const blank = at("picture").hidden;
+  const age = performance.now() - lastImage;
+  at("picture-none").hidden = !blank;
+  let title = "";
+  let text = "";
+  let old = false;
+  if (blank) {
+    title = t(link.usable ? "picture_none" : "link_connecting");
+    text = !link.usable ? "" : t(state.driver === null || mine()
+      ? "picture_hint_start" : "picture_hint_watch");
+  } else if (!link.usable) {
+    title = t("picture_lost");
+    old = true;
+  } else if (!state.camera) {
+    title = t("picture_closed");
+    old = true;
+  } else if (lastImage > 0 && age > OLD && state.arena !== "found" && !searching) {
+    title = t("picture_old", { seconds: number(Math.floor(age / 1000)) });
+    old = true;
+  } else if (searching) {
+    title = t("arena_searching");
+  } else if (state.arena === "found" && !mine()) {
+    title = t("arena_watch");
+  }
+  write("picture-note-title", title);
+  write("picture-note-text", text);
+  at("picture-note").hidden = !title && !text;
+  at("arena").classList.toggle("old", old);
+}
+
+// -------------------------------------------------------------------- state
+
+// Only what differs is written: a screen reader hears of what changes
+function write(id, text) {
+  const element = at(id);
+  if (element.textContent !== text) element.textContent = text;
+}
+
+function tile(name, level, text, more) {
+  at("tile-" + name).dataset.level = level;
+  write("tile-" + name + "-text", text);
+  if (more !== undefined) write("tile-" + name + "-more", more);
+}
+
+function makeTiles() {
+  for (const name of ["supervisor", "robot", "watchdog", "camera", "position",
+    "battery", "driver", "latency", "images"]) {
+    const box = document.createElement("div");
+    box.className = "tile";
+    box.id = "tile-" + name;
+    const title = document.createElement("dt");
+    title.dataset.t = "st_" + name;
+    const value = document.createElement("dd");
+    const text = document.createElement("span");
+    text.id = box.id + "-text";
+    text.className = "value";
+    const more = document.createElement("small");
+    more.id = box.id + "-more";
+    value.append(text, more);
+    box.append(title, value);
+    at("tiles").append(box);
+  }
+  for (const [name, plot] of [["battery", batteryPlot], ["latency", latencyPlot]])
+    at("tile-" + name).lastElementChild.append(plot);
+}
+
+const batteryPlot = makePlot("battery-plot");
+const latencyPlot = makePlot("latency-plot");
+const battery = new Battery(batteryPlot);
+const latency = new Latency(latencyPlot);
+
+function tileLatency() {
+  const { last } = latency;
+  if (last === undefined) {
+    tile("latency", "off", t("latency_none"), "");
+    return;
+  }
+  tile("latency", last < 100 ? "ok" : "warn", t("latency_ms", { ms: number(last, last < 10 ? 1 : 0) }),
+    t("latency_stats", {
+      median: number(latency.quantile(0.5), 1), p99: number(latency.quantile(0.99), 1),
+    }));
+}
+
+function tilePosition() {
+  const { last } = picture;
+  const overlay = at("overlay");
+  if (!state.positions || !last) {
+    tile("position", "off", t("position_off"), "");
+    picture.picture.setAttribute("aria-label", t("picture_label"));
+    for (const key of ["x", "y", "angle", "id"]) delete overlay.dataset[key];
+    return;
+  }
+  Object.assign(overlay.dataset, { x: last.x, y: last.y, angle: last.angle, id: last.id });
+  if (last.id < 0) {
+    tile("position", "warn", t("position_none"), t("do_position"));
+    return;
+  }
+  tile("position", "ok",
+    t("position_at", { x: number(last.x), y: number(last.y) }),
+    t("position_angle", { angle: number(last.angle), id: last.id }));
+}
+
+function describePicture() {
+  const { last } = picture;
+  const label = !last ? t("picture_label") : last.id < 0 ? t("picture_label_none")
+    : t("picture_label_robot", { id: last.id, x: number(last.x), y: number(last.y),
+      angle: number(last.angle) });
+  if (at("picture").getAttribute("aria-label") !== label)
+    at("picture").setAttribute("aria-label", label);
+}
+
+function tileImages() {
+  const now = performance.now();
+  while (imageTimes.length > 0 && imageTimes[0] < now - RATE_OVER) imageTimes.shift();
+  const rate = imageTimes.length / (RATE_OVER / 1000);
+  tile("images", rate > 0 ? "ok" : state.camera ? "warn" : "off",
+    rate > 0 ? t("rate", { n: number(rate, rate < 9.5 ? 1 : 0) }) : t("rate_none"),
+    state.recording ? t("recording_on") : "");
+  const silent = state.camera && lastImage > 0 && now - lastImage > 3 * OLD &&
+    state.arena !== "found";
+  tile("camera", !state.camera ? "off" : silent ? "warn" : "ok",
+    t(!state.camera ? "camera_off" : silent ? "camera_silent" : "camera_on"),
+    state.camera ? t("arena_" + state.arena) : "");
+  tile("supervisor", link.usable ? LEVEL[state.supervisor] : "bad",
+    link.usable ? t("supervisor_" + state.supervisor) : t("gateway_lost"),
+    link.usable && link.rtt !== null ? t("gateway_ms", { ms: number(link.rtt, link.rtt < 10 ? 1 : 0) }) : "");
+}
+
+// ------------------------------------------------------------------ display
+
+function usable(button, yes) {
+  if (yes) button.removeAttribute("aria-disabled");
+  else button.setAttribute("aria-disabled", "true");
+}
+
+// A list that is made anew keeps the focus where it was
+function fill(list, items) {
+  const key = list.contains(document.activeElement)
+    ? document.activeElement.dataset.key : undefined;
+  list.replaceChildren(...items);
+  if (key) list.querySelector(`[data-key="${CSS.escape(key)}"]`)?.focus();
+}
+
+function button(text, label, key, action) {
+  const made = document.createElement("button");
+  made.type = "button";
+  made.className = "small";
+  made.textContent = text;
+  made.setAttribute("aria-label", label);
+  made.dataset.key = key;
+  made.onclick = action;
+  return made;
+}
+
+function giveButton(id) {
+  const made = button(t("wheel_give"), t("wheel_give_label", { name: nameOf(id) }),
+    "give " + id, () => wheel("give", id));
+  made.dataset.give = id;
+  return made;
+}
+
+let listed;                        // what the lists were made of
+
+function showPeople() {
+  const made = JSON.stringify([state.viewers, state.asking, state.driver, me, root.lang]);
+  if (made === listed) return;
+  listed = made;
+  const drives = mine();
+  at("people-count").textContent = t("people_count", { n: state.viewers.length });
+  fill(at("viewers"), state.viewers.map(({ id, name, role: theirs }) => {
+    const item = document.createElement("li");
+    item.dataset.viewer = id;
+    const who = document.createElement("span");
+    who.className = "person";
+    who.textContent = name;
+    item.append(who);
+    for (const [is, word] of [[id === me, "people_you"], [id === state.driver, "people_drives"],
+      [state.asking.includes(id), "people_asks"], [theirs === "teacher", "people_teacher"]]) {
+      if (!is) continue;
+      const tag = document.createElement("small");
+      tag.className = "tag " + word;
+      tag.textContent = t(word);
+      item.append(" ", tag);
+    }
+    if (drives && id !== me) item.append(giveButton(id));
+    return item;
+  }));
+  at("asking").hidden = !drives || state.asking.length === 0;
+  fill(at("asking"), !drives ? [] : state.asking.map((id) => {
+    const item = document.createElement("li");
+    item.dataset.viewer = id;
+    const who = document.createElement("span");
+    who.textContent = t("wheel_asks", { name: nameOf(id) });
+    const decline = button(t("wheel_decline"), t("wheel_decline_label", { name: nameOf(id) }),
+      "decline " + id, () => wheel("decline", id));
+    decline.dataset.decline = id;
+    item.append(who, giveButton(id), decline);
+    return item;
+  }));
+}
+
+function showWheel() {
+  const there = link.usable && me !== null;
+  const drives = mine();
+  const free = state.driver === null;
+  const asked = state.asking.includes(me);
+  root.dataset.wheel = drives ? "me" : free ? "free" : "other";
+  write("wheel-who", drives ? t("wheel_you") : free ? t("wheel_nobody")
+    : t("wheel_other", { name: nameOf(state.driver) }));
+  const wanted = {
+    "wheel-take": there && free,
+    "wheel-ask": there && !free && !drives,
+    "wheel-seize": there && !free && !drives && role === "teacher",
+    "wheel-release": there && drives,
+  };
+  const focused = document.activeElement?.id;
+  for (const [id, shown] of Object.entries(wanted)) at(id).hidden = !shown;
+  // The button that was just used is gone: the one in its place has the focus
+  if (focused in wanted && !wanted[focused]) {
+    const next = Object.keys(wanted).find((id) => wanted[id]);
+    if (next) at(next).focus();
+  }
+  write("wheel-ask", t(asked ? "wheel_asked" : "wheel_ask"));
+  usable(at("wheel-ask"), !asked);
+}
+
+function showStart() {
+  const all = mine() && state.robot === "started" && state.camera && state.positions;
+  const blocked = !link.usable || state.supervisor !== "connected" ||
+    (state.driver !== null && !mine());
+  write("start-word", t(starter.running ? "start_busy"
+    : all || (state.robot === "closed" && !state.camera) ? "start" : "start_again"));
+  write("start-text", t("start_text"));
+  usable(at("start"), !blocked && !starter.running);
+  // Once all is well the button has done its work and makes room
+  const done = all && !starter.running;
+  at("starter").classList.toggle("done", done);
+}
+
+function show() {
+  const drives = link.usable && mine();
+  root.dataset.robot = state.robot;
+  root.dataset.arena = state.arena;
+  for (const key of ["watchdog", "camera", "positions"]) root.dataset[key] = String(state[key]);
+  document.title = (mine() ? t("wheel_you") + " · " : "") + t("title");
+  showWheel();
+  showStart();
+  showPeople();
+  for (const one of document.querySelectorAll("[data-order], [data-single], #move, #turn, #arena-search"))
+    usable(one, drives);
+  for (const [label, active] of [["COPN", state.camera], ["CPCO", state.positions]])
+    at("order-" + label).classList.toggle("active", active);
+  at("arena-question").hidden = state.arena !== "found" || !drives;
+  usable(at("arena-search"), drives && state.camera && state.arena !== "found" && !searching);
+  tile("robot", LEVEL[state.robot], t("robot_" + state.robot));
+  const running = state.robot === "started";
+  tile("watchdog", !running ? "off" : state.watchdog ? "ok" : "warn",
+    t(!running ? "watchdog_none" : state.watchdog ? "watchdog_on" : "watchdog_off"));
+  tile("battery", ["bad", "warn", "ok"][state.battery] ?? "off",
+    t(state.battery < 0 ? "battery_unknown" : "battery_" + state.battery));
+  tile("driver", mine() ? "ok" : state.driver === null ? "off" : "ok",
+    state.driver === null ? t("driver_nobody") : mine() ? t("driver_you") : nameOf(state.driver));
+  tileLatency();
+  tilePosition();
+  tileImages();
+  describePicture();
+  showPictureNote();
+  recordings.set(recorded, state.recording);
+}
+
+// ----------------------------------------------------------------- controls
+
+const starter = new Starter({
+  order,
+  state: () => state,
+  drives: () => link.usable && mine(),
+  driverName: () => state.driver === null || mine() ? "" : nameOf(state.driver),
+  takeWheel: () => wheel("take"),
+  refusal: journal.refusal,
+});
+
+const recordings = new Recordings();
+
+// A control that is aria-disabled says why instead
+function on(id, action) {
+  at(id).addEventListener("click", () => {
+    if (at(id).getAttribute("aria-disabled") === "true") {
+      if (!mine()) whyNot();
+      else if (id === "arena-search") journal.news(() => t("do_CPCO_ANAK"));
+    } else action();
+  });
+}
+
+async function startAll() {
+  const running = starter.run();
+  showStart();
+  await running;
+  show();
+  const { outcome } = starter;
+  if (outcome === "start_ready") {
+    journal.news(() => t(outcome));
+    setTimeout(() => { if (!starter.running && starter.outcome === outcome) starter.clear(); }, 4000);
+  } else if (outcome) journal.alarm(() => t(outcome));
+}
+
+function amount(form, label) {
+  at(form + "-form").addEventListener("submit", (event) => {
+    event.preventDefault();
+    const field = at(form + "-value");
+    if (at(form).getAttribute("aria-disabled") === "true") {
+      whyNot();
+    } else if (!field.checkValidity()) {
+      field.setAttribute("aria-invalid", "true");
+      journal.alarm(() => t("range"));
+      field.focus();
+    } else {
+      field.removeAttribute("aria-invalid");
+      driving.order(label, Number(field.value));
+    }
+  });
+}
+
+function makeOrders() {
+  for (const [group, labels] of [["robot", ROBOT_ORDERS], ["camera", CAMERA_ORDERS]])
+    for (const label of labels) {
+      const made = document.createElement("button");
+      made.type = "button";
+      made.className = "small";
+      made.id = "order-" + label;
+      made.dataset.single = label;
+      made.dataset.t = label;
+      at("orders-" + group).append(made);
+      on(made.id, () => {
+        if (label === "RSOW") at("unguarded").showModal();
+        else wish(label);
+      });
+    }
+}
+
+function listen() {
+  driving.listen();
+  journal.listen();
+  for (const one of document.querySelectorAll(".stop")) {
+    // A stop does not wait for the finger to be lifted
+    let pressed = -Infinity;
+    one.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      pressed = event.timeStamp;
+      stopped();
+    });
+    one.addEventListener("click", (event) => {
+      if (event.timeStamp - pressed > 1000) stopped();
+      pressed = -Infinity;
+    });
+  }
+  on("start", startAll);
+  on("wheel-take", () => wheel("take"));
+  on("wheel-ask", () => wheel("ask"));
+  on("wheel-seize", () => wheel("seize"));
+  on("wheel-release", () => {
+    driving.letGo();
+    remembered.set(false);
+    wheel("release");
+  });
+  on("arena-search", () => wish("CASA"));
+  on("arena-confirm", () => wish("CACO"));
+  on("arena-reject", () => wish("CAIN"));
+  amount("move", "RMOV");
+  amount("turn", "RTRN");
+  const dialog = at("unguarded");
+  for (const [id, label] of [["unguarded-yes", "RSOW"], ["unguarded-with", "RSWW"], ["unguarded-cancel", ""]])
+    at(id).onclick = () => {
+      dialog.close();
+      if (label) wish(label);
+    };
+  at("trail").onclick = () => {
+    picture.trail = !picture.trail;
+    at("trail").setAttribute("aria-pressed", String(picture.trail));
+    picture.draw();
+  };
+  at("name-form").addEventListener("submit", (event) => {
+    event.preventDefault();
+    const name = at("name").value.trim();
+    if (!name) return;
+    stored.set("destijl.name", name);
+    link.send({ type: "name", name });
+  });
+
+  addEventListener("blur", () => { if (mine()) driving.stopIfMoving(); });
+  document.addEventListener("visibilitychange", () => {
+    if (document.hidden) leave();
+    else {
+      link.ping();
+      link.hurry();
+      drawImages();
+    }
+  });
+  addEventListener("pagehide", () => {
+    if (mine()) driving.stop();
+    link.end();
+  });
+  addEventListener("pageshow", (event) => { if (event.persisted) link.start(); });
+  addEventListener("online", () => link.hurry());
+}
+
+// A page that nobody sees drives nothing
+function leave() {
+  if (mine()) {
+    driving.stop();
+    wheel("release");
+    journal.alarm(() => t("link_hidden"));
+  }
+  link.ping();
+}
+
+function everySecond() {
+  if (document.hidden) return;
+  if (mine() && link.usable) remembered.set(true);
+  takeBack();
+  tileImages();
+  describePicture();
+  showPictureNote();
+}
+
+makeTiles();
+makeOrders();
+startWords();
+onLanguage(() => {
+  journal.renew();
+  starter.show();
+  battery.draw();
+  latency.draw();
+  show();
+});
+listen();
+show();
+setInterval(everySecond, 500);
+setInterval(() => { if (!document.hidden) battery.draw(); }, 10000);
+link.start();

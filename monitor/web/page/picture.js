@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture of the arena, and over it, on a canvas of the screen's own
+// resolution, the robot's position, heading and fading trail.
+
+import { t } from "./words.js";
+
+const TRAIL = 15000;               // ms until the trail has faded
+const JUMP = 0.15;                 // of the width: no line is drawn so far
+const CASING = "rgb(255 255 255 / 0.9)";
+const INK = "#0b4ea2";
+const TRAIL_INK = [255, 213, 0];
+
+export class Picture {
+  constructor(picture, overlay) {
+    this.picture = picture;
+    this.overlay = overlay;
+    this.points = [];              // { at, x, y, dx, dy, id, angle }, oldest first
+    this.now = 0;
+    this.trail = true;
+    this.density = 1;
+    const watcher = new ResizeObserver(([entry]) => {
+      const exact = entry.devicePixelContentBoxSize?.[0];
+      const width = entry.contentRect.width || 1;
+      overlay.width = exact ? exact.inlineSize : Math.round(width * devicePixelRatio);
+      overlay.height = exact ? exact.blockSize
+        : Math.round(entry.contentRect.height * devicePixelRatio);
+      this.density = overlay.width / width;
+      this.draw();
+    });
+    try {
+      watcher.observe(overlay, { box: "device-pixel-content-box" });
+    } catch {
+      watcher.observe(overlay);
+    }
+  }
+
+  // Shows the JPEG; throws where it cannot be decoded
+  async show(jpeg) {
+    const bitmap = await createImageBitmap(jpeg);
+    const { picture } = this;
+    const resized = picture.width !== bitmap.width || picture.height !== bitmap.height;
+    if (resized) {
+      picture.width = bitmap.width;
+      picture.height = bitmap.height;
+    }
+    picture.getContext("2d").drawImage(bitmap, 0, 0);
+    bitmap.close();
+    if (resized) this.draw();
+  }
+
+  // Adds a position (id -1: none) as of the time at
+  add(position, at) {
+    this.points.push({ ...position, at });
+    this.now = at;
+    this.forget();
+    this.draw();
+  }
+
+  forget() {
+    let first = 0;
+    while (first < this.points.length && this.points[first].at < this.now - TRAIL)
+      first += 1;
+    this.points.splice(0, first);
+  }
+
+  // The positions until now, for a replay
+  set(points, now) {
+    this.points = points;
+    this.now = now;
+    this.draw();
+  }
+
+  clear() {
+    this.points = [];
+    this.draw();
+  }
+
+  get last() { return this.points[this.points.length - 1]; }
+
+  draw() {
+    const { overlay, picture } = this;
+    const context = overlay.getContext("2d");
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.clearRect(0, 0, overlay.width, overlay.height);
+    if (this.points.length === 0) return;
+    const scale = Math.min(overlay.width / picture.width, overlay.height / picture.height);
+    const left = (overlay.width - picture.width * scale) / 2;
+    const top = (overlay.height - picture.height * scale) / 2;
+    const place = (x, y) => [left + x * scale, top + y * scale];
+    // One unit of drawing: a pixel of CSS, more on a large picture
+    const unit = Math.max(this.density, overlay.width / 900);
+    context.lineCap = "round";
+    context.lineJoin = "round";
+    if (this.trail) this.drawTrail(context, place, unit);
+    const last = this.last;
+    if (last.id >= 0) this.drawRobot(context, place, unit, scale, last);
+  }
+
+  drawTrail(context, place, unit) {
+    const jump = this.picture.width * JUMP;
+    for (const pass of [
+      { width: 5, colour: "0, 0, 0", most: 0.45 },
+      { width: 3, colour: TRAIL_INK.join(", "), most: 1 },
+    ]) {
+      context.lineWidth = pass.width * unit;
+      for (let n = 1; n < this.points.length; n += 1) {
+        const from = this.points[n - 1];
+        const to = this.points[n];
+        if (from.id < 0 || from.id !== to.id) continue;
+        if (Math.hypot(to.x - from.x, to.y - from.y) > jump) continue;
+        const age = (this.now - to.at) / TRAIL;
+        context.strokeStyle = `rgba(${pass.colour}, ${(pass.most * Math.max(0, 1 - age)).toFixed(3)})`;
+        context.beginPath();
+        context.moveTo(...place(from.x, from.y));
+        context.lineTo(...place(to.x, to.y));
+        context.stroke();
+      }
+    }
+  }
+
+  drawRobot(context, place, unit, scale, { x, y, dx, dy, id }) {
+    const [cx, cy] = place(x, y);
+    const heading = Math.atan2(dy - y, dx - x);
+    const radius = Math.max(14 * unit, Math.hypot(dx - x, dy - y) * scale * 2);
+    const tip = radius + 16 * unit;
+    const arrow = new Path2D();
+    for (const [n, [along, across]] of [
+      [tip, 0], [radius + 3 * unit, 8 * unit], [radius + 3 * unit, -8 * unit],
+    ].entries()) {
+      const px = cx + along * Math.cos(heading) - across * Math.sin(heading);
+      const py = cy + along * Math.sin(heading) + across * Math.cos(heading);
+      if (n === 0) arrow.moveTo(px, py); else arrow.lineTo(px, py);
+    }
+    arrow.closePath();
+    const ring = new Path2D();
+    ring.arc(cx, cy, radius, 0, 2 * Math.PI);
+    for (const [width, colour] of [[6, CASING], [3, INK]]) {
+      context.lineWidth = width * unit;
+      context.strokeStyle = colour;
+      context.stroke(ring);
+      if (colour === CASING) context.stroke(arrow);
+    }
+    context.fillStyle = INK;
+    context.fill(arrow);
+    // The name is on the side the robot does not look to
+    const words = t("robot", { id });
+    context.font = `600 ${13 * unit}px system-ui, sans-serif`;
+    const width = context.measureText(words).width + 12 * unit;
+    const height = 20 * unit;
+    const away = Math.sin(heading) > 0 ? -1 : 1;
+    const boxX = Math.min(Math.max(cx - width / 2, 2), this.overlay.width - width - 2);
+    let boxY = cy + away * (radius + 8 * unit) - (away < 0 ? height : 0);
+    boxY = Math.min(Math.max(boxY, 2), this.overlay.height - height - 2);
+    context.fillStyle = INK;
+    context.fillRect(boxX, boxY, width, height);
+    context.fillStyle = "#fff";
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.fillText(words, boxX + width / 2, boxY + height / 2 + unit);
+  }
+}
