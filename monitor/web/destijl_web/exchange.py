@@ -1,0 +1,113 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""Which answer belongs to which command.
+
+The supervisor answers each command that has an answer once, in their order.
+Battery levels, images and the loss of the robot come unasked too: they are
+answers to what asks for them only."""
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+
+STARTS = frozenset(("ROPN", "RCLS", "RSOW", "RSWW", "RRST", "RPOF"))
+DRIVES = frozenset(("RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN"))
+ROBOT = STARTS | DRIVES | {"RPIN", "RGBT", "RGST"}
+CAMERA = frozenset(("COPN", "CCLS", "CASA", "CACO", "CAIN", "CPCO", "CPST"))
+WITH_NUMBER = frozenset(("RMOV", "RTRN"))
+UNANSWERED = frozenset(("CACO", "CAIN"))
+
+ROBOT_LIMIT = 5.0
+CAMERA_LIMIT = 15.0
+#  Seconds for an answer, counted from when it is this command's turn. A camera
+#  that is reached by its URL takes up to 5 s.
+
+
+@dataclass(eq=False)
+class Command:
+    label: str
+    value: int | None = None
+    done: Callable[[str, float], None] | None = None
+    #  Called with the answer and the milliseconds it took
+    sent_at: float = 0.0
+
+    def line(self) -> bytes:
+        text = self.label if self.value is None else f"{self.label}:{self.value}"
+        return text.encode("ascii") + b"\n"
+
+
+class Exchange:
+    """The commands that wait for their answers."""
+
+    def __init__(self) -> None:
+        self._waiting: deque[Command] = deque()
+        self._turn_began = 0.0
+
+    def __len__(self) -> int:
+        return len(self._waiting)
+
+    def is_waiting(self, label: str) -> bool:
+        return any(c.label == label for c in self._waiting)
+
+    def stops_at_end(self) -> int:
+        """How many of the last commands are stops."""
+        count = 0
+        for command in reversed(self._waiting):
+            if command.label != "RSTP":
+                break
+            count += 1
+        return count
+
+    def last(self) -> Command:
+        return self._waiting[-1]
+
+    def sent(self, command: Command, now: float) -> list[Command]:
+        """Command waits from now on. Returns it where it has neither an answer
+        nor commands before it."""
+        command.sent_at = now
+        if not self._waiting:
+            if command.label in UNANSWERED:
+                return [command]
+            self._turn_began = now
+        self._waiting.append(command)
+        return []
+
+    def match(self, line: bytes, begun_at: float, now: float) -> list[Command]:
+        """The command that line, whose first byte came at begun_at, answers,
+        and those after it that have no answer: empty if there is none."""
+        if not self._waiting or not _can_answer(line, begun_at, self._waiting[0]):
+            return []
+        settled = [self._waiting.popleft()]
+        while self._waiting and self._waiting[0].label in UNANSWERED:
+            settled.append(self._waiting.popleft())
+        self._turn_began = now
+        return settled
+
+    def overdue(self, now: float) -> Command | None:
+        """The command whose answer is late."""
+        if not self._waiting:
+            return None
+        first = self._waiting[0]
+        limit = CAMERA_LIMIT if first.label in CAMERA else ROBOT_LIMIT
+        return first if now - self._turn_began > limit else None
+
+    def give_up(self) -> list[Command]:
+        """All that wait, which wait no longer."""
+        given_up = list(self._waiting)
+        self._waiting.clear()
+        return given_up
+
+
+def _can_answer(line: bytes, begun_at: float, command: Command) -> bool:
+    label = line[:4]
+    if label in (b"AACK", b"ANAK", b"ACRJ", b"ACER"):
+        return len(line) == 4
+    if label == b"ATIM":
+        return len(line) == 4 and command.label in ROBOT
+    if label == b"RBLV":
+        return command.label == "RGBT"
+    if label == b"RCST":
+        return command.label == "RGST"
+    if label == b"CIMG":
+        #  An image that was under way before the arena was asked for is none
+        return command.label == "CASA" and begun_at >= command.sent_at
+    return False

@@ -1,0 +1,501 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""What joins viewers and supervisor: who drives, what everybody sees."""
+
+import asyncio
+import binascii
+import json
+import logging
+import math
+import re
+import time
+from collections import deque
+from pathlib import Path
+from typing import Any
+
+from aiohttp import WSCloseCode
+
+from . import messages
+from .exchange import Command
+from .fan_out import FanOut
+from .recording import Recording
+from .state import State
+from .supervisor import TOO_MANY, Link, printable
+from .viewer import Viewer
+
+MAX_VIEWERS = 100
+ORDERS_PER_VIEWER = 16
+
+SILENCE = 0.5
+ABSENCE = 1.0
+#  Seconds without a ping of the driver: the robot is stopped, the wheel free
+
+TICK = 0.05
+
+EVENTS = 100
+BATTERY_TIME = 600.0
+BATTERY_STEP = 10.0
+#  Seconds that the history covers, and between two equal levels in it
+
+CAMERA_SILENCE = 2.0
+IMAGE_AGE = 1.0
+#  Seconds; an older image is not shown to a newcomer
+
+STOP_TOLD = 1.0
+#  Seconds between two events of the same viewer's stop
+
+MAX_IMAGE = 6 * 2**20
+
+_POSITION = re.compile(
+    rb"CPOS:(-?[0-9]{1,9})" + rb";(-?[0-9]{1,9}(?:\.[0-9]{1,9})?)" * 5
+)
+_LEVELS = {b"RBLV:-1": -1, b"RBLV:0": 0, b"RBLV:1": 1, b"RBLV:2": 2}
+_NOT_RUNNING = "robot no longer runs"
+_CAMERA_CLOSED = "camera closed: "
+
+_log = logging.getLogger(__name__)
+
+
+class Hub:
+    def __init__(
+        self, host: str, port: int, token: str | None, record: Path | None
+    ) -> None:
+        self.state = State()
+        self.viewers: dict[int, Viewer] = {}
+        self.fan_out = FanOut()
+        self.link = Link(host, port, token, self)
+        self._record = record
+        self._recording: Recording | None = None
+        self._loop = asyncio.get_running_loop()
+        self._last_number = 0
+        self._events: deque[dict[str, Any]] = deque(maxlen=EVENTS)
+        self._battery: deque[tuple[int, int]] = deque()
+        self._image: bytes | None = None
+        self._image_at = 0.0
+        self._camera_told = False
+        self._stopped_silent = False
+
+    #  Viewers
+
+    def next_number(self) -> int:
+        self._last_number += 1
+        return self._last_number
+
+    def join(self, viewer: Viewer) -> None:
+        now = self._loop.time()
+        viewer.pinged_at = now
+        self.viewers[viewer.number] = viewer
+        self._tell_viewers()
+        changes = self.state.take_changes()
+        self._forget_old_battery()
+        viewer.put(
+            encode(
+                "welcome",
+                you=viewer.number,
+                role=viewer.role,
+                state=self.state.all(),
+                events=list(self._events),
+                battery=list(self._battery),
+                recordings=self._record is not None,
+            )
+        )
+        if self._image is not None and (
+            now - self._image_at < IMAGE_AGE or self.state["arena"] == "found"
+        ):
+            viewer.put_image(self._image)
+        viewer.wake()
+        self._send_changes(changes, but=viewer)
+
+    def leave(self, viewer: Viewer) -> None:
+        if self.viewers.pop(viewer.number, None) is None:
+            return
+        self._forget_wish(viewer)
+        if self.state["driver"] == viewer.number:
+            self._free_wheel("wheel_lost", viewer)
+        self._tell_viewers()
+        self._publish()
+
+    def take(self, viewer: Viewer, message: messages.Message) -> None:
+        """What a page says."""
+        if isinstance(message, messages.Ping):
+            viewer.put_pong(encode("pong", n=message.number))
+            viewer.wake()
+            viewer.pinged_at = self._loop.time()
+            if self._drives(viewer):
+                self._stopped_silent = False
+                if message.hidden:
+                    self._free_wheel("wheel_released", viewer)
+        elif isinstance(message, messages.Seen):
+            viewer.seen()
+            return
+        elif isinstance(message, messages.Order):
+            self._take_order(viewer, message)
+        elif isinstance(message, messages.Wheel):
+            self._take_wheel(viewer, message)
+        else:
+            viewer.name = message.name
+            self._tell_viewers()
+        self._publish()
+
+    def whole_state(self) -> str:
+        return encode("state", **self.state.all())
+
+    def tick(self) -> None:
+        """To be called every TICK seconds."""
+        now = self._loop.time()
+        self.link.watch()
+        driver = self._driver()
+        if driver is not None:
+            silent = now - driver.pinged_at
+            if silent > ABSENCE:
+                self._free_wheel("wheel_lost", driver)
+            elif silent > SILENCE and not self._stopped_silent:
+                self._stopped_silent = True
+                self._stop()
+                self._tell("stopped_silent", "warning", name=driver.name)
+        for viewer in list(self.viewers.values()):
+            if viewer.is_stuck(now):
+                _log.warning("viewer %d takes nothing: closed", viewer.number)
+                viewer.abort()
+                self.leave(viewer)
+        if (
+            self.state["camera"]
+            and self.state["arena"] != "found"
+            and self.link.waiting() == 0
+            and now - self._image_at > CAMERA_SILENCE
+            and not self._camera_told
+        ):
+            self._camera_told = True
+            self._tell("camera_silent", "warning")
+        self._publish()
+
+    async def run_ticks(self) -> None:
+        while True:
+            self.tick()
+            await asyncio.sleep(TICK)
+
+    async def close(self) -> None:
+        """Stops the robot, closes the connections and the recording."""
+        self._stop()
+        await self.link.close()
+        for viewer in self.viewers.values():
+            viewer.close(WSCloseCode.GOING_AWAY, "the gateway ends")
+        recording = self._recording
+        self._end_recording()
+        if recording is not None:
+            await self._loop.run_in_executor(None, recording.join)
+
+    #  Orders
+
+    def _take_order(self, viewer: Viewer, order: messages.Order) -> None:
+        is_stop = order.label == "RSTP"
+        refusal = None
+        if not is_stop and not self._drives(viewer):
+            refusal = "NOWHEEL"
+        elif not self.link.is_up():
+            refusal = "NOLINK"
+        elif not is_stop and (
+            viewer.orders_waiting >= ORDERS_PER_VIEWER
+            or self.link.waiting() >= TOO_MANY
+        ):
+            refusal = "BUSY"
+        if refusal is not None:
+            viewer.put(encode("answer", id=order.number, answer=refusal))
+            viewer.wake()
+            return
+        name = viewer.name
+        viewer.orders_waiting += 1
+
+        def done(answer: str, took: float) -> None:
+            viewer.orders_waiting -= 1
+            ms = round(took, 2)
+            viewer.put(encode("answer", id=order.number, answer=answer, ms=ms))
+            viewer.wake()
+            args: dict[str, Any] = {"name": name, "label": order.label}
+            if order.value is not None:
+                args["value"] = order.value
+            level = "info" if is_good(answer) else "warning"
+            self._tell("order", level, **args, answer=answer, ms=ms)
+
+        self._send(Command(order.label, order.value, done), name)
+        if is_stop and not self._drives(viewer):
+            now = self._loop.time()
+            if now - viewer.stop_told_at > STOP_TOLD:
+                viewer.stop_told_at = now
+                self._tell("stopped_by", "warning", name=name)
+
+    def _send(self, command: Command, name: str) -> None:
+        self.link.send(command)
+        self._note("order", label=command.label, value=command.value, name=name)
+
+    def _stop(self) -> None:
+        """The gateway's own, wherever the robot might be moving."""
+        if self.link.is_up() and (
+            self.state["robot"] in ("open", "started") or self.link.waiting() > 0
+        ):
+            self._send(Command("RSTP"), "")
+
+    #  The wheel
+
+    def _drives(self, viewer: Viewer) -> bool:
+        return bool(self.state["driver"] == viewer.number)
+
+    def _driver(self) -> Viewer | None:
+        return self.viewers.get(self.state["driver"] or 0)
+
+    def _take_wheel(self, viewer: Viewer, wish: messages.Wheel) -> None:
+        driver = self._driver()
+        if wish.what in ("take", "ask") or (wish.what == "seize" and driver is None):
+            if driver is None:
+                self._give_wheel(viewer)
+                self._tell("wheel_taken", name=viewer.name)
+            elif (
+                wish.what == "ask"
+                and driver is not viewer
+                and viewer.number not in self.state["asking"]
+            ):
+                self.state.set(asking=[*self.state["asking"], viewer.number])
+                self._tell("wheel_asked", name=viewer.name)
+        elif wish.what == "seize":
+            if viewer.role == "teacher" and driver is not None and driver is not viewer:
+                self._stop()
+                self._give_wheel(viewer)
+                self._tell(
+                    "wheel_seized",
+                    "warning",
+                    **{"from": driver.name, "name": viewer.name},
+                )
+        elif driver is viewer:
+            other = self.viewers.get(wish.to or 0)
+            if wish.what == "release":
+                self._free_wheel("wheel_released", viewer)
+            elif other is not None and other.number in self.state["asking"]:
+                if wish.what == "give":
+                    self._stop()
+                    self._give_wheel(other)
+                    self._tell(
+                        "wheel_given", **{"from": viewer.name, "name": other.name}
+                    )
+                else:
+                    self._forget_wish(other)
+                    self._tell("wheel_declined", name=other.name)
+
+    def _give_wheel(self, viewer: Viewer) -> None:
+        self._stopped_silent = False
+        viewer.pinged_at = self._loop.time()
+        self._forget_wish(viewer)
+        self.state.set(driver=viewer.number)
+
+    def _free_wheel(self, code: str, viewer: Viewer) -> None:
+        self._stop()
+        self.state.set(driver=None)
+        self._tell(
+            code, "info" if code == "wheel_released" else "warning", name=viewer.name
+        )
+
+    def _forget_wish(self, viewer: Viewer) -> None:
+        self.state.set(asking=[n for n in self.state["asking"] if n != viewer.number])
+
+    #  The supervisor
+
+    def link_began(self) -> None:
+        self.state.begin_session()
+        self.state.set(supervisor="connected")
+        self._begin_recording()
+        self._tell("supervisor_connected")
+        self._publish()
+
+    def link_refused(self, reason: str) -> None:
+        self.state.set(supervisor="refused")
+        self._tell("supervisor_refused", "error", reason=reason)
+        self._publish()
+
+    def link_ended(self, reason: str) -> None:
+        self.state.begin_session()
+        self.state.set(supervisor="connecting")
+        self._forget_image()
+        self._tell("supervisor_lost", "error", reason=reason)
+        self._publish()
+        self._end_recording()
+        self._publish()
+
+    def settled(self, command: Command, answer: str, took: float, line: bytes) -> None:
+        self.state.answered(command.label, answer)
+        if command.label == "CASA" and answer == "CIMG":
+            self._take_image(line)
+        elif command.label == "RGBT":
+            self._take_battery(line)
+        elif command.label == "COPN" and answer == "AACK":
+            self._image_at = self._loop.time()
+            self._camera_told = False
+        elif command.label == "CCLS" and answer == "AACK":
+            self._forget_image()
+        self._note("answer", label=command.label, answer=answer, ms=round(took, 2))
+        if command.done is not None:
+            command.done(answer, took)
+        self._publish()
+
+    def unasked(self, line: bytes) -> None:
+        if line.startswith(b"CIMG:"):
+            self._take_image(line)
+        elif line.startswith(b"CPOS:"):
+            self._take_position(line)
+        elif line.startswith(b"RBLV:"):
+            self._take_battery(line)
+        elif line == b"ATIM":
+            self.state.robot_lost()
+            self._tell("robot_lost", "error")
+        else:
+            self._take_text(printable(line[5:]))
+        self._publish()
+
+    def unanswered(self, command: Command) -> None:
+        self._tell("unanswered", "error", label=command.label)
+        self._publish()
+
+    def _take_image(self, line: bytes) -> None:
+        try:
+            image = binascii.a2b_base64(line[5:], strict_mode=True)
+        except binascii.Error:
+            image = b""
+        if not image.startswith(b"\xff\xd8") or len(image) > MAX_IMAGE:
+            _log.warning("an image of the supervisor is no JPEG")
+            return
+        self._image = image
+        self._image_at = self._loop.time()
+        self._camera_told = False
+        for viewer in self.viewers.values():
+            viewer.put_image(image)
+            self.fan_out.add(viewer)
+        if self._recording is not None:
+            self._recording.put("image", {}, image)
+
+    def _forget_image(self) -> None:
+        self._image = None
+        for viewer in self.viewers.values():
+            viewer.forget_image()
+
+    def _take_position(self, line: bytes) -> None:
+        found = _POSITION.fullmatch(line)
+        if found is None:
+            _log.warning("a position of the supervisor is malformed")
+            return
+        angle, x, y, dx, dy = (float(text) for text in found.groups()[1:])
+        if not all(map(math.isfinite, (angle, x, y, dx, dy))):
+            return
+        fields = {
+            "id": int(found[1]),
+            "angle": angle,
+            "x": x,
+            "y": y,
+            "dx": dx,
+            "dy": dy,
+        }
+        text = encode("position", time=now_ms(), **fields)
+        for viewer in self.viewers.values():
+            viewer.put_position(text)
+            self.fan_out.add(viewer)
+        self._note("position", time=now_ms(), **fields)
+
+    def _take_battery(self, line: bytes) -> None:
+        level = _LEVELS.get(line)
+        if level is None:
+            return
+        self.state.set(battery=level)
+        now = now_ms()
+        if (
+            not self._battery
+            or self._battery[-1][1] != level
+            or now - self._battery[-1][0] >= BATTERY_STEP * 1000
+        ):
+            self._battery.append((now, level))
+            self._forget_old_battery()
+
+    def _forget_old_battery(self) -> None:
+        oldest = now_ms() - BATTERY_TIME * 1000
+        while self._battery and self._battery[0][0] < oldest:
+            self._battery.popleft()
+
+    def _take_text(self, text: str) -> None:
+        if text.startswith(_NOT_RUNNING):
+            self.state.robot_stopped_running()
+        elif text.startswith(_CAMERA_CLOSED):
+            self.state.camera_closed()
+            self._forget_image()
+        self._tell("message", "warning", text=text)
+
+    #  To all
+
+    def _tell_viewers(self) -> None:
+        self.state.set(
+            viewers=[
+                {"id": v.number, "name": v.name, "role": v.role}
+                for v in self.viewers.values()
+            ]
+        )
+
+    def _tell(self, code: str, level: str = "info", **args: str | float) -> None:
+        """An event."""
+        event = {"time": now_ms(), "level": level, "code": code, "args": args}
+        self._events.append(event)
+        self._note("event", **event)
+        text = encode("event", **event)
+        for viewer in self.viewers.values():
+            viewer.put(text)
+            self.fan_out.add(viewer)
+
+    def _publish(self) -> None:
+        """Changes of the state."""
+        self._send_changes(self.state.take_changes())
+
+    def _send_changes(self, changes: dict[str, Any], but: Viewer | None = None) -> None:
+        if not changes:
+            return
+        self._note("state", **changes)
+        text = encode("state", **changes)
+        for viewer in self.viewers.values():
+            if viewer is not but:
+                viewer.put_state(text)
+                self.fan_out.add(viewer)
+
+    #  Recording
+
+    def _begin_recording(self) -> None:
+        if self._record is None:
+            return
+        self._recording = Recording(self._record, self._recording_failed)
+        self.state.set(recording=self._recording.name)
+        self._note("state", **self.state.all())
+
+    def _recording_failed(self, recording: Recording, reason: str) -> None:
+        #  called by its thread
+        self._loop.call_soon_threadsafe(self._drop_recording, recording, reason)
+
+    def _drop_recording(self, recording: Recording, reason: str) -> None:
+        if recording is self._recording:
+            self._recording = None
+            self.state.set(recording=None)
+        _log.error("recording failed: %s", reason)
+        self._tell("recording_failed", "error", reason=reason)
+        self._publish()
+
+    def _end_recording(self) -> None:
+        if self._recording is not None:
+            self._recording.close()
+            self._recording = None
+            self.state.set(recording=None)
+
+    def _note(self, kind: str, **fields: Any) -> None:
+        if self._recording is not None:
+            self._recording.put(kind, fields)
+
+
+def encode(kind: str, **fields: Any) -> str:
+    return json.dumps({"type": kind, **fields}, separators=(",", ":"))
+
+
+def now_ms() -> int:
+    return round(time.time() * 1000)
+
+
+def is_good(answer: str) -> bool:
+    return answer[:4] in ("AACK", "CIMG", "RBLV", "RCST")

@@ -1,0 +1,120 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""What a page says: read, and refused where it is anything else."""
+
+import json
+from dataclasses import dataclass
+from typing import Any, NoReturn
+
+from .exchange import CAMERA, ROBOT, WITH_NUMBER
+
+MAX_SIZE = 4096
+#  Bytes
+
+LARGEST = 2**53
+#  Of numbers that the page wants back: JavaScript's integers
+
+LARGEST_VALUE = 1_000_000
+#  Of a distance or an angle; the supervisor clamps it
+
+LONGEST_NAME = 30
+
+
+class Malformed(Exception):
+    """Not a message of the contract."""
+
+
+@dataclass
+class Ping:
+    number: int
+    hidden: bool
+
+
+@dataclass
+class Seen:
+    pass
+
+
+@dataclass
+class Order:
+    number: int
+    label: str
+    value: int | None
+
+
+@dataclass
+class Wheel:
+    what: str
+    to: int | None
+
+
+@dataclass
+class Name:
+    name: str
+
+
+Message = Ping | Seen | Order | Wheel | Name
+
+
+def read(text: str) -> Message:
+    """Raises Malformed."""
+    try:
+        data = json.loads(text, parse_constant=_refuse)
+    except (ValueError, RecursionError):
+        raise Malformed("not JSON") from None
+    if not isinstance(data, dict):
+        raise Malformed("not an object")
+    kind = data.get("type")
+    if kind == "ping":
+        hidden = data.get("hidden", False)
+        if not isinstance(hidden, bool):
+            raise Malformed("hidden is not a boolean")
+        return Ping(_integer(data, "n", LARGEST), hidden)
+    if kind == "seen":
+        return Seen()
+    if kind == "order":
+        return _order(data)
+    if kind == "wheel":
+        return _wheel(data)
+    if kind == "name":
+        return Name(_name(data.get("name")))
+    raise Malformed("unknown type")
+
+
+def _order(data: dict[str, Any]) -> Order:
+    label = data.get("label")
+    if not isinstance(label, str) or label not in ROBOT | CAMERA:
+        raise Malformed("unknown label")
+    value = None
+    if label in WITH_NUMBER:
+        value = _integer(data, "value", LARGEST_VALUE)
+    elif data.get("value") is not None:
+        raise Malformed(f"{label} has no value")
+    return Order(_integer(data, "id", LARGEST), label, value)
+
+
+def _wheel(data: dict[str, Any]) -> Wheel:
+    what = data.get("do")
+    if what in ("give", "decline"):
+        return Wheel(what, _integer(data, "to", LARGEST))
+    if what in ("take", "ask", "release", "seize"):
+        return Wheel(what, None)
+    raise Malformed("unknown wish for the wheel")
+
+
+def _name(name: object) -> str:
+    if isinstance(name, str):
+        name = name.strip()
+        if 1 <= len(name) <= LONGEST_NAME and name.isprintable():
+            return name
+    raise Malformed("not a name")
+
+
+def _integer(data: dict[str, Any], field: str, largest: int) -> int:
+    value = data.get(field)
+    if type(value) is not int or abs(value) > largest:
+        raise Malformed(f"{field} is not an integer")
+    return value
+
+
+def _refuse(constant: str) -> NoReturn:
+    raise ValueError(constant)

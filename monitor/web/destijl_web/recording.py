@@ -1,0 +1,112 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""A session written to a folder, by a thread of its own: a slow disk delays no
+order."""
+
+import json
+import queue
+import threading
+import time
+from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+MAX_WAITING = 64 * 2**20
+#  Bytes that wait for the disk; more, and the recording fails
+
+_PER_LINE = 256
+#  What a line counts for
+
+FLUSH_PERIOD = 1.0
+CLOSE_LIMIT = 2.0
+#  Seconds
+
+_Item = tuple[dict[str, Any], bytes | None]
+
+
+class Recording:
+    def __init__(
+        self, folder: Path, failed: Callable[["Recording", str], None]
+    ) -> None:
+        """Failed is called in the thread, once at most."""
+        self._begun = time.monotonic()
+        self.name = _new_name()
+        self._folder = folder / self.name
+        self._failed = failed
+        self._queue: queue.SimpleQueue[_Item | None] = queue.SimpleQueue()
+        self._waiting = 0
+        self._lock = threading.Lock()
+        self._ended = False
+        self._thread = threading.Thread(target=self._run, name="recording", daemon=True)
+        self._thread.start()
+
+    def put(
+        self, kind: str, fields: dict[str, Any], image: bytes | None = None
+    ) -> None:
+        if self._ended:
+            return
+        size = _PER_LINE + (len(image) if image else 0)
+        with self._lock:
+            self._waiting += size
+            too_much = self._waiting > MAX_WAITING
+        if too_much:
+            self._end("the disk is too slow")
+            return
+        t = round((time.monotonic() - self._begun) * 1000)
+        self._queue.put(({"t": t, "type": kind, **fields}, image))
+
+    def close(self) -> None:
+        """What has been put is still written, in time."""
+        self._queue.put(None)
+
+    def join(self) -> None:
+        self._thread.join(CLOSE_LIMIT)
+
+    def _end(self, reason: str) -> None:
+        with self._lock:
+            first = not self._ended
+            self._ended = True
+        self._queue.put(None)
+        if first:
+            self._failed(self, reason)
+
+    def _run(self) -> None:
+        try:
+            self._write()
+        except OSError as error:
+            self._end(error.strerror or str(error))
+
+    def _write(self) -> None:
+        self._folder.mkdir()
+        offset = 0
+        flushed = time.monotonic()
+        with (
+            open(self._folder / "events.jsonl", "x", encoding="utf-8") as lines,
+            open(self._folder / "images.mjpeg", "xb") as images,
+        ):
+            while True:
+                try:
+                    item = self._queue.get(timeout=FLUSH_PERIOD)
+                except queue.Empty:
+                    lines.flush()
+                    continue
+                if item is None:
+                    return
+                fields, image = item
+                if image is not None:
+                    images.write(image)
+                    fields |= {"offset": offset, "length": len(image)}
+                    offset += len(image)
+                lines.write(json.dumps(fields, separators=(",", ":")) + "\n")
+                with self._lock:
+                    self._waiting -= _PER_LINE + (len(image) if image else 0)
+                if time.monotonic() - flushed > FLUSH_PERIOD:
+                    #  the images first: a line speaks of what is there
+                    images.flush()
+                    lines.flush()
+                    flushed = time.monotonic()
+
+
+def _new_name() -> str:
+    now = datetime.now(UTC)
+    return now.strftime("%Y%m%dT%H%M%S.") + f"{now.microsecond // 1000:03d}Z"

@@ -1,0 +1,120 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""Recordings that have been made: listed, and given."""
+
+import json
+import os
+import re
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+_NAME = re.compile(r"[0-9]{8}T[0-9]{6}\.[0-9]{3}Z")
+
+_TAIL = 65536
+#  Bytes in which the last whole line is looked for
+
+_PIECE = 2**20
+_IMAGE = b'"type":"image"'
+
+CSV_HEAD = "time_ms,id,angle_deg,x_px,y_px,dx_px,dy_px\n"
+_CSV_FIELDS = ("t", "id", "angle", "x", "y", "dx", "dy")
+_CSV_LINES = 500
+#  In a piece
+
+
+class Recordings:
+    """Its functions wait for the disk: they are for a thread."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._known: dict[str, tuple[int, dict[str, Any]]] = {}
+
+    def all(self) -> list[dict[str, Any]]:
+        found = []
+        for entry in os.scandir(self._folder):
+            if _NAME.fullmatch(entry.name) and entry.is_dir(follow_symlinks=False):
+                try:
+                    found.append(self._summary(entry.name))
+                except OSError:
+                    continue
+        return sorted(found, key=lambda one: str(one["name"]), reverse=True)
+
+    def file(self, name: str, which: str) -> Path | None:
+        """Which is events.jsonl or images.mjpeg."""
+        if _NAME.fullmatch(name) is None:
+            return None
+        folder = self._folder / name
+        path = folder / which
+        if folder.is_symlink() or path.is_symlink() or not path.is_file():
+            return None
+        return path
+
+    def _summary(self, name: str) -> dict[str, Any]:
+        events = self._folder / name / "events.jsonl"
+        lines = events.stat().st_size
+        size = lines + (self._folder / name / "images.mjpeg").stat().st_size
+        known = self._known.get(name)
+        if known is None or known[0] != size:
+            start = datetime.strptime(name, "%Y%m%dT%H%M%S.%fZ")
+            known = (
+                size,
+                {
+                    "name": name,
+                    "start": round(start.replace(tzinfo=UTC).timestamp() * 1000),
+                    "duration": _duration(events),
+                    "images": _images(events),
+                    "bytes": size,
+                },
+            )
+            self._known[name] = known
+        return known[1]
+
+
+def csv_pieces(events: Path) -> Iterator[str]:
+    """The positions of a recording, a few hundred lines at a time."""
+    yield CSV_HEAD
+    lines = []
+    with open(events, encoding="utf-8") as file:
+        for line in file:
+            if '"type":"position"' in line:
+                fields = _read(line)
+                if fields and all(
+                    isinstance(fields.get(f), int | float) for f in _CSV_FIELDS
+                ):
+                    lines.append(",".join(str(fields[f]) for f in _CSV_FIELDS) + "\n")
+            if len(lines) >= _CSV_LINES:
+                yield "".join(lines)
+                lines.clear()
+    if lines:
+        yield "".join(lines)
+
+
+def _read(line: str | bytes) -> dict[str, Any] | None:
+    try:
+        fields = json.loads(line)
+    except ValueError:
+        return None
+    return fields if isinstance(fields, dict) else None
+
+
+def _duration(events: Path) -> int:
+    with open(events, "rb") as file:
+        file.seek(max(0, file.seek(0, os.SEEK_END) - _TAIL))
+        for line in reversed(file.read().splitlines()):
+            fields = _read(line)
+            if fields is not None and isinstance(fields.get("t"), int):
+                return int(fields["t"])
+    return 0
+
+
+def _images(events: Path) -> int:
+    count = 0
+    kept = b""
+    with open(events, "rb") as file:
+        while piece := file.read(_PIECE):
+            piece = kept + piece
+            count += piece.count(_IMAGE)
+            #  too short to have one, long enough for the first part of one
+            kept = piece[-(len(_IMAGE) - 1) :]
+    return count

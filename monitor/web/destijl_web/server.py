@@ -1,0 +1,403 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""The gateway itself: HTTP and WebSockets."""
+
+import asyncio
+import contextlib
+import gc
+import logging
+import re
+import resource
+import signal
+import socket
+import sys
+from collections.abc import Awaitable, Callable, Iterator
+from pathlib import Path
+
+from aiohttp import WSCloseCode, WSMsgType, hdrs, web
+
+from . import guard, messages
+from .hub import MAX_VIEWERS, Hub
+from .logins import Logins
+from .options import Options, is_loopback
+from .origins import Origins, address_to_open
+from .recordings import Recordings, csv_pieces
+from .viewer import Viewer
+
+PAGE = Path(__file__).resolve().parent.parent / "page"
+
+MAX_FORM = 4096
+MAX_CONNECTIONS = 400
+#  Beyond it the oldest that are no viewer's are closed
+
+HEARTBEAT = 20.0
+#  Seconds between two signs of life that a browser is asked for
+
+SWEEP = 1.0
+FAREWELL = 1.0
+#  Seconds
+
+SWITCH = 0.0005
+#  Seconds that a thread keeps the interpreter: the event loop waits so long
+#  for one that reads a recording
+
+_TYPES = {
+    ".html": "text/html",
+    ".css": "text/css",
+    ".js": "text/javascript",
+    ".json": "application/json",
+    ".svg": "image/svg+xml",
+    ".png": "image/png",
+    ".ico": "image/x-icon",
+    ".webmanifest": "application/manifest+json",
+}
+_PATH = re.compile(r"[A-Za-z0-9_-]+(?:\.[a-z]+)*(?:/[A-Za-z0-9_-]+(?:\.[a-z]+)*){0,3}")
+
+_log = logging.getLogger(__name__)
+
+_Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
+
+
+class CannotStart(Exception):
+    """Its text says why."""
+
+
+class _OneLine(logging.Formatter):
+    def format(self, record: logging.LogRecord) -> str:
+        text = f"destijl_web: {record.levelname.lower()}: {record.getMessage()}"
+        if record.exc_info and record.exc_info[0]:
+            text += f": {record.exc_info[0].__name__}: {record.exc_info[1]}"
+        return text.replace("\n", " ")
+
+
+def run(options: Options, heart: int) -> int:
+    """Until a signal. Returns the exit status."""
+    handler = logging.StreamHandler(sys.stderr)
+    handler.setFormatter(_OneLine())
+    logging.basicConfig(level=logging.INFO, handlers=[handler])
+    _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
+    with contextlib.suppress(OSError, ValueError):
+        resource.setrlimit(resource.RLIMIT_NOFILE, (min(most, 4096), most))
+    sys.setswitchinterval(SWITCH)
+    try:
+        return asyncio.run(_serve(options, heart))
+    except CannotStart as reason:
+        print(f"destijl_web: {reason}", file=sys.stderr)
+        return 1
+
+
+async def _serve(options: Options, heart: int) -> int:
+    stop = asyncio.Event()
+    loop = asyncio.get_running_loop()
+    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        loop.add_signal_handler(number, stop.set)
+    hub = Hub(
+        options.supervisor_host, options.supervisor_port, options.token, options.record
+    )
+    listening = _listen(options.bind, options.port)
+    port = listening.getsockname()[1]
+    gateway = _Gateway(options, hub, Origins(options.bind, port, options.origins))
+    runner = web.AppRunner(gateway.application(), access_log=None, handle_signals=False)
+    await runner.setup()
+    await web.SockSite(runner, listening).start()
+    tasks = [
+        asyncio.create_task(work)
+        for work in (
+            _beat(heart),
+            hub.run_ticks(),
+            hub.fan_out.run(),
+            hub.link.run(),
+            gateway.sweep(runner),
+        )
+    ]
+    print(f"destijl_web: open {address_to_open(options.bind, port)}", flush=True)
+    gc.collect()
+    gc.freeze()
+    stopped = asyncio.create_task(stop.wait())
+    ended, _ = await asyncio.wait(
+        [stopped, *tasks], return_when=asyncio.FIRST_COMPLETED
+    )
+    status = 0
+    if stopped not in ended:
+        #  One that has no end has ended
+        failure = ended.pop().exception()
+        _log.error("failure: %s: %s", type(failure).__name__, failure)
+        status = 3
+    await hub.close()
+    with contextlib.suppress(TimeoutError):
+        await asyncio.wait_for(runner.cleanup(), 2 * FAREWELL)
+    return status
+
+
+def _listen(bind: str, port: int) -> socket.socket:
+    family = socket.AF_INET6 if ":" in bind else socket.AF_INET
+    try:
+        return socket.create_server((bind, port), family=family, backlog=128)
+    except OSError as error:
+        raise CannotStart(
+            f"cannot listen on {bind} port {port}: {error.strerror}"
+        ) from None
+
+
+async def _beat(heart: int) -> None:
+    while True:
+        guard.beat(heart)
+        await asyncio.sleep(guard.BEAT)
+
+
+class _Gateway:
+    def __init__(self, options: Options, hub: Hub, origins: Origins) -> None:
+        self._hub = hub
+        self._origins = origins
+        self._logins = Logins(options.token, options.viewers_token)
+        self._recordings = Recordings(options.record) if options.record else None
+        self._loop = asyncio.get_running_loop()
+
+    def application(self) -> web.Application:
+        application = web.Application(
+            client_max_size=MAX_FORM, middlewares=[self._check]
+        )
+        application.on_response_prepare.append(self._protect)
+        application.add_routes(
+            [
+                web.get("/", self._index),
+                web.get("/page/{path:.+}", self._file),
+                web.post("/login", self._login),
+                web.get("/ws", self._socket),
+                web.get("/recordings", self._list),
+                web.get("/recordings/{name}/positions.csv", self._positions),
+                web.get(
+                    "/recordings/{name}/{file:events\\.jsonl|images\\.mjpeg}",
+                    self._part,
+                ),
+            ]
+        )
+        return application
+
+    async def sweep(self, runner: web.AppRunner) -> None:
+        """Closes the oldest connections that are no viewer's, where there are
+        too many."""
+        while True:
+            await asyncio.sleep(SWEEP)
+            if runner.server is None:
+                continue
+            viewers = {viewer.transport for viewer in self._hub.viewers.values()}
+            others = [
+                one.transport
+                for one in runner.server.connections
+                if one.transport is not None and one.transport not in viewers
+            ]
+            excess = len(others) - MAX_CONNECTIONS
+            for transport in others[: max(0, excess)]:
+                transport.abort()
+            if excess > 0:
+                _log.warning("%d connections too many: closed", excess)
+
+    #  Every request
+
+    @web.middleware
+    async def _check(
+        self, request: web.Request, handler: _Handler
+    ) -> web.StreamResponse:
+        local = "127.0.0.1"
+        if request.transport is not None:
+            name = request.transport.get_extra_info("sockname")
+            local = str(name[0]) if name else local
+        if not self._origins.is_host(request.headers.get(hdrs.HOST, ""), local):
+            raise web.HTTPMisdirectedRequest(
+                text="destijl_web is not reached under this name: see --origin\n"
+            )
+        return await handler(request)
+
+    async def _protect(
+        self, request: web.Request, response: web.StreamResponse
+    ) -> None:
+        host = request.headers.get(hdrs.HOST, "")
+        #  Safari before 15.4 does not take WebSockets for 'self'
+        sockets = (
+            f" ws://{host} wss://{host}" if re.fullmatch(r"[\w.:\[\]-]+", host) else ""
+        )
+        response.headers["Content-Security-Policy"] = (
+            "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob:;"
+            f" connect-src 'self'{sockets}; manifest-src 'self'; base-uri 'none';"
+            " form-action 'self'; frame-ancestors 'none'"
+        )
+        response.headers["X-Content-Type-Options"] = "nosniff"
+        #  not no-referrer: the form's Origin would be null
+        response.headers["Referrer-Policy"] = "same-origin"
+        response.headers["Cross-Origin-Opener-Policy"] = "same-origin"
+        response.headers["Cross-Origin-Resource-Policy"] = "same-origin"
+        response.headers.setdefault("Cache-Control", "no-store")
+        response.headers.pop("Server", None)
+
+    def _role(self, request: web.Request) -> str | None:
+        return self._logins.role(
+            request.cookies.get(self._cookie(request)), self._loop.time()
+        )
+
+    def _cookie(self, request: web.Request) -> str:
+        #  Cookies do not know ports: each gateway of a machine has its own
+        return f"destijl_web_{self._origins.port}"
+
+    def _address(self, request: web.Request) -> str:
+        """Of the browser; what a proxy of this machine says is believed."""
+        address = request.remote or ""
+        if self._origins.is_proxied() and is_loopback(address):
+            address = (
+                request.headers.get("X-Forwarded-For", address)
+                .rpartition(",")[2]
+                .strip()
+            )
+        return address[:64]
+
+    #  The page
+
+    async def _index(self, request: web.Request) -> web.StreamResponse:
+        return _page("index.html" if self._role(request) else "login.html")
+
+    async def _file(self, request: web.Request) -> web.StreamResponse:
+        #  without a cookie, too: the form has a style
+        return _page(request.match_info["path"])
+
+    async def _login(self, request: web.Request) -> web.StreamResponse:
+        origin = request.headers.get(hdrs.ORIGIN)
+        if origin is not None and not self._is_own(request):
+            raise web.HTTPForbidden(text="this page is not destijl_web's\n")
+        address = self._address(request)
+        now = self._loop.time()
+        if not self._logins.may_try(address, now):
+            _log.warning("login refused, too many wrong tokens: %s", address)
+            raise web.HTTPSeeOther("/?failed=wait")
+        token = (await request.post()).get("token")
+        session = None
+        if isinstance(token, str):
+            session = self._logins.log_in(token.strip(), address, now)
+        if session is None:
+            _log.warning("login refused, wrong token: %s", address)
+            raise web.HTTPSeeOther("/?failed=1")
+        response = web.HTTPSeeOther("/")
+        response.set_cookie(
+            self._cookie(request),
+            session,
+            path="/",
+            httponly=True,
+            samesite="Strict",
+            secure=self._origins.is_secure(origin or ""),
+        )
+        return response
+
+    def _is_own(self, request: web.Request) -> bool:
+        return self._origins.is_origin(
+            request.headers.get(hdrs.ORIGIN, ""), request.headers.get(hdrs.HOST, "")
+        )
+
+    #  Viewers
+
+    async def _socket(self, request: web.Request) -> web.StreamResponse:
+        if not self._is_own(request):
+            raise web.HTTPForbidden(text="this page is not destijl_web's\n")
+        role = self._role(request)
+        if role is None:
+            raise web.HTTPUnauthorized(text="a token is needed\n")
+        if len(self._hub.viewers) >= MAX_VIEWERS:
+            raise web.HTTPServiceUnavailable(text="too many viewers\n")
+        ws = web.WebSocketResponse(
+            compress=False, heartbeat=HEARTBEAT, max_msg_size=4 * messages.MAX_SIZE
+        )
+        await ws.prepare(request)
+        transport = request.transport
+        assert isinstance(transport, asyncio.Transport)
+        viewer = Viewer(self._hub.next_number(), role, ws, transport)
+        sender = asyncio.create_task(viewer.send(self._hub.whole_state))
+        self._hub.join(viewer)
+        try:
+            await self._listen_to(viewer, ws)
+        finally:
+            self._hub.leave(viewer)
+            viewer.close(WSCloseCode.OK, "")
+            sender.add_done_callback(lambda _: None)
+        await asyncio.wait([sender])
+        return ws
+
+    async def _listen_to(self, viewer: Viewer, ws: web.WebSocketResponse) -> None:
+        while True:
+            received = await ws.receive()
+            if received.type is WSMsgType.BINARY:
+                reason = "binary"
+            elif received.type is not WSMsgType.TEXT:
+                return
+            elif not viewer.may_say(self._loop.time()):
+                reason = "too many messages"
+            elif len(received.data.encode()) > messages.MAX_SIZE:
+                reason = "too large"
+            else:
+                try:
+                    self._hub.take(viewer, messages.read(received.data))
+                    continue
+                except messages.Malformed as fault:
+                    reason = str(fault)
+            _log.warning("viewer %d refused: %s", viewer.number, reason)
+            viewer.close(WSCloseCode.POLICY_VIOLATION, reason)
+            return
+
+    #  Recordings
+
+    def _kept(self, request: web.Request) -> Recordings:
+        if self._role(request) is None:
+            raise web.HTTPUnauthorized(text="a token is needed\n")
+        if self._recordings is None:
+            raise web.HTTPNotFound(text="nothing is recorded: see --record\n")
+        return self._recordings
+
+    async def _list(self, request: web.Request) -> web.StreamResponse:
+        kept = self._kept(request)
+        return web.json_response(await asyncio.to_thread(kept.all))
+
+    async def _events(self, request: web.Request, which: str) -> Path:
+        kept = self._kept(request)
+        path = await asyncio.to_thread(kept.file, request.match_info["name"], which)
+        if path is None:
+            raise web.HTTPNotFound(text="no such recording\n")
+        return path
+
+    async def _part(self, request: web.Request) -> web.StreamResponse:
+        which = request.match_info["file"]
+        path = await self._events(request, which)
+        kind = (
+            "application/x-ndjson" if which == "events.jsonl" else "video/x-motion-jpeg"
+        )
+        return web.FileResponse(path, headers={"Content-Type": kind})
+
+    async def _positions(self, request: web.Request) -> web.StreamResponse:
+        path = await self._events(request, "events.jsonl")
+        name = f"destijl-{request.match_info['name']}.csv"
+        response = web.StreamResponse(
+            headers={
+                "Content-Type": "text/csv; charset=utf-8",
+                "Content-Disposition": f'attachment; filename="{name}"',
+            }
+        )
+        await response.prepare(request)
+        pieces = csv_pieces(path)
+        while piece := await asyncio.to_thread(_next, pieces):
+            await response.write(piece.encode())
+        await response.write_eof()
+        return response
+
+
+def _next(pieces: Iterator[str]) -> str:
+    return next(pieces, "")
+
+
+def _page(name: str) -> web.StreamResponse:
+    kind = _TYPES.get(Path(name).suffix)
+    path = PAGE / name
+    if (
+        kind is None
+        or _PATH.fullmatch(name) is None
+        or not path.is_file()
+        or path.resolve() != path
+    ):
+        raise web.HTTPNotFound(text="no such page\n")
+    #  asked for each time, and not sent again where it is the same
+    headers: dict[str, str] = {"Content-Type": kind, "Cache-Control": "no-cache"}
+    return web.FileResponse(path, headers=headers)

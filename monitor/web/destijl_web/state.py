@@ -1,0 +1,91 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""What every viewer is shown: links, robot, camera, who drives."""
+
+from typing import Any
+
+Fields = dict[str, Any]
+
+_NEW_SESSION: Fields = {
+    "robot": "closed",
+    "watchdog": False,
+    "camera": False,
+    "positions": False,
+    "arena": "none",
+    "battery": -1,
+}
+#  What a session with the supervisor begins with
+
+
+class State:
+    def __init__(self) -> None:
+        self._fields: Fields = {
+            "supervisor": "connecting",
+            **_NEW_SESSION,
+            "driver": None,
+            "asking": [],
+            "viewers": [],
+            "recording": None,
+        }
+        self._changes: Fields = {}
+
+    def __getitem__(self, name: str) -> Any:
+        return self._fields[name]
+
+    def set(self, **fields: Any) -> None:
+        for name, value in fields.items():
+            if self._fields[name] != value:
+                self._fields[name] = value
+                self._changes[name] = value
+
+    def all(self) -> Fields:
+        return dict(self._fields)
+
+    def take_changes(self) -> Fields:
+        """What changed since the last call."""
+        changes = self._changes
+        self._changes = {}
+        return changes
+
+    def begin_session(self) -> None:
+        self.set(**_NEW_SESSION)
+
+    def answered(self, label: str, answer: str) -> None:
+        """A command has its answer, or has been sent, where it has none."""
+        done = answer == "AACK"
+        if label == "ROPN":
+            if done and self["robot"] in ("closed", "lost"):
+                self.set(robot="open", watchdog=False)
+        elif label == "RCLS":
+            if done:
+                self.set(robot="closed", watchdog=False)
+        elif label in ("RSOW", "RSWW"):
+            if done:
+                self.set(robot="started", watchdog=label == "RSWW")
+        elif label in ("RRST", "RPOF"):
+            #  a reset is refused only where the robot does not run
+            if done or (label == "RRST" and answer == "ACRJ"):
+                self.set(robot="open", watchdog=False)
+        elif label == "COPN":
+            if done and not self["camera"]:
+                self.set(camera=True, positions=False, arena="none")
+        elif label == "CCLS":
+            if done:
+                self.camera_closed()
+        elif label == "CASA":
+            if answer == "CIMG":
+                self.set(arena="found")
+        elif label in ("CACO", "CAIN"):
+            if self["arena"] == "found":
+                self.set(arena="confirmed" if label == "CACO" else "none")
+        elif label in ("CPCO", "CPST") and done:
+            self.set(positions=label == "CPCO")
+
+    def camera_closed(self) -> None:
+        self.set(camera=False, positions=False, arena="none")
+
+    def robot_lost(self) -> None:
+        self.set(robot="lost", watchdog=False)
+
+    def robot_stopped_running(self) -> None:
+        if self["robot"] == "started":
+            self.set(robot="open", watchdog=False)

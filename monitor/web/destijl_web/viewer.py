@@ -1,0 +1,151 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""One page: what is on its way to it, bounded however slow it is."""
+
+import asyncio
+import contextlib
+from collections import deque
+from collections.abc import Callable
+
+from aiohttp import WSCloseCode, web
+
+IMAGES_UNDER_WAY = 2
+STATES_WAITING = 32
+#  Beyond it, changes of the state are dropped, and all of it follows
+
+TEXTS_WAITING = 512
+#  Beyond it the connection is closed
+
+RATE = 50.0
+BURST = 100.0
+#  Messages of a page, a second and at once
+
+DRAIN_LIMIT = 10.0
+#  Seconds in which something must have left for the page
+
+
+class Viewer:
+    def __init__(
+        self,
+        number: int,
+        role: str,
+        ws: web.WebSocketResponse,
+        transport: asyncio.Transport,
+    ) -> None:
+        self.number = number
+        self.role = role
+        self.name = f"#{number}"
+        self.pinged_at = 0.0
+        self.stop_told_at = 0.0
+        self.orders_waiting = 0
+        self.queued = False
+        #  In the fan-out's queue
+        self.state_is_stale = False
+        #  All of it is to be sent, once the page has taken what waits
+        self._ws = ws
+        self.transport = transport
+        self._wake = asyncio.Event()
+        self._texts: deque[str] = deque()
+        self._pong: str | None = None
+        self._position: str | None = None
+        self._image: bytes | None = None
+        self._unseen = 0
+        self._allowance = BURST
+        self._counted_at = 0.0
+        self._drained_at = asyncio.get_running_loop().time()
+        self._closing: tuple[int, str] | None = None
+
+    #  From the page
+
+    def may_say(self, now: float) -> bool:
+        """Whether a message now is not one too many."""
+        since = now - self._counted_at
+        self._allowance = min(BURST, self._allowance + since * RATE) - 1.0
+        self._counted_at = now
+        return self._allowance >= 0.0
+
+    def seen(self) -> None:
+        self._unseen = max(0, self._unseen - 1)
+        if self._image is not None:
+            self.wake()
+
+    #  To the page. What is put goes out after the next wake
+
+    def put(self, text: str) -> None:
+        if len(self._texts) >= TEXTS_WAITING:
+            self.close(WSCloseCode.TRY_AGAIN_LATER, "too slow")
+        else:
+            self._texts.append(text)
+
+    def put_state(self, text: str) -> None:
+        if len(self._texts) >= STATES_WAITING:
+            self.state_is_stale = True
+        elif not self.state_is_stale:
+            self._texts.append(text)
+
+    def put_pong(self, text: str) -> None:
+        self._pong = text
+
+    def put_position(self, text: str) -> None:
+        self._position = text
+
+    def put_image(self, image: bytes) -> None:
+        self._image = image
+
+    def forget_image(self) -> None:
+        self._image = None
+
+    def wake(self) -> None:
+        self._wake.set()
+
+    def close(self, code: int, reason: str) -> None:
+        """Once; what waits is dropped."""
+        if self._closing is None:
+            self._closing = (code, reason)
+            self.wake()
+
+    def is_stuck(self, now: float) -> bool:
+        """Nothing has left for it for DRAIN_LIMIT."""
+        if self.transport.is_closing() and self._closing is None:
+            return False
+        if self.transport.get_write_buffer_size() == 0:
+            self._drained_at = now
+        return now - self._drained_at > DRAIN_LIMIT
+
+    def abort(self) -> None:
+        self.transport.abort()
+
+    async def send(self, whole_state: Callable[[], str]) -> None:
+        """Sends what is put, until the connection ends."""
+        with contextlib.suppress(ConnectionError):
+            while self._closing is None and not self._ws.closed:
+                await self._wake.wait()
+                self._wake.clear()
+                await self._send_all(whole_state)
+        if self._closing is not None and not self._ws.closed:
+            code, reason = self._closing
+            with contextlib.suppress(ConnectionError, TimeoutError):
+                await asyncio.wait_for(
+                    self._ws.close(code=code, message=reason.encode()), DRAIN_LIMIT
+                )
+            self.abort()
+
+    async def _send_all(self, whole_state: Callable[[], str]) -> None:
+        while self._closing is None and not self._ws.closed:
+            #  The most urgent first
+            if self._pong is not None:
+                text, self._pong = self._pong, None
+                await self._ws.send_str(text)
+            elif self._texts:
+                await self._ws.send_str(self._texts.popleft())
+            elif self.state_is_stale:
+                self.state_is_stale = False
+                await self._ws.send_str(whole_state())
+            elif self._image is not None and self._unseen < IMAGES_UNDER_WAY:
+                image, self._image = self._image, None
+                self._unseen += 1
+                await self._ws.send_bytes(image)
+            elif self._position is not None:
+                text, self._position = self._position, None
+                await self._ws.send_str(text)
+            else:
+                return
