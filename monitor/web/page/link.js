@@ -13,7 +13,8 @@ const SEEN_APART = 30;             // ms; the gateway bounds the messages a seco
 const ANSWER = 15000;              // ms until an order counts as unanswered
 
 export class Link {
-  // handlers: message (object), image (blob), change (state, reason)
+  // handlers: message (object), image (blob), change (state,
+  // state before, event of the closing)
   constructor(handlers) {
     this.handlers = handlers;
     this.state = "connecting";     // open, slow, lost
@@ -38,7 +39,7 @@ export class Link {
   // For the end of the page
   end() {
     this.ended = true;
-    this.drop("", false);
+    this.drop({}, false);
   }
 
   get usable() { return this.state === "open" || this.state === "slow"; }
@@ -58,7 +59,7 @@ export class Link {
       if (this.socket === socket) action(event);
     };
     socket.onmessage = mine((event) => this.receive(event.data));
-    socket.onclose = mine((event) => this.drop(event.reason));
+    socket.onclose = mine((event) => this.drop(event));
   }
 
   receive(data) {
@@ -86,7 +87,7 @@ export class Link {
   }
 
   // The connection is gone, or given up
-  drop(reason, again = true) {
+  drop(close = {}, again = true) {
     const socket = this.socket;
     this.socket = undefined;
     if (socket) try { socket.close(); } catch { /* is closed already */ }
@@ -100,7 +101,7 @@ export class Link {
       clearTimeout(this.retry);
       this.retry = setTimeout(() => this.connect(), wait);
     }
-    this.change("lost", reason);
+    this.change("lost", close);
   }
 
   // There may be a network again
@@ -109,24 +110,24 @@ export class Link {
     this.connect();
   }
 
-  change(state, reason = "") {
+  change(state, close = {}) {
     if (state === this.state && state !== "lost") return;
     const before = this.state;
     this.state = state;
-    this.handlers.change(state, before, reason);
+    this.handlers.change(state, before, close);
   }
 
   tick() {
     const now = performance.now();
     if (!this.socket) return;
     if (!this.usable) {
-      if (now - this.openedAt > OPENING) this.drop("");
+      if (now - this.openedAt > OPENING) this.drop();
       return;
     }
     const kind = this.drives ? "drives" : "watches";
     const [oldest] = this.pings.values();
     if (oldest !== undefined && now - oldest > DEAD[kind]) {
-      this.drop("");
+      this.drop();
       return;
     }
     if (oldest !== undefined && now - oldest > SLOW[kind]) this.change("slow");

@@ -5,9 +5,9 @@ import { onLanguage, start, t } from "./words.js";
 
 function show() {
   document.title = t("login_title");
-  const refused = new URLSearchParams(location.search).has("refused");
-  document.getElementById("refused").textContent =
-    refused ? t("login_refused") : "";
+  const failed = new URLSearchParams(location.search).get("failed");
+  document.getElementById("refused").textContent = failed === null ? ""
+    : t(failed === "wait" ? "login_wait" : "login_refused");
 }
 
 start();

@@ -43,6 +43,9 @@ const mine = () => me !== null && state.driver === me;
 const viewer = (id) => state.viewers.find((one) => one.id === id);
 const nameOf = (id) => viewer(id)?.name ?? "?";
 
+// The gateway takes printable names of at most 30 characters only
+const clean = (name) => name.replace(/[\p{C}\p{Z}]+/gu, " ").trim().slice(0, 30);
+
 // ---------------------------------------------------------------- the wheel
 
 // That the wheel was ours outlives a reload, not the tab
@@ -132,7 +135,7 @@ async function stopped() {
 
 const link = new Link({ message: receive, image: receiveImage, change: linkChanged });
 
-function linkChanged(now, before, reason) {
+function linkChanged(now, before, { reason = "", code = 0 }) {
   root.dataset.link = now;
   if (now === "open") {
     if (before === "lost" || before === "slow") journal.news(() => t("link_back"));
@@ -146,6 +149,8 @@ function linkChanged(now, before, reason) {
     driving.moving = false;
     if (before === "open" || before === "slow")
       journal.alarm(() => reason ? t("link_refused", { reason }) : t("link_lost"));
+    // Should our name be what it did not take, it is not said again
+    if (code === 1008) stored.set("destijl.name", "");
     if (mine()) remembered.set(true);
     me = null;
     if (link.failures === LOGIN_AFTER) askForLogin();
@@ -156,8 +161,8 @@ function linkChanged(now, before, reason) {
 // The gateway answers pages without token with the form
 async function askForLogin() {
   try {
-    const { status } = await fetch("/recordings", { cache: "no-store" });
-    if (status === 401 || status === 403) location.reload();
+    const page = await (await fetch("/", { cache: "no-store" })).text();
+    if (page.includes('action="/login"')) location.reload();
   } catch { /* not there: the link tries again */ }
 }
 
@@ -385,7 +390,7 @@ function tileImages() {
   while (imageTimes.length > 0 && imageTimes[0] < now - RATE_OVER) imageTimes.shift();
   const rate = imageTimes.length / (RATE_OVER / 1000);
   tile("images", rate > 0 ? "ok" : state.camera ? "warn" : "off",
-    rate > 0 ? t("rate", { n: number(rate, rate < 9.5 ? 1 : 0) }) : t("rate_none"),
+    rate > 0 ? number(rate, rate < 9.5 ? 1 : 0) : t("rate_none"),
     state.recording ? t("recording_on") : "");
   const silent = state.camera && lastImage > 0 && now - lastImage > 3 * OLD &&
     state.arena !== "found";
@@ -436,7 +441,6 @@ function showPeople() {
   const made = JSON.stringify([state.viewers, state.asking, state.driver, me, root.lang]);
   if (made === listed) return;
   listed = made;
-  const drives = mine();
   at("people-count").textContent = t("people_count", { n: state.viewers.length });
   fill(at("viewers"), state.viewers.map(({ id, name, role: theirs }) => {
     const item = document.createElement("li");
@@ -453,9 +457,9 @@ function showPeople() {
       tag.textContent = t(word);
       item.append(" ", tag);
     }
-    if (drives && id !== me) item.append(giveButton(id));
     return item;
   }));
+  const drives = mine();
   at("asking").hidden = !drives || state.asking.length === 0;
   fill(at("asking"), !drives ? [] : state.asking.map((id) => {
     const item = document.createElement("li");
@@ -499,13 +503,11 @@ function showStart() {
   const all = mine() && state.robot === "started" && state.camera && state.positions;
   const blocked = !link.usable || state.supervisor !== "connected" ||
     (state.driver !== null && !mine());
-  write("start-word", t(starter.running ? "start_busy"
-    : all || (state.robot === "closed" && !state.camera) ? "start" : "start_again"));
-  write("start-text", t("start_text"));
-  usable(at("start"), !blocked && !starter.running);
-  // Once all is well the button has done its work and makes room
-  const done = all && !starter.running;
-  at("starter").classList.toggle("done", done);
+  write("start-word", t(starter.running ? "start_busy" : all ? "start_running"
+    : state.robot === "closed" && !state.camera ? "start" : "start_again"));
+  write("start-text", t(all ? "start_ready" : "start_text"));
+  usable(at("start"), !blocked && !starter.running && !all);
+  at("start").classList.toggle("running", all && !starter.running);
 }
 
 function show() {
@@ -556,7 +558,8 @@ const recordings = new Recordings();
 function on(id, action) {
   at(id).addEventListener("click", () => {
     if (at(id).getAttribute("aria-disabled") === "true") {
-      if (!mine()) whyNot();
+      if (!link.usable || (!mine() && state.supervisor === "connected")) whyNot();
+      else if (id === "start" && state.supervisor !== "connected") journal.news(() => t("do_NOLINK"));
       else if (id === "arena-search") journal.news(() => t("do_CPCO_ANAK"));
     } else action();
   });
@@ -651,8 +654,9 @@ function listen() {
   };
   at("name-form").addEventListener("submit", (event) => {
     event.preventDefault();
-    const name = at("name").value.trim();
+    const name = clean(at("name").value);
     if (!name) return;
+    at("name").value = name;
     stored.set("destijl.name", name);
     link.send({ type: "name", name });
   });

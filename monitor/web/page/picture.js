@@ -2,8 +2,6 @@
 // A picture of the arena, and over it, on a canvas of the screen's own
 // resolution, the robot's position, heading and fading trail.
 
-import { t } from "./words.js";
-
 const TRAIL = 15000;               // ms until the trail has faded
 const JUMP = 0.15;                 // of the width: no line is drawn so far
 const CASING = "rgb(255 255 255 / 0.9)";
@@ -89,7 +87,8 @@ export class Picture {
     const place = (x, y) => [left + x * scale, top + y * scale];
     // One unit of drawing: a pixel of CSS, more on a large picture
     const unit = Math.max(this.density, overlay.width / 900);
-    context.lineCap = "round";
+    // Segments that overlap would show where they meet
+    context.lineCap = "butt";
     context.lineJoin = "round";
     if (this.trail) this.drawTrail(context, place, unit);
     const last = this.last;
@@ -118,7 +117,7 @@ export class Picture {
     }
   }
 
-  drawRobot(context, place, unit, scale, { x, y, dx, dy, id }) {
+  drawRobot(context, place, unit, scale, { x, y, dx, dy }) {
     const [cx, cy] = place(x, y);
     const heading = Math.atan2(dy - y, dx - x);
     const radius = Math.max(14 * unit, Math.hypot(dx - x, dy - y) * scale * 2);
@@ -134,6 +133,10 @@ export class Picture {
     arrow.closePath();
     const ring = new Path2D();
     ring.arc(cx, cy, radius, 0, 2 * Math.PI);
+    // No trail over the marker
+    context.globalCompositeOperation = "destination-out";
+    context.fill(ring);
+    context.globalCompositeOperation = "source-over";
     for (const [width, colour] of [[6, CASING], [3, INK]]) {
       context.lineWidth = width * unit;
       context.strokeStyle = colour;
@@ -142,20 +145,5 @@ export class Picture {
     }
     context.fillStyle = INK;
     context.fill(arrow);
-    // The name is on the side the robot does not look to
-    const words = t("robot", { id });
-    context.font = `600 ${13 * unit}px system-ui, sans-serif`;
-    const width = context.measureText(words).width + 12 * unit;
-    const height = 20 * unit;
-    const away = Math.sin(heading) > 0 ? -1 : 1;
-    const boxX = Math.min(Math.max(cx - width / 2, 2), this.overlay.width - width - 2);
-    let boxY = cy + away * (radius + 8 * unit) - (away < 0 ? height : 0);
-    boxY = Math.min(Math.max(boxY, 2), this.overlay.height - height - 2);
-    context.fillStyle = INK;
-    context.fillRect(boxX, boxY, width, height);
-    context.fillStyle = "#fff";
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    context.fillText(words, boxX + width / 2, boxY + height / 2 + unit);
   }
 }

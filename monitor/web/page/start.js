@@ -16,11 +16,16 @@ export class Starter {
   // page: order (label), state (), drives (), takeWheel ()
   constructor(page) {
     this.page = page;
+    this.box = document.getElementById("start-progress");
     this.list = document.getElementById("start-steps");
     this.result = document.getElementById("start-result");
     this.steps = new Map();        // step: { result, why }
     this.running = false;
     this.outcome = "";
+    document.getElementById("start-close").onclick = () => {
+      this.clear();
+      document.getElementById("start").focus();
+    };
   }
 
   mark(step, result, why = "") {
@@ -29,7 +34,7 @@ export class Starter {
   }
 
   show() {
-    this.list.hidden = this.steps.size === 0;
+    this.box.hidden = this.steps.size === 0;
     this.list.replaceChildren(...[...this.steps].map(([step, { result, why }]) => {
       const item = document.createElement("li");
       item.dataset.step = step;
@@ -47,6 +52,7 @@ export class Starter {
       return item;
     }));
     this.result.hidden = this.outcome === "";
+    document.getElementById("start-close").hidden = this.running;
     this.result.textContent = this.outcome && t(this.outcome);
   }
 
