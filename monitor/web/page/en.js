@@ -80,6 +80,7 @@ export default {
   wheel_decline: "Decline",
   wheel_decline_label: "Decline to give the wheel to {name}",
   wheel_asks: "{name} asks for the wheel.",
+  wheel_lost_you: "The connection was too slow: the robot was stopped, and the wheel may be free. Take it again to drive on.",
   wheel_first_take: "Take the wheel first: press Start or Take the wheel.",
   wheel_first_ask: "{name} drives. Ask for the wheel to drive yourself.",
 

@@ -75,6 +75,7 @@ export default {
   wheel_decline: "Refuser",
   wheel_decline_label: "Refuser le volant à {name}",
   wheel_asks: "{name} demande le volant.",
+  wheel_lost_you: "La connexion était trop lente : le robot a été arrêté, le volant est peut-être libre. Reprenez-le pour continuer.",
   wheel_first_take: "Prenez d’abord le volant : Démarrer ou Prendre le volant.",
   wheel_first_ask: "{name} conduit. Demandez le volant pour conduire.",
 

@@ -102,12 +102,15 @@ export function renew() {
   if (said) show();
 }
 
-// mine: the event is about what this page ordered, and was said then
-export function happened(event, mine) {
+// me: the name of who looks; mine: the event is about what this page ordered,
+// and was said then
+export function happened(event, me, mine) {
   put(event);
   if (event.code === "order") {
     if (mine || (succeeded(event.args.answer) && QUIET.has(event.args.label))) return;
     news(() => words(event));
+  } else if (["wheel_lost", "stopped_silent"].includes(event.code) && event.args.name === me) {
+    alarm(() => t("wheel_lost_you"));
   } else if (event.level === "error" || URGENT.has(event.code)) {
     alarm(() => words(event));
   } else {

@@ -94,6 +94,8 @@ async function order(label, value) {
 async function wish(label, value) {
   const result = await order(label, value);
   const { answer } = result;
+  // That the connection is gone has been said
+  if (answer === "LOST") return result;
   if (!journal.succeeded(answer))
     journal.alarm(() => t("order_answer", {
       order: journal.orderWords(label, value), answer: journal.refusal(label, answer),
@@ -181,7 +183,7 @@ function receive(message) {
       }
       break;
     case "event":
-      journal.happened(message, message.code === "order" && mine() ||
+      journal.happened(message, nameOf(me), message.code === "order" && mine() ||
         message.code === "stopped_by" && mine() && message.args.name === nameOf(me));
       if (message.code === "order" && !mine() && DRIVING.has(message.args.label) &&
           message.args.answer === "AACK") {
@@ -521,8 +523,6 @@ function show() {
   showPeople();
   for (const one of document.querySelectorAll("[data-order], [data-single], #move, #turn, #arena-search"))
     usable(one, drives);
-  for (const [label, active] of [["COPN", state.camera], ["CPCO", state.positions]])
-    at("order-" + label).classList.toggle("active", active);
   at("arena-question").hidden = state.arena !== "found" || !drives;
   usable(at("arena-search"), drives && state.camera && state.arena !== "found" && !searching);
   tile("robot", LEVEL[state.robot], t("robot_" + state.robot));
@@ -636,7 +636,10 @@ function listen() {
     remembered.set(false);
     wheel("release");
   });
-  on("arena-search", () => wish("CASA"));
+  on("arena-search", () => {
+    if (!starter.running) starter.clear();
+    wish("CASA");
+  });
   on("arena-confirm", () => wish("CACO"));
   on("arena-reject", () => wish("CAIN"));
   amount("move", "RMOV");
