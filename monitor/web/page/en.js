@@ -6,7 +6,6 @@ export default {
   language: "Language",
   skip: "To the driving controls",
   stop: "Stop",
-  stop_label: "Stop the robot (space or Escape)",
   stop_key: "space",
 
   // Login
@@ -47,7 +46,6 @@ export default {
   // Start
   start: "Start",
   start_text: "wheel, robot, watchdog, camera",
-  start_again: "Start again",
   start_busy: "Starting",
   start_running: "Running",
   step_wheel: "Take the wheel",

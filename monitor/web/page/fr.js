@@ -6,7 +6,6 @@ export default {
   language: "Langue",
   skip: "Aller aux commandes",
   stop: "Stop",
-  stop_label: "Arrêter le robot (espace ou Échap)",
   stop_key: "espace",
 
   login_title: "De Stijl : jeton",
@@ -43,7 +42,6 @@ export default {
 
   start: "Démarrer",
   start_text: "volant, robot, chien de garde, caméra",
-  start_again: "Redémarrer",
   start_busy: "Démarrage",
   start_running: "En marche",
   step_wheel: "Prendre le volant",
@@ -68,7 +66,7 @@ export default {
   wheel_take: "Prendre le volant",
   wheel_ask: "Demander le volant",
   wheel_asked: "Demandé",
-  wheel_release: "Rendre le volant",
+  wheel_release: "Le rendre",
   wheel_seize: "Prendre la main",
   wheel_give: "Donner",
   wheel_give_label: "Donner le volant à {name}",

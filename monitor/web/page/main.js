@@ -505,8 +505,7 @@ function showStart() {
   const all = mine() && state.robot === "started" && state.camera && state.positions;
   const blocked = !link.usable || state.supervisor !== "connected" ||
     (state.driver !== null && !mine());
-  write("start-word", t(starter.running ? "start_busy" : all ? "start_running"
-    : state.robot === "closed" && !state.camera ? "start" : "start_again"));
+  write("start-word", t(starter.running ? "start_busy" : all ? "start_running" : "start"));
   write("start-text", t(all ? "start_ready" : "start_text"));
   usable(at("start"), !blocked && !starter.running && !all);
   at("start").classList.toggle("running", all && !starter.running);
@@ -573,7 +572,7 @@ async function startAll() {
   const { outcome } = starter;
   if (outcome === "start_ready") {
     journal.news(() => t(outcome));
-    setTimeout(() => { if (!starter.running && starter.outcome === outcome) starter.clear(); }, 4000);
+    setTimeout(() => { if (!starter.running && starter.outcome === outcome) starter.clear(); }, 2500);
   } else if (outcome) journal.alarm(() => t(outcome));
 }
 

@@ -121,10 +121,10 @@ export class Picture {
     const [cx, cy] = place(x, y);
     const heading = Math.atan2(dy - y, dx - x);
     const radius = Math.max(14 * unit, Math.hypot(dx - x, dy - y) * scale * 2);
-    const tip = radius + 16 * unit;
+    const tip = radius + 22 * unit;
     const arrow = new Path2D();
     for (const [n, [along, across]] of [
-      [tip, 0], [radius + 3 * unit, 8 * unit], [radius + 3 * unit, -8 * unit],
+      [tip, 0], [radius + 2 * unit, 8 * unit], [radius + 2 * unit, -8 * unit],
     ].entries()) {
       const px = cx + along * Math.cos(heading) - across * Math.sin(heading);
       const py = cy + along * Math.sin(heading) + across * Math.cos(heading);
