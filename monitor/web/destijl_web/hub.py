@@ -309,6 +309,10 @@ class Hub:
         self._tell("supervisor_refused", "error", reason=reason)
         self._publish()
 
+    def link_failed(self) -> None:
+        self.state.set(supervisor="connecting")
+        self._publish()
+
     def link_ended(self, reason: str) -> None:
         self.state.begin_session()
         self.state.set(supervisor="connecting")

@@ -88,6 +88,7 @@ class Recording:
                 try:
                     item = self._queue.get(timeout=FLUSH_PERIOD)
                 except queue.Empty:
+                    images.flush()
                     lines.flush()
                     continue
                 if item is None:

@@ -10,8 +10,9 @@ import resource
 import signal
 import socket
 import sys
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Awaitable, Callable, Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 from aiohttp import WSCloseCode, WSMsgType, hdrs, web
 
@@ -90,42 +91,75 @@ async def _serve(options: Options, heart: int) -> int:
     loop = asyncio.get_running_loop()
     for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
         loop.add_signal_handler(number, stop.set)
-    hub = Hub(
-        options.supervisor_host, options.supervisor_port, options.token, options.record
-    )
-    listening = _listen(options.bind, options.port)
-    port = listening.getsockname()[1]
-    gateway = _Gateway(options, hub, Origins(options.bind, port, options.origins))
-    runner = web.AppRunner(gateway.application(), access_log=None, handle_signals=False)
-    await runner.setup()
-    await web.SockSite(runner, listening).start()
-    tasks = [
-        asyncio.create_task(work)
-        for work in (
-            _beat(heart),
-            hub.run_ticks(),
-            hub.fan_out.run(),
-            hub.link.run(),
-            gateway.sweep(runner),
-        )
-    ]
-    print(f"destijl_web: open {address_to_open(options.bind, port)}", flush=True)
+    service = Service(options)
+    await service.start()
+    print(f"destijl_web: open {service.address}", flush=True)
+    #  What there is now stays: it need not be looked at again and again
     gc.collect()
     gc.freeze()
-    stopped = asyncio.create_task(stop.wait())
-    ended, _ = await asyncio.wait(
-        [stopped, *tasks], return_when=asyncio.FIRST_COMPLETED
-    )
-    status = 0
-    if stopped not in ended:
-        #  One that has no end has ended
-        failure = ended.pop().exception()
+    tasks = [asyncio.create_task(_beat(heart)), asyncio.create_task(stop.wait())]
+    failure = await service.failure(tasks)
+    if failure is not None:
         _log.error("failure: %s: %s", type(failure).__name__, failure)
-        status = 3
-    await hub.close()
-    with contextlib.suppress(TimeoutError):
-        await asyncio.wait_for(runner.cleanup(), 2 * FAREWELL)
-    return status
+    await service.close()
+    return 0 if failure is None else 3
+
+
+class Service:
+    """All of the gateway that is no process."""
+
+    def __init__(self, options: Options) -> None:
+        self._options = options
+        self.hub = Hub(
+            options.supervisor_host,
+            options.supervisor_port,
+            options.token,
+            options.record,
+        )
+        self.port = 0
+        self.address = ""
+        self._runner: web.AppRunner | None = None
+        self._tasks: list[asyncio.Task[None]] = []
+
+    async def start(self) -> None:
+        """Raises CannotStart."""
+        listening = _listen(self._options.bind, self._options.port)
+        self.port = listening.getsockname()[1]
+        self.address = address_to_open(self._options.bind, self.port)
+        origins = Origins(self._options.bind, self.port, self._options.origins)
+        gateway = _Gateway(self._options, self.hub, origins)
+        runner = web.AppRunner(
+            gateway.application(), access_log=None, handle_signals=False
+        )
+        await runner.setup()
+        await web.SockSite(runner, listening).start()
+        self._runner = runner
+        self._tasks = [
+            asyncio.create_task(work)
+            for work in (
+                self.hub.run_ticks(),
+                self.hub.fan_out.run(),
+                self.hub.link.run(),
+                gateway.sweep(runner),
+            )
+        ]
+
+    async def failure(
+        self, further: Sequence[asyncio.Task[Any]]
+    ) -> BaseException | None:
+        """Waits until a task ends, of its own or a further one: how."""
+        ended, _ = await asyncio.wait(
+            [*self._tasks, *further], return_when=asyncio.FIRST_COMPLETED
+        )
+        return next((f for task in ended if (f := task.exception())), None)
+
+    async def close(self) -> None:
+        await self.hub.close()
+        if self._runner is not None:
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._runner.cleanup(), 2 * FAREWELL)
+        for task in self._tasks:
+            task.cancel()
 
 
 def _listen(bind: str, port: int) -> socket.socket:
@@ -150,6 +184,7 @@ class _Gateway:
         self._origins = origins
         self._logins = Logins(options.token, options.viewers_token)
         self._recordings = Recordings(options.record) if options.record else None
+        self._sockets = 0
         self._loop = asyncio.get_running_loop()
 
     def application(self) -> web.Application:
@@ -274,7 +309,7 @@ class _Gateway:
         if session is None:
             _log.warning("login refused, wrong token: %s", address)
             raise web.HTTPSeeOther("/?failed=1")
-        response = web.HTTPSeeOther("/")
+        response = web.Response(status=303, headers={"Location": "/"})
         response.set_cookie(
             self._cookie(request),
             session,
@@ -298,8 +333,17 @@ class _Gateway:
         role = self._role(request)
         if role is None:
             raise web.HTTPUnauthorized(text="a token is needed\n")
-        if len(self._hub.viewers) >= MAX_VIEWERS:
+        if self._sockets >= MAX_VIEWERS:
             raise web.HTTPServiceUnavailable(text="too many viewers\n")
+        self._sockets += 1
+        try:
+            return await self._serve_viewer(request, role)
+        finally:
+            self._sockets -= 1
+
+    async def _serve_viewer(
+        self, request: web.Request, role: str
+    ) -> web.StreamResponse:
         ws = web.WebSocketResponse(
             compress=False, heartbeat=HEARTBEAT, max_msg_size=4 * messages.MAX_SIZE
         )
@@ -314,8 +358,7 @@ class _Gateway:
         finally:
             self._hub.leave(viewer)
             viewer.close(WSCloseCode.OK, "")
-            sender.add_done_callback(lambda _: None)
-        await asyncio.wait([sender])
+        await sender
         return ws
 
     async def _listen_to(self, viewer: Viewer, ws: web.WebSocketResponse) -> None:

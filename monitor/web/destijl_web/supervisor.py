@@ -40,6 +40,9 @@ class Listener(Protocol):
 
     def link_refused(self, reason: str) -> None: ...
 
+    def link_failed(self) -> None:
+        """No supervisor is there, or nothing that speaks as one."""
+
     def link_ended(self, reason: str) -> None:
         """After link_began."""
 
@@ -94,6 +97,7 @@ class Link:
                     self._listener.link_refused(told)
             elif reason != told:
                 told = reason
+                self._listener.link_failed()
                 _log.warning(
                     "no supervisor at %s port %d: %s", self._host, self._port, reason
                 )
@@ -102,7 +106,7 @@ class Link:
                 pause = min(2 * pause, LONGEST_PAUSE)
 
     def is_up(self) -> bool:
-        return self._session is not None and self._session.is_up()
+        return self._session is not None and self._session.is_up() and not self._closing
 
     def waiting(self) -> int:
         return len(self._session.exchange) if self._session else 0

@@ -3,6 +3,7 @@
 
 import asyncio
 import contextlib
+import socket
 from collections import deque
 from collections.abc import Callable
 
@@ -12,12 +13,19 @@ IMAGES_UNDER_WAY = 2
 STATES_WAITING = 32
 #  Beyond it, changes of the state are dropped, and all of it follows
 
+PONGS_WAITING = 8
+#  The latest
+
 TEXTS_WAITING = 512
 #  Beyond it the connection is closed
 
 RATE = 50.0
 BURST = 100.0
 #  Messages of a page, a second and at once
+
+KERNEL_BUFFER = 2**17
+#  Bytes, of which Linux makes twice as many. Chosen by itself they would be
+#  megabytes, and nobody would see what a page does not take
 
 DRAIN_LIMIT = 10.0
 #  Seconds in which something must have left for the page
@@ -43,9 +51,11 @@ class Viewer:
         #  All of it is to be sent, once the page has taken what waits
         self._ws = ws
         self.transport = transport
+        connection: socket.socket = transport.get_extra_info("socket")
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, KERNEL_BUFFER)
         self._wake = asyncio.Event()
         self._texts: deque[str] = deque()
-        self._pong: str | None = None
+        self._pongs: deque[str] = deque(maxlen=PONGS_WAITING)
         self._position: str | None = None
         self._image: bytes | None = None
         self._unseen = 0
@@ -83,7 +93,7 @@ class Viewer:
             self._texts.append(text)
 
     def put_pong(self, text: str) -> None:
-        self._pong = text
+        self._pongs.append(text)
 
     def put_position(self, text: str) -> None:
         self._position = text
@@ -132,9 +142,8 @@ class Viewer:
     async def _send_all(self, whole_state: Callable[[], str]) -> None:
         while self._closing is None and not self._ws.closed:
             #  The most urgent first
-            if self._pong is not None:
-                text, self._pong = self._pong, None
-                await self._ws.send_str(text)
+            if self._pongs:
+                await self._ws.send_str(self._pongs.popleft())
             elif self._texts:
                 await self._ws.send_str(self._texts.popleft())
             elif self.state_is_stale:

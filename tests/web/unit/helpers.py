@@ -1,0 +1,311 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""A supervisor that says what a test wants, and pages that drive."""
+
+import asyncio
+import base64
+import contextlib
+import json
+from collections.abc import AsyncIterator, Callable, Coroutine
+from pathlib import Path
+from typing import Any
+
+import aiohttp
+from destijl_web.options import Options
+from destijl_web.server import Service
+
+LIMIT = 5.0
+#  Seconds for what is to happen at once: a busy machine is slow
+
+Json = dict[str, Any]
+
+
+def jpeg(number: int, size: int = 1000) -> bytes:
+    """Not a picture, but it begins as one, and is known by its number."""
+    return b"\xff\xd8" + number.to_bytes(4, "big") + bytes(size - 6)
+
+
+def number_of(image: bytes) -> int:
+    return int.from_bytes(image[2:6], "big")
+
+
+class Supervisor:
+    """One monitor at a time, as the real one. Answers: for each label its
+    answer; None is silence."""
+
+    def __init__(self, token: str | None = None) -> None:
+        self.answers: dict[str, bytes | None] = {
+            "RGBT": b"RBLV:2",
+            "RGST": b"RCST:0",
+            "CASA": b"CIMG:" + base64.b64encode(jpeg(999)),
+            "CACO": None,
+            "CAIN": None,
+        }
+        self.lines: list[str] = []
+        self.connections = 0
+        self.refusal: bytes | None = None
+        self.port = 0
+        self._token = token
+        self._server: asyncio.Server | None = None
+        self._writer: asyncio.StreamWriter | None = None
+        self._heard = asyncio.Event()
+
+    async def start(self) -> None:
+        self._server = await asyncio.start_server(self._serve, "127.0.0.1", self.port)
+        self.port = self._server.sockets[0].getsockname()[1]
+
+    async def stop(self) -> None:
+        assert self._server is not None
+        self._server.close()
+        self.hang_up()
+
+    def hang_up(self) -> None:
+        if self._writer is not None:
+            self._writer.close()
+            self._writer = None
+
+    def send(self, *lines: bytes) -> None:
+        self.send_raw(b"".join(line + b"\n" for line in lines))
+
+    def send_raw(self, data: bytes) -> None:
+        assert self._writer is not None
+        self._writer.write(data)
+
+    def send_image(self, number: int, size: int = 1000) -> None:
+        self.send(b"CIMG:" + base64.b64encode(jpeg(number, size)))
+
+    def count(self, line: str) -> int:
+        return self.lines.count(line)
+
+    async def until(self, condition: Callable[[], bool]) -> None:
+        """Looked at again whenever a line has come."""
+        async with asyncio.timeout(LIMIT):
+            while not condition():
+                self._heard.clear()
+                await self._heard.wait()
+
+    async def heard(self, line: str, times: int = 1) -> None:
+        await self.until(lambda: self.count(line) >= times)
+
+    async def _serve(
+        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> None:
+        with contextlib.suppress(ConnectionError):
+            self.connections += 1
+            if self._token is not None:
+                first = (await reader.readline()).decode().strip()
+                if first != f"AUTH:{self._token}":
+                    self.refusal = b"not authenticated"
+            if self.refusal is not None:
+                writer.write(b"MSSG:refused: " + self.refusal + b"\n")
+                writer.close()
+                self._heard.set()
+                return
+            self._writer = writer
+            while line := (await reader.readline()).decode().rstrip("\n"):
+                answer: bytes | None = b"AACK"
+                if line.startswith("AUTH:"):
+                    answer = b"ACER"
+                else:
+                    answer = self.answers.get(line[:4], b"AACK")
+                self.lines.append(line)
+                self._heard.set()
+                if answer is not None:
+                    writer.write(answer + b"\n")
+            self.lines.append("end")
+            self._heard.set()
+            writer.close()
+
+
+class Page:
+    """What a browser's page does."""
+
+    def __init__(self, ws: aiohttp.ClientWebSocketResponse) -> None:
+        self.ws = ws
+        self.said: list[Json] = []
+        self.images: list[bytes] = []
+        self.welcome: Json = {}
+        self.acknowledges = True
+        self._orders = 0
+        self._pinging: asyncio.Task[None] | None = None
+
+    @property
+    def number(self) -> int:
+        return int(self.welcome["you"])
+
+    async def say(self, kind: str, **fields: Any) -> None:
+        await self.ws.send_str(json.dumps({"type": kind, **fields}))
+
+    async def wheel(self, do: str, **fields: Any) -> None:
+        await self.say("wheel", do=do, **fields)
+
+    async def order(self, label: str, **fields: Any) -> Json:
+        """Its answer."""
+        self._orders += 1
+        number = self._orders
+        await self.say("order", id=number, label=label, **fields)
+        return await self.expect("answer", id=number)
+
+    async def receive(self) -> Json | bytes | None:
+        """The next message; None: closed."""
+        received = await self.ws.receive()
+        if received.type is aiohttp.WSMsgType.BINARY:
+            self.images.append(received.data)
+            if self.acknowledges:
+                await self.say("seen")
+            return bytes(received.data)
+        if received.type is aiohttp.WSMsgType.TEXT:
+            said: Json = json.loads(received.data)
+            self.said.append(said)
+            return said
+        return None
+
+    async def expect(self, kind: str, **fields: Any) -> Json:
+        """The next message of that kind that has these fields."""
+        async with asyncio.timeout(LIMIT):
+            while True:
+                got = await self.receive()
+                assert got is not None, f"closed: {self.ws.close_code}"
+                wanted = {"type": kind, **fields}
+                if isinstance(got, dict) and wanted == {n: got.get(n) for n in wanted}:
+                    return got
+
+    async def event(self, code: str, **args: Any) -> Json:
+        while True:
+            got = await self.expect("event", code=code)
+            if all(got["args"].get(n) == v for n, v in args.items()):
+                return got
+
+    async def state(self, **fields: Any) -> Json:
+        return await self.expect("state", **fields)
+
+    async def image(self) -> bytes:
+        async with asyncio.timeout(LIMIT):
+            while True:
+                got = await self.receive()
+                assert got is not None
+                if isinstance(got, bytes):
+                    return got
+
+    async def closed(self) -> int | None:
+        async with asyncio.timeout(LIMIT):
+            while await self.receive() is not None:
+                pass
+        return self.ws.close_code
+
+    async def settle(self) -> None:
+        """All that the gateway had to say until now has come."""
+        number = 10**6 + len(self.said)
+        await self.say("ping", n=number, hidden=False)
+        await self.expect("pong", n=number)
+
+    def ping(self) -> None:
+        """From now on, as a page in front of its user does."""
+
+        async def work() -> None:
+            number = 0
+            with contextlib.suppress(ConnectionError):
+                while True:
+                    number += 1
+                    await self.say("ping", n=number, hidden=False)
+                    await asyncio.sleep(0.1)
+
+        self._pinging = asyncio.create_task(work())
+
+    def be_silent(self) -> None:
+        if self._pinging is not None:
+            self._pinging.cancel()
+            self._pinging = None
+
+    async def close(self) -> None:
+        self.be_silent()
+        await self.ws.close()
+
+
+class World:
+    """Supervisor and gateway."""
+
+    def __init__(self, supervisor: Supervisor, service: Service) -> None:
+        self.supervisor = supervisor
+        self.service = service
+        self._clients: list[aiohttp.ClientSession] = []
+        self._pages: list[Page] = []
+
+    @property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.service.port}"
+
+    def client(self) -> aiohttp.ClientSession:
+        """A browser, with cookies of its own."""
+        client = aiohttp.ClientSession(
+            connector=aiohttp.TCPConnector(limit=0),
+            cookie_jar=aiohttp.CookieJar(unsafe=True),
+        )
+        self._clients.append(client)
+        return client
+
+    async def page(self, client: aiohttp.ClientSession | None = None) -> Page:
+        client = client or self.client()
+        ws = await client.ws_connect(f"{self.url}/ws", origin=self.url)
+        page = Page(ws)
+        self._pages.append(page)
+        page.welcome = await page.expect("welcome")
+        return page
+
+    async def driver(self) -> Page:
+        """A page that has the wheel, and shows signs of life."""
+        page = await self.page()
+        page.ping()
+        await page.wheel("take")
+        await page.state(driver=page.number)
+        return page
+
+    async def start_robot(self, driver: Page) -> None:
+        await driver.order("ROPN")
+        await driver.order("RSWW")
+        await driver.state(robot="started")
+
+    async def connected(self) -> None:
+        async with asyncio.timeout(LIMIT):
+            while self.service.hub.state["supervisor"] != "connected":
+                await asyncio.sleep(0.01)
+
+    async def end(self) -> None:
+        for page in self._pages:
+            page.be_silent()
+        for client in self._clients:
+            await client.close()
+
+
+@contextlib.asynccontextmanager
+async def world(
+    *, supervisor_token: str | None = None, connected: bool = True, **chosen: Any
+) -> AsyncIterator[World]:
+    supervisor = Supervisor(supervisor_token)
+    await supervisor.start()
+    options = Options(supervisor_port=supervisor.port, port=0, **chosen)
+    service = Service(options)
+    await service.start()
+    made = World(supervisor, service)
+    try:
+        if connected:
+            await made.connected()
+        yield made
+    finally:
+        await made.end()
+        await service.close()
+        await supervisor.stop()
+
+
+def run(test: Coroutine[Any, Any, None]) -> None:
+    async def limited() -> None:
+        async with asyncio.timeout(30):
+            await test
+
+    asyncio.run(limited())
+
+
+def token_file(folder: Path, token: str) -> str:
+    path = folder / f"token_{token}"
+    path.touch(mode=0o600)
+    path.write_text(token + "\n")
+    return str(path)

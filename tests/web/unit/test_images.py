@@ -1,0 +1,148 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""Images, to fast viewers and slow ones."""
+
+import asyncio
+import socket
+from typing import Any
+
+import pytest
+from aiohttp import ClientSession, TCPConnector
+from destijl_web import viewer
+from helpers import LIMIT, Page, World, jpeg, number_of, run, world
+
+LARGE = 100_000
+
+
+async def send(w: World, numbers: range, size: int = 1000) -> None:
+    """One after another, each read by the gateway before the next."""
+    for number in numbers:
+        w.supervisor.send_image(number, size)
+        async with asyncio.timeout(LIMIT):
+            while w.service.hub._image != jpeg(number, size):
+                await asyncio.sleep(0)
+        await asyncio.sleep(0.005)
+
+
+def test_every_image_to_everybody() -> None:
+    async def test() -> None:
+        async with world() as w:
+            pages = [await w.page() for _ in range(20)]
+            for number in range(10):
+                w.supervisor.send_image(number, LARGE)
+                for page in pages:
+                    assert await page.image() == jpeg(number, LARGE)
+
+    run(test())
+
+
+def test_no_more_than_two_under_way() -> None:
+    async def test() -> None:
+        async with world() as w:
+            page = await w.page()
+            page.acknowledges = False
+            await send(w, range(1, 7))
+            await page.settle()
+            assert [number_of(i) for i in page.images] == [1, 2]
+            #  and of those that came meanwhile the newest
+            await page.say("seen")
+            assert number_of(await page.image()) == 6
+            await page.settle()
+            await page.say("seen")
+            await page.say("seen")
+            await send(w, range(7, 10))
+            await page.settle()
+            assert [number_of(i) for i in page.images] == [1, 2, 6, 7, 8]
+            #  more than it has got is not shown
+            for _ in range(10):
+                await page.say("seen")
+            await page.settle()
+            await send(w, range(10, 15))
+            await page.settle()
+            assert [number_of(i) for i in page.images] == [1, 2, 6, 7, 8, 9, 10]
+
+    run(test())
+
+
+async def stalled_page(w: World) -> Page:
+    """A page whose machine takes little, and whose program reads nothing."""
+
+    def small(*_: Any) -> socket.socket:
+        made = socket.socket()
+        made.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        made.connect(("127.0.0.1", w.service.port))
+        made.setblocking(False)
+        return made
+
+    class Small(TCPConnector):
+        async def _wrap_create_connection(self, *a: Any, **k: Any) -> Any:
+            for name in ("host", "port", "addr_infos", "addr_info"):
+                k.pop(name, None)
+            return await self._loop.create_connection(a[0], sock=small())
+
+    client = ClientSession(connector=Small())
+    w._clients.append(client)
+    page = Page(await client.ws_connect(f"{w.url}/ws", origin=w.url))
+    connection = page.ws._response.connection
+    assert connection is not None and connection.transport is not None
+    connection.transport.pause_reading()
+    w._pages.append(page)
+    return page
+
+
+def test_a_stalled_viewer_delays_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(viewer, "DRAIN_LIMIT", 1.0)
+
+    async def test() -> None:
+        async with world() as w:
+            driver = await w.driver()
+            await stalled_page(w)
+            for number in range(20):
+                w.supervisor.send_image(number, 400_000)
+                assert number_of(await driver.image()) == number
+                assert (await driver.order("RGFW"))["answer"] == "AACK"
+            #  and is closed after a while
+            await driver.state(viewers=[{"id": 1, "name": "#1", "role": "open"}])
+
+    run(test())
+
+
+def test_a_viewer_that_takes_no_texts_is_closed() -> None:
+    async def test() -> None:
+        async with world() as w:
+            page = await w.page()
+            other = next(iter(w.service.hub.viewers.values()))
+            for number in range(viewer.TEXTS_WAITING + 1):
+                other.put(str(number))
+            assert await page.closed() == 1013
+
+    run(test())
+
+
+def test_the_state_of_a_slow_viewer_is_whole() -> None:
+    async def test() -> None:
+        async with world() as w:
+            page = await w.page()
+            slow = next(iter(w.service.hub.viewers.values()))
+            for number in range(viewer.STATES_WAITING + 100):
+                w.service.hub.state.set(battery=number % 3)
+                w.service.hub._publish()
+            w.service.hub.state.set(robot="lost")
+            w.service.hub._publish()
+            assert len(slow._texts) <= viewer.STATES_WAITING
+            state = await page.state(robot="lost")
+            assert state["battery"] == w.service.hub.state["battery"]
+            assert set(state) == {"type", *w.service.hub.state.all()}
+
+    run(test())
+
+
+def test_slow_viewers_get_the_newest_position() -> None:
+    async def test() -> None:
+        async with world() as w:
+            await w.page()
+            slow = next(iter(w.service.hub.viewers.values()))
+            for number in range(100):
+                slow.put_position(str(number))
+            assert slow._position == "99"
+
+    run(test())
