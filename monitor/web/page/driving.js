@@ -24,11 +24,13 @@ const takesKeys = (element) => writes(element) ||
   (element?.tagName === "INPUT" && ["number", "range"].includes(element.type));
 
 export class Driving {
-  // page: order (label, value), mayDrive (), whyNot (), stopped ()
+  // page: order (label, value, quiet), mayDrive (), whyNot (), hint (), stopped ()
   constructor(page) {
     this.page = page;
+    this.letters = true;           // they drive as the arrows do
     this.held = new Map();         // what is held: its order, the oldest first
     this.moving = false;           // a movement was ordered and no stop since
+    this.refused = false;          // the last movement was
   }
 
   get current() { return [...this.held.values()].pop() ?? ""; }
@@ -54,19 +56,18 @@ export class Driving {
     const { current } = this;
     if (current === before) return;
     this.show();
-    if (current === "") this.order("RSTP");
+    // Why the movement was refused says more than that its stop was
+    if (current === "") this.order("RSTP", undefined, () => this.refused);
     else this.order(current);
   }
 
-  order(label, value) {
-    if (label === "RSTP") {
-      return this.page.order("RSTP").then((result) => {
-        if (result.answer === "AACK" && this.held.size === 0) this.moving = false;
-        return result;
-      });
-    }
-    this.moving = true;
-    return this.page.order(label, value);
+  async order(label, value, quiet) {
+    const stops = label === "RSTP";
+    if (!stops) this.moving = true;
+    const result = await this.page.order(label, value, quiet);
+    if (!stops) this.refused = ["ACRJ", "ANAK", "NOLINK"].includes(result.answer);
+    else if (result.answer === "AACK" && this.held.size === 0) this.moving = false;
+    return result;
   }
 
   // Nothing is held any more; what is still pressed counts when pressed anew
@@ -120,8 +121,14 @@ export class Driving {
     }
     const label = KEYS[event.code];
     if (!label || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (!this.letters && !event.code.startsWith("Arrow")) return;
     if (takesKeys(event.target) || document.querySelector("dialog[open]")) return;
-    if (this.page.mayDrive()) event.preventDefault();
+    // Who only watches scrolls with the arrows
+    if (!this.page.mayDrive()) {
+      if (!event.repeat) this.page.hint();
+      return;
+    }
+    event.preventDefault();
     if (!event.repeat) this.press("key " + event.code, label);
   }
 

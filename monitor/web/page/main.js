@@ -17,6 +17,7 @@ const OLD = 1500;                  // ms without an image: the picture is old
 const BACK = 20000;                // ms after which a wheel is not taken back
 const BACK_WAIT = 2500;            // ms for our former connection to be gone
 const RATE_OVER = 3000;            // ms over which images a second are counted
+const HINT_AGAIN = 10000;          // ms
 const LOGIN_AFTER = 3;             // failures; then the token may be the reason
 
 const ROBOT_ORDERS = ["RSWW", "RSOW", "RRST", "ROPN", "RCLS", "RPIN", "RGST", "RGBT", "RPOF"];
@@ -90,12 +91,12 @@ async function order(label, value) {
   return result;
 }
 
-// An order of the user: a refusal is said, with what to do
-async function wish(label, value) {
+// An order of the user: a refusal is said, with what to do, unless quiet then
+async function wish(label, value, quiet = () => false) {
   const result = await order(label, value);
   const { answer } = result;
   // That the connection is gone has been said
-  if (answer === "LOST") return result;
+  if (answer === "LOST" || (quiet() && answer !== "ATIM")) return result;
   if (!journal.succeeded(answer))
     journal.alarm(() => t("order_answer", {
       order: journal.orderWords(label, value), answer: journal.refusal(label, answer),
@@ -116,7 +117,16 @@ function whyNot() {
   }
 }
 
-const driving = new Driving({ order: wish, mayDrive: () => link.usable && mine(), whyNot, stopped });
+// To who presses a driving key while nobody drives
+let hinted = -Infinity;
+
+function hint() {
+  if (state.driver !== null || performance.now() - hinted < HINT_AGAIN) return;
+  hinted = performance.now();
+  whyNot();
+}
+
+const driving = new Driving({ order: wish, mayDrive: () => link.usable && mine(), whyNot, hint, stopped });
 
 // The user wants the robot to stand: whoever drives, whatever was before
 async function stopped() {
@@ -315,7 +325,8 @@ function write(id, text) {
 }
 
 function tile(name, level, text, more) {
-  at("tile-" + name).dataset.level = level;
+  // What is said of them is old, once the connection is gone
+  at("tile-" + name).dataset.level = link.usable || name === "supervisor" ? level : "off";
   write("tile-" + name + "-text", text);
   if (more !== undefined) write("tile-" + name + "-more", more);
 }
@@ -482,7 +493,7 @@ function showWheel() {
   const free = state.driver === null;
   const asked = state.asking.includes(me);
   root.dataset.wheel = drives ? "me" : free ? "free" : "other";
-  write("wheel-who", drives ? t("wheel_you") : free ? t("wheel_nobody")
+  write("wheel-who", !there ? t("gateway_lost") : drives ? t("wheel_you") : free ? t("wheel_nobody")
     : t("wheel_other", { name: nameOf(state.driver) }));
   const wanted = {
     "wheel-take": there && free,
@@ -649,6 +660,16 @@ function listen() {
       dialog.close();
       if (label) wish(label);
     };
+  const letters = at("letters");
+  const setLetters = (yes) => {
+    driving.letters = yes;
+    letters.setAttribute("aria-pressed", String(yes));
+  };
+  setLetters(stored.get("destijl.letters") !== "no");
+  letters.onclick = () => {
+    setLetters(!driving.letters);
+    stored.set("destijl.letters", driving.letters ? "yes" : "no");
+  };
   at("trail").onclick = () => {
     picture.trail = !picture.trail;
     at("trail").setAttribute("aria-pressed", String(picture.trail));
