@@ -30,6 +30,7 @@ ABSENCE = 1.0
 #  Seconds without a ping of the driver: the robot is stopped, the wheel free
 
 TICK = 0.05
+LATE = 0.15
 
 EVENTS = 100
 BATTERY_TIME = 600.0
@@ -73,6 +74,8 @@ class Hub:
         self._image_at = 0.0
         self._camera_told = False
         self._stopped_silent = False
+        self._ticked_at = 0.0
+        self._was_late = False
 
     #  Viewers
 
@@ -143,8 +146,9 @@ class Hub:
         """To be called every TICK seconds."""
         now = self._loop.time()
         self.link.watch()
+        late = self._is_late(now)
         driver = self._driver()
-        if driver is not None:
+        if driver is not None and not late:
             silent = now - driver.pinged_at
             if silent > ABSENCE:
                 self._free_wheel("wheel_lost", driver)
@@ -167,6 +171,14 @@ class Hub:
             self._camera_told = True
             self._tell("camera_silent", "warning")
         self._publish()
+
+    def _is_late(self, now: float) -> bool:
+        """The machine let us wait: pings may be there that we have not read.
+        Not twice in succession, however busy it is."""
+        late = now - self._ticked_at > LATE and not self._was_late
+        self._ticked_at = now
+        self._was_late = late
+        return late
 
     async def run_ticks(self) -> None:
         while True:

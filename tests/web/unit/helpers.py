@@ -13,8 +13,10 @@ import aiohttp
 from destijl_web.options import Options
 from destijl_web.server import Service
 
-LIMIT = 5.0
+LIMIT = 20.0
 #  Seconds for what is to happen at once: a busy machine is slow
+
+TEST_LIMIT = 60.0
 
 Json = dict[str, Any]
 
@@ -122,6 +124,7 @@ class Page:
     def __init__(self, ws: aiohttp.ClientWebSocketResponse) -> None:
         self.ws = ws
         self.said: list[Json] = []
+        self._new: list[Json] = []
         self.images: list[bytes] = []
         self.welcome: Json = {}
         self.acknowledges = True
@@ -156,18 +159,22 @@ class Page:
         if received.type is aiohttp.WSMsgType.TEXT:
             said: Json = json.loads(received.data)
             self.said.append(said)
+            self._new.append(said)
             return said
         return None
 
     async def expect(self, kind: str, **fields: Any) -> Json:
-        """The next message of that kind that has these fields."""
+        """The first message of that kind that has these fields, and that has
+        not been returned yet."""
+        wanted = {"type": kind, **fields}
         async with asyncio.timeout(LIMIT):
             while True:
+                for said in self._new:
+                    if wanted == {n: said.get(n) for n in wanted}:
+                        self._new.remove(said)
+                        return said
                 got = await self.receive()
                 assert got is not None, f"closed: {self.ws.close_code}"
-                wanted = {"type": kind, **fields}
-                if isinstance(got, dict) and wanted == {n: got.get(n) for n in wanted}:
-                    return got
 
     async def event(self, code: str, **args: Any) -> Json:
         while True:
@@ -298,7 +305,7 @@ async def world(
 
 def run(test: Coroutine[Any, Any, None]) -> None:
     async def limited() -> None:
-        async with asyncio.timeout(30):
+        async with asyncio.timeout(TEST_LIMIT):
             await test
 
     asyncio.run(limited())

@@ -32,7 +32,7 @@ def test_one_drives() -> None:
         async with world() as w:
             driver, other = await w.driver(), await w.page()
             await w.start_robot(driver)
-            assert "wheel_taken" in [s.get("code") for s in driver.said]
+            await driver.event("wheel_taken", name="#1")
             for label in ("RGFW", "RCLS", "COPN", "CACO"):
                 assert (await other.order(label))["answer"] == "NOWHEEL"
             assert (await driver.order("RGFW"))["answer"] == "AACK"

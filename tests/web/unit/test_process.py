@@ -1,0 +1,256 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""The program: command line, guard, signals, exit status."""
+
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from helpers import token_file
+
+WEB = Path(__file__).resolve().parents[3] / "monitor" / "web"
+LIMIT = 20.0
+#  Seconds; a busy machine is slow
+
+
+class Program:
+    def __init__(self, *arguments: str) -> None:
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", "destijl_web", *arguments],
+            env={**os.environ, "PYTHONPATH": str(WEB)},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def address(self) -> str:
+        assert self.process.stdout is not None
+        line = self.process.stdout.readline()
+        found = re.fullmatch(r"destijl_web: open (http://\S+:\d+/)\n", line)
+        assert found is not None, line
+        return found[1]
+
+    def port(self) -> int:
+        return int(self.address().rsplit(":", 1)[1].rstrip("/"))
+
+    def gateway(self) -> int:
+        """The process that the guard watches."""
+        path = Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children")
+        (child,) = path.read_text().split()
+        return int(child)
+
+    def end(self) -> tuple[int, str, str]:
+        out, error = self.process.communicate(timeout=LIMIT)
+        return self.process.returncode, out, error
+
+
+@pytest.fixture
+def programs() -> Iterator[Any]:
+    made: list[Program] = []
+
+    def make(*arguments: str) -> Program:
+        made.append(Program(*arguments))
+        return made[-1]
+
+    yield make
+    for one in made:
+        if one.process.poll() is None:
+            one.process.kill()
+            one.process.communicate()
+
+
+class Listener:
+    """Where a supervisor would listen."""
+
+    def __init__(self) -> None:
+        self._socket = socket.create_server(("127.0.0.1", 0))
+        self._socket.settimeout(LIMIT)
+        self.address = f"127.0.0.1:{self._socket.getsockname()[1]}"
+
+    def accept(self) -> socket.socket:
+        """The gateway, which has said its first line and been answered."""
+        accepted, _ = self._socket.accept()
+        accepted.settimeout(LIMIT)
+        assert accepted.recv(100) == b"CPST\n"
+        accepted.sendall(b"AACK\n")
+        return accepted
+
+
+def has_ended(connection: socket.socket) -> bool:
+    try:
+        return connection.recv(100) == b""
+    except ConnectionResetError:
+        return True  # something was unread
+
+
+def is_gone(process: int) -> bool:
+    try:
+        state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+    except FileNotFoundError:
+        return True
+    return state == "Z"
+
+
+def wait_until_gone(process: int) -> None:
+    end = time.monotonic() + LIMIT
+    while not is_gone(process):
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+def run(*arguments: str) -> tuple[int, str, str]:
+    return Program(*arguments).end()
+
+
+def test_help_and_version() -> None:
+    status, out, error = run("--help")
+    assert (status, error) == (0, "") and out.startswith("Usage: destijl_web")
+    source = WEB.parents[1] / "src" / "logic" / "project_version.ads"
+    assert source.is_file()
+    status, out, error = run("--version")
+    number = re.fullmatch(r"destijl_web (\d+\.\d+\.\d+)\n", out)
+    assert (status, error) == (0, "") and number is not None
+    assert f'"{number[1]}"' in source.read_text()
+
+
+def test_bad_usage() -> None:
+    for arguments in (["--nothing"], ["--bind", "0.0.0.0"], ["--port", "x"]):
+        status, out, error = run(*arguments)
+        assert (status, out) == (2, "")
+        assert error.startswith("destijl_web: ") and error.count("\n") == 1
+
+
+def test_a_port_that_is_taken() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        status, out, error = run("--port", str(taken.getsockname()[1]))
+    assert (status, out) == (1, "")
+    assert error.startswith("destijl_web: cannot listen on 127.0.0.1 port ")
+    assert error.count("\n") == 1
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
+def test_an_orderly_stop(programs: Any, number: signal.Signals) -> None:
+    supervisor = Listener()
+    program = programs("--port", "0", "--supervisor", supervisor.address)
+    program.address()
+    connection = supervisor.accept()
+    program.process.send_signal(number)
+    assert connection.recv(100) == b""
+    connection.close()
+    status, out, error = program.end()
+    assert (status, out) == (0, "")
+    assert "Traceback" not in error
+
+
+def test_stopped_before_it_runs(programs: Any) -> None:
+    for delay in (0.05, 0.1, 0.2, 0.4):
+        program = programs("--port", "0")
+        time.sleep(delay)
+        program.process.terminate()
+        status, _, error = program.end()
+        assert status in (0, -signal.SIGTERM), error
+        assert "Traceback" not in error
+
+
+@pytest.mark.parametrize("number", [signal.SIGSTOP, signal.SIGKILL, signal.SIGSEGV])
+def test_a_gateway_that_hangs_or_dies(programs: Any, number: signal.Signals) -> None:
+    """Its connection ends, so that the supervisor stops the robot."""
+    supervisor = Listener()
+    program = programs("--port", "0", "--supervisor", supervisor.address)
+    program.address()
+    connection = supervisor.accept()
+    gateway = program.gateway()
+    begun = time.monotonic()
+    os.kill(gateway, number)
+    assert has_ended(connection)
+    took = time.monotonic() - begun
+    status, _, error = program.end()
+    assert status == 3
+    assert "Traceback" not in error
+    if number == signal.SIGSTOP:
+        assert "no sign of life for 0.5 s" in error
+        #  not before its time, which is counted from the last sign of life
+        assert took > 0.35
+
+
+def test_no_gateway_without_its_guard(programs: Any) -> None:
+    supervisor = Listener()
+    program = programs("--port", "0", "--supervisor", supervisor.address)
+    program.address()
+    connection = supervisor.accept()
+    gateway = program.gateway()
+    program.process.kill()
+    wait_until_gone(gateway)
+    assert has_ended(connection)
+
+
+def test_not_stopped_by_the_terminal(programs: Any) -> None:
+    """Ctrl-Z would leave the robot driving."""
+    program = programs("--port", "0")
+    program.address()
+    for process in (program.gateway(), program.process.pid):
+        os.kill(process, signal.SIGTSTP)
+    time.sleep(0.2)
+    for process in (program.gateway(), program.process.pid):
+        state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+        assert state in "RS"
+
+
+def test_tokens_are_not_shown(programs: Any, tmp_path: Path) -> None:
+    token = token_file(tmp_path, "very-secret")
+    viewers = token_file(tmp_path, "less-secret")
+    program = programs("--port", "0", "--token", token, "--viewers-token", viewers)
+    port = program.port()
+    command = Path(f"/proc/{program.gateway()}/cmdline").read_bytes()
+    assert b"very-secret" not in command.replace(token.encode(), b"")
+    body = b"token=nearly-secret"
+    with socket.create_connection(("127.0.0.1", port)) as client:
+        client.sendall(
+            b"POST /login HTTP/1.1\r\nHost: 127.0.0.1:%d\r\n"
+            b"Content-Type: application/x-www-form-urlencoded\r\n"
+            b"Content-Length: %d\r\n\r\n%s" % (port, len(body), body)
+        )
+        assert client.recv(100).startswith(b"HTTP/1.1 303")
+    program.process.terminate()
+    status, out, error = program.end()
+    assert status == 0
+    assert "wrong token" in error
+    assert "secret" not in out + error
+
+
+def test_a_flood_of_connections(programs: Any) -> None:
+    """Connections that say nothing keep nobody out."""
+    supervisor = Listener()
+    program = programs("--port", "0", "--supervisor", supervisor.address)
+    port = program.port()
+    connection = supervisor.accept()
+    idle = [socket.create_connection(("127.0.0.1", port)) for _ in range(600)]
+    end = time.monotonic() + LIMIT
+    open_ends = len(idle)
+    while open_ends > 450:
+        assert time.monotonic() < end
+        time.sleep(0.1)
+        open_ends = 0
+        for one in idle:
+            one.setblocking(False)
+            try:
+                open_ends += one.recv(1) != b""
+            except BlockingIOError:
+                open_ends += 1
+            except ConnectionResetError:
+                pass
+    with socket.create_connection(("127.0.0.1", port)) as client:
+        client.settimeout(LIMIT)
+        client.sendall(b"GET /recordings HTTP/1.1\r\nHost: localhost:%d\r\n\r\n" % port)
+        assert client.recv(100).startswith(b"HTTP/1.1 404")
+    for one in idle:
+        one.close()
+    assert program.process.poll() is None
+    connection.close()

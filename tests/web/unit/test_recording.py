@@ -1,0 +1,249 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""Sessions that are recorded, and given back."""
+
+import asyncio
+import json
+import resource
+import threading
+from pathlib import Path
+from typing import Any
+
+import pytest
+from destijl_web import recording
+from destijl_web.recording import Recording
+from destijl_web.recordings import CSV_HEAD, Recordings, csv_pieces
+from helpers import LIMIT, World, jpeg, run, world
+
+
+async def until(condition: Any) -> None:
+    async with asyncio.timeout(LIMIT):
+        while not condition():
+            await asyncio.sleep(0.01)
+
+
+def lines_of(folder: Path) -> list[dict[str, Any]]:
+    text = (folder / "events.jsonl").read_text()
+    return [json.loads(line) for line in text.splitlines()]
+
+
+async def drive(w: World) -> None:
+    page = await w.driver()
+    await page.order("ROPN")
+    await page.order("RTRN", value=-90)
+    await page.order("COPN")
+    for number in range(5):
+        w.supervisor.send_image(number, 1000 + number)
+        w.supervisor.send(b"CPOS:7;1.5;%d.000000;2;3;4" % number)
+        await page.image()
+        await page.expect("position", x=float(number))
+    w.supervisor.hang_up()
+    await page.event("supervisor_lost")
+    await page.event("supervisor_connected")
+
+
+def test_what_is_written(tmp_path: Path) -> None:
+    async def test() -> None:
+        async with world(record=tmp_path) as w:
+            first = w.service.hub.state["recording"]
+            await drive(w)
+            second = w.service.hub.state["recording"]
+            assert first and second and first < second
+        #  every thread has ended
+        lines = lines_of(tmp_path / first)
+        images = (tmp_path / first / "images.mjpeg").read_bytes()
+        assert lines[0]["type"] == "state" and lines[0]["robot"] == "closed"
+        assert [one["t"] for one in lines] == sorted(one["t"] for one in lines)
+        cut = [
+            images[one["offset"] : one["offset"] + one["length"]]
+            for one in lines
+            if one["type"] == "image"
+        ]
+        assert cut == [jpeg(number, 1000 + number) for number in range(5)]
+        order = next(one for one in lines if one.get("label") == "RTRN")
+        assert order["type"] == "order"
+        assert (order["value"], order["name"]) == (-90, "#1")
+        answer = next(
+            o for o in lines if o.get("label") == "RTRN" and o["type"] == "answer"
+        )
+        assert answer["answer"] == "AACK" and answer["ms"] >= 0.0
+        assert [o["x"] for o in lines if o["type"] == "position"] == [0, 1, 2, 3, 4]
+        states = [one for one in lines if one["type"] == "state"]
+        assert [s["robot"] for s in states if "robot" in s] == [
+            "closed",
+            "open",
+            "closed",
+        ]
+        codes = [one["code"] for one in lines if one["type"] == "event"]
+        assert codes[0] == "supervisor_connected" and "order" in codes
+
+    run(test())
+
+
+def test_what_is_given(tmp_path: Path) -> None:
+    async def test() -> None:
+        async with world(record=tmp_path) as w:
+            page = await w.page()
+            assert page.welcome["recordings"] is True
+            name = page.welcome["state"]["recording"]
+            await drive(w)
+            await until(
+                lambda: (
+                    '"supervisor_lost"'
+                    in (tmp_path / name / "events.jsonl").read_text()
+                )
+            )
+            client = w.client()
+
+            async def get(path: str, **headers: str) -> tuple[int, bytes]:
+                async with client.get(w.url + path, headers=headers) as answer:
+                    return answer.status, await answer.read()
+
+            status, body = await get("/recordings")
+            assert status == 200
+            listed = json.loads(body)
+            assert [one["name"] for one in listed][1] == name
+            events = (tmp_path / name / "events.jsonl").read_bytes()
+            images = (tmp_path / name / "images.mjpeg").read_bytes()
+            last = json.loads(events.splitlines()[-1])
+            assert listed[1] == {
+                "name": name,
+                "start": listed[1]["start"],
+                "duration": last["t"],
+                "images": 5,
+                "bytes": len(events) + len(images),
+            }
+            assert listed[0]["start"] > listed[1]["start"] > 1.6e12
+            base = f"/recordings/{name}"
+            assert await get(f"{base}/events.jsonl") == (200, events)
+            assert await get(f"{base}/images.mjpeg") == (200, images)
+            part = await get(f"{base}/images.mjpeg", Range="bytes=1000-2000")
+            assert part == (206, images[1000:2001]) and part[1] == jpeg(1, 1001)
+            part = await get(f"{base}/images.mjpeg", Range="bytes=9999999-")
+            assert part[0] == 416
+            status, body = await get(f"{base}/positions.csv")
+            rows = body.decode().splitlines()
+            assert status == 200 and rows[0] + "\n" == CSV_HEAD
+            assert [row.split(",", 1)[1] for row in rows[1:]] == [
+                f"7,1.5,{x}.0,2.0,3.0,4.0" for x in range(5)
+            ]
+            for bad in (
+                "/recordings/20261123T120000.123Z/events.jsonl",
+                "/recordings/../events.jsonl",
+                "/recordings/%2e%2e/events.jsonl",
+                f"{base}/other.jsonl",
+                f"{base}x/events.jsonl",
+                f"{base}/events.jsonl/",
+            ):
+                assert (await get(bad))[0] == 404
+
+    run(test())
+
+
+def test_nothing_is_recorded() -> None:
+    async def test() -> None:
+        async with world() as w, w.client().get(f"{w.url}/recordings") as answer:
+            assert answer.status == 404
+
+    run(test())
+
+
+def test_no_way_out_by_a_link(tmp_path: Path) -> None:
+    inside = tmp_path / "inside"
+    outside = tmp_path / "outside"
+    for folder in (inside, outside):
+        folder.mkdir()
+    (outside / "events.jsonl").write_text("secret")
+    (outside / "images.mjpeg").write_text("")
+    (inside / "20261123T120000.123Z").symlink_to(outside)
+    recordings = Recordings(inside)
+    assert recordings.all() == []
+    assert recordings.file("20261123T120000.123Z", "events.jsonl") is None
+    kept = inside / "20261123T120000.124Z"
+    kept.mkdir()
+    (kept / "events.jsonl").symlink_to(outside / "events.jsonl")
+    assert recordings.file("20261123T120000.124Z", "events.jsonl") is None
+
+
+def test_torn_recordings(tmp_path: Path) -> None:
+    folder = tmp_path / "20261123T120000.123Z"
+    folder.mkdir()
+    events = folder / "events.jsonl"
+    events.write_text(
+        '{"t":5,"type":"position","id":1,"angle":0,"x":1,"y":2,"dx":3,"dy":4}\n'
+        '{"t":6,"type":"position","id":1,"angle":"0","x":1,"y":2,"dx":3,"dy":4}\n'
+        '{"t":7,"type":"position"}\n'
+        '{"t":8,"type":"posi'
+    )
+    recordings = Recordings(tmp_path)
+    assert recordings.all() == []
+    (folder / "images.mjpeg").touch()
+    assert recordings.all()[0]["duration"] == 7
+    assert "".join(csv_pieces(events)) == CSV_HEAD + "5,1,0,1,2,3,4\n"
+
+
+def test_images_are_counted_across_pieces(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("destijl_web.recordings._PIECE", 17)
+    folder = tmp_path / "20261123T120000.123Z"
+    folder.mkdir()
+    (folder / "events.jsonl").write_text('{"t":1,"type":"image","offset":0}\n' * 50)
+    (folder / "images.mjpeg").touch()
+    assert Recordings(tmp_path).all()[0]["images"] == 50
+
+
+class Failures:
+    def __init__(self) -> None:
+        self.reasons: list[str] = []
+        self.come = threading.Event()
+
+    def __call__(self, _: Recording, reason: str) -> None:
+        self.reasons.append(reason)
+        self.come.set()
+
+
+def test_a_full_disk(tmp_path: Path) -> None:
+    """As one: no file may be larger than it is allowed to be."""
+
+    async def test() -> None:
+        async with world(record=tmp_path) as w:
+            page = await w.driver()
+            before = resource.getrlimit(resource.RLIMIT_FSIZE)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, before[1]))
+            try:
+                for number in range(5):
+                    w.supervisor.send_image(number, 50_000)
+                    assert await page.image() == jpeg(number, 50_000)
+                events = w.service.hub._events
+                await until(lambda: events[-1]["code"] == "recording_failed")
+                assert events[-1]["args"] == {"reason": "File too large"}
+                assert w.service.hub.state["recording"] is None
+            finally:
+                resource.setrlimit(resource.RLIMIT_FSIZE, before)
+            assert (await page.order("RPIN"))["answer"] == "AACK"
+            codes = [one.get("code") for one in page.said]
+            assert codes.count("recording_failed") == 1
+
+    run(test())
+
+
+def test_a_folder_that_is_gone(tmp_path: Path) -> None:
+    failures = Failures()
+    made = Recording(tmp_path / "gone", failures)
+    assert failures.come.wait(LIMIT)
+    made.put("event", {})
+    made.join()
+    assert failures.reasons == ["No such file or directory"]
+
+
+def test_a_disk_that_is_slow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(recording, "MAX_WAITING", 1_000_000)
+    hangs = threading.Event()
+    monkeypatch.setattr(Recording, "_write", lambda self: hangs.wait(LIMIT))
+    failures = Failures()
+    made = Recording(tmp_path, failures)
+    for number in range(20):
+        made.put("image", {}, jpeg(number, 100_000))
+    assert failures.reasons == ["the disk is too slow"]
+    hangs.set()
+    made.join()
