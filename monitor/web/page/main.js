@@ -8,7 +8,7 @@ import { Picture } from "./picture.js";
 import { Battery, Latency, makePlot } from "./plots.js";
 import { Recordings } from "./recordings.js";
 import { Starter } from "./start.js";
-import { clock, number, onLanguage, start as startWords, stored, t } from "./words.js";
+import { number, onLanguage, start as startWords, stored, t } from "./words.js";
 
 const at = (id) => document.getElementById(id);
 const root = document.documentElement;
@@ -193,6 +193,8 @@ function receive(message) {
       }
       break;
     case "event":
+      // Somebody else has stopped the robot: who drives presses anew
+      if (message.code === "stopped_by" && mine()) driving.letGo();
       journal.happened(message, nameOf(me), message.code === "order" && mine() ||
         message.code === "stopped_by" && mine() && message.args.name === nameOf(me));
       if (message.code === "order" && !mine() && DRIVING.has(message.args.label) &&
@@ -430,7 +432,7 @@ function fill(list, items) {
   if (key) list.querySelector(`[data-key="${CSS.escape(key)}"]`)?.focus();
 }
 
-function button(text, label, key, action) {
+function smallButton(text, label, key, action) {
   const made = document.createElement("button");
   made.type = "button";
   made.className = "small";
@@ -442,7 +444,7 @@ function button(text, label, key, action) {
 }
 
 function giveButton(id) {
-  const made = button(t("wheel_give"), t("wheel_give_label", { name: nameOf(id) }),
+  const made = smallButton(t("wheel_give"), t("wheel_give_label", { name: nameOf(id) }),
     "give " + id, () => wheel("give", id));
   made.dataset.give = id;
   return made;
@@ -479,7 +481,7 @@ function showPeople() {
     item.dataset.viewer = id;
     const who = document.createElement("span");
     who.textContent = t("wheel_asks", { name: nameOf(id) });
-    const decline = button(t("wheel_decline"), t("wheel_decline_label", { name: nameOf(id) }),
+    const decline = smallButton(t("wheel_decline"), t("wheel_decline_label", { name: nameOf(id) }),
       "decline " + id, () => wheel("decline", id));
     decline.dataset.decline = id;
     item.append(who, giveButton(id), decline);

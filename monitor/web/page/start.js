@@ -35,25 +35,28 @@ export class Starter {
 
   show() {
     this.box.hidden = this.steps.size === 0;
-    this.list.replaceChildren(...[...this.steps].map(([step, { result, why }]) => {
-      const item = document.createElement("li");
-      item.dataset.step = step;
+    if (this.steps.size === 0) this.list.replaceChildren();
+    for (const [step, { result, why }] of this.steps) {
+      const item = this.list.querySelector(`[data-step="${step}"]`) ?? this.item(step);
+      const [words, state, reason] = item.children;
       item.dataset.result = result;
-      const words = document.createElement("span");
       words.textContent = t("step_" + step);
-      const state = document.createElement("small");
       state.textContent = t("step_" + result);
-      item.append(words, state);
-      if (why) {
-        const reason = document.createElement("p");
-        reason.textContent = why();
-        item.append(reason);
-      }
-      return item;
-    }));
+      reason.textContent = why ? why() : "";
+    }
     this.result.hidden = this.outcome === "";
     document.getElementById("start-close").hidden = this.running;
     this.result.textContent = this.outcome && t(this.outcome);
+  }
+
+  item(step) {
+    const item = document.createElement("li");
+    item.dataset.step = step;
+    // A screen reader says the step with its result
+    item.setAttribute("aria-atomic", "true");
+    for (const name of ["span", "small", "p"]) item.append(document.createElement(name));
+    this.list.append(item);
+    return item;
   }
 
   clear() {
