@@ -254,7 +254,7 @@ export class Recordings {
   // there: the gateway records; writing: the recording under way
   set(there, writing) {
     at("recordings").hidden = !there;
-    if (there && (this.there !== there || this.writing !== writing)) this.read(writing);
+    if (there && (this.there !== there || this.writing !== writing)) this.read();
     this.there = there;
     this.writing = writing;
   }

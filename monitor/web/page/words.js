@@ -83,5 +83,7 @@ export const clock = (time) => new Date(time).toLocaleTimeString(current,
 export const day = (time) => new Date(time).toLocaleString(current,
   { dateStyle: "medium", timeStyle: "medium", hour12: false });
 
-export const number = (value, digits = 0) => value.toLocaleString(current,
-  { minimumFractionDigits: digits, maximumFractionDigits: digits });
+// Rounded, and never -0
+export const number = (value, digits = 0) =>
+  (Number(value.toFixed(digits)) + 0).toLocaleString(current,
+    { minimumFractionDigits: digits, maximumFractionDigits: digits });
