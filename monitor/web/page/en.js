@@ -14,7 +14,7 @@ export default {
   login_token: "Token",
   login_button: "Enter",
   login_refused: "This token is not right. Try again.",
-  login_wait: "Too many wrong tokens. Wait a minute, then try again.",
+  login_wait: "Too many wrong tokens. Wait a little, then try again.",
 
   // Sections
   sec_arena: "Arena",

@@ -13,7 +13,7 @@ export default {
   login_token: "Jeton",
   login_button: "Entrer",
   login_refused: "Ce jeton n’est pas le bon. Réessayez.",
-  login_wait: "Trop de faux jetons. Attendez une minute, puis réessayez.",
+  login_wait: "Trop de faux jetons. Attendez un peu, puis réessayez.",
 
   sec_arena: "Arène",
   sec_drive: "Conduite",

@@ -12,6 +12,8 @@ const BETWEEN = 300;               // ms
 
 const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
+const sentence = (words) => words.charAt(0).toUpperCase() + words.slice(1);
+
 export class Starter {
   // page: order (label), state (), drives (), takeWheel ()
   constructor(page) {
@@ -42,7 +44,7 @@ export class Starter {
       item.dataset.result = result;
       words.textContent = t("step_" + step);
       state.textContent = t("step_" + result);
-      reason.textContent = why ? why() : "";
+      reason.textContent = why ? sentence(why()) : "";
     }
     this.result.hidden = this.outcome === "";
     document.getElementById("start-close").hidden = this.running;
