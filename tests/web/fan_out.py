@@ -61,10 +61,13 @@ class Programs:
         raise RuntimeError(f"{command[0]} has ended")
 
     def stop(self) -> None:
+        """What they said is shown, where something has gone wrong."""
         for process in reversed(self._made):
             process.send_signal(signal.SIGTERM)
             with contextlib.suppress(subprocess.TimeoutExpired):
-                process.communicate(timeout=LIMIT)
+                said, _ = process.communicate(timeout=LIMIT)
+                if sys.exc_info()[0] is not None:
+                    print(said, file=sys.stderr)
 
     def supervisor(self) -> int:
         """Its port."""
@@ -79,6 +82,13 @@ class Programs:
                 found=r"listening on .*:(\d+)",
             )
         )
+
+    def gateway_time(self) -> float:
+        """Seconds of processor that the gateway has had, without its guard."""
+        guard = self._made[-1].pid
+        (child,) = Path(f"/proc/{guard}/task/{guard}/children").read_text().split()
+        fields = Path(f"/proc/{child}/stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
     def gateway(self, supervisor: int) -> int:
         """Its port."""
@@ -174,8 +184,12 @@ async def watch(port: int, count: int) -> None:
                     await page.send_str('{"type":"seen"}')
 
         tasks = [asyncio.create_task(view(number)) for number in range(count)]
-        while min(images) == 0:
-            await asyncio.sleep(0.05)
+        async with asyncio.timeout(LIMIT):
+            while min(images) == 0:
+                for task in tasks:
+                    if task.done():
+                        task.result()
+                await asyncio.sleep(0.05)
         print("watching", flush=True)
         before = list(images)
         begun = time.monotonic()
@@ -202,7 +216,7 @@ async def watched(port: int, count: int, rates: list[float]) -> AsyncIterator[No
     if not await watching.stdout.readline():
         raise RuntimeError("the viewers have ended")
     yield
-    out, _ = await watching.communicate()
+    out, _ = await watching.communicate(b"")
     rates += json.loads(out)
 
 
@@ -251,9 +265,14 @@ async def run(folder: Path, orders: int, viewers: list[int]) -> None:
             for count in viewers:
                 rates: list[float] = []
                 async with watched(port, count, rates):
+                    used, begun = programs.gateway_time(), time.monotonic()
                     samples = await measure(ask, orders)
-                rate = f"  {min(rates):.1f} images/s" if rates else ""
-                report(f"{count} viewers", samples, rate)
+                    used = programs.gateway_time() - used
+                    load = used / (time.monotonic() - begun) * 100
+                more = f"  {load:.0f} % of a processor"
+                if rates:
+                    more += f", {min(rates):.1f} images/s"
+                report(f"{count} viewers", samples, more)
     finally:
         programs.stop()
 
