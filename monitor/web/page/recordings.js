@@ -133,7 +133,7 @@ class Replay {
       return;
     }
     at("replay-note").textContent = this.frames.length === 0 ? t("rec_empty") : "";
-    this.go(0);
+    this.go(this.first);
     this.play(this.frames.length > 0);
   }
 
@@ -158,12 +158,14 @@ class Replay {
       })).sort((a, b) => a.t - b.t);
     }
     this.images = new Images(address(this.name, "images.mjpeg"), this.frames);
+    // A session may have gone on for long before its camera was opened
+    this.first = this.frames[0]?.t ?? 0;
     this.length = all.reduce((most, { t: when }) => Math.max(most, when), 0);
     at("replay-slider").max = this.length;
   }
 
   play(playing) {
-    if (playing && this.moment >= this.length) this.go(0);
+    if (playing && this.moment >= this.length) this.go(this.first);
     this.playing = playing;
     this.words();
     if (!playing) return;
