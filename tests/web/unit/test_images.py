@@ -6,8 +6,8 @@ import socket
 from typing import Any
 
 import pytest
-from aiohttp import ClientSession, TCPConnector
-from destijl_web import viewer
+from aiohttp import ClientSession, TCPConnector, web
+from destijl_web import fan_out, viewer
 from helpers import LIMIT, Page, World, jpeg, number_of, run, world
 
 LARGE = 100_000
@@ -31,6 +31,34 @@ def test_every_image_to_everybody() -> None:
                 w.supervisor.send_image(number, LARGE)
                 for page in pages:
                     assert await page.image() == jpeg(number, LARGE)
+
+    run(test())
+
+
+def test_a_few_viewers_in_a_turn() -> None:
+    """What is to be done at once, an order, comes between them."""
+
+    async def test() -> None:
+        async with world() as w:
+            pages = [await w.page() for _ in range(20)]
+            turns: list[int] = []
+            sent = 0
+            send_bytes = web.WebSocketResponse.send_bytes
+
+            async def counted(ws: Any, data: bytes, **more: Any) -> None:
+                nonlocal sent
+                sent += 1
+                await send_bytes(ws, data, **more)
+
+            with pytest.MonkeyPatch.context() as patch:
+                patch.setattr(web.WebSocketResponse, "send_bytes", counted)
+                w.supervisor.send_image(1)
+                async with asyncio.timeout(LIMIT):
+                    while sent < len(pages):
+                        before = sent
+                        await asyncio.sleep(0)
+                        turns.append(sent - before)
+            assert max(turns) <= fan_out.PER_TURN
 
     run(test())
 
