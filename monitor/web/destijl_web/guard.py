@@ -19,7 +19,7 @@ from types import FrameType
 BEAT = 0.1
 #  Seconds between two signs of life
 
-PATIENCE = 5
+PATIENCE = 10
 #  So many times BEAT without one is a hang. Counted, not measured: where the
 #  whole machine was suspended, only one of them is over
 

@@ -72,6 +72,8 @@ class Hub:
         self._battery: deque[tuple[int, int]] = deque()
         self._image: bytes | None = None
         self._image_at = 0.0
+        self._images_since = 0.0
+        #  They are expected from then on
         self._camera_told = False
         self._stopped_silent = False
         self._ticked_at = 0.0
@@ -165,7 +167,7 @@ class Hub:
             self.state["camera"]
             and self.state["arena"] != "found"
             and self.link.waiting() == 0
-            and now - self._image_at > CAMERA_SILENCE
+            and now - max(self._image_at, self._images_since) > CAMERA_SILENCE
             and not self._camera_told
         ):
             self._camera_told = True
@@ -340,8 +342,10 @@ class Hub:
             self._take_image(line)
         elif command.label == "RGBT":
             self._take_battery(line)
+        elif command.label in ("CACO", "CAIN"):
+            self._images_since = self._loop.time()
         elif command.label == "COPN" and answer == "AACK":
-            self._image_at = self._loop.time()
+            self._images_since = self._loop.time()
             self._camera_told = False
         elif command.label == "CCLS" and answer == "AACK":
             self._forget_image()
