@@ -1,0 +1,405 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""Driving by keys, pad and amounts; what stops the robot."""
+
+from __future__ import annotations
+
+import math
+import os
+import signal
+import time
+from collections.abc import Callable
+
+import pytest
+from conftest import Pictures, Visitors
+from selenium.webdriver import ActionChains
+from selenium.webdriver.common.keys import Keys
+from stand import Failure, Page, Stand, Supervisor, await_, held
+
+SILENCE = 0.5
+#  Seconds without a ping after which the gateway stops the robot
+
+NOTICED = 0.5
+#  Seconds for all that comes after: gateway, supervisor, serial line (80 ms),
+#  on a machine with other work
+
+FREE = 1.0
+#  Seconds after which a driver that has vanished has lost the wheel
+
+
+def test_newcomer(stand: Stand, visitors: Visitors, pictures: Pictures) -> None:
+    """Opens the address, presses the one button, drives."""
+    begin = time.monotonic()
+    page = visitors.open(stand.address)
+    page.shows("link", "open")
+    assert page.data("robot") == "closed"
+    pictures.take(page, "web-first")
+    page.start()
+    assert page.data("watchdog") == "true"
+    assert stand.emulator.status()["watchdog"] == "on"
+    with held(page, "w"):
+        stand.moves()
+        assert time.monotonic() - begin < 30
+        assert page.data("held") == "RGFW"
+    stand.stands()
+    assert page.data("wheel") == "me"
+    assert "Forward" in page.logged(label="RGFW", answer="AACK")["text"]
+    for tile in ("supervisor", "robot", "watchdog", "camera", "battery", "latency"):
+        assert page.text(f"tile-{tile}-text"), tile
+    assert page.text("tile-battery-text") == "full"
+    #  ten images a second
+    before = page.images()
+    time.sleep(2)
+    assert 15 <= page.images() - before <= 25
+
+
+def test_keyboard_alone(stand: Stand, page: Page) -> None:
+    """To the one button by Tab, pressed by Enter; then W."""
+    page.shows("link", "open")
+    for _ in range(30):
+        page.press(Keys.TAB)
+        if page.run("return document.activeElement.id") == "start":
+            break
+    else:
+        raise Failure("Tab does not lead to the button")
+    page.press(Keys.ENTER)
+    page.shows("robot", "started")
+    page.shows("positions", "true")
+    with held(page, "w"):
+        stand.moves()
+    stand.stands()
+
+
+def test_square(stand: Stand, driver: Page, pictures: Pictures) -> None:
+    """Four sides of 20 cm by the keys; the robot is where it was."""
+    emulator = stand.emulator
+    first = emulator.pose
+
+    def gone(start: tuple[float, float, float]) -> float:
+        return math.dist(start[:2], emulator.pose[:2])
+
+    def turned(start: tuple[float, float, float]) -> float:
+        return (emulator.pose[2] - start[2]) % 360
+
+    def hold(
+        key: str,
+        measure: Callable[[tuple[float, float, float]], float],
+        enough: float,
+        picture: str = "",
+    ) -> float:
+        start = emulator.pose
+        with held(driver, key):
+            await_(lambda: measure(start) > enough, f"{enough} more", every=0.005)
+            if picture:
+                pictures.take(driver, picture)
+        stand.stands()
+        return measure(start)
+
+    for side in range(4):
+        forward, left = [(Keys.ARROW_UP, Keys.ARROW_LEFT), ("w", "a")][side % 2]
+        before = emulator.pose
+        assert hold(forward, gone, 18, "web-driving" if side == 2 else "") < 30
+        assert emulator.pose[2] == before[2]
+        assert hold(left, turned, 85) < 110
+    assert gone(first) < 15
+    sent = [command.text for command in emulator.journal()]
+    moves = [text for text in sent if text[:1] in ("M", "T")]
+    assert len(moves) == 16, moves
+
+
+def test_position_in_the_page(stand: Stand, driver: Page) -> None:
+    """What the page draws over the picture is where the robot is."""
+    for pose in ("25 20 0", "55 40 90"):
+        stand.emulator.ask(f"pose {pose}")
+        x, y, _ = stand.emulator.pose
+        time.sleep(0.5)
+        shown = [float(driver.data(key, "overlay")) for key in ("x", "y")]
+        #  the picture's arena: 80 by 60 cm, upside down, in 640 by 480
+        there = stand.emulator.ask("status")
+        assert there
+        assert driver.data("id", "overlay") == "1"
+        across, down = shown
+        assert (across > 320) == (x > 40) and (down > 240) == (y < 30), shown
+
+
+def test_amounts(stand: Stand, driver: Page) -> None:
+    """100 mm forward and 90 degrees, as the fields have them at first."""
+    x, y, heading = stand.emulator.pose
+    driver.click("move")
+    stand.moves()
+    stand.stands(within=5)
+    assert math.dist((x, y), stand.emulator.pose[:2]) == pytest.approx(10, abs=0.5)
+    driver.click("turn")
+    stand.moves()
+    stand.stands(within=5)
+    assert stand.emulator.pose[2] - heading == pytest.approx(90, abs=2)
+
+
+def test_stop_by_key(stand: Stand, driver: Page) -> None:
+    """From anywhere on the page, at once, though a driving key is held."""
+    for focus in ("", "wheel-release", "move-value", "log-all"):
+        for key in (Keys.SPACE, Keys.ESCAPE):
+            driver.run("document.activeElement.blur()")
+            with held(driver, Keys.ARROW_LEFT):
+                stand.moves()
+                driver.run(
+                    "(document.getElementById(arguments[0]) || document.body).focus()",
+                    focus,
+                )
+                begin = time.monotonic()
+                driver.press(key)
+                stand.stands(within=NOTICED)
+                assert time.monotonic() - begin < NOTICED
+                time.sleep(0.2)
+                assert not stand.emulator.moving, f"it moves again: {focus}"
+            assert driver.data("wheel") == "me", f"{focus} was pressed, too"
+
+
+def test_stop_by_button(stand: Stand, driver: Page) -> None:
+    for button in ("stop", "pad-stop"):
+        with held(driver, "d"):
+            stand.moves()
+            driver.click(button)
+            stand.stands(within=NOTICED)
+
+
+@pytest.mark.parametrize("how", ["minimised", "another tab"])
+def test_stop_when_hidden(stand: Stand, driver: Page, how: str) -> None:
+    driver.hold("w")
+    stand.moves()
+    #  nothing asks the page before the robot stands: that would show it again
+    if how == "minimised":
+        driver.driver.minimize_window()
+    else:
+        driver.browser.command("Target.createTarget", url="about:blank")
+    stand.stands(within=NOTICED)
+    driver.release("w")
+    driver.driver.set_window_rect(0, 0, 1280, 900)
+    driver.shows("wheel", "free")
+    assert driver.logged(code="wheel_released")
+    driver.click("wheel-take")
+    driver.shows("wheel", "me")
+    with held(driver, "s"):
+        stand.moves()
+    stand.stands()
+
+
+def test_stop_when_closed(stand: Stand, driver: Page, visitors: Visitors) -> None:
+    other = visitors.open(stand.address, 1)
+    other.shows("wheel", "other")
+    driver.hold("w")
+    stand.moves()
+    driver.close()
+    stand.stands(within=NOTICED)
+    other.shows("wheel", "free", within=FREE)
+
+
+def test_stop_when_cut(stand: Stand, driver: Page, visitors: Visitors) -> None:
+    """Nothing passes any more, and nobody is told."""
+    other = visitors.open(f"http://127.0.0.1:{stand.gateway.port}", 1)
+    other.shows("wheel", "other")
+    driver.hold("w")
+    stand.moves()
+    begin = time.monotonic()
+    stand.cable.cut()
+    stand.stands(within=SILENCE + NOTICED)
+    stood = time.monotonic() - begin
+    other.shows("wheel", "free", within=FREE + NOTICED - stood)
+    assert stood > SILENCE - 0.2, "it was not the silence that stopped it"
+    driver.shows("link", "slow")
+    #  when it is mended nothing drives by itself
+    stand.cable.mend()
+    driver.shows("link", "open")
+    driver.release("w")
+    assert not stand.emulator.moving
+    assert other.logged(code="stopped_silent")["level"] in ("warning", "error")
+
+
+def test_stop_when_killed(stand: Stand, driver: Page, visitors: Visitors) -> None:
+    """The gateway dies; another one is found by the page."""
+    visitors.excuse("WebSocket connection to|ERR_CONNECTION")
+    driver.hold("w")
+    stand.moves()
+    os.kill(stand.gateway.server, signal.SIGKILL)
+    stand.stands(within=NOTICED)
+    driver.shows("link", "lost")
+    driver.release("w")
+    assert stand.gateway.process.wait(5) == 3
+    stand.gateway = stand.new_gateway()
+    driver.shows("link", "open")
+    driver.start()
+    with held(driver, "s"):
+        stand.moves()
+    stand.stands()
+
+
+def test_stop_when_guard_killed(stand: Stand, driver: Page, visitors: Visitors) -> None:
+    """The program itself dies, which guards the gateway."""
+    visitors.excuse("WebSocket connection to|ERR_CONNECTION")
+    driver.hold("w")
+    stand.moves()
+    stand.gateway.process.kill()
+    stand.stands(within=NOTICED)
+    driver.shows("link", "lost")
+    driver.release("w")
+
+
+def test_stop_when_hung(stand: Stand, driver: Page, visitors: Visitors) -> None:
+    """The gateway hangs: its guard ends it."""
+    visitors.excuse("WebSocket connection to|ERR_CONNECTION")
+    driver.hold("w")
+    stand.moves()
+    os.kill(stand.gateway.server, signal.SIGSTOP)
+    stand.stands(within=SILENCE + NOTICED)
+    driver.release("w")
+    assert stand.gateway.process.wait(5) == 3
+
+
+def test_supervisor_gone(stand: Stand, driver: Page) -> None:
+    """The supervisor is ended and comes back: said, and found again."""
+    port = stand.supervisor.port
+    driver.hold("w")
+    stand.moves()
+    stand.supervisor.end()
+    stand.stands(within=3)
+    driver.logged(code="supervisor_lost")
+    driver.release("w")
+    stand.supervisor = Supervisor(stand.emulator, port=port)
+    driver.logged(code="supervisor_connected", within=5)
+    await_(lambda: driver.data("robot") == "closed", "the robot is closed")
+    driver.start()
+    with held(driver, "w"):
+        stand.moves()
+    stand.stands()
+
+
+def test_robot_lost(stand: Stand, driver: Page) -> None:
+    """A robot that answers no more is said to be lost, with what to do."""
+    stand.emulator.ask("silent on")
+    driver.shows("robot", "lost")
+    assert "switched on" in driver.logged(code="robot_lost")["text"]
+    stand.emulator.ask("silent off")
+    driver.start()
+
+
+def test_refusal_in_words(stand: Stand, page: Page) -> None:
+    """The serial line is gone: the page says why and what to do."""
+    stand.emulator.ask("hangup")
+    page.shows("link", "open")
+    page.click("start")
+    line = page.logged(label="ROPN", answer="ANAK")
+    assert "serial line" in line["text"]
+
+
+def test_without_watchdog_asks(stand: Stand, page: Page) -> None:
+    page.shows("link", "open")
+    page.click("wheel-take")
+    page.shows("wheel", "me")
+    page.run("document.querySelector('details.more').open = true")
+    page.click("order-ROPN")
+    page.shows("robot", "open")
+    page.click("order-RSOW")
+    await_(lambda: page.visible("unguarded"), "the question")
+    page.click("unguarded-cancel")
+    assert not page.visible("unguarded")
+    page.click("order-RSOW")
+    page.click("unguarded-yes")
+    page.shows("robot", "started")
+    assert page.data("watchdog") == "false"
+    assert stand.emulator.status()["watchdog"] == "off"
+    with held(page, "w"):
+        stand.moves()
+    stand.stands()
+
+
+def test_reload_in_the_middle(stand: Stand, driver: Page) -> None:
+    """The robot stands; the page comes back to all that was."""
+    driver.hold("w")
+    stand.moves()
+    begin = time.monotonic()
+    driver.driver.refresh()
+    stand.stands(within=max(0.1, NOTICED + SILENCE - (time.monotonic() - begin)))
+    driver.release("w")
+    driver.shows("link", "open")
+    driver.shows("robot", "started")
+    driver.shows("positions", "true")
+    await_(lambda: driver.images() > 0, "an image")
+    driver.shows("wheel", "me")
+    assert not stand.emulator.moving
+    with held(driver, "s"):
+        stand.moves()
+    stand.stands()
+    assert driver.logged(label="RGFW", answer="AACK")
+
+
+def test_reload_amid_everything(stand: Stand, driver: Page) -> None:
+    """While the arena is searched, and while it is to be confirmed."""
+    driver.click("arena-search")
+    driver.driver.refresh()
+    driver.shows("link", "open")
+    driver.shows("arena", "found")
+    driver.shows("wheel", "me")
+    driver.driver.refresh()
+    driver.shows("wheel", "me")
+    driver.click("arena-confirm")
+    driver.shows("arena", "confirmed")
+    before = driver.images()
+    await_(lambda: driver.images() > before + 3, "images again")
+
+
+def test_a_hundred_reconnects(stand: Stand, driver: Page, visitors: Visitors) -> None:
+    """Nothing is left of them, and the driver drives."""
+    #  Chromium tells of a socket that was closed without a farewell
+    visitors.excuse("WebSocket connection to")
+    gateway = stand.gateway.server
+    first = len(os.listdir(f"/proc/{gateway}/fd"))
+    for _ in range(100):
+        stand.cable.tear()
+        driver.shows("link", "lost")
+        driver.run("dispatchEvent(new Event('online'))")
+        driver.shows("link", "open")
+    driver.shows("wheel", "me")
+    await_(
+        lambda: len(os.listdir(f"/proc/{gateway}/fd")) <= first, "its files are closed"
+    )
+    count = driver.run("return document.querySelectorAll('#viewers > li').length")
+    assert count == 1
+    with held(driver, "w"):
+        stand.moves()
+    stand.stands()
+    before = driver.images()
+    await_(lambda: driver.images() > before + 5, "images")
+
+
+def test_phone(stand: Stand, visitors: Visitors, pictures: Pictures) -> None:
+    """360 px wide: nothing beyond the edge; the pad works by touch."""
+    page = visitors.open(stand.address, size=(360, 740), touch=True)
+    page.start()
+    wide = page.run("return document.documentElement.scrollWidth")
+    assert wide <= 360
+    pictures.take(page, "web-phone")
+    x, y = page.middle("pad-RGFW")
+    page.touch("touchStart", x, y)
+    stand.moves()
+    page.touch("touchEnd")
+    stand.stands()
+    #  a finger that slides off is not lifted
+    page.touch("touchStart", x, y)
+    page.touch("touchMove", x, y + 150)
+    stand.moves()
+    time.sleep(0.3)
+    assert stand.emulator.moving
+    page.touch("touchEnd")
+    stand.stands()
+    #  and one that the system takes for a gesture of its own holds nothing
+    page.touch("touchStart", x, y)
+    stand.moves()
+    page.touch("touchCancel")
+    stand.stands()
+
+
+def test_pad_by_mouse(stand: Stand, driver: Page) -> None:
+    button = driver.element("pad-RGLF")
+    ActionChains(driver.driver).click_and_hold(button).perform()
+    stand.moves()
+    ActionChains(driver.driver).release().perform()
+    stand.stands()

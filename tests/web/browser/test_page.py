@@ -1,0 +1,296 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""One drives, others watch: the wheel, tokens, the arena, the words, what a
+screen reader needs, recordings."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from conftest import Pictures, Visitors
+from selenium.webdriver.common.by import By
+from stand import Page, Stand, await_, held
+
+TEACHERS = "the-teacher-s-own-word"
+VIEWERS = "the-word-for-the-class"
+
+
+@pytest.fixture
+def tokens(tmp_path: Path) -> tuple[str | Path, ...]:
+    """The gateway's options that name their files."""
+    options: list[str | Path] = []
+    for option, word in (("--token", TEACHERS), ("--viewers-token", VIEWERS)):
+        path = tmp_path / option.strip("-")
+        path.touch(mode=0o600)
+        path.write_text(word + "\n", encoding="ascii")
+        options += [option, path]
+    return tuple(options)
+
+
+def rename(page: Page, name: str) -> None:
+    field = page.element("name")
+    field.clear()
+    field.send_keys(name)
+    page.click("name-change")
+
+
+def log_in(page: Page, token: str) -> None:
+    page.element("token").send_keys(token)
+    page.click_element(page.driver.find_element(By.CSS_SELECTOR, "[type=submit]"))
+
+
+def test_wheel(
+    stand: Stand, driver: Page, visitors: Visitors, pictures: Pictures
+) -> None:
+    """Asked for, declined, asked for, given; the robot stands meanwhile."""
+    other = visitors.open(stand.address, 1)
+    other.shows("wheel", "other")
+    rename(driver, "Ada")
+    rename(other, "Grace")
+    await_(lambda: "Ada" in other.text("wheel-who"), "who drives")
+    await_(lambda: other.images() > 0, "an image for who watches")
+    assert not other.visible("wheel-seize") or other.data("wheel") == "other"
+
+    #  who watches does not drive
+    other.press("w")
+    time.sleep(0.3)
+    assert not stand.emulator.moving
+    assert other.data("held") == ""
+
+    other.click("wheel-ask")
+    ask = await_(
+        lambda: driver.driver.find_elements(By.CSS_SELECTOR, "#asking [data-decline]"),
+        "the question",
+    )
+    pictures.take(driver, "web-wheel")
+    driver.click_element(ask[0])
+    other.logged(code="wheel_declined")
+    assert other.data("wheel") == "other"
+
+    other.click("wheel-ask")
+    with held(driver, "w"):
+        stand.moves()
+        give = await_(
+            lambda: driver.driver.find_elements(By.CSS_SELECTOR, "#asking [data-give]"),
+            "the question",
+        )
+        driver.click_element(give[0])
+        other.shows("wheel", "me")
+        stand.stands()
+    driver.shows("wheel", "other")
+    with held(other, "w"):
+        stand.moves()
+    stand.stands()
+
+    #  everybody may stop, and it is said who did
+    with held(other, "d"):
+        stand.moves()
+        driver.press(" ")
+        stand.stands(within=0.5)
+    assert "Ada" in other.logged(code="stopped_by")["text"]
+
+    other.click("wheel-release")
+    driver.shows("wheel", "free")
+
+
+def test_tokens(
+    stands: Callable[..., Stand], tokens: tuple[str | Path, ...], visitors: Visitors
+) -> None:
+    """A wrong one, the viewers', and the teacher's, who takes the wheel."""
+    stand = stands(*tokens)
+    pupil = visitors.open(stand.address)
+    log_in(pupil, "not-the-right-word")
+    await_(lambda: pupil.text("refused"), "it is refused")
+    log_in(pupil, VIEWERS)
+    pupil.start()
+    assert not pupil.visible("wheel-seize")
+    (cookie,) = pupil.driver.get_cookies()
+    assert cookie["httpOnly"] and cookie["sameSite"] in ("Strict", "Lax"), cookie
+    assert VIEWERS not in cookie["value"]
+
+    teacher = visitors.open(stand.address, 1)
+    log_in(teacher, TEACHERS)
+    teacher.shows("wheel", "other")
+    with held(pupil, "w"):
+        stand.moves()
+        teacher.click("wheel-seize")
+        teacher.shows("wheel", "me")
+        stand.stands(within=0.5)
+    pupil.shows("wheel", "other")
+    assert pupil.logged(code="wheel_seized")
+    assert not pupil.visible("wheel-seize")
+    with held(teacher, "w"):
+        stand.moves()
+    stand.stands()
+    said = "\n".join(stand.gateway.lines + stand.supervisor.lines)
+    assert TEACHERS not in said and VIEWERS not in said
+
+
+def test_arena(
+    stand: Stand, driver: Page, visitors: Visitors, pictures: Pictures
+) -> None:
+    """Searched, rejected; searched, confirmed; who watches is not asked."""
+    other = visitors.open(stand.address, 1)
+    driver.click("arena-search")
+    driver.shows("arena", "found")
+    other.shows("arena", "found")
+    await_(lambda: driver.visible("arena-question"), "the question")
+    assert not other.visible("arena-question")
+    pictures.take(driver, "web-arena")
+    driver.click("arena-reject")
+    driver.shows("arena", "none")
+    driver.click("arena-search")
+    driver.shows("arena", "found")
+    driver.click("arena-confirm")
+    other.shows("arena", "confirmed")
+    before = other.images()
+    await_(lambda: other.images() > before + 5, "images go on")
+
+
+def test_french(stand: Stand, visitors: Visitors, pictures: Pictures) -> None:
+    """By the browser's language at first, then as chosen, remembered."""
+    page = visitors.open(stand.address, languages="fr-FR,fr;q=0.9,en;q=0.5")
+    assert page.run("return document.documentElement.lang") == "fr"
+    page.start()
+    assert "Vous" in page.text("wheel-who") or "conduisez" in page.text("wheel-who")
+    pictures.take(page, "web-french")
+    english = set()
+    for language in ("fr", "en"):
+        page.click_element(
+            page.driver.find_element(By.CSS_SELECTOR, f"[data-language={language}]")
+        )
+        assert page.run("return document.documentElement.lang") == language
+        texts = page.run(
+            "return [...document.querySelectorAll('[data-t]')].map(e =>"
+            "e.dataset.t + ': ' + e.textContent)"
+        )
+        assert not [one for one in texts if one.endswith(": ")]
+        if language == "fr":
+            english = set(texts)
+        else:
+            same = english & set(texts)
+            assert len(same) < len(texts) / 4, same
+    page.driver.refresh()
+    page.shows("link", "open")
+    assert page.run("return document.documentElement.lang") == "en"
+
+
+def judge(page: Page, axe: str, state: str) -> None:
+    """Nothing serious, nothing critical."""
+    page.run(axe)
+    found = page.driver.execute_async_script(
+        "const done = arguments[arguments.length - 1];"
+        "axe.run(document, {resultTypes: ['violations']}).then("
+        "r => done(r.violations), e => done([{impact: 'critical', id: String(e)}]))"
+    )
+    serious = [
+        f"{state}: {one['id']}: {json.dumps(one.get('nodes', ''), indent=1)[:1500]}"
+        for one in found
+        if one["impact"] in ("serious", "critical")
+    ]
+    assert not serious, "\n".join(serious)
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_axe(stand: Stand, visitors: Visitors, axe: str, dark: bool) -> None:
+    page = visitors.open(stand.address, dark=dark)
+
+    def judged(state: str) -> None:
+        """The driver may have been taken for gone: axe keeps the page busy."""
+        judge(page, axe, state)
+        await_(lambda: page.data("link") == "open", "the page is back")
+        if page.data("wheel") == "free":
+            page.click("wheel-take")
+        page.shows("wheel", "me")
+
+    page.shows("link", "open")
+    judged("at first")
+    page.start()
+    with held(page, "w"):
+        stand.moves()
+        judged("driving")
+    stand.stands()
+    page.click("arena-search")
+    page.shows("arena", "found")
+    judged("arena to be confirmed")
+    page.click("arena-reject")
+    page.run("document.querySelector('details.more').open = true")
+    page.click("order-RSOW")
+    judge(page, axe, "the question")
+    page.click("unguarded-cancel")
+    judged("all orders")
+    other = visitors.open(stand.address, 1, languages="fr", size=(360, 740), dark=dark)
+    other.shows("wheel", "other")
+    other.click("wheel-ask")
+    await_(lambda: page.visible("asking"), "the question")
+    judge(page, axe, "asked for the wheel")
+    judge(other, axe, "watching, in French, on a phone")
+
+
+def test_axe_login(
+    stands: Callable[..., Stand],
+    tokens: tuple[str | Path, ...],
+    visitors: Visitors,
+    axe: str,
+) -> None:
+    page = visitors.open(stands(*tokens).address)
+    judge(page, axe, "the form")
+
+
+def test_recording(
+    stands: Callable[..., Stand],
+    visitors: Visitors,
+    tmp_path: Path,
+    axe: str,
+    pictures: Pictures,
+) -> None:
+    """Recorded, replayed with the slider, exported as CSV."""
+    folder = tmp_path / "recordings"
+    folder.mkdir()
+    stand = stands("--record", folder)
+    page = visitors.open(stand.address)
+    page.start()
+    page.click("move")
+    stand.moves()
+    stand.stands(within=5)
+    time.sleep(1)
+    (recording,) = [path.name for path in folder.iterdir()]
+    page.click("recordings-refresh")
+    row = f"[data-recording='{recording}']"
+    await_(lambda: page.driver.find_elements(By.CSS_SELECTOR, row), "the recording")
+    page.click_element(page.driver.find_element(By.CSS_SELECTOR, f"{row} button"))
+    await_(lambda: page.data("index", "replay-picture"), "the first picture")
+    page.click("replay-play")
+    length = float(page.element("replay-slider").get_attribute("max"))
+    assert length > 1000
+    seen = {""}
+    for part in (0.0, 0.5, 1.0):
+        page.run(
+            "const s = document.getElementById('replay-slider');"
+            "s.value = arguments[0]; s.dispatchEvent(new Event('input'))",
+            part * length,
+        )
+        await_(
+            lambda: page.data("index", "replay-picture") not in seen,
+            f"the picture at {part} of {length} ms, but {page.text('replay-note')}",
+        )
+        seen.add(page.data("index", "replay-picture"))
+    judge(page, axe, "a replay")
+    pictures.take(page, "web-replay")
+
+    text = page.run(
+        "return fetch(document.querySelector(arguments[0]).href).then(r => r.text())",
+        f"{row} a",
+    )
+    rows = list(csv.DictReader(io.StringIO(text)))
+    assert list(rows[0]) == [
+        *("time_ms", "id", "angle_deg", "x_px", "y_px", "dx_px", "dy_px")
+    ]
+    there = [row for row in rows if row["id"] == "1"]
+    moved = float(there[-1]["x_px"]) - float(there[0]["x_px"])
+    assert moved > 30, moved
