@@ -252,9 +252,10 @@ class _Gateway:
             f" ws://{host} wss://{host}" if re.fullmatch(r"[\w.:\[\]-]+", host) else ""
         )
         response.headers["Content-Security-Policy"] = (
-            "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob:;"
-            f" connect-src 'self'{sockets}; manifest-src 'self'; base-uri 'none';"
-            " form-action 'self'; frame-ancestors 'none'"
+            "default-src 'none'; script-src 'self'; style-src 'self';"
+            f" img-src 'self' blob:; connect-src 'self'{sockets};"
+            " manifest-src 'self'; base-uri 'none'; form-action 'self';"
+            " frame-ancestors 'none'"
         )
         response.headers["X-Content-Type-Options"] = "nosniff"
         #  not no-referrer: the form's Origin would be null
