@@ -175,10 +175,11 @@ class Pictures:
         self._folder = folder
         self._taken: list[Path] = []
 
-    def take(self, page: Page, name: str) -> None:
+    def take(self, page: Page, name: str, at: str = "arena") -> None:
+        """With the element at in the window."""
         if self._folder is not None:
             self._taken.append(self._folder / f"{name}.png")
-            page.picture(self._taken[-1])
+            page.picture(self._taken[-1], at)
 
     def finish(self) -> None:
         for path in self._taken:

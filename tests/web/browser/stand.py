@@ -588,8 +588,8 @@ class Page:
     def close(self) -> None:
         self.driver.close()
 
-    def picture(self, path: Path) -> None:
-        self.run("scrollTo(0, 0)")
+    def picture(self, path: Path, at: str) -> None:
+        self.run("document.getElementById(arguments[0]).scrollIntoView()", at)
         self.driver.save_screenshot(str(path))
 
 

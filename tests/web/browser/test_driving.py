@@ -26,13 +26,12 @@ FREE = 1.0
 #  Seconds after which a driver that has vanished has lost the wheel
 
 
-def test_newcomer(stand: Stand, visitors: Visitors, pictures: Pictures) -> None:
+def test_newcomer(stand: Stand, visitors: Visitors) -> None:
     """Opens the address, presses the one button, drives."""
     begin = time.monotonic()
     page = visitors.open(stand.address)
     page.shows("link", "open")
     assert page.data("robot") == "closed"
-    pictures.take(page, "web-first")
     page.start()
     assert page.data("watchdog") == "true"
     assert stand.emulator.status()["watchdog"] == "on"
@@ -376,6 +375,7 @@ def test_phone(stand: Stand, visitors: Visitors, pictures: Pictures) -> None:
     page.start()
     wide = page.run("return document.documentElement.scrollWidth")
     assert wide <= 360
+    await_(lambda: not page.visible("start-steps"), "its steps are away")
     pictures.take(page, "web-phone")
     x, y = page.middle("pad-RGFW")
     page.touch("touchStart", x, y)

@@ -152,13 +152,12 @@ def test_arena(
     await_(lambda: other.images() > before + 5, "images go on")
 
 
-def test_french(stand: Stand, visitors: Visitors, pictures: Pictures) -> None:
+def test_french(stand: Stand, visitors: Visitors) -> None:
     """By the browser's language at first, then as chosen, remembered."""
     page = visitors.open(stand.address, languages="fr-FR,fr;q=0.9,en;q=0.5")
     assert page.run("return document.documentElement.lang") == "fr"
     page.start()
     assert "Vous" in page.text("wheel-who") or "conduisez" in page.text("wheel-who")
-    pictures.take(page, "web-french")
     english = set()
     for language in ("fr", "en"):
         page.click_element(
@@ -281,7 +280,7 @@ def test_recording(
         )
         seen.add(page.data("index", "replay-picture"))
     judge(page, axe, "a replay")
-    pictures.take(page, "web-replay")
+    pictures.take(page, "web-replay", at="replay")
 
     text = page.run(
         "return fetch(document.querySelector(arguments[0]).href).then(r => r.text())",
