@@ -2,18 +2,21 @@
 """How long an order takes to its answer: from a program that is connected to
 the supervisor itself, and from a page through the gateway while others watch.
 
-usage: fan_out.py [--bin FOLDER] [--orders N] [--viewers N,N,...]
+usage: fan_out.py [--samples N] [--viewers N,N,...] [--out FOLDER] [--docs]
 
-Starts supervisor and emulator from FOLDER (bin), 10 images a second. A line
-for each number of viewers; all of them, but not the page that drives, are in a
-process of their own. RSTP goes to the robot and back, at 9600 baud; CPST the
-supervisor answers by itself."""
+Section web of script/bench. Starts supervisor, emulator and gateway, 10 images
+a second. A line for each number of viewers, and one more with a fifth of the
+last number slow: they show an image half a second after it has come. All of
+them, but not the page that drives, are in a process of their own. RSTP goes to
+the robot and back, at 9600 baud; CPST the supervisor answers by itself. --docs
+writes docs/fan-out.md."""
 
 import argparse
 import asyncio
 import contextlib
 import json
 import os
+import platform
 import random
 import re
 import signal
@@ -22,25 +25,73 @@ import subprocess
 import sys
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
 import aiohttp
 
 ROOT = Path(__file__).resolve().parents[2]
+PROGRAMS = ROOT / "bin"
+DOCUMENT = ROOT / "docs" / "fan-out.md"
 LABELS = ("RSTP", "CPST")
 PAUSES = (0.02, 0.06)
 #  Seconds between an answer and the next order, at random: no rhythm is to
 #  meet that of the images
+
+SLOW = 0.5
+#  Seconds from an image's coming to its being shown by a slow viewer
 
 LIMIT = 20.0
 
 Ask = Callable[[str], Awaitable[None]]
 
 
+@dataclass
+class Row:
+    """Of the result."""
+
+    name: str
+    times: dict[str, list[float]]
+    #  Milliseconds from an order to its answer, of each label
+    load: float | None = None
+    #  Percent of a processor that the gateway took
+    rates: list[float] = field(default_factory=list)
+    #  Images a second, of each viewer
+    slow_rates: list[float] = field(default_factory=list)
+
+    def figures(self, label: str) -> tuple[float, float, float]:
+        """Median, p99, maximum."""
+        times = sorted(self.times[label])
+        return statistics.median(times), times[int(len(times) * 0.99)], times[-1]
+
+    def line(self) -> str:
+        said = f"{self.name:22}"
+        for label in LABELS:
+            median, p99, largest = self.figures(label)
+            said += f" {label} median {median:6.2f} p99 {p99:6.2f}"
+            said += f" max {largest:6.2f} ms "
+        if self.load is not None:
+            said += f" {self.load:.0f} % of a processor"
+        if self.rates:
+            said += f", {min(self.rates):.1f} to {max(self.rates):.1f} images/s"
+        if self.slow_rates:
+            said += f", slow ones {min(self.slow_rates):.1f}"
+            said += f" to {max(self.slow_rates):.1f}"
+        return said
+
+    def cells(self) -> str:
+        cells = [self.name]
+        for label in LABELS:
+            cells += [f"{figure:.2f}" for figure in self.figures(label)]
+        cells += ["" if self.load is None else f"{self.load:.0f}"]
+        for rates in (self.rates, self.slow_rates):
+            cells += [f"{min(rates):.1f} to {max(rates):.1f}" if rates else ""]
+        return "| " + " | ".join(cells) + " |"
+
+
 class Programs:
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
+    def __init__(self) -> None:
         self._made: list[subprocess.Popen[str]] = []
 
     def start(self, *command: str, found: str, **more: Any) -> str:
@@ -71,12 +122,12 @@ class Programs:
 
     def supervisor(self) -> int:
         """Its port."""
-        emulator = str(self._folder / "destijl_emulator")
+        emulator = str(PROGRAMS / "destijl_emulator")
         robot = self.start(emulator, "--boot-ms", "0", found=r"^device (.*)")
         camera = self.start(emulator, "--camera-port", "0", found=r"^camera (.*)")
         return int(
             self.start(
-                str(self._folder / "destijl"),
+                str(PROGRAMS / "destijl"),
                 *("--port", "0", "--bind", "127.0.0.1", "--fps", "10"),
                 *("--serial", robot, "--camera", camera),
                 found=r"listening on .*:(\d+)",
@@ -170,8 +221,9 @@ async def through(port: int) -> AsyncIterator[Ask]:
         await page.close()
 
 
-async def watch(port: int, count: int) -> None:
-    """Viewers, until the input ends. Prints how many images a second each had."""
+async def watch(port: int, count: int, slow: int) -> None:
+    """Viewers, the first of them slow ones, until the input ends. Prints how
+    many images a second each had."""
     images = [0] * count
     loop = asyncio.get_running_loop()
     async with aiohttp.ClientSession(connector=aiohttp.TCPConnector(limit=0)) as client:
@@ -181,6 +233,8 @@ async def watch(port: int, count: int) -> None:
             async for message in page:
                 if message.type is aiohttp.WSMsgType.BINARY:
                     images[number] += 1
+                    if number < slow:
+                        await asyncio.sleep(SLOW)
                     await page.send_str('{"type":"seen"}')
 
         tasks = [asyncio.create_task(view(number)) for number in range(count)]
@@ -202,13 +256,13 @@ async def watch(port: int, count: int) -> None:
 
 
 @contextlib.asynccontextmanager
-async def watched(port: int, count: int, rates: list[float]) -> AsyncIterator[None]:
-    """Rates: afterwards, the images a second that each viewer had."""
+async def watched(port: int, count: int, slow: int, row: Row) -> AsyncIterator[None]:
+    """Notes afterwards how many images a second each viewer had."""
     if count == 0:
         yield
         return
     watching = await asyncio.create_subprocess_exec(
-        *(sys.executable, __file__, "watch", str(port), str(count)),
+        *(sys.executable, __file__, "watch", str(port), str(count), str(slow)),
         stdin=asyncio.subprocess.PIPE,
         stdout=asyncio.subprocess.PIPE,
     )
@@ -217,19 +271,18 @@ async def watched(port: int, count: int, rates: list[float]) -> AsyncIterator[No
         raise RuntimeError("the viewers have ended")
     yield
     out, _ = await watching.communicate(b"")
-    rates += json.loads(out)
+    rates = json.loads(out)
+    row.slow_rates, row.rates = rates[:slow], rates[slow:]
 
 
-async def measure(ask: Ask, count: int) -> dict[str, list[float]]:
-    """Milliseconds."""
-    samples: dict[str, list[float]] = {label: [] for label in LABELS}
-    for number in range(count):
-        label = LABELS[number % len(LABELS)]
-        await asyncio.sleep(random.uniform(*PAUSES))
-        begun = time.perf_counter()
-        await ask(label)
-        samples[label].append((time.perf_counter() - begun) * 1000)
-    return samples
+async def measure(ask: Ask, count: int, row: Row) -> None:
+    """So many orders of each label, in turn."""
+    for _ in range(count):
+        for label in LABELS:
+            await asyncio.sleep(random.uniform(*PAUSES))
+            begun = time.perf_counter()
+            await ask(label)
+            row.times[label].append((time.perf_counter() - begun) * 1000)
 
 
 async def prepare(ask: Ask) -> None:
@@ -240,54 +293,101 @@ async def prepare(ask: Ask) -> None:
     await asyncio.sleep(1.0)
 
 
-def report(name: str, samples: dict[str, list[float]], more: str) -> None:
-    figures = "  ".join(
-        f"{label} median {statistics.median(values):6.2f}"
-        f" p99 {sorted(values)[int(len(values) * 0.99)]:6.2f}"
-        f" max {max(values):6.2f} ms"
-        for label, values in samples.items()
-    )
-    print(f"{name:12}{figures}{more}", flush=True)
+def new_row(name: str) -> Row:
+    return Row(name, {label: [] for label in LABELS})
 
 
-async def run(folder: Path, orders: int, viewers: list[int]) -> None:
-    programs = Programs(folder)
+async def run(samples: int, viewers: list[int]) -> list[Row]:
+    programs = Programs()
+    rows = [new_row("direct")]
     try:
         port = programs.supervisor()
         async with direct(port) as ask:
             await prepare(ask)
-            report("direct", await measure(ask, orders), "")
+            await measure(ask, samples, rows[-1])
+        print(rows[-1].line(), flush=True)
         await asyncio.sleep(1.0)
         port = programs.gateway(port)
         await asyncio.sleep(1.0)
         async with through(port) as ask:
             await prepare(ask)
-            for count in viewers:
-                rates: list[float] = []
-                async with watched(port, count, rates):
+            slow = viewers[-1] // 5
+            for count, of_them in [
+                *((count, 0) for count in viewers),
+                (viewers[-1], slow),
+            ]:
+                row = new_row(
+                    f"{count} viewers" + (f", {of_them} slow" if of_them else "")
+                )
+                rows.append(row)
+                async with watched(port, count, of_them, row):
                     used, begun = programs.gateway_time(), time.monotonic()
-                    samples = await measure(ask, orders)
+                    await measure(ask, samples, row)
                     used = programs.gateway_time() - used
-                    load = used / (time.monotonic() - begun) * 100
-                more = f"  {load:.0f} % of a processor"
-                if rates:
-                    more += f", {min(rates):.1f} images/s"
-                report(f"{count} viewers", samples, more)
+                    row.load = used / (time.monotonic() - begun) * 100
+                print(row.line(), flush=True)
     finally:
         programs.stop()
+    return rows
+
+
+def processor() -> str:
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.partition(":")[2].strip()
+    return platform.machine()
+
+
+ABOUT = """\
+# Orders through the browser monitor's gateway
+
+Written by `script/bench web --docs`; do not edit. Milliseconds from an order to its
+answer: direct, from a program that is connected to the supervisor itself; else from a
+page that drives through the gateway, while so many others watch the emulated camera at
+10 images a second. {samples} orders of each kind a row; RSTP goes to the robot and
+back, at 9600 baud; CPST the supervisor answers by itself. A slow viewer shows an image
+{slow} s after it has come. Load: of the gateway, percent of one of {processors}
+processors ({processor}, Linux {release}), on which viewers, supervisor and emulator
+ran, too.
+
+"""
+
+
+def document(rows: list[Row], samples: int) -> str:
+    about = ABOUT.format(
+        samples=samples,
+        slow=SLOW,
+        processors=os.cpu_count(),
+        processor=processor(),
+        release=platform.release(),
+    )
+    titles = ["row"]
+    for label in LABELS:
+        titles += [f"{label} median", "p99", "max"]
+    titles += ["load", "images a second", "of slow ones"]
+    lines = ["| " + " | ".join(titles) + " |", "|---" * len(titles) + "|"]
+    return about + "\n".join([*lines, *(row.cells() for row in rows)]) + "\n"
 
 
 def main() -> None:
     if sys.argv[1:2] == ["watch"]:
-        asyncio.run(watch(int(sys.argv[2]), int(sys.argv[3])))
+        asyncio.run(watch(*map(int, sys.argv[2:5])))
         return
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--bin", type=Path, default=ROOT / "bin")
-    parser.add_argument("--orders", type=int, default=1000)
-    parser.add_argument("--viewers", default="0,10,50")
+    parser = argparse.ArgumentParser(prog="script/bench web")
+    parser.add_argument(
+        "--samples", type=int, default=1000, help="of each label (1000)"
+    )
+    parser.add_argument("--viewers", default="0,10,50", help="how many (0,10,50)")
+    parser.add_argument("--out", type=Path, help="folder for web.json")
+    parser.add_argument("--docs", action="store_true", help=f"write {DOCUMENT.name}")
     chosen = parser.parse_args()
     viewers = [int(count) for count in chosen.viewers.split(",")]
-    asyncio.run(run(chosen.bin, chosen.orders, viewers))
+    rows = asyncio.run(run(chosen.samples, viewers))
+    if chosen.out is not None:
+        result = json.dumps([asdict(row) for row in rows])
+        (chosen.out / "web.json").write_text(result, encoding="utf-8")
+    if chosen.docs:
+        DOCUMENT.write_text(document(rows, chosen.samples), encoding="utf-8")
 
 
 if __name__ == "__main__":
