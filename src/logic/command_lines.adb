@@ -43,6 +43,7 @@ package body Command_Lines with SPARK_Mode is
          when Frame_Rate  => "--fps",
          when Quality     => "--jpeg-quality",
          when Marker      => "--marker",
+         when Drawing     => "--draw",
          when Message_Gap => "--message-gap",
          when Log_Level   => "--log-level",
          when Cpu         => "--cpu",
@@ -355,6 +356,16 @@ package body Command_Lines with SPARK_Mode is
             else
                Fail
                  (R, "--marker: ", Value, " is neither aruco nor triangle");
+            end if;
+         when Drawing =>
+            if Value = "all" then
+               R.Chosen.Drawing := Options.All_Of_It;
+            elsif Value = "arena" then
+               R.Chosen.Drawing := Options.Arena;
+            elsif Value = "none" then
+               R.Chosen.Drawing := Options.Nothing;
+            else
+               Fail (R, "--draw: ", Value, " is not all, arena or none");
             end if;
          when Message_Gap =>
             Read_Number

@@ -16,7 +16,7 @@ package Command_Lines with SPARK_Mode is
 
    type Option_Kind is
      (None, Port, Bind, Allow, Token, Serial, Camera, Frame_Size, Frame_Rate,
-      Quality, Marker, Message_Gap, Log_Level, Cpu, Trace);
+      Quality, Marker, Drawing, Message_Gap, Log_Level, Cpu, Trace);
 
    type Reading is record
       Request : Request_Kind := Run;
@@ -65,6 +65,7 @@ package Command_Lines with SPARK_Mode is
      & "  --fps N              images a second, 1 .. 100 (10)" & LF
      & "  --jpeg-quality N     1 .. 100 (80)" & LF
      & "  --marker KIND        aruco or triangle (aruco)" & LF
+     & "  --draw WHAT          over the images: all, arena or none (all)" & LF
      & "  --message-gap MS     before each unasked message, 0 .. 1000 (20);"
      & LF
      & "                       before an answer 4 at most" & LF

@@ -9,6 +9,10 @@ package Options with SPARK_Mode is
 
    type Marker_Kind is (Aruco, Triangle);
 
+   type Drawing_Kind is (Nothing, Arena, All_Of_It);
+   --  Over the images of the stream; All_Of_It: the robots, too. An arena that
+   --  is to be confirmed is drawn always
+
    type Level is (Error, Warning, Info, Debug);
    --  Of the log, most serious first
 
@@ -42,6 +46,7 @@ package Options with SPARK_Mode is
       Frame_Rate  : Rate         := 10;          --  images a second
       Quality     : Percentage   := 80;          --  of the JPEG
       Marker      : Marker_Kind  := Aruco;
+      Drawing     : Drawing_Kind := All_Of_It;
       Message_Gap : Milliseconds := 20;          --  PROTOCOL.md
       Log_Level   : Level        := Info;
       Cpu         : Processor_Choice := No_Processor;

@@ -339,11 +339,15 @@ package body Vision_Tasks with SPARK_Mode is
                            Dy    => Micro (Robots (1).Direction.Y));
                      end if;
                   end if;
-                  if Vision_Mode.Uses_Arena (Seen.Mode) then
+                  if Vision_Mode.Uses_Arena (Seen.Mode)
+                    and then Chosen.Drawing >= Options.Arena
+                  then
                      Draw_Arena (Slot, Seen.Arena);
                   end if;
-                  --  over the arena's line
-                  Draw_Robots (Slot, Robots, Count);
+                  if Chosen.Drawing = Options.All_Of_It then
+                     --  over the arena's line
+                     Draw_Robots (Slot, Robots, Count);
+                  end if;
                   Encode (Slot, Chosen.Quality, Image_Jpeg, Image_Text,
                           Length);
                   Frame_Store.Release (Slot);

@@ -42,6 +42,7 @@ package body Camera_Tests is
    procedure Camera_Goes;
    procedure Arena_Confirmed;
    procedure Arena_Rejected;
+   procedure Drawn_As_Asked;
    procedure Arena_Searched_Again;
    procedure Arena_Of_Stalled_Camera;
    procedure Arena_Not_Found;
@@ -682,6 +683,64 @@ package body Camera_Tests is
          "the rejected arena is drawn");
    end Arena_Rejected;
 
+   --------------------
+   -- Drawn_As_Asked --
+   --------------------
+
+   procedure Drawn_As_Asked is
+
+      procedure Confirm (R : in out Rig);
+      --  The arena, which is drawn where it is to be confirmed
+
+      function Coloured (R : in out Rig) return Natural;
+      --  Pixels of the image after the next, all of which has been made since
+
+      procedure Confirm (R : in out Rig) is
+         Item : constant Message := R.Monitor.Ask ("CASA", Within => 5.0);
+      begin
+         Check (Item.Label = "CIMG", "search answered " & Item.Label);
+         Check
+           (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
+            "the arena to be confirmed is not drawn");
+         R.Monitor.Send_Line ("CACO");
+      end Confirm;
+
+      function Coloured (R : in out Rig) return Natural is
+         Item : Message;
+      begin
+         R.Monitor.Skip_To_Now;
+         for Number in 1 .. 2 loop
+            Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
+            Check (Parsed (Item).Id = 1, "seen " & To_String (Item.Data));
+            Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+         end loop;
+         return Images.Seen (R.Monitor.Last_Image).Coloured;
+      end Coloured;
+
+   begin
+      for Choice in 1 .. 2 loop
+         declare
+            R      : Rig;
+            Before : Natural;
+            After  : Natural;
+         begin
+            Assemble
+              (R, Camera => True,
+               Supervisor_Options =>
+                 (if Choice = 1 then "--draw arena" else "--draw none"));
+            Open_Camera (R, Positions => True);
+            Before := Coloured (R);
+            Check (Before < Images.Drawn / 4, "the robot is drawn");
+            Confirm (R);
+            After := Coloured (R);
+            Check
+              ((if Choice = 1 then After >= Images.Drawn
+                else After < Images.Drawn / 4),
+               "confirmed, coloured are" & After'Image);
+         end;
+      end loop;
+   end Drawn_As_Asked;
+
    --------------------------
    -- Arena_Searched_Again --
    --------------------------
@@ -1017,6 +1076,7 @@ package body Camera_Tests is
       Add (Suite, "F15_Camera_Goes_Away", Camera_Goes'Access);
       Add (Suite, "F17_Arena_Confirmed", Arena_Confirmed'Access);
       Add (Suite, "F17_Arena_Rejected", Arena_Rejected'Access);
+      Add (Suite, "F17_F18_Drawn_As_Asked", Drawn_As_Asked'Access);
       Add (Suite, "F17_Arena_Searched_Again", Arena_Searched_Again'Access);
       Add (Suite, "F17_Arena_Of_Stalled_Camera",
            Arena_Of_Stalled_Camera'Access);

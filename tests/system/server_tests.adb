@@ -486,6 +486,7 @@ package body Server_Tests is
          Expect ("--fps");
          Expect ("--jpeg-quality");
          Expect ("--marker");
+         Expect ("--draw");
          Expect ("--message-gap");
          Expect ("--cpu");
          Expect ("--log-level");

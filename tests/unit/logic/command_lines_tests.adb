@@ -129,7 +129,8 @@ package body Command_Lines_Tests is
         ("--port 7 --bind 127.0.0.1 --allow 10.0.0.0/8 --allow 127.0.0.1"
          & " --token /etc/token --serial /dev/pts/3 --camera a.mp4"
          & " --frame-size 320x240 --fps 25 --jpeg-quality 55"
-         & " --marker triangle --message-gap 9 --log-level debug --cpu 3"
+         & " --marker triangle --draw none --message-gap 9"
+         & " --log-level debug --cpu 3"
          & " --trace /tmp/trace.json");
    begin
       Assert (R.Request = Run, Texts.Image (R.Reason));
@@ -150,6 +151,7 @@ package body Command_Lines_Tests is
             Frame_Rate  => 25,
             Quality     => 55,
             Marker      => Triangle,
+            Drawing     => Nothing,
             Message_Gap => 9,
             Log_Level   => Debug,
             Cpu         => 3,
@@ -165,6 +167,8 @@ package body Command_Lines_Tests is
             "level" & L'Image);
       end loop;
       Assert (Read ("--marker aruco").Chosen.Marker = Aruco, "aruco");
+      Assert (Read ("--draw all").Chosen.Drawing = All_Of_It, "all");
+      Assert (Read ("--draw arena").Chosen.Drawing = Options.Arena, "arena");
    end Test_Every_Option;
 
    -----------------
@@ -293,6 +297,8 @@ package body Command_Lines_Tests is
       Expect_Wrong
         ("--marker square",
          "--marker: 'square' is neither aruco nor triangle");
+      Expect_Wrong
+        ("--draw robots", "--draw: 'robots' is not all, arena or none");
       Expect_Wrong
         ("--log-level loud", "--log-level: 'loud' is no level of the log");
    end Test_Wrong;
