@@ -3,7 +3,7 @@
 --  are found there, and everywhere from time to time (F18).
 
 with Options;
-with Vision; use Vision;
+with Shapes; use Shapes;
 
 package Following with SPARK_Mode is
 

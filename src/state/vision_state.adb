@@ -24,7 +24,7 @@ package body Vision_State with SPARK_Mode is
       procedure Searched
         (Number : Orders.Ticket;
          Found  : Boolean;
-         Arena  : Vision.Arena_Corners;
+         Arena  : Shapes.Arena_Corners;
          Valid  : out Boolean);
       procedure Decide
         (Number : Orders.Ticket; Confirm : Boolean; Valid : out Boolean);
@@ -33,7 +33,7 @@ package body Vision_State with SPARK_Mode is
    private
       First     : Orders.Ticket := 0;
       Current   : View;
-      Candidate : Vision.Arena_Corners := Vision.No_Arena;
+      Candidate : Shapes.Arena_Corners := Shapes.No_Arena;
    end Store;
 
    protected body Store is
@@ -99,7 +99,7 @@ package body Vision_State with SPARK_Mode is
       procedure Searched
         (Number : Orders.Ticket;
          Found  : Boolean;
-         Arena  : Vision.Arena_Corners;
+         Arena  : Shapes.Arena_Corners;
          Valid  : out Boolean) is
       begin
          Valid := Number >= First
@@ -118,7 +118,7 @@ package body Vision_State with SPARK_Mode is
             Vision_Mode.Decide (Current.Mode, Confirm, Valid);
             if Valid then
                Current.Arena :=
-                 (if Confirm then Candidate else Vision.No_Arena);
+                 (if Confirm then Candidate else Shapes.No_Arena);
             end if;
          end if;
       end Decide;
@@ -206,7 +206,7 @@ package body Vision_State with SPARK_Mode is
    procedure Searched
      (Number : Orders.Ticket;
       Found  : Boolean;
-      Arena  : Vision.Arena_Corners;
+      Arena  : Shapes.Arena_Corners;
       Valid  : out Boolean) is
    begin
       Store.Searched (Number, Found, Arena, Valid);

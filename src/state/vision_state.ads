@@ -3,7 +3,7 @@
 --  an ended session still asks for is refused.
 
 with Orders;
-with Vision;
+with Shapes;
 with Vision_Mode;
 
 package Vision_State with SPARK_Mode is
@@ -13,7 +13,7 @@ package Vision_State with SPARK_Mode is
 
    type View is record
       Mode  : Vision_Mode.State;
-      Arena : Vision.Arena_Corners := Vision.No_Arena;
+      Arena : Shapes.Arena_Corners := Shapes.No_Arena;
       --  the confirmed one, where Mode.Confirmed
    end record;
 
@@ -43,7 +43,7 @@ package Vision_State with SPARK_Mode is
    procedure Searched
      (Number : Orders.Ticket;
       Found  : Boolean;
-      Arena  : Vision.Arena_Corners;
+      Arena  : Shapes.Arena_Corners;
       Valid  : out Boolean);
    --  Valid is false where the search has been given up meanwhile
 

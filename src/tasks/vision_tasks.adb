@@ -14,6 +14,7 @@ with Options;
 with Orders;
 with Process;
 with Settings;
+with Shapes;
 with Task_Ports;
 with Texts;
 with Trace;
@@ -24,7 +25,8 @@ with Vision_State;
 package body Vision_Tasks with SPARK_Mode is
 
    use type Image_Grid.Microseconds;
-   use type Vision.Arena_Corners;
+   use type Options.Drawing_Kind;
+   use type Shapes.Arena_Corners;
    use type Vision.Status;
 
    procedure Encode
@@ -42,8 +44,8 @@ package body Vision_Tasks with SPARK_Mode is
       Seen   : Vision_State.View;
       Gap    : Following.Milliseconds;
       Known  : in out Following.State;
-      Robots : out Vision.Robot_Array;
-      Count  : out Vision.Robot_Count);
+      Robots : out Shapes.Robot_Array;
+      Count  : out Shapes.Robot_Count);
    --  Where they are in the image of Slot, which has come Gap after the one
    --  that was searched last
 
@@ -53,12 +55,12 @@ package body Vision_Tasks with SPARK_Mode is
    procedure Camera_Failed (Why : String);
    --  The camera delivers no more: say so, and close it (once)
 
-   procedure Draw_Arena (Slot : Vision.Slot; Arena : Vision.Arena_Corners);
+   procedure Draw_Arena (Slot : Vision.Slot; Arena : Shapes.Arena_Corners);
 
    procedure Draw_Robots
      (Slot   : Vision.Slot;
-      Robots : Vision.Robot_Array;
-      Count  : Vision.Robot_Count);
+      Robots : Shapes.Robot_Array;
+      Count  : Shapes.Robot_Count);
    --  What cannot be drawn is missing in the image (the log says why)
 
    procedure Log_Reason (What : String);
@@ -102,12 +104,12 @@ package body Vision_Tasks with SPARK_Mode is
       Seen   : Vision_State.View;
       Gap    : Following.Milliseconds;
       Known  : in out Following.State;
-      Robots : out Vision.Robot_Array;
-      Count  : out Vision.Robot_Count)
+      Robots : out Shapes.Robot_Array;
+      Count  : out Shapes.Robot_Count)
    is
       In_Arena : constant Boolean := Vision_Mode.Uses_Arena (Seen.Mode);
-      Areas    : Vision.Area_Array;
-      Number   : Vision.Robot_Count;
+      Areas    : Shapes.Area_Array;
+      Number   : Shapes.Robot_Count;
       Done     : Boolean := False;
       Ignored  : Vision.Status;
    begin
@@ -131,7 +133,7 @@ package body Vision_Tasks with SPARK_Mode is
    -- Draw_Arena --
    ----------------
 
-   procedure Draw_Arena (Slot : Vision.Slot; Arena : Vision.Arena_Corners) is
+   procedure Draw_Arena (Slot : Vision.Slot; Arena : Shapes.Arena_Corners) is
       Result : Vision.Status;
    begin
       Vision.Draw_Arena (Slot, Arena, Result);
@@ -146,8 +148,8 @@ package body Vision_Tasks with SPARK_Mode is
 
    procedure Draw_Robots
      (Slot   : Vision.Slot;
-      Robots : Vision.Robot_Array;
-      Count  : Vision.Robot_Count)
+      Robots : Shapes.Robot_Array;
+      Count  : Shapes.Robot_Count)
    is
       Result : Vision.Status;
    begin
@@ -265,10 +267,10 @@ package body Vision_Tasks with SPARK_Mode is
       Seen     : Vision_State.View;
       Slot     : Vision.Slot;
       Found    : Boolean;
-      Robots   : Vision.Robot_Array := (others => <>);
-      Count    : Vision.Robot_Count;
+      Robots   : Shapes.Robot_Array := (others => <>);
+      Count    : Shapes.Robot_Count;
       Known    : Following.State;
-      Known_In : Vision.Arena_Corners := Vision.No_Arena;
+      Known_In : Shapes.Arena_Corners := Shapes.No_Arena;
       Known_At : Time;
       Place    : Position;
       Text     : Position_Text;
@@ -389,7 +391,7 @@ package body Vision_Tasks with SPARK_Mode is
       Valid  : Boolean;
       Slot   : Vision.Slot;
       Found  : Boolean;
-      Arena  : Vision.Arena_Corners;
+      Arena  : Shapes.Arena_Corners;
       Result : Vision.Status;
       Length : Outbox.Message_Length;
    begin
@@ -401,7 +403,7 @@ package body Vision_Tasks with SPARK_Mode is
             if Valid then
                Outbox.Stop_Images;
                Settings.Get (Chosen);
-               Arena := Vision.No_Arena;
+               Arena := Shapes.No_Arena;
                Length := 0;
                Frame_Store.Wait_Newest (Slot, Found);
                if Found then

@@ -19,6 +19,7 @@ with Image_Buffers;    use Image_Buffers;
 with Image_Slots;
 with Options;
 with Scenes;
+with Shapes;           use Shapes;
 with Vision;           use Vision;
 
 procedure Image_Times is

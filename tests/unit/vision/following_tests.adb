@@ -9,7 +9,7 @@ with Following;
 with Options;  use Options;
 with Pictures;
 with Scenes;
-with Vision;   use Vision;
+with Shapes;   use Shapes;
 
 package body Following_Tests is
 

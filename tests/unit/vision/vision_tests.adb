@@ -10,6 +10,7 @@ with Bytes;   use Bytes;
 with Options;
 with Pictures;
 with Scenes;
+with Shapes;  use Shapes;
 with Vision;  use Vision;
 
 package body Vision_Tests is
