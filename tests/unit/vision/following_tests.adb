@@ -10,6 +10,7 @@ with Options;  use Options;
 with Pictures;
 with Scenes;
 with Shapes;   use Shapes;
+with Vision;   use Vision;
 
 package body Following_Tests is
 
