@@ -266,10 +266,10 @@ procedure Destijl_Monitor is
             null;
          when Invocation.Say_Version =>
             Terminals.Put_Line ("destijl_monitor " & Project_Version.Number);
-            OS_Exit (0);
+            OS_Exit (if Terminals.Is_Heard then 0 else 1);
          when Invocation.Say_Usage =>
             Invocation.Put_Usage (Terminals.Put_Line'Access);
-            OS_Exit (0);
+            OS_Exit (if Terminals.Is_Heard then 0 else 1);
          when Invocation.Refuse =>
             Terminals.Put_Error (To_String (Reason));
             Invocation.Put_Usage (Put_Error_Line'Access);

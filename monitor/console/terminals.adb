@@ -33,6 +33,8 @@ package body Terminals is
    Text : Unbounded_String;
    --  Of the status line
 
+   Heard : Boolean := True;
+
    Mutex : Mutexes.Mutex;
 
    function Is_Terminal (File : File_Descriptor) return Boolean;
@@ -69,6 +71,12 @@ package body Terminals is
    -----------------------
 
    function Input_Is_Terminal return Boolean is (Is_Terminal (Standin));
+
+   --------------
+   -- Is_Heard --
+   --------------
+
+   function Is_Heard return Boolean is (Heard);
 
    -----------------
    -- Is_Terminal --
@@ -219,6 +227,9 @@ package body Terminals is
          exit when Written <= 0;
          First := First + Written;
       end loop;
+      if File = Standout and then First <= Data'Last then
+         Heard := False;
+      end if;
    end Write_Out;
 
 end Terminals;

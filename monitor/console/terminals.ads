@@ -16,6 +16,9 @@ package Terminals is
    procedure Put_Line (Line : String);
    --  Bytes that would move the cursor are shown as '?'.
 
+   function Is_Heard return Boolean;
+   --  Standard output has taken all that was put there
+
    procedure Put_Error (Line : String);
    --  On standard error, with the program's name before it
 

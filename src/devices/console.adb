@@ -11,14 +11,15 @@ package body Console with
   Refined_State => (Terminal => null)
 is
 
-   procedure Put_On (Descriptor : int; Line : String);
+   procedure Put_On (Descriptor : int; Line : String; Written : out Boolean);
    --  All of it, or as much as is taken
 
    ------------
    -- Put_On --
    ------------
 
-   procedure Put_On (Descriptor : int; Line : String) is
+   procedure Put_On (Descriptor : int; Line : String; Written : out Boolean)
+   is
       Text : constant String := Line & ASCII.LF;
       Next : Positive := Text'First;
       Done : Ssize;
@@ -32,6 +33,7 @@ is
             exit when GNAT.OS_Lib.Errno /= EINTR;
          end if;
       end loop;
+      Written := Next > Text'Last;
    end Put_On;
 
    -------------
@@ -39,17 +41,18 @@ is
    -------------
 
    procedure Put_Log (Line : String) is
+      Unused : Boolean;
    begin
-      Put_On (2, Line);
+      Put_On (2, Line, Unused);
    end Put_Log;
 
    ---------
    -- Put --
    ---------
 
-   procedure Put (Line : String) is
+   procedure Put (Line : String; Written : out Boolean) is
    begin
-      Put_On (1, Line);
+      Put_On (1, Line, Written);
    end Put;
 
 end Console;

@@ -13,7 +13,8 @@ is
    --  Line and a line feed in one write on standard error. Where nobody
    --  takes it (closed, full disk), it is lost
 
-   procedure Put (Line : String) with Global => (In_Out => Terminal);
-   --  The same on standard output
+   procedure Put (Line : String; Written : out Boolean)
+   with Global => (In_Out => Terminal);
+   --  The same on standard output; Written is whether all of it was taken
 
 end Console;

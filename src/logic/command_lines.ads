@@ -79,7 +79,9 @@ package Command_Lines with SPARK_Mode is
      & "  --version, --help" & LF & LF
      & "Exit status: 0 after an orderly stop, 1 where the server cannot"
      & LF
-     & "start, 2 for bad usage, 3 after an internal failure.";
+     & "start or its output is not taken, 2 for bad usage, 3 after an"
+     & LF
+     & "internal failure.";
 
    Version : constant String := "destijl " & Project_Version.Number;
 

@@ -16,7 +16,8 @@ package body Checks with SPARK_Mode is
 
    use type Vision.Status;
 
-   procedure Report (Good : Boolean; Line : String);
+   procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean);
+   --  All_Well stays so where Good is, and somebody takes the line
 
    function Number (Value : Integer) return Texts.Text;
    --  Value in decimal
@@ -36,9 +37,13 @@ package body Checks with SPARK_Mode is
    -- Report --
    ------------
 
-   procedure Report (Good : Boolean; Line : String) is
+   procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean)
+   is
+      Written : Boolean;
    begin
-      Console.Put ((if Good then "ok      " else "not ok  ") & Line);
+      Console.Put
+        ((if Good then "ok      " else "not ok  ") & Line, Written);
+      All_Well := All_Well and Good and Written;
    end Report;
 
    ---------
@@ -55,35 +60,36 @@ package body Checks with SPARK_Mode is
       Last   : Natural;
       Token  : Authentication.Token;
    begin
+      All_Well := True;
       Process.Get_Privileges (Held);
       case Held is
          when Process.Root_With_Real_Time =>
-            All_Well := True;
             Report
-              (True, "priorities: real-time (FIFO), ceilings checked");
+              (True, "priorities: real-time (FIFO), ceilings checked",
+               All_Well);
          when Process.User_With_Real_Time =>
-            All_Well := True;
             Report
-              (True, "priorities: real-time (FIFO), ceilings not checked");
+              (True, "priorities: real-time (FIFO), ceilings not checked",
+               All_Well);
          when Process.User_Without_Real_Time
             | Process.Root_Without_Real_Time =>
-            All_Well := False;
             Report
               (False,
                "priorities: none (time-shared): run as root, or once "
-               & "'sudo setcap cap_sys_nice,cap_ipc_lock+ep bin/destijl'");
+               & "'sudo setcap cap_sys_nice,cap_ipc_lock+ep bin/destijl'",
+               All_Well);
       end case;
 
       Serial_Line.Open (Chosen.Serial, Good, Reason);
       Serial_Line.Close;
-      All_Well := All_Well and Good;
       Report
         (Good,
          "serial line " & Texts.Image (Chosen.Serial)
          & (if Good then ": opens"
             else ": " & Texts.Image (Reason)
               & " (name it with --serial; your user must be in the group "
-              & "dialout)"));
+              & "dialout)"),
+         All_Well);
 
       Vision.Open
         (Texts.Image (Chosen.Camera), Chosen.Width, Chosen.Height,
@@ -98,7 +104,6 @@ package body Checks with SPARK_Mode is
       end if;
       Vision.Close;
       Good := Result = Vision.Done;
-      All_Well := All_Well and Good;
       Report
         (Good,
          "camera " & Texts.Image (Chosen.Camera)
@@ -106,39 +111,41 @@ package body Checks with SPARK_Mode is
               & (if Last > 0 then ", " & Why (1 .. Last) else "")
             else ": " & Why (1 .. Last)
               & " (name it with --camera; your user must be in the group "
-              & "video)"));
+              & "video)"),
+         All_Well);
 
       Admission.Load_Token (Chosen.Token_File, Token, Good, Reason);
-      All_Well := All_Well and Good;
       if Token.Length > 0 then
          Report
            (True, "token file " & Texts.Image (Chosen.Token_File)
-            & ": holds a token");
+            & ": holds a token",
+            All_Well);
       elsif not Good then
          Report
            (False, "token file " & Texts.Image (Chosen.Token_File) & ": "
-            & Texts.Image (Reason));
+            & Texts.Image (Reason),
+            All_Well);
       end if;
 
       if Chosen.Trace_File.Length > 0 then
          Trace.Try (Chosen.Trace_File, Good, Reason);
-         All_Well := All_Well and Good;
          Report
            (Good, "trace file " & Texts.Image (Chosen.Trace_File)
             & (if Good then ": can be written"
-               else ": " & Texts.Image (Reason)));
+               else ": " & Texts.Image (Reason)),
+            All_Well);
       end if;
 
       Monitor_Sockets.Listen
         (Chosen.Bind, Chosen.Port, Bound, Good, Reason);
-      All_Well := All_Well and Good;
       Report
         (Good,
          "port " & Texts.Image (Chosen.Bind) & ":"
          & (if Good then Texts.Image (Number (Bound)) & " is free"
             else Texts.Image (Number (Chosen.Port)) & ": "
               & Texts.Image (Reason)
-              & " (choose another with --port or --bind)"));
+              & " (choose another with --port or --bind)"),
+         All_Well);
    end Run;
 
 end Checks;

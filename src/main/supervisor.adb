@@ -38,6 +38,10 @@ package body Supervisor with SPARK_Mode is
    procedure Keep_Trace;
    --  Takes the trace to its file, again and again, until th_stop has failed
 
+   procedure Tell (Line : String) with No_Return;
+   --  On standard output. Leaves the process, with failure where nobody takes
+   --  the line
+
    procedure Serve (Chosen : Options.Values);
    --  Lets the tasks work; returns when the process must be ended here
 
@@ -136,11 +140,9 @@ package body Supervisor with SPARK_Mode is
             Console.Put_Log (Command_Lines.Usage);
             Process.Leave (Process.Bad_Usage);
          when Command_Lines.Show_Help =>
-            Console.Put (Command_Lines.Usage);
-            Process.Leave (Process.Success);
+            Tell (Command_Lines.Usage);
          when Command_Lines.Show_Version =>
-            Console.Put (Command_Lines.Version);
-            Process.Leave (Process.Success);
+            Tell (Command_Lines.Version);
          when Command_Lines.Check =>
             Checks.Run (Command_Line.Chosen, All_Well);
             Process.Leave
@@ -196,5 +198,20 @@ package body Supervisor with SPARK_Mode is
       Now := Clock;
       delay until Now + Schedule.Console_Limit;
    end Serve;
+
+   ----------
+   -- Tell --
+   ----------
+
+   procedure Tell (Line : String) is
+      Written : Boolean;
+   begin
+      Console.Put (Line, Written);
+      if not Written then
+         Console.Put_Log ("destijl: standard output does not take it");
+      end if;
+      Process.Leave
+        (if Written then Process.Success else Process.Cannot_Start);
+   end Tell;
 
 end Supervisor;

@@ -42,7 +42,7 @@ package body Server_Tests is
    procedure Options_Bad;
    procedure Options_Help;
    procedure Options_Version;
-   procedure Emulator_Not_Heard;
+   procedure Not_Heard;
    procedure Check_All_Well;
    procedure Check_Nothing_Well;
    procedure Log_Levels;
@@ -511,36 +511,50 @@ package body Server_Tests is
          "no version in: " & S.Output_Text);
    end Options_Version;
 
-   ------------------------
-   -- Emulator_Not_Heard --
-   ------------------------
+   ---------------
+   -- Not_Heard --
+   ---------------
 
-   procedure Emulator_Not_Heard is
+   procedure Not_Heard is
 
-      procedure Expect (Status : Integer; Option, Outputs : String);
+      procedure Expect
+        (Program : String; Status : Integer; Option, Outputs : String);
       --  With a shell's redirections
 
-      procedure Expect (Status : Integer; Option, Outputs : String) is
+      procedure Expect_Of (Program : String);
+
+      procedure Expect
+        (Program : String; Status : Integer; Option, Outputs : String)
+      is
          E    : Child;
          Line : Arguments := Words ("-c");
          Got  : Integer;
       begin
          Line.Append ("exec ""$0"" " & Option & " " & Outputs);
-         Line.Append (Programs.Emulator);
+         Line.Append (Program);
          E.Start ("/bin/sh", Line);
          Got := E.Exit_Status (Within => End_Limit);
          Check
            (Got = Status,
-            Option & " " & Outputs & ": exit status" & Got'Image);
+            Program & " " & Option & " " & Outputs
+            & ": exit status" & Got'Image);
       end Expect;
 
+      procedure Expect_Of (Program : String) is
+      begin
+         Expect (Program, 1, "--help", ">/dev/full");
+         Expect (Program, 1, "--help", ">&-");
+         Expect (Program, 1, "--version", ">/dev/full");
+         Expect (Program, 2, "--no-such-option", "2>/dev/full");
+      end Expect_Of;
+
    begin
-      Expect (1, "--help", ">/dev/full");
-      Expect (1, "--help", ">&-");
-      Expect (1, "--version", ">/dev/full");
-      Expect (2, "--no-such-option", "2>/dev/full");
-      Expect (1, "--link /dev/null/robot", "2>/dev/full");
-   end Emulator_Not_Heard;
+      Expect_Of (Programs.Supervisor);
+      Expect_Of (Programs.Monitor);
+      Expect_Of (Programs.Emulator);
+      Expect
+        (Programs.Emulator, 1, "--link /dev/null/robot", "2>/dev/full");
+   end Not_Heard;
 
    --------------------
    -- Check_All_Well --
@@ -652,7 +666,7 @@ package body Server_Tests is
       Add (Suite, "Options_Bad", Options_Bad'Access);
       Add (Suite, "Options_Help", Options_Help'Access);
       Add (Suite, "Options_Version", Options_Version'Access);
-      Add (Suite, "Options_Emulator_Not_Heard", Emulator_Not_Heard'Access);
+      Add (Suite, "Options_Not_Heard", Not_Heard'Access);
       Add (Suite, "Options_Log_Levels", Log_Levels'Access);
       Add (Suite, "Check_All_Well", Check_All_Well'Access);
       Add (Suite, "Check_Nothing_Well", Check_Nothing_Well'Access);
