@@ -30,6 +30,7 @@ package body Scenarios is
    Time_Left      : Duration := 1_800.0;
    --  for what is run again, and for waiting before
    Filters        : Text_Vectors.Vector;
+   Inverted       : Boolean := False;
    Not_Judged     : Unbounded_String;
    Count_Unjudged : Natural := 0;
    Count_Run      : Natural := 0;
@@ -169,6 +170,15 @@ package body Scenarios is
       Filters.Append (Text);
    end Add_Filter;
 
+   --------------------
+   -- Invert_Filters --
+   --------------------
+
+   procedure Invert_Filters is
+   begin
+      Inverted := True;
+   end Invert_Filters;
+
    ---------
    -- Add --
    ---------
@@ -182,6 +192,7 @@ package body Scenarios is
    begin
       if Filters.Is_Empty
         or else (for some Text of Filters => Index (Name, Text) > 0)
+                /= Inverted
       then
          Test := new Scenario;
          Test.Title := new String'(Name);

@@ -28,6 +28,9 @@ package Scenarios is
    procedure Add_Filter (Text : String);
    --  Only scenarios whose name contains one of these are added from now on
 
+   procedure Invert_Filters;
+   --  Only those whose name contains none of them
+
    procedure Add
      (Suite : AUnit.Test_Suites.Access_Test_Suite;
       Name  : String;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Runs the system tests. Arguments without dashes are parts of the names of
---  the tests to run; --supervisor, --emulator and --monitor name other
---  programs than those beside this one.
+--  the tests to run, or with --but of those to leave out; --supervisor,
+--  --emulator and --monitor name other programs than those beside this one.
 
 with Ada.Command_Line;  use Ada.Command_Line;
 with Ada.Exceptions;
@@ -76,6 +76,8 @@ begin
       elsif Argument (Number) = "--monitor" then
          Number := Number + 1;
          Programs.Set_Monitor (Argument (Number));
+      elsif Argument (Number) = "--but" then
+         Scenarios.Invert_Filters;
       else
          Scenarios.Add_Filter (Argument (Number));
       end if;
