@@ -153,6 +153,21 @@ def test_stop_by_key(stand: Stand, driver: Page) -> None:
             assert driver.data("wheel") == "me", f"{focus} was pressed, too"
 
 
+def test_stop_while_writing(stand: Stand, driver: Page) -> None:
+    """In a field for text a space is one; Escape stops there, too."""
+    driver.element("move-value").clear()
+    driver.element("move-value").send_keys("300")
+    driver.click("move")
+    stand.moves()
+    name = driver.element("name")
+    name.clear()
+    name.send_keys("A B")
+    assert name.get_attribute("value") == "A B"
+    assert stand.emulator.moving
+    name.send_keys(Keys.ESCAPE)
+    stand.stands(within=NOTICED)
+
+
 def test_stop_by_button(stand: Stand, driver: Page) -> None:
     for button in ("stop", "pad-stop"):
         with held(driver, "d"):

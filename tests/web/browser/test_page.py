@@ -7,8 +7,10 @@ from __future__ import annotations
 import csv
 import io
 import json
+import threading
 import time
 from collections.abc import Callable
+from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 
 import pytest
@@ -129,6 +131,56 @@ def test_tokens(
     stand.stands()
     said = "\n".join(stand.gateway.lines + stand.supervisor.lines)
     assert TEACHERS not in said and VIEWERS not in said
+
+
+def test_nothing_from_elsewhere(stand: Stand, page: Page, visitors: Visitors) -> None:
+    """The browser itself refuses what the page's policy does not allow."""
+    visitors.excuse("Content Security Policy")
+    page.shows("link", "open")
+    page.run(
+        "const s = document.createElement('script');"
+        "s.textContent = 'window.planted = true'; document.body.append(s)"
+    )
+    assert page.run("return window.planted") is None
+    asked = page.driver.execute_async_script(
+        "const done = arguments[1];"
+        "fetch(arguments[0]).then(() => done('answered'), () => done('refused'))",
+        f"http://127.0.0.1:{stand.gateway.port}/",
+    )
+    assert asked == "refused"
+
+
+class Foreign(BaseHTTPRequestHandler):
+    """A page of somebody else."""
+
+    def do_GET(self) -> None:
+        self.send_response(200)
+        self.send_header("Content-Type", "text/html")
+        self.end_headers()
+        self.wfile.write(b"<!doctype html><link rel=icon href=data:,><title>x</title>")
+
+    def log_message(self, *_: object) -> None:
+        pass
+
+
+def test_foreign_page(page: Page, visitors: Visitors) -> None:
+    """That of another address gets no connection, in the same browser."""
+    visitors.excuse("WebSocket connection to")
+    page.shows("link", "open")
+    server = HTTPServer(("127.0.0.1", 0), Foreign)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        foreign = visitors.open(f"http://127.0.0.1:{server.server_port}")
+        ended = foreign.driver.execute_async_script(
+            "const socket = new WebSocket(arguments[0]), done = arguments[1];"
+            "socket.onopen = () => done('open'); socket.onclose = () => done('closed')",
+            page.address.replace("http", "ws") + "/ws",
+        )
+    finally:
+        server.shutdown()
+        server.server_close()
+    assert ended == "closed"
+    assert page.data("link") == "open"
 
 
 def test_arena(
