@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 import signal
 import time
 from collections.abc import Callable
@@ -12,6 +13,7 @@ from collections.abc import Callable
 import pytest
 from conftest import Pictures, Visitors
 from selenium.webdriver import ActionChains
+from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from stand import Failure, Page, Stand, Supervisor, await_, held
 
@@ -49,6 +51,15 @@ def test_newcomer(stand: Stand, visitors: Visitors) -> None:
     before = page.images()
     time.sleep(2)
     assert 15 <= page.images() - before <= 25
+    assert 8 <= float(page.text("tile-images-text")) <= 12
+    #  the times of orders: as many bars as there were, in the order's words
+    plot = page.element("latency-plot")
+    label = str(plot.get_attribute("aria-label"))
+    said = re.fullmatch(r"The last (\d+) orders: median (\S+) ms, p99 (\S+) ms", label)
+    assert said, label
+    assert len(plot.find_elements(By.CSS_SELECTOR, ".bar")) == int(said[1]) > 2
+    assert 0 < float(said[2]) <= float(said[3]) < 1000
+    assert "full" in str(page.element("battery-plot").get_attribute("aria-label"))
 
 
 def test_keyboard_alone(stand: Stand, page: Page) -> None:
