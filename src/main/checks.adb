@@ -16,7 +16,9 @@ package body Checks with SPARK_Mode is
 
    use type Vision.Status;
 
-   procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean);
+   procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean)
+   with
+     Post => (if All_Well then All_Well'Old and then Good);
    --  All_Well stays so where Good is, and somebody takes the line
 
    function Number (Value : Integer) return Texts.Text;
