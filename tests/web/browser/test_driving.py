@@ -51,7 +51,7 @@ def test_newcomer(stand: Stand, visitors: Visitors) -> None:
     before = page.images()
     time.sleep(2)
     assert 15 <= page.images() - before <= 25
-    assert 8 <= float(page.text("tile-images-text")) <= 12
+    await_(lambda: 8 <= float(page.text("tile-images-text")) <= 12, "ten a second")
     #  the times of orders: as many bars as there were, in the order's words
     plot = page.element("latency-plot")
     label = str(plot.get_attribute("aria-label"))
