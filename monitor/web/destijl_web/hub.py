@@ -44,6 +44,10 @@ IMAGE_AGE = 1.0
 STOP_TOLD = 1.0
 #  Seconds between two events of the same viewer's stop
 
+BEHIND = 0.005
+#  Seconds by which all others hear later of an order than its driver, whose
+#  own answer is then on its way
+
 MAX_IMAGE = 6 * 2**20
 
 _POSITION = re.compile(
@@ -461,6 +465,10 @@ class Hub:
         text = encode("event", **event)
         for viewer in self.viewers.values():
             viewer.put(text)
+        self._loop.call_later(BEHIND, self._send_texts)
+
+    def _send_texts(self) -> None:
+        for viewer in self.viewers.values():
             self.fan_out.add(viewer)
 
     def _publish(self) -> None:
@@ -475,7 +483,7 @@ class Hub:
         for viewer in self.viewers.values():
             if viewer is not but:
                 viewer.put_state(text)
-                self.fan_out.add(viewer)
+        self._loop.call_later(BEHIND, self._send_texts)
 
     #  Recording
 
