@@ -149,7 +149,7 @@ package Schedule with SPARK_Mode is
    --  two turns, and has 50 ms (F2)
    Newcomers_Per_Turn : constant := 10;
    --  whom th_server takes in, hears or refuses in a turn. The kernel's queue
-   --  of 1,024 is empty after a second
+   --  of 512 is empty after half a second
    Hearings_Per_Turn : constant := 3;
    --  of these at most are newcomers that it has taken in before; and so many
    --  refusals at most get a line each in the log. A line may wait for the

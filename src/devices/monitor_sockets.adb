@@ -52,9 +52,11 @@ is
    --  grow then: whoever sends faster than the robot drives has hundreds of
    --  commands waiting here and not a megabyte
 
-   Queue_Length : constant := 1_024;
+   Queue_Length : constant := 512;
    --  Of those who wait to be taken in. Whoever finds the kernel's queue full
-   --  tries again later and later, and may do so for ever
+   --  tries again later and later, and may do so for ever. So it is empty
+   --  before Schedule.Block_Time is over: with 1,024 it was not, and amid a
+   --  flood it took up to 2.4 s to be admitted, now 0.3 s
 
    Send_Flags    : constant := 16#4000#;  --  MSG_NOSIGNAL
    Send_With_End : constant := 16#C040#;  --  and MSG_DONTWAIT, MSG_MORE

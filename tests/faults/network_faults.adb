@@ -414,7 +414,7 @@ package body Network_Faults is
       pragma Unreferenced (F);
       Loopback : constant String := "127.0.0.1";
       Length   : constant Duration := 1.0;
-      Queue    : constant := 1_024;
+      Queue    : constant := 512;
       Flood    : Floods.Flood;
       Other    : Monitor_Clients.Client;
       Start    : Instant;
