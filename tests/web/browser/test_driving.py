@@ -24,6 +24,9 @@ NOTICED = 0.5
 #  Seconds for all that comes after: gateway, supervisor, serial line (80 ms),
 #  on a machine with other work
 
+HUNG = 1.0
+#  Seconds without a sign of life after which the guard ends the gateway
+
 FREE = 1.0
 #  Seconds after which a driver that has vanished has lost the wheel
 
@@ -281,7 +284,7 @@ def test_stop_when_hung(stand: Stand, driver: Page, visitors: Visitors) -> None:
     driver.hold("w")
     stand.moves()
     os.kill(stand.gateway.server, signal.SIGSTOP)
-    stand.stands(within=SILENCE + NOTICED)
+    stand.stands(within=HUNG + NOTICED)
     driver.release("w")
     assert stand.gateway.process.wait(5) == 3
 
