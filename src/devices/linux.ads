@@ -37,10 +37,8 @@ package Linux with SPARK_Mode => Off is
    with Import, Convention => C, External_Name => "poll";
 
    function Precise_Poll
-     (Entries : System.Address;
-      Count   : unsigned_long;
-      Wait    : System.Address;
-      Mask    : System.Address) return int
+     (Entries : System.Address; Count : unsigned_long;
+      Wait, Mask : System.Address) return int
    with Import, Convention => C, External_Name => "ppoll";
 
    function Read
@@ -51,14 +49,9 @@ package Linux with SPARK_Mode => Off is
      (Descriptor : int; Data : System.Address; Length : size_t) return Ssize
    with Import, Convention => C, External_Name => "write";
 
-   function Close (Descriptor : int) return int
+   procedure Close (Descriptor : int)
    with Import, Convention => C, External_Name => "close";
-
-   procedure Close (Descriptor : int);
-   --  The same where nothing can be done about a failure
-
-   function Error_Text (Number : Integer) return String;
-   --  Such as "No such file or directory"
+   --  Where nothing can be done about a failure
 
    EINTR  : constant := 4;
    EAGAIN : constant := 11;

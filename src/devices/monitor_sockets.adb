@@ -381,7 +381,7 @@ is
          --  a newcomer that has gone already is no failure
          Event := Nobody_There;
       else
-         Texts.Set (Reason, Error_Text (GNAT.OS_Lib.Errno));
+         Texts.Set (Reason, GNAT.OS_Lib.Errno_Message);
          Event := Failed;
       end if;
    end Take_In;

@@ -76,7 +76,7 @@ is
       if Success then
          Length := Natural (Got);
       else
-         Texts.Set (Reason, Linux.Error_Text (GNAT.OS_Lib.Errno));
+         Texts.Set (Reason, GNAT.OS_Lib.Errno_Message);
       end if;
       if File >= 0 then
          Linux.Close (File);

@@ -59,7 +59,7 @@ is
       Discard_Input;
    exception
       when others =>
-         Texts.Set (Reason, Linux.Error_Text (GNAT.OS_Lib.Errno));
+         Texts.Set (Reason, GNAT.OS_Lib.Errno_Message);
          Close;
          Success := False;
    end Open;

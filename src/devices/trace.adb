@@ -110,8 +110,8 @@ is
 
    procedure Set_Reason (Reason : out Texts.Text; Number : Integer) is
    begin
-      Texts.Set
-        (Reason, (if Number = 0 then "" else Linux.Error_Text (Number)));
+      Texts.Set (Reason, (if Number = 0 then ""
+                          else GNAT.OS_Lib.Errno_Message (Number)));
    end Set_Reason;
 
    ---------
