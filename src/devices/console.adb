@@ -11,8 +11,32 @@ package body Console with
   Refined_State => (Terminal => null)
 is
 
+   function Open (Path : char_array; Flags : int) return int
+   with Import, Convention => C_Variadic_2, External_Name => "open";
+
+   procedure Open_Streams;
+   --  Where they are closed, nothing else may get their descriptors: the log
+   --  would be written to the monitor or to the robot
+
    procedure Put_On (Descriptor : int; Line : String; Written : out Boolean);
    --  All of it, or as much as is taken
+
+   ------------------
+   -- Open_Streams --
+   ------------------
+
+   procedure Open_Streams is
+      Read_Write : constant := 2;  --  O_RDWR
+      Found      : int;
+   begin
+      loop
+         Found := Open (To_C ("/dev/null"), Read_Write);
+         exit when Found not in 0 .. 2;
+      end loop;
+      if Found > 2 then
+         Linux.Close (Found);
+      end if;
+   end Open_Streams;
 
    ------------
    -- Put_On --
@@ -55,4 +79,6 @@ is
       Put_On (1, Line, Written);
    end Put;
 
+begin
+   Open_Streams;
 end Console;

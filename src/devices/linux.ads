@@ -53,6 +53,9 @@ package Linux with SPARK_Mode => Off is
    with Import, Convention => C, External_Name => "close";
    --  Where nothing can be done about a failure
 
+   function Own_Process return int
+   with Import, Convention => C, External_Name => "getpid";
+
    EINTR  : constant := 4;
    EAGAIN : constant := 11;
 

@@ -6,7 +6,7 @@ with Admission;
 with Authentication;
 with Console;
 with Monitor_Sockets;
-with Process;
+with Process.Privileges;
 with Serial_Line;
 with Texts;
 with Trace;
@@ -54,7 +54,7 @@ package body Checks with SPARK_Mode is
    ---------
 
    procedure Run (Chosen : Options.Values; All_Well : out Boolean) is
-      Held   : Process.Privilege_Kind;
+      Held   : Process.Privileges.Kind;
       Good   : Boolean;
       Reason : Texts.Text;
       Bound  : Options.Port_Number;
@@ -64,18 +64,18 @@ package body Checks with SPARK_Mode is
       Token  : Authentication.Token;
    begin
       All_Well := True;
-      Process.Get_Privileges (Held);
+      Process.Privileges.Get (Held);
       case Held is
-         when Process.Root_With_Real_Time =>
+         when Process.Privileges.Root_With_Real_Time =>
             Report
               (True, "priorities: real-time (FIFO), ceilings checked",
                All_Well);
-         when Process.User_With_Real_Time =>
+         when Process.Privileges.User_With_Real_Time =>
             Report
               (True, "priorities: real-time (FIFO), ceilings not checked",
                All_Well);
-         when Process.User_Without_Real_Time
-            | Process.Root_Without_Real_Time =>
+         when Process.Privileges.User_Without_Real_Time
+            | Process.Privileges.Root_Without_Real_Time =>
             Report
               (False,
                "priorities: none (time-shared): run as root, or once "

@@ -3,7 +3,7 @@
 
 with Ada.Exceptions;
 with Console;
-with Process;
+with Process.Signals;
 with Schedule;
 with Supervisor;
 
@@ -18,5 +18,5 @@ exception
       Console.Put_Log
         ("destijl: internal failure: "
          & Ada.Exceptions.Exception_Information (E));
-      Process.Report_Failure;
+      Process.Signals.Report_Failure;
 end Destijl;

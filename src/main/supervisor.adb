@@ -9,7 +9,9 @@ with Console;
 with Failures;
 with Journal;
 with Options;
-with Process;
+with Process.Memory;
+with Process.Privileges;
+with Process.Threads;
 with Program_Arguments;
 with Robot_Line;
 with Schedule;
@@ -54,7 +56,7 @@ package body Supervisor with SPARK_Mode is
       Text : Texts.Text;
    begin
       if Cpu /= Options.No_Processor then
-         Process.Keep_On (Cpu, Done);
+         Process.Threads.Keep_On (Cpu, Done);
          if not Done then
             Texts.Set (Text, "destijl: there is no processor ");
             Texts.Append (Text, Cpu);
@@ -161,24 +163,24 @@ package body Supervisor with SPARK_Mode is
    -----------
 
    procedure Serve (Chosen : Options.Values) is
-      Held   : Process.Privilege_Kind;
+      Held   : Process.Privileges.Kind;
       Locked : Boolean;
       Now    : Time;
    begin
       Open_Trace (Chosen.Trace_File);
       Keep_On_Processor (Chosen.Cpu);
-      Process.Lock_Memory (Locked);
+      Process.Memory.Lock (Locked);
       Settings.Set (Chosen);
       Journal.Set_Level (Chosen.Log_Level);
       Session.Allow_Server;
       Session.Wait_Listening;
-      Process.Get_Privileges (Held);
+      Process.Privileges.Get (Held);
       Journal.Put
         (Options.Info,
          (case Held is
-             when Process.Root_With_Real_Time =>
+             when Process.Privileges.Root_With_Real_Time =>
                 "real-time priorities: yes (FIFO), ceilings checked",
-             when Process.User_With_Real_Time =>
+             when Process.Privileges.User_With_Real_Time =>
                 "real-time priorities: yes (FIFO), ceilings not checked",
              when others =>
                 "real-time priorities: none, deadlines are not guaranteed "

@@ -8,7 +8,7 @@ with Ada.Task_Identification;       use Ada.Task_Identification;
 with Ada.Task_Termination;          use Ada.Task_Termination;
 with Journal;
 with Options;
-with Process;
+with Process.Signals;
 with Schedule;
 with Serial_Line;
 with Support_Tasks;
@@ -44,7 +44,7 @@ is
             Set_True (Stop_Failed);
             Trace.Wake;
          else
-            Process.Report_Failure;
+            Process.Signals.Report_Failure;
          end if;
       end Ended;
 

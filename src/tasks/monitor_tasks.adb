@@ -14,7 +14,7 @@ with Monitor_Protocol; use Monitor_Protocol;
 with Monitor_Sockets;
 with Options;
 with Orders;
-with Process;
+with Process.Threads;
 with Robot_Clients;
 with Robot_Line;
 with Robot_Session;
@@ -104,7 +104,7 @@ package body Monitor_Tasks with SPARK_Mode is
    task body Th_Server is
       Gate : Admission.Gate;
    begin
-      Process.Name_Task ("th_server");
+      Process.Threads.Name_Task ("th_server");
       Session.Wait_Server;
       Start_Server (Gate);
       loop
@@ -182,7 +182,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Rank     : Orders.Ticket;
       After    : Orders.Ticket;
    begin
-      Process.Name_Task ("th_receive_from");
+      Process.Threads.Name_Task ("th_receive_from");
       loop
          Session.Wait_Receive;
          Clear (Reader);
@@ -224,7 +224,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Length    : Outbox.Message_Length;
       Success   : Boolean;
    begin
-      Process.Name_Task ("th_send_to_mon");
+      Process.Threads.Name_Task ("th_send_to_mon");
       loop
          Outbox.Wait;
          Settings.Get (Chosen);
@@ -353,7 +353,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Reason : Texts.Text;
       Line   : Texts.Text;
    begin
-      Process.Name_Task ("th_com_mon_perd");
+      Process.Threads.Name_Task ("th_com_mon_perd");
       loop
          Session.Wait_Watch;
          Wait_Loss (Reason);
@@ -376,7 +376,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Any     : Boolean;
       At_Time : Time;
    begin
-      Process.Name_Task ("th_hold");
+      Process.Threads.Name_Task ("th_hold");
       loop
          Outbox.Wait_Held;
          loop

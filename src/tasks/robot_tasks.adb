@@ -10,7 +10,7 @@ with Monitor_Protocol; use Monitor_Protocol;
 with Orders;
 with Options;
 with Outbox;
-with Process;
+with Process.Threads;
 with Robot_Clients;
 with Robot_Events;
 with Robot_Line;
@@ -103,7 +103,7 @@ package body Robot_Tasks with SPARK_Mode is
       Result : Outcome;
       Ended  : Time;
    begin
-      Process.Name_Task ("th_line");
+      Process.Threads.Name_Task ("th_line");
       loop
          pragma Loop_Invariant (Is_Consistent (State));
          Robot_Line.Take (Job, Found);
@@ -133,7 +133,7 @@ package body Robot_Tasks with SPARK_Mode is
       Order  : Orders.Order;
       Result : Outcome;
    begin
-      Process.Name_Task ("th_open_com_rob");
+      Process.Threads.Name_Task ("th_open_com_rob");
       loop
          Task_Ports.Open_Robot.Wait (Order);
          if Order.Message.Kind = Open_Robot then
@@ -155,7 +155,7 @@ package body Robot_Tasks with SPARK_Mode is
       Order  : Orders.Order;
       Result : Outcome;
    begin
-      Process.Name_Task ("th_start_robot");
+      Process.Threads.Name_Task ("th_start_robot");
       loop
          Task_Ports.Start_Robot.Wait (Order);
          Robot_Clients.Start.Ask
@@ -176,7 +176,7 @@ package body Robot_Tasks with SPARK_Mode is
       Order  : Orders.Order;
       Result : Outcome;
    begin
-      Process.Name_Task ("th_start_robot_");
+      Process.Threads.Name_Task ("th_start_robot_");
       loop
          Task_Ports.Start_Robot_Watchdog.Wait (Order);
          Robot_Clients.Start_Watchdog.Ask
@@ -199,7 +199,7 @@ package body Robot_Tasks with SPARK_Mode is
       Next   : Time;
       Result : Outcome;
    begin
-      Process.Name_Task ("th_reload_wd");
+      Process.Threads.Name_Task ("th_reload_wd");
       loop
          Robot_Events.Wait_Reload;
          Robot_Line.Get_Status (Begun);
@@ -236,7 +236,7 @@ package body Robot_Tasks with SPARK_Mode is
       Order  : Orders.Order;
       Result : Outcome;
    begin
-      Process.Name_Task ("th_reset_robot");
+      Process.Threads.Name_Task ("th_reset_robot");
       loop
          Task_Ports.Reset_Robot.Wait (Order);
          if Order.Message.Kind = Reset_Robot then
@@ -258,7 +258,7 @@ package body Robot_Tasks with SPARK_Mode is
       Order  : Orders.Order;
       Result : Outcome;
    begin
-      Process.Name_Task ("th_move");
+      Process.Threads.Name_Task ("th_move");
       loop
          Task_Ports.Move.Wait (Order);
          Robot_Clients.Move.Ask
@@ -278,7 +278,7 @@ package body Robot_Tasks with SPARK_Mode is
       Next   : Time;
       Result : Outcome;
    begin
-      Process.Name_Task ("th_battery_leve");
+      Process.Threads.Name_Task ("th_battery_leve");
       loop
          Robot_Events.Wait_Battery;
          Robot_Line.Get_Status (Begun);
@@ -316,7 +316,7 @@ package body Robot_Tasks with SPARK_Mode is
       Answer : Answer_Kind;
       Kind   : Request_Kind;
    begin
-      Process.Name_Task ("th_query");
+      Process.Threads.Name_Task ("th_query");
       loop
          Task_Ports.Query.Wait (Order);
          Kind := (case Order.Message.Kind is
@@ -345,7 +345,7 @@ package body Robot_Tasks with SPARK_Mode is
       Now   : Robot_Line.Status;
       Next  : Time;
    begin
-      Process.Name_Task ("th_keep_alive");
+      Process.Threads.Name_Task ("th_keep_alive");
       loop
          Robot_Events.Wait_Keep_Alive;
          Robot_Line.Get_Status (Begun);

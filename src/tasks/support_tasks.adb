@@ -8,7 +8,8 @@ with Console;
 with Journal;
 with Monitor_Sockets;
 with Options;
-with Process;
+with Process.Signals;
+with Process.Threads;
 with Robot_Line;
 with Robot_Protocol;
 with Serial_Line;
@@ -18,7 +19,7 @@ with Trace;
 
 package body Support_Tasks with SPARK_Mode is
 
-   use type Process.Signal_Kind;
+   use type Process.Signals.Kind;
    use type Session.Stage_Kind;
 
    function Level_Name (Level : Options.Level) return String is
@@ -65,7 +66,7 @@ package body Support_Tasks with SPARK_Mode is
    task body Th_Console is
       Item : Journal.Line;
    begin
-      Process.Name_Task ("th_console", Real_Time => False);
+      Process.Threads.Name_Task ("th_console", Real_Time => False);
       loop
          Journal.Take (Item);
          Write (Item);
@@ -139,15 +140,15 @@ package body Support_Tasks with SPARK_Mode is
    -------------
 
    task body Th_Stop is
-      Kind   : Process.Signal_Kind;
+      Kind   : Process.Signals.Kind;
       Status : Robot_Line.Status;
       Now    : Time;
    begin
-      Process.Name_Task ("th_stop");
+      Process.Threads.Name_Task ("th_stop");
       loop
-         Process.Wait_Signal (Kind);
+         Process.Signals.Wait (Kind);
          Trace.Take_Up (Schedule.Th_Stop);
-         if Kind = Process.Failure then
+         if Kind = Process.Signals.Failure then
             --  whoever has failed, the robot stops now, for good
             Robot_Line.Refuse_Orders;
             Serial_Line.Stop_Blindly;
@@ -158,8 +159,8 @@ package body Support_Tasks with SPARK_Mode is
          Monitor_Sockets.Shut_Down;
          Now := Clock;
          Wait_Session_End
-           (Now + (if Kind = Process.Failure then Schedule.Failure_Limit
-                   else Schedule.Stop_Limit));
+           (Now + (if Kind = Process.Signals.Failure
+                   then Schedule.Failure_Limit else Schedule.Stop_Limit));
          Robot_Line.Get_Status (Status);
          if Status.Open then
             Serial_Line.Stop_Blindly;
@@ -167,14 +168,14 @@ package body Support_Tasks with SPARK_Mode is
          end if;
          Journal.Put
            (Options.Info,
-            (if Kind = Process.Failure then "stopped after a failure"
+            (if Kind = Process.Signals.Failure then "stopped after a failure"
              else "stopped"));
          Now := Clock;
          Wait_Console (Now + Schedule.Console_Limit);
          Trace.Done (Schedule.Th_Stop);
          Finish_Trace;
          Process.Leave
-           (if Kind = Process.Failure then Process.Internal_Failure
+           (if Kind = Process.Signals.Failure then Process.Internal_Failure
             else Process.Success);
       end loop;
    end Th_Stop;

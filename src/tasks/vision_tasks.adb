@@ -12,7 +12,7 @@ with Journal;
 with Monitor_Protocol; use Monitor_Protocol;
 with Options;
 with Orders;
-with Process;
+with Process.Threads;
 with Settings;
 with Shapes;
 with Task_Ports;
@@ -214,7 +214,7 @@ package body Vision_Tasks with SPARK_Mode is
       Opened   : Boolean;
       Success  : Boolean;
    begin
-      Process.Name_Task ("th_camera_contr");
+      Process.Threads.Name_Task ("th_camera_contr");
       loop
          Task_Ports.Camera_Control.Wait (Order);
          case Order.Message.Kind is
@@ -277,7 +277,7 @@ package body Vision_Tasks with SPARK_Mode is
       Last     : Natural;
       Length   : Outbox.Message_Length;
    begin
-      Process.Name_Task ("th_capture_img", Real_Time => False);
+      Process.Threads.Name_Task ("th_capture_img", Real_Time => False);
       loop
          Camera_Events.Wait_Opened;
          Settings.Get (Chosen);
@@ -395,7 +395,7 @@ package body Vision_Tasks with SPARK_Mode is
       Result : Vision.Status;
       Length : Outbox.Message_Length;
    begin
-      Process.Name_Task ("th_arene", Real_Time => False);
+      Process.Threads.Name_Task ("th_arene", Real_Time => False);
       loop
          Task_Ports.Arena.Wait (Order);
          if Order.Message.Kind = Ask_Arena then
@@ -452,7 +452,7 @@ package body Vision_Tasks with SPARK_Mode is
       Slot   : Vision.Slot;
       Now    : Time;
    begin
-      Process.Name_Task ("th_camera", Real_Time => False);
+      Process.Threads.Name_Task ("th_camera", Real_Time => False);
       loop
          Camera_Requests.Wait_Open (Number);
          Settings.Get (Chosen);

@@ -1,0 +1,85 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What the system lets the process do. Examined before any task runs.
+
+with Console;
+with Interfaces;   use Interfaces;
+with Interfaces.C; use Interfaces.C;
+with System;
+
+package body Process.Privileges with SPARK_Mode => Off is
+
+   Ipc_Lock : constant := 14;  --  CAP_IPC_LOCK
+   Sys_Nice : constant := 23;  --  CAP_SYS_NICE
+
+   function Effective_User return unsigned
+   with Import, Convention => C, External_Name => "geteuid";
+
+   type Word_Array is array (Positive range <>) of Unsigned_32
+     with Convention => C;
+
+   procedure Get_Capabilities (Header, Data : System.Address)
+   with Import, Convention => C, External_Name => "capget";
+
+   Locked_Memory : constant int := 8;  --  RLIMIT_MEMLOCK
+
+   type Limit_Pair is array (1 .. 2) of unsigned_long with Convention => C;
+
+   procedure Get_Limit (Resource : int; Limit : System.Address)
+   with Import, Convention => C, External_Name => "getrlimit";
+
+   function Has (Capability : Natural) return Boolean;
+
+   ---------
+   -- Get --
+   ---------
+
+   procedure Get (Held : out Kind) is
+      Real_Time : constant Boolean := Has (Sys_Nice);
+   begin
+      Held :=
+        (if Effective_User = 0 then
+           (if Real_Time then Root_With_Real_Time
+            else Root_Without_Real_Time)
+         elsif Real_Time then User_With_Real_Time
+         else User_Without_Real_Time);
+   end Get;
+
+   ------------------
+   -- Get_May_Lock --
+   ------------------
+
+   procedure Get_May_Lock (May_Lock : out Boolean) is
+      Limit : Limit_Pair := (others => 0);  --  soft, hard
+   begin
+      Get_Limit (Locked_Memory, Limit'Address);
+      May_Lock := Has (Ipc_Lock) or else Limit (1) = unsigned_long'Last;
+   end Get_May_Lock;
+
+   ---------
+   -- Has --
+   ---------
+
+   function Has (Capability : Natural) return Boolean is
+      Header : constant Word_Array := (16#2008_0522#, 0);
+      --  version 3, this process
+      Data   : Word_Array (1 .. 6) := (others => 0);
+      --  effective, permitted, inheritable: the first 32, then the others
+   begin
+      Get_Capabilities (Header'Address, Data'Address);
+      return (Data (1) and Shift_Left (1, Capability)) /= 0;
+   end Has;
+
+   At_Start : Kind;
+
+begin
+   Get (At_Start);
+   if At_Start = Root_Without_Real_Time then
+      --  Every protected action would raise Program_Error: no task may run,
+      --  so this is the last moment
+      Console.Put_Log
+        ("destijl: cannot run as root without CAP_SYS_NICE (as in a "
+         & "container by default): run as an ordinary user, or grant the "
+         & "capability (docker run --cap-add SYS_NICE)");
+      Leave (Cannot_Start);
+   end if;
+end Process.Privileges;

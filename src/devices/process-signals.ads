@@ -1,0 +1,19 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The signals that end the process. They are blocked before any task runs.
+
+package Process.Signals with SPARK_Mode is
+
+   pragma Elaborate_Body;
+
+   type Kind is
+     (Stop_Request,     --  SIGINT, SIGTERM, SIGHUP
+      Failure);         --  Report_Failure
+
+   procedure Wait (Signal : out Kind)
+   with Global => (In_Out => System_State);
+   --  Waits for one. For one task only
+
+   procedure Report_Failure with Global => (In_Out => System_State);
+   --  Makes Wait return Failure; never waits
+
+end Process.Signals;
