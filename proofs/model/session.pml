@@ -56,7 +56,7 @@ active proctype Supervisor ()
 
 inline Close_Session () {
    atomic {
-      /* what Monitor_Sockets.Close asks for */
+      /* what Monitor_Sockets.Connection.Close asks for */
       assert (!In_Receive && !In_Send && !In_Watch);
       Current = 0
    };

@@ -5,7 +5,7 @@
 with Admission;
 with Authentication;
 with Console;
-with Monitor_Sockets;
+with Monitor_Sockets.Gate;
 with Process.Privileges;
 with Serial_Line;
 with Texts;
@@ -139,7 +139,7 @@ package body Checks with SPARK_Mode is
             All_Well);
       end if;
 
-      Monitor_Sockets.Listen
+      Monitor_Sockets.Gate.Listen
         (Chosen.Bind, Chosen.Port, Bound, Good, Reason);
       Report
         (Good,

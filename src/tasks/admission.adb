@@ -5,7 +5,8 @@
 with Ada.Real_Time; use Ada.Real_Time;
 with Bytes;
 with Journal;
-with Monitor_Sockets;
+with Monitor_Sockets.Connection;
+with Monitor_Sockets.Gate;
 with Options;
 with Outbox;
 with Secret_Files;
@@ -141,7 +142,7 @@ package body Admission with SPARK_Mode is
    begin
       Session.Get_Stage (Stage);
       if Stage = Session.Closed then
-         Monitor_Sockets.Close;
+         Monitor_Sockets.Connection.Close;
          Session.End_Closed;
          Journal.Put
            (Options.Info, "session closed, ready for a new monitor");
@@ -190,7 +191,7 @@ package body Admission with SPARK_Mode is
       if Changed then
          D.Blocked := (others => <>);
       else
-         Monitor_Sockets.Get_Queue (Length, Limit);
+         Monitor_Sockets.Gate.Get_Queue (Length, Limit);
          --  a quarter: more come before th_server looks again
          if Length > Limit / 4 then
             Blocklists.Extend (D.Blocked, D.Arrivals, Changed);
@@ -200,7 +201,7 @@ package body Admission with SPARK_Mode is
          end if;
       end if;
       if Changed then
-         Monitor_Sockets.Block (D.Blocked);
+         Monitor_Sockets.Gate.Block (D.Blocked);
       end if;
    end Defend;
 
@@ -346,8 +347,8 @@ package body Admission with SPARK_Mode is
       Line : Texts.Text;
       Peer : Texts.Text;
    begin
-      Monitor_Sockets.Get_Name (Where, Peer);
-      Monitor_Sockets.Admit (Where);
+      Monitor_Sockets.Gate.Get_Name (Where, Peer);
+      Monitor_Sockets.Gate.Admit (Where);
       Outbox.Open_Session;
       Texts.Set (Line, "monitor connected from ");
       Texts.Append (Line, Texts.Image (Peer));
@@ -463,7 +464,7 @@ package body Admission with SPARK_Mode is
       N     : Newcomer := G.Places (Where);
       Taken : Natural := 0;
    begin
-      Monitor_Sockets.Look (Where, Data, Length, Open);
+      Monitor_Sockets.Gate.Look (Where, Data, Length, Open);
       for I in 1 .. Length loop
          exit when not Authentication.Is_Open (N.Reader);
          Authentication.Accept_Character (N.Reader, G.Token, Data (I));
@@ -475,7 +476,7 @@ package body Admission with SPARK_Mode is
          pragma Loop_Invariant (Taken = I);
       end loop;
       if Taken > 0 then
-         Monitor_Sockets.Take (Where, Taken);
+         Monitor_Sockets.Gate.Take (Where, Taken);
       end if;
       G.Places (Where) := N;
    end Read;
@@ -494,7 +495,7 @@ package body Admission with SPARK_Mode is
       Line : Texts.Text;
       Peer : Texts.Text;
    begin
-      Monitor_Sockets.Refuse
+      Monitor_Sockets.Gate.Refuse
         (Where, "MSSG:refused: " & Message & ASCII.LF);
       if Now - Schedule.Refusal_Pause >= L.Last then
          Put_Unwritten (L);
@@ -502,7 +503,7 @@ package body Admission with SPARK_Mode is
       end if;
       L.Last := Now;
       if L.Lines > 0 and then L.Turn_Lines > 0 then
-         Monitor_Sockets.Get_Name (Where, Peer);
+         Monitor_Sockets.Gate.Get_Name (Where, Peer);
          Texts.Set (Line, Noted);
          Texts.Append (Line, Texts.Image (Peer));
          Journal.Put (Options.Warning, Line);
@@ -530,7 +531,8 @@ package body Admission with SPARK_Mode is
    begin
       delay until G.Rest;
       Get_Next (G, Watched, Listens, Limit);
-      Monitor_Sockets.Wait (Watched, Listens, Limit, Ready, Queued, Woken);
+      Monitor_Sockets.Gate.Wait
+        (Watched, Listens, Limit, Ready, Queued, Woken);
       Trace.Take_Up (Schedule.Th_Server);
       if Woken then
          --  no newcomer: whoever has waited for it is seen to at once
@@ -581,7 +583,7 @@ package body Admission with SPARK_Mode is
       Left   : Work_Count := Most;
       Where  : Place_Choice;
       From   : Networks.Peer_Address;
-      Event  : Monitor_Sockets.Arrival;
+      Event  : Monitor_Sockets.Gate.Arrival;
       Reason : Texts.Text;
       Line   : Texts.Text;
    begin
@@ -589,15 +591,15 @@ package body Admission with SPARK_Mode is
          pragma Loop_Invariant (Is_Consistent (G));
          Where := Free_Place (G.Table);
          exit when Where = No_Place;
-         Monitor_Sockets.Take_In (Where, From, Event, Reason);
+         Monitor_Sockets.Gate.Take_In (Where, From, Event, Reason);
          case Event is
-            when Monitor_Sockets.Newcomer =>
+            when Monitor_Sockets.Gate.Newcomer =>
                Blocklists.Note (G.Floods.Arrivals, Networks.Source_Of (From));
                Meet (G, Where, From, R);
-            when Monitor_Sockets.Nobody_There =>
+            when Monitor_Sockets.Gate.Nobody_There =>
                Blocklists.Clear (G.Floods.Arrivals);
                exit;
-            when Monitor_Sockets.Failed =>
+            when Monitor_Sockets.Gate.Failed =>
                Texts.Set (Line, "a monitor could not connect: ");
                Texts.Append (Line, Texts.Image (Reason));
                Journal.Put (Options.Error, Line);

@@ -11,7 +11,8 @@ with Frame_Store;
 with Journal;
 with Monitor_Link;
 with Monitor_Protocol; use Monitor_Protocol;
-with Monitor_Sockets;
+with Monitor_Sockets.Connection;
+with Monitor_Sockets.Gate;
 with Options;
 with Orders;
 with Process.Threads;
@@ -29,7 +30,7 @@ with Vision_State;
 package body Monitor_Tasks with SPARK_Mode is
 
    use type Monitor_Link.Verdict;
-   use type Monitor_Sockets.Loss_Kind;
+   use type Monitor_Sockets.Connection.Loss_Kind;
    use type Orders.Ticket;
    use type Outbox.Message_Kind;
 
@@ -75,7 +76,7 @@ package body Monitor_Tasks with SPARK_Mode is
          Console.Put_Log (Texts.Image (Line));
          Process.Leave (Process.Cannot_Start);
       end if;
-      Monitor_Sockets.Listen
+      Monitor_Sockets.Gate.Listen
         (Chosen.Bind, Chosen.Port, Bound, Success, Reason);
       if Success then
          Texts.Set (Line, "listening on ");
@@ -189,7 +190,7 @@ package body Monitor_Tasks with SPARK_Mode is
          Rank := 0;
          After := 0;
          loop
-            Monitor_Sockets.Receive (Incoming, Length, Open);
+            Monitor_Sockets.Connection.Receive (Incoming, Length, Open);
             Trace.Take_Up (Schedule.Th_Receive_From_Mon);
             for I in 1 .. Length loop
                exit when not Open;
@@ -203,7 +204,7 @@ package body Monitor_Tasks with SPARK_Mode is
             Trace.Done (Schedule.Th_Receive_From_Mon);
          end loop;
          --  the watch sees it, whatever ended the connection
-         Monitor_Sockets.Shut_Down;
+         Monitor_Sockets.Connection.Shut_Down;
          Session.Receiver_Left;
          Trace.Done (Schedule.Th_Receive_From_Mon);
       end loop;
@@ -245,12 +246,12 @@ package body Monitor_Tasks with SPARK_Mode is
          end loop;
          Outbox.Take (Chosen.Message_Gap, Gap, Kind, Outgoing, Length);
          if Kind /= Outbox.Nothing then
-            Monitor_Sockets.Send (Outgoing, Length, Success);
+            Monitor_Sockets.Connection.Send (Outgoing, Length, Success);
             Last_Sent := Clock;
             Trace.Sent (Outgoing (1 .. 4));
             --  before the session may end: the next has a connection, too
             if not Success then
-               Monitor_Sockets.Shut_Down;
+               Monitor_Sockets.Connection.Shut_Down;
             end if;
             Outbox.Sent;
          end if;
@@ -265,13 +266,13 @@ package body Monitor_Tasks with SPARK_Mode is
       Link     : Monitor_Link.State;
       Sample   : Monitor_Link.Sample;
       Verdict  : Monitor_Link.Verdict := Monitor_Link.Present;
-      Loss     : Monitor_Sockets.Loss_Kind;
+      Loss     : Monitor_Sockets.Connection.Loss_Kind;
       Stopping : Boolean;
       Now      : Time;
    begin
-      Monitor_Sockets.Sample (Sample);
+      Monitor_Sockets.Connection.Sample (Sample);
       if not Sample.Known then
-         Monitor_Sockets.Leave_To_Kernel;
+         Monitor_Sockets.Connection.Leave_To_Kernel;
          Texts.Set
            (Reason, "no TCP_INFO: a monitor that vanishes, or takes nothing"
             & " for 4 s, is lost by keep-alive");
@@ -279,11 +280,11 @@ package body Monitor_Tasks with SPARK_Mode is
       end if;
       Monitor_Link.Start (Link, Sample.Now);
       loop
-         Monitor_Sockets.Watch (Schedule.Link_Period, Loss);
+         Monitor_Sockets.Connection.Watch (Schedule.Link_Period, Loss);
          Trace.Take_Up (Schedule.Th_Com_Mon_Perdue);
          Session.Get_Stopping (Stopping);
-         exit when Loss /= Monitor_Sockets.None or else Stopping;
-         Monitor_Sockets.Sample (Sample);
+         exit when Loss /= Monitor_Sockets.Connection.None or else Stopping;
+         Monitor_Sockets.Connection.Sample (Sample);
          if Sample.Known then
             Monitor_Link.Judge (Link, Sample, Verdict);
          end if;
@@ -301,8 +302,9 @@ package body Monitor_Tasks with SPARK_Mode is
              "it has taken nothing for 15 s"
           else
             (case Loss is
-                when Monitor_Sockets.Reset_By_Peer => "connection reset",
-                when Monitor_Sockets.No_Sign_Of_Life =>
+                when Monitor_Sockets.Connection.Reset_By_Peer =>
+                   "connection reset",
+                when Monitor_Sockets.Connection.No_Sign_Of_Life =>
                    "it vanished, no sign of life for 4 s",
                 when others => "connection closed")));
    end Wait_Loss;
@@ -318,7 +320,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Now   : Time;
    begin
       --  the robot first: from here on no order of this session counts
-      Monitor_Sockets.Shut_Down;
+      Monitor_Sockets.Connection.Shut_Down;
       Outbox.Close_Session (Next);
       Robot_Line.Begin_Session (Next);
       Robot_Clients.Safe_State.Ask
@@ -363,7 +365,7 @@ package body Monitor_Tasks with SPARK_Mode is
          Journal.Put (Options.Warning, Line);
          Bring_Back;
          Session.End_Closing;
-         Monitor_Sockets.Wake_Server;
+         Monitor_Sockets.Gate.Wake_Server;
          Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Th_Com_Mon_Perdue;

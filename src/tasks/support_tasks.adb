@@ -6,7 +6,7 @@ with Ada.Real_Time; use Ada.Real_Time;
 with Camera_Requests;
 with Console;
 with Journal;
-with Monitor_Sockets;
+with Monitor_Sockets.Connection;
 with Options;
 with Process.Signals;
 with Process.Threads;
@@ -156,7 +156,7 @@ package body Support_Tasks with SPARK_Mode is
          end if;
          Journal.Put (Options.Info, "stopping");
          Session.Request_Stop;
-         Monitor_Sockets.Shut_Down;
+         Monitor_Sockets.Connection.Shut_Down;
          Now := Clock;
          Wait_Session_End
            (Now + (if Kind = Process.Signals.Failure

@@ -1,0 +1,58 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The connection of the monitor in command.
+
+with Ada.Real_Time;
+with Monitor_Link;
+
+package Monitor_Sockets.Connection with
+  SPARK_Mode,
+  Abstract_State =>
+    (Monitor with Synchronous, External => (Async_Readers, Async_Writers)),
+  Initializes => Monitor
+is
+
+   procedure Take_Over (Newcomer : Socket)
+   with Global => (In_Out => Monitor);
+   --  From the gate: it becomes the monitor in command. There must be none
+
+   procedure Receive
+     (Data : in out String; Length : out Natural; Open : out Boolean)
+   with
+     Global => (In_Out => Monitor),
+     Post   => Length <= Data'Length;
+   --  What the monitor in command has sent; waits for it. Open is false,
+   --  and Length 0, when the connection is over
+
+   procedure Send
+     (Data : String; Length : Natural; Success : out Boolean)
+   with
+     Global => (In_Out => Monitor),
+     Pre    => Length <= Data'Length;
+   --  Sends the first Length characters in one piece; waits while the
+   --  connection takes nothing. Fails when the connection is over
+
+   type Loss_Kind is (None, Closed_By_Peer, Reset_By_Peer, No_Sign_Of_Life);
+
+   procedure Watch (Wait : Ada.Real_Time.Time_Span; Loss : out Loss_Kind)
+   with Global => (In_Out => Monitor);
+   --  Waits until the connection is over, for Wait at most, to the ms
+
+   procedure Sample (Link : out Monitor_Link.Sample)
+   with
+     Global => (In_Out => Monitor, Input => Ada.Real_Time.Clock_Time);
+   --  How the connection does, from the kernel (TCP_INFO); only the time
+   --  where it does not say all that is needed
+
+   procedure Leave_To_Kernel with Global => (In_Out => Monitor);
+   --  Without samples: it ends the connection itself, for Watch to see, when
+   --  it has probed an idle monitor in vain (keep-alive), or when what was
+   --  sent has not been taken, for Monitor_Link.Vanished_After in either case
+
+   procedure Shut_Down with Global => (In_Out => Monitor);
+   --  Ends the connection in both directions; frees whoever waits in
+   --  Receive, Send or Watch
+
+   procedure Close with Global => (In_Out => Monitor);
+   --  Closes the connection; nobody may be in Receive, Send or Watch
+
+end Monitor_Sockets.Connection;
