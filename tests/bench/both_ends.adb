@@ -5,10 +5,11 @@ with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with GNAT.Sockets;
 with Interfaces;        use Interfaces;
 with Interfaces.C;      use Interfaces.C;
-with System;
 
 with Expectations;      use Expectations;
 with Libc;
+with Polls;
+with Pseudo_Terminals;
 
 package body Both_Ends is
 
@@ -16,45 +17,21 @@ package body Both_Ends is
    Label_Size : constant := 4;
 
    type State is record
-      Master, Slave : int     := -1;
-      Socket        : int     := -1;
-      By_Lines      : Boolean := False;
-      Name          : Unbounded_String;
-      Frame         : Event;  --  that is coming in
-      Message       : Event;
-      Frames        : Event_Vectors.Vector;
-      Messages      : Event_Vectors.Vector;
-      Held          : Unbounded_String;
+      Socket   : int     := -1;
+      By_Lines : Boolean := False;
+      Frame    : Event;  --  that is coming in
+      Message  : Event;
+      Frames   : Event_Vectors.Vector;
+      Messages : Event_Vectors.Vector;
+      Held     : Unbounded_String;
       --  a frame that the robot does not answer at once
    end record;
 
    States : array (Place) of State;
+   Lines  : array (Place) of Pseudo_Terminals.Line;
 
-   type Poll_Set is array (1 .. 2 * (Place'Pos (Place'Last) + 1))
-     of Libc.Poll_Descriptor
-     with Convention => C;
-
-   function Ppoll
-     (Files   : System.Address;
-      Count   : unsigned_long;
-      Timeout : access Libc.Timespec;
-      Mask    : System.Address) return int
-   with Import, Convention => C, External_Name => "ppoll";
-
-   function Open_Master (Flags : int) return int
-   with Import, Convention => C, External_Name => "posix_openpt";
-
-   function Grant (Master : int) return int
-   with Import, Convention => C, External_Name => "grantpt";
-
-   function Unlock (Master : int) return int
-   with Import, Convention => C, External_Name => "unlockpt";
-
-   function Slave_Name
-     (Master : int; Name : System.Address; Size : size_t) return int
-   with Import, Convention => C, External_Name => "ptsname_r";
-
-   No_Controlling_Terminal : constant int := 8#400#;  --  O_NOCTTY
+   function Master (Where : Place) return int;
+   --  The robot's end of the line, -1 where none is open
 
    procedure Write (File : int; Text : String);
 
@@ -104,28 +81,18 @@ package body Both_Ends is
    ---------------
 
    procedure Open_Line (Where : Place) is
-      S    : State renames States (Where);
-      Name : char_array (1 .. 64) := (others => nul);
+      Open : Boolean;
    begin
-      S.Master := Open_Master
-        (Libc.O_Rdwr + Libc.O_Nonblock + Libc.O_Cloexec
-         + No_Controlling_Terminal);
-      Check
-        (S.Master >= 0 and then Grant (S.Master) = 0
-         and then Unlock (S.Master) = 0
-         and then Slave_Name (S.Master, Name'Address, Name'Length) = 0,
-         "no pseudo-terminal to be had");
-      --  kept open, or the line would hang up whenever nobody else has it
-      S.Slave := Libc.Open
-        (Name, Libc.O_Rdwr + Libc.O_Cloexec + No_Controlling_Terminal);
-      Check
-        (S.Slave >= 0 and then Libc.Chmod (Name, 8#666#) = 0,
-         "the pseudo-terminal cannot be used");
-      S.Name := To_Unbounded_String (To_Ada (Name));
+      Pseudo_Terminals.Open (Lines (Where), Open);
+      Check (Open, "no pseudo-terminal to be had");
    end Open_Line;
 
    function Device (Where : Place) return String is
-     (To_String (States (Where).Name));
+     (Pseudo_Terminals.Device (Lines (Where)));
+
+   function Master (Where : Place) return int is
+     (if Pseudo_Terminals.Is_Open (Lines (Where))
+      then Pseudo_Terminals.Robot_End (Lines (Where)) else -1);
 
    -------------
    -- Connect --
@@ -165,14 +132,10 @@ package body Both_Ends is
    ---------------
 
    procedure Close_All is
-      Unused : int;
    begin
       for Where in Place loop
          Disconnect (Where);
-         if States (Where).Master >= 0 then
-            Unused := Libc.Close (States (Where).Slave);
-            Unused := Libc.Close (States (Where).Master);
-         end if;
+         Pseudo_Terminals.Close (Lines (Where));
          States (Where) := (others => <>);
       end loop;
    end Close_All;
@@ -212,7 +175,7 @@ package body Both_Ends is
       Last : long;
       Time : Instant;
    begin
-      Last := Libc.Read (S.Master, Data'Address, Data'Length);
+      Last := Libc.Read (Master (Where), Data'Address, Data'Length);
       Time := Now;
       for C of Data (1 .. Natural (long'Max (0, Last))) loop
          if S.Frame.Begun = Never then
@@ -227,7 +190,7 @@ package body Both_Ends is
             if S.Frame.Text /= S.Held and then Length (S.Frame.Text) > 0
             then
                Write
-                 (S.Master,
+                 (Master (Where),
                   Framed (Answer_To (To_String (S.Frame.Text))));
             end if;
             S.Frame := (others => <>);
@@ -291,30 +254,22 @@ package body Both_Ends is
    ----------
 
    procedure Look (Until_Time : Instant) is
-      Files : Poll_Set := (others => (-1, Libc.Poll_In, 0));
-      Left  : constant Long_Long_Integer :=
-        Long_Long_Integer'Max
-          (0, Long_Long_Integer (Until_Time) - Long_Long_Integer (Now));
-      Wait  : aliased Libc.Timespec :=
-        (long (Left / 1_000_000_000), long (Left mod 1_000_000_000));
-      Count : int;
+      Files : Libc.Poll_Array (1 .. 2 * (Place'Pos (Place'Last) + 1)) :=
+        (others => (-1, Libc.Poll_In, 0));
    begin
       for Where in Place loop
-         Files (2 * Place'Pos (Where) + 1).File := States (Where).Master;
+         Files (2 * Place'Pos (Where) + 1).File := Master (Where);
          Files (2 * Place'Pos (Where) + 2).File := States (Where).Socket;
       end loop;
-      Count := Ppoll
-        (Files'Address, Files'Length, Wait'Access, System.Null_Address);
-      if Count > 0 then
-         for Where in Place loop
-            if Files (2 * Place'Pos (Where) + 1).Returned /= 0 then
-               Hear (Where);
-            end if;
-            if Files (2 * Place'Pos (Where) + 2).Returned /= 0 then
-               Receive (Where);
-            end if;
-         end loop;
-      end if;
+      Polls.Wait (Files, Until_Time - Now);
+      for Where in Place loop
+         if Files (2 * Place'Pos (Where) + 1).Returned /= 0 then
+            Hear (Where);
+         end if;
+         if Files (2 * Place'Pos (Where) + 2).Returned /= 0 then
+            Receive (Where);
+         end if;
+      end loop;
    end Look;
 
    -----------
@@ -443,7 +398,7 @@ package body Both_Ends is
       Result.Clean := Seen_At /= Never and then S.Frames.Last_Index = 1;
       Serve (0.001);
       Begun := Now;
-      Write (S.Master, Framed ("O"));
+      Write (Master (Where), Framed ("O"));
       while Answer.Ended = Never and then Now - Begun < Patience loop
          Look (Begun + Patience);
       end loop;

@@ -3,19 +3,18 @@
 --  sections, or those named on the command line.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
-with Ada.Command_Line;      use Ada.Command_Line;
 with Ada.Exceptions;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
-with System;
 
 with Bench_Settings;
 with Child_Processes;
 with Full_Load;
-with Libc;
 with Machines;
+with Option_Readers;        use Option_Readers;
 with Order_Times;
+with Own_Process;
 with Period_Times;
 with Programs;
 with Reports;
@@ -25,8 +24,6 @@ with Trace_Responses;
 with Vision_Times;
 
 procedure Destijl_Bench is
-
-   Bad_Usage : exception;
 
    type Section is
      (Orders, Answers, Periods, Images, Search, Scale, Start, Load, Tasks,
@@ -67,53 +64,29 @@ procedure Destijl_Bench is
    -----------------------
 
    procedure Read_Command_Line is
-      Number : Positive := 1;
-
-      function Value return String;
-      --  The next argument
-
-      function Value return String is
-      begin
-         if Number = Argument_Count then
-            raise Bad_Usage with Argument (Number) & " needs a value";
-         end if;
-         Number := Number + 1;
-         return Argument (Number);
-      end Value;
-
    begin
-      while Number <= Argument_Count loop
-         declare
-            Name : constant String := Argument (Number);
-         begin
-            if Name = "--seconds" then
-               Bench_Settings.Seconds := Positive'Value (Value);
-            elsif Name = "--samples" then
-               Bench_Settings.Sample_Count := Positive'Value (Value);
-            elsif Name = "--quick" then
-               Bench_Settings.Seconds := 10;
-               Bench_Settings.Sample_Count := 200;
-            elsif Name = "--file" then
-               Bench_Settings.Trace_File := To_Unbounded_String (Value);
-            elsif Name = "--out" then
-               Folder := To_Unbounded_String (Value);
-            elsif Name = "--supervisor" then
-               Programs.Set_Supervisor (Value);
-            elsif Name = "--emulator" then
-               Programs.Set_Emulator (Value);
-            elsif Name = "--help" then
-               Print_Usage (Standard_Output);
-               GNAT.OS_Lib.OS_Exit (0);
-            elsif (for some S in Section => S'Image = To_Upper (Name)) then
-               Wanted (Section'Value (Name)) := True;
-            else
-               raise Bad_Usage with "unknown option or section " & Name;
-            end if;
-         exception
-            when Constraint_Error =>
-               raise Bad_Usage with Name & " takes a number";
-         end;
-         Number := Number + 1;
+      while Next loop
+         if Name = "--seconds" then
+            Bench_Settings.Seconds := Number;
+         elsif Name = "--samples" then
+            Bench_Settings.Sample_Count := Number;
+         elsif Name = "--quick" then
+            Bench_Settings.Seconds := 10;
+            Bench_Settings.Sample_Count := 200;
+         elsif Name = "--file" then
+            Bench_Settings.Trace_File := To_Unbounded_String (Value);
+         elsif Name = "--out" then
+            Folder := To_Unbounded_String (Value);
+         elsif Programs.Read_Option then
+            null;
+         elsif Name = "--help" then
+            Print_Usage (Standard_Output);
+            GNAT.OS_Lib.OS_Exit (0);
+         elsif (for some S in Section => S'Image = To_Upper (Name)) then
+            Wanted (Section'Value (Name)) := True;
+         else
+            Refuse;
+         end if;
       end loop;
       if Wanted = (Section => False) then
          Wanted := (others => True);
@@ -141,10 +114,8 @@ procedure Destijl_Bench is
       end case;
    end Run;
 
-   Unused : System.Address;
-
 begin
-   Unused := Libc.Signal (Libc.Sigpipe, Libc.Ignored);
+   Own_Process.Ignore_Broken_Pipes;
    Read_Command_Line;
    Reports.Open
      (if Folder = "" then "/tmp/destijl_bench" else To_String (Folder));

@@ -6,7 +6,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Both_Ends;             use Both_Ends;
 with Child_Processes;       use Child_Processes;
 with Expectations;          use Expectations;
-with Own_Priority;
+with Own_Process;
 with Programs;
 with Schedule;
 
@@ -26,7 +26,7 @@ package body Forwarders is
            ((if Relay then "relay " else "forward ") & Device (Where)
             --  Linux counts priorities from 1
             & Integer'Image
-                (if Own_Priority.Real_Time_Allowed
+                (if Own_Process.Real_Time_Allowed
                  then Schedule.Line_Priority + 1 else 0)));
       Number := Process.Awaited (Errors, "listening on", 5.0);
       Check (Number > 0, "the forwarder does not listen");

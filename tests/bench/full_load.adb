@@ -3,8 +3,6 @@
 --  tasks take of the processors under it.
 
 with Ada.Numerics.Float_Random;
-with Ada.Strings;           use Ada.Strings;
-with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Bench_Settings;
@@ -12,7 +10,8 @@ with Busy_Loops;
 with Emulators;
 with Instants;              use Instants;
 with Monitor_Clients;       use Monitor_Clients;
-with Own_Priority;
+with Own_Process;
+with Plain_Numbers;         use Plain_Numbers;
 with Reports;
 with Rigs;                  use Rigs;
 with Samples;
@@ -209,19 +208,16 @@ package body Full_Load is
            (abs (Set.Quantile (Share) - Middle),
             abs (Set.Quantile (1.0 - Share) - Middle)));
 
-      function Image_Of (Value : Integer) return String is
-        (Trim (Integer'Image (Value), Both));
-
    begin
       Assemble
         (R, Camera => True,
-         Emulator_Options => "--baud " & Image_Of (Baud));
+         Emulator_Options => "--baud " & Image (Baud));
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
       Load.Start;
       delay 2.0;
 
-      Own_Priority.Prefer_Real_Time (True);
+      Own_Process.Prefer_Real_Time (True);
       Reset (Source, 5544);
       R.Emulator.Clear_Journal;
       First := R.Monitor.Count + 1;
@@ -232,7 +228,7 @@ package body Full_Load is
       while Now - Start < Duration (Bench_Settings.Seconds) loop
          Amount := Amount + 1;
          declare
-            Value : constant String := Image_Of (1 + Amount mod 9_000);
+            Value : constant String := Image (1 + Amount mod 9_000);
          begin
             case Amount mod 4 is
                when 0 =>
@@ -254,7 +250,7 @@ package body Full_Load is
             Pause;
          end if;
       end loop;
-      Own_Priority.Prefer_Real_Time (False);
+      Own_Process.Prefer_Real_Time (False);
       if Tasks then
          Task_Times.Stop;
          return;

@@ -4,43 +4,18 @@
 with Ada.Calendar.Formatting;
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
-with Ada.Text_IO;       use Ada.Text_IO;
 with Interfaces.C;      use Interfaces.C;
 with System.Multiprocessors;
 
 with Libc;
-with Own_Priority;
+with Own_Process;
+with Process_Facts; use Process_Facts;
 with Reports;
 
 package body Machines is
 
    function Known (Text, Otherwise : String) return String is
      (if Text = "" then Otherwise else Text);
-
-   ---------------
-   -- File_Line --
-   ---------------
-
-   function File_Line (Path : String; Key : String := "") return String is
-      File : File_Type;
-   begin
-      Open (File, In_File, Path);
-      while not End_Of_File (File) loop
-         declare
-            Line : constant String := Get_Line (File);
-         begin
-            if Key = "" or else Index (Line, Key) > 0 then
-               Close (File);
-               return Line;
-            end if;
-         end;
-      end loop;
-      Close (File);
-      return "";
-   exception
-      when Name_Error | Use_Error =>
-         return "";
-   end File_Line;
 
    ------------
    -- Report --
@@ -76,7 +51,7 @@ package body Machines is
       Reports.Put_Fact
         ("user",
          (if Libc.Geteuid = 0 then "root" else "an ordinary user")
-         & (if Own_Priority.Real_Time_Allowed
+         & (if Own_Process.Real_Time_Allowed
             then ", real-time priorities"
             else ", no real-time priorities"));
       Reports.Put_Fact

@@ -5,7 +5,4 @@ package Machines is
 
    procedure Report;
 
-   function File_Line (Path : String; Key : String := "") return String;
-   --  The first line of a file that contains Key; "" if there is none
-
 end Machines;

@@ -3,6 +3,7 @@
 --  them, with the events that they set; with --trace, what they record, too.
 
 with Ada.Command_Line;
+with Ada.Containers.Generic_Array_Sort;
 with Ada.Real_Time;  use Ada.Real_Time;
 with Ada.Text_IO;    use Ada.Text_IO;
 with GNAT.OS_Lib;
@@ -29,9 +30,13 @@ procedure Operation_Times with Priority => Schedule.Line_Priority is
    Calls : constant := 20_000;
 
    type Sample_Index is range 1 .. Calls;
-   type Sample_Array is array (Sample_Index) of Natural;
+   type Sample_Array is array (Sample_Index range <>) of Natural;
 
-   Samples : Sample_Array;  --  in nanoseconds
+   procedure Sort is new Ada.Containers.Generic_Array_Sort
+     (Sample_Index, Natural, Sample_Array);
+   --  tests/common's Samples allocate, and are not made for this profile
+
+   Samples : Sample_Array (Sample_Index);  --  in nanoseconds
    Sample  : Sample_Index := 1;
    Begun   : Time;
 
@@ -69,28 +74,9 @@ procedure Operation_Times with Priority => Schedule.Line_Priority is
    ------------
 
    procedure Report (Name : String) is
-      Last  : constant Sample_Index := Sample;
-      Value : Natural;
-      Place : Sample_Index;
+      Last : constant Sample_Index := Sample;
    begin
-      --  Shell sort: enough for this
-      for Gap of Sample_Array'(1 => 9_001, 2 => 2_048, 3 => 701, 4 => 301,
-                               5 => 132, 6 => 57, 7 => 23, 8 => 10,
-                               9 => 4, others => 1)
-      loop
-         for I in Sample_Index (Gap) + 1 .. Last loop
-            Value := Samples (I);
-            Place := I;
-            while Place > Sample_Index (Gap)
-              and then Samples (Place - Sample_Index (Gap)) > Value
-            loop
-               Samples (Place) := Samples (Place - Sample_Index (Gap));
-               Place := Place - Sample_Index (Gap);
-            end loop;
-            Samples (Place) := Value;
-         end loop;
-         exit when Gap = 1;
-      end loop;
+      Sort (Samples (1 .. Last));
       Put_Line
         (Name & (Name'Length + 1 .. 26 => ' ')
          & Integer'Image (Samples (Last / 2 + 1))

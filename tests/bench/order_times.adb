@@ -2,8 +2,6 @@
 --  Orders and answers, beside a bare forwarder.
 
 with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
-with Ada.Strings;       use Ada.Strings;
-with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Bench_Settings;
@@ -16,7 +14,8 @@ with Forwarders;
 with Instants;          use Instants;
 with Interfaces.C;      use Interfaces.C;
 with Libc;
-with Own_Priority;
+with Own_Process;
+with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Reports;
 with Samples;
@@ -107,7 +106,7 @@ package body Order_Times is
    procedure One (Through : Passage; Result : out Exchange) is
       --  a different one each time
       Value : constant String :=
-        Trim (Natural'Image (1 + Amount mod 9_000), Both);
+        Image (1 + Amount mod 9_000);
    begin
       Amount := Amount + 1;
       Serve (0.001 + 0.002 * Duration (Random (Source)));
@@ -270,7 +269,7 @@ package body Order_Times is
                By_Lines => True);
          end if;
       end loop;
-      Own_Priority.Prefer_Real_Time (True);
+      Own_Process.Prefer_Real_Time (True);
       for Which in Supervisor_Passage loop
          if Is_Taken (Which, Under) then
             Send (Place_Of (Which), "ROPN" & ASCII.LF & "RSOW" & ASCII.LF);
@@ -284,11 +283,11 @@ package body Order_Times is
                & (if With_Load then "CPCO" & ASCII.LF else ""));
          Await_Message (Both_Ends.Ours, "CIMG", Count => 10);
       end if;
-      Own_Priority.Prefer_Real_Time (False);
+      Own_Process.Prefer_Real_Time (False);
       if With_Load then
          Load.Start;
       end if;
-      Own_Priority.Prefer_Real_Time (True);
+      Own_Process.Prefer_Real_Time (True);
       Serve (0.5);
 
       while Orders (Under) (Ours).Count < Bench_Settings.Sample_Count loop
@@ -301,7 +300,7 @@ package body Order_Times is
       if Under = Idle then
          Measure_Stops;
       end if;
-      Own_Priority.Prefer_Real_Time (False);
+      Own_Process.Prefer_Real_Time (False);
       Close_All;
    end Measure;
 
@@ -376,7 +375,7 @@ package body Order_Times is
          & ", the rest of its time-out and an order",
          Stops.Quantile (1.0) <= Limit);
       Reports.Put_Note
-        (Trim (Left_Out'Image, Both)
+        (Image (Left_Out)
          & " exchanges were repeated: something else was on the line, or"
          & " they failed");
       Reports.End_Section;

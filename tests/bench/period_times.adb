@@ -3,7 +3,6 @@
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Real_Time;         use Ada.Real_Time;
-with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
@@ -15,7 +14,8 @@ with Child_Processes;       use Child_Processes;
 with Emulators;
 with Expectations;          use Expectations;
 with Instants;              use Instants;
-with Own_Priority;
+with Own_Process;
+with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Reports;
 with Samples;
@@ -42,11 +42,8 @@ package body Period_Times is
      (Battery => Tick_1, Reload => Tick_2);
    --  of the bare programs
 
-   function Image_Of (Value : Integer) return String is
-     (Trim (Integer'Image (Value), Both));
-
    function Linux_Priority (Of_Subject : Subject) return Natural is
-     (if Own_Priority.Real_Time_Allowed
+     (if Own_Process.Real_Time_Allowed
       then Priority_Of (Of_Subject) + 1 else 0);
 
    function Late
@@ -125,7 +122,7 @@ package body Period_Times is
         GNAT.OS_Lib.Locate_Exec_On_Path ("cyclictest");
       Compared   : constant Boolean :=
         GNAT.OS_Lib."/=" (Program, null)
-        and then Own_Priority.Real_Time_Allowed;
+        and then Own_Process.Real_Time_Allowed;
       Ours       : Samples.Set;
 
       procedure Compare (Name : String; Of_Subject : Subject);
@@ -170,8 +167,8 @@ package body Period_Times is
            (Programs.Beside ("forwarder"),
             Words
               ("tick " & Device (Line_Of (Which)) & " "
-               & Image_Of (Linux_Priority (Which)) & " "
-               & Image_Of (Period_Of (Which) / Milliseconds (1))));
+               & Image (Linux_Priority (Which)) & " "
+               & Image (Period_Of (Which) / Milliseconds (1))));
       end loop;
       if Compared then
          for Which in Subject loop
@@ -180,22 +177,22 @@ package body Period_Times is
                Words
                  ("--mlockall --quiet --default-system --threads=1"
                   & " --histogram=20000 --priority="
-                  & Image_Of (Linux_Priority (Which))
+                  & Image (Linux_Priority (Which))
                   & " --interval="
-                  & Image_Of (Period_Of (Which) / Microseconds (1))
+                  & Image (Period_Of (Which) / Microseconds (1))
                   & " --loops="
-                  & Image_Of
+                  & Image
                     (Milliseconds (1000 * Bench_Settings.Seconds)
                      / Period_Of (Which))));
          end loop;
       end if;
-      Own_Priority.Prefer_Real_Time (True);
+      Own_Process.Prefer_Real_Time (True);
       Serve (0.5);
       for Where in Place loop
          Forget (Where);
       end loop;
       Serve (Duration (Bench_Settings.Seconds));
-      Own_Priority.Prefer_Real_Time (False);
+      Own_Process.Prefer_Real_Time (False);
 
       for Which in Line_Of'Range loop
          Ours := Late

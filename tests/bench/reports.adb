@@ -10,6 +10,9 @@ with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 
+with Plain_Numbers;         use Plain_Numbers;
+with Svg_Files;             use Svg_Files;
+
 package body Reports is
 
    type Figure is range 1 .. 4;
@@ -52,9 +55,6 @@ package body Reports is
    Curves   : Curve_Vectors.Vector;
    Bars     : Bar_Vectors.Vector;
 
-   function Number (Value : Float; Digits_After : Natural := 3)
-     return String;
-
    function Column (Text : String) return String is (Tail (Text, Width));
 
    function Micro (Value : Duration) return Float is
@@ -62,9 +62,6 @@ package body Reports is
 
    function Quoted (Text : String) return String;
    --  As JSON has it
-
-   function Escaped (Text : String) return String;
-   --  As SVG has it
 
    procedure Next (List : in out Unbounded_String; Item : String);
    --  One more of a list of JSON
@@ -78,22 +75,8 @@ package body Reports is
    function Goal_Of (Goal : String; Met : Boolean) return String;
    --  As members of a JSON object
 
-   procedure Plot_Curves (File : File_Type);
-   procedure Plot_Bars (File : File_Type);
-
-   ------------
-   -- Number --
-   ------------
-
-   function Number (Value : Float; Digits_After : Natural := 3)
-     return String
-   is
-      package Float_Text is new Ada.Text_IO.Float_IO (Float);
-      Text : String (1 .. 40);
-   begin
-      Float_Text.Put (Text, Value, Aft => Digits_After, Exp => 0);
-      return Trim (Text, Both);
-   end Number;
+   procedure Plot_Curves (Drawing : in out Svg_File);
+   procedure Plot_Bars (Drawing : in out Svg_File);
 
    ------------
    -- Quoted --
@@ -110,24 +93,6 @@ package body Reports is
       end loop;
       return """" & To_String (Result) & """";
    end Quoted;
-
-   -------------
-   -- Escaped --
-   -------------
-
-   function Escaped (Text : String) return String is
-      Result : Unbounded_String;
-   begin
-      for C of Text loop
-         case C is
-            when '<'    => Append (Result, "&lt;");
-            when '>'    => Append (Result, "&gt;");
-            when '&'    => Append (Result, "&amp;");
-            when others => Append (Result, C);
-         end case;
-      end loop;
-      return To_String (Result);
-   end Escaped;
 
    ----------
    -- Next --
@@ -189,13 +154,13 @@ package body Reports is
 
    function Figures_Of (Set : Samples.Set) return String is
       Result : Unbounded_String := To_Unbounded_String
-        ("""n"": " & Trim (Set.Count'Image, Both));
+        ("""n"": " & Image (Set.Count));
    begin
       for F in Figure loop
          Append
            (Result,
             ", " & Quoted (Trim (Keys (F), Both)) & ": "
-            & Number (Micro (Set.Quantile (Shares (F)))));
+            & Rounded (Micro (Set.Quantile (Shares (F))), 3));
       end loop;
       return To_String (Result);
    end Figures_Of;
@@ -216,9 +181,9 @@ package body Reports is
    procedure Put_Times (Name : String; Set : Samples.Set) is
    begin
       Put (Head ("   " & Name, Name_Width)
-           & Column (Trim (Set.Count'Image, Both)));
+           & Column (Image (Set.Count)));
       for F in Figure loop
-         Put (Column (Number (Micro (Set.Quantile (Shares (F))), 1)));
+         Put (Column (Rounded (Micro (Set.Quantile (Shares (F))), 1)));
       end loop;
       New_Line;
    end Put_Times;
@@ -269,9 +234,9 @@ package body Reports is
          declare
             Value : constant Float := Ratio (Ours, Floor, Shares (F));
          begin
-            Put (Column (Number (Value, 2)));
+            Put (Column (Rounded (Value)));
             Next (Ratios, Quoted (Trim (Keys (F), Both)) & ": "
-                  & Number (Value));
+                  & Rounded (Value, 3));
          end;
       end loop;
       New_Line;
@@ -325,18 +290,18 @@ package body Reports is
    begin
       Put_Line
         (Head (Name, Name_Width)
-         & Column ((if Floor > 0.0 then Number (Value / Floor, 2) & " x"
+         & Column ((if Floor > 0.0 then Rounded (Value / Floor) & " x"
                     else ""))
-         & Column (Number (Value, 2)) & " " & Unit
-         & (if Floor > 0.0 then ", floor " & Number (Floor, 2) else ""));
+         & Column (Rounded (Value)) & " " & Unit
+         & (if Floor > 0.0 then ", floor " & Rounded (Floor) else ""));
       Put_Goal (Goal, Met);
       Next
         (Rows,
          "{""name"": " & Quoted (Name) & ", ""unit"": " & Quoted (Unit)
-         & ", ""value"": " & Number (Value)
+         & ", ""value"": " & Rounded (Value, 3)
          & (if Floor > 0.0
-            then ", ""floor"": " & Number (Floor) & ", ""ratio"": "
-              & Number (Value / Floor)
+            then ", ""floor"": " & Rounded (Floor, 3) & ", ""ratio"": "
+              & Rounded (Value / Floor, 3)
             else "")
          & Goal_Of (Goal, Met) & "}");
       Bars.Append
@@ -403,7 +368,7 @@ package body Reports is
    -- Plot_Curves --
    -----------------
 
-   procedure Plot_Curves (File : File_Type) is
+   procedure Plot_Curves (Drawing : in out Svg_File) is
 
       --  Across: the time, logarithmic. Up: the share of samples that took
       --  no longer, each step a tenth of those that are left
@@ -414,9 +379,6 @@ package body Reports is
       Bottom  : constant := 360.0;
       Decades : constant := 3.3;  --  up to 99.95 %
       Steps   : constant := 120;
-
-      Colours : constant array (0 .. 5) of String (1 .. 7) :=
-        ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#000000");
 
       Low, High : Float;
 
@@ -430,9 +392,10 @@ package body Reports is
          * Float'Min (1.0, -Log (Float'Max (1.0 - Share, 1.0E-6), 10.0)
                       / Decades));
 
-      Grid : constant array (1 .. 5) of Float :=
+      Grid   : constant array (1 .. 5) of Float :=
         (0.0, 0.5, 0.9, 0.99, 0.999);
-      Kind : Natural := 0;
+      Wanted : Samples.Share_Array (1 .. Steps);
+      Kind   : Natural := 0;
    begin
       Low := 9.0;
       High := 0.0;
@@ -447,75 +410,51 @@ package body Reports is
       High := Float'Max (High, Low + 1.0);
 
       for Share of Grid loop
-         Put_Line
-           (File,
-            "<line x1=""60"" x2=""640"" y1=""" & Number (Y (Share), 1)
-            & """ y2=""" & Number (Y (Share), 1) & """ class=""g""/>"
-            & "<text x=""55"" y=""" & Number (Y (Share) + 4.0, 1)
-            & """ text-anchor=""end"">" & Number (Share * 100.0, 1)
-            & " %</text>");
+         Put_Stroke (Drawing, Left, Y (Share), Right, Y (Share), "g");
+         Put_Text
+           (Drawing, Left - 5.0, Y (Share) + 4.0,
+            Rounded (Share * 100.0, 1) & " %", Last);
       end loop;
       for Decade in Integer (Low) .. Integer (High) loop
          declare
             Value : constant Float := 10.0 ** Decade;
-            Along : constant String :=
-              Number (X (Duration (Value / 1.0E6)), 1);
+            Along : constant Float := X (Duration (Value / 1.0E6));
          begin
-            Put_Line
-              (File,
-               "<line y1=""40"" y2=""360"" x1=""" & Along & """ x2="""
-               & Along & """ class=""g""/><text x=""" & Along
-               & """ y=""378"" text-anchor=""middle"">"
-               & (if Value < 1.0 then Number (Value, 1)
-                  elsif Value < 1000.0 then Number (Value, 0)
-                    (1 .. Number (Value, 0)'Length - 2) & " us"
-                  else Number (Value / 1000.0, 0)
-                    (1 .. Number (Value / 1000.0, 0)'Length - 2) & " ms")
-               & "</text>");
+            Put_Stroke (Drawing, Along, Top, Along, Bottom, "g");
+            Put_Text
+              (Drawing, Along, Bottom + 18.0,
+               (if Value < 1000.0 then Decimal (Value) & " us"
+                else Decimal (Value / 1000.0) & " ms"),
+               Middle);
          end;
       end loop;
 
+      for S in Wanted'Range loop
+         Wanted (S) := 1.0
+           - 10.0 ** (-Decades * Float (S - 1) / Float (Steps - 1));
+      end loop;
       for I in Curves.First_Index .. Curves.Last_Index loop
+         if not Curves (I).Floor then
+            Kind := Kind + 1;
+         end if;
          declare
             Item   : constant Curve := Curves (I);
-            Wanted : Samples.Share_Array (1 .. Steps);
-            Dashes : constant String :=
-              (if Item.Again then " stroke-dasharray=""2 3"""
-               elsif Item.Floor then " stroke-dasharray=""5 4"""
-               else "");
+            Values : constant Samples.Value_Array :=
+              Item.Set.Quantiles (Wanted);
+            Class  : constant String :=
+              "c c" & Image ((Kind - 1) mod 6)
+              & (if Item.Again then " again"
+                 elsif Item.Floor then " floor" else "");
+            Height : constant Float := 400.0 + 18.0 * Float (I - 1);
          begin
-            if not Item.Floor then
-               Kind := Kind + 1;
-            end if;
+            Begin_Curve (Drawing, Class);
             for S in Wanted'Range loop
-               Wanted (S) := 1.0
-                 - 10.0 ** (-Decades * Float (S - 1) / Float (Steps - 1));
+               Go_On (Drawing, X (Values (S)), Y (Wanted (S)));
             end loop;
-            Put (File, "<polyline fill=""none"" stroke="""
-                 & Colours ((Kind - 1) mod 6) & """" & Dashes
-                 & " points=""");
-            declare
-               Values : constant Samples.Value_Array :=
-                 Item.Set.Quantiles (Wanted);
-            begin
-               for S in Wanted'Range loop
-                  Put (File, Number (X (Values (S)), 1) & ","
-                       & Number (Y (Wanted (S)), 1) & " ");
-               end loop;
-            end;
-            Put_Line (File, """/>");
-            declare
-               Height : constant String :=
-                 Number (400.0 + 18.0 * Float (I - 1), 1);
-            begin
-               Put_Line
-                 (File,
-                  "<line x1=""60"" x2=""100"" y1=""" & Height & """ y2="""
-                  & Height & """ stroke=""" & Colours ((Kind - 1) mod 6)
-                  & """" & Dashes & "/><text x=""108"" y=""" & Height
-                  & """ dy=""4"">" & Escaped (To_String (Item.Name))
-                  & "</text>");
-            end;
+            End_Curve (Drawing);
+            Put_Stroke (Drawing, 60.0, Height, 100.0, Height, Class);
+            Put_Text
+              (Drawing, 108.0, Height + 4.0, To_String (Item.Name));
          end;
       end loop;
    end Plot_Curves;
@@ -524,7 +463,8 @@ package body Reports is
    -- Plot_Bars --
    ---------------
 
-   procedure Plot_Bars (File : File_Type) is
+   procedure Plot_Bars (Drawing : in out Svg_File) is
+      Left   : constant := 300.0;
       Most   : constant := 260.0;
       Height : Float := 400.0 + 18.0 * Float (Curves.Length);
    begin
@@ -537,22 +477,17 @@ package body Reports is
             Whole : constant Float :=
               Float'Max (Float'Max (Item.Value, Item.Floor), 1.0E-6);
          begin
-            Put_Line
-              (File,
-               "<text x=""10"" y=""" & Number (Height + 11.0, 1) & """>"
-               & Escaped (To_String (Item.Name)) & "</text>"
-               & "<rect x=""300"" height=""12"" y=""" & Number (Height, 1)
-               & """ width=""" & Number (Most * Item.Value / Whole, 1)
-               & """ fill=""#0072b2""/>"
-               & (if Item.Floor > 0.0
-                  then "<rect x=""300"" height=""4"" y="""
-                    & Number (Height + 12.0, 1) & """ width="""
-                    & Number (Most * Item.Floor / Whole, 1)
-                    & """ fill=""#999999""/>"
-                  else "")
-               & "<text x=""565"" y=""" & Number (Height + 11.0, 1) & """>"
-               & Number (Item.Value, 2) & " "
-               & Escaped (To_String (Item.Unit)) & "</text>");
+            Put_Text (Drawing, 10.0, Height + 11.0, To_String (Item.Name));
+            Put_Box
+              (Drawing, Left, Height, Most * Item.Value / Whole, 12.0, "ours");
+            if Item.Floor > 0.0 then
+               Put_Box
+                 (Drawing, Left, Height + 12.0, Most * Item.Floor / Whole,
+                  4.0, "below");
+            end if;
+            Put_Text
+              (Drawing, Left + 265.0, Height + 11.0,
+               Rounded (Item.Value) & " " & To_String (Item.Unit));
          end;
          Height := Height + 22.0;
       end loop;
@@ -563,36 +498,35 @@ package body Reports is
    -----------------
 
    procedure End_Section is
-      File   : File_Type;
-      Height : constant Natural :=
-        60 + 22 * Natural (Bars.Length)
-        + (if Curves.Is_Empty then 0
-           else 350 + 18 * Natural (Curves.Length));
+      Drawing : Svg_File;
+      Width   : constant := 700.0;
+      Height  : constant Float :=
+        60.0 + 22.0 * Float (Bars.Length)
+        + (if Curves.Is_Empty then 0.0
+           else 350.0 + 18.0 * Float (Curves.Length));
    begin
       Next
         (Sections,
          "{""name"": " & Quoted (To_String (Section)) & ", ""title"": "
          & Quoted (To_String (Title)) & ", ""rows"": [" & ASCII.LF
          & To_String (Rows) & "]}");
-      Create (File, Out_File, Folder & "/" & To_String (Section) & ".svg");
-      Put_Line
-        (File,
-         "<svg xmlns=""http://www.w3.org/2000/svg"" width=""700"" height="""
-         & Trim (Height'Image, Both) & """ font-family=""sans-serif"""
-         & " font-size=""12"" stroke-width=""1.5"">");
-      Put_Line (File, "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->");
-      Put_Line (File, "<style>.g { stroke: #ddd; }</style>");
-      Put_Line (File, "<rect width=""100%"" height=""100%"" fill=""white""/>");
-      Put_Line
-        (File,
-         "<text x=""10"" y=""22"" font-size=""15"">"
-         & Escaped (To_String (Title)) & "</text>");
+      Create
+        (Drawing, Folder & "/" & To_String (Section) & ".svg",
+         To_String (Title), Width, Height,
+         "text{font:12px sans-serif}.h{font-size:15px}"
+         & ".page{fill:white}.g{stroke:#ddd;stroke-width:1.5}"
+         & ".c{fill:none;stroke-width:1.5}"
+         & ".floor{stroke-dasharray:5 4}.again{stroke-dasharray:2 3}"
+         & ".c0{stroke:#0072b2}.c1{stroke:#d55e00}.c2{stroke:#009e73}"
+         & ".c3{stroke:#cc79a7}.c4{stroke:#e69f00}.c5{stroke:#000000}"
+         & ".ours{fill:#0072b2}.below{fill:#999999}");
+      Put_Box (Drawing, 0.0, 0.0, Width, Height, "page");
+      Put_Text (Drawing, 10.0, 22.0, To_String (Title), Class => "h");
       if not Curves.Is_Empty then
-         Plot_Curves (File);
+         Plot_Curves (Drawing);
       end if;
-      Plot_Bars (File);
-      Put_Line (File, "</svg>");
-      Close (File);
+      Plot_Bars (Drawing);
+      Close (Drawing);
    end End_Section;
 
    -----------

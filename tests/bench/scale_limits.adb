@@ -3,7 +3,6 @@
 
 with Ada.Containers.Indefinite_Ordered_Maps;
 with Ada.Directories;
-with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -14,12 +13,13 @@ with Bytes;
 with Emulators;
 with Image_Slots;
 with Instants;          use Instants;
-with Machines;
-with Own_Priority;
+with Own_Process;
+with Paced_Cameras;
+with Plain_Numbers;     use Plain_Numbers;
+with Process_Facts;
 with Programs;
 with Reports;
 with Samples;
-with Still_Cameras;
 with Supervisors;
 
 package body Scale_Limits is
@@ -31,9 +31,6 @@ package body Scale_Limits is
      (others => 17);
    Text : Image_Slots.Message_Buffer := (others => ' ');
    --  too large for a stack
-
-   function Image_Of (Value : Integer) return String is
-     (Trim (Integer'Image (Value), Both));
 
    procedure Take_Picture (Size : String; Path : String);
    --  Of the emulated arena with its robot
@@ -76,27 +73,26 @@ package body Scale_Limits is
       return Boolean
    is
       Supervisor : Supervisors.Supervisor;
-      Port       : Positive;
+      Camera     : Paced_Cameras.Camera;
       Span       : constant Duration :=
         Duration'Max (1.5, Duration (Bench_Settings.Seconds) / 20);
       Last       : Instant := Never;
       Longest    : Duration := 0.0;
    begin
       --  a little faster than is asked for: each period has a new image
-      Still_Cameras.Start (Picture, Rate + Rate / 10 + 1, Port);
+      Camera.Start (Picture, Float (Rate + Rate / 10 + 1));
       Supervisor.Start
         ("--message-gap 0 --frame-size " & Size & " --fps "
-         & Image_Of (Rate) & " --camera http://127.0.0.1:"
-         & Image_Of (Port) & "/");
+         & Image (Rate) & " --camera " & Camera.Url);
       Connect (Ours, Supervisor.Port, By_Lines => True);
       Send (Ours, "COPN" & ASCII.LF
             & (if Positions then "CPCO" & ASCII.LF else ""));
       Await_Message (Ours, "CIMG", Count => 3);
       Serve (0.3);
       Forget (Ours);
-      Own_Priority.Prefer_Real_Time (True);
+      Own_Process.Prefer_Real_Time (True);
       Serve (Span);
-      Own_Priority.Prefer_Real_Time (False);
+      Own_Process.Prefer_Real_Time (False);
       for Item of Messages (Ours) loop
          if Item.Text = "CIMG" then
             if Last /= Never then
@@ -106,8 +102,8 @@ package body Scale_Limits is
          end if;
       end loop;
       Close_All;
+      Camera.Stop;
       Supervisor.Stop;
-      Still_Cameras.Stop;
       return Last /= Never and then Longest < 1.5 / Rate;
    end Keeps;
 
@@ -204,7 +200,7 @@ package body Scale_Limits is
       is
          use Ada.Directories;
          Folder : constant String :=
-           "/proc/" & Image_Of (Integer (Supervisor.Pid)) & "/task";
+           "/proc/" & Image (Integer (Supervisor.Pid)) & "/task";
 
          procedure Add (Which : Directory_Entry_Type);
 
@@ -214,11 +210,11 @@ package body Scale_Limits is
             if Simple_Name (Which) not in "." | ".." then
                declare
                   Line : constant String :=
-                    Machines.File_Line (Thread & "/schedstat");
+                    Process_Facts.File_Line (Thread & "/schedstat");
                begin
                   --  nanoseconds on a processor come first
                   Result.Include
-                    (Machines.File_Line (Thread & "/comm") & " "
+                    (Process_Facts.File_Line (Thread & "/comm") & " "
                      & Simple_Name (Which),
                      Duration
                        (Long_Long_Integer'Value

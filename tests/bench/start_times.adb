@@ -14,7 +14,8 @@ with Emulators;
 with Expectations;      use Expectations;
 with Forwarders;
 with Instants;          use Instants;
-with Machines;
+with Plain_Numbers;     use Plain_Numbers;
+with Process_Facts;
 with Programs;
 with Reports;
 with Samples;
@@ -66,13 +67,13 @@ package body Start_Times is
      (Process : Interfaces.C.int; Keys : String) return Float
    is
       Path   : constant String :=
-        "/proc/" & Trim (Process'Image, Both) & "/smaps_rollup";
+        "/proc/" & Image (Integer (Process)) & "/smaps_rollup";
       Result : Float := 0.0;
    begin
       for Key of Words (Keys) loop
          declare
             Line : constant String :=
-              Trim (Machines.File_Line (Path, Key & ":"), Both);
+              Trim (Process_Facts.File_Line (Path, Key & ":"), Both);
          begin
             Result := Result + Float'Value
               (Line (Index (Line, ":") + 1 .. Line'Last - 3));
@@ -165,7 +166,7 @@ package body Start_Times is
 
       procedure Order (Where : Place; Taken : in out Samples.Set) is
          Value : constant String :=
-           Trim (Natural'Image (1 + Amount mod 9_000), Both);
+           Image (1 + Amount mod 9_000);
          Begun : Instant;
          Time  : Instant;
       begin

@@ -11,11 +11,11 @@ with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with Ada.Text_IO;             use Ada.Text_IO;
 with Interfaces.C;            use Interfaces.C;
-with System;
 
 with Budgets;                 use Budgets;
 with Instants;                use Instants;
 with Libc;
+with Own_Process;
 with Reports;
 with Response_Times;
 with Samples;
@@ -52,11 +52,6 @@ package body Task_Times is
    Exchange : Duration_Vectors.Vector;  --  the owner's runs in this one
    Requests : Samples.Set;
    Answers  : Samples.Set;
-
-   function Pread
-     (File : int; Buffer : System.Address; Size : size_t; Offset : long)
-      return long
-   with Import, Convention => C, External_Name => "pread";
 
    function Reduced (Name : String) return String;
    --  In lower case, without underlines
@@ -146,7 +141,7 @@ package body Task_Times is
    procedure Look (Item : in out Thread) is
       Text : String (1 .. 80);
       Got  : constant long :=
-        Pread (Item.File, Text'Address, Text'Length, 0);
+        Libc.Pread (Item.File, Text'Address, Text'Length, 0);
       Last : Natural;
       Used : Duration;
       Time : constant Instant := Now;
@@ -175,13 +170,9 @@ package body Task_Times is
    ----------------
 
    task body Watch_Task is
-      Highest : aliased Libc.Sched_Param :=
-        (Priority => Libc.Above_Supervisor);
-      Unused  : constant int :=
-        Libc.Sched_Setscheduler (0, Libc.Sched_Fifo, Highest'Access);
-      --  where it is allowed: it must see the end of each run
-      pragma Unreferenced (Unused);
    begin
+      --  it must see the end of each run
+      Own_Process.Prefer_Real_Time (True);
       loop
          select
             accept Begin_Exchange;

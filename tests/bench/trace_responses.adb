@@ -13,7 +13,7 @@ with Expectations;          use Expectations;
 with Instants;              use Instants;
 with Libc;
 with Monitor_Clients;       use Monitor_Clients;
-with Own_Priority;
+with Own_Process;
 with Programs;
 with Reports;
 with Response_Times;        use Response_Times;
@@ -284,7 +284,7 @@ package body Trace_Responses is
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
       Load.Start;
-      Own_Priority.Prefer_Real_Time (True);
+      Own_Process.Prefer_Real_Time (True);
       Start := Now;
       while Now - Start < Duration (Bench_Settings.Seconds) loop
          Number := Number + 1;
@@ -297,7 +297,7 @@ package body Trace_Responses is
             Within => 5.0);
          delay Command_Pause;
       end loop;
-      Own_Priority.Prefer_Real_Time (False);
+      Own_Process.Prefer_Real_Time (False);
       Load.Stop;
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Check

@@ -15,15 +15,16 @@ with Interfaces.C;     use Interfaces.C;
 with GNAT.Sockets;     use GNAT.Sockets;
 
 with Arena_Scenes;
+with Instants;         use Instants;
 with Journals;
-with Libc;             use Libc;
+with Libc;
+with Own_Process;
+with Polls;
 with Robot_Bench;
 with Robot_Core;
 with Robot_Motion;
 
 package body Arena_Camera is
-
-   use type Nanoseconds;
 
    Max_Viewers : constant := 8;
 
@@ -51,7 +52,7 @@ package body Arena_Camera is
    type Shot is record
       Scene  : Arena_Scenes.Scene;
       Number : Natural     := 0;
-      Time   : Nanoseconds := 0;
+      Time   : Instant := 0;
    end record;
    --  What was to be seen when
 
@@ -122,7 +123,7 @@ package body Arena_Camera is
    Copies : array (Viewer_Number) of Image;
    --  Each viewer's own
 
-   function Scene_Now (Time : Nanoseconds; Seed : Natural; S : Settings)
+   function Scene_Now (Time : Instant; Seed : Natural; S : Settings)
      return Arena_Scenes.Scene;
    --  What there is to be seen
 
@@ -196,7 +197,7 @@ package body Arena_Camera is
 
    task body Painter is
       S      : Shot;
-      Due    : Nanoseconds;
+      Due    : Instant;
       Wanted : Settings;
       Length : int := 0;
       Size   : Image_Length;
@@ -204,7 +205,7 @@ package body Arena_Camera is
       Again  : Boolean := False;
       --  What is in Drawn may be delivered once more
    begin
-      Give_Way;
+      Own_Process.Give_Way;
       loop
          Studio.Wait_For_Work;
          Due := Now;
@@ -233,12 +234,12 @@ package body Arena_Camera is
             end if;
 
             Due := Due
-              + 1_000_000_000 / Nanoseconds (Studio.Configuration.Rate);
+              + 1_000_000_000 / Instant (Studio.Configuration.Rate);
             if Due < Now then
                Due := Now;
                --  Too slow: images are left out, not made up for
             end if;
-            delay Duration (Due - Now) / 1_000_000_000;
+            delay Due - Now;
          end loop;
       end loop;
    exception
@@ -253,7 +254,7 @@ package body Arena_Camera is
    -- Scene_Now --
    ---------------
 
-   function Scene_Now (Time : Nanoseconds; Seed : Natural; S : Settings)
+   function Scene_Now (Time : Instant; Seed : Natural; S : Settings)
      return Arena_Scenes.Scene
    is
       Robot : Robot_Core.Robot;
@@ -310,12 +311,11 @@ package body Arena_Camera is
       --  As long as opening the camera takes, unless the viewer goes
 
       function Is_Gone return Boolean is
-         Set : Poll_Array (1 .. 1) :=
-           (1 => (Fd => int (To_C (Socket)), Events => POLLRDHUP,
-                  Revents => 0));
+         Files : Libc.Poll_Array (1 .. 1) :=
+           (1 => (int (To_C (Socket)), Libc.Poll_Hang_Up, 0));
       begin
-         Poll (Set, 0);
-         return Set (1).Revents /= 0;
+         Polls.Wait (Files, 0.0);
+         return Files (1).Returned /= 0;
       end Is_Gone;
 
       procedure Make_Wait is
@@ -429,7 +429,7 @@ package body Arena_Camera is
 
       if Path = "/pose" then
          declare
-            Time : constant Nanoseconds := Now;
+            Time : constant Instant := Now;
          begin
             Reply ("200 OK", Plain,
                    Truth ((Scene_Now (Time, 0, Studio.Configuration),

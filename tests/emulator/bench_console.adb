@@ -9,8 +9,10 @@ with Interfaces.C;          use Interfaces.C;
 
 with Answer_Faults;
 with Arena_Camera;
+with Instants;              use Instants;
 with Journals;
 with Libc;
+with Polls;
 with Readings;              use Readings;
 with Robot_Bench;           use Robot_Bench;
 with Robot_Core;
@@ -21,10 +23,10 @@ with Stop_Signals;
 
 package body Bench_Console is
 
-   use type Libc.Nanoseconds;
-
    Standard_Input  : constant := 0;
    Standard_Output : constant := 1;
+
+   An_Hour : constant Duration := 3_600.0;
 
    Blanks : constant Ada.Strings.Maps.Character_Set :=
      Ada.Strings.Maps.To_Set (' ' & ASCII.HT & ASCII.CR);
@@ -149,7 +151,7 @@ package body Bench_Console is
          Bench.Mend;
       elsif Name = "delay" then
          Bench.Set_Delay
-           (Libc.Nanoseconds (Whole (Rest, 0, Settings.Largest_Delay))
+           (Instant (Whole (Rest, 0, Settings.Largest_Delay))
             * 1_000_000);
 
       elsif Name = "unasked" then
@@ -329,15 +331,11 @@ package body Bench_Console is
       Line     : String (1 .. Room) := (others => ' ');
       Length   : Natural := 0;
       Too_Long : Boolean := False;
-      Set      : Libc.Poll_Array (1 .. 1);
-      Received : Libc.Byte_Count;
+      Received : long;
    begin
       accept Start;
       loop
-         Set (1) := (Fd => Standard_Input, Events => Libc.POLLIN,
-                     Revents => 0);
-         Libc.Poll (Set, 3_600 * 1_000_000_000);
-         if Set (1).Revents /= 0 then
+         if Polls.Is_Readable (Standard_Input, An_Hour) then
             Received := Libc.Read (Standard_Input, Data'Address, Room);
             exit when Received <= 0;
             for C of Data (1 .. Natural (Received)) loop
@@ -367,13 +365,12 @@ package body Bench_Console is
    procedure Say (Line : String) is
       Text  : constant String := Line & ASCII.LF;
       First : Positive := Text'First;
-      Sent  : Libc.Byte_Count;
-      Set   : Libc.Poll_Array (1 .. 1);
+      Sent  : long;
+      Files : Libc.Poll_Array (1 .. 1) :=
+        (1 => (Standard_Output, Libc.Poll_Out, 0));
    begin
       while First <= Text'Last loop
-         Set (1) := (Fd => Standard_Output, Events => Libc.POLLOUT,
-                     Revents => 0);
-         Libc.Poll (Set, 3_600 * 1_000_000_000);
+         Polls.Wait (Files, An_Hour);
          Sent := Libc.Write
            (Standard_Output, Text (First)'Address,
             size_t (Text'Last - First + 1));
@@ -408,7 +405,7 @@ package body Bench_Console is
       function Switch (Value : Boolean) return String is
         (if Value then "on" else "off");
    begin
-      Look (R, Libc.Now);
+      Look (R, Now);
       P := Robot_Core.Pose (R);
       return "state=" & Journals.Image (Robot_Core.State (R))
         & " x=" & Image (P.X, 10_000)

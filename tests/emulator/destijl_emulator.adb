@@ -10,7 +10,8 @@ with GNAT.OS_Lib;
 
 with Arena_Camera;
 with Bench_Console;
-with Libc;
+with Instants;              use Instants;
+with Own_Process;
 with Project_Version;
 with Robot_Bench;           use Robot_Bench;
 with Serial_Side;
@@ -18,8 +19,6 @@ with Settings;
 with Stop_Signals;
 
 procedure Destijl_Emulator is
-
-   use type Libc.Nanoseconds;
 
    V       : Settings.Values;
    Wish    : Settings.Wish;
@@ -70,8 +69,8 @@ begin
          null;
    end case;
 
-   Libc.Lock_Memory;
-   Libc.Ignore_Broken_Pipes;
+   Own_Process.Lock_Memory;
+   Own_Process.Ignore_Broken_Pipes;
 
    Bench.Place (V.Pose);
    Bench.Set_Battery (V.Battery);
@@ -81,7 +80,7 @@ begin
    Bench.Set_Fault (Corrupt, V.Corrupt);
    Bench.Set_Fault (Garbage, V.Garbage);
    Bench.Set_Fault (Truncate, V.Truncate);
-   Bench.Set_Delay (Libc.Nanoseconds (V.Late) * 1_000_000);
+   Bench.Set_Delay (Instant (V.Late) * 1_000_000);
 
    --  The camera first: where it fails there is no link to take back
 

@@ -5,7 +5,6 @@ with Ada.Characters.Handling;
 
 package body Journals is
 
-   use type Libc.Nanoseconds;
    use type Answer_Faults.Effect_Kind;
    use type Robot_Core.Octet;
 
@@ -15,11 +14,11 @@ package body Journals is
    function Text (Data : Robot_Core.Octets) return String;
    --  Escaped
 
-   function Milliseconds (Time : Libc.Nanoseconds) return String;
+   function Milliseconds (Time : Instant) return String;
    --  With three decimals
 
    function Decimals
-     (Value : Libc.Nanoseconds; Unit, Digit_Count : Positive) return String;
+     (Value : Instant; Unit, Digit_Count : Positive) return String;
    --  Value in multiples of 10 ** Digit_Count * Unit nanoseconds
 
    ---------
@@ -48,14 +47,14 @@ package body Journals is
    --------------
 
    function Decimals
-     (Value : Libc.Nanoseconds; Unit, Digit_Count : Positive) return String
+     (Value : Instant; Unit, Digit_Count : Positive) return String
    is
-      Scale : constant Libc.Nanoseconds := 10 ** Digit_Count;
-      Units : constant Libc.Nanoseconds :=
-        abs Value / Libc.Nanoseconds (Unit);
-      Whole : constant String := Libc.Nanoseconds'Image (Units / Scale);
+      Scale : constant Instant := 10 ** Digit_Count;
+      Units : constant Instant :=
+        abs Value / Instant (Unit);
+      Whole : constant String := Instant'Image (Units / Scale);
       Part  : constant String :=
-        Libc.Nanoseconds'Image (Scale + Units mod Scale);
+        Instant'Image (Scale + Units mod Scale);
       --  With a leading 1 that keeps the zeros
    begin
       return (if Value < 0 then "-" else "")
@@ -123,7 +122,7 @@ package body Journals is
         & (if N.Late /= 0 then " late=" & Milliseconds (N.Late) else "");
    end Image;
 
-   function Image (Time : Libc.Nanoseconds) return String is
+   function Image (Time : Instant) return String is
      (Decimals (Time, Unit => 1_000, Digit_Count => 6));
 
    function Image (State : Robot_Core.State_Kind) return String is
@@ -133,7 +132,7 @@ package body Journals is
    -- Milliseconds --
    ------------------
 
-   function Milliseconds (Time : Libc.Nanoseconds) return String is
+   function Milliseconds (Time : Instant) return String is
      (Decimals (Time, Unit => 1_000, Digit_Count => 3));
 
    ----------

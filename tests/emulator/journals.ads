@@ -3,7 +3,7 @@
 --  that keeps the newest.
 
 with Answer_Faults;
-with Libc;
+with Instants;     use Instants;
 with Robot_Core;
 
 package Journals is
@@ -11,15 +11,15 @@ package Journals is
    Capacity : constant := 20_000;
 
    type Note is record
-      First    : Libc.Nanoseconds := 0;
+      First    : Instant := 0;
       --  When the frame's first byte reached the line (its start bit)
-      Last     : Libc.Nanoseconds := 0;
+      Last     : Instant := 0;
       --  When the robot had all of it (the last stop bit)
       Exchange : Robot_Core.Exchange;
       Effect   : Answer_Faults.Effect_Kind := Answer_Faults.None;
-      Late     : Libc.Nanoseconds := 0;
+      Late     : Instant := 0;
       --  By which the answer was held back
-      Interval : Libc.Nanoseconds := 0;
+      Interval : Instant := 0;
       --  Of a reload: since the one before it, or the start
    end record;
 
@@ -52,7 +52,7 @@ package Journals is
    --  fault=NAME        where the answer was spoilt
    --  late=MS           where it was held back
 
-   function Image (Time : Libc.Nanoseconds) return String;
+   function Image (Time : Instant) return String;
    --  Seconds with six decimals
 
    function Image (State : Robot_Core.State_Kind) return String;

@@ -38,10 +38,10 @@ package body Robot_Bench is
 
       procedure Hear
         (Byte    : Octet;
-         Started : Libc.Nanoseconds;
-         Ended   : Libc.Nanoseconds;
+         Started : Instant;
+         Ended   : Instant;
          Wire    : out Answer_Faults.Wire_Bytes;
-         Late    : out Libc.Nanoseconds)
+         Late    : out Instant)
       is
          Complete : Boolean;
          Note     : Journals.Note;
@@ -96,7 +96,7 @@ package body Robot_Bench is
 
       procedure Let_Time_Pass is
       begin
-         Advance_To (The_Robot, Robot_Time (Libc.Now));
+         Advance_To (The_Robot, Robot_Time (Now));
       end Let_Time_Pass;
 
       ----------
@@ -174,7 +174,7 @@ package body Robot_Bench is
       -- Set_Delay --
       ---------------
 
-      procedure Set_Delay (Value : Libc.Nanoseconds) is
+      procedure Set_Delay (Value : Instant) is
       begin
          Held_Back := Value;
       end Set_Delay;
@@ -276,7 +276,7 @@ package body Robot_Bench is
    -- Look --
    ----------
 
-   procedure Look (Robot : out Robot_Core.Robot; At_Time : Libc.Nanoseconds)
+   procedure Look (Robot : out Robot_Core.Robot; At_Time : Instant)
    is
    begin
       Bench.Look (Robot);

@@ -8,21 +8,19 @@
 --  so that the serial line never waits for anybody.
 
 with Answer_Faults;
+with Instants;  use Instants;
 with Journals;
-with Libc;
 with Robot_Core;
 with Robot_Motion;
 
 package Robot_Bench is
 
-   use type Libc.Nanoseconds;
-
-   Origin : constant Libc.Nanoseconds := Libc.Now;
+   Origin : constant Instant := Now;
    --  Time 0 of the robot
 
-   function Robot_Time (Time : Libc.Nanoseconds) return Robot_Core.Time_Point
+   function Robot_Time (Time : Instant) return Robot_Core.Time_Point
    is (if Time <= Origin then 0
-       else Robot_Core.Time_Point ((Time - Origin) / 1_000));
+       else Robot_Core.Time_Point (Instant'(Time - Origin) / 1_000));
 
    type Fault_Kind is (Drop, Corrupt, Garbage, Truncate, Flip, Wrong);
 
@@ -36,10 +34,10 @@ package Robot_Bench is
 
       procedure Hear
         (Byte    : Robot_Core.Octet;
-         Started : Libc.Nanoseconds;
-         Ended   : Libc.Nanoseconds;
+         Started : Instant;
+         Ended   : Instant;
          Wire    : out Answer_Faults.Wire_Bytes;
-         Late    : out Libc.Nanoseconds);
+         Late    : out Instant);
       --  A byte was on the line from Started to Ended. Wire is what goes
       --  back, Late how much later than Ended.
 
@@ -59,7 +57,7 @@ package Robot_Bench is
       procedure Set_Pile (Value : Answer_Faults.Pile_Size);
       procedure Set_Kept_Bytes (Value : Robot_Core.Answer_Length);
       procedure Set_Bit (Value : Answer_Faults.Bit_Number);
-      procedure Set_Delay (Value : Libc.Nanoseconds);
+      procedure Set_Delay (Value : Instant);
       procedure Set_Battery (Level : Robot_Core.Battery_Level);
       procedure Set_Charging (Plugged : Boolean);
       procedure Starve;
@@ -83,16 +81,16 @@ package Robot_Bench is
       The_Robot : Robot_Core.Robot;
       Boot_Time : Robot_Core.Tick_Count := Robot_Core.Boot_Ticks;
       Faults    : Answer_Faults.Plan;
-      Held_Back : Libc.Nanoseconds := 0;
+      Held_Back : Instant := 0;
       Babbling  : Boolean := False;
       Spoilings : Natural := 0;
       Heard     : Journals.Journal;
       In_Frame  : Boolean := False;
-      First     : Libc.Nanoseconds := 0;   --  start of the frame
-      Reloaded  : Libc.Nanoseconds := 0;   --  last reload, or start
+      First     : Instant := 0;   --  start of the frame
+      Reloaded  : Instant := 0;   --  last reload, or start
    end Bench;
 
-   procedure Look (Robot : out Robot_Core.Robot; At_Time : Libc.Nanoseconds);
+   procedure Look (Robot : out Robot_Core.Robot; At_Time : Instant);
    --  A copy of it as it is at that time, unless that is past already
 
 end Robot_Bench;

@@ -8,13 +8,14 @@ with Interfaces.C;     use Interfaces.C;
 with GNAT.OS_Lib;
 
 with Answer_Faults;
+with Instants;         use Instants;
 with Libc;             use Libc;
+with Own_Process;
+with Polls;
 with Pseudo_Terminals; use Pseudo_Terminals;
 with Robot_Bench;
 
 package body Serial_Side is
-
-   use type Nanoseconds;
 
    type Request_Kind is (Send, Hang, Return_Line, Finish);
 
@@ -44,8 +45,7 @@ package body Serial_Side is
    end Desk;
    --  Where other tasks leave what they want of the line
 
-   Bell : constant Descriptor := Event_Descriptor
-     (0, O_NONBLOCK + O_CLOEXEC);
+   Bell : constant int := Eventfd (0, O_Nonblock + O_Cloexec);
    --  Rung when a request is there
 
    function Ask (R : Request) return String;
@@ -60,8 +60,8 @@ package body Serial_Side is
 
    type Timed_Byte is record
       Byte    : Robot_Core.Octet := 0;
-      Started : Nanoseconds := 0;
-      Ended   : Nanoseconds := 0;
+      Started : Instant := 0;
+      Ended   : Instant := 0;
    end record;
 
    Room : constant := 1_024;
@@ -74,17 +74,17 @@ package body Serial_Side is
       Data  : Timed_Bytes;
       Head  : Natural := 0;
       Count : Natural := 0;
-      Until_When : Nanoseconds := 0;
+      Until_When : Instant := 0;
       --  End of the last byte
    end record;
 
    procedure Add
-     (Q : in out Queue; Byte : Robot_Core.Octet; From, Time : Nanoseconds);
+     (Q : in out Queue; Byte : Robot_Core.Octet; From, Time : Instant);
    --  A byte that may start at From takes Time; dropped where Q is full
 
    procedure Remove_Head (Q : in out Queue);
 
-   function Is_Due (Q : Queue; Time : Nanoseconds) return Boolean is
+   function Is_Due (Q : Queue; Time : Instant) return Boolean is
      (Q.Count > 0 and then Q.Data (Q.Head).Ended <= Time);
 
    ---------
@@ -92,9 +92,9 @@ package body Serial_Side is
    ---------
 
    procedure Add
-     (Q : in out Queue; Byte : Robot_Core.Octet; From, Time : Nanoseconds)
+     (Q : in out Queue; Byte : Robot_Core.Octet; From, Time : Instant)
    is
-      Started : constant Nanoseconds := Nanoseconds'Max (From, Q.Until_When);
+      Started : constant Instant := Instant'Max (From, Q.Until_When);
    begin
       if Q.Count < Room then
          Q.Until_When := Started + Time;
@@ -110,7 +110,7 @@ package body Serial_Side is
 
    function Ask (R : Request) return String is
       One     : constant Interfaces.Unsigned_64 := 1;
-      Ignored : Byte_Count;
+      Ignored : long;
       Text    : Unbounded_String;
    begin
       Desk.Ask (R);
@@ -125,12 +125,16 @@ package body Serial_Side is
 
    task body Carrier is
 
-      Idle_Wait : constant Nanoseconds := 1_000_000_000;
+      Idle_Wait : constant Instant := 1_000_000_000;
       --  The robot is made to grow older at least this often
+
+      Above_Tasks : constant := 50;
+      --  A priority above every task of a supervisor on the same machine, as
+      --  the robot's own processor would be
 
       The_Line  : Line;
       Link_Path : Unbounded_String;
-      Byte_Time : Nanoseconds := 0;
+      Byte_Time : Instant := 0;
       To_Robot  : Queue;
       To_Client : Queue;
 
@@ -149,7 +153,7 @@ package body Serial_Side is
       ------------
 
       procedure Babble is
-         Shortest : constant Nanoseconds := 200_000;
+         Shortest : constant Instant := 200_000;
          --  Where bytes take no time an endless answer still does
 
          Byte    : Robot_Core.Octet;
@@ -159,7 +163,7 @@ package body Serial_Side is
             Robot_Bench.Bench.Babble (Byte, Present);
             if Present then
                Add (To_Client, Byte, From => Now,
-                    Time => Nanoseconds'Max (Byte_Time, Shortest));
+                    Time => Instant'Max (Byte_Time, Shortest));
             end if;
          end if;
       end Babble;
@@ -185,16 +189,16 @@ package body Serial_Side is
       -------------
 
       procedure Collect is
-         Time   : Nanoseconds;
+         Time   : Instant;
          Data   : Robot_Core.Octets (1 .. Room);
-         Length : Byte_Count;
+         Length : long;
       begin
          Length := Read
            (Robot_End (The_Line), Data'Address,
             size_t (Room - To_Robot.Count));
          --  The poll said so: there is something, and room for it
          Time := Now;
-         for K in 1 .. Integer (Byte_Count'Max (Length, 0)) loop
+         for K in 1 .. Integer (long'Max (Length, 0)) loop
             Add (To_Robot, Data (K), From => Time, Time => Byte_Time);
          end loop;
       end Collect;
@@ -205,7 +209,7 @@ package body Serial_Side is
 
       procedure Deliver is
          Wire : Answer_Faults.Wire_Bytes;
-         Late : Nanoseconds;
+         Late : Instant;
       begin
          while Is_Due (To_Robot, Now) loop
             declare
@@ -316,7 +320,7 @@ package body Serial_Side is
       procedure Transmit is
          Data    : Robot_Core.Octets (1 .. Room);
          Last    : Natural := 0;
-         Ignored : Byte_Count;
+         Ignored : long;
       begin
          while Is_Due (To_Client, Now) loop
             Last := Last + 1;
@@ -338,31 +342,30 @@ package body Serial_Side is
       ----------
 
       procedure Wait is
-         Set     : Poll_Array (1 .. 2);
-         Time    : constant Nanoseconds := Now;
-         Wake_Up : Nanoseconds := Time + Idle_Wait;
+         Files   : Poll_Array (1 .. 2);
+         Time    : constant Instant := Now;
+         Wake_Up : Instant := Time + Idle_Wait;
          Rung    : Interfaces.Unsigned_64 := 0;
-         Ignored : Byte_Count;
+         Ignored : long;
       begin
-         Set (1) := (Fd => Bell, Events => POLLIN, Revents => 0);
+         Files (1) := (Bell, Poll_In, 0);
          if Is_Open (The_Line) and then To_Robot.Count < Room then
-            Set (2) := (Fd => Robot_End (The_Line), Events => POLLIN,
-                        Revents => 0);
+            Files (2) := (Robot_End (The_Line), Poll_In, 0);
          end if;
          if To_Robot.Count > 0 then
-            Wake_Up := Nanoseconds'Min
+            Wake_Up := Instant'Min
               (Wake_Up, To_Robot.Data (To_Robot.Head).Ended);
          end if;
          if To_Client.Count > 0 then
-            Wake_Up := Nanoseconds'Min
+            Wake_Up := Instant'Min
               (Wake_Up, To_Client.Data (To_Client.Head).Ended);
          end if;
 
-         Poll (Set, Wake_Up - Time);
-         if Set (2).Revents /= 0 then
+         Polls.Wait (Files, Wake_Up - Time);
+         if Files (2).Returned /= 0 then
             Collect;
          end if;
-         if Set (1).Revents /= 0 then
+         if Files (1).Returned /= 0 then
             Ignored := Read (Bell, Rung'Address, Rung'Size / 8);
             Serve_Requests;
          end if;
@@ -374,13 +377,14 @@ package body Serial_Side is
       do
          Link_Path := To_Unbounded_String (Link);
          if Baud > 0 then
-            Byte_Time := 10 * 1_000_000_000 / Nanoseconds (Baud);
+            Byte_Time := 10 * 1_000_000_000 / Instant (Baud);
          end if;
          Open_Line (Problem);
          Publish;
       end Start;
 
-      Prefer_Real_Time;
+      Own_Process.Wake_On_Time;
+      Own_Process.Prefer_Real_Time (True, Above_Tasks);
       loop
          Deliver;
          Babble;

@@ -1,14 +1,13 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What a camera can do to the supervisor.
 
-with Ada.Strings;           use Ada.Strings;
-with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Demands;               use Demands;
 with Expectations;          use Expectations;
 with Faults;                use Faults;
 with Instants;              use Instants;
+with Plain_Numbers;         use Plain_Numbers;
 with Random_Numbers;        use Random_Numbers;
 with Tolerances;            use Tolerances;
 with Worlds;                use Worlds;
@@ -22,9 +21,6 @@ package body Camera_Faults is
 
    Open_Limit : constant Duration := 5.0;
    --  For a source on the network to be given up
-
-   function Plain (Value : Natural) return String is
-     (Trim (Value'Image, Left));
 
    procedure Expect_Robot_Answers (W : in out World);
    --  As quickly as ever, while the camera does what it does
@@ -178,7 +174,7 @@ package body Camera_Faults is
    end Inject;
 
    overriding procedure Inject (F : in out Opens_Late; W : in out World) is
-      Opening : constant String := "camera opening " & Plain (F.After);
+      Opening : constant String := "camera opening " & Image (F.After);
       Seen    : Natural;
       Start   : Instant;
       Number  : Natural;
@@ -312,7 +308,7 @@ package body Camera_Faults is
       procedure Ask_For (Width, Height : Positive) is
       begin
          W.Emulator.Tell
-           ("camera size " & Plain (Width) & "x" & Plain (Height));
+           ("camera size " & Image (Width) & "x" & Image (Height));
       end Ask_For;
 
    begin
@@ -371,7 +367,7 @@ package body Camera_Faults is
       if W.Alone then
          B := Situation (W);
       end if;
-      W.Emulator.Tell ("camera fps " & Plain (F.Rate));
+      W.Emulator.Tell ("camera fps " & Image (F.Rate));
       if not W.Alone then
          return;
       end if;

@@ -4,12 +4,9 @@
 
 with Ada.Command_Line;      use Ada.Command_Line;
 with Ada.Exceptions;
-with Ada.Strings;           use Ada.Strings;
-with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
-with System;
 
 with Fault_List;
 with Fault_Records;
@@ -17,15 +14,14 @@ with Fault_Runs;            use Fault_Runs;
 with Fault_Tables;
 with Faults;
 with Instants;
-with Libc;
+with Option_Readers;        use Option_Readers;
+with Own_Process;
+with Plain_Numbers;         use Plain_Numbers;
 with Programs;
-with Raw_Probes;
 with Tolerances;
 with Worlds;
 
 procedure Destijl_Faults is
-
-   Usage_Error : exception;
 
    Program  : constant String := Programs.Beside ("destijl_faults");
    S        : Scope;
@@ -34,31 +30,10 @@ procedure Destijl_Faults is
    Markdown : Unbounded_String;
    Is_Job   : Boolean := False;
    Is_List  : Boolean := False;
-   Place    : Positive := 1;
-   Unused   : System.Address;
-
-   function Value return String;
-   --  Of the option at Place, which moves on
-
-   function Plain (Number : Natural) return String is
-     (Trim (Number'Image, Both));
 
    procedure Read_Options;
 
    procedure Print_Help;
-
-   -----------
-   -- Value --
-   -----------
-
-   function Value return String is
-   begin
-      if Place = Argument_Count then
-         raise Usage_Error with Argument (Place) & " needs a value";
-      end if;
-      Place := Place + 1;
-      return Argument (Place);
-   end Value;
 
    ----------------
    -- Print_Help --
@@ -87,59 +62,46 @@ procedure Destijl_Faults is
 
    procedure Read_Options is
    begin
-      while Place <= Argument_Count loop
-         declare
-            Name : constant String := Argument (Place);
-         begin
-            if Name = "--seed" then
-               S.Seed := Natural'Value (Value);
-            elsif Name = "--times" then
-               S.Times := Natural'Value (Value);
-            elsif Name = "--pairs" then
-               S.Pairs := Natural'Value (Value);
-            elsif Name = "--only" then
-               S.Only := To_Unbounded_String (Value);
-            elsif Name = "--at" then
-               S.At_Repetition := Positive'Value (Value);
-            elsif Name = "--jobs" then
-               Jobs := Positive'Value (Value);
-               if Jobs > Most_Jobs then
-                  raise Usage_Error with "at most" & Most_Jobs'Image;
-               end if;
-            elsif Name = "--short" then
-               S.Times := 1;
-               S.Pairs := 1;
-            elsif Name = "--markdown" then
-               Markdown := To_Unbounded_String (Value);
-            elsif Name = "--record" then
-               S.Record_File := To_Unbounded_String (Value);
-            elsif Name = "--supervisor" then
-               Programs.Set_Supervisor (Value);
-            elsif Name = "--emulator" then
-               Programs.Set_Emulator (Value);
-            elsif Name = "--list" then
-               Is_List := True;
-            elsif Name = "--work" then
-               --  a job of Fault_Runs.Run
-               Is_Job := True;
-               S.Seed := Natural'Value (Value);
-            elsif Name = "--help" then
-               Print_Help;
-               GNAT.OS_Lib.OS_Exit (0);
-            else
-               raise Usage_Error with "unknown option " & Name;
-            end if;
-         exception
-            when Constraint_Error =>
-               raise Usage_Error with Name & " needs another value";
-         end;
-         Place := Place + 1;
+      while Next loop
+         if Name = "--seed" then
+            S.Seed := Number (Low => 0);
+         elsif Name = "--times" then
+            S.Times := Number (Low => 0);
+         elsif Name = "--pairs" then
+            S.Pairs := Number (Low => 0);
+         elsif Name = "--only" then
+            S.Only := To_Unbounded_String (Value);
+         elsif Name = "--at" then
+            S.At_Repetition := Number;
+         elsif Name = "--jobs" then
+            Jobs := Number (1, Most_Jobs);
+         elsif Name = "--short" then
+            S.Times := 1;
+            S.Pairs := 1;
+         elsif Name = "--markdown" then
+            Markdown := To_Unbounded_String (Value);
+         elsif Name = "--record" then
+            S.Record_File := To_Unbounded_String (Value);
+         elsif Programs.Read_Option then
+            null;
+         elsif Name = "--list" then
+            Is_List := True;
+         elsif Name = "--work" then
+            --  a job of Fault_Runs.Run
+            Is_Job := True;
+            S.Seed := Number (Low => 0);
+         elsif Name = "--help" then
+            Print_Help;
+            GNAT.OS_Lib.OS_Exit (0);
+         else
+            Refuse;
+         end if;
       end loop;
    end Read_Options;
 
 begin
-   Unused := Libc.Signal (Libc.Sigpipe, Libc.Ignored);
-   Raw_Probes.Allow_Descriptors;
+   Own_Process.Ignore_Broken_Pipes;
+   Own_Process.Allow_Descriptors;
    Fault_List.Register;
    Read_Options;
 
@@ -160,28 +122,28 @@ begin
          Fault_Tables.Print (To_String (Markdown));
       end if;
       Put_Line
-        (Plain (Figures.Stops) & " stops of a moving robot after a close or"
+        (Image (Figures.Stops) & " stops of a moving robot after a close or"
          & " a reset: the slowest after "
          & Instants.Milliseconds (Figures.Slowest_Stop) & ", "
-         & Plain (Figures.Late_Stops) & " later than the "
+         & Image (Figures.Late_Stops) & " later than the "
          & Instants.Milliseconds
              (Tolerances.Loss_Limit + Tolerances.Stop_Limit)
          & " demanded");
       Put_Line ("memory grew by" & Figures.Growth'Image & " kB at most");
       if Figures.Repeated > 0 then
          Put_Line
-           (Plain (Figures.Repeated)
+           (Image (Figures.Repeated)
             & " sessions were begun again: the emulated line was late");
       end if;
       if Figures.Interrupted > 0 then
          Put_Line
-           (Plain (Figures.Interrupted)
+           (Image (Figures.Interrupted)
             & " injections were made again: the machine's host had taken"
             & " its processors");
       end if;
       Put_Line
-        (Plain (Fault_Tables.Injections) & " injections, "
-         & Plain (Fault_Tables.Violations) & " violations");
+        (Image (Fault_Tables.Injections) & " injections, "
+         & Image (Fault_Tables.Violations) & " violations");
       if Fault_Tables.Violations > 0 or else Fault_Tables.Injections = 0
       then
          Set_Exit_Status (1);
@@ -190,7 +152,7 @@ begin
    Programs.Remove_Temporary_Folder;
 
 exception
-   when Occurrence : Usage_Error | Fault_Records.Wrong_Record =>
+   when Occurrence : Bad_Usage | Fault_Records.Wrong_Record =>
       Put_Line
         (Standard_Error,
          "destijl_faults: " & Ada.Exceptions.Exception_Message (Occurrence)

@@ -2,26 +2,23 @@
 --  One supervisor for half an hour: sessions with everything, and between
 --  them random faults. Does it remain what it was in the first minutes?
 
-with Ada.Command_Line;      use Ada.Command_Line;
 with Ada.Containers.Vectors;
 with Ada.Exceptions;
-with Ada.Strings;           use Ada.Strings;
-with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
 with Interfaces.C;          use Interfaces.C;
-with System;
 
 with Expectations;          use Expectations;
 with Fault_List;
 with Faults;                use Faults;
 with Host_Time;
 with Instants;              use Instants;
-with Libc;
 with Line_Watch;
 with Monitor_Clients;       use Monitor_Clients;
-with Own_Priority;
+with Option_Readers;        use Option_Readers;
+with Own_Process;
+with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Random_Numbers;        use Random_Numbers;
 with Soak_Records;
@@ -30,8 +27,6 @@ with Trials;
 with Worlds;
 
 procedure Destijl_Soak is
-
-   Bad_Usage : exception;
 
    Shortest : constant := 2;
    --  minutes: a tenth must have several calm stretches
@@ -77,9 +72,6 @@ procedure Destijl_Soak is
 
    procedure Soak (Good : out Boolean);
 
-   function Plain (Value : Natural) return String is
-     (Trim (Value'Image, Both));
-
    -----------------
    -- Print_Usage --
    -----------------
@@ -102,56 +94,25 @@ procedure Destijl_Soak is
    -----------------------
 
    procedure Read_Command_Line is
-      Number : Positive := 1;
-
-      function Value return String;
-      --  The next argument
-
-      function Value return String is
-      begin
-         if Number = Argument_Count then
-            raise Bad_Usage with Argument (Number) & " needs a value";
-         end if;
-         Number := Number + 1;
-         return Argument (Number);
-      end Value;
-
    begin
       Seed := Natural (Long_Long_Integer (Now) / 1000 mod 1_000_000);
-      while Number <= Argument_Count loop
-         declare
-            Name : constant String := Argument (Number);
-         begin
-            if Name = "--minutes" then
-               Minutes := Positive'Value (Value);
-               if Minutes not in Shortest .. Longest then
-                  raise Constraint_Error;
-               end if;
-            elsif Name = "--seed" then
-               Seed := Natural'Value (Value);
-            elsif Name = "--svg" then
-               Svg_Path := To_Unbounded_String (Value);
-            elsif Name = "--csv" then
-               Csv_Path := To_Unbounded_String (Value);
-            elsif Name = "--supervisor" then
-               Programs.Set_Supervisor (Value);
-            elsif Name = "--emulator" then
-               Programs.Set_Emulator (Value);
-            elsif Name = "--help" then
-               Print_Usage (Standard_Output);
-               GNAT.OS_Lib.OS_Exit (0);
-            else
-               raise Bad_Usage with "unknown option " & Name;
-            end if;
-         exception
-            when Constraint_Error =>
-               raise Bad_Usage with Name & " takes a number"
-                 & (if Name = "--minutes"
-                    then " from" & Integer'Image (Shortest) & " to"
-                      & Integer'Image (Longest)
-                    else "");
-         end;
-         Number := Number + 1;
+      while Option_Readers.Next loop
+         if Name = "--minutes" then
+            Minutes := Number (Shortest, Longest);
+         elsif Name = "--seed" then
+            Seed := Number (Low => 0);
+         elsif Name = "--svg" then
+            Svg_Path := To_Unbounded_String (Value);
+         elsif Name = "--csv" then
+            Csv_Path := To_Unbounded_String (Value);
+         elsif Programs.Read_Option then
+            null;
+         elsif Name = "--help" then
+            Print_Usage (Standard_Output);
+            GNAT.OS_Lib.OS_Exit (0);
+         else
+            Refuse;
+         end if;
       end loop;
    end Read_Command_Line;
 
@@ -259,7 +220,7 @@ procedure Destijl_Soak is
       Unused := Monitor.Next_Of ("CIMG", Within => 5.0);
       delay 0.5;
       First := Monitor.Count + 1;
-      Own_Priority.Prefer_Real_Time (True);
+      Own_Process.Prefer_Real_Time (True);
       Soak_Records.Set_Calm (True);
       Start := Now;
       while Now - Start < For_Time loop
@@ -276,14 +237,14 @@ procedure Destijl_Soak is
          end if;
       end loop;
       Soak_Records.Set_Calm (False);
-      Own_Priority.Prefer_Real_Time (False);
+      Own_Process.Prefer_Real_Time (False);
       Note_Images;
       Check (Monitor.Broken_Images = 0, "broken images");
       Monitor.Close;
    exception
       when Occurrence : Failed =>
          Soak_Records.Set_Calm (False);
-         Own_Priority.Prefer_Real_Time (False);
+         Own_Process.Prefer_Real_Time (False);
          if Is_Explained then
             --  such as a start that the robot's silence has spoilt
             Late_Answers := Late_Answers + 1;
@@ -358,7 +319,7 @@ procedure Destijl_Soak is
       Soak_Records.End_Recording;
 
       Put_Line
-        (Plain (Minutes) & " minutes," & Soak_Records.Faults'Image
+        (Image (Minutes) & " minutes," & Soak_Records.Faults'Image
          & " faults of" & Natural (Eligible.Length)'Image & " kinds, seed"
          & Seed'Image
          & (if Late_Answers = 0 then ""
@@ -382,16 +343,15 @@ procedure Destijl_Soak is
       Put_Line
         ((if Good then "in the end as in the beginning, "
           else "NOT in the end as in the beginning, ")
-         & Plain (Violations) & " violations");
+         & Image (Violations) & " violations");
       Trials.Finish;
    end Soak;
 
-   Good   : Boolean;
-   Unused : System.Address;
+   Good : Boolean;
 
 begin
    --  the supervisor may close a connection while something is sent
-   Unused := Libc.Signal (Libc.Sigpipe, Libc.Ignored);
+   Own_Process.Ignore_Broken_Pipes;
    Read_Command_Line;
    Put_Line ("seed" & Seed'Image);
    Flush;

@@ -1,12 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The table of results.
 
-with Ada.Strings;           use Ada.Strings;
-with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 
 with Faults;                use Faults;
+with Plain_Numbers;         use Plain_Numbers;
 
 package body Fault_Tables is
 
@@ -32,9 +31,6 @@ package body Fault_Tables is
 
    procedure Groups_Of
      (First, Second : Positive; Earlier, Later : out Group_Kind);
-
-   function Plain (Value : Natural) return String is
-     (Trim (Value'Image, Both));
 
    ---------------
    -- Groups_Of --
@@ -105,9 +101,9 @@ package body Fault_Tables is
            "| " & Group & " | " & Name
            & " | "
            & (if Row.Impossible > 0 and then Row.Alone = 0
-              then "not possible here" else Plain (Row.Alone))
-           & " | " & Plain (Row.In_Pairs)
-           & " | " & Plain (Row.Violations) & " |";
+              then "not possible here" else Image (Row.Alone))
+           & " | " & Image (Row.In_Pairs)
+           & " | " & Image (Row.Violations) & " |";
       begin
          if Path = "" then
             Put_Line (Line);

@@ -4,7 +4,9 @@
 with Interfaces.C; use Interfaces.C;
 
 with Libc;
-with Own_Priority;
+with Own_Process;
+with Polls;
+with Pseudo_Terminals;
 
 package body Line_Watch is
 
@@ -20,8 +22,6 @@ package body Line_Watch is
    Most : constant := 3_000;
 
    type Passages is array (0 .. Most - 1) of Passage;
-
-   Closed : constant int := -1;
 
    protected Record_Of is
       procedure Begin_Once (First : out Boolean);
@@ -42,61 +42,6 @@ package body Line_Watch is
       entry Stop;
       --  in place of Start
    end Runner;
-
-   procedure Open (Master, Slave : out int);
-   --  Closed where it cannot be had
-
-   ----------
-   -- Open --
-   ----------
-
-   procedure Open (Master, Slave : out int) is
-
-      Read_Write : constant int := 8#2#;
-      No_Control : constant int := 8#400#;
-      Flags      : constant int := Read_Write + No_Control + Libc.O_Cloexec;
-
-      function Open_Master (Flags : int) return int
-        with Import, Convention => C, External_Name => "posix_openpt";
-      function Grant (Master : int) return int
-        with Import, Convention => C, External_Name => "grantpt";
-      function Unlock (Master : int) return int
-        with Import, Convention => C, External_Name => "unlockpt";
-      function Slave_Name
-        (Master : int; Name : in out char_array; Size : size_t) return int
-        with Import, Convention => C, External_Name => "ptsname_r";
-
-      type Settings is array (1 .. 64) of aliased unsigned_char
-        with Convention => C;
-      --  struct termios: 60 bytes on Linux
-
-      procedure Make_Raw (Values : in out Settings)
-        with Import, Convention => C, External_Name => "cfmakeraw";
-      function Get_Attributes (File : int; Values : out Settings) return int
-        with Import, Convention => C, External_Name => "tcgetattr";
-      function Set_Attributes
-        (File, Action : int; Values : Settings) return int
-        with Import, Convention => C, External_Name => "tcsetattr";
-
-      Size   : constant := 64;
-      Name   : char_array (1 .. Size) := (others => nul);
-      Values : Settings := (others => 0);
-      Unused : int;
-   begin
-      Slave := Closed;
-      Master := Open_Master (Flags);
-      if Master /= Closed
-        and then Grant (Master) = 0
-        and then Unlock (Master) = 0
-        and then Slave_Name (Master, Name, Size) = 0
-      then
-         Slave := Libc.Open (Name, Flags);
-         if Slave /= Closed and then Get_Attributes (Slave, Values) = 0 then
-            Make_Raw (Values);
-            Unused := Set_Attributes (Slave, 0, Values);
-         end if;
-      end if;
-   end Open;
 
    ---------------
    -- Record_Of --
@@ -149,42 +94,39 @@ package body Line_Watch is
    ------------
 
    task body Runner is
-      Master : int := Closed;
-      Slave  : int := Closed;
-      Byte   : aliased unsigned_char := 0;
-      Ready  : aliased Libc.Poll_Descriptor;
-      Done   : long;
-      Unused : int;
+      Line : Pseudo_Terminals.Line;
+      Open : Boolean := False;
+      Byte : aliased unsigned_char := 0;
+      Done : long;
    begin
       select
          accept Start;
-         Own_Priority.Prefer_Real_Time (True);
-         Open (Master, Slave);
+         Own_Process.Prefer_Real_Time (True);
+         Pseudo_Terminals.Open (Line, Open);
       or
          accept Stop;
       or
          terminate;
       end select;
-      while Slave /= Closed and then not Record_Of.Is_Ended loop
+      while Open and then not Record_Of.Is_Ended loop
          Record_Of.Send (Now);
-         Done := Libc.Write (Master, Byte'Address, 1);
+         Done := Libc.Write
+           (Pseudo_Terminals.Robot_End (Line), Byte'Address, 1);
          exit when Done /= 1;
          loop
-            Ready := (File => Slave, Events => Libc.Poll_In, Returned => 0);
-            exit when Libc.Poll (Ready'Access, 1, 1_000) /= 0
-              or else Record_Of.Is_Ended;
+            if Polls.Is_Readable (Pseudo_Terminals.Device_End (Line), 1.0)
+            then
+               Done := Libc.Read
+                 (Pseudo_Terminals.Device_End (Line), Byte'Address, 1);
+               exit;
+            end if;
+            exit when Record_Of.Is_Ended;
          end loop;
-         if Ready.Returned /= 0 then
-            Done := Libc.Read (Slave, Byte'Address, 1);
-         end if;
          Record_Of.Arrive (Now);
          delay Pause;
       end loop;
-      if Slave /= Closed then
-         Unused := Libc.Close (Slave);
-      end if;
-      if Master /= Closed then
-         Unused := Libc.Close (Master);
+      if Open then
+         Pseudo_Terminals.Close (Line);
       end if;
    end Runner;
 

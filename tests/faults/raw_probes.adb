@@ -7,7 +7,7 @@ with Interfaces;     use Interfaces;
 with Interfaces.C;   use Interfaces.C;
 
 with Instants;       use Instants;
-with Libc;
+with Polls;
 with Random_Numbers; use Random_Numbers;
 
 package body Raw_Probes is
@@ -214,11 +214,9 @@ package body Raw_Probes is
       procedure Look (Number : Positive);
 
       procedure Look (Number : Positive) is
-         File  : aliased Libc.Poll_Descriptor :=
-           (int (To_C (Sockets (Number))), Libc.Poll_In, 0);
-         Over  : Boolean := False;
+         Over : Boolean := False;
       begin
-         if Libc.Poll (File'Access, 1, 0) > 0 then
+         if Polls.Is_Readable (int (To_C (Sockets (Number))), 0.0) then
             Receive_Socket (Sockets (Number), Bytes, Last);
             Over := Last < Bytes'First;
             Heard (Number) := Heard (Number)
@@ -275,21 +273,5 @@ package body Raw_Probes is
       Result.Left := Waiting;
       return Result;
    end Crowd;
-
-   -----------------------
-   -- Allow_Descriptors --
-   -----------------------
-
-   procedure Allow_Descriptors is
-      Files  : constant int := 7;
-      --  RLIMIT_NOFILE
-      Limit  : aliased Libc.Resource_Limit;
-      Unused : int;
-   begin
-      if Libc.Getrlimit (Files, Limit'Access) = 0 then
-         Limit.Soft := Limit.Hard;
-         Unused := Libc.Setrlimit (Files, Limit'Access);
-      end if;
-   end Allow_Descriptors;
 
 end Raw_Probes;

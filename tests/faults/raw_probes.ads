@@ -39,7 +39,4 @@ package Raw_Probes is
       return Crowd_Result;
    --  So many connections begun before any of them is looked at
 
-   procedure Allow_Descriptors;
-   --  As many for this process as it may have
-
 end Raw_Probes;

@@ -1,13 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What a robot and its line can do to the supervisor.
 
-with Ada.Strings;           use Ada.Strings;
-with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Child_Processes;       use Child_Processes;
 with Demands;               use Demands;
 with Faults;                use Faults;
+with Plain_Numbers;         use Plain_Numbers;
 with Random_Numbers;        use Random_Numbers;
 with Tolerances;            use Tolerances;
 with Worlds;                use Worlds;
@@ -19,9 +18,6 @@ package body Robot_Faults is
 
    Start_Up : constant Duration := 0.25;
    --  Of a robot that needs 100 ms (Emulators), by a tick of 100 ms
-
-   function Plain (Value : Natural) return String is
-     (Trim (Value'Image, Left));
 
    --  Questions to a robot that is idle, and their answers. RLDW is one
    --  that it refuses then.
@@ -160,15 +156,15 @@ package body Robot_Faults is
    begin
       W.Emulator.Tell
         ((case F.How is
-             when Dropped    => "drop " & Plain (Count),
-             when Garbage    => "garbage " & Plain (Count),
-             when Wrong_Kind => "wrong " & Plain (Count),
+             when Dropped    => "drop " & Image (Count),
+             when Garbage    => "garbage " & Image (Count),
+             when Wrong_Kind => "wrong " & Image (Count),
              when Flipped    =>
-               "flip " & Plain (Count) & " "
-               & Plain (Whole (W.Source, 0, Bits - 1)),
+               "flip " & Image (Count) & " "
+               & Image (Whole (W.Source, 0, Bits - 1)),
              when Cut        =>
-               "truncate " & Plain (Count) & " "
-               & Plain (Whole (W.Source, 0, Keep))));
+               "truncate " & Image (Count) & " "
+               & Image (Whole (W.Source, 0, Keep))));
    end Spoil;
 
    --------------
@@ -188,7 +184,7 @@ package body Robot_Faults is
          --  every bit of the answer to one question
          Q := Any_Question (W);
          for Bit in 0 .. Bits - 1 loop
-            W.Emulator.Tell ("flip 1 " & Plain (Bit));
+            W.Emulator.Tell ("flip 1 " & Image (Bit));
             Expect_Nothing (W, Q);
             Expect_Right (W);
          end loop;
@@ -348,10 +344,10 @@ package body Robot_Faults is
       B       : Before;
    begin
       if not W.Alone then
-         W.Emulator.Tell ("pile " & Plain (Count));
+         W.Emulator.Tell ("pile " & Image (Count));
       elsif Is_Started (W) and then not Chance (W.Source, 3) then
          B := Situation (W);
-         W.Emulator.Tell ("pile " & Plain (Count));
+         W.Emulator.Tell ("pile " & Image (Count));
          if Count > Enough_To_Lose then
             Expect_Loss (W, B);
             W.Emulator.Tell ("mend");
@@ -367,7 +363,7 @@ package body Robot_Faults is
          for Round in 1 .. 3 loop
             B := Situation (W);
             Count := Whole (W.Source, 2, Enough_To_Lose);
-            W.Emulator.Tell ("pile " & Plain (Count));
+            W.Emulator.Tell ("pile " & Image (Count));
             for Number in 1 .. Count - 1 loop
                Expect_Nothing (W, Any_Question (W));
             end loop;

@@ -3,14 +3,14 @@
 
 with Ada.Containers.Indefinite_Vectors;
 with Ada.Containers.Vectors;
-with Ada.Float_Text_IO;
-with Ada.Strings;         use Ada.Strings;
 with Ada.Strings.Fixed;   use Ada.Strings.Fixed;
 with Ada.Text_IO;         use Ada.Text_IO;
 with System.Multiprocessors;
 
 with Host_Time;
+with Plain_Numbers;       use Plain_Numbers;
 with Process_Facts;
+with Samples;
 with Svg_Charts;
 
 package body Soak_Records is
@@ -53,10 +53,8 @@ package body Soak_Records is
 
    package Second_Vectors is new Ada.Containers.Vectors (Positive, Second);
    package Event_Vectors is new Ada.Containers.Vectors (Positive, Event);
-   package Value_Vectors is new Ada.Containers.Vectors (Positive, Duration);
    package Name_Vectors is new Ada.Containers.Indefinite_Vectors
      (Positive, String);
-   package Value_Sorting is new Value_Vectors.Generic_Sorting;
 
    Start   : Instant := Never;
    Seconds : Second_Vectors.Vector;
@@ -90,25 +88,16 @@ package body Soak_Records is
 
    function Between
      (From : Event_Vectors.Vector; First, Last : Duration;
-      Only_Quiet : Boolean := False) return Value_Vectors.Vector;
-   --  Sorted
+      Only_Quiet : Boolean := False) return Samples.Set;
 
-   function Quantile
-     (Values : Value_Vectors.Vector; Share : Float) return Duration;
-
-   function Rate (Intervals : Value_Vectors.Vector) return Float;
+   function Rate (Intervals : Samples.Set) return Float;
    --  A second
 
    function Last_Time return Duration is
      (if Seconds.Is_Empty then 0.0 else Seconds.Last_Element.Time);
 
-   function Plain (Value : Natural) return String is
-     (Trim (Value'Image, Both));
-
-   function Fixed (Value : Float; Aft : Positive := 2) return String;
-
    function In_Ms (Value : Duration) return String is
-     (Fixed (Float (Value) * 1000.0));
+     (Rounded (Float (Value) * 1000.0));
 
    -----------
    -- State --
@@ -244,63 +233,29 @@ package body Soak_Records is
 
    function Between
      (From : Event_Vectors.Vector; First, Last : Duration;
-      Only_Quiet : Boolean := False) return Value_Vectors.Vector
+      Only_Quiet : Boolean := False) return Samples.Set
    is
-      Result : Value_Vectors.Vector;
+      Result : Samples.Set;
    begin
       for Item of From loop
          if Item.Time >= First and then Item.Time < Last
            and then (not Only_Quiet or else Is_Quiet (Item.Time))
          then
-            Result.Append (Item.Value);
+            Result.Add (Item.Value);
          end if;
       end loop;
-      Value_Sorting.Sort (Result);
       return Result;
    end Between;
-
-   --------------
-   -- Quantile --
-   --------------
-
-   function Quantile
-     (Values : Value_Vectors.Vector; Share : Float) return Duration
-   is
-      Count : constant Natural := Natural (Values.Length);
-   begin
-      return
-        (if Count = 0 then 0.0
-         else Values
-           (Positive'Min
-              (Count,
-               1 + Natural (Float'Floor (Share * Float (Count))))));
-   end Quantile;
 
    ----------
    -- Rate --
    ----------
 
-   function Rate (Intervals : Value_Vectors.Vector) return Float is
-      Sum : Duration := 0.0;
+   function Rate (Intervals : Samples.Set) return Float is
+      Mean : constant Float := Float (Intervals.Mean);
    begin
-      for Value of Intervals loop
-         Sum := Sum + Value;
-      end loop;
-      return
-        (if Sum <= 0.0 then 0.0
-         else Float (Intervals.Length) / Float (Sum));
+      return (if Mean > 0.0 then 1.0 / Mean else 0.0);
    end Rate;
-
-   -----------
-   -- Fixed --
-   -----------
-
-   function Fixed (Value : Float; Aft : Positive := 2) return String is
-      Text : String (1 .. 30);
-   begin
-      Ada.Float_Text_IO.Put (Text, Value, Aft => Aft, Exp => 0);
-      return Trim (Text, Both);
-   end Fixed;
 
    ---------------------
    -- Print_And_Judge --
@@ -328,22 +283,11 @@ package body Soak_Records is
 
       function Figures_Of (First, Last : Duration) return Figures is
          Result      : Figures;
-         Latencies   : constant Value_Vectors.Vector :=
+         Latencies   : constant Samples.Set :=
            Between (Answers, First, Last, Only_Quiet => True);
-         Intervals   : constant Value_Vectors.Vector :=
+         Intervals   : constant Samples.Set :=
            Between (Images, First, Last, Only_Quiet => True);
-         Memory, Descriptors, Threads : Value_Vectors.Vector;
-
-         function Median (Values : in out Value_Vectors.Vector)
-            return Natural;
-
-         function Median (Values : in out Value_Vectors.Vector)
-            return Natural is
-         begin
-            Value_Sorting.Sort (Values);
-            return Natural (Quantile (Values, 0.5));
-         end Median;
-
+         Memory, Descriptors, Threads : Samples.Set;
       begin
          for Item of Seconds loop
             if Item.Calm and then Item.Time >= First and then Item.Time < Last
@@ -352,20 +296,20 @@ package body Soak_Records is
                if not Is_Quiet (Item.Time - 0.5) then
                   Result.Taken := Result.Taken + 1;
                end if;
-               Memory.Append (Duration (Item.Memory));
-               Descriptors.Append (Duration (Item.Descriptors));
-               Threads.Append (Duration (Item.Threads));
+               Memory.Add (Duration (Item.Memory));
+               Descriptors.Add (Duration (Item.Descriptors));
+               Threads.Add (Duration (Item.Threads));
             end if;
          end loop;
-         Result.Memory := Median (Memory);
-         Result.Descriptors := Median (Descriptors);
-         Result.Threads := Median (Threads);
-         Result.Answers := Natural (Latencies.Length);
-         Result.Median := Quantile (Latencies, 0.5);
-         Result.Tail := Quantile (Latencies, 0.99);
-         Result.Rarest := Quantile (Latencies, 0.999);
-         Result.Worst := Quantile (Latencies, 1.0);
-         Result.Images := Natural (Intervals.Length);
+         Result.Memory := Natural (Memory.Quantile (0.5));
+         Result.Descriptors := Natural (Descriptors.Quantile (0.5));
+         Result.Threads := Natural (Threads.Quantile (0.5));
+         Result.Answers := Latencies.Count;
+         Result.Median := Latencies.Quantile (0.5);
+         Result.Tail := Latencies.Quantile (0.99);
+         Result.Rarest := Latencies.Quantile (0.999);
+         Result.Worst := Latencies.Quantile (1.0);
+         Result.Images := Intervals.Count;
          Result.Rate := Rate (Intervals);
          return Result;
       end Figures_Of;
@@ -397,11 +341,11 @@ package body Soak_Records is
         ("| " & Head ("", 24) & " | 1st tenth |last tenth | "
          & Head ("limit", 26) & " | met |");
       Put_Line ("|---|---|---|---|---|");
-      Line ("calm seconds", Plain (A.Calm), Plain (Z.Calm), "> 0",
+      Line ("calm seconds", Image (A.Calm), Image (Z.Calm), "> 0",
             A.Calm > 0 and then Z.Calm > 0);
-      Line ("not judged: the host's", Plain (A.Taken), Plain (Z.Taken),
+      Line ("not judged: the host's", Image (A.Taken), Image (Z.Taken),
             "not all", A.Taken < A.Calm and then Z.Taken < Z.Calm);
-      Line ("answers", Plain (A.Answers), Plain (Z.Answers), "> 0",
+      Line ("answers", Image (A.Answers), Image (Z.Answers), "> 0",
             A.Answers > 0 and then Z.Answers > 0);
       Line ("answer, median, ms", In_Ms (A.Median), In_Ms (Z.Median),
             "<= " & In_Ms (Median_Limit) & " (x 1.5 + 0.5)",
@@ -415,14 +359,14 @@ package body Soak_Records is
       Line ("answer, maximum, ms", In_Ms (A.Worst), In_Ms (Z.Worst),
             "<= " & In_Ms (Worst_Limit) & " (x 1.5 + 10)",
             Z.Worst <= Worst_Limit);
-      Line ("memory, kB", Plain (A.Memory), Plain (Z.Memory),
-            "<= " & Plain (A.Memory + Memory_Margin) & " (+ 1024)",
+      Line ("memory, kB", Image (A.Memory), Image (Z.Memory),
+            "<= " & Image (A.Memory + Memory_Margin) & " (+ 1024)",
             Z.Memory <= A.Memory + Memory_Margin);
-      Line ("descriptors", Plain (A.Descriptors), Plain (Z.Descriptors),
+      Line ("descriptors", Image (A.Descriptors), Image (Z.Descriptors),
             "the same", Z.Descriptors = A.Descriptors);
-      Line ("threads", Plain (A.Threads), Plain (Z.Threads),
+      Line ("threads", Image (A.Threads), Image (Z.Threads),
             "the same", Z.Threads = A.Threads);
-      Line ("images a second", Fixed (A.Rate), Fixed (Z.Rate),
+      Line ("images a second", Rounded (A.Rate), Rounded (Z.Rate),
             "within 1 %",
             A.Rate > 0.0
             and then abs (Z.Rate - A.Rate) <= Rate_Margin * A.Rate);
@@ -444,23 +388,23 @@ package body Soak_Records is
          & "images,answers,median_ms,maximum_ms,fault_begun");
       for Item of Seconds loop
          declare
-            Latencies : constant Value_Vectors.Vector :=
+            Latencies : constant Samples.Set :=
               Between (Answers, Item.Time - 1.0, Item.Time);
-            Frames    : constant Natural := Natural
-              (Between (Images, Item.Time - 1.0, Item.Time).Length);
+            Frames    : constant Natural :=
+              Between (Images, Item.Time - 1.0, Item.Time).Count;
          begin
             Put_Line
               (File,
-               Plain (Natural (Item.Time)) & ","
+               Image (Natural (Item.Time)) & ","
                & (if Item.Calm then "1" else "0") & ","
-               & Plain (Item.Faults) & "," & Fixed (Item.Stolen) & ","
-               & Plain (Item.Memory) & ","
-               & Plain (Item.Descriptors) & "," & Plain (Item.Threads) & ","
-               & Plain (Frames) & "," & Plain (Natural (Latencies.Length))
+               & Image (Item.Faults) & "," & Rounded (Item.Stolen) & ","
+               & Image (Item.Memory) & ","
+               & Image (Item.Descriptors) & "," & Image (Item.Threads) & ","
+               & Image (Frames) & "," & Image (Latencies.Count)
                & ","
-               & (if Latencies.Is_Empty then ","
-                  else In_Ms (Quantile (Latencies, 0.5)) & ","
-                    & In_Ms (Quantile (Latencies, 1.0)))
+               & (if Latencies.Count = 0 then ","
+                  else In_Ms (Latencies.Quantile (0.5)) & ","
+                    & In_Ms (Latencies.Quantile (1.0)))
                & ","
                & (if Item.Faults > Before
                   then '"' & Names (Item.Faults) & '"' else ""));
@@ -497,21 +441,21 @@ package body Soak_Records is
 
       procedure Add_Window is
          Enough    : constant := 10;
-         Latencies : constant Value_Vectors.Vector :=
+         Latencies : constant Samples.Set :=
            Between (Answers, Time, Time + Window, Only_Quiet => True);
-         Intervals : constant Value_Vectors.Vector :=
+         Intervals : constant Samples.Set :=
            Between (Images, Time, Time + Window, Only_Quiet => True);
          X         : constant Float := In_Minutes (Time + Window / 2);
       begin
-         if Natural (Latencies.Length) >= Enough then
+         if Latencies.Count >= Enough then
             Median.Append
-              ((X, 1000.0 * Float (Quantile (Latencies, 0.5))));
-            Tail.Append ((X, 1000.0 * Float (Quantile (Latencies, 0.99))));
-            Worst.Append ((X, 1000.0 * Float (Quantile (Latencies, 1.0))));
+              ((X, 1000.0 * Float (Latencies.Quantile (0.5))));
+            Tail.Append ((X, 1000.0 * Float (Latencies.Quantile (0.99))));
+            Worst.Append ((X, 1000.0 * Float (Latencies.Quantile (1.0))));
             Highest := Float'Max (Highest, Worst.Last_Element.Y);
             Lowest := Float'Min (Lowest, Median.Last_Element.Y);
          end if;
-         if Natural (Intervals.Length) >= Enough then
+         if Intervals.Count >= Enough then
             Pictures.Append ((X, Rate (Intervals)));
          end if;
       end Add_Window;

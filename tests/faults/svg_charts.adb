@@ -1,14 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Curves over time as an SVG file.
 
-with Ada.Float_Text_IO;
 with Ada.Numerics.Elementary_Functions;
 use  Ada.Numerics.Elementary_Functions;
-with Ada.Strings;               use Ada.Strings;
-with Ada.Strings.Fixed;         use Ada.Strings.Fixed;
-with Ada.Text_IO;               use Ada.Text_IO;
 
 package body Svg_Charts is
+
+   use Svg_Files;
 
    --  Pixels
    Left          : constant := 64.0;
@@ -21,39 +19,12 @@ package body Svg_Charts is
 
    Float_Steps : constant array (1 .. 3) of Float := (1.0, 2.0, 5.0);
 
-   function Decimal (Value : Float; Aft : Natural := 1) return String;
-   --  As short as it goes
-
    function Round_Step (Span : Float) return Float;
    --  1, 2 or 5 times a power of ten, some four of it in Span
 
    function Across (C : Chart; X : Float) return Float;
    function Down (C : Chart; Y : Float) return Float;
    --  Pixels
-
-   function Escaped (Text : String) return String;
-
-   procedure Put_Text
-     (C : Chart; X, Y : Float; Anchor, Text : String; Class : String := "");
-
-   -------------
-   -- Decimal --
-   -------------
-
-   function Decimal (Value : Float; Aft : Natural := 1) return String is
-      Text : String (1 .. 40);
-      Last : Natural := Text'Last;
-   begin
-      Ada.Float_Text_IO.Put (Text, Value, Aft => Natural'Max (Aft, 1),
-                             Exp => 0);
-      while Text (Last) = '0' loop
-         Last := Last - 1;
-      end loop;
-      if Text (Last) = '.' then
-         Last := Last - 1;
-      end if;
-      return Trim (Text (1 .. Last), Both);
-   end Decimal;
 
    ----------------
    -- Round_Step --
@@ -91,35 +62,6 @@ package body Svg_Charts is
       return C.Bottom - Panel_Height * Part;
    end Down;
 
-   -------------
-   -- Escaped --
-   -------------
-
-   function Escaped (Text : String) return String is
-      Place : constant Natural := Index (Text, "<");
-   begin
-      return
-        (if Place = 0 then Text
-         else Text (Text'First .. Place - 1) & "&lt;"
-           & Escaped (Text (Place + 1 .. Text'Last)));
-   end Escaped;
-
-   --------------
-   -- Put_Text --
-   --------------
-
-   procedure Put_Text
-     (C : Chart; X, Y : Float; Anchor, Text : String; Class : String := "")
-   is
-   begin
-      Put_Line
-        (C.File,
-         "<text x=""" & Decimal (X) & """ y=""" & Decimal (Y)
-         & """ text-anchor=""" & Anchor & """"
-         & (if Class = "" then "" else " class=""" & Class & """")
-         & ">" & Escaped (Text) & "</text>");
-   end Put_Text;
-
    -----------
    -- Start --
    -----------
@@ -136,20 +78,12 @@ package body Svg_Charts is
       Height      : constant Float :=
         Top + Float (Panels) * (Panel_Height + Panel_Gap) + 16.0;
    begin
-      Create (C.File, Out_File, Path);
       C.Last_X := Last_X;
       C.Panels := 0;
-      Put_Line
-        (C.File,
-         "<svg xmlns=""http://www.w3.org/2000/svg"" viewBox=""0 0 "
-         & Decimal (Total_Width) & " " & Decimal (Height) & """ width="""
-         & Decimal (Total_Width) & """ height=""" & Decimal (Height)
-         & """ role=""img"">");
-      Put_Line (C.File, "<title>" & Escaped (Title) & "</title>");
       --  of middling lightness, for no page has the same
-      Put_Line
-        (C.File,
-         "<style>text{font:12px sans-serif;fill:#808890}"
+      Create
+        (C.File, Path, Title, Total_Width, Height,
+         "text{font:12px sans-serif;fill:#808890}"
          & ".h{font-size:14px}"
          & ".g{stroke:#808890;stroke-opacity:.3}"
          & ".a{stroke:#808890;fill:none}"
@@ -157,10 +91,10 @@ package body Svg_Charts is
          & ".blue{stroke:#3d8bfd}.orange{stroke:#e08600}"
          & ".green{stroke:#2da44e}"
          & ".t-blue{fill:#3d8bfd}.t-orange{fill:#e08600}"
-         & ".t-green{fill:#2da44e}</style>");
-      Put_Text (C, Left, 20.0, "start", Title, "h");
+         & ".t-green{fill:#2da44e}");
+      Put_Text (C.File, Left, 20.0, Title, Class => "h");
       Put_Text
-        (C, Left + Width, Height - 8.0, "end", "time, " & Unit_X);
+        (C.File, Left + Width, Height - 8.0, "time, " & Unit_X, Last);
    end Start;
 
    -----------------
@@ -179,13 +113,10 @@ package body Svg_Charts is
       procedure Grid (Y : Float);
 
       procedure Grid (Y : Float) is
-         Place : constant String := Decimal (Down (C, Y));
+         Place : constant Float := Down (C, Y);
       begin
-         Put_Line
-           (C.File,
-            "<path class=""g"" d=""M" & Decimal (Left) & " " & Place & "h"
-            & Decimal (Width) & """/>");
-         Put_Text (C, Left - 6.0, Down (C, Y) + 4.0, "end", Decimal (Y, 3));
+         Put_Stroke (C.File, Left, Place, Left + Width, Place, "g");
+         Put_Text (C.File, Left - 6.0, Place + 4.0, Decimal (Y, 3), Last);
       end Grid;
 
    begin
@@ -194,8 +125,7 @@ package body Svg_Charts is
         + Float (C.Panels) * (Panel_Height + Panel_Gap) - Panel_Gap / 2.0;
       C.Kind   := Kind;
       C.Legend := Left + Width;
-      Put_Text
-        (C, Left, C.Bottom - Panel_Height - 8.0, "start", Title);
+      Put_Text (C.File, Left, C.Bottom - Panel_Height - 8.0, Title);
       case Kind is
          when Linear =>
             declare
@@ -218,21 +148,20 @@ package body Svg_Charts is
                Value := Value * 10.0;
             end loop;
       end case;
-      Put_Line
-        (C.File,
-         "<path class=""a"" d=""M" & Decimal (Left) & " "
-         & Decimal (C.Bottom - Panel_Height) & "v" & Decimal (Panel_Height)
-         & "h" & Decimal (Width) & """/>");
+      Begin_Curve (C.File, "a");
+      Go_On (C.File, Left, C.Bottom - Panel_Height);
+      Go_On (C.File, Left, C.Bottom);
+      Go_On (C.File, Left + Width, C.Bottom);
+      End_Curve (C.File);
       Value := 0.0;
       while Value < C.Last_X + Step / 2.0 loop
          if Value <= C.Last_X then
-            Put_Line
-              (C.File,
-               "<path class=""a"" d=""M" & Decimal (Across (C, Value)) & " "
-               & Decimal (C.Bottom) & "v4""/>");
+            Put_Stroke
+              (C.File, Across (C, Value), C.Bottom, Across (C, Value),
+               C.Bottom + 4.0, "a");
             Put_Text
-              (C, Across (C, Value), C.Bottom + 16.0, "middle",
-               Decimal (Value));
+              (C.File, Across (C, Value), C.Bottom + 16.0, Decimal (Value),
+               Middle);
          end if;
          Value := Value + Step;
       end loop;
@@ -254,12 +183,11 @@ package body Svg_Charts is
             when Blue   => "blue",
             when Orange => "orange",
             when Green  => "green");
-      Begun  : Boolean := False;
+      Before : Float := 0.0;
+      --  the height of the point drawn last
 
       function On_The_Way (Number : Positive) return Boolean;
       --  It need not be drawn
-
-      procedure Put_Point (P : Point);
 
       function On_The_Way (Number : Positive) return Boolean is
       begin
@@ -269,35 +197,20 @@ package body Svg_Charts is
            and then Curve (Number + 1).Y = Curve (Number).Y;
       end On_The_Way;
 
-      procedure Put_Point (P : Point) is
-      begin
-         if not Begun then
-            Put (C.File, "M");
-         elsif Stepped then
-            Put (C.File, "H" & Decimal (Across (C, P.X)));
-            Put (C.File, "V" & Decimal (Down (C, P.Y)));
-            return;
-         else
-            Put (C.File, "L");
-         end if;
-         Put (C.File, Decimal (Across (C, P.X)) & " "
-              & Decimal (Down (C, P.Y)));
-      end Put_Point;
-
    begin
-      Put (C.File, "<path class=""c " & Class & """ d=""");
+      Begin_Curve (C.File, "c " & Class);
       for Number in 1 .. Curve.Last_Index loop
          if not On_The_Way (Number) then
-            Put_Point (Curve (Number));
-            Begun := True;
-            if Number mod 8 = 0 then
-               New_Line (C.File);
+            if Stepped and then Number > 1 then
+               Go_On (C.File, Across (C, Curve (Number).X), Before);
             end if;
+            Before := Down (C, Curve (Number).Y);
+            Go_On (C.File, Across (C, Curve (Number).X), Before);
          end if;
       end loop;
-      Put_Line (C.File, """/>");
+      End_Curve (C.File);
       Put_Text
-        (C, C.Legend, C.Bottom - Panel_Height - 8.0, "end", Name,
+        (C.File, C.Legend, C.Bottom - Panel_Height - 8.0, Name, Last,
          "t-" & Class);
       C.Legend := C.Legend - Character_Gap * Float (Name'Length) - 16.0;
    end Draw;
@@ -308,10 +221,9 @@ package body Svg_Charts is
 
    procedure Mark (C : in out Chart; X : Float) is
    begin
-      Put_Line
-        (C.File,
-         "<path class=""a"" d=""M" & Decimal (Across (C, X)) & " "
-         & Decimal (C.Bottom) & "v-5""/>");
+      Put_Stroke
+        (C.File, Across (C, X), C.Bottom, Across (C, X), C.Bottom - 5.0,
+         "a");
    end Mark;
 
    ------------
@@ -320,7 +232,6 @@ package body Svg_Charts is
 
    procedure Finish (C : in out Chart) is
    begin
-      Put_Line (C.File, "</svg>");
       Close (C.File);
    end Finish;
 

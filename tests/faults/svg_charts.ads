@@ -3,7 +3,8 @@
 --  time, readable on a light page and on a dark one.
 
 with Ada.Containers.Vectors;
-with Ada.Text_IO;
+
+private with Svg_Files;
 
 package Svg_Charts is
 
@@ -58,7 +59,7 @@ package Svg_Charts is
 private
 
    type Chart is limited record
-      File         : Ada.Text_IO.File_Type;
+      File         : Svg_Files.Svg_File;
       Last_X       : Float := 1.0;
       Panels       : Natural := 0;
       --  begun so far

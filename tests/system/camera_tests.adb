@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  F14 to F19: the camera, the arena and the positions.
 
-with Ada.Containers.Vectors;
 with Ada.Directories;
 with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
@@ -17,12 +16,10 @@ with Monitor_Clients;       use Monitor_Clients;
 with Process_Facts;
 with Programs;
 with Rigs;                  use Rigs;
+with Samples;
 with Scenarios;             use Scenarios;
 
 package body Camera_Tests is
-
-   package Durations is new Ada.Containers.Vectors (Positive, Duration);
-   package Sorting is new Durations.Generic_Sorting;
 
    procedure Open_And_Close;
    procedure Open_Fails;
@@ -125,7 +122,7 @@ package body Camera_Tests is
       procedure Measure;
 
       procedure Measure is
-         Periods : Durations.Vector;
+         Periods : Samples.Set;
          First   : Instant;
          Last    : Instant;
          Item    : Message;
@@ -136,18 +133,17 @@ package body Camera_Tests is
          Last := First;
          for Number in 1 .. Count loop
             Item := R.Monitor.Next_Of (Label, Within => 3.0);
-            Periods.Append (Item.Time - Last);
+            Periods.Add (Item.Time - Last);
             Last := Item.Time;
          end loop;
-         Sorting.Sort (Periods);
          Note (Label & ": mean period " & Milliseconds ((Last - First) / Count)
-               & ", shortest " & Milliseconds (Periods.First_Element)
-               & ", longest " & Milliseconds (Periods.Last_Element));
+               & ", shortest " & Milliseconds (Periods.Quantile (0.0))
+               & ", longest " & Milliseconds (Periods.Quantile (1.0)));
          Check_Within
            (abs ((Last - First) / Count - Period), Tolerance,
             "the period of " & Label & " off");
          Check_Within
-           (Periods.Last_Element, Longest, "the longest of " & Label);
+           (Periods.Quantile (1.0), Longest, "the longest of " & Label);
       end Measure;
 
    begin

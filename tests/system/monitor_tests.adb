@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  F4 to F6: the monitor, how it is served and how it is lost.
 
-with Ada.Containers.Vectors;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -13,12 +12,10 @@ with Monitor_Clients;       use Monitor_Clients;
 with Network_Links;
 with Programs;
 with Rigs;                  use Rigs;
+with Samples;
 with Scenarios;             use Scenarios;
 
 package body Monitor_Tests is
-
-   package Durations is new Ada.Containers.Vectors (Positive, Duration);
-   package Sorting is new Durations.Generic_Sorting;
 
    type Natural_Array is array (Positive range <>) of Natural;
 
@@ -73,7 +70,7 @@ package body Monitor_Tests is
       procedure Measure;
 
       procedure Measure is
-         Taken : Durations.Vector;
+         Taken : Samples.Set;
          Start : Instant;
          Item  : Message;
       begin
@@ -83,15 +80,14 @@ package body Monitor_Tests is
             R.Monitor.Send_Line ("what");
             Item := R.Monitor.Next_Answer;
             Check (Item.Label = "ACER", "not the answer: " & Item.Label);
-            Taken.Append (Item.Time - Start);
+            Taken.Add (Item.Time - Start);
             delay 0.023;
          end loop;
-         Sorting.Sort (Taken);
-         Note ("median " & Milliseconds (Taken (Count / 2))
-               & ", p99 " & Milliseconds (Taken (Count * 99 / 100)));
-         Check_Within (Taken (Count / 2), 0.01, "the median answer");
+         Note ("median " & Milliseconds (Taken.Quantile (0.5))
+               & ", p99 " & Milliseconds (Taken.Quantile (0.99)));
+         Check_Within (Taken.Quantile (0.5), 0.01, "the median answer");
          Check_Within
-           (Taken (Count * 99 / 100), 0.1, "the slowest answer");
+           (Taken.Quantile (0.99), 0.1, "the slowest answer");
       end Measure;
 
    begin

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  F7 to F13: the robot, its line and its orders.
 
-with Ada.Containers.Vectors;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -13,12 +12,10 @@ with Monitor_Clients;       use Monitor_Clients;
 with Process_Facts;
 with Programs;
 with Rigs;                  use Rigs;
+with Samples;
 with Scenarios;             use Scenarios;
 
 package body Robot_Tests is
-
-   package Durations is new Ada.Containers.Vectors (Positive, Duration);
-   package Sorting is new Durations.Generic_Sorting;
 
    procedure Open_And_Close;
    procedure Open_Fails;
@@ -801,7 +798,7 @@ package body Robot_Tests is
       procedure Measure;
 
       procedure Measure is
-         Sent   : Durations.Vector;
+         Sent   : Samples.Set;
          Starts : array (1 .. Count) of Instant;
          Place  : Natural := 0;
       begin
@@ -819,15 +816,14 @@ package body Robot_Tests is
          for Item of R.Emulator.Journal loop
             if Index (Item.Command, "T=") = 1 then
                Place := Place + 1;
-               Sent.Append (Item.First - Starts (Place));
+               Sent.Add (Item.First - Starts (Place));
             end if;
          end loop;
          Check (Place = Count, Place'Image & " orders on the wire");
-         Sorting.Sort (Sent);
-         Note ("median " & Milliseconds (Sent (Count / 2)) & ", worst "
-               & Milliseconds (Sent.Last_Element));
-         Check_Within (Sent (Count / 2), 0.005, "the median order");
-         Check_Within (Sent.Last_Element, 0.1, "the slowest order");
+         Note ("median " & Milliseconds (Sent.Quantile (0.5)) & ", worst "
+               & Milliseconds (Sent.Quantile (1.0)));
+         Check_Within (Sent.Quantile (0.5), 0.005, "the median order");
+         Check_Within (Sent.Quantile (1.0), 0.1, "the slowest order");
       end Measure;
 
    begin

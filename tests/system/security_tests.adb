@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Who is let in: addresses, tokens, and that no token gets into the log.
 
-with Ada.Containers.Generic_Array_Sort;
 with Ada.Directories;
 with Ada.Streams.Stream_IO; use Ada.Streams;
 with Ada.Strings;           use Ada.Strings;
@@ -19,6 +18,7 @@ with Libc;
 with Monitor_Clients;       use Monitor_Clients;
 with Programs;
 with Rigs;                  use Rigs;
+with Samples;
 with Scenarios;             use Scenarios;
 with Supervisors;           use Supervisors;
 with System.Multiprocessors;
@@ -50,10 +50,6 @@ package body Security_Tests is
    Not_Authenticated : constant String := "not authenticated";
    Not_Allowed       : constant String := "this address is not allowed";
    Not_Alone         : constant String := "another monitor is connected";
-
-   type Times is array (Positive range <>) of Duration;
-   procedure Sort is new Ada.Containers.Generic_Array_Sort
-     (Positive, Duration, Times);
 
    function Median_Answer (R : in out Rig) return Duration;
    --  From an order to its answer
@@ -719,22 +715,21 @@ package body Security_Tests is
    function Median_Answer (R : in out Rig) return Duration is
       Rounds  : constant := 100;
       Between : constant Duration := 0.02;
-      Taken   : Times (1 .. Rounds);
+      Taken   : Samples.Set;
       Start   : Instant;
       Late    : Natural := 0;
    begin
-      for Item of Taken loop
+      for Round in 1 .. Rounds loop
          Start := Now;
          if R.Monitor.Ask ("RGFW").Label = "ATIM" then
             Late := Late + 1;
          end if;
-         Item := Now - Start;
+         Taken.Add (Now - Start);
          delay Between;
       end loop;
       --  on a loaded machine the emulated robot is late now and then
       Check (Late < Rounds / 4, Late'Image & " orders without an answer");
-      Sort (Taken);
-      return Taken (Rounds / 2);
+      return Taken.Quantile (0.5);
    end Median_Answer;
 
    -------------------------------

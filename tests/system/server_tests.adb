@@ -2,7 +2,6 @@
 --  F1 to F3: the server, and the command line.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
-with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
@@ -16,6 +15,7 @@ with Instants;              use Instants;
 with Libc;
 with Monitor_Clients;       use Monitor_Clients;
 with Process_Facts;
+with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
@@ -25,9 +25,6 @@ package body Server_Tests is
 
    --  F1 asks for an end within 1 s; a shared machine gets three times that
    End_Limit : constant Duration := 3.0;
-
-   function Image (Value : Integer) return String is
-     (Trim (Integer'Image (Value), Both));
 
    procedure Listens;
    procedure Port_Taken;

@@ -1,9 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  F14, F15: cameras of every rate, and V4L2 cameras of every kind.
 
-with Ada.Containers.Vectors;
 with Ada.Directories;
-with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
@@ -15,15 +13,14 @@ with Images;
 with Instants;              use Instants;
 with Monitor_Clients;       use Monitor_Clients;
 with Paced_Cameras;
+with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Rigs;                  use Rigs;
+with Samples;
 with Scenarios;             use Scenarios;
 with Supervisors;
 
 package body Source_Tests is
-
-   package Durations is new Ada.Containers.Vectors (Positive, Duration);
-   package Sorting is new Durations.Generic_Sorting;
 
    procedure Sources;
    procedure V4l2_Motion_Jpeg;
@@ -97,11 +94,6 @@ package body Source_Tests is
 
    procedure Expect_Rate (R : in out Rig; Rate : Float);
 
-   type Hundredths is delta 0.01 digits 8;
-
-   function Image (Value : Float) return String is
-     (Trim (Hundredths'Image (Hundredths (Value + 0.005)), Both));
-
    -----------------
    -- Small_Image --
    -----------------
@@ -146,8 +138,8 @@ package body Source_Tests is
       Wanted   : constant Float := Float'Min (10.0, Rate);
       Longest  : constant Duration := Duration (1.0 / Rate) + 2.0 * Jitter;
       --  Between two images of the source
-      Ages     : Durations.Vector;
-      Between  : Durations.Vector;
+      Ages     : Samples.Set;
+      Between  : Samples.Set;
       First    : Instant := Never;
       Last     : Instant := Never;
       Number   : Natural := 0;
@@ -170,49 +162,47 @@ package body Source_Tests is
                   Name & ": image" & Mark.Number'Image & " after"
                   & Number'Image);
                Left_Out := Left_Out + Mark.Number - Number - 1;
-               Between.Append
+               Between.Add
                  (abs (Item.Time - Last - Duration (1.0 / Wanted)));
             end if;
-            Ages.Append (Item.Time - Mark.Time);
+            Ages.Add (Item.Time - Mark.Time);
             Last := Item.Time;
             Number := Mark.Number;
          end if;
       end loop;
       Check
-        (Natural (Ages.Length) > 10,
-         Name & ":" & Ages.Length'Image & " images, the last of"
+        (Ages.Count > 10,
+         Name & ":" & Natural'Image (Ages.Count) & " images, the last of"
          & W.Monitor.Count'Image & " messages "
          & (if W.Monitor.Count = 0 then ""
             else Milliseconds
               (To - W.Monitor.Element (W.Monitor.Count).Time))
          & " before the end");
-      Sorting.Sort (Ages);
-      Sorting.Sort (Between);
-      Mean := Float (Between.Last_Index) / Float (Duration'(Last - First));
+      Mean := Float (Between.Count) / Float (Duration'(Last - First));
       Note
-        (Name & ":" & Ages.Length'Image & " images, "
-         & Image (Mean) & " a second, interval off by "
-         & Milliseconds (Between (Between.Last_Index * 99 / 100))
-         & " (99 %), age " & Milliseconds (Ages (Ages.Last_Index * 99 / 100))
-         & " (99 %), " & Milliseconds (Ages.Last_Element) & " (longest)");
+        (Name & ":" & Natural'Image (Ages.Count) & " images, "
+         & Rounded (Mean) & " a second, interval off by "
+         & Milliseconds (Between.Quantile (0.99))
+         & " (99 %), age " & Milliseconds (Ages.Quantile (0.99))
+         & " (99 %), " & Milliseconds (Ages.Quantile (1.0)) & " (longest)");
 
       --  the first and the last may each come earlier or later
       Check
         (abs (Mean - Wanted) <= 0.01 * Wanted
            + Wanted * Float (2.0 * Jitter) / Float (Duration'(Last - First)),
-         Name & ": " & Image (Mean) & " images a second");
+         Name & ": " & Rounded (Mean) & " images a second");
       Check
         (not All_Sent or else Left_Out = 0,
          Name & ":" & Left_Out'Image & " left out");
       --  a busy machine takes its time over one or the other
       Check_Within
-        (Ages (Ages.Last_Index * 95 / 100), Longest + 0.02,
+        (Ages.Quantile (0.95), Longest + 0.02,
          Name & ": age of 95 in 100");
       Check_Within
-        (Ages.Last_Element, Longest + 0.1, Name & ": age of the oldest");
+        (Ages.Quantile (1.0), Longest + 0.1, Name & ": age of the oldest");
       if Rate >= 10.0 then
          Check_Within
-           (Between (Between.Last_Index * 95 / 100), 0.02,
+           (Between.Quantile (0.95), 0.02,
             Name & ": intervals of 95 in 100 off");
       end if;
    end Judge;
@@ -280,7 +270,7 @@ package body Source_Tests is
                if Each (K).What = Changes then
                   Judge
                     (Watches (K), Part + 1.0, Now,
-                     "changed to " & Image (Dim (Light)), Dim (Light), 0.0,
+                     "changed to " & Rounded (Dim (Light)), Dim (Light), 0.0,
                      All_Sent => Dim (Light) < 10.0);
                end if;
             end loop;
@@ -290,7 +280,7 @@ package body Source_Tests is
                when Steady =>
                   Judge
                     (Watches (K), Begun, Now,
-                     Image (Each (K).Rate) & " +-"
+                     Rounded (Each (K).Rate) & " +-"
                      & Milliseconds (Each (K).Jitter),
                      Each (K).Rate, Each (K).Jitter,
                      All_Sent => Each (K).Rate < 10.0);
@@ -455,7 +445,7 @@ package body Source_Tests is
          Mean := Float (Count) / Float (Duration'(Last - First));
          Check
            (abs (Mean - Rate) <= 0.05 * Rate,
-            Image (Mean) & " images a second instead of " & Image (Rate));
+            Rounded (Mean) & " images a second instead of " & Rounded (Rate));
       end Measure;
 
    begin

@@ -3,9 +3,7 @@
 --  the tests to run, or with --but of those to leave out; --supervisor,
 --  --emulator and --monitor name other programs than those beside this one.
 
-with Ada.Command_Line;  use Ada.Command_Line;
 with Ada.Exceptions;
-with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Ada.Text_IO;       use Ada.Text_IO;
 with AUnit.Options;
@@ -13,12 +11,13 @@ with AUnit.Reporter.Text;
 with AUnit.Test_Results;
 with AUnit.Test_Suites;
 with GNAT.OS_Lib;
-with System;
 
 with Camera_Tests;
-with Libc;
 with Monitor_Tests;
 with Never_Tests;
+with Option_Readers;
+with Own_Process;
+with Plain_Numbers; use Plain_Numbers;
 with Process_Tests;
 with Programs;
 with Robot_Tests;
@@ -57,31 +56,20 @@ procedure System_Tests is
    Result   : AUnit.Test_Results.Result;
    Reporter : AUnit.Reporter.Text.Text_Reporter;
    Outcome  : AUnit.Status;
-   Unused   : System.Address;
-   Number   : Positive := 1;
-
-   function Image (Count : Natural) return String is
-     (Trim (Natural'Image (Count), Both));
 
 begin
-   Unused := Libc.Signal (Libc.Sigpipe, Libc.Ignored);
+   Own_Process.Ignore_Broken_Pipes;
 
-   while Number <= Argument_Count loop
-      if Argument (Number) = "--supervisor" then
-         Number := Number + 1;
-         Programs.Set_Supervisor (Argument (Number));
-      elsif Argument (Number) = "--emulator" then
-         Number := Number + 1;
-         Programs.Set_Emulator (Argument (Number));
-      elsif Argument (Number) = "--monitor" then
-         Number := Number + 1;
-         Programs.Set_Monitor (Argument (Number));
-      elsif Argument (Number) = "--but" then
+   while Option_Readers.Next loop
+      if Programs.Read_Option then
+         null;
+      elsif Option_Readers.Name = "--but" then
          Scenarios.Invert_Filters;
+      elsif Index (Option_Readers.Name, "-") = 1 then
+         Option_Readers.Refuse;
       else
-         Scenarios.Add_Filter (Argument (Number));
+         Scenarios.Add_Filter (Option_Readers.Name);
       end if;
-      Number := Number + 1;
    end loop;
 
    Server_Tests.Add_To (Suite);
@@ -128,6 +116,8 @@ begin
       then 0 else 1);
 
 exception
+   when Occurrence : Option_Readers.Bad_Usage =>
+      Programs.Give_Up (Ada.Exceptions.Exception_Message (Occurrence));
    when Occurrence : others =>
       Programs.Give_Up (Ada.Exceptions.Exception_Information (Occurrence));
 end System_Tests;

@@ -3,10 +3,8 @@
 --  those on the socket, and each kind of search; beside the floors.
 
 with Ada.Command_Line; use Ada.Command_Line;
-with Ada.Containers.Generic_Array_Sort;
 with Ada.Exceptions;
 with Ada.Real_Time;    use Ada.Real_Time;
-with Ada.Strings;      use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Ada.Text_IO;      use Ada.Text_IO;
 
@@ -14,10 +12,14 @@ with Interfaces.C;     use Interfaces.C;
 with System;
 
 with Base64;
+with Expectations;     use Expectations;
 with Following;
 with Image_Buffers;    use Image_Buffers;
 with Image_Slots;
+with Option_Readers;
 with Options;
+with Plain_Numbers;    use Plain_Numbers;
+with Samples;
 with Scenes;
 with Shapes;           use Shapes;
 with Vision;           use Vision;
@@ -57,130 +59,79 @@ procedure Image_Times is
    procedure Send (Socket : int; Data : System.Address; Length : int)
    with Import, Convention => C, External_Name => "image_send";
 
-   Wrong : exception;
-
-   procedure Check (Right : Boolean; What : String);
-
-   procedure Check (Right : Boolean; What : String) is
-   begin
-      if not Right then
-         raise Wrong with What;
-      end if;
-   end Check;
-
-   --  The figures of one stage, microseconds
+   Number : Positive := 200;
+   --  of images
+   File   : File_Type;
 
    Most : constant := 100_000;
 
-   type Figures is array (Positive range <>) of Float;
-
-   procedure Sort is new Ada.Containers.Generic_Array_Sort
-     (Positive, Float, Figures);
-
-   type Series is record
-      Values : Figures (1 .. Most);
-      Count  : Natural := 0;
-   end record;
-
-   type Series_Access is access Series;
-
-   function Quantile (S : Series; Share : Float) return Float is
-     (S.Values
-        (Integer'Max
-           (1, Integer (Float'Ceiling (Share * Float (S.Count))))));
-   --  Of sorted values
-
-   Number : Positive := 200;
-   File   : File_Type;
-
-   function Image (Value : Float; Digits_After : Natural := 1) return String;
-
-   function Image (Value : Float; Digits_After : Natural := 1) return String
-   is
-      package Numbers is new Ada.Text_IO.Float_IO (Float);
-      Text : String (1 .. 24);
-   begin
-      Numbers.Put (Text, Value, Digits_After, 0);
-      return Trim (Text, Left);
-   end Image;
-
    procedure Report
      (Section, Name, Size : String;
-      Item                : in out Series;
-      Floor               : in out Series);
+      Item                : in out Samples.Set;
+      Floor               : in out Samples.Set);
    --  A line of the table, and one of JSON; Floor may be empty. Both are
    --  empty afterwards
 
    procedure Report
      (Section, Name, Size : String;
-      Item                : in out Series;
-      Floor               : in out Series)
+      Item                : in out Samples.Set;
+      Floor               : in out Samples.Set)
    is
-      Median   : Float;
-      By_Floor : Float := 0.0;
-
       function Column (Text : String; Width : Positive) return String is
         (Tail (Text, Width));
 
+      function Micro (Set : Samples.Set; Share : Float) return Float is
+        (1.0E6 * Float (Set.Quantile (Share)));
+
+      Median   : constant Float := Micro (Item, 0.5);
+      By_Floor : constant Float := Micro (Floor, 0.5);
+
    begin
-      Sort (Item.Values (1 .. Item.Count));
-      Sort (Floor.Values (1 .. Floor.Count));
-      Median := Quantile (Item, 0.5);
-      if Floor.Count > 0 then
-         By_Floor := Quantile (Floor, 0.5);
-      end if;
       Put_Line
         (Head (Size, 11) & Head (Name, 34)
-         & Column (Image (Median), 10)
-         & Column (Image (Quantile (Item, 0.99)), 10)
-         & Column (Image (Item.Values (Item.Count)), 10)
+         & Column (Rounded (Median, 1), 10)
+         & Column (Rounded (Micro (Item, 0.99), 1), 10)
+         & Column (Rounded (Micro (Item, 1.0), 1), 10)
          & (if Floor.Count > 0
-            then Column (Image (By_Floor), 10)
-              & Column (Image (Median / By_Floor, 2), 8)
+            then Column (Rounded (By_Floor, 1), 10)
+              & Column (Rounded (Median / By_Floor), 8)
             else ""));
       if Is_Open (File) then
          Put_Line
            (File,
             "{""section"":""" & Section & """,""name"":""" & Name
             & """,""size"":""" & Size & """,""unit"":""us"",""n"":"
-            & Trim (Item.Count'Image, Left)
-            & ",""median"":" & Image (Median, 2)
-            & ",""p99"":" & Image (Quantile (Item, 0.99), 2)
-            & ",""p999"":" & Image (Quantile (Item, 0.999), 2)
-            & ",""max"":" & Image (Item.Values (Item.Count), 2)
+            & Image (Item.Count)
+            & ",""median"":" & Rounded (Median)
+            & ",""p99"":" & Rounded (Micro (Item, 0.99))
+            & ",""p999"":" & Rounded (Micro (Item, 0.999))
+            & ",""max"":" & Rounded (Micro (Item, 1.0))
             & ",""floor_median"":"
-            & (if Floor.Count > 0 then Image (By_Floor, 2) else "null")
+            & (if Floor.Count > 0 then Rounded (By_Floor) else "null")
             & ",""ratio"":"
-            & (if Floor.Count > 0 then Image (Median / By_Floor, 3)
+            & (if Floor.Count > 0 then Rounded (Median / By_Floor, 3)
                else "null")
             & "}");
       end if;
-      Item.Count := 0;
-      Floor.Count := 0;
+      Item.Clear;
+      Floor.Clear;
    end Report;
 
    Began : Time;
 
-   procedure Add (To : in out Series; Value : Float);
    procedure Start;
-   procedure Stop (S : in out Series);
+   procedure Stop (S : in out Samples.Set);
    --  The time since Start is one more figure; Start again
-
-   procedure Add (To : in out Series; Value : Float) is
-   begin
-      To.Count := To.Count + 1;
-      To.Values (To.Count) := Value;
-   end Add;
 
    procedure Start is
    begin
       Began := Clock;
    end Start;
 
-   procedure Stop (S : in out Series) is
+   procedure Stop (S : in out Samples.Set) is
       Now : constant Time := Clock;
    begin
-      Add (S, Float (To_Duration (Now - Began)) * 1.0E6);
+      S.Add (To_Duration (Now - Began));
       Began := Clock;
    end Stop;
 
@@ -246,10 +197,7 @@ procedure Image_Times is
      (Grabbing, Decoding, Arena_Search, Drawing, Encoding, To_Text,
       Handing_Over, Sending, Whole, Passing, Through, None);
 
-   Times  : constant array (Stage) of Series_Access :=
-     (others => new Series);
-   Floors : constant array (Stage) of Series_Access :=
-     (others => new Series);
+   Times, Floors : array (Stage) of Samples.Set;
 
    procedure Measure_Stages (Width, Height : Positive);
    procedure Measure_Searches
@@ -257,7 +205,7 @@ procedure Image_Times is
 
    procedure Measure_Stages (Width, Height : Positive) is
       Size   : constant String :=
-        Trim (Width'Image, Left) & "x" & Trim (Height'Image, Left);
+        Image (Width) & "x" & Image (Height);
       Item   : aliased Scenes.Description := Scene (Width, Height, 1, 0);
       Arena  : Arena_Corners;
       Robots : Robot_Array;
@@ -278,26 +226,25 @@ procedure Image_Times is
          Start;
          Check (C_Load_Jpeg (0, Source'Address, int (Taken), int (Width),
                              int (Height)) = 0, "the camera's JPEG");
-         Stop (Times (Grabbing).all);
+         Stop (Times (Grabbing));
          Floor_Copy (Jpeg'Address, Source'Address, size_t (Taken));
-         Stop (Floors (Grabbing).all);
+         Stop (Floors (Grabbing));
          Encode (0, Quality, Jpeg, Length, Result);
-         Stop (Times (Passing).all);
+         Stop (Times (Passing));
          Check (Result = Done and then Length = Taken, "passed on");
-         Add (Times (Through).all,
-              Times (Grabbing).Values (K) + Times (Passing).Values (K));
+         Times (Through).Add (Times (Grabbing).Last + Times (Passing).Last);
          Start;
          Floor_Copy (Jpeg'Address, Source'Address, size_t (Taken));
-         Stop (Floors (Passing).all);
+         Stop (Floors (Passing));
 
          --  The same decoded, searched and drawn in
          Check (Decode (0) = 0, "decoding");
-         Stop (Times (Decoding).all);
+         Stop (Times (Decoding));
          Check (Floor_Decode (Source'Address, int (Taken)) = int (Width),
                 "decoding");
-         Stop (Floors (Decoding).all);
+         Stop (Floors (Decoding));
          Find_Arena (0, Arena, Result);
-         Stop (Times (Arena_Search).all);
+         Stop (Times (Arena_Search));
          Check (Result = Done, "arena");
          Find_Robots (0, Options.Aruco, Arena, True, Robots, Count, Result);
          Check (Count = 1, "robot");
@@ -305,7 +252,7 @@ procedure Image_Times is
          Draw_Arena (0, Arena, Result);
          Check (Result = Done, "drawing");
          Draw_Robot (0, Robots (1), Result);
-         Stop (Times (Drawing).all);
+         Stop (Times (Drawing));
          Check (Result = Done, "drawing");
 
          --  Encoded and sent, the floor first or second in turn
@@ -313,70 +260,70 @@ procedure Image_Times is
             Check (Floor_Encode (0, Quality) > 0, "encoding");
             Start;
             Check (Floor_Encode (0, Quality) > 0, "encoding");
-            Stop (Floors (Encoding).all);
+            Stop (Floors (Encoding));
          end if;
          Start;
          Begin_At := Began;
          Encode (0, Quality, Jpeg, Length, Result);
-         Stop (Times (Encoding).all);
+         Stop (Times (Encoding));
          Check (Result = Done, "encoding");
          Base64.Encode (Jpeg, Length, Text, 6, Last);
-         Stop (Times (To_Text).all);
+         Stop (Times (To_Text));
          Image_Slots.Put (Box, Text, Last);
          Image_Slots.Get (Box, Out_Text, Last);
-         Stop (Times (Handing_Over).all);
+         Stop (Times (Handing_Over));
          Send (Wire, Out_Text'Address, int (Last));
-         Stop (Times (Sending).all);
+         Stop (Times (Sending));
          Began := Begin_At;
-         Stop (Times (Whole).all);
+         Stop (Times (Whole));
          Start;
          Floor_Copy (Text'Address, Out_Text'Address, size_t (Last));
-         Stop (Floors (To_Text).all);
+         Stop (Floors (To_Text));
          if K mod 2 = 1 then
             Check (Floor_Encode (0, Quality) > 0, "encoding");
             Start;
             Check (Floor_Encode (0, Quality) > 0, "encoding");
-            Stop (Floors (Encoding).all);
+            Stop (Floors (Encoding));
          end if;
       end loop;
-      Floors (Whole).all := Floors (Encoding).all;
-      Floors (Sending).all := Floors (To_Text).all;
-      Floors (Handing_Over).all := Floors (To_Text).all;
+      Floors (Whole) := Floors (Encoding);
+      Floors (Sending) := Floors (To_Text);
+      Floors (Handing_Over) := Floors (To_Text);
 
       Report ("image", "grab: check and keep a JPEG", Size,
-              Times (Grabbing).all, Floors (Grabbing).all);
+              Times (Grabbing), Floors (Grabbing));
       Report ("image", "pass it on", Size,
-              Times (Passing).all, Floors (Passing).all);
+              Times (Passing), Floors (Passing));
       Report ("image", "camera's JPEG passed through", Size,
-              Times (Through).all, Floors (Through).all);
+              Times (Through), Floors (Through));
       Report ("image", "decode", Size,
-              Times (Decoding).all, Floors (Decoding).all);
+              Times (Decoding), Floors (Decoding));
       Report ("image", "arena", Size,
-              Times (Arena_Search).all, Floors (None).all);
+              Times (Arena_Search), Floors (None));
       Report ("image", "draw", Size,
-              Times (Drawing).all, Floors (None).all);
+              Times (Drawing), Floors (None));
       Report ("image", "encode", Size,
-              Times (Encoding).all, Floors (Encoding).all);
+              Times (Encoding), Floors (Encoding));
       Report ("image", "base64", Size,
-              Times (To_Text).all, Floors (To_Text).all);
+              Times (To_Text), Floors (To_Text));
       Report ("image", "hand over to the sender", Size,
-              Times (Handing_Over).all, Floors (Handing_Over).all);
+              Times (Handing_Over), Floors (Handing_Over));
       Report ("image", "send", Size,
-              Times (Sending).all, Floors (Sending).all);
+              Times (Sending), Floors (Sending));
       Report ("image", "encode + base64 + send", Size,
-              Times (Whole).all, Floors (Whole).all);
+              Times (Whole), Floors (Whole));
    end Measure_Stages;
 
    procedure Measure_Searches
      (Width, Height : Positive; Robots : Natural; Section : String)
    is
       Size    : constant String :=
-        Trim (Width'Image, Left) & "x" & Trim (Height'Image, Left);
-      Full    : constant Series_Access := Times (Whole);
-      Inside  : constant Series_Access := Times (Passing);
-      Follow  : constant Series_Access := Times (Drawing);
-      Plain   : constant Series_Access := Floors (Whole);
-      Copy    : constant Series_Access := Floors (Passing);
+        Image (Width) & "x" & Image (Height);
+      Full    : Samples.Set renames Times (Whole);
+      Inside  : Samples.Set renames Times (Passing);
+      Follow  : Samples.Set renames Times (Drawing);
+      Plain   : Samples.Set renames Floors (Whole);
+      Copy    : Samples.Set renames Floors (Passing);
       Arena   : Arena_Corners;
       Found   : Robot_Array;
       Count   : Robot_Count;
@@ -386,7 +333,7 @@ procedure Image_Times is
       Settled : Boolean;
       Result  : Status;
       Name    : constant String :=
-        (if Section = "markers" then Trim (Robots'Image, Left) & " in view: "
+        (if Section = "markers" then Image (Robots) & " in view: "
          else "search: ");
 
       --  Each search has some images in a row, as the supervisor would make
@@ -407,9 +354,9 @@ procedure Image_Times is
          Find_Robots (0, Options.Aruco, Arena, Where = In_Arena, Found,
                       Count, Result);
          case Where is
-            when In_Arena     => Stop (Inside.all);
+            when In_Arena     => Stop (Inside);
             when By_Following => null;  --  none is followed yet
-            when In_Whole     => Stop (Full.all);
+            when In_Whole     => Stop (Full);
          end case;
          Check (Count = Robots, "robots");
       end Everywhere;
@@ -426,11 +373,11 @@ procedure Image_Times is
             Start;
             Follow_Robots (0, Options.Aruco, No_Arena, False, Areas, Parts,
                            Found, Count, Result);
-            Stop (Follow.all);
+            Stop (Follow);
             Check (Result in Done | Not_Found, "following");
             Following.Settle (Known, 100, Found, Count, Settled);
             if not Settled then
-               Follow.Count := Follow.Count - 1;
+               Follow.Delete_Last;
             end if;
          end if;
          if not Settled then
@@ -459,16 +406,14 @@ procedure Image_Times is
             end loop;
          end loop;
       end loop;
-      for Value of Full.Values (1 .. Full.Count) loop
-         Add (Plain.all, Value);
-         Add (Copy.all, Value);
-      end loop;
-      Report (Section, Name & "in the arena", Size, Inside.all, Copy.all);
+      Plain := Full;
+      Copy := Full;
+      Report (Section, Name & "in the arena", Size, Inside, Copy);
       if Follow.Count > 0 then
-         Report (Section, Name & "following", Size, Follow.all, Plain.all);
+         Report (Section, Name & "following", Size, Follow, Plain);
       end if;
-      Plain.Count := 0;
-      Report (Section, Name & "whole image", Size, Full.all, Plain.all);
+      Plain.Clear;
+      Report (Section, Name & "whole image", Size, Full, Plain);
    end Measure_Searches;
 
    --  Markers beside OpenCV's detector at its defaults, on the same images
@@ -482,9 +427,9 @@ procedure Image_Times is
      (Width, Height : Positive; Kind : Disturbance)
    is
       Size  : constant String :=
-        Trim (Width'Image, Left) & "x" & Trim (Height'Image, Left);
-      Ours  : constant Series_Access := Times (Whole);
-      Peer  : constant Series_Access := Floors (Whole);
+        Image (Width) & "x" & Image (Height);
+      Ours  : Samples.Set renames Times (Whole);
+      Peer  : Samples.Set renames Floors (Whole);
       Item  : Scenes.Description;
       Found : Robot_Array;
       Count : Robot_Count;
@@ -500,7 +445,7 @@ procedure Image_Times is
          Start;
          Find_Robots (0, Options.Aruco, No_Arena, False, Found, Count,
                       Result);
-         Stop (Ours.all);
+         Stop (Ours);
          for Id of Ids loop
             if (for some K in 1 .. Count => int (Found (K).Id) = Id) then
                Right := Right + 1;
@@ -513,12 +458,12 @@ procedure Image_Times is
       begin
          Start;
          Known := Floor_Markers (0, Ids, Ids'Length);
-         Stop (Peer.all);
+         Stop (Peer);
          Right_Peer := Right_Peer + Natural (Known);
       end Search_Peer;
 
       function Share (Part : Natural) return String is
-        (Image (100.0 * Float (Part) / Float (Number * Ids'Length), 0)
+        (Rounded (100.0 * Float (Part) / Float (Number * Ids'Length), 0)
          & " %");
 
    begin
@@ -548,7 +493,7 @@ procedure Image_Times is
         ("search",
          Head (Kind'Image, 8) & Share (Right) & ", OpenCV's "
          & Share (Right_Peer),
-         Size, Ours.all, Peer.all);
+         Size, Ours, Peer);
    end Measure_Peer;
 
    procedure Put_Usage;
@@ -558,26 +503,18 @@ procedure Image_Times is
       Put_Line ("usage: image_times [--samples N] [--json FILE]");
    end Put_Usage;
 
-   Argument_Number : Positive := 1;
-
 begin
-   while Argument_Number <= Argument_Count loop
-      if Argument (Argument_Number) = "--samples"
-        and then Argument_Number < Argument_Count
-      then
-         Number := Positive'Value (Argument (Argument_Number + 1));
-         Check (Number in 10 .. Most, "10 to 100000 samples");
-      elsif Argument (Argument_Number) = "--json"
-        and then Argument_Number < Argument_Count
-      then
-         Create (File, Out_File, Argument (Argument_Number + 1));
-      else
+   while Option_Readers.Next loop
+      if Option_Readers.Name = "--samples" then
+         Number := Option_Readers.Number (10, Most);
+      elsif Option_Readers.Name = "--json" then
+         Create (File, Out_File, Option_Readers.Value);
+      elsif Option_Readers.Name in "-h" | "--help" then
          Put_Usage;
-         Set_Exit_Status
-           (if Argument (Argument_Number) in "-h" | "--help" then 0 else 2);
          return;
+      else
+         Option_Readers.Refuse;
       end if;
-      Argument_Number := Argument_Number + 2;
    end loop;
 
    Put_Line ("Microseconds," & Number'Image & " images each. Floors:"
@@ -613,7 +550,13 @@ begin
       Close (File);
    end if;
 exception
-   when Failure : Wrong | Constraint_Error =>
+   when Failure : Option_Readers.Bad_Usage =>
+      Put_Line
+        (Standard_Error,
+         "image_times: " & Ada.Exceptions.Exception_Message (Failure));
+      Put_Usage;
+      Set_Exit_Status (2);
+   when Failure : Expectations.Failed | Constraint_Error =>
       Put_Line
         (Standard_Error,
          "image_times: " & Ada.Exceptions.Exception_Message (Failure));

@@ -79,7 +79,7 @@ package body Admission_Targets is
          Networks.Parse (Plain, N, V);
          if V = Networks.Good then
             Networks.Parse (Image (N), Again, V);
-            Expect
+            Check
               (V = Networks.Good and then Again = N
                and then (Image (N) = Plain or else Image (N) = Plain & "/32"),
                "a network is not read as written");
@@ -114,7 +114,7 @@ package body Admission_Targets is
                Inside := True;
             end if;
          end loop;
-         Expect
+         Check
            (Networks.Admits (L, P) = Inside, "somebody else is admitted");
       end Meet;
 
@@ -155,7 +155,7 @@ package body Admission_Targets is
       begin
          Texts.Set (Log, "> ");
          Authentication.Append_Shown (Log, Line);
-         Expect
+         Check
            (Texts.Image (Log) =
               Texts.Image
                 (Texts.To_Text
@@ -177,13 +177,13 @@ package body Admission_Targets is
             Authentication.Accept_Character (Newcomer, T, C);
             Used := Used + 1;
          end loop;
-         Expect
+         Check
            ((Authentication.Decision (Newcomer) = Authentication.Right) =
               (Head (Sent, Line'Length + 1) = Line & ASCII.LF
                or else Head (Sent, Line'Length + 2) =
                  Line & ASCII.CR & ASCII.LF),
             "a token is taken for another");
-         Expect
+         Check
            (Used = Integer'Min (Sent'Length, Authentication.Max_Line)
             or else Sent (Sent'First + Used - 1) = ASCII.LF,
             "a newcomer is judged too early");
@@ -194,7 +194,7 @@ package body Admission_Targets is
       Authentication.Read_Token (Text (1 .. Last), T, Good);
       if not Good then
          Authentication.Read_Token ("0123456789abcdef", T, Good);
-         Expect (Good, "a token is refused");
+         Check (Good, "a token is refused");
       end if;
       declare
          Sent : constant String := Rest (R);

@@ -78,8 +78,8 @@ package body Monitor_Targets is
       Shifted := Line;
       Parse (Line, Here);
       Parse (Shifted, There);
-      Expect (Here = Meaning (Line), "a line has another meaning");
-      Expect (Here = There, "a line's meaning depends on its index");
+      Check (Here = Meaning (Line), "a line has another meaning");
+      Check (Here = There, "a line's meaning depends on its index");
       Texts.Set (Text, "received ");
       Texts.Append (Text, Line);
       if Here.Kind = Log_Message then
@@ -115,9 +115,9 @@ package body Monitor_Targets is
                Ended := Ended - 1;
             end if;
             if Ended - Begun + 1 > Max_Line then
-               Expect (Last = 0, "a line that is too long is not empty");
+               Check (Last = 0, "a line that is too long is not empty");
             else
-               Expect
+               Check
                  (Line (1 .. Last) = All_Text (Begun .. Ended),
                   "a line is not what came");
             end if;
@@ -170,7 +170,7 @@ package body Monitor_Targets is
       begin
          Format_Position (P, Buffer, Length);
          Parse_Position (Buffer, Length - 1, Again, OK);
-         Expect (OK and then Again = P, "a position is not read as written");
+         Check (OK and then Again = P, "a position is not read as written");
          Prove_Round_Trip (P);
       end Write;
 
@@ -181,7 +181,7 @@ package body Monitor_Targets is
          Write;
       end if;
       Parse_Position (Line (1 .. Last), Last, Again, OK);
-      Expect (Again = P, "what is behind a position counts");
+      Check (Again = P, "what is behind a position counts");
 
       Take (R, -1, 999, P.Id);
       Take (P.Angle);

@@ -31,7 +31,7 @@ package body Robot_Targets is
       end if;
       for Pending in Command_Kind loop
          Decode (F, Pending, Answer);
-         Expect
+         Check
            (Is_Answer (Answer.Kind, Pending)
             or else Answer.Kind in Refused | Unknown_Command | Failed_Reply,
             "an answer to another command is taken");
@@ -39,13 +39,13 @@ package body Robot_Targets is
            and then (F.Length = 0 or else F.Data (F.Length) /= Terminator)
          then
             Decode (Ended, Pending, Same);
-            Expect (Same = Answer, "a terminator changes an answer");
+            Check (Same = Answer, "a terminator changes an answer");
          end if;
       end loop;
       Told := Decoded (Ended);
       if Told.OK then
          Encode (Told.Value, Ended);
-         Expect (Decoded (Ended) = Told, "a command is not read as written");
+         Check (Decoded (Ended) = Told, "a command is not read as written");
       end if;
    end Read_Frame;
 
@@ -66,9 +66,9 @@ package body Robot_Targets is
             Whole := False;
             Get (R, F);
             if I - Begun > Max_Frame then
-               Expect (F.Length = 0, "a frame that is too long is not empty");
+               Check (F.Length = 0, "a frame that is too long is not empty");
             else
-               Expect
+               Check
                  (F.Data (1 .. F.Length) = Data (Begun .. I - 1),
                   "a frame is not what came");
             end if;
@@ -185,23 +185,23 @@ package body Robot_Targets is
          pragma Assert (Robot_Session.Is_Under_Way (S, P));
          pragma Assert (Robot_Session.Is_Allowed (S, P, Next));
          while Next.Kind /= Robot_Session.Finish loop
-            Expect
+            Check
               (not Robot_Session.Sends_Movement (Next)
                or else S.Mode /= Robot_Session.Not_Started,
                "a movement before the start");
             if Robot_Session.Is_Sent (Next) then
-               Expect (S.Line_Open, "something is sent on a closed line");
+               Check (S.Line_Open, "something is sent on a closed line");
                Encode (Next.Command, F);
             end if;
             Steps := Steps + 1;
-            Expect
+            Check
               (Steps <= Robot_Session.Max_Steps, "a request does not end");
             Answer;
             Robot_Session.Continue_Request (S, P, Last, Next);
             pragma Assert (Robot_Session.Is_Under_Way (S, P));
             pragma Assert (Robot_Session.Is_Allowed (S, P, Next));
          end loop;
-         Expect (Robot_Session.Is_Consistent (S), "an inconsistent state");
+         Check (Robot_Session.Is_Consistent (S), "an inconsistent state");
       end loop;
    end Sessions;
 

@@ -35,7 +35,7 @@ package body Text_Targets is
          else
             Command_Lines.Take (Reading, Text);
          end if;
-         Expect
+         Check
            (Reading.Request in Command_Lines.Settled_Kind
             or else Reading.Reason.Length = 0,
             "a reason without a refusal");
@@ -52,15 +52,15 @@ package body Text_Targets is
          Give (Line (First .. Line'Last));
       end if;
       Command_Lines.Finish (Reading);
-      Expect
+      Check
         ((Reading.Request = Command_Lines.Wrong)
            = (Reading.Reason.Length > 0),
          "a refusal without a reason");
-      Expect
+      Check
         (Reading.Request not in Command_Lines.Run | Command_Lines.Check
          or else Reading.Awaited = Command_Lines.None,
          "a value is awaited");
-      Expect
+      Check
         (Reading.Request not in Command_Lines.Run | Command_Lines.Check
          or else
            (Reading.Chosen.Bind.Length > 0
@@ -91,18 +91,18 @@ package body Text_Targets is
       Shifted := Text;
       Base64.Decode (Shifted, Decoded, Same, Again);
       Base64.Decode (Text, Decoded, Count, OK);
-      Expect
+      Check
         (Count = Same and then OK = Again,
          "a text's meaning depends on its index");
       if OK then
          Base64.Encode (Decoded, Count, Written, 1, Last);
-         Expect (Written (1 .. Last) = Text, "it is not written as read");
+         Check (Written (1 .. Last) = Text, "it is not written as read");
       end if;
 
       Written := (others => '*');
       Base64.Encode (Data, Data'Length, Written, 5, Last);
       Base64.Decode (Written (5 .. Last), Decoded, Count, OK);
-      Expect
+      Check
         (OK and then Decoded (1 .. Count) = Data, "it is not read as written");
       Base64.Prove_Round_Trip (Data, Data'Length);
    end Base64_Texts;
@@ -134,7 +134,7 @@ package body Text_Targets is
                + Numbers.Digit_Value (Text (Last)));
          end loop;
          if Last >= First then
-            Expect
+            Check
               (Numbers.Saturated_Value (Text, First, Last) = Number,
                "digits are read as another number");
          end if;
@@ -149,7 +149,7 @@ package body Text_Targets is
          Take (R, Numbers.Digit_Count'First, Numbers.Digit_Count'Last, Width);
          First := Last + 1;
          Numbers.Append (Number, Width, Into, Last);
-         Expect
+         Check
            (Numbers.Saturated_Value (Into, First, Last) = Number,
             "a number is not read as written");
          Numbers.Prove_Same_Value (Into, Into, First, Last);
@@ -216,19 +216,19 @@ package body Text_Targets is
                        (if Part < 0 then Image
                         else Image (Image'First + 1 .. Image'Last));
                   begin
-                     Expect
+                     Check
                        (T.Length = Count + Natural'Min (Plain'Length, Room),
                         "a number has too many characters");
                      Add (Plain);
                   end;
             end case;
          end;
-         Expect
+         Check
            (T.Length = Count and then Texts.Image (T) = Model (1 .. Count),
             "a text is not what was put into it");
       end loop;
-      Expect (Texts.To_Text (Texts.Image (T)).Length = T.Length,
-              "a text is not its own image");
+      Check (Texts.To_Text (Texts.Image (T)).Length = T.Length,
+             "a text is not its own image");
    end Bounded_Texts;
 
 end Text_Targets;

@@ -1,30 +1,16 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Runs the unit tests of the emulator's core. Exit status 0 only if tests
---  ran and all of them succeeded.
+--  Runs the unit tests of the emulator's core: all, or those whose names
+--  are its arguments.
 
-with Ada.Command_Line;
-with Ada_Containers;
-
-with AUnit.Reporter.Text;
-with AUnit.Run;
-with AUnit.Test_Results;
-
-with Emulator_Suite;
+with Answer_Faults_Tests;
+with Robot_Core_Tests;
+with Robot_Motion_Tests;
+with Unit_Runs;
 
 procedure Emulator_Unit is
-
-   use type Ada_Containers.Count_Type;
-
-   procedure Run is new AUnit.Run.Test_Runner_With_Results
-     (Emulator_Suite.Suite);
-
-   Reporter : AUnit.Reporter.Text.Text_Reporter;
-   Results  : AUnit.Test_Results.Result;
-
 begin
-   Ada.Command_Line.Set_Exit_Status (Ada.Command_Line.Failure);
-   Run (Reporter, Results);
-   if Results.Test_Count > 0 and then Results.Successful then
-      Ada.Command_Line.Set_Exit_Status (Ada.Command_Line.Success);
-   end if;
+   Unit_Runs.Add (new Robot_Core_Tests.Test_Case);
+   Unit_Runs.Add (new Robot_Motion_Tests.Test_Case);
+   Unit_Runs.Add (new Answer_Faults_Tests.Test_Case);
+   Unit_Runs.Run;
 end Emulator_Unit;

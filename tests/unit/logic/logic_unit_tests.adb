@@ -1,30 +1,44 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Runs the unit tests of the pure packages. Exit status 0 only if tests
---  ran and all of them succeeded.
+--  Runs the unit tests of the pure packages: all, or those whose names
+--  are its arguments.
 
-with Ada.Command_Line;
-with Ada_Containers;
-
-with AUnit.Reporter.Text;
-with AUnit.Run;
-with AUnit.Test_Results;
-
-with Logic_Suite;
+with Authentication_Tests;
+with Base64_Tests;
+with Blocklists_Tests;
+with Command_Lines_Tests;
+with Decimals_Tests;
+with Image_Grid_Tests;
+with Line_Health_Tests;
+with Monitor_Link_Tests;
+with Monitor_Protocol_Tests;
+with Networks_Tests;
+with Pending_Connections_Tests;
+with Robot_Protocol_Tests;
+with Robot_Session_Tests;
+with Send_Order_Tests;
+with Texts_Tests;
+with Trace_Json_Tests;
+with Vision_Mode_Tests;
+with Unit_Runs;
 
 procedure Logic_Unit_Tests is
-
-   use type Ada_Containers.Count_Type;
-
-   procedure Run is new AUnit.Run.Test_Runner_With_Results
-     (Logic_Suite.Suite);
-
-   Reporter : AUnit.Reporter.Text.Text_Reporter;
-   Results  : AUnit.Test_Results.Result;
-
 begin
-   Ada.Command_Line.Set_Exit_Status (Ada.Command_Line.Failure);
-   Run (Reporter, Results);
-   if Results.Test_Count > 0 and then Results.Successful then
-      Ada.Command_Line.Set_Exit_Status (Ada.Command_Line.Success);
-   end if;
+   Unit_Runs.Add (new Authentication_Tests.Test_Case);
+   Unit_Runs.Add (new Base64_Tests.Test_Case);
+   Unit_Runs.Add (new Blocklists_Tests.Test_Case);
+   Unit_Runs.Add (new Command_Lines_Tests.Test_Case);
+   Unit_Runs.Add (new Decimals_Tests.Test_Case);
+   Unit_Runs.Add (new Networks_Tests.Test_Case);
+   Unit_Runs.Add (new Image_Grid_Tests.Test_Case);
+   Unit_Runs.Add (new Pending_Connections_Tests.Test_Case);
+   Unit_Runs.Add (new Robot_Protocol_Tests.Test_Case);
+   Unit_Runs.Add (new Monitor_Protocol_Tests.Test_Case);
+   Unit_Runs.Add (new Line_Health_Tests.Test_Case);
+   Unit_Runs.Add (new Monitor_Link_Tests.Test_Case);
+   Unit_Runs.Add (new Robot_Session_Tests.Test_Case);
+   Unit_Runs.Add (new Send_Order_Tests.Test_Case);
+   Unit_Runs.Add (new Texts_Tests.Test_Case);
+   Unit_Runs.Add (new Trace_Json_Tests.Test_Case);
+   Unit_Runs.Add (new Vision_Mode_Tests.Test_Case);
+   Unit_Runs.Run;
 end Logic_Unit_Tests;

@@ -1,30 +1,14 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Runs the unit tests of the response-time analysis. Exit status 0 only if
---  tests ran and all of them succeeded.
+--  Runs the unit tests of the response-time analysis: all, or those whose
+--  names are its arguments.
 
-with Ada.Command_Line;
-with Ada_Containers;
-
-with AUnit.Reporter.Text;
-with AUnit.Run;
-with AUnit.Test_Results;
-
-with Schedulability_Suite;
+with Response_Times_Tests;
+with Supervisor_Model_Tests;
+with Unit_Runs;
 
 procedure Schedulability_Unit_Tests is
-
-   use type Ada_Containers.Count_Type;
-
-   procedure Run is new AUnit.Run.Test_Runner_With_Results
-     (Schedulability_Suite.Suite);
-
-   Reporter : AUnit.Reporter.Text.Text_Reporter;
-   Results  : AUnit.Test_Results.Result;
-
 begin
-   Ada.Command_Line.Set_Exit_Status (Ada.Command_Line.Failure);
-   Run (Reporter, Results);
-   if Results.Test_Count > 0 and then Results.Successful then
-      Ada.Command_Line.Set_Exit_Status (Ada.Command_Line.Success);
-   end if;
+   Unit_Runs.Add (new Response_Times_Tests.Test_Case);
+   Unit_Runs.Add (new Supervisor_Model_Tests.Test_Case);
+   Unit_Runs.Run;
 end Schedulability_Unit_Tests;

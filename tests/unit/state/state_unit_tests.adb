@@ -1,30 +1,24 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Runs the unit tests of the protected state. Exit status 0 only if tests
---  ran and all of them succeeded.
+--  Runs the unit tests of the protected state: all, or those whose names
+--  are its arguments.
 
-with Ada.Command_Line;
-with Ada_Containers;
-
-with AUnit.Reporter.Text;
-with AUnit.Run;
-with AUnit.Test_Results;
-
-with State_Suite;
+with Frame_Store_Tests;
+with Journal_Tests;
+with Order_Ports_Tests;
+with Outbox_Tests;
+with Robot_Line_Tests;
+with Trace_Rings_Tests;
+with Vision_Queue_Tests;
+with Unit_Runs;
 
 procedure State_Unit_Tests is
-
-   use type Ada_Containers.Count_Type;
-
-   procedure Run is new AUnit.Run.Test_Runner_With_Results
-     (State_Suite.Suite);
-
-   Reporter : AUnit.Reporter.Text.Text_Reporter;
-   Results  : AUnit.Test_Results.Result;
-
 begin
-   Ada.Command_Line.Set_Exit_Status (Ada.Command_Line.Failure);
-   Run (Reporter, Results);
-   if Results.Test_Count > 0 and then Results.Successful then
-      Ada.Command_Line.Set_Exit_Status (Ada.Command_Line.Success);
-   end if;
+   Unit_Runs.Add (new Frame_Store_Tests.Test_Case);
+   Unit_Runs.Add (new Journal_Tests.Test_Case);
+   Unit_Runs.Add (new Order_Ports_Tests.Test_Case);
+   Unit_Runs.Add (new Outbox_Tests.Test_Case);
+   Unit_Runs.Add (new Robot_Line_Tests.Test_Case);
+   Unit_Runs.Add (new Trace_Rings_Tests.Test_Case);
+   Unit_Runs.Add (new Vision_Queue_Tests.Test_Case);
+   Unit_Runs.Run;
 end State_Unit_Tests;

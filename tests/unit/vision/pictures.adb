@@ -8,6 +8,7 @@ with Ada.Streams.Stream_IO; use Ada.Streams;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
+with Libc;
 with Vision_C; use Vision_C;
 
 package body Pictures is
@@ -26,9 +27,6 @@ package body Pictures is
 
    procedure Draw (Scene : Scenes.Description);
    --  Scene onto the canvas
-
-   function Process_Number return int
-   with Import, Convention => C, External_Name => "getpid";
 
    procedure Load (Width, Height, Slot : int) is
    begin
@@ -197,7 +195,7 @@ package body Pictures is
    end Scene_With;
 
    function Temporary (Name : String) return String is
-      Number : constant String := Process_Number'Image;
+      Number : constant String := Libc.Getpid'Image;
    begin
       return "/tmp/destijl_vision_" & Number (2 .. Number'Last) & "_" & Name;
    end Temporary;

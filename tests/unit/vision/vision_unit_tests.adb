@@ -1,30 +1,24 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Runs the unit tests of the vision. Exit status 0 only if tests ran and
---  all of them succeeded.
+--  Runs the unit tests of the vision: all, or those whose names
+--  are its arguments.
 
-with Ada.Command_Line;
-with Ada_Containers;
-
-with AUnit.Reporter.Text;
-with AUnit.Run;
-with AUnit.Test_Results;
-
-with Vision_Suite;
+with Following_Tests;
+with Vision_Arena_Tests;
+with Vision_C_Tests;
+with Vision_Jpeg_Tests;
+with Vision_Robot_Tests;
+with Vision_Source_Tests;
+with Vision_Tests;
+with Unit_Runs;
 
 procedure Vision_Unit_Tests is
-
-   use type Ada_Containers.Count_Type;
-
-   procedure Run is new AUnit.Run.Test_Runner_With_Results
-     (Vision_Suite.Suite);
-
-   Reporter : AUnit.Reporter.Text.Text_Reporter;
-   Results  : AUnit.Test_Results.Result;
-
 begin
-   Ada.Command_Line.Set_Exit_Status (Ada.Command_Line.Failure);
-   Run (Reporter, Results);
-   if Results.Test_Count > 0 and then Results.Successful then
-      Ada.Command_Line.Set_Exit_Status (Ada.Command_Line.Success);
-   end if;
+   Unit_Runs.Add (new Vision_C_Tests.Test_Case);
+   Unit_Runs.Add (new Vision_Arena_Tests.Test_Case);
+   Unit_Runs.Add (new Vision_Robot_Tests.Test_Case);
+   Unit_Runs.Add (new Vision_Source_Tests.Test_Case);
+   Unit_Runs.Add (new Vision_Jpeg_Tests.Test_Case);
+   Unit_Runs.Add (new Following_Tests.Test_Case);
+   Unit_Runs.Add (new Vision_Tests.Test_Case);
+   Unit_Runs.Run;
 end Vision_Unit_Tests;

@@ -1,0 +1,248 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Others who connect.
+
+with Ada.Streams;    use Ada.Streams;
+with Ada.Unchecked_Deallocation;
+with GNAT.Sockets;   use GNAT.Sockets;
+with Interfaces.C;   use Interfaces.C;
+
+with Libc;
+with Polls;
+
+package body Floods is
+
+   Connections : constant array (Manner) of Positive :=
+     (Patient | Restless => 64, Slow => 5);
+   --  of each sender at a time
+
+   Noise : constant String := "GET / HTTP/1.1" & ASCII.CR & ASCII.LF;
+
+   function Server (Port : Positive) return Sock_Addr_Type is
+     (Family_Inet, Inet_Addr ("127.0.0.1"), Port_Type (Port));
+
+   procedure Begin_Connection
+     (Socket : out Socket_Type; Own, Place : Sock_Addr_Type);
+   --  From the address Own; does not wait for it
+
+   procedure Disconnect (Socket : in out Socket_Type);
+   --  By a reset: nothing of it is left that could run short
+
+   procedure Say (Socket : Socket_Type; Text : String);
+   --  Where it is connected
+
+   procedure Free is new Ada.Unchecked_Deallocation (Sender, Sender_Access);
+
+   -------------
+   -- Address --
+   -------------
+
+   function Address (Number : Positive) return String is
+     ("127.0.1." & Character'Val (48 + Number));
+
+   ----------------------
+   -- Begin_Connection --
+   ----------------------
+
+   procedure Begin_Connection
+     (Socket : out Socket_Type; Own, Place : Sock_Addr_Type)
+   is
+      At_Once : Request_Type := (Non_Blocking_IO, True);
+   begin
+      Create_Socket (Socket);
+      Bind_Socket (Socket, Own);
+      Control_Socket (Socket, At_Once);
+      Connect_Socket (Socket, Place);
+   exception
+      when Socket_Error =>
+         --  under way
+         null;
+   end Begin_Connection;
+
+   ----------
+   -- Come --
+   ----------
+
+   procedure Come (Object : in out Crowd; Port : Positive; Own : String) is
+   begin
+      for Index in Object.Sockets'Range loop
+         Begin_Connection
+           (Object.Sockets (Index), (Family_Inet, Inet_Addr (Own), 0),
+            Server (Port));
+         Say (Object.Sockets (Index), Noise);
+         if Index mod 2 = 0 then
+            Close_Socket (Object.Sockets (Index));
+            Object.Sockets (Index) := No_Socket;
+         end if;
+      end loop;
+   end Come;
+
+   ----------------
+   -- Disconnect --
+   ----------------
+
+   procedure Disconnect (Socket : in out Socket_Type) is
+   begin
+      if Socket /= No_Socket then
+         Set_Socket_Option (Socket, Socket_Level, (Linger, True, 0));
+         Close_Socket (Socket);
+         Socket := No_Socket;
+      end if;
+   end Disconnect;
+
+   --------
+   -- Go --
+   --------
+
+   procedure Go (Object : in out Crowd) is
+   begin
+      for Socket of Object.Sockets loop
+         Disconnect (Socket);
+      end loop;
+   end Go;
+
+   --------------
+   -- Progress --
+   --------------
+
+   protected body Progress is
+
+      procedure Count_One is
+      begin
+         Counted := Counted + 1;
+      end Count_One;
+
+      procedure Finish is
+      begin
+         Over := True;
+      end Finish;
+
+      function Count return Natural is (Counted);
+
+      function Is_Over return Boolean is (Over);
+
+   end Progress;
+
+   ---------
+   -- Say --
+   ---------
+
+   procedure Say (Socket : Socket_Type; Text : String) is
+      Data : Stream_Element_Array (1 .. Text'Length);
+      Last : Stream_Element_Offset;
+   begin
+      for I in Text'Range loop
+         Data (Stream_Element_Offset (I - Text'First + 1)) :=
+           Character'Pos (Text (I));
+      end loop;
+      Send_Socket (Socket, Data, Last);
+   exception
+      when Socket_Error =>
+         --  not yet, or no longer
+         null;
+   end Say;
+
+   ------------
+   -- Sender --
+   ------------
+
+   task body Sender is
+      Own     : constant Sock_Addr_Type :=
+        (Family_Inet, Inet_Addr (Address (Number)), 0);
+      Place   : constant Sock_Addr_Type := Server (Port);
+      Sockets : Socket_Array (1 .. Connections (How)) :=
+        (others => No_Socket);
+      Files   : Libc.Poll_Array (1 .. Connections (How));
+
+      procedure Connect (Index : Positive);
+
+      procedure Connect (Index : Positive) is
+      begin
+         Begin_Connection (Sockets (Index), Own, Place);
+         Files (Index) :=
+           (int (To_C (Sockets (Index))), Libc.Poll_In, 0);
+      end Connect;
+
+      procedure Connect_Again;
+      --  Those that have been told something
+
+      procedure Connect_Again is
+      begin
+         for Index in Files'Range loop
+            if Files (Index).Returned /= 0 then
+               Seen.Count_One;
+               Disconnect (Sockets (Index));
+               Connect (Index);
+            end if;
+         end loop;
+      end Connect_Again;
+
+   begin
+      if How /= Restless then
+         for Index in Sockets'Range loop
+            Connect (Index);
+         end loop;
+      end if;
+      while not Seen.Is_Over loop
+         case How is
+            when Patient =>
+               Polls.Wait (Files, 0.1);
+               Connect_Again;
+            when Slow =>
+               Polls.Wait (Files, 0.0);
+               Connect_Again;
+               for Socket of Sockets loop
+                  Say (Socket, "A");
+               end loop;
+               delay 0.02;
+            when Restless =>
+               for Index in Sockets'Range loop
+                  Disconnect (Sockets (Index));
+                  Connect (Index);
+                  Say (Sockets (Index), Noise);
+               end loop;
+               --  for others on this machine
+               delay 0.001;
+         end case;
+      end loop;
+      for Socket of Sockets loop
+         Disconnect (Socket);
+      end loop;
+   end Sender;
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start
+     (Object : in out Flood; Port : Positive; How : Manner := Patient) is
+   begin
+      for Number in Object.Tasks'Range loop
+         Object.Tasks (Number) :=
+           new Sender (Number, Port, How, Object.Seen'Unchecked_Access);
+      end loop;
+   end Start;
+
+   ------------
+   -- Served --
+   ------------
+
+   function Served (Object : Flood) return Natural is (Object.Seen.Count);
+
+   ----------
+   -- Stop --
+   ----------
+
+   procedure Stop (Object : in out Flood) is
+   begin
+      Object.Seen.Finish;
+      for Item of Object.Tasks loop
+         if Item /= null then
+            while not Item'Terminated loop
+               delay 0.01;
+            end loop;
+            Free (Item);
+         end if;
+      end loop;
+   end Stop;
+
+end Floods;

@@ -1,0 +1,753 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  A monitor of the tests.
+
+with Ada.Containers.Vectors;
+with Ada.Exceptions;
+with Ada.Numerics.Float_Random;
+with Ada.Streams;           use Ada.Streams;
+with Ada.Strings;           use Ada.Strings;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Unchecked_Deallocation;
+with GNAT.Sockets;          use GNAT.Sockets;
+with Interfaces.C;          use Interfaces.C;
+
+with Expectations;          use Expectations;
+with Network_Links;
+with Own_Process;
+with Polls;
+
+package body Monitor_Clients is
+
+   Shown_Data : constant := 200;
+   --  as much of an image's text is kept with its message
+
+   Answers : constant String := "AACK ANAK ACRJ ATIM ACER";
+
+   package Message_Vectors is new Ada.Containers.Vectors
+     (Positive, Message);
+
+   type Kept_Image is record
+      Number : Natural := 0;
+      Text   : Unbounded_String;
+   end record;
+
+   package Image_Vectors is new Ada.Containers.Vectors
+     (Positive, Kept_Image);
+
+   protected type Inbox is
+      procedure Add (Item : Message; Image : Unbounded_String);
+      procedure Add_Bytes (Count : Natural);
+      procedure Ended (How : Closing);
+      procedure Keep_Images (Count : Positive);
+      procedure Set_Paused (Value : Boolean);
+      procedure Set_Rate (Value : Natural);
+      procedure Set_Late (Least, Most : Duration; To_Each : Boolean);
+      procedure Set_Leaving;
+      function Count return Natural;
+      function Element (Number : Positive) return Message;
+      function Bytes return Natural;
+      function State return Closing;
+      function Image (Number : Natural) return String;
+      function Broken_Images return Natural;
+      function Paused return Boolean;
+      function Rate return Natural;
+      function Late_To_Each return Boolean;
+      function Least_Late return Duration;
+      function Most_Late return Duration;
+      function Leaving return Boolean;
+   private
+      Messages  : Message_Vectors.Vector;
+      Images    : Image_Vectors.Vector;
+      Kept      : Positive := 1;
+      Broken    : Natural := 0;
+      Received  : Natural := 0;
+      End_State : Closing := Open;
+      Is_Paused : Boolean := False;
+      Limit     : Natural := 0;
+      Each      : Boolean := False;
+      Least     : Duration := 0.0;
+      Most      : Duration := 0.0;
+      Is_Leaving : Boolean := False;
+   end Inbox;
+
+   task type Receiver
+     (Box       : not null access Inbox;
+      Socket    : not null access Socket_Type;
+      Real_Time : Boolean)
+   is
+      pragma Storage_Size (1024 * 1024);
+   end Receiver;
+
+   type Receiver_Access is access Receiver;
+
+   type Parts is record
+      Socket : aliased Socket_Type := No_Socket;
+      Box    : aliased Inbox;
+      Reader : Receiver_Access;
+      Taken  : Natural := 0;
+   end record;
+
+   procedure Free is new Ada.Unchecked_Deallocation
+     (Receiver, Receiver_Access);
+   procedure Free is new Ada.Unchecked_Deallocation (Parts, Parts_Access);
+
+   procedure Let_Go (Object : in out Client; Abortive : Boolean);
+
+   function Is_Jpeg_Text (Text : Unbounded_String) return Boolean;
+   --  Base64 alphabet, whole groups of four, a JPEG's first bytes
+
+   ------------------
+   -- Is_Jpeg_Text --
+   ------------------
+
+   function Is_Jpeg_Text (Text : Unbounded_String) return Boolean is
+      Size : constant Natural := Length (Text);
+   begin
+      if Size < 16 or else Size mod 4 /= 0 or else Slice (Text, 1, 3) /= "/9j"
+      then
+         return False;
+      end if;
+      for Place in 1 .. Size loop
+         case Element (Text, Place) is
+            when 'A' .. 'Z' | 'a' .. 'z' | '0' .. '9' | '+' | '/' =>
+               null;
+            when '=' =>
+               if Place < Size - 1 then
+                  return False;
+               end if;
+            when others =>
+               return False;
+         end case;
+      end loop;
+      return True;
+   end Is_Jpeg_Text;
+
+   -----------
+   -- Inbox --
+   -----------
+
+   protected body Inbox is
+
+      procedure Add (Item : Message; Image : Unbounded_String) is
+         Numbered : Message := Item;
+      begin
+         Numbered.Number := Natural (Messages.Length) + 1;
+         Messages.Append (Numbered);
+         if Item.Label = "CIMG" then
+            if not Is_Jpeg_Text (Image) then
+               Broken := Broken + 1;
+            end if;
+            while Natural (Images.Length) >= Kept loop
+               Images.Delete_First;
+            end loop;
+            Images.Append ((Numbered.Number, Image));
+         end if;
+      end Add;
+
+      procedure Add_Bytes (Count : Natural) is
+      begin
+         Received := Received + Count;
+      end Add_Bytes;
+
+      procedure Ended (How : Closing) is
+      begin
+         End_State := How;
+      end Ended;
+
+      procedure Keep_Images (Count : Positive) is
+      begin
+         Kept := Count;
+      end Keep_Images;
+
+      procedure Set_Paused (Value : Boolean) is
+      begin
+         Is_Paused := Value;
+      end Set_Paused;
+
+      procedure Set_Rate (Value : Natural) is
+      begin
+         Limit := Value;
+      end Set_Rate;
+
+      procedure Set_Late (Least, Most : Duration; To_Each : Boolean) is
+      begin
+         Inbox.Least := Least;
+         Inbox.Most := Most;
+         Each := To_Each;
+      end Set_Late;
+
+      procedure Set_Leaving is
+      begin
+         Is_Leaving := True;
+      end Set_Leaving;
+
+      function Count return Natural is (Natural (Messages.Length));
+
+      function Element (Number : Positive) return Message is
+        (Messages.Element (Number));
+
+      function Bytes return Natural is (Received);
+
+      function State return Closing is (End_State);
+
+      function Image (Number : Natural) return String is
+      begin
+         if Number = 0 then
+            return (if Images.Is_Empty then ""
+                    else To_String (Images.Last_Element.Text));
+         end if;
+         for Item of Images loop
+            if Item.Number = Number then
+               return To_String (Item.Text);
+            end if;
+         end loop;
+         return "";
+      end Image;
+
+      function Broken_Images return Natural is (Broken);
+
+      function Paused return Boolean is (Is_Paused);
+
+      function Rate return Natural is (Limit);
+
+      function Late_To_Each return Boolean is (Each);
+
+      function Least_Late return Duration is (Least);
+
+      function Most_Late return Duration is (Most);
+
+      function Leaving return Boolean is (Is_Leaving);
+
+   end Inbox;
+
+   --------------
+   -- Receiver --
+   --------------
+
+   task body Receiver is
+      Buffer : Stream_Element_Array (1 .. 65_536);
+      Most   : Stream_Element_Offset;
+      Last   : Stream_Element_Offset;
+      Rest   : Unbounded_String;
+      Group  : Positive := 1;
+      Late   : Duration := 0.0;
+      Chance : Ada.Numerics.Float_Random.Generator;
+
+      procedure Be_Late;
+
+      procedure Take (Text : Unbounded_String; Time : Instant);
+
+      procedure Be_Late is
+         Start : constant Instant := Now;
+      begin
+         if Box.Most_Late > 0.0 then
+            delay Box.Least_Late
+              + (Box.Most_Late - Box.Least_Late)
+              * Duration (Ada.Numerics.Float_Random.Random (Chance));
+         end if;
+         Late := Now - Start;
+      end Be_Late;
+
+      procedure Take (Text : Unbounded_String; Time : Instant) is
+         Item  : Message;
+         Image : Unbounded_String;
+      begin
+         Item.Time := Time;
+         Item.Group := Group;
+         Item.Late := Late;
+         Item.Size := Length (Text);
+         Move (Slice (Text, 1, Natural'Min (4, Length (Text))), Item.Label,
+               Drop => Right);
+         if Length (Text) > 5 then
+            if Item.Label = "CIMG" then
+               Image := Unbounded_Slice (Text, 6, Length (Text));
+               Item.Data := Unbounded_Slice
+                 (Text, 6, Natural'Min (Length (Text), Shown_Data));
+            else
+               Item.Data := Unbounded_Slice (Text, 6, Length (Text));
+            end if;
+         end if;
+         Box.Add (Item, Image);
+      end Take;
+
+   begin
+      Ada.Numerics.Float_Random.Reset (Chance);
+      if Real_Time then
+         Own_Process.Prefer_Real_Time (True);
+      end if;
+
+      Reading :
+      loop
+         declare
+            Ready : Boolean := False;
+         begin
+            exit Reading when Box.Leaving;
+            if Box.Paused then
+               delay 0.005;
+            else
+               Ready := Polls.Is_Readable (int (To_C (Socket.all)), 0.02);
+            end if;
+            if Ready and then not Box.Paused
+              and then not Box.Leaving
+            then
+               Most := Buffer'Last;
+               if Box.Rate > 0 then
+                  Most := Stream_Element_Offset'Min
+                    (Most, Stream_Element_Offset (Box.Rate) / 50 + 1);
+                  delay Duration (Most) / Box.Rate;
+               end if;
+               if Box.Late_To_Each and then Length (Rest) = 0 then
+                  Be_Late;
+               end if;
+               Receive_Socket (Socket.all, Buffer (1 .. Most), Last);
+               if Last < Buffer'First then
+                  Box.Ended (Orderly);
+                  exit Reading;
+               end if;
+               declare
+                  Time  : constant Instant := Now;
+                  Bytes : String (1 .. Natural (Last))
+                    with Import, Address => Buffer'Address;
+                  First : Positive := 1;
+                  Place : Natural;
+               begin
+                  Box.Add_Bytes (Bytes'Length);
+                  loop
+                     Place := Index
+                       (Bytes (First .. Bytes'Last), (1 => ASCII.LF));
+                     exit when Place = 0;
+                     Append (Rest, Bytes (First .. Place - 1));
+                     Take (Rest, Time);
+                     Rest := Null_Unbounded_String;
+                     First := Place + 1;
+                     exit when First > Bytes'Last;
+                  end loop;
+                  if First > Bytes'Last then
+                     Group := Group + 1;
+                     if not Box.Late_To_Each then
+                        Be_Late;
+                     end if;
+                  else
+                     Append (Rest, Bytes (First .. Bytes'Last));
+                  end if;
+               end;
+            end if;
+         end;
+      end loop Reading;
+   exception
+      when Socket_Error =>
+         Box.Ended (Broken);
+   end Receiver;
+
+   -------------
+   -- Connect --
+   -------------
+
+   procedure Connect
+     (Object         : in out Client;
+      Port           : Positive;
+      Address        : String  := "127.0.0.1";
+      Source         : String  := "";
+      Receive_Buffer : Natural := 0;
+      Namespace      : String  := "";
+      Real_Time      : Boolean := True)
+   is
+      Server : constant Inet_Addr_Type := Inet_Addr (Address);
+      Status : Selector_Status;
+   begin
+      Object.Close;
+      Object.Inner := new Parts;
+      if Namespace = "" then
+         Create_Socket (Object.Inner.Socket, Server.Family);
+      else
+         Network_Links.Enter (Namespace);
+         Create_Socket (Object.Inner.Socket, Server.Family);
+         Network_Links.Leave;
+      end if;
+      if Source /= "" then
+         Bind_Socket
+           (Object.Inner.Socket,
+            Network_Socket_Address (Inet_Addr (Source), Any_Port));
+      end if;
+      if Receive_Buffer > 0 then
+         Set_Socket_Option
+           (Object.Inner.Socket, Socket_Level,
+            (GNAT.Sockets.Receive_Buffer, Receive_Buffer));
+      end if;
+      Set_Socket_Option
+        (Object.Inner.Socket, Socket_Level, (Send_Timeout, 30.0));
+      Connect_Socket
+        (Object.Inner.Socket,
+         Network_Socket_Address (Server, Port_Type (Port)),
+         Timeout => 5.0, Status => Status);
+      Check (Status = Completed, "no connection to port" & Port'Image);
+      Set_Socket_Option
+        (Object.Inner.Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
+      Object.Inner.Reader := new Receiver
+        (Object.Inner.Box'Unchecked_Access,
+         Object.Inner.Socket'Unchecked_Access, Real_Time);
+   exception
+      when Occurrence : Socket_Error =>
+         raise Failed with "no connection to port" & Port'Image & ": "
+           & Ada.Exceptions.Exception_Message (Occurrence);
+   end Connect;
+
+   --------------
+   -- Connects --
+   --------------
+
+   function Connects
+     (Port : Positive; Address : String := "127.0.0.1") return Boolean
+   is
+      Socket : Socket_Type;
+      Status : Selector_Status;
+   begin
+      Create_Socket (Socket);
+      begin
+         Connect_Socket
+           (Socket, (Family_Inet, Inet_Addr (Address), Port_Type (Port)),
+            Timeout => 2.0, Status => Status);
+      exception
+         when Socket_Error =>
+            Close_Socket (Socket);
+            return False;
+      end;
+      Close_Socket (Socket);
+      return Status = Completed;
+   end Connects;
+
+   ----------
+   -- Send --
+   ----------
+
+   procedure Send (Object : in out Client; Bytes : String) is
+   begin
+      Check (Object.Try_Send (Bytes), "the supervisor takes nothing more");
+   end Send;
+
+   procedure Send_Line (Object : in out Client; Command : String) is
+   begin
+      Object.Send (Command & ASCII.LF);
+   end Send_Line;
+
+   --------------
+   -- Try_Send --
+   --------------
+
+   function Try_Send
+     (Object : in out Client; Bytes : String) return Boolean
+   is
+      Data  : Stream_Element_Array (1 .. Bytes'Length)
+        with Import, Address => Bytes'Address;
+      First : Stream_Element_Offset := 1;
+      Last  : Stream_Element_Offset;
+   begin
+      while First <= Data'Last loop
+         Send_Socket
+           (Object.Inner.Socket, Data (First .. Data'Last), Last);
+         if Last < First then
+            return False;
+         end if;
+         First := Last + 1;
+      end loop;
+      return True;
+   exception
+      when Socket_Error =>
+         return False;
+   end Try_Send;
+
+   ----------
+   -- Next --
+   ----------
+
+   function Next (Object : in out Client; Within : Duration) return Message is
+      Deadline : constant Instant := Now + Within;
+   begin
+      Check_Time;
+      loop
+         declare
+            Late : constant Boolean := Now >= Deadline;
+         begin
+            if Object.Inner.Taken < Object.Inner.Box.Count then
+               Object.Inner.Taken := Object.Inner.Taken + 1;
+               return Object.Inner.Box.Element (Object.Inner.Taken);
+            end if;
+            if Late then
+               return (others => <>);
+            end if;
+         end;
+         delay 0.000_5;
+      end loop;
+   end Next;
+
+   -------------
+   -- Next_Of --
+   -------------
+
+   function Next_Of
+     (Object : in out Client; Labels : String; Within : Duration)
+      return Message
+   is
+      Deadline : constant Instant := Now + Within;
+      Item     : Message;
+   begin
+      loop
+         Item := Object.Next (Duration'Max (0.0, Deadline - Now));
+         if Item.Number = 0 then
+            raise Failed with "no " & Labels & " within "
+              & Milliseconds (Within)
+              & (if Object.Inner.Box.State = Open then ""
+                 else ", the connection is closed");
+         end if;
+         if Index (Labels, Item.Label) > 0 then
+            return Item;
+         end if;
+      end loop;
+   end Next_Of;
+
+   -----------------
+   -- Next_Answer --
+   -----------------
+
+   function Next_Answer
+     (Object  : in out Client;
+      Within  : Duration := 3.0;
+      Command : String   := "") return Message
+   is
+      Extra : constant String :=
+        (if Command = "RGBT" then " RBLV"
+         elsif Command = "RGST" then " RCST"
+         elsif Command = "CASA" then " CIMG"
+         else "");
+   begin
+      return Object.Next_Of (Answers & Extra, Within);
+   exception
+      when Occurrence : Failed =>
+         raise Failed with Command & ": "
+           & Ada.Exceptions.Exception_Message (Occurrence);
+   end Next_Answer;
+
+   ---------
+   -- Ask --
+   ---------
+
+   function Ask
+     (Object : in out Client; Command : String; Within : Duration := 3.0)
+      return Message is
+   begin
+      Object.Skip_To_Now;
+      Object.Send_Line (Command);
+      return Object.Next_Answer (Within, Command);
+   end Ask;
+
+   ------------
+   -- Expect --
+   ------------
+
+   procedure Expect
+     (Object  : in out Client;
+      Command : String;
+      Answer  : String;
+      Within  : Duration := 3.0)
+   is
+      Item : constant Message := Object.Ask (Command, Within);
+      Text : constant String :=
+        Item.Label
+        & (if Length (Item.Data) = 0 then "" else ":")
+        & To_String (Item.Data);
+   begin
+      Check
+        ((if Answer'Length = 4 then Item.Label = Answer else Text = Answer),
+         Command & " was answered " & Text & " instead of " & Answer);
+   end Expect;
+
+   -----------------
+   -- Skip_To_Now --
+   -----------------
+
+   procedure Skip_To_Now (Object : in out Client) is
+   begin
+      Object.Inner.Taken := Object.Inner.Box.Count;
+   end Skip_To_Now;
+
+   --------------------
+   -- Expect_Silence --
+   --------------------
+
+   procedure Expect_Silence
+     (Object : in out Client; Labels : String; For_Time : Duration)
+   is
+      Deadline : constant Instant := Now + For_Time;
+      Item     : Message;
+   begin
+      loop
+         Item := Object.Next (Duration'Max (0.0, Deadline - Now));
+         exit when Item.Number = 0;
+         Check
+           (Index (Labels, Item.Label) = 0,
+            "unexpected " & Item.Label & ":" & To_String (Item.Data));
+      end loop;
+   end Expect_Silence;
+
+   -----------
+   -- Count --
+   -----------
+
+   function Count (Object : Client) return Natural is
+     (Object.Inner.Box.Count);
+
+   function Element (Object : Client; Number : Positive) return Message is
+     (Object.Inner.Box.Element (Number));
+
+   function Count_Of (Object : Client; Label : Message_Label) return Natural
+   is
+      Result : Natural := 0;
+   begin
+      for Number in 1 .. Object.Inner.Box.Count loop
+         if Object.Inner.Box.Element (Number).Label = Label then
+            Result := Result + 1;
+         end if;
+      end loop;
+      return Result;
+   end Count_Of;
+
+   function Bytes_Received (Object : Client) return Natural is
+     (Object.Inner.Box.Bytes);
+
+   function Last_Image (Object : Client) return String is
+     (Object.Inner.Box.Image (0));
+
+   function Broken_Images (Object : Client) return Natural is
+     (Object.Inner.Box.Broken_Images);
+
+   -----------------
+   -- Keep_Images --
+   -----------------
+
+   procedure Keep_Images (Object : in out Client; Count : Positive) is
+   begin
+      Object.Inner.Box.Keep_Images (Count);
+   end Keep_Images;
+
+   function Image (Object : Client; Number : Positive) return String is
+     (Object.Inner.Box.Image (Number));
+
+   -----------
+   -- Pause --
+   -----------
+
+   procedure Pause (Object : in out Client) is
+   begin
+      Object.Inner.Box.Set_Paused (True);
+      delay 0.05;
+      --  a recv that had begun is over
+   end Pause;
+
+   procedure Resume (Object : in out Client) is
+   begin
+      Object.Inner.Box.Set_Paused (False);
+   end Resume;
+
+   procedure Limit_Reading (Object : in out Client; Rate : Natural) is
+   begin
+      Object.Inner.Box.Set_Rate (Rate);
+   end Limit_Reading;
+
+   procedure Be_Late
+     (Object : in out Client; Least, Most : Duration; To_Each : Boolean) is
+   begin
+      Object.Inner.Box.Set_Late (Least, Most, To_Each);
+   end Be_Late;
+
+   --------------------
+   -- Closed_By_Peer --
+   --------------------
+
+   function Closed_By_Peer
+     (Object : Client; Within : Duration) return Closing
+   is
+      Deadline : constant Instant := Now + Within;
+   begin
+      while Object.Inner.Box.State = Open and then Now < Deadline loop
+         delay 0.001;
+      end loop;
+      return Object.Inner.Box.State;
+   end Closed_By_Peer;
+
+   ----------------
+   -- Half_Close --
+   ----------------
+
+   procedure Half_Close (Object : in out Client) is
+   begin
+      Shutdown_Socket (Object.Inner.Socket, Shut_Write);
+   end Half_Close;
+
+   ------------
+   -- Let_Go --
+   ------------
+
+   procedure Let_Go (Object : in out Client; Abortive : Boolean) is
+   begin
+      if Object.Inner = null then
+         return;
+      end if;
+      if Object.Inner.Reader /= null then
+         --  The order of the events towards the supervisor is the test's:
+         --  the close comes first, the end of the reader afterwards.
+         if Abortive then
+            Object.Inner.Box.Set_Leaving;
+            while not Object.Inner.Reader'Terminated loop
+               delay 0.001;
+            end loop;
+            Set_Socket_Option
+              (Object.Inner.Socket, Socket_Level, (Linger, True, 0));
+            Close_Socket (Object.Inner.Socket);
+         else
+            begin
+               Shutdown_Socket (Object.Inner.Socket, Shut_Write);
+            exception
+               when Socket_Error =>
+                  null;
+            end;
+            Object.Inner.Box.Set_Leaving;
+            while not Object.Inner.Reader'Terminated loop
+               delay 0.001;
+            end loop;
+            Close_Socket (Object.Inner.Socket);
+         end if;
+         Free (Object.Inner.Reader);
+      elsif Object.Inner.Socket /= No_Socket then
+         Close_Socket (Object.Inner.Socket);
+      end if;
+      Free (Object.Inner);
+   end Let_Go;
+
+   -----------
+   -- Close --
+   -----------
+
+   procedure Close (Object : in out Client) is
+   begin
+      Let_Go (Object, Abortive => False);
+   end Close;
+
+   -----------
+   -- Reset --
+   -----------
+
+   procedure Reset (Object : in out Client) is
+   begin
+      Let_Go (Object, Abortive => True);
+   end Reset;
+
+   --------------
+   -- Finalize --
+   --------------
+
+   overriding procedure Finalize (Object : in out Client) is
+   begin
+      Object.Close;
+   end Finalize;
+
+end Monitor_Clients;

@@ -1,0 +1,184 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Where the programs under test are, and the end of them.
+
+with Ada.Command_Line;
+with Ada.Directories;       use Ada.Directories;
+with Ada.Strings;           use Ada.Strings;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;
+with GNAT.OS_Lib;
+with Interfaces.C;          use Interfaces.C;
+
+with Child_Processes;
+with Libc;
+with Option_Readers;
+
+package body Programs is
+
+   type Program is (The_Supervisor, The_Emulator, The_Monitor);
+
+   Options : constant array (Program) of Unbounded_String :=
+     (To_Unbounded_String ("--supervisor"),
+      To_Unbounded_String ("--emulator"),
+      To_Unbounded_String ("--monitor"));
+
+   Paths  : array (Program) of Unbounded_String;
+   Folder : Unbounded_String;
+
+   function Folder_Of (Process : int) return String is
+     ("/tmp/destijl_tests." & Trim (Libc.Geteuid'Image, Both) & "."
+      & Trim (Process'Image, Both));
+   --  What a killed process of another user has left, cannot be removed
+
+   procedure Remove (Path : String);
+
+   function Path (Which : Program; Name : String) return String;
+   --  As set, or Name in the folder of the running program
+
+   ----------
+   -- Path --
+   ----------
+
+   function Path (Which : Program; Name : String) return String is
+   begin
+      if Paths (Which) = "" then
+         Paths (Which) := To_Unbounded_String (Beside (Name));
+      end if;
+      return To_String (Paths (Which));
+   end Path;
+
+   ------------
+   -- Beside --
+   ------------
+
+   function Beside (Name : String) return String is
+      Here : GNAT.OS_Lib.String_Access :=
+        GNAT.OS_Lib.Locate_Exec_On_Path (Ada.Command_Line.Command_Name);
+   begin
+      return Found : constant String := Compose
+        (Containing_Directory (Full_Name (Here.all)), Name)
+      do
+         GNAT.OS_Lib.Free (Here);
+      end return;
+   end Beside;
+
+   function Supervisor return String is
+     (Path (The_Supervisor, "destijl"));
+
+   function Emulator return String is
+     (Path (The_Emulator, "destijl_emulator"));
+
+   function Monitor return String is
+     (Path (The_Monitor, "destijl_monitor"));
+
+   function Vision_Library return String is
+     (Compose
+        (Containing_Directory (Supervisor), "libdestijl_vision.so"));
+
+   -----------------
+   -- Read_Option --
+   -----------------
+
+   function Read_Option return Boolean is
+      Name : constant String := Option_Readers.Name;
+   begin
+      for Which in Program loop
+         if Name = To_String (Options (Which)) then
+            Paths (Which) :=
+              To_Unbounded_String (Full_Name (Option_Readers.Value));
+            return True;
+         end if;
+      end loop;
+      return False;
+   end Read_Option;
+
+   ----------------------
+   -- Temporary_Folder --
+   ----------------------
+
+   function Temporary_Folder return String is
+      Open_To_All : constant := 8#777#;
+      Unused      : int;
+   begin
+      if Folder = "" then
+         --  one that a killed process of the same number has left
+         Remove_Left (Libc.Getpid);
+         Folder := To_Unbounded_String
+           (Folder_Of (Libc.Getpid));
+         Create_Directory (To_String (Folder));
+         Unused := Libc.Chmod (To_C (To_String (Folder)), Open_To_All);
+      end if;
+      return To_String (Folder);
+   end Temporary_Folder;
+
+   -----------------------
+   -- Copied_Supervisor --
+   -----------------------
+
+   function Copied_Supervisor return String is
+      To_Be_Run : constant := 8#755#;
+      Copy      : constant String := Compose (Temporary_Folder, "destijl");
+      Unused    : int;
+   begin
+      if not Exists (Copy) then
+         Copy_File (Supervisor, Copy);
+         if Exists (Vision_Library) then
+            Copy_File
+              (Vision_Library,
+               Compose (Temporary_Folder, Simple_Name (Vision_Library)));
+         end if;
+         Unused := Libc.Chmod (To_C (Copy), To_Be_Run);
+      end if;
+      return Copy;
+   end Copied_Supervisor;
+
+   ------------
+   -- Remove --
+   ------------
+
+   procedure Remove (Path : String) is
+      --  By the system's own tool: links whose emulator has gone point
+      --  nowhere, and Ada.Directories does not see those.
+      Unused : Integer;
+   begin
+      Unused := GNAT.OS_Lib.Spawn
+        ("/bin/rm", (new String'("-rf"), new String'(Path)));
+   end Remove;
+
+   -----------------------------
+   -- Remove_Temporary_Folder --
+   -----------------------------
+
+   procedure Remove_Temporary_Folder is
+   begin
+      if Folder /= "" then
+         Remove (To_String (Folder));
+         Folder := Null_Unbounded_String;
+      end if;
+   end Remove_Temporary_Folder;
+
+   procedure Remove_Left (Process : int) is
+   begin
+      Remove (Folder_Of (Process));
+   end Remove_Left;
+
+   -------------
+   -- Give_Up --
+   -------------
+
+   procedure Give_Up (Reason : String) is
+   begin
+      Child_Processes.Stop_All;
+      Remove_Temporary_Folder;
+      begin
+         Ada.Text_IO.Put_Line (Ada.Text_IO.Standard_Error, Reason);
+      exception
+         when Ada.Text_IO.Device_Error =>
+            --  nobody reads it any more
+            null;
+      end;
+      GNAT.OS_Lib.OS_Exit (1);
+   end Give_Up;
+
+end Programs;

@@ -1,0 +1,277 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The few calls of the C library that tests, benches and emulator need, as
+--  they are. The numbers are those of Linux on every architecture that Debian
+--  releases.
+
+with GNAT.OS_Lib;
+with Interfaces.C;         use Interfaces.C;
+with Interfaces.C.Strings; use Interfaces.C.Strings;
+with System.Storage_Elements;
+
+package Libc is
+
+   function Last_Error return String is
+     (GNAT.OS_Lib.Errno_Message (Default => "unknown error"));
+   --  What went wrong with the last call of this task, in words
+
+   --  Clock
+
+   type Timespec is record
+      Seconds     : long;
+      Nanoseconds : long;
+   end record with Convention => C;
+
+   Clock_Monotonic : constant int := 1;
+
+   function Clock_Gettime
+     (Clock : int; Time : access Timespec) return int
+   with Import, Convention => C, External_Name => "clock_gettime";
+
+   --  Files
+
+   type Pipe_Ends is array (0 .. 1) of int with Convention => C;
+   --  0 is read from, 1 is written to
+
+   O_Rdonly  : constant int := 8#0#;
+   O_Wronly  : constant int := 8#1#;
+   O_Rdwr    : constant int := 8#2#;
+   O_Noctty  : constant int := 8#400#;
+   O_Nonblock : constant int := 8#4000#;
+   O_Cloexec : constant int := 8#2000000#;
+
+   function Pipe2 (Ends : out Pipe_Ends; Flags : int) return int
+   with Import, Convention => C, External_Name => "pipe2";
+
+   function Open (Path : char_array; Flags : int) return int
+   with Import, Convention => C_Variadic_2, External_Name => "open";
+
+   function Read
+     (File : int; Buffer : System.Address; Size : size_t) return long
+   with Import, Convention => C, External_Name => "read";
+
+   function Pread
+     (File : int; Buffer : System.Address; Size : size_t; Offset : long)
+      return long
+   with Import, Convention => C, External_Name => "pread";
+
+   function Write
+     (File : int; Buffer : System.Address; Size : size_t) return long
+   with Import, Convention => C, External_Name => "write";
+
+   function Close (File : int) return int
+   with Import, Convention => C, External_Name => "close";
+
+   function Chmod (Path : char_array; Mode : unsigned) return int
+   with Import, Convention => C, External_Name => "chmod";
+
+   function Chown (Path : char_array; User, Group : unsigned) return int
+   with Import, Convention => C, External_Name => "chown";
+
+   function Mkfifo (Path : char_array; Mode : unsigned) return int
+   with Import, Convention => C, External_Name => "mkfifo";
+
+   function Readlink
+     (Path : char_array; Buffer : System.Address; Size : size_t) return long
+   with Import, Convention => C, External_Name => "readlink";
+   --  How long it is, without a NUL; negative where there is none
+
+   function Dup2 (File, Onto : int) return int
+   with Import, Convention => C, External_Name => "dup2";
+
+   function Symlink (Target, Path : char_array) return int
+   with Import, Convention => C, External_Name => "symlink";
+
+   function Unlink (Path : char_array) return int
+   with Import, Convention => C, External_Name => "unlink";
+
+   function Rename (From, To : char_array) return int
+   with Import, Convention => C, External_Name => "rename";
+
+   --  Waiting: see Polls
+
+   type Poll_Descriptor is record
+      File     : int := -1;
+      --  -1: none
+      Events   : short := 0;
+      Returned : short := 0;
+   end record with Convention => C;
+
+   Poll_In      : constant short := 16#0001#;
+   Poll_Out     : constant short := 16#0004#;
+   Poll_Hang_Up : constant short := 16#2000#;
+   --  POLLRDHUP: the other end sends no more
+
+   type Poll_Array is array (Positive range <>) of Poll_Descriptor
+   with Convention => C;
+
+   function Ppoll
+     (Files : System.Address;
+      Count : unsigned_long;
+      Wait  : access constant Timespec;
+      Mask  : System.Address) return int
+   with Import, Convention => C, External_Name => "ppoll";
+
+   function Eventfd (Initial : unsigned; Flags : int) return int
+   with Import, Convention => C, External_Name => "eventfd";
+
+   --  Terminals: see Pseudo_Terminals
+
+   function Posix_Openpt (Flags : int) return int
+   with Import, Convention => C, External_Name => "posix_openpt";
+
+   function Grantpt (Master : int) return int
+   with Import, Convention => C, External_Name => "grantpt";
+
+   function Unlockpt (Master : int) return int
+   with Import, Convention => C, External_Name => "unlockpt";
+
+   function Ptsname_R
+     (Master : int; Name : System.Address; Size : size_t) return int
+   with Import, Convention => C, External_Name => "ptsname_r";
+
+   type Terminal_Attributes is array (1 .. 256) of unsigned_char
+   with Alignment => 8;
+   --  A termios, whose size only the C library knows: well below this
+
+   B9600   : constant unsigned := 8#15#;
+   Tcsanow : constant int := 0;
+
+   function Tcgetattr (File : int; Value : System.Address) return int
+   with Import, Convention => C, External_Name => "tcgetattr";
+
+   function Tcsetattr
+     (File : int; Action : int; Value : System.Address) return int
+   with Import, Convention => C, External_Name => "tcsetattr";
+
+   procedure Cfmakeraw (Value : System.Address)
+   with Import, Convention => C, External_Name => "cfmakeraw";
+
+   function Cfsetspeed (Value : System.Address; Speed : unsigned) return int
+   with Import, Convention => C, External_Name => "cfsetspeed";
+
+   --  Processes
+
+   function Fork return int
+   with Import, Convention => C, External_Name => "fork";
+
+   type Argument_Vector is array (Natural range <>) of aliased chars_ptr
+   with Convention => C;
+
+   procedure Execv (Path : chars_ptr; Arguments : Argument_Vector)
+   with Import, Convention => C, External_Name => "execvp";
+   --  Searches PATH where Path has no slash; returns only when it failed
+
+   procedure Exit_Now (Status : int)
+   with Import, Convention => C, External_Name => "_exit";
+
+   No_Hang : constant int := 1;
+
+   function Waitpid
+     (Process : int; Status : access int; Options : int) return int
+   with Import, Convention => C, External_Name => "waitpid";
+
+   function Kill (Process, Signal : int) return int
+   with Import, Convention => C, External_Name => "kill";
+
+   function Tgkill (Process, Thread, Signal : int) return int
+   with Import, Convention => C, External_Name => "tgkill";
+
+   Pr_Set_Pdeathsig  : constant int := 1;
+   Pr_Set_Timerslack : constant int := 29;
+
+   function Prctl (Option : int; Value : unsigned_long) return int
+   with Import, Convention => C_Variadic_1, External_Name => "prctl";
+
+   type Resource_Limit is record
+      Soft : unsigned_long;
+      Hard : unsigned_long;
+   end record with Convention => C;
+
+   function Getrlimit
+     (Resource : int; Limit : access Resource_Limit) return int
+   with Import, Convention => C, External_Name => "getrlimit";
+
+   function Setrlimit
+     (Resource : int; Limit : access Resource_Limit) return int
+   with Import, Convention => C, External_Name => "setrlimit";
+
+   function Geteuid return unsigned
+   with Import, Convention => C, External_Name => "geteuid";
+
+   function Getpid return int
+   with Import, Convention => C, External_Name => "getpid";
+
+   Rlimit_Nofile : constant int := 7;
+
+   function Prlimit
+     (Process  : int;
+      Resource : int;
+      New_Limit, Old_Limit : access Resource_Limit) return int
+   with Import, Convention => C, External_Name => "prlimit";
+   --  null: not to be set, not wanted
+
+   --  Signals
+
+   Sighup  : constant int := 1;
+   Sigint  : constant int := 2;
+   Sigkill : constant int := 9;
+   Sigsegv : constant int := 11;
+   Sigpipe : constant int := 13;
+   Sigterm : constant int := 15;
+   Sigcont : constant int := 18;
+   Sigstop : constant int := 19;
+
+   type Signal_Set is array (1 .. 128) of aliased char with Convention => C;
+   --  sigset_t of the GNU C library
+
+   Set_Mask : constant int := 2;
+
+   function Sigemptyset (Set : access Signal_Set) return int
+   with Import, Convention => C, External_Name => "sigemptyset";
+
+   function Sigprocmask
+     (How : int; Set, Old : access Signal_Set) return int
+   with Import, Convention => C, External_Name => "sigprocmask";
+
+   Default_Action : constant System.Address := System.Null_Address;
+
+   Ignored : constant System.Address :=
+     System.Storage_Elements.To_Address (1);
+
+   function Signal
+     (Number : int; Action : System.Address) return System.Address
+   with Import, Convention => C, External_Name => "signal";
+
+   --  Scheduling
+
+   Sched_Other : constant int := 0;
+   Sched_Fifo  : constant int := 1;
+
+   Above_Supervisor : constant int := 60;
+   --  A priority above all of the supervisor's: for who notes times as if
+   --  he sat at another machine
+
+   type Sched_Param is record
+      Priority : int;
+   end record with Convention => C;
+
+   function Sched_Setscheduler
+     (Thread : int; Policy : int; Param : access Sched_Param) return int
+   with Import, Convention => C, External_Name => "sched_setscheduler";
+   --  Thread 0 is the caller
+
+   function Setpriority (Which : int; Who : unsigned; Nice : int) return int
+   with Import, Convention => C, External_Name => "setpriority";
+   --  Which 0 and Who 0 are the calling thread
+
+   function Mlockall (Flags : int) return int
+   with Import, Convention => C, External_Name => "mlockall";
+
+   --  Network namespaces
+
+   Clone_Newnet : constant int := 16#4000_0000#;
+
+   function Setns (File : int; Kind : int) return int
+   with Import, Convention => C, External_Name => "setns";
+
+end Libc;

@@ -1,0 +1,98 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What the running program asks of the system for itself.
+
+with System;
+
+package body Own_Process is
+
+   ----------------------
+   -- Prefer_Real_Time --
+   ----------------------
+
+   procedure Prefer_Real_Time
+     (Wanted : Boolean; Priority : int := Libc.Above_Supervisor)
+   is
+      Param  : aliased Libc.Sched_Param :=
+        (Priority => (if Wanted then Priority else 0));
+      Unused : int;
+   begin
+      Unused := Libc.Sched_Setscheduler
+        (0, (if Wanted then Libc.Sched_Fifo else Libc.Sched_Other),
+         Param'Access);
+   end Prefer_Real_Time;
+
+   -----------------------
+   -- Real_Time_Allowed --
+   -----------------------
+
+   function Real_Time_Allowed return Boolean is
+      Lowest : aliased Libc.Sched_Param := (Priority => 1);
+      None   : aliased Libc.Sched_Param := (Priority => 0);
+   begin
+      return
+        Libc.Sched_Setscheduler (0, Libc.Sched_Fifo, Lowest'Access) = 0
+        and then Libc.Sched_Setscheduler
+          (0, Libc.Sched_Other, None'Access) = 0;
+   end Real_Time_Allowed;
+
+   ------------------
+   -- Wake_On_Time --
+   ------------------
+
+   procedure Wake_On_Time is
+      Unused : int;
+   begin
+      Unused := Libc.Prctl (Libc.Pr_Set_Timerslack, 1);
+   end Wake_On_Time;
+
+   --------------
+   -- Give_Way --
+   --------------
+
+   procedure Give_Way is
+      Nice   : constant := 5;
+      Unused : int;
+   begin
+      Unused := Libc.Setpriority (0, 0, Nice);
+   end Give_Way;
+
+   -----------------
+   -- Lock_Memory --
+   -----------------
+
+   procedure Lock_Memory is
+      Once_Used : constant := 7;
+      --  MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT
+      Unused    : int;
+   begin
+      --  anybody else may lock a little, and could not get more memory then
+      if Libc.Geteuid = 0 then
+         Unused := Libc.Mlockall (Once_Used);
+      end if;
+   end Lock_Memory;
+
+   -------------------------
+   -- Ignore_Broken_Pipes --
+   -------------------------
+
+   procedure Ignore_Broken_Pipes is
+      Unused : System.Address;
+   begin
+      Unused := Libc.Signal (Libc.Sigpipe, Libc.Ignored);
+   end Ignore_Broken_Pipes;
+
+   -----------------------
+   -- Allow_Descriptors --
+   -----------------------
+
+   procedure Allow_Descriptors is
+      Limit  : aliased Libc.Resource_Limit;
+      Unused : int;
+   begin
+      if Libc.Getrlimit (Libc.Rlimit_Nofile, Limit'Access) = 0 then
+         Limit.Soft := Limit.Hard;
+         Unused := Libc.Setrlimit (Libc.Rlimit_Nofile, Limit'Access);
+      end if;
+   end Allow_Descriptors;
+
+end Own_Process;

@@ -1,0 +1,49 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Measured times of one kind, and their figures.
+
+with Ada.Containers.Vectors;
+
+package Samples is
+
+   type Set is tagged private;
+
+   procedure Add (Object : in out Set; Value : Duration);
+
+   procedure Delete_Last (Object : in out Set);
+
+   procedure Clear (Object : in out Set);
+
+   function Last (Object : Set) return Duration;
+   --  The newest
+
+   function Count (Object : Set) return Natural;
+
+   function Count_Above (Object : Set; Limit : Duration) return Natural;
+
+   function Mean (Object : Set) return Duration;
+
+   function Quantile (Object : Set; Share : Float) return Duration
+     with Pre => Share in 0.0 .. 1.0;
+   --  The smallest value that at least Share of the samples do not exceed;
+   --  0 without samples
+
+   type Share_Array is array (Positive range <>) of Float;
+   type Value_Array is array (Positive range <>) of Duration;
+
+   function Quantiles (Object : Set; Shares : Share_Array)
+     return Value_Array;
+   --  The same of many
+
+   function From_Least (Object : Set) return Set;
+   --  Each as its distance from the smallest
+
+private
+
+   package Vectors is new Ada.Containers.Vectors (Positive, Duration);
+   package Sorting is new Vectors.Generic_Sorting;
+
+   type Set is tagged record
+      Values : Vectors.Vector;
+   end record;
+
+end Samples;

@@ -1,0 +1,69 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The run of a program of unit tests.
+
+with Ada.Command_Line; use Ada.Command_Line;
+with Ada.Text_IO;
+with Ada_Containers;
+
+with AUnit.Reporter.Text;
+with AUnit.Run;
+with AUnit.Test_Results;
+with AUnit.Test_Suites;
+
+package body Unit_Runs is
+
+   use type Ada_Containers.Count_Type;
+
+   All_Tests : constant AUnit.Test_Suites.Access_Test_Suite :=
+     AUnit.Test_Suites.New_Suite;
+
+   Known : array (1 .. Argument_Count) of Boolean := (others => False);
+   --  arguments that are the name of some
+
+   function Suite return AUnit.Test_Suites.Access_Test_Suite is (All_Tests);
+
+   procedure Run_Suite is new AUnit.Run.Test_Runner_With_Results (Suite);
+
+   ---------
+   -- Add --
+   ---------
+
+   procedure Add (Tests : not null AUnit.Test_Cases.Test_Case_Access) is
+      Wanted : Boolean := Argument_Count = 0;
+   begin
+      for Number in Known'Range loop
+         if Argument (Number) = Tests.Name.all then
+            Known (Number) := True;
+            Wanted := True;
+         end if;
+      end loop;
+      if Wanted then
+         All_Tests.Add_Test (Tests);
+      end if;
+   end Add;
+
+   ---------
+   -- Run --
+   ---------
+
+   procedure Run is
+      Reporter : AUnit.Reporter.Text.Text_Reporter;
+      Results  : AUnit.Test_Results.Result;
+   begin
+      Set_Exit_Status (Failure);
+      Run_Suite (Reporter, Results);
+      for Number in Known'Range loop
+         if not Known (Number) then
+            Ada.Text_IO.Put_Line
+              (Ada.Text_IO.Standard_Error,
+               "no tests are called " & Argument (Number));
+         end if;
+      end loop;
+      if Results.Test_Count > 0 and then Results.Successful
+        and then (for all Is_Known of Known => Is_Known)
+      then
+         Set_Exit_Status (Success);
+      end if;
+   end Run;
+
+end Unit_Runs;
