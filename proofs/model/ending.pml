@@ -53,9 +53,6 @@ end_stuck:
    atomic { !Console_Stuck -> Journal_Buffer.Writing = false; goto look }
 }
 
-/* Settings: set once, before the server begins */
-typedef Settings_Store_Type { bool Set };
-PROTECTED (Settings_Store);
 EVENT (Session_Server_Allowed);
 EVENT (Failures_Stop_Failed);
 
@@ -126,7 +123,6 @@ active proctype User () provided (!Left)
 
 active proctype Supervisor () provided (!Left && Failed != Of_Main)
 {
-   Settings_Store.Set = true;
    Set_True (Session_Server_Allowed);
 end_wait:
    Suspend_Until_True (Failures_Stop_Failed);
@@ -139,7 +135,6 @@ active proctype Th_Server () provided (!Left)
 {
    byte again = 2;
    Suspend_Until_True (Session_Server_Allowed);
-   assert (Settings_Store.Set);
 end_wait:
    do
 #ifndef MUTANT_ADMITTED_WHILE_STOPPING

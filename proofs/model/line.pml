@@ -35,13 +35,11 @@ typedef Robot_Line_Line_Type {
    byte          Number  [CLIENTS];
    byte          Rank    [CLIENTS];
    byte          After   [CLIENTS];
-   mtype:outcome Result  [CLIENTS];
    byte Last_Stop;
    byte Session = 1;
    byte Completed;
    byte Changed;
    mtype:due  Reload_Due = Far;  /* Near: in the quiet time around it */
-   bool Ready;
    bool Open;
    mtype:mode Mode = Not_Started;
    bool New_Epoch [CLIENTS]      /* a start since this client has looked */
@@ -66,26 +64,13 @@ chan Stops = [STOPS] of { byte };
 
 hidden byte k;
 
-inline Refresh_Line () {
-   L.Ready = len (Stops) > 0;
-   k = 0;
-   do
-   :: k < CLIENTS ->
-      L.Ready = L.Ready || (L.Pending [k] && In_Turn (k));
-      k++
-   :: else -> break
-   od;
-   k = 0
-}
-
 inline Put_It (who, what, its_number, its_rank, its_after) {
    L.Pending [who] = true;
    d_step {
       L.Kind   [who] = what;
       L.Number [who] = its_number;
       L.Rank   [who] = its_rank;
-      L.After  [who] = its_after;
-      Refresh_Line ()
+      L.After  [who] = its_after
    }
 }
 
@@ -111,8 +96,7 @@ inline Put_Stop (its_number) {
    d_step {
       assert (len (Stops) < STOPS);
       Stops ! its_number;
-      L.Last_Stop = its_number;
-      Refresh_Line ()
+      L.Last_Stop = its_number
    }
 #ifndef MUTANT_STOP_WITHOUT_EVENT
    Set_True (Robot_Line_Work)
@@ -365,13 +349,34 @@ inline Take_Job () {
       fi
    fi;
    if
-   :: found -> after_stop = (from == Stop_Order); Refresh_Line ()
-   :: else -> L.Ready = false
+   :: found -> after_stop = (from == Stop_Order)
+   :: else
    fi
 }
 
+/* More waits that is in turn: the owner wakes itself, for it waits for its
+   event before it takes. Nobody else looks at that event, so to set it is no
+   step of its own. */
+inline Wake_For_More () {
+   k = 0;
+   do
+   :: k < CLIENTS ->
+      if
+      :: May (k) -> Set_True (Robot_Line_Work)
+      :: else
+      fi;
+      k++
+   :: else -> break
+   od;
+   k = 0;
+   if
+   :: len (Stops) > 0 -> Set_True (Robot_Line_Work)
+   :: else
+   fi
+}
+
+/* What has come of it, Collect, is data */
 inline Finish_Job () {
-   L.Result [from] = result;
    L.Open = State_Open;
    L.Mode = State_Mode;
    if
@@ -381,7 +386,8 @@ inline Finish_Job () {
       L.New_Epoch [Robot_Clients_Battery] = true;
       L.New_Epoch [Robot_Clients_Keep_Alive] = true;
       L.Reload_Due = Far;
-      Reloaded = false
+      Reloaded = false;
+      started = true
    :: else
    fi;
    if
@@ -397,7 +403,9 @@ inline Finish_Job () {
       fi
    :: else
    fi;
-   Refresh_Line ();
+#ifndef MUTANT_MORE_REQUESTS_FORGOTTEN
+   Wake_For_More ();
+#endif
    /* where the robot has not been started, it has been stopped */
    assert (State_Mode != Not_Started || !Stop_Owed)
 }
@@ -411,7 +419,7 @@ active proctype Th_Line ()
    bool State_Open;
    mtype:mode State_Mode = Not_Started;
 #endif
-   bool found, blind, after_stop;
+   bool found, blind, after_stop, started;
    byte Failures, from, number, rank, best;
    mtype:request kind;
    mtype:verdict verdict = Carry_Out;
@@ -420,35 +428,52 @@ active proctype Th_Line ()
 end_wait:
    atomic {
       Robot_Line_Work -> Robot_Line_Work = false;
-      /* look, take and carry out: nobody else sees what happens on the line
-         meanwhile, and what arrives meanwhile might have come before */
-look: if
-      :: !L.Ready -> goto end_wait
-      :: else
-      fi;
+      /* take and carry out: nobody else sees what happens on the line
+         meanwhile, and what arrives meanwhile might have come before. A
+         wake-up that finds nothing that may go waits again */
       d_step { Take_Job () }
       if
-      :: !found -> goto look
+      :: !found -> goto end_wait
       :: found && verdict == Carry_Out -> Carry_Out_Request ()
       :: found && verdict != Carry_Out -> result = Refused
-      fi
+      fi;
+      found = false
    };
 #ifdef EVENTS_AT_ONCE
    atomic {
       d_step { Finish_Job () }
+      if
+      :: !started -> goto tell
+      :: else
+      fi
+   };
 #else
    d_step { Finish_Job () }
-   atomic {
 #endif
+   if
+   :: started -> started = false; Tell_Of_Start ()
+   :: else
+   fi;
+tell:
+#ifndef EVENTS_AT_ONCE
+   if
+   :: number > 0 -> Outbox_Answer (number)
+   :: else
+   fi;
+#endif
+   atomic {
       if
-      :: from == Stop_Order -> Outbox_Answer (number)
+      :: from == Stop_Order
 #ifdef MUTANT_FINISHED_NOT_TOLD
       :: from == Robot_Clients_Reload
+#endif
+#ifdef MUTANT_ORDER_TASK_NOT_TOLD
+      :: number > 0
 #endif
       :: else -> Set_True (Line_Clients_Finished [from])
       fi;
       from = 0; kind = 0; number = 0; rank = 0;
       verdict = Carry_Out; result = Done;
-      goto look
+      goto end_wait
    }
 }

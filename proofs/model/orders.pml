@@ -41,6 +41,7 @@ inline Outbox_Answer (its_number) {
 #if SESSIONS > 1
 #define BEGINS_STARTED         /* as if opened and started before */
 #endif
+inline Tell_Of_Start () { skip }    /* see periodic.pml */
 #include "line.pml"
 
 /* Task_Ports */
@@ -60,27 +61,34 @@ EVENTS (Order_Ports_Arrived, 6);
 
 #define Port(p)  Order_Ports_Port [p].Items
 
+/* More waits: the task wakes itself, for it waits for its event before it
+   takes. Nobody else looks at that event, so to set it is no step of its
+   own. */
 inline Take (p) {
    if
    :: len (Port (p)) > 0 -> Port (p) ? number, kind, rank, after
    :: else -> goto end_wait
+   fi;
+#ifndef MUTANT_MORE_ORDERS_FORGOTTEN
+   if
+   :: len (Port (p)) > 0 -> Set_True (Order_Ports_Arrived [p])
+   :: else
    fi
+#endif
 }
 
-/* What each of these tasks does: Order_Ports.Wait, Line_Clients.Ask, and
-   the answer. It begins where it has looked and found nothing. */
+/* What each of these tasks does: Order_Ports.Wait and Line_Clients.Ask. The
+   owner of the line answers. */
 inline Serve (p, client) {
    atomic {
       Order_Ports_Arrived [p] -> Order_Ports_Arrived [p] = false;
-look: Take (p)
+      Take (p)
    };
    Ask (client, kind, number, rank, after);
    atomic {
       Finished (client);
-      L.Result [client] = 0;
-      Outbox_Answer (number);
       number = 0; kind = 0; rank = 0; after = 0;
-      goto look
+      goto end_wait
    }
 }
 
@@ -226,15 +234,13 @@ active proctype Th_Com_Mon_Perdue ()
          do :: Stops ? _ :: len (Stops) == 0 -> break od;
          L.Last_Stop = 0;
          L.Completed = 0;
-         L.Changed = 0;
-         Refresh_Line ()
+         L.Changed = 0
       }
       Set_True (Robot_Line_Work);
 #endif
 #ifndef MUTANT_NO_SAFE_STATE
       Ask (Robot_Clients_Safe_State, Close_Line, 0, 0, 0);
-      atomic { Finished (Robot_Clients_Safe_State);
-               L.Result [Robot_Clients_Safe_State] = 0 };
+      atomic { Finished (Robot_Clients_Safe_State) };
 #endif
       Nobody = true;
       Suspend_Until_True (Session_Receive_Ended);

@@ -18,7 +18,6 @@
 bool Shut      = false;   /* the connection, in either direction */
 bool Reads     = false;   /* the monitor takes what it is sent */
 bool Patient   = false;   /* it sends no more and waits for its answers */
-bool Busy      = false;   /* the sender is sending */
 bool Handling  = false;   /* a command has been received */
 byte Owed      = 0;       /* answers that it has not got */
 
@@ -26,7 +25,7 @@ mtype:message = { Nothing, An_Answer, An_Unasked };
 mtype:place   = { Awaited, Ready_Text, Ready_Nothing };
 typedef Outbox_Box_Type {
    bool Open;
-   bool Ready;
+   bool Busy;       /* what was taken last is being sent */
    mtype:place Places [CAPACITY] = Awaited;  /* the first is the oldest */
    byte Count;
    byte Head = 1;
@@ -44,6 +43,13 @@ EVENT (Outbox_Hold_Begun);
 #define Box           Outbox_Box
 #define Answer_Waits  (Box.Count > 0 && Box.Places [0] != Awaited)
 
+/* Send_Order.Next */
+#define May_Answer \
+   (Box.Open && Answer_Waits \
+    && !(Box.Unasked && Box.Released && Box.Answered))
+#define May_Tell \
+   (Box.Open && Box.Unasked && (Box.Count == 0 || Box.Released))
+
 inline Next_Place () {
 #if CAPACITY > 1
    Box.Places [0] = Box.Places [1];
@@ -53,16 +59,17 @@ inline Next_Place () {
    Box.Head++
 }
 
-inline Refresh () {
+inline Skip_Nothing () {
    do
    :: Box.Count > 0 && Box.Places [0] == Ready_Nothing -> Next_Place ()
    :: else -> break
-   od;
+   od
+}
+
+inline End_Quiet_Hold () {
    Box.Released = Box.Released && Box.Unasked;
    Box.Holding = Box.Holding && Box.Unasked;
-   Box.Renewed = Box.Renewed && Box.Holding;
-   Box.Ready = Box.Open && (Answer_Waits ||
-      (Box.Unasked && (Box.Count == 0 || Box.Released)))
+   Box.Renewed = Box.Renewed && Box.Holding
 }
 
 /* begun: a command or a message has just come, and the other waits */
@@ -82,7 +89,7 @@ inline Answer (number, item) {
          /* no command is answered twice */
          assert (Box.Places [number - Box.Head] == Awaited);
          Box.Places [number - Box.Head] = item;
-         Refresh ()
+         Skip_Nothing ()
       :: else
       fi
    }
@@ -140,7 +147,6 @@ reserve: atomic {
                /* a hold that was on begins anew for this command */
                Box.Renewed = Box.Renewed || begun ||
                   (Box.Holding && Box.Count == 1);
-               Refresh ();
                goto reserved
             :: Box.Open && Box.Count == CAPACITY
             fi
@@ -167,31 +173,36 @@ reserved:
 active proctype Th_Send_To_Mon ()
 {
    mtype:message kind = Nothing;
+   bool gap;            /* what was sent last is too near for the next */
 end_wait:
+   Suspend_Until_True (Outbox_Work);
+look:
+   /* Take: what was taken before has been sent; that the one who waits for
+      that is told is in session.pml */
    atomic {
-      Outbox_Work -> Outbox_Work = false;
-look: if :: !Box.Ready -> goto end_wait :: else fi
-   };
-   /* the gap between messages, a delay after which it looks again; Take */
-   atomic {
+      Box.Busy = false;
       if
-      :: Box.Open && Answer_Waits &&
-         !(Box.Unasked && Box.Released && Box.Answered) ->
+      :: !May_Answer && !May_Tell -> gap = false; goto end_wait
+      :: (May_Answer || May_Tell) && gap ->
+         /* delay until the gap is over, and Take again */
+         gap = false;
+#ifdef MUTANT_GAP_WITHOUT_LOOK
+         goto end_wait
+#else
+         goto look
+#endif
+      :: May_Answer && !gap ->
          kind = An_Answer;
          Box.Answered = true;
-         Next_Place ()
-      :: else ->
-         if
-         :: Box.Open && Box.Unasked && (Box.Count == 0 || Box.Released) ->
-            kind = An_Unasked;
-            Box.Answered = false;
-            Box.Unasked = false;
-            Box.Holding = false
-         :: else -> goto look
-         fi
+         Next_Place ();
+         Skip_Nothing ()
+      :: !May_Answer && May_Tell && !gap ->
+         kind = An_Unasked;
+         Box.Answered = false;
+         Box.Unasked = false
       fi;
-      Busy = true;
-      Refresh ()
+      Box.Busy = true;
+      End_Quiet_Hold ()
    };
    if
    :: kind == An_Answer -> Set_True (Outbox_Room)
@@ -206,8 +217,12 @@ look: if :: !Box.Ready -> goto end_wait :: else fi
       :: Shut
       fi;
       kind = Nothing;
-      Busy = false;
+      if :: gap = true :: gap = false fi;
+#ifdef MUTANT_SENT_WITHOUT_LOOK
+      goto end_wait
+#else
       goto look
+#endif
    }
 }
 
@@ -222,7 +237,7 @@ look: Box.Renewed = false;
    /* delay until At_Time; End_Hold */
    atomic {
       if
-      :: Box.Holding -> Box.Released = true; Refresh ()
+      :: Box.Holding -> Box.Released = true
       :: Box.Holding && Box.Renewed
       :: !Box.Holding
       fi
@@ -245,8 +260,7 @@ end_wait:
          left > 0 && Box.Open -> left--;
          Box.Unasked = true;
          Begin_Hold (begun);
-         Box.Renewed = Box.Renewed || begun;
-         Refresh ()
+         Box.Renewed = Box.Renewed || begun
       };
       Set_True (Outbox_Work);
       if
@@ -269,7 +283,7 @@ active proctype Th_Com_Mon_Perdue ()
          Box.Open = true;
          Box.Answered = false;
          Box.Unasked = false;
-         Refresh ();
+         End_Quiet_Hold ();
          Shut = false;
          Owed = 0
       };
@@ -295,12 +309,12 @@ end_stays:  false
          Box.Places [0] = Awaited;
          Box.Places [CAPACITY - 1] = Awaited;
          Box.Unasked = false;
-         Refresh ()
+         End_Quiet_Hold ()
       };
 #ifndef MUTANT_CLOSE_WITHOUT_ROOM
       Set_True (Outbox_Room);
 #endif
-      !Busy;                     /* Wait_Sender: see session.pml */
+      !Box.Busy;                 /* Wait_Sender: see session.pml */
       Suspend_Until_True (Session_Receive_Ended);
       /* Task_Ports.Clear */
       atomic {

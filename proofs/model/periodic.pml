@@ -5,20 +5,37 @@
 #include "common.pml"
 
 /* Checked in parts: with -DRELOAD the watchdog's reload against stops
-   without end, or with -DMOVES against movements without end; else one of the
-   companions of a run, battery or, with -DKEEP_ALIVE, keep-alive, with both
-   ways to start. */
+   without end, or with -DMOVES against movements without end, or with -DCALM
+   against neither; else one of the companions of a run, battery or, with
+   -DKEEP_ALIVE, keep-alive, with both ways to start. */
 
 #define STOPS  1         /* that wait at a time */
-
-inline Outbox_Answer (its_number) { skip }
-
-#define EVENTS_AT_ONCE
-#include "line.pml"
 
 EVENT (Robot_Events_For_Reload);
 EVENT (Robot_Events_For_Battery);
 EVENT (Robot_Events_For_Keep_Alive);
+
+/* Th_Line's, before it answers the start */
+inline Tell_Of_Start () {
+#ifdef RELOAD
+#ifndef MUTANT_RELOAD_NOT_BEGUN
+   if
+   :: kind == Start_Watchdog -> Set_True (Robot_Events_For_Reload)
+   :: else
+   fi
+#else
+   skip
+#endif
+#else
+#ifndef MUTANT_BATTERY_NOT_BEGUN
+   Set_True (Robot_Events_For_Battery);
+#endif
+   Set_True (Robot_Events_For_Keep_Alive)
+#endif
+}
+
+#define EVENTS_AT_ONCE
+#include "line.pml"
 
 #define In_Watchdog_Mode  (L.Mode == Started_With_Watchdog)
 #define Same_Run(c)       (L.Mode != Not_Started && !L.New_Epoch [c])
@@ -31,25 +48,7 @@ active proctype Th_Start_Robot_WD ()
 end_wait:
    do
    :: Ask (Robot_Clients_Start_Watchdog, Start_Watchdog, 0, 0, 0);
-      atomic {
-         Finished (Robot_Clients_Start_Watchdog);
-         if
-         :: L.Result [Robot_Clients_Start_Watchdog] != Done ->
-            L.Result [Robot_Clients_Start_Watchdog] = 0;
-            goto end_wait
-         :: else -> L.Result [Robot_Clients_Start_Watchdog] = 0
-         fi
-      };
-#ifdef RELOAD
-#ifndef MUTANT_RELOAD_NOT_BEGUN
-      Set_True (Robot_Events_For_Reload)
-#endif
-#else
-#ifndef MUTANT_BATTERY_NOT_BEGUN
-      Set_True (Robot_Events_For_Battery);
-#endif
-      Set_True (Robot_Events_For_Keep_Alive)
-#endif
+      atomic { Finished (Robot_Clients_Start_Watchdog) }
    od
 }
 
@@ -59,17 +58,7 @@ active proctype Th_Start_Robot ()
 end_wait:
    do
    :: Ask (Robot_Clients_Start, Start, 0, 0, 0);
-      atomic {
-         Finished (Robot_Clients_Start);
-         if
-         :: L.Result [Robot_Clients_Start] != Done ->
-            L.Result [Robot_Clients_Start] = 0;
-            goto end_wait
-         :: else -> L.Result [Robot_Clients_Start] = 0
-         fi
-      };
-      Set_True (Robot_Events_For_Battery);
-      Set_True (Robot_Events_For_Keep_Alive)
+      atomic { Finished (Robot_Clients_Start) }
    od
 }
 #endif
@@ -82,10 +71,7 @@ end_wait:
       :: Ask (Robot_Clients_Reset, Open_Line, 0, 0, 0)
       :: Ask (Robot_Clients_Reset, Reset, 0, 0, 0)
       fi;
-      atomic {
-         Finished (Robot_Clients_Reset);
-         L.Result [Robot_Clients_Reset] = 0
-      }
+      atomic { Finished (Robot_Clients_Reset) }
    od
 }
 
@@ -95,17 +81,14 @@ active proctype Th_Move ()
 end_wait:
    do
    :: Ask (Robot_Clients_Move, Drive, 0, 0, 0);
-      atomic {
-         Finished (Robot_Clients_Move);
-         L.Result [Robot_Clients_Move] = 0
-      }
+      atomic { Finished (Robot_Clients_Move) }
    od
 }
 
 #endif
 
 #ifdef RELOAD
-#ifndef MOVES
+#if !defined (MOVES) && !defined (CALM)
 active proctype Stop_Source ()
 {
 end_wait:
@@ -126,12 +109,17 @@ look: if
       :: else -> goto end_wait
       fi
    };
-   d_step {
+   atomic {
       L.Reload_Due = Far;
       Reloaded = false;
-      Refresh_Line ()
-   }
-   Set_True (Robot_Line_Work);
+#ifndef CALM
+   };
+   atomic {
+#endif
+#ifndef MUTANT_DUE_WITHOUT_EVENT
+      Set_True (Robot_Line_Work)
+#endif
+   };
    atomic {
       /* delay until Next */
       L.Reload_Due != Far || L.New_Epoch [Robot_Clients_Reload];
@@ -147,18 +135,25 @@ look: if
    };
    atomic {
       Finished (Robot_Clients_Reload);
-      L.Result [Robot_Clients_Reload] = 0;
       goto look
    }
 }
 
-/* The time at which the reload is due comes near, and passes */
+/* The time at which the reload is due comes near, and passes. Where nothing
+   but this keeps orders waiting, it does not come near before the owner of
+   the line has looked: there is nearly a second. */
+
+#ifdef CALM
+#define Comes_Near  (L.Reload_Due == Far && !Robot_Line_Work)
+#else
+#define Comes_Near  (L.Reload_Due == Far)
+#endif
 
 active proctype Clock ()
 {
 end_wait:
    do
-   :: atomic { L.Reload_Due == Far  -> L.Reload_Due = Near }
+   :: atomic { Comes_Near -> L.Reload_Due = Near }
    :: atomic { L.Reload_Due == Near -> L.Reload_Due = Past }
    od
 }
@@ -186,7 +181,6 @@ look: if
    Ask (client, what, 0, 0, 0);
    atomic {
       Finished (client);
-      L.Result [client] = 0;
       goto look
    }
 }
@@ -214,6 +208,11 @@ ltl reload_never_starves
    { [] (L.Pending [Robot_Clients_Reload] -> <> !L.Pending [Robot_Clients_Reload]) }
 ltl reload_as_long_as_it_runs
    { []<> (!In_Watchdog_Mode || Reloaded) && []<> (!In_Watchdog_Mode || !Reloaded) }
+#ifdef CALM
+#define Order_Waits  L.Pending [Robot_Clients_Start_Watchdog]
+ltl orders_go_after_the_reload
+   { [] (Order_Waits -> <> !Order_Waits) }
+#endif
 #else
 #ifndef KEEP_ALIVE
 ltl battery_as_long_as_it_runs

@@ -126,29 +126,44 @@ end_wait:
 
 active proctype Th_Send_To_Mon ()
 {
-   bool success, closed;
+   bool success, left, more;
    byte own;
 end_wait:
-   do
-   :: /* Take: something to send, at any time */
-      atomic { Outbox_Open -> Outbox_Busy = true };
-      atomic { assert (Current != 0); own = Current; In_Send = true };
-      /* a silent monitor, or one that does not read, blocks it */
-      if
-      :: atomic { !Shut [own] && Peer [own] == Present -> success = true }
-      :: atomic { Over (own) -> success = false }
-      fi;
-      In_Send = false;
+   /* Take: something to send, at any time */
+   atomic { Outbox_Open -> Outbox_Busy = true };
+send:
+   atomic { assert (Current != 0); own = Current; In_Send = true };
+   /* a silent monitor, or one that does not read, blocks it */
+   if
+   :: atomic { !Shut [own] && Peer [own] == Present -> success = true }
+   :: atomic { Over (own) -> success = false }
+   fi;
+   In_Send = false;
 #ifndef MUTANT_SENT_BEFORE_SHUT_DOWN
-      if :: !success -> Shut_Down (own) :: else fi;
+   if :: !success -> Shut_Down (own) :: else fi;
 #endif
-      atomic { Outbox_Busy = false; closed = !Outbox_Open };
-      if :: closed -> Set_True (Outbox_Sender_Left) :: else fi;
+   /* Take again: what was taken before has been sent; and the next goes, if
+      there is one and no gap before it */
+   atomic {
+      left = !Outbox_Open;
+      if
+      :: Outbox_Open -> more = true
+      :: Outbox_Busy = false
+      fi
+   };
+#ifndef MUTANT_LEFT_WITHOUT_EVENT
+   if :: left -> Set_True (Outbox_Sender_Left) :: else fi;
+#endif
 #ifdef MUTANT_SENT_BEFORE_SHUT_DOWN
-      if :: !success -> Shut_Down (own) :: else fi;
+   if :: !success -> Shut_Down (own) :: else fi;
 #endif
-      atomic { own = 0; success = false; closed = false }
-   od
+   atomic {
+      own = 0; success = false; left = false;
+      if
+      :: more -> more = false; goto send
+      :: else -> goto end_wait
+      fi
+   }
 }
 
 active proctype Th_Com_Mon_Perdue ()

@@ -141,7 +141,9 @@ inline Take (p) {
    if
    :: len (Port (p)) > 0 -> Port (p) ? number, kind
    :: else -> goto end_wait
-   fi
+   fi;
+   /* the queue lets one order go at a time: there is never more */
+   assert (len (Port (p)) == 0)
 }
 
 inline Vision_Done () {
@@ -153,7 +155,7 @@ inline Vision_Done () {
    fi;
    number = 0; kind = 0;
 #endif
-   goto look
+   goto end_wait
 }
 
 inline Tell_If_Awaited () {
@@ -213,7 +215,7 @@ end_wait:
    atomic {
       Order_Ports_Arrived [Task_Ports_Camera_Control] ->
       Order_Ports_Arrived [Task_Ports_Camera_Control] = false;
-look: Take (Task_Ports_Camera_Control);
+      Take (Task_Ports_Camera_Control);
       if
       :: kind == Open_Camera && number >= VS.First && Is_Open ->
          goto answer                                 /* it is open */
@@ -295,7 +297,7 @@ end_wait:
 not_open:
       Made_Is_Now = false;
       goto pause;
-image:                              /* is made; Release, Put_Image */
+image:                              /* is made; Put_Image, Release */
       atomic {
          FS.Claimed--;
          assert (!(Outbox_Open && Made_Is_Now && Images_Stopped));
@@ -318,7 +320,7 @@ end_wait:
    atomic {
       Order_Ports_Arrived [Task_Ports_Arena] ->
       Order_Ports_Arrived [Task_Ports_Arena] = false;
-look: Take (Task_Ports_Arena);
+      Take (Task_Ports_Arena);
       if
       :: kind == Decide_Arena ->
          if

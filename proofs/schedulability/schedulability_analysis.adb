@@ -37,14 +37,15 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
      (case Name is
          when Line_Request    => "request",
          when Line_Answer     => "answer",
+         when Line_Outcome    => "outcome",
          when Line_Open       => "open, close",
          when Reload_Due | Battery_Due | Ping_Due    => "due",
-         when Reload_Done | Battery_Done | Ping_Done => "done",
+         when Reload_Done | Battery_Done | Ping_Done | Move_Done | Open_Done
+            | Start_Done | Watchdog_Done | Reset_Done | Query_Done =>
+            "done",
          when Move_Order | Open_Order | Start_Order | Watchdog_Order
             | Reset_Order | Query_Order | Camera_Order => "order",
-         when Move_Answer | Open_Answer | Start_Answer | Watchdog_Answer
-            | Reset_Answer | Query_Answer | Camera_Answer | Send_Answer =>
-            "answer",
+         when Camera_Answer | Send_Answer => "answer",
          when Send_Look       => "gap",
          when Send_Battery    => "battery",
          when Send_Position   => "position",

@@ -49,10 +49,11 @@ package body Supervisor_Model with SPARK_Mode is
      Order_Name in Move_Order | Open_Order | Start_Order | Watchdog_Order
        | Reset_Order | Query_Order;
 
-   subtype Answer_Name is Activity_Name
+   subtype Done_Name is Activity_Name
    with Static_Predicate =>
-     Answer_Name in Move_Answer | Open_Answer | Start_Answer
-       | Watchdog_Answer | Reset_Answer | Query_Answer;
+     Done_Name in Move_Done | Open_Done | Start_Done | Watchdog_Done
+       | Reset_Done | Query_Done;
+   --  th_line has carried it out and answered, and lets the task go on
 
    function To_Span (Value : Integer) return Span is
      (if Value in 0 .. Horizon then Span (Value) else Horizon);
@@ -81,13 +82,12 @@ package body Supervisor_Model with SPARK_Mode is
    function Ceiling_Of (Which : Operation_Name) return Urgency is
      (Urgency
         (case Which is
-            when Outbox_Short | Outbox_Image => Schedule.Outbox_Ceiling,
+            when Outbox_Operation | Outbox_Take => Schedule.Outbox_Ceiling,
             when Line_Operation     => Schedule.Line_Ceiling,
             when Port_Operation     => Schedule.Order_Ceiling,
-            when Vision_Operation   => Schedule.Vision_Ceiling,
+            when Vision_Operation   => Schedule.Camera_Ceiling,
             when Session_Operation  => Schedule.Session_Ceiling,
             when Journal_Operation  => Schedule.Journal_Ceiling,
-            when Settings_Operation => Schedule.Settings_Ceiling,
             when Event_Operation    => System.Any_Priority'First));
 
    function Touches (Name : Activity_Name; Event : Event_Name) return Boolean
@@ -96,18 +96,17 @@ package body Supervisor_Model with SPARK_Mode is
              Name in Line_Request .. Line_Open | Reload_Due | Reload_Done
                | Order_Name | Battery_Due | Ping_Due | Loss | Receive,
           when Order_Arrived =>
-             Name in Receive | Order_Name | Answer_Name | Camera_Order
+             Name in Receive | Order_Name | Done_Name | Camera_Order
                | Camera_Answer | Arena,
           when Outbox_Work =>
-             Name in Send_Look .. Send_Image | Answer_Name | Battery_Done
-               | Receive | Line_Answer | Hold | Camera_Order
+             Name in Send_Look .. Send_Image | Battery_Done | Receive
+               | Line_Answer | Line_Outcome | Hold | Camera_Order
                | Camera_Answer | Capture | Arena,
           when Hold_Begun =>
              Name in Hold | Battery_Done | Line_Answer | Capture,
           when Log_Arrived =>
-             Name in Console | Stop | Line_Answer | Line_Open | Newcomer
-               | Receive | Loss | Start_Answer | Watchdog_Answer | Arena
-               | Camera);
+             Name in Console | Stop | Line_Answer .. Line_Open | Newcomer
+               | Receive | Loss | Arena | Camera);
 
    procedure Fill
      (Choice : Priority_Choice;
@@ -130,12 +129,21 @@ package body Supervisor_Model with SPARK_Mode is
    function Latest_Order (Bounds : Row_Bounds) return Span;
    --  From a command, other than a movement, to the request that it leads to
 
-   function Latest_Answer (Bounds : Row_Bounds) return Span;
-   --  From a command to the answer of its task
+   function Latest_Answer (Line : Line_Bounds) return Span is
+     (Span'Max
+        (Latest (Line (Stop_Order)),
+         Span'Max (Latest (Line (Movement)), Latest (Line (Other_Order)))));
+   --  From a command to its answer, which th_line gives
 
    procedure See_Streams (Set : in out Activity_Set);
-   --  As all others see the monitor's orders and their answers: nothing but
-   --  the streams
+   --  As all others see the monitor's orders, and their tasks when they are
+   --  done: nothing but the streams
+
+   procedure Bound_Activity
+     (Set : Activity_Set; Which : Row_Index; Result : out Bound);
+   --  Orders that have waited for the line have their outcomes late and
+   --  together, as its jitter says; but no sooner than the line has carried
+   --  them. Of the bounds by the one and by the other the lower holds
 
    procedure Bound_Line
      (Bounds : Row_Bounds;
@@ -189,18 +197,18 @@ package body Supervisor_Model with SPARK_Mode is
             when Line_Request .. Line_Open  => Schedule.Line_Priority,
             when Reload_Due | Reload_Done   => Schedule.Reload_Priority,
             when Newcomer        => Schedule.Server_Priority,
-            when Move_Order | Move_Answer   => Schedule.Move_Priority,
+            when Move_Order | Move_Done     => Schedule.Move_Priority,
             when Receive         => Schedule.Receive_Priority,
             when Loss            => Schedule.Lost_Priority,
             when Hold            => Schedule.Hold_Priority,
             when Send_Look .. Send_Image  => Schedule.Send_Priority,
             when Battery_Due | Battery_Done => Schedule.Battery_Priority,
-            when Open_Order | Open_Answer   => Schedule.Open_Priority,
-            when Start_Order | Start_Answer => Schedule.Start_Priority,
-            when Watchdog_Order | Watchdog_Answer =>
+            when Open_Order | Open_Done     => Schedule.Open_Priority,
+            when Start_Order | Start_Done   => Schedule.Start_Priority,
+            when Watchdog_Order | Watchdog_Done =>
                Schedule.Start_Watchdog_Priority,
-            when Reset_Order | Reset_Answer => Schedule.Reset_Priority,
-            when Query_Order | Query_Answer => Schedule.Query_Priority,
+            when Reset_Order | Reset_Done   => Schedule.Reset_Priority,
+            when Query_Order | Query_Done   => Schedule.Query_Priority,
             when Ping_Due | Ping_Done       => Schedule.Keep_Alive_Priority,
             when Camera_Order | Camera_Answer =>
                Schedule.Camera_Control_Priority,
@@ -234,17 +242,17 @@ package body Supervisor_Model with SPARK_Mode is
          when Line_Request .. Line_Open  => "th_line",
          when Reload_Due | Reload_Done   => "th_reloadWD",
          when Newcomer        => "th_server",
-         when Move_Order | Move_Answer   => "th_move",
+         when Move_Order | Move_Done     => "th_move",
          when Receive         => "th_receiveFromMon",
          when Loss            => "th_comMonPerdue",
          when Hold            => "th_hold",
          when Send_Look .. Send_Image  => "th_sendToMon",
          when Battery_Due | Battery_Done => "th_batteryLevel",
-         when Open_Order | Open_Answer   => "th_openComRobot",
-         when Start_Order | Start_Answer => "th_startRobot",
-         when Watchdog_Order | Watchdog_Answer => "th_startRobotWD",
-         when Reset_Order | Reset_Answer => "th_resetRobot",
-         when Query_Order | Query_Answer => "th_query",
+         when Open_Order | Open_Done     => "th_openComRobot",
+         when Start_Order | Start_Done   => "th_startRobot",
+         when Watchdog_Order | Watchdog_Done => "th_startRobotWD",
+         when Reset_Order | Reset_Done   => "th_resetRobot",
+         when Query_Order | Query_Done   => "th_query",
          when Ping_Due | Ping_Done       => "th_keepAlive",
          when Camera_Order | Camera_Answer => "th_cameraControl",
          when Capture         => "th_captureImg",
@@ -271,14 +279,14 @@ package body Supervisor_Model with SPARK_Mode is
      (case Name is
          when Kernel => Tick_Interval,
          when Stop | Newcomer | Environment | Line_Open
-            | Open_Order .. Reset_Answer | Camera_Order | Camera_Answer =>
+            | Open_Order .. Reset_Done | Camera_Order | Camera_Answer =>
             Session_Interval,
          when Line_Request | Line_Answer =>
             --  no sooner than the line has carried a command and an answer
             Positive_Span'Max (1, Frame_Time (2 * Short_Frame)),
          when Reload_Due | Reload_Done => To_Period (Reload_Period),
-         when Move_Order | Move_Answer | Receive | Send_Answer | Query_Order
-            | Query_Answer => Command_Interval,
+         when Line_Outcome | Move_Order | Move_Done | Receive | Send_Answer
+            | Query_Order | Query_Done => Command_Interval,
          when Loss => To_Period (Link_Period),
          when Hold => Hold_Interval,
          when Send_Look => Answer_Gap,
@@ -314,30 +322,33 @@ package body Supervisor_Model with SPARK_Mode is
      return Natural
    is
      (case Which is
-         when Outbox_Short =>
+         when Outbox_Operation =>
            (case Name is
-               when Line_Answer | Battery_Done | Answer_Name | Loss
-                  | Newcomer => 1,
-               when Receive | Camera_Order | Camera_Answer | Capture
-                  | Arena => 2,
-               when Send_Look .. Send_Image => 3,
+               when Line_Outcome | Battery_Done | Loss | Newcomer => 1,
+               when Line_Answer | Receive | Camera_Order | Camera_Answer => 2,
+               when Capture | Arena => 3,
                when Hold => 9,
                when others => 0),
-         when Outbox_Image =>
+         when Outbox_Take =>
            (case Name is
-               when Send_Look .. Send_Image | Capture | Arena => 1,
+               when Send_Look => 1,
+               --  and again when it has been sent: that, and what is next
+               when Send_Answer .. Send_Image => 2,
                when others => 0),
          when Line_Operation =>
            (case Name is
-               when Line_Answer | Receive | Order_Name | Answer_Name
+               when Line_Request | Line_Answer | Receive | Order_Name
                   | Ping_Done => 1,
-               when Stop | Line_Request | Reload_Due | Reload_Done | Loss
-                  | Battery_Due | Battery_Done | Ping_Due => 2,
+               when Stop | Line_Open | Reload_Due | Loss | Battery_Due
+                  | Battery_Done | Ping_Due => 2,
+               when Reload_Done => 3,
                when others => 0),
          when Port_Operation =>
            (case Name is
-               when Order_Name | Answer_Name => 1,
-               when Receive | Camera_Order | Camera_Answer | Arena => 2,
+               when Order_Name => 1,
+               when Receive | Camera_Answer => 2,
+               when Camera_Order | Arena => 3,
+               --  its own order, and the next one's way to its task
                when Loss => 8,
                when others => 0),
          when Vision_Operation =>
@@ -355,15 +366,9 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Journal_Operation =>
            (case Name is
-               when Stop | Line_Answer | Line_Open | Receive | Loss
-                  | Start_Answer | Watchdog_Answer => 1,
+               when Stop | Line_Answer .. Line_Open | Receive | Loss => 1,
                when Console => 2,
                when Newcomer => Schedule.Hearings_Per_Turn + 3,
-               when others => 0),
-         when Settings_Operation =>
-           (case Name is
-               when Line_Open | Newcomer | Send_Look .. Send_Image
-                  | Arena => 1,
                when others => 0),
          when Event_Operation =>
            (case Name is
@@ -398,17 +403,16 @@ package body Supervisor_Model with SPARK_Mode is
       subtype Image_Processor is Processor_Number range 1 .. 4;
 
       type Object_Name is
-        (Outbox, Line, Port, Vision, Session, Journal, Settings, Event);
+        (Outbox, Line, Port, Vision, Session, Journal, Event);
 
       function Object_Of (Which : Operation_Name) return Object_Name is
         (case Which is
-            when Outbox_Short | Outbox_Image => Outbox,
+            when Outbox_Operation | Outbox_Take => Outbox,
             when Line_Operation     => Line,
             when Port_Operation     => Port,
             when Vision_Operation   => Vision,
             when Session_Operation  => Session,
             when Journal_Operation  => Journal,
-            when Settings_Operation => Settings,
             when Event_Operation    => Event);
 
       function Longest_At
@@ -552,8 +556,8 @@ package body Supervisor_Model with SPARK_Mode is
       for Name in Order_Name loop
          Join (Name, Orders_Row);
       end loop;
-      for Name in Answer_Name loop
-         Join (Name, Answers_Row);
+      for Name in Done_Name loop
+         Join (Name, Done_Row);
       end loop;
    end Fill;
 
@@ -572,19 +576,6 @@ package body Supervisor_Model with SPARK_Mode is
       return Result;
    end Latest_Order;
 
-   -------------------
-   -- Latest_Answer --
-   -------------------
-
-   function Latest_Answer (Bounds : Row_Bounds) return Span is
-      Result : Span := 0;
-   begin
-      for Name in Answer_Name loop
-         Result := Span'Max (Result, Latest (Bounds (Name)));
-      end loop;
-      return Result;
-   end Latest_Answer;
-
    -----------------
    -- See_Streams --
    -----------------
@@ -594,10 +585,37 @@ package body Supervisor_Model with SPARK_Mode is
       for Name in Order_Name loop
          Set (Row (Name)).Budget := 0;
       end loop;
-      for Name in Answer_Name loop
+      for Name in Done_Name loop
          Set (Row (Name)).Budget := 0;
       end loop;
    end See_Streams;
+
+   --------------------
+   -- Bound_Activity --
+   --------------------
+
+   procedure Bound_Activity
+     (Set : Activity_Set; Which : Row_Index; Result : out Bound)
+   is
+      Paced : Activity_Set := Set;
+      Other : Bound;
+   begin
+      Pre_Emptive_Bound (Set, Which, Result);
+      if Which /= Row (Line_Outcome) then
+         Paced (Row (Line_Outcome)).Period := Period_Of (Line_Answer);
+         Paced (Row (Line_Outcome)).Jitter := 0;
+         Pre_Emptive_Bound (Paced, Which, Other);
+         if not Result.Exists then
+            Result := Other;
+         elsif Other.Exists then
+            Result :=
+              (Exists => True,
+               Start  => Span'Min (Result.Start, Other.Start),
+               Finish => Span'Min (Result.Finish, Other.Finish),
+               Local  => Span'Min (Result.Local, Other.Local));
+         end if;
+      end if;
+   end Bound_Activity;
 
    ----------------
    -- Bound_Line --
@@ -610,14 +628,16 @@ package body Supervisor_Model with SPARK_Mode is
       Length : out Line_Times;
       Line   : out Line_Bounds)
    is
-      Own : constant Microseconds :=
-        (if Owner.Request.Exists and then Owner.Answer.Exists
-         then Owner.Request.Local + Owner.Answer.Local
+      function Own (Last : Bound) return Microseconds is
+        (if Owner.Request.Exists and then Last.Exists
+         then Owner.Request.Local + Last.Local
          else Horizon);
-      --  of the line's owner, between two transactions
+      --  Of the line's owner, between two transactions
 
-      function Exchange (Bytes : Natural) return Span is
-        (Capped (Frame_Time (Bytes + Short_Frame) + Under.Turnaround + Own))
+      function Exchange (Bytes : Natural; Last : Bound) return Span is
+        (Capped
+           (Frame_Time (Bytes + Short_Frame) + Under.Turnaround
+            + Own (Last)))
       with Pre => Bytes <= 100;
 
       subtype Client_Index is Activity_Index range
@@ -683,10 +703,11 @@ package body Supervisor_Model with SPARK_Mode is
       Silence : constant Span :=
         (if Under.Silent
          then Capped (Frame_Time (Longest_Frame) + To_Span (Answer_Timeout)
-                      + Own)
+                      + Own (Owner.Outcome))
          else 0);
       Resumed : constant Span :=
-        (if Under.Silent then Capped (Silence + Exchange (Probe_Frames))
+        (if Under.Silent
+         then Capped (Silence + Exchange (Probe_Frames, Owner.Answer))
          else 0);
       --  a stop does not wait for the probe
       Quiet   : constant Span :=
@@ -695,12 +716,13 @@ package body Supervisor_Model with SPARK_Mode is
       --  when the reload is nearly due
    begin
       Length :=
-        (Safe_State | Stop_Order => Exchange (Stop_Frame),
-         Movement                => Exchange (Longest_Frame),
+        (Safe_State | Stop_Order => Exchange (Stop_Frame, Owner.Answer),
+         Movement                => Exchange (Longest_Frame, Owner.Outcome),
          Other_Order             => Capped
-           (Exchange (Stop_Frame) + Exchange (Short_Frame)),
+           (Exchange (Stop_Frame, Owner.Answer)
+            + Exchange (Short_Frame, Owner.Outcome)),
          --  what ends the robot's run stops it first
-         Reload | Battery | Ping => Exchange (Short_Frame),
+         Reload | Battery | Ping => Exchange (Short_Frame, Owner.Answer),
          Unanswered              => 0);
       Drive := Span'Max (Length (Stop_Order), Length (Movement));
       Order := Span'Max (Drive, Length (Other_Order));
@@ -821,6 +843,7 @@ package body Supervisor_Model with SPARK_Mode is
 
       Line_Period : constant Positive_Span := Period_Of (Line_Answer);
       Line_Jitter : constant Span := Latest (Bounds (Line_Answer));
+      Line_End    : constant Span := Latest (Bounds (Line_Outcome));
 
       procedure Change (Which : Row_Index; Period : Positive_Span; To : Span)
       with Global => (In_Out => (Set, Changed));
@@ -843,7 +866,9 @@ package body Supervisor_Model with SPARK_Mode is
    begin
       Changed := False;
       for A in Activity_Name loop
-         if A in Answer_Name | Line_Open and then not All_Answered then
+         if A in Done_Name | Line_Outcome | Line_Open
+           and then not All_Answered
+         then
             Change (Row (A), Line_Period, Line_Jitter);
          elsif A = Send_Answer and then not All_Answered then
             --  as fast as the line works, and th_receiveFromMon's own
@@ -851,7 +876,7 @@ package body Supervisor_Model with SPARK_Mode is
               (Row (A), Positive_Span'Max (1, Line_Period / 2),
                Capped (Line_Period
                        + Span'Max (Latest (Bounds (Receive)),
-                                   Latest_Answer (Bounds))));
+                                   Span'Max (Line_Jitter, Line_End))));
          else
             Change
               (Row (A), Set (Row (A)).Period,
@@ -860,16 +885,17 @@ package body Supervisor_Model with SPARK_Mode is
                       Latest_Answered (Line (Reload), Period_Of (A)),
                    when Order_Name | Camera_Order =>
                       Latest (Bounds (Receive)),
-                   when Move_Answer  => Latest (Line (Movement)),
-                   when Line_Open | Open_Answer | Start_Answer
-                      | Watchdog_Answer | Reset_Answer | Query_Answer =>
+                   when Move_Done    => Latest (Line (Movement)),
+                   when Line_Open | Open_Done | Start_Done | Watchdog_Done
+                      | Reset_Done | Query_Done =>
                       Latest (Line (Other_Order)),
+                   when Line_Outcome => Latest_Answer (Line),
                    when Battery_Done =>
                       Latest_Answered (Line (Battery), Period_Of (A)),
                    when Ping_Done    =>
                       Latest_Answered (Line (Ping), Period_Of (A)),
                    when Send_Answer  => Span'Max
-                     (Latest (Bounds (Receive)), Latest_Answer (Bounds)),
+                     (Latest (Bounds (Receive)), Latest_Answer (Line)),
                    when Send_Battery => Latest (Bounds (Battery_Done)),
                    when Send_Position | Send_Image =>
                       Latest (Bounds (Capture)),
@@ -880,10 +906,10 @@ package body Supervisor_Model with SPARK_Mode is
       Change (Orders_Row, Command_Interval, Latest (Bounds (Receive)));
       if All_Answered then
          Change
-           (Answers_Row, Command_Interval,
+           (Done_Row, Command_Interval,
             Span'Max (Latest (Line (Movement)), Latest (Line (Other_Order))));
       else
-         Change (Answers_Row, Line_Period, Line_Jitter);
+         Change (Done_Row, Line_Period, Line_Jitter);
       end if;
    end Set_Jitters;
 
@@ -912,7 +938,7 @@ package body Supervisor_Model with SPARK_Mode is
             Whole.Priority :=
               Urgency'Min (Whole.Priority, Set (Row (A)).Priority);
             Whole.Level := Urgency'Min (Whole.Level, Set (Row (A)).Level);
-            if A not in Line_Request | Line_Answer then
+            if A not in Line_Request | Line_Answer | Line_Outcome then
                --  these go on for other transactions; the rest is the
                --  chain's own
                Whole.Period :=
@@ -932,7 +958,7 @@ package body Supervisor_Model with SPARK_Mode is
       Whole.Budget := Budget;
       Whole.Blocking := Blocking;
       Others_Set (Host) := Whole;
-      Pre_Emptive_Bound (Others_Set, Host, Result);
+      Bound_Activity (Others_Set, Host, Result);
    end Bound_Chain;
 
    -----------
@@ -999,7 +1025,7 @@ package body Supervisor_Model with SPARK_Mode is
 
       Bound_Chain
         (Set,
-         (Line_Answer | Query_Answer | Send_Image | Send_Answer => True,
+         (Line_Answer | Line_Outcome | Send_Image | Send_Answer => True,
           others => False),
          Answer_Gap, Told);
       Conclude (F4_Robot_Answer, Told.Finish, Told.Exists);
@@ -1101,7 +1127,7 @@ package body Supervisor_Model with SPARK_Mode is
          end if;
          See_Streams (Normal);
          Normal (Row (Name)) := Set (Row (Name));
-         Pre_Emptive_Bound (Normal, Row (Name), Value);
+         Bound_Activity (Normal, Row (Name), Value);
       end Bound_One;
 
       procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds)
@@ -1116,11 +1142,18 @@ package body Supervisor_Model with SPARK_Mode is
       begin
          --  a request can follow at once when the line has been opened
          Alone (Row (Line_Answer)).Budget := 0;
+         Alone (Row (Line_Outcome)).Budget := 0;
          Bound_One (Alone, Line_Request, Value.Request);
          Alone (Row (Line_Answer)).Budget := Set (Row (Line_Answer)).Budget;
          Alone (Row (Line_Request)).Budget := 0;
          Alone (Row (Line_Open)).Budget := 0;
          Bound_One (Alone, Line_Answer, Value.Answer);
+         Alone (Row (Line_Answer)).Budget := Capped
+           (Set (Row (Line_Answer)).Budget + Set (Row (Line_Outcome)).Budget);
+         Alone (Row (Line_Answer)).Blocking := Capped
+           (Set (Row (Line_Answer)).Blocking
+            + Set (Row (Line_Outcome)).Blocking);
+         Bound_One (Alone, Line_Answer, Value.Outcome);
       end Bound_Owner;
 
       In_Session : Activity_Set;
@@ -1208,7 +1241,7 @@ package body Supervisor_Model with SPARK_Mode is
    begin
       for A in Result.Set'Range loop
          if Result.Set (A).Processor = Processor
-           and then A not in Orders_Row | Answers_Row
+           and then A not in Orders_Row | Done_Row
          then
             Sum := Sum
               + Result.Set (A).Budget * 10_000 / Result.Set (A).Period;

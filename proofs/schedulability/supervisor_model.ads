@@ -81,14 +81,14 @@ package Supervisor_Model with SPARK_Mode is
 
    subtype Row_Index is Activity_Index range
      1 .. Activity_Name'Pos (Activity_Name'Last) + 6;
-   --  All activities, then the kernel on three other processors and the
-   --  monitor's orders and their answers, as streams
+   --  All activities, then the kernel on three other processors and, as
+   --  streams, the monitor's orders and their tasks when they are done
 
    function Row (Name : Activity_Name) return Row_Index is
      (Activity_Name'Pos (Name) + 1);
 
-   Answers_Row : constant Row_Index := Row_Index'Last;
-   Orders_Row  : constant Row_Index := Answers_Row - 1;
+   Done_Row    : constant Row_Index := Row_Index'Last;
+   Orders_Row  : constant Row_Index := Done_Row - 1;
    Last_Kernel : constant Row_Index := Orders_Row - 1;
 
    subtype Activity_Set is Activity_Array (Row_Index);
@@ -97,8 +97,10 @@ package Supervisor_Model with SPARK_Mode is
    type Owner_Bounds is record
       Request : Bound;
       Answer  : Bound;
+      Outcome : Bound;
+      --  Answer, and what comes of an order after it
    end record;
-   --  Of the line's owner within one transaction: its two activities do not
+   --  Of the line's owner within one transaction: its activities do not
    --  delay each other
 
    type Line_Bounds is array (Line_Client) of Bound;

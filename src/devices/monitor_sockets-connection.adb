@@ -89,7 +89,10 @@ is
    ----------
 
    procedure Send
-     (Data : String; Length : Natural; Success : out Boolean)
+     (Data    : String;
+      Length  : Natural;
+      Unsent  : in out Boolean;
+      Success : out Boolean)
    is
       Done : Natural := 0;
       Put  : Ssize;
@@ -104,6 +107,7 @@ is
          end if;
       end loop;
       Success := Done = Length;
+      Unsent := False;
    end Send;
 
    -----------

@@ -24,12 +24,17 @@ is
    --  and Length 0, when the connection is over
 
    procedure Send
-     (Data : String; Length : Natural; Success : out Boolean)
+     (Data    : String;
+      Length  : Natural;
+      Unsent  : in out Boolean;
+      Success : out Boolean)
    with
      Global => (In_Out => Monitor),
-     Pre    => Length <= Data'Length;
+     Pre    => Unsent and then Length <= Data'Length,
+     Post   => not Unsent;
    --  Sends the first Length characters in one piece; waits while the
-   --  connection takes nothing. Fails when the connection is over
+   --  connection takes nothing. Fails when the connection is over. Unsent:
+   --  the message, which is sent once
 
    type Loss_Kind is (None, Closed_By_Peer, Reset_By_Peer, No_Sign_Of_Life);
 

@@ -1,35 +1,31 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The arguments that the process was started with.
+--  The arguments that the process was started with. They never change.
 
-with Ada.Command_Line; use Ada.Command_Line;
+with Ada.Command_Line;
 
-package body Program_Arguments with
-  SPARK_Mode    => Off,
-  Refined_State => (Command_Line => null)
-is
+package body Program_Arguments with SPARK_Mode => Off is
 
-   ---------
-   -- Get --
-   ---------
+   function Value (Index : Positive) return String is
+     (if Index <= Count then Ada.Command_Line.Argument (Index) else "");
 
-   procedure Get
-     (Index : Positive; Argument : out Texts.Text; Whole : out Boolean)
-   is
-      Value : constant String :=
-        (if Index <= Argument_Count then Ada.Command_Line.Argument (Index)
-         else "");
-   begin
-      Texts.Set (Argument, Value);
-      Whole := Value'Length <= Texts.Max_Length;
-   end Get;
+   --------------
+   -- Argument --
+   --------------
 
-   ---------------
-   -- Get_Count --
-   ---------------
+   function Argument (Index : Positive) return Texts.Text is
+     (Texts.To_Text (Value (Index)));
 
-   procedure Get_Count (Count : out Natural) is
-   begin
-      Count := Argument_Count;
-   end Get_Count;
+   -----------
+   -- Count --
+   -----------
+
+   function Count return Natural is (Ada.Command_Line.Argument_Count);
+
+   --------------
+   -- Is_Whole --
+   --------------
+
+   function Is_Whole (Index : Positive) return Boolean is
+     (Value (Index)'Length <= Texts.Max_Length);
 
 end Program_Arguments;

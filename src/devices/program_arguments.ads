@@ -1,21 +1,17 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The arguments that the process was started with.
+--  The arguments that the process was started with. They never change.
 
 with Texts;
 
-package Program_Arguments with
-  SPARK_Mode,
-  Abstract_State => (Command_Line with Synchronous, External => Async_Writers),
-  Initializes    => Command_Line
-is
+package Program_Arguments with SPARK_Mode is
 
-   procedure Get_Count (Count : out Natural)
-   with Global => (In_Out => Command_Line);
+   function Count return Natural with Global => null;
 
-   procedure Get
-     (Index : Positive; Argument : out Texts.Text; Whole : out Boolean)
-   with Global => (In_Out => Command_Line);
-   --  The argument numbered Index from 1, empty where there is none. Where
-   --  it does not fit, Whole is false and Argument holds what fits
+   function Is_Whole (Index : Positive) return Boolean with Global => null;
+   --  The argument numbered Index from 1 is not longer than a text may be
+
+   function Argument (Index : Positive) return Texts.Text
+   with Global => null;
+   --  As much of it as fits; empty where there is none
 
 end Program_Arguments;

@@ -7,7 +7,6 @@ with GNAT.OS_Lib;
 with GNAT.Serial_Communications; use GNAT.Serial_Communications;
 with Interfaces.C;  use Interfaces.C;
 with Linux;
-with Robot_Protocol;
 with System;
 
 package body Serial_Line with
@@ -32,6 +31,8 @@ is
    Set_Flags   : constant := 4;      --  F_SETFL
    Non_Block   : constant := 8#4000#;
    Input_Queue : constant := 0;      --  TCIFLUSH
+
+   procedure Put (Item : Robot_Protocol.Frame; Success : out Boolean);
 
    ----------
    -- Open --
@@ -87,16 +88,25 @@ is
       Ignored := Tc_Flush (Descriptor, Input_Queue);
    end Discard_Input;
 
+   ---------
+   -- Put --
+   ---------
+
+   procedure Put (Item : Robot_Protocol.Frame; Success : out Boolean) is
+   begin
+      Success :=
+        Linux.Write (Descriptor, Item.Data'Address, size_t (Item.Length))
+        = Linux.Ssize (Item.Length);
+   end Put;
+
    -----------
    -- Write --
    -----------
 
-   procedure Write
-     (Data : Bytes.Byte_Array; Length : Natural; Success : out Boolean) is
+   procedure Write (Item : Robot_Protocol.Frame; Success : out Boolean) is
    begin
-      Success :=
-        Linux.Write (Descriptor, Data'Address, size_t (Length))
-        = Linux.Ssize (Length);
+      Put (Item, Success);
+      Written := (Written.Count + 1, Robot_Protocol.Decoded (Item));
    end Write;
 
    ----------
@@ -148,7 +158,7 @@ is
       Ignored : Boolean;
    begin
       Robot_Protocol.Encode (Robot_Protocol.Stop, Frame);
-      Write (Frame.Data, Frame.Length, Ignored);
+      Put (Frame, Ignored);
    end Stop_Blindly;
 
 end Serial_Line;

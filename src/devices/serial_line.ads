@@ -4,14 +4,19 @@
 
 with Ada.Real_Time;
 with Bytes;
+with Interfaces;
+with Robot_Protocol;
 with Texts;
 
 package Serial_Line with
   SPARK_Mode,
   Abstract_State =>
     (Device with Synchronous, External => (Async_Readers, Async_Writers)),
-  Initializes => Device
+  Initializes => (Device, Written)
 is
+
+   use type Interfaces.Unsigned_64;
+   use type Robot_Protocol.Reading;
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
@@ -25,13 +30,23 @@ is
    procedure Discard_Input with Global => (In_Out => Device);
    --  Forgets what has been received and not yet read
 
-   procedure Write
-     (Data : Bytes.Byte_Array; Length : Natural; Success : out Boolean)
+   type Line_Record is record
+      Count : Interfaces.Unsigned_64 := 0;
+      --  of frames, the failed ones too
+      Last  : Robot_Protocol.Reading;
+      --  as the robot reads it
+   end record;
+
+   Written : Line_Record with Ghost;
+   --  What has been written to the line by its owner
+
+   procedure Write (Item : Robot_Protocol.Frame; Success : out Boolean)
    with
-     Global => (In_Out => Device),
-     Pre    => Length <= Data'Length;
-   --  Sends the first Length bytes. Does not wait: fails where the device
-   --  takes nothing, and where it is gone
+     Global => (In_Out => (Device, Written)),
+     Post   => Written.Count = Written.Count'Old + 1
+       and then Written.Last = Robot_Protocol.Decoded (Item);
+   --  Sends the frame. Does not wait: fails where the device takes nothing,
+   --  and where it is gone
 
    procedure Read
      (Data    : out Bytes.Byte_Array;

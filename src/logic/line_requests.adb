@@ -33,47 +33,6 @@ package body Line_Requests with SPARK_Mode is
    end Begin_Session;
 
    ------------
-   -- Choose --
-   ------------
-
-   procedure Choose
-     (R     : Requests;
-      Quiet : Boolean;
-      From  : out Client;
-      Found : out Boolean) is
-   begin
-      From := Keep_Alive;
-      Found := False;
-      for Next in Client loop
-         if May_Go (R, Next, Quiet) then
-            if not Found then
-               From := Next;
-               Found := True;
-            elsif Is_Before (R, Next, From) then
-               Prove_Transitivity (R, Next, From);
-               From := Next;
-            end if;
-         end if;
-         pragma Loop_Invariant
-           (Found = (for some C in Client'First .. Next =>
-                       May_Go (R, C, Quiet)));
-         pragma Loop_Invariant
-           (if Found then From <= Next and then May_Go (R, From, Quiet));
-         pragma Loop_Invariant
-           (if Found then
-              (for all C in Client'First .. Next =>
-                 (if May_Go (R, C, Quiet) then not Is_Before (R, C, From))));
-      end loop;
-      pragma Assert (not Waits_For_Quiet (Stop_Order));
-      pragma Assert
-        (if Is_Pending (R, Stop_Order) then Is_In_Turn (R, Stop_Order));
-      pragma Assert
-        (if Is_Pending (R, Stop_Order) then
-            May_Go (R, Stop_Order, Quiet)
-            or else (R.Was_Stop and then May_Go (R, Reload, Quiet)));
-   end Choose;
-
-   ------------
    -- Finish --
    ------------
 
@@ -81,7 +40,7 @@ package body Line_Requests with SPARK_Mode is
    begin
       if Done.Order.Number >= R.First_Order and then Done.Order.Rank > 0 then
          R.Completed := R.Completed + 1;
-         if Changes_Session (Done.Request.Kind) then
+         if Robot_Session.Changes_Session (Done.Request.Kind) then
             R.Last_Change := Done.Order.Rank;
          end if;
       end if;
@@ -117,18 +76,55 @@ package body Line_Requests with SPARK_Mode is
 
    procedure Prove_Transitivity (R : Requests; From, Best : Client) is null;
 
-   ------------
-   -- Remove --
-   ------------
+   ----------
+   -- Take --
+   ----------
 
-   procedure Remove (R : in out Requests; From : Client) is
+   procedure Take
+     (R     : in out Requests;
+      Quiet : Boolean;
+      Next  : in out Job;
+      Found : out Boolean)
+   is
+      From : Client := Keep_Alive;
    begin
-      R.Was_Stop := From = Stop_Order;
-      if From = Stop_Order then
-         Order_Queues.Remove_First (R.Stops);
-      else
-         R.Slots (From).Pending := False;
+      Found := False;
+      for C in Client loop
+         if May_Go (R, C, Quiet) then
+            if not Found then
+               From := C;
+               Found := True;
+            elsif Is_Before (R, C, From) then
+               Prove_Transitivity (R, C, From);
+               From := C;
+            end if;
+         end if;
+         pragma Loop_Invariant
+           (Found = (for some D in Client'First .. C =>
+                       May_Go (R, D, Quiet)));
+         pragma Loop_Invariant
+           (if Found then From <= C and then May_Go (R, From, Quiet));
+         pragma Loop_Invariant
+           (if Found then
+              (for all D in Client'First .. C =>
+                 (if May_Go (R, D, Quiet) then not Is_Before (R, D, From))));
+      end loop;
+      pragma Assert (not Waits_For_Quiet (Stop_Order));
+      pragma Assert
+        (if Is_Pending (R, Stop_Order) then Is_In_Turn (R, Stop_Order));
+      pragma Assert
+        (if Is_Pending (R, Stop_Order) then
+            May_Go (R, Stop_Order, Quiet)
+            or else (R.Was_Stop and then May_Go (R, Reload, Quiet)));
+      if Found then
+         Next := Job_Of (R, From);
+         R.Was_Stop := From = Stop_Order;
+         if From = Stop_Order then
+            Order_Queues.Remove_First (R.Stops);
+         else
+            R.Slots (From).Pending := False;
+         end if;
       end if;
-   end Remove;
+   end Take;
 
 end Line_Requests;

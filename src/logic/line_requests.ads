@@ -72,13 +72,6 @@ package Line_Requests with SPARK_Mode is
       --  what was taken last was a monitor's stop
    end record;
 
-   function Changes_Session (Kind : Robot_Session.Request_Kind) return Boolean
-   is (Kind in Robot_Session.Open_Line | Robot_Session.Close_Line
-         | Robot_Session.Start | Robot_Session.Start_Watchdog
-         | Robot_Session.Reset | Robot_Session.Power_Off);
-   --  These keep their place among the orders: all earlier ones come before
-   --  them and all later ones after. Stops alone go past them
-
    --  What waits
 
    function Is_Pending (R : Requests; From : Client) return Boolean is
@@ -112,7 +105,7 @@ package Line_Requests with SPARK_Mode is
       or else Order_Of (R, From).Number = 0
       or else Verdict_On (R, From) = Out_Of_Date
       or else
-        (if Changes_Session (Request_Of (R, From).Kind)
+        (if Robot_Session.Changes_Session (Request_Of (R, From).Kind)
          then R.Completed + 1 = Order_Of (R, From).Rank
          else Order_Of (R, From).After <= R.Last_Change))
    with Pre => Is_Pending (R, From);
@@ -204,28 +197,6 @@ package Line_Requests with SPARK_Mode is
    --  A monitor's stop, behind those that wait already. Movements that wait
    --  and are older become void
 
-   procedure Choose
-     (R     : Requests;
-      Quiet : Boolean;
-      From  : out Client;
-      Found : out Boolean)
-   with
-     Post => Found = (for some C in Client => May_Go (R, C, Quiet))
-       and then
-         (if Found then
-             May_Go (R, From, Quiet)
-             and then (for all C in Client =>
-                         (if May_Go (R, C, Quiet) then
-                             not Is_Before (R, C, From))))
-       and then
-         (if Is_Pending (R, Stop_Order) then
-             Found
-             and then
-               (From in Safe_State | Stop_Order
-                or else (From = Reload and then R.Was_Stop)));
-   --  The most urgent of what may go now. A stop goes past everything but
-   --  the end of the session, and a reload after another stop
-
    function Job_Of (R : Requests; From : Client) return Job is
      ((From    => From,
        Request => Request_Of (R, From),
@@ -233,19 +204,40 @@ package Line_Requests with SPARK_Mode is
        Verdict => Verdict_On (R, From)))
    with Pre => Is_Pending (R, From);
 
-   procedure Remove (R : in out Requests; From : Client)
+   procedure Take
+     (R     : in out Requests;
+      Quiet : Boolean;
+      Next  : in out Job;
+      Found : out Boolean)
    with
-     Pre  => Is_Pending (R, From),
-     Post => Is_Same_Past (R, R'Old)
-       and then R.Was_Stop = (From = Stop_Order)
+     Post => Found = (for some C in Client => May_Go (R'Old, C, Quiet))
+       and then Is_Same_Past (R, R'Old)
        and then
-         (if From = Stop_Order then
-             Order_Queues.Is_Without_First (R.Stops, R'Old.Stops)
-          else Order_Queues.Is_Same (R.Stops, R'Old.Stops)
-            and then not R.Slots (From).Pending)
-       and then (for all C in Client =>
-                   (if C /= From then R.Slots (C) = R'Old.Slots (C)));
-   --  The request of From waits no longer: it is being carried out
+         (if Found then
+             May_Go (R'Old, Next.From, Quiet)
+             and then Next = Job_Of (R'Old, Next.From)
+             and then (for all C in Client =>
+                         (if May_Go (R'Old, C, Quiet) then
+                             not Is_Before (R'Old, C, Next.From)))
+             and then R.Was_Stop = (Next.From = Stop_Order)
+             and then
+               (if Next.From = Stop_Order then
+                   Order_Queues.Is_Without_First (R.Stops, R'Old.Stops)
+                else Order_Queues.Is_Same (R.Stops, R'Old.Stops)
+                  and then not R.Slots (Next.From).Pending)
+             and then (for all C in Client =>
+                         (if C /= Next.From then
+                             R.Slots (C) = R'Old.Slots (C)))
+          else R = R'Old and then Next = Next'Old)
+       and then
+         (if Is_Pending (R'Old, Stop_Order) then
+             Found
+             and then
+               (Next.From in Safe_State | Stop_Order
+                or else (Next.From = Reload and then R'Old.Was_Stop)));
+   --  The most urgent of what may go now, which waits no longer. A stop goes
+   --  past everything but the end of the session, and a reload after another
+   --  stop
 
    procedure Finish (R : in out Requests; Done : Job)
    with
@@ -255,7 +247,8 @@ package Line_Requests with SPARK_Mode is
          (if Done.Order.Number >= R.First_Order and then Done.Order.Rank > 0
           then R.Completed = R'Old.Completed + 1
             and then R.Last_Change =
-              (if Changes_Session (Done.Request.Kind) then Done.Order.Rank
+              (if Robot_Session.Changes_Session (Done.Request.Kind)
+               then Done.Order.Rank
                else R'Old.Last_Change)
           else R.Completed = R'Old.Completed
             and then R.Last_Change = R'Old.Last_Change)

@@ -159,15 +159,6 @@ package body Monitor_Protocol with SPARK_Mode is
        and then (if R'Old.Length < Max_Line then R.Data (R.Length) = C);
    --  Appends C to the line where there is room, and notes where not.
 
-   function Short (Text : String) return Short_Text
-   with
-     Pre  => Text'First = 1 and then Text'Last in 4 .. 7,
-     Post => Short'Result.Length = Text'Last + 1
-       and then (for all I in Text'Range =>
-                   Short'Result.Data (I) = Text (I))
-       and then Short'Result.Data (Text'Last + 1) = Line_Feed;
-   --  Text and a line feed.
-
    ----------------------
    -- Accept_Character --
    ----------------------
@@ -608,23 +599,5 @@ package body Monitor_Protocol with SPARK_Mode is
       end loop;
       return Result;
    end Starts;
-
-   ---------------
-   -- Wire_Text --
-   ---------------
-
-   function Wire_Text (Answer : Answer_Kind) return Short_Text is
-     (case Answer is
-         when Acknowledged    => Short ("AACK"),
-         when Not_Done        => Short ("ANAK"),
-         when Refused         => Short ("ACRJ"),
-         when Timed_Out       => Short ("ATIM"),
-         when Not_Understood  => Short ("ACER"),
-         when Battery_Empty   => Short ("RBLV:0"),
-         when Battery_Low     => Short ("RBLV:1"),
-         when Battery_Full    => Short ("RBLV:2"),
-         when Battery_Unknown => Short ("RBLV:-1"),
-         when Standing        => Short ("RCST:0"),
-         when Moving          => Short ("RCST:1"));
 
 end Monitor_Protocol;

@@ -46,6 +46,9 @@ package Monitor_Protocol with SPARK_Mode is
 
    subtype Known_Kind is Message_Kind range Open_Robot .. Log_Message;
 
+   subtype Order_Kind is Message_Kind range Open_Robot .. Stop_Position;
+   --  Those that a task carries out.
+
    function Takes_Number (Kind : Message_Kind) return Boolean is
      (Kind in Move_Robot | Turn_Robot);
 
@@ -298,12 +301,27 @@ package Monitor_Protocol with SPARK_Mode is
    end record;
    --  The first Length characters of Data count.
 
-   function Wire_Text (Answer : Answer_Kind) return Short_Text
-   with Post => Wire_Text'Result.Length in 5 .. 8
-     and then
-       (for all I in 1 .. Wire_Text'Result.Length =>
-          (Wire_Text'Result.Data (I) = Line_Feed)
-            = (I = Wire_Text'Result.Length));
+   function Short (Text : String) return Short_Text
+   with
+     Pre  => Text'First = 1 and then Text'Last in 4 .. 7,
+     Post => Short'Result.Length = Text'Last + 1
+       and then Short'Result.Data (1 .. Text'Last) = Text
+       and then Short'Result.Data (Text'Last + 1) = Line_Feed;
+   --  Text and a line feed.
+
+   function Wire_Text (Answer : Answer_Kind) return Short_Text is
+     (case Answer is
+         when Acknowledged    => Short ("AACK"),
+         when Not_Done        => Short ("ANAK"),
+         when Refused         => Short ("ACRJ"),
+         when Timed_Out       => Short ("ATIM"),
+         when Not_Understood  => Short ("ACER"),
+         when Battery_Empty   => Short ("RBLV:0"),
+         when Battery_Low     => Short ("RBLV:1"),
+         when Battery_Full    => Short ("RBLV:2"),
+         when Battery_Unknown => Short ("RBLV:-1"),
+         when Standing        => Short ("RCST:0"),
+         when Moving          => Short ("RCST:1"));
    --  The line that says so, with its line feed.
 
    subtype Battery_Level is Integer range -1 .. 2;

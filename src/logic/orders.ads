@@ -24,6 +24,9 @@ package Orders with SPARK_Mode is
       After   : Ticket := 0;
       --  the rank of the last order before this one that changes the
       --  robot's session (opens, closes, starts, resets): it comes first
+      Owed    : Boolean := False;
+      --  the monitor waits for its answer, or later commands do: whoever
+      --  has the order gives it or passes the order on, once
    end record;
 
 end Orders;

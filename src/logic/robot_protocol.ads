@@ -167,6 +167,11 @@ package Robot_Protocol with SPARK_Mode is
    --  Encode never writes. For proofs and tests: the supervisor itself only
    --  writes commands.
 
+   function Is_Movement (R : Reading) return Boolean is
+     (R.OK and then R.Value.Kind in With_Argument and then R.Value /= Stop)
+   with Ghost;
+   --  The robot moves by it.
+
    procedure Encode (C : Command; F : out Frame)
    with
      Post => Is_Framed (F)

@@ -7,10 +7,6 @@ with Robot_Protocol;
 
 package Robot_Session with SPARK_Mode is
 
-   pragma Assertion_Policy (Post => Ignore);
-   --  Proved; GCC 12 at -O2 compiles the check wrongly (the scalar
-   --  replacement of aggregates spoils Next).
-
    use type Robot_Protocol.Command;
    use type Robot_Protocol.Command_Kind;
 
@@ -52,6 +48,26 @@ package Robot_Session with SPARK_Mode is
       Command : Movement     := Robot_Protocol.Stop;
       --  of Drive only
    end record;
+
+   function Command_For (R : Request) return Robot_Protocol.Command is
+     (case R.Kind is
+         when Open_Line | Reset       => (Robot_Protocol.Reset, 0),
+         when Start                   => (Robot_Protocol.Start, 0),
+         when Start_Watchdog          => (Robot_Protocol.Start_Watchdog, 0),
+         when Ping | Keep_Alive       => (Robot_Protocol.Ping, 0),
+         when Power_Off               => (Robot_Protocol.Power_Off, 0),
+         when Get_Battery             => (Robot_Protocol.Battery, 0),
+         when Get_Moving              => (Robot_Protocol.Busy, 0),
+         when Drive                   => R.Command,
+         when Close_Line | Stop       => Robot_Protocol.Stop,
+         when Reload | Reload_By_Hand => (Robot_Protocol.Reload, 0));
+   --  What the robot is asked for
+
+   function Changes_Session (Kind : Request_Kind) return Boolean is
+     (Kind in Open_Line | Close_Line | Start | Start_Watchdog | Reset
+        | Power_Off);
+   --  These keep their place among the orders: all earlier ones come before
+   --  them and all later ones after. Stops alone go past them
 
    type Outcome_Kind is
      (Done,             --  the robot acknowledged, or nothing was to be done
@@ -272,20 +288,6 @@ private
    function Has_Stopped (P : Progress) return Boolean is (P.Stopped);
 
    subtype Exchange_Phase is Phase_Kind range Clearing .. Testing_Run;
-
-   function Command_For (R : Request) return Robot_Protocol.Command is
-     (case R.Kind is
-         when Open_Line | Reset       => (Robot_Protocol.Reset, 0),
-         when Start                   => (Robot_Protocol.Start, 0),
-         when Start_Watchdog          => (Robot_Protocol.Start_Watchdog, 0),
-         when Ping | Keep_Alive       => (Robot_Protocol.Ping, 0),
-         when Power_Off               => (Robot_Protocol.Power_Off, 0),
-         when Get_Battery             => (Robot_Protocol.Battery, 0),
-         when Get_Moving              => (Robot_Protocol.Busy, 0),
-         when Drive                   => R.Command,
-         when Close_Line | Stop       => Robot_Protocol.Stop,
-         when Reload | Reload_By_Hand => (Robot_Protocol.Reload, 0));
-   --  What the robot is asked for
 
    function May_Act (S : State; P : Progress) return Boolean is
      (case P.Request.Kind is

@@ -16,6 +16,8 @@ package Send_Order with SPARK_Mode, Pure is
       Position,
       Image);        --  and position take turns: they belong together
 
+   subtype Sent_Kind is Choice range Answer .. Image;
+
    subtype Unasked is Choice range Robot_Lost .. Image;
 
    type Unasked_Set is array (Unasked) of Boolean;

@@ -12,7 +12,6 @@ with Options;
 with Process.Memory;
 with Process.Privileges;
 with Process.Threads;
-with Program_Arguments;
 with Robot_Line;
 with Schedule;
 with Serial_Line;
@@ -28,8 +27,6 @@ with Vision_Tasks;
 pragma Unreferenced (Monitor_Tasks, Robot_Tasks, Vision_Tasks);
 
 package body Supervisor with SPARK_Mode is
-
-   procedure Read_Arguments (Command_Line : out Command_Lines.Reading);
 
    procedure Keep_On_Processor (Cpu : Options.Processor_Choice);
    --  Leaves the process where that cannot be
@@ -103,38 +100,14 @@ package body Supervisor with SPARK_Mode is
       end if;
    end Open_Trace;
 
-   --------------------
-   -- Read_Arguments --
-   --------------------
-
-   procedure Read_Arguments (Command_Line : out Command_Lines.Reading) is
-      Count    : Natural;
-      Argument : Texts.Text;
-      Whole    : Boolean;
-   begin
-      Command_Line := (others => <>);
-      Program_Arguments.Get_Count (Count);
-      for I in 1 .. Count loop
-         Program_Arguments.Get (I, Argument, Whole);
-         if Whole then
-            Command_Lines.Take
-              (Command_Line, Argument.Data (1 .. Argument.Length));
-         else
-            Command_Lines.Refuse_Long (Command_Line);
-         end if;
-      end loop;
-      Command_Lines.Finish (Command_Line);
-   end Read_Arguments;
-
    ---------
    -- Run --
    ---------
 
    procedure Run is
-      Command_Line : Command_Lines.Reading;
+      Command_Line : Command_Lines.Reading renames Settings.Command_Line;
       All_Well     : Boolean;
    begin
-      Read_Arguments (Command_Line);
       case Command_Line.Request is
          when Command_Lines.Wrong =>
             Console.Put_Log
@@ -170,7 +143,6 @@ package body Supervisor with SPARK_Mode is
       Open_Trace (Chosen.Trace_File);
       Keep_On_Processor (Chosen.Cpu);
       Process.Memory.Lock (Locked);
-      Settings.Set (Chosen);
       Journal.Set_Level (Chosen.Log_Level);
       Session.Allow_Server;
       Session.Wait_Listening;

@@ -11,7 +11,7 @@ package body Camera_Requests with SPARK_Mode is
    Asked    : Suspension_Object;
    Answered : Suspension_Object;
 
-   protected Requests with Priority => Schedule.Vision_Ceiling is
+   protected Requests with Priority => Schedule.Camera_Ceiling is
       procedure Open;
       procedure Close;
       procedure Get_Idle (Value : out Boolean);

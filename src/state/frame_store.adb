@@ -15,7 +15,7 @@ package body Frame_Store with SPARK_Mode is
    Look : Suspension_Object;
    --  The same, or nothing has come for too long: for th_captureImg
 
-   protected Store with Priority => Schedule.Vision_Ceiling is
+   protected Store with Priority => Schedule.Frame_Ceiling is
       procedure Begin_Delivery (At_Time : Time);
       procedure End_Delivery (Awaited : out Boolean);
       procedure Claim_Empty (Slot : out Frame_Slots.Slot);

@@ -9,28 +9,25 @@ package body Line_Clients with SPARK_Mode is
 
    Finished : Suspension_Object;
 
+   procedure Wait;
+   --  Until the request has been carried out
+
    ---------
    -- Ask --
    ---------
 
-   procedure Ask
-     (Request : Robot_Session.Request;
-      Order   : Orders.Order;
-      Result  : out Robot_Session.Outcome) is
+   procedure Ask (Order : in out Orders.Order) is
    begin
-      Robot_Line.Put (Who, Request, Order);
-      Trace.Wait (Its_Task, Trace.Line);
-      Suspend_Until_True (Finished);
-      Trace.Resume (Its_Task);
-      Robot_Line.Collect (Who, Result);
+      Robot_Line.Put (Who, Order);
+      Wait;
    end Ask;
 
-   procedure Ask (Request : Robot_Session.Request) is
+   procedure Ask
+     (Request : Robot_Session.Request; Result : out Robot_Session.Outcome) is
    begin
       Robot_Line.Put (Who, Request);
-      Trace.Wait (Its_Task, Trace.Line);
-      Suspend_Until_True (Finished);
-      Trace.Resume (Its_Task);
+      Wait;
+      Robot_Line.Collect (Who, Result);
    end Ask;
 
    ------------
@@ -42,5 +39,16 @@ package body Line_Clients with SPARK_Mode is
       Trace.Release (Its_Task);
       Set_True (Finished);
    end Signal;
+
+   ----------
+   -- Wait --
+   ----------
+
+   procedure Wait is
+   begin
+      Trace.Wait (Its_Task, Trace.Line);
+      Suspend_Until_True (Finished);
+      Trace.Resume (Its_Task);
+   end Wait;
 
 end Line_Clients;

@@ -11,15 +11,16 @@ generic
    Its_Task : Schedule.Task_Name;
 package Line_Clients with SPARK_Mode is
 
-   procedure Ask
-     (Request : Robot_Session.Request;
-      Order   : Orders.Order;
-      Result  : out Robot_Session.Outcome);
-   --  Has Request carried out on the robot's line. For one task only
+   procedure Ask (Order : in out Orders.Order)
+   with
+     Pre  => Order.Owed,
+     Post => not Order.Owed;
+   --  Has the monitor's order carried out on the robot's line, and answered.
+   --  For one task only
 
-   procedure Ask (Request : Robot_Session.Request);
-   --  The same for a request of its own, where it makes no difference what
-   --  comes of it
+   procedure Ask
+     (Request : Robot_Session.Request; Result : out Robot_Session.Outcome);
+   --  The same for a request of its own
 
    procedure Signal with Annotate => (GNATprove, Terminating);
    --  The request has been carried out

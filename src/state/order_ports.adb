@@ -21,9 +21,13 @@ package body Order_Ports with SPARK_Mode is
          Order_Queues.Clear (Waiting);
       end Clear;
 
-      procedure Take (Item : out Orders.Order; Found : out Boolean) is
+      procedure Take
+        (Item  : out Orders.Order;
+         Found : out Boolean;
+         More  : out Boolean) is
       begin
          Order_Queues.Take (Waiting, Item, Found);
+         More := Order_Queues.Length (Waiting) > 0;
       end Take;
 
    end Port;
@@ -32,8 +36,9 @@ package body Order_Ports with SPARK_Mode is
    -- Put --
    ---------
 
-   procedure Put (Item : Orders.Order) is
+   procedure Put (Item : in out Orders.Order) is
    begin
+      Item.Owed := False;
       Port.Put (Item);
       Trace.Release (Who, Item.Number);
       Set_True (Arrived);
@@ -43,17 +48,23 @@ package body Order_Ports with SPARK_Mode is
    -- Wait --
    ----------
 
-   procedure Wait (Item : out Orders.Order) is
+   procedure Wait (Item : in out Orders.Order) is
       Found : Boolean;
+      More  : Boolean;
    begin
       Trace.Done (Who);
       loop
-         Port.Take (Item, Found);
+         Suspend_Until_True (Arrived);
+         Port.Take (Item, Found, More);
          exit when Found;
          Trace.Idle (Who);
-         Suspend_Until_True (Arrived);
       end loop;
+      if More then
+         --  the next Wait does not wait
+         Set_True (Arrived);
+      end if;
       Trace.Start (Who, Item.Number);
+      Item.Owed := True;
    end Wait;
 
    -----------

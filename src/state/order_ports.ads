@@ -11,12 +11,18 @@ generic
    --  whose port it is
 package Order_Ports with SPARK_Mode is
 
-   procedure Put (Item : Orders.Order)
-   with Annotate => (GNATprove, Terminating);
+   procedure Put (Item : in out Orders.Order)
+   with
+     Pre  => Item.Owed,
+     Post => not Item.Owed,
+     Annotate => (GNATprove, Terminating);
    --  An order for the task. There is always room: no more orders are
    --  under way than the port holds
 
-   procedure Wait (Item : out Orders.Order);
+   procedure Wait (Item : in out Orders.Order)
+   with
+     Pre  => not Item.Owed,
+     Post => Item.Owed;
    --  The next order; waits for it. For the one task of the port, whose
    --  job is from here to the next call
 
@@ -28,7 +34,10 @@ private
    protected Port with Priority => Schedule.Order_Ceiling is
       procedure Put (Item : Orders.Order);
       procedure Clear;
-      procedure Take (Item : out Orders.Order; Found : out Boolean);
+      procedure Take
+        (Item  : out Orders.Order;
+         Found : out Boolean;
+         More  : out Boolean);
    private
       Waiting : Order_Queues.Queue;
    end Port;

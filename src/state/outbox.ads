@@ -1,24 +1,16 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What waits to be sent to the monitor: one answer a command, in the order
---  of the commands; and the unasked messages, of which only the newest counts.
+--  What waits to be sent to the monitor, shared by all tasks. Mailboxes says
+--  what goes when.
 
 with Ada.Real_Time;
-with Image_Slots;
+with Image_Messages;
+with Mailboxes;
 with Monitor_Protocol;
+with Notices;
 with Orders;
 with Send_Order;
-with Texts;
 
 package Outbox with SPARK_Mode is
-
-   Max_Jpeg : constant := Image_Slots.Max_Jpeg;
-   --  Bytes of the largest image that can be sent (a multiple of 3)
-
-   subtype Message_Buffer is Image_Slots.Message_Buffer;
-   subtype Message_Length is Image_Slots.Message_Length;
-
-   type Generation is mod 2 ** 32;
-   --  Of the periodic images: an image made for an older one is not sent
 
    ---------------------------
    -- For the session tasks --
@@ -40,26 +32,36 @@ package Outbox with SPARK_Mode is
    -- The answers  --
    ------------------
 
-   procedure Reserve (Number : out Orders.Ticket; Open : out Boolean);
-   --  A place for the answer of the next command; waits while as many as
-   --  may wait do (PROTOCOL rule 2). Open is false when the session has
-   --  ended meanwhile. For th_receiveFromMon only
+   procedure Reserve (Order : in out Orders.Order)
+   with Pre => not Order.Owed;
+   --  Gives Order its number, and its answer a place; waits while as many as
+   --  may wait do (PROTOCOL rule 2). It is Owed then, unless the session has
+   --  ended. For th_receiveFromMon only
 
    procedure Answer
-     (Number : Orders.Ticket; Kind : Monitor_Protocol.Answer_Kind)
-   with Annotate => (GNATprove, Terminating);
-   --  The answer of one command; without effect if its session has ended
+     (Order : in out Orders.Order; Kind : Monitor_Protocol.Answer_Kind)
+   with
+     Pre  => Order.Owed,
+     Post => not Order.Owed,
+     Annotate => (GNATprove, Terminating);
+   --  Without effect if its session has ended
 
-   procedure Answer_Nothing (Number : Orders.Ticket)
-   with Annotate => (GNATprove, Terminating);
+   procedure Answer_Nothing (Order : in out Orders.Order)
+   with
+     Pre  => Order.Owed,
+     Post => not Order.Owed,
+     Annotate => (GNATprove, Terminating);
    --  The command has no answer, but later ones have waited for it
 
    procedure Answer_With_Image
-     (Number : Orders.Ticket;
-      Data   : Message_Buffer;
-      Length : Message_Length);
-   --  The image that answers an arena search; waits until the one before
-   --  has been taken. For th_arene only
+     (Order   : in out Orders.Order;
+      Message : in out Image_Messages.Message_Access)
+   with
+     Pre  => Order.Owed,
+     Post => not Order.Owed;
+   --  The image that answers a search for the arena; waits until the one
+   --  before has been taken. Message is another one then, to be filled next
+   --  time. For th_arene only
 
    --------------------------
    -- The unasked messages --
@@ -68,28 +70,26 @@ package Outbox with SPARK_Mode is
    procedure Put_Robot_Lost with Annotate => (GNATprove, Terminating);
    --  ATIM, unasked (F9)
 
-   procedure Put_Text (Text : Texts.Text)
+   procedure Put_Notice (Told : Notices.Notice)
    with Annotate => (GNATprove, Terminating);
    --  MSSG. Eight may wait; of more the oldest is dropped
 
    procedure Put_Battery (Kind : Monitor_Protocol.Answer_Kind)
    with Annotate => (GNATprove, Terminating);
 
-   procedure Get_Generation (Current : out Generation)
+   procedure Get_Generation (Current : out Mailboxes.Generation)
    with Annotate => (GNATprove, Terminating);
 
    procedure Put_Position
-     (Text   : String;
-      Made   : Generation)
+     (Line : Mailboxes.Short_Line; Made : Mailboxes.Generation)
    with Annotate => (GNATprove, Terminating);
-   --  The line as it is to be sent, at most Position_Length characters
 
    procedure Put_Image
-     (Data   : Message_Buffer;
-      Length : Message_Length;
-      Made   : Generation)
+     (Message : in out Image_Messages.Message_Access;
+      Made    : Mailboxes.Generation)
    with Annotate => (GNATprove, Terminating);
-   --  Replaces an image that waits still
+   --  Replaces an image that waits still. Message is another one then, to be
+   --  filled next time
 
    procedure Stop_Images with Annotate => (GNATprove, Terminating);
    --  Begins a new generation; what waits of the older one is dropped
@@ -98,32 +98,23 @@ package Outbox with SPARK_Mode is
    -- The sending  --
    ------------------
 
-   type Message_Kind is (Nothing, Answer, Unasked);
-
    procedure Wait;
-   --  Until something may be sent, but for the gap after the last message.
-   --  For th_sendToMon only
-
-   procedure Get_Gap
-     (Between : Send_Order.Milliseconds; Gap : out Send_Order.Milliseconds)
-   with Annotate => (GNATprove, Terminating);
-   --  How long after the last message the most urgent one may follow now;
-   --  Between two unasked ones
+   --  Until something has been put into the box. For th_sendToMon only
 
    procedure Take
-     (Between : Send_Order.Milliseconds;
-      Kept    : Send_Order.Milliseconds;
-      Kind    : out Message_Kind;
-      Data    : in out Message_Buffer;
-      Length  : out Message_Length)
-   with Annotate => (GNATprove, Terminating);
-   --  The most urgent message that may be sent now, if any, and if its gap
-   --  is no longer than the one that was Kept: answers first, unless unasked
-   --  ones have been held back for long enough. Until Sent the sender counts
-   --  as busy. For th_sendToMon only
-
-   procedure Sent with Annotate => (GNATprove, Terminating);
-   --  What was taken has been sent, or could not be
+     (Between   : Send_Order.Milliseconds;
+      Last_Sent : Ada.Real_Time.Time;
+      Next      : in out Mailboxes.Item;
+      Image     : in out Image_Messages.Message_Access;
+      Gap       : out Send_Order.Milliseconds)
+   with
+     Pre  => not Next.Unsent,
+     Post => Next.Unsent = (Next.Kind in Send_Order.Sent_Kind),
+     Annotate => (GNATprove, Terminating);
+   --  What was taken before has been sent, or could not be. The most urgent
+   --  message that may be sent now, if any: Gap after the last one, which was
+   --  sent at Last_Sent; Between two unasked ones. An image is in Image, whose
+   --  former content is no longer needed. For th_sendToMon only
 
    ----------------------------------
    -- The hold (PROTOCOL rule 7)   --
@@ -143,7 +134,5 @@ package Outbox with SPARK_Mode is
    procedure Get_Waiting (Count : out Orders.Order_Count)
    with Annotate => (GNATprove, Terminating);
    --  Commands that wait for their answer
-
-   Position_Length : constant := 128;
 
 end Outbox;

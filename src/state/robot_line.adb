@@ -1,20 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The requests that wait for the robot's line, and what is known of the
---  robot. Urgency decides: the end of a session, a stop, the reload of the
---  watchdog, a movement, then the rest.
+--  robot, shared by all tasks. The object only locks: Line_Requests and
+--  Line_Status decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
-with Line_Health;
+with Order_Meanings;
 with Schedule;
 with Trace;
 
 package body Robot_Line with SPARK_Mode is
-
-   use type Line_Requests.Verdict_Kind;
-   use type Robot_Session.Mode_Kind;
-   use type Robot_Session.Outcome_Kind;
-   use type Robot_Session.Request_Kind;
 
    type Result_Array is
      array (Line_Requests.Client) of Robot_Session.Outcome;
@@ -22,7 +17,7 @@ package body Robot_Line with SPARK_Mode is
    Work : Suspension_Object;
 
    protected Line with Priority => Schedule.Line_Ceiling is
-      procedure Begin_Session (Number : Orders.Ticket);
+      procedure Begin_Session (First : Orders.Ticket);
       procedure Put
         (From    : Line_Requests.Single;
          Request : Robot_Session.Request;
@@ -30,46 +25,27 @@ package body Robot_Line with SPARK_Mode is
       procedure Put_Stop (Order : Orders.Order);
       procedure Set_Reload_Due (At_Time : Time);
       procedure Take
-        (Next    : out Line_Requests.Job;
-         Found   : out Boolean;
-         Looked  : out Boolean;
-         At_Time : Time);
-      --  Looked: something has come since nothing was found
+        (Now : Time; Next : in out Line_Requests.Job; Found : out Boolean);
       procedure Finish
-        (Done    : Line_Requests.Job;
-         State   : Robot_Session.State;
-         Result  : Robot_Session.Outcome;
-         At_Time : Time);
+        (Done   : Line_Requests.Job;
+         State  : Robot_Session.State;
+         Result : Robot_Session.Outcome;
+         Now    : Time;
+         More   : out Boolean);
       procedure Collect
         (From : Line_Requests.Client; Result : out Robot_Session.Outcome);
-      procedure Get_Status (Value : out Status);
+      procedure Get_Status (Current : out Line_Status.Status);
    private
-      Waiting     : Line_Requests.Requests;
-      Results     : Result_Array;
-      Reload_Due  : Time := Time_First;
-      Suspect     : Boolean := False;
-      Current     : Status;
-      Ready       : Boolean := False;
+      Waiting : Line_Requests.Requests;
+      Results : Result_Array;
+      State   : Line_Status.State;
    end Line;
 
    protected body Line is
 
-      function Quiet (Now : Time) return Boolean is
-        (Current.Mode = Robot_Session.Started_With_Watchdog
-         and then Now >= Reload_Due -
-           (if Suspect then Schedule.Reload_Quiet_Suspect
-            else Schedule.Reload_Quiet)
-         and then Now < Reload_Due + Schedule.Reload_Quiet);
-
-      procedure Refresh is
+      procedure Begin_Session (First : Orders.Ticket) is
       begin
-         Ready := Line_Requests.Is_Ready (Waiting);
-      end Refresh;
-
-      procedure Begin_Session (Number : Orders.Ticket) is
-      begin
-         Line_Requests.Begin_Session (Waiting, Number);
-         Refresh;
+         Line_Requests.Begin_Session (Waiting, First);
       end Begin_Session;
 
       procedure Put
@@ -78,71 +54,36 @@ package body Robot_Line with SPARK_Mode is
          Order   : Orders.Order) is
       begin
          Line_Requests.Put (Waiting, From, Request, Order);
-         Refresh;
       end Put;
 
       procedure Put_Stop (Order : Orders.Order) is
       begin
          Line_Requests.Put_Stop (Waiting, Order);
-         Refresh;
       end Put_Stop;
 
       procedure Set_Reload_Due (At_Time : Time) is
       begin
-         Reload_Due := At_Time;
-         Refresh;
+         State.Reload_Due := At_Time;
       end Set_Reload_Due;
 
       procedure Take
-        (Next    : out Line_Requests.Job;
-         Found   : out Boolean;
-         Looked  : out Boolean;
-         At_Time : Time)
-      is
-         From : Line_Requests.Client;
+        (Now : Time; Next : in out Line_Requests.Job; Found : out Boolean) is
       begin
-         Next := (others => <>);
-         Found := False;
-         Looked := Ready;
-         if Ready then
-            Line_Requests.Choose (Waiting, Quiet (At_Time), From, Found);
-            if Found then
-               Next := Line_Requests.Job_Of (Waiting, From);
-               Line_Requests.Remove (Waiting, From);
-               Refresh;
-            else
-               --  the reload that is due will make it ready again
-               Ready := False;
-            end if;
-         end if;
+         Line_Requests.Take
+           (Waiting, Line_Status.Is_Quiet (State, Now), Next, Found);
       end Take;
 
       procedure Finish
-        (Done    : Line_Requests.Job;
-         State   : Robot_Session.State;
-         Result  : Robot_Session.Outcome;
-         At_Time : Time)
-      is
-         Began : constant Boolean :=
-           Done.Request.Kind in
-             Robot_Session.Start | Robot_Session.Start_Watchdog
-           and then Done.Verdict = Line_Requests.Carry_Out
-           and then Result.Kind = Robot_Session.Done;
+        (Done   : Line_Requests.Job;
+         State  : Robot_Session.State;
+         Result : Robot_Session.Outcome;
+         Now    : Time;
+         More   : out Boolean) is
       begin
          Results (Done.From) := Result;
-         Suspect := Line_Health.Failures (State.Health) > 0;
-         Current.Open := State.Line_Open;
-         Current.Mode := State.Mode;
-         Current.Used_At := At_Time;
-         if Began then
-            Current.Epoch :=
-              (if Current.Epoch = Natural'Last then 0
-               else Current.Epoch + 1);
-            Current.Started_At := At_Time;
-            Reload_Due := At_Time + Schedule.Reload_Period;
-         end if;
+         Line_Status.Note (Line.State, Done, State, Result, Now);
          Line_Requests.Finish (Waiting, Done);
-         Refresh;
+         More := Line_Requests.Is_Ready (Waiting);
       end Finish;
 
       procedure Collect
@@ -151,12 +92,26 @@ package body Robot_Line with SPARK_Mode is
          Result := Results (From);
       end Collect;
 
-      procedure Get_Status (Value : out Status) is
+      procedure Get_Status (Current : out Line_Status.Status) is
       begin
-         Value := Current;
+         Current := State.Known;
       end Get_Status;
 
    end Line;
+
+   procedure Wake (Number : Orders.Ticket := 0)
+   with Annotate => (GNATprove, Terminating);
+   --  The owner of the line looks again
+
+   ----------
+   -- Wake --
+   ----------
+
+   procedure Wake (Number : Orders.Ticket := 0) is
+   begin
+      Trace.Release (Schedule.Th_Line, Number);
+      Set_True (Work);
+   end Wake;
 
    -------------------
    -- Begin_Session --
@@ -165,8 +120,7 @@ package body Robot_Line with SPARK_Mode is
    procedure Begin_Session (First : Orders.Ticket) is
    begin
       Line.Begin_Session (First);
-      Trace.Release (Schedule.Th_Line);
-      Set_True (Work);
+      Wake;
    end Begin_Session;
 
    -------------------
@@ -175,9 +129,7 @@ package body Robot_Line with SPARK_Mode is
 
    procedure Refuse_Orders is
    begin
-      Line.Begin_Session (Orders.Ticket'Last);
-      Trace.Release (Schedule.Th_Line);
-      Set_True (Work);
+      Begin_Session (Orders.Ticket'Last);
    end Refuse_Orders;
 
    ---------
@@ -185,24 +137,29 @@ package body Robot_Line with SPARK_Mode is
    ---------
 
    procedure Put
-     (From    : Line_Requests.Single;
-      Request : Robot_Session.Request;
-      Order   : Orders.Order := (others => <>)) is
+     (From : Line_Requests.Single; Request : Robot_Session.Request) is
    begin
-      Line.Put (From, Request, Order);
-      Trace.Release (Schedule.Th_Line, Order.Number);
-      Set_True (Work);
+      Line.Put (From, Request, (others => <>));
+      Wake;
+   end Put;
+
+   procedure Put
+     (From : Line_Requests.Single; Order : in out Orders.Order) is
+   begin
+      Order.Owed := False;
+      Line.Put (From, Order_Meanings.Request_Of (Order.Message), Order);
+      Wake (Order.Number);
    end Put;
 
    --------------
    -- Put_Stop --
    --------------
 
-   procedure Put_Stop (Order : Orders.Order) is
+   procedure Put_Stop (Order : in out Orders.Order) is
    begin
+      Order.Owed := False;
       Line.Put_Stop (Order);
-      Trace.Release (Schedule.Th_Line, Order.Number);
-      Set_True (Work);
+      Wake (Order.Number);
    end Put_Stop;
 
    --------------------
@@ -212,29 +169,27 @@ package body Robot_Line with SPARK_Mode is
    procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time) is
    begin
       Line.Set_Reload_Due (At_Time);
-      Trace.Release (Schedule.Th_Line);
-      Set_True (Work);
+      Wake;
    end Set_Reload_Due;
 
    ----------
    -- Take --
    ----------
 
-   procedure Take (Next : out Line_Requests.Job; Found : out Boolean) is
-      Now    : Time;
-      Looked : Boolean;
+   procedure Take (Next : in out Line_Requests.Job) is
+      Found : Boolean;
+      Now   : Time;
    begin
       Trace.Done (Schedule.Th_Line);
       loop
-         Now := Clock;
-         Line.Take (Next, Found, Looked, Now);
-         exit when Looked;
-         Trace.Idle (Schedule.Th_Line);
          Suspend_Until_True (Work);
+         Now := Clock;
+         Line.Take (Now, Next, Found);
+         exit when Found;
+         Trace.Idle (Schedule.Th_Line);
       end loop;
-      if Found then
-         Trace.Start (Schedule.Th_Line, Next.Order.Number);
-      end if;
+      Trace.Start (Schedule.Th_Line, Next.Order.Number);
+      Next.Order.Owed := Next.Order.Number /= 0;
    end Take;
 
    ------------
@@ -245,9 +200,15 @@ package body Robot_Line with SPARK_Mode is
      (Done    : Line_Requests.Job;
       State   : Robot_Session.State;
       Result  : Robot_Session.Outcome;
-      At_Time : Ada.Real_Time.Time) is
+      At_Time : Ada.Real_Time.Time)
+   is
+      More : Boolean;
    begin
-      Line.Finish (Done, State, Result, At_Time);
+      Line.Finish (Done, State, Result, At_Time, More);
+      if More then
+         --  the next Take does not wait
+         Set_True (Work);
+      end if;
    end Finish;
 
    -------------
@@ -264,7 +225,7 @@ package body Robot_Line with SPARK_Mode is
    -- Get_Status --
    ----------------
 
-   procedure Get_Status (Current : out Status) is
+   procedure Get_Status (Current : out Line_Status.Status) is
    begin
       Line.Get_Status (Current);
    end Get_Status;

@@ -1,48 +1,21 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The options of this run, shared by all tasks: set once by the main
---  procedure before it lets the server begin.
+--  The command line of this run, read while the program is elaborated.
 
-with Schedule;
+with Program_Arguments;
+with Texts;
 
 package body Settings with SPARK_Mode is
 
-   protected Store with Priority => Schedule.Settings_Ceiling is
-      procedure Set (Chosen : Options.Values);
-      procedure Get (Chosen : out Options.Values);
-   private
-      Current : Options.Values;
-   end Store;
+begin
 
-   protected body Store is
-
-      procedure Set (Chosen : Options.Values) is
-      begin
-         Current := Chosen;
-      end Set;
-
-      procedure Get (Chosen : out Options.Values) is
-      begin
-         Chosen := Current;
-      end Get;
-
-   end Store;
-
-   ---------
-   -- Set --
-   ---------
-
-   procedure Set (Chosen : Options.Values) is
-   begin
-      Store.Set (Chosen);
-   end Set;
-
-   ---------
-   -- Get --
-   ---------
-
-   procedure Get (Chosen : out Options.Values) is
-   begin
-      Store.Get (Chosen);
-   end Get;
+   for I in 1 .. Program_Arguments.Count loop
+      if Program_Arguments.Is_Whole (I) then
+         Command_Lines.Take
+           (Command_Line, Texts.Image (Program_Arguments.Argument (I)));
+      else
+         Command_Lines.Refuse_Long (Command_Line);
+      end if;
+   end loop;
+   Command_Lines.Finish (Command_Line);
 
 end Settings;

@@ -1,16 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The options of this run, shared by all tasks: set once by the main
---  procedure before it lets the server begin.
+--  The command line of this run, read while the program is elaborated: before
+--  any task begins, so that all may read it without a lock.
 
-with Options;
+with Command_Lines;
 
 package Settings with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Settings);
-   --  A claim that GNATprove checks: every subprogram ends
+   pragma Elaborate_Body;
 
-   procedure Set (Chosen : Options.Values);
-
-   procedure Get (Chosen : out Options.Values);
+   Command_Line : Command_Lines.Reading
+     with Constant_After_Elaboration;
+   --  What is asked for, and the options; or why it is not understood
 
 end Settings;

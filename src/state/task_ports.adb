@@ -2,22 +2,26 @@
 --  The event-data ports of the tasks that carry out the monitor's orders,
 --  and the way of an order to the right one.
 
-with Monitor_Protocol; use Monitor_Protocol;
+with Line_Requests;
+with Order_Meanings; use Order_Meanings;
 with Robot_Line;
 with Vision_Queue;
 
 package body Task_Ports with SPARK_Mode is
 
-   procedure To_Vision (Item : Orders.Order);
+   procedure To_Vision (Item : in out Orders.Order)
+   with
+     Pre  => Item.Owed,
+     Post => not Item.Owed;
    --  Item is the vision's next order
 
    ---------------
    -- To_Vision --
    ---------------
 
-   procedure To_Vision (Item : Orders.Order) is
+   procedure To_Vision (Item : in out Orders.Order) is
    begin
-      if Item.Message.Kind in Ask_Arena | Confirm_Arena | Reject_Arena then
+      if Item.Message.Kind in Arena_Order then
          Arena.Put (Item);
       else
          Camera_Control.Put (Item);
@@ -28,32 +32,25 @@ package body Task_Ports with SPARK_Mode is
    -- Dispatch --
    --------------
 
-   procedure Dispatch (Item : Orders.Order) is
-      Now : Boolean;
+   procedure Dispatch (Item : in out Orders.Order) is
    begin
-      case Item.Message.Kind is
-         when Monitor_Protocol.Open_Robot | Close_Robot =>
-            Open_Robot.Put (Item);
-         when Monitor_Protocol.Start_Robot =>
-            Start_Robot.Put (Item);
-         when Monitor_Protocol.Start_Robot_Watchdog =>
-            Start_Robot_Watchdog.Put (Item);
-         when Monitor_Protocol.Reset_Robot | Power_Off_Robot =>
-            Reset_Robot.Put (Item);
-         when Go_Forward .. Go_Right | Move_Robot | Turn_Robot =>
-            Move.Put (Item);
-         when Stop_Robot =>
-            Robot_Line.Put_Stop (Item);
-         when Ping_Robot | Reload_Watchdog | Get_Battery | Get_State =>
-            Query.Put (Item);
-         when Open_Camera .. Stop_Position =>
-            Vision_Queue.Put (Item, Now);
-            if Now then
-               To_Vision (Item);
-            end if;
-         when Log_Message | Malformed =>
-            null;
-      end case;
+      if Item.Message.Kind in Vision_Order then
+         Vision_Queue.Put (Item);
+         if Item.Owed then
+            To_Vision (Item);
+         end if;
+      else
+         case Client_Of (Item.Message.Kind) is
+            when Line_Requests.Open           => Open_Robot.Put (Item);
+            when Line_Requests.Start          => Start_Robot.Put (Item);
+            when Line_Requests.Start_Watchdog =>
+               Start_Robot_Watchdog.Put (Item);
+            when Line_Requests.Reset          => Reset_Robot.Put (Item);
+            when Line_Requests.Move           => Move.Put (Item);
+            when Line_Requests.Stop_Order     => Robot_Line.Put_Stop (Item);
+            when others                       => Query.Put (Item);
+         end case;
+      end if;
    end Dispatch;
 
    -----------------
@@ -61,13 +58,13 @@ package body Task_Ports with SPARK_Mode is
    -----------------
 
    procedure Vision_Done is
-      Item  : Orders.Order;
-      Found : Boolean;
+      Item : Orders.Order;
    begin
-      Vision_Queue.Next (Item, Found);
-      if Found then
+      Vision_Queue.Next (Item);
+      if Item.Owed then
          To_Vision (Item);
       end if;
+      pragma Assert (not Item.Owed);
    end Vision_Done;
 
    -----------

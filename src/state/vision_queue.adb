@@ -7,7 +7,7 @@ with Vision_Turns;
 
 package body Vision_Queue with SPARK_Mode is
 
-   protected Queue with Priority => Schedule.Order_Ceiling is
+   protected Queue with Priority => Schedule.Turn_Ceiling is
       procedure Put (Item : Orders.Order; Now : out Boolean);
       procedure Next (Item : out Orders.Order; Found : out Boolean);
       procedure Clear;
@@ -38,18 +38,22 @@ package body Vision_Queue with SPARK_Mode is
    -- Put --
    ---------
 
-   procedure Put (Item : Orders.Order; Now : out Boolean) is
+   procedure Put (Item : in out Orders.Order) is
+      Now : Boolean;
    begin
       Queue.Put (Item, Now);
+      Item.Owed := Now;
    end Put;
 
    ----------
    -- Next --
    ----------
 
-   procedure Next (Item : out Orders.Order; Found : out Boolean) is
+   procedure Next (Item : out Orders.Order) is
+      Found : Boolean;
    begin
       Queue.Next (Item, Found);
+      Item.Owed := Found;
    end Next;
 
    -----------

@@ -9,12 +9,14 @@ package Vision_Queue with SPARK_Mode is
    pragma Annotate (GNATprove, Terminating, Vision_Queue);
    --  A claim that GNATprove checks: every subprogram ends
 
-   procedure Put
-     (Item : Orders.Order; Now : out Boolean);
-   --  Now: Item may be carried out at once; else it waits its turn here
+   procedure Put (Item : in out Orders.Order)
+   with
+     Pre => Item.Owed;
+   --  Item stays the caller's (Owed) where it may be carried out at once;
+   --  else it waits its turn here
 
-   procedure Next (Item : out Orders.Order; Found : out Boolean);
-   --  An order has been carried out: the next one, if there is one
+   procedure Next (Item : out Orders.Order);
+   --  An order has been carried out: the next one, Owed, if there is one
 
    procedure Clear;
    --  Forget the orders that wait: their session has ended

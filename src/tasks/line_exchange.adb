@@ -4,6 +4,7 @@
 
 with Ada.Real_Time;  use Ada.Real_Time;
 with Bytes;
+with Interfaces;
 with Journal;
 with Options;
 with Robot_Protocol; use Robot_Protocol;
@@ -15,28 +16,60 @@ with Trace;
 
 package body Line_Exchange with SPARK_Mode is
 
+   use type Interfaces.Unsigned_64;
+   use type Robot_Session.Mode_Kind;
    use type Robot_Session.Step_Kind;
+   use type Serial_Line.Line_Record;
 
    procedure Open_Device (Success : out Boolean);
+
+   function Is_Written (Item : Command; Before : Serial_Line.Line_Record)
+     return Boolean
+   is (Serial_Line.Written.Count = Before.Count + 1
+       and then Serial_Line.Written.Last.OK
+       and then Serial_Line.Written.Last.Value.Kind = Item.Kind
+       and then
+         (if Item.Kind in With_Argument then
+             Serial_Line.Written.Last.Value.Value = Item.Value))
+   with Ghost;
+   --  Since Before one frame has been written, that of Item
 
    procedure Exchange
      (Item      : Command;
       Skip_Late : Boolean;
       Ok        : out Boolean;
-      Answer    : out Reply);
+      Answer    : out Reply)
+   with Post => Is_Written (Item, Serial_Line.Written'Old);
    --  Sends Item and waits for its answer. Skip_Late: frames that are no
    --  answer of its class are late ones to earlier commands
+
+   procedure Take_Step
+     (State    : Robot_Session.State;
+      Progress : Robot_Session.Progress;
+      Step     : Robot_Session.Step;
+      Last     : out Robot_Session.Step_Result)
+   with
+     Pre  => Robot_Session.Is_Under_Way (State, Progress)
+       and then Robot_Session.Is_Allowed (State, Progress, Step),
+     Post =>
+       (if Robot_Session.Is_Sent (Step) then
+           Is_Written (Step.Command, Serial_Line.Written'Old)
+           and then
+             (if Is_Movement (Serial_Line.Written.Last) then
+                 State.Mode /= Robot_Session.Not_Started)
+        else Serial_Line.Written = Serial_Line.Written'Old);
+   --  What goes over the line is the step's command and nothing else; and a
+   --  movement only while the robot is started
 
    -----------------
    -- Open_Device --
    -----------------
 
    procedure Open_Device (Success : out Boolean) is
-      Chosen : Options.Values;
+      Chosen : Options.Values renames Settings.Command_Line.Chosen;
       Reason : Texts.Text;
       Line   : Texts.Text;
    begin
-      Settings.Get (Chosen);
       Serial_Line.Open (Chosen.Serial, Success, Reason);
       if Success then
          Texts.Set (Line, "robot line open on ");
@@ -80,7 +113,7 @@ package body Line_Exchange with SPARK_Mode is
       Deadline := Clock;
       Deadline := Deadline + Schedule.Answer_Timeout
         + Out_Frame.Length * Schedule.Byte_Time;
-      Serial_Line.Write (Out_Frame.Data, Out_Frame.Length, Ok);
+      Serial_Line.Write (Out_Frame, Ok);
       Trace.Ordered (Schedule.Th_Line, Item.Kind);
       Trace.Wait (Schedule.Th_Line, Trace.Answer);
       if not Ok then
@@ -125,35 +158,52 @@ package body Line_Exchange with SPARK_Mode is
       Progress : Robot_Session.Progress;
       Step     : Robot_Session.Step;
       Last     : Robot_Session.Step_Result;
-      Sending  : Frame;
    begin
       Robot_Session.Start_Request (State, Request, Progress, Step);
       while Step.Kind /= Robot_Session.Finish loop
          pragma Loop_Invariant (Robot_Session.Is_Under_Way (State, Progress));
+         pragma Loop_Invariant
+           (Robot_Session.Is_Allowed (State, Progress, Step));
          pragma Loop_Variant
            (Decreases => Robot_Session.Steps_Left (State, Progress));
-         Last := (others => <>);
-         case Step.Kind is
-            when Robot_Session.Open_Device =>
-               Open_Device (Last.Ok);
-            when Robot_Session.Close_Device =>
-               Serial_Line.Close;
-               Journal.Put (Options.Info, "robot line closed");
-            when Robot_Session.Send =>
-               Encode (Step.Command, Sending);
-               Serial_Line.Write (Sending.Data, Sending.Length, Last.Ok);
-               Trace.Ordered (Schedule.Th_Line, Step.Command.Kind);
-            when Robot_Session.Exchange =>
-               Exchange (Step.Command, False, Last.Ok, Last.Reply);
-            when Robot_Session.Synchronise =>
-               Exchange (Step.Command, True, Last.Ok, Last.Reply);
-            when Robot_Session.Finish =>
-               null;
-         end case;
+         Take_Step (State, Progress, Step, Last);
          Trace.Resume (Schedule.Th_Line);
          Robot_Session.Continue_Request (State, Progress, Last, Step);
       end loop;
       Result := Robot_Session.Result (Progress);
    end Carry_Out;
+
+   ---------------
+   -- Take_Step --
+   ---------------
+
+   procedure Take_Step
+     (State    : Robot_Session.State;
+      Progress : Robot_Session.Progress;
+      Step     : Robot_Session.Step;
+      Last     : out Robot_Session.Step_Result)
+   is
+      pragma Unreferenced (State, Progress);
+      Sending : Frame;
+   begin
+      Last := (others => <>);
+      case Step.Kind is
+         when Robot_Session.Open_Device =>
+            Open_Device (Last.Ok);
+         when Robot_Session.Close_Device =>
+            Serial_Line.Close;
+            Journal.Put (Options.Info, "robot line closed");
+         when Robot_Session.Send =>
+            Encode (Step.Command, Sending);
+            Serial_Line.Write (Sending, Last.Ok);
+            Trace.Ordered (Schedule.Th_Line, Step.Command.Kind);
+         when Robot_Session.Exchange =>
+            Exchange (Step.Command, False, Last.Ok, Last.Reply);
+         when Robot_Session.Synchronise =>
+            Exchange (Step.Command, True, Last.Ok, Last.Reply);
+         when Robot_Session.Finish =>
+            null;
+      end case;
+   end Take_Step;
 
 end Line_Exchange;

@@ -8,13 +8,17 @@ with Authentication;
 with Camera_Requests;
 with Console;
 with Frame_Store;
+with Image_Messages;
 with Journal;
+with Mailboxes;
 with Monitor_Link;
 with Monitor_Protocol; use Monitor_Protocol;
 with Monitor_Sockets.Connection;
 with Monitor_Sockets.Gate;
 with Options;
+with Order_Meanings;
 with Orders;
+with Outbox;
 with Process.Threads;
 with Robot_Clients;
 with Robot_Line;
@@ -29,26 +33,43 @@ with Vision_State;
 
 package body Monitor_Tasks with SPARK_Mode is
 
+   use type Monitor_Link.Milliseconds;
    use type Monitor_Link.Verdict;
    use type Monitor_Sockets.Connection.Loss_Kind;
-   use type Orders.Ticket;
-   use type Outbox.Message_Kind;
+   use type Send_Order.Choice;
 
    procedure Start_Server (Gate : out Admission.Gate)
    with Post => Admission.Is_Consistent (Gate);
    --  Listens, or says why it cannot and ends the process (F1)
 
    procedure Handle
-     (Line   : String;
-      Rank   : in out Orders.Ticket;
-      After  : in out Orders.Ticket;
-      Open   : out Boolean)
-   with Pre => Line'First = 1 and then Line'Last <= Max_Line;
-   --  One line of the monitor: its message becomes an order. Rank and After
-   --  are those of the last one
+     (Line  : String;
+      Ranks : in out Order_Meanings.Ranks;
+      Order : in out Orders.Order;
+      Open  : out Boolean)
+   with
+     Pre  => Line'First = 1
+       and then Line'Last <= Max_Line
+       and then not Order.Owed,
+     Post => not Order.Owed;
+   --  One line of the monitor: its message becomes Order, which is answered
+   --  here or goes to its task. Not Open: the session has ended
+
+   procedure Send
+     (Next  : in out Mailboxes.Item;
+      Image : access constant Image_Messages.Message)
+   with
+     Pre  => Next.Unsent and then Next.Kind /= Send_Order.Nothing,
+     Post => not Next.Unsent;
+   --  Image: the message, where it is one of an image
 
    procedure Wait_Loss (Reason : out Texts.Text);
    --  Until the monitor in command is lost
+
+   procedure Append_Seconds
+     (Line : in out Texts.Text; Span : Monitor_Link.Milliseconds)
+   with Pre => Span <= 60_000;
+   --  Span in whole seconds
 
    procedure Bring_Back;
    --  Robot, camera and queues to their initial state (F6)
@@ -58,14 +79,13 @@ package body Monitor_Tasks with SPARK_Mode is
    ------------------
 
    procedure Start_Server (Gate : out Admission.Gate) is
-      Chosen  : Options.Values;
+      Chosen  : Options.Values renames Settings.Command_Line.Chosen;
       Token   : Authentication.Token;
       Bound   : Options.Port_Number;
       Success : Boolean;
       Reason  : Texts.Text;
       Line    : Texts.Text;
    begin
-      Settings.Get (Chosen);
       Admission.Load_Token (Chosen.Token_File, Token, Success, Reason);
       Admission.Set_Up (Gate, Chosen.Allowed, Token);
       if not Success then
@@ -119,14 +139,13 @@ package body Monitor_Tasks with SPARK_Mode is
    ------------
 
    procedure Handle
-     (Line   : String;
-      Rank   : in out Orders.Ticket;
-      After  : in out Orders.Ticket;
-      Open   : out Boolean)
+     (Line  : String;
+      Ranks : in out Order_Meanings.Ranks;
+      Order : in out Orders.Order;
+      Open  : out Boolean)
    is
-      Order : Orders.Order;
-      Text  : Texts.Text;
-      Kept  : Boolean;
+      Text : Texts.Text;
+      Kept : Boolean;
    begin
       Parse (Line, Order.Message);
       Journal.Get_Kept (Options.Debug, Kept);
@@ -135,37 +154,27 @@ package body Monitor_Tasks with SPARK_Mode is
          Authentication.Append_Shown (Text, Line);
          Journal.Put (Options.Debug, Text);
       end if;
-      Outbox.Reserve (Order.Number, Open);
-      if not Open then
-         return;
+      Outbox.Reserve (Order);
+      Open := Order.Owed;
+      if Open then
+         Trace.Received (Order.Message.Kind, Order.Number);
+         Order_Meanings.Give_Rank (Ranks, Order);
+         case Order.Message.Kind is
+            when Order_Kind  =>
+               Task_Ports.Dispatch (Order);
+            when Log_Message =>
+               Outbox.Answer_Nothing (Order);
+               Texts.Set (Text, "monitor says: ");
+               Authentication.Append_Shown
+                 (Text, Line (Line'First + Text_Offset .. Line'Last));
+               Journal.Put (Options.Info, Text);
+            when Malformed   =>
+               Outbox.Answer (Order, Not_Understood);
+               Texts.Set (Text, "not understood: ");
+               Authentication.Append_Shown (Text, Line);
+               Journal.Put (Options.Warning, Text);
+         end case;
       end if;
-      Trace.Received (Order.Message.Kind, Order.Number);
-      if Order.Message.Kind in Open_Robot .. Get_State
-        and then Order.Message.Kind /= Stop_Robot
-      then
-         Rank := Rank + 1;
-         Order.Rank := Rank;
-         Order.After := After;
-         if Order.Message.Kind in Open_Robot .. Reset_Robot | Power_Off_Robot
-         then
-            After := Rank;
-         end if;
-      end if;
-      case Order.Message.Kind is
-         when Log_Message =>
-            Outbox.Answer_Nothing (Order.Number);
-            Texts.Set (Text, "monitor says: ");
-            Authentication.Append_Shown
-              (Text, Line (Line'First + Text_Offset .. Line'Last));
-            Journal.Put (Options.Info, Text);
-         when Malformed =>
-            Outbox.Answer (Order.Number, Not_Understood);
-            Texts.Set (Text, "not understood: ");
-            Authentication.Append_Shown (Text, Line);
-            Journal.Put (Options.Warning, Text);
-         when others =>
-            Task_Ports.Dispatch (Order);
-      end case;
    end Handle;
 
    -------------------------
@@ -180,24 +189,26 @@ package body Monitor_Tasks with SPARK_Mode is
       Reader   : Line_Reader;
       Complete : Boolean;
       Open     : Boolean;
-      Rank     : Orders.Ticket;
-      After    : Orders.Ticket;
+      Ranks    : Order_Meanings.Ranks;
+      Order    : Orders.Order;
    begin
       Process.Threads.Name_Task ("th_receive_from");
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Session.Wait_Receive;
          Clear (Reader);
-         Rank := 0;
-         After := 0;
+         Ranks := (others => <>);
          loop
+            pragma Loop_Invariant (not Order.Owed);
             Monitor_Sockets.Connection.Receive (Incoming, Length, Open);
             Trace.Take_Up (Schedule.Th_Receive_From_Mon);
             for I in 1 .. Length loop
+               pragma Loop_Invariant (not Order.Owed);
                exit when not Open;
                Accept_Character (Reader, Incoming (I), Complete);
                if Complete then
                   Get_Line (Reader, Line, Last);
-                  Handle (Line (1 .. Last), Rank, After, Open);
+                  Handle (Line (1 .. Last), Ranks, Order, Open);
                end if;
             end loop;
             exit when not Open;
@@ -211,50 +222,93 @@ package body Monitor_Tasks with SPARK_Mode is
    end Th_Receive_From_Mon;
 
    --------------------
+   -- Append_Seconds --
+   --------------------
+
+   procedure Append_Seconds
+     (Line : in out Texts.Text; Span : Monitor_Link.Milliseconds) is
+   begin
+      Texts.Append (Line, Integer (Span / 1_000));
+      Texts.Append (Line, " s");
+   end Append_Seconds;
+
+   ----------
+   -- Send --
+   ----------
+
+   procedure Send
+     (Next  : in out Mailboxes.Item;
+      Image : access constant Image_Messages.Message)
+   is
+      Line    : Mailboxes.Short_Line;
+      Success : Boolean;
+   begin
+      if Next.Is_Image and then Image = null then
+         --  never, as images go round; but no proof knows it
+         Next.Unsent := False;
+         return;
+      elsif Next.Is_Image then
+         Monitor_Sockets.Connection.Send
+           (Image.Data, Image.Length, Next.Unsent, Success);
+         Trace.Sent (Image.Data (1 .. 4));
+      else
+         Mailboxes.Compose (Next, Line);
+         Monitor_Sockets.Connection.Send
+           (Line.Data, Line.Length, Next.Unsent, Success);
+         Trace.Sent (Line.Data (1 .. 4));
+      end if;
+      --  before the session may end: the next has a connection, too
+      if not Success then
+         Monitor_Sockets.Connection.Shut_Down;
+      end if;
+   end Send;
+
+   --------------------
    -- Th_Send_To_Mon --
    --------------------
 
    task body Th_Send_To_Mon is
-      Chosen    : Options.Values;
+      Between   : Send_Order.Milliseconds renames
+        Settings.Command_Line.Chosen.Message_Gap;
       Last_Sent : Time := Time_First;
       Gap       : Send_Order.Milliseconds;
-      Gap_End   : Time;
       Next_Look : Time;
       Now       : Time;
-      Kind      : Outbox.Message_Kind;
-      Length    : Outbox.Message_Length;
-      Success   : Boolean;
+      Next      : Mailboxes.Item;
+      Image     : Image_Messages.Message_Access := new Image_Messages.Message;
+      Begun     : Boolean;
    begin
       Process.Threads.Name_Task ("th_send_to_mon");
       loop
+         pragma Loop_Invariant (not Next.Unsent);
          Outbox.Wait;
-         Settings.Get (Chosen);
+         Begun := False;
          loop
-            Outbox.Get_Gap (Chosen.Message_Gap, Gap);
-            Gap_End := Last_Sent + Milliseconds (Gap);
-            --  even a delay that has passed already takes its time
-            Now := Clock;
-            exit when Now >= Gap_End;
-            --  an answer that comes meanwhile has a shorter gap
-            Next_Look := Now + Milliseconds (Send_Order.Answer_Gap);
-            if Gap_End < Next_Look then
-               Next_Look := Gap_End;
+            pragma Loop_Invariant (not Next.Unsent);
+            Outbox.Take (Between, Last_Sent, Next, Image, Gap);
+            exit when not Next.Unsent and then Gap = 0;
+            if not Begun then
+               Trace.Start (Schedule.Th_Send_To_Mon);
             end if;
-            Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
-            delay until Next_Look;
-            Trace.Resume (Schedule.Th_Send_To_Mon, Next_Look);
+            Begun := not Next.Unsent;
+            if Next.Unsent then
+               Send (Next, Image);
+               Last_Sent := Clock;
+               Trace.Done (Schedule.Th_Send_To_Mon);
+            else
+               --  an answer that comes meanwhile has a shorter gap
+               Now := Clock;
+               Next_Look := Now + Milliseconds (Send_Order.Answer_Gap);
+               if Last_Sent + Milliseconds (Gap) < Next_Look then
+                  Next_Look := Last_Sent + Milliseconds (Gap);
+               end if;
+               Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
+               delay until Next_Look;
+               Trace.Resume (Schedule.Th_Send_To_Mon, Next_Look);
+            end if;
          end loop;
-         Outbox.Take (Chosen.Message_Gap, Gap, Kind, Outgoing, Length);
-         if Kind /= Outbox.Nothing then
-            Monitor_Sockets.Connection.Send (Outgoing, Length, Success);
-            Last_Sent := Clock;
-            Trace.Sent (Outgoing (1 .. 4));
-            --  before the session may end: the next has a connection, too
-            if not Success then
-               Monitor_Sockets.Connection.Shut_Down;
-            end if;
-            Outbox.Sent;
-         end if;
+         Trace.Done (Schedule.Th_Send_To_Mon);
+         Trace.Idle (Schedule.Th_Send_To_Mon);
       end loop;
    end Th_Send_To_Mon;
 
@@ -274,8 +328,9 @@ package body Monitor_Tasks with SPARK_Mode is
       if not Sample.Known then
          Monitor_Sockets.Connection.Leave_To_Kernel;
          Texts.Set
-           (Reason, "no TCP_INFO: a monitor that vanishes, or takes nothing"
-            & " for 4 s, is lost by keep-alive");
+           (Reason, "no TCP_INFO, keep-alive instead: a monitor is lost that "
+            & "vanishes, or takes nothing, for ");
+         Append_Seconds (Reason, Monitor_Link.Vanished_After);
          Journal.Put (Options.Warning, Reason);
       end if;
       Monitor_Link.Start (Link, Sample.Now);
@@ -293,20 +348,23 @@ package body Monitor_Tasks with SPARK_Mode is
          Frame_Store.Look_At_Silence (Now);
          Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
-      Texts.Set
-        (Reason,
-         (if Stopping then "the supervisor is stopping"
-          elsif Verdict = Monitor_Link.Vanished then
-             "it vanished, nothing has been acknowledged for 4 s"
-          elsif Verdict = Monitor_Link.Stalled then
-             "it has taken nothing for 15 s"
-          else
-            (case Loss is
-                when Monitor_Sockets.Connection.Reset_By_Peer =>
-                   "connection reset",
-                when Monitor_Sockets.Connection.No_Sign_Of_Life =>
-                   "it vanished, no sign of life for 4 s",
-                when others => "connection closed")));
+      if Stopping then
+         Texts.Set (Reason, "the supervisor is stopping");
+      elsif Verdict = Monitor_Link.Vanished then
+         Texts.Set
+           (Reason, "it vanished, nothing has been acknowledged for ");
+         Append_Seconds (Reason, Monitor_Link.Vanished_After);
+      elsif Verdict = Monitor_Link.Stalled then
+         Texts.Set (Reason, "it has taken nothing for ");
+         Append_Seconds (Reason, Monitor_Link.Stalled_After);
+      elsif Loss = Monitor_Sockets.Connection.No_Sign_Of_Life then
+         Texts.Set (Reason, "it vanished, no sign of life for ");
+         Append_Seconds (Reason, Monitor_Link.Vanished_After);
+      elsif Loss = Monitor_Sockets.Connection.Reset_By_Peer then
+         Texts.Set (Reason, "connection reset");
+      else
+         Texts.Set (Reason, "connection closed");
+      end if;
    end Wait_Loss;
 
    ----------------
@@ -314,7 +372,8 @@ package body Monitor_Tasks with SPARK_Mode is
    ----------------
 
    procedure Bring_Back is
-      Next  : Orders.Ticket;
+      Next    : Orders.Ticket;
+      Ignored : Robot_Session.Outcome;
       Idle  : Boolean;
       Limit : Time;
       Now   : Time;
@@ -324,7 +383,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Outbox.Close_Session (Next);
       Robot_Line.Begin_Session (Next);
       Robot_Clients.Safe_State.Ask
-        ((Kind => Robot_Session.Close_Line, others => <>));
+        ((Kind => Robot_Session.Close_Line, others => <>), Ignored);
       Vision_State.Begin_Session (Next);
       Camera_Requests.Close;
       --  a search for the arena does not wait for a camera that hangs

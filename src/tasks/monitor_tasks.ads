@@ -2,7 +2,6 @@
 --  The report's four tasks of the monitor, and the one that ends the hold on
 --  unasked messages.
 
-with Outbox;
 with Schedule;
 
 package Monitor_Tasks with SPARK_Mode is
@@ -24,11 +23,5 @@ package Monitor_Tasks with SPARK_Mode is
 
    task Th_Hold with Priority => Schedule.Hold_Priority;
    --  Releases unasked messages that have been held back long enough
-
-private
-
-   Outgoing : Outbox.Message_Buffer := (others => ' ')
-     with Part_Of => Th_Send_To_Mon;
-   --  The message under way
 
 end Monitor_Tasks;

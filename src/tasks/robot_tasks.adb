@@ -6,18 +6,19 @@ with Ada.Real_Time;    use Ada.Real_Time;
 with Journal;
 with Line_Exchange;
 with Line_Requests;
-with Monitor_Protocol; use Monitor_Protocol;
-with Orders;
+with Line_Status;      use Line_Status;
+with Monitor_Protocol;
+with Notices;
 with Options;
+with Order_Meanings;
+with Orders;
 with Outbox;
 with Process.Threads;
 with Robot_Clients;
 with Robot_Events;
 with Robot_Line;
-with Robot_Protocol;
 with Robot_Session;    use Robot_Session;
 with Task_Ports;
-with Texts;
 with Trace;
 
 package body Robot_Tasks with SPARK_Mode is
@@ -25,29 +26,11 @@ package body Robot_Tasks with SPARK_Mode is
    use type Line_Requests.Client;
    use type Line_Requests.Verdict_Kind;
 
-   function Answer_To (Result : Outcome) return Answer_Kind is
-     (case Result.Kind is
-         when Done                  => Acknowledged,
-         when Refused               => Monitor_Protocol.Refused,
-         when Timed_Out             => Monitor_Protocol.Timed_Out,
-         when Not_Open | Not_Opened => Not_Done);
-
    procedure Tell_Of (Note : Note_Kind);
    --  What the monitor and the log learn of Note
 
-   function Drive_Command (M : Message) return Movement is
-     (case M.Kind is
-         when Go_Forward  => Robot_Protocol.Forward,
-         when Go_Backward => Robot_Protocol.Backward,
-         when Go_Left     => Robot_Protocol.Left,
-         when Go_Right    => Robot_Protocol.Right,
-         when Move_Robot  => (Robot_Protocol.Move, M.Value),
-         when Turn_Robot  => (Robot_Protocol.Turn, M.Value),
-         when others      => Robot_Protocol.Stop);
-
-   function Same_Run (Now, Before : Robot_Line.Status) return Boolean is
-     (Now.Mode /= Not_Started and then Now.Epoch = Before.Epoch);
-   --  The robot has been running since Before without a new start
+   procedure Tell_Of_Start (Mode : Mode_Kind);
+   --  The robot has begun to run: sets the periodic tasks going
 
    procedure Skip_Past (Next : in out Time; Period : Time_Span);
    --  Next on its grid, in the future: periods that could not be kept are
@@ -58,7 +41,6 @@ package body Robot_Tasks with SPARK_Mode is
    -------------
 
    procedure Tell_Of (Note : Note_Kind) is
-      Text : Texts.Text;
    begin
       case Note is
          when Nothing =>
@@ -68,10 +50,9 @@ package body Robot_Tasks with SPARK_Mode is
               (Options.Warning,
                "watchdog reload outside its window: the robot runs on");
          when Not_Running =>
-            Texts.Set
-              (Text, "robot no longer runs (watchdog or reset): start again");
-            Journal.Put (Options.Warning, Text);
-            Outbox.Put_Text (Text);
+            Journal.Put
+              (Options.Warning, Notices.Text_Of (Notices.Robot_Not_Running));
+            Outbox.Put_Notice (Notices.Robot_Not_Running);
          when Robot_Lost =>
             Journal.Put
               (Options.Warning,
@@ -79,6 +60,19 @@ package body Robot_Tasks with SPARK_Mode is
             Outbox.Put_Robot_Lost;
       end case;
    end Tell_Of;
+
+   -------------------
+   -- Tell_Of_Start --
+   -------------------
+
+   procedure Tell_Of_Start (Mode : Mode_Kind) is
+   begin
+      Robot_Events.Started (With_Watchdog => Mode = Started_With_Watchdog);
+      Journal.Put
+        (Options.Info,
+         (if Mode = Started_With_Watchdog then "robot started with watchdog"
+          else "robot started without watchdog"));
+   end Tell_Of_Start;
 
    ---------------
    -- Skip_Past --
@@ -99,29 +93,33 @@ package body Robot_Tasks with SPARK_Mode is
    task body Th_Line is
       State  : Robot_Session.State;
       Job    : Line_Requests.Job;
-      Found  : Boolean;
       Result : Outcome;
       Ended  : Time;
    begin
       Process.Threads.Name_Task ("th_line");
       loop
-         pragma Loop_Invariant (Is_Consistent (State));
-         Robot_Line.Take (Job, Found);
-         if Found then
-            if Job.Verdict = Line_Requests.Carry_Out then
-               Line_Exchange.Carry_Out (State, Job.Request, Result);
-            else
-               Result := (Kind => Refused, others => <>);
-            end if;
-            Ended := Clock;
-            Robot_Line.Finish (Job, State, Result, Ended);
-            if Job.From = Line_Requests.Stop_Order then
-               Outbox.Answer (Job.Order.Number, Answer_To (Result));
-            else
-               Robot_Clients.Signal (Job.From);
-            end if;
-            Tell_Of (Result.Note);
+         pragma Loop_Invariant
+           (Is_Consistent (State) and then not Job.Order.Owed);
+         Robot_Line.Take (Job);
+         if Job.Verdict = Line_Requests.Carry_Out then
+            Line_Exchange.Carry_Out (State, Job.Request, Result);
+         else
+            Result := (Kind => Refused, others => <>);
          end if;
+         Ended := Clock;
+         Robot_Line.Finish (Job, State, Result, Ended);
+         if Line_Status.Starts (Job, Result) then
+            Tell_Of_Start (State.Mode);
+         end if;
+         if Job.Order.Owed then
+            Outbox.Answer
+              (Job.Order,
+               Order_Meanings.Answer_To (Job.Order.Message.Kind, Result));
+         end if;
+         if Job.From /= Line_Requests.Stop_Order then
+            Robot_Clients.Signal (Job.From);
+         end if;
+         Tell_Of (Result.Note);
       end loop;
    end Th_Line;
 
@@ -130,20 +128,13 @@ package body Robot_Tasks with SPARK_Mode is
    -----------------------
 
    task body Th_Open_Com_Robot is
-      Order  : Orders.Order;
-      Result : Outcome;
+      Order : Orders.Order;
    begin
       Process.Threads.Name_Task ("th_open_com_rob");
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Open_Robot.Wait (Order);
-         if Order.Message.Kind = Open_Robot then
-            Robot_Clients.Open.Ask
-              ((Kind => Open_Line, others => <>), Order, Result);
-         else
-            Robot_Clients.Open.Ask
-              ((Kind => Close_Line, others => <>), Order, Result);
-         end if;
-         Outbox.Answer (Order.Number, Answer_To (Result));
+         Robot_Clients.Open.Ask (Order);
       end loop;
    end Th_Open_Com_Robot;
 
@@ -152,19 +143,13 @@ package body Robot_Tasks with SPARK_Mode is
    --------------------
 
    task body Th_Start_Robot is
-      Order  : Orders.Order;
-      Result : Outcome;
+      Order : Orders.Order;
    begin
       Process.Threads.Name_Task ("th_start_robot");
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Start_Robot.Wait (Order);
-         Robot_Clients.Start.Ask
-           ((Kind => Start, others => <>), Order, Result);
-         if Result.Kind = Done then
-            Robot_Events.Started (With_Watchdog => False);
-            Journal.Put (Options.Info, "robot started without watchdog");
-         end if;
-         Outbox.Answer (Order.Number, Answer_To (Result));
+         Robot_Clients.Start.Ask (Order);
       end loop;
    end Th_Start_Robot;
 
@@ -173,19 +158,13 @@ package body Robot_Tasks with SPARK_Mode is
    -----------------------
 
    task body Th_Start_Robot_WD is
-      Order  : Orders.Order;
-      Result : Outcome;
+      Order : Orders.Order;
    begin
       Process.Threads.Name_Task ("th_start_robot_");
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Start_Robot_Watchdog.Wait (Order);
-         Robot_Clients.Start_Watchdog.Ask
-           ((Kind => Start_Watchdog, others => <>), Order, Result);
-         if Result.Kind = Done then
-            Robot_Events.Started (With_Watchdog => True);
-            Journal.Put (Options.Info, "robot started with watchdog");
-         end if;
-         Outbox.Answer (Order.Number, Answer_To (Result));
+         Robot_Clients.Start_Watchdog.Ask (Order);
       end loop;
    end Th_Start_Robot_WD;
 
@@ -194,8 +173,8 @@ package body Robot_Tasks with SPARK_Mode is
    ------------------
 
    task body Th_Reload_WD is
-      Begun  : Robot_Line.Status;
-      Now    : Robot_Line.Status;
+      Begun  : Status;
+      Now    : Status;
       Next   : Time;
       Result : Outcome;
    begin
@@ -216,7 +195,7 @@ package body Robot_Tasks with SPARK_Mode is
             --  a run that has begun meanwhile has its own reloads
             exit when not Same_Run (Now, Begun);
             Robot_Clients.Reload.Ask
-              ((Kind => Reload, others => <>), (others => <>), Result);
+              ((Kind => Reload, others => <>), Result);
             Robot_Line.Get_Status (Now);
             if Result.Kind = Refused then
                --  the robot has begun to count anew
@@ -233,20 +212,13 @@ package body Robot_Tasks with SPARK_Mode is
    --------------------
 
    task body Th_Reset_Robot is
-      Order  : Orders.Order;
-      Result : Outcome;
+      Order : Orders.Order;
    begin
       Process.Threads.Name_Task ("th_reset_robot");
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Reset_Robot.Wait (Order);
-         if Order.Message.Kind = Reset_Robot then
-            Robot_Clients.Reset.Ask
-              ((Kind => Reset, others => <>), Order, Result);
-         else
-            Robot_Clients.Reset.Ask
-              ((Kind => Power_Off, others => <>), Order, Result);
-         end if;
-         Outbox.Answer (Order.Number, Answer_To (Result));
+         Robot_Clients.Reset.Ask (Order);
       end loop;
    end Th_Reset_Robot;
 
@@ -255,16 +227,13 @@ package body Robot_Tasks with SPARK_Mode is
    -------------
 
    task body Th_Move is
-      Order  : Orders.Order;
-      Result : Outcome;
+      Order : Orders.Order;
    begin
       Process.Threads.Name_Task ("th_move");
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Move.Wait (Order);
-         Robot_Clients.Move.Ask
-           ((Kind => Drive, Command => Drive_Command (Order.Message)),
-            Order, Result);
-         Outbox.Answer (Order.Number, Answer_To (Result));
+         Robot_Clients.Move.Ask (Order);
       end loop;
    end Th_Move;
 
@@ -273,8 +242,8 @@ package body Robot_Tasks with SPARK_Mode is
    ----------------------
 
    task body Th_Battery_Level is
-      Begun  : Robot_Line.Status;
-      Now    : Robot_Line.Status;
+      Begun  : Status;
+      Now    : Status;
       Next   : Time;
       Result : Outcome;
    begin
@@ -291,12 +260,11 @@ package body Robot_Tasks with SPARK_Mode is
             Robot_Line.Get_Status (Now);
             if Same_Run (Now, Begun) then
                Robot_Clients.Battery.Ask
-                 ((Kind => Get_Battery, others => <>), (others => <>),
-                  Result);
+                 ((Kind => Get_Battery, others => <>), Result);
                Robot_Line.Get_Status (Now);
                if Same_Run (Now, Begun) then
                   Outbox.Put_Battery
-                    (Battery_Answer
+                    (Monitor_Protocol.Battery_Answer
                        (if Result.Kind = Done then Result.Value else -1));
                end if;
             end if;
@@ -311,28 +279,13 @@ package body Robot_Tasks with SPARK_Mode is
    --------------
 
    task body Th_Query is
-      Order  : Orders.Order;
-      Result : Outcome;
-      Answer : Answer_Kind;
-      Kind   : Request_Kind;
+      Order : Orders.Order;
    begin
       Process.Threads.Name_Task ("th_query");
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Query.Wait (Order);
-         Kind := (case Order.Message.Kind is
-                     when Monitor_Protocol.Get_Battery => Get_Battery,
-                     when Get_State                    => Get_Moving,
-                     when Reload_Watchdog              => Reload_By_Hand,
-                     when others                       => Ping);
-         Robot_Clients.Query.Ask
-           ((Kind => Kind, others => <>), Order, Result);
-         Answer := Answer_To (Result);
-         if Result.Kind = Done and then Kind = Get_Battery then
-            Answer := Battery_Answer (Result.Value);
-         elsif Result.Kind = Done and then Kind = Get_Moving then
-            Answer := (if Result.Value = 0 then Standing else Moving);
-         end if;
-         Outbox.Answer (Order.Number, Answer);
+         Robot_Clients.Query.Ask (Order);
       end loop;
    end Th_Query;
 
@@ -341,9 +294,10 @@ package body Robot_Tasks with SPARK_Mode is
    -------------------
 
    task body Th_Keep_Alive is
-      Begun : Robot_Line.Status;
-      Now   : Robot_Line.Status;
-      Next  : Time;
+      Begun   : Status;
+      Now     : Status;
+      Next    : Time;
+      Ignored : Outcome;
    begin
       Process.Threads.Name_Task ("th_keep_alive");
       loop
@@ -360,7 +314,7 @@ package body Robot_Tasks with SPARK_Mode is
               and then Next - Now.Used_At >= Schedule.Idle_Line
             then
                Robot_Clients.Keep_Alive.Ask
-                 ((Kind => Keep_Alive, others => <>));
+                 ((Kind => Keep_Alive, others => <>), Ignored);
             end if;
             Next := Next + Schedule.Keep_Alive_Period;
             Skip_Past (Next, Schedule.Keep_Alive_Period);

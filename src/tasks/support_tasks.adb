@@ -6,6 +6,7 @@ with Ada.Real_Time; use Ada.Real_Time;
 with Camera_Requests;
 with Console;
 with Journal;
+with Line_Status;
 with Monitor_Sockets.Connection;
 with Options;
 with Process.Signals;
@@ -80,7 +81,7 @@ package body Support_Tasks with SPARK_Mode is
 
    procedure Wait_Session_End (Limit : Time) is
       Stage  : Session.Stage_Kind;
-      Status : Robot_Line.Status;
+      Status : Line_Status.Status;
       Idle   : Boolean;
       Now    : Time;
    begin
@@ -141,7 +142,7 @@ package body Support_Tasks with SPARK_Mode is
 
    task body Th_Stop is
       Kind   : Process.Signals.Kind;
-      Status : Robot_Line.Status;
+      Status : Line_Status.Status;
       Now    : Time;
    begin
       Process.Threads.Name_Task ("th_stop");

@@ -9,9 +9,13 @@ with Following;
 with Frame_Store;
 with Image_Grid;
 with Journal;
+with Mailboxes;
 with Monitor_Protocol; use Monitor_Protocol;
+with Notices;
 with Options;
+with Order_Meanings;
 with Orders;
+with Outbox;
 with Process.Threads;
 with Settings;
 with Shapes;
@@ -25,6 +29,7 @@ with Vision_State;
 package body Vision_Tasks with SPARK_Mode is
 
    use type Image_Grid.Microseconds;
+   use type Image_Messages.Message_Access;
    use type Options.Drawing_Kind;
    use type Shapes.Arena_Corners;
    use type Vision.Status;
@@ -33,10 +38,9 @@ package body Vision_Tasks with SPARK_Mode is
      (Slot    : Vision.Slot;
       Quality : Options.Percentage;
       Jpeg    : in out Jpeg_Buffer;
-      Text    : in out Outbox.Message_Buffer;
-      Length  : out Outbox.Message_Length);
-   --  The message that shows the image of Slot; Length is 0 where it cannot
-   --  be made (the log says why)
+      Message : in out Image_Messages.Message);
+   --  The message that shows the image of Slot; its length is 0 where it
+   --  cannot be made (the log says why)
 
    procedure Find_Robots
      (Slot   : Vision.Slot;
@@ -52,7 +56,7 @@ package body Vision_Tasks with SPARK_Mode is
    function Gap_Between (First, Last : Time) return Following.Milliseconds;
    --  Rounded up; the longest there is where it is longer
 
-   procedure Camera_Failed (Why : String);
+   procedure Camera_Failed (Why : Notices.Notice);
    --  The camera delivers no more: say so, and close it (once)
 
    procedure Draw_Arena (Slot : Vision.Slot; Arena : Shapes.Arena_Corners);
@@ -74,21 +78,20 @@ package body Vision_Tasks with SPARK_Mode is
      (Slot    : Vision.Slot;
       Quality : Options.Percentage;
       Jpeg    : in out Jpeg_Buffer;
-      Text    : in out Outbox.Message_Buffer;
-      Length  : out Outbox.Message_Length)
+      Message : in out Image_Messages.Message)
    is
       Result : Vision.Status;
       Size   : Natural;
       Last   : Natural;
    begin
-      Length := 0;
+      Message.Length := 0;
       Vision.Encode (Slot, Quality, Jpeg, Size, Result);
       if Result = Vision.Done then
-         Text (1 .. 4) := Image_Label;
-         Text (5) := Separator;
-         Base64.Encode (Jpeg, Size, Text, 6, Last);
-         Length := Last + 1;
-         Text (Length) := Line_Feed;
+         Message.Data (1 .. 4) := Image_Label;
+         Message.Data (5) := Separator;
+         Base64.Encode (Jpeg, Size, Message.Data, 6, Last);
+         Message.Length := Last + 1;
+         Message.Data (Message.Length) := Line_Feed;
       else
          Log_Reason ("image left out: ");
       end if;
@@ -188,19 +191,16 @@ package body Vision_Tasks with SPARK_Mode is
    -- Camera_Failed --
    -------------------
 
-   procedure Camera_Failed (Why : String) is
+   procedure Camera_Failed (Why : Notices.Notice) is
       Was_Open : Boolean;
-      Line     : Texts.Text;
    begin
       Vision_State.Close (Was_Open);
       if Was_Open then
          Outbox.Stop_Images;
          Camera_Requests.Close;
          Frame_Store.End_Delivery;
-         Texts.Set (Line, "camera closed: ");
-         Texts.Append (Line, Why);
-         Journal.Put (Options.Error, Line);
-         Outbox.Put_Text (Line);
+         Journal.Put (Options.Error, Notices.Text_Of (Why));
+         Outbox.Put_Notice (Why);
       end if;
    end Camera_Failed;
 
@@ -216,6 +216,7 @@ package body Vision_Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task ("th_camera_contr");
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Camera_Control.Wait (Order);
          case Order.Message.Kind is
             when Open_Camera =>
@@ -241,8 +242,7 @@ package body Vision_Tasks with SPARK_Mode is
                  (Order.Number, Order.Message.Kind = Start_Position,
                   Success);
          end case;
-         Outbox.Answer
-           (Order.Number, (if Success then Acknowledged else Not_Done));
+         Outbox.Answer (Order, Order_Meanings.Answer_To (Success));
          Task_Ports.Vision_Done;
       end loop;
    end Th_Camera_Control;
@@ -252,7 +252,7 @@ package body Vision_Tasks with SPARK_Mode is
    --------------------
 
    task body Th_Capture_Img is
-      Chosen   : Options.Values;
+      Chosen   : Options.Values renames Settings.Command_Line.Chosen;
       Period   : Image_Grid.Period_Time;
       Grid     : Image_Grid.State;
       Step     : Image_Grid.Microseconds;
@@ -263,7 +263,7 @@ package body Vision_Tasks with SPARK_Mode is
       Reserve  : Boolean;
       Coming   : Boolean;
       Waited   : Boolean;  --  for the next image, since Next
-      Made     : Outbox.Generation;
+      Made     : Mailboxes.Generation;
       Seen     : Vision_State.View;
       Slot     : Vision.Slot;
       Found    : Boolean;
@@ -273,14 +273,12 @@ package body Vision_Tasks with SPARK_Mode is
       Known_In : Shapes.Arena_Corners := Shapes.No_Arena;
       Known_At : Time;
       Place    : Position;
-      Text     : Position_Text;
-      Last     : Natural;
-      Length   : Outbox.Message_Length;
+      Line     : Mailboxes.Short_Line;
+      Image    : Image_Messages.Message_Access := new Image_Messages.Message;
    begin
       Process.Threads.Name_Task ("th_capture_img", Real_Time => False);
       loop
          Camera_Events.Wait_Opened;
-         Settings.Get (Chosen);
          Period := 1_000_000 / Image_Grid.Microseconds (Chosen.Frame_Rate);
          Grid := Image_Grid.Initial;
          Next := Clock;
@@ -303,7 +301,7 @@ package body Vision_Tasks with SPARK_Mode is
             Frame_Store.Get_Newest_Time (Newest);
             Now := Clock;
             if Now - Newest > Schedule.Camera_Silence then
-               Camera_Failed ("it has delivered nothing for 2.5 s");
+               Camera_Failed (Notices.Camera_Silent);
             elsif Vision_Mode.Images_Flow (Seen.Mode) then
                Frame_Store.Claim_Due
                  (Now, Period, Slot, Came, Reserve, Found, Coming);
@@ -350,16 +348,17 @@ package body Vision_Tasks with SPARK_Mode is
                      --  over the arena's line
                      Draw_Robots (Slot, Robots, Count);
                   end if;
-                  Encode (Slot, Chosen.Quality, Image_Jpeg, Image_Text,
-                          Length);
-                  Frame_Store.Release (Slot);
-                  if Length > 0 then
-                     Outbox.Put_Image (Image_Text, Length, Made);
+                  if Image /= null then
+                     Encode (Slot, Chosen.Quality, Image_Jpeg, Image.all);
+                     if Image.Length > 0 then
+                        Outbox.Put_Image (Image, Made);
+                     end if;
                   end if;
+                  Frame_Store.Release (Slot);
                   if Seen.Mode.Position_On then
                      --  after its image, which is to be punctual
-                     Format_Position (Place, Text, Last);
-                     Outbox.Put_Position (Text (1 .. Last), Made);
+                     Format_Position (Place, Line.Data, Line.Length);
+                     Outbox.Put_Position (Line, Made);
                   end if;
                end if;
             end if;
@@ -387,49 +386,49 @@ package body Vision_Tasks with SPARK_Mode is
 
    task body Th_Arene is
       Order  : Orders.Order;
-      Chosen : Options.Values;
+      Chosen : Options.Values renames Settings.Command_Line.Chosen;
       Valid  : Boolean;
       Slot   : Vision.Slot;
       Found  : Boolean;
       Arena  : Shapes.Arena_Corners;
       Result : Vision.Status;
-      Length : Outbox.Message_Length;
+      Shown  : Boolean;
+      Image  : Image_Messages.Message_Access := new Image_Messages.Message;
    begin
       Process.Threads.Name_Task ("th_arene", Real_Time => False);
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Arena.Wait (Order);
          if Order.Message.Kind = Ask_Arena then
             Vision_State.Ask_Arena (Order.Number, Valid);
             if Valid then
                Outbox.Stop_Images;
-               Settings.Get (Chosen);
                Arena := Shapes.No_Arena;
-               Length := 0;
+               Shown := False;
                Frame_Store.Wait_Newest (Slot, Found);
                if Found then
                   Vision.Find_Arena (Slot, Arena, Result);
-                  if Result = Vision.Done then
+                  if Result = Vision.Done and then Image /= null then
                      Draw_Arena (Slot, Arena);
-                     Encode (Slot, Chosen.Quality, Arena_Jpeg, Arena_Text,
-                             Length);
+                     Encode
+                       (Slot, Chosen.Quality, Arena_Jpeg, Image.all);
+                     Shown := Image.Length > 0;
                   end if;
                   Frame_Store.Release (Slot);
                end if;
-               Vision_State.Searched
-                 (Order.Number, Length > 0, Arena, Valid);
-               if Valid and then Length > 0 then
-                  Outbox.Answer_With_Image
-                    (Order.Number, Arena_Text, Length);
+               Vision_State.Searched (Order.Number, Shown, Arena, Valid);
+               if Valid and then Shown then
+                  Outbox.Answer_With_Image (Order, Image);
                else
-                  Outbox.Answer (Order.Number, Not_Done);
+                  Outbox.Answer (Order, Order_Meanings.Answer_To (False));
                end if;
             else
-               Outbox.Answer (Order.Number, Not_Done);
+               Outbox.Answer (Order, Order_Meanings.Answer_To (False));
             end if;
          else
             Vision_State.Decide
               (Order.Number, Order.Message.Kind = Confirm_Arena, Valid);
-            Outbox.Answer_Nothing (Order.Number);
+            Outbox.Answer_Nothing (Order);
             if not Valid then
                Journal.Put
                  (Options.Warning,
@@ -445,7 +444,7 @@ package body Vision_Tasks with SPARK_Mode is
    ---------------
 
    task body Th_Camera is
-      Chosen : Options.Values;
+      Chosen : Options.Values renames Settings.Command_Line.Chosen;
       Number : Camera_Requests.Request_Number;
       Wanted : Boolean;
       Result : Vision.Status;
@@ -455,7 +454,6 @@ package body Vision_Tasks with SPARK_Mode is
       Process.Threads.Name_Task ("th_camera", Real_Time => False);
       loop
          Camera_Requests.Wait_Open (Number);
-         Settings.Get (Chosen);
          Vision.Open
            (Chosen.Camera.Data (1 .. Chosen.Camera.Length),
             Chosen.Width, Chosen.Height,
@@ -487,7 +485,7 @@ package body Vision_Tasks with SPARK_Mode is
                exit when not Wanted;
                if Result /= Vision.Done then
                   Log_Reason ("no image from the camera: ");
-                  Camera_Failed ("it delivers no images any more");
+                  Camera_Failed (Notices.Camera_Ended);
                   exit;
                end if;
             end loop;

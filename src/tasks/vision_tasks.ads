@@ -2,7 +2,7 @@
 --  The report's three tasks of the vision, and the owner of the camera.
 
 with Bytes;
-with Outbox;
+with Image_Messages;
 with Schedule;
 
 package Vision_Tasks with SPARK_Mode is
@@ -24,15 +24,11 @@ package Vision_Tasks with SPARK_Mode is
 
 private
 
-   subtype Jpeg_Buffer is Bytes.Byte_Array (1 .. Outbox.Max_Jpeg);
+   subtype Jpeg_Buffer is Bytes.Byte_Array (1 .. Image_Messages.Max_Jpeg);
 
    Image_Jpeg : Jpeg_Buffer := (others => 0)
      with Part_Of => Th_Capture_Img;
-   Image_Text : Outbox.Message_Buffer := (others => ' ')
-     with Part_Of => Th_Capture_Img;
    Arena_Jpeg : Jpeg_Buffer := (others => 0)
-     with Part_Of => Th_Arene;
-   Arena_Text : Outbox.Message_Buffer := (others => ' ')
      with Part_Of => Th_Arene;
 
 end Vision_Tasks;

@@ -9,8 +9,11 @@ with Ada.Text_IO;    use Ada.Text_IO;
 with GNAT.OS_Lib;
 
 with Camera_Requests;
+with Image_Messages;
 with Journal;
 with Line_Requests;
+with Line_Status;
+with Mailboxes;
 with Monitor_Protocol;
 with Options;
 with Orders;
@@ -18,14 +21,14 @@ with Outbox;
 with Robot_Line;
 with Robot_Session;
 with Schedule;
+with Send_Order;
 with Session;
-with Settings;
 with Task_Ports;
 with Texts;
 with Trace;
 with Vision_State;
 
-procedure Operation_Times with Priority => Schedule.Line_Priority is
+procedure Operation_Times with Priority => Schedule.Query_Priority is
 
    Calls : constant := 20_000;
 
@@ -40,9 +43,8 @@ procedure Operation_Times with Priority => Schedule.Line_Priority is
    Sample  : Sample_Index := 1;
    Begun   : Time;
 
-   Image        : Outbox.Message_Buffer := (others => 'A');
-   Image_Length : constant := 100_000;
-   --  of an image of 640x480, in base64
+   Image : Image_Messages.Message_Access := new Image_Messages.Message;
+   Sent  : Image_Messages.Message_Access := new Image_Messages.Message;
 
    procedure Start;
    procedure Stop;
@@ -86,17 +88,15 @@ procedure Operation_Times with Priority => Schedule.Line_Priority is
       Sample := 1;
    end Report;
 
-   Number : Orders.Ticket;
    Open   : Boolean;
-   Made   : Outbox.Generation;
-   Kind   : Outbox.Message_Kind;
-   Length : Outbox.Message_Length;
+   Made   : Mailboxes.Generation;
+   Next   : Mailboxes.Item;
+   Gap    : Send_Order.Milliseconds;
    Order  : Orders.Order;
-   Status : Robot_Line.Status;
+   Status : Line_Status.Status;
    Job    : Line_Requests.Job;
    View   : Vision_State.View;
    Stage  : Session.Stage_Kind;
-   Chosen : Options.Values;
    Wanted : Boolean;
    Text   : Texts.Text;
 
@@ -128,39 +128,36 @@ begin
    Outbox.Open_Session;
    for I in Sample_Index loop
       Start;
-      Outbox.Reserve (Number, Open);
+      Outbox.Reserve (Order);
       Stop;
-      Outbox.Answer (Number, Monitor_Protocol.Acknowledged);
-      Outbox.Take (0, 0, Kind, Image, Length);
-      Outbox.Sent;
+      Outbox.Answer (Order, Monitor_Protocol.Acknowledged);
+      Outbox.Take (0, Time_First, Next, Sent, Gap);
    end loop;
    Report ("Outbox.Reserve");
 
    for I in Sample_Index loop
-      Outbox.Reserve (Number, Open);
+      Outbox.Reserve (Order);
       Start;
-      Outbox.Answer (Number, Monitor_Protocol.Acknowledged);
+      Outbox.Answer (Order, Monitor_Protocol.Acknowledged);
       Stop;
-      Outbox.Take (0, 0, Kind, Image, Length);
-      Outbox.Sent;
+      Outbox.Take (0, Time_First, Next, Sent, Gap);
    end loop;
    Report ("Outbox.Answer");
 
    for I in Sample_Index loop
       Outbox.Get_Generation (Made);
       Start;
-      Outbox.Put_Image (Image, Image_Length, Made);
+      Outbox.Put_Image (Image, Made);
       Stop;
    end loop;
    Report ("Outbox.Put_Image");
 
    for I in Sample_Index range 1 .. 5_000 loop
       Outbox.Get_Generation (Made);
-      Outbox.Put_Image (Image, Image_Length, Made);
+      Outbox.Put_Image (Image, Made);
       Start;
-      Outbox.Take (0, 0, Kind, Image, Length);
+      Outbox.Take (0, Time_First, Next, Sent, Gap);
       Stop;
-      Outbox.Sent;
    end loop;
    Report ("Outbox.Take, an image");
 
@@ -168,18 +165,20 @@ begin
       Start;
       Robot_Line.Put
         (Line_Requests.Battery,
-         (Kind => Robot_Session.Get_Battery, others => <>));
+         Robot_Session.Request'
+           (Kind => Robot_Session.Get_Battery, others => <>));
       Stop;
-      Robot_Line.Take (Job, Open);
+      Robot_Line.Take (Job);
    end loop;
    Report ("Robot_Line.Put");
 
    for I in Sample_Index loop
       Robot_Line.Put
         (Line_Requests.Battery,
-         (Kind => Robot_Session.Get_Battery, others => <>));
+         Robot_Session.Request'
+           (Kind => Robot_Session.Get_Battery, others => <>));
       Start;
-      Robot_Line.Take (Job, Open);
+      Robot_Line.Take (Job);
       Stop;
    end loop;
    Report ("Robot_Line.Take");
@@ -192,6 +191,7 @@ begin
    Report ("Robot_Line.Get_Status");
 
    Order.Message := (Kind => Monitor_Protocol.Go_Forward, others => <>);
+   Order.Owed := True;
    for I in Sample_Index loop
       Start;
       Task_Ports.Move.Put (Order);
@@ -228,13 +228,6 @@ begin
       Stop;
    end loop;
    Report ("Session.Get_Stage");
-
-   for I in Sample_Index loop
-      Start;
-      Settings.Get (Chosen);
-      Stop;
-   end loop;
-   Report ("Settings.Get");
 
    Texts.Set (Text, "received RMOV:-12345");
    for I in Sample_Index loop

@@ -11,7 +11,7 @@ with Bench_Settings;
 with Both_Ends;         use Both_Ends;
 with Bytes;
 with Emulators;
-with Image_Slots;
+with Image_Messages;
 with Instants;          use Instants;
 with Own_Process;
 with Paced_Cameras;
@@ -27,9 +27,9 @@ package body Scale_Limits is
    Fastest : constant := 100;
    --  images a second that --fps takes
 
-   Jpeg : constant Bytes.Byte_Array (1 .. Image_Slots.Max_Jpeg) :=
+   Jpeg : constant Bytes.Byte_Array (1 .. Image_Messages.Max_Jpeg) :=
      (others => 17);
-   Text : Image_Slots.Message_Buffer := (others => ' ');
+   Text : Image_Messages.Message_Buffer := (others => ' ');
    --  too large for a stack
 
    procedure Take_Picture (Size : String; Path : String);

@@ -294,7 +294,8 @@ package body Task_Times is
             Budget_Of (Run_Maps.Key (Place)));
       end loop;
       Put (Owner & ", request", Requests, Budget_Of (Line_Request));
-      Put (Owner & ", answer", Answers, Budget_Of (Line_Answer));
+      Put (Owner & ", answer", Answers,
+           Budget_Of (Line_Answer) + Budget_Of (Line_Outcome));
    end Print;
 
 end Task_Times;

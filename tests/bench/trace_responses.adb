@@ -191,12 +191,12 @@ package body Trace_Responses is
             when Line_Request  => ", request",
             when Line_Answer   => ", answer",
             when Reload_Due | Battery_Due | Ping_Due    => ", due",
-            when Reload_Done | Battery_Done | Ping_Done => ", done",
+            when Reload_Done | Battery_Done | Ping_Done | Move_Done
+               | Open_Done | Start_Done | Watchdog_Done | Reset_Done
+               | Query_Done => ", done",
             when Move_Order | Open_Order | Start_Order | Watchdog_Order
                | Reset_Order | Query_Order | Camera_Order => ", order",
-            when Move_Answer | Open_Answer | Start_Answer | Watchdog_Answer
-               | Reset_Answer | Query_Answer | Camera_Answer
-               | Send_Answer => ", answer",
+            when Camera_Answer | Send_Answer => ", answer",
             when Send_Battery  => ", battery",
             when Send_Position => ", position",
             when Send_Image    => ", image",
@@ -385,7 +385,7 @@ package body Trace_Responses is
          Take (Name, Known.Bounds (Name));
       end loop;
       Take (Line_Request, Known.Owner.Request);
-      Take (Line_Answer, Known.Owner.Answer);
+      Take (Line_Answer, Known.Owner.Outcome);
    end Take_Bounds;
 
 end Trace_Responses;

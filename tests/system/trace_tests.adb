@@ -161,7 +161,6 @@ package body Trace_Tests is
       Follow ("th_line", "robot " & Order, 'i', Numbered => False);
       Follow ("th_line", "wait for answer", 'B', Numbered => False);
       Follow ("th_line", "", 'E', Numbered => False);
-      Follow (Carrier, "release", 'i', Numbered => False);
       Follow ("th_sendToMon", "release", 'i');
       Follow ("th_sendToMon", "job", 'B', Numbered => False);
       Follow ("th_sendToMon", "out AACK", 'i', Numbered => False);

@@ -4,7 +4,7 @@
 with Interfaces.C; use Interfaces.C;
 
 with Bytes;
-with Image_Slots;
+with Image_Messages;
 
 package Image_Buffers is
 
@@ -14,12 +14,11 @@ package Image_Buffers is
    Source : Bytes.Byte_Array (1 .. 2_000_000);
    --  What the camera delivers
 
-   Jpeg : Bytes.Byte_Array (1 .. Image_Slots.Max_Jpeg) := (others => 0);
-   Text : Image_Slots.Message_Buffer := (others => ' ');
+   Jpeg : Bytes.Byte_Array (1 .. Image_Messages.Max_Jpeg) := (others => 0);
+   Text : Image_Messages.Message_Buffer := (others => ' ');
    --  What is made of it
 
-   Box      : Image_Slots.Slot;
-   Out_Text : Image_Slots.Message_Buffer := (others => ' ');
-   --  What the sender takes
+   Out_Text : Image_Messages.Message_Buffer := (others => ' ');
+   --  A copy of it, for the floor
 
 end Image_Buffers;

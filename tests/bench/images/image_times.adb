@@ -15,7 +15,6 @@ with Base64;
 with Expectations;     use Expectations;
 with Following;
 with Image_Buffers;    use Image_Buffers;
-with Image_Slots;
 with Option_Readers;
 with Options;
 with Plain_Numbers;    use Plain_Numbers;
@@ -194,8 +193,8 @@ procedure Image_Times is
    Wire : constant int := Connect;
 
    type Stage is
-     (Grabbing, Decoding, Arena_Search, Drawing, Encoding, To_Text,
-      Handing_Over, Sending, Whole, Passing, Through, None);
+     (Grabbing, Decoding, Arena_Search, Drawing, Encoding, To_Text, Sending,
+      Whole, Passing, Through, None);
 
    Times, Floors : array (Stage) of Samples.Set;
 
@@ -269,10 +268,7 @@ procedure Image_Times is
          Check (Result = Done, "encoding");
          Base64.Encode (Jpeg, Length, Text, 6, Last);
          Stop (Times (To_Text));
-         Image_Slots.Put (Box, Text, Last);
-         Image_Slots.Get (Box, Out_Text, Last);
-         Stop (Times (Handing_Over));
-         Send (Wire, Out_Text'Address, int (Last));
+         Send (Wire, Text'Address, int (Last));
          Stop (Times (Sending));
          Began := Begin_At;
          Stop (Times (Whole));
@@ -288,7 +284,6 @@ procedure Image_Times is
       end loop;
       Floors (Whole) := Floors (Encoding);
       Floors (Sending) := Floors (To_Text);
-      Floors (Handing_Over) := Floors (To_Text);
 
       Report ("image", "grab: check and keep a JPEG", Size,
               Times (Grabbing), Floors (Grabbing));
@@ -306,8 +301,6 @@ procedure Image_Times is
               Times (Encoding), Floors (Encoding));
       Report ("image", "base64", Size,
               Times (To_Text), Floors (To_Text));
-      Report ("image", "hand over to the sender", Size,
-              Times (Handing_Over), Floors (Handing_Over));
       Report ("image", "send", Size,
               Times (Sending), Floors (Sending));
       Report ("image", "encode + base64 + send", Size,

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The outbox: order of the answers, the newest image, the hold.
+--  The outbox: images pass from hand to hand, and whoever waits is woken.
 
 with AUnit.Test_Cases;
 

@@ -5,6 +5,7 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Ada.Real_Time;
 with Line_Requests;    use Line_Requests;
+with Monitor_Protocol; use Monitor_Protocol;
 with Orders;           use Orders;
 with Robot_Line;
 with Robot_Session;
@@ -13,14 +14,17 @@ package body Robot_Line_Tests is
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
-   function Numbered (Number, Rank, After : Ticket) return Order is
-     ((Number => Number, Rank => Rank, After => After, others => <>));
-
    procedure Ask
-     (From  : Client;
-      Kind  : Robot_Session.Request_Kind;
-      Order : Orders.Order := (others => <>));
-   --  A request of From.
+     (From        : Client;
+      Kind        : Message_Kind;
+      Number      : Ticket;
+      Rank, After : Ticket := 0);
+   --  The monitor's order, by way of From.
+
+   procedure Stop (Number : Ticket; After : Ticket := 0);
+
+   procedure Ask (From : Client; Kind : Robot_Session.Request_Kind);
+   --  A request of From's own.
 
    procedure Check
      (From : Client; Verdict : Verdict_Kind := Carry_Out);
@@ -37,11 +41,21 @@ package body Robot_Line_Tests is
    ---------
 
    procedure Ask
-     (From  : Client;
-      Kind  : Robot_Session.Request_Kind;
-      Order : Orders.Order := (others => <>)) is
+     (From        : Client;
+      Kind        : Message_Kind;
+      Number      : Ticket;
+      Rank, After : Ticket := 0)
+   is
+      Order : Orders.Order :=
+        (Number, (Kind => Kind, others => <>), Rank, After, Owed => True);
    begin
-      Robot_Line.Put (From, (Kind => Kind, others => <>), Order);
+      Robot_Line.Put (From, Order);
+   end Ask;
+
+   procedure Ask (From : Client; Kind : Robot_Session.Request_Kind) is
+   begin
+      Robot_Line.Put
+        (From, Robot_Session.Request'(Kind => Kind, others => <>));
    end Ask;
 
    -----------
@@ -51,11 +65,10 @@ package body Robot_Line_Tests is
    procedure Check
      (From : Client; Verdict : Verdict_Kind := Carry_Out)
    is
-      Next  : Job;
-      Found : Boolean;
+      Next : Job;
    begin
-      Robot_Line.Take (Next, Found);
-      Assert (Found and then Next.From = From,
+      Robot_Line.Take (Next);
+      Assert (Next.From = From,
               From'Image & " expected, not " & Next.From'Image);
       Assert (Next.Verdict = Verdict, From'Image & Next.Verdict'Image);
       Robot_Line.Finish
@@ -88,6 +101,17 @@ package body Robot_Line_Tests is
                         "stops without end do not starve the reload");
    end Register_Tests;
 
+   ----------
+   -- Stop --
+   ----------
+
+   procedure Stop (Number : Ticket; After : Ticket := 0) is
+      Order : Orders.Order :=
+        (Number, (Kind => Stop_Robot, others => <>), 0, After, Owed => True);
+   begin
+      Robot_Line.Put_Stop (Order);
+   end Stop;
+
    ---------------------
    -- Test_Many_Stops --
    ---------------------
@@ -96,10 +120,10 @@ package body Robot_Line_Tests is
       pragma Unreferenced (T);
    begin
       Robot_Line.Begin_Session (400);
-      Ask (Reload, Robot_Session.Reload, (others => <>));
-      Ask (Move, Robot_Session.Drive, Numbered (399, 0, 0));
+      Ask (Reload, Robot_Session.Reload);
+      Ask (Move, Go_Forward, 399, 0, 0);
       for Number in Orders.Ticket range 400 .. 402 loop
-         Robot_Line.Put_Stop (Numbered (Number, 0, 0));
+         Stop (Number);
       end loop;
       Check (Stop_Order);
       Check (Reload);
@@ -117,14 +141,14 @@ package body Robot_Line_Tests is
       pragma Unreferenced (T);
    begin
       Robot_Line.Begin_Session (300);
-      Ask (Reset, Robot_Session.Reset, Numbered (301, 7, 5));
-      Robot_Line.Put_Stop (Numbered (302, 0, 0));
+      Ask (Reset, Reset_Robot, 301, 7, 5);
+      Stop (302);
       Robot_Line.Begin_Session (310);
       Check (Reset, Out_Of_Date);
 
       --  and does not count among the orders of the new one
 
-      Ask (Open, Robot_Session.Open_Line, Numbered (310, 1, 0));
+      Ask (Open, Open_Robot, 310, 1, 0);
       Check (Open);
    end Test_Out_Of_Date;
 
@@ -136,11 +160,11 @@ package body Robot_Line_Tests is
       pragma Unreferenced (T);
    begin
       Robot_Line.Begin_Session (200);
-      Ask (Move, Robot_Session.Drive, Numbered (200, 1, 0));
-      Robot_Line.Put_Stop (Numbered (201, 0, 0));
+      Ask (Move, Go_Forward, 200, 1, 0);
+      Stop (201);
       Check (Stop_Order);
       Check (Move, Overtaken);
-      Ask (Move, Robot_Session.Drive, Numbered (202, 2, 0));
+      Ask (Move, Go_Forward, 202, 2, 0);
       Check (Move);
    end Test_Overtaken;
 
@@ -152,11 +176,11 @@ package body Robot_Line_Tests is
       pragma Unreferenced (T);
    begin
       Robot_Line.Begin_Session (100);
-      Ask (Move, Robot_Session.Drive, Numbered (103, 4, 3));
-      Ask (Reset, Robot_Session.Reset, Numbered (102, 3, 1));
-      Ask (Query, Robot_Session.Ping, Numbered (101, 2, 1));
-      Ask (Open, Robot_Session.Open_Line, Numbered (100, 1, 0));
-      Robot_Line.Put_Stop (Numbered (104, 0, 3));
+      Ask (Move, Go_Forward, 103, 4, 3);
+      Ask (Reset, Reset_Robot, 102, 3, 1);
+      Ask (Query, Ping_Robot, 101, 2, 1);
+      Ask (Open, Open_Robot, 100, 1, 0);
+      Stop (104, 3);
       Check (Stop_Order);
       Check (Open);
       Check (Query);
@@ -173,11 +197,11 @@ package body Robot_Line_Tests is
    begin
       Robot_Line.Begin_Session (10);
       Ask (Keep_Alive, Robot_Session.Keep_Alive);
-      Ask (Query, Robot_Session.Ping, Numbered (11, 2, 0));
+      Ask (Query, Ping_Robot, 11, 2, 0);
       Ask (Battery, Robot_Session.Get_Battery);
-      Ask (Move, Robot_Session.Drive, Numbered (13, 3, 0));
+      Ask (Move, Go_Forward, 13, 3, 0);
       Ask (Reload, Robot_Session.Reload);
-      Robot_Line.Put_Stop (Numbered (12, 0, 0));
+      Stop (12);
       Ask (Safe_State, Robot_Session.Close_Line);
       Check (Safe_State);
       Check (Stop_Order);

@@ -40,11 +40,10 @@ package body Vision_Queue_Tests is
    -----------
 
    procedure Check (Number : Ticket) is
-      Item  : Order;
-      Found : Boolean;
+      Item : Order;
    begin
-      Vision_Queue.Next (Item, Found);
-      Assert (Found, Number'Image & " waits");
+      Vision_Queue.Next (Item);
+      Assert (Item.Owed, Number'Image & " waits");
       Assert (Item.Number = Number,
               Number'Image & " expected, not" & Item.Number'Image);
    end Check;
@@ -54,11 +53,10 @@ package body Vision_Queue_Tests is
    ---------------
 
    procedure Check_End is
-      Item  : Order;
-      Found : Boolean;
+      Item : Order;
    begin
-      Vision_Queue.Next (Item, Found);
-      Assert (not Found, "none expected, not" & Item.Number'Image);
+      Vision_Queue.Next (Item);
+      Assert (not Item.Owed, "none expected, not" & Item.Number'Image);
    end Check_End;
 
    ----------
@@ -73,10 +71,10 @@ package body Vision_Queue_Tests is
    ---------
 
    procedure Put (Number : Ticket; At_Once : Boolean) is
-      Now : Boolean;
+      Item : Order := (Number => Number, Owed => True, others => <>);
    begin
-      Vision_Queue.Put ((Number => Number, others => <>), Now);
-      Assert (Now = At_Once,
+      Vision_Queue.Put (Item);
+      Assert (Item.Owed = At_Once,
               Number'Image & (if At_Once then " at once" else " waits"));
    end Put;
 

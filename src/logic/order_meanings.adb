@@ -1,0 +1,26 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What an order of the monitor means: which request to the robot it is, its
+--  place among the robot's orders, and what the monitor is answered.
+
+package body Order_Meanings with SPARK_Mode is
+
+   ---------------
+   -- Give_Rank --
+   ---------------
+
+   procedure Give_Rank (R : in out Ranks; Order : in out Orders.Order) is
+   begin
+      if Has_Rank (Order.Message.Kind) then
+         R.Last := R.Last + 1;
+         Order.Rank := R.Last;
+         Order.After := R.Change;
+         if Changes_Session (Order.Message) then
+            R.Change := R.Last;
+         end if;
+      else
+         Order.Rank := 0;
+         Order.After := 0;
+      end if;
+   end Give_Rank;
+
+end Order_Meanings;

@@ -1,0 +1,122 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What an order of the monitor means: which request to the robot it is, its
+--  place among the robot's orders, and what the monitor is answered. Nothing
+--  else decides any of it.
+
+with Line_Requests;
+with Monitor_Protocol; use Monitor_Protocol;
+with Orders;
+with Robot_Protocol;
+with Robot_Session;    use Robot_Session;
+
+package Order_Meanings with SPARK_Mode is
+
+   pragma Annotate (GNATprove, Terminating, Order_Meanings);
+   --  A claim that GNATprove checks: every subprogram ends
+
+   use type Orders.Ticket;
+
+   subtype Robot_Order is Message_Kind range Open_Robot .. Get_State;
+
+   subtype Vision_Order is Message_Kind range Open_Camera .. Stop_Position;
+
+   subtype Arena_Order is Vision_Order range Ask_Arena .. Reject_Arena;
+   --  For th_arene; the vision's others are for th_cameraControl
+
+   --  Who carries it out
+
+   function Client_Of (Kind : Robot_Order) return Line_Requests.Client is
+     (case Kind is
+         when Open_Robot | Close_Robot           => Line_Requests.Open,
+         when Start_Robot                        => Line_Requests.Start,
+         when Start_Robot_Watchdog               =>
+            Line_Requests.Start_Watchdog,
+         when Reset_Robot | Power_Off_Robot      => Line_Requests.Reset,
+         when Go_Forward .. Go_Right | Move_Robot | Turn_Robot =>
+            Line_Requests.Move,
+         when Stop_Robot                         => Line_Requests.Stop_Order,
+         when Ping_Robot | Reload_Watchdog
+            | Monitor_Protocol.Get_Battery | Get_State =>
+            Line_Requests.Query);
+   --  Of the robot's line; a stop has no task of its own
+
+   --  What the robot is asked for
+
+   function Request_Of (M : Message) return Request is
+     (case M.Kind is
+         when Open_Robot           => (Open_Line, others => <>),
+         when Close_Robot          => (Close_Line, others => <>),
+         when Start_Robot          => (Start, others => <>),
+         when Start_Robot_Watchdog => (Start_Watchdog, others => <>),
+         when Reset_Robot          => (Reset, others => <>),
+         when Power_Off_Robot      => (Power_Off, others => <>),
+         when Reload_Watchdog      => (Reload_By_Hand, others => <>),
+         when Monitor_Protocol.Get_Battery =>
+            (Robot_Session.Get_Battery, others => <>),
+         when Get_State            => (Get_Moving, others => <>),
+         when Stop_Robot           => (Stop, others => <>),
+         when Go_Forward           => (Drive, Robot_Protocol.Forward),
+         when Go_Backward          => (Drive, Robot_Protocol.Backward),
+         when Go_Left              => (Drive, Robot_Protocol.Left),
+         when Go_Right             => (Drive, Robot_Protocol.Right),
+         when Move_Robot           =>
+            (Drive, (Robot_Protocol.Move, M.Value)),
+         when Turn_Robot           =>
+            (Drive, (Robot_Protocol.Turn, M.Value)),
+         when others               => (Ping, others => <>));
+
+   --  Its place among the robot's orders
+
+   function Has_Rank (Kind : Message_Kind) return Boolean is
+     (Kind in Robot_Order and then Kind /= Stop_Robot);
+   --  A stop goes past all others
+
+   function Changes_Session (M : Message) return Boolean is
+     (M.Kind in Robot_Order
+      and then Changes_Session (Request_Of (M).Kind));
+
+   type Ranks is record
+      Last   : Orders.Ticket := 0;
+      --  of the session's last order that has one
+      Change : Orders.Ticket := 0;
+      --  of the last that changes the robot's session
+   end record;
+
+   procedure Give_Rank (R : in out Ranks; Order : in out Orders.Order)
+   with
+     Post => Order.Number = Order'Old.Number
+       and then Order.Message = Order'Old.Message
+       and then Order.Owed = Order'Old.Owed
+       and then
+         (if Has_Rank (Order.Message.Kind) then
+             Order.Rank = R'Old.Last + 1
+             and then Order.After = R'Old.Change
+             and then R.Last = Order.Rank
+             and then R.Change =
+               (if Changes_Session (Order.Message) then Order.Rank
+                else R'Old.Change)
+          else R = R'Old
+            and then Order.Rank = 0
+            and then Order.After = 0);
+
+   --  What the monitor is answered
+
+   function Answer_To (Kind : Message_Kind; Result : Outcome)
+     return Answer_Kind
+   is (case Result.Kind is
+          when Done                  =>
+            (if Kind = Monitor_Protocol.Get_Battery then
+                Battery_Answer (Result.Value)
+             elsif Kind = Get_State then
+               (if Result.Value = 0 then Standing else Moving)
+             else Acknowledged),
+          when Refused               => Monitor_Protocol.Refused,
+          when Timed_Out             => Monitor_Protocol.Timed_Out,
+          when Not_Open | Not_Opened => Not_Done);
+   --  By the robot, where Result has come of its request
+
+   function Answer_To (Done : Boolean) return Answer_Kind is
+     (if Done then Acknowledged else Not_Done);
+   --  By the vision
+
+end Order_Meanings;

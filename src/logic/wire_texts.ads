@@ -1,0 +1,125 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The literal texts of both protocols once more, as PROTOCOL.md has them.
+--  Encoder and decoder share one table; two values swapped in it would be
+--  swapped in both. GNATprove compares the tables with these texts.
+
+with Monitor_Protocol; use Monitor_Protocol;
+with Order_Meanings;   use Order_Meanings;
+with Robot_Protocol;   use Robot_Protocol;
+with Robot_Session;
+
+package Wire_Texts with SPARK_Mode, Ghost is
+
+   use type Robot_Session.Outcome_Kind;
+
+   --  What the monitor says
+
+   function Is_Label (Text : Label_Text; Kind : Known_Kind) return Boolean is
+     (Text =
+        (case Kind is
+            when Open_Robot                   => "ROPN",
+            when Close_Robot                  => "RCLS",
+            when Start_Robot                  => "RSOW",
+            when Start_Robot_Watchdog         => "RSWW",
+            when Reset_Robot                  => "RRST",
+            when Ping_Robot                   => "RPIN",
+            when Reload_Watchdog              => "RLDW",
+            when Go_Forward                   => "RGFW",
+            when Go_Backward                  => "RGBW",
+            when Go_Left                      => "RGLF",
+            when Go_Right                     => "RGRI",
+            when Stop_Robot                   => "RSTP",
+            when Move_Robot                   => "RMOV",
+            when Turn_Robot                   => "RTRN",
+            when Power_Off_Robot              => "RPOF",
+            when Monitor_Protocol.Get_Battery => "RGBT",
+            when Get_State                    => "RGST",
+            when Open_Camera                  => "COPN",
+            when Close_Camera                 => "CCLS",
+            when Ask_Arena                    => "CASA",
+            when Confirm_Arena                => "CACO",
+            when Reject_Arena                 => "CAIN",
+            when Start_Position               => "CPCO",
+            when Stop_Position                => "CPST",
+            when Log_Message                  => "MSSG"));
+
+   procedure Prove_Label (Kind : Known_Kind)
+   with Post => Is_Label (Label (Kind), Kind);
+
+   --  What the robot is asked for then
+
+   function Is_Command
+     (Letter : Character; Value : Integer; M : Message) return Boolean
+   is (case Robot_Order'(M.Kind) is
+          when Open_Robot | Reset_Robot     => Letter = 'r',
+          when Start_Robot                  => Letter = 'u',
+          when Start_Robot_Watchdog         => Letter = 'W',
+          when Ping_Robot                   => Letter = 'p',
+          when Reload_Watchdog              => Letter = 'w',
+          when Power_Off_Robot              => Letter = 'z',
+          when Monitor_Protocol.Get_Battery => Letter = 'v',
+          when Get_State                    => Letter = 'b',
+          when Close_Robot | Stop_Robot     =>
+            Letter = 'M' and then Value = 0,
+          when Go_Forward                   =>
+            Letter = 'M' and then Value = 32_767,
+          when Go_Backward                  =>
+            Letter = 'M' and then Value = -32_768,
+          when Go_Left                      =>
+            Letter = 'T' and then Value = 32_767,
+          when Go_Right                     =>
+            Letter = 'T' and then Value = -32_768,
+          when Move_Robot                   =>
+            Letter = 'M' and then Value = M.Value,
+          when Turn_Robot                   =>
+            Letter = 'T' and then Value = M.Value)
+   with Pre => M.Kind in Robot_Order;
+   --  The letter of the frame and the number behind it
+
+   procedure Prove_Command (M : Message)
+   with
+     Pre  => M.Kind in Robot_Order,
+     Post => Is_Command
+       (Letter (Robot_Session.Command_For (Request_Of (M)).Kind),
+        Robot_Session.Command_For (Request_Of (M)).Value, M);
+
+   --  What the monitor is answered
+
+   function Says (Line : Short_Text; Text : String) return Boolean is
+     (Line.Length = Text'Length + 1
+      and then Line.Data (1 .. Text'Length) = Text
+      and then Line.Data (Line.Length) = Line_Feed)
+   with Pre => Text'Length < Max_Short;
+
+   procedure Prove_Answer
+     (Kind : Robot_Order; Result : Robot_Session.Outcome)
+   with
+     Post => Says
+       (Wire_Text (Answer_To (Kind, Result)),
+        (case Result.Kind is
+            when Robot_Session.Refused    => "ACRJ",
+            when Robot_Session.Timed_Out  => "ATIM",
+            when Robot_Session.Not_Open
+               | Robot_Session.Not_Opened => "ANAK",
+            when Robot_Session.Done       =>
+              (if Kind = Monitor_Protocol.Get_Battery then
+                 (case Result.Value is
+                     when 0 => "RBLV:0",
+                     when 1 => "RBLV:1",
+                     when 2 => "RBLV:2")
+               elsif Kind = Get_State then
+                 (if Result.Value = 0 then "RCST:0" else "RCST:1")
+               else "AACK")));
+
+   procedure Prove_Vision_Answer (Done : Boolean)
+   with
+     Post => Says
+       (Wire_Text (Answer_To (Done)), (if Done then "AACK" else "ANAK"));
+
+   procedure Prove_Other_Answers
+   with
+     Post => Says (Wire_Text (Not_Understood), "ACER")
+       and then Says (Wire_Text (Monitor_Protocol.Timed_Out), "ATIM")
+       and then Says (Wire_Text (Battery_Answer (-1)), "RBLV:-1");
+
+end Wire_Texts;

@@ -1,0 +1,442 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What waits for the monitor: order of the answers, the newest image, the
+--  gap and the hold, by a clock of the test's own.
+
+with Ada.Real_Time;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Mailboxes;        use Mailboxes;
+with Monitor_Protocol;
+with Notices;
+with Orders;           use Orders;
+with Schedule;
+with Send_Order;       use Send_Order;
+
+package body Mailboxes_Tests is
+
+   use type Ada.Real_Time.Time;
+   use type Ada.Real_Time.Time_Span;
+   use all type Monitor_Protocol.Answer_Kind;
+
+   function Ms (Count : Integer) return Ada.Real_Time.Time_Span
+   renames Ada.Real_Time.Milliseconds;
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Between : constant := 20;
+
+   B   : Mailbox;
+   Now : Time;
+   --  Of the test
+
+   procedure Begin_Anew;
+   --  A session with nothing in it.
+
+   procedure Pass (Span : Ada.Real_Time.Time_Span);
+   --  The time passes.
+
+   procedure Check
+     (Kind : Choice; Text : String := ""; Kept : Natural := Between);
+   --  What is taken next, Kept ms after the one before; Text without its
+   --  line feed, empty for an image.
+
+   procedure Check_Gap (Expected : Natural);
+
+   procedure Check_Hold (Held : Boolean);
+   --  Held: unasked messages are held back.
+
+   function Place return Ticket;
+   --  Of the next command.
+
+   procedure Answer (Number : Ticket; Kind : Answer_Kind := Acknowledged);
+   procedure Put_Battery;
+   procedure Put_Image;
+   procedure Put_Position (Text : String);
+
+   procedure Test_Order (T : in out Any_Test);
+   procedure Test_Newest (T : in out Any_Test);
+   procedure Test_Arena (T : in out Any_Test);
+   procedure Test_Hold (T : in out Any_Test);
+   procedure Test_Hold_Of_Each (T : in out Any_Test);
+   procedure Test_Hold_Of_All (T : in out Any_Test);
+   procedure Test_Gap (T : in out Any_Test);
+   procedure Test_Stale (T : in out Any_Test);
+   procedure Test_Full (T : in out Any_Test);
+
+   ------------
+   -- Answer --
+   ------------
+
+   procedure Answer (Number : Ticket; Kind : Answer_Kind := Acknowledged) is
+   begin
+      Put_Answer (B, Number, Kind);
+   end Answer;
+
+   ----------------
+   -- Begin_Anew --
+   ----------------
+
+   procedure Begin_Anew is
+      Next : Ticket;
+   begin
+      Now := Ada.Real_Time.Clock;
+      Close_Session (B, Next);
+      Assert (Next > 0, "numbers begin at 1");
+      Open_Session (B);
+   end Begin_Anew;
+
+   -----------
+   -- Check --
+   -----------
+
+   procedure Check
+     (Kind : Choice; Text : String := ""; Kept : Natural := Between)
+   is
+      Next : Item;
+      Line : Short_Line;
+      Gap  : Send_Order.Milliseconds;
+      Left : Boolean;
+   begin
+      Take (B, Between, Now, Now - Ms (Kept), Next, Gap, Left);
+      Assert (Next.Kind = Kind, Text & ": " & Next.Kind'Image);
+      Assert (Next.Unsent = (Kind /= Nothing), "to be sent");
+      if Kind /= Nothing and then not Next.Is_Image then
+         Compose (Next, Line);
+         Assert (Line.Data (1 .. Line.Length)
+                 = Text & Monitor_Protocol.Line_Feed,
+                 Text & ", not " & Line.Data (1 .. Line.Length));
+      end if;
+      Assert (not Left, "the session lasts");
+   end Check;
+
+   ---------------
+   -- Check_Gap --
+   ---------------
+
+   procedure Check_Gap (Expected : Natural) is
+   begin
+      Assert (Due (B, Between) = Expected,
+              "the gap is" & Due (B, Between)'Image);
+   end Check_Gap;
+
+   ----------------
+   -- Check_Hold --
+   ----------------
+
+   procedure Check_Hold (Held : Boolean) is
+   begin
+      Assert (Is_Held (B) = Held, "held back: " & Is_Held (B)'Image);
+   end Check_Hold;
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Mailboxes"));
+
+   ----------
+   -- Pass --
+   ----------
+
+   procedure Pass (Span : Ada.Real_Time.Time_Span) is
+   begin
+      Now := Now + Span;
+      End_Hold (B, Now);
+   end Pass;
+
+   -----------
+   -- Place --
+   -----------
+
+   function Place return Ticket is
+      Number : Ticket;
+      Result : Mailboxes.Place;
+      Begun  : Boolean;
+   begin
+      Reserve (B, Now, Number, Result, Begun);
+      Assert (Result = Reserved, "reserved");
+      return Number;
+   end Place;
+
+   -----------------
+   -- Put_Battery --
+   -----------------
+
+   procedure Put_Battery is
+      Begun : Boolean;
+   begin
+      Put_Battery (B, Battery_Full, Now, Begun);
+   end Put_Battery;
+
+   ---------------
+   -- Put_Image --
+   ---------------
+
+   procedure Put_Image is
+      Kept, Begun : Boolean;
+   begin
+      Put_Image (B, B.Made, Now, Kept, Begun);
+      Assert (Kept, "the image is kept");
+   end Put_Image;
+
+   ------------------
+   -- Put_Position --
+   ------------------
+
+   procedure Put_Position (Text : String) is
+      Line  : Short_Line;
+      Begun : Boolean;
+   begin
+      Line.Length := Text'Length + 1;
+      Line.Data (1 .. Line.Length) := Text & Monitor_Protocol.Line_Feed;
+      Put_Position (B, Line, B.Made, Now, Begun);
+   end Put_Position;
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Order'Access, "answers in order");
+      Register_Routine (T, Test_Newest'Access, "the newest image wins");
+      Register_Routine (T, Test_Arena'Access, "an answer that is an image");
+      Register_Routine (T, Test_Hold'Access, "rule 7: the hold");
+      Register_Routine
+        (T, Test_Hold_Of_Each'Access, "each command has its hold");
+      Register_Routine
+        (T, Test_Hold_Of_All'Access, "commands without end hold no longer");
+      Register_Routine (T, Test_Gap'Access, "the gap and the turns");
+      Register_Routine (T, Test_Stale'Access, "numbers out of date");
+      Register_Routine (T, Test_Full'Access, "room for 256");
+   end Register_Tests;
+
+   ----------------
+   -- Test_Arena --
+   ----------------
+
+   procedure Test_Arena (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      First, Second  : Ticket;
+      Accepted, Kept : Boolean;
+   begin
+      Begin_Anew;
+      First := Place;
+      Second := Place;
+      Put_Arena (B, Second, Accepted, Kept);
+      Assert (Accepted and then Kept, "kept for its turn");
+      Put_Arena (B, First, Accepted, Kept);
+      Assert (not Accepted, "the one before waits still");
+      Answer (First);
+      Check (Send_Order.Answer, "AACK");
+      Check (Send_Order.Answer);
+      Put_Arena (B, Second, Accepted, Kept);
+      Assert (Accepted and then not Kept, "answered already");
+      Check (Nothing);
+   end Test_Arena;
+
+   ---------------
+   -- Test_Full --
+   ---------------
+
+   procedure Test_Full (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      First  : Ticket;
+      Number : Ticket;
+      Result : Mailboxes.Place;
+      Begun  : Boolean;
+   begin
+      Begin_Anew;
+      First := Place;
+      for I in 2 .. Capacity loop
+         Assert (Place = First + Ticket (I) - 1, "numbers in a row");
+      end loop;
+      Assert (Commands (B) = Capacity, "full");
+      Reserve (B, Now, Number, Result, Begun);
+      Assert (Result = Full, "no more room");
+      Answer (First);
+      Check (Send_Order.Answer, "AACK");
+      Assert (Place = First + Capacity, "room again");
+   end Test_Full;
+
+   --------------
+   -- Test_Gap --
+   --------------
+
+   procedure Test_Gap (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Begin_Anew;
+      Put_Position ("CPOS:one");
+      Put_Image;
+      Check_Gap (0);
+      Check (Image, Kept => 0);
+      Check_Gap (20);
+      Put_Image;
+      Put_Position ("CPOS:two");
+      Check (Nothing, Kept => 19);
+      Check (Position, "CPOS:two");
+      Answer (Place);
+      Check_Gap (4);
+      Check (Nothing, Kept => 3);
+      Check (Send_Order.Answer, "AACK", Kept => 4);
+      Check_Gap (20);
+      Check (Nothing, Kept => 19);
+      Check (Image);
+      Check_Gap (0);
+      Check (Nothing);
+   end Test_Gap;
+
+   ---------------
+   -- Test_Hold --
+   ---------------
+
+   procedure Test_Hold (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      First, Second : Ticket;
+   begin
+      Begin_Anew;
+      First := Place;
+      Second := Place;
+      Put_Battery;
+      Put_Image;
+      Check_Hold (True);
+      Pass (Schedule.Hold_Limit - Ms (1));
+      Check (Nothing);
+      Pass (Ms (1));
+      Check_Hold (False);
+      Answer (First);
+      Answer (Second, Refused);
+      Check (Send_Order.Answer, "AACK");
+      Check (Battery, "RBLV:2");
+      Check (Send_Order.Answer, "ACRJ");
+      Check (Image);
+   end Test_Hold;
+
+   ----------------------
+   -- Test_Hold_Of_All --
+   ----------------------
+
+   procedure Test_Hold_Of_All (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      --  A command each 10 ms, answered at once, leaves no gap of 20 ms
+      Turns : Natural := 0;
+   begin
+      Begin_Anew;
+      Answer (Place);
+      Check (Send_Order.Answer, "AACK");
+      Put_Battery;
+      Check_Hold (False);
+      loop
+         Answer (Place);
+         Check (Send_Order.Answer, "AACK");
+         Turns := Turns + 1;
+         Assert (Turns <= 2 * 95, "held back for ever");
+         Pass (Ms (10));
+         exit when not Is_Held (B);
+      end loop;
+      Assert (Turns >= 95, "not held back:" & Turns'Image);
+      Check (Battery, "RBLV:2", Kept => 10);
+   end Test_Hold_Of_All;
+
+   -----------------------
+   -- Test_Hold_Of_Each --
+   -----------------------
+
+   procedure Test_Hold_Of_Each (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      --  However long unasked ones have waited for a slow monitor
+      Number : Ticket;
+   begin
+      Begin_Anew;
+      Number := Place;
+      Put_Battery;
+      Put_Image;
+      Check_Hold (True);
+      Answer (Number);
+      Check (Send_Order.Answer, "AACK");
+      Check (Battery, "RBLV:2");
+      Pass (Ms (500));
+      Number := Place;
+      Check_Hold (True);
+      Pass (Schedule.Hold_Limit - Ms (500));
+      Check (Nothing);
+      Pass (Ms (500));
+      Check (Image);
+      Answer (Number);
+      Check (Send_Order.Answer, "AACK");
+   end Test_Hold_Of_Each;
+
+   -----------------
+   -- Test_Newest --
+   -----------------
+
+   procedure Test_Newest (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Begun : Boolean;
+   begin
+      Begin_Anew;
+      Put_Image;
+      Put_Image;
+      Put_Notice (B, Notices.Camera_Ended, Now, Begun);
+      Put_Lost (B, Now, Begun);
+      Check (Robot_Lost, "ATIM");
+      Check (Text, "MSSG:camera closed: it delivers no images any more");
+      Check (Image);
+      Check (Nothing);
+      Put_Image;
+      Stop_Images (B);
+      Check (Nothing);
+   end Test_Newest;
+
+   ----------------
+   -- Test_Order --
+   ----------------
+
+   procedure Test_Order (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      First, Second, Third : Ticket;
+   begin
+      Begin_Anew;
+      First := Place;
+      Second := Place;
+      Third := Place;
+      Put_Image;
+      Answer (Third, Refused);
+      Check (Nothing);
+      Put_No_Answer (B, Second);
+      Answer (First);
+      Answer (First, Timed_Out);
+      Check (Send_Order.Answer, "AACK");
+      Check (Send_Order.Answer, "ACRJ");
+      Check (Image);
+   end Test_Order;
+
+   ----------------
+   -- Test_Stale --
+   ----------------
+
+   procedure Test_Stale (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Old, Next   : Ticket;
+      Kept, Begun : Boolean;
+      Made        : constant Generation := B.Made;
+   begin
+      Begin_Anew;
+      Old := Place;
+      Begin_Anew;
+      Next := Place;
+      Assert (Next > Old, "no number twice");
+      Answer (Old, Refused);
+      Answer (Next + 1, Refused);
+      Put_Image (B, Made, Now, Kept, Begun);
+      Assert (not Kept, "an image of another session");
+      Check (Nothing);
+      Answer (Next);
+      Check (Send_Order.Answer, "AACK");
+   end Test_Stale;
+
+end Mailboxes_Tests;

@@ -1,0 +1,121 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What orders mean: the robot's frame for each line of the monitor, and the
+--  ranks.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Monitor_Protocol; use Monitor_Protocol;
+with Order_Meanings;   use Order_Meanings;
+with Orders;           use Orders;
+with Robot_Protocol;
+with Robot_Session;
+
+package body Order_Meanings_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   procedure Check_Frame (Line, Expected : String);
+   --  The robot gets Expected, a checksum and a carriage return for Line.
+
+   procedure Check_Rank
+     (R : in out Ranks; Kind : Message_Kind; Rank, After : Ticket);
+
+   procedure Test_Frames (T : in out Any_Test);
+   procedure Test_Ranks (T : in out Any_Test);
+
+   -----------------
+   -- Check_Frame --
+   -----------------
+
+   procedure Check_Frame (Line, Expected : String) is
+      M : Message;
+      F : Robot_Protocol.Frame;
+   begin
+      Parse (Line, M);
+      Robot_Protocol.Encode (Robot_Session.Command_For (Request_Of (M)), F);
+      Assert (F.Length = Expected'Length + 2, Line & ": length");
+      for I in Expected'Range loop
+         Assert (Character'Val (F.Data (I)) = Expected (I),
+                 Line & ": character" & I'Image);
+      end loop;
+   end Check_Frame;
+
+   ----------------
+   -- Check_Rank --
+   ----------------
+
+   procedure Check_Rank
+     (R : in out Ranks; Kind : Message_Kind; Rank, After : Ticket)
+   is
+      --  as the task has it that receives: with what the last order left
+      Item : Order :=
+        (Message => (Kind, 0), Rank => 99, After => 99, others => <>);
+   begin
+      Give_Rank (R, Item);
+      Assert (Item.Rank = Rank, Kind'Image & " has rank" & Item.Rank'Image);
+      Assert (Item.After = After, Kind'Image & " after" & Item.After'Image);
+   end Check_Rank;
+
+   ----------
+   -- Name --
+   ----------
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Order_Meanings"));
+
+   --------------------
+   -- Register_Tests --
+   --------------------
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Frames'Access, "the robot's frames");
+      Register_Routine (T, Test_Ranks'Access, "the ranks");
+   end Register_Tests;
+
+   -----------------
+   -- Test_Frames --
+   -----------------
+
+   procedure Test_Frames (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Check_Frame ("ROPN", "r");
+      Check_Frame ("RCLS", "M=0");
+      Check_Frame ("RSOW", "u");
+      Check_Frame ("RSWW", "W");
+      Check_Frame ("RRST", "r");
+      Check_Frame ("RPIN", "p");
+      Check_Frame ("RLDW", "w");
+      Check_Frame ("RGFW", "M=32767");
+      Check_Frame ("RGBW", "M=-32768");
+      Check_Frame ("RGLF", "T=32767");
+      Check_Frame ("RGRI", "T=-32768");
+      Check_Frame ("RSTP", "M=0");
+      Check_Frame ("RMOV:120", "M=120");
+      Check_Frame ("RTRN:-90", "T=-90");
+      Check_Frame ("RPOF", "z");
+      Check_Frame ("RGBT", "v");
+      Check_Frame ("RGST", "b");
+   end Test_Frames;
+
+   ----------------
+   -- Test_Ranks --
+   ----------------
+
+   procedure Test_Ranks (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      R : Ranks;
+   begin
+      Check_Rank (R, Open_Robot, 1, 0);
+      Check_Rank (R, Ping_Robot, 2, 1);
+      Check_Rank (R, Stop_Robot, 0, 0);
+      Check_Rank (R, Open_Camera, 0, 0);
+      Check_Rank (R, Start_Robot, 3, 1);
+      Check_Rank (R, Go_Left, 4, 3);
+      Check_Rank (R, Power_Off_Robot, 5, 3);
+      Check_Rank (R, Get_State, 6, 5);
+   end Test_Ranks;
+
+end Order_Meanings_Tests;
