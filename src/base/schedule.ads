@@ -93,8 +93,8 @@ package Schedule with SPARK_Mode is
          when Th_Console          => Console_Priority);
 
    --  Ceilings: the highest priority of the tasks that call the object.
-   --  GNATprove knows them from the code; proofs/faults lowers each ceiling
-   --  by one, and GNATprove refuses that.
+   --  GNATprove knows them from the code; proofs/faults lowers each but the
+   --  log's by one, and GNATprove refuses that.
 
    Outbox_Ceiling  : constant Priority := Line_Priority;
    Line_Ceiling    : constant Priority := Stop_Priority;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What waits to be sent to the monitor, and what of it is sent when: one
 --  answer a command, in the order of the commands; and the unasked messages,
---  of which only the newest counts. The images themselves are elsewhere.
+--  of which only the newest counts, but for texts. Images are elsewhere.
 
 with Ada.Real_Time;
 with Answer_Queues;

@@ -30,7 +30,7 @@ package Robot_Clients with SPARK_Mode is
 
    procedure Signal (Who : Line_Requests.Client)
    with Annotate => (GNATprove, Terminating);
-   --  The request of Who has been carried out. A stop has no client: the
-   --  owner of the line answers it
+   --  The request of Who has been carried out. A stop has no client, and
+   --  nobody waits for it
 
 end Robot_Clients;

@@ -34,7 +34,7 @@ package Session with SPARK_Mode is
    --  The events, each for one task
 
    procedure Allow_Server with Annotate => (GNATprove, Terminating);
-   --  The options are set
+   --  The process is set up: trace, processor, memory, level of the log
    procedure Wait_Server;
    --  For th_server only
 

@@ -9,7 +9,8 @@ package Robot_Tasks with SPARK_Mode is
    pragma Elaborate_Body;
 
    task Th_Line with Priority => Schedule.Line_Priority;
-   --  Owns the serial line: takes the most urgent request, carries it out
+   --  Owns the serial line: takes the most urgent request, carries it out,
+   --  answers the monitor's orders, and sets the periodic tasks going
 
    task Th_Open_Com_Robot with Priority => Schedule.Open_Priority;
    --  ROPN, RCLS (F7)
@@ -18,8 +19,7 @@ package Robot_Tasks with SPARK_Mode is
    --  RSOW (F10)
 
    task Th_Start_Robot_WD with Priority => Schedule.Start_Watchdog_Priority;
-   --  RSWW (F11); sets Th_Reload_WD going, so that it can take the next
-   --  order at once
+   --  RSWW (F11); the reloads that follow are Th_Reload_WD's
 
    task Th_Reload_WD with Priority => Schedule.Reload_Priority;
    --  The reload of the watchdog, every Reload_Period from the start on
