@@ -55,6 +55,11 @@ package body Supervisor_Model with SPARK_Mode is
        | Reset_Done | Query_Done;
    --  th_line has carried it out and answered, and lets the task go on
 
+   subtype Task_Activity is Activity_Name range
+     Activity_Name'Succ (Kernel) .. Activity_Name'Pred (Environment);
+
+   function Task_Of (Name : Task_Activity) return Schedule.Task_Name;
+
    function To_Span (Value : Integer) return Span is
      (if Value in 0 .. Horizon then Span (Value) else Horizon);
 
@@ -183,52 +188,55 @@ package body Supervisor_Model with SPARK_Mode is
       On     : Machine;
       Result : out Requirement_Array);
 
+   -------------
+   -- Task_Of --
+   -------------
+
+   function Task_Of (Name : Task_Activity) return Schedule.Task_Name is
+     (case Name is
+         when Stop            => Schedule.Th_Stop,
+         when Line_Request .. Line_Open  => Schedule.Th_Line,
+         when Reload_Due | Reload_Done   => Schedule.Th_Reload_WD,
+         when Newcomer        => Schedule.Th_Server,
+         when Move_Order | Move_Done     => Schedule.Th_Move,
+         when Receive         => Schedule.Th_Receive_From_Mon,
+         when Loss            => Schedule.Th_Com_Mon_Perdue,
+         when Hold            => Schedule.Th_Hold,
+         when Send_Look .. Send_Image    => Schedule.Th_Send_To_Mon,
+         when Battery_Due | Battery_Done => Schedule.Th_Battery_Level,
+         when Open_Order | Open_Done     => Schedule.Th_Open_Com_Robot,
+         when Start_Order | Start_Done   => Schedule.Th_Start_Robot,
+         when Watchdog_Order | Watchdog_Done => Schedule.Th_Start_Robot_WD,
+         when Reset_Order | Reset_Done   => Schedule.Th_Reset_Robot,
+         when Query_Order | Query_Done   => Schedule.Th_Query,
+         when Ping_Due | Ping_Done       => Schedule.Th_Keep_Alive,
+         when Camera_Order | Camera_Answer => Schedule.Th_Camera_Control,
+         when Capture         => Schedule.Th_Capture_Img,
+         when Arena           => Schedule.Th_Arene,
+         when Camera          => Schedule.Th_Camera,
+         when Console         => Schedule.Th_Console);
+
    -----------------
    -- Priority_Of --
    -----------------
 
    function Priority_Of
-     (Name : Activity_Name; Choice : Priority_Choice) return Urgency
-   is
-      Own : constant System.Any_Priority :=
-        (case Name is
-            when Kernel          => System.Any_Priority'Last,
-            when Stop            => Schedule.Stop_Priority,
-            when Line_Request .. Line_Open  => Schedule.Line_Priority,
-            when Reload_Due | Reload_Done   => Schedule.Reload_Priority,
-            when Newcomer        => Schedule.Server_Priority,
-            when Move_Order | Move_Done     => Schedule.Move_Priority,
-            when Receive         => Schedule.Receive_Priority,
-            when Loss            => Schedule.Lost_Priority,
-            when Hold            => Schedule.Hold_Priority,
-            when Send_Look .. Send_Image  => Schedule.Send_Priority,
-            when Battery_Due | Battery_Done => Schedule.Battery_Priority,
-            when Open_Order | Open_Done     => Schedule.Open_Priority,
-            when Start_Order | Start_Done   => Schedule.Start_Priority,
-            when Watchdog_Order | Watchdog_Done =>
-               Schedule.Start_Watchdog_Priority,
-            when Reset_Order | Reset_Done   => Schedule.Reset_Priority,
-            when Query_Order | Query_Done   => Schedule.Query_Priority,
-            when Ping_Due | Ping_Done       => Schedule.Keep_Alive_Priority,
-            when Camera_Order | Camera_Answer =>
-               Schedule.Camera_Control_Priority,
-            when Capture         => Schedule.Capture_Priority,
-            when Arena           => Schedule.Arena_Priority,
-            when Camera          => Schedule.Camera_Priority,
-            when Console         => Schedule.Console_Priority,
-            when Environment     => Schedule.Main_Priority);
+     (Name : Activity_Name; Choice : Priority_Choice) return Urgency is
    begin
-      if Choice = Of_The_Table
-        or else Name in Kernel | Stop | Console | Environment
-      then
-         return Urgency (Own);
+      if Name = Kernel then
+         return Urgency (System.Any_Priority'Last);
+      elsif Name = Environment then
+         return Urgency (Schedule.Main_Priority);
       end if;
-      return
-        (case Name is
-            when Newcomer => 30,
-            when Receive  => 25,
-            when Loss | Hold | Send_Look .. Send_Image => 22,
-            when others   => 20);
+      declare
+         Item : Schedule.Row renames Schedule.Table (Task_Of (Name));
+      begin
+         return Urgency
+           (if Choice = Of_The_Report
+              and then Item.Report /= Schedule.No_Thread
+            then Item.Report
+            else Item.Priority);
+      end;
    end Priority_Of;
 
    ---------------
@@ -236,30 +244,9 @@ package body Supervisor_Model with SPARK_Mode is
    ---------------
 
    function Task_Name (Name : Activity_Name) return String is
-     (case Name is
-         when Kernel          => "(kernel)",
-         when Stop            => "th_stop",
-         when Line_Request .. Line_Open  => "th_line",
-         when Reload_Due | Reload_Done   => "th_reloadWD",
-         when Newcomer        => "th_server",
-         when Move_Order | Move_Done     => "th_move",
-         when Receive         => "th_receiveFromMon",
-         when Loss            => "th_comMonPerdue",
-         when Hold            => "th_hold",
-         when Send_Look .. Send_Image  => "th_sendToMon",
-         when Battery_Due | Battery_Done => "th_batteryLevel",
-         when Open_Order | Open_Done     => "th_openComRobot",
-         when Start_Order | Start_Done   => "th_startRobot",
-         when Watchdog_Order | Watchdog_Done => "th_startRobotWD",
-         when Reset_Order | Reset_Done   => "th_resetRobot",
-         when Query_Order | Query_Done   => "th_query",
-         when Ping_Due | Ping_Done       => "th_keepAlive",
-         when Camera_Order | Camera_Answer => "th_cameraControl",
-         when Capture         => "th_captureImg",
-         when Arena           => "th_arene",
-         when Camera          => "th_camera",
-         when Console         => "th_console",
-         when Environment     => "(main)");
+     (if Name = Kernel then "(kernel)"
+      elsif Name = Environment then "(main)"
+      else Schedule.Name_Of (Task_Of (Name)));
 
    -------------------
    -- Ceilings_Hold --
@@ -366,7 +353,8 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Journal_Operation =>
            (case Name is
-               when Stop | Line_Answer .. Line_Open | Receive | Loss => 1,
+               when Stop | Line_Answer .. Line_Open | Receive | Loss => 3,
+               --  the longest line
                when Console => 2,
                when Newcomer => Schedule.Hearings_Per_Turn + 3,
                when others => 0),
@@ -989,21 +977,25 @@ package body Supervisor_Model with SPARK_Mode is
          Result (Name).Known := Known;
       end Conclude;
 
+      function Before (Who : Schedule.Task_Name) return Requirement is
+        (Limit  => To_Period (Schedule.Table (Who).Deadline / One),
+         others => <>);
+
    begin
       Result :=
-        (F2_Admitted     => (Limit => 50_000, others => <>),
-         F4_Own_Answer   => (Limit => 10_000, others => <>),
-         F4_Robot_Answer => (Limit => 10_000, others => <>),
-         F4_Unasked      => (Limit => 10_000, others => <>),
-         F6_Stop         => (Limit => 100_000, others => <>),
-         F11_Reload      => (Limit => 50_000, others => <>),
-         F12_First_Byte  => (Limit => 5_000, others => <>),
-         F12_At_Robot    => (Limit => 100_000, others => <>),
+        (F2_Admitted     => Before (Schedule.Th_Server),
+         F4_Own_Answer   => Before (Schedule.Th_Receive_From_Mon),
+         F4_Robot_Answer => Before (Schedule.Th_Send_To_Mon),
+         F4_Unasked      => Before (Schedule.Th_Send_To_Mon),
+         F6_Stop         => Before (Schedule.Th_Com_Mon_Perdue),
+         F11_Reload      => Before (Schedule.Th_Reload_WD),
+         F12_First_Byte  => Before (Schedule.Th_Move),
+         F12_At_Robot    => Before (Schedule.Th_Line),
          F13_Level       =>
            (Limit => To_Period (Battery_Period), others => <>),
-         F13_Processor   => (Limit => 20_000, others => <>),
+         F13_Processor   => Before (Schedule.Th_Battery_Level),
          F15_Image       => (Limit => Image_Period, others => <>),
-         F15_Jitter      => (Limit => 20_000, others => <>));
+         F15_Jitter      => Before (Schedule.Th_Capture_Img));
 
       --  th_server has just seen to another; then to the connection, then
       --  to its first line where a token is asked for

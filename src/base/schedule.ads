@@ -7,43 +7,44 @@ with System;        use System;
 
 package Schedule with SPARK_Mode is
 
-   --  Priorities. The report's own are in the last column; where a number
-   --  differs, the reason stands beside it. Between equal numbers the
-   --  order of arrival decides (FIFO_Within_Priorities).
-   --
-   --  robot line before the monitor's tasks: the reload of the watchdog has
-   --  the tightest window of all (50 ms), and an order that has been
-   --  received must not wait for the receipt of the next.
+   --  Priorities. GNATprove and the compiler want each as a constant of its
+   --  own; the reason for each stands in its row below. Between equal numbers
+   --  the order of arrival decides (FIFO_Within_Priorities).
 
-   Line_Priority          : constant Priority := 34;  --  new: owns the line
-   Reload_Priority        : constant Priority := 33;  --  new: 1000 ms reload
-   Server_Priority        : constant Priority := 30;  --  30
-   Receive_Priority       : constant Priority := 25;  --  25
-   Move_Priority          : constant Priority := 26;  --  20: F12, ahead of
-   --  the receipt of further commands
-   Hold_Priority          : constant Priority := 23;  --  new: ends the hold
-   Send_Priority          : constant Priority := 22;  --  22
-   Lost_Priority          : constant Priority := 24;  --  22: F6 gives it
-   --  100 ms, so it goes before the sending of images
-   Open_Priority          : constant Priority := 20;  --  20
-   Start_Priority         : constant Priority := 20;  --  20
-   Start_Watchdog_Priority : constant Priority := 20;  --  20
-   Reset_Priority         : constant Priority := 20;  --  20
-   Query_Priority         : constant Priority := 20;  --  new: ping, state
-   Battery_Priority       : constant Priority := 21;  --  20: F13, its jitter
-   --  must not include a frame's image work
-   Keep_Alive_Priority    : constant Priority := 20;  --  new: idle pings
-   Camera_Control_Priority : constant Priority := 20;  --  20
-   Capture_Priority       : constant Priority := 19;  --  20: an image takes
-   --  milliseconds, every robot thread microseconds
-   Arena_Priority         : constant Priority := 18;  --  20: tens of
-   --  milliseconds, and the periodic images stand still meanwhile
-   Camera_Priority        : constant Priority := 17;  --  new: owns the camera
-   Stop_Priority          : constant Priority := 35;  --  new: orderly stop
-   Console_Priority       : constant Priority := 2;   --  new: writes the log
-   Main_Priority          : constant Priority := 1;
+   Stop_Priority           : constant Priority := 35;
+   Line_Priority           : constant Priority := 34;
+   Reload_Priority         : constant Priority := 33;
+   Server_Priority         : constant Priority := 30;
+   Move_Priority           : constant Priority := 26;
+   Receive_Priority        : constant Priority := 25;
+   Lost_Priority           : constant Priority := 24;
+   Hold_Priority           : constant Priority := 23;
+   Send_Priority           : constant Priority := 22;
+   Battery_Priority        : constant Priority := 21;
+   Open_Priority           : constant Priority := 20;
+   Start_Priority          : constant Priority := 20;
+   Start_Watchdog_Priority : constant Priority := 20;
+   Reset_Priority          : constant Priority := 20;
+   Query_Priority          : constant Priority := 20;
+   Keep_Alive_Priority     : constant Priority := 20;
+   Camera_Control_Priority : constant Priority := 20;
+   Capture_Priority        : constant Priority := 19;
+   Arena_Priority          : constant Priority := 18;
+   Camera_Priority         : constant Priority := 17;
+   Console_Priority        : constant Priority := 2;
+   Main_Priority           : constant Priority := 1;
 
-   --  The tasks by name, the most urgent first.
+   --  Periods.
+
+   Reload_Period     : constant Time_Span := Milliseconds (1000);  --  F11
+   Battery_Period    : constant Time_Span := Milliseconds (500);   --  F13
+   Keep_Alive_Period : constant Time_Span := Milliseconds (100);
+   --  four failures of 100 ms + 87 ms each stay below the 1 s in which a
+   --  lost line must be found
+   Link_Period       : constant Time_Span := Milliseconds (250);
+   --  how often the monitor's link is examined
+
+   --  The tasks, a row each, the most urgent first.
 
    type Task_Name is
      (Th_Stop,
@@ -68,29 +69,114 @@ package Schedule with SPARK_Mode is
       Th_Camera,
       Th_Console);
 
-   function Priority_Of (Who : Task_Name) return Priority is
-     (case Who is
-         when Th_Stop             => Stop_Priority,
-         when Th_Line             => Line_Priority,
-         when Th_Reload_WD        => Reload_Priority,
-         when Th_Server           => Server_Priority,
-         when Th_Move             => Move_Priority,
-         when Th_Receive_From_Mon => Receive_Priority,
-         when Th_Com_Mon_Perdue   => Lost_Priority,
-         when Th_Hold             => Hold_Priority,
-         when Th_Send_To_Mon      => Send_Priority,
-         when Th_Battery_Level    => Battery_Priority,
-         when Th_Open_Com_Robot   => Open_Priority,
-         when Th_Start_Robot      => Start_Priority,
-         when Th_Start_Robot_WD   => Start_Watchdog_Priority,
-         when Th_Reset_Robot      => Reset_Priority,
-         when Th_Query            => Query_Priority,
-         when Th_Keep_Alive       => Keep_Alive_Priority,
-         when Th_Camera_Control   => Camera_Control_Priority,
-         when Th_Capture_Img      => Capture_Priority,
-         when Th_Arene            => Arena_Priority,
-         when Th_Camera           => Camera_Priority,
-         when Th_Console          => Console_Priority);
+   type Row is record
+      Name      : String (1 .. 17);
+      --  padded with blanks; the report's, where it has the thread
+      Priority  : System.Priority;
+      Report    : Any_Priority;
+      --  what the thread has in the report, or the one that does its work
+      Real_Time : Boolean;
+      --  it goes to the processor of --cpu, where there is one
+      Period    : Time_Span;
+      --  from one release to the next; On_Event: an event releases it
+      Deadline  : Time_Span;
+      --  for what the comment says; Unbounded where no feature has a figure
+   end record;
+
+   No_Thread : constant Any_Priority := Any_Priority'First;
+   --  of the report does this
+   On_Event  : constant Time_Span := Time_Span_Zero;
+   Unbounded : constant Time_Span := Time_Span_Last;
+
+   Table : constant array (Task_Name) of Row :=
+     (Th_Stop =>
+        ("th_stop          ", Stop_Priority, No_Thread, True,
+         On_Event, Unbounded),
+      --  ends the process in order, whatever else goes on
+      Th_Line =>
+        ("th_line          ", Line_Priority, 20, True,
+         On_Event, Milliseconds (100)),
+      --  owns the robot's line. F12: a command to its frame at the robot.
+      --  Before the monitor's tasks: an order that has been received does
+      --  not wait for the receipt of the next
+      Th_Reload_WD =>
+        ("th_reloadWD      ", Reload_Priority, 20, True,
+         Reload_Period, Milliseconds (50)),
+      --  F11: the tightest window of all
+      Th_Server =>
+        ("th_server        ", Server_Priority, 30, True,
+         On_Event, Milliseconds (50)),
+      --  F2: a newcomer is admitted
+      Th_Move =>
+        ("th_move          ", Move_Priority, 20, True,
+         On_Event, Milliseconds (5)),
+      --  F12: a command to the first byte of its frame. Ahead of the receipt
+      --  of further commands
+      Th_Receive_From_Mon =>
+        ("th_receiveFromMon", Receive_Priority, 25, True,
+         On_Event, Milliseconds (10)),
+      --  F4: a command to an answer without the robot
+      Th_Com_Mon_Perdue =>
+        ("th_comMonPerdue  ", Lost_Priority, 22, True,
+         Link_Period, Milliseconds (100)),
+      --  F6: a loss to the stop at the robot. Before the sending of images
+      Th_Hold =>
+        ("th_hold          ", Hold_Priority, 22, True,
+         On_Event, Unbounded),
+      --  ends the hold on unasked messages
+      Th_Send_To_Mon =>
+        ("th_sendToMon     ", Send_Priority, 22, True,
+         On_Event, Milliseconds (10)),
+      --  F4: the robot's answer, or an unasked message, to its sending
+      Th_Battery_Level =>
+        ("th_batteryLevel  ", Battery_Priority, 20, True,
+         Battery_Period, Milliseconds (20)),
+      --  F13: its jitter, which must not include a frame's image work
+      Th_Open_Com_Robot =>
+        ("th_openComRobot  ", Open_Priority, 20, True,
+         On_Event, Unbounded),
+      Th_Start_Robot =>
+        ("th_startRobot    ", Start_Priority, 20, True,
+         On_Event, Unbounded),
+      Th_Start_Robot_WD =>
+        ("th_startRobotWD  ", Start_Watchdog_Priority, 20, True,
+         On_Event, Unbounded),
+      Th_Reset_Robot =>
+        ("th_resetRobot    ", Reset_Priority, 20, True,
+         On_Event, Unbounded),
+      Th_Query =>
+        ("th_query         ", Query_Priority, 20, True,
+         On_Event, Unbounded),
+      --  ping, state, level and reload when the monitor asks
+      Th_Keep_Alive =>
+        ("th_keepAlive     ", Keep_Alive_Priority, 20, True,
+         Keep_Alive_Period, Unbounded),
+      --  asks a line that has been idle
+      Th_Camera_Control =>
+        ("th_cameraControl ", Camera_Control_Priority, 20, True,
+         On_Event, Unbounded),
+      Th_Capture_Img =>
+        ("th_captureImg    ", Capture_Priority, 20, False,
+         On_Event, Milliseconds (20)),
+      --  F15: its jitter; its period is --fps's. After the robot's tasks: an
+      --  image takes milliseconds, each of them microseconds
+      Th_Arene =>
+        ("th_arene         ", Arena_Priority, 20, False,
+         On_Event, Unbounded),
+      --  tens of milliseconds; the periodic images stand still meanwhile
+      Th_Camera =>
+        ("th_camera        ", Camera_Priority, 20, False,
+         On_Event, Unbounded),
+      --  owns the camera
+      Th_Console =>
+        ("th_console       ", Console_Priority, No_Thread, False,
+         On_Event, Unbounded));
+      --  writes the log
+
+   function Name_Of (Who : Task_Name) return String
+   with Post => Name_Of'Result'First = 1
+     and then Name_Of'Result'Length in 1 .. 17;
+   --  Without the blanks
 
    --  Ceilings: the highest priority of the tasks that call the object.
    --  GNATprove knows them from the code; proofs/faults lowers each but the
@@ -107,21 +193,14 @@ package Schedule with SPARK_Mode is
    Journal_Ceiling : constant Priority := Priority'Last;
    --  the last-chance handler of a failed task logs too
 
-   --  Periods and times.
+   --  Times.
 
-   Reload_Period     : constant Time_Span := Milliseconds (1000);  --  F11
-   Battery_Period    : constant Time_Span := Milliseconds (500);   --  F13
    Battery_Offset    : constant Time_Span := Milliseconds (250);
    --  from the start: keeps the battery away from the reload
-   Keep_Alive_Period : constant Time_Span := Milliseconds (100);
-   --  four failures of 100 ms + 87 ms each stay below the 1 s in which a
-   --  lost line must be found
    Idle_Line         : constant Time_Span := Milliseconds (80);
    --  a line that had an exchange this recently needs no ping
    Hold_Limit        : constant Time_Span := Milliseconds (950);
    --  PROTOCOL rule 7: the existing monitor waits 1 s for an answer
-   Link_Period       : constant Time_Span := Milliseconds (250);
-   --  how often the monitor's link is examined
 
    Answer_Timeout    : constant Time_Span := Milliseconds (80);
    --  of the robot, after the end of the command (PROTOCOL.md)

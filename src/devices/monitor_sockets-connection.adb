@@ -114,7 +114,9 @@ is
    -- Watch --
    -----------
 
-   procedure Watch (Wait : Ada.Real_Time.Time_Span; Loss : out Loss_Kind) is
+   procedure Watch
+     (Wait : Ada.Real_Time.Time_Span; Loss : out Monitor_Link.Loss_Kind)
+   is
       Entries : Poll_Array (1 .. 1) :=
         (1 => (int (Current), Poll_Peer_Closed, 0));
       Count   : int;
@@ -123,7 +125,7 @@ is
       Timed_Out : constant := 110;  --  ETIMEDOUT
       No_Route  : constant := 113;  --  EHOSTUNREACH
    begin
-      Loss := None;
+      Loss := Monitor_Link.None;
       Count := Poll
         (Entries'Address, 1, int (Integer'Max (0, Wait / Milliseconds (1))));
       if Count > 0 then
@@ -132,11 +134,11 @@ is
                            Error'Address, Size'Address) = 0
               and then Size = Error'Size / 8
               and then Error in Timed_Out | No_Route
-            then No_Sign_Of_Life
+            then Monitor_Link.No_Sign_Of_Life
             elsif (Unsigned_16 (Entries (1).Returned)
                    and Unsigned_16 (Poll_Error + Poll_Hang_Up)) /= 0
-            then Reset_By_Peer
-            else Closed_By_Peer);
+            then Monitor_Link.Reset_By_Peer
+            else Monitor_Link.Closed_By_Peer);
       end if;
    end Watch;
 

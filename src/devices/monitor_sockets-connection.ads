@@ -36,9 +36,8 @@ is
    --  connection takes nothing. Fails when the connection is over. Unsent:
    --  the message, which is sent once
 
-   type Loss_Kind is (None, Closed_By_Peer, Reset_By_Peer, No_Sign_Of_Life);
-
-   procedure Watch (Wait : Ada.Real_Time.Time_Span; Loss : out Loss_Kind)
+   procedure Watch
+     (Wait : Ada.Real_Time.Time_Span; Loss : out Monitor_Link.Loss_Kind)
    with Global => (In_Out => Monitor);
    --  Waits until the connection is over, for Wait at most, to the ms
 

@@ -97,18 +97,20 @@ is
    -- Name_Task --
    ---------------
 
-   procedure Name_Task (Name : String; Real_Time : Boolean := True) is
-      Text     : constant String := Name & ASCII.NUL;
+   procedure Name_Task (Who : Schedule.Task_Name) is
+      Item     : Schedule.Row renames Schedule.Table (Who);
+      Text     : constant String := Schedule.Name_Of (Who) & ASCII.NUL;
+      --  the kernel takes what it has room for
       Set_Name : constant := 15;  --  PR_SET_NAME
       Thread   : constant Thread_Number := Thread_Number (Own_Thread);
       Place    : constant Positive := 1 + Natural
         (Fetch_And_Add (Count'Address, 1, Sequential));
    begin
       Process_Control (Set_Name, Text'Address);
-      if Real_Time then
+      if Item.Real_Time then
          Memory.Touch_Stack;
       end if;
-      Numbers (Place) := (if Real_Time then Thread else -Thread);
+      Numbers (Place) := (if Item.Real_Time then Thread else -Thread);
       if Kept then
          Keep (Numbers (Place));
       end if;

@@ -1,6 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The threads of the process: their names, and the processors they run on.
 
+with Schedule;
+
 package Process.Threads with
   SPARK_Mode,
   Abstract_State =>
@@ -8,13 +10,11 @@ package Process.Threads with
   Initializes => Named
 is
 
-   procedure Name_Task (Name : String; Real_Time : Boolean := True)
-   with
-     Global => (In_Out => (Named, System_State)),
-     Pre    => Name'Length <= 15;
-   --  The calling task's name, as ps -L and top -H show it, and whether
-   --  Keep_On is for it; the stack of one with Real_Time is in memory from
-   --  here on. First of all that a task does, and once
+   procedure Name_Task (Who : Schedule.Task_Name)
+   with Global => (In_Out => (Named, System_State));
+   --  The calling task is Who: ps -L and top -H show the first 15 letters of
+   --  its name; the stack of a real-time task is in memory from here on.
+   --  First of all that a task does, and once
 
    procedure Keep_On (Cpu : Natural; Done : out Boolean)
    with Global => (In_Out => (Named, System_State));

@@ -50,4 +50,42 @@ package body Monitor_Link with SPARK_Mode is
             Acked         => 0);
    end Start;
 
+   ------------
+   -- Append --
+   ------------
+
+   procedure Append (Line : in out Texts.Text; Why : Cause) is
+   begin
+      case Why is
+         when Nothing           =>
+            null;
+         when Supervisor_Stops  =>
+            Texts.Append (Line, "the supervisor is stopping");
+         when Monitor_Vanished  =>
+            Texts.Append
+              (Line, "it vanished, nothing has been acknowledged for ");
+            Append_Seconds (Line, Vanished_After);
+         when Monitor_Stalled   =>
+            Texts.Append (Line, "it has taken nothing for ");
+            Append_Seconds (Line, Stalled_After);
+         when Silence           =>
+            Texts.Append (Line, "it vanished, no sign of life for ");
+            Append_Seconds (Line, Vanished_After);
+         when Connection_Reset  =>
+            Texts.Append (Line, "connection reset");
+         when Connection_Closed =>
+            Texts.Append (Line, "connection closed");
+      end case;
+   end Append;
+
+   --------------------
+   -- Append_Seconds --
+   --------------------
+
+   procedure Append_Seconds (Line : in out Texts.Text; Span : Milliseconds) is
+   begin
+      Texts.Append (Line, Integer (Span / 1_000));
+      Texts.Append (Line, " s");
+   end Append_Seconds;
+
 end Monitor_Link;

@@ -2,6 +2,8 @@
 --  Whether the monitor is still there: decided from what the kernel says
 --  about the connection (TCP_INFO), sampled a few times a second.
 
+with Texts;
+
 package Monitor_Link with SPARK_Mode is
 
    type Milliseconds is range 0 .. 2 ** 62;
@@ -114,5 +116,31 @@ package Monitor_Link with SPARK_Mode is
    --  may not have been asked for anything for long. Nor does it count from
    --  when the oldest message went out: the keep-alive that was not answered
    --  before that is forgotten by the kernel as soon as a message follows.
+
+   --  Why a session ends
+
+   type Loss_Kind is (None, Closed_By_Peer, Reset_By_Peer, No_Sign_Of_Life);
+   --  What the connection itself says
+
+   type Cause is
+     (Nothing, Supervisor_Stops, Monitor_Vanished, Monitor_Stalled, Silence,
+      Connection_Reset, Connection_Closed);
+
+   function Cause_Of (Stopping : Boolean; Loss : Loss_Kind; V : Verdict)
+     return Cause
+   is (if Stopping then Supervisor_Stops
+       elsif Loss = Closed_By_Peer then Connection_Closed
+       elsif Loss = Reset_By_Peer then Connection_Reset
+       elsif Loss = No_Sign_Of_Life then Silence
+       elsif V = Vanished then Monitor_Vanished
+       elsif V = Stalled then Monitor_Stalled
+       else Nothing);
+   --  Nothing: the session goes on
+
+   procedure Append (Line : in out Texts.Text; Why : Cause);
+   --  For the log, with the limits above
+
+   procedure Append_Seconds (Line : in out Texts.Text; Span : Milliseconds)
+   with Pre => Span <= 10 ** 9;
 
 end Monitor_Link;

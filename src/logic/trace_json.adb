@@ -11,30 +11,6 @@ package body Trace_Json with SPARK_Mode is
    function Digit (Value : Digit_Value) return Character is
      (Character'Val (Character'Pos ('0') + Integer (Value)));
 
-   function Name_Of (Who : Schedule.Task_Name) return String is
-     (case Who is
-         when Schedule.Th_Stop             => "th_stop",
-         when Schedule.Th_Line             => "th_line",
-         when Schedule.Th_Reload_WD        => "th_reloadWD",
-         when Schedule.Th_Server           => "th_server",
-         when Schedule.Th_Move             => "th_move",
-         when Schedule.Th_Receive_From_Mon => "th_receiveFromMon",
-         when Schedule.Th_Com_Mon_Perdue   => "th_comMonPerdue",
-         when Schedule.Th_Hold             => "th_hold",
-         when Schedule.Th_Send_To_Mon      => "th_sendToMon",
-         when Schedule.Th_Battery_Level    => "th_batteryLevel",
-         when Schedule.Th_Open_Com_Robot   => "th_openComRobot",
-         when Schedule.Th_Start_Robot      => "th_startRobot",
-         when Schedule.Th_Start_Robot_WD   => "th_startRobotWD",
-         when Schedule.Th_Reset_Robot      => "th_resetRobot",
-         when Schedule.Th_Query            => "th_query",
-         when Schedule.Th_Keep_Alive       => "th_keepAlive",
-         when Schedule.Th_Camera_Control   => "th_cameraControl",
-         when Schedule.Th_Capture_Img      => "th_captureImg",
-         when Schedule.Th_Arene            => "th_arene",
-         when Schedule.Th_Camera           => "th_camera",
-         when Schedule.Th_Console          => "th_console");
-
    function Number_Of (Who : Schedule.Task_Name) return Positive is
      (Schedule.Task_Name'Pos (Who) + 1);
 
@@ -202,7 +178,7 @@ package body Trace_Json with SPARK_Mode is
         (Line, "{""name"":""thread_name"",""ph"":""M"",""pid"":1,""tid"":");
       Texts.Append (Line, Number_Of (Who));
       Texts.Append (Line, ",""args"":{""name"":""");
-      Texts.Append (Line, Name_Of (Who));
+      Texts.Append (Line, Schedule.Name_Of (Who));
       Texts.Append (Line, """}}");
       Texts.Append (Line, Separator);
       Texts.Append
@@ -213,7 +189,7 @@ package body Trace_Json with SPARK_Mode is
       --  the viewer puts the lowest index on top
       Texts.Append
         (Line,
-         100 * (Below_All - Schedule.Priority_Of (Who)) + Number_Of (Who));
+         100 * (Below_All - Schedule.Table (Who).Priority) + Number_Of (Who));
       Texts.Append (Line, "}}");
    end Name_Task;
 

@@ -23,12 +23,19 @@ package body Journal with SPARK_Mode is
    --  Of what is kept. Not in the buffer: a line that is not kept costs next
    --  to nothing, neither a lock nor the time of day
 
+   procedure Put_Part
+     (Level : Options.Level; Now : Instant; Text : String; After : Natural)
+   with Pre => After <= Text'Length;
+   --  A line of what follows After characters of Text
+
    procedure Get_Now (Now : out Instant)
    with Global => (Input => (Start, Clock_Time));
 
    protected Buffer with Priority => Schedule.Journal_Ceiling is
       procedure Put (Item : Line);
-      procedure Take (Item : out Line; Found : out Boolean);
+      procedure Take
+        (Item : out Line; Found : out Boolean; Missing : out Natural);
+      --  Missing: instead of a line, so many were not kept
       procedure Written;
       procedure Get_Waiting (Waiting : out Natural);
    private
@@ -50,16 +57,17 @@ package body Journal with SPARK_Mode is
          end if;
       end Put;
 
-      procedure Take (Item : out Line; Found : out Boolean) is
+      procedure Take
+        (Item : out Line; Found : out Boolean; Missing : out Natural) is
       begin
+         Missing := 0;
          if Line_Queues.Length (Kept) > 0 and then Not_Kept > 0 then
             Found := True;
-            Item := (Level => Options.Warning,
-                     Time  => Line_Queues.Element_At (Kept, 1).Time,
-                     Text  => <>);
-            Texts.Append (Item.Text, Not_Kept);
-            Texts.Append
-              (Item.Text, " lines were not kept: the console is too slow");
+            Item :=
+              (Level  => Options.Warning,
+               Time   => Line_Queues.Element_At (Kept, 1).Time,
+               others => <>);
+            Missing := Not_Kept;
             Not_Kept := 0;
          else
             Line_Queues.Take (Kept, Item, Found);
@@ -125,19 +133,18 @@ package body Journal with SPARK_Mode is
    procedure Put (Level : Options.Level; Text : String) is
       Kept : Boolean;
       Now  : Instant;
-      Item : Line;
+      Done : Natural := 0;
    begin
       Get_Kept (Level, Kept);
       if Kept then
          Get_Now (Now);
-         Item := (Level => Level, Time => Now, Text => <>);
-         Texts.Set (Item.Text, Text);
-         for C of Item.Text.Data loop
-            if C not in ' ' .. '~' then
-               C := '?';
-            end if;
+         loop
+            Put_Part (Level, Now, Text, Done);
+            exit when Text'Length - Done <= Max_Text;
+            Done := Done + Max_Text;
+            pragma Loop_Invariant (Done <= Text'Length);
+            pragma Loop_Variant (Increases => Done);
          end loop;
-         Buffer.Put (Item);
          Trace.Release (Schedule.Th_Console);
          Set_True (Arrived);
       end if;
@@ -148,21 +155,49 @@ package body Journal with SPARK_Mode is
       Put (Level, Text.Data (1 .. Text.Length));
    end Put;
 
+   --------------
+   -- Put_Part --
+   --------------
+
+   procedure Put_Part
+     (Level : Options.Level; Now : Instant; Text : String; After : Natural)
+   is
+      Item : Line := (Level => Level, Time => Now, others => <>);
+   begin
+      Item.Length := Natural'Min (Max_Text, Text'Length - After);
+      for K in 1 .. Item.Length loop
+         Item.Text (K) := Text (Text'First + (After + (K - 1)));
+         if Item.Text (K) not in ' ' .. '~' then
+            Item.Text (K) := '?';
+         end if;
+      end loop;
+      Buffer.Put (Item);
+   end Put_Part;
+
    ----------
    -- Take --
    ----------
 
    procedure Take (Item : out Line) is
-      Found : Boolean;
+      Found   : Boolean;
+      Missing : Natural;
+      Told    : Texts.Text;
    begin
       Trace.Done (Schedule.Th_Console);
       loop
-         Buffer.Take (Item, Found);
+         Buffer.Take (Item, Found, Missing);
          exit when Found;
          Trace.Idle (Schedule.Th_Console);
          Suspend_Until_True (Arrived);
       end loop;
       Trace.Start (Schedule.Th_Console);
+      if Missing > 0 then
+         Texts.Append (Told, Missing);
+         Texts.Append
+           (Told, " lines were not kept: the console is too slow");
+         Item.Length := Told.Length;
+         Item.Text (1 .. Told.Length) := Told.Data (1 .. Told.Length);
+      end if;
    end Take;
 
    -------------

@@ -17,10 +17,17 @@ package Journal with SPARK_Mode is
    end record;
    --  The time since the supervisor started
 
+   Max_Text : constant := 232;
+   --  Characters of a line: no more than 256 bytes are copied under the lock.
+   --  A longer one goes on in the next
+
+   subtype Text_Length is Natural range 0 .. Max_Text;
+
    type Line is record
-      Level : Options.Level := Options.Info;
-      Time  : Instant;
-      Text  : Texts.Text;
+      Level  : Options.Level := Options.Info;
+      Time   : Instant;
+      Length : Text_Length := 0;
+      Text   : String (1 .. Max_Text) := (others => ' ');
    end record;
 
    procedure Set_Level (Least : Options.Level)
@@ -35,7 +42,8 @@ package Journal with SPARK_Mode is
    with Annotate => (GNATprove, Terminating);
    procedure Put (Level : Options.Level; Text : Texts.Text)
    with Annotate => (GNATprove, Terminating);
-   --  One line. Characters that are no printable ASCII are shown as '?'
+   --  One line, or as many as it takes. Characters that are no printable
+   --  ASCII are shown as '?'
 
    procedure Take (Item : out Line);
    --  The oldest line; waits for it. For the console's task only

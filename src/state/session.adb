@@ -1,12 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The session with the monitor: who is in command, how a session begins and
---  ends, and the events that pass between the tasks that see to it.
+--  ends, and the events that pass between the tasks that see to it. The object
+--  only locks: Session_Stages decides.
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Schedule;
 with Trace;
 
 package body Session with SPARK_Mode is
+
+   use type Session_Stages.Stage_Kind;
 
    Server_Allowed  : Suspension_Object;
    Listening       : Suspension_Object;
@@ -16,55 +19,46 @@ package body Session with SPARK_Mode is
 
    protected State with Priority => Schedule.Session_Ceiling is
       procedure Begin_Active (Admitted : out Boolean);
-      procedure Set (Stage : Stage_Kind);
-      procedure Get (Stage : out Stage_Kind);
+      procedure Go_On (To : Session_Stages.Stage_Kind)
+      with Pre => To /= Session_Stages.Active;
       procedure Stop;
-      procedure Get_Stopping (Value : out Boolean);
+      procedure Get (Value : out Session_Stages.State);
    private
-      Current  : Stage_Kind := Free;
-      Stopping : Boolean    := False;
+      Current : Session_Stages.State;
    end State;
 
    protected body State is
 
       procedure Begin_Active (Admitted : out Boolean) is
       begin
-         Admitted := not Stopping;
-         if Admitted then
-            Current := Active;
-         end if;
+         Session_Stages.Begin_Active (Current, Admitted);
       end Begin_Active;
 
-      procedure Set (Stage : Stage_Kind) is
+      procedure Go_On (To : Session_Stages.Stage_Kind) is
       begin
-         Current := Stage;
-      end Set;
-
-      procedure Get (Stage : out Stage_Kind) is
-      begin
-         Stage := Current;
-      end Get;
+         Session_Stages.Go_On (Current, To);
+      end Go_On;
 
       procedure Stop is
       begin
-         Stopping := True;
+         Session_Stages.Stop (Current);
       end Stop;
 
-      procedure Get_Stopping (Value : out Boolean) is
+      procedure Get (Value : out Session_Stages.State) is
       begin
-         Value := Stopping;
-      end Get_Stopping;
+         Value := Current;
+      end Get;
 
    end State;
 
-   ---------------
-   -- Get_Stage --
-   ---------------
+   ---------
+   -- Get --
+   ---------
 
-   procedure Get_Stage (Stage : out Stage_Kind) is
+   procedure Get (Current : out Session_Stages.State) is
    begin
-      State.Get (Stage);
-   end Get_Stage;
+      State.Get (Current);
+   end Get;
 
    ------------------
    -- Begin_Active --
@@ -91,7 +85,7 @@ package body Session with SPARK_Mode is
 
    procedure Begin_Closing is
    begin
-      State.Set (Closing);
+      State.Go_On (Session_Stages.Closing);
    end Begin_Closing;
 
    -----------------
@@ -100,7 +94,7 @@ package body Session with SPARK_Mode is
 
    procedure End_Closing is
    begin
-      State.Set (Closed);
+      State.Go_On (Session_Stages.Closed);
    end End_Closing;
 
    ----------------
@@ -109,7 +103,7 @@ package body Session with SPARK_Mode is
 
    procedure End_Closed is
    begin
-      State.Set (Free);
+      State.Go_On (Session_Stages.Free);
    end End_Closed;
 
    ------------------
@@ -120,15 +114,6 @@ package body Session with SPARK_Mode is
    begin
       State.Stop;
    end Request_Stop;
-
-   ------------------
-   -- Get_Stopping --
-   ------------------
-
-   procedure Get_Stopping (Stopping : out Boolean) is
-   begin
-      State.Get_Stopping (Stopping);
-   end Get_Stopping;
 
    ------------------
    -- Allow_Server --

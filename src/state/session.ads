@@ -2,24 +2,20 @@
 --  The session with the monitor: who is in command, how a session begins and
 --  ends, and the events that pass between the tasks that see to it.
 
+with Session_Stages;
+
 package Session with SPARK_Mode is
 
-   type Stage_Kind is
-     (Free,       --  no monitor: the next one is admitted
-      Active,     --  a monitor is in command
-      Closing,    --  it is lost: robot, camera and queues are brought back
-      Closed);    --  they have been; its connection is to be closed
-
-   procedure Get_Stage (Stage : out Stage_Kind)
+   procedure Get (Current : out Session_Stages.State)
    with Annotate => (GNATprove, Terminating);
 
    procedure Begin_Active (Admitted : out Boolean)
    with Annotate => (GNATprove, Terminating);
-   --  Not where the supervisor is stopping
+   --  Not where the supervisor is stopping, or a session has not ended
    procedure Begin_Closing with Annotate => (GNATprove, Terminating);
    procedure End_Closing with Annotate => (GNATprove, Terminating);
    procedure End_Closed with Annotate => (GNATprove, Terminating);
-   --  The four steps of a session, each after the one before
+   --  The four steps of a session; one that is not the next has no effect
 
    procedure Begin_Work;
    --  The session's tasks begin: its connection is admitted
@@ -27,9 +23,6 @@ package Session with SPARK_Mode is
    procedure Request_Stop with Annotate => (GNATprove, Terminating);
    --  The supervisor is stopping: no monitor is admitted any more, and the
    --  one in command counts as lost
-
-   procedure Get_Stopping (Stopping : out Boolean)
-   with Annotate => (GNATprove, Terminating);
 
    --  The events, each for one task
 

@@ -11,13 +11,14 @@ with Options;
 with Outbox;
 with Secret_Files;
 with Session;
+with Session_Stages;
 with Trace;
 
 package body Admission with SPARK_Mode is
 
    use Pending_Connections;
    use type Bytes.Byte_Array;
-   use type Session.Stage_Kind;
+   use type Session_Stages.Stage_Kind;
 
    Not_Authenticated : constant String := "not authenticated";
 
@@ -138,10 +139,10 @@ package body Admission with SPARK_Mode is
    -------------------
 
    procedure Close_Session is
-      Stage : Session.Stage_Kind;
+      Current : Session_Stages.State;
    begin
-      Session.Get_Stage (Stage);
-      if Stage = Session.Closed then
+      Session.Get (Current);
+      if Current.Stage = Session_Stages.Closed then
          Monitor_Sockets.Connection.Close;
          Session.End_Closed;
          Journal.Put
@@ -260,17 +261,15 @@ package body Admission with SPARK_Mode is
    -------------------
 
    procedure Get_Reception (R : out Reception) is
-      Ending : Boolean;
-      Stage  : Session.Stage_Kind;
+      Current : Session_Stages.State;
    begin
-      Session.Get_Stopping (Ending);
-      Session.Get_Stage (Stage);
+      Session.Get (Current);
       R :=
-        (case Stage is
-            when Session.Free   => Vacant,
-            when Session.Active => Occupied,
-            when Session.Closing | Session.Closed =>
-              (if Ending then Stopping else Deferred));
+        (case Current.Stage is
+            when Session_Stages.Free   => Vacant,
+            when Session_Stages.Active => Occupied,
+            when Session_Stages.Closing | Session_Stages.Closed =>
+              (if Current.Stopping then Stopping else Deferred));
    end Get_Reception;
 
    ----------

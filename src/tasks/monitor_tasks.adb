@@ -25,6 +25,7 @@ with Robot_Line;
 with Robot_Session;
 with Send_Order;
 with Session;
+with Session_Stages;
 with Settings;
 with Task_Ports;
 with Texts;
@@ -33,9 +34,7 @@ with Vision_State;
 
 package body Monitor_Tasks with SPARK_Mode is
 
-   use type Monitor_Link.Milliseconds;
-   use type Monitor_Link.Verdict;
-   use type Monitor_Sockets.Connection.Loss_Kind;
+   use type Monitor_Link.Cause;
    use type Send_Order.Choice;
 
    procedure Start_Server (Gate : out Admission.Gate)
@@ -63,13 +62,9 @@ package body Monitor_Tasks with SPARK_Mode is
      Post => not Next.Unsent;
    --  Image: the message, where it is one of an image
 
-   procedure Wait_Loss (Reason : out Texts.Text);
+   procedure Wait_Loss (Why : out Monitor_Link.Cause)
+   with Post => Why /= Monitor_Link.Nothing;
    --  Until the monitor in command is lost
-
-   procedure Append_Seconds
-     (Line : in out Texts.Text; Span : Monitor_Link.Milliseconds)
-   with Pre => Span <= 60_000;
-   --  Span in whole seconds
 
    procedure Bring_Back;
    --  Robot, camera and queues to their initial state (F6)
@@ -125,7 +120,7 @@ package body Monitor_Tasks with SPARK_Mode is
    task body Th_Server is
       Gate : Admission.Gate;
    begin
-      Process.Threads.Name_Task ("th_server");
+      Process.Threads.Name_Task (Schedule.Th_Server);
       Session.Wait_Server;
       Start_Server (Gate);
       loop
@@ -192,7 +187,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Ranks    : Order_Meanings.Ranks;
       Order    : Orders.Order;
    begin
-      Process.Threads.Name_Task ("th_receive_from");
+      Process.Threads.Name_Task (Schedule.Th_Receive_From_Mon);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Session.Wait_Receive;
@@ -220,17 +215,6 @@ package body Monitor_Tasks with SPARK_Mode is
          Trace.Done (Schedule.Th_Receive_From_Mon);
       end loop;
    end Th_Receive_From_Mon;
-
-   --------------------
-   -- Append_Seconds --
-   --------------------
-
-   procedure Append_Seconds
-     (Line : in out Texts.Text; Span : Monitor_Link.Milliseconds) is
-   begin
-      Texts.Append (Line, Integer (Span / 1_000));
-      Texts.Append (Line, " s");
-   end Append_Seconds;
 
    ----------
    -- Send --
@@ -278,7 +262,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Image     : Image_Messages.Message_Access := new Image_Messages.Message;
       Begun     : Boolean;
    begin
-      Process.Threads.Name_Task ("th_send_to_mon");
+      Process.Threads.Name_Task (Schedule.Th_Send_To_Mon);
       loop
          pragma Loop_Invariant (not Next.Unsent);
          Outbox.Wait;
@@ -316,55 +300,39 @@ package body Monitor_Tasks with SPARK_Mode is
    -- Wait_Loss --
    ---------------
 
-   procedure Wait_Loss (Reason : out Texts.Text) is
-      Link     : Monitor_Link.State;
-      Sample   : Monitor_Link.Sample;
-      Verdict  : Monitor_Link.Verdict := Monitor_Link.Present;
-      Loss     : Monitor_Sockets.Connection.Loss_Kind;
-      Stopping : Boolean;
-      Now      : Time;
+   procedure Wait_Loss (Why : out Monitor_Link.Cause) is
+      Link    : Monitor_Link.State;
+      Sample  : Monitor_Link.Sample;
+      Verdict : Monitor_Link.Verdict := Monitor_Link.Present;
+      Loss    : Monitor_Link.Loss_Kind;
+      Known   : Session_Stages.State;
+      Line    : Texts.Text;
+      Now     : Time;
    begin
       Monitor_Sockets.Connection.Sample (Sample);
       if not Sample.Known then
          Monitor_Sockets.Connection.Leave_To_Kernel;
          Texts.Set
-           (Reason, "no TCP_INFO, keep-alive instead: a monitor is lost that "
+           (Line, "no TCP_INFO, keep-alive instead: a monitor is lost that "
             & "vanishes, or takes nothing, for ");
-         Append_Seconds (Reason, Monitor_Link.Vanished_After);
-         Journal.Put (Options.Warning, Reason);
+         Monitor_Link.Append_Seconds (Line, Monitor_Link.Vanished_After);
+         Journal.Put (Options.Warning, Line);
       end if;
       Monitor_Link.Start (Link, Sample.Now);
       loop
          Monitor_Sockets.Connection.Watch (Schedule.Link_Period, Loss);
          Trace.Take_Up (Schedule.Th_Com_Mon_Perdue);
-         Session.Get_Stopping (Stopping);
-         exit when Loss /= Monitor_Sockets.Connection.None or else Stopping;
+         Session.Get (Known);
          Monitor_Sockets.Connection.Sample (Sample);
          if Sample.Known then
             Monitor_Link.Judge (Link, Sample, Verdict);
          end if;
-         exit when Verdict /= Monitor_Link.Present;
+         Why := Monitor_Link.Cause_Of (Known.Stopping, Loss, Verdict);
+         exit when Why /= Monitor_Link.Nothing;
          Now := Clock;
          Frame_Store.Look_At_Silence (Now);
          Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
-      if Stopping then
-         Texts.Set (Reason, "the supervisor is stopping");
-      elsif Verdict = Monitor_Link.Vanished then
-         Texts.Set
-           (Reason, "it vanished, nothing has been acknowledged for ");
-         Append_Seconds (Reason, Monitor_Link.Vanished_After);
-      elsif Verdict = Monitor_Link.Stalled then
-         Texts.Set (Reason, "it has taken nothing for ");
-         Append_Seconds (Reason, Monitor_Link.Stalled_After);
-      elsif Loss = Monitor_Sockets.Connection.No_Sign_Of_Life then
-         Texts.Set (Reason, "it vanished, no sign of life for ");
-         Append_Seconds (Reason, Monitor_Link.Vanished_After);
-      elsif Loss = Monitor_Sockets.Connection.Reset_By_Peer then
-         Texts.Set (Reason, "connection reset");
-      else
-         Texts.Set (Reason, "connection closed");
-      end if;
    end Wait_Loss;
 
    ----------------
@@ -411,16 +379,16 @@ package body Monitor_Tasks with SPARK_Mode is
    -----------------------
 
    task body Th_Com_Mon_Perdue is
-      Reason : Texts.Text;
-      Line   : Texts.Text;
+      Why  : Monitor_Link.Cause;
+      Line : Texts.Text;
    begin
-      Process.Threads.Name_Task ("th_com_mon_perd");
+      Process.Threads.Name_Task (Schedule.Th_Com_Mon_Perdue);
       loop
          Session.Wait_Watch;
-         Wait_Loss (Reason);
+         Wait_Loss (Why);
          Session.Begin_Closing;
          Texts.Set (Line, "monitor lost: ");
-         Texts.Append (Line, Reason.Data (1 .. Reason.Length));
+         Monitor_Link.Append (Line, Why);
          Journal.Put (Options.Warning, Line);
          Bring_Back;
          Session.End_Closing;
@@ -437,7 +405,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Any     : Boolean;
       At_Time : Time;
    begin
-      Process.Threads.Name_Task ("th_hold");
+      Process.Threads.Name_Task (Schedule.Th_Hold);
       loop
          Outbox.Wait_Held;
          loop

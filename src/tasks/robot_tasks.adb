@@ -96,7 +96,7 @@ package body Robot_Tasks with SPARK_Mode is
       Result : Outcome;
       Ended  : Time;
    begin
-      Process.Threads.Name_Task ("th_line");
+      Process.Threads.Name_Task (Schedule.Th_Line);
       loop
          pragma Loop_Invariant
            (Is_Consistent (State) and then not Job.Order.Owed);
@@ -130,7 +130,7 @@ package body Robot_Tasks with SPARK_Mode is
    task body Th_Open_Com_Robot is
       Order : Orders.Order;
    begin
-      Process.Threads.Name_Task ("th_open_com_rob");
+      Process.Threads.Name_Task (Schedule.Th_Open_Com_Robot);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Open_Robot.Wait (Order);
@@ -145,7 +145,7 @@ package body Robot_Tasks with SPARK_Mode is
    task body Th_Start_Robot is
       Order : Orders.Order;
    begin
-      Process.Threads.Name_Task ("th_start_robot");
+      Process.Threads.Name_Task (Schedule.Th_Start_Robot);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Start_Robot.Wait (Order);
@@ -160,7 +160,7 @@ package body Robot_Tasks with SPARK_Mode is
    task body Th_Start_Robot_WD is
       Order : Orders.Order;
    begin
-      Process.Threads.Name_Task ("th_start_robot_");
+      Process.Threads.Name_Task (Schedule.Th_Start_Robot_WD);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Start_Robot_Watchdog.Wait (Order);
@@ -178,7 +178,7 @@ package body Robot_Tasks with SPARK_Mode is
       Next   : Time;
       Result : Outcome;
    begin
-      Process.Threads.Name_Task ("th_reload_wd");
+      Process.Threads.Name_Task (Schedule.Th_Reload_WD);
       loop
          Robot_Events.Wait_Reload;
          Robot_Line.Get_Status (Begun);
@@ -214,7 +214,7 @@ package body Robot_Tasks with SPARK_Mode is
    task body Th_Reset_Robot is
       Order : Orders.Order;
    begin
-      Process.Threads.Name_Task ("th_reset_robot");
+      Process.Threads.Name_Task (Schedule.Th_Reset_Robot);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Reset_Robot.Wait (Order);
@@ -229,7 +229,7 @@ package body Robot_Tasks with SPARK_Mode is
    task body Th_Move is
       Order : Orders.Order;
    begin
-      Process.Threads.Name_Task ("th_move");
+      Process.Threads.Name_Task (Schedule.Th_Move);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Move.Wait (Order);
@@ -247,7 +247,7 @@ package body Robot_Tasks with SPARK_Mode is
       Next   : Time;
       Result : Outcome;
    begin
-      Process.Threads.Name_Task ("th_battery_leve");
+      Process.Threads.Name_Task (Schedule.Th_Battery_Level);
       loop
          Robot_Events.Wait_Battery;
          Robot_Line.Get_Status (Begun);
@@ -281,7 +281,7 @@ package body Robot_Tasks with SPARK_Mode is
    task body Th_Query is
       Order : Orders.Order;
    begin
-      Process.Threads.Name_Task ("th_query");
+      Process.Threads.Name_Task (Schedule.Th_Query);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Query.Wait (Order);
@@ -299,7 +299,7 @@ package body Robot_Tasks with SPARK_Mode is
       Next    : Time;
       Ignored : Outcome;
    begin
-      Process.Threads.Name_Task ("th_keep_alive");
+      Process.Threads.Name_Task (Schedule.Th_Keep_Alive);
       loop
          Robot_Events.Wait_Keep_Alive;
          Robot_Line.Get_Status (Begun);

@@ -15,13 +15,14 @@ with Robot_Line;
 with Robot_Protocol;
 with Serial_Line;
 with Session;
+with Session_Stages;
 with Texts;
 with Trace;
 
 package body Support_Tasks with SPARK_Mode is
 
    use type Process.Signals.Kind;
-   use type Session.Stage_Kind;
+   use type Session_Stages.Stage_Kind;
 
    function Level_Name (Level : Options.Level) return String is
      (case Level is
@@ -56,7 +57,7 @@ package body Support_Tasks with SPARK_Mode is
       Texts.Append (Text, "] ");
       Texts.Append (Text, Level_Name (Item.Level));
       Texts.Append (Text, ": ");
-      Texts.Append (Text, Item.Text.Data (1 .. Item.Text.Length));
+      Texts.Append (Text, Item.Text (1 .. Item.Length));
       Console.Put_Log (Text.Data (1 .. Text.Length));
    end Write;
 
@@ -67,7 +68,7 @@ package body Support_Tasks with SPARK_Mode is
    task body Th_Console is
       Item : Journal.Line;
    begin
-      Process.Threads.Name_Task ("th_console", Real_Time => False);
+      Process.Threads.Name_Task (Schedule.Th_Console);
       loop
          Journal.Take (Item);
          Write (Item);
@@ -80,16 +81,16 @@ package body Support_Tasks with SPARK_Mode is
    ----------------------
 
    procedure Wait_Session_End (Limit : Time) is
-      Stage  : Session.Stage_Kind;
+      Known  : Session_Stages.State;
       Status : Line_Status.Status;
       Idle   : Boolean;
       Now    : Time;
    begin
       loop
-         Session.Get_Stage (Stage);
+         Session.Get (Known);
          Robot_Line.Get_Status (Status);
          Camera_Requests.Get_Idle (Idle);
-         exit when Stage in Session.Free | Session.Closed
+         exit when Known.Stage in Session_Stages.Free | Session_Stages.Closed
            and then not Status.Open and then Idle;
          Now := Clock;
          exit when Now >= Limit;
@@ -145,7 +146,7 @@ package body Support_Tasks with SPARK_Mode is
       Status : Line_Status.Status;
       Now    : Time;
    begin
-      Process.Threads.Name_Task ("th_stop");
+      Process.Threads.Name_Task (Schedule.Th_Stop);
       loop
          Process.Signals.Wait (Kind);
          Trace.Take_Up (Schedule.Th_Stop);

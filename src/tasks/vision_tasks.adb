@@ -7,6 +7,7 @@ with Camera_Events;
 with Camera_Requests;
 with Following;
 with Frame_Store;
+with Image_Cycle;
 with Image_Grid;
 with Journal;
 with Mailboxes;
@@ -28,10 +29,9 @@ with Vision_State;
 
 package body Vision_Tasks with SPARK_Mode is
 
+   use type Image_Cycle.Work;
    use type Image_Grid.Microseconds;
    use type Image_Messages.Message_Access;
-   use type Options.Drawing_Kind;
-   use type Shapes.Arena_Corners;
    use type Vision.Status;
 
    procedure Encode
@@ -214,7 +214,7 @@ package body Vision_Tasks with SPARK_Mode is
       Opened   : Boolean;
       Success  : Boolean;
    begin
-      Process.Threads.Name_Task ("th_camera_contr");
+      Process.Threads.Name_Task (Schedule.Th_Camera_Control);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Camera_Control.Wait (Order);
@@ -253,8 +253,9 @@ package body Vision_Tasks with SPARK_Mode is
 
    task body Th_Capture_Img is
       Chosen   : Options.Values renames Settings.Command_Line.Chosen;
-      Period   : Image_Grid.Period_Time;
-      Grid     : Image_Grid.State;
+      Period   : constant Image_Grid.Period_Time :=
+        1_000_000 / Image_Grid.Microseconds (Chosen.Frame_Rate);
+      Cycle    : Image_Cycle.State;
       Step     : Image_Grid.Microseconds;
       Next     : Time;     --  instant of the grid
       Now      : Time;
@@ -262,31 +263,25 @@ package body Vision_Tasks with SPARK_Mode is
       Came     : Time;     --  the image that is sent
       Reserve  : Boolean;
       Coming   : Boolean;
-      Waited   : Boolean;  --  for the next image, since Next
       Made     : Mailboxes.Generation;
       Seen     : Vision_State.View;
       Slot     : Vision.Slot;
       Found    : Boolean;
       Robots   : Shapes.Robot_Array := (others => <>);
       Count    : Shapes.Robot_Count;
-      Known    : Following.State;
-      Known_In : Shapes.Arena_Corners := Shapes.No_Arena;
       Known_At : Time;
-      Place    : Position;
       Line     : Mailboxes.Short_Line;
       Image    : Image_Messages.Message_Access := new Image_Messages.Message;
+      Work     : Image_Cycle.Work;
    begin
-      Process.Threads.Name_Task ("th_capture_img", Real_Time => False);
+      Process.Threads.Name_Task (Schedule.Th_Capture_Img);
       loop
          Camera_Events.Wait_Opened;
-         Period := 1_000_000 / Image_Grid.Microseconds (Chosen.Frame_Rate);
-         Grid := Image_Grid.Initial;
+         Cycle := (others => <>);
          Next := Clock;
-         Waited := False;
-         Following.Forget (Known);
          Known_At := Next;
          loop
-            if Waited then
+            if Cycle.Waited then
                Trace.Start (Schedule.Th_Capture_Img);
             else
                Trace.Start (Schedule.Th_Capture_Img, Next);
@@ -297,54 +292,38 @@ package body Vision_Tasks with SPARK_Mode is
             --  that has ended meanwhile is then not sent
             Outbox.Get_Generation (Made);
             Vision_State.Get (Seen);
-            exit when not Vision_Mode.Is_Open (Seen.Mode);
             Frame_Store.Get_Newest_Time (Newest);
             Now := Clock;
-            if Now - Newest > Schedule.Camera_Silence then
+            Work := Image_Cycle.Work_Of
+              (Seen.Mode, Silent => Now - Newest > Schedule.Camera_Silence);
+            exit when Work = Image_Cycle.Leave;
+            if Work = Image_Cycle.Report_Silence then
                Camera_Failed (Notices.Camera_Silent);
-            elsif Vision_Mode.Images_Flow (Seen.Mode) then
+            elsif Work = Image_Cycle.Look then
                Frame_Store.Claim_Due
                  (Now, Period, Slot, Came, Reserve, Found, Coming);
                if Found then
                   Coming := False;
-                  if Waited then
-                     Image_Grid.Wait_Ended
-                       (Grid, Frame_Store.Elapsed (Next, Came), Period);
+                  if Cycle.Waited then
+                     Step := Frame_Store.Elapsed (Next, Came);
                      Next := Came;
                   end if;
-                  Image_Grid.Step
-                    (Grid, Frame_Store.Elapsed (Came, Now), Reserve, Period,
-                     Step);
-                  if not Seen.Mode.Position_On
-                    or else Seen.Arena /= Known_In
-                  then
-                     Following.Forget (Known);
-                     Known_In := Seen.Arena;
-                  end if;
+                  Image_Cycle.Take_Image
+                    (Cycle, Step, Frame_Store.Elapsed (Came, Now), Reserve,
+                     Period, Step);
+                  Image_Cycle.Look_In (Cycle, Seen.Mode, Seen.Arena);
                   Count := 0;
-                  Place := Not_Found;
                   if Seen.Mode.Position_On then
                      Find_Robots
                        (Slot, Chosen.Marker, Seen,
-                        Gap_Between (Known_At, Came), Known,
+                        Gap_Between (Known_At, Came), Cycle.Known,
                         Robots, Count);
                      Known_At := Came;
-                     if Count > 0 then
-                        Place :=
-                          (Id    => Integer (Robots (1).Id),
-                           Angle => Micro (Robots (1).Angle),
-                           Cx    => Micro (Robots (1).Centre.X),
-                           Cy    => Micro (Robots (1).Centre.Y),
-                           Dx    => Micro (Robots (1).Direction.X),
-                           Dy    => Micro (Robots (1).Direction.Y));
-                     end if;
                   end if;
-                  if Vision_Mode.Uses_Arena (Seen.Mode)
-                    and then Chosen.Drawing >= Options.Arena
-                  then
+                  if Image_Cycle.Draws_Arena (Seen.Mode, Chosen.Drawing) then
                      Draw_Arena (Slot, Seen.Arena);
                   end if;
-                  if Chosen.Drawing = Options.All_Of_It then
+                  if Image_Cycle.Draws_Robots (Seen.Mode, Chosen.Drawing) then
                      --  over the arena's line
                      Draw_Robots (Slot, Robots, Count);
                   end if;
@@ -357,13 +336,15 @@ package body Vision_Tasks with SPARK_Mode is
                   Frame_Store.Release (Slot);
                   if Seen.Mode.Position_On then
                      --  after its image, which is to be punctual
-                     Format_Position (Place, Line.Data, Line.Length);
+                     Format_Position
+                       (Image_Cycle.Position_Of (Robots, Count),
+                        Line.Data, Line.Length);
                      Outbox.Put_Position (Line, Made);
                   end if;
                end if;
             end if;
-            Waited := Coming;
-            if Waited then
+            Cycle.Waited := Coming;
+            if Coming then
                Trace.Done (Schedule.Th_Capture_Img);
                Frame_Store.Wait_Look;
             else
@@ -395,7 +376,7 @@ package body Vision_Tasks with SPARK_Mode is
       Shown  : Boolean;
       Image  : Image_Messages.Message_Access := new Image_Messages.Message;
    begin
-      Process.Threads.Name_Task ("th_arene", Real_Time => False);
+      Process.Threads.Name_Task (Schedule.Th_Arene);
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Arena.Wait (Order);
@@ -451,7 +432,7 @@ package body Vision_Tasks with SPARK_Mode is
       Slot   : Vision.Slot;
       Now    : Time;
    begin
-      Process.Threads.Name_Task ("th_camera", Real_Time => False);
+      Process.Threads.Name_Task (Schedule.Th_Camera);
       loop
          Camera_Requests.Wait_Open (Number);
          Vision.Open

@@ -174,7 +174,7 @@ package body Scale_Limits is
         (String, Duration);
       subtype Times is Maps.Map;
 
-      With_Opencv : constant String := "th_camera th_capture_img th_arene";
+      With_Opencv : constant String := "th_camera th_captureImg th_arene";
       Main_Name   : constant String := "destijl";
       --  of the main procedure's thread, which has work with --trace alone
 

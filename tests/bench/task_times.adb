@@ -2,7 +2,6 @@
 --  The processor time that the supervisor's tasks use, from the kernel, and
 --  beside it what the response-time analysis allows them.
 
-with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Containers.Indefinite_Ordered_Maps;
 with Ada.Containers.Vectors;
 with Ada.Directories;         use Ada.Directories;
@@ -53,9 +52,6 @@ package body Task_Times is
    Requests : Samples.Set;
    Answers  : Samples.Set;
 
-   function Reduced (Name : String) return String;
-   --  In lower case, without underlines
-
    function Budget_Of (Name : String) return Duration;
    --  The longest of a task's activities. Name: as the kernel keeps it
 
@@ -80,40 +76,18 @@ package body Task_Times is
 
    Watch : Watch_Access;
 
-   -------------
-   -- Reduced --
-   -------------
-
-   function Reduced (Name : String) return String is
-      Result : Unbounded_String;
-   begin
-      for C of Name loop
-         if C /= '_' then
-            Append (Result, To_Lower (C));
-         end if;
-      end loop;
-      return To_String (Result);
-   end Reduced;
-
    ---------------
    -- Budget_Of --
    ---------------
 
    function Budget_Of (Name : String) return Duration is
-      Short : constant String := Reduced (Name);
       Most  : Response_Times.Span := 0;
    begin
       for A in Activity_Name loop
-         declare
-            Whole : constant String :=
-              Reduced (Supervisor_Model.Task_Name (A));
-         begin
-            if Whole = Short
-              or else (Name'Length = Kept and then Index (Whole, Short) = 1)
-            then
-               Most := Response_Times.Span'Max (Most, Processor_Time (A));
-            end if;
-         end;
+         if Head (Supervisor_Model.Task_Name (A), Kept) = Head (Name, Kept)
+         then
+            Most := Response_Times.Span'Max (Most, Processor_Time (A));
+         end if;
       end loop;
       return Duration (Most) / 1_000_000;
    end Budget_Of;

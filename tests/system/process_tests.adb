@@ -234,37 +234,19 @@ package body Process_Tests is
 
    procedure Thirteen_Threads is
 
-      function Without_Underscores (Name : String) return String;
-      --  But for the first: th_receivefrommon
-
-      function Without_Underscores (Name : String) return String is
-         Result : String (1 .. Name'Length);
-         Last   : Natural := 0;
-      begin
-         for Place in Name'Range loop
-            if Name (Place) /= '_' or else Place = Name'First + 2 then
-               Last := Last + 1;
-               Result (Last) := Name (Place);
-            end if;
-         end loop;
-         return Result (1 .. Last);
-      end Without_Underscores;
-
       --  The report's own, by the names that the kernel shows (15
       --  characters of each)
       S : Supervisors.Supervisor;
    begin
       S.Start;
       for Name of Words
-        ("th_server th_receive_from_mon th_send_to_mon th_com_mon_perdue"
-         & " th_camera_control th_capture_img th_arene th_open_com_robot"
-         & " th_start_robot th_start_robot_wd th_reset_robot th_move"
-         & " th_battery_level")
+        ("th_server th_receiveFromMon th_sendToMon th_comMonPerdue"
+         & " th_cameraControl th_captureImg th_arene th_openComRobot"
+         & " th_startRobot th_startRobotWD th_resetRobot th_move"
+         & " th_batteryLevel")
       loop
          Check
-           (Process_Facts.Thread_Named (S.Pid, Name) > 0
-            or else Process_Facts.Thread_Named
-              (S.Pid, Without_Underscores (Name)) > 0,
+           (Process_Facts.Thread_Named (S.Pid, Name) > 0,
             "no thread " & Name & " among"
             & Process_Facts.Thread_Names (S.Pid));
       end loop;
@@ -298,7 +280,7 @@ package body Process_Tests is
       for Name of Words
         (Process_Facts.Thread_Names (R.Supervisor.Pid))
       loop
-         if Name in "th_capture_img" | "th_arene" | "th_camera" | "th_console"
+         if Name in "th_captureImg" | "th_arene" | "th_camera" | "th_console"
            or else Index (Name, "th_") /= 1
          then
             Check

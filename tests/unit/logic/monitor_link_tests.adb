@@ -4,6 +4,7 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Monitor_Link;     use Monitor_Link;
+with Texts;
 
 package body Monitor_Link_Tests is
 
@@ -35,6 +36,7 @@ package body Monitor_Link_Tests is
    procedure Test_Both (T : in out Any_Test);
    procedure Test_Clock (T : in out Any_Test);
    procedure Test_Length (T : in out Any_Test);
+   procedure Test_Cause (T : in out Any_Test);
 
    --------------
    -- Begin_At --
@@ -99,6 +101,7 @@ package body Monitor_Link_Tests is
                         "pauses below the limit, again and again");
       Register_Routine (T, Test_Both'Access, "vanished goes first");
       Register_Routine (T, Test_Clock'Access, "odd clocks, odd counters");
+      Register_Routine (T, Test_Cause'Access, "why a session ends");
       Register_Routine (T, Test_Length'Access, "what the kernel gives");
    end Register_Tests;
 
@@ -348,5 +351,42 @@ package body Monitor_Link_Tests is
          end loop;
       end loop;
    end Test_Vanished_Idle;
+
+   ----------------
+   -- Test_Cause --
+   ----------------
+
+   procedure Test_Cause (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check
+        (Stopping : Boolean;
+         Loss     : Loss_Kind;
+         V        : Verdict;
+         Expected : String);
+
+      procedure Check
+        (Stopping : Boolean;
+         Loss     : Loss_Kind;
+         V        : Verdict;
+         Expected : String)
+      is
+         Line : Texts.Text;
+      begin
+         Append (Line, Cause_Of (Stopping, Loss, V));
+         Assert (Texts.Image (Line) = Expected,
+                 Expected & " expected, not " & Texts.Image (Line));
+      end Check;
+   begin
+      Check (False, None, Present, "");
+      Check (True, Closed_By_Peer, Vanished, "the supervisor is stopping");
+      Check (False, Closed_By_Peer, Present, "connection closed");
+      Check (False, Reset_By_Peer, Stalled, "connection reset");
+      Check (False, No_Sign_Of_Life, Present,
+             "it vanished, no sign of life for 4 s");
+      Check (False, None, Vanished,
+             "it vanished, nothing has been acknowledged for 4 s");
+      Check (False, None, Stalled, "it has taken nothing for 15 s");
+   end Test_Cause;
 
 end Monitor_Link_Tests;

@@ -244,7 +244,7 @@ package body Trace_Json_Tests is
    begin
       for Left in Task_Name loop
          for Right in Task_Name loop
-            if Priority_Of (Left) > Priority_Of (Right) then
+            if Table (Left).Priority > Table (Right).Priority then
                Assert (Place (Left) < Place (Right),
                        Left'Image & " and " & Right'Image);
             end if;

@@ -10,6 +10,7 @@ with Ada.Text_IO;             use Ada.Text_IO;
 
 with Budgets;          use Budgets;
 with Response_Times;   use Response_Times;
+with Schedule;
 with Supervisor_Model; use Supervisor_Model;
 
 package body Supervisor_Model_Tests is
@@ -96,7 +97,16 @@ package body Supervisor_Model_Tests is
       Check_Tasks ("robot_tasks.ads", Found);
       Check_Tasks ("vision_tasks.ads", Found);
       Check_Tasks ("support_tasks.ads", Found);
-      Assert (Found = 21, "tasks declared:" & Found'Image);
+      Assert
+        (Found = Schedule.Table'Length, "tasks declared:" & Found'Image);
+      for Who in Schedule.Task_Name'First
+        .. Schedule.Task_Name'Pred (Schedule.Task_Name'Last)
+      loop
+         Assert
+           (Schedule.Table (Who).Priority
+            >= Schedule.Table (Schedule.Task_Name'Succ (Who)).Priority,
+            Schedule.Name_Of (Who) & " is not in order of priority");
+      end loop;
    end Test_Complete;
 
    -------------------

@@ -17,6 +17,7 @@ package body Journal_Tests is
    procedure Test_Order (T : in out Any_Test);
    procedure Test_Level (T : in out Any_Test);
    procedure Test_Full (T : in out Any_Test);
+   procedure Test_Long (T : in out Any_Test);
 
    -----------
    -- Check --
@@ -29,8 +30,8 @@ package body Journal_Tests is
       Journal.Get_Waiting (Count);
       Assert (Count > 0, Text & " waits");
       Journal.Take (Item);
-      Assert (Texts.Image (Item.Text) = Text,
-              Text & " expected, not " & Texts.Image (Item.Text));
+      Assert (Item.Text (1 .. Item.Length) = Text,
+              Text & " expected, not " & Item.Text (1 .. Item.Length));
       Journal.Written;
    end Check;
 
@@ -50,6 +51,7 @@ package body Journal_Tests is
    begin
       Register_Routine (T, Test_Order'Access, "first in first out");
       Register_Routine (T, Test_Level'Access, "what is not serious enough");
+      Register_Routine (T, Test_Long'Access, "a long line goes on");
       Register_Routine (T, Test_Full'Access,
                         "room for 256, then it says how many are missing");
    end Register_Tests;
@@ -91,6 +93,24 @@ package body Journal_Tests is
       Journal.Set_Level (Options.Info);
       Check ("wanted");
    end Test_Level;
+
+   ---------------
+   -- Test_Long --
+   ---------------
+
+   procedure Test_Long (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Full : constant String (1 .. Journal.Max_Text) := (others => 'f');
+   begin
+      Journal.Put (Options.Info, Full & Full & "!");
+      Journal.Put (Options.Info, Full);
+      Journal.Put (Options.Info, "");
+      Check (Full);
+      Check (Full);
+      Check ("!");
+      Check (Full);
+      Check ("");
+   end Test_Long;
 
    ----------------
    -- Test_Order --

@@ -1,0 +1,22 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The one table of the supervisor's tasks: priorities, periods, deadlines
+--  and the ceilings that follow from them.
+
+package body Schedule with SPARK_Mode is
+
+   -------------
+   -- Name_Of --
+   -------------
+
+   function Name_Of (Who : Task_Name) return String is
+      Name : String renames Table (Who).Name;
+      Last : Positive := 1;
+   begin
+      while Last < Name'Last and then Name (Last + 1) /= ' ' loop
+         pragma Loop_Variant (Increases => Last);
+         Last := Last + 1;
+      end loop;
+      return Name (1 .. Last);
+   end Name_Of;
+
+end Schedule;

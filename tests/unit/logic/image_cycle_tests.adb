@@ -1,0 +1,118 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  One cycle of the periodic images.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Following;
+with Image_Cycle;      use Image_Cycle;
+with Image_Grid;
+with Monitor_Protocol;
+with Options;
+with Shapes;
+with Vision_Mode;
+
+package body Image_Cycle_Tests is
+
+   use type Image_Grid.Microseconds;
+   use type Monitor_Protocol.Position;
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Period : constant := 100_000;
+
+   Streaming : constant Vision_Mode.State :=
+     (Vision_Mode.Streaming, True, True);
+   Deciding  : constant Vision_Mode.State :=
+     (Vision_Mode.Deciding, True, True);
+   Plain     : constant Vision_Mode.State :=
+     (Vision_Mode.Streaming, False, False);
+   Closed    : constant Vision_Mode.State := (others => <>);
+
+   Robots : constant Shapes.Robot_Array :=
+     (1      => (Id        => 7,
+                 Centre    => (10, 20),
+                 Direction => (30, 40),
+                 Angle     => 50),
+      others => <>);
+
+   procedure Test_Work (T : in out Any_Test);
+   procedure Test_Grid (T : in out Any_Test);
+   procedure Test_Known (T : in out Any_Test);
+   procedure Test_Position (T : in out Any_Test);
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Image_Cycle"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Work'Access, "what is done and drawn");
+      Register_Routine (T, Test_Grid'Access, "an image that was waited for");
+      Register_Routine (T, Test_Known'Access, "which robots are still known");
+      Register_Routine (T, Test_Position'Access, "what the monitor is told");
+   end Register_Tests;
+
+   procedure Test_Grid (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      S      : State;
+      Length : Image_Grid.Microseconds;
+   begin
+      Take_Image (S, 9_000, 0, False, Period, Length);
+      Assert (Length = Period, "the first image begins the grid");
+      Take_Image (S, 9_000, 0, False, Period, Length);
+      Assert (Image_Grid.Lost (S.Grid) = 0, "not waited: nothing is lost");
+      S.Waited := True;
+      Take_Image (S, 9_000, 0, False, Period, Length);
+      Assert (Image_Grid.Lost (S.Grid) = 9_000, "what was waited is");
+      Assert (not S.Waited, "and nothing is waited for any more");
+   end Test_Grid;
+
+   procedure Test_Known (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Arena : constant Shapes.Arena_Corners := (others => (1, 2));
+      S     : State;
+   begin
+      Look_In (S, Streaming, Arena);
+      Following.Begin_Anew (S.Known, Robots, 1);
+      Look_In (S, Streaming, Arena);
+      Assert (Following.Count (S.Known) = 1, "in the same arena");
+      Look_In (S, Streaming, Shapes.No_Arena);
+      Assert (Following.Count (S.Known) = 0, "not in another");
+      Following.Begin_Anew (S.Known, Robots, 1);
+      Look_In (S, Plain, Shapes.No_Arena);
+      Assert (Following.Count (S.Known) = 0, "not when nobody looked");
+   end Test_Known;
+
+   procedure Test_Position (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Position_Of (Robots, 0) = Monitor_Protocol.Not_Found, "none");
+      Assert
+        (Position_Of (Robots, 2) =
+           (Id => 7, Angle => 50, Cx => 10, Cy => 20, Dx => 30, Dy => 40),
+         "the first");
+   end Test_Position;
+
+   procedure Test_Work (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Work_Of (Closed, True) = Leave, "no camera");
+      Assert (Work_Of (Streaming, True) = Report_Silence, "a silent one");
+      Assert (Work_Of (Streaming, False) = Look, "images flow");
+      Assert (Work_Of (Deciding, True) = Report_Silence, "silent, no images");
+      Assert (Work_Of (Deciding, False) = Rest, "none until the decision");
+      for Drawing in Options.Drawing_Kind loop
+         Assert (not Draws_Arena (Plain, Drawing), "none is confirmed");
+         Assert (not Draws_Robots (Plain, Drawing), "none is looked for");
+         Assert
+           (Draws_Arena (Streaming, Drawing) =
+              (Drawing in Options.Arena | Options.All_Of_It),
+            "arena: " & Drawing'Image);
+         Assert
+           (Draws_Robots (Streaming, Drawing) =
+              (Drawing in Options.All_Of_It),
+            "robots: " & Drawing'Image);
+      end loop;
+   end Test_Work;
+
+end Image_Cycle_Tests;

@@ -1,0 +1,67 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The stages of a session: their order, and that none begins at the end.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Session_Stages;   use Session_Stages;
+
+package body Session_Stages_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   procedure Test_Order (T : in out Any_Test);
+   procedure Test_Stopping (T : in out Any_Test);
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Session_Stages"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Order'Access, "one stage after the other");
+      Register_Routine (T, Test_Stopping'Access, "none begins at the end");
+   end Register_Tests;
+
+   procedure Test_Order (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      S        : State;
+      Admitted : Boolean;
+   begin
+      for To in Closing .. Closed loop
+         Go_On (S, To);
+         Assert (S.Stage = Free, "no session: no " & To'Image);
+      end loop;
+      for Session in 1 .. 2 loop
+         Begin_Active (S, Admitted);
+         Assert (Admitted and then S.Stage = Active, "begun");
+         Begin_Active (S, Admitted);
+         Assert (not Admitted and then S.Stage = Active, "there is one");
+         Go_On (S, Closed);
+         Assert (S.Stage = Active, "not brought back yet");
+         Go_On (S, Closing);
+         Begin_Active (S, Admitted);
+         Assert (not Admitted and then S.Stage = Closing, "not yet");
+         Go_On (S, Closed);
+         Begin_Active (S, Admitted);
+         Assert (not Admitted and then S.Stage = Closed, "nor yet");
+         Go_On (S, Free);
+         Assert (S.Stage = Free, "ended");
+      end loop;
+   end Test_Order;
+
+   procedure Test_Stopping (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      S        : State;
+      Admitted : Boolean;
+   begin
+      Begin_Active (S, Admitted);
+      Stop (S);
+      Go_On (S, Closing);
+      Go_On (S, Closed);
+      Go_On (S, Free);
+      Assert (S.Stage = Free, "a session ends");
+      Begin_Active (S, Admitted);
+      Assert (not Admitted and then S.Stage = Free, "but none begins");
+   end Test_Stopping;
+
+end Session_Stages_Tests;
