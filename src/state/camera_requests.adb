@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What is asked of the camera's owner: open it, close it. Nobody but
---  th_cameraControl waits for a camera that takes long to open.
+--  th_cameraControl waits for a camera that takes long to open. The object
+--  only locks: Camera_Demands decides.
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Schedule;
@@ -21,45 +22,35 @@ package body Camera_Requests with SPARK_Mode is
       procedure Released;
       procedure Collect (Success : out Boolean);
    private
-      Pending : Boolean := False;         --  asked for, not yet begun
-      Wanted  : Boolean := False;
-      Current : Request_Number := 0;
-      Idle    : Boolean := True;
-      Opened  : Boolean := False;
+      State  : Camera_Demands.State;
+      Opened : Boolean := False;
    end Requests;
 
    protected body Requests is
 
       procedure Open is
       begin
-         Current := Current + 1;
-         Wanted := True;
-         Pending := True;
+         Camera_Demands.Ask (State);
       end Open;
 
       procedure Close is
       begin
-         Wanted := False;
+         Camera_Demands.Withdraw (State);
       end Close;
 
       procedure Get_Idle (Value : out Boolean) is
       begin
-         Value := Idle and then not Pending;
+         Value := Camera_Demands.Is_Idle (State);
       end Get_Idle;
 
       procedure Take (Number : out Request_Number; Found : out Boolean) is
       begin
-         Found := Pending;
-         Number := Current;
-         if Pending then
-            Pending := False;
-            Idle := False;
-         end if;
+         Camera_Demands.Take (State, Number, Found);
       end Take;
 
       procedure Get_Wanted (Number : Request_Number; Value : out Boolean) is
       begin
-         Value := Wanted and then Number = Current;
+         Value := Camera_Demands.Is_Wanted (State, Number);
       end Get_Wanted;
 
       procedure Report (Success : Boolean) is
@@ -69,7 +60,7 @@ package body Camera_Requests with SPARK_Mode is
 
       procedure Released is
       begin
-         Idle := True;
+         Camera_Demands.Release (State);
       end Released;
 
       procedure Collect (Success : out Boolean) is

@@ -2,9 +2,11 @@
 --  What is asked of the camera's owner: open it, close it. Nobody but
 --  th_cameraControl waits for a camera that takes long to open.
 
+with Camera_Demands;
+
 package Camera_Requests with SPARK_Mode is
 
-   type Request_Number is mod 2 ** 32;
+   subtype Request_Number is Camera_Demands.Request_Number;
 
    procedure Open (Success : out Boolean);
    --  Asks for the camera and waits for what comes of it. For

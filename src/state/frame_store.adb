@@ -1,9 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Which task may use which frame slot: the camera's owner fills one after
---  the other, the newest is for whoever takes it first.
+--  the other, the newest is for whoever takes it first. The object only
+--  locks: Frame_Slots and Frame_Delivery decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Frame_Delivery;
 with Schedule;
 with Trace;
 
@@ -34,65 +36,40 @@ package body Frame_Store with SPARK_Mode is
       procedure Claim_Newest
         (Slot : out Frame_Slots.Slot; Found : out Boolean);
       procedure Get_Delivering (Now : out Boolean);
-      procedure Get_Newest_Time (At_Time : out Time);
+      procedure Get_Silent (Now : Time; Silent : out Boolean);
    private
-      Uses        : Frame_Slots.State;
-      Newest_Time : Time := Time_First;
-      Older_Time  : Time := Time_First;
-      Waits       : Boolean := False;  --  th_captureImg, for the next image
+      State : Frame_Delivery.State;
    end Store;
 
    procedure Tell_If (Awaited : Boolean);
    --  th_captureImg has something to look at
 
-   -------------
-   -- Elapsed --
-   -------------
-
-   function Elapsed (First, Last : Time) return Image_Grid.Microseconds is
-      Longest : constant Integer := Integer (Image_Grid.Microseconds'Last);
-   begin
-      return Image_Grid.Microseconds
-        (if Last - First >= Microseconds (Longest) then Longest
-         else Integer'Max
-           (0, Integer'Min (Longest, (Last - First) / Microseconds (1))));
-   end Elapsed;
-
    protected body Store is
 
       procedure Begin_Delivery (At_Time : Time) is
       begin
-         Frame_Slots.Begin_Delivery (Uses);
-         Newest_Time := At_Time;
+         Frame_Delivery.Begin_Delivery (State, At_Time);
       end Begin_Delivery;
 
       procedure End_Delivery (Awaited : out Boolean) is
       begin
-         Frame_Slots.End_Delivery (Uses);
-         Awaited := Waits;
-         Waits := False;
+         Frame_Delivery.End_Delivery (State, Awaited);
       end End_Delivery;
 
       procedure Claim_Empty (Slot : out Frame_Slots.Slot) is
       begin
-         Frame_Slots.Claim_Empty (Uses, Slot);
+         Frame_Slots.Claim_Empty (State.Uses, Slot);
       end Claim_Empty;
 
       procedure Publish
         (Slot : Frame_Slots.Slot; At_Time : Time; Awaited : out Boolean) is
       begin
-         Frame_Slots.Publish (Uses, Slot);
-         if Frame_Slots.Is_Delivering (Uses) then
-            Older_Time := Newest_Time;
-            Newest_Time := At_Time;
-         end if;
-         Awaited := Waits;
-         Waits := False;
+         Frame_Delivery.Publish (State, Slot, At_Time, Awaited);
       end Publish;
 
       procedure Release (Slot : Frame_Slots.Slot) is
       begin
-         Frame_Slots.Release (Uses, Slot);
+         Frame_Slots.Release (State.Uses, Slot);
       end Release;
 
       procedure Claim_Due
@@ -104,48 +81,30 @@ package body Frame_Store with SPARK_Mode is
          Found   : out Boolean;
          Coming  : out Boolean) is
       begin
-         Reserve := Frame_Slots.Has_Older (Uses)
-           and then Frame_Slots.Has_Newest (Uses)
-           and then Image_Grid.Sends_Older
-             (Newest_Age => Elapsed (Newest_Time, Now),
-              Older_Age  => Elapsed (Older_Time, Now),
-              Period     => Period);
-         if Reserve then
-            Frame_Slots.Claim_Older (Uses, Slot);
-            At_Time := Older_Time;
-            Found := True;
-         else
-            Frame_Slots.Claim_Newest (Uses, Slot, Found);
-            At_Time := Newest_Time;
-         end if;
-         Coming := Frame_Slots.Is_Delivering (Uses);
-         Waits := Coming and then not Found;
+         Frame_Delivery.Claim_Due
+           (State, Now, Period, Slot, At_Time, Reserve, Found, Coming);
       end Claim_Due;
 
       procedure Look_At_Silence (Now : Time; Awaited : out Boolean) is
       begin
-         Awaited :=
-           Waits and then Now - Newest_Time > Schedule.Camera_Silence;
-         if Awaited then
-            Waits := False;
-         end if;
+         Frame_Delivery.Look_At_Silence (State, Now, Awaited);
       end Look_At_Silence;
 
       procedure Claim_Newest
         (Slot : out Frame_Slots.Slot; Found : out Boolean) is
       begin
-         Frame_Slots.Claim_Newest (Uses, Slot, Found);
+         Frame_Slots.Claim_Newest (State.Uses, Slot, Found);
       end Claim_Newest;
 
       procedure Get_Delivering (Now : out Boolean) is
       begin
-         Now := Frame_Slots.Is_Delivering (Uses);
+         Now := Frame_Slots.Is_Delivering (State.Uses);
       end Get_Delivering;
 
-      procedure Get_Newest_Time (At_Time : out Time) is
+      procedure Get_Silent (Now : Time; Silent : out Boolean) is
       begin
-         At_Time := Newest_Time;
-      end Get_Newest_Time;
+         Silent := Frame_Delivery.Is_Silent (State, Now);
+      end Get_Silent;
 
    end Store;
 
@@ -274,13 +233,14 @@ package body Frame_Store with SPARK_Mode is
       end loop;
    end Wait_Newest;
 
-   ---------------------
-   -- Get_Newest_Time --
-   ---------------------
+   ----------------
+   -- Get_Silent --
+   ----------------
 
-   procedure Get_Newest_Time (At_Time : out Ada.Real_Time.Time) is
+   procedure Get_Silent
+     (Now : Ada.Real_Time.Time; Silent : out Boolean) is
    begin
-      Store.Get_Newest_Time (At_Time);
-   end Get_Newest_Time;
+      Store.Get_Silent (Now, Silent);
+   end Get_Silent;
 
 end Frame_Store;

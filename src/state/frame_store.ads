@@ -58,13 +58,8 @@ package Frame_Store with SPARK_Mode is
    --  The same, and waits for it; not found when the delivery has ended.
    --  For th_arene only
 
-   procedure Get_Newest_Time (At_Time : out Ada.Real_Time.Time)
+   procedure Get_Silent (Now : Ada.Real_Time.Time; Silent : out Boolean)
    with Annotate => (GNATprove, Terminating);
-   --  When the last image came, or the delivery began
-
-   function Elapsed (First, Last : Ada.Real_Time.Time)
-     return Image_Grid.Microseconds;
-   --  From First to Last, 0 where it is earlier; the longest there is where
-   --  it is longer
+   --  Nothing has come for so long that the camera counts as failed
 
 end Frame_Store;

@@ -1,18 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The log on its way to the console: a bounded buffer, so that no task ever
---  waits for the console.
+--  waits for the console. The object only locks: Log_Lines decides.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
-with Bounded_Queues;
 with Schedule;
 with Trace;
 
 package body Journal with SPARK_Mode is
 
    use type Options.Level;
-
-   package Line_Queues is new Bounded_Queues (Line, Capacity);
 
    Arrived : Suspension_Object;
 
@@ -35,54 +32,33 @@ package body Journal with SPARK_Mode is
       procedure Put (Item : Line);
       procedure Take
         (Item : out Line; Found : out Boolean; Missing : out Natural);
-      --  Missing: instead of a line, so many were not kept
       procedure Written;
       procedure Get_Waiting (Waiting : out Natural);
    private
-      Kept     : Line_Queues.Queue;
-      Not_Kept : Natural := 0;
-      Writing  : Boolean := False;
+      State : Log_Lines.State;
    end Buffer;
 
    protected body Buffer is
 
       procedure Put (Item : Line) is
       begin
-         if Line_Queues.Is_Full (Kept) then
-            if Not_Kept < Natural'Last then
-               Not_Kept := Not_Kept + 1;
-            end if;
-         else
-            Line_Queues.Put (Kept, Item);
-         end if;
+         Log_Lines.Put (State, Item);
       end Put;
 
       procedure Take
         (Item : out Line; Found : out Boolean; Missing : out Natural) is
       begin
-         Missing := 0;
-         if Line_Queues.Length (Kept) > 0 and then Not_Kept > 0 then
-            Found := True;
-            Item :=
-              (Level  => Options.Warning,
-               Time   => Line_Queues.Element_At (Kept, 1).Time,
-               others => <>);
-            Missing := Not_Kept;
-            Not_Kept := 0;
-         else
-            Line_Queues.Take (Kept, Item, Found);
-         end if;
-         Writing := Found;
+         Log_Lines.Take (State, Item, Found, Missing);
       end Take;
 
       procedure Written is
       begin
-         Writing := False;
+         Log_Lines.Written (State);
       end Written;
 
       procedure Get_Waiting (Waiting : out Natural) is
       begin
-         Waiting := Line_Queues.Length (Kept) + (if Writing then 1 else 0);
+         Waiting := Log_Lines.Waiting (State);
       end Get_Waiting;
 
    end Buffer;

@@ -2,33 +2,22 @@
 --  The log on its way to the console: a bounded buffer, so that no task ever
 --  waits for the console.
 
+with Log_Lines;
 with Options;
 with Texts;
 
 package Journal with SPARK_Mode is
 
-   Capacity : constant := 256;
+   Capacity : constant := Log_Lines.Capacity;
    --  Lines that wait for the console. A line more is not kept; how many
    --  were not is said as soon as there is room again
 
-   type Instant is record
-      Seconds     : Natural := 0;
-      Thousandths : Natural range 0 .. 999 := 0;
-   end record;
-   --  The time since the supervisor started
+   subtype Instant is Log_Lines.Instant;
 
-   Max_Text : constant := 232;
-   --  Characters of a line: no more than 256 bytes are copied under the lock.
-   --  A longer one goes on in the next
+   Max_Text : constant := Log_Lines.Max_Text;
+   --  Characters of a line. A longer one goes on in the next
 
-   subtype Text_Length is Natural range 0 .. Max_Text;
-
-   type Line is record
-      Level  : Options.Level := Options.Info;
-      Time   : Instant;
-      Length : Text_Length := 0;
-      Text   : String (1 .. Max_Text) := (others => ' ');
-   end record;
+   subtype Line is Log_Lines.Line;
 
    procedure Set_Level (Least : Options.Level)
    with Annotate => (GNATprove, Terminating);

@@ -1,56 +1,56 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The mode of the vision and the arena, shared by the vision's tasks. What
---  an ended session still asks for is refused.
+--  The mode of the vision and the arena, shared by the vision's tasks. The
+--  object only locks: Vision_Orders decides.
 
 with Orders;
+with Schedule;
 with Shapes;
-with Vision_Mode;
+with Vision_Orders;
 
 package Vision_State with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Vision_State);
-   --  A claim that GNATprove checks: every subprogram ends
+   subtype View is Vision_Orders.View;
 
-   type View is record
-      Mode  : Vision_Mode.State;
-      Arena : Shapes.Arena_Corners := Shapes.No_Arena;
-      --  the confirmed one, where Mode.Confirmed
-   end record;
+   protected Store with Priority => Schedule.Vision_Ceiling is
 
-   procedure Begin_Session (First : Orders.Ticket);
-   --  The initial state; orders with a lower number are refused
+      procedure Begin_Session (First : Orders.Ticket);
+      --  The initial state; orders with a lower number are refused
 
-   procedure Get (Current : out View);
+      procedure Get (Current : out View);
 
-   procedure Ask_Open
-     (Number : Orders.Ticket; Needed : out Boolean; Is_Open : out Boolean);
-   --  Needed: the camera is to be opened now. Is_Open: it is already.
-   --  Neither: the session has ended
+      procedure Ask_Open
+        (Number : Orders.Ticket; Needed : out Boolean; Is_Open : out Boolean);
+      --  Needed: the camera is to be opened now. Is_Open: it is already.
+      --  Neither: the session has ended
 
-   procedure Opened
-     (Number : Orders.Ticket; Success : Boolean; Is_Open : out Boolean);
-   --  What came of the opening. Is_Open is false, too, where the session has
-   --  ended or the camera has failed meanwhile
+      procedure Opened
+        (Number : Orders.Ticket; Success : Boolean; Is_Open : out Boolean);
+      --  What came of the opening. Is_Open is false, too, where the session
+      --  has ended or the camera has failed meanwhile
 
-   procedure Close (Was_Open : out Boolean);
-   --  No camera any more: it has failed, or the session has ended
+      procedure Close (Was_Open : out Boolean);
+      --  No camera any more: it has failed, or the session has ended
 
-   procedure Close_By_Order (Number : Orders.Ticket; Done : out Boolean);
-   --  The same, asked for by the monitor
+      procedure Close_By_Order (Number : Orders.Ticket; Done : out Boolean);
+      --  The same, asked for by the monitor
 
-   procedure Ask_Arena (Number : Orders.Ticket; Accepted : out Boolean);
+      procedure Ask_Arena (Number : Orders.Ticket; Accepted : out Boolean);
 
-   procedure Searched
-     (Number : Orders.Ticket;
-      Found  : Boolean;
-      Arena  : Shapes.Arena_Corners;
-      Valid  : out Boolean);
-   --  Valid is false where the search has been given up meanwhile
+      procedure Searched
+        (Number : Orders.Ticket;
+         Found  : Boolean;
+         Arena  : Shapes.Arena_Corners;
+         Valid  : out Boolean);
+      --  Valid is false where the search has been given up meanwhile
 
-   procedure Decide
-     (Number : Orders.Ticket; Confirm : Boolean; Valid : out Boolean);
+      procedure Decide
+        (Number : Orders.Ticket; Confirm : Boolean; Valid : out Boolean);
 
-   procedure Ask_Position
-     (Number : Orders.Ticket; On : Boolean; Accepted : out Boolean);
+      procedure Ask_Position
+        (Number : Orders.Ticket; On : Boolean; Accepted : out Boolean);
+
+   private
+      State : Vision_Orders.State;
+   end Store;
 
 end Vision_State;

@@ -352,7 +352,7 @@ package body Monitor_Tasks with SPARK_Mode is
       Robot_Line.Begin_Session (Next);
       Robot_Clients.Safe_State.Ask
         ((Kind => Robot_Session.Close_Line, others => <>), Ignored);
-      Vision_State.Begin_Session (Next);
+      Vision_State.Store.Begin_Session (Next);
       Camera_Requests.Close;
       --  a search for the arena does not wait for a camera that hangs
       Frame_Store.End_Delivery;

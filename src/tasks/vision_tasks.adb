@@ -6,6 +6,7 @@ with Base64;
 with Camera_Events;
 with Camera_Requests;
 with Following;
+with Frame_Delivery;
 with Frame_Store;
 with Image_Cycle;
 with Image_Grid;
@@ -170,7 +171,7 @@ package body Vision_Tasks with SPARK_Mode is
 
    function Gap_Between (First, Last : Time) return Following.Milliseconds is
      (Following.Milliseconds
-        ((Frame_Store.Elapsed (First, Last) + 999) / 1_000));
+        ((Frame_Delivery.Elapsed (First, Last) + 999) / 1_000));
 
    ----------------
    -- Log_Reason --
@@ -194,7 +195,7 @@ package body Vision_Tasks with SPARK_Mode is
    procedure Camera_Failed (Why : Notices.Notice) is
       Was_Open : Boolean;
    begin
-      Vision_State.Close (Was_Open);
+      Vision_State.Store.Close (Was_Open);
       if Was_Open then
          Outbox.Stop_Images;
          Camera_Requests.Close;
@@ -220,10 +221,10 @@ package body Vision_Tasks with SPARK_Mode is
          Task_Ports.Camera_Control.Wait (Order);
          case Order.Message.Kind is
             when Open_Camera =>
-               Vision_State.Ask_Open (Order.Number, Needed, Success);
+               Vision_State.Store.Ask_Open (Order.Number, Needed, Success);
                if Needed then
                   Camera_Requests.Open (Opened);
-                  Vision_State.Opened (Order.Number, Opened, Success);
+                  Vision_State.Store.Opened (Order.Number, Opened, Success);
                   if Success then
                      Camera_Events.Opened;
                   else
@@ -232,13 +233,13 @@ package body Vision_Tasks with SPARK_Mode is
                   end if;
                end if;
             when Close_Camera =>
-               Vision_State.Close_By_Order (Order.Number, Success);
+               Vision_State.Store.Close_By_Order (Order.Number, Success);
                if Success then
                   Outbox.Stop_Images;
                   Camera_Requests.Close;
                end if;
             when others =>
-               Vision_State.Ask_Position
+               Vision_State.Store.Ask_Position
                  (Order.Number, Order.Message.Kind = Start_Position,
                   Success);
          end case;
@@ -259,7 +260,7 @@ package body Vision_Tasks with SPARK_Mode is
       Step     : Image_Grid.Microseconds;
       Next     : Time;     --  instant of the grid
       Now      : Time;
-      Newest   : Time;
+      Silent   : Boolean;
       Came     : Time;     --  the image that is sent
       Reserve  : Boolean;
       Coming   : Boolean;
@@ -291,11 +292,10 @@ package body Vision_Tasks with SPARK_Mode is
             --  the generation before the mode: an image made for a mode
             --  that has ended meanwhile is then not sent
             Outbox.Get_Generation (Made);
-            Vision_State.Get (Seen);
-            Frame_Store.Get_Newest_Time (Newest);
+            Vision_State.Store.Get (Seen);
             Now := Clock;
-            Work := Image_Cycle.Work_Of
-              (Seen.Mode, Silent => Now - Newest > Schedule.Camera_Silence);
+            Frame_Store.Get_Silent (Now, Silent);
+            Work := Image_Cycle.Work_Of (Seen.Mode, Silent);
             exit when Work = Image_Cycle.Leave;
             if Work = Image_Cycle.Report_Silence then
                Camera_Failed (Notices.Camera_Silent);
@@ -305,11 +305,11 @@ package body Vision_Tasks with SPARK_Mode is
                if Found then
                   Coming := False;
                   if Cycle.Waited then
-                     Step := Frame_Store.Elapsed (Next, Came);
+                     Step := Frame_Delivery.Elapsed (Next, Came);
                      Next := Came;
                   end if;
                   Image_Cycle.Take_Image
-                    (Cycle, Step, Frame_Store.Elapsed (Came, Now), Reserve,
+                    (Cycle, Step, Frame_Delivery.Elapsed (Came, Now), Reserve,
                      Period, Step);
                   Image_Cycle.Look_In (Cycle, Seen.Mode, Seen.Arena);
                   Count := 0;
@@ -381,7 +381,7 @@ package body Vision_Tasks with SPARK_Mode is
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Arena.Wait (Order);
          if Order.Message.Kind = Ask_Arena then
-            Vision_State.Ask_Arena (Order.Number, Valid);
+            Vision_State.Store.Ask_Arena (Order.Number, Valid);
             if Valid then
                Outbox.Stop_Images;
                Arena := Shapes.No_Arena;
@@ -397,7 +397,7 @@ package body Vision_Tasks with SPARK_Mode is
                   end if;
                   Frame_Store.Release (Slot);
                end if;
-               Vision_State.Searched (Order.Number, Shown, Arena, Valid);
+               Vision_State.Store.Searched (Order.Number, Shown, Arena, Valid);
                if Valid and then Shown then
                   Outbox.Answer_With_Image (Order, Image);
                else
@@ -407,7 +407,7 @@ package body Vision_Tasks with SPARK_Mode is
                Outbox.Answer (Order, Order_Meanings.Answer_To (False));
             end if;
          else
-            Vision_State.Decide
+            Vision_State.Store.Decide
               (Order.Number, Order.Message.Kind = Confirm_Arena, Valid);
             Outbox.Answer_Nothing (Order);
             if not Valid then

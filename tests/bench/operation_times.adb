@@ -210,7 +210,7 @@ begin
 
    for I in Sample_Index loop
       Start;
-      Vision_State.Get (View);
+      Vision_State.Store.Get (View);
       Stop;
    end loop;
    Report ("Vision_State.Get");

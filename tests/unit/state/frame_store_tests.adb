@@ -5,9 +5,11 @@ with Ada.Real_Time;    use Ada.Real_Time;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
+with Frame_Delivery;
 with Frame_Slots;
 with Frame_Store;
 with Image_Grid;
+with Schedule;
 
 package body Frame_Store_Tests is
 
@@ -255,12 +257,12 @@ package body Frame_Store_Tests is
       pragma Unreferenced (T);
       Begun : constant Time := Clock;
    begin
-      Assert (Frame_Store.Elapsed (Begun, Begun) = 0, "none");
-      Assert (Frame_Store.Elapsed (Begun, Begun + Microseconds (1)) = 1,
+      Assert (Frame_Delivery.Elapsed (Begun, Begun) = 0, "none");
+      Assert (Frame_Delivery.Elapsed (Begun, Begun + Microseconds (1)) = 1,
               "a microsecond");
-      Assert (Frame_Store.Elapsed (Begun + Seconds (1), Begun) = 0,
+      Assert (Frame_Delivery.Elapsed (Begun + Seconds (1), Begun) = 0,
               "none that is negative");
-      Assert (Frame_Store.Elapsed (Begun, Begun + Seconds (5_000))
+      Assert (Frame_Delivery.Elapsed (Begun, Begun + Seconds (5_000))
                 = Image_Grid.Microseconds'Last, "more than there is");
    end Test_Elapsed;
 
@@ -425,21 +427,30 @@ package body Frame_Store_Tests is
       Begun : constant Time := Clock;
       Later : constant Time := Begun + Milliseconds (40);
       Slot  : Frame_Slots.Slot;
-      Found : Time;
+
+      procedure Check (From : Time; What : String);
+      --  The time of silence counts from From
+
+      procedure Check (From : Time; What : String) is
+         Silent : Boolean;
+      begin
+         Frame_Store.Get_Silent (From + Schedule.Camera_Silence, Silent);
+         Assert (not Silent, What & ": too early");
+         Frame_Store.Get_Silent
+           (From + Schedule.Camera_Silence + Milliseconds (1), Silent);
+         Assert (Silent, What & ": too late");
+      end Check;
    begin
       Begin_Anew;
       Frame_Store.Begin_Delivery (Begun);
-      Frame_Store.Get_Newest_Time (Found);
-      Assert (Found = Begun, "the beginning");
+      Check (Begun, "the beginning");
       Frame_Store.Claim_Empty (Slot);
       Frame_Store.Publish (Slot, Later);
-      Frame_Store.Get_Newest_Time (Found);
-      Assert (Found = Later, "the image");
+      Check (Later, "the image");
       Frame_Store.End_Delivery;
       Frame_Store.Claim_Empty (Slot);
       Frame_Store.Publish (Slot, Later + Milliseconds (40));
-      Frame_Store.Get_Newest_Time (Found);
-      Assert (Found = Later, "none that is too late");
+      Check (Later, "none that is too late");
    end Test_Times;
 
 end Frame_Store_Tests;
