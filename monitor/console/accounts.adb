@@ -5,13 +5,13 @@ with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Base64;
 with Bytes;
+with Durations;
 with Exchanges;             use Exchanges;
 with GNAT.OS_Lib;
 with Jpeg_Headers;
 with Monitor_Protocol;      use Monitor_Protocol;
 with Mutexes;
 with Numerals;
-with Samples;
 with Terminals;
 with Words;
 
@@ -40,8 +40,8 @@ package body Accounts is
 
    --  Counts; only the task that takes the lines writes them
 
-   Latencies      : Samples.Set;
-   Intervals      : Samples.Set;
+   Latencies      : Durations.Set;
+   Intervals      : Durations.Set;
    Image_Bytes    : Long_Long_Integer := 0;
    Positions      : Natural := 0;
    Without_Robot  : Natural := 0;
@@ -177,7 +177,7 @@ package body Accounts is
       Latency : constant Duration := To_Duration (Ended_At - Given.Sent_At);
    begin
       if not Given.Overdue then
-         Samples.Add (Latencies, Latency);
+         Durations.Add (Latencies, Latency);
       end if;
       Put
         (Ended_At, "<",
@@ -206,12 +206,12 @@ package body Accounts is
 
       procedure Row (Name, Value : String);
 
-      function In_Milliseconds (Of_Set : Samples.Set) return String is
-        ("median " & Numerals.Milliseconds (Samples.Quantile (Of_Set, 0.5))
+      function In_Milliseconds (Of_Set : Durations.Set) return String is
+        ("median " & Numerals.Milliseconds (Durations.Quantile (Of_Set, 0.5))
          & " ms, p99 "
-         & Numerals.Milliseconds (Samples.Quantile (Of_Set, 0.99))
+         & Numerals.Milliseconds (Durations.Quantile (Of_Set, 0.99))
          & " ms, max "
-         & Numerals.Milliseconds (Samples.Quantile (Of_Set, 1.0)) & " ms");
+         & Numerals.Milliseconds (Durations.Quantile (Of_Set, 1.0)) & " ms");
 
       procedure Row (Name, Value : String) is
       begin
@@ -227,7 +227,7 @@ package body Accounts is
         ("answers",
          Numerals.Image (Exchange.Answered) & " to "
          & Numerals.Image (Asked) & " commands"
-         & (if Samples.Count (Latencies) = 0 then ""
+         & (if Durations.Count (Latencies) = 0 then ""
             else "; latency " & In_Milliseconds (Latencies)));
       Row
         ("images",
@@ -238,10 +238,10 @@ package body Accounts is
                   (Long_Float (Image_Bytes) / Long_Float (Image_Number)
                    / 1.0E3, 1)
               & " kB"));
-      if Samples.Count (Intervals) > 0 then
+      if Durations.Count (Intervals) > 0 then
          Row
            ("",
-            Numerals.Image (1.0 / Long_Float (Samples.Mean (Intervals)), 3)
+            Numerals.Image (1.0 / Long_Float (Durations.Mean (Intervals)), 3)
             & "/s; interval " & In_Milliseconds (Intervals));
       end if;
       if Image_Number > 0 and then Settings_Folder /= "" then
@@ -435,7 +435,7 @@ package body Accounts is
       Guard.Release;
 
       if Steady then
-         Samples.Add (Intervals, Interval);
+         Durations.Add (Intervals, Interval);
          Rate :=
            (if Rate = 0.0 then 1.0 / Long_Float (Interval)
             else 1.0 / (0.8 / Rate + 0.2 * Long_Float (Interval)));

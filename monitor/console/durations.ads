@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Measured durations, and what is said of them: mean, quantiles, longest.
 
-package Samples is
+package Durations is
 
    Capacity : constant := 100_000;
    --  Of a set: the newest ones are kept, some three hours of images
@@ -33,4 +33,4 @@ private
 
    function Count (Of_Set : Set) return Natural is (Of_Set.Count);
 
-end Samples;
+end Durations;

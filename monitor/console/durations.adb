@@ -3,7 +3,7 @@
 
 with Ada.Containers.Generic_Array_Sort;
 
-package body Samples is
+package body Durations is
 
    procedure Sort is new Ada.Containers.Generic_Array_Sort
      (Positive, Duration, Values);
@@ -45,4 +45,4 @@ package body Samples is
       return Sorted (Natural'Max (1, Rank));
    end Quantile;
 
-end Samples;
+end Durations;
