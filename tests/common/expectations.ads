@@ -17,6 +17,13 @@ package Expectations is
      (Taken : Duration; Limit : Duration; What : String);
    --  Raises Failed unless Taken <= Limit
 
+   procedure Leave_Out_Measurements;
+   --  From now on those tests are skipped that measure time
+
+   procedure Measures_Time;
+   --  What follows measures time: Measure_Calmly, and whoever holds one
+   --  measured time or period against a goal without it
+
    procedure Measure_Calmly (Measure : not null access procedure);
    --  Measure, and if what it expects fails, again, three times at most. The
    --  last failure is raised, the others are noted. For times and periods

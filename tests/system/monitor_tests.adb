@@ -421,6 +421,7 @@ package body Monitor_Tests is
       Close  : Natural := 0;
       Rounds : constant := 15;
    begin
+      Measures_Time;
       Assemble (R, Camera => True, Supervisor_Options => "--message-gap 0");
       Open_Camera (R, Positions => True);
       R.Monitor.Skip_To_Now;

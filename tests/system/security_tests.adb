@@ -579,6 +579,7 @@ package body Security_Tests is
       Start       : Instant;
       Served      : Natural;
    begin
+      Measures_Time;
       Assemble
         (R,
          Supervisor_Options =>

@@ -162,6 +162,7 @@ package body Server_Tests is
       S      : Supervisor;
       Within : Natural := 0;
    begin
+      Measures_Time;
       S.Start;
       for Attempt in 1 .. Times loop
          declare

@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Runs the system tests. Arguments without dashes are parts of the names of
---  the tests to run, or with --but of those to leave out; --supervisor,
---  --emulator and --monitor name other programs than those beside this one.
+--  the tests to run, or with --but of those to leave out; --untimed skips
+--  those that measure time. --supervisor, --emulator and --monitor name other
+--  programs than those beside this one.
 
 with Ada.Exceptions;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
@@ -13,6 +14,7 @@ with AUnit.Test_Suites;
 with GNAT.OS_Lib;
 
 with Camera_Tests;
+with Expectations;
 with Monitor_Tests;
 with Never_Tests;
 with Option_Readers;
@@ -65,6 +67,8 @@ begin
          null;
       elsif Option_Readers.Name = "--but" then
          Scenarios.Invert_Filters;
+      elsif Option_Readers.Name = "--untimed" then
+         Expectations.Leave_Out_Measurements;
       elsif Index (Option_Readers.Name, "-") = 1 then
          Option_Readers.Refuse;
       else
