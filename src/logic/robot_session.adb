@@ -4,9 +4,6 @@
 
 package body Robot_Session with SPARK_Mode is
 
-   pragma Assertion_Policy (Post => Ignore);
-   --  As in the specification
-
    package Wire renames Robot_Protocol;
 
    procedure Begin_Exchange

@@ -18,11 +18,12 @@ package Expectations is
    --  Raises Failed unless Taken <= Limit
 
    procedure Leave_Out_Measurements;
-   --  From now on those tests are skipped that measure time
+   --  From now on tests that measure time are skipped
 
    procedure Measures_Time;
-   --  What follows measures time: Measure_Calmly, and whoever holds one
-   --  measured time or period against a goal without it
+   --  Says that the test measures time: raises Skipped where such tests are
+   --  left out. Measure_Calmly calls it, and a test that holds a time against
+   --  a goal without Measure_Calmly.
 
    procedure Measure_Calmly (Measure : not null access procedure);
    --  Measure, and if what it expects fails, again, three times at most. The
