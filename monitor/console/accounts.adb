@@ -9,7 +9,7 @@ with Durations;
 with Exchanges;             use Exchanges;
 with GNAT.OS_Lib;
 with Jpeg_Headers;
-with Monitor_Protocol;      use Monitor_Protocol;
+with Monitor.Protocol;      use Monitor.Protocol;
 with Mutexes;
 with Numerals;
 with Terminals;

@@ -9,7 +9,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Exchanges;             use Exchanges;
 with GNAT.OS_Lib;
 with GNAT.Sockets;          use GNAT.Sockets;
-with Monitor_Protocol;
+with Monitor.Protocol;
 with Numerals;
 with Terminals;
 
@@ -212,7 +212,7 @@ package body Connections is
    ----------
 
    procedure Send (Line : String) is
-      use Monitor_Protocol;
+      use Monitor.Protocol;
 
       Known : Message;
       OK    : Boolean := True;
@@ -254,7 +254,7 @@ package body Connections is
    begin
       for Octet of Data loop
          C := Character'Val (Octet);
-         if C = Monitor_Protocol.Line_Feed then
+         if C = Monitor.Protocol.Line_Feed then
             if Length > 0 and then Line (Length) = ASCII.CR then
                Length := Length - 1;
             end if;
@@ -309,7 +309,7 @@ package body Connections is
    ----------------
 
    procedure Write_Line (Line : String) is
-      Text  : constant String := Line & Monitor_Protocol.Line_Feed;
+      Text  : constant String := Line & Monitor.Protocol.Line_Feed;
       Data  : Stream_Element_Array (1 .. Text'Length);
       First : Stream_Element_Offset := 1;
       Last  : Stream_Element_Offset;

@@ -8,7 +8,7 @@ with Ada.Exceptions;
 with Ada.Real_Time;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
-with Authentication;
+with Admission.Authentication;
 with Connections;
 with GNAT.OS_Lib;           use GNAT.OS_Lib;
 with Interruptions;
@@ -200,7 +200,7 @@ procedure Destijl_Monitor is
       File  : Ada.Text_IO.File_Type;
       Text  : String (1 .. 256);
       Last  : Natural;
-      Token : Authentication.Token;
+      Token : Admission.Authentication.Token;
       Good  : Boolean;
    begin
       if Token_File = "" then
@@ -209,12 +209,12 @@ procedure Destijl_Monitor is
       Ada.Text_IO.Open (File, Ada.Text_IO.In_File, Token_File);
       Ada.Text_IO.Get_Line (File, Text, Last);
       Ada.Text_IO.Close (File);
-      Authentication.Read_Token (Text (1 .. Last), Token, Good);
+      Admission.Authentication.Read_Token (Text (1 .. Last), Token, Good);
       if not Good then
          Terminals.Put_Error (Token_File & " has no token in its first line");
          OS_Exit (2);
       end if;
-      return Authentication.Label & Token.Data (1 .. Token.Length);
+      return Admission.Authentication.Label & Token.Data (1 .. Token.Length);
    exception
       when Error : Ada.Text_IO.Name_Error | Ada.Text_IO.Use_Error
          | Ada.Text_IO.End_Error =>

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Which answer belongs to which command.
 
-with Monitor_Protocol; use Monitor_Protocol;
+with Monitor.Protocol; use Monitor.Protocol;
 
 package body Exchanges is
 

@@ -4,14 +4,14 @@
 
 with Ada.Real_Time;           use Ada.Real_Time;
 with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
-with Monitor_Protocol;
+with Monitor.Protocol;
 with Words;
 
 package Exchanges is
 
    type Command is record
       Text    : Unbounded_String;               --  as it was sent
-      Kind    : Monitor_Protocol.Message_Kind;
+      Kind    : Monitor.Protocol.Message_Kind;
       Sent_At : Time;
       Overdue : Boolean := False;               --  reported as unanswered
    end record;

@@ -4,7 +4,7 @@
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
 with Ada.Strings.Maps;
-with Monitor_Protocol;        use Monitor_Protocol;
+with Monitor.Protocol;        use Monitor.Protocol;
 with Numerals;
 
 package body Words is

@@ -53,16 +53,16 @@ end_stuck:
    atomic { !Console_Stuck -> Journal_Buffer.Writing = false; goto look }
 }
 
-EVENT (Session_Server_Allowed);
+EVENT (Monitor_Session_Server_Allowed);
 EVENT (Failures_Stop_Failed);
 
-/* Robot_Line, Session, as far as the end needs them: the session's tasks
+/* Robot.Line, Monitor.Session, as far as the end needs them: the session's tasks
    are in session.pml, the line's in orders.pml */
 mtype:stage = { Free, Active, Closing };
 mtype:stage Stage = Free;
 bool Stopping  = false;
 bool Line_Open = false;
-bool Refused   = false;   /* Robot_Line: no order is carried out any more */
+bool Refused   = false;   /* Robot.Line: no order is carried out any more */
 
 /* The fall-back handler of a task that ends; runs in that task */
 typedef Failures_Fallback_Type { bool Used };
@@ -123,7 +123,7 @@ active proctype User () provided (!Left)
 
 active proctype Supervisor () provided (!Left && Failed != Of_Main)
 {
-   Set_True (Session_Server_Allowed);
+   Set_True (Monitor_Session_Server_Allowed);
 end_wait:
    Suspend_Until_True (Failures_Stop_Failed);
    /* its last lines are written meanwhile */
@@ -134,7 +134,7 @@ end_wait:
 active proctype Th_Server () provided (!Left)
 {
    byte again = 2;
-   Suspend_Until_True (Session_Server_Allowed);
+   Suspend_Until_True (Monitor_Session_Server_Allowed);
 end_wait:
    do
 #ifndef MUTANT_ADMITTED_WHILE_STOPPING

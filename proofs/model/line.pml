@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
    The owner of the robot's line and its requests, for orders.pml and
-   periodic.pml: Robot_Line, Robot_Session, Line_Exchange, Th_Line. */
+   periodic.pml: Robot.Line, Robot.Session, Robot.Exchange, Th_Line. */
 
 #define MAX_FAILURES  2   /* in a row, and the line is lost; the code's 4
                              and the figure itself are proved by contract */
 #define LEAVE_TRIES   1   /* the code's 3: one less than MAX_FAILURES */
 
-/* Robot_Line.Client, in the order of the code */
+/* Robot.Line.Client, in the order of the code */
 #define CLIENTS                       11
 #define Robot_Clients_Safe_State       0   /* instance */
 #define Stop_Order                     1
@@ -46,7 +46,7 @@ typedef Robot_Line_Line_Type {
 };
 PROTECTED (Robot_Line_Line);
 EVENT (Robot_Line_Work);
-EVENTS (Line_Clients_Finished, CLIENTS);
+EVENTS (Robot_Line_Clients_Finished, CLIENTS);
 chan Stops = [STOPS] of { byte };
 
 #define L  Robot_Line_Line
@@ -111,7 +111,7 @@ inline Ask (who, what, its_number, its_rank, its_after) {
 
 /* Wait for its end, in an atomic step with what the caller does next */
 #define Finished(who) \
-   Line_Clients_Finished [who] -> Line_Clients_Finished [who] = false
+   Robot_Line_Clients_Finished [who] -> Robot_Line_Clients_Finished [who] = false
 
 /* What has been written to the robot */
 bool Stop_Owed  = false;  /* a movement, and no stop since */
@@ -142,7 +142,7 @@ inline Fail () {
    reply = Silence
 }
 
-/* Robot_Session.Begin_Exchange and what follows. Whether the robot
+/* Robot.Session.Begin_Exchange and what follows. Whether the robot
    answers, refuses or is silent is free at each exchange. */
 inline Exchange (what) {
    reply = Accepted;
@@ -457,7 +457,7 @@ end_wait:
 tell:
 #ifndef EVENTS_AT_ONCE
    if
-   :: number > 0 -> Outbox_Answer (number)
+   :: number > 0 -> Monitor_Outbox_Answer (number)
    :: else
    fi;
 #endif
@@ -470,7 +470,7 @@ tell:
 #ifdef MUTANT_ORDER_TASK_NOT_TOLD
       :: number > 0
 #endif
-      :: else -> Set_True (Line_Clients_Finished [from])
+      :: else -> Set_True (Robot_Line_Clients_Finished [from])
       fi;
       from = 0; kind = 0; number = 0; rank = 0;
       verdict = Carry_Out; result = Done;

@@ -18,14 +18,14 @@
 #define Limit     (In_First -> COMMANDS : LATER)
 bool In_First = true;   /* session */
 
-/* Outbox, as far as robot orders need it: see session.pml */
-bool Outbox_Open   = false;
+/* Monitor.Outbox, as far as robot orders need it: see session.pml */
+bool Monitor_Outbox_Open   = false;
 byte First         = 1;    /* number of the session's first command */
 byte Next          = 1;    /* of the next command */
 byte Waiting       = 0;    /* commands without answer, in the session */
 bool Unanswered [NUMBERS] = false;
 
-inline Outbox_Answer (its_number) {
+inline Monitor_Outbox_Answer (its_number) {
    d_step {
       if
       :: its_number >= First ->
@@ -77,7 +77,7 @@ inline Take (p) {
 #endif
 }
 
-/* What each of these tasks does: Order_Ports.Wait and Line_Clients.Ask. The
+/* What each of these tasks does: Order_Ports.Wait and Robot.Line.Clients.Ask. The
    owner of the line answers. */
 inline Serve (p, client) {
    atomic {
@@ -136,8 +136,8 @@ end_wait:
    Serve (Task_Ports_Query, Robot_Clients_Query)
 }
 
-EVENT (Session_Receive_Begins);
-EVENT (Session_Receive_Ended);
+EVENT (Monitor_Session_Receive_Begins);
+EVENT (Monitor_Session_Receive_Ended);
 
 active proctype Th_Receive_From_Mon ()
 {
@@ -145,11 +145,11 @@ active proctype Th_Receive_From_Mon ()
    mtype:request kind;
 end_wait:
    do
-   :: Suspend_Until_True (Session_Receive_Begins);
+   :: Suspend_Until_True (Monitor_Session_Receive_Begins);
       do
-      :: atomic { !Outbox_Open -> break }
+      :: atomic { !Monitor_Outbox_Open -> break }
       :: atomic {
-            Outbox_Open && sent < Limit && Waiting < CAPACITY ->
+            Monitor_Outbox_Open && sent < Limit && Waiting < CAPACITY ->
             sent++;
             number = Next;
             Next++;
@@ -188,7 +188,7 @@ end_wait:
          d_step { number = 0; kind = 0; port = 0 }
       od;
       atomic { rank = 0; after = 0; sent = 0 };
-      Set_True (Session_Receive_Ended)
+      Set_True (Monitor_Session_Receive_Ended)
    od
 }
 
@@ -204,11 +204,11 @@ active proctype Th_Com_Mon_Perdue ()
       d_step {
          In_First = (session == 0);
          session++;
-         Outbox_Open = true;
+         Monitor_Outbox_Open = true;
          In_Command = true;
          Nobody = false
       }
-      Set_True (Session_Receive_Begins);
+      Set_True (Monitor_Session_Receive_Begins);
       /* Wait_Loss: at any time, or when all has been answered */
       if
       :: true
@@ -218,7 +218,7 @@ active proctype Th_Com_Mon_Perdue ()
       /* Bring_Back */
       d_step {
          In_Command = false;
-         Outbox_Open = false;
+         Monitor_Outbox_Open = false;
          First = Next;
          Waiting = 0;
          k = 1;
@@ -243,7 +243,7 @@ active proctype Th_Com_Mon_Perdue ()
       atomic { Finished (Robot_Clients_Safe_State) };
 #endif
       Nobody = true;
-      Suspend_Until_True (Session_Receive_Ended);
+      Suspend_Until_True (Monitor_Session_Receive_Ended);
       /* Task_Ports.Clear */
       atomic {
          do

@@ -23,7 +23,7 @@ byte Owed      = 0;       /* answers that it has not got */
 
 mtype:message = { Nothing, An_Answer, An_Unasked };
 mtype:place   = { Awaited, Ready_Text, Ready_Nothing };
-typedef Outbox_Box_Type {
+typedef Monitor_Outbox_Box_Type {
    bool Open;
    bool Busy;       /* what was taken last is being sent */
    mtype:place Places [CAPACITY] = Awaited;  /* the first is the oldest */
@@ -35,15 +35,15 @@ typedef Outbox_Box_Type {
    bool Holding;    /* Hold.On */
    bool Renewed     /* its end is later than th_hold has seen */
 };
-PROTECTED (Outbox_Box);
-EVENT (Outbox_Room);
-EVENT (Outbox_Work);
-EVENT (Outbox_Hold_Begun);
+PROTECTED (Monitor_Outbox_Box);
+EVENT (Monitor_Outbox_Room);
+EVENT (Monitor_Outbox_Work);
+EVENT (Monitor_Outbox_Hold_Begun);
 
-#define Box           Outbox_Box
+#define Box           Monitor_Outbox_Box
 #define Answer_Waits  (Box.Count > 0 && Box.Places [0] != Awaited)
 
-/* Send_Order.Next */
+/* Monitor.Send_Order.Next */
 #define May_Answer \
    (Box.Open && Answer_Waits \
     && !(Box.Unasked && Box.Released && Box.Answered))
@@ -80,8 +80,8 @@ inline Begin_Hold (begun) {
 
 inline Answer (number, item) {
 #ifdef MUTANT_EVENT_BEFORE_STATE
-   Set_True (Outbox_Work);
-   Set_True (Outbox_Room);
+   Set_True (Monitor_Outbox_Work);
+   Set_True (Monitor_Outbox_Room);
 #endif
    d_step {
       if
@@ -95,9 +95,9 @@ inline Answer (number, item) {
    }
 #ifndef MUTANT_EVENT_BEFORE_STATE
 #ifndef MUTANT_ANSWER_WITHOUT_EVENT
-   Set_True (Outbox_Work);
+   Set_True (Monitor_Outbox_Work);
 #endif
-   Set_True (Outbox_Room)
+   Set_True (Monitor_Outbox_Room)
 #endif
 }
 
@@ -121,8 +121,8 @@ end_stuck:
    od
 }
 
-EVENT (Session_Receive_Begins);
-EVENT (Session_Receive_Ended);
+EVENT (Monitor_Session_Receive_Begins);
+EVENT (Monitor_Session_Receive_Ended);
 
 active proctype Th_Receive_From_Mon ()
 {
@@ -130,7 +130,7 @@ active proctype Th_Receive_From_Mon ()
    bool begun;
 end_wait:
    do
-   :: Suspend_Until_True (Session_Receive_Begins);
+   :: Suspend_Until_True (Monitor_Session_Receive_Begins);
       do
       :: atomic { Shut -> break }
       :: atomic { !Patient && sent < COMMANDS ->
@@ -151,10 +151,10 @@ reserve: atomic {
             :: Box.Open && Box.Count == CAPACITY
             fi
          };
-         atomic { Outbox_Room -> Outbox_Room = false; goto reserve };
+         atomic { Monitor_Outbox_Room -> Monitor_Outbox_Room = false; goto reserve };
 reserved:
          if
-         :: begun -> atomic { begun = false; Set_True (Outbox_Hold_Begun) }
+         :: begun -> atomic { begun = false; Set_True (Monitor_Outbox_Hold_Begun) }
          :: else
          fi;
          if
@@ -166,7 +166,7 @@ reserved:
          atomic { number = 0; Handling = false }
       od;
       sent = 0;
-      Set_True (Session_Receive_Ended)
+      Set_True (Monitor_Session_Receive_Ended)
    od
 }
 
@@ -175,7 +175,7 @@ active proctype Th_Send_To_Mon ()
    mtype:message kind = Nothing;
    bool gap;            /* what was sent last is too near for the next */
 end_wait:
-   Suspend_Until_True (Outbox_Work);
+   Suspend_Until_True (Monitor_Outbox_Work);
 look:
    /* Take: what was taken before has been sent; that the one who waits for
       that is told is in session.pml */
@@ -205,7 +205,7 @@ look:
       End_Quiet_Hold ()
    };
    if
-   :: kind == An_Answer -> Set_True (Outbox_Room)
+   :: kind == An_Answer -> Set_True (Monitor_Outbox_Room)
    :: else
    fi;
    /* Send */
@@ -230,7 +230,7 @@ active proctype Th_Hold ()
 {
 end_wait:
    atomic {
-      Outbox_Hold_Begun -> Outbox_Hold_Begun = false;
+      Monitor_Outbox_Hold_Begun -> Monitor_Outbox_Hold_Begun = false;
 look: Box.Renewed = false;
       if :: !(Box.Holding && !Box.Released) -> goto end_wait :: else fi
    };
@@ -243,7 +243,7 @@ look: Box.Renewed = false;
       fi
    };
 #ifndef MUTANT_HOLD_WITHOUT_EVENT
-   Set_True (Outbox_Work);
+   Set_True (Monitor_Outbox_Work);
 #endif
    atomic { true -> goto look }
 }
@@ -262,11 +262,11 @@ end_wait:
          Begin_Hold (begun);
          Box.Renewed = Box.Renewed || begun
       };
-      Set_True (Outbox_Work);
+      Set_True (Monitor_Outbox_Work);
       if
       :: begun -> begun = false;
 #ifndef MUTANT_HOLD_NOT_BEGUN
-         Set_True (Outbox_Hold_Begun)
+         Set_True (Monitor_Outbox_Hold_Begun)
 #endif
       :: else
       fi
@@ -287,7 +287,7 @@ active proctype Th_Com_Mon_Perdue ()
          Shut = false;
          Owed = 0
       };
-      Set_True (Session_Receive_Begins);
+      Set_True (Monitor_Session_Receive_Begins);
       if
       :: Reads = true;
          if
@@ -312,10 +312,10 @@ end_stays:  false
          End_Quiet_Hold ()
       };
 #ifndef MUTANT_CLOSE_WITHOUT_ROOM
-      Set_True (Outbox_Room);
+      Set_True (Monitor_Outbox_Room);
 #endif
       !Box.Busy;                 /* Wait_Sender: see session.pml */
-      Suspend_Until_True (Session_Receive_Ended);
+      Suspend_Until_True (Monitor_Session_Receive_Ended);
       /* Task_Ports.Clear */
       atomic {
          do

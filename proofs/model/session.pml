@@ -35,28 +35,28 @@ inline Shut_Down (own) {
 }
 
 mtype:stage = { Free, Active, Closing, Closed };
-typedef Session_State_Type { mtype:stage Current = Free };
-PROTECTED (Session_State);
-EVENT (Session_Server_Allowed);
-EVENT (Session_Listening);
-EVENT (Session_Receive_Begins);
-EVENT (Session_Receive_Ended);
-EVENT (Session_Watch_Begins);
-#define Stage  Session_State.Current
+typedef Monitor_Session_State_Type { mtype:stage Current = Free };
+PROTECTED (Monitor_Session_State);
+EVENT (Monitor_Session_Server_Allowed);
+EVENT (Monitor_Session_Listening);
+EVENT (Monitor_Session_Receive_Begins);
+EVENT (Monitor_Session_Receive_Ended);
+EVENT (Monitor_Session_Watch_Begins);
+#define Stage  Monitor_Session_State.Current
 
-bool Outbox_Open = false;    /* of Outbox.Box: see outbox.pml */
-bool Outbox_Busy = false;
-EVENT (Outbox_Sender_Left);
+bool Monitor_Outbox_Open = false;    /* of Monitor.Outbox.Box: see outbox.pml */
+bool Monitor_Outbox_Busy = false;
+EVENT (Monitor_Outbox_Sender_Left);
 
 active proctype Supervisor ()
 {
-   Set_True (Session_Server_Allowed);
-   Suspend_Until_True (Session_Listening)
+   Set_True (Monitor_Session_Server_Allowed);
+   Suspend_Until_True (Monitor_Session_Listening)
 }
 
 inline Close_Session () {
    atomic {
-      /* what Monitor_Sockets.Connection.Close asks for */
+      /* what Monitor.Sockets.Connection.Close asks for */
       assert (!In_Receive && !In_Send && !In_Watch);
       Current = 0
    };
@@ -66,8 +66,8 @@ inline Close_Session () {
 active proctype Th_Server ()
 {
    byte peer;
-   Suspend_Until_True (Session_Server_Allowed);
-   Set_True (Session_Listening);
+   Suspend_Until_True (Monitor_Session_Server_Allowed);
+   Set_True (Monitor_Session_Listening);
 end_wait:
    if
    :: atomic { Waker -> Waker = false };
@@ -99,10 +99,10 @@ end_wait:
    :: atomic { Waits > 0 && Stage == Free -> Entitled ? peer; Waits-- };
       Stage = Active;     /* not while stopping: see ending.pml */
       atomic { assert (Current == 0); Current = peer };
-      Outbox_Open = true;
+      Monitor_Outbox_Open = true;
       Met [peer] = Admitted;
-      Set_True (Session_Receive_Begins);
-      atomic { peer = 0; Set_True (Session_Watch_Begins) }
+      Set_True (Monitor_Session_Receive_Begins);
+      atomic { peer = 0; Set_True (Monitor_Session_Watch_Begins) }
    fi;
    goto end_wait
 }
@@ -112,15 +112,15 @@ active proctype Th_Receive_From_Mon ()
    byte own;
 end_wait:
    do
-   :: atomic { Session_Receive_Begins -> Session_Receive_Begins = false;
+   :: atomic { Monitor_Session_Receive_Begins -> Monitor_Session_Receive_Begins = false;
                own = Current; In_Receive = true };
       if
       :: Over (own)
-      :: !Outbox_Open          /* found in Outbox.Reserve */
+      :: !Monitor_Outbox_Open          /* found in Monitor.Outbox.Reserve */
       fi;
       Shut_Down (own);
       atomic { In_Receive = false; own = 0 };
-      Set_True (Session_Receive_Ended)
+      Set_True (Monitor_Session_Receive_Ended)
    od
 }
 
@@ -130,7 +130,7 @@ active proctype Th_Send_To_Mon ()
    byte own;
 end_wait:
    /* Take: something to send, at any time */
-   atomic { Outbox_Open -> Outbox_Busy = true };
+   atomic { Monitor_Outbox_Open -> Monitor_Outbox_Busy = true };
 send:
    atomic { assert (Current != 0); own = Current; In_Send = true };
    /* a silent monitor, or one that does not read, blocks it */
@@ -145,14 +145,14 @@ send:
    /* Take again: what was taken before has been sent; and the next goes, if
       there is one and no gap before it */
    atomic {
-      left = !Outbox_Open;
+      left = !Monitor_Outbox_Open;
       if
-      :: Outbox_Open -> more = true
-      :: Outbox_Busy = false
+      :: Monitor_Outbox_Open -> more = true
+      :: Monitor_Outbox_Busy = false
       fi
    };
 #ifndef MUTANT_LEFT_WITHOUT_EVENT
-   if :: left -> Set_True (Outbox_Sender_Left) :: else fi;
+   if :: left -> Set_True (Monitor_Outbox_Sender_Left) :: else fi;
 #endif
 #ifdef MUTANT_SENT_BEFORE_SHUT_DOWN
    if :: !success -> Shut_Down (own) :: else fi;
@@ -171,29 +171,29 @@ active proctype Th_Com_Mon_Perdue ()
    byte own;
 end_wait:
    do
-   :: atomic { Session_Watch_Begins -> Session_Watch_Begins = false;
+   :: atomic { Monitor_Session_Watch_Begins -> Monitor_Session_Watch_Begins = false;
                own = Current; In_Watch = true };
       /* Wait_Loss: Watch and Judge */
       atomic { Over (own) || Peer [own] == Silent -> In_Watch = false };
       Stage = Closing;
       /* Bring_Back */
 #ifdef MUTANT_WAITS_SWAPPED
-      Suspend_Until_True (Session_Receive_Ended);
+      Suspend_Until_True (Monitor_Session_Receive_Ended);
 #endif
       Shut_Down (own);
-      Set_False (Outbox_Sender_Left);
-      Outbox_Open = false;
+      Set_False (Monitor_Outbox_Sender_Left);
+      Monitor_Outbox_Open = false;
       /* the robot: see orders.pml; the camera: see vision.pml */
       do
-      :: atomic { !Outbox_Busy -> break }
-      :: atomic { Outbox_Busy -> skip };
-         Suspend_Until_True (Outbox_Sender_Left)
+      :: atomic { !Monitor_Outbox_Busy -> break }
+      :: atomic { Monitor_Outbox_Busy -> skip };
+         Suspend_Until_True (Monitor_Outbox_Sender_Left)
 #ifdef MUTANT_SENDER_LOOKED_AT_ONCE
          ; break
 #endif
       od;
 #ifndef MUTANT_WAITS_SWAPPED
-      Suspend_Until_True (Session_Receive_Ended);
+      Suspend_Until_True (Monitor_Session_Receive_Ended);
 #endif
       own = 0;
       /* End_Closing */

@@ -21,8 +21,8 @@ mtype:order = { Open_Camera, Close_Camera, Ask_Position,
 #define Limit     (In_First -> COMMANDS : LATER)
 bool In_First = true;   /* session */
 
-/* Outbox, as far as the vision needs it: see session.pml */
-bool Outbox_Open = false;
+/* Monitor.Outbox, as far as the vision needs it: see session.pml */
+bool Monitor_Outbox_Open = false;
 byte First       = 1;      /* number of the session's first command */
 byte Next        = 1;      /* of the next command */
 byte Waiting     = 0;      /* commands without answer, in the session */
@@ -31,7 +31,7 @@ bool Image_For_Arena = false;     /* Arena_Length > 0 */
 bool Made_Is_Now     = false;     /* th_capture_img's generation */
 bool Images_Stopped  = false;     /* none may come: ghost */
 bool Reads           = false;     /* the monitor takes what it is sent */
-EVENT (Outbox_Arena_Room);
+EVENT (Monitor_Outbox_Arena_Room);
 
 bool In_Command = false;
 bool Patient    = false;
@@ -58,7 +58,7 @@ inline Stop_Images (ghost) {
    }
 }
 
-/* Vision_State */
+/* Vision.State */
 
 mtype:stage = { Closed, Opening, Streaming, Searching, Deciding };
 typedef Vision_State_Store_Type {
@@ -70,40 +70,40 @@ PROTECTED (Vision_State_Store);
 #define Is_Open \
    (VS.Stage == Streaming || VS.Stage == Searching || VS.Stage == Deciding)
 
-/* Camera_Requests */
+/* Vision.Camera_Requests */
 
-typedef Camera_Requests_Requests_Type {
+typedef Vision_Camera_Requests_Requests_Type {
    bool Pending;
    bool Wanted;
    byte Current;
    bool Idle = true;
    bool Opened
 };
-PROTECTED (Camera_Requests_Requests);
-EVENT (Camera_Requests_Asked);
-EVENT (Camera_Requests_Answered);
-#define CR  Camera_Requests_Requests
+PROTECTED (Vision_Camera_Requests_Requests);
+EVENT (Vision_Camera_Requests_Asked);
+EVENT (Vision_Camera_Requests_Answered);
+#define CR  Vision_Camera_Requests_Requests
 
-EVENT (Camera_Events_Images_Begin);
+EVENT (Vision_Camera_Events_Images_Begin);
 
-/* Frame_Store */
+/* Vision.Frame_Store */
 
-typedef Frame_Store_Store_Type {
+typedef Vision_Frame_Store_Store_Type {
    bool Newest;
    bool Delivering;
    bool Waits;            /* th_capture_img, for the next image */
    byte Claimed
 };
-PROTECTED (Frame_Store_Store);
-EVENT (Frame_Store_Changed);
-EVENT (Frame_Store_Look);
-#define FS  Frame_Store_Store
+PROTECTED (Vision_Frame_Store_Store);
+EVENT (Vision_Frame_Store_Changed);
+EVENT (Vision_Frame_Store_Look);
+#define FS  Vision_Frame_Store_Store
 
 bool Camera_Open    = false;   /* the device */
 bool Camera_Hangs   = false;   /* in its driver */
 bool Control_Waits  = false;   /* for the camera */
 
-/* Vision_Queue and the two ports */
+/* Vision.Queue and the two ports */
 
 typedef Vision_Queue_Queue_Type {
    chan Items = [CAPACITY] of { byte, mtype:order };
@@ -160,7 +160,7 @@ inline Vision_Done () {
 
 inline Tell_If_Awaited () {
    if
-   :: FS.Waits -> FS.Waits = false; Set_True (Frame_Store_Look)
+   :: FS.Waits -> FS.Waits = false; Set_True (Vision_Frame_Store_Look)
    :: else
    fi
 }
@@ -169,7 +169,7 @@ inline End_Delivery () {
    FS.Newest = false;
    FS.Delivering = false;
 #ifndef MUTANT_END_WITHOUT_EVENT
-   Set_True (Frame_Store_Changed);
+   Set_True (Vision_Frame_Store_Changed);
 #endif
 #ifndef MUTANT_END_WITHOUT_LOOK
    Tell_If_Awaited ()
@@ -228,20 +228,20 @@ end_wait:
          VS.Stage = Opening                          /* needed */
       fi
    };
-   /* Camera_Requests.Open */
+   /* Vision.Camera_Requests.Open */
    atomic {
       CR.Current++;
       CR.Wanted = true;
       CR.Pending = true;
       Control_Waits = true;
 #ifndef MUTANT_CAMERA_NOT_ASKED
-      Set_True (Camera_Requests_Asked)
+      Set_True (Vision_Camera_Requests_Asked)
 #endif
    };
    atomic {
-      Camera_Requests_Answered -> Camera_Requests_Answered = false;
+      Vision_Camera_Requests_Answered -> Vision_Camera_Requests_Answered = false;
       Control_Waits = false;
-      /* Vision_State.Opened */
+      /* Vision.State.Opened */
       if
       :: number >= VS.First && VS.Stage == Opening && CR.Opened ->
          VS.Stage = Streaming;
@@ -263,7 +263,7 @@ end_wait:
 #endif
    goto answer;
 opened:
-   Set_True (Camera_Events_Images_Begin);
+   Set_True (Vision_Camera_Events_Images_Begin);
    goto answer;
 close:
    Stop_Images (true);
@@ -275,7 +275,7 @@ answer:
 active proctype Th_Capture_Img ()
 {
 end_wait:
-   Suspend_Until_True (Camera_Events_Images_Begin);
+   Suspend_Until_True (Vision_Camera_Events_Images_Begin);
    do
    :: Made_Is_Now = true;           /* Get_Generation, before the mode */
       atomic {
@@ -300,12 +300,12 @@ not_open:
 image:                              /* is made; Put_Image, Release */
       atomic {
          FS.Claimed--;
-         assert (!(Outbox_Open && Made_Is_Now && Images_Stopped));
+         assert (!(Monitor_Outbox_Open && Made_Is_Now && Images_Stopped));
          Made_Is_Now = false
       };
       goto pause;
 wait_look:
-      Suspend_Until_True (Frame_Store_Look);
+      Suspend_Until_True (Vision_Frame_Store_Look);
 pause:                              /* delay until Next */
       skip
    od
@@ -347,7 +347,7 @@ newest:
       :: !FS.Newest && delivering -> delivering = false
       fi
    };
-   atomic { Frame_Store_Changed -> Frame_Store_Changed = false;
+   atomic { Vision_Frame_Store_Changed -> Vision_Frame_Store_Changed = false;
             goto newest };
 search:
    atomic {
@@ -379,7 +379,7 @@ put_image:
       :: number >= First && Image_For_Arena
       fi
    };
-   atomic { Outbox_Arena_Room -> Outbox_Arena_Room = false;
+   atomic { Monitor_Outbox_Arena_Room -> Monitor_Outbox_Arena_Room = false;
             goto put_image };
 answer:
    atomic { Answer (number); Vision_Done () }
@@ -392,35 +392,35 @@ active proctype Th_Camera ()
 end_wait:
    /* Wait_Open */
    atomic {
-      Camera_Requests_Asked -> Camera_Requests_Asked = false;
+      Vision_Camera_Requests_Asked -> Vision_Camera_Requests_Asked = false;
 look: if
       :: CR.Pending ->
          request = CR.Current; CR.Pending = false; CR.Idle = false
       :: else -> goto end_wait
       fi
    };
-   /* Vision.Open, Get_Wanted, Begin_Delivery, Report */
+   /* Vision.Library.Open, Get_Wanted, Begin_Delivery, Report */
    atomic {
       if
       :: Camera_Open = true; success = CR.Wanted && request == CR.Current
       :: success = false
       fi;
       CR.Opened = success;
-      Set_True (Camera_Requests_Answered);
+      Set_True (Vision_Camera_Requests_Answered);
       if
       :: !success -> goto close
       :: else -> FS.Newest = false; FS.Delivering = true; success = false
       fi
    };
    do
-   :: /* Vision.Grab, Publish */
+   :: /* Vision.Library.Grab, Publish */
       atomic {
          /* with the image before the newest */
          assert (FS.Claimed + 2 * FS.Newest < SLOTS);
          if
          :: success = true;
             FS.Newest = FS.Newest || FS.Delivering;
-            Set_True (Frame_Store_Changed);
+            Set_True (Vision_Frame_Store_Changed);
             Tell_If_Awaited ();
             goto wanted
          :: goto wanted
@@ -459,9 +459,9 @@ active proctype Th_Send_To_Mon ()
 {
 end_wait:
    do
-   :: atomic { Image_For_Arena && Reads && Outbox_Open ->
+   :: atomic { Image_For_Arena && Reads && Monitor_Outbox_Open ->
                Image_For_Arena = false;
-               Set_True (Outbox_Arena_Room) }
+               Set_True (Monitor_Outbox_Arena_Room) }
    od
 }
 
@@ -477,7 +477,7 @@ active proctype Th_Com_Mon_Perdue ()
       atomic {
          In_First = (session == 0);
          session++;
-         Outbox_Open = true;
+         Monitor_Outbox_Open = true;
          In_Command = true;
          if :: Reads = true :: Reads = false fi
       };
@@ -514,7 +514,7 @@ active proctype Th_Com_Mon_Perdue ()
       atomic {
          sent = 0;
          Reads = false;
-         Outbox_Open = false;
+         Monitor_Outbox_Open = false;
          First = Next;
          Waiting = 0;
          Image_For_Arena = false;
@@ -528,7 +528,7 @@ active proctype Th_Com_Mon_Perdue ()
             i = 0
          }
 #ifndef MUTANT_CLOSE_WITHOUT_ARENA_ROOM
-         Set_True (Outbox_Arena_Room)
+         Set_True (Monitor_Outbox_Arena_Room)
 #endif
       };
       atomic { VS.Stage = Closed; VS.First = First };
@@ -549,5 +549,5 @@ active proctype Th_Com_Mon_Perdue ()
 
 ltl every_vision_order_answered { [] (Patient -> <> !Patient) }
 ltl initial_state_again
-   { [] (!Outbox_Open && In_Command -> <> (!In_Command)) }
+   { [] (!Monitor_Outbox_Open && In_Command -> <> (!In_Command)) }
 ltl camera_released_in_the_end { [] (Ended -> <> [] !Camera_Open) }

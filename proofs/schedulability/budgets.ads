@@ -146,9 +146,10 @@ package Budgets with SPARK_Mode is
    type Operation_Name is
      (Outbox_Operation,    --  all but Take: none copies an image
       Outbox_Take,
-      Line_Operation,      --  Robot_Line
-      Port_Operation,      --  Order_Ports, Vision_Queue
-      Vision_Operation,    --  Vision_State, Camera_Requests, Frame_Store
+      Line_Operation,      --  Robot.Line
+      Port_Operation,      --  Order_Ports, Vision.Queue
+      Vision_Operation,    --  Vision.State, Vision.Camera_Requests,
+                           --  Vision.Frame_Store
       Session_Operation,
       Journal_Operation,
       Event_Operation);    --  the mutex of a suspension object
@@ -156,11 +157,12 @@ package Budgets with SPARK_Mode is
    type Operation_Times is array (Operation_Name) of Span;
 
    --  bin/operation_times (tests/bench/operations.gpr), the longer of both
-   --  machines: 99 of 100 are below 1.0 us, Robot_Line.Take 1.7 us,
+   --  machines: 99 of 100 are below 1.0 us, Robot.Line.Take 1.7 us,
    --  Journal.Put 2.1 us; at least twice that, for an object that another
    --  processor has used. What takes longer is an interrupt, and in the
-   --  kernel's budget. Outbox.Take was 3.2 us with the copy of an image,
-   --  which it makes no more; what it does besides were two short operations
+   --  kernel's budget. Monitor.Outbox.Take was 3.2 us with the copy of an
+   --  image, which it makes no more; what it does besides were two short
+   --  operations
 
    Operation_Time : constant Operation_Times :=
      (Outbox_Operation    => 2,

@@ -3,9 +3,9 @@
 --  sets it off, what it calls; and the bounds that the features demand.
 
 with Ada.Real_Time;
-with Image_Grid;
 with Schedule;
 with System;
+with Vision.Image_Grid;
 
 package body Supervisor_Model with SPARK_Mode is
 
@@ -33,10 +33,10 @@ package body Supervisor_Model with SPARK_Mode is
    --  after a message, and with a command or the message after
 
    type Event_Name is
-     (Line_Work,      --  Robot_Line: a request has come
+     (Line_Work,      --  Robot.Line: a request has come
       Order_Arrived,  --  Order_Ports
-      Outbox_Work,    --  Outbox: something may be sent
-      Hold_Begun,     --  Outbox: something is held back
+      Outbox_Work,    --  Monitor.Outbox: something may be sent
+      Hold_Begun,     --  Monitor.Outbox: something is held back
       Log_Arrived);   --  Journal
    --  Suspension objects that tasks of different priorities touch, apart
    --  from those whose only setter is more urgent than who waits
@@ -280,8 +280,9 @@ package body Supervisor_Model with SPARK_Mode is
          when Send_Battery | Battery_Due | Battery_Done =>
             To_Period (Battery_Period),
          when Send_Position | Send_Image | Capture =>
-            --  where the grid makes up for what it has lost (Image_Grid)
-            Positive_Span (Image_Grid.Shortest (Image_Period)),
+            --  where the grid makes up for what it has lost
+            --  (Vision.Image_Grid)
+            Positive_Span (Vision.Image_Grid.Shortest (Image_Period)),
          when Ping_Due | Ping_Done => To_Period (Ping_Period),
          when Arena => Arena_Interval,
          when Camera => Camera_Interval,

@@ -11,9 +11,9 @@ with Interfaces.C;            use Interfaces.C;
 with Linux;                   use Linux;
 with System;                  use System;
 with System.Storage_Elements; use System.Storage_Elements;
-with Trace_Storage;
+with Trace.Rings;
+with Trace.Storage;
 with Trace_Json;
-with Trace_Rings;
 
 package body Trace with
   SPARK_Mode    => Off,
@@ -21,17 +21,17 @@ package body Trace with
     (Recorder => (On, Storing, Ring, File, First, Store_Due))
 is
 
-   use type Monitor_Protocol.Message_Kind;
+   use type Monitor.Protocol.Message_Kind;
 
    On        : Boolean := False with Atomic;
    Storing   : Boolean := False with Atomic;  --  Store is at work
-   Ring      : Trace_Rings.Ring;
-   File      : Trace_Storage.File;
+   Ring      : Trace.Rings.Ring;
+   File      : Trace.Storage.File;
    First     : Unsigned_64 := 0;  --  when the recording began
    Store_Due : int := -1;         --  an eventfd: it is time to store
    Quarter   : constant := In_Memory / 4;
 
-   Ring_Bytes  : constant := In_Memory * Trace_Rings.Slot_Bytes;
+   Ring_Bytes  : constant := In_Memory * Trace.Rings.Slot_Bytes;
    Read_Write  : constant int := 3;        --  PROT_READ, PROT_WRITE
    All_Present : constant int := 16#8022#;
    --  MAP_PRIVATE, MAP_ANONYMOUS, MAP_POPULATE: every page is there at once
@@ -134,7 +134,7 @@ is
    procedure Put (Item : Trace_Json.Event) is
       Number : Unsigned_64;
    begin
-      Trace_Rings.Put (Ring, Item, Number);
+      Trace.Rings.Put (Ring, Item, Number);
       if Number mod Quarter = 0 then
          Wake;
       end if;
@@ -158,7 +158,7 @@ is
    is
       Number : Integer;
    begin
-      Trace_Storage.Try (Texts.Image (Path), Number);
+      Trace.Storage.Try (Texts.Image (Path), Number);
       Success := Number = 0;
       Set_Reason (Reason, Number);
    end Try;
@@ -174,12 +174,12 @@ is
       Memory  : System.Address := Not_Mapped;
       Ignored : int;
    begin
-      Trace_Storage.Open (File, Texts.Image (Path), Number);
+      Trace.Storage.Open (File, Texts.Image (Path), Number);
       if Number = 0 then
          Store_Due := Event_Descriptor (0, Event_Flags);
          if Store_Due >= 0 then
             Memory := Map
-              (System.Null_Address, Ring_Bytes + Trace_Storage.Buffer_Bytes,
+              (System.Null_Address, Ring_Bytes + Trace.Storage.Buffer_Bytes,
                Read_Write, All_Present, -1, 0);
          end if;
          Number := (if Memory = Not_Mapped then GNAT.OS_Lib.Errno else 0);
@@ -187,8 +187,8 @@ is
       Success := Number = 0;
       Set_Reason (Reason, Number);
       if Success then
-         Trace_Rings.Set_Up (Ring, Memory, In_Memory);
-         Trace_Storage.Set_Up (File, Memory + Ring_Bytes, Capacity);
+         Trace.Rings.Set_Up (Ring, Memory, In_Memory);
+         Trace.Storage.Set_Up (File, Memory + Ring_Bytes, Capacity);
          Ignored := Set_Mask (0, File_Too_Large'Address, System.Null_Address);
          First := Now;
          On := True;
@@ -214,19 +214,19 @@ is
          int (To_Duration (Schedule.Store_Limit * 1_000)));
       Taken := Read (Store_Due, Calls'Address, Calls'Size / 8);
       Storing := True;
-      if On and then Trace_Storage.Save_Reason (File) = 0 then
-         Trace_Storage.Empty (File);
-         Last := Trace_Rings.Count (Ring);
-         if Last - Trace_Storage.Next_Event (File) > In_Memory then
-            Trace_Storage.Pass (File, Last - In_Memory);
+      if On and then Trace.Storage.Save_Reason (File) = 0 then
+         Trace.Storage.Empty (File);
+         Last := Trace.Rings.Count (Ring);
+         if Last - Trace.Storage.Next_Event (File) > In_Memory then
+            Trace.Storage.Pass (File, Last - In_Memory);
          end if;
-         for Number in Trace_Storage.Next_Event (File) + 1 .. Last loop
-            Trace_Rings.Get (Ring, Number - 1, Item, Found);
+         for Number in Trace.Storage.Next_Event (File) + 1 .. Last loop
+            Trace.Rings.Get (Ring, Number - 1, Item, Found);
             --  it may be being written; the next time it is there
             exit when not Found and then Last - Number < In_Memory / 2;
-            Trace_Storage.Put (File, Item, Found);
+            Trace.Storage.Put (File, Item, Found);
          end loop;
-         Trace_Storage.Save (File);
+         Trace.Storage.Save (File);
       end if;
       Storing := False;
    end Store;
@@ -254,10 +254,10 @@ is
       Item   : out Trace_Json.Event;
       Found  : out Boolean) is
    begin
-      if Number >= Trace_Storage.Next_Event (File) then
-         Trace_Rings.Get (Ring, Number, Item, Found);
+      if Number >= Trace.Storage.Next_Event (File) then
+         Trace.Rings.Get (Ring, Number, Item, Found);
       else
-         Trace_Storage.Get (File, Number, Item, Found);
+         Trace.Storage.Get (File, Number, Item, Found);
       end if;
    end Fetch;
 
@@ -267,7 +267,7 @@ is
 
    procedure Write (Line : Texts.Text) is
    begin
-      Trace_Storage.Write (File, Texts.Image (Line));
+      Trace.Storage.Write (File, Texts.Image (Line));
    end Write;
 
    ------------
@@ -303,7 +303,7 @@ is
          In_Time := Clock < Limit;
       end loop;
       if In_Time then
-         Last := Trace_Rings.Count (Ring);
+         Last := Trace.Rings.Count (Ring);
          Oldest := (if Last > Capacity then Last - Capacity else 0);
          for Number in Oldest + 1 .. Last loop
             Fetch (Number - 1, Item, Found);
@@ -316,7 +316,7 @@ is
             Write (Line);
          end loop;
          Next := Oldest;
-         while Trace_Storage.Write_Reason (File) = 0
+         while Trace.Storage.Write_Reason (File) = 0
            and then In_Time and then Next < Last
          loop
             Fetch (Next, Item, Found);
@@ -335,16 +335,16 @@ is
             Trace_Json.Put (Slices, First, Item, Line);
             Write (Line);
          end loop;
-         Trace_Storage.Write (File, Trace_Json.End_Of_Text);
-         Trace_Storage.End_Text (File);
-         Problem := Trace_Storage.Write_Reason (File);
+         Trace.Storage.Write (File, Trace_Json.End_Of_Text);
+         Trace.Storage.End_Text (File);
+         Problem := Trace.Storage.Write_Reason (File);
       end if;
       if Problem = 0 and then not In_Time then
          Whole := False;
          Texts.Set (Reason, "it takes too long");
       else
          if Problem = 0 then
-            Problem := Trace_Storage.Save_Reason (File);
+            Problem := Trace.Storage.Save_Reason (File);
          end if;
          Whole := Problem = 0;
          Set_Reason (Reason, Problem);
@@ -455,12 +455,12 @@ is
    --------------
 
    procedure Received
-     (Kind : Monitor_Protocol.Message_Kind; Number : Orders.Ticket) is
+     (Kind : Monitor.Protocol.Message_Kind; Number : Orders.Ticket) is
    begin
       if On then
          Put (Trace_Json.Received, Schedule.Th_Receive_From_Mon, Number,
-              (if Kind = Monitor_Protocol.Malformed then "none  "
-               else Monitor_Protocol.Label (Kind) & "  "));
+              (if Kind = Monitor.Protocol.Malformed then "none  "
+               else Monitor.Protocol.Label (Kind) & "  "));
       end if;
    end Received;
 
@@ -468,7 +468,7 @@ is
    -- Sent --
    ----------
 
-   procedure Sent (Label : Monitor_Protocol.Label_Text) is
+   procedure Sent (Label : Monitor.Protocol.Label_Text) is
    begin
       if On then
          Put (Trace_Json.Sent, Schedule.Th_Send_To_Mon,
@@ -480,11 +480,11 @@ is
    -- Ordered --
    -------------
 
-   procedure Ordered (Who : Task_Name; Kind : Robot_Protocol.Command_Kind) is
+   procedure Ordered (Who : Task_Name; Kind : Robot.Protocol.Command_Kind) is
    begin
       if On then
          Put (Trace_Json.Ordered, Who,
-              Label => (1      => Robot_Protocol.Letter (Kind),
+              Label => (1      => Robot.Protocol.Letter (Kind),
                         others => ' '));
       end if;
    end Ordered;

@@ -4,9 +4,9 @@
 --  become its text. Without it each call tests one flag.
 
 with Ada.Real_Time;
-with Monitor_Protocol;
+with Monitor.Protocol;
 with Orders;
-with Robot_Protocol;
+with Robot.Protocol;
 with Schedule;
 with Texts;
 
@@ -107,15 +107,15 @@ is
    --  Whatever released Who so far, there is nothing to do
 
    procedure Received
-     (Kind : Monitor_Protocol.Message_Kind; Number : Orders.Ticket)
+     (Kind : Monitor.Protocol.Message_Kind; Number : Orders.Ticket)
    with Global => (In_Out => Recorder);
    --  A command of the monitor has come
 
-   procedure Sent (Label : Monitor_Protocol.Label_Text)
+   procedure Sent (Label : Monitor.Protocol.Label_Text)
    with Global => (In_Out => Recorder);
    --  A message to the monitor has gone
 
-   procedure Ordered (Who : Task_Name; Kind : Robot_Protocol.Command_Kind)
+   procedure Ordered (Who : Task_Name; Kind : Robot.Protocol.Command_Kind)
    with Global => (In_Out => Recorder);
    --  A command for the robot has been written
 

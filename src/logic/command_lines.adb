@@ -2,7 +2,7 @@
 --  The command line: its arguments, read one after the other, make a request
 --  and the options of this run, or a reason why they do not.
 
-with Networks;
+with Admission.Networks;
 
 package body Command_Lines with SPARK_Mode is
 
@@ -114,26 +114,27 @@ package body Command_Lines with SPARK_Mode is
 
    procedure Read_Network (R : in out Reading; Value : String) is
       Text    : constant Texts.Text := Texts.To_Text (Value);
-      Network : Networks.Network;
-      Verdict : Networks.Verdict;
+      Network : Admission.Networks.Network;
+      Verdict : Admission.Networks.Verdict;
    begin
-      Networks.Parse (Text.Data (1 .. Text.Length), Network, Verdict);
+      Admission.Networks.Parse
+        (Text.Data (1 .. Text.Length), Network, Verdict);
       case Verdict is
-         when Networks.Good =>
-            if R.Chosen.Allowed.Count < Networks.Max_Networks then
-               Networks.Add (R.Chosen.Allowed, Network);
+         when Admission.Networks.Good =>
+            if R.Chosen.Allowed.Count < Admission.Networks.Max_Networks then
+               Admission.Networks.Add (R.Chosen.Allowed, Network);
             else
                Fail (R, "--allow: more than ");
-               Texts.Append (R.Reason, Networks.Max_Networks);
+               Texts.Append (R.Reason, Admission.Networks.Max_Networks);
                Texts.Append (R.Reason, " networks");
             end if;
-         when Networks.No_Address =>
+         when Admission.Networks.No_Address =>
             Fail (R, "--allow: ", Value,
                   " is no IPv4 network, such as 192.168.1.0/24");
-         when Networks.No_Length =>
+         when Admission.Networks.No_Length =>
             Fail (R, "--allow: the length in ", Value,
                   " is not a number in 0 .. 32");
-         when Networks.Not_Clean =>
+         when Admission.Networks.Not_Clean =>
             Fail (R, "--allow: ", Value, " has bits set beyond its first ");
             Texts.Append (R.Reason, Network.Length);
       end case;

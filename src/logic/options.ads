@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What can be chosen on the command line, with the defaults.
 
-with Networks;
-with Send_Order;
+with Admission.Networks;
+with Monitor.Send_Order;
 with Texts;
 
 package Options with SPARK_Mode is
@@ -20,7 +20,7 @@ package Options with SPARK_Mode is
    subtype Pixel_Count is Positive range 16 .. 4_096;
    subtype Rate is Positive range 1 .. 100;
    subtype Percentage is Positive range 1 .. 100;
-   subtype Milliseconds is Send_Order.Milliseconds;
+   subtype Milliseconds is Monitor.Send_Order.Milliseconds;
 
    subtype Processor is Natural range 0 .. 1_023;
 
@@ -35,7 +35,7 @@ package Options with SPARK_Mode is
    type Values is record
       Port        : Port_Number  := 5_544;
       Bind        : Texts.Text   := Texts.To_Text ("0.0.0.0");
-      Allowed     : Networks.List;
+      Allowed     : Admission.Networks.List;
       --  whose monitors are admitted; none: everybody's
       Token_File  : Texts.Text;
       --  with the token that monitors must show; empty: none

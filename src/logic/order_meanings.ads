@@ -3,11 +3,11 @@
 --  place among the robot's orders, and what the monitor is answered. Nothing
 --  else decides any of it.
 
-with Line_Requests;
-with Monitor_Protocol; use Monitor_Protocol;
+with Monitor.Protocol; use Monitor.Protocol;
 with Orders;
-with Robot_Protocol;
-with Robot_Session;    use Robot_Session;
+with Robot.Protocol;
+with Robot.Requests;
+with Robot.Session;    use Robot.Session;
 
 package Order_Meanings with SPARK_Mode is
 
@@ -25,19 +25,19 @@ package Order_Meanings with SPARK_Mode is
 
    --  Who carries it out
 
-   function Client_Of (Kind : Robot_Order) return Line_Requests.Client is
+   function Client_Of (Kind : Robot_Order) return Robot.Requests.Client is
      (case Kind is
-         when Open_Robot | Close_Robot           => Line_Requests.Open,
-         when Start_Robot                        => Line_Requests.Start,
+         when Open_Robot | Close_Robot           => Robot.Requests.Open,
+         when Start_Robot                        => Robot.Requests.Start,
          when Start_Robot_Watchdog               =>
-            Line_Requests.Start_Watchdog,
-         when Reset_Robot | Power_Off_Robot      => Line_Requests.Reset,
+            Robot.Requests.Start_Watchdog,
+         when Reset_Robot | Power_Off_Robot      => Robot.Requests.Reset,
          when Go_Forward .. Go_Right | Move_Robot | Turn_Robot =>
-            Line_Requests.Move,
-         when Stop_Robot                         => Line_Requests.Stop_Order,
+            Robot.Requests.Move,
+         when Stop_Robot                         => Robot.Requests.Stop_Order,
          when Ping_Robot | Reload_Watchdog
-            | Monitor_Protocol.Get_Battery | Get_State =>
-            Line_Requests.Query);
+            | Monitor.Protocol.Get_Battery | Get_State =>
+            Robot.Requests.Query);
    --  Of the robot's line; a stop has no task of its own
 
    --  What the robot is asked for
@@ -51,18 +51,18 @@ package Order_Meanings with SPARK_Mode is
          when Reset_Robot          => (Reset, others => <>),
          when Power_Off_Robot      => (Power_Off, others => <>),
          when Reload_Watchdog      => (Reload_By_Hand, others => <>),
-         when Monitor_Protocol.Get_Battery =>
-            (Robot_Session.Get_Battery, others => <>),
+         when Monitor.Protocol.Get_Battery =>
+            (Robot.Session.Get_Battery, others => <>),
          when Get_State            => (Get_Moving, others => <>),
          when Stop_Robot           => (Stop, others => <>),
-         when Go_Forward           => (Drive, Robot_Protocol.Forward),
-         when Go_Backward          => (Drive, Robot_Protocol.Backward),
-         when Go_Left              => (Drive, Robot_Protocol.Left),
-         when Go_Right             => (Drive, Robot_Protocol.Right),
+         when Go_Forward           => (Drive, Robot.Protocol.Forward),
+         when Go_Backward          => (Drive, Robot.Protocol.Backward),
+         when Go_Left              => (Drive, Robot.Protocol.Left),
+         when Go_Right             => (Drive, Robot.Protocol.Right),
          when Move_Robot           =>
-            (Drive, (Robot_Protocol.Move, M.Value)),
+            (Drive, (Robot.Protocol.Move, M.Value)),
          when Turn_Robot           =>
-            (Drive, (Robot_Protocol.Turn, M.Value)),
+            (Drive, (Robot.Protocol.Turn, M.Value)),
          when others               => (Ping, others => <>));
 
    --  Its place among the robot's orders
@@ -105,13 +105,13 @@ package Order_Meanings with SPARK_Mode is
      return Answer_Kind
    is (case Result.Kind is
           when Done                  =>
-            (if Kind = Monitor_Protocol.Get_Battery then
+            (if Kind = Monitor.Protocol.Get_Battery then
                 Battery_Answer (Result.Value)
              elsif Kind = Get_State then
                (if Result.Value = 0 then Standing else Moving)
              else Acknowledged),
-          when Refused               => Monitor_Protocol.Refused,
-          when Timed_Out             => Monitor_Protocol.Timed_Out,
+          when Refused               => Monitor.Protocol.Refused,
+          when Timed_Out             => Monitor.Protocol.Timed_Out,
           when Not_Open | Not_Opened => Not_Done);
    --  By the robot, where Result has come of its request
 

@@ -3,7 +3,7 @@
 --  it out.
 
 with Interfaces;
-with Monitor_Protocol;
+with Monitor.Protocol;
 
 package Orders with SPARK_Mode is
 
@@ -18,7 +18,7 @@ package Orders with SPARK_Mode is
 
    type Order is record
       Number  : Ticket := 0;
-      Message : Monitor_Protocol.Message;
+      Message : Monitor.Protocol.Message;
       Rank    : Ticket := 0;
       --  robot orders but stops, counted from 1 in each session
       After   : Ticket := 0;

@@ -4,7 +4,7 @@
 package body Wire_Texts with SPARK_Mode is
 
    procedure Prove_Answer
-     (Kind : Robot_Order; Result : Robot_Session.Outcome) is null;
+     (Kind : Robot_Order; Result : Robot.Session.Outcome) is null;
 
    procedure Prove_Command (M : Message) is null;
 

@@ -3,14 +3,14 @@
 --  Encoder and decoder share one table; two values swapped in it would be
 --  swapped in both. GNATprove compares the tables with these texts.
 
-with Monitor_Protocol; use Monitor_Protocol;
+with Monitor.Protocol; use Monitor.Protocol;
 with Order_Meanings;   use Order_Meanings;
-with Robot_Protocol;   use Robot_Protocol;
-with Robot_Session;
+with Robot.Protocol;   use Robot.Protocol;
+with Robot.Session;
 
 package Wire_Texts with SPARK_Mode, Ghost is
 
-   use type Robot_Session.Outcome_Kind;
+   use type Robot.Session.Outcome_Kind;
 
    --  What the monitor says
 
@@ -32,7 +32,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
             when Move_Robot                   => "RMOV",
             when Turn_Robot                   => "RTRN",
             when Power_Off_Robot              => "RPOF",
-            when Monitor_Protocol.Get_Battery => "RGBT",
+            when Monitor.Protocol.Get_Battery => "RGBT",
             when Get_State                    => "RGST",
             when Open_Camera                  => "COPN",
             when Close_Camera                 => "CCLS",
@@ -57,7 +57,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
           when Ping_Robot                   => Letter = 'p',
           when Reload_Watchdog              => Letter = 'w',
           when Power_Off_Robot              => Letter = 'z',
-          when Monitor_Protocol.Get_Battery => Letter = 'v',
+          when Monitor.Protocol.Get_Battery => Letter = 'v',
           when Get_State                    => Letter = 'b',
           when Close_Robot | Stop_Robot     =>
             Letter = 'M' and then Value = 0,
@@ -80,8 +80,8 @@ package Wire_Texts with SPARK_Mode, Ghost is
    with
      Pre  => M.Kind in Robot_Order,
      Post => Is_Command
-       (Letter (Robot_Session.Command_For (Request_Of (M)).Kind),
-        Robot_Session.Command_For (Request_Of (M)).Value, M);
+       (Letter (Robot.Session.Command_For (Request_Of (M)).Kind),
+        Robot.Session.Command_For (Request_Of (M)).Value, M);
 
    --  What the monitor is answered
 
@@ -92,17 +92,17 @@ package Wire_Texts with SPARK_Mode, Ghost is
    with Pre => Text'Length < Max_Short;
 
    procedure Prove_Answer
-     (Kind : Robot_Order; Result : Robot_Session.Outcome)
+     (Kind : Robot_Order; Result : Robot.Session.Outcome)
    with
      Post => Says
        (Wire_Text (Answer_To (Kind, Result)),
         (case Result.Kind is
-            when Robot_Session.Refused    => "ACRJ",
-            when Robot_Session.Timed_Out  => "ATIM",
-            when Robot_Session.Not_Open
-               | Robot_Session.Not_Opened => "ANAK",
-            when Robot_Session.Done       =>
-              (if Kind = Monitor_Protocol.Get_Battery then
+            when Robot.Session.Refused    => "ACRJ",
+            when Robot.Session.Timed_Out  => "ATIM",
+            when Robot.Session.Not_Open
+               | Robot.Session.Not_Opened => "ANAK",
+            when Robot.Session.Done       =>
+              (if Kind = Monitor.Protocol.Get_Battery then
                  (case Result.Value is
                      when 0 => "RBLV:0",
                      when 1 => "RBLV:1",
@@ -119,7 +119,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
    procedure Prove_Other_Answers
    with
      Post => Says (Wire_Text (Not_Understood), "ACER")
-       and then Says (Wire_Text (Monitor_Protocol.Timed_Out), "ATIM")
+       and then Says (Wire_Text (Monitor.Protocol.Timed_Out), "ATIM")
        and then Says (Wire_Text (Battery_Answer (-1)), "RBLV:-1");
 
 end Wire_Texts;

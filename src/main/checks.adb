@@ -2,19 +2,19 @@
 --  What would work here and what would not, and how to mend it: the option
 --  --check.
 
-with Admission;
-with Authentication;
+with Admission.Authentication;
+with Admission.Newcomers;
 with Console;
-with Monitor_Sockets.Gate;
+with Monitor.Sockets.Gate;
 with Process.Privileges;
-with Serial_Line;
+with Robot.Serial_Line;
 with Texts;
 with Trace;
-with Vision;
+with Vision.Library;
 
 package body Checks with SPARK_Mode is
 
-   use type Vision.Status;
+   use type Vision.Library.Status;
 
    procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean);
    --  All_Well stays so where Good is, and somebody takes the line
@@ -58,10 +58,10 @@ package body Checks with SPARK_Mode is
       Good   : Boolean;
       Reason : Texts.Text;
       Bound  : Options.Port_Number;
-      Result : Vision.Status;
-      Why    : Vision.Reason_Text;
+      Result : Vision.Library.Status;
+      Why    : Vision.Library.Reason_Text;
       Last   : Natural;
-      Token  : Authentication.Token;
+      Token  : Admission.Authentication.Token;
    begin
       All_Well := True;
       Process.Privileges.Get (Held);
@@ -83,8 +83,8 @@ package body Checks with SPARK_Mode is
                All_Well);
       end case;
 
-      Serial_Line.Open (Chosen.Serial, Good, Reason);
-      Serial_Line.Close;
+      Robot.Serial_Line.Open (Chosen.Serial, Good, Reason);
+      Robot.Serial_Line.Close;
       Report
         (Good,
          "serial line " & Texts.Image (Chosen.Serial)
@@ -94,19 +94,19 @@ package body Checks with SPARK_Mode is
               & "dialout)"),
          All_Well);
 
-      Vision.Open
+      Vision.Library.Open
         (Texts.Image (Chosen.Camera), Chosen.Width, Chosen.Height,
          Integer'Max (Options.Camera_Rate, Chosen.Frame_Rate), Result);
-      if Result = Vision.Done then
-         Vision.Grab (0, Result);
+      if Result = Vision.Library.Done then
+         Vision.Library.Grab (0, Result);
       end if;
-      if Result = Vision.Done then
-         Vision.Get_Format (Why, Last);
+      if Result = Vision.Library.Done then
+         Vision.Library.Get_Format (Why, Last);
       else
-         Vision.Reason (Why, Last);
+         Vision.Library.Reason (Why, Last);
       end if;
-      Vision.Close;
-      Good := Result = Vision.Done;
+      Vision.Library.Close;
+      Good := Result = Vision.Library.Done;
       Report
         (Good,
          "camera " & Texts.Image (Chosen.Camera)
@@ -117,7 +117,7 @@ package body Checks with SPARK_Mode is
               & "video)"),
          All_Well);
 
-      Admission.Load_Token (Chosen.Token_File, Token, Good, Reason);
+      Admission.Newcomers.Load_Token (Chosen.Token_File, Token, Good, Reason);
       if Token.Length > 0 then
          Report
            (True, "token file " & Texts.Image (Chosen.Token_File)
@@ -139,7 +139,7 @@ package body Checks with SPARK_Mode is
             All_Well);
       end if;
 
-      Monitor_Sockets.Gate.Listen
+      Monitor.Sockets.Gate.Listen
         (Chosen.Bind, Chosen.Port, Bound, Good, Reason);
       Report
         (Good,

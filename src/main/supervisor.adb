@@ -8,23 +8,23 @@ with Command_Lines;
 with Console;
 with Failures;
 with Journal;
+with Monitor.Session;
 with Options;
 with Process.Memory;
 with Process.Privileges;
 with Process.Threads;
-with Robot_Line;
+with Robot.Line;
+with Robot.Serial_Line;
 with Schedule;
-with Serial_Line;
-with Session;
 with Settings;
 with Texts;
 with Trace;
 
-with Monitor_Tasks;
-with Robot_Tasks;
+with Monitor.Tasks;
+with Robot.Tasks;
 with Support_Tasks;
-with Vision_Tasks;
-pragma Unreferenced (Monitor_Tasks, Robot_Tasks, Vision_Tasks);
+with Vision.Tasks;
+pragma Unreferenced (Monitor.Tasks, Robot.Tasks, Vision.Tasks);
 
 package body Supervisor with SPARK_Mode is
 
@@ -126,7 +126,7 @@ package body Supervisor with SPARK_Mode is
             Serve (Command_Line.Chosen);
       end case;
       --  once more: orders may have been sent after that of the failure
-      Serial_Line.Stop_Blindly;
+      Robot.Serial_Line.Stop_Blindly;
       Support_Tasks.Finish_Trace;
       Process.Leave (Process.Internal_Failure);
    end Run;
@@ -144,8 +144,8 @@ package body Supervisor with SPARK_Mode is
       Keep_On_Processor (Chosen.Cpu);
       Process.Memory.Lock (Locked);
       Journal.Set_Level (Chosen.Log_Level);
-      Session.Allow_Server;
-      Session.Wait_Listening;
+      Monitor.Session.Allow_Server;
+      Monitor.Session.Wait_Listening;
       Process.Privileges.Get (Held);
       Journal.Put
         (Options.Info,
@@ -167,7 +167,7 @@ package body Supervisor with SPARK_Mode is
          Keep_Trace;
       end if;
       Failures.Wait_Stop_Failed;
-      Robot_Line.Refuse_Orders;
+      Robot.Line.Refuse_Orders;
       --  its last lines are written meanwhile
       Now := Clock;
       delay until Now + Schedule.Console_Limit;

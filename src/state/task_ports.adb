@@ -2,10 +2,10 @@
 --  The event-data ports of the tasks that carry out the monitor's orders,
 --  and the way of an order to the right one.
 
-with Line_Requests;
 with Order_Meanings; use Order_Meanings;
-with Robot_Line;
-with Vision_Queue;
+with Robot.Line;
+with Robot.Requests;
+with Vision.Queue;
 
 package body Task_Ports with SPARK_Mode is
 
@@ -35,20 +35,20 @@ package body Task_Ports with SPARK_Mode is
    procedure Dispatch (Item : in out Orders.Order) is
    begin
       if Item.Message.Kind in Vision_Order then
-         Vision_Queue.Put (Item);
+         Vision.Queue.Put (Item);
          if Item.Owed then
             To_Vision (Item);
          end if;
       else
          case Client_Of (Item.Message.Kind) is
-            when Line_Requests.Open           => Open_Robot.Put (Item);
-            when Line_Requests.Start          => Start_Robot.Put (Item);
-            when Line_Requests.Start_Watchdog =>
+            when Robot.Requests.Open           => Open_Robot.Put (Item);
+            when Robot.Requests.Start          => Start_Robot.Put (Item);
+            when Robot.Requests.Start_Watchdog =>
                Start_Robot_Watchdog.Put (Item);
-            when Line_Requests.Reset          => Reset_Robot.Put (Item);
-            when Line_Requests.Move           => Move.Put (Item);
-            when Line_Requests.Stop_Order     => Robot_Line.Put_Stop (Item);
-            when others                       => Query.Put (Item);
+            when Robot.Requests.Reset          => Reset_Robot.Put (Item);
+            when Robot.Requests.Move           => Move.Put (Item);
+            when Robot.Requests.Stop_Order     => Robot.Line.Put_Stop (Item);
+            when others                        => Query.Put (Item);
          end case;
       end if;
    end Dispatch;
@@ -60,7 +60,7 @@ package body Task_Ports with SPARK_Mode is
    procedure Vision_Done is
       Item : Orders.Order;
    begin
-      Vision_Queue.Next (Item);
+      Vision.Queue.Next (Item);
       if Item.Owed then
          To_Vision (Item);
       end if;
@@ -75,7 +75,7 @@ package body Task_Ports with SPARK_Mode is
    begin
       --  the vision's ports hold one order between them, which is to be
       --  taken: it leads to the next
-      Vision_Queue.Clear;
+      Vision.Queue.Clear;
       Open_Robot.Clear;
       Start_Robot.Clear;
       Start_Robot_Watchdog.Clear;

@@ -2,7 +2,7 @@
 --  The event-data ports of the tasks that carry out the monitor's orders,
 --  and the way of an order to the right one.
 
-with Monitor_Protocol;
+with Monitor.Protocol;
 with Order_Ports;
 with Orders;
 with Schedule;
@@ -25,7 +25,7 @@ package Task_Ports with SPARK_Mode is
    procedure Dispatch (Item : in out Orders.Order)
    with
      Pre  => Item.Owed
-       and then Item.Message.Kind in Monitor_Protocol.Order_Kind,
+       and then Item.Message.Kind in Monitor.Protocol.Order_Kind,
      Post => not Item.Owed;
    --  Item goes to the task that carries it out, to the vision in the order
    --  of the commands; a stop goes straight to the owner of the line

@@ -9,8 +9,8 @@ with Ada.Task_Termination;          use Ada.Task_Termination;
 with Journal;
 with Options;
 with Process.Signals;
+with Robot.Serial_Line;
 with Schedule;
-with Serial_Line;
 with Support_Tasks;
 with Trace;
 
@@ -40,7 +40,7 @@ is
                then ", " & Exception_Name (X) & " " & Exception_Message (X)
                else ""));
          if T = Support_Tasks.Th_Stop'Identity then
-            Serial_Line.Stop_Blindly;
+            Robot.Serial_Line.Stop_Blindly;
             Set_True (Stop_Failed);
             Trace.Wake;
          else

@@ -3,26 +3,26 @@
 --  orderly or after a failure.
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Camera_Requests;
 with Console;
 with Journal;
-with Line_Status;
-with Monitor_Sockets.Connection;
+with Monitor.Session;
+with Monitor.Session_Stages;
+with Monitor.Sockets.Connection;
 with Options;
 with Process.Signals;
 with Process.Threads;
-with Robot_Line;
-with Robot_Protocol;
-with Serial_Line;
-with Session;
-with Session_Stages;
+with Robot.Line;
+with Robot.Line_Status;
+with Robot.Protocol;
+with Robot.Serial_Line;
 with Texts;
 with Trace;
+with Vision.Camera_Requests;
 
 package body Support_Tasks with SPARK_Mode is
 
+   use type Monitor.Session_Stages.Stage_Kind;
    use type Process.Signals.Kind;
-   use type Session_Stages.Stage_Kind;
 
    function Level_Name (Level : Options.Level) return String is
      (case Level is
@@ -81,16 +81,17 @@ package body Support_Tasks with SPARK_Mode is
    ----------------------
 
    procedure Wait_Session_End (Limit : Time) is
-      Known  : Session_Stages.State;
-      Status : Line_Status.Status;
+      Known  : Monitor.Session_Stages.State;
+      Status : Robot.Line_Status.Status;
       Idle   : Boolean;
       Now    : Time;
    begin
       loop
-         Session.Get (Known);
-         Robot_Line.Get_Status (Status);
-         Camera_Requests.Get_Idle (Idle);
-         exit when Known.Stage in Session_Stages.Free | Session_Stages.Closed
+         Monitor.Session.Get (Known);
+         Robot.Line.Get_Status (Status);
+         Vision.Camera_Requests.Get_Idle (Idle);
+         exit when Known.Stage in
+           Monitor.Session_Stages.Free | Monitor.Session_Stages.Closed
            and then not Status.Open and then Idle;
          Now := Clock;
          exit when Now >= Limit;
@@ -143,7 +144,7 @@ package body Support_Tasks with SPARK_Mode is
 
    task body Th_Stop is
       Kind   : Process.Signals.Kind;
-      Status : Line_Status.Status;
+      Status : Robot.Line_Status.Status;
       Now    : Time;
    begin
       Process.Threads.Name_Task (Schedule.Th_Stop);
@@ -152,21 +153,21 @@ package body Support_Tasks with SPARK_Mode is
          Trace.Take_Up (Schedule.Th_Stop);
          if Kind = Process.Signals.Failure then
             --  whoever has failed, the robot stops now, for good
-            Robot_Line.Refuse_Orders;
-            Serial_Line.Stop_Blindly;
-            Trace.Ordered (Schedule.Th_Stop, Robot_Protocol.Move);
+            Robot.Line.Refuse_Orders;
+            Robot.Serial_Line.Stop_Blindly;
+            Trace.Ordered (Schedule.Th_Stop, Robot.Protocol.Move);
          end if;
          Journal.Put (Options.Info, "stopping");
-         Session.Request_Stop;
-         Monitor_Sockets.Connection.Shut_Down;
+         Monitor.Session.Request_Stop;
+         Monitor.Sockets.Connection.Shut_Down;
          Now := Clock;
          Wait_Session_End
            (Now + (if Kind = Process.Signals.Failure
                    then Schedule.Failure_Limit else Schedule.Stop_Limit));
-         Robot_Line.Get_Status (Status);
+         Robot.Line.Get_Status (Status);
          if Status.Open then
-            Serial_Line.Stop_Blindly;
-            Trace.Ordered (Schedule.Th_Stop, Robot_Protocol.Move);
+            Robot.Serial_Line.Stop_Blindly;
+            Trace.Ordered (Schedule.Th_Stop, Robot.Protocol.Move);
          end if;
          Journal.Put
            (Options.Info,

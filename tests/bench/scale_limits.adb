@@ -11,8 +11,8 @@ with Bench_Settings;
 with Both_Ends;         use Both_Ends;
 with Bytes;
 with Emulators;
-with Image_Messages;
 with Instants;          use Instants;
+with Monitor.Image_Messages;
 with Own_Process;
 with Paced_Cameras;
 with Plain_Numbers;     use Plain_Numbers;
@@ -27,9 +27,9 @@ package body Scale_Limits is
    Fastest : constant := 100;
    --  images a second that --fps takes
 
-   Jpeg : constant Bytes.Byte_Array (1 .. Image_Messages.Max_Jpeg) :=
+   Jpeg : constant Bytes.Byte_Array (1 .. Monitor.Image_Messages.Max_Jpeg) :=
      (others => 17);
-   Text : Image_Messages.Message_Buffer := (others => ' ');
+   Text : Monitor.Image_Messages.Message_Buffer := (others => ' ');
    --  too large for a stack
 
    procedure Take_Picture (Size : String; Path : String);

@@ -4,7 +4,7 @@
 with Interfaces.C; use Interfaces.C;
 
 with Bytes;
-with Image_Messages;
+with Monitor.Image_Messages;
 
 package Image_Buffers is
 
@@ -14,11 +14,12 @@ package Image_Buffers is
    Source : Bytes.Byte_Array (1 .. 2_000_000);
    --  What the camera delivers
 
-   Jpeg : Bytes.Byte_Array (1 .. Image_Messages.Max_Jpeg) := (others => 0);
-   Text : Image_Messages.Message_Buffer := (others => ' ');
+   Jpeg : Bytes.Byte_Array (1 .. Monitor.Image_Messages.Max_Jpeg) :=
+     (others => 0);
+   Text : Monitor.Image_Messages.Message_Buffer := (others => ' ');
    --  What is made of it
 
-   Out_Text : Image_Messages.Message_Buffer := (others => ' ');
+   Out_Text : Monitor.Image_Messages.Message_Buffer := (others => ' ');
    --  A copy of it, for the floor
 
 end Image_Buffers;

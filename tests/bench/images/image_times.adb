@@ -13,15 +13,15 @@ with System;
 
 with Base64;
 with Expectations;     use Expectations;
-with Following;
 with Image_Buffers;    use Image_Buffers;
 with Option_Readers;
 with Options;
 with Plain_Numbers;    use Plain_Numbers;
 with Samples;
 with Scenes;
-with Shapes;           use Shapes;
-with Vision;           use Vision;
+with Vision.Following;
+with Vision.Library;   use Vision.Library;
+with Vision.Shapes;    use Vision.Shapes;
 
 procedure Image_Times is
 
@@ -322,7 +322,7 @@ procedure Image_Times is
       Count   : Robot_Count;
       Areas   : Area_Array;
       Parts   : Robot_Count;
-      Known   : Following.State;
+      Known   : Vision.Following.State;
       Settled : Boolean;
       Result  : Status;
       Name    : constant String :=
@@ -360,7 +360,7 @@ procedure Image_Times is
 
       procedure Follow_On is
       begin
-         Following.Plan (Known, Options.Aruco, 100, Areas, Parts);
+         Vision.Following.Plan (Known, Options.Aruco, 100, Areas, Parts);
          Settled := False;
          if Parts > 0 then
             Start;
@@ -368,14 +368,14 @@ procedure Image_Times is
                            Found, Count, Result);
             Stop (Follow);
             Check (Result in Done | Not_Found, "following");
-            Following.Settle (Known, 100, Found, Count, Settled);
+            Vision.Following.Settle (Known, 100, Found, Count, Settled);
             if not Settled then
                Follow.Delete_Last;
             end if;
          end if;
          if not Settled then
             Everywhere (By_Following);
-            Following.Begin_Anew (Known, Found, Count);
+            Vision.Following.Begin_Anew (Known, Found, Count);
          end if;
       end Follow_On;
 

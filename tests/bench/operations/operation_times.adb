@@ -8,25 +8,25 @@ with Ada.Real_Time;  use Ada.Real_Time;
 with Ada.Text_IO;    use Ada.Text_IO;
 with GNAT.OS_Lib;
 
-with Camera_Requests;
-with Image_Messages;
 with Journal;
-with Line_Requests;
-with Line_Status;
-with Mailboxes;
-with Monitor_Protocol;
+with Monitor.Image_Messages;
+with Monitor.Mailboxes;
+with Monitor.Outbox;
+with Monitor.Protocol;
+with Monitor.Send_Order;
+with Monitor.Session;
 with Options;
 with Orders;
-with Outbox;
-with Robot_Line;
-with Robot_Session;
+with Robot.Line;
+with Robot.Line_Status;
+with Robot.Requests;
+with Robot.Session;
 with Schedule;
-with Send_Order;
-with Session;
 with Task_Ports;
 with Texts;
 with Trace;
-with Vision_State;
+with Vision.Camera_Requests;
+with Vision.State;
 
 procedure Operation_Times with Priority => Schedule.Query_Priority is
 
@@ -43,8 +43,10 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
    Sample  : Sample_Index := 1;
    Begun   : Time;
 
-   Image : Image_Messages.Message_Access := new Image_Messages.Message;
-   Sent  : Image_Messages.Message_Access := new Image_Messages.Message;
+   Image : Monitor.Image_Messages.Message_Access :=
+     new Monitor.Image_Messages.Message;
+   Sent  : Monitor.Image_Messages.Message_Access :=
+     new Monitor.Image_Messages.Message;
 
    procedure Start;
    procedure Stop;
@@ -89,14 +91,14 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
    end Report;
 
    Open   : Boolean;
-   Made   : Mailboxes.Generation;
-   Next   : Mailboxes.Item;
-   Gap    : Send_Order.Milliseconds;
+   Made   : Monitor.Mailboxes.Generation;
+   Next   : Monitor.Mailboxes.Item;
+   Gap    : Monitor.Send_Order.Milliseconds;
    Order  : Orders.Order;
-   Status : Line_Status.Status;
-   Job    : Line_Requests.Job;
-   View   : Vision_State.View;
-   Stage  : Session.Stage_Kind;
+   Status : Robot.Line_Status.Status;
+   Job    : Robot.Requests.Job;
+   View   : Vision.State.View;
+   Stage  : Monitor.Session.Stage_Kind;
    Wanted : Boolean;
    Text   : Texts.Text;
 
@@ -125,72 +127,72 @@ begin
       Report ("100 Trace.Done, on");
    end if;
 
-   Outbox.Open_Session;
+   Monitor.Outbox.Open_Session;
    for I in Sample_Index loop
       Start;
-      Outbox.Reserve (Order);
+      Monitor.Outbox.Reserve (Order);
       Stop;
-      Outbox.Answer (Order, Monitor_Protocol.Acknowledged);
-      Outbox.Take (0, Time_First, Next, Sent, Gap);
+      Monitor.Outbox.Answer (Order, Monitor.Protocol.Acknowledged);
+      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap);
    end loop;
-   Report ("Outbox.Reserve");
+   Report ("Monitor.Outbox.Reserve");
 
    for I in Sample_Index loop
-      Outbox.Reserve (Order);
+      Monitor.Outbox.Reserve (Order);
       Start;
-      Outbox.Answer (Order, Monitor_Protocol.Acknowledged);
+      Monitor.Outbox.Answer (Order, Monitor.Protocol.Acknowledged);
       Stop;
-      Outbox.Take (0, Time_First, Next, Sent, Gap);
+      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap);
    end loop;
-   Report ("Outbox.Answer");
+   Report ("Monitor.Outbox.Answer");
 
    for I in Sample_Index loop
-      Outbox.Get_Generation (Made);
+      Monitor.Outbox.Get_Generation (Made);
       Start;
-      Outbox.Put_Image (Image, Made);
+      Monitor.Outbox.Put_Image (Image, Made);
       Stop;
    end loop;
-   Report ("Outbox.Put_Image");
+   Report ("Monitor.Outbox.Put_Image");
 
    for I in Sample_Index range 1 .. 5_000 loop
-      Outbox.Get_Generation (Made);
-      Outbox.Put_Image (Image, Made);
+      Monitor.Outbox.Get_Generation (Made);
+      Monitor.Outbox.Put_Image (Image, Made);
       Start;
-      Outbox.Take (0, Time_First, Next, Sent, Gap);
+      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap);
       Stop;
    end loop;
-   Report ("Outbox.Take, an image");
+   Report ("Monitor.Outbox.Take, an image");
 
    for I in Sample_Index loop
       Start;
-      Robot_Line.Put
-        (Line_Requests.Battery,
-         Robot_Session.Request'
-           (Kind => Robot_Session.Get_Battery, others => <>));
+      Robot.Line.Put
+        (Robot.Requests.Battery,
+         Robot.Session.Request'
+           (Kind => Robot.Session.Get_Battery, others => <>));
       Stop;
-      Robot_Line.Take (Job);
+      Robot.Line.Take (Job);
    end loop;
-   Report ("Robot_Line.Put");
+   Report ("Robot.Line.Put");
 
    for I in Sample_Index loop
-      Robot_Line.Put
-        (Line_Requests.Battery,
-         Robot_Session.Request'
-           (Kind => Robot_Session.Get_Battery, others => <>));
+      Robot.Line.Put
+        (Robot.Requests.Battery,
+         Robot.Session.Request'
+           (Kind => Robot.Session.Get_Battery, others => <>));
       Start;
-      Robot_Line.Take (Job);
+      Robot.Line.Take (Job);
       Stop;
    end loop;
-   Report ("Robot_Line.Take");
+   Report ("Robot.Line.Take");
 
    for I in Sample_Index loop
       Start;
-      Robot_Line.Get_Status (Status);
+      Robot.Line.Get_Status (Status);
       Stop;
    end loop;
-   Report ("Robot_Line.Get_Status");
+   Report ("Robot.Line.Get_Status");
 
-   Order.Message := (Kind => Monitor_Protocol.Go_Forward, others => <>);
+   Order.Message := (Kind => Monitor.Protocol.Go_Forward, others => <>);
    Order.Owed := True;
    for I in Sample_Index loop
       Start;
@@ -210,24 +212,24 @@ begin
 
    for I in Sample_Index loop
       Start;
-      Vision_State.Store.Get (View);
+      Vision.State.Store.Get (View);
       Stop;
    end loop;
-   Report ("Vision_State.Get");
+   Report ("Vision.State.Get");
 
    for I in Sample_Index loop
       Start;
-      Camera_Requests.Get_Wanted (0, Wanted);
+      Vision.Camera_Requests.Get_Wanted (0, Wanted);
       Stop;
    end loop;
-   Report ("Camera_Requests.Get_Wanted");
+   Report ("Vision.Camera_Requests.Get_Wanted");
 
    for I in Sample_Index loop
       Start;
-      Session.Get_Stage (Stage);
+      Monitor.Session.Get_Stage (Stage);
       Stop;
    end loop;
-   Report ("Session.Get_Stage");
+   Report ("Monitor.Session.Get_Stage");
 
    Texts.Set (Text, "received RMOV:-12345");
    for I in Sample_Index loop

@@ -3,32 +3,32 @@
 
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
-with Authentication;
+with Admission.Authentication;
+with Admission.Networks;
 with Expectations;      use Expectations;
 with Input_Readers;     use Input_Readers;
 with Interfaces;        use Interfaces;
-with Networks;
 with Texts;
 
 package body Admission_Targets is
 
    use Bytes;
-   use type Authentication.Verdict;
-   use type Networks.Network;
-   use type Networks.Verdict;
+   use type Admission.Authentication.Verdict;
+   use type Admission.Networks.Network;
+   use type Admission.Networks.Verdict;
 
    procedure Take_Part (R : in out Reader; Last : out Natural);
    --  Takes all up to a NUL and the NUL: the input up to Last, and what has
    --  been taken before
 
-   function Image (N : Networks.Network) return String;
+   function Image (N : Admission.Networks.Network) return String;
    --  ADDRESS/LEN
 
    -----------
    -- Image --
    -----------
 
-   function Image (N : Networks.Network) return String is
+   function Image (N : Admission.Networks.Network) return String is
       function Number (Value : Integer) return String is
         (Trim (Integer'Image (Value), Both));
 
@@ -63,28 +63,28 @@ package body Admission_Targets is
       Text   : constant String := Rest (R);
       First  : Positive := 1;
       Last   : Natural;
-      L      : Networks.List;
+      L      : Admission.Networks.List;
 
       procedure Read (Line : String);
 
       procedure Read (Line : String) is
          Plain : constant String (1 .. Line'Length) := Line;
-         N     : Networks.Network;
-         Again : Networks.Network;
-         V     : Networks.Verdict;
+         N     : Admission.Networks.Network;
+         Again : Admission.Networks.Network;
+         V     : Admission.Networks.Verdict;
       begin
-         if Plain'Length > Networks.Max_Text then
+         if Plain'Length > Admission.Networks.Max_Text then
             return;
          end if;
-         Networks.Parse (Plain, N, V);
-         if V = Networks.Good then
-            Networks.Parse (Image (N), Again, V);
+         Admission.Networks.Parse (Plain, N, V);
+         if V = Admission.Networks.Good then
+            Admission.Networks.Parse (Image (N), Again, V);
             Check
-              (V = Networks.Good and then Again = N
+              (V = Admission.Networks.Good and then Again = N
                and then (Image (N) = Plain or else Image (N) = Plain & "/32"),
                "a network is not read as written");
-            if L.Count < Networks.Max_Networks then
-               Networks.Add (L, N);
+            if L.Count < Admission.Networks.Max_Networks then
+               Admission.Networks.Add (L, N);
             end if;
          end if;
       end Read;
@@ -93,7 +93,7 @@ package body Admission_Targets is
       --  A peer
 
       procedure Meet is
-         P       : Networks.Peer_Address;
+         P       : Admission.Networks.Peer_Address;
          A       : Unsigned_32 := 0;
          Mapped  : Boolean;
          Inside  : Boolean := L.Count = 0;
@@ -115,7 +115,8 @@ package body Admission_Targets is
             end if;
          end loop;
          Check
-           (Networks.Admits (L, P) = Inside, "somebody else is admitted");
+           (Admission.Networks.Admits (L, P) = Inside,
+            "somebody else is admitted");
       end Meet;
 
    begin
@@ -140,7 +141,7 @@ package body Admission_Targets is
       R     : Reader := (Size => Data'Length, Data => Data, Used => 0);
       Text  : constant String := Rest (R);
       Last  : Natural;
-      T     : Authentication.Token;
+      T     : Admission.Authentication.Token;
       Good  : Boolean;
 
       procedure Show (Line : String);
@@ -150,11 +151,12 @@ package body Admission_Targets is
       --  A newcomer that says so
 
       procedure Show (Line : String) is
-         Label : constant Natural := Index (Line, Authentication.Label);
+         Label : constant Natural :=
+           Index (Line, Admission.Authentication.Label);
          Log   : Texts.Text;
       begin
          Texts.Set (Log, "> ");
-         Authentication.Append_Shown (Log, Line);
+         Admission.Authentication.Append_Shown (Log, Line);
          Check
            (Texts.Image (Log) =
               Texts.Image
@@ -167,42 +169,44 @@ package body Admission_Targets is
 
       procedure Greet (Sent : String) is
          Line     : constant String :=
-           Authentication.Label & T.Data (1 .. T.Length);
-         Newcomer : Authentication.Reader;
+           Admission.Authentication.Label & T.Data (1 .. T.Length);
+         Newcomer : Admission.Authentication.Reader;
          Used     : Natural := 0;
       begin
-         Authentication.Clear (Newcomer);
+         Admission.Authentication.Clear (Newcomer);
          for C of Sent loop
-            exit when not Authentication.Is_Open (Newcomer);
-            Authentication.Accept_Character (Newcomer, T, C);
+            exit when not Admission.Authentication.Is_Open (Newcomer);
+            Admission.Authentication.Accept_Character (Newcomer, T, C);
             Used := Used + 1;
          end loop;
          Check
-           ((Authentication.Decision (Newcomer) = Authentication.Right) =
+           ((Admission.Authentication.Decision (Newcomer) =
+               Admission.Authentication.Right) =
               (Head (Sent, Line'Length + 1) = Line & ASCII.LF
                or else Head (Sent, Line'Length + 2) =
                  Line & ASCII.CR & ASCII.LF),
             "a token is taken for another");
          Check
-           (Used = Integer'Min (Sent'Length, Authentication.Max_Line)
+           (Used = Integer'Min (Sent'Length, Admission.Authentication.Max_Line)
             or else Sent (Sent'First + Used - 1) = ASCII.LF,
             "a newcomer is judged too early");
       end Greet;
 
    begin
       Take_Part (R, Last);
-      Authentication.Read_Token (Text (1 .. Last), T, Good);
+      Admission.Authentication.Read_Token (Text (1 .. Last), T, Good);
       if not Good then
-         Authentication.Read_Token ("0123456789abcdef", T, Good);
+         Admission.Authentication.Read_Token ("0123456789abcdef", T, Good);
          Check (Good, "a token is refused");
       end if;
       declare
          Sent : constant String := Rest (R);
       begin
          Greet (Sent);
-         Greet (Authentication.Label & T.Data (1 .. T.Length) & Sent);
+         Greet
+           (Admission.Authentication.Label & T.Data (1 .. T.Length) & Sent);
          Show (Sent);
-         Show ("x" & Authentication.Label & Sent);
+         Show ("x" & Admission.Authentication.Label & Sent);
       end;
    end Tokens;
 

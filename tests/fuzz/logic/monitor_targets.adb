@@ -4,7 +4,7 @@
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Expectations;      use Expectations;
 with Input_Readers;     use Input_Readers;
-with Monitor_Protocol;  use Monitor_Protocol;
+with Monitor.Protocol;  use Monitor.Protocol;
 with Texts;
 
 package body Monitor_Targets is

@@ -3,14 +3,14 @@
 
 with Expectations;   use Expectations;
 with Input_Readers;  use Input_Readers;
-with Robot_Protocol; use Robot_Protocol;
-with Robot_Session;
+with Robot.Protocol; use Robot.Protocol;
+with Robot.Session;
 
 package body Robot_Targets is
 
    use Bytes; use type Bytes.Byte;
-   use type Robot_Session.Mode_Kind;
-   use type Robot_Session.Step_Kind;
+   use type Robot.Session.Mode_Kind;
+   use type Robot.Session.Step_Kind;
 
    procedure Read_Frame (F : Frame);
    --  Against each command, with and without its terminator
@@ -114,11 +114,11 @@ package body Robot_Targets is
 
    procedure Sessions (Data : Byte_Array) is
       R       : Reader := (Size => Data'Length, Data => Data, Used => 0);
-      S       : Robot_Session.State;
-      P       : Robot_Session.Progress;
-      Wanted  : Robot_Session.Request;
-      Next    : Robot_Session.Step;
-      Last    : Robot_Session.Step_Result;
+      S       : Robot.Session.State;
+      P       : Robot.Session.Progress;
+      Wanted  : Robot.Session.Request;
+      Next    : Robot.Session.Step;
+      Last    : Robot.Session.Step_Result;
       Choice  : Byte;
       Steps   : Natural;
       F       : Frame;
@@ -134,7 +134,7 @@ package body Robot_Targets is
          Last := (Ok => False, Reply => <>);
          Take (R, B);
          case Next.Kind is
-            when Robot_Session.Exchange | Robot_Session.Synchronise =>
+            when Robot.Session.Exchange | Robot.Session.Synchronise =>
                case B is
                   when 0 =>
                      null;  --  nothing in time
@@ -157,7 +157,7 @@ package body Robot_Targets is
                   Decode (F, Next.Command.Kind, Last.Reply);
                   --  as the owner of the line has it
                   Last.Ok :=
-                    (if Next.Kind = Robot_Session.Synchronise
+                    (if Next.Kind = Robot.Session.Synchronise
                      then Is_Answer (Last.Reply.Kind, Next.Command.Kind)
                      else Last.Reply.Kind not in Failed_Reply);
                end if;
@@ -169,39 +169,39 @@ package body Robot_Targets is
    begin
       while not Is_Empty (R) loop
          Take (R, Choice);
-         Wanted.Kind := Robot_Session.Request_Kind'Val
+         Wanted.Kind := Robot.Session.Request_Kind'Val
            (Natural (Choice)
-            mod (Robot_Session.Request_Kind'Pos
-                   (Robot_Session.Request_Kind'Last) + 1));
+            mod (Robot.Session.Request_Kind'Pos
+                   (Robot.Session.Request_Kind'Last) + 1));
          Wanted.Command :=
            (case Choice / 16 mod 4 is
                when 0 => Forward,
                when 1 => Left,
                when 2 => (Move, 1),
-               when others => Robot_Protocol.Stop);
-         Robot_Session.Start_Request (S, Wanted, P, Next);
+               when others => Robot.Protocol.Stop);
+         Robot.Session.Start_Request (S, Wanted, P, Next);
          Steps := 0;
          --  the unit's own postconditions, which it does not check itself
-         pragma Assert (Robot_Session.Is_Under_Way (S, P));
-         pragma Assert (Robot_Session.Is_Allowed (S, P, Next));
-         while Next.Kind /= Robot_Session.Finish loop
+         pragma Assert (Robot.Session.Is_Under_Way (S, P));
+         pragma Assert (Robot.Session.Is_Allowed (S, P, Next));
+         while Next.Kind /= Robot.Session.Finish loop
             Check
-              (not Robot_Session.Sends_Movement (Next)
-               or else S.Mode /= Robot_Session.Not_Started,
+              (not Robot.Session.Sends_Movement (Next)
+               or else S.Mode /= Robot.Session.Not_Started,
                "a movement before the start");
-            if Robot_Session.Is_Sent (Next) then
+            if Robot.Session.Is_Sent (Next) then
                Check (S.Line_Open, "something is sent on a closed line");
                Encode (Next.Command, F);
             end if;
             Steps := Steps + 1;
             Check
-              (Steps <= Robot_Session.Max_Steps, "a request does not end");
+              (Steps <= Robot.Session.Max_Steps, "a request does not end");
             Answer;
-            Robot_Session.Continue_Request (S, P, Last, Next);
-            pragma Assert (Robot_Session.Is_Under_Way (S, P));
-            pragma Assert (Robot_Session.Is_Allowed (S, P, Next));
+            Robot.Session.Continue_Request (S, P, Last, Next);
+            pragma Assert (Robot.Session.Is_Under_Way (S, P));
+            pragma Assert (Robot.Session.Is_Allowed (S, P, Next));
          end loop;
-         Check (Robot_Session.Is_Consistent (S), "an inconsistent state");
+         Check (Robot.Session.Is_Consistent (S), "an inconsistent state");
       end loop;
    end Sessions;
 

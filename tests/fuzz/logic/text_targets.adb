@@ -5,7 +5,7 @@ with Base64;
 with Command_Lines;
 with Expectations;     use Expectations;
 with Input_Readers;    use Input_Readers;
-with Monitor_Protocol; use Monitor_Protocol;
+with Monitor.Protocol; use Monitor.Protocol;
 with Texts;
 
 package body Text_Targets is

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The token: its file, the line that shows it, and what the log shows.
 
-with AUnit.Assertions; use AUnit.Assertions;
+with AUnit.Assertions;         use AUnit.Assertions;
 
-with Authentication;   use Authentication;
+with Admission.Authentication; use Admission.Authentication;
 with Texts;
 
 package body Authentication_Tests is
@@ -85,7 +85,7 @@ package body Authentication_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Authentication"));
+     (AUnit.Format ("Admission.Authentication"));
 
    --------------------
    -- Register_Tests --

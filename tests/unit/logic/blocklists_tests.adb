@@ -1,17 +1,18 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Blocklists: who floods, and who only connects now and then.
 
-with AUnit.Assertions; use AUnit.Assertions;
+with AUnit.Assertions;     use AUnit.Assertions;
 
-with Blocklists;       use Blocklists;
-with Interfaces;       use Interfaces;
-with Networks;
+with Admission.Blocklists; use Admission.Blocklists;
+with Admission.Networks;
+with Interfaces;           use Interfaces;
 
 package body Blocklists_Tests is
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
-   Monitor : constant Networks.Source := Networks.IPv4_Sources + 1;
+   Monitor : constant Admission.Networks.Source :=
+     Admission.Networks.IPv4_Sources + 1;
 
    procedure Test_One (T : in out Any_Test);
    procedure Test_Many (T : in out Any_Test);
@@ -23,7 +24,7 @@ package body Blocklists_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Blocklists"));
+     (AUnit.Format ("Admission.Blocklists"));
 
    --------------------
    -- Register_Tests --
@@ -79,13 +80,14 @@ package body Blocklists_Tests is
    begin
       for Round in 1 .. Threshold loop
          for S in 1 .. Max_Sources loop
-            Note (H, Networks.Source (S));
+            Note (H, Admission.Networks.Source (S));
          end loop;
       end loop;
       Extend (L, H, Grown);
       Assert (Grown and then L.Count = Max_Sources, "not all");
       Assert
-        ((for all S in 1 .. Max_Sources => Contains (L, Networks.Source (S))),
+        ((for all S in 1 .. Max_Sources =>
+            Contains (L, Admission.Networks.Source (S))),
          "somebody else");
       for Number in 1 .. Max_Arrivals loop
          Note (H, 100);
@@ -133,7 +135,7 @@ package body Blocklists_Tests is
       Grown : Boolean;
    begin
       for Number in 1 .. 5 * Max_Arrivals loop
-         Note (H, Networks.Source (Number mod (2 * Max_Sources)));
+         Note (H, Admission.Networks.Source (Number mod (2 * Max_Sources)));
       end loop;
       Extend (L, H, Grown);
       Assert (not Grown and then L.Count = 0, "somebody is blocked");

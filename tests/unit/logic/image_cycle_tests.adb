@@ -1,34 +1,34 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  One cycle of the periodic images.
 
-with AUnit.Assertions; use AUnit.Assertions;
+with AUnit.Assertions;   use AUnit.Assertions;
 
-with Following;
-with Image_Cycle;      use Image_Cycle;
-with Image_Grid;
-with Monitor_Protocol;
+with Monitor.Protocol;
 with Options;
-with Shapes;
-with Vision_Mode;
+with Vision.Following;
+with Vision.Image_Cycle; use Vision.Image_Cycle;
+with Vision.Image_Grid;
+with Vision.Mode;
+with Vision.Shapes;
 
 package body Image_Cycle_Tests is
 
-   use type Image_Grid.Microseconds;
-   use type Monitor_Protocol.Position;
+   use type Monitor.Protocol.Position;
+   use type Vision.Image_Grid.Microseconds;
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Period : constant := 100_000;
 
-   Streaming : constant Vision_Mode.State :=
-     (Vision_Mode.Streaming, True, True);
-   Deciding  : constant Vision_Mode.State :=
-     (Vision_Mode.Deciding, True, True);
-   Plain     : constant Vision_Mode.State :=
-     (Vision_Mode.Streaming, False, False);
-   Closed    : constant Vision_Mode.State := (others => <>);
+   Streaming : constant Vision.Mode.State :=
+     (Vision.Mode.Streaming, True, True);
+   Deciding  : constant Vision.Mode.State :=
+     (Vision.Mode.Deciding, True, True);
+   Plain     : constant Vision.Mode.State :=
+     (Vision.Mode.Streaming, False, False);
+   Closed    : constant Vision.Mode.State := (others => <>);
 
-   Robots : constant Shapes.Robot_Array :=
+   Robots : constant Vision.Shapes.Robot_Array :=
      (1      => (Id        => 7,
                  Centre    => (10, 20),
                  Direction => (30, 40),
@@ -41,7 +41,7 @@ package body Image_Cycle_Tests is
    procedure Test_Position (T : in out Any_Test);
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Image_Cycle"));
+     (AUnit.Format ("Vision.Image_Cycle"));
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -55,38 +55,39 @@ package body Image_Cycle_Tests is
    procedure Test_Grid (T : in out Any_Test) is
       pragma Unreferenced (T);
       S      : State;
-      Length : Image_Grid.Microseconds;
+      Length : Vision.Image_Grid.Microseconds;
    begin
       Take_Image (S, 9_000, 0, False, Period, Length);
       Assert (Length = Period, "the first image begins the grid");
       Take_Image (S, 9_000, 0, False, Period, Length);
-      Assert (Image_Grid.Lost (S.Grid) = 0, "not waited: nothing is lost");
+      Assert
+        (Vision.Image_Grid.Lost (S.Grid) = 0, "not waited: nothing is lost");
       S.Waited := True;
       Take_Image (S, 9_000, 0, False, Period, Length);
-      Assert (Image_Grid.Lost (S.Grid) = 9_000, "what was waited is");
+      Assert (Vision.Image_Grid.Lost (S.Grid) = 9_000, "what was waited is");
       Assert (not S.Waited, "and nothing is waited for any more");
    end Test_Grid;
 
    procedure Test_Known (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Arena : constant Shapes.Arena_Corners := (others => (1, 2));
+      Arena : constant Vision.Shapes.Arena_Corners := (others => (1, 2));
       S     : State;
    begin
       Look_In (S, Streaming, Arena);
-      Following.Begin_Anew (S.Known, Robots, 1);
+      Vision.Following.Begin_Anew (S.Known, Robots, 1);
       Look_In (S, Streaming, Arena);
-      Assert (Following.Count (S.Known) = 1, "in the same arena");
-      Look_In (S, Streaming, Shapes.No_Arena);
-      Assert (Following.Count (S.Known) = 0, "not in another");
-      Following.Begin_Anew (S.Known, Robots, 1);
-      Look_In (S, Plain, Shapes.No_Arena);
-      Assert (Following.Count (S.Known) = 0, "not when nobody looked");
+      Assert (Vision.Following.Count (S.Known) = 1, "in the same arena");
+      Look_In (S, Streaming, Vision.Shapes.No_Arena);
+      Assert (Vision.Following.Count (S.Known) = 0, "not in another");
+      Vision.Following.Begin_Anew (S.Known, Robots, 1);
+      Look_In (S, Plain, Vision.Shapes.No_Arena);
+      Assert (Vision.Following.Count (S.Known) = 0, "not when nobody looked");
    end Test_Known;
 
    procedure Test_Position (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Assert (Position_Of (Robots, 0) = Monitor_Protocol.Not_Found, "none");
+      Assert (Position_Of (Robots, 0) = Monitor.Protocol.Not_Found, "none");
       Assert
         (Position_Of (Robots, 2) =
            (Id => 7, Angle => 50, Cx => 10, Cy => 20, Dx => 30, Dy => 40),

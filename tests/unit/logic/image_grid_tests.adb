@@ -6,8 +6,8 @@ with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
 
 with AUnit.Assertions;          use AUnit.Assertions;
 
-with Frame_Slots;
-with Image_Grid;                use Image_Grid;
+with Vision.Frame_Slots;
+with Vision.Image_Grid;         use Vision.Image_Grid;
 
 package body Image_Grid_Tests is
 
@@ -69,7 +69,7 @@ package body Image_Grid_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Image_Grid"));
+     (AUnit.Format ("Vision.Image_Grid"));
 
    --------------------
    -- Register_Tests --
@@ -99,17 +99,17 @@ package body Image_Grid_Tests is
       end record;
 
       Random  : Generator;
-      In_Slot : array (Frame_Slots.Slot) of Arrival;
+      In_Slot : array (Vision.Frame_Slots.Slot) of Arrival;
       Newest  : Arrival;
       Older   : Arrival;
-      Uses    : Frame_Slots.State;
+      Uses    : Vision.Frame_Slots.State;
       Nominal : Long_Float := Phase;
       Coming  : Arrival := (-1_000.0, 0);
       Sent    : Arrival;
-      Grid    : Image_Grid.State := Initial;
+      Grid    : Vision.Image_Grid.State := Initial;
       Next    : Long_Float := 0.0;
       Now     : Long_Float;
-      Slot    : Frame_Slots.Slot;
+      Slot    : Vision.Frame_Slots.Slot;
       Found   : Boolean;
       Reserve : Boolean;
       Step    : Microseconds;
@@ -143,9 +143,9 @@ package body Image_Grid_Tests is
 
       procedure Come is
       begin
-         Frame_Slots.Claim_Empty (Uses, Slot);
+         Vision.Frame_Slots.Claim_Empty (Uses, Slot);
          In_Slot (Slot) := Coming;
-         Frame_Slots.Publish (Uses, Slot);
+         Vision.Frame_Slots.Publish (Uses, Slot);
          Older := Newest;
          Newest := Coming;
          Prepare;
@@ -154,14 +154,14 @@ package body Image_Grid_Tests is
    begin
       Reset (Random, 7);
       Result := (others => <>);
-      Frame_Slots.Begin_Delivery (Uses);
+      Vision.Frame_Slots.Begin_Delivery (Uses);
       Prepare;
       loop
          Now := Next + Chance;
          while Coming.Time <= Now loop
             Come;
          end loop;
-         if not Frame_Slots.Has_Newest (Uses) then
+         if not Vision.Frame_Slots.Has_Newest (Uses) then
             Now := Coming.Time;
             Wait_Ended
               (Grid, Microseconds (1_000.0 * (Now - Next)), Period);
@@ -169,12 +169,12 @@ package body Image_Grid_Tests is
             Come;
          end if;
          exit when Now > Length;
-         Reserve := Frame_Slots.Has_Older (Uses)
+         Reserve := Vision.Frame_Slots.Has_Older (Uses)
            and then Sends_Older (Age (Newest), Age (Older), Period);
          if Reserve then
-            Frame_Slots.Claim_Older (Uses, Slot);
+            Vision.Frame_Slots.Claim_Older (Uses, Slot);
          else
-            Frame_Slots.Claim_Newest (Uses, Slot, Found);
+            Vision.Frame_Slots.Claim_Newest (Uses, Slot, Found);
             Assert (Found, "an image");
          end if;
          Assert (In_Slot (Slot).Number > Sent.Number, "sent twice");
@@ -192,9 +192,9 @@ package body Image_Grid_Tests is
             Last := Now;
          end if;
          Sent := In_Slot (Slot);
-         Image_Grid.Step (Grid, Age (Sent), Reserve, Period, Step);
+         Vision.Image_Grid.Step (Grid, Age (Sent), Reserve, Period, Step);
          Next := Next + Long_Float (Step) / 1_000.0;
-         Frame_Slots.Release (Uses, Slot);
+         Vision.Frame_Slots.Release (Uses, Slot);
       end loop;
       Result.Mean_Rate :=
         1_000.0 * Long_Float (Result.Sent - 1) / (Last - First);
@@ -309,7 +309,7 @@ package body Image_Grid_Tests is
 
    procedure Test_Step (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Grid   : Image_Grid.State := Initial;
+      Grid   : Vision.Image_Grid.State := Initial;
       Length : Microseconds;
    begin
       Wait_Ended (Grid, 15_000, Period);

@@ -4,8 +4,8 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Bytes;
-with Line_Health;      use Line_Health;
-with Robot_Protocol;   use Robot_Protocol;
+with Robot.Health;     use Robot.Health;
+with Robot.Protocol;   use Robot.Protocol;
 
 package body Line_Health_Tests is
 
@@ -68,7 +68,7 @@ package body Line_Health_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Line_Health"));
+     (AUnit.Format ("Robot.Health"));
 
    --------------------
    -- Register_Tests --

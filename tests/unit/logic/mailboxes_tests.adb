@@ -4,20 +4,20 @@
 
 with Ada.Real_Time;
 
-with AUnit.Assertions; use AUnit.Assertions;
+with AUnit.Assertions;   use AUnit.Assertions;
 
-with Mailboxes;        use Mailboxes;
-with Monitor_Protocol;
-with Notices;
-with Orders;           use Orders;
+with Monitor.Mailboxes;  use Monitor.Mailboxes;
+with Monitor.Notices;
+with Monitor.Protocol;
+with Monitor.Send_Order; use Monitor.Send_Order;
+with Orders;             use Orders;
 with Schedule;
-with Send_Order;       use Send_Order;
 
 package body Mailboxes_Tests is
 
    use type Ada.Real_Time.Time;
    use type Ada.Real_Time.Time_Span;
-   use all type Monitor_Protocol.Answer_Kind;
+   use all type Monitor.Protocol.Answer_Kind;
 
    function Ms (Count : Integer) return Ada.Real_Time.Time_Span
    renames Ada.Real_Time.Milliseconds;
@@ -95,7 +95,7 @@ package body Mailboxes_Tests is
    is
       Next : Item;
       Line : Short_Line;
-      Gap  : Send_Order.Milliseconds;
+      Gap  : Monitor.Send_Order.Milliseconds;
       Left : Boolean;
    begin
       Take (B, Between, Now, Now - Ms (Kept), Next, Gap, Left);
@@ -104,7 +104,7 @@ package body Mailboxes_Tests is
       if Kind /= Nothing and then not Next.Is_Image then
          Compose (Next, Line);
          Assert (Line.Data (1 .. Line.Length)
-                 = Text & Monitor_Protocol.Line_Feed,
+                 = Text & Monitor.Protocol.Line_Feed,
                  Text & ", not " & Line.Data (1 .. Line.Length));
       end if;
       Assert (not Left, "the session lasts");
@@ -134,7 +134,7 @@ package body Mailboxes_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Mailboxes"));
+     (AUnit.Format ("Monitor.Mailboxes"));
 
    ----------
    -- Pass --
@@ -152,7 +152,7 @@ package body Mailboxes_Tests is
 
    function Place return Ticket is
       Number : Ticket;
-      Result : Mailboxes.Place;
+      Result : Monitor.Mailboxes.Place;
       Begun  : Boolean;
    begin
       Reserve (B, Now, Number, Result, Begun);
@@ -190,7 +190,7 @@ package body Mailboxes_Tests is
       Begun : Boolean;
    begin
       Line.Length := Text'Length + 1;
-      Line.Data (1 .. Line.Length) := Text & Monitor_Protocol.Line_Feed;
+      Line.Data (1 .. Line.Length) := Text & Monitor.Protocol.Line_Feed;
       Put_Position (B, Line, B.Made, Now, Begun);
    end Put_Position;
 
@@ -231,8 +231,8 @@ package body Mailboxes_Tests is
       Put_Arena (B, First, Accepted, Kept);
       Assert (not Accepted, "the one before waits still");
       Answer (First);
-      Check (Send_Order.Answer, "AACK");
-      Check (Send_Order.Answer);
+      Check (Monitor.Send_Order.Answer, "AACK");
+      Check (Monitor.Send_Order.Answer);
       Put_Arena (B, Second, Accepted, Kept);
       Assert (Accepted and then not Kept, "answered already");
       Check (Nothing);
@@ -246,7 +246,7 @@ package body Mailboxes_Tests is
       pragma Unreferenced (T);
       First  : Ticket;
       Number : Ticket;
-      Result : Mailboxes.Place;
+      Result : Monitor.Mailboxes.Place;
       Begun  : Boolean;
    begin
       Begin_Anew;
@@ -258,7 +258,7 @@ package body Mailboxes_Tests is
       Reserve (B, Now, Number, Result, Begun);
       Assert (Result = Full, "no more room");
       Answer (First);
-      Check (Send_Order.Answer, "AACK");
+      Check (Monitor.Send_Order.Answer, "AACK");
       Assert (Place = First + Capacity, "room again");
    end Test_Full;
 
@@ -282,7 +282,7 @@ package body Mailboxes_Tests is
       Answer (Place);
       Check_Gap (4);
       Check (Nothing, Kept => 3);
-      Check (Send_Order.Answer, "AACK", Kept => 4);
+      Check (Monitor.Send_Order.Answer, "AACK", Kept => 4);
       Check_Gap (20);
       Check (Nothing, Kept => 19);
       Check (Image);
@@ -310,9 +310,9 @@ package body Mailboxes_Tests is
       Check_Hold (False);
       Answer (First);
       Answer (Second, Refused);
-      Check (Send_Order.Answer, "AACK");
+      Check (Monitor.Send_Order.Answer, "AACK");
       Check (Battery, "RBLV:2");
-      Check (Send_Order.Answer, "ACRJ");
+      Check (Monitor.Send_Order.Answer, "ACRJ");
       Check (Image);
    end Test_Hold;
 
@@ -327,12 +327,12 @@ package body Mailboxes_Tests is
    begin
       Begin_Anew;
       Answer (Place);
-      Check (Send_Order.Answer, "AACK");
+      Check (Monitor.Send_Order.Answer, "AACK");
       Put_Battery;
       Check_Hold (False);
       loop
          Answer (Place);
-         Check (Send_Order.Answer, "AACK");
+         Check (Monitor.Send_Order.Answer, "AACK");
          Turns := Turns + 1;
          Assert (Turns <= 2 * 95, "held back for ever");
          Pass (Ms (10));
@@ -357,7 +357,7 @@ package body Mailboxes_Tests is
       Put_Image;
       Check_Hold (True);
       Answer (Number);
-      Check (Send_Order.Answer, "AACK");
+      Check (Monitor.Send_Order.Answer, "AACK");
       Check (Battery, "RBLV:2");
       Pass (Ms (500));
       Number := Place;
@@ -367,7 +367,7 @@ package body Mailboxes_Tests is
       Pass (Ms (500));
       Check (Image);
       Answer (Number);
-      Check (Send_Order.Answer, "AACK");
+      Check (Monitor.Send_Order.Answer, "AACK");
    end Test_Hold_Of_Each;
 
    -----------------
@@ -381,7 +381,7 @@ package body Mailboxes_Tests is
       Begin_Anew;
       Put_Image;
       Put_Image;
-      Put_Notice (B, Notices.Camera_Ended, Now, Begun);
+      Put_Notice (B, Monitor.Notices.Camera_Ended, Now, Begun);
       Put_Lost (B, Now, Begun);
       Check (Robot_Lost, "ATIM");
       Check (Text, "MSSG:camera closed: it delivers no images any more");
@@ -410,8 +410,8 @@ package body Mailboxes_Tests is
       Put_No_Answer (B, Second);
       Answer (First);
       Answer (First, Timed_Out);
-      Check (Send_Order.Answer, "AACK");
-      Check (Send_Order.Answer, "ACRJ");
+      Check (Monitor.Send_Order.Answer, "AACK");
+      Check (Monitor.Send_Order.Answer, "ACRJ");
       Check (Image);
    end Test_Order;
 
@@ -436,7 +436,7 @@ package body Mailboxes_Tests is
       Assert (not Kept, "an image of another session");
       Check (Nothing);
       Answer (Next);
-      Check (Send_Order.Answer, "AACK");
+      Check (Monitor.Send_Order.Answer, "AACK");
    end Test_Stale;
 
 end Mailboxes_Tests;

@@ -3,7 +3,7 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Monitor_Link;     use Monitor_Link;
+with Monitor.Link;     use Monitor.Link;
 with Texts;
 
 package body Monitor_Link_Tests is
@@ -53,7 +53,7 @@ package body Monitor_Link_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Monitor_Link"));
+     (AUnit.Format ("Monitor.Link"));
 
    ----------
    -- Next --

@@ -6,7 +6,7 @@ with Ada.Strings.Fixed;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Monitor_Protocol; use Monitor_Protocol;
+with Monitor.Protocol; use Monitor.Protocol;
 
 package body Monitor_Protocol_Tests is
 
@@ -173,7 +173,7 @@ package body Monitor_Protocol_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Monitor_Protocol"));
+     (AUnit.Format ("Monitor.Protocol"));
 
    ------------
    -- Parsed --

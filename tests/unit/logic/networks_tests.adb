@@ -3,11 +3,11 @@
 
 with Ada.Strings.Fixed;
 
-with AUnit.Assertions; use AUnit.Assertions;
+with AUnit.Assertions;   use AUnit.Assertions;
 
-with Bytes;            use Bytes;
-with Interfaces;       use Interfaces;
-with Networks;         use Networks;
+with Admission.Networks; use Admission.Networks;
+with Bytes;              use Bytes;
+with Interfaces;         use Interfaces;
 
 package body Networks_Tests is
 
@@ -54,7 +54,7 @@ package body Networks_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Networks"));
+     (AUnit.Format ("Admission.Networks"));
 
    ----------
    -- Read --

@@ -4,11 +4,11 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Monitor_Protocol; use Monitor_Protocol;
+with Monitor.Protocol; use Monitor.Protocol;
 with Order_Meanings;   use Order_Meanings;
 with Orders;           use Orders;
-with Robot_Protocol;
-with Robot_Session;
+with Robot.Protocol;
+with Robot.Session;
 
 package body Order_Meanings_Tests is
 
@@ -29,10 +29,10 @@ package body Order_Meanings_Tests is
 
    procedure Check_Frame (Line, Expected : String) is
       M : Message;
-      F : Robot_Protocol.Frame;
+      F : Robot.Protocol.Frame;
    begin
       Parse (Line, M);
-      Robot_Protocol.Encode (Robot_Session.Command_For (Request_Of (M)), F);
+      Robot.Protocol.Encode (Robot.Session.Command_For (Request_Of (M)), F);
       Assert (F.Length = Expected'Length + 2, Line & ": length");
       for I in Expected'Range loop
          Assert (Character'Val (F.Data (I)) = Expected (I),

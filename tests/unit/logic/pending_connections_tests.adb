@@ -4,11 +4,11 @@
 
 with Ada.Numerics.Discrete_Random;
 
-with AUnit.Assertions;    use AUnit.Assertions;
+with AUnit.Assertions;              use AUnit.Assertions;
 
-with Interfaces;          use Interfaces;
-with Networks;            use Networks;
-with Pending_Connections; use Pending_Connections;
+with Admission.Networks;            use Admission.Networks;
+with Admission.Pending_Connections; use Admission.Pending_Connections;
+with Interfaces;                    use Interfaces;
 
 package body Pending_Connections_Tests is
 
@@ -72,7 +72,7 @@ package body Pending_Connections_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Pending_Connections"));
+     (AUnit.Format ("Admission.Pending_Connections"));
 
    --------------------
    -- Register_Tests --

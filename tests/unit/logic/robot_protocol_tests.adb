@@ -7,7 +7,7 @@ with Ada.Strings.Fixed;
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Bytes;            use Bytes;
-with Robot_Protocol;   use Robot_Protocol;
+with Robot.Protocol;   use Robot.Protocol;
 
 package body Robot_Protocol_Tests is
 
@@ -95,7 +95,7 @@ package body Robot_Protocol_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Robot_Protocol"));
+     (AUnit.Format ("Robot.Protocol"));
 
    --------------------
    -- Plain_Checksum --

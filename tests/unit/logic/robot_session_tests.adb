@@ -3,13 +3,13 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Line_Health;
-with Robot_Protocol;
-with Robot_Session;    use Robot_Session;
+with Robot.Health;
+with Robot.Protocol;
+with Robot.Session;    use Robot.Session;
 
 package body Robot_Session_Tests is
 
-   package Wire renames Robot_Protocol;
+   package Wire renames Robot.Protocol;
 
    use type Wire.Command;
    use type Wire.Command_Kind;
@@ -19,7 +19,7 @@ package body Robot_Session_Tests is
    Driving : constant Wire.Command := (Wire.Turn, 90);
 
    function Opened (Mode : Mode_Kind) return State is
-     ((Line_Open => True, Mode => Mode, Health => Line_Health.Initial));
+     ((Line_Open => True, Mode => Mode, Health => Robot.Health.Initial));
 
    function Mark (C : Wire.Command) return Character is
      (if C = Wire.Stop then '.' else Wire.Letter (C.Kind));
@@ -58,7 +58,7 @@ package body Robot_Session_Tests is
 
    type History is record
       Before  : State;
-      Request : Robot_Session.Request;
+      Request : Robot.Session.Request;
       Steps   : Natural := 0;
       Stopped : Boolean := False;  --  a stop has been sent
       Closed  : Boolean := False;
@@ -260,7 +260,7 @@ package body Robot_Session_Tests is
                     "only a stop goes blindly, and an opening's reset");
             Follow ((True, others => <>));
          when Exchange =>
-            Assert (Line_Health.In_Step (S.Health), "exchanged in step");
+            Assert (Robot.Health.In_Step (S.Health), "exchanged in step");
             for How of String'("-E+") loop
                Follow (Answer (Next.Command, How));
             end loop;
@@ -268,9 +268,9 @@ package body Robot_Session_Tests is
                Follow (Answer (Next.Command, '1'));
             end if;
          when Synchronise =>
-            Assert (not Line_Health.In_Step (S.Health)
+            Assert (not Robot.Health.In_Step (S.Health)
                     and then Next.Command.Kind
-                      = Line_Health.Probe (S.Health), "probed out of step");
+                      = Robot.Health.Probe (S.Health), "probed out of step");
             for How of String'("-+") loop
                Follow (Answer (Next.Command, How));
             end loop;
@@ -284,7 +284,7 @@ package body Robot_Session_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Robot_Session"));
+     (AUnit.Format ("Robot.Session"));
 
    --------------------
    -- Register_Tests --
@@ -400,11 +400,11 @@ package body Robot_Session_Tests is
             Explore_From (S, (Kind, Wire.Forward));
             for First in Wire.Command_Kind loop
                S := Opened (Mode);
-               Line_Health.Failure (S.Health, First);
+               Robot.Health.Failure (S.Health, First);
                Explore_From (S, (Kind, Driving));
                for Probes in 1 .. 2 loop
-                  Line_Health.Failure
-                    (S.Health, Line_Health.Probe (S.Health));
+                  Robot.Health.Failure
+                    (S.Health, Robot.Health.Probe (S.Health));
                   Explore_From (S, (Kind, Driving));
                end loop;
             end loop;
@@ -536,12 +536,12 @@ package body Robot_Session_Tests is
       S := (others => <>);
       Carry_Out (S, Open_Line, "+-", "O!r~V", (Done, 0, Nothing));
       Assert (S.Line_Open and then S.Mode = Not_Started
-              and then Line_Health.Failures (S.Health) = 1,
+              and then Robot.Health.Failures (S.Health) = 1,
               "open, one failure");
       S := (others => <>);
       Carry_Out (S, Open_Line, "++-", "O!r~Vr", (Done, 0, Nothing));
       Assert (S.Line_Open and then S.Mode = Not_Started
-              and then Line_Health.Failures (S.Health) = 1,
+              and then Robot.Health.Failures (S.Health) = 1,
               "open, one failure");
       for Mode in Mode_Kind loop
          Check (Mode, Open_Line, "", "", (Done, 0, Nothing), Mode);
@@ -561,7 +561,7 @@ package body Robot_Session_Tests is
       function Unsure return State is
          Result : State := Opened (Started);
       begin
-         Line_Health.Failure (Result.Health, Wire.Ping);
+         Robot.Health.Failure (Result.Health, Wire.Ping);
          return Result;
       end Unsure;
 
@@ -571,10 +571,10 @@ package body Robot_Session_Tests is
       Assert (S = Opened (Started), "in step");
       S := Unsure;
       Carry_Out (S, Drive, "-", "~V", (Timed_Out, 0, Nothing));
-      Assert (Line_Health.Failures (S.Health) = 2, "two failures");
+      Assert (Robot.Health.Failures (S.Health) = 2, "two failures");
       S := Unsure;
       Carry_Out (S, Drive, "+-", "~VT", (Timed_Out, 0, Nothing));
-      Assert (Line_Health.Failures (S.Health) = 1, "one failure");
+      Assert (Robot.Health.Failures (S.Health) = 1, "one failure");
 
       S := Unsure;
       Carry_Out (S, Stop, "++", "!.~V.", (Done, 0, Nothing));

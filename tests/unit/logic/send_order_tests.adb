@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What goes to the monitor next, and how long after the message before it.
 
-with AUnit.Assertions; use AUnit.Assertions;
+with AUnit.Assertions;   use AUnit.Assertions;
 
-with Send_Order;       use Send_Order;
+with Monitor.Send_Order; use Monitor.Send_Order;
 
 package body Send_Order_Tests is
 
@@ -25,7 +25,7 @@ package body Send_Order_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Send_Order"));
+     (AUnit.Format ("Monitor.Send_Order"));
 
    --------------------
    -- Register_Tests --

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The stages of a session: their order, and that none begins at the end.
 
-with AUnit.Assertions; use AUnit.Assertions;
+with AUnit.Assertions;       use AUnit.Assertions;
 
-with Session_Stages;   use Session_Stages;
+with Monitor.Session_Stages; use Monitor.Session_Stages;
 
 package body Session_Stages_Tests is
 
@@ -13,7 +13,7 @@ package body Session_Stages_Tests is
    procedure Test_Stopping (T : in out Any_Test);
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Session_Stages"));
+     (AUnit.Format ("Monitor.Session_Stages"));
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;

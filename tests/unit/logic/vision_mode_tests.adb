@@ -3,7 +3,7 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Vision_Mode;      use Vision_Mode;
+with Vision.Mode;      use Vision.Mode;
 
 package body Vision_Mode_Tests is
 
@@ -27,7 +27,7 @@ package body Vision_Mode_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Vision_Mode"));
+     (AUnit.Format ("Vision.Mode"));
 
    --------------------
    -- Register_Tests --

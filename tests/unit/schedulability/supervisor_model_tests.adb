@@ -93,9 +93,9 @@ package body Supervisor_Model_Tests is
       pragma Unreferenced (T);
       Found : Natural := 0;
    begin
-      Check_Tasks ("monitor_tasks.ads", Found);
-      Check_Tasks ("robot_tasks.ads", Found);
-      Check_Tasks ("vision_tasks.ads", Found);
+      Check_Tasks ("monitor-tasks.ads", Found);
+      Check_Tasks ("robot-tasks.ads", Found);
+      Check_Tasks ("vision-tasks.ads", Found);
       Check_Tasks ("support_tasks.ads", Found);
       Assert
         (Found = Schedule.Table'Length, "tasks declared:" & Found'Image);

@@ -5,16 +5,16 @@ with Ada.Real_Time;    use Ada.Real_Time;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Frame_Delivery;
-with Frame_Slots;
-with Frame_Store;
-with Image_Grid;
 with Schedule;
+with Vision.Frame_Delivery;
+with Vision.Frame_Slots;
+with Vision.Frame_Store;
+with Vision.Image_Grid;
 
 package body Frame_Store_Tests is
 
-   use type Frame_Slots.Slot;
-   use type Image_Grid.Microseconds;
+   use type Vision.Frame_Slots.Slot;
+   use type Vision.Image_Grid.Microseconds;
 
    Period : constant := 100_000;
 
@@ -23,7 +23,7 @@ package body Frame_Store_Tests is
    procedure Begin_Anew;
    --  A camera has been opened.
 
-   procedure Check_Newest (Expected : Frame_Slots.Slot);
+   procedure Check_Newest (Expected : Vision.Frame_Slots.Slot);
    --  Expected holds the newest image; it is released again.
 
    procedure Check_None;
@@ -39,12 +39,12 @@ package body Frame_Store_Tests is
    procedure Test_Wait (T : in out Any_Test);
    procedure Test_Elapsed (T : in out Any_Test);
 
-   procedure Put (At_Time : Time; Slot : out Frame_Slots.Slot);
+   procedure Put (At_Time : Time; Slot : out Vision.Frame_Slots.Slot);
    --  An image comes
 
    procedure Claim_Due
      (Now     : Time;
-      Slot    : out Frame_Slots.Slot;
+      Slot    : out Vision.Frame_Slots.Slot;
       At_Time : out Time;
       Reserve : out Boolean);
    --  What is sent at Now; it is released again
@@ -55,25 +55,25 @@ package body Frame_Store_Tests is
 
    procedure Begin_Anew is
    begin
-      for Slot in Frame_Slots.Slot loop
-         Frame_Store.Release (Slot);
+      for Slot in Vision.Frame_Slots.Slot loop
+         Vision.Frame_Store.Release (Slot);
       end loop;
-      Frame_Store.Begin_Delivery (Clock);
+      Vision.Frame_Store.Begin_Delivery (Clock);
    end Begin_Anew;
 
    ------------------
    -- Check_Newest --
    ------------------
 
-   procedure Check_Newest (Expected : Frame_Slots.Slot) is
-      Taken : Frame_Slots.Slot;
+   procedure Check_Newest (Expected : Vision.Frame_Slots.Slot) is
+      Taken : Vision.Frame_Slots.Slot;
       Found : Boolean;
    begin
-      Frame_Store.Claim_Newest (Taken, Found);
+      Vision.Frame_Store.Claim_Newest (Taken, Found);
       Assert (Found, "an image waits");
       Assert (Taken = Expected,
               Expected'Image & " expected, not" & Taken'Image);
-      Frame_Store.Release (Taken);
+      Vision.Frame_Store.Release (Taken);
    end Check_Newest;
 
    ----------------
@@ -81,10 +81,10 @@ package body Frame_Store_Tests is
    ----------------
 
    procedure Check_None is
-      Taken : Frame_Slots.Slot;
+      Taken : Vision.Frame_Slots.Slot;
       Found : Boolean;
    begin
-      Frame_Store.Claim_Newest (Taken, Found);
+      Vision.Frame_Store.Claim_Newest (Taken, Found);
       Assert (not Found, "no image expected, not" & Taken'Image);
    end Check_None;
 
@@ -94,26 +94,26 @@ package body Frame_Store_Tests is
 
    procedure Claim_Due
      (Now     : Time;
-      Slot    : out Frame_Slots.Slot;
+      Slot    : out Vision.Frame_Slots.Slot;
       At_Time : out Time;
       Reserve : out Boolean)
    is
       Found, Coming : Boolean;
    begin
-      Frame_Store.Claim_Due
+      Vision.Frame_Store.Claim_Due
         (Now, Period, Slot, At_Time, Reserve, Found, Coming);
       Assert (Found and then Coming, "an image is due");
-      Frame_Store.Release (Slot);
+      Vision.Frame_Store.Release (Slot);
    end Claim_Due;
 
    ---------
    -- Put --
    ---------
 
-   procedure Put (At_Time : Time; Slot : out Frame_Slots.Slot) is
+   procedure Put (At_Time : Time; Slot : out Vision.Frame_Slots.Slot) is
    begin
-      Frame_Store.Claim_Empty (Slot);
-      Frame_Store.Publish (Slot, At_Time);
+      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Publish (Slot, At_Time);
    end Put;
 
    ----------
@@ -121,7 +121,7 @@ package body Frame_Store_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Frame_Store"));
+     (AUnit.Format ("Vision.Frame_Store"));
 
    --------------------
    -- Register_Tests --
@@ -151,9 +151,9 @@ package body Frame_Store_Tests is
 
    procedure Test_Always_Free (T : in out Any_Test) is
       pragma Unreferenced (T);
-      type Slot_Set is array (Frame_Slots.Slot) of Boolean;
+      type Slot_Set is array (Vision.Frame_Slots.Slot) of Boolean;
       Held  : Slot_Set := (others => False);
-      Slot  : Frame_Slots.Slot;
+      Slot  : Vision.Frame_Slots.Slot;
       Found : Boolean;
    begin
       Begin_Anew;
@@ -161,31 +161,31 @@ package body Frame_Store_Tests is
       --  two readers hold one each, one is the newest
 
       for Reader in 1 .. 2 loop
-         Frame_Store.Claim_Empty (Slot);
+         Vision.Frame_Store.Claim_Empty (Slot);
          Assert (not Held (Slot), "free");
-         Frame_Store.Publish (Slot, Clock);
-         Frame_Store.Claim_Newest (Slot, Found);
+         Vision.Frame_Store.Publish (Slot, Clock);
+         Vision.Frame_Store.Claim_Newest (Slot, Found);
          Assert (Found, "for reader" & Reader'Image);
          Held (Slot) := True;
       end loop;
-      Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Claim_Empty (Slot);
       Assert (not Held (Slot), "one for the newest");
-      Frame_Store.Publish (Slot, Clock);
+      Vision.Frame_Store.Publish (Slot, Clock);
       Held (Slot) := True;
-      Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Claim_Empty (Slot);
       Assert (not Held (Slot), "one for the image after it");
-      Frame_Store.Publish (Slot, Clock);
+      Vision.Frame_Store.Publish (Slot, Clock);
       Held (Slot) := True;
 
       --  and the owner claims the others
 
       for I in 5 .. Held'Length loop
-         Frame_Store.Claim_Empty (Slot);
+         Vision.Frame_Store.Claim_Empty (Slot);
          Assert (not Held (Slot), "slot" & I'Image & " of all");
          Held (Slot) := True;
       end loop;
       Assert (Held = (Held'Range => True), "all slots are in use");
-      Frame_Store.Claim_Newest (Slot, Found);
+      Vision.Frame_Store.Claim_Newest (Slot, Found);
       Assert (Found, "the newest waits still");
    end Test_Always_Free;
 
@@ -195,32 +195,32 @@ package body Frame_Store_Tests is
 
    procedure Test_End (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Slot  : Frame_Slots.Slot;
+      Slot  : Vision.Frame_Slots.Slot;
       Found : Boolean;
    begin
       Begin_Anew;
-      Frame_Store.Claim_Empty (Slot);
-      Frame_Store.Publish (Slot, Clock);
-      Frame_Store.End_Delivery;
+      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Publish (Slot, Clock);
+      Vision.Frame_Store.End_Delivery;
       Check_None;
-      Frame_Store.Wait_Newest (Slot, Found);
+      Vision.Frame_Store.Wait_Newest (Slot, Found);
       Assert (not Found, "nobody waits for what does not come");
 
       --  an image that the owner was just taking is too late
 
-      Frame_Store.Claim_Empty (Slot);
-      Frame_Store.Publish (Slot, Clock);
+      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Publish (Slot, Clock);
       Check_None;
 
       --  and a camera that is opened again begins with nothing
 
-      Frame_Store.Begin_Delivery (Clock);
+      Vision.Frame_Store.Begin_Delivery (Clock);
       Check_None;
-      Frame_Store.Claim_Empty (Slot);
-      Frame_Store.Publish (Slot, Clock);
-      Frame_Store.Wait_Newest (Slot, Found);
+      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Publish (Slot, Clock);
+      Vision.Frame_Store.Wait_Newest (Slot, Found);
       Assert (Found, "the first image of the new delivery");
-      Frame_Store.Release (Slot);
+      Vision.Frame_Store.Release (Slot);
    end Test_End;
 
    ------------------
@@ -229,18 +229,20 @@ package body Frame_Store_Tests is
 
    procedure Test_In_Turn (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Held, Slot, Last : Frame_Slots.Slot;
+      Held, Slot, Last : Vision.Frame_Slots.Slot;
 
-      function Next (After : Frame_Slots.Slot) return Frame_Slots.Slot is
-        (if After = Frame_Slots.Slot'Last then Frame_Slots.Slot'First
+      function Next
+        (After : Vision.Frame_Slots.Slot) return Vision.Frame_Slots.Slot is
+        (if After = Vision.Frame_Slots.Slot'Last
+         then Vision.Frame_Slots.Slot'First
          else After + 1);
    begin
       Begin_Anew;
-      Frame_Store.Claim_Empty (Held);
+      Vision.Frame_Store.Claim_Empty (Held);
       Last := Held;
-      for Image in 1 .. 3 * Frame_Slots.Slot'Range_Length loop
-         Frame_Store.Claim_Empty (Slot);
-         Frame_Store.Publish (Slot, Clock);
+      for Image in 1 .. 3 * Vision.Frame_Slots.Slot'Range_Length loop
+         Vision.Frame_Store.Claim_Empty (Slot);
+         Vision.Frame_Store.Publish (Slot, Clock);
          Last := Next (Last);
          if Last = Held then
             Last := Next (Last);
@@ -257,13 +259,14 @@ package body Frame_Store_Tests is
       pragma Unreferenced (T);
       Begun : constant Time := Clock;
    begin
-      Assert (Frame_Delivery.Elapsed (Begun, Begun) = 0, "none");
-      Assert (Frame_Delivery.Elapsed (Begun, Begun + Microseconds (1)) = 1,
+      Assert (Vision.Frame_Delivery.Elapsed (Begun, Begun) = 0, "none");
+      Assert
+        (Vision.Frame_Delivery.Elapsed (Begun, Begun + Microseconds (1)) = 1,
               "a microsecond");
-      Assert (Frame_Delivery.Elapsed (Begun + Seconds (1), Begun) = 0,
+      Assert (Vision.Frame_Delivery.Elapsed (Begun + Seconds (1), Begun) = 0,
               "none that is negative");
-      Assert (Frame_Delivery.Elapsed (Begun, Begun + Seconds (5_000))
-                = Image_Grid.Microseconds'Last, "more than there is");
+      Assert (Vision.Frame_Delivery.Elapsed (Begun, Begun + Seconds (5_000))
+                = Vision.Image_Grid.Microseconds'Last, "more than there is");
    end Test_Elapsed;
 
    ------------------
@@ -273,8 +276,8 @@ package body Frame_Store_Tests is
    procedure Test_Reserve (T : in out Any_Test) is
       pragma Unreferenced (T);
       Begun                : constant Time := Clock;
-      First, Second, Third : Frame_Slots.Slot;
-      Slot                 : Frame_Slots.Slot;
+      First, Second, Third : Vision.Frame_Slots.Slot;
+      Slot                 : Vision.Frame_Slots.Slot;
       At_Time              : Time;
       Reserve              : Boolean;
    begin
@@ -322,7 +325,7 @@ package body Frame_Store_Tests is
    procedure Test_Wait (T : in out Any_Test) is
       pragma Unreferenced (T);
       Begun   : constant Time := Clock;
-      Slot    : Frame_Slots.Slot;
+      Slot    : Vision.Frame_Slots.Slot;
       At_Time : Time;
       Reserve : Boolean;
       Found   : Boolean;
@@ -333,7 +336,7 @@ package body Frame_Store_Tests is
 
       procedure Begin_Wait (Expected : Boolean) is
       begin
-         Frame_Store.Claim_Due
+         Vision.Frame_Store.Claim_Due
            (Begun, Period, Slot, At_Time, Reserve, Found, Coming);
          Assert (not Found, "nothing is due");
          Assert (Coming = Expected, "coming: " & Coming'Image);
@@ -343,20 +346,20 @@ package body Frame_Store_Tests is
       --  each Wait_Look returns, or the test does not end
 
       Begin_Anew;
-      Frame_Store.Begin_Delivery (Begun);
+      Vision.Frame_Store.Begin_Delivery (Begun);
       Begin_Wait (Expected => True);
       Put (Begun, Slot);
-      Frame_Store.Wait_Look;
+      Vision.Frame_Store.Wait_Look;
       Claim_Due (Begun, Slot, At_Time, Reserve);
 
       Begin_Wait (Expected => True);
-      Frame_Store.Look_At_Silence (Begun + Milliseconds (2_000));
-      Frame_Store.Look_At_Silence (Begun + Milliseconds (2_600));
-      Frame_Store.Wait_Look;
+      Vision.Frame_Store.Look_At_Silence (Begun + Milliseconds (2_000));
+      Vision.Frame_Store.Look_At_Silence (Begun + Milliseconds (2_600));
+      Vision.Frame_Store.Wait_Look;
 
       Begin_Wait (Expected => True);
-      Frame_Store.End_Delivery;
-      Frame_Store.Wait_Look;
+      Vision.Frame_Store.End_Delivery;
+      Vision.Frame_Store.Wait_Look;
       Begin_Wait (Expected => False);
    end Test_Wait;
 
@@ -366,22 +369,22 @@ package body Frame_Store_Tests is
 
    procedure Test_Newest (T : in out Any_Test) is
       pragma Unreferenced (T);
-      First, Second, Third, Other : Frame_Slots.Slot;
+      First, Second, Third, Other : Vision.Frame_Slots.Slot;
       Is_First_Free               : Boolean := False;
    begin
       Begin_Anew;
       Check_None;
-      Frame_Store.Claim_Empty (First);
-      Frame_Store.Publish (First, Clock);
-      Frame_Store.Claim_Empty (Second);
+      Vision.Frame_Store.Claim_Empty (First);
+      Vision.Frame_Store.Publish (First, Clock);
+      Vision.Frame_Store.Claim_Empty (Second);
       Assert (Second /= First, "the newest is not overwritten");
-      Frame_Store.Publish (Second, Clock);
-      Frame_Store.Claim_Empty (Third);
+      Vision.Frame_Store.Publish (Second, Clock);
+      Vision.Frame_Store.Claim_Empty (Third);
       Assert (Third /= First and then Third /= Second,
               "nor the one before it");
-      Frame_Store.Publish (Third, Clock);
+      Vision.Frame_Store.Publish (Third, Clock);
       for Claimed in 3 .. 6 loop
-         Frame_Store.Claim_Empty (Other);
+         Vision.Frame_Store.Claim_Empty (Other);
          Assert (Other /= Second and then Other /= Third,
                  "neither by any of the others");
          Is_First_Free := Is_First_Free or else Other = First;
@@ -389,7 +392,7 @@ package body Frame_Store_Tests is
       Assert (Is_First_Free, "what was dropped is free again");
       Check_Newest (Third);
       Check_None;
-      Frame_Store.Claim_Empty (Other);
+      Vision.Frame_Store.Claim_Empty (Other);
       Assert (Other in Second | Third, "and the one before it is dropped");
    end Test_Newest;
 
@@ -399,22 +402,22 @@ package body Frame_Store_Tests is
 
    procedure Test_Once (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Slot, Taken, Next : Frame_Slots.Slot;
+      Slot, Taken, Next : Vision.Frame_Slots.Slot;
       Found             : Boolean;
    begin
       Begin_Anew;
-      Frame_Store.Claim_Empty (Slot);
-      Frame_Store.Publish (Slot, Clock);
-      Frame_Store.Claim_Newest (Taken, Found);
+      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Publish (Slot, Clock);
+      Vision.Frame_Store.Claim_Newest (Taken, Found);
       Assert (Found and then Taken = Slot, "taken");
       Check_None;
 
       --  and its slot is not filled anew while it is being read
 
-      Frame_Store.Claim_Empty (Next);
+      Vision.Frame_Store.Claim_Empty (Next);
       Assert (Next /= Taken, "claimed");
-      Frame_Store.Publish (Next, Clock);
-      Frame_Store.Release (Taken);
+      Vision.Frame_Store.Publish (Next, Clock);
+      Vision.Frame_Store.Release (Taken);
       Check_Newest (Next);
    end Test_Once;
 
@@ -426,7 +429,7 @@ package body Frame_Store_Tests is
       pragma Unreferenced (T);
       Begun : constant Time := Clock;
       Later : constant Time := Begun + Milliseconds (40);
-      Slot  : Frame_Slots.Slot;
+      Slot  : Vision.Frame_Slots.Slot;
 
       procedure Check (From : Time; What : String);
       --  The time of silence counts from From
@@ -434,22 +437,23 @@ package body Frame_Store_Tests is
       procedure Check (From : Time; What : String) is
          Silent : Boolean;
       begin
-         Frame_Store.Get_Silent (From + Schedule.Camera_Silence, Silent);
+         Vision.Frame_Store.Get_Silent
+           (From + Schedule.Camera_Silence, Silent);
          Assert (not Silent, What & ": too early");
-         Frame_Store.Get_Silent
+         Vision.Frame_Store.Get_Silent
            (From + Schedule.Camera_Silence + Milliseconds (1), Silent);
          Assert (Silent, What & ": too late");
       end Check;
    begin
       Begin_Anew;
-      Frame_Store.Begin_Delivery (Begun);
+      Vision.Frame_Store.Begin_Delivery (Begun);
       Check (Begun, "the beginning");
-      Frame_Store.Claim_Empty (Slot);
-      Frame_Store.Publish (Slot, Later);
+      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Publish (Slot, Later);
       Check (Later, "the image");
-      Frame_Store.End_Delivery;
-      Frame_Store.Claim_Empty (Slot);
-      Frame_Store.Publish (Slot, Later + Milliseconds (40));
+      Vision.Frame_Store.End_Delivery;
+      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Publish (Slot, Later + Milliseconds (40));
       Check (Later, "none that is too late");
    end Test_Times;
 

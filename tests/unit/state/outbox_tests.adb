@@ -1,20 +1,20 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The outbox: images pass from hand to hand, and whoever waits is woken.
 
-with Ada.Real_Time;    use Ada.Real_Time;
+with Ada.Real_Time;          use Ada.Real_Time;
 
-with AUnit.Assertions; use AUnit.Assertions;
+with AUnit.Assertions;       use AUnit.Assertions;
 
-with Image_Messages;   use Image_Messages;
-with Mailboxes;
-with Monitor_Protocol;
-with Orders;           use Orders;
-with Outbox;
-with Send_Order;       use Send_Order;
+with Monitor.Image_Messages; use Monitor.Image_Messages;
+with Monitor.Mailboxes;
+with Monitor.Outbox;
+with Monitor.Protocol;
+with Monitor.Send_Order;     use Monitor.Send_Order;
+with Orders;                 use Orders;
 
 package body Outbox_Tests is
 
-   use all type Monitor_Protocol.Answer_Kind;
+   use all type Monitor.Protocol.Answer_Kind;
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
@@ -43,9 +43,9 @@ package body Outbox_Tests is
    procedure Begin_Anew is
       Next : Ticket;
    begin
-      Outbox.Close_Session (Next);
+      Monitor.Outbox.Close_Session (Next);
       Assert (Next > 0, "numbers begin at 1");
-      Outbox.Open_Session;
+      Monitor.Outbox.Open_Session;
    end Begin_Anew;
 
    -----------
@@ -53,10 +53,10 @@ package body Outbox_Tests is
    -----------
 
    procedure Check (Kind : Choice; Image : String := "") is
-      Next : Mailboxes.Item;
-      Gap  : Send_Order.Milliseconds;
+      Next : Monitor.Mailboxes.Item;
+      Gap  : Monitor.Send_Order.Milliseconds;
    begin
-      Outbox.Take (20, Time_First, Next, Sent_Here, Gap);
+      Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap);
       Assert (Next.Kind = Kind, Next.Kind'Image & " taken");
       Assert (Next.Is_Image = (Image /= ""), "is it an image?");
       if Image /= "" then
@@ -80,18 +80,18 @@ package body Outbox_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Outbox"));
+     (AUnit.Format ("Monitor.Outbox"));
 
    -----------------
    -- Put_Picture --
    -----------------
 
    procedure Put_Picture (Text : String) is
-      Made : Mailboxes.Generation;
+      Made : Monitor.Mailboxes.Generation;
    begin
-      Outbox.Get_Generation (Made);
+      Monitor.Outbox.Get_Generation (Made);
       Fill (Text);
-      Outbox.Put_Image (Made_Here, Made);
+      Monitor.Outbox.Put_Image (Made_Here, Made);
       Assert (Made_Here /= null and then Made_Here /= Sent_Here,
               "another one to be filled");
    end Put_Picture;
@@ -120,23 +120,23 @@ package body Outbox_Tests is
       At_Time       : Time;
    begin
       Begin_Anew;
-      Outbox.Reserve (First);
-      Outbox.Reserve (Second);
+      Monitor.Outbox.Reserve (First);
+      Monitor.Outbox.Reserve (Second);
       Assert (First.Owed and then Second.Owed, "both are owed");
       Assert (Second.Number = First.Number + 1, "numbers in a row");
-      Outbox.Put_Battery (Battery_Full);
-      Outbox.Wait_Held;
-      Outbox.Get_Hold_End (Any, At_Time);
+      Monitor.Outbox.Put_Battery (Battery_Full);
+      Monitor.Outbox.Wait_Held;
+      Monitor.Outbox.Get_Hold_End (Any, At_Time);
       Assert (Any and then At_Time > Clock, "held back");
-      Outbox.Answer_Nothing (Second);
-      Outbox.Wait;
+      Monitor.Outbox.Answer_Nothing (Second);
+      Monitor.Outbox.Wait;
       Check (Nothing);
-      Outbox.Answer (First, Refused);
-      Outbox.Wait;
-      Outbox.Get_Waiting (Count);
+      Monitor.Outbox.Answer (First, Refused);
+      Monitor.Outbox.Wait;
+      Monitor.Outbox.Get_Waiting (Count);
       Assert (Count = 2, "two wait");
-      Check (Send_Order.Answer);
-      Outbox.Get_Waiting (Count);
+      Check (Monitor.Send_Order.Answer);
+      Monitor.Outbox.Get_Waiting (Count);
       Assert (Count = 0, "nobody waits");
       Check (Battery);
       Assert (not First.Owed and then not Second.Owed, "nothing is owed");
@@ -153,12 +153,12 @@ package body Outbox_Tests is
       Begin_Anew;
       for Turn in 1 .. 3 loop
          Put_Picture ("CIMG:periodic");
-         Outbox.Reserve (Item);
+         Monitor.Outbox.Reserve (Item);
          Fill ("CIMG:arena");
-         Outbox.Answer_With_Image (Item, Made_Here);
+         Monitor.Outbox.Answer_With_Image (Item, Made_Here);
          Assert (not Item.Owed, "answered");
-         Check (Send_Order.Answer, "CIMG:arena");
-         Check (Send_Order.Image, "CIMG:periodic");
+         Check (Monitor.Send_Order.Answer, "CIMG:arena");
+         Check (Monitor.Send_Order.Image, "CIMG:periodic");
       end loop;
    end Test_Arena;
 
@@ -168,7 +168,7 @@ package body Outbox_Tests is
 
    procedure Test_Images (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Made : Mailboxes.Generation;
+      Made : Monitor.Mailboxes.Generation;
    begin
       Begin_Anew;
       for Turn in 1 .. 3 loop
@@ -177,10 +177,10 @@ package body Outbox_Tests is
          Check (Image, "CIMG:second");
          Check (Nothing);
       end loop;
-      Outbox.Get_Generation (Made);
-      Outbox.Stop_Images;
+      Monitor.Outbox.Get_Generation (Made);
+      Monitor.Outbox.Stop_Images;
       Fill ("CIMG:late");
-      Outbox.Put_Image (Made_Here, Made);
+      Monitor.Outbox.Put_Image (Made_Here, Made);
       Check (Nothing);
    end Test_Images;
 

@@ -4,11 +4,11 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Ada.Real_Time;
-with Line_Requests;    use Line_Requests;
-with Monitor_Protocol; use Monitor_Protocol;
+with Monitor.Protocol; use Monitor.Protocol;
 with Orders;           use Orders;
-with Robot_Line;
-with Robot_Session;
+with Robot.Line;
+with Robot.Requests;   use Robot.Requests;
+with Robot.Session;
 
 package body Robot_Line_Tests is
 
@@ -23,7 +23,7 @@ package body Robot_Line_Tests is
 
    procedure Stop (Number : Ticket; After : Ticket := 0);
 
-   procedure Ask (From : Client; Kind : Robot_Session.Request_Kind);
+   procedure Ask (From : Client; Kind : Robot.Session.Request_Kind);
    --  A request of From's own.
 
    procedure Check
@@ -49,13 +49,13 @@ package body Robot_Line_Tests is
       Order : Orders.Order :=
         (Number, (Kind => Kind, others => <>), Rank, After, Owed => True);
    begin
-      Robot_Line.Put (From, Order);
+      Robot.Line.Put (From, Order);
    end Ask;
 
-   procedure Ask (From : Client; Kind : Robot_Session.Request_Kind) is
+   procedure Ask (From : Client; Kind : Robot.Session.Request_Kind) is
    begin
-      Robot_Line.Put
-        (From, Robot_Session.Request'(Kind => Kind, others => <>));
+      Robot.Line.Put
+        (From, Robot.Session.Request'(Kind => Kind, others => <>));
    end Ask;
 
    -----------
@@ -67,11 +67,11 @@ package body Robot_Line_Tests is
    is
       Next : Job;
    begin
-      Robot_Line.Take (Next);
+      Robot.Line.Take (Next);
       Assert (Next.From = From,
               From'Image & " expected, not " & Next.From'Image);
       Assert (Next.Verdict = Verdict, From'Image & Next.Verdict'Image);
-      Robot_Line.Finish
+      Robot.Line.Finish
         (Next, (Line_Open => True, others => <>), (others => <>),
          Ada.Real_Time.Clock);
    end Check;
@@ -81,7 +81,7 @@ package body Robot_Line_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Robot_Line"));
+     (AUnit.Format ("Robot.Line"));
 
    --------------------
    -- Register_Tests --
@@ -109,7 +109,7 @@ package body Robot_Line_Tests is
       Order : Orders.Order :=
         (Number, (Kind => Stop_Robot, others => <>), 0, After, Owed => True);
    begin
-      Robot_Line.Put_Stop (Order);
+      Robot.Line.Put_Stop (Order);
    end Stop;
 
    ---------------------
@@ -119,8 +119,8 @@ package body Robot_Line_Tests is
    procedure Test_Many_Stops (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Robot_Line.Begin_Session (400);
-      Ask (Reload, Robot_Session.Reload);
+      Robot.Line.Begin_Session (400);
+      Ask (Reload, Robot.Session.Reload);
       Ask (Move, Go_Forward, 399, 0, 0);
       for Number in Orders.Ticket range 400 .. 402 loop
          Stop (Number);
@@ -140,10 +140,10 @@ package body Robot_Line_Tests is
    procedure Test_Out_Of_Date (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Robot_Line.Begin_Session (300);
+      Robot.Line.Begin_Session (300);
       Ask (Reset, Reset_Robot, 301, 7, 5);
       Stop (302);
-      Robot_Line.Begin_Session (310);
+      Robot.Line.Begin_Session (310);
       Check (Reset, Out_Of_Date);
 
       --  and does not count among the orders of the new one
@@ -159,7 +159,7 @@ package body Robot_Line_Tests is
    procedure Test_Overtaken (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Robot_Line.Begin_Session (200);
+      Robot.Line.Begin_Session (200);
       Ask (Move, Go_Forward, 200, 1, 0);
       Stop (201);
       Check (Stop_Order);
@@ -175,7 +175,7 @@ package body Robot_Line_Tests is
    procedure Test_Places (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Robot_Line.Begin_Session (100);
+      Robot.Line.Begin_Session (100);
       Ask (Move, Go_Forward, 103, 4, 3);
       Ask (Reset, Reset_Robot, 102, 3, 1);
       Ask (Query, Ping_Robot, 101, 2, 1);
@@ -195,14 +195,14 @@ package body Robot_Line_Tests is
    procedure Test_Urgency (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      Robot_Line.Begin_Session (10);
-      Ask (Keep_Alive, Robot_Session.Keep_Alive);
+      Robot.Line.Begin_Session (10);
+      Ask (Keep_Alive, Robot.Session.Keep_Alive);
       Ask (Query, Ping_Robot, 11, 2, 0);
-      Ask (Battery, Robot_Session.Get_Battery);
+      Ask (Battery, Robot.Session.Get_Battery);
       Ask (Move, Go_Forward, 13, 3, 0);
-      Ask (Reload, Robot_Session.Reload);
+      Ask (Reload, Robot.Session.Reload);
       Stop (12);
-      Ask (Safe_State, Robot_Session.Close_Line);
+      Ask (Safe_State, Robot.Session.Close_Line);
       Check (Safe_State);
       Check (Stop_Order);
       Check (Reload);

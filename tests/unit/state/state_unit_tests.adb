@@ -7,9 +7,9 @@ with Journal_Tests;
 with Order_Ports_Tests;
 with Outbox_Tests;
 with Robot_Line_Tests;
-with Trace_Rings_Tests;
-with Vision_Queue_Tests;
+with Trace.Rings_Tests;
 with Unit_Runs;
+with Vision_Queue_Tests;
 
 procedure State_Unit_Tests is
 begin
@@ -18,7 +18,7 @@ begin
    Unit_Runs.Add (new Order_Ports_Tests.Test_Case);
    Unit_Runs.Add (new Outbox_Tests.Test_Case);
    Unit_Runs.Add (new Robot_Line_Tests.Test_Case);
-   Unit_Runs.Add (new Trace_Rings_Tests.Test_Case);
+   Unit_Runs.Add (new Trace.Rings_Tests.Test_Case);
    Unit_Runs.Add (new Vision_Queue_Tests.Test_Case);
    Unit_Runs.Run;
 end State_Unit_Tests;

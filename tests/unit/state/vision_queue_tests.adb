@@ -4,7 +4,7 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Orders;           use Orders;
-with Vision_Queue;
+with Vision.Queue;
 
 package body Vision_Queue_Tests is
 
@@ -31,7 +31,7 @@ package body Vision_Queue_Tests is
 
    procedure Begin_Anew is
    begin
-      Vision_Queue.Clear;
+      Vision.Queue.Clear;
       Check_End;
    end Begin_Anew;
 
@@ -42,7 +42,7 @@ package body Vision_Queue_Tests is
    procedure Check (Number : Ticket) is
       Item : Order;
    begin
-      Vision_Queue.Next (Item);
+      Vision.Queue.Next (Item);
       Assert (Item.Owed, Number'Image & " waits");
       Assert (Item.Number = Number,
               Number'Image & " expected, not" & Item.Number'Image);
@@ -55,7 +55,7 @@ package body Vision_Queue_Tests is
    procedure Check_End is
       Item : Order;
    begin
-      Vision_Queue.Next (Item);
+      Vision.Queue.Next (Item);
       Assert (not Item.Owed, "none expected, not" & Item.Number'Image);
    end Check_End;
 
@@ -64,7 +64,7 @@ package body Vision_Queue_Tests is
    ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Vision_Queue"));
+     (AUnit.Format ("Vision.Queue"));
 
    ---------
    -- Put --
@@ -73,7 +73,7 @@ package body Vision_Queue_Tests is
    procedure Put (Number : Ticket; At_Once : Boolean) is
       Item : Order := (Number => Number, Owed => True, others => <>);
    begin
-      Vision_Queue.Put (Item);
+      Vision.Queue.Put (Item);
       Assert (Item.Owed = At_Once,
               Number'Image & (if At_Once then " at once" else " waits"));
    end Put;
@@ -101,7 +101,7 @@ package body Vision_Queue_Tests is
       Begin_Anew;
       Put (1, At_Once => True);
       Put (2, At_Once => False);
-      Vision_Queue.Clear;
+      Vision.Queue.Clear;
       Put (3, At_Once => False);
       Check (3);
       Check_End;

@@ -5,23 +5,23 @@ with Interfaces.C; use Interfaces.C;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Following;
-with Options;  use Options;
+with Options;        use Options;
 with Pictures;
 with Scenes;
-with Shapes;   use Shapes;
-with Vision;   use Vision;
+with Vision.Following;
+with Vision.Library; use Vision.Library;
+with Vision.Shapes;  use Vision.Shapes;
 
 package body Following_Tests is
 
-   use type Following.Milliseconds;
+   use type Vision.Following.Milliseconds;
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Tolerance : constant Micro_Pixels := 20_000;
    --  Between the two: 0.02 pixels, of the 2 that are demanded
 
-   Gap : constant Following.Milliseconds := 100;
+   Gap : constant Vision.Following.Milliseconds := 100;
 
    type Answer is record
       Robots : Robot_Array;
@@ -43,7 +43,7 @@ package body Following_Tests is
    --  come from a search in areas. Inside Arena, where it is one
 
    procedure Follow
-     (Known  : in out Following.State;
+     (Known  : in out Vision.Following.State;
       Marker : Marker_Kind;
       Arena  : Arena_Corners;
       Item   : out Answer;
@@ -69,7 +69,7 @@ package body Following_Tests is
    procedure Test_Far_Away (T : in out Any_Test);
 
    procedure Follow
-     (Known  : in out Following.State;
+     (Known  : in out Vision.Following.State;
       Marker : Marker_Kind;
       Arena  : Arena_Corners;
       Item   : out Answer;
@@ -81,18 +81,18 @@ package body Following_Tests is
    begin
       Item := (others => <>);
       Done := False;
-      Following.Plan (Known, Marker, Gap, Areas, Number);
+      Vision.Following.Plan (Known, Marker, Gap, Areas, Number);
       if Number > 0 then
          Follow_Robots
            (0, Marker, Arena, Arena /= No_Arena, Areas, Number,
             Item.Robots, Item.Count, Result);
-         Following.Settle (Known, Gap, Item.Robots, Item.Count, Done);
+         Vision.Following.Settle (Known, Gap, Item.Robots, Item.Count, Done);
       end if;
       if not Done then
          Find_Robots
            (0, Marker, Arena, Arena /= No_Arena, Item.Robots, Item.Count,
             Result);
-         Following.Begin_Anew (Known, Item.Robots, Item.Count);
+         Vision.Following.Begin_Anew (Known, Item.Robots, Item.Count);
       end if;
    end Follow;
 
@@ -104,7 +104,7 @@ package body Following_Tests is
       Arena    : Arena_Corners := No_Arena)
    is
       Expected : Answers (1 .. Images);
-      Known    : Following.State;
+      Known    : Vision.Following.State;
       Item     : Answer;
       Done     : Boolean;
       Number   : Natural := 0;
@@ -382,7 +382,7 @@ package body Following_Tests is
 
    procedure Test_Interval (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Known : Following.State;
+      Known : Vision.Following.State;
       Item  : Answer;
       Done  : Boolean;
    begin
@@ -399,30 +399,30 @@ package body Following_Tests is
 
    procedure Test_Plan (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Known  : Following.State;
+      Known  : Vision.Following.State;
       Areas  : Area_Array;
       Number : Robot_Count;
       Near   : Robot_Count;
    begin
-      Following.Plan (Known, Aruco, 0, Areas, Number);
+      Vision.Following.Plan (Known, Aruco, 0, Areas, Number);
       Assert (Number = 0, "nothing is known");
-      Following.Begin_Anew
+      Vision.Following.Begin_Anew
         (Known, (Robot_At (5, 100, 200), Robot_At (7, -9, 8), others => <>),
          2);
       for Kind in Marker_Kind loop
-         Following.Plan (Known, Kind, 0, Areas, Number);
+         Vision.Following.Plan (Known, Kind, 0, Areas, Number);
          Assert (Number = 2 and then Areas (1).Centre = (100, 200)
                  and then Areas (2).Centre = (-9, 8), "there");
          --  5 pixels long, which is 5.5 here
          Assert (Areas (1).Reach =
                    (if Kind = Aruco then 12_100_000 else 6_820_000),
                  "its body" & Areas (1).Reach'Image);
-         Following.Plan (Known, Kind, 500, Areas, Number);
+         Vision.Following.Plan (Known, Kind, 500, Areas, Number);
          Assert (Areas (1).Reach =
                    (if Kind = Aruco then 39_600_000 else 23_320_000),
                  "its way" & Areas (1).Reach'Image);
       end loop;
-      Following.Plan (Known, Aruco, 501, Areas, Near);
+      Vision.Following.Plan (Known, Aruco, 501, Areas, Near);
       Assert (Near = 0, "too long ago");
    end Test_Plan;
 
@@ -430,48 +430,49 @@ package body Following_Tests is
       pragma Unreferenced (T);
       Two   : constant Robot_Array :=
         (Robot_At (5, 100, 200), Robot_At (7, -9, 8), others => <>);
-      Known : Following.State;
+      Known : Vision.Following.State;
       Done  : Boolean;
    begin
-      Following.Begin_Anew (Known, Two, 2);
-      Following.Settle (Known, 100, Two, 2, Done);
-      Assert (Done and then Following.Count (Known) = 2
-              and then Following.Age (Known) = 100, "both");
-      Following.Settle
+      Vision.Following.Begin_Anew (Known, Two, 2);
+      Vision.Following.Settle (Known, 100, Two, 2, Done);
+      Assert (Done and then Vision.Following.Count (Known) = 2
+              and then Vision.Following.Age (Known) = 100, "both");
+      Vision.Following.Settle
         (Known, 100, (Two (1), Robot_At (6, 0, 0), Two (2), others => <>),
          3, Done);
-      Assert (Done and then Following.Count (Known) = 3, "one more");
-      Following.Settle (Known, 100, Two, 2, Done);
-      Assert (not Done and then Following.Count (Known) = 0, "one less");
-      Following.Begin_Anew (Known, Two, 2);
-      Following.Settle
+      Assert (Done and then Vision.Following.Count (Known) = 3, "one more");
+      Vision.Following.Settle (Known, 100, Two, 2, Done);
+      Assert
+        (not Done and then Vision.Following.Count (Known) = 0, "one less");
+      Vision.Following.Begin_Anew (Known, Two, 2);
+      Vision.Following.Settle
         (Known, 100, (Two (1), Robot_At (6, 0, 0), others => <>), 2, Done);
-      Assert (not Done and then Following.Count (Known) = 0,
+      Assert (not Done and then Vision.Following.Count (Known) = 0,
               "another instead");
-      Following.Begin_Anew (Known, Two, 2);
-      Following.Settle (Known, 0, (others => <>), 0, Done);
-      Assert (not Done and then Following.Count (Known) = 0, "none");
-      Following.Begin_Anew (Known, Two, 2);
-      Assert (Following.Count (Known) = 2, "known again");
-      Following.Forget (Known);
-      Assert (Following.Count (Known) = 0, "forgotten");
+      Vision.Following.Begin_Anew (Known, Two, 2);
+      Vision.Following.Settle (Known, 0, (others => <>), 0, Done);
+      Assert (not Done and then Vision.Following.Count (Known) = 0, "none");
+      Vision.Following.Begin_Anew (Known, Two, 2);
+      Assert (Vision.Following.Count (Known) = 2, "known again");
+      Vision.Following.Forget (Known);
+      Assert (Vision.Following.Count (Known) = 0, "forgotten");
    end Test_Settle;
 
    procedure Test_Far_Away (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Known  : Following.State;
+      Known  : Vision.Following.State;
       Areas  : Area_Array;
       Number : Robot_Count;
       Item   : Answer;
       Result : Status;
    begin
       --  Numbers that no image gives rise to
-      Following.Begin_Anew
+      Vision.Following.Begin_Anew
         (Known,
          (1      => (5, (Micro_Pixels'First, 0), (Micro_Pixels'Last, 0), 0),
           others => <>), 1);
-      Following.Plan (Known, Aruco, 500, Areas, Number);
-      Assert (Number = 1 and then Areas (1).Reach = Following.Furthest,
+      Vision.Following.Plan (Known, Aruco, 500, Areas, Number);
+      Assert (Number = 1 and then Areas (1).Reach = Vision.Following.Furthest,
               "a limit");
       Draw_Still (1);
       Follow_Robots (0, Aruco, No_Arena, False, Areas, Number,

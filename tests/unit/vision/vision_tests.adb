@@ -6,12 +6,12 @@ with Interfaces.C; use Interfaces.C;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Bytes;   use Bytes;
+with Bytes;          use Bytes;
 with Options;
 with Pictures;
 with Scenes;
-with Shapes;  use Shapes;
-with Vision;  use Vision;
+with Vision.Library; use Vision.Library;
+with Vision.Shapes;  use Vision.Shapes;
 
 package body Vision_Tests is
 

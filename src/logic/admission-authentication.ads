@@ -1,0 +1,199 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The token that monitors must show, where one is asked for (--token), and
+--  the first line of a newcomer, which shows it: AUTH:<token>.
+
+with Interfaces;
+with Texts;
+
+package Admission.Authentication with SPARK_Mode is
+
+   pragma Annotate (GNATprove, Terminating, Admission.Authentication);
+   --  A claim that GNATprove checks: every subprogram ends
+
+   use type Interfaces.Unsigned_32;
+
+   Line_Feed : constant Character := Character'Val (10);
+
+   Carriage_Return : constant Character := Character'Val (13);
+
+   subtype Label_Text is String (1 .. 5);
+
+   Label : constant Label_Text := "AUTH:";
+
+   --  Tokens
+
+   Min_Token : constant := 8;
+   Max_Token : constant := 128;
+   --  Characters.
+
+   subtype Token_Character is Character range '!' .. '~';
+   --  Printable ASCII without the blank.
+
+   subtype Token_Length is Natural range 0 .. Max_Token
+   with Static_Predicate => Token_Length in 0 | Min_Token .. Max_Token;
+
+   type Token is record
+      Data   : String (1 .. Max_Token) := (others => ' ');
+      Length : Token_Length            := 0;
+   end record
+   with Predicate =>
+     (for all I in 1 .. Max_Token =>
+        (if I <= Length then Data (I) in Token_Character
+         else Data (I) = ' '));
+   --  The first Length characters of Data. Length 0: none is asked for.
+
+   function Line_Length (Text : String) return Natural
+   with
+     Pre  => Text'First = 1,
+     Post => Line_Length'Result <= Text'Length
+       and then (for all I in 1 .. Line_Length'Result =>
+                   Text (I) /= Line_Feed)
+       and then (if Line_Length'Result < Text'Last then
+                    Text (Line_Length'Result + 1) = Line_Feed);
+   --  Characters of the first line of Text, its end not counted.
+
+   function Begins_With_Token (Text : String) return Boolean is
+     (Line_Length (Text) in Min_Token .. Max_Token
+      and then (for all I in 1 .. Line_Length (Text) =>
+                  Text (I) in Token_Character))
+   with Pre => Text'First = 1;
+   --  The first line of Text is a token.
+
+   procedure Read_Token (Text : String; T : out Token; Good : out Boolean)
+   with
+     Pre  => Text'First = 1,
+     Post => Good = Begins_With_Token (Text)
+       and then
+         (if Good then
+             T.Length = Line_Length (Text)
+             and then (for all I in 1 .. T.Length => T.Data (I) = Text (I))
+          else T.Length = 0);
+   --  The token in a file that begins with Text.
+
+   type File_Mode is mod 2 ** 16;
+   --  The type of a file and who may do what with it, as stat has it.
+
+   subtype User_Number is Interfaces.Unsigned_32;
+
+   Root : constant User_Number := 0;
+
+   function Is_Kept_Secret
+     (Mode : File_Mode; Owner : User_Number) return Boolean
+   is ((Mode and 8#026#) = 0
+       and then ((Mode and 8#040#) = 0 or else Owner = Root));
+   --  Neither its group nor others can read or write the file; but where
+   --  root owns it, it may have chosen a group that reads. (systemd gives a
+   --  service its credentials with an access control list, which shows as
+   --  that.)
+
+   --  The first line of a newcomer
+
+   Max_Line : constant := Label_Text'Length + Max_Token + 2;
+   --  Characters of the longest right one, with its carriage return and
+   --  line feed.
+
+   subtype Line_Count is Natural range 0 .. Max_Line;
+
+   type Verdict is (Undecided, Right, Wrong);
+
+   type Reader is private;
+   --  What a newcomer has sent. Initially nothing.
+
+   function Length (R : Reader) return Line_Count;
+   --  How many characters.
+
+   function Item (R : Reader; I : Positive) return Character
+   with Ghost, Pre => I <= Length (R);
+   --  The character at I of those.
+
+   function Decision (R : Reader) return Verdict;
+
+   function Is_Open (R : Reader) return Boolean is
+     (Decision (R) = Undecided and then Length (R) < Max_Line);
+   --  It takes a character more: always, while nothing is decided.
+
+   function Is_Right (R : Reader; T : Token) return Boolean is
+     (Length (R) in Label'Length + T.Length + 1 .. Label'Length + T.Length + 2
+      and then Item (R, Length (R)) = Line_Feed
+      and then (if Length (R) = Label'Length + T.Length + 2 then
+                   Item (R, Length (R) - 1) = Carriage_Return)
+      and then (for all I in Label'Range => Item (R, I) = Label (I))
+      and then (for all I in 1 .. T.Length =>
+                  Item (R, Label'Length + I) = T.Data (I)))
+   with Ghost;
+   --  It is the label, the token, a carriage return or none, a line feed.
+
+   procedure Clear (R : out Reader)
+   with Post => Length (R) = 0 and then Is_Open (R);
+
+   procedure Accept_Character
+     (R : in out Reader; T : Token; C : Character)
+   with
+     Pre  => Is_Open (R) and then T.Length > 0,
+     Post => Length (R) = Length (R'Old) + 1
+       and then Item (R, Length (R)) = C
+       and then (for all I in 1 .. Length (R'Old) =>
+                   Item (R, I) = Item (R'Old, I))
+       and then Decision (R) =
+         (if Is_Right (R, T) then Right
+          elsif C = Line_Feed or else Length (R) = Max_Line then Wrong
+          else Undecided);
+   --  Takes the next character. The line is compared when it is complete:
+   --  in a time that does not depend on where it differs from the right
+   --  one, nor on how much.
+
+   --  For the log
+
+   function Is_Label_End (Line : String; I : Positive) return Boolean is
+     (I - Line'First >= Label'Length - 1
+      and then Line (I - 4) = Label (1)
+      and then Line (I - 3) = Label (2)
+      and then Line (I - 2) = Label (3)
+      and then Line (I - 1) = Label (4)
+      and then Line (I) = Label (5))
+   with Pre => I in Line'Range;
+
+   function Shown_Length (Line : String) return Natural
+   with
+     Pre  => Line'First > 0 and then Line'Last < Integer'Last,
+     Post => Shown_Length'Result <= Line'Length
+       and then (for all I in Line'First
+                              .. Line'First + Shown_Length'Result - 2 =>
+                   not Is_Label_End (Line, I))
+       and then (if Shown_Length'Result < Line'Length then
+                    Shown_Length'Result > 0
+                    and then Is_Label_End
+                      (Line, Line'First + Shown_Length'Result - 1));
+   --  Line up to its first label of a token; all of it where there is none.
+
+   procedure Append_Shown (To : in out Texts.Text; Line : String)
+   with
+     Pre  => Line'First > 0 and then Line'Last < Integer'Last,
+     Post => To.Length >= To.Length'Old
+       and then (for all I in 1 .. To.Length'Old =>
+                   To.Data (I) = To.Data'Old (I))
+       and then
+         (for all I in To.Length'Old + 1 .. To.Length =>
+            To.Data (I) =
+              (if I - To.Length'Old <= Shown_Length (Line)
+               then Line (Line'First + (I - To.Length'Old - 1))
+               else '.'));
+   --  To followed by Line, of which nothing is shown behind a label of a
+   --  token but three dots. No token gets into the log.
+
+private
+
+   type Reader is record
+      Data   : String (1 .. Max_Line) := (others => ' ');
+      Length : Line_Count             := 0;
+      State  : Verdict                := Undecided;
+   end record;
+
+   function Length (R : Reader) return Line_Count is (R.Length);
+
+   function Item (R : Reader; I : Positive) return Character is
+     (R.Data (I));
+
+   function Decision (R : Reader) return Verdict is (R.State);
+
+end Admission.Authentication;

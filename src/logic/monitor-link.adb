@@ -1,0 +1,91 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Whether the monitor is still there: decided from what the kernel says
+--  about the connection (TCP_INFO), sampled a few times a second.
+
+package body Monitor.Link with SPARK_Mode is
+
+   -----------
+   -- Judge --
+   -----------
+
+   procedure Judge (S : in out State; X : Sample; V : out Verdict) is
+      Progress : constant Boolean := Is_Progress (S, X);
+   begin
+      if Progress or else not S.Waiting or else X.Unacknowledged = 0 then
+         S.Waiting_Since := X.Now;
+      end if;
+      if Progress or else not S.Holding or else X.Outstanding = 0 then
+         S.Holding_Since := X.Now;
+      end if;
+      S.Waiting := X.Unacknowledged > 0;
+      S.Holding := X.Outstanding > 0;
+      S.Acked   := X.Bytes_Acked;
+
+      if S.Waiting
+        and then X.Since_Heard > Vanished_After
+        and then Elapsed (S.Watched_Since, X.Now) > Vanished_After
+        and then Elapsed (S.Waiting_Since, X.Now) >= Confirmed_After
+      then
+         V := Vanished;
+      elsif S.Holding
+        and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After
+      then
+         V := Stalled;
+      else
+         V := Present;
+      end if;
+   end Judge;
+
+   -----------
+   -- Start --
+   -----------
+
+   procedure Start (S : out State; Now : Milliseconds) is
+   begin
+      S := (Watched_Since => Now,
+            Waiting       => False,
+            Waiting_Since => Now,
+            Holding       => False,
+            Holding_Since => Now,
+            Acked         => 0);
+   end Start;
+
+   ------------
+   -- Append --
+   ------------
+
+   procedure Append (Line : in out Texts.Text; Why : Cause) is
+   begin
+      case Why is
+         when Nothing           =>
+            null;
+         when Supervisor_Stops  =>
+            Texts.Append (Line, "the supervisor is stopping");
+         when Monitor_Vanished  =>
+            Texts.Append
+              (Line, "it vanished, nothing has been acknowledged for ");
+            Append_Seconds (Line, Vanished_After);
+         when Monitor_Stalled   =>
+            Texts.Append (Line, "it has taken nothing for ");
+            Append_Seconds (Line, Stalled_After);
+         when Silence           =>
+            Texts.Append (Line, "it vanished, no sign of life for ");
+            Append_Seconds (Line, Vanished_After);
+         when Connection_Reset  =>
+            Texts.Append (Line, "connection reset");
+         when Connection_Closed =>
+            Texts.Append (Line, "connection closed");
+      end case;
+   end Append;
+
+   --------------------
+   -- Append_Seconds --
+   --------------------
+
+   procedure Append_Seconds (Line : in out Texts.Text; Span : Milliseconds) is
+   begin
+      Texts.Append (Line, Integer (Span / 1_000));
+      Texts.Append (Line, " s");
+   end Append_Seconds;
+
+end Monitor.Link;

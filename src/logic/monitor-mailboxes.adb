@@ -1,0 +1,421 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What waits to be sent to the monitor, and what of it is sent when: one
+--  answer a command, in the order of the commands; and the unasked messages,
+--  of which only the newest counts, but for texts. Images are elsewhere.
+
+package body Monitor.Mailboxes with SPARK_Mode is
+
+   use type Monitor.Notice_Queues.Queue;
+
+   procedure Drop_Unasked (B : in out Mailbox)
+   with
+     Post => Is_Quiet (B)
+       and then B.Open = B'Old.Open
+       and then B.Busy = B'Old.Busy
+       and then B.Answers = B'Old.Answers
+       and then B.Arena = B'Old.Arena
+       and then B.Made = B'Old.Made
+       and then B.Last = B'Old.Last
+       and then B.Imaged = B'Old.Imaged;
+
+   function Is_Same_Mail (B, Before : Mailbox) return Boolean is
+     (B.Open = Before.Open
+      and then B.Busy = Before.Busy
+      and then B.Answers = Before.Answers
+      and then B.Arena = Before.Arena
+      and then B.Lost = Before.Lost
+      and then B.Told = Before.Told
+      and then B.Battery = Before.Battery
+      and then B.Level = Before.Level
+      and then B.Position = Before.Position
+      and then B.Image = Before.Image
+      and then B.Made = Before.Made
+      and then B.Last = Before.Last
+      and then B.Imaged = Before.Imaged)
+   with Ghost;
+   --  All but the hold
+
+   procedure End_Quiet_Hold (B : in out Mailbox)
+   with
+     Post => Is_Same_Mail (B, B'Old)
+       and then
+         (if Any_Unasked (Waits (B)) then
+             B.Hold.On = B'Old.Hold.On
+             and then B.Released = B'Old.Released
+          else Is_Quiet (B));
+   --  No hold without a message that is held back
+
+   procedure Begin_Hold
+     (B           : in out Mailbox;
+      New_Command : Boolean;
+      Now         : Time;
+      Begun       : out Boolean)
+   with
+     Post => Is_Same_Mail (B, B'Old)
+       and then B.Released = B'Old.Released
+       and then (if Begun then B.Hold.On and then Commands (B) > 0);
+
+   procedure Put
+     (B      : in out Mailbox;
+      Number : Orders.Ticket;
+      Item   : Monitor.Answer_Queues.Answer)
+   with
+     Pre  => Item.State /= Awaited,
+     Post => Next_Number (B) = Next_Number (B'Old)
+       and then Commands (B) <= Commands (B'Old)
+       and then B.Arena = B'Old.Arena;
+
+   ----------------
+   -- Begin_Hold --
+   ----------------
+
+   procedure Begin_Hold
+     (B           : in out Mailbox;
+      New_Command : Boolean;
+      Now         : Time;
+      Begun       : out Boolean) is
+   begin
+      Begun := False;
+      if Any_Unasked (Waits (B)) and then Commands (B) > 0 then
+         Monitor.Message_Holds.Begin_Hold (B.Hold, New_Command, Now, Begun);
+      end if;
+   end Begin_Hold;
+
+   -------------------
+   -- Close_Session --
+   -------------------
+
+   procedure Close_Session (B : in out Mailbox; Next : out Orders.Ticket) is
+   begin
+      B.Open := False;
+      Clear (B.Answers);
+      Next := Next_Number (B);
+      B.Arena := False;
+      B.Made := B.Made + 1;
+      Drop_Unasked (B);
+   end Close_Session;
+
+   -------------
+   -- Compose --
+   -------------
+
+   procedure Compose (From : Item; Line : out Short_Line) is
+
+      procedure Append (Text : String)
+      with
+        Pre  => Text'Length <= Monitor.Protocol.Max_Position - Line.Length,
+        Post => Line.Length = Line.Length'Old + Text'Length
+          and then Line.Data (1 .. Line.Length'Old) =
+            Line.Data'Old (1 .. Line.Length'Old)
+          and then Line.Data (Line.Length'Old + 1 .. Line.Length) = Text;
+
+      procedure Append (Text : String) is
+      begin
+         Line.Data (Line.Length + 1 .. Line.Length + Text'Length) := Text;
+         Line.Length := Line.Length + Text'Length;
+      end Append;
+
+   begin
+      Line := (others => <>);
+      case From.Kind is
+         when Text     =>
+            Append (Monitor.Protocol.Log_Label);
+            Append ((1 => Monitor.Protocol.Separator));
+            Append (Monitor.Notices.Text_Of (From.Told));
+            Append ((1 => Monitor.Protocol.Line_Feed));
+         when Position =>
+            Line := From.Position;
+         when others   =>
+            Append
+              (Monitor.Protocol.Wire_Text (From.Answer).Data
+                 (1 .. Monitor.Protocol.Wire_Text (From.Answer).Length));
+      end case;
+   end Compose;
+
+   ------------------
+   -- Drop_Unasked --
+   ------------------
+
+   procedure Drop_Unasked (B : in out Mailbox) is
+   begin
+      B.Lost := False;
+      Monitor.Notice_Queues.Clear (B.Told);
+      B.Battery := False;
+      B.Position.Length := 0;
+      B.Image := False;
+      B.Hold.On := False;
+      B.Released := False;
+   end Drop_Unasked;
+
+   --------------
+   -- End_Hold --
+   --------------
+
+   procedure End_Hold (B : in out Mailbox; Now : Time) is
+   begin
+      if B.Hold.On and then Now >= Monitor.Message_Holds.Ending (B.Hold) then
+         B.Released := True;
+      end if;
+   end End_Hold;
+
+   --------------------
+   -- End_Quiet_Hold --
+   --------------------
+
+   procedure End_Quiet_Hold (B : in out Mailbox) is
+   begin
+      if not Any_Unasked (Waits (B)) then
+         B.Hold.On := False;
+         B.Released := False;
+      end if;
+   end End_Quiet_Hold;
+
+   ------------------
+   -- Open_Session --
+   ------------------
+
+   procedure Open_Session (B : in out Mailbox) is
+   begin
+      B.Open := True;
+      B.Last := Nothing;
+      B.Imaged := False;
+      Drop_Unasked (B);
+   end Open_Session;
+
+   ---------
+   -- Put --
+   ---------
+
+   procedure Put
+     (B      : in out Mailbox;
+      Number : Orders.Ticket;
+      Item   : Monitor.Answer_Queues.Answer) is
+   begin
+      Put (B.Answers, Number, Item);
+      pragma Assert (not Is_Awaited (B, Number));
+      Skip_Nothing (B.Answers);
+   end Put;
+
+   ---------------
+   -- Put_Arena --
+   ---------------
+
+   procedure Put_Arena
+     (B        : in out Mailbox;
+      Number   : Orders.Ticket;
+      Accepted : out Boolean;
+      Kept     : out Boolean)
+   is
+      Held : constant Boolean := Holds (B, Number);
+   begin
+      Accepted := not Held or else not B.Arena;
+      Kept := Held and then not B.Arena;
+      if Kept then
+         Put (B, Number, (State => Ready_Image, others => <>));
+         B.Arena := True;
+      end if;
+   end Put_Arena;
+
+   ----------------
+   -- Put_Answer --
+   ----------------
+
+   procedure Put_Answer
+     (B : in out Mailbox; Number : Orders.Ticket; Answer : Answer_Kind) is
+   begin
+      Put (B, Number, (State => Ready_Text, Kind => Answer));
+   end Put_Answer;
+
+   -----------------
+   -- Put_Battery --
+   -----------------
+
+   procedure Put_Battery
+     (B     : in out Mailbox;
+      Level : Answer_Kind;
+      Now   : Time;
+      Begun : out Boolean) is
+   begin
+      Begun := False;
+      if B.Open then
+         B.Battery := True;
+         B.Level := Level;
+         Begin_Hold (B, False, Now, Begun);
+      end if;
+   end Put_Battery;
+
+   ---------------
+   -- Put_Image --
+   ---------------
+
+   procedure Put_Image
+     (B     : in out Mailbox;
+      Made  : Generation;
+      Now   : Time;
+      Kept  : out Boolean;
+      Begun : out Boolean) is
+   begin
+      Begun := False;
+      Kept := B.Open and then Made = B.Made;
+      if Kept then
+         B.Image := True;
+         Begin_Hold (B, False, Now, Begun);
+      end if;
+   end Put_Image;
+
+   --------------
+   -- Put_Lost --
+   --------------
+
+   procedure Put_Lost (B : in out Mailbox; Now : Time; Begun : out Boolean) is
+   begin
+      Begun := False;
+      if B.Open then
+         B.Lost := True;
+         Begin_Hold (B, False, Now, Begun);
+      end if;
+   end Put_Lost;
+
+   -------------------
+   -- Put_No_Answer --
+   -------------------
+
+   procedure Put_No_Answer (B : in out Mailbox; Number : Orders.Ticket) is
+   begin
+      Put (B, Number, (State => Ready_Nothing, others => <>));
+   end Put_No_Answer;
+
+   ----------------
+   -- Put_Notice --
+   ----------------
+
+   procedure Put_Notice
+     (B     : in out Mailbox;
+      Told  : Monitor.Notices.Notice;
+      Now   : Time;
+      Begun : out Boolean) is
+   begin
+      Begun := False;
+      if B.Open then
+         Monitor.Notice_Queues.Put_Over_Oldest (B.Told, Told);
+         Begin_Hold (B, False, Now, Begun);
+      end if;
+   end Put_Notice;
+
+   ------------------
+   -- Put_Position --
+   ------------------
+
+   procedure Put_Position
+     (B     : in out Mailbox;
+      Line  : Short_Line;
+      Made  : Generation;
+      Now   : Time;
+      Begun : out Boolean) is
+   begin
+      Begun := False;
+      if B.Open and then Made = B.Made then
+         B.Position := Line;
+         Begin_Hold (B, False, Now, Begun);
+      end if;
+   end Put_Position;
+
+   -------------
+   -- Reserve --
+   -------------
+
+   procedure Reserve
+     (B      : in out Mailbox;
+      Now    : Time;
+      Number : out Orders.Ticket;
+      Result : out Place;
+      Begun  : out Boolean) is
+   begin
+      Number := Next_Number (B);
+      Begun := False;
+      if not B.Open then
+         Result := Closed;
+      elsif Commands (B) = Orders.Capacity then
+         Result := Full;
+      else
+         Reserve (B.Answers);
+         Result := Reserved;
+         Begin_Hold (B, Commands (B) = 1, Now, Begun);
+      end if;
+   end Reserve;
+
+   -----------------
+   -- Stop_Images --
+   -----------------
+
+   procedure Stop_Images (B : in out Mailbox) is
+   begin
+      B.Made := B.Made + 1;
+      B.Image := False;
+      B.Position.Length := 0;
+      End_Quiet_Hold (B);
+   end Stop_Images;
+
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take
+     (B         : in out Mailbox;
+      Between   : Milliseconds;
+      Now       : Time;
+      Last_Sent : Time;
+      Next      : out Item;
+      Gap       : out Milliseconds;
+      Left      : out Boolean)
+   is
+      Chosen : constant Choice := Monitor.Send_Order.Next (Waits (B));
+   begin
+      Next := (others => <>);
+      Left := B.Busy and then not B.Open;
+      Gap := Due (B, Between);
+      if Now >= Last_Sent + Ada.Real_Time.Milliseconds (Gap) then
+         Next.Kind := Chosen;
+      end if;
+      B.Busy := Next.Kind /= Nothing;
+      Next.Unsent := B.Busy;
+      case Next.Kind is
+         when Nothing    =>
+            null;
+         when Answer     =>
+            Next.Is_Image := First (B).State = Ready_Image;
+            Next.Answer := First (B).Kind;
+            Remove_First (B.Answers);
+            Skip_Nothing (B.Answers);
+            if Next.Is_Image then
+               B.Arena := False;
+            end if;
+         when Robot_Lost =>
+            Next.Answer := Timed_Out;
+            B.Lost := False;
+         when Text       =>
+            Next.Told := Monitor.Notice_Queues.Element_At (B.Told, 1);
+            Monitor.Notice_Queues.Remove_First (B.Told);
+         when Battery    =>
+            Next.Answer := B.Level;
+            B.Battery := False;
+         when Position   =>
+            Next.Position := B.Position;
+            B.Position.Length := 0;
+            B.Imaged := False;
+         when Image      =>
+            Next.Is_Image := True;
+            B.Image := False;
+            B.Imaged := True;
+      end case;
+      if Next.Kind /= Nothing then
+         B.Last := Next.Kind;
+      end if;
+      if Next.Kind in Unasked and then Commands (B) = 0 then
+         B.Hold.On := False;
+         B.Released := False;
+      end if;
+      End_Quiet_Hold (B);
+   end Take;
+
+end Monitor.Mailboxes;

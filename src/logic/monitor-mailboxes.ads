@@ -1,0 +1,341 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What waits to be sent to the monitor, and what of it is sent when: one
+--  answer a command, in the order of the commands; and the unasked messages,
+--  of which only the newest counts, but for texts. Images are elsewhere.
+
+with Ada.Real_Time;
+with Monitor.Answer_Queues;
+with Monitor.Message_Holds;
+with Monitor.Notice_Queues;
+with Monitor.Notices;
+with Monitor.Protocol;
+with Monitor.Send_Order; use Monitor.Send_Order;
+with Orders;
+
+package Monitor.Mailboxes with SPARK_Mode is
+
+   pragma Annotate (GNATprove, Terminating, Monitor.Mailboxes);
+   --  A claim that GNATprove checks: every subprogram ends
+
+   use type Ada.Real_Time.Time;
+   use all type Monitor.Answer_Queues.Queue;
+   use all type Monitor.Answer_Queues.State_Kind;
+   use type Monitor.Notices.Notice;
+   use all type Monitor.Protocol.Answer_Kind;
+   use type Orders.Ticket;
+
+   subtype Answer_Kind is Monitor.Protocol.Answer_Kind;
+   subtype Time is Ada.Real_Time.Time;
+
+   type Generation is mod 2 ** 32;
+   --  Of the periodic images: an image made for an older one is not sent
+
+   type Short_Line is record
+      Data   : Monitor.Protocol.Position_Text := (others => ' ');
+      Length : Natural range 0 .. Monitor.Protocol.Max_Position := 0;
+   end record;
+   --  A message without an image, as it is to be sent; none where Length is 0
+
+   type Mailbox is record
+      Open     : Boolean := False;
+      --  a monitor is in command
+      Busy     : Boolean := False;
+      --  what was taken last is being sent
+      Answers  : Monitor.Answer_Queues.Queue;
+      Arena    : Boolean := False;
+      --  the image that is an answer waits
+      Lost     : Boolean := False;
+      Told     : Monitor.Notice_Queues.Queue;
+      Battery  : Boolean := False;
+      Level    : Answer_Kind := Battery_Unknown;
+      Position : Short_Line;
+      Image    : Boolean := False;
+      Made     : Generation := 0;
+      Hold     : Monitor.Message_Holds.Hold;
+      Released : Boolean := False;
+      --  unasked messages have been held back for long enough
+      Last     : Choice := Nothing;
+      --  taken last in this session
+      Imaged   : Boolean := False;
+      --  an image has been taken since the last position
+   end record;
+
+   type Item is record
+      Kind     : Choice := Nothing;
+      Unsent   : Boolean := False;
+      --  it is yet to be sent: whoever has taken it does, once
+      Is_Image : Boolean := False;
+      --  of Answer and Image: the message is an image's
+      Answer   : Answer_Kind := Acknowledged;
+      --  of Answer without an image, Robot_Lost and Battery
+      Told     : Monitor.Notices.Notice := Monitor.Notices.Notice'First;
+      --  of Text
+      Position : Short_Line;
+      --  of Position
+   end record;
+   --  What goes to the monitor next
+
+   procedure Compose (From : Item; Line : out Short_Line)
+   with
+     Pre  => From.Kind /= Nothing and then not From.Is_Image,
+     Post =>
+       (case From.Kind is
+           when Text     =>
+             Line.Length = 6 + Monitor.Notices.Text_Of (From.Told)'Length
+             and then Line.Data (1 .. 5) = "MSSG:"
+             and then Line.Data (6 .. Line.Length - 1) =
+               Monitor.Notices.Text_Of (From.Told)
+             and then Line.Data (Line.Length) = Monitor.Protocol.Line_Feed,
+           when Position => Line = From.Position,
+           when others   =>
+             Line.Length = Monitor.Protocol.Wire_Text (From.Answer).Length
+             and then Line.Data (1 .. Line.Length) =
+               Monitor.Protocol.Wire_Text (From.Answer).Data
+                 (1 .. Line.Length));
+   --  The line as it is to be sent, with its line feed
+
+   function Commands (B : Mailbox) return Orders.Order_Count is
+     (Length (B.Answers));
+   --  That wait for their answers
+
+   function Next_Number (B : Mailbox) return Orders.Ticket is
+     (Next_Number (B.Answers));
+   --  Of the next command
+
+   function Holds (B : Mailbox; Number : Orders.Ticket) return Boolean is
+     (Holds (B.Answers, Number));
+   --  The command has its place here
+
+   function Is_Awaited (B : Mailbox; Number : Orders.Ticket) return Boolean
+   is (Is_Awaited (B.Answers, Number));
+   --  The command waits for its answer
+
+   function First (B : Mailbox) return Monitor.Answer_Queues.Answer is
+     (First_Answer (B.Answers))
+   with Pre => Commands (B) > 0;
+   --  The next answer to be sent, which may not be there yet
+
+   function Waits (B : Mailbox) return Waiting is
+     ((Open     => B.Open,
+       Commands => Commands (B) > 0,
+       Ready    => First_Is_Ready (B.Answers),
+       Messages => (Robot_Lost                  => B.Lost,
+                    Text                        =>
+                      Monitor.Notice_Queues.Length (B.Told) > 0,
+                    Monitor.Send_Order.Battery  => B.Battery,
+                    Monitor.Send_Order.Position => B.Position.Length > 0,
+                    Monitor.Send_Order.Image    => B.Image),
+       Released => B.Released,
+       Last     => B.Last,
+       Imaged   => B.Imaged))
+   with Post => (if Waits'Result.Ready then Waits'Result.Commands);
+
+   function Is_Quiet (B : Mailbox) return Boolean is
+     (not Any_Unasked (Waits (B))
+      and then not B.Hold.On
+      and then not B.Released);
+   --  Nothing unasked waits, and nothing is held back
+
+   --  The session
+
+   procedure Open_Session (B : in out Mailbox)
+   with
+     Post => B.Open
+       and then Is_Quiet (B)
+       and then B.Last = Nothing
+       and then not B.Imaged
+       and then B.Answers = B'Old.Answers;
+   --  A monitor has been admitted
+
+   procedure Close_Session (B : in out Mailbox; Next : out Orders.Ticket)
+   with
+     Post => not B.Open
+       and then Is_Quiet (B)
+       and then Commands (B) = 0
+       and then not B.Arena
+       and then B.Made = B'Old.Made + 1
+       and then B.Busy = B'Old.Busy
+       and then Next = Next_Number (B'Old)
+       and then Next_Number (B) = Next;
+   --  Empties the box. Commands have lower numbers than Next so far
+
+   --  The answers
+
+   type Place is (Reserved, Full, Closed);
+
+   procedure Reserve
+     (B      : in out Mailbox;
+      Now    : Time;
+      Number : out Orders.Ticket;
+      Result : out Place;
+      Begun  : out Boolean)
+   with
+     Post => Number = Next_Number (B'Old)
+       and then Result =
+         (if not B.Open then Closed
+          elsif Commands (B'Old) = Orders.Capacity then Full
+          else Reserved)
+       and then B.Open = B'Old.Open
+       and then
+         (if Result = Reserved then
+             Commands (B) = Commands (B'Old) + 1
+             and then Next_Number (B) = Number + 1
+          else B.Answers = B'Old.Answers and then not Begun);
+   --  A place for the answer of the next command. Begun, here and below:
+   --  unasked messages begin to be held back
+
+   procedure Put_Answer
+     (B : in out Mailbox; Number : Orders.Ticket; Answer : Answer_Kind)
+   with
+     Post => Next_Number (B) = Next_Number (B'Old)
+       and then Commands (B) <= Commands (B'Old)
+       and then B.Arena = B'Old.Arena;
+   --  The answer of one command; without effect if its session has ended
+
+   procedure Put_No_Answer (B : in out Mailbox; Number : Orders.Ticket)
+   with
+     Post => Next_Number (B) = Next_Number (B'Old)
+       and then Commands (B) <= Commands (B'Old)
+       and then B.Arena = B'Old.Arena;
+   --  The command has no answer, but later ones have waited for it
+
+   procedure Put_Arena
+     (B        : in out Mailbox;
+      Number   : Orders.Ticket;
+      Accepted : out Boolean;
+      Kept     : out Boolean)
+   with
+     Post => Accepted =
+         (not Holds (B'Old, Number) or else not B'Old.Arena)
+       and then Kept =
+         (Holds (B'Old, Number) and then not B'Old.Arena)
+       and then B.Arena = (B'Old.Arena or else Kept);
+   --  The image that answers a search for the arena. Not accepted while the
+   --  one before waits; not kept, too, where its session has ended
+
+   --  The unasked messages, of which nothing is kept without a session
+
+   procedure Put_Lost (B : in out Mailbox; Now : Time; Begun : out Boolean)
+   with Post => B.Lost = (B'Old.Lost or else B.Open)
+     and then B.Open = B'Old.Open;
+   --  The robot is lost (F9)
+
+   procedure Put_Notice
+     (B     : in out Mailbox;
+      Told  : Monitor.Notices.Notice;
+      Now   : Time;
+      Begun : out Boolean)
+   with Post => B.Open = B'Old.Open
+     and then (if B.Open then Monitor.Notice_Queues.Length (B.Told) > 0);
+   --  Of more than there is room for the oldest is dropped
+
+   procedure Put_Battery
+     (B     : in out Mailbox;
+      Level : Answer_Kind;
+      Now   : Time;
+      Begun : out Boolean)
+   with Post => B.Open = B'Old.Open
+     and then (if B.Open then B.Battery and then B.Level = Level);
+
+   procedure Put_Position
+     (B     : in out Mailbox;
+      Line  : Short_Line;
+      Made  : Generation;
+      Now   : Time;
+      Begun : out Boolean)
+   with Post => B.Open = B'Old.Open
+     and then B.Made = B'Old.Made
+     and then B.Position =
+       (if B.Open and then Made = B.Made then Line else B'Old.Position);
+
+   procedure Put_Image
+     (B     : in out Mailbox;
+      Made  : Generation;
+      Now   : Time;
+      Kept  : out Boolean;
+      Begun : out Boolean)
+   with Post => B.Open = B'Old.Open
+     and then B.Made = B'Old.Made
+     and then Kept = (B.Open and then Made = B.Made)
+     and then B.Image = (B'Old.Image or else Kept);
+   --  Kept: it takes the place of one that waits still
+
+   procedure Stop_Images (B : in out Mailbox)
+   with Post => B.Made = B'Old.Made + 1
+     and then not B.Image
+     and then B.Position.Length = 0;
+   --  Begins a new generation; what waits of the older one is dropped
+
+   --  The sending
+
+   function Due (B : Mailbox; Between : Milliseconds) return Milliseconds is
+     (Gap (Waits (B), Monitor.Send_Order.Next (Waits (B)), Between));
+   --  How long after the last message the most urgent one may follow now;
+   --  Between two unasked ones
+
+   procedure Take
+     (B         : in out Mailbox;
+      Between   : Milliseconds;
+      Now       : Time;
+      Last_Sent : Time;
+      Next      : out Item;
+      Gap       : out Milliseconds;
+      Left      : out Boolean)
+   with
+     Post => Left = (B'Old.Busy and then not B'Old.Open)
+       and then Gap = Due (B'Old, Between)
+       and then Next.Kind =
+         (if Now >= Last_Sent + Ada.Real_Time.Milliseconds (Gap)
+          then Monitor.Send_Order.Next (Waits (B'Old))
+          else Nothing)
+       and then B.Busy = (Next.Kind /= Nothing)
+       and then Next.Unsent = B.Busy
+       and then B.Open = B'Old.Open
+       and then
+         (case Next.Kind is
+             when Nothing    => not Next.Is_Image,
+             when Answer     =>
+               (if First (B'Old).State = Ready_Text then
+                   not Next.Is_Image
+                   and then Next.Answer = First (B'Old).Kind)
+               and then Next.Is_Image =
+                 (First (B'Old).State = Ready_Image)
+               and then (if Next.Is_Image then not B.Arena)
+               and then Commands (B) < Commands (B'Old),
+             when Robot_Lost =>
+               Next.Answer = Timed_Out
+               and then not Next.Is_Image
+               and then not B.Lost,
+             when Text       =>
+               Next.Told = Monitor.Notice_Queues.Element_At (B'Old.Told, 1)
+               and then not Next.Is_Image,
+             when Battery    =>
+               Next.Answer = B'Old.Level
+               and then not Next.Is_Image
+               and then not B.Battery,
+             when Position   =>
+               Next.Position = B'Old.Position
+               and then not Next.Is_Image
+               and then B.Position.Length = 0,
+             when Image      => Next.Is_Image and then not B.Image);
+   --  What was taken before has been sent, or could not be. The most urgent
+   --  message that may be sent now, if any; Gap after the last one, which
+   --  was sent at Last_Sent. Left: the session of what was being sent has
+   --  ended meanwhile
+
+   --  The hold (PROTOCOL rule 7)
+
+   function Is_Held (B : Mailbox) return Boolean is
+     (B.Hold.On and then not B.Released);
+   --  Unasked messages are held back still
+
+   procedure End_Hold (B : in out Mailbox; Now : Time)
+   with
+     Post => B.Released =
+       (B'Old.Released
+        or else (B.Hold.On
+                 and then Now >= Monitor.Message_Holds.Ending (B.Hold)))
+       and then B.Hold.On = B'Old.Hold.On;
+   --  Releases those whose time has come
+
+end Monitor.Mailboxes;

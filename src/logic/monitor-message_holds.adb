@@ -1,0 +1,26 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  How long unasked messages are held back.
+
+package body Monitor.Message_Holds with SPARK_Mode is
+
+   ----------------
+   -- Begin_Hold --
+   ----------------
+
+   procedure Begin_Hold
+     (H           : in out Hold;
+      New_Command : Boolean;
+      Now         : Time;
+      Begun       : out Boolean) is
+   begin
+      Begun := not H.On;
+      if Begun then
+         H.First := Now;
+      end if;
+      if Begun or else New_Command then
+         H.Since := Now;
+      end if;
+      H.On := True;
+   end Begin_Hold;
+
+end Monitor.Message_Holds;

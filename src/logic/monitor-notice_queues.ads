@@ -1,0 +1,10 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Queues of what the monitor is told in words: eight may wait.
+
+pragma SPARK_Mode;
+
+with Bounded_Queues;
+with Monitor.Notices;
+
+package Monitor.Notice_Queues is new Bounded_Queues
+  (Monitor.Notices.Notice, 8);

@@ -1,0 +1,600 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The wire format of the monitor: its lines become messages, answers and
+--  positions become lines.
+
+with Decimals;
+with Robot.Protocol;
+
+package Monitor.Protocol with SPARK_Mode is
+
+   Max_Line : constant := 1024;
+   --  Characters in a line from the monitor, its end not counted.
+
+   Line_Feed : constant Character := Character'Val (10);
+
+   Carriage_Return : constant Character := Character'Val (13);
+
+   --  Messages from the monitor
+
+   type Message_Kind is
+     (Open_Robot,
+      Close_Robot,
+      Start_Robot,
+      Start_Robot_Watchdog,
+      Reset_Robot,
+      Ping_Robot,
+      Reload_Watchdog,
+      Go_Forward,
+      Go_Backward,
+      Go_Left,
+      Go_Right,
+      Stop_Robot,
+      Move_Robot,
+      Turn_Robot,
+      Power_Off_Robot,
+      Get_Battery,
+      Get_State,
+      Open_Camera,
+      Close_Camera,
+      Ask_Arena,
+      Confirm_Arena,
+      Reject_Arena,
+      Start_Position,
+      Stop_Position,
+      Log_Message,
+      Malformed);
+
+   subtype Known_Kind is Message_Kind range Open_Robot .. Log_Message;
+
+   subtype Order_Kind is Message_Kind range Open_Robot .. Stop_Position;
+   --  Those that a task carries out.
+
+   function Takes_Number (Kind : Message_Kind) return Boolean is
+     (Kind in Move_Robot | Turn_Robot);
+
+   function Takes_Text (Kind : Message_Kind) return Boolean is
+     (Kind = Log_Message);
+
+   type Message is record
+      Kind  : Message_Kind            := Malformed;
+      Value : Robot.Protocol.Argument := 0;
+   end record;
+   --  Value: the number of Move_Robot and Turn_Robot, otherwise 0.
+
+   function Is_Answered (Kind : Message_Kind) return Boolean is
+     (Kind not in Confirm_Arena | Reject_Arena | Log_Message);
+   --  Whether the monitor gets an answer to it: exactly one, then.
+
+   subtype Label_Text is String (1 .. 4);
+
+   function Label (Kind : Known_Kind) return Label_Text is
+     (case Kind is
+         when Open_Robot           => "ROPN",
+         when Close_Robot          => "RCLS",
+         when Start_Robot          => "RSOW",
+         when Start_Robot_Watchdog => "RSWW",
+         when Reset_Robot          => "RRST",
+         when Ping_Robot           => "RPIN",
+         when Reload_Watchdog      => "RLDW",
+         when Go_Forward           => "RGFW",
+         when Go_Backward          => "RGBW",
+         when Go_Left              => "RGLF",
+         when Go_Right             => "RGRI",
+         when Stop_Robot           => "RSTP",
+         when Move_Robot           => "RMOV",
+         when Turn_Robot           => "RTRN",
+         when Power_Off_Robot      => "RPOF",
+         when Get_Battery          => "RGBT",
+         when Get_State            => "RGST",
+         when Open_Camera          => "COPN",
+         when Close_Camera         => "CCLS",
+         when Ask_Arena            => "CASA",
+         when Confirm_Arena        => "CACO",
+         when Reject_Arena         => "CAIN",
+         when Start_Position       => "CPCO",
+         when Stop_Position        => "CPST",
+         when Log_Message          => "MSSG");
+
+   Separator : constant Character := ':';
+   --  Between a label and its data.
+
+   Text_Offset : constant := 5;
+   --  The text of a Log_Message is Line (Line'First + Text_Offset ..
+   --  Line'Last); it may be empty.
+
+   --  The words of Parse's contract
+
+   package Numbers is new Decimals (Character, String);
+
+   function Begins_With (Line : String; Start : Label_Text) return Boolean is
+     (Line'Length >= 4
+      and then Line (Line'First) = Start (1)
+      and then Line (Line'First + 1) = Start (2)
+      and then Line (Line'First + 2) = Start (3)
+      and then Line (Line'First + 3) = Start (4))
+   with Pre => Line'Last < Integer'Last;
+
+   function Has_Data (Line : String) return Boolean is
+     (Line'Length >= 5 and then Line (Line'First + 4) = Separator)
+   with Pre => Line'Last < Integer'Last;
+   --  A separator follows the label; the data after it may be empty.
+
+   function Is_Bare (Line : String; Start : Label_Text) return Boolean is
+     (Begins_With (Line, Start)
+      and then (Line'Length = 4
+                or else (Line'Length = 5 and then Has_Data (Line))))
+   with Pre => Line'Last < Integer'Last;
+   --  The label alone. The existing monitor writes a separator behind every
+   --  label, so one with nothing after it is as good as none.
+
+   function Is_Number
+     (Line : String; First : Positive; Last : Natural) return Boolean
+   is (Last >= First
+       and then
+         (if Line (First) in '+' | '-' then
+             Last > First and then Numbers.Are_Digits (Line, First + 1, Last)
+          else Numbers.Are_Digits (Line, First, Last)))
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last;
+   --  Decimal: a sign or none, then digits, as many as one likes. Blanks
+   --  are no part of a number.
+
+   function Magnitude
+     (Line : String; First : Positive; Last : Natural) return Numbers.Number
+   is (Numbers.Saturated_Value
+         (Line, (if Line (First) in '+' | '-' then First + 1 else First),
+          Last))
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last
+     and then Is_Number (Line, First, Last);
+
+   function Clamped_Number
+     (Line : String; First : Positive; Last : Natural)
+     return Robot.Protocol.Argument
+   is (if Line (First) = '-'
+       then -Integer'Min (Magnitude (Line, First, Last), 32_768)
+       else Integer'Min (Magnitude (Line, First, Last), 32_767))
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last
+     and then Is_Number (Line, First, Last);
+   --  The number, or the nearest that the robot knows.
+
+   function Is_Order (Line : String; Start : Label_Text) return Boolean is
+     (Begins_With (Line, Start)
+      and then Has_Data (Line)
+      and then Is_Number (Line, Line'First + Text_Offset, Line'Last))
+   with Pre => Line'Last < Integer'Last;
+   --  The label, the separator and a number.
+
+   function Is_Line_Of (Line : String; Kind : Known_Kind) return Boolean is
+     (if Takes_Number (Kind) then Is_Order (Line, Label (Kind))
+      elsif Takes_Text (Kind) then
+         Begins_With (Line, Label (Kind)) and then Has_Data (Line)
+      else Is_Bare (Line, Label (Kind)))
+   with Pre => Line'Last < Integer'Last;
+
+   procedure Parse (Line : String; M : out Message)
+   with
+     Pre  => Line'Last < Integer'Last,
+     Post =>
+       (for all K in Known_Kind => (M.Kind = K) = Is_Line_Of (Line, K))
+       and then M.Value =
+         (if Takes_Number (M.Kind)
+          then Clamped_Number (Line, Line'First + Text_Offset, Line'Last)
+          else 0);
+   --  What the monitor says with Line, which comes without its end. Every
+   --  line means something, if only Malformed: an empty line, a label in
+   --  small letters, data for a command that takes none, a number that is
+   --  missing or not decimal.
+
+   --  Lines from the monitor
+
+   subtype Line_Length is Natural range 0 .. Max_Line;
+
+   type Line_Reader is private;
+   --  The line under way. Initially empty.
+
+   function Length (R : Line_Reader) return Line_Length;
+   --  Characters of the line so far, or of the line that is complete.
+
+   function Is_Too_Long (R : Line_Reader) return Boolean;
+   --  The line has more than Max_Line characters: the rest is dropped.
+
+   function Is_Complete (R : Line_Reader) return Boolean with Ghost;
+   --  Its line feed has come: the next character begins another line.
+
+   function Is_Held (R : Line_Reader) return Boolean with Ghost;
+   --  A carriage return has come; the next character tells whether it
+   --  belongs to the end of the line.
+
+   function Item (R : Line_Reader; I : Positive) return Character
+   with Ghost, Pre => I <= Length (R);
+   --  Character I of the line.
+
+   function Kept (R : Line_Reader) return Line_Length is
+     (if Is_Complete (R) then 0 else Length (R))
+   with Ghost;
+   --  Characters that the line under way has already.
+
+   function Added (R : Line_Reader; C : Character) return Natural is
+     ((if Is_Held (R) and then not Is_Complete (R) and then C /= Line_Feed
+       then 1 else 0)
+      + (if C in Carriage_Return | Line_Feed then 0 else 1))
+   with Ghost;
+   --  How many it gets with C: a carriage return waits for what follows it.
+
+   procedure Clear (R : out Line_Reader)
+   with
+     Post => Length (R) = 0
+       and then not Is_Too_Long (R)
+       and then not Is_Complete (R)
+       and then not Is_Held (R);
+   --  Forgets all that has arrived.
+
+   procedure Accept_Character
+     (R : in out Line_Reader; C : Character; Complete : out Boolean)
+   with
+     Post => Complete = (C = Line_Feed)
+       and then Is_Complete (R) = Complete
+       and then (if not Complete then Is_Held (R) = (C = Carriage_Return))
+       and then Length (R) =
+         Integer'Min (Kept (R'Old) + Added (R'Old, C), Max_Line)
+       and then Is_Too_Long (R) =
+         ((Is_Too_Long (R'Old) and then not Is_Complete (R'Old))
+          or else Kept (R'Old) + Added (R'Old, C) > Max_Line)
+       and then
+         (for all I in 1 .. Length (R) =>
+            Item (R, I) =
+              (if I <= Kept (R'Old) then Item (R'Old, I)
+               elsif I < Kept (R'Old) + Added (R'Old, C)
+                 or else C = Carriage_Return
+               then Carriage_Return
+               else C));
+   --  Takes the next character. Complete: it ended a line, which Get_Line
+   --  gives; the character after it begins another line.
+
+   procedure Get_Line
+     (R : Line_Reader; Line : in out String; Last : out Natural)
+   with
+     Pre  => Line'First = 1 and then Line'Last >= Max_Line,
+     Post => Last = (if Is_Too_Long (R) then 0 else Length (R))
+       and then (for all I in 1 .. Last => Line (I) = Item (R, I));
+   --  The line is Line (1 .. Last), without its end and the carriage return
+   --  before it. A line that is too long is given as an empty one, which
+   --  Parse finds malformed.
+
+   procedure Prove_Reading (Text : String)
+   with
+     Ghost,
+     Pre => Text'First = 1
+       and then Text'Last < Integer'Last
+       and then (for all C of Text => C /= Line_Feed);
+   --  Any characters and a line feed make one line: those characters, but
+   --  for a carriage return at the end, and nothing where they are more
+   --  than Max_Line: asserted in the body. Parse takes any line.
+
+   --  Answers
+
+   type Answer_Kind is
+     (Acknowledged,     --  AACK
+      Not_Done,         --  ANAK: the line or the camera is not open
+      Refused,          --  ACRJ: the robot refused it
+      Timed_Out,        --  ATIM: the robot did not answer, or is lost
+      Not_Understood,   --  ACER
+      Battery_Empty,    --  RBLV:0
+      Battery_Low,      --  RBLV:1
+      Battery_Full,     --  RBLV:2
+      Battery_Unknown,  --  RBLV:-1
+      Standing,         --  RCST:0
+      Moving);          --  RCST:1
+   --  The battery's levels are sent unasked too, and so is Timed_Out when
+   --  the robot is lost.
+
+   Max_Short : constant := 16;
+
+   type Short_Text is record
+      Data   : String (1 .. Max_Short)    := (others => ' ');
+      Length : Natural range 0 .. Max_Short := 0;
+   end record;
+   --  The first Length characters of Data count.
+
+   function Short (Text : String) return Short_Text
+   with
+     Pre  => Text'First = 1 and then Text'Last in 4 .. 7,
+     Post => Short'Result.Length = Text'Last + 1
+       and then Short'Result.Data (1 .. Text'Last) = Text
+       and then Short'Result.Data (Text'Last + 1) = Line_Feed;
+   --  Text and a line feed.
+
+   function Wire_Text (Answer : Answer_Kind) return Short_Text is
+     (case Answer is
+         when Acknowledged    => Short ("AACK"),
+         when Not_Done        => Short ("ANAK"),
+         when Refused         => Short ("ACRJ"),
+         when Timed_Out       => Short ("ATIM"),
+         when Not_Understood  => Short ("ACER"),
+         when Battery_Empty   => Short ("RBLV:0"),
+         when Battery_Low     => Short ("RBLV:1"),
+         when Battery_Full    => Short ("RBLV:2"),
+         when Battery_Unknown => Short ("RBLV:-1"),
+         when Standing        => Short ("RCST:0"),
+         when Moving          => Short ("RCST:1"));
+   --  The line that says so, with its line feed.
+
+   subtype Battery_Level is Integer range -1 .. 2;
+   --  -1: unknown; 0 empty, 1 low, 2 full.
+
+   function Battery_Answer (Level : Battery_Level) return Answer_Kind is
+     (case Level is
+         when -1 => Battery_Unknown,
+         when 0  => Battery_Empty,
+         when 1  => Battery_Low,
+         when 2  => Battery_Full);
+
+   --  Labels of what is sent unasked; Separator and data follow.
+
+   Image_Label    : constant Label_Text := "CIMG";
+   Position_Label : constant Label_Text := "CPOS";
+   Battery_Label  : constant Label_Text := "RBLV";
+   State_Label    : constant Label_Text := "RCST";
+   Log_Label      : constant Label_Text := "MSSG";
+
+   --  Positions
+
+   type Micro is range -10 ** 13 .. 10 ** 13;
+   --  Millionths: of a pixel, or of a degree.
+
+   subtype Robot_Id is Integer range -1 .. 999;
+   --  A marker's number; -1 where there is no robot.
+
+   type Position is record
+      Id     : Robot_Id := -1;
+      Angle  : Micro    := 0;
+      Cx, Cy : Micro    := 0;
+      Dx, Dy : Micro    := 0;
+   end record;
+   --  Angle in degrees, the centre (Cx, Cy) and the direction (Dx, Dy) in
+   --  pixels of the whole image.
+
+   Not_Found : constant Position :=
+     (Id => -1, Angle => 0, Cx => -1_000_000, Cy => -1_000_000,
+      Dx => 0, Dy => 0);
+   --  No robot in the image: F18 gives the identifier and the centre; angle
+   --  and direction are 0 as in the existing platform's empty position.
+
+   Max_Position : constant := 128;
+
+   subtype Position_Text is String (1 .. Max_Position);
+
+   --  The words of the contracts
+
+   First_Field : constant := 6;
+   --  Where the identifier begins, behind the label and the separator.
+
+   Field_Separator : constant Character := ';';
+
+   type Wide is range -10 ** 15 .. 10 ** 15;
+   --  Eight digits before the point and six behind it, in millionths.
+
+   function Field_End
+     (Line : String; First : Positive; Last : Natural) return Natural
+   with
+     Pre  => Line'Last < Integer'Last
+       and then First >= Line'First
+       and then Last <= Line'Last
+       and then First <= Last + 1,
+     Post => Field_End'Result in First - 1 .. Last
+       and then (for all I in First .. Field_End'Result =>
+                   Line (I) /= Field_Separator)
+       and then (if Field_End'Result < Last then
+                    Line (Field_End'Result + 1) = Field_Separator);
+   --  The last character of the field that begins at First.
+
+   type Field_Starts is array (1 .. 7) of Positive;
+
+   function Starts (Line : String; Last : Natural) return Field_Starts
+   with
+     Pre  => Line'First = 1
+       and then Line'Last <= Max_Position
+       and then Last in First_Field .. Line'Last,
+     Post => Starts'Result (1) = First_Field
+       and then
+         (for all I in 1 .. 6 =>
+            Starts'Result (I + 1) =
+              (if Starts'Result (I) <= Last + 1
+               then Field_End (Line, Starts'Result (I), Last) + 2
+               else Last + 3));
+   --  Where the six fields begin: field I is Line (Starts (I) .. Starts (I
+   --  + 1) - 2). The seventh is Last + 2 where there are exactly six.
+
+   function Is_Id
+     (Line : String; First : Positive; Last : Natural) return Boolean
+   is (if First < Last and then Line (First) = '-' then
+          Last = First + 1 and then Line (Last) = '1'
+       else First <= Last
+         and then Last - First < 3
+         and then Numbers.Are_Digits (Line, First, Last))
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last;
+
+   function Id_Value
+     (Line : String; First : Positive; Last : Natural) return Robot_Id
+   is (if Line (First) = '-' then -1
+       else Numbers.Value (Line, First, Last))
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last
+     and then Is_Id (Line, First, Last);
+
+   function Whole_First (Line : String; First : Positive) return Positive is
+     (if Line (First) = '-' then First + 1 else First)
+   with Pre => Line'Last < Integer'Last and then First in Line'Range;
+   --  The first digit of a decimal fraction.
+
+   function Is_Fraction
+     (Line : String; First : Positive; Last : Natural) return Boolean
+   is (Last - First >= 7
+       and then Last - 7 >= Whole_First (Line, First)
+       and then Last - 7 - Whole_First (Line, First) < Numbers.Max_Digits
+       and then Numbers.Are_Digits
+                  (Line, Whole_First (Line, First), Last - 7)
+       and then Line (Last - 6) = '.'
+       and then Numbers.Are_Digits (Line, Last - 5, Last))
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last;
+   --  A minus sign or none, one to eight digits, a point, six digits.
+
+   function Fraction_Value
+     (Line : String; First : Positive; Last : Natural) return Wide
+   is ((if Line (First) = '-' then -1 else 1)
+       * (Wide (Numbers.Value (Line, Whole_First (Line, First), Last - 7))
+          * 1_000_000
+          + Wide (Numbers.Value (Line, Last - 5, Last))))
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last
+     and then Is_Fraction (Line, First, Last);
+
+   function Is_Micro
+     (Line : String; First : Positive; Last : Natural) return Boolean
+   is (Is_Fraction (Line, First, Last)
+       and then Fraction_Value (Line, First, Last)
+                  in Wide (Micro'First) .. Wide (Micro'Last))
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last;
+
+   function Reads_As_Micro
+     (Line : String; First : Positive; Last : Natural; Value : Micro)
+     return Boolean
+   is (Is_Micro (Line, First, Last)
+       and then Fraction_Value (Line, First, Last) = Wide (Value))
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last;
+
+   function Reads_As_Id
+     (Line : String; First : Positive; Last : Natural; Id : Robot_Id)
+     return Boolean
+   is (Is_Id (Line, First, Last) and then Id_Value (Line, First, Last) = Id)
+   with Pre => Line'Last < Integer'Last
+     and then First >= Line'First
+     and then Last <= Line'Last;
+
+   function Are_Fields
+     (Line : String; Last : Natural; S : Field_Starts) return Boolean
+   is (S (1) = First_Field
+       and then S (7) = Last + 2
+       and then S (1) < S (2)
+       and then S (2) < S (3)
+       and then S (3) < S (4)
+       and then S (4) < S (5)
+       and then S (5) < S (6)
+       and then S (6) < S (7)
+       and then Is_Id (Line, S (1), S (2) - 2)
+       and then Is_Micro (Line, S (2), S (3) - 2)
+       and then Is_Micro (Line, S (3), S (4) - 2)
+       and then Is_Micro (Line, S (4), S (5) - 2)
+       and then Is_Micro (Line, S (5), S (6) - 2)
+       and then Is_Micro (Line, S (6), S (7) - 2))
+   with Pre => Line'First = 1
+     and then Line'Last <= Max_Position
+     and then Last <= Line'Last;
+
+   function Is_Position (Line : String; Last : Natural) return Boolean is
+     (Last >= First_Field
+      and then Begins_With (Line, Position_Label)
+      and then Has_Data (Line)
+      and then Are_Fields (Line, Last, Starts (Line, Last)))
+   with Pre => Line'First = 1
+     and then Line'Last <= Max_Position
+     and then Last <= Line'Last;
+   --  Line (1 .. Last) is a position line, without its end.
+
+   function Are_Fields_Of
+     (Line : String; S : Field_Starts; P : Position) return Boolean
+   is (Reads_As_Id (Line, S (1), S (2) - 2, P.Id)
+       and then Reads_As_Micro (Line, S (2), S (3) - 2, P.Angle)
+       and then Reads_As_Micro (Line, S (3), S (4) - 2, P.Cx)
+       and then Reads_As_Micro (Line, S (4), S (5) - 2, P.Cy)
+       and then Reads_As_Micro (Line, S (5), S (6) - 2, P.Dx)
+       and then Reads_As_Micro (Line, S (6), S (7) - 2, P.Dy))
+   with Pre => Line'First = 1
+     and then Line'Last <= Max_Position
+     and then S (1) = First_Field
+     and then S (7) <= Line'Last + 2
+     and then S (1) < S (2)
+     and then S (2) < S (3)
+     and then S (3) < S (4)
+     and then S (4) < S (5)
+     and then S (5) < S (6)
+     and then S (6) < S (7);
+
+   function Reads_As
+     (Line : String; Last : Natural; P : Position) return Boolean
+   is (Is_Position (Line, Last)
+       and then Are_Fields_Of (Line, Starts (Line, Last), P))
+   with Pre => Line'First = 1
+     and then Line'Last <= Max_Position
+     and then Last <= Line'Last;
+   --  ... and says P to the last decimal.
+
+   --  The operations
+
+   procedure Format_Position
+     (P      : Position;
+      Buffer : out Position_Text;
+      Last   : out Natural)
+   with
+     Post => Last in 50 .. 100
+       and then Buffer (Last) = Line_Feed
+       and then (for all I in 1 .. Last - 1 => Buffer (I) /= Line_Feed)
+       and then Reads_As (Buffer, Last - 1, P);
+   --  Writes CPOS:id;angle;cx;cy;dx;dy and a line feed to Buffer (1 ..
+   --  Last), the id without and the others with exactly six decimals.
+
+   procedure Parse_Position
+     (Line : String; Last : Natural; P : out Position; OK : out Boolean)
+   with
+     Pre  => Line'First = 1
+       and then Line'Last <= Max_Position
+       and then Last <= Line'Last,
+     Post => OK = Is_Position (Line, Last)
+       and then (if OK then Reads_As (Line, Last, P) else P = Not_Found);
+   --  Reads such a line, Line (1 .. Last), given without its line feed. OK
+   --  is False, and P Not_Found, where it is none.
+
+   procedure Prove_Round_Trip (P : Position)
+   with Ghost;
+   --  What Format_Position writes Parse_Position accepts, and gives P back:
+   --  asserted in the body.
+
+private
+
+   type Line_Reader is record
+      Data     : String (1 .. Max_Line) := (others => ' ');
+      Length   : Line_Length            := 0;
+      Held     : Boolean                := False;
+      --  A carriage return has come; the next character tells whether it
+      --  belongs to the end of the line.
+      Too_Long : Boolean                := False;
+      Finished : Boolean                := False;
+   end record;
+
+   function Length (R : Line_Reader) return Line_Length is (R.Length);
+
+   function Is_Too_Long (R : Line_Reader) return Boolean is (R.Too_Long);
+
+   function Is_Complete (R : Line_Reader) return Boolean is (R.Finished);
+
+   function Is_Held (R : Line_Reader) return Boolean is (R.Held);
+
+   function Item (R : Line_Reader; I : Positive) return Character is
+     (R.Data (I));
+
+end Monitor.Protocol;

@@ -1,0 +1,124 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Which of the messages that wait goes to the monitor next (PROTOCOL rules 1
+--  and 7), answers before what is unasked; and how long after the last one.
+
+package Monitor.Send_Order with SPARK_Mode, Pure is
+
+   pragma Annotate (GNATprove, Terminating, Monitor.Send_Order);
+   --  A claim that GNATprove checks: every subprogram ends
+
+   type Choice is
+     (Nothing,
+      Answer,        --  to a command
+      Robot_Lost,    --  the unasked ones, most urgent first
+      Text,
+      Battery,
+      Position,
+      Image);        --  and position take turns: they belong together
+
+   subtype Sent_Kind is Choice range Answer .. Image;
+
+   subtype Unasked is Choice range Robot_Lost .. Image;
+
+   type Unasked_Set is array (Unasked) of Boolean;
+
+   type Waiting is record
+      Open     : Boolean := False;
+      --  a monitor is in command
+      Commands : Boolean := False;
+      --  commands wait for their answers ...
+      Ready    : Boolean := False;
+      --  ... and the answer to the first of them is there
+      Messages : Unasked_Set := (others => False);
+      --  the unasked ones that wait ...
+      Released : Boolean := False;
+      --  ... and have been held back for long enough (rule 7)
+      Last     : Choice := Nothing;
+      --  what was sent last in this session
+      Imaged   : Boolean := False;
+      --  an image has been sent since the last position
+   end record;
+
+   subtype Milliseconds is Natural range 0 .. 1_000;
+
+   Answer_Gap : constant Milliseconds := 4;
+   --  at most, before an answer (PROTOCOL.md)
+
+   function Any_Unasked (W : Waiting) return Boolean is
+     (for some Kind in Unasked => W.Messages (Kind));
+
+   function First_Unasked (W : Waiting) return Unasked is
+     (if W.Messages (Robot_Lost) then Robot_Lost
+      elsif W.Messages (Text) then Text
+      elsif W.Messages (Battery) then Battery
+      elsif W.Messages (Position)
+        and then (W.Imaged or else not W.Messages (Image))
+      then Position
+      else Image)
+   with
+     Pre  => Any_Unasked (W),
+     Post => W.Messages (First_Unasked'Result)
+       and then (for all Kind in Robot_Lost .. Battery =>
+                   (if Kind < First_Unasked'Result then
+                       not W.Messages (Kind)))
+       and then
+         (if W.Messages (Position) and then W.Messages (Image) then
+            First_Unasked'Result /= (if W.Imaged then Image else Position));
+
+   function Next (W : Waiting) return Choice is
+     (if not W.Open then Nothing
+      elsif W.Ready
+        and then not (Any_Unasked (W) and then W.Released
+                      and then W.Last = Answer)
+      then Answer
+      elsif Any_Unasked (W) and then (not W.Commands or else W.Released)
+      then First_Unasked (W)
+      else Nothing)
+   with
+     Pre  => (if W.Ready then W.Commands),
+     Post =>
+       --  only what is there, and that only to a monitor
+       (case Next'Result is
+           when Nothing => True,
+           when Answer  => W.Open and then W.Ready,
+           when Unasked => W.Open and then W.Messages (Next'Result))
+
+       --  an answer goes before all that is unasked, unless that has waited
+       --  for long enough; then the two take turns
+       and then
+         (if W.Open and then W.Ready then
+            (if not W.Released or else W.Last /= Answer
+               or else not Any_Unasked (W)
+             then Next'Result = Answer
+             else Next'Result in Unasked))
+
+       --  while an answer is awaited the unasked are held back, but not for
+       --  ever
+       and then
+         (if W.Commands and then not W.Ready and then not W.Released then
+             Next'Result = Nothing)
+       and then
+         (if W.Open and then Any_Unasked (W)
+            and then (W.Released or else not W.Commands)
+          then Next'Result /= Nothing);
+
+   function Gap
+     (W : Waiting; Sent : Choice; Between : Milliseconds) return Milliseconds
+   is
+     (if W.Last = Nothing or else Sent = Nothing
+        or else (W.Last = Answer and then Sent = Answer)
+      then 0
+      elsif Sent = Answer or else (W.Last = Answer and then W.Released)
+      then Milliseconds'Min (Between, Answer_Gap)
+      else Between)
+   with
+     Post => Gap'Result <= Between
+       and then (if Sent = Answer then Gap'Result <= Answer_Gap)
+       and then (if Sent in Unasked and then W.Last in Unasked then
+                    Gap'Result = Between);
+   --  How long after the last message Sent may follow it, where Between is
+   --  what two unasked ones are apart. An unasked one after an answer, too:
+   --  the monitor takes its time over that. But answers without end must not
+   --  hold the unasked back for ever
+
+end Monitor.Send_Order;

@@ -1,0 +1,39 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The stages of the session with the monitor, one after the other; and that
+--  no session begins when the supervisor is stopping.
+
+package body Monitor.Session_Stages with SPARK_Mode is
+
+   ------------------
+   -- Begin_Active --
+   ------------------
+
+   procedure Begin_Active (S : in out State; Admitted : out Boolean) is
+   begin
+      Admitted := May_Begin (S);
+      if Admitted then
+         S.Stage := Active;
+      end if;
+   end Begin_Active;
+
+   -----------
+   -- Go_On --
+   -----------
+
+   procedure Go_On (S : in out State; To : Stage_Kind) is
+   begin
+      if After (S.Stage) = To then
+         S.Stage := To;
+      end if;
+   end Go_On;
+
+   ----------
+   -- Stop --
+   ----------
+
+   procedure Stop (S : in out State) is
+   begin
+      S.Stopping := True;
+   end Stop;
+
+end Monitor.Session_Stages;

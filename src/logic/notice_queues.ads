@@ -1,9 +1,0 @@
---  SPDX-License-Identifier: GPL-3.0-or-later
---  Queues of what the monitor is told in words: eight may wait.
-
-pragma SPARK_Mode;
-
-with Bounded_Queues;
-with Notices;
-
-package Notice_Queues is new Bounded_Queues (Notices.Notice, 8);

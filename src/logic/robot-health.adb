@@ -1,0 +1,76 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Supervision of the robot's line: when it is lost, and how commands and
+--  answers get back into step after an answer that did not come.
+
+package body Robot.Health with SPARK_Mode is
+
+   -------------
+   -- Failure --
+   -------------
+
+   procedure Failure (H : in out State; Command : Command_Kind) is
+      Owed : Class_Set := H.Owed;
+   begin
+      Owed (Class_Of (Command)) := True;
+      H := (Failures => H.Failures + 1, Owed => Owed, Untried => False);
+   end Failure;
+
+   -------------
+   -- Initial --
+   -------------
+
+   function Initial return State is
+     ((Failures => 0, Owed => (others => False), Untried => False));
+
+   ------------
+   -- Opened --
+   ------------
+
+   function Opened return State is
+     ((Failures => 0, Owed => (others => False), Untried => True));
+
+   -----------
+   -- Probe --
+   -----------
+
+   function Probe (H : State) return Command_Kind is
+     (if not H.Owed (Text) then Version
+      elsif not H.Owed (Digit) then Battery
+      elsif not H.Owed (Unknown) then Unknown_Letter
+      else Ping);
+
+   ----------------
+   -- Prove_Loss --
+   ----------------
+
+   procedure Prove_Loss (Attempts : History) is
+      H        : State := Initial;
+      In_A_Row : Natural := 0;
+      --  failures since the last success
+   begin
+      for A of Attempts loop
+         pragma Loop_Invariant (In_A_Row < Max_Failures);
+         pragma Loop_Invariant (Failures (H) = In_A_Row);
+         if A.Answered then
+            In_A_Row := 0;
+            Success (H);
+            pragma Assert (H = Initial);
+         else
+            In_A_Row := In_A_Row + 1;
+            Failure (H, A.Command);
+         end if;
+         pragma Assert (Lost (H) = (In_A_Row = 4));
+         exit when Lost (H);
+      end loop;
+   end Prove_Loss;
+
+   -------------
+   -- Success --
+   -------------
+
+   procedure Success (H : in out State) is
+   begin
+      H := Initial;
+   end Success;
+
+end Robot.Health;

@@ -1,0 +1,122 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Supervision of the robot's line: when it is lost, and how commands and
+--  answers get back into step after an answer that did not come.
+
+with Robot.Protocol; use Robot.Protocol;
+
+package Robot.Health with SPARK_Mode is
+
+   --  An answer may be late, and the same letter answers many commands. So
+   --  after a failed exchange the line is out of step, and the class of the
+   --  answer that did not come is owed. Before the next command goes out, a
+   --  probe does: a harmless command whose answer is of a class that is not
+   --  owed. Whatever comes before that answer is late and is thrown away:
+   --  anything for which Robot.Protocol.Is_Answer (Reply, Probe) is False,
+   --  a refusal or a damaged frame too, for any command that arrived
+   --  damaged is refused. The robot answers in order, so with the probe's
+   --  own answer nothing is owed any more. A line that has just been opened
+   --  is out of step, too: the answer to a last stop, sent without awaiting
+   --  it when the line was lost or by a supervisor that ended, may still be
+   --  on its way.
+
+   Max_Failures : constant := 4;
+   --  In a row, and the line is lost: more than 3 (F8).
+
+   subtype Failure_Count is Natural range 0 .. Max_Failures;
+
+   type State is private;
+   --  Initially in step.
+
+   function Failures (H : State) return Failure_Count;
+   --  Failed exchanges in a row.
+
+   function Is_Owed (H : State; Class : Answer_Class) return Boolean;
+   --  An answer of this class may still arrive.
+
+   function Lost (H : State) return Boolean is (Failures (H) = Max_Failures);
+   --  No further exchange: close the line.
+
+   function In_Step (H : State) return Boolean;
+   --  The next frame to arrive is the answer to the next command.
+
+   function Initial return State
+   with Post => In_Step (Initial'Result)
+     and then Failures (Initial'Result) = 0
+     and then (for all C in Answer_Class => not Is_Owed (Initial'Result, C));
+
+   function Opened return State
+   with Post => not In_Step (Opened'Result)
+     and then Failures (Opened'Result) = 0
+     and then (for all C in Answer_Class => not Is_Owed (Opened'Result, C));
+   --  The line as it has just been opened.
+
+   function Probe (H : State) return Command_Kind
+   with
+     Pre  => not Lost (H),
+     Post => Probe'Result in Version | Battery | Unknown_Letter | Ping
+       and then not Is_Owed (H, Class_Of (Probe'Result));
+   --  The command to get back into step with. There is always one.
+
+   procedure Success (H : in out State)
+   with
+     Pre  => not Lost (H),
+     Post => In_Step (H)
+       and then Failures (H) = 0
+       and then (for all C in Answer_Class => not Is_Owed (H, C));
+   --  An answer came: that of a command sent in step, or a probe's own.
+
+   procedure Failure (H : in out State; Command : Command_Kind)
+   with
+     Pre  => not Lost (H),
+     Post => Failures (H) = Failures (H'Old) + 1
+       and then not In_Step (H)
+       and then Lost (H) = (Failures (H'Old) = Max_Failures - 1)
+       and then
+         (for all C in Answer_Class =>
+            Is_Owed (H, C) =
+              (Is_Owed (H'Old, C) or else C = Class_Of (Command)));
+   --  The exchange of Command failed: no answer in time, a wrong checksum,
+   --  a wrong kind of answer or a malformed one. For a probe, only the
+   --  time counts.
+
+   --  What holds whatever happens
+
+   type Attempt is record
+      Command  : Command_Kind;
+      Answered : Boolean;
+   end record
+   with Ghost;
+
+   type History is array (Positive range <>) of Attempt with Ghost;
+
+   procedure Prove_Loss (Attempts : History) with Ghost;
+   --  Of any exchanges, one after the other: the line is lost exactly when
+   --  the last four have failed, and any success makes it as good as new.
+   --  Asserted in the body.
+
+private
+
+   type Class_Set is array (Answer_Class) of Boolean;
+
+   function Count (Owed : Class_Set) return Natural is
+     (Boolean'Pos (Owed (Acknowledge)) + Boolean'Pos (Owed (Digit))
+      + Boolean'Pos (Owed (Text)) + Boolean'Pos (Owed (Unknown)));
+
+   type State is record
+      Failures : Failure_Count := 0;
+      Owed     : Class_Set     := (others => False);
+      Untried  : Boolean       := False;  --  since it was opened
+   end record
+   with Dynamic_Predicate => Count (State.Owed) <= State.Failures;
+   --  A failure adds one class at most: while the line is not lost, one of
+   --  the four classes is free for a probe.
+
+   function Failures (H : State) return Failure_Count is (H.Failures);
+
+   function In_Step (H : State) return Boolean is
+     (H.Failures = 0 and then not H.Untried);
+
+   function Is_Owed (H : State; Class : Answer_Class) return Boolean is
+     (H.Owed (Class));
+
+end Robot.Health;

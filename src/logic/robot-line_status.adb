@@ -1,0 +1,30 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What the tasks know of the robot and its line, and when the line is to be
+--  left free for the reload of the watchdog.
+
+package body Robot.Line_Status with SPARK_Mode is
+
+   ----------
+   -- Note --
+   ----------
+
+   procedure Note
+     (S       : in out State;
+      Done    : Robot.Requests.Job;
+      Session : Robot.Session.State;
+      Result  : Robot.Session.Outcome;
+      Now     : Time) is
+   begin
+      S.Suspect := Robot.Health.Failures (Session.Health) > 0;
+      S.Known.Open := Session.Line_Open;
+      S.Known.Mode := Session.Mode;
+      S.Known.Used_At := Now;
+      if Starts (Done, Result) then
+         S.Known.Epoch :=
+           (if S.Known.Epoch = Natural'Last then 0 else S.Known.Epoch + 1);
+         S.Known.Started_At := Now;
+         S.Reload_Due := Now + Schedule.Reload_Period;
+      end if;
+   end Note;
+
+end Robot.Line_Status;

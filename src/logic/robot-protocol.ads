@@ -1,0 +1,353 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The wire format of the robot: commands become frames, the bytes that
+--  come back become frames, and a frame is read against its command.
+
+with Bytes;    use Bytes; use type Bytes.Byte;
+with Decimals;
+
+package Robot.Protocol with SPARK_Mode is
+
+   pragma Assertion_Policy (Subprogram_Variant => Ignore);
+   --  Proved; GNAT 12 cannot compile the check at run time.
+
+   --  Commands
+
+   type Command_Kind is
+     (Ping,
+      Reset,
+      Start,
+      Start_Watchdog,
+      Reload,
+      Battery,
+      Busy,
+      Version,
+      Power_Off,
+      Move,
+      Turn,
+      Unknown_Letter);
+   --  Unknown_Letter sends a letter that no firmware knows, which is
+   --  answered "unknown command": a probe to get back into step with after
+   --  a lost answer, when the other kinds of answer may still arrive late.
+
+   subtype Argument is Integer range -32_768 .. 32_767;
+   --  Millimetres or degrees; the firmware computes with 16 bits.
+
+   type Command is record
+      Kind  : Command_Kind := Ping;
+      Value : Argument     := 0;
+   end record;
+   --  Value counts for Move and Turn only.
+
+   Forward  : constant Command := (Move, 32_767);
+   Backward : constant Command := (Move, -32_768);
+   Left     : constant Command := (Turn, 32_767);
+   Right    : constant Command := (Turn, -32_768);
+   Stop     : constant Command := (Move, 0);
+
+   subtype With_Argument is Command_Kind range Move .. Turn;
+
+   function Letter (Kind : Command_Kind) return Character is
+     (case Kind is
+         when Ping           => 'p',
+         when Reset          => 'r',
+         when Start          => 'u',
+         when Start_Watchdog => 'W',
+         when Reload         => 'w',
+         when Battery        => 'v',
+         when Busy           => 'b',
+         when Version        => 'V',
+         when Power_Off      => 'z',
+         when Move           => 'M',
+         when Turn           => 'T',
+         when Unknown_Letter => '?');
+
+   --  Frames
+
+   Max_Frame : constant := 50;
+   --  Bytes, as in the firmware, where longer frames wrap.
+
+   Terminator : constant Byte := 16#0D#;
+
+   subtype Frame_Length is Natural range 0 .. Max_Frame;
+
+   type Frame is record
+      Data   : Byte_Array (1 .. Max_Frame) := (others => 0);
+      Length : Frame_Length                := 0;
+   end record;
+   --  The first Length bytes of Data count.
+
+   function Parity (Data : Byte_Array; Last : Natural) return Byte is
+     (if Last = 0 then 0
+      else Parity (Data, Last - 1) xor Data (Last))
+   with
+     Ghost,
+     Pre => Data'First = 1
+       and then Last <= Data'Last
+       and then Last <= Max_Frame,
+     Subprogram_Variant => (Decreases => Last);
+   --  The exclusive or of the first Last bytes.
+
+   function Checksum (Data : Byte_Array; Length : Natural) return Byte
+   with
+     Pre  => Data'First = 1
+       and then Length <= Data'Last
+       and then Length <= Max_Frame,
+     Post => Checksum'Result =
+       (if Parity (Data, Length) = Terminator then 16#0E#
+        else Parity (Data, Length));
+   --  The checksum of the first Length bytes: never the terminator.
+
+   function Is_Framed (F : Frame) return Boolean is
+     (F.Length >= 3
+      and then F.Data (F.Length) = Terminator
+      and then
+        (for all I in 1 .. F.Length - 1 => F.Data (I) /= Terminator)
+      and then F.Data (F.Length - 1) = Checksum (F.Data, F.Length - 2));
+   --  Text, checksum and terminator, and no terminator before the end.
+
+   --  The words of the contracts on commands
+
+   package Byte_Decimals is new Decimals (Byte, Byte_Array);
+
+   function Is_Argument
+     (Data : Byte_Array; First : Positive; Last : Natural) return Boolean
+   is (if First < Last and then Data (First) = Character'Pos ('-') then
+          Last - First <= 5
+          and then Byte_Decimals.Are_Digits (Data, First + 1, Last)
+          and then Byte_Decimals.Value (Data, First + 1, Last) <= 32_768
+       else First <= Last
+         and then Last - First < 5
+         and then Byte_Decimals.Are_Digits (Data, First, Last)
+         and then Byte_Decimals.Value (Data, First, Last) <= 32_767)
+   with Pre => First >= Data'First
+     and then First < Integer'Last
+     and then Last <= Data'Last;
+   --  A minus sign or none, and up to five digits within the range.
+
+   function Argument_Value
+     (Data : Byte_Array; First : Positive; Last : Natural) return Argument
+   is (if First < Last and then Data (First) = Character'Pos ('-')
+       then -Byte_Decimals.Value (Data, First + 1, Last)
+       else Byte_Decimals.Value (Data, First, Last))
+   with Pre => First >= Data'First
+     and then First < Integer'Last
+     and then Last <= Data'Last
+     and then Is_Argument (Data, First, Last);
+
+   function Is_Text_For (F : Frame; Kind : Command_Kind) return Boolean is
+     (F.Length >= 3
+      and then F.Data (1) = Character'Pos (Letter (Kind))
+      and then
+        (if Kind in With_Argument then
+            F.Length >= 5
+            and then F.Data (2) = Character'Pos ('=')
+            and then Is_Argument (F.Data, 3, F.Length - 2)
+         else F.Length = 3));
+   --  The frame's text is that of a command of this kind.
+
+   type Reading is record
+      OK    : Boolean := False;
+      Value : Command;
+   end record;
+
+   function Decoded (F : Frame) return Reading
+   with
+     Post =>
+       (if Decoded'Result.OK then
+           Is_Framed (F)
+           and then Is_Text_For (F, Decoded'Result.Value.Kind)
+           and then Decoded'Result.Value.Value =
+             (if Decoded'Result.Value.Kind in With_Argument
+              then Argument_Value (F.Data, 3, F.Length - 2)
+              else 0)
+        else
+           not Is_Framed (F)
+           or else (for all K in Command_Kind => not Is_Text_For (F, K)));
+   --  Reads a command's frame, as the robot would; OK is False for all that
+   --  Encode never writes. For proofs and tests: the supervisor itself only
+   --  writes commands.
+
+   function Is_Movement (R : Reading) return Boolean is
+     (R.OK and then R.Value.Kind in With_Argument and then R.Value /= Stop)
+   with Ghost;
+   --  The robot moves by it.
+
+   procedure Encode (C : Command; F : out Frame)
+   with
+     Post => Is_Framed (F)
+       and then F.Length <= 10
+       and then F.Data (1) = Character'Pos (Letter (C.Kind))
+       and then Decoded (F).OK
+       and then Decoded (F).Value.Kind = C.Kind
+       and then Decoded (F).Value.Value =
+                  (if C.Kind in With_Argument then C.Value else 0);
+   --  The frame that asks the robot for C.
+
+   --  Replies
+
+   type Reply_Kind is
+     (Done,             --  O
+      Refused,          --  E: not in this state, or it read a bad checksum
+      Unknown_Command,  --  C
+      Level,            --  0 .. 2, after Battery
+      Moving_State,     --  0, 1, after Busy
+      Version_Text,     --  after Version
+      Bad_Checksum,
+      Wrong_Kind,       --  sound, but no answer to this command
+      Malformed);       --  too short for a text and its checksum, or too long
+
+   subtype Failed_Reply is Reply_Kind range Bad_Checksum .. Malformed;
+   --  Not an answer: a failure of the line.
+
+   subtype Reply_Value is Integer range 0 .. 2;
+
+   type Reply is record
+      Kind  : Reply_Kind  := Malformed;
+      Value : Reply_Value := 0;
+   end record;
+   --  Value is the digit of a Level or a Moving_State, otherwise 0.
+
+   type Answer_Class is (Acknowledge, Digit, Text, Unknown);
+   --  What the answers look like: no text of one class is one of another.
+
+   function Class_Of (Kind : Command_Kind) return Answer_Class is
+     (case Kind is
+         when Ping .. Reload | Power_Off .. Turn => Acknowledge,
+         when Battery | Busy                     => Digit,
+         when Version                            => Text,
+         when Unknown_Letter                     => Unknown);
+   --  The class of the answer to a command that the robot understood.
+
+   function Is_Answer
+     (Reply : Reply_Kind; Pending : Command_Kind) return Boolean
+   is (case Reply is
+          when Done            => Class_Of (Pending) = Acknowledge,
+          when Level           => Pending = Battery,
+          when Moving_State    => Pending = Busy,
+          when Version_Text    => Pending = Version,
+          when Unknown_Command => Pending = Unknown_Letter,
+          when others          => False);
+   --  Whether Reply is the one of the class of Pending: what a probe waits
+   --  for. Refused never is, since any command that arrived damaged is
+   --  answered so.
+
+   --  The words of Decode's contract. A frame may still carry its
+   --  terminator or have lost it already.
+
+   function Text_Length (F : Frame) return Natural is
+     (if F.Length > 0 and then F.Data (F.Length) = Terminator
+      then Natural'Max (F.Length - 2, 0)
+      else Natural'Max (F.Length - 1, 0))
+   with Post => Text_Length'Result <= Max_Frame - 1
+     and then (if Text_Length'Result > 0 then
+                  Text_Length'Result < F.Length);
+   --  Bytes before the checksum; 0 where there is no text.
+
+   function Is_Sound (F : Frame) return Boolean is
+     (F.Data (Text_Length (F) + 1) = Checksum (F.Data, Text_Length (F)));
+   --  Its checksum is right.
+
+   function Is_Character (F : Frame; C : Character) return Boolean is
+     (Text_Length (F) = 1 and then F.Data (1) = Character'Pos (C));
+   --  Its text is the one character C.
+
+   function Is_Version (F : Frame) return Boolean is
+     (Text_Length (F) >= 2
+      and then F.Data (1) in Character'Pos ('0') .. Character'Pos ('9')
+      and then (for all I in 1 .. Text_Length (F) =>
+                  F.Data (I) in Character'Pos (' ') .. Character'Pos ('~'))
+      and then (for some I in 1 .. Text_Length (F) =>
+                  F.Data (I) = Character'Pos ('.')));
+   --  Its text is a version such as 3.5: a digit first and a point in it,
+   --  so that no answer of another class passes for it, not even two that
+   --  have run together.
+
+   function Digit_Kind (Pending : Command_Kind) return Reply_Kind is
+     (if Pending = Battery then Level else Moving_State);
+
+   procedure Decode (F : Frame; Pending : Command_Kind; R : out Reply)
+   with
+     Post =>
+       R =
+         (if Text_Length (F) = 0 then (Malformed, 0)
+          elsif not Is_Sound (F) then (Bad_Checksum, 0)
+          elsif Is_Character (F, 'E') then (Refused, 0)
+          elsif Is_Character (F, 'C') then (Unknown_Command, 0)
+          elsif Is_Character (F, 'O')
+            and then Class_Of (Pending) = Acknowledge
+          then (Done, 0)
+          elsif Is_Character (F, '0')
+            and then Class_Of (Pending) = Digit
+          then (Digit_Kind (Pending), 0)
+          elsif Is_Character (F, '1')
+            and then Class_Of (Pending) = Digit
+          then (Digit_Kind (Pending), 1)
+          elsif Is_Character (F, '2') and then Pending = Battery
+          then (Level, 2)
+          elsif Is_Version (F) and then Pending = Version
+          then (Version_Text, 0)
+          else (Wrong_Kind, 0));
+   --  What the frame F says as the answer to Pending. Every frame has a
+   --  meaning. An empty one, as Get gives for too long a one, is Malformed.
+
+   --  Receiving
+
+   type Receiver is record
+      Data     : Byte_Array (1 .. Max_Frame) := (others => 0);
+      Length   : Frame_Length                := 0;
+      Overflow : Boolean                     := False;
+      Finished : Boolean                     := False;
+   end record;
+   --  The frame under way, without its terminator. Overflow: longer than
+   --  Max_Frame bytes, the rest was dropped. Finished: its terminator has
+   --  come, and the next byte begins another.
+
+   procedure Clear (R : out Receiver)
+   with Post => R.Length = 0 and then not R.Overflow and then not R.Finished;
+   --  Forgets all that has arrived.
+
+   procedure Accept_Byte
+     (R : in out Receiver; B : Byte; Complete : out Boolean)
+   with
+     Post => Complete = (B = Terminator)
+       and then R.Finished = Complete
+       and then
+         (if R'Old.Finished then
+             R.Length = (if Complete then 0 else 1)
+             and then not R.Overflow
+          elsif Complete then
+             R.Length = R'Old.Length and then R.Overflow = R'Old.Overflow
+          elsif R'Old.Length = Max_Frame then
+             R.Length = Max_Frame and then R.Overflow
+          else
+             R.Length = R'Old.Length + 1
+             and then R.Overflow = R'Old.Overflow)
+       and then
+         (if not R'Old.Finished then
+            (for all I in 1 .. R'Old.Length => R.Data (I) = R'Old.Data (I)))
+       and then
+         (if not Complete and then not R.Overflow then
+             R.Data (R.Length) = B);
+   --  Takes the next byte from the line. Complete: it ended a frame, which
+   --  Get gives. NUL bytes are kept, since a checksum may be NUL: the
+   --  robot's own rule, which drops them, is for what it receives, and no
+   --  command has such a checksum.
+
+   procedure Get (R : Receiver; F : out Frame)
+   with
+     Post => F.Length = (if R.Overflow then 0 else R.Length)
+       and then (for all I in 1 .. F.Length => F.Data (I) = R.Data (I));
+   --  The frame received, without its terminator; an empty one in place of
+   --  one that was too long, which Decode then finds malformed.
+
+   procedure Prove_Reception (Data : Byte_Array; Pending : Command_Kind)
+   with
+     Ghost,
+     Pre => Data'First = 1
+       and then Data'Last < Integer'Last
+       and then (for all B of Data => B /= Terminator);
+   --  Any bytes and a terminator make one frame, which is those bytes, or
+   --  empty where they are too many; and what Decode makes of it is an
+   --  answer to Pending, a refusal, or a failure: asserted in the body.
+
+end Robot.Protocol;

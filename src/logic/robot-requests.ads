@@ -1,0 +1,259 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The requests that wait for the robot's line, and which of them is carried
+--  out next. Urgency decides: the end of a session, a stop, the reload of the
+--  watchdog, a movement, then the rest in the order of the commands.
+
+with Order_Queues;
+with Orders;
+with Robot.Session;
+
+package Robot.Requests with SPARK_Mode is
+
+   pragma Annotate (GNATprove, Terminating, Robot.Requests);
+   --  A claim that GNATprove checks: every subprogram ends
+
+   use type Orders.Order;
+   use type Orders.Ticket;
+
+   type Client is
+     (Safe_State,   --  the end of a session: stop and close
+      Stop_Order,   --  a monitor's stop: past its thread, straight here
+      Reload,
+      Move,
+      Battery,
+      Open,
+      Start,
+      Start_Watchdog,
+      Reset,
+      Query,
+      Keep_Alive);
+   --  Who asks. Each has one request at a time, Stop_Order as many as
+   --  commands may wait
+
+   subtype Single is Client
+   with Static_Predicate => Single in Safe_State | Reload .. Keep_Alive;
+   --  Those with one request at a time
+
+   type Verdict_Kind is
+     (Carry_Out,
+      Overtaken,    --  a movement that a later stop has made void
+      Out_Of_Date); --  its session has ended
+
+   type Job is record
+      From    : Client := Keep_Alive;
+      Request : Robot.Session.Request;
+      Order   : Orders.Order;
+      Verdict : Verdict_Kind := Carry_Out;
+   end record;
+
+   type Slot is record
+      Pending : Boolean := False;
+      Request : Robot.Session.Request;
+      Order   : Orders.Order;
+      --  the monitor's order behind the request; its number is 0 for none
+   end record;
+
+   type Slot_Array is array (Client) of Slot;
+   --  That of Stop_Order is not used
+
+   type Requests is record
+      Slots       : Slot_Array;
+      Stops       : Order_Queues.Queue;
+      --  the monitor's, oldest first
+      First_Order : Orders.Ticket := 1;
+      --  of the session: what has a lower number is out of date
+      Last_Stop   : Orders.Ticket := 0;
+      --  the number of the last stop of the session, 0 for none
+      Completed   : Orders.Ticket := 0;
+      --  orders of the session that have been carried out, but stops
+      Last_Change : Orders.Ticket := 0;
+      --  the rank of the last of them that changed the session, 0 for none
+      Was_Stop    : Boolean := False;
+      --  what was taken last was a monitor's stop
+   end record;
+
+   --  What waits
+
+   function Is_Pending (R : Requests; From : Client) return Boolean is
+     (if From = Stop_Order then Order_Queues.Length (R.Stops) > 0
+      else R.Slots (From).Pending);
+
+   function Request_Of (R : Requests; From : Client)
+     return Robot.Session.Request
+   is (if From = Stop_Order then (Robot.Session.Stop, others => <>)
+       else R.Slots (From).Request)
+   with Pre => Is_Pending (R, From);
+
+   function Order_Of (R : Requests; From : Client) return Orders.Order is
+     (if From = Stop_Order then Order_Queues.Element_At (R.Stops, 1)
+      else R.Slots (From).Order)
+   with Pre => Is_Pending (R, From);
+
+   --  What may go next
+
+   function Verdict_On (R : Requests; From : Client) return Verdict_Kind is
+     (if From = Stop_Order or else Order_Of (R, From).Number = 0
+      then Carry_Out
+      elsif Order_Of (R, From).Number < R.First_Order then Out_Of_Date
+      elsif From = Move and then Order_Of (R, From).Number < R.Last_Stop
+      then Overtaken
+      else Carry_Out)
+   with Pre => Is_Pending (R, From);
+
+   function Is_In_Turn (R : Requests; From : Client) return Boolean is
+     (From = Stop_Order
+      or else Order_Of (R, From).Number = 0
+      or else Verdict_On (R, From) = Out_Of_Date
+      or else
+        (if Robot.Session.Changes_Session (Request_Of (R, From).Kind)
+         then R.Completed + 1 = Order_Of (R, From).Rank
+         else Order_Of (R, From).After <= R.Last_Change))
+   with Pre => Is_Pending (R, From);
+   --  An order that changes the session is when all orders before it have
+   --  been carried out; another one when the last before it that changes
+   --  the session has been; a stop always is
+
+   function Waits_For_Quiet (From : Client) return Boolean is
+     (From in Battery .. Keep_Alive);
+   --  Is not begun shortly before the watchdog is to be reloaded
+
+   function May_Go (R : Requests; From : Client; Quiet : Boolean)
+     return Boolean
+   is (Is_Pending (R, From)
+       and then
+         (From in Safe_State | Reload | Battery | Keep_Alive
+          or else Is_In_Turn (R, From))
+       and then
+         (if From = Stop_Order and then R.Was_Stop then
+             not Is_Pending (R, Reload))
+       and then (if Quiet then not Waits_For_Quiet (From)));
+   --  A stop behind a stop leaves a waiting reload the first place: stops
+   --  without end do not starve the watchdog
+
+   subtype In_Order is Client range Open .. Query;
+   --  Go in the order of the commands
+
+   function Is_Before (R : Requests; Left, Right : Client) return Boolean is
+     (if Left in In_Order and then Right in In_Order then
+         Order_Of (R, Left).Number < Order_Of (R, Right).Number
+      else Left < Right)
+   with Pre => Is_Pending (R, Left) and then Is_Pending (R, Right);
+   --  Left is more urgent than Right
+
+   function Is_Ready (R : Requests) return Boolean is
+     (for some From in Client =>
+        Is_Pending (R, From) and then Is_In_Turn (R, From));
+   --  Something may be taken, at least when it need not be quiet
+
+   --  The words of the contracts
+
+   function Is_Same_Past (R, Before : Requests) return Boolean is
+     (R.First_Order = Before.First_Order
+      and then R.Last_Stop = Before.Last_Stop
+      and then R.Completed = Before.Completed
+      and then R.Last_Change = Before.Last_Change)
+   with Ghost;
+
+   --  The operations
+
+   procedure Begin_Session (R : in out Requests; First : Orders.Ticket)
+   with
+     Post => R.First_Order = First
+       and then R.Last_Stop = 0
+       and then R.Completed = 0
+       and then R.Last_Change = 0
+       and then Order_Queues.Length (R.Stops) = 0
+       and then R.Slots = R'Old.Slots;
+   --  Orders with a lower number than First are out of date from now on
+
+   procedure Put
+     (R       : in out Requests;
+      From    : Single;
+      Request : Robot.Session.Request;
+      Order   : Orders.Order)
+   with
+     Post => Is_Same_Past (R, R'Old)
+       and then R.Slots (From) = (True, Request, Order)
+       and then (for all C in Client =>
+                   (if C /= From then R.Slots (C) = R'Old.Slots (C)))
+       and then Order_Queues.Is_Same (R.Stops, R'Old.Stops);
+   --  From has a request
+
+   procedure Put_Stop (R : in out Requests; Order : Orders.Order)
+   with
+     Post => R.First_Order = R'Old.First_Order
+       and then R.Last_Stop = Order.Number
+       and then R.Completed = R'Old.Completed
+       and then R.Last_Change = R'Old.Last_Change
+       and then R.Slots = R'Old.Slots
+       and then
+         (if Order_Queues.Is_Full (R'Old.Stops) then
+             Order_Queues.Is_Same (R.Stops, R'Old.Stops)
+          else Order_Queues.Begins_With (R.Stops, R'Old.Stops)
+            and then Order_Queues.Length (R.Stops) =
+              Order_Queues.Length (R'Old.Stops) + 1
+            and then Order_Queues.Element_At
+              (R.Stops, Order_Queues.Length (R.Stops)) = Order);
+   --  A monitor's stop, behind those that wait already. Movements that wait
+   --  and are older become void
+
+   function Job_Of (R : Requests; From : Client) return Job is
+     ((From    => From,
+       Request => Request_Of (R, From),
+       Order   => Order_Of (R, From),
+       Verdict => Verdict_On (R, From)))
+   with Pre => Is_Pending (R, From);
+
+   procedure Take
+     (R     : in out Requests;
+      Quiet : Boolean;
+      Next  : in out Job;
+      Found : out Boolean)
+   with
+     Post => Found = (for some C in Client => May_Go (R'Old, C, Quiet))
+       and then Is_Same_Past (R, R'Old)
+       and then
+         (if Found then
+             May_Go (R'Old, Next.From, Quiet)
+             and then Next = Job_Of (R'Old, Next.From)
+             and then (for all C in Client =>
+                         (if May_Go (R'Old, C, Quiet) then
+                             not Is_Before (R'Old, C, Next.From)))
+             and then R.Was_Stop = (Next.From = Stop_Order)
+             and then
+               (if Next.From = Stop_Order then
+                   Order_Queues.Is_Without_First (R.Stops, R'Old.Stops)
+                else Order_Queues.Is_Same (R.Stops, R'Old.Stops)
+                  and then not R.Slots (Next.From).Pending)
+             and then (for all C in Client =>
+                         (if C /= Next.From then
+                             R.Slots (C) = R'Old.Slots (C)))
+          else R = R'Old and then Next = Next'Old)
+       and then
+         (if Is_Pending (R'Old, Stop_Order) then
+             Found
+             and then
+               (Next.From in Safe_State | Stop_Order
+                or else (Next.From = Reload and then R'Old.Was_Stop)));
+   --  The most urgent of what may go now, which waits no longer. A stop goes
+   --  past everything but the end of the session, and a reload after another
+   --  stop
+
+   procedure Finish (R : in out Requests; Done : Job)
+   with
+     Post => R.First_Order = R'Old.First_Order
+       and then R.Last_Stop = R'Old.Last_Stop
+       and then
+         (if Done.Order.Number >= R.First_Order and then Done.Order.Rank > 0
+          then R.Completed = R'Old.Completed + 1
+            and then R.Last_Change =
+              (if Robot.Session.Changes_Session (Done.Request.Kind)
+               then Done.Order.Rank
+               else R'Old.Last_Change)
+          else R.Completed = R'Old.Completed
+            and then R.Last_Change = R'Old.Last_Change)
+       and then R.Slots = R'Old.Slots
+       and then Order_Queues.Is_Same (R.Stops, R'Old.Stops);
+   --  What was taken has been carried out; stops have no rank
+
+end Robot.Requests;

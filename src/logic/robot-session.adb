@@ -1,0 +1,375 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The session with the robot: what each request means in each state, as a
+--  sequence of steps on the line. Decides; the owner of the line carries out.
+
+package body Robot.Session with SPARK_Mode is
+
+   package Wire renames Robot.Protocol;
+
+   procedure Begin_Exchange
+     (S       : State;
+      P       : in out Progress;
+      Phase   : Phase_Kind;
+      Command : Wire.Command;
+      Next    : out Step)
+   with
+     Pre  => Phase in Exchange_Phase
+       and then S.Line_Open
+       and then not Robot.Health.Lost (S.Health)
+       and then (if P.Blind then P.Stopped),
+     Post => Is_Exchanging (S, P)
+       and then P.Request = P'Old.Request
+       and then P.Phase = Phase
+       and then P.Wanted = Command
+       and then P.Tries = P'Old.Tries
+       and then P.Result = P'Old.Result
+       and then P.Stopped = (P'Old.Stopped or else Sends_Stop (Next))
+       and then
+         (if Robot.Health.In_Step (S.Health) then
+             Next.Kind = Exchange and then Next.Command = Command
+          elsif Next.Kind = Send then
+             Command = Wire.Stop and then Sends_Stop (Next)
+          else Next.Kind = Synchronise
+             and then P.In_Probe
+             and then Next.Command.Kind = Robot.Health.Probe (S.Health)
+             and then Next.Command.Value = 0)
+       and then (if P'Old.Blind then Next.Kind /= Send);
+   --  The step that exchanges Command in Phase: a probe comes first where
+   --  the line is out of step, and before the probe, blindly, a stop
+
+   procedure Finish
+     (P    : in out Progress;
+      Kind : Outcome_Kind;
+      Next : out Step)
+   with
+     Post => P.Phase = Ended
+       and then P.Request = P'Old.Request
+       and then P.Stopped = P'Old.Stopped
+       and then P.Result.Kind = Kind
+       and then P.Result.Value = P'Old.Result.Value
+       and then P.Result.Note = P'Old.Result.Note
+       and then Next.Kind = Finish
+       and then Next.Command = Wire.Stop;
+   --  The request has come to its end
+
+   procedure Act
+     (S    : State;
+      P    : in out Progress;
+      Next : out Step)
+   with
+     Pre  => Is_Consistent (S)
+       and then P.Result.Note /= Robot_Lost
+       and then (if P.Blind then P.Stopped)
+       and then
+         (if P.Request.Kind = Open_Line then
+             not S.Line_Open and then not P.Blind
+          else S.Line_Open and then May_Act (S, P)),
+     Post => Is_Under_Way (S, P)
+       and then Is_Allowed (S, P, Next)
+       and then P.Request = P'Old.Request
+       and then P.Result = P'Old.Result
+       and then P.Stopped = (P'Old.Stopped or else Sends_Stop (Next))
+       and then Next.Kind /= Finish
+       and then (Next.Kind = Open_Device) = (P.Request.Kind = Open_Line)
+       and then Steps_Left (S, P) <=
+         (case P.Request.Kind is
+             when Reload     => 11,
+             when Open_Line  => 6,
+             when Close_Line => 1,
+             when others     => 5);
+   --  The command that the request is for, after the stop where one was due
+
+   procedure Answered
+     (S     : in out State;
+      P     : in out Progress;
+      Reply : Wire.Reply;
+      Next  : out Step);
+   --  The exchange of the phase has its answer
+
+   procedure Unanswered
+     (S    : in out State;
+      P    : in out Progress;
+      Next : out Step);
+   --  The exchange of the phase, or the probe before it, failed
+
+   --------------------
+   -- Begin_Exchange --
+   --------------------
+
+   procedure Begin_Exchange
+     (S       : State;
+      P       : in out Progress;
+      Phase   : Phase_Kind;
+      Command : Wire.Command;
+      Next    : out Step)
+   is
+   begin
+      P.Phase  := Phase;
+      P.Wanted := Command;
+      P.In_Probe := False;
+      if Robot.Health.In_Step (S.Health) then
+         P.Stopped := P.Stopped or else Command = Wire.Stop;
+         Next := (Exchange, Command);
+      elsif Command = Wire.Stop and then not P.Blind then
+         P.Blind := True;
+         P.Stopped := True;
+         Next := (Send, Command);
+      else
+         P.In_Probe := True;
+         P.Probing  := Robot.Health.Probe (S.Health);
+         Next := (Synchronise, (Kind => P.Probing, Value => 0));
+      end if;
+   end Begin_Exchange;
+
+   ------------
+   -- Finish --
+   ------------
+
+   procedure Finish
+     (P    : in out Progress;
+      Kind : Outcome_Kind;
+      Next : out Step)
+   is
+   begin
+      P.Phase := Ended;
+      P.Result.Kind := Kind;
+      Next := (Finish, Wire.Stop);
+   end Finish;
+
+   ---------
+   -- Act --
+   ---------
+
+   procedure Act
+     (S    : State;
+      P    : in out Progress;
+      Next : out Step)
+   is
+   begin
+      case P.Request.Kind is
+         when Open_Line =>
+            P.Phase := Opening;
+            Next := (Open_Device, Wire.Stop);
+         when Close_Line =>
+            P.Phase := Closing;
+            Next := (Close_Device, Wire.Stop);
+         when others =>
+            Begin_Exchange (S, P, Acting, Command_For (P.Request), Next);
+      end case;
+   end Act;
+
+   -------------------
+   -- Start_Request --
+   -------------------
+
+   procedure Start_Request
+     (S    : State;
+      R    : Request;
+      P    : out Progress;
+      Next : out Step)
+   is
+   begin
+      P := (Request => R, others => <>);
+      if R.Kind = Open_Line then
+         if S.Line_Open then
+            Finish (P, Done, Next);
+         else
+            Act (S, P, Next);
+         end if;
+      elsif not S.Line_Open then
+         if R.Kind = Close_Line then
+            Finish (P, Done, Next);
+         else
+            Finish (P, Not_Open, Next);
+         end if;
+      elsif R.Kind = Drive and then S.Mode = Not_Started then
+         Finish (P, Refused, Next);
+      elsif (R.Kind = Reload and then S.Mode /= Started_With_Watchdog)
+        or else
+          (R.Kind = Reload_By_Hand and then S.Mode = Started_With_Watchdog)
+        or else (R.Kind = Keep_Alive and then S.Mode = Not_Started)
+      then
+         Finish (P, Done, Next);
+      elsif R.Kind in Close_Line | Reset | Power_Off
+        and then S.Mode /= Not_Started
+      then
+         Begin_Exchange (S, P, Leaving, Wire.Stop, Next);
+      else
+         Act (S, P, Next);
+      end if;
+   end Start_Request;
+
+   --------------
+   -- Answered --
+   --------------
+
+   procedure Answered
+     (S     : in out State;
+      P     : in out Progress;
+      Reply : Wire.Reply;
+      Next  : out Step)
+   is
+      use type Wire.Reply_Kind;
+      Accepted : constant Boolean :=
+        Reply.Kind in Wire.Done | Wire.Level | Wire.Moving_State;
+   begin
+      case Exchange_Phase'(P.Phase) is
+         when Clearing =>
+            Finish (P, Done, Next);
+
+         when Leaving =>
+            --  a robot that refuses a stop is not running
+            Act (S, P, Next);
+
+         when Asking_Motion =>
+            if Accepted and then Reply.Value /= 0 then
+               P.Result.Note := Missed_Window;
+               Finish (P, Refused, Next);
+            else
+               --  standing still: a stop changes nothing, and only a
+               --  running robot accepts it
+               Begin_Exchange (S, P, Testing_Run, Wire.Stop, Next);
+            end if;
+
+         when Testing_Run =>
+            if Accepted then
+               P.Result.Note := Missed_Window;
+            else
+               P.Result.Note := Not_Running;
+               S.Mode := Not_Started;
+            end if;
+            Finish (P, Refused, Next);
+
+         when Acting =>
+            if Accepted then
+               P.Result.Value := Reply.Value;
+               case P.Request.Kind is
+                  when Start =>
+                     S.Mode := Started;
+                  when Start_Watchdog =>
+                     S.Mode := Started_With_Watchdog;
+                  when Reset | Power_Off =>
+                     S.Mode := Not_Started;
+                  when others =>
+                     null;
+               end case;
+               Finish (P, Done, Next);
+            elsif P.Request.Kind = Reload then
+               Begin_Exchange
+                 (S, P, Asking_Motion, (Wire.Busy, 0), Next);
+            else
+               if P.Request.Kind = Reset then
+                  --  refused only where the robot does not run
+                  S.Mode := Not_Started;
+               end if;
+               Finish (P, Refused, Next);
+            end if;
+      end case;
+   end Answered;
+
+   ----------------
+   -- Unanswered --
+   ----------------
+
+   procedure Unanswered
+     (S    : in out State;
+      P    : in out Progress;
+      Next : out Step)
+   is
+      Pending : constant Wire.Command_Kind :=
+        (if P.In_Probe then P.Probing else P.Wanted.Kind);
+   begin
+      Robot.Health.Failure (S.Health, Pending);
+      P.In_Probe := False;
+      P.Result.Kind := Timed_Out;
+      if Robot.Health.Lost (S.Health) then
+         --  a last stop, in case the robot still hears
+         P.Result.Note := Robot_Lost;
+         P.Phase := Losing;
+         P.Stopped := True;
+         Next := (Send, Wire.Stop);
+      elsif P.Phase = Leaving then
+         if P.Tries < Leave_Tries then
+            P.Tries := P.Tries + 1;
+            Begin_Exchange (S, P, Leaving, Wire.Stop, Next);
+         else
+            Act (S, P, Next);
+         end if;
+      elsif P.Phase = Clearing then
+         --  the line is open all the same: its robot may be off
+         Finish (P, Done, Next);
+      elsif P.Phase in Asking_Motion | Testing_Run then
+         P.Result.Note := Missed_Window;
+         Finish (P, Timed_Out, Next);
+      else
+         Finish (P, Timed_Out, Next);
+      end if;
+   end Unanswered;
+
+   ----------------------
+   -- Continue_Request --
+   ----------------------
+
+   procedure Continue_Request
+     (S      : in out State;
+      P      : in out Progress;
+      Last   : Step_Result;
+      Next   : out Step)
+   is
+      Phase  : constant Phase_Kind   := P.Phase;
+      Wanted : constant Wire.Command := P.Wanted;
+   begin
+      case Phase is
+         when Opening =>
+            if Last.Ok then
+               S := (Line_Open => True,
+                     Mode      => Not_Started,
+                     Health    => Robot.Health.Opened);
+               --  the reset first of all, without awaiting its answer:
+               --  a robot that hears, but answers late, is reset, too
+               P.Phase := Clearing;
+               P.Wanted := (Wire.Reset, 0);
+               Next := (Send, P.Wanted);
+            else
+               Finish (P, Not_Opened, Next);
+            end if;
+
+         when Closing =>
+            S := (others => <>);
+            Finish
+              (P,
+               (if P.Result.Note = Robot_Lost then Timed_Out else Done),
+               Next);
+
+         when Losing =>
+            P.Phase := Closing;
+            Next := (Close_Device, Wire.Stop);
+
+         when Ended =>
+            Next := (Finish, Wire.Stop);
+
+         when Clearing | Leaving | Acting | Asking_Motion | Testing_Run =>
+            if P.Blind and then not P.In_Probe
+              and then not Robot.Health.In_Step (S.Health)
+              and then P.Wanted = Wire.Stop
+            then
+               --  the blind stop is out; now get into step
+               Begin_Exchange (S, P, Phase, Wanted, Next);
+            elsif Phase = Clearing and then not P.In_Probe
+              and then not Robot.Health.In_Step (S.Health)
+            then
+               --  and so is the reset
+               Begin_Exchange (S, P, Phase, Wanted, Next);
+            elsif not Last.Ok then
+               Unanswered (S, P, Next);
+            elsif P.In_Probe then
+               Robot.Health.Success (S.Health);
+               Begin_Exchange (S, P, Phase, Wanted, Next);
+            else
+               Robot.Health.Success (S.Health);
+               Answered (S, P, Last.Reply, Next);
+            end if;
+      end case;
+   end Continue_Request;
+
+end Robot.Session;

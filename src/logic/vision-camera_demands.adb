@@ -1,0 +1,46 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Whether the camera is wanted, and whether its owner has taken that up.
+
+package body Vision.Camera_Demands with SPARK_Mode is
+
+   ---------
+   -- Ask --
+   ---------
+
+   procedure Ask (S : in out State) is
+   begin
+      S := (S.Current + 1, True, True, S.Held);
+   end Ask;
+
+   --------------
+   -- Withdraw --
+   --------------
+
+   procedure Withdraw (S : in out State) is
+   begin
+      S.Wanted := False;
+   end Withdraw;
+
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take
+     (S : in out State; Number : out Request_Number; Found : out Boolean) is
+   begin
+      Found := S.Pending;
+      Number := S.Current;
+      S.Pending := False;
+      S.Held := S.Held or else Found;
+   end Take;
+
+   -------------
+   -- Release --
+   -------------
+
+   procedure Release (S : in out State) is
+   begin
+      S.Held := False;
+   end Release;
+
+end Vision.Camera_Demands;

@@ -1,0 +1,43 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  One cycle of the periodic images (F15, F18): whether an image is looked
+--  for, when the next cycle begins, which robots are still known, and what is
+--  drawn and told.
+
+package body Vision.Image_Cycle with SPARK_Mode is
+
+   ----------------
+   -- Take_Image --
+   ----------------
+
+   procedure Take_Image
+     (S           : in out State;
+      Late        : Microseconds;
+      Age         : Microseconds;
+      Has_Reserve : Boolean;
+      Period      : Vision.Image_Grid.Period_Time;
+      Length      : out Microseconds) is
+   begin
+      if S.Waited then
+         Vision.Image_Grid.Wait_Ended (S.Grid, Late, Period);
+         S.Waited := False;
+      end if;
+      Vision.Image_Grid.Step (S.Grid, Age, Has_Reserve, Period, Length);
+   end Take_Image;
+
+   -------------
+   -- Look_In --
+   -------------
+
+   procedure Look_In
+     (S     : in out State;
+      Mode  : Vision.Mode.State;
+      Arena : Vision.Shapes.Arena_Corners)
+   is
+   begin
+      if not Mode.Position_On or else Arena /= S.Arena then
+         Vision.Following.Forget (S.Known);
+         S.Arena := Arena;
+      end if;
+   end Look_In;
+
+end Vision.Image_Cycle;

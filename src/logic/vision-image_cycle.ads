@@ -1,0 +1,99 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  One cycle of the periodic images (F15, F18): whether an image is looked
+--  for, when the next cycle begins, which robots are still known, and what is
+--  drawn and told. Decides; th_captureImg carries out.
+
+with Monitor.Protocol;
+with Options;
+with Vision.Following;
+with Vision.Image_Grid;
+with Vision.Mode;
+with Vision.Shapes;
+
+package Vision.Image_Cycle with SPARK_Mode is
+
+   pragma Annotate (GNATprove, Terminating, Vision.Image_Cycle);
+   --  A claim that GNATprove checks: every subprogram ends
+
+   use type Options.Drawing_Kind;
+   use type Vision.Following.State;
+   use type Vision.Image_Grid.State;
+   use type Vision.Shapes.Arena_Corners;
+
+   subtype Microseconds is Vision.Image_Grid.Microseconds;
+
+   type Work is
+     (Leave,           --  the camera is closed
+      Report_Silence,  --  it has delivered nothing for too long
+      Look,            --  for an image to send
+      Rest);           --  until the next cycle
+
+   function Work_Of (Mode : Vision.Mode.State; Silent : Boolean) return Work
+   is (if not Vision.Mode.Is_Open (Mode) then Leave
+       elsif Silent then Report_Silence
+       elsif Vision.Mode.Images_Flow (Mode) then Look
+       else Rest);
+
+   function Draws_Arena
+     (Mode : Vision.Mode.State; Drawing : Options.Drawing_Kind) return Boolean
+   is (Vision.Mode.Uses_Arena (Mode) and then Drawing >= Options.Arena);
+
+   function Draws_Robots
+     (Mode : Vision.Mode.State; Drawing : Options.Drawing_Kind) return Boolean
+   is (Mode.Position_On and then Drawing = Options.All_Of_It);
+
+   type State is record
+      Grid   : Vision.Image_Grid.State := Vision.Image_Grid.Initial;
+      Waited : Boolean := False;
+      --  for an image, since the last instant of the grid
+      Known  : Vision.Following.State;
+      Arena  : Vision.Shapes.Arena_Corners := Vision.Shapes.No_Arena;
+      --  in which Known were found
+   end record;
+   --  Initially no image has gone out, and no robot is known
+
+   procedure Take_Image
+     (S           : in out State;
+      Late        : Microseconds;
+      Age         : Microseconds;
+      Has_Reserve : Boolean;
+      Period      : Vision.Image_Grid.Period_Time;
+      Length      : out Microseconds)
+   with
+     Post => Vision.Image_Grid.Has_Begun (S.Grid)
+       and then Length in Vision.Image_Grid.Shortest (Period) .. Period
+       and then not S.Waited
+       and then S.Known = S'Old.Known
+       and then S.Arena = S'Old.Arena;
+   --  An image goes out that came Age ago and, where it was waited for, Late
+   --  after the last instant; Has_Reserve: a newer one waits. The next
+   --  instant is Length after this one
+
+   procedure Look_In
+     (S     : in out State;
+      Mode  : Vision.Mode.State;
+      Arena : Vision.Shapes.Arena_Corners)
+   with
+     Post => S.Grid = S'Old.Grid
+       and then S.Waited = S'Old.Waited
+       and then
+         (if Mode.Position_On and then Arena = S'Old.Arena
+          then S.Known = S'Old.Known and then S.Arena = S'Old.Arena
+          else Vision.Following.Count (S.Known) = 0 and then S.Arena = Arena);
+   --  Robots are searched in Arena, if at all: those known elsewhere, or
+   --  before the search was off, are known no more
+
+   function Position_Of
+     (Robots : Vision.Shapes.Robot_Array; Count : Vision.Shapes.Robot_Count)
+      return Monitor.Protocol.Position
+   is (if Count = 0 then Monitor.Protocol.Not_Found
+       else
+         (Id    => Integer (Robots (1).Id),
+          Angle => Monitor.Protocol.Micro (Robots (1).Angle),
+          Cx    => Monitor.Protocol.Micro (Robots (1).Centre.X),
+          Cy    => Monitor.Protocol.Micro (Robots (1).Centre.Y),
+          Dx    => Monitor.Protocol.Micro (Robots (1).Direction.X),
+          Dy    => Monitor.Protocol.Micro (Robots (1).Direction.Y)));
+   --  What the monitor is told of Robots (1 .. Count): the first
+
+end Vision.Image_Cycle;

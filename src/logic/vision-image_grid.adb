@@ -1,0 +1,44 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  When an image is sent, and which of those that wait (F15): a grid of
+--  instants, one period apart, that moves with the source where it must.
+
+package body Vision.Image_Grid with SPARK_Mode is
+
+   ----------
+   -- Step --
+   ----------
+
+   procedure Step
+     (S           : in out State;
+      Age         : Microseconds;
+      Has_Reserve : Boolean;
+      Period      : Period_Time;
+      Length      : out Microseconds)
+   is
+      Made_Up : Microseconds := 0;
+   begin
+      S.Begun := True;
+      S.Early :=
+        (if Age < Early (Period) then 0
+         else Natural'Min (Enough_Early, S.Early + 1));
+      if Has_Reserve or else S.Early = Enough_Early then
+         Made_Up := Microseconds'Min (S.Lost, Most_Made_Up (Period));
+      end if;
+      S.Lost := S.Lost - Made_Up;
+      Length := Period - Made_Up;
+   end Step;
+
+   ----------------
+   -- Wait_Ended --
+   ----------------
+
+   procedure Wait_Ended
+     (S : in out State; Late : Microseconds; Period : Period_Time) is
+   begin
+      if S.Begun then
+         S.Lost := Microseconds'Min (Most_Lost (Period), S.Lost + Late);
+      end if;
+      S.Early := 0;
+   end Wait_Ended;
+
+end Vision.Image_Grid;

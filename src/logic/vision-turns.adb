@@ -1,0 +1,43 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The orders to the vision: one at a time is carried out, the others wait
+--  their turn, first in first out.
+
+package body Vision.Turns with SPARK_Mode is
+
+   -----------
+   -- Clear --
+   -----------
+
+   procedure Clear (S : in out State) is
+   begin
+      Order_Queues.Clear (S.Items);
+   end Clear;
+
+   ----------
+   -- Next --
+   ----------
+
+   procedure Next
+     (S : in out State; Item : out Orders.Order; Found : out Boolean) is
+   begin
+      Order_Queues.Take (S.Items, Item, Found);
+      if not Found then
+         S.Busy := False;
+      end if;
+   end Next;
+
+   ---------
+   -- Put --
+   ---------
+
+   procedure Put (S : in out State; Item : Orders.Order; Now : out Boolean) is
+   begin
+      Now := not S.Busy;
+      if Now then
+         S.Busy := True;
+      else
+         Order_Queues.Put (S.Items, Item);
+      end if;
+   end Put;
+
+end Vision.Turns;

@@ -1,0 +1,555 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What waits to be sent to the monitor, shared by all tasks. The object only
+--  locks, and passes images from hand to hand: Monitor.Mailboxes decides.
+
+with Ada.Real_Time;                use Ada.Real_Time;
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Monitor.Message_Holds;
+with Schedule;
+with Trace;
+
+package body Monitor.Outbox with SPARK_Mode is
+
+   use type Monitor.Mailboxes.Place;
+   use type Monitor.Send_Order.Choice;
+
+   subtype Message_Access is Monitor.Image_Messages.Message_Access;
+
+   Room        : Suspension_Object;
+   Work        : Suspension_Object;
+   Arena_Room  : Suspension_Object;
+   Sender_Left : Suspension_Object;
+   Hold_Begun  : Suspension_Object;
+
+   procedure Exchange (Left, Right : in out Message_Access);
+   --  Each is where the other was
+
+   --------------
+   -- Exchange --
+   --------------
+
+   procedure Exchange (Left, Right : in out Message_Access) is
+      Kept : constant Message_Access := Left;
+   begin
+      Left := Right;
+      Right := Kept;
+   end Exchange;
+
+   protected Box with Priority => Schedule.Outbox_Ceiling is
+      procedure Fill (First, Second : in out Message_Access);
+      --  Images' messages for the box itself, of which none waits
+      procedure Open_Session;
+      procedure Close_Session (Next : out Orders.Ticket);
+      procedure Get_Busy (Busy : out Boolean);
+      procedure Reserve
+        (Now    : Time;
+         Number : out Orders.Ticket;
+         Result : out Monitor.Mailboxes.Place;
+         Begun  : out Boolean);
+      --  Begun, here and below: unasked messages begin to be held back
+      procedure Answer
+        (Number : Orders.Ticket; Kind : Monitor.Protocol.Answer_Kind);
+      procedure Answer_Nothing (Number : Orders.Ticket);
+      procedure Answer_With_Image
+        (Number   : Orders.Ticket;
+         Message  : in out Message_Access;
+         Accepted : out Boolean);
+      procedure Put_Lost (Now : Time; Begun : out Boolean);
+      procedure Put_Notice
+        (Told : Monitor.Notices.Notice; Now : Time; Begun : out Boolean);
+      procedure Put_Battery
+        (Kind  : Monitor.Protocol.Answer_Kind;
+         Now   : Time;
+         Begun : out Boolean);
+      procedure Get_Generation (Current : out Monitor.Mailboxes.Generation);
+      procedure Put_Position
+        (Line  : Monitor.Mailboxes.Short_Line;
+         Made  : Monitor.Mailboxes.Generation;
+         Now   : Time;
+         Begun : out Boolean);
+      procedure Put_Image
+        (Message : in out Message_Access;
+         Made    : Monitor.Mailboxes.Generation;
+         Now     : Time;
+         Begun   : out Boolean);
+      procedure Stop_Images;
+      procedure Take
+        (Between   : Monitor.Send_Order.Milliseconds;
+         Now       : Time;
+         Last_Sent : Time;
+         Next      : out Monitor.Mailboxes.Item;
+         Message   : in out Message_Access;
+         Gap       : out Monitor.Send_Order.Milliseconds;
+         Left      : out Boolean)
+      with Post => Next.Unsent = (Next.Kind in Monitor.Send_Order.Sent_Kind);
+      procedure Get_Hold_End (Any : out Boolean; At_Time : out Time);
+      procedure End_Hold (Now : Time);
+      procedure Get_Waiting (Count : out Orders.Order_Count);
+   private
+      Mail  : Monitor.Mailboxes.Mailbox;
+      Arena : Message_Access := null;  --  the answer that is an image
+      Image : Message_Access := null;  --  the periodic one
+   end Box;
+
+   protected body Box is
+
+      procedure Fill (First, Second : in out Message_Access) is
+      begin
+         Exchange (First, Arena);
+         Exchange (Second, Image);
+      end Fill;
+
+      procedure Open_Session is
+      begin
+         Monitor.Mailboxes.Open_Session (Mail);
+      end Open_Session;
+
+      procedure Close_Session (Next : out Orders.Ticket) is
+      begin
+         Monitor.Mailboxes.Close_Session (Mail, Next);
+      end Close_Session;
+
+      procedure Get_Busy (Busy : out Boolean) is
+      begin
+         Busy := Mail.Busy;
+      end Get_Busy;
+
+      procedure Reserve
+        (Now    : Time;
+         Number : out Orders.Ticket;
+         Result : out Monitor.Mailboxes.Place;
+         Begun  : out Boolean) is
+      begin
+         Monitor.Mailboxes.Reserve (Mail, Now, Number, Result, Begun);
+      end Reserve;
+
+      procedure Answer
+        (Number : Orders.Ticket; Kind : Monitor.Protocol.Answer_Kind) is
+      begin
+         Monitor.Mailboxes.Put_Answer (Mail, Number, Kind);
+      end Answer;
+
+      procedure Answer_Nothing (Number : Orders.Ticket) is
+      begin
+         Monitor.Mailboxes.Put_No_Answer (Mail, Number);
+      end Answer_Nothing;
+
+      procedure Answer_With_Image
+        (Number   : Orders.Ticket;
+         Message  : in out Message_Access;
+         Accepted : out Boolean)
+      is
+         Kept : Boolean;
+      begin
+         Monitor.Mailboxes.Put_Arena (Mail, Number, Accepted, Kept);
+         if Kept then
+            Exchange (Message, Arena);
+         end if;
+      end Answer_With_Image;
+
+      procedure Put_Lost (Now : Time; Begun : out Boolean) is
+      begin
+         Monitor.Mailboxes.Put_Lost (Mail, Now, Begun);
+      end Put_Lost;
+
+      procedure Put_Notice
+        (Told : Monitor.Notices.Notice; Now : Time; Begun : out Boolean) is
+      begin
+         Monitor.Mailboxes.Put_Notice (Mail, Told, Now, Begun);
+      end Put_Notice;
+
+      procedure Put_Battery
+        (Kind  : Monitor.Protocol.Answer_Kind;
+         Now   : Time;
+         Begun : out Boolean) is
+      begin
+         Monitor.Mailboxes.Put_Battery (Mail, Kind, Now, Begun);
+      end Put_Battery;
+
+      procedure Get_Generation (Current : out Monitor.Mailboxes.Generation) is
+      begin
+         Current := Mail.Made;
+      end Get_Generation;
+
+      procedure Put_Position
+        (Line  : Monitor.Mailboxes.Short_Line;
+         Made  : Monitor.Mailboxes.Generation;
+         Now   : Time;
+         Begun : out Boolean) is
+      begin
+         Monitor.Mailboxes.Put_Position (Mail, Line, Made, Now, Begun);
+      end Put_Position;
+
+      procedure Put_Image
+        (Message : in out Message_Access;
+         Made    : Monitor.Mailboxes.Generation;
+         Now     : Time;
+         Begun   : out Boolean)
+      is
+         Kept : Boolean;
+      begin
+         Monitor.Mailboxes.Put_Image (Mail, Made, Now, Kept, Begun);
+         if Kept then
+            Exchange (Message, Image);
+         end if;
+      end Put_Image;
+
+      procedure Stop_Images is
+      begin
+         Monitor.Mailboxes.Stop_Images (Mail);
+      end Stop_Images;
+
+      procedure Take
+        (Between   : Monitor.Send_Order.Milliseconds;
+         Now       : Time;
+         Last_Sent : Time;
+         Next      : out Monitor.Mailboxes.Item;
+         Message   : in out Message_Access;
+         Gap       : out Monitor.Send_Order.Milliseconds;
+         Left      : out Boolean) is
+      begin
+         Monitor.Mailboxes.Take
+           (Mail, Between, Now, Last_Sent, Next, Gap, Left);
+         if Next.Is_Image then
+            if Next.Kind = Monitor.Send_Order.Answer then
+               Exchange (Message, Arena);
+            else
+               Exchange (Message, Image);
+            end if;
+         end if;
+      end Take;
+
+      procedure Get_Hold_End (Any : out Boolean; At_Time : out Time) is
+      begin
+         Any := Monitor.Mailboxes.Is_Held (Mail);
+         At_Time :=
+           (if Any then Monitor.Message_Holds.Ending (Mail.Hold)
+            else Time_First);
+      end Get_Hold_End;
+
+      procedure End_Hold (Now : Time) is
+      begin
+         Monitor.Mailboxes.End_Hold (Mail, Now);
+      end End_Hold;
+
+      procedure Get_Waiting (Count : out Orders.Order_Count) is
+      begin
+         Count := Monitor.Mailboxes.Commands (Mail);
+      end Get_Waiting;
+
+   end Box;
+
+   First  : Message_Access := new Monitor.Image_Messages.Message;
+   Second : Message_Access := new Monitor.Image_Messages.Message;
+   --  For the box
+
+   procedure Wake_Sender (Number : Orders.Ticket := 0)
+   with Annotate => (GNATprove, Terminating);
+   --  There is something to be looked at
+
+   procedure Wake (Begun : Boolean)
+   with Annotate => (GNATprove, Terminating);
+   --  An unasked message has been put into the box
+
+   procedure Wake_Hold with Annotate => (GNATprove, Terminating);
+   --  Unasked messages begin to be held back
+
+   ------------
+   -- Answer --
+   ------------
+
+   procedure Answer
+     (Order : in out Orders.Order; Kind : Monitor.Protocol.Answer_Kind) is
+   begin
+      Box.Answer (Order.Number, Kind);
+      Order.Owed := False;
+      Wake_Sender (Order.Number);
+      Set_True (Room);
+   end Answer;
+
+   --------------------
+   -- Answer_Nothing --
+   --------------------
+
+   procedure Answer_Nothing (Order : in out Orders.Order) is
+   begin
+      Box.Answer_Nothing (Order.Number);
+      Order.Owed := False;
+      Wake_Sender (Order.Number);
+      Set_True (Room);
+   end Answer_Nothing;
+
+   -----------------------
+   -- Answer_With_Image --
+   -----------------------
+
+   procedure Answer_With_Image
+     (Order : in out Orders.Order; Message : in out Message_Access)
+   is
+      Accepted : Boolean;
+   begin
+      loop
+         Box.Answer_With_Image (Order.Number, Message, Accepted);
+         exit when Accepted;
+         Trace.Wait (Schedule.Th_Arene, Trace.Room);
+         Suspend_Until_True (Arena_Room);
+         Trace.Resume (Schedule.Th_Arene);
+      end loop;
+      Order.Owed := False;
+      Wake_Sender (Order.Number);
+   end Answer_With_Image;
+
+   -------------------
+   -- Close_Session --
+   -------------------
+
+   procedure Close_Session (Next : out Orders.Ticket) is
+   begin
+      Set_False (Sender_Left);
+      Box.Close_Session (Next);
+      Set_True (Room);
+      Set_True (Arena_Room);
+   end Close_Session;
+
+   --------------
+   -- End_Hold --
+   --------------
+
+   procedure End_Hold is
+      Now : constant Time := Clock;
+   begin
+      Box.End_Hold (Now);
+      Wake_Sender;
+   end End_Hold;
+
+   --------------------
+   -- Get_Generation --
+   --------------------
+
+   procedure Get_Generation (Current : out Monitor.Mailboxes.Generation) is
+   begin
+      Box.Get_Generation (Current);
+   end Get_Generation;
+
+   ------------------
+   -- Get_Hold_End --
+   ------------------
+
+   procedure Get_Hold_End
+     (Any : out Boolean; At_Time : out Ada.Real_Time.Time) is
+   begin
+      Box.Get_Hold_End (Any, At_Time);
+   end Get_Hold_End;
+
+   -----------------
+   -- Get_Waiting --
+   -----------------
+
+   procedure Get_Waiting (Count : out Orders.Order_Count) is
+   begin
+      Box.Get_Waiting (Count);
+   end Get_Waiting;
+
+   ------------------
+   -- Open_Session --
+   ------------------
+
+   procedure Open_Session is
+   begin
+      Box.Open_Session;
+   end Open_Session;
+
+   -----------------
+   -- Put_Battery --
+   -----------------
+
+   procedure Put_Battery (Kind : Monitor.Protocol.Answer_Kind) is
+      Now   : constant Time := Clock;
+      Begun : Boolean;
+   begin
+      Box.Put_Battery (Kind, Now, Begun);
+      Wake (Begun);
+   end Put_Battery;
+
+   ---------------
+   -- Put_Image --
+   ---------------
+
+   procedure Put_Image
+     (Message : in out Message_Access; Made : Monitor.Mailboxes.Generation)
+   is
+      Now   : constant Time := Clock;
+      Begun : Boolean;
+   begin
+      Box.Put_Image (Message, Made, Now, Begun);
+      Wake (Begun);
+   end Put_Image;
+
+   ----------------
+   -- Put_Notice --
+   ----------------
+
+   procedure Put_Notice (Told : Monitor.Notices.Notice) is
+      Now   : constant Time := Clock;
+      Begun : Boolean;
+   begin
+      Box.Put_Notice (Told, Now, Begun);
+      Wake (Begun);
+   end Put_Notice;
+
+   ------------------
+   -- Put_Position --
+   ------------------
+
+   procedure Put_Position
+     (Line : Monitor.Mailboxes.Short_Line; Made : Monitor.Mailboxes.Generation)
+   is
+      Now   : constant Time := Clock;
+      Begun : Boolean;
+   begin
+      Box.Put_Position (Line, Made, Now, Begun);
+      Wake (Begun);
+   end Put_Position;
+
+   --------------------
+   -- Put_Robot_Lost --
+   --------------------
+
+   procedure Put_Robot_Lost is
+      Now   : constant Time := Clock;
+      Begun : Boolean;
+   begin
+      Box.Put_Lost (Now, Begun);
+      Wake (Begun);
+   end Put_Robot_Lost;
+
+   -------------
+   -- Reserve --
+   -------------
+
+   procedure Reserve (Order : in out Orders.Order) is
+      Result : Monitor.Mailboxes.Place;
+      Now    : Time;
+      Begun  : Boolean;
+   begin
+      loop
+         Now := Clock;
+         Box.Reserve (Now, Order.Number, Result, Begun);
+         exit when Result /= Monitor.Mailboxes.Full;
+         Trace.Wait (Schedule.Th_Receive_From_Mon, Trace.Room);
+         Suspend_Until_True (Room);
+         Trace.Resume (Schedule.Th_Receive_From_Mon);
+      end loop;
+      Order.Owed := Result = Monitor.Mailboxes.Reserved;
+      if Begun then
+         Wake_Hold;
+      end if;
+   end Reserve;
+
+   -----------------
+   -- Stop_Images --
+   -----------------
+
+   procedure Stop_Images is
+   begin
+      Box.Stop_Images;
+   end Stop_Images;
+
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take
+     (Between   : Monitor.Send_Order.Milliseconds;
+      Last_Sent : Ada.Real_Time.Time;
+      Next      : in out Monitor.Mailboxes.Item;
+      Image     : in out Message_Access;
+      Gap       : out Monitor.Send_Order.Milliseconds)
+   is
+      Now  : constant Time := Clock;
+      Left : Boolean;
+   begin
+      Box.Take (Between, Now, Last_Sent, Next, Image, Gap, Left);
+      if Left then
+         Set_True (Sender_Left);
+      end if;
+      if Next.Kind = Monitor.Send_Order.Answer then
+         Set_True (Room);
+         Set_True (Arena_Room);
+      end if;
+   end Take;
+
+   ----------
+   -- Wait --
+   ----------
+
+   procedure Wait is
+   begin
+      Suspend_Until_True (Work);
+   end Wait;
+
+   ---------------
+   -- Wait_Held --
+   ---------------
+
+   procedure Wait_Held is
+   begin
+      Trace.Done (Schedule.Th_Hold);
+      Suspend_Until_True (Hold_Begun);
+      Trace.Start (Schedule.Th_Hold);
+   end Wait_Held;
+
+   -----------------
+   -- Wait_Sender --
+   -----------------
+
+   procedure Wait_Sender is
+      Busy : Boolean;
+   begin
+      --  the event may be a late one of the session before
+      loop
+         Box.Get_Busy (Busy);
+         exit when not Busy;
+         Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
+         Suspend_Until_True (Sender_Left);
+         Trace.Resume (Schedule.Th_Com_Mon_Perdue);
+      end loop;
+   end Wait_Sender;
+
+   ----------
+   -- Wake --
+   ----------
+
+   procedure Wake (Begun : Boolean) is
+   begin
+      Wake_Sender;
+      if Begun then
+         Wake_Hold;
+      end if;
+   end Wake;
+
+   ---------------
+   -- Wake_Hold --
+   ---------------
+
+   procedure Wake_Hold is
+   begin
+      Trace.Release (Schedule.Th_Hold);
+      Set_True (Hold_Begun);
+   end Wake_Hold;
+
+   -----------------
+   -- Wake_Sender --
+   -----------------
+
+   procedure Wake_Sender (Number : Orders.Ticket := 0) is
+   begin
+      Trace.Release (Schedule.Th_Send_To_Mon, Number);
+      Set_True (Work);
+   end Wake_Sender;
+
+begin
+
+   Box.Fill (First, Second);
+
+end Monitor.Outbox;

@@ -1,0 +1,192 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The session with the monitor: who is in command, how a session begins and
+--  ends, and the events that pass between the tasks that see to it. The object
+--  only locks: Monitor.Session_Stages decides.
+
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Schedule;
+with Trace;
+
+package body Monitor.Session with SPARK_Mode is
+
+   use type Monitor.Session_Stages.Stage_Kind;
+
+   Server_Allowed  : Suspension_Object;
+   Listening       : Suspension_Object;
+   Receive_Begins  : Suspension_Object;
+   Receive_Ended   : Suspension_Object;
+   Watch_Begins    : Suspension_Object;
+
+   protected State with Priority => Schedule.Session_Ceiling is
+      procedure Begin_Active (Admitted : out Boolean);
+      procedure Go_On (To : Monitor.Session_Stages.Stage_Kind)
+      with Pre => To /= Monitor.Session_Stages.Active;
+      procedure Stop;
+      procedure Get (Value : out Monitor.Session_Stages.State);
+   private
+      Current : Monitor.Session_Stages.State;
+   end State;
+
+   protected body State is
+
+      procedure Begin_Active (Admitted : out Boolean) is
+      begin
+         Monitor.Session_Stages.Begin_Active (Current, Admitted);
+      end Begin_Active;
+
+      procedure Go_On (To : Monitor.Session_Stages.Stage_Kind) is
+      begin
+         Monitor.Session_Stages.Go_On (Current, To);
+      end Go_On;
+
+      procedure Stop is
+      begin
+         Monitor.Session_Stages.Stop (Current);
+      end Stop;
+
+      procedure Get (Value : out Monitor.Session_Stages.State) is
+      begin
+         Value := Current;
+      end Get;
+
+   end State;
+
+   ---------
+   -- Get --
+   ---------
+
+   procedure Get (Current : out Monitor.Session_Stages.State) is
+   begin
+      State.Get (Current);
+   end Get;
+
+   ------------------
+   -- Begin_Active --
+   ------------------
+
+   procedure Begin_Active (Admitted : out Boolean) is
+   begin
+      State.Begin_Active (Admitted);
+   end Begin_Active;
+
+   ----------------
+   -- Begin_Work --
+   ----------------
+
+   procedure Begin_Work is
+   begin
+      Set_True (Receive_Begins);
+      Set_True (Watch_Begins);
+   end Begin_Work;
+
+   -------------------
+   -- Begin_Closing --
+   -------------------
+
+   procedure Begin_Closing is
+   begin
+      State.Go_On (Monitor.Session_Stages.Closing);
+   end Begin_Closing;
+
+   -----------------
+   -- End_Closing --
+   -----------------
+
+   procedure End_Closing is
+   begin
+      State.Go_On (Monitor.Session_Stages.Closed);
+   end End_Closing;
+
+   ----------------
+   -- End_Closed --
+   ----------------
+
+   procedure End_Closed is
+   begin
+      State.Go_On (Monitor.Session_Stages.Free);
+   end End_Closed;
+
+   ------------------
+   -- Request_Stop --
+   ------------------
+
+   procedure Request_Stop is
+   begin
+      State.Stop;
+   end Request_Stop;
+
+   ------------------
+   -- Allow_Server --
+   ------------------
+
+   procedure Allow_Server is
+   begin
+      Set_True (Server_Allowed);
+   end Allow_Server;
+
+   -----------------
+   -- Wait_Server --
+   -----------------
+
+   procedure Wait_Server is
+   begin
+      Suspend_Until_True (Server_Allowed);
+   end Wait_Server;
+
+   --------------------
+   -- Server_Listens --
+   --------------------
+
+   procedure Server_Listens is
+   begin
+      Set_True (Listening);
+   end Server_Listens;
+
+   --------------------
+   -- Wait_Listening --
+   --------------------
+
+   procedure Wait_Listening is
+   begin
+      Suspend_Until_True (Listening);
+   end Wait_Listening;
+
+   ------------------
+   -- Wait_Receive --
+   ------------------
+
+   procedure Wait_Receive is
+   begin
+      Suspend_Until_True (Receive_Begins);
+   end Wait_Receive;
+
+   -------------------
+   -- Receiver_Left --
+   -------------------
+
+   procedure Receiver_Left is
+   begin
+      Set_True (Receive_Ended);
+   end Receiver_Left;
+
+   ------------------------
+   -- Wait_Receiver_Left --
+   ------------------------
+
+   procedure Wait_Receiver_Left is
+   begin
+      Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
+      Suspend_Until_True (Receive_Ended);
+      Trace.Resume (Schedule.Th_Com_Mon_Perdue);
+   end Wait_Receiver_Left;
+
+   ----------------
+   -- Wait_Watch --
+   ----------------
+
+   procedure Wait_Watch is
+   begin
+      Suspend_Until_True (Watch_Begins);
+   end Wait_Watch;
+
+end Monitor.Session;

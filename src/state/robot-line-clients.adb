@@ -1,0 +1,53 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  One client of the robot's line: asks, and waits for what comes of it.
+
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Trace;
+
+package body Robot.Line.Clients with SPARK_Mode is
+
+   Finished : Suspension_Object;
+
+   procedure Wait;
+   --  Until the request has been carried out
+
+   ---------
+   -- Ask --
+   ---------
+
+   procedure Ask (Order : in out Orders.Order) is
+   begin
+      Robot.Line.Put (Who, Order);
+      Wait;
+   end Ask;
+
+   procedure Ask
+     (Request : Robot.Session.Request; Result : out Robot.Session.Outcome) is
+   begin
+      Robot.Line.Put (Who, Request);
+      Wait;
+      Robot.Line.Collect (Who, Result);
+   end Ask;
+
+   ------------
+   -- Signal --
+   ------------
+
+   procedure Signal is
+   begin
+      Trace.Release (Its_Task);
+      Set_True (Finished);
+   end Signal;
+
+   ----------
+   -- Wait --
+   ----------
+
+   procedure Wait is
+   begin
+      Trace.Wait (Its_Task, Trace.Line);
+      Suspend_Until_True (Finished);
+      Trace.Resume (Its_Task);
+   end Wait;
+
+end Robot.Line.Clients;

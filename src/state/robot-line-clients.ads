@@ -1,0 +1,28 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  One client of the robot's line: asks, and waits for what comes of it.
+
+with Orders;
+with Robot.Requests;
+with Robot.Session;
+with Schedule;
+
+generic
+   Who      : Robot.Requests.Single;
+   Its_Task : Schedule.Task_Name;
+package Robot.Line.Clients with SPARK_Mode is
+
+   procedure Ask (Order : in out Orders.Order)
+   with
+     Pre  => Order.Owed,
+     Post => not Order.Owed;
+   --  Has the monitor's order carried out on the robot's line, and answered.
+   --  For one task only
+
+   procedure Ask
+     (Request : Robot.Session.Request; Result : out Robot.Session.Outcome);
+   --  The same for a request of its own
+
+   procedure Signal with Annotate => (GNATprove, Terminating);
+   --  The request has been carried out
+
+end Robot.Line.Clients;

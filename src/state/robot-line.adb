@@ -1,0 +1,233 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The requests that wait for the robot's line, and what is known of the
+--  robot, shared by all tasks. The object only locks: Robot.Requests and
+--  Robot.Line_Status decide.
+
+with Ada.Real_Time; use Ada.Real_Time;
+with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Order_Meanings;
+with Schedule;
+with Trace;
+
+package body Robot.Line with SPARK_Mode is
+
+   type Result_Array is
+     array (Robot.Requests.Client) of Robot.Session.Outcome;
+
+   Work : Suspension_Object;
+
+   protected Line with Priority => Schedule.Line_Ceiling is
+      procedure Begin_Session (First : Orders.Ticket);
+      procedure Put
+        (From    : Robot.Requests.Single;
+         Request : Robot.Session.Request;
+         Order   : Orders.Order);
+      procedure Put_Stop (Order : Orders.Order);
+      procedure Set_Reload_Due (At_Time : Time);
+      procedure Take
+        (Now : Time; Next : in out Robot.Requests.Job; Found : out Boolean);
+      procedure Finish
+        (Done   : Robot.Requests.Job;
+         State  : Robot.Session.State;
+         Result : Robot.Session.Outcome;
+         Now    : Time;
+         More   : out Boolean);
+      procedure Collect
+        (From : Robot.Requests.Client; Result : out Robot.Session.Outcome);
+      procedure Get_Status (Current : out Robot.Line_Status.Status);
+   private
+      Waiting : Robot.Requests.Requests;
+      Results : Result_Array;
+      State   : Robot.Line_Status.State;
+   end Line;
+
+   protected body Line is
+
+      procedure Begin_Session (First : Orders.Ticket) is
+      begin
+         Robot.Requests.Begin_Session (Waiting, First);
+      end Begin_Session;
+
+      procedure Put
+        (From    : Robot.Requests.Single;
+         Request : Robot.Session.Request;
+         Order   : Orders.Order) is
+      begin
+         Robot.Requests.Put (Waiting, From, Request, Order);
+      end Put;
+
+      procedure Put_Stop (Order : Orders.Order) is
+      begin
+         Robot.Requests.Put_Stop (Waiting, Order);
+      end Put_Stop;
+
+      procedure Set_Reload_Due (At_Time : Time) is
+      begin
+         State.Reload_Due := At_Time;
+      end Set_Reload_Due;
+
+      procedure Take
+        (Now : Time; Next : in out Robot.Requests.Job; Found : out Boolean) is
+      begin
+         Robot.Requests.Take
+           (Waiting, Robot.Line_Status.Is_Quiet (State, Now), Next, Found);
+      end Take;
+
+      procedure Finish
+        (Done   : Robot.Requests.Job;
+         State  : Robot.Session.State;
+         Result : Robot.Session.Outcome;
+         Now    : Time;
+         More   : out Boolean) is
+      begin
+         Results (Done.From) := Result;
+         Robot.Line_Status.Note (Line.State, Done, State, Result, Now);
+         Robot.Requests.Finish (Waiting, Done);
+         More := Robot.Requests.Is_Ready (Waiting);
+      end Finish;
+
+      procedure Collect
+        (From : Robot.Requests.Client; Result : out Robot.Session.Outcome) is
+      begin
+         Result := Results (From);
+      end Collect;
+
+      procedure Get_Status (Current : out Robot.Line_Status.Status) is
+      begin
+         Current := State.Known;
+      end Get_Status;
+
+   end Line;
+
+   procedure Wake (Number : Orders.Ticket := 0)
+   with Annotate => (GNATprove, Terminating);
+   --  The owner of the line looks again
+
+   ----------
+   -- Wake --
+   ----------
+
+   procedure Wake (Number : Orders.Ticket := 0) is
+   begin
+      Trace.Release (Schedule.Th_Line, Number);
+      Set_True (Work);
+   end Wake;
+
+   -------------------
+   -- Begin_Session --
+   -------------------
+
+   procedure Begin_Session (First : Orders.Ticket) is
+   begin
+      Line.Begin_Session (First);
+      Wake;
+   end Begin_Session;
+
+   -------------------
+   -- Refuse_Orders --
+   -------------------
+
+   procedure Refuse_Orders is
+   begin
+      Begin_Session (Orders.Ticket'Last);
+   end Refuse_Orders;
+
+   ---------
+   -- Put --
+   ---------
+
+   procedure Put
+     (From : Robot.Requests.Single; Request : Robot.Session.Request) is
+   begin
+      Line.Put (From, Request, (others => <>));
+      Wake;
+   end Put;
+
+   procedure Put
+     (From : Robot.Requests.Single; Order : in out Orders.Order) is
+   begin
+      Order.Owed := False;
+      Line.Put (From, Order_Meanings.Request_Of (Order.Message), Order);
+      Wake (Order.Number);
+   end Put;
+
+   --------------
+   -- Put_Stop --
+   --------------
+
+   procedure Put_Stop (Order : in out Orders.Order) is
+   begin
+      Order.Owed := False;
+      Line.Put_Stop (Order);
+      Wake (Order.Number);
+   end Put_Stop;
+
+   --------------------
+   -- Set_Reload_Due --
+   --------------------
+
+   procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time) is
+   begin
+      Line.Set_Reload_Due (At_Time);
+      Wake;
+   end Set_Reload_Due;
+
+   ----------
+   -- Take --
+   ----------
+
+   procedure Take (Next : in out Robot.Requests.Job) is
+      Found : Boolean;
+      Now   : Time;
+   begin
+      Trace.Done (Schedule.Th_Line);
+      loop
+         Suspend_Until_True (Work);
+         Now := Clock;
+         Line.Take (Now, Next, Found);
+         exit when Found;
+         Trace.Idle (Schedule.Th_Line);
+      end loop;
+      Trace.Start (Schedule.Th_Line, Next.Order.Number);
+      Next.Order.Owed := Next.Order.Number /= 0;
+   end Take;
+
+   ------------
+   -- Finish --
+   ------------
+
+   procedure Finish
+     (Done    : Robot.Requests.Job;
+      State   : Robot.Session.State;
+      Result  : Robot.Session.Outcome;
+      At_Time : Ada.Real_Time.Time)
+   is
+      More : Boolean;
+   begin
+      Line.Finish (Done, State, Result, At_Time, More);
+      if More then
+         --  the next Take does not wait
+         Set_True (Work);
+      end if;
+   end Finish;
+
+   -------------
+   -- Collect --
+   -------------
+
+   procedure Collect
+     (From : Robot.Requests.Client; Result : out Robot.Session.Outcome) is
+   begin
+      Line.Collect (From, Result);
+   end Collect;
+
+   ----------------
+   -- Get_Status --
+   ----------------
+
+   procedure Get_Status (Current : out Robot.Line_Status.Status) is
+   begin
+      Line.Get_Status (Current);
+   end Get_Status;
+
+end Robot.Line;

@@ -1,0 +1,424 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The report's four tasks of the monitor, and the one that ends the hold on
+--  unasked messages.
+
+with Ada.Real_Time;    use Ada.Real_Time;
+with Admission.Authentication;
+with Admission.Newcomers;
+with Console;
+with Journal;
+with Monitor.Image_Messages;
+with Monitor.Link;
+with Monitor.Mailboxes;
+with Monitor.Outbox;
+with Monitor.Protocol; use Monitor.Protocol;
+with Monitor.Send_Order;
+with Monitor.Session;
+with Monitor.Session_Stages;
+with Monitor.Sockets.Connection;
+with Monitor.Sockets.Gate;
+with Options;
+with Order_Meanings;
+with Orders;
+with Process.Threads;
+with Robot.Clients;
+with Robot.Line;
+with Robot.Session;
+with Settings;
+with Task_Ports;
+with Texts;
+with Trace;
+with Vision.Camera_Requests;
+with Vision.Frame_Store;
+with Vision.State;
+
+package body Monitor.Tasks with SPARK_Mode is
+
+   use type Monitor.Link.Cause;
+   use type Monitor.Send_Order.Choice;
+
+   procedure Start_Server (Gate : out Admission.Newcomers.Gate)
+   with Post => Admission.Newcomers.Is_Consistent (Gate);
+   --  Listens, or says why it cannot and ends the process (F1)
+
+   procedure Handle
+     (Line  : String;
+      Ranks : in out Order_Meanings.Ranks;
+      Order : in out Orders.Order;
+      Open  : out Boolean)
+   with
+     Pre  => Line'First = 1
+       and then Line'Last <= Max_Line
+       and then not Order.Owed,
+     Post => not Order.Owed;
+   --  One line of the monitor: its message becomes Order, which is answered
+   --  here or goes to its task. Not Open: the session has ended
+
+   procedure Send
+     (Next  : in out Monitor.Mailboxes.Item;
+      Image : access constant Monitor.Image_Messages.Message)
+   with
+     Pre  => Next.Unsent and then Next.Kind /= Monitor.Send_Order.Nothing,
+     Post => not Next.Unsent;
+   --  Image: the message, where it is one of an image
+
+   procedure Wait_Loss (Why : out Monitor.Link.Cause)
+   with Post => Why /= Monitor.Link.Nothing;
+   --  Until the monitor in command is lost
+
+   procedure Bring_Back;
+   --  Robot, camera and queues to their initial state (F6)
+
+   ------------------
+   -- Start_Server --
+   ------------------
+
+   procedure Start_Server (Gate : out Admission.Newcomers.Gate) is
+      Chosen  : Options.Values renames Settings.Command_Line.Chosen;
+      Token   : Admission.Authentication.Token;
+      Bound   : Options.Port_Number;
+      Success : Boolean;
+      Reason  : Texts.Text;
+      Line    : Texts.Text;
+   begin
+      Admission.Newcomers.Load_Token
+        (Chosen.Token_File, Token, Success, Reason);
+      Admission.Newcomers.Set_Up (Gate, Chosen.Allowed, Token);
+      if not Success then
+         Texts.Set (Line, "destijl: cannot use the token file ");
+         Texts.Append (Line, Texts.Image (Chosen.Token_File));
+         Texts.Append (Line, ": ");
+         Texts.Append (Line, Texts.Image (Reason));
+         Console.Put_Log (Texts.Image (Line));
+         Process.Leave (Process.Cannot_Start);
+      end if;
+      Monitor.Sockets.Gate.Listen
+        (Chosen.Bind, Chosen.Port, Bound, Success, Reason);
+      if Success then
+         Texts.Set (Line, "listening on ");
+      else
+         Texts.Set (Line, "destijl: cannot listen on ");
+         Bound := Chosen.Port;
+      end if;
+      Texts.Append (Line, Chosen.Bind.Data (1 .. Chosen.Bind.Length));
+      Texts.Append (Line, ":");
+      Texts.Append (Line, Bound);
+      if Success then
+         Journal.Put (Options.Info, Line);
+         Monitor.Session.Server_Listens;
+      else
+         Texts.Append (Line, ": ");
+         Texts.Append (Line, Reason.Data (1 .. Reason.Length));
+         Console.Put_Log (Line.Data (1 .. Line.Length));
+         Process.Leave (Process.Cannot_Start);
+      end if;
+   end Start_Server;
+
+   ---------------
+   -- Th_Server --
+   ---------------
+
+   task body Th_Server is
+      Gate : Admission.Newcomers.Gate;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Server);
+      Monitor.Session.Wait_Server;
+      Start_Server (Gate);
+      loop
+         pragma Loop_Invariant (Admission.Newcomers.Is_Consistent (Gate));
+         Admission.Newcomers.Serve (Gate);
+      end loop;
+   end Th_Server;
+
+   ------------
+   -- Handle --
+   ------------
+
+   procedure Handle
+     (Line  : String;
+      Ranks : in out Order_Meanings.Ranks;
+      Order : in out Orders.Order;
+      Open  : out Boolean)
+   is
+      Text : Texts.Text;
+      Kept : Boolean;
+   begin
+      Parse (Line, Order.Message);
+      Journal.Get_Kept (Options.Debug, Kept);
+      if Kept then
+         Texts.Set (Text, "received ");
+         Admission.Authentication.Append_Shown (Text, Line);
+         Journal.Put (Options.Debug, Text);
+      end if;
+      Monitor.Outbox.Reserve (Order);
+      Open := Order.Owed;
+      if Open then
+         Trace.Received (Order.Message.Kind, Order.Number);
+         Order_Meanings.Give_Rank (Ranks, Order);
+         case Order.Message.Kind is
+            when Order_Kind  =>
+               Task_Ports.Dispatch (Order);
+            when Log_Message =>
+               Monitor.Outbox.Answer_Nothing (Order);
+               Texts.Set (Text, "monitor says: ");
+               Admission.Authentication.Append_Shown
+                 (Text, Line (Line'First + Text_Offset .. Line'Last));
+               Journal.Put (Options.Info, Text);
+            when Malformed   =>
+               Monitor.Outbox.Answer (Order, Not_Understood);
+               Texts.Set (Text, "not understood: ");
+               Admission.Authentication.Append_Shown (Text, Line);
+               Journal.Put (Options.Warning, Text);
+         end case;
+      end if;
+   end Handle;
+
+   -------------------------
+   -- Th_Receive_From_Mon --
+   -------------------------
+
+   task body Th_Receive_From_Mon is
+      Incoming : String (1 .. 4096) := (others => ' ');
+      Line     : String (1 .. Max_Line) := (others => ' ');
+      Length   : Natural;
+      Last     : Natural;
+      Reader   : Line_Reader;
+      Complete : Boolean;
+      Open     : Boolean;
+      Ranks    : Order_Meanings.Ranks;
+      Order    : Orders.Order;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Receive_From_Mon);
+      loop
+         pragma Loop_Invariant (not Order.Owed);
+         Monitor.Session.Wait_Receive;
+         Clear (Reader);
+         Ranks := (others => <>);
+         loop
+            pragma Loop_Invariant (not Order.Owed);
+            Monitor.Sockets.Connection.Receive (Incoming, Length, Open);
+            Trace.Take_Up (Schedule.Th_Receive_From_Mon);
+            for I in 1 .. Length loop
+               pragma Loop_Invariant (not Order.Owed);
+               exit when not Open;
+               Accept_Character (Reader, Incoming (I), Complete);
+               if Complete then
+                  Get_Line (Reader, Line, Last);
+                  Handle (Line (1 .. Last), Ranks, Order, Open);
+               end if;
+            end loop;
+            exit when not Open;
+            Trace.Done (Schedule.Th_Receive_From_Mon);
+         end loop;
+         --  the watch sees it, whatever ended the connection
+         Monitor.Sockets.Connection.Shut_Down;
+         Monitor.Session.Receiver_Left;
+         Trace.Done (Schedule.Th_Receive_From_Mon);
+      end loop;
+   end Th_Receive_From_Mon;
+
+   ----------
+   -- Send --
+   ----------
+
+   procedure Send
+     (Next  : in out Monitor.Mailboxes.Item;
+      Image : access constant Monitor.Image_Messages.Message)
+   is
+      Line    : Monitor.Mailboxes.Short_Line;
+      Success : Boolean;
+   begin
+      if Next.Is_Image and then Image = null then
+         --  never, as images go round; but no proof knows it
+         Next.Unsent := False;
+         return;
+      elsif Next.Is_Image then
+         Monitor.Sockets.Connection.Send
+           (Image.Data, Image.Length, Next.Unsent, Success);
+         Trace.Sent (Image.Data (1 .. 4));
+      else
+         Monitor.Mailboxes.Compose (Next, Line);
+         Monitor.Sockets.Connection.Send
+           (Line.Data, Line.Length, Next.Unsent, Success);
+         Trace.Sent (Line.Data (1 .. 4));
+      end if;
+      --  before the session may end: the next has a connection, too
+      if not Success then
+         Monitor.Sockets.Connection.Shut_Down;
+      end if;
+   end Send;
+
+   --------------------
+   -- Th_Send_To_Mon --
+   --------------------
+
+   task body Th_Send_To_Mon is
+      Between   : Monitor.Send_Order.Milliseconds renames
+        Settings.Command_Line.Chosen.Message_Gap;
+      Last_Sent : Time := Time_First;
+      Gap       : Monitor.Send_Order.Milliseconds;
+      Next_Look : Time;
+      Now       : Time;
+      Next      : Monitor.Mailboxes.Item;
+      Image     : Monitor.Image_Messages.Message_Access :=
+        new Monitor.Image_Messages.Message;
+      Begun     : Boolean;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Send_To_Mon);
+      loop
+         pragma Loop_Invariant (not Next.Unsent);
+         Monitor.Outbox.Wait;
+         Begun := False;
+         loop
+            pragma Loop_Invariant (not Next.Unsent);
+            Monitor.Outbox.Take (Between, Last_Sent, Next, Image, Gap);
+            exit when not Next.Unsent and then Gap = 0;
+            if not Begun then
+               Trace.Start (Schedule.Th_Send_To_Mon);
+            end if;
+            Begun := not Next.Unsent;
+            if Next.Unsent then
+               Send (Next, Image);
+               Last_Sent := Clock;
+               Trace.Done (Schedule.Th_Send_To_Mon);
+            else
+               --  an answer that comes meanwhile has a shorter gap
+               Now := Clock;
+               Next_Look := Now + Milliseconds (Monitor.Send_Order.Answer_Gap);
+               if Last_Sent + Milliseconds (Gap) < Next_Look then
+                  Next_Look := Last_Sent + Milliseconds (Gap);
+               end if;
+               Trace.Wait (Schedule.Th_Send_To_Mon, Trace.Gap);
+               delay until Next_Look;
+               Trace.Resume (Schedule.Th_Send_To_Mon, Next_Look);
+            end if;
+         end loop;
+         Trace.Done (Schedule.Th_Send_To_Mon);
+         Trace.Idle (Schedule.Th_Send_To_Mon);
+      end loop;
+   end Th_Send_To_Mon;
+
+   ---------------
+   -- Wait_Loss --
+   ---------------
+
+   procedure Wait_Loss (Why : out Monitor.Link.Cause) is
+      Link    : Monitor.Link.State;
+      Sample  : Monitor.Link.Sample;
+      Verdict : Monitor.Link.Verdict := Monitor.Link.Present;
+      Loss    : Monitor.Link.Loss_Kind;
+      Known   : Monitor.Session_Stages.State;
+      Line    : Texts.Text;
+      Now     : Time;
+   begin
+      Monitor.Sockets.Connection.Sample (Sample);
+      if not Sample.Known then
+         Monitor.Sockets.Connection.Leave_To_Kernel;
+         Texts.Set
+           (Line, "no TCP_INFO, keep-alive instead: a monitor is lost that "
+            & "vanishes, or takes nothing, for ");
+         Monitor.Link.Append_Seconds (Line, Monitor.Link.Vanished_After);
+         Journal.Put (Options.Warning, Line);
+      end if;
+      Monitor.Link.Start (Link, Sample.Now);
+      loop
+         Monitor.Sockets.Connection.Watch (Schedule.Link_Period, Loss);
+         Trace.Take_Up (Schedule.Th_Com_Mon_Perdue);
+         Monitor.Session.Get (Known);
+         Monitor.Sockets.Connection.Sample (Sample);
+         if Sample.Known then
+            Monitor.Link.Judge (Link, Sample, Verdict);
+         end if;
+         Why := Monitor.Link.Cause_Of (Known.Stopping, Loss, Verdict);
+         exit when Why /= Monitor.Link.Nothing;
+         Now := Clock;
+         Vision.Frame_Store.Look_At_Silence (Now);
+         Trace.Done (Schedule.Th_Com_Mon_Perdue);
+      end loop;
+   end Wait_Loss;
+
+   ----------------
+   -- Bring_Back --
+   ----------------
+
+   procedure Bring_Back is
+      Next    : Orders.Ticket;
+      Ignored : Robot.Session.Outcome;
+      Idle  : Boolean;
+      Limit : Time;
+      Now   : Time;
+   begin
+      --  the robot first: from here on no order of this session counts
+      Monitor.Sockets.Connection.Shut_Down;
+      Monitor.Outbox.Close_Session (Next);
+      Robot.Line.Begin_Session (Next);
+      Robot.Clients.Safe_State.Ask
+        ((Kind => Robot.Session.Close_Line, others => <>), Ignored);
+      Vision.State.Store.Begin_Session (Next);
+      Vision.Camera_Requests.Close;
+      --  a search for the arena does not wait for a camera that hangs
+      Vision.Frame_Store.End_Delivery;
+      Monitor.Outbox.Wait_Sender;
+      Monitor.Session.Wait_Receiver_Left;
+      Task_Ports.Clear;
+      --  a camera that hangs in its driver is not waited for: it closes as
+      --  soon as the driver lets go of it
+      Now := Clock;
+      Limit := Now + Schedule.Camera_Release_Limit;
+      loop
+         Vision.Camera_Requests.Get_Idle (Idle);
+         exit when Idle;
+         Now := Clock;
+         exit when Now >= Limit;
+         Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Camera);
+         delay until Now + Schedule.Release_Poll;
+         Trace.Resume (Schedule.Th_Com_Mon_Perdue);
+      end loop;
+   end Bring_Back;
+
+   -----------------------
+   -- Th_Com_Mon_Perdue --
+   -----------------------
+
+   task body Th_Com_Mon_Perdue is
+      Why  : Monitor.Link.Cause;
+      Line : Texts.Text;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Com_Mon_Perdue);
+      loop
+         Monitor.Session.Wait_Watch;
+         Wait_Loss (Why);
+         Monitor.Session.Begin_Closing;
+         Texts.Set (Line, "monitor lost: ");
+         Monitor.Link.Append (Line, Why);
+         Journal.Put (Options.Warning, Line);
+         Bring_Back;
+         Monitor.Session.End_Closing;
+         Monitor.Sockets.Gate.Wake_Server;
+         Trace.Done (Schedule.Th_Com_Mon_Perdue);
+      end loop;
+   end Th_Com_Mon_Perdue;
+
+   -------------
+   -- Th_Hold --
+   -------------
+
+   task body Th_Hold is
+      Any     : Boolean;
+      At_Time : Time;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Hold);
+      loop
+         Monitor.Outbox.Wait_Held;
+         loop
+            Monitor.Outbox.Get_Hold_End (Any, At_Time);
+            exit when not Any;
+            Trace.Done (Schedule.Th_Hold);
+            delay until At_Time;
+            Trace.Start (Schedule.Th_Hold, At_Time);
+            Monitor.Outbox.End_Hold;
+         end loop;
+      end loop;
+   end Th_Hold;
+
+end Monitor.Tasks;

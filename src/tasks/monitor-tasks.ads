@@ -1,0 +1,27 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The report's four tasks of the monitor, and the one that ends the hold on
+--  unasked messages.
+
+with Schedule;
+
+package Monitor.Tasks with SPARK_Mode is
+
+   pragma Elaborate_Body;
+
+   task Th_Server with Priority => Schedule.Server_Priority;
+   --  Starts the server (F1), admits the monitor (F2), closes its session
+
+   task Th_Receive_From_Mon with Priority => Schedule.Receive_Priority;
+   --  Receives, decodes and dispatches every message (F3)
+
+   task Th_Send_To_Mon with Priority => Schedule.Send_Priority;
+   --  Sends what waits in the outbox (F4)
+
+   task Th_Com_Mon_Perdue with Priority => Schedule.Lost_Priority;
+   --  Finds that the monitor is lost (F5), brings everything back to the
+   --  initial state (F6)
+
+   task Th_Hold with Priority => Schedule.Hold_Priority;
+   --  Releases unasked messages that have been held back long enough
+
+end Monitor.Tasks;

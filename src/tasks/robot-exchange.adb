@@ -1,0 +1,209 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Carries out a request on the serial line, step by step as the session's
+--  logic says. For the owner of the line only.
+
+with Ada.Real_Time;  use Ada.Real_Time;
+with Bytes;
+with Interfaces;
+with Journal;
+with Options;
+with Robot.Protocol; use Robot.Protocol;
+with Robot.Serial_Line;
+with Schedule;
+with Settings;
+with Texts;
+with Trace;
+
+package body Robot.Exchange with SPARK_Mode is
+
+   use type Interfaces.Unsigned_64;
+   use type Robot.Serial_Line.Line_Record;
+   use type Robot.Session.Mode_Kind;
+   use type Robot.Session.Step_Kind;
+
+   procedure Open_Device (Success : out Boolean);
+
+   function Is_Written (Item : Command; Before : Robot.Serial_Line.Line_Record)
+     return Boolean
+   is (Robot.Serial_Line.Written.Count = Before.Count + 1
+       and then Robot.Serial_Line.Written.Last.OK
+       and then Robot.Serial_Line.Written.Last.Value.Kind = Item.Kind
+       and then
+         (if Item.Kind in With_Argument then
+             Robot.Serial_Line.Written.Last.Value.Value = Item.Value))
+   with Ghost;
+   --  Since Before one frame has been written, that of Item
+
+   procedure Exchange
+     (Item      : Command;
+      Skip_Late : Boolean;
+      Ok        : out Boolean;
+      Answer    : out Reply)
+   with Post => Is_Written (Item, Robot.Serial_Line.Written'Old);
+   --  Sends Item and waits for its answer. Skip_Late: frames that are no
+   --  answer of its class are late ones to earlier commands
+
+   procedure Take_Step
+     (State    : Robot.Session.State;
+      Progress : Robot.Session.Progress;
+      Step     : Robot.Session.Step;
+      Last     : out Robot.Session.Step_Result)
+   with
+     Pre  => Robot.Session.Is_Under_Way (State, Progress)
+       and then Robot.Session.Is_Allowed (State, Progress, Step),
+     Post =>
+       (if Robot.Session.Is_Sent (Step) then
+           Is_Written (Step.Command, Robot.Serial_Line.Written'Old)
+           and then
+             (if Is_Movement (Robot.Serial_Line.Written.Last) then
+                 State.Mode /= Robot.Session.Not_Started)
+        else Robot.Serial_Line.Written = Robot.Serial_Line.Written'Old);
+   --  What goes over the line is the step's command and nothing else; and a
+   --  movement only while the robot is started
+
+   -----------------
+   -- Open_Device --
+   -----------------
+
+   procedure Open_Device (Success : out Boolean) is
+      Chosen : Options.Values renames Settings.Command_Line.Chosen;
+      Reason : Texts.Text;
+      Line   : Texts.Text;
+   begin
+      Robot.Serial_Line.Open (Chosen.Serial, Success, Reason);
+      if Success then
+         Texts.Set (Line, "robot line open on ");
+      else
+         Texts.Set (Line, "robot line cannot be opened on ");
+      end if;
+      Texts.Append (Line, Chosen.Serial.Data (1 .. Chosen.Serial.Length));
+      if Success then
+         Journal.Put (Options.Info, Line);
+      else
+         Texts.Append (Line, ": ");
+         Texts.Append (Line, Reason.Data (1 .. Reason.Length));
+         Journal.Put (Options.Error, Line);
+      end if;
+   end Open_Device;
+
+   --------------
+   -- Exchange --
+   --------------
+
+   procedure Exchange
+     (Item      : Command;
+      Skip_Late : Boolean;
+      Ok        : out Boolean;
+      Answer    : out Reply)
+   is
+      Out_Frame : Frame;
+      In_Frame  : Frame;
+      Receiving : Receiver;
+      Data      : Bytes.Byte_Array (1 .. Max_Frame);
+      Length    : Natural;
+      Alive     : Boolean;
+      Complete  : Boolean;
+      Deadline  : Time;
+      Now       : Time;
+   begin
+      Answer := (others => <>);
+      Encode (Item, Out_Frame);
+      Robot.Serial_Line.Discard_Input;
+      Clear (Receiving);
+      Deadline := Clock;
+      Deadline := Deadline + Schedule.Answer_Timeout
+        + Out_Frame.Length * Schedule.Byte_Time;
+      Robot.Serial_Line.Write (Out_Frame, Ok);
+      Trace.Ordered (Schedule.Th_Line, Item.Kind);
+      Trace.Wait (Schedule.Th_Line, Trace.Answer);
+      if not Ok then
+         return;
+      end if;
+      Ok := False;
+      loop
+         Robot.Serial_Line.Read (Data, Length, Deadline, Alive);
+         if not Alive or else Length = 0 then
+            return;
+         end if;
+         for I in 1 .. Length loop
+            Accept_Byte (Receiving, Data (I), Complete);
+            if Complete then
+               Get (Receiving, In_Frame);
+               Decode (In_Frame, Item.Kind, Answer);
+               if Skip_Late then
+                  Ok := Is_Answer (Answer.Kind, Item.Kind);
+               else
+                  Ok := Answer.Kind not in Failed_Reply;
+                  return;
+               end if;
+            end if;
+            exit when Ok;
+         end loop;
+         exit when Ok;
+         --  a line that never falls silent does not put the deadline off
+         Now := Clock;
+         exit when Now >= Deadline;
+      end loop;
+   end Exchange;
+
+   ---------------
+   -- Carry_Out --
+   ---------------
+
+   procedure Carry_Out
+     (State   : in out Robot.Session.State;
+      Request : Robot.Session.Request;
+      Result  : out Robot.Session.Outcome)
+   is
+      Progress : Robot.Session.Progress;
+      Step     : Robot.Session.Step;
+      Last     : Robot.Session.Step_Result;
+   begin
+      Robot.Session.Start_Request (State, Request, Progress, Step);
+      while Step.Kind /= Robot.Session.Finish loop
+         pragma Loop_Invariant (Robot.Session.Is_Under_Way (State, Progress));
+         pragma Loop_Invariant
+           (Robot.Session.Is_Allowed (State, Progress, Step));
+         pragma Loop_Variant
+           (Decreases => Robot.Session.Steps_Left (State, Progress));
+         Take_Step (State, Progress, Step, Last);
+         Trace.Resume (Schedule.Th_Line);
+         Robot.Session.Continue_Request (State, Progress, Last, Step);
+      end loop;
+      Result := Robot.Session.Result (Progress);
+   end Carry_Out;
+
+   ---------------
+   -- Take_Step --
+   ---------------
+
+   procedure Take_Step
+     (State    : Robot.Session.State;
+      Progress : Robot.Session.Progress;
+      Step     : Robot.Session.Step;
+      Last     : out Robot.Session.Step_Result)
+   is
+      pragma Unreferenced (State, Progress);
+      Sending : Frame;
+   begin
+      Last := (others => <>);
+      case Step.Kind is
+         when Robot.Session.Open_Device =>
+            Open_Device (Last.Ok);
+         when Robot.Session.Close_Device =>
+            Robot.Serial_Line.Close;
+            Journal.Put (Options.Info, "robot line closed");
+         when Robot.Session.Send =>
+            Encode (Step.Command, Sending);
+            Robot.Serial_Line.Write (Sending, Last.Ok);
+            Trace.Ordered (Schedule.Th_Line, Step.Command.Kind);
+         when Robot.Session.Exchange =>
+            Exchange (Step.Command, False, Last.Ok, Last.Reply);
+         when Robot.Session.Synchronise =>
+            Exchange (Step.Command, True, Last.Ok, Last.Reply);
+         when Robot.Session.Finish =>
+            null;
+      end case;
+   end Take_Step;
+
+end Robot.Exchange;

@@ -1,0 +1,326 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The tasks of the robot: six of the report's, the owner of the line, and
+--  the periodic ones that a start sets going.
+
+with Ada.Real_Time;     use Ada.Real_Time;
+with Journal;
+with Monitor.Notices;
+with Monitor.Outbox;
+with Monitor.Protocol;
+with Options;
+with Order_Meanings;
+with Orders;
+with Process.Threads;
+with Robot.Clients;
+with Robot.Events;
+with Robot.Exchange;
+with Robot.Line;
+with Robot.Line_Status; use Robot.Line_Status;
+with Robot.Requests;
+with Robot.Session;     use Robot.Session;
+with Task_Ports;
+with Trace;
+
+package body Robot.Tasks with SPARK_Mode is
+
+   use type Robot.Requests.Client;
+   use type Robot.Requests.Verdict_Kind;
+
+   procedure Tell_Of (Note : Note_Kind);
+   --  What the monitor and the log learn of Note
+
+   procedure Tell_Of_Start (Mode : Mode_Kind);
+   --  The robot has begun to run: sets the periodic tasks going
+
+   procedure Skip_Past (Next : in out Time; Period : Time_Span);
+   --  Next on its grid, in the future: periods that could not be kept are
+   --  left out, not caught up with
+
+   -------------
+   -- Tell_Of --
+   -------------
+
+   procedure Tell_Of (Note : Note_Kind) is
+   begin
+      case Note is
+         when Nothing =>
+            null;
+         when Missed_Window =>
+            Journal.Put
+              (Options.Warning,
+               "watchdog reload outside its window: the robot runs on");
+         when Not_Running =>
+            Journal.Put
+              (Options.Warning,
+               Monitor.Notices.Text_Of (Monitor.Notices.Robot_Not_Running));
+            Monitor.Outbox.Put_Notice (Monitor.Notices.Robot_Not_Running);
+         when Robot_Lost =>
+            Journal.Put
+              (Options.Warning,
+               "robot lost: four failures in a row, its line is closed");
+            Monitor.Outbox.Put_Robot_Lost;
+      end case;
+   end Tell_Of;
+
+   -------------------
+   -- Tell_Of_Start --
+   -------------------
+
+   procedure Tell_Of_Start (Mode : Mode_Kind) is
+   begin
+      Robot.Events.Started (With_Watchdog => Mode = Started_With_Watchdog);
+      Journal.Put
+        (Options.Info,
+         (if Mode = Started_With_Watchdog then "robot started with watchdog"
+          else "robot started without watchdog"));
+   end Tell_Of_Start;
+
+   ---------------
+   -- Skip_Past --
+   ---------------
+
+   procedure Skip_Past (Next : in out Time; Period : Time_Span) is
+      Now : constant Time := Clock;
+   begin
+      while Next <= Now loop
+         Next := Next + Period;
+      end loop;
+   end Skip_Past;
+
+   -------------
+   -- Th_Line --
+   -------------
+
+   task body Th_Line is
+      State  : Robot.Session.State;
+      Job    : Robot.Requests.Job;
+      Result : Outcome;
+      Ended  : Time;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Line);
+      loop
+         pragma Loop_Invariant
+           (Is_Consistent (State) and then not Job.Order.Owed);
+         Robot.Line.Take (Job);
+         if Job.Verdict = Robot.Requests.Carry_Out then
+            Robot.Exchange.Carry_Out (State, Job.Request, Result);
+         else
+            Result := (Kind => Refused, others => <>);
+         end if;
+         Ended := Clock;
+         Robot.Line.Finish (Job, State, Result, Ended);
+         if Robot.Line_Status.Starts (Job, Result) then
+            Tell_Of_Start (State.Mode);
+         end if;
+         if Job.Order.Owed then
+            Monitor.Outbox.Answer
+              (Job.Order,
+               Order_Meanings.Answer_To (Job.Order.Message.Kind, Result));
+         end if;
+         if Job.From /= Robot.Requests.Stop_Order then
+            Robot.Clients.Signal (Job.From);
+         end if;
+         Tell_Of (Result.Note);
+      end loop;
+   end Th_Line;
+
+   -----------------------
+   -- Th_Open_Com_Robot --
+   -----------------------
+
+   task body Th_Open_Com_Robot is
+      Order : Orders.Order;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Open_Com_Robot);
+      loop
+         pragma Loop_Invariant (not Order.Owed);
+         Task_Ports.Open_Robot.Wait (Order);
+         Robot.Clients.Open.Ask (Order);
+      end loop;
+   end Th_Open_Com_Robot;
+
+   --------------------
+   -- Th_Start_Robot --
+   --------------------
+
+   task body Th_Start_Robot is
+      Order : Orders.Order;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Start_Robot);
+      loop
+         pragma Loop_Invariant (not Order.Owed);
+         Task_Ports.Start_Robot.Wait (Order);
+         Robot.Clients.Start.Ask (Order);
+      end loop;
+   end Th_Start_Robot;
+
+   -----------------------
+   -- Th_Start_Robot_WD --
+   -----------------------
+
+   task body Th_Start_Robot_WD is
+      Order : Orders.Order;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Start_Robot_WD);
+      loop
+         pragma Loop_Invariant (not Order.Owed);
+         Task_Ports.Start_Robot_Watchdog.Wait (Order);
+         Robot.Clients.Start_Watchdog.Ask (Order);
+      end loop;
+   end Th_Start_Robot_WD;
+
+   ------------------
+   -- Th_Reload_WD --
+   ------------------
+
+   task body Th_Reload_WD is
+      Begun  : Status;
+      Now    : Status;
+      Next   : Time;
+      Result : Outcome;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Reload_WD);
+      loop
+         Robot.Events.Wait_Reload;
+         Robot.Line.Get_Status (Begun);
+         Now := Begun;
+         Next := Begun.Started_At + Schedule.Reload_Period;
+         while Same_Run (Now, Begun)
+           and then Now.Mode = Started_With_Watchdog
+         loop
+            Robot.Line.Set_Reload_Due (Next);
+            Trace.Done (Schedule.Th_Reload_WD);
+            delay until Next;
+            Trace.Start (Schedule.Th_Reload_WD, Next);
+            Robot.Line.Get_Status (Now);
+            --  a run that has begun meanwhile has its own reloads
+            exit when not Same_Run (Now, Begun);
+            Robot.Clients.Reload.Ask
+              ((Kind => Reload, others => <>), Result);
+            Robot.Line.Get_Status (Now);
+            if Result.Kind = Refused then
+               --  the robot has begun to count anew
+               Next := Now.Used_At;
+            end if;
+            Next := Next + Schedule.Reload_Period;
+            Skip_Past (Next, Schedule.Reload_Period);
+         end loop;
+      end loop;
+   end Th_Reload_WD;
+
+   --------------------
+   -- Th_Reset_Robot --
+   --------------------
+
+   task body Th_Reset_Robot is
+      Order : Orders.Order;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Reset_Robot);
+      loop
+         pragma Loop_Invariant (not Order.Owed);
+         Task_Ports.Reset_Robot.Wait (Order);
+         Robot.Clients.Reset.Ask (Order);
+      end loop;
+   end Th_Reset_Robot;
+
+   -------------
+   -- Th_Move --
+   -------------
+
+   task body Th_Move is
+      Order : Orders.Order;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Move);
+      loop
+         pragma Loop_Invariant (not Order.Owed);
+         Task_Ports.Move.Wait (Order);
+         Robot.Clients.Move.Ask (Order);
+      end loop;
+   end Th_Move;
+
+   ----------------------
+   -- Th_Battery_Level --
+   ----------------------
+
+   task body Th_Battery_Level is
+      Begun  : Status;
+      Now    : Status;
+      Next   : Time;
+      Result : Outcome;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Battery_Level);
+      loop
+         Robot.Events.Wait_Battery;
+         Robot.Line.Get_Status (Begun);
+         Now := Begun;
+         Next := Begun.Started_At + Schedule.Battery_Offset;
+         while Same_Run (Now, Begun) loop
+            Trace.Done (Schedule.Th_Battery_Level);
+            delay until Next;
+            Trace.Start (Schedule.Th_Battery_Level, Next);
+            Robot.Line.Get_Status (Now);
+            if Same_Run (Now, Begun) then
+               Robot.Clients.Battery.Ask
+                 ((Kind => Get_Battery, others => <>), Result);
+               Robot.Line.Get_Status (Now);
+               if Same_Run (Now, Begun) then
+                  Monitor.Outbox.Put_Battery
+                    (Monitor.Protocol.Battery_Answer
+                       (if Result.Kind = Done then Result.Value else -1));
+               end if;
+            end if;
+            Next := Next + Schedule.Battery_Period;
+            Skip_Past (Next, Schedule.Battery_Period);
+         end loop;
+      end loop;
+   end Th_Battery_Level;
+
+   --------------
+   -- Th_Query --
+   --------------
+
+   task body Th_Query is
+      Order : Orders.Order;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Query);
+      loop
+         pragma Loop_Invariant (not Order.Owed);
+         Task_Ports.Query.Wait (Order);
+         Robot.Clients.Query.Ask (Order);
+      end loop;
+   end Th_Query;
+
+   -------------------
+   -- Th_Keep_Alive --
+   -------------------
+
+   task body Th_Keep_Alive is
+      Begun   : Status;
+      Now     : Status;
+      Next    : Time;
+      Ignored : Outcome;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Keep_Alive);
+      loop
+         Robot.Events.Wait_Keep_Alive;
+         Robot.Line.Get_Status (Begun);
+         Now := Begun;
+         Next := Begun.Started_At + Schedule.Keep_Alive_Period;
+         while Same_Run (Now, Begun) loop
+            Trace.Done (Schedule.Th_Keep_Alive);
+            delay until Next;
+            Trace.Start (Schedule.Th_Keep_Alive, Next);
+            Robot.Line.Get_Status (Now);
+            if Same_Run (Now, Begun)
+              and then Next - Now.Used_At >= Schedule.Idle_Line
+            then
+               Robot.Clients.Keep_Alive.Ask
+                 ((Kind => Keep_Alive, others => <>), Ignored);
+            end if;
+            Next := Next + Schedule.Keep_Alive_Period;
+            Skip_Past (Next, Schedule.Keep_Alive_Period);
+         end loop;
+      end loop;
+   end Th_Keep_Alive;
+
+end Robot.Tasks;

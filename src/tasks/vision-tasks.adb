@@ -1,0 +1,492 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The report's three tasks of the vision, and the owner of the camera.
+
+with Ada.Real_Time;    use Ada.Real_Time;
+with Base64;
+with Journal;
+with Monitor.Mailboxes;
+with Monitor.Notices;
+with Monitor.Outbox;
+with Monitor.Protocol; use Monitor.Protocol;
+with Options;
+with Order_Meanings;
+with Orders;
+with Process.Threads;
+with Settings;
+with Task_Ports;
+with Texts;
+with Trace;
+with Vision.Camera_Events;
+with Vision.Camera_Requests;
+with Vision.Following;
+with Vision.Frame_Delivery;
+with Vision.Frame_Store;
+with Vision.Image_Cycle;
+with Vision.Image_Grid;
+with Vision.Library;
+with Vision.Mode;
+with Vision.Shapes;
+with Vision.State;
+
+package body Vision.Tasks with SPARK_Mode is
+
+   use type Monitor.Image_Messages.Message_Access;
+   use type Vision.Image_Cycle.Work;
+   use type Vision.Image_Grid.Microseconds;
+   use type Vision.Library.Status;
+
+   procedure Encode
+     (Slot    : Vision.Library.Slot;
+      Quality : Options.Percentage;
+      Jpeg    : in out Jpeg_Buffer;
+      Message : in out Monitor.Image_Messages.Message);
+   --  The message that shows the image of Slot; its length is 0 where it
+   --  cannot be made (the log says why)
+
+   procedure Find_Robots
+     (Slot   : Vision.Library.Slot;
+      Marker : Options.Marker_Kind;
+      Seen   : Vision.State.View;
+      Gap    : Vision.Following.Milliseconds;
+      Known  : in out Vision.Following.State;
+      Robots : out Vision.Shapes.Robot_Array;
+      Count  : out Vision.Shapes.Robot_Count);
+   --  Where they are in the image of Slot, which has come Gap after the one
+   --  that was searched last
+
+   function Gap_Between
+     (First, Last : Time) return Vision.Following.Milliseconds;
+   --  Rounded up; the longest there is where it is longer
+
+   procedure Camera_Failed (Why : Monitor.Notices.Notice);
+   --  The camera delivers no more: say so, and close it (once)
+
+   procedure Draw_Arena
+     (Slot : Vision.Library.Slot; Arena : Vision.Shapes.Arena_Corners);
+
+   procedure Draw_Robots
+     (Slot   : Vision.Library.Slot;
+      Robots : Vision.Shapes.Robot_Array;
+      Count  : Vision.Shapes.Robot_Count);
+   --  What cannot be drawn is missing in the image (the log says why)
+
+   procedure Log_Reason (What : String);
+   --  What and the reason that vision_c gives
+
+   ------------
+   -- Encode --
+   ------------
+
+   procedure Encode
+     (Slot    : Vision.Library.Slot;
+      Quality : Options.Percentage;
+      Jpeg    : in out Jpeg_Buffer;
+      Message : in out Monitor.Image_Messages.Message)
+   is
+      Result : Vision.Library.Status;
+      Size   : Natural;
+      Last   : Natural;
+   begin
+      Message.Length := 0;
+      Vision.Library.Encode (Slot, Quality, Jpeg, Size, Result);
+      if Result = Vision.Library.Done then
+         Message.Data (1 .. 4) := Image_Label;
+         Message.Data (5) := Separator;
+         Base64.Encode (Jpeg, Size, Message.Data, 6, Last);
+         Message.Length := Last + 1;
+         Message.Data (Message.Length) := Line_Feed;
+      else
+         Log_Reason ("image left out: ");
+      end if;
+   end Encode;
+
+   -----------------
+   -- Find_Robots --
+   -----------------
+
+   procedure Find_Robots
+     (Slot   : Vision.Library.Slot;
+      Marker : Options.Marker_Kind;
+      Seen   : Vision.State.View;
+      Gap    : Vision.Following.Milliseconds;
+      Known  : in out Vision.Following.State;
+      Robots : out Vision.Shapes.Robot_Array;
+      Count  : out Vision.Shapes.Robot_Count)
+   is
+      In_Arena : constant Boolean := Vision.Mode.Uses_Arena (Seen.Mode);
+      Areas    : Vision.Shapes.Area_Array;
+      Number   : Vision.Shapes.Robot_Count;
+      Done     : Boolean := False;
+      Ignored  : Vision.Library.Status;
+   begin
+      Robots := (others => <>);
+      Count := 0;
+      Vision.Following.Plan (Known, Marker, Gap, Areas, Number);
+      if Number > 0 then
+         Vision.Library.Follow_Robots
+           (Slot, Marker, Seen.Arena, In_Arena, Areas, Number,
+            Robots, Count, Ignored);
+         Vision.Following.Settle (Known, Gap, Robots, Count, Done);
+      end if;
+      if not Done then
+         Vision.Library.Find_Robots
+           (Slot, Marker, Seen.Arena, In_Arena, Robots, Count, Ignored);
+         Vision.Following.Begin_Anew (Known, Robots, Count);
+      end if;
+   end Find_Robots;
+
+   ----------------
+   -- Draw_Arena --
+   ----------------
+
+   procedure Draw_Arena
+     (Slot : Vision.Library.Slot; Arena : Vision.Shapes.Arena_Corners) is
+      Result : Vision.Library.Status;
+   begin
+      Vision.Library.Draw_Arena (Slot, Arena, Result);
+      if Result /= Vision.Library.Done then
+         Log_Reason ("arena not drawn: ");
+      end if;
+   end Draw_Arena;
+
+   -----------------
+   -- Draw_Robots --
+   -----------------
+
+   procedure Draw_Robots
+     (Slot   : Vision.Library.Slot;
+      Robots : Vision.Shapes.Robot_Array;
+      Count  : Vision.Shapes.Robot_Count)
+   is
+      Result : Vision.Library.Status;
+   begin
+      for I in 1 .. Count loop
+         Vision.Library.Draw_Robot (Slot, Robots (I), Result);
+         if Result /= Vision.Library.Done then
+            Log_Reason ("robot not drawn: ");
+         end if;
+      end loop;
+   end Draw_Robots;
+
+   -----------------
+   -- Gap_Between --
+   -----------------
+
+   function Gap_Between
+     (First, Last : Time) return Vision.Following.Milliseconds is
+     (Vision.Following.Milliseconds
+        ((Vision.Frame_Delivery.Elapsed (First, Last) + 999) / 1_000));
+
+   ----------------
+   -- Log_Reason --
+   ----------------
+
+   procedure Log_Reason (What : String) is
+      Reason : Vision.Library.Reason_Text;
+      Last   : Natural;
+      Line   : Texts.Text;
+   begin
+      Vision.Library.Reason (Reason, Last);
+      Texts.Set (Line, What);
+      Texts.Append (Line, Reason (1 .. Last));
+      Journal.Put (Options.Warning, Line);
+   end Log_Reason;
+
+   -------------------
+   -- Camera_Failed --
+   -------------------
+
+   procedure Camera_Failed (Why : Monitor.Notices.Notice) is
+      Was_Open : Boolean;
+   begin
+      Vision.State.Store.Close (Was_Open);
+      if Was_Open then
+         Monitor.Outbox.Stop_Images;
+         Vision.Camera_Requests.Close;
+         Vision.Frame_Store.End_Delivery;
+         Journal.Put (Options.Error, Monitor.Notices.Text_Of (Why));
+         Monitor.Outbox.Put_Notice (Why);
+      end if;
+   end Camera_Failed;
+
+   -----------------------
+   -- Th_Camera_Control --
+   -----------------------
+
+   task body Th_Camera_Control is
+      Order    : Orders.Order;
+      Needed   : Boolean;
+      Opened   : Boolean;
+      Success  : Boolean;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Camera_Control);
+      loop
+         pragma Loop_Invariant (not Order.Owed);
+         Task_Ports.Camera_Control.Wait (Order);
+         case Order.Message.Kind is
+            when Open_Camera =>
+               Vision.State.Store.Ask_Open (Order.Number, Needed, Success);
+               if Needed then
+                  Vision.Camera_Requests.Open (Opened);
+                  Vision.State.Store.Opened (Order.Number, Opened, Success);
+                  if Success then
+                     Vision.Camera_Events.Opened;
+                  else
+                     --  opened for nobody, perhaps
+                     Vision.Camera_Requests.Close;
+                  end if;
+               end if;
+            when Close_Camera =>
+               Vision.State.Store.Close_By_Order (Order.Number, Success);
+               if Success then
+                  Monitor.Outbox.Stop_Images;
+                  Vision.Camera_Requests.Close;
+               end if;
+            when others =>
+               Vision.State.Store.Ask_Position
+                 (Order.Number, Order.Message.Kind = Start_Position,
+                  Success);
+         end case;
+         Monitor.Outbox.Answer (Order, Order_Meanings.Answer_To (Success));
+         Task_Ports.Vision_Done;
+      end loop;
+   end Th_Camera_Control;
+
+   --------------------
+   -- Th_Capture_Img --
+   --------------------
+
+   task body Th_Capture_Img is
+      Chosen   : Options.Values renames Settings.Command_Line.Chosen;
+      Period   : constant Vision.Image_Grid.Period_Time :=
+        1_000_000 / Vision.Image_Grid.Microseconds (Chosen.Frame_Rate);
+      Cycle    : Vision.Image_Cycle.State;
+      Step     : Vision.Image_Grid.Microseconds;
+      Next     : Time;     --  instant of the grid
+      Now      : Time;
+      Silent   : Boolean;
+      Came     : Time;     --  the image that is sent
+      Reserve  : Boolean;
+      Coming   : Boolean;
+      Made     : Monitor.Mailboxes.Generation;
+      Seen     : Vision.State.View;
+      Slot     : Vision.Library.Slot;
+      Found    : Boolean;
+      Robots   : Vision.Shapes.Robot_Array := (others => <>);
+      Count    : Vision.Shapes.Robot_Count;
+      Known_At : Time;
+      Line     : Monitor.Mailboxes.Short_Line;
+      Image    : Monitor.Image_Messages.Message_Access :=
+        new Monitor.Image_Messages.Message;
+      Work     : Vision.Image_Cycle.Work;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Capture_Img);
+      loop
+         Vision.Camera_Events.Wait_Opened;
+         Cycle := (others => <>);
+         Next := Clock;
+         Known_At := Next;
+         loop
+            if Cycle.Waited then
+               Trace.Start (Schedule.Th_Capture_Img);
+            else
+               Trace.Start (Schedule.Th_Capture_Img, Next);
+            end if;
+            Step := Period;
+            Coming := False;
+            --  the generation before the mode: an image made for a mode
+            --  that has ended meanwhile is then not sent
+            Monitor.Outbox.Get_Generation (Made);
+            Vision.State.Store.Get (Seen);
+            Now := Clock;
+            Vision.Frame_Store.Get_Silent (Now, Silent);
+            Work := Vision.Image_Cycle.Work_Of (Seen.Mode, Silent);
+            exit when Work = Vision.Image_Cycle.Leave;
+            if Work = Vision.Image_Cycle.Report_Silence then
+               Camera_Failed (Monitor.Notices.Camera_Silent);
+            elsif Work = Vision.Image_Cycle.Look then
+               Vision.Frame_Store.Claim_Due
+                 (Now, Period, Slot, Came, Reserve, Found, Coming);
+               if Found then
+                  Coming := False;
+                  if Cycle.Waited then
+                     Step := Vision.Frame_Delivery.Elapsed (Next, Came);
+                     Next := Came;
+                  end if;
+                  Vision.Image_Cycle.Take_Image
+                    (Cycle, Step, Vision.Frame_Delivery.Elapsed (Came, Now),
+                     Reserve, Period, Step);
+                  Vision.Image_Cycle.Look_In (Cycle, Seen.Mode, Seen.Arena);
+                  Count := 0;
+                  if Seen.Mode.Position_On then
+                     Find_Robots
+                       (Slot, Chosen.Marker, Seen,
+                        Gap_Between (Known_At, Came), Cycle.Known,
+                        Robots, Count);
+                     Known_At := Came;
+                  end if;
+                  if Vision.Image_Cycle.Draws_Arena
+                    (Seen.Mode, Chosen.Drawing)
+                  then
+                     Draw_Arena (Slot, Seen.Arena);
+                  end if;
+                  if Vision.Image_Cycle.Draws_Robots
+                    (Seen.Mode, Chosen.Drawing)
+                  then
+                     --  over the arena's line
+                     Draw_Robots (Slot, Robots, Count);
+                  end if;
+                  if Image /= null then
+                     Encode (Slot, Chosen.Quality, Image_Jpeg, Image.all);
+                     if Image.Length > 0 then
+                        Monitor.Outbox.Put_Image (Image, Made);
+                     end if;
+                  end if;
+                  Vision.Frame_Store.Release (Slot);
+                  if Seen.Mode.Position_On then
+                     --  after its image, which is to be punctual
+                     Format_Position
+                       (Vision.Image_Cycle.Position_Of (Robots, Count),
+                        Line.Data, Line.Length);
+                     Monitor.Outbox.Put_Position (Line, Made);
+                  end if;
+               end if;
+            end if;
+            Cycle.Waited := Coming;
+            if Coming then
+               Trace.Done (Schedule.Th_Capture_Img);
+               Vision.Frame_Store.Wait_Look;
+            else
+               Now := Clock;
+               loop
+                  Next := Next + Microseconds (Integer (Step));
+                  exit when Next > Now;
+                  Step := Period;
+               end loop;
+               Trace.Done (Schedule.Th_Capture_Img);
+               delay until Next;
+            end if;
+         end loop;
+      end loop;
+   end Th_Capture_Img;
+
+   --------------
+   -- Th_Arene --
+   --------------
+
+   task body Th_Arene is
+      Order  : Orders.Order;
+      Chosen : Options.Values renames Settings.Command_Line.Chosen;
+      Valid  : Boolean;
+      Slot   : Vision.Library.Slot;
+      Found  : Boolean;
+      Arena  : Vision.Shapes.Arena_Corners;
+      Result : Vision.Library.Status;
+      Shown  : Boolean;
+      Image  : Monitor.Image_Messages.Message_Access :=
+        new Monitor.Image_Messages.Message;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Arene);
+      loop
+         pragma Loop_Invariant (not Order.Owed);
+         Task_Ports.Arena.Wait (Order);
+         if Order.Message.Kind = Ask_Arena then
+            Vision.State.Store.Ask_Arena (Order.Number, Valid);
+            if Valid then
+               Monitor.Outbox.Stop_Images;
+               Arena := Vision.Shapes.No_Arena;
+               Shown := False;
+               Vision.Frame_Store.Wait_Newest (Slot, Found);
+               if Found then
+                  Vision.Library.Find_Arena (Slot, Arena, Result);
+                  if Result = Vision.Library.Done and then Image /= null then
+                     Draw_Arena (Slot, Arena);
+                     Encode
+                       (Slot, Chosen.Quality, Arena_Jpeg, Image.all);
+                     Shown := Image.Length > 0;
+                  end if;
+                  Vision.Frame_Store.Release (Slot);
+               end if;
+               Vision.State.Store.Searched (Order.Number, Shown, Arena, Valid);
+               if Valid and then Shown then
+                  Monitor.Outbox.Answer_With_Image (Order, Image);
+               else
+                  Monitor.Outbox.Answer
+                    (Order, Order_Meanings.Answer_To (False));
+               end if;
+            else
+               Monitor.Outbox.Answer (Order, Order_Meanings.Answer_To (False));
+            end if;
+         else
+            Vision.State.Store.Decide
+              (Order.Number, Order.Message.Kind = Confirm_Arena, Valid);
+            Monitor.Outbox.Answer_Nothing (Order);
+            if not Valid then
+               Journal.Put
+                 (Options.Warning,
+                  "arena confirmed or rejected, but none was awaiting it");
+            end if;
+         end if;
+         Task_Ports.Vision_Done;
+      end loop;
+   end Th_Arene;
+
+   ---------------
+   -- Th_Camera --
+   ---------------
+
+   task body Th_Camera is
+      Chosen : Options.Values renames Settings.Command_Line.Chosen;
+      Number : Vision.Camera_Requests.Request_Number;
+      Wanted : Boolean;
+      Result : Vision.Library.Status;
+      Slot   : Vision.Library.Slot;
+      Now    : Time;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Camera);
+      loop
+         Vision.Camera_Requests.Wait_Open (Number);
+         Vision.Library.Open
+           (Chosen.Camera.Data (1 .. Chosen.Camera.Length),
+            Chosen.Width, Chosen.Height,
+            Integer'Max (Options.Camera_Rate, Chosen.Frame_Rate), Result);
+         Vision.Camera_Requests.Get_Wanted (Number, Wanted);
+         if Result /= Vision.Library.Done then
+            Log_Reason ("camera cannot be opened: ");
+            Vision.Camera_Requests.Report (False);
+         elsif not Wanted then
+            Vision.Camera_Requests.Report (False);
+         else
+            Now := Clock;
+            Vision.Frame_Store.Begin_Delivery (Now);
+            Journal.Put (Options.Info, "camera open");
+            Vision.Camera_Requests.Report (True);
+            loop
+               Trace.Start (Schedule.Th_Camera);
+               Vision.Frame_Store.Claim_Empty (Slot);
+               Trace.Wait (Schedule.Th_Camera, Trace.Camera);
+               Vision.Library.Grab (Slot, Result);
+               Trace.Resume (Schedule.Th_Camera);
+               if Result = Vision.Library.Done then
+                  Now := Clock;
+                  Vision.Frame_Store.Publish (Slot, Now);
+               else
+                  Vision.Frame_Store.Release (Slot);
+               end if;
+               Vision.Camera_Requests.Get_Wanted (Number, Wanted);
+               exit when not Wanted;
+               if Result /= Vision.Library.Done then
+                  Log_Reason ("no image from the camera: ");
+                  Camera_Failed (Monitor.Notices.Camera_Ended);
+                  exit;
+               end if;
+            end loop;
+            Vision.Frame_Store.End_Delivery;
+            Journal.Put (Options.Info, "camera closed");
+         end if;
+         Vision.Library.Close;
+         Vision.Camera_Requests.Released;
+      end loop;
+   end Th_Camera;
+
+end Vision.Tasks;
