@@ -15,6 +15,7 @@ with Monitor.Outbox;
 with Monitor.Protocol;
 with Monitor.Send_Order;
 with Monitor.Session;
+with Monitor.Session_Stages;
 with Options;
 with Orders;
 with Robot.Line;
@@ -98,7 +99,7 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
    Status : Robot.Line_Status.Status;
    Job    : Robot.Requests.Job;
    View   : Vision.State.View;
-   Stage  : Monitor.Session.Stage_Kind;
+   Stage  : Monitor.Session_Stages.State;
    Wanted : Boolean;
    Text   : Texts.Text;
 
@@ -226,10 +227,10 @@ begin
 
    for I in Sample_Index loop
       Start;
-      Monitor.Session.Get_Stage (Stage);
+      Monitor.Session.Get (Stage);
       Stop;
    end loop;
-   Report ("Monitor.Session.Get_Stage");
+   Report ("Monitor.Session.Get");
 
    Texts.Set (Text, "received RMOV:-12345");
    for I in Sample_Index loop
