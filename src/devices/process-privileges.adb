@@ -60,8 +60,9 @@ package body Process.Privileges with SPARK_Mode => Off is
    ---------
 
    function Has (Capability : Natural) return Boolean is
-      Header : constant Word_Array := (16#2008_0522#, 0);
-      --  version 3, this process
+      Header : Word_Array := (16#2008_0522#, 0);
+      --  version 3, this process. The kernel may write there, and qemu
+      --  refuses what is not writable
       Data   : Word_Array (1 .. 6) := (others => 0);
       --  effective, permitted, inheritable: the first 32, then the others
    begin
