@@ -92,10 +92,6 @@ package body Accounts is
 
    procedure Take_Position (Line : String; Ended_At : Time);
 
-   ------------
-   -- Decode --
-   ------------
-
    procedure Decode (Text : String; OK : out Boolean) is
       Step   : constant := 512;
       --  Small pieces: the decoder's contracts, where they are checked,
@@ -119,10 +115,6 @@ package body Accounts is
       end loop;
    end Decode;
 
-   ----------------
-   -- Image_Name --
-   ----------------
-
    function Image_Name return String is
       Digits_Text : constant String := Numerals.Image (Image_Number);
    begin
@@ -131,20 +123,12 @@ package body Accounts is
         & Digits_Text & ".jpg";
    end Image_Name;
 
-   -----------------
-   -- Level_Words --
-   -----------------
-
    function Level_Words (Line : String) return String is
      (if Line = "RBLV:0" then "empty"
       elsif Line = "RBLV:1" then "low"
       elsif Line = "RBLV:2" then "full"
       elsif Line = "RBLV:-1" then "unknown"
       else Line);
-
-   -------------
-   -- Meaning --
-   -------------
 
    function Meaning (Line : String) return String is
      (if Line = "AACK" then "done"
@@ -158,20 +142,12 @@ package body Accounts is
          "battery " & Level_Words (Line)
       else "?");
 
-   ---------
-   -- Put --
-   ---------
-
    procedure Put (At_Time : Time; Mark : String; Text : String) is
    begin
       if not Settings_Quiet then
          Terminals.Put_Line (Stamp (At_Time) & " " & Mark & " " & Text);
       end if;
    end Put;
-
-   ----------------
-   -- Put_Answer --
-   ----------------
 
    procedure Put_Answer (Line : String; Given : Command; Ended_At : Time) is
       Latency : constant Duration := To_Duration (Ended_At - Given.Sent_At);
@@ -189,18 +165,10 @@ package body Accounts is
          & (if Given.Overdue then " (too late)" else ""));
    end Put_Answer;
 
-   --------------
-   -- Put_Sent --
-   --------------
-
    procedure Put_Sent (Line : String) is
    begin
       Put (Clock, ">", Line);
    end Put_Sent;
-
-   -----------------
-   -- Put_Summary --
-   -----------------
 
    procedure Put_Summary is
 
@@ -263,20 +231,12 @@ package body Accounts is
       end if;
    end Put_Summary;
 
-   --------------------
-   -- Put_Unanswered --
-   --------------------
-
    procedure Put_Unanswered (Line : String; After : Duration) is
    begin
       Terminals.Put_Error
         ("no answer to " & Head (Line, Integer'Min (Line'Length, 32))
          & " within " & Numerals.Seconds (After) & " s");
    end Put_Unanswered;
-
-   -----------------
-   -- Save_Latest --
-   -----------------
 
    procedure Save_Latest (File : String; Saved : out Boolean) is
    begin
@@ -299,10 +259,6 @@ package body Accounts is
       end;
    end Save_Latest;
 
-   -----------------
-   -- Show_Status --
-   -----------------
-
    procedure Show_Status is
    begin
       Terminals.Set_Status
@@ -312,20 +268,12 @@ package body Accounts is
          & " | " & To_String (Position_Words));
    end Show_Status;
 
-   -----------
-   -- Stamp --
-   -----------
-
    function Stamp (At_Time : Time) return String is
       Text : constant String :=
         Numerals.Seconds (To_Duration (At_Time - Settings_Start));
    begin
       return Tail (Text, Integer'Max (9, Text'Length));
    end Stamp;
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start
      (Connected_At : Time;
@@ -339,19 +287,11 @@ package body Accounts is
       Settings_Folder := To_Unbounded_String (Folder);
    end Start;
 
-   --------------
-   -- Surprise --
-   --------------
-
    procedure Surprise (At_Time : Time; Text : String) is
    begin
       Surprises := Surprises + 1;
       Put (At_Time, "?", Text);
    end Surprise;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take (Line : String; Begun_At : Time; Ended_At : Time) is
       Label  : constant String :=
@@ -389,10 +329,6 @@ package body Accounts is
       end if;
    end Take;
 
-   ------------------
-   -- Take_Battery --
-   ------------------
-
    procedure Take_Battery (Line : String; Ended_At : Time) is
    begin
       Battery_Levels := Battery_Levels + 1;
@@ -403,10 +339,6 @@ package body Accounts is
       Show_Status;
       Exchange.See (Words.Battery);
    end Take_Battery;
-
-   ----------------
-   -- Take_Image --
-   ----------------
 
    procedure Take_Image
      (Line : String; Given : Command; Asked : Boolean; Ended_At : Time)
@@ -461,10 +393,6 @@ package body Accounts is
       Exchange.See (Words.Image);
    end Take_Image;
 
-   -------------------
-   -- Take_Position --
-   -------------------
-
    procedure Take_Position (Line : String; Ended_At : Time) is
       P  : Position;
       OK : Boolean := False;
@@ -501,18 +429,10 @@ package body Accounts is
       end if;
    end Take_Position;
 
-   -------------------
-   -- Take_Too_Long --
-   -------------------
-
    procedure Take_Too_Long (Ended_At : Time) is
    begin
       Surprise (Ended_At, "a line too long to be read");
    end Take_Too_Long;
-
-   -----------------
-   -- Write_Image --
-   -----------------
 
    procedure Write_Image (Name : String; OK : out Boolean) is
       use GNAT.OS_Lib;

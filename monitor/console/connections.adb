@@ -52,10 +52,6 @@ package body Connections is
       entry Start;
    end Timekeeper;
 
-   -----------
-   -- Await --
-   -----------
-
    procedure Await (Class : Words.Message_Class; Come : out Boolean) is
    begin
       Exchange.Watch (Class);
@@ -68,18 +64,10 @@ package body Connections is
       end select;
    end Await;
 
-   -------------------
-   -- Await_Answers --
-   -------------------
-
    procedure Await_Answers is
    begin
       Exchange.Settled;
    end Await_Answers;
-
-   ------------
-   -- Finish --
-   ------------
 
    procedure Finish (Status : Natural) is
       First : Boolean;
@@ -111,15 +99,7 @@ package body Connections is
         (if Status = 0 and then Exchange.Unanswered > 0 then 1 else Status);
    end Finish;
 
-   -----------------
-   -- Last_Answer --
-   -----------------
-
    function Last_Answer return String is (To_String (Exchange.Last_Answer));
-
-   ----------
-   -- Lose --
-   ----------
 
    procedure Lose (Reason : String) is
       Waiting : constant Natural := Exchange.Unanswered;
@@ -134,10 +114,6 @@ package body Connections is
          Finish (1);
       end if;
    end Lose;
-
-   ----------
-   -- Open --
-   ----------
 
    procedure Open
      (Host       : String;
@@ -182,10 +158,6 @@ package body Connections is
             & ": " & Ada.Exceptions.Exception_Message (Error));
    end Open;
 
-   ------------
-   -- Reader --
-   ------------
-
    task body Reader is
       Data : Stream_Element_Array (1 .. 65_536);
       Last : Stream_Element_Offset;
@@ -206,10 +178,6 @@ package body Connections is
       when Error : others =>
          Lose (Ada.Exceptions.Exception_Message (Error));
    end Reader;
-
-   ----------
-   -- Send --
-   ----------
 
    procedure Send (Line : String) is
       use Monitor.Protocol;
@@ -234,20 +202,12 @@ package body Connections is
          Lose (Ada.Exceptions.Exception_Message (Error));
    end Send;
 
-   -----------
-   -- Start --
-   -----------
-
    procedure Start (Timeout : Duration) is
    begin
       Limit := Timeout;
       Reader.Start;
       Timekeeper.Start;
    end Start;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take (Data : Stream_Element_Array; Now : Time) is
       C : Character;
@@ -279,10 +239,6 @@ package body Connections is
       end loop;
    end Take;
 
-   ----------------
-   -- Timekeeper --
-   ----------------
-
    task body Timekeeper is
       Found : Boolean;
       Given : Command;
@@ -303,10 +259,6 @@ package body Connections is
          end if;
       end loop;
    end Timekeeper;
-
-   ----------------
-   -- Write_Line --
-   ----------------
 
    procedure Write_Line (Line : String) is
       Text  : constant String := Line & Monitor.Protocol.Line_Feed;

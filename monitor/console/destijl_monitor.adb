@@ -58,10 +58,6 @@ procedure Destijl_Monitor is
    procedure Fail (Text : String; Status : Positive := 1);
    --  Says so, and ends a script
 
-   ---------------
-   -- Carry_Out --
-   ---------------
-
    procedure Carry_Out (Given : Words.Action; Where : String) is
       Text : constant String := To_String (Given.Text);
       Done : Boolean;
@@ -112,10 +108,6 @@ procedure Destijl_Monitor is
       end case;
    end Carry_Out;
 
-   ------------------
-   -- Check_Script --
-   ------------------
-
    procedure Check_Script is
       Line   : Unbounded_String;
       Ended  : Boolean;
@@ -151,10 +143,6 @@ procedure Destijl_Monitor is
       Line_Inputs.Open (Input, To_String (Values.Script), OK);
    end Check_Script;
 
-   -------------
-   -- Connect --
-   -------------
-
    procedure Connect is
       Failed : Boolean;
    begin
@@ -180,10 +168,6 @@ procedure Destijl_Monitor is
       Connections.Start (Values.Timeout);
    end Connect;
 
-   ----------
-   -- Fail --
-   ----------
-
    procedure Fail (Text : String; Status : Positive := 1) is
    begin
       Terminals.Put_Error (Text);
@@ -191,10 +175,6 @@ procedure Destijl_Monitor is
          Connections.Finish (Status);
       end if;
    end Fail;
-
-   ----------------
-   -- First_Line --
-   ----------------
 
    function First_Line (Token_File : String) return String is
       File  : Ada.Text_IO.File_Type;
@@ -224,10 +204,6 @@ procedure Destijl_Monitor is
          OS_Exit (2);
    end First_Line;
 
-   -----------------
-   -- Make_Folder --
-   -----------------
-
    procedure Make_Folder is
    begin
       if Values.Images /= "" then
@@ -240,10 +216,6 @@ procedure Destijl_Monitor is
          OS_Exit (1);
    end Make_Folder;
 
-   --------------------
-   -- Put_Error_Line --
-   --------------------
-
    procedure Put_Error_Line (Line : String) is
       Text    : constant String  := Line & ASCII.LF;
       Ignored : constant Integer :=
@@ -251,10 +223,6 @@ procedure Destijl_Monitor is
    begin
       null;
    end Put_Error_Line;
-
-   -----------------------
-   -- Read_Command_Line --
-   -----------------------
 
    procedure Read_Command_Line is
       What   : Invocation.Outcome;
@@ -277,10 +245,6 @@ procedure Destijl_Monitor is
       end case;
    end Read_Command_Line;
 
-   ---------
-   -- Run --
-   ---------
-
    procedure Run is
       Line   : Unbounded_String;
       Ended  : Boolean;
@@ -302,10 +266,6 @@ procedure Destijl_Monitor is
       Connections.Await_Answers;
       Connections.Finish (0);
    end Run;
-
-   ----------
-   -- Send --
-   ----------
 
    procedure Send (Given : Words.Action) is
    begin

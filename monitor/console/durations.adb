@@ -8,20 +8,12 @@ package body Durations is
    procedure Sort is new Ada.Containers.Generic_Array_Sort
      (Positive, Duration, Values);
 
-   ---------
-   -- Add --
-   ---------
-
    procedure Add (To : in out Set; Value : Duration) is
    begin
       To.Data (To.Next) := Value;
       To.Next := To.Next mod Capacity + 1;
       To.Count := Natural'Min (To.Count + 1, Capacity);
    end Add;
-
-   ----------
-   -- Mean --
-   ----------
 
    function Mean (Of_Set : Set) return Duration is
       Sum : Duration := 0.0;
@@ -31,10 +23,6 @@ package body Durations is
       end loop;
       return Sum / Of_Set.Count;
    end Mean;
-
-   --------------
-   -- Quantile --
-   --------------
 
    function Quantile (Of_Set : Set; Share : Long_Float) return Duration is
       Sorted : Values := Of_Set.Data (1 .. Of_Set.Count);

@@ -16,10 +16,6 @@ package body Exchanges is
    --  they are answers to what asks for them only. An image that was under
    --  way before the arena was asked for is no answer.
 
-   ----------------
-   -- Can_Answer --
-   ----------------
-
    function Can_Answer
      (Line : String; Begun_At : Time; Given : Command) return Boolean
    is
@@ -36,21 +32,9 @@ package body Exchanges is
          else False);
    end Can_Answer;
 
-   --------------
-   -- Exchange --
-   --------------
-
    protected body Exchange is
 
-      --------------
-      -- Answered --
-      --------------
-
       function Answered return Natural is (Served);
-
-      ---------------
-      -- Claim_End --
-      ---------------
 
       procedure Claim_End (First : out Boolean) is
       begin
@@ -58,18 +42,10 @@ package body Exchanges is
          Ending := True;
       end Claim_End;
 
-      -----------------
-      -- End_Reading --
-      -----------------
-
       procedure End_Reading is
       begin
          Silent := True;
       end End_Reading;
-
-      -------------
-      -- Give_Up --
-      -------------
 
       procedure Give_Up
         (Before : Time; Found : out Boolean; Given : out Command) is
@@ -88,21 +64,9 @@ package body Exchanges is
          end loop;
       end Give_Up;
 
-      ---------------
-      -- Is_Ending --
-      ---------------
-
       function Is_Ending return Boolean is (Ending);
 
-      -----------------
-      -- Last_Answer --
-      -----------------
-
       function Last_Answer return Unbounded_String is (Answer);
-
-      -----------
-      -- Match --
-      -----------
 
       procedure Match
         (Line     : String;
@@ -135,10 +99,6 @@ package body Exchanges is
          end loop;
       end Match;
 
-      ---------------
-      -- Note_Sent --
-      ---------------
-
       procedure Note_Sent (Given : Command; OK : out Boolean) is
       begin
          OK := Waiting < Capacity;
@@ -150,60 +110,32 @@ package body Exchanges is
          end if;
       end Note_Sent;
 
-      ---------------
-      -- Published --
-      ---------------
-
       procedure Published is
       begin
          Untold := Untold - 1;
       end Published;
-
-      -------------------
-      -- Reading_Ended --
-      -------------------
 
       entry Reading_Ended when Silent is
       begin
          null;
       end Reading_Ended;
 
-      ---------
-      -- See --
-      ---------
-
       procedure See (Class : Words.Message_Class) is
       begin
          Flags (Class) := True;
       end See;
-
-      ----------
-      -- Seen --
-      ----------
 
       entry Seen (for Class in Words.Message_Class) when Flags (Class) is
       begin
          null;
       end Seen;
 
-      -------------
-      -- Settled --
-      -------------
-
       entry Settled when Untold = 0 and then Due = 0 is
       begin
          null;
       end Settled;
 
-      ----------------
-      -- Unanswered --
-      ----------------
-
       function Unanswered return Natural is (Missed + Due);
-
-      -----------
-      -- Watch --
-      -----------
 
       procedure Watch (Class : Words.Message_Class) is
       begin

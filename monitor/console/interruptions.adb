@@ -37,10 +37,6 @@ package body Interruptions is
 
    end Signals;
 
-   -----------
-   -- Await --
-   -----------
-
    procedure Await is
    begin
       Signals.Await;

@@ -10,10 +10,6 @@ package body Invocation is
    function "+" (Text : String) return Unbounded_String
      renames To_Unbounded_String;
 
-   ---------------
-   -- Put_Usage --
-   ---------------
-
    procedure Put_Usage (Put_Line : not null access procedure (Line : String))
    is
    begin
@@ -34,10 +30,6 @@ package body Invocation is
       Put_Line ("2 bad usage. Without --script, commands come from the");
       Put_Line ("keyboard (help lists them).");
    end Put_Usage;
-
-   ----------
-   -- Read --
-   ----------
 
    procedure Read
      (Values : out Options;

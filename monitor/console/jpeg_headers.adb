@@ -5,10 +5,6 @@ with Bytes; use type Bytes.Byte;
 
 package body Jpeg_Headers is
 
-   --------------
-   -- Get_Size --
-   --------------
-
    procedure Get_Size
      (Image  : Bytes.Byte_Array;
       Width  : out Natural;

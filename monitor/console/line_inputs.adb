@@ -6,10 +6,6 @@ with GNAT.OS_Lib;           use GNAT.OS_Lib;
 
 package body Line_Inputs is
 
-   -----------
-   -- Close --
-   -----------
-
    procedure Close (S : in out Source) is
    begin
       if S.File not in Invalid_FD | Standin then
@@ -17,10 +13,6 @@ package body Line_Inputs is
       end if;
       S.File := Invalid_FD;
    end Close;
-
-   --------------
-   -- Get_Line --
-   --------------
 
    procedure Get_Line
      (S     : in out Source;
@@ -49,19 +41,11 @@ package body Line_Inputs is
       end loop;
    end Get_Line;
 
-   ----------
-   -- Open --
-   ----------
-
    procedure Open (S : out Source; Name : String; OK : out Boolean) is
    begin
       S.File := Open_Read (Name, Binary);
       OK := S.File /= Invalid_FD and then not Is_Directory (Name);
    end Open;
-
-   -------------------------
-   -- Open_Standard_Input --
-   -------------------------
 
    procedure Open_Standard_Input (S : out Source) is
    begin

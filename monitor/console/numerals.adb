@@ -10,10 +10,6 @@ package body Numerals is
      (Text'Length in 1 .. 9 and then (for all C of Text => C in '0' .. '9'));
    --  Nine digits fit in every Integer
 
-   -----------
-   -- Image --
-   -----------
-
    function Image (Value : Integer) return String is
      (Ada.Strings.Fixed.Trim (Integer'Image (Value), Ada.Strings.Left));
 
@@ -24,24 +20,12 @@ package body Numerals is
       return Ada.Strings.Fixed.Trim (Field, Ada.Strings.Left);
    end Image;
 
-   -------------
-   -- Seconds --
-   -------------
-
    function Seconds (Span : Duration) return String is
      (Image (Long_Float (Span), 3));
-
-   ------------------
-   -- Milliseconds --
-   ------------------
 
    function Milliseconds (Span : Duration; Decimals : Natural := 2)
      return String
    is (Image (Long_Float (Span) * 1_000.0, Decimals));
-
-   ----------
-   -- Read --
-   ----------
 
    procedure Read (Text : String; Value : out Duration; OK : out Boolean) is
       Point : constant Natural := Ada.Strings.Fixed.Index (Text, ".");

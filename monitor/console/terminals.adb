@@ -48,10 +48,6 @@ package body Terminals is
    procedure Write_Out (File : File_Descriptor; Data : String);
    --  All of it, in one piece where the system takes it so
 
-   ------------
-   -- Finish --
-   ------------
-
    procedure Finish is
    begin
       Mutex.Seize;
@@ -66,21 +62,9 @@ package body Terminals is
       Mutex.Release;
    end Finish;
 
-   -----------------------
-   -- Input_Is_Terminal --
-   -----------------------
-
    function Input_Is_Terminal return Boolean is (Is_Terminal (Standin));
 
-   --------------
-   -- Is_Heard --
-   --------------
-
    function Is_Heard return Boolean is (Heard);
-
-   -----------------
-   -- Is_Terminal --
-   -----------------
 
    function Is_Terminal (File : File_Descriptor) return Boolean is
       use type Interfaces.C.int;
@@ -90,10 +74,6 @@ package body Terminals is
    begin
       return C_Isatty (Interfaces.C.int (File)) = 1;
    end Is_Terminal;
-
-   ----------------
-   -- Line_Typed --
-   ----------------
 
    procedure Line_Typed is
    begin
@@ -109,17 +89,9 @@ package body Terminals is
       Mutex.Release;
    end Line_Typed;
 
-   ------------------------
-   -- Output_Is_Terminal --
-   ------------------------
-
    function Output_Is_Terminal return Boolean is
      (Is_Terminal (Standout)
       and then Ada.Environment_Variables.Value ("TERM", "dumb") /= "dumb");
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put (File : File_Descriptor; Line : String) is
    begin
@@ -142,27 +114,15 @@ package body Terminals is
       Mutex.Release;
    end Put;
 
-   ---------------
-   -- Put_Error --
-   ---------------
-
    procedure Put_Error (Line : String) is
    begin
       Put (Standerr, "destijl_monitor: " & Line);
    end Put_Error;
 
-   --------------
-   -- Put_Line --
-   --------------
-
    procedure Put_Line (Line : String) is
    begin
       Put (Standout, Line);
    end Put_Line;
-
-   ----------------
-   -- Set_Status --
-   ----------------
 
    procedure Set_Status (Line : String) is
    begin
@@ -184,10 +144,6 @@ package body Terminals is
       Mutex.Release;
    end Set_Status;
 
-   -----------
-   -- Shown --
-   -----------
-
    function Shown (Line : String) return String is
       Result : String := Line;
    begin
@@ -199,10 +155,6 @@ package body Terminals is
       return Result;
    end Shown;
 
-   -----------
-   -- Start --
-   -----------
-
    procedure Start (Interactive : Boolean) is
    begin
       Kept :=
@@ -213,10 +165,6 @@ package body Terminals is
          Write_Out (Standout, ASCII.LF & Prompt);
       end if;
    end Start;
-
-   ---------------
-   -- Write_Out --
-   ---------------
 
    procedure Write_Out (File : File_Descriptor; Data : String) is
       First   : Positive := Data'First;

@@ -82,24 +82,12 @@ package body Words is
    --  Line comes trimmed; Nothing from Phrase_Action: it is no phrase. The
    --  line of Try_Action and Wait_Action is without the first word.
 
-   ---------------------
-   -- Is_Acknowledged --
-   ---------------------
-
    function Is_Acknowledged (Answer : String) return Boolean is
      (Head (Answer, 4) in
         "AACK" | Image_Label | Battery_Label | State_Label);
 
-   --------------------
-   -- Is_As_Expected --
-   --------------------
-
    function Is_As_Expected (Answer : String; Wanted : String) return Boolean
    is (Answer = Wanted or else Head (Answer, 4) = Wanted);
-
-   ----------
-   -- List --
-   ----------
 
    procedure List (Put_Line : not null access procedure (Line : String)) is
 
@@ -132,16 +120,8 @@ package body Words is
       Put_Entry ("help, quit, #", "this list, the end, a comment");
    end List;
 
-   ----------
-   -- Name --
-   ----------
-
    function Name (Class : Message_Class) return String is
      (To_Lower (Message_Class'Image (Class)));
-
-   -------------------
-   -- Phrase_Action --
-   -------------------
 
    function Phrase_Action (Line : String) return Action is
       Lower  : constant String := To_Lower (Line);
@@ -172,10 +152,6 @@ package body Words is
       return (Kind => Nothing, others => <>);
    end Phrase_Action;
 
-   ---------------
-   -- Translate --
-   ---------------
-
    function Translate (Line : String) return Action is
       Blanks : constant Ada.Strings.Maps.Character_Mapping :=
         Ada.Strings.Maps.To_Mapping (ASCII.HT & ASCII.CR, "  ");
@@ -202,10 +178,6 @@ package body Words is
       end return;
    end Translate;
 
-   ----------------
-   -- Try_Action --
-   ----------------
-
    function Try_Action (Line : String) return Action is
       Count : Integer;
       OK    : Boolean;
@@ -225,10 +197,6 @@ package body Words is
       return Tried;
    end Try_Action;
 
-   -----------------
-   -- Wait_Action --
-   -----------------
-
    function Wait_Action (Line : String) return Action is
       Seconds : Duration;
       OK      : Boolean;
@@ -245,10 +213,6 @@ package body Words is
          else Wrong
            ("wait wants seconds, image, position, robot or battery"));
    end Wait_Action;
-
-   -----------------
-   -- Word_Action --
-   -----------------
 
    function Word_Action (Line : String) return Action is
       Word : constant String := To_Lower (First_Word (Line));

@@ -30,10 +30,6 @@ package body Response_Times with SPARK_Mode is
    --  An arrival at the very end of the window goes before a transaction
    --  that has not begun
 
-   ------------------
-   -- Interference --
-   ------------------
-
    function Interference
      (Set : Activity_Array; Who : Activity_Index; Window : Span)
       return Microseconds
@@ -49,10 +45,6 @@ package body Response_Times with SPARK_Mode is
       end loop;
       return Sum;
    end Interference;
-
-   -----------------
-   -- Find_Window --
-   -----------------
 
    procedure Find_Window
      (Set    : Activity_Array;
@@ -71,10 +63,6 @@ package body Response_Times with SPARK_Mode is
          Window := Next;
       end loop;
    end Find_Window;
-
-   -----------------------
-   -- Pre_Emptive_Bound --
-   -----------------------
 
    procedure Pre_Emptive_Bound
      (Set    : Activity_Array;
@@ -117,10 +105,6 @@ package body Response_Times with SPARK_Mode is
       end loop;
    end Pre_Emptive_Bound;
 
-   -----------------------
-   -- Transaction_Bound --
-   -----------------------
-
    procedure Transaction_Bound
      (Set    : Activity_Array;
       Who    : Activity_Index;
@@ -145,10 +129,6 @@ package body Response_Times with SPARK_Mode is
         Pre    => Who in Set'Range;
       --  When a transaction before which Demand is due may begin
 
-      -------------------
-      -- Longest_Lower --
-      -------------------
-
       function Longest_Lower return Span is
          Longest : Span := 0;
       begin
@@ -159,10 +139,6 @@ package body Response_Times with SPARK_Mode is
          end loop;
          return Longest;
       end Longest_Lower;
-
-      ---------------
-      -- Find_Busy --
-      ---------------
 
       procedure Find_Busy (Length : out Span; Found : out Boolean) is
          Blocking : constant Span := Longest_Lower;
@@ -184,10 +160,6 @@ package body Response_Times with SPARK_Mode is
             Length := Next;
          end loop;
       end Find_Busy;
-
-      ----------------
-      -- Find_Start --
-      ----------------
 
       procedure Find_Start
         (Demand : Span; Length : out Span; Found : out Boolean)
@@ -267,10 +239,6 @@ package body Response_Times with SPARK_Mode is
                  Local  => Local);
    end Transaction_Bound;
 
-   --------------------
-   -- Least_Ceilings --
-   --------------------
-
    function Least_Ceilings
      (Set : Activity_Array; Sections : Section_Array) return Ceiling_Array
    is
@@ -299,10 +267,6 @@ package body Response_Times with SPARK_Mode is
       end loop;
       return Result;
    end Least_Ceilings;
-
-   ----------------------
-   -- Ceiling_Blocking --
-   ----------------------
 
    function Ceiling_Blocking
      (Set      : Activity_Array;

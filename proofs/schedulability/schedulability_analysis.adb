@@ -97,20 +97,12 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
    procedure Print_Limits (On : Machine);
    --  How far each assumption may be wrong before a deadline is missed
 
-   ------------------
-   -- Milliseconds --
-   ------------------
-
    function Milliseconds (Value : Microseconds) return String is
       Rest : constant String := Trimmed (1_000 + Value mod 1_000);
    begin
       return Trimmed (Value / 1_000) & "."
         & Rest (Rest'First + 1 .. Rest'Last);
    end Milliseconds;
-
-   -----------------
-   -- Print_Table --
-   -----------------
 
    procedure Print_Table (Item : Analysis) is
    begin
@@ -145,10 +137,6 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       end loop;
    end Print_Table;
 
-   ----------------
-   -- Print_Line --
-   ----------------
-
    procedure Print_Line (Item : Analysis) is
       function Client_Name (C : Line_Client) return String is
         (case C is
@@ -174,10 +162,6 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
                else Column ("none", 10)));
       end loop;
    end Print_Line;
-
-   ------------------------
-   -- Print_Requirements --
-   ------------------------
 
    procedure Print_Requirements (Item : Analysis; Inverted : Analysis) is
    begin
@@ -208,10 +192,6 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       end loop;
    end Print_Requirements;
 
-   -----------------
-   -- Print_Loads --
-   -----------------
-
    procedure Print_Loads (Item : Analysis) is
    begin
       Put ("processors' load:");
@@ -227,10 +207,6 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       end loop;
       New_Line;
    end Print_Loads;
-
-   ------------------
-   -- Print_Silent --
-   ------------------
 
    procedure Print_Silent (Item : Analysis) is
 
@@ -260,10 +236,6 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       Print (F12_At_Robot, 0);
       Print (F13_Level, Item.Requirements (F13_Level).Limit);
    end Print_Silent;
-
-   -----------------------
-   -- Analyse_And_Print --
-   -----------------------
 
    procedure Analyse_And_Print
      (Title  : String;
@@ -306,10 +278,6 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
             else "NOT every deadline is met"));
    end Analyse_And_Print;
 
-   -------------------
-   -- Analyse_Flood --
-   -------------------
-
    procedure Analyse_Flood (Title : String; On : Machine; Good : out Boolean)
    is
       Under    : Load := (Flood => True, others => <>);
@@ -330,10 +298,6 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
         ("verdict: what is demanded of every single one is "
          & (if Good then "kept" else "NOT kept"));
    end Analyse_Flood;
-
-   ------------------
-   -- Print_Limits --
-   ------------------
 
    procedure Print_Limits (On : Machine) is
 

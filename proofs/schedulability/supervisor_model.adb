@@ -188,10 +188,6 @@ package body Supervisor_Model with SPARK_Mode is
       On     : Machine;
       Result : out Requirement_Array);
 
-   -------------
-   -- Task_Of --
-   -------------
-
    function Task_Of (Name : Task_Activity) return Schedule.Task_Name is
      (case Name is
          when Stop            => Schedule.Th_Stop,
@@ -216,10 +212,6 @@ package body Supervisor_Model with SPARK_Mode is
          when Camera          => Schedule.Th_Camera,
          when Console         => Schedule.Th_Console);
 
-   -----------------
-   -- Priority_Of --
-   -----------------
-
    function Priority_Of
      (Name : Activity_Name; Choice : Priority_Choice) return Urgency is
    begin
@@ -239,28 +231,16 @@ package body Supervisor_Model with SPARK_Mode is
       end;
    end Priority_Of;
 
-   ---------------
-   -- Task_Name --
-   ---------------
-
    function Task_Name (Name : Activity_Name) return String is
      (if Name = Kernel then "(kernel)"
       elsif Name = Environment then "(main)"
       else Schedule.Name_Of (Task_Of (Name)));
-
-   -------------------
-   -- Ceilings_Hold --
-   -------------------
 
    function Ceilings_Hold (Choice : Priority_Choice) return Boolean is
      (for all A in Activity_Name =>
         (for all O in Operation_Name =>
            (if O /= Event_Operation and then Calls (A, O) > 0
             then Priority_Of (A, Choice) <= Ceiling_Of (O))));
-
-   ---------------
-   -- Period_Of --
-   ---------------
 
    function Period_Of (Name : Activity_Name) return Positive_Span is
      (case Name is
@@ -288,10 +268,6 @@ package body Supervisor_Model with SPARK_Mode is
          when Camera => Camera_Interval,
          when Console => Command_Interval);
 
-   ------------------
-   -- Processor_Of --
-   ------------------
-
    function Processor_Of
      (Name : Activity_Name; Where : Placement; On : Machine)
       return Processor_Number
@@ -301,10 +277,6 @@ package body Supervisor_Model with SPARK_Mode is
       elsif Name = Arena then (if On.Many then 3 else 2)
       elsif Name = Camera then (if On.Many then 4 else 2)
       else 1);
-
-   -----------
-   -- Calls --
-   -----------
 
    function Calls (Name : Activity_Name; Which : Operation_Name)
      return Natural
@@ -366,10 +338,6 @@ package body Supervisor_Model with SPARK_Mode is
                when Console | Camera => 2,
                when Kernel | Environment => 0,
                when others => 3));
-
-   ----------
-   -- Fill --
-   ----------
 
    procedure Fill
      (Choice : Priority_Choice;
@@ -437,10 +405,6 @@ package body Supervisor_Model with SPARK_Mode is
          end if;
          return Result;
       end Longest_At;
-
-      ----------
-      -- Join --
-      ----------
 
       procedure Join (Name : Activity_Name; Stream : Row_Index) is
          Item : constant Activity := Set (Row (Name));
@@ -550,10 +514,6 @@ package body Supervisor_Model with SPARK_Mode is
       end loop;
    end Fill;
 
-   ------------------
-   -- Latest_Order --
-   ------------------
-
    function Latest_Order (Bounds : Row_Bounds) return Span is
       Result : Span := 0;
    begin
@@ -565,10 +525,6 @@ package body Supervisor_Model with SPARK_Mode is
       return Result;
    end Latest_Order;
 
-   -----------------
-   -- See_Streams --
-   -----------------
-
    procedure See_Streams (Set : in out Activity_Set) is
    begin
       for Name in Order_Name loop
@@ -578,10 +534,6 @@ package body Supervisor_Model with SPARK_Mode is
          Set (Row (Name)).Budget := 0;
       end loop;
    end See_Streams;
-
-   --------------------
-   -- Bound_Activity --
-   --------------------
 
    procedure Bound_Activity
      (Set : Activity_Set; Which : Row_Index; Result : out Bound)
@@ -605,10 +557,6 @@ package body Supervisor_Model with SPARK_Mode is
          end if;
       end if;
    end Bound_Activity;
-
-   ----------------
-   -- Bound_Line --
-   ----------------
 
    procedure Bound_Line
      (Bounds : Row_Bounds;
@@ -645,10 +593,6 @@ package body Supervisor_Model with SPARK_Mode is
         (Who : Line_Client; Lengths : Client_Times; Result : out Bound);
       --  Of Who, where each client's transactions have these lengths; 0 for
       --  one that does not occur
-
-      ---------------
-      -- Bound_One --
-      ---------------
 
       procedure Bound_One
         (Who : Line_Client; Lengths : Client_Times; Result : out Bound)
@@ -816,10 +760,6 @@ package body Supervisor_Model with SPARK_Mode is
          Line (Ping));
    end Bound_Line;
 
-   -----------------
-   -- Set_Jitters --
-   -----------------
-
    procedure Set_Jitters
      (Set     : in out Activity_Set;
       Bounds  : Row_Bounds;
@@ -837,10 +777,6 @@ package body Supervisor_Model with SPARK_Mode is
       procedure Change (Which : Row_Index; Period : Positive_Span; To : Span)
       with Global => (In_Out => (Set, Changed));
       --  To this jitter
-
-      ------------
-      -- Change --
-      ------------
 
       procedure Change (Which : Row_Index; Period : Positive_Span; To : Span)
       is
@@ -902,10 +838,6 @@ package body Supervisor_Model with SPARK_Mode is
       end if;
    end Set_Jitters;
 
-   -----------------
-   -- Bound_Chain --
-   -----------------
-
    procedure Bound_Chain
      (Set     : Activity_Set;
       Members : Member_Set;
@@ -949,10 +881,6 @@ package body Supervisor_Model with SPARK_Mode is
       Others_Set (Host) := Whole;
       Bound_Activity (Others_Set, Host, Result);
    end Bound_Chain;
-
-   -----------
-   -- Judge --
-   -----------
 
    procedure Judge
      (Set    : Activity_Set;
@@ -1086,10 +1014,6 @@ package body Supervisor_Model with SPARK_Mode is
          Bounds (Capture).Exists and then Ended.Exists);
    end Judge;
 
-   -------------
-   -- Analyse --
-   -------------
-
    procedure Analyse
      (Choice : Priority_Choice;
       Where  : Placement;
@@ -1100,10 +1024,6 @@ package body Supervisor_Model with SPARK_Mode is
       procedure Bound_One
         (Set : Activity_Set; Name : Activity_Name; Value : out Bound)
       with Global => Under;
-
-      ---------------
-      -- Bound_One --
-      ---------------
 
       procedure Bound_One
         (Set : Activity_Set; Name : Activity_Name; Value : out Bound)
@@ -1125,10 +1045,6 @@ package body Supervisor_Model with SPARK_Mode is
 
       procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds)
       with Global => Under;
-
-      -----------------
-      -- Bound_Owner --
-      -----------------
 
       procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds) is
          Alone : Activity_Set := Set;
@@ -1192,19 +1108,11 @@ package body Supervisor_Model with SPARK_Mode is
       end if;
    end Analyse;
 
-   -------------------
-   -- Promises_Kept --
-   -------------------
-
    function Promises_Kept (Result : Analysis) return Boolean is
      (Result.Settled
       and then
         (for all R in Requirement_Name =>
            (if Always (R) then Met (Result.Requirements (R)))));
-
-   -------------------
-   -- Deadlines_Met --
-   -------------------
 
    function Deadlines_Met (Result : Analysis) return Boolean is
      (Promises_Kept (Result)
@@ -1215,17 +1123,9 @@ package body Supervisor_Model with SPARK_Mode is
                     and then Result.Bounds (A).Local
                       <= Result.Deadlines (A))));
 
-   -------------
-   -- All_Met --
-   -------------
-
    function All_Met (Result : Analysis) return Boolean is
      (Deadlines_Met (Result)
       and then (for all R of Result.Requirements => Met (R)));
-
-   -------------
-   -- Load_Of --
-   -------------
 
    function Load_Of
      (Result : Analysis; Processor : Processor_Number) return Microseconds

@@ -4,18 +4,10 @@
 
 package body Bounded_Queues with SPARK_Mode is
 
-   -----------
-   -- Clear --
-   -----------
-
    procedure Clear (Q : in out Queue) is
    begin
       Q.Length := 0;
    end Clear;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put (Q : in out Queue; Item : Element) is
    begin
@@ -25,10 +17,6 @@ package body Bounded_Queues with SPARK_Mode is
       end if;
    end Put;
 
-   ---------------------
-   -- Put_Over_Oldest --
-   ---------------------
-
    procedure Put_Over_Oldest (Q : in out Queue; Item : Element) is
    begin
       if Is_Full (Q) then
@@ -37,28 +25,16 @@ package body Bounded_Queues with SPARK_Mode is
       Put (Q, Item);
    end Put_Over_Oldest;
 
-   ------------------
-   -- Remove_First --
-   ------------------
-
    procedure Remove_First (Q : in out Queue) is
    begin
       Q.First := (if Q.First = Capacity then 1 else Q.First + 1);
       Q.Length := Q.Length - 1;
    end Remove_First;
 
-   -------------
-   -- Replace --
-   -------------
-
    procedure Replace (Q : in out Queue; I : Place; Item : Element) is
    begin
       Q.Items (Index (Q.First, I)) := Item;
    end Replace;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take (Q : in out Queue; Item : out Element; Found : out Boolean)
    is

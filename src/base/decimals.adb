@@ -38,10 +38,6 @@ package body Decimals is
                = Value (T, First, Last - 1) * 10 + Digit_Value (T (Last));
    --  What one digit more makes of a number.
 
-   ------------
-   -- Append --
-   ------------
-
    procedure Append
      (N     : Number;
       Width : Digit_Count;
@@ -82,17 +78,9 @@ package body Decimals is
       Last := Start + Count;
    end Append;
 
-   ------------------------
-   -- Prove_Longer_Value --
-   ------------------------
-
    procedure Prove_Longer_Value
      (T : Text; First : Positive; Last : Natural)
    is null;
-
-   ----------------------
-   -- Prove_Next_Digit --
-   ----------------------
 
    procedure Prove_Next_Digit (N : Number; E : Exponent) is
    begin
@@ -108,17 +96,9 @@ package body Decimals is
       end case;
    end Prove_Next_Digit;
 
-   ----------------------
-   -- Prove_Same_Value --
-   ----------------------
-
    procedure Prove_Same_Value
      (A, B : Text; First : Positive; Last : Natural)
    is null;
-
-   ---------------------
-   -- Saturated_Value --
-   ---------------------
 
    function Saturated_Value
      (T : Text; First : Positive; Last : Natural) return Number

@@ -4,10 +4,6 @@
 
 package body Schedule with SPARK_Mode is
 
-   -------------
-   -- Name_Of --
-   -------------
-
    function Name_Of (Who : Task_Name) return String is
       Name : String renames Table (Who).Name;
       Last : Positive := 1;

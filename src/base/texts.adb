@@ -4,10 +4,6 @@
 
 package body Texts with SPARK_Mode is
 
-   ------------
-   -- Append --
-   ------------
-
    procedure Append (T : in out Text; Value : String) is
       Start : constant Natural := T.Length;
       Count : constant Natural :=
@@ -48,19 +44,11 @@ package body Texts with SPARK_Mode is
       Append (T, Digit (First .. Digit_Place'Last));
    end Append;
 
-   ---------
-   -- Set --
-   ---------
-
    procedure Set (T : out Text; Value : String) is
    begin
       T := (others => <>);
       Append (T, Value);
    end Set;
-
-   -------------
-   -- To_Text --
-   -------------
 
    function To_Text (Value : String) return Text is
       Result : Text;

@@ -42,10 +42,6 @@ is
       Status : System.Address) return int
    with Import, Convention => C, External_Name => "statx";
 
-   ----------
-   -- Read --
-   ----------
-
    procedure Read
      (Path    : Texts.Text;
       Data    : out String;

@@ -21,10 +21,6 @@ is
    procedure Put_On (Descriptor : int; Line : String; Written : out Boolean);
    --  All of it, or as much as is taken
 
-   ------------------
-   -- Open_Streams --
-   ------------------
-
    procedure Open_Streams is
       Read_Write : constant := 2;  --  O_RDWR
       Found      : int;
@@ -37,10 +33,6 @@ is
          Linux.Close (Found);
       end if;
    end Open_Streams;
-
-   ------------
-   -- Put_On --
-   ------------
 
    procedure Put_On (Descriptor : int; Line : String; Written : out Boolean)
    is
@@ -60,19 +52,11 @@ is
       Written := Next > Text'Last;
    end Put_On;
 
-   -------------
-   -- Put_Log --
-   -------------
-
    procedure Put_Log (Line : String) is
       Unused : Boolean;
    begin
       Put_On (2, Line, Unused);
    end Put_Log;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put (Line : String; Written : out Boolean) is
    begin

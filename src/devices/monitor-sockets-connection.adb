@@ -37,18 +37,10 @@ is
 
    procedure Set_Number (S : Socket; Level, Name, Value : int);
 
-   ----------------
-   -- Set_Number --
-   ----------------
-
    procedure Set_Number (S : Socket; Level, Name, Value : int) is
    begin
       Set_Option (S, Level, Name, Value'Address, 4);
    end Set_Number;
-
-   ---------------
-   -- Take_Over --
-   ---------------
 
    procedure Take_Over (Newcomer : Socket) is
    begin
@@ -62,10 +54,6 @@ is
       Set_Number (Newcomer, Level_Tcp, Count_Option, 3);
       Current := Newcomer;
    end Take_Over;
-
-   -------------
-   -- Receive --
-   -------------
 
    procedure Receive
      (Data : in out String; Length : out Natural; Open : out Boolean)
@@ -83,10 +71,6 @@ is
       Open := Got > 0;
       Length := Natural (Ssize'Max (0, Got));
    end Receive;
-
-   ----------
-   -- Send --
-   ----------
 
    procedure Send
      (Data    : String;
@@ -109,10 +93,6 @@ is
       Success := Done = Length;
       Unsent := False;
    end Send;
-
-   -----------
-   -- Watch --
-   -----------
 
    procedure Watch
      (Wait : Ada.Real_Time.Time_Span; Loss : out Monitor.Link.Loss_Kind)
@@ -141,10 +121,6 @@ is
             else Monitor.Link.Closed_By_Peer);
       end if;
    end Watch;
-
-   ------------
-   -- Sample --
-   ------------
 
    procedure Sample (Link : out Monitor.Link.Sample) is
       Info  : Tcp_Info;
@@ -175,28 +151,16 @@ is
       end if;
    end Sample;
 
-   ---------------------
-   -- Leave_To_Kernel --
-   ---------------------
-
    procedure Leave_To_Kernel is
    begin
       Set_Number (Current, Level_Tcp, Wait_Option,
                   int (Monitor.Link.Vanished_After));
    end Leave_To_Kernel;
 
-   ---------------
-   -- Shut_Down --
-   ---------------
-
    procedure Shut_Down is
    begin
       C_Shutdown (Current, Both_Ways);
    end Shut_Down;
-
-   -----------
-   -- Close --
-   -----------
 
    procedure Close is
       Closed : constant Socket := Current;

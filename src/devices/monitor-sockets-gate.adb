@@ -82,10 +82,6 @@ is
    function Event_Counter (Initial : unsigned; Flags : int) return int
    with Import, Convention => C, External_Name => "eventfd";
 
-   ------------
-   -- Listen --
-   ------------
-
    procedure Listen
      (Address : Texts.Text;
       Port    : Options.Port_Number;
@@ -122,10 +118,6 @@ is
          end if;
          Success := False;
    end Listen;
-
-   -----------
-   -- Block --
-   -----------
 
    procedure Block (Sources : Admission.Blocklists.List) is
       --  A program for the kernel's filter, which a packet to the listening
@@ -190,10 +182,6 @@ is
                   Described'Address, Described'Size / 8);
    end Block;
 
-   --------------
-   -- Get_Name --
-   --------------
-
    procedure Get_Name (Where : Place; Peer : out Texts.Text) is
       Seen : Socket_Address renames Peers (Where);
       Host : Inet_Addr_Type
@@ -217,10 +205,6 @@ is
                Port_Type (Seen.Port (1)) * 256 + Port_Type (Seen.Port (2)))));
    end Get_Name;
 
-   ---------------
-   -- Get_Queue --
-   ---------------
-
    procedure Get_Queue (Length, Limit : out Natural) is
       Info : Tcp_Info;
       Size : unsigned := Tcp_Info'Size / 8;
@@ -235,10 +219,6 @@ is
          Limit := Natural (Info.Selected);
       end if;
    end Get_Queue;
-
-   -------------
-   -- Take_In --
-   -------------
 
    procedure Take_In
      (Where  : Place;
@@ -268,10 +248,6 @@ is
          Event := Failed;
       end if;
    end Take_In;
-
-   ----------
-   -- Wait --
-   ----------
 
    procedure Wait
      (Watched    : Place_Set;
@@ -316,10 +292,6 @@ is
       end if;
    end Wait;
 
-   -----------------
-   -- Wake_Server --
-   -----------------
-
    procedure Wake_Server is
       One     : constant Unsigned_64 := 1;
       Written : constant Ssize := Linux.Write (Waker, One'Address, 8);
@@ -327,10 +299,6 @@ is
    begin
       null;
    end Wake_Server;
-
-   ----------
-   -- Look --
-   ----------
 
    procedure Look
      (Where  : Place;
@@ -346,10 +314,6 @@ is
         or else (Got < 0 and then GNAT.OS_Lib.Errno in EAGAIN | EINTR);
    end Look;
 
-   ----------
-   -- Take --
-   ----------
-
    procedure Take (Where : Place; Count : Natural) is
       Data    : Stream_Element_Array (1 .. Stream_Element_Offset (Count));
       Ignored : constant Ssize :=
@@ -359,19 +323,11 @@ is
       null;
    end Take;
 
-   -----------
-   -- Admit --
-   -----------
-
    procedure Admit (Where : Place) is
    begin
       Connection.Take_Over (Waiting (Where));
       Waiting (Where) := Nobody;
    end Admit;
-
-   ------------
-   -- Refuse --
-   ------------
 
    procedure Refuse (Where : Place; Message : String) is
       Refused : constant Socket := Waiting (Where);

@@ -22,10 +22,6 @@ package body Process.Memory with SPARK_Mode => Off is
    Code_End : char
    with Import, Convention => C, External_Name => "etext";
 
-   ----------
-   -- Lock --
-   ----------
-
    procedure Lock (Done : out Boolean) is
    begin
       --  Under a limit a later allocation could fail. Only what is used is
@@ -40,10 +36,6 @@ package body Process.Memory with SPARK_Mode => Off is
             size_t (Code_End'Address - Code_Start'Address));
       end if;
    end Lock;
-
-   -----------------
-   -- Touch_Stack --
-   -----------------
 
    procedure Touch_Stack is
       Page  : constant := 4_096;

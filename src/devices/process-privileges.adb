@@ -29,10 +29,6 @@ package body Process.Privileges with SPARK_Mode => Off is
 
    function Has (Capability : Natural) return Boolean;
 
-   ---------
-   -- Get --
-   ---------
-
    procedure Get (Held : out Kind) is
       Real_Time : constant Boolean := Has (Sys_Nice);
    begin
@@ -44,20 +40,12 @@ package body Process.Privileges with SPARK_Mode => Off is
          else User_Without_Real_Time);
    end Get;
 
-   ------------------
-   -- Get_May_Lock --
-   ------------------
-
    procedure Get_May_Lock (May_Lock : out Boolean) is
       Limit : Limit_Pair := (others => 0);  --  soft, hard
    begin
       Get_Limit (Locked_Memory, Limit'Address);
       May_Lock := Has (Ipc_Lock) or else Limit (1) = unsigned_long'Last;
    end Get_May_Lock;
-
-   ---------
-   -- Has --
-   ---------
 
    function Has (Capability : Natural) return Boolean is
       Header : Word_Array := (16#2008_0522#, 0);

@@ -28,18 +28,10 @@ package body Process.Signals with SPARK_Mode => Off is
    procedure Send (Process : int; Signal : int)
    with Import, Convention => C, External_Name => "kill";
 
-   --------------------
-   -- Report_Failure --
-   --------------------
-
    procedure Report_Failure is
    begin
       Send (Linux.Own_Process, User_1);
    end Report_Failure;
-
-   ----------
-   -- Wait --
-   ----------
 
    procedure Wait (Signal : out Kind) is
       Number : int := 0;

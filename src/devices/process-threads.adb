@@ -55,18 +55,10 @@ is
    procedure Keep (Thread : Thread_Number);
    --  On its set; Thread as in Numbers
 
-   ----------
-   -- Keep --
-   ----------
-
    procedure Keep (Thread : Thread_Number) is
    begin
       Set_Affinity (int (abs Thread), Set_Size, Sets (Thread > 0)'Address);
    end Keep;
-
-   -------------
-   -- Keep_On --
-   -------------
 
    procedure Keep_On (Cpu : Natural; Done : out Boolean) is
       Main    : constant int := Linux.Own_Process;
@@ -92,10 +84,6 @@ is
          end loop;
       end if;
    end Keep_On;
-
-   ---------------
-   -- Name_Task --
-   ---------------
 
    procedure Name_Task (Who : Schedule.Task_Name) is
       Item     : Schedule.Row renames Schedule.Table (Who);

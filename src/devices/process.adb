@@ -12,10 +12,6 @@ is
    procedure Exit_At_Once (Status : int)
    with Import, Convention => C, External_Name => "_exit", No_Return;
 
-   -----------
-   -- Leave --
-   -----------
-
    procedure Leave (Status : Exit_Status) is
    begin
       Exit_At_Once (int (Status));

@@ -8,22 +8,10 @@ package body Program_Arguments with SPARK_Mode => Off is
    function Value (Index : Positive) return String is
      (if Index <= Count then Ada.Command_Line.Argument (Index) else "");
 
-   --------------
-   -- Argument --
-   --------------
-
    function Argument (Index : Positive) return Texts.Text is
      (Texts.To_Text (Value (Index)));
 
-   -----------
-   -- Count --
-   -----------
-
    function Count return Natural is (Ada.Command_Line.Argument_Count);
-
-   --------------
-   -- Is_Whole --
-   --------------
 
    function Is_Whole (Index : Positive) return Boolean is
      (Value (Index)'Length <= Texts.Max_Length);

@@ -34,10 +34,6 @@ is
 
    procedure Put (Item : Robot.Protocol.Frame; Success : out Boolean);
 
-   ----------
-   -- Open --
-   ----------
-
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
@@ -65,10 +61,6 @@ is
          Success := False;
    end Open;
 
-   -----------
-   -- Close --
-   -----------
-
    procedure Close is
       Fd : constant int := Descriptor;
    begin
@@ -78,19 +70,11 @@ is
       end if;
    end Close;
 
-   -------------------
-   -- Discard_Input --
-   -------------------
-
    procedure Discard_Input is
       Ignored : int;
    begin
       Ignored := Tc_Flush (Descriptor, Input_Queue);
    end Discard_Input;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put (Item : Robot.Protocol.Frame; Success : out Boolean) is
    begin
@@ -99,19 +83,11 @@ is
         = Linux.Ssize (Item.Length);
    end Put;
 
-   -----------
-   -- Write --
-   -----------
-
    procedure Write (Item : Robot.Protocol.Frame; Success : out Boolean) is
    begin
       Put (Item, Success);
       Written := (Written.Count + 1, Robot.Protocol.Decoded (Item));
    end Write;
-
-   ----------
-   -- Read --
-   ----------
 
    procedure Read
      (Data    : out Bytes.Byte_Array;
@@ -148,10 +124,6 @@ is
          end if;
       end if;
    end Read;
-
-   ------------------
-   -- Stop_Blindly --
-   ------------------
 
    procedure Stop_Blindly is
       Frame   : Robot.Protocol.Frame;

@@ -76,16 +76,8 @@ package body Trace.Rings with SPARK_Mode => Off is
    function Place (R : Ring; Number : Unsigned_64) return System.Address is
      (R.Where + Storage_Offset (Slot_Bytes * (Number mod R.Capacity)));
 
-   -----------
-   -- Count --
-   -----------
-
    function Count (R : Ring) return Unsigned_64 is
      (Load (R.Next'Address, Acquire));
-
-   ---------
-   -- Get --
-   ---------
 
    procedure Get
      (R      : Ring;
@@ -106,10 +98,6 @@ package body Trace.Rings with SPARK_Mode => Off is
          Item := (others => <>);
       end if;
    end Get;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put
      (R : in out Ring; Item : Trace_Json.Event; Number : out Unsigned_64)
@@ -133,10 +121,6 @@ package body Trace.Rings with SPARK_Mode => Off is
          Prefetch (Place (R, Own + 3), 1, 3);
       end if;
    end Put;
-
-   ------------
-   -- Set_Up --
-   ------------
 
    procedure Set_Up
      (R : in out Ring; Where : System.Address; Capacity : Unsigned_64) is

@@ -66,10 +66,6 @@ package body Trace.Storage with SPARK_Mode => Off is
 
    procedure Write_Chunk (F : in out File);
 
-   -----------------
-   -- Open_Places --
-   -----------------
-
    function Open_Places
      (Path : char_array; Flags : int; Mode : unsigned) return int
    is
@@ -82,10 +78,6 @@ package body Trace.Storage with SPARK_Mode => Off is
       Linux.Close (Found);
       return -1;
    end Open_Places;
-
-   ---------
-   -- Try --
-   ---------
 
    procedure Try (Path : String; Reason : out Integer) is
       Name    : constant char_array := To_C (Path);
@@ -105,20 +97,12 @@ package body Trace.Storage with SPARK_Mode => Off is
       end if;
    end Try;
 
-   ----------
-   -- Open --
-   ----------
-
    procedure Open (F : in out File; Path : String; Reason : out Integer) is
    begin
       F.Descriptor :=
         Open_Places (To_C (Path), Both_Ways + Or_Create, File_Mode);
       Reason := (if F.Descriptor < 0 then GNAT.OS_Lib.Errno else 0);
    end Open;
-
-   ------------
-   -- Set_Up --
-   ------------
 
    procedure Set_Up
      (F : in out File; Where : System.Address; Capacity : Unsigned_64) is
@@ -127,10 +111,6 @@ package body Trace.Storage with SPARK_Mode => Off is
       F.Batch_At := Where;
       F.Chunk_At := Where + Batch_Bytes;
    end Set_Up;
-
-   -----------
-   -- Empty --
-   -----------
 
    procedure Empty (F : in out File) is
       Ignored : int;
@@ -141,10 +121,6 @@ package body Trace.Storage with SPARK_Mode => Off is
          F.Emptied := True;
       end if;
    end Empty;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put
      (F : in out File; Item : Trace_Json.Event; Found : Boolean)
@@ -162,10 +138,6 @@ package body Trace.Storage with SPARK_Mode => Off is
          end if;
       end if;
    end Put;
-
-   ----------
-   -- Save --
-   ----------
 
    procedure Save (F : in out File) is
       Bytes : constant Storage_Count :=
@@ -189,18 +161,10 @@ package body Trace.Storage with SPARK_Mode => Off is
       F.Put_Length := 0;
    end Save;
 
-   ----------
-   -- Pass --
-   ----------
-
    procedure Pass (F : in out File; Next : Unsigned_64) is
    begin
       F.Saved := Next;
    end Pass;
-
-   ---------
-   -- Get --
-   ---------
 
    procedure Get
      (F      : in out File;
@@ -224,10 +188,6 @@ package body Trace.Storage with SPARK_Mode => Off is
       Found := Read (Place).Mark = Number + 1;
    end Get;
 
-   -----------------
-   -- Write_Chunk --
-   -----------------
-
    procedure Write_Chunk (F : in out File) is
       Chunk : Chunk_Text with Import, Address => F.Chunk_At;
       Next  : Positive := 1;
@@ -247,10 +207,6 @@ package body Trace.Storage with SPARK_Mode => Off is
       F.Chunk_Last := 0;
    end Write_Chunk;
 
-   -----------
-   -- Write --
-   -----------
-
    procedure Write (F : in out File; Text : String) is
       Chunk : Chunk_Text with Import, Address => F.Chunk_At;
    begin
@@ -260,10 +216,6 @@ package body Trace.Storage with SPARK_Mode => Off is
       Chunk (F.Chunk_Last + 1 .. F.Chunk_Last + Text'Length) := Text;
       F.Chunk_Last := F.Chunk_Last + Text'Length;
    end Write;
-
-   --------------
-   -- End_Text --
-   --------------
 
    procedure End_Text (F : in out File) is
       Ignored : int;

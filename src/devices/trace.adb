@@ -104,19 +104,11 @@ is
 
    procedure Write (Line : Texts.Text);
 
-   ----------------
-   -- Set_Reason --
-   ----------------
-
    procedure Set_Reason (Reason : out Texts.Text; Number : Integer) is
    begin
       Texts.Set (Reason, (if Number = 0 then ""
                           else GNAT.OS_Lib.Errno_Message (Number)));
    end Set_Reason;
-
-   ---------
-   -- Now --
-   ---------
 
    function Now return Unsigned_64 is
       Read    : Time_Spec := (0, 0);
@@ -126,10 +118,6 @@ is
       return Unsigned_64 (Read.Seconds) * 1_000_000_000
         + Unsigned_64 (Read.Nanoseconds);
    end Now;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put (Item : Trace_Json.Event) is
       Number : Unsigned_64;
@@ -149,10 +137,6 @@ is
       Put ((Now, Unsigned_64 (Number), Who, Kind, Label));
    end Put;
 
-   ---------
-   -- Try --
-   ---------
-
    procedure Try
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
@@ -162,10 +146,6 @@ is
       Success := Number = 0;
       Set_Reason (Reason, Number);
    end Try;
-
-   ----------
-   -- Open --
-   ----------
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
@@ -194,10 +174,6 @@ is
          On := True;
       end if;
    end Open;
-
-   -----------
-   -- Store --
-   -----------
 
    procedure Store is
       Item    : Trace_Json.Event;
@@ -231,10 +207,6 @@ is
       Storing := False;
    end Store;
 
-   ----------
-   -- Wake --
-   ----------
-
    procedure Wake is
       One     : constant Unsigned_64 := 1;
       Ignored : Ssize;
@@ -244,10 +216,6 @@ is
          Ignored := Linux.Write (Store_Due, One'Address, One'Size / 8);
       end if;
    end Wake;
-
-   -----------
-   -- Fetch --
-   -----------
 
    procedure Fetch
      (Number : Unsigned_64;
@@ -261,18 +229,10 @@ is
       end if;
    end Fetch;
 
-   -----------
-   -- Write --
-   -----------
-
    procedure Write (Line : Texts.Text) is
    begin
       Trace.Storage.Write (File, Texts.Image (Line));
    end Write;
-
-   ------------
-   -- Finish --
-   ------------
 
    procedure Finish (Whole : out Boolean; Reason : out Texts.Text) is
       Lowest  : int := 0;
@@ -351,20 +311,12 @@ is
       end if;
    end Finish;
 
-   -------------
-   -- Release --
-   -------------
-
    procedure Release (Who : Task_Name; Number : Orders.Ticket := 0) is
    begin
       if On then
          Put (Trace_Json.Release, Who, Number);
       end if;
    end Release;
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start (Who : Task_Name; Number : Orders.Ticket := 0) is
    begin
@@ -380,10 +332,6 @@ is
       end if;
    end Start;
 
-   -------------
-   -- Take_Up --
-   -------------
-
    procedure Take_Up (Who : Task_Name) is
    begin
       if On then
@@ -391,20 +339,12 @@ is
       end if;
    end Take_Up;
 
-   ----------
-   -- Done --
-   ----------
-
    procedure Done (Who : Task_Name) is
    begin
       if On then
          Put (Trace_Json.Done, Who);
       end if;
    end Done;
-
-   ----------
-   -- Wait --
-   ----------
 
    procedure Wait (Who : Task_Name; What : Wait_Kind) is
    begin
@@ -419,10 +359,6 @@ is
                            when Tasks  => "tasks "));
       end if;
    end Wait;
-
-   ------------
-   -- Resume --
-   ------------
 
    procedure Resume (Who : Task_Name) is
    begin
@@ -439,20 +375,12 @@ is
       end if;
    end Resume;
 
-   ----------
-   -- Idle --
-   ----------
-
    procedure Idle (Who : Task_Name) is
    begin
       if On then
          Put (Trace_Json.Idle, Who);
       end if;
    end Idle;
-
-   --------------
-   -- Received --
-   --------------
 
    procedure Received
      (Kind : Monitor.Protocol.Message_Kind; Number : Orders.Ticket) is
@@ -464,10 +392,6 @@ is
       end if;
    end Received;
 
-   ----------
-   -- Sent --
-   ----------
-
    procedure Sent (Label : Monitor.Protocol.Label_Text) is
    begin
       if On then
@@ -475,10 +399,6 @@ is
               Label => Label & "  ");
       end if;
    end Sent;
-
-   -------------
-   -- Ordered --
-   -------------
 
    procedure Ordered (Who : Task_Name; Kind : Robot.Protocol.Command_Kind) is
    begin

@@ -38,10 +38,6 @@ package body Admission.Authentication with SPARK_Mode is
    --  The line is the label and the token. Looks at all places, whatever
    --  it has seen: its time depends on the length of the line only
 
-   ----------------------
-   -- Accept_Character --
-   ----------------------
-
    procedure Accept_Character
      (R : in out Reader; T : Token; C : Character) is
    begin
@@ -54,10 +50,6 @@ package body Admission.Authentication with SPARK_Mode is
       end if;
    end Accept_Character;
 
-   ------------------
-   -- Append_Shown --
-   ------------------
-
    procedure Append_Shown (To : in out Texts.Text; Line : String) is
       Last : constant Natural := Line'First - 1 + Shown_Length (Line);
    begin
@@ -67,18 +59,10 @@ package body Admission.Authentication with SPARK_Mode is
       end if;
    end Append_Shown;
 
-   -----------
-   -- Clear --
-   -----------
-
    procedure Clear (R : out Reader) is
    begin
       R := (others => <>);
    end Clear;
-
-   -------------
-   -- Is_Same --
-   -------------
 
    function Is_Same (R : Reader; T : Token) return Boolean is
       Difference : Unsigned_32 :=
@@ -107,10 +91,6 @@ package body Admission.Authentication with SPARK_Mode is
       return Difference = 0;
    end Is_Same;
 
-   -----------------
-   -- Line_Length --
-   -----------------
-
    function Line_Length (Text : String) return Natural is
    begin
       for I in Text'Range loop
@@ -122,10 +102,6 @@ package body Admission.Authentication with SPARK_Mode is
       end loop;
       return Text'Length;
    end Line_Length;
-
-   ----------------
-   -- Read_Token --
-   ----------------
 
    procedure Read_Token (Text : String; T : out Token; Good : out Boolean) is
       Data : String (1 .. Max_Token) := (others => ' ');
@@ -142,10 +118,6 @@ package body Admission.Authentication with SPARK_Mode is
          T := (Data => Data, Length => Line_Length (Text));
       end if;
    end Read_Token;
-
-   ------------------
-   -- Shown_Length --
-   ------------------
 
    function Shown_Length (Line : String) return Natural is
    begin

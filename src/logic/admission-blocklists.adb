@@ -4,18 +4,10 @@
 
 package body Admission.Blocklists with SPARK_Mode is
 
-   -----------
-   -- Clear --
-   -----------
-
    procedure Clear (H : out History) is
    begin
       H := (others => <>);
    end Clear;
-
-   --------------
-   -- Count_Of --
-   --------------
 
    function Count_Of
      (H : History; S : Admission.Networks.Source) return Arrival_Count
@@ -36,10 +28,6 @@ package body Admission.Blocklists with SPARK_Mode is
       end loop;
       return Result;
    end Count_Of;
-
-   ------------
-   -- Extend --
-   ------------
 
    procedure Extend (L : in out List; H : History; Grown : out Boolean) is
       Before : constant Source_Count := L.Count;
@@ -62,10 +50,6 @@ package body Admission.Blocklists with SPARK_Mode is
       end loop;
       Grown := L.Count > Before;
    end Extend;
-
-   ----------
-   -- Note --
-   ----------
 
    procedure Note (H : in out History; S : Admission.Networks.Source) is
    begin

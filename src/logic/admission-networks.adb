@@ -4,19 +4,11 @@
 
 package body Admission.Networks with SPARK_Mode is
 
-   ---------
-   -- Add --
-   ---------
-
    procedure Add (L : in out List; N : Network) is
    begin
       L.Count := L.Count + 1;
       L.Items (L.Count) := N;
    end Add;
-
-   ----------------
-   -- Digits_End --
-   ----------------
 
    function Digits_End (Text : String; First : Positive) return Text_Place
    is
@@ -31,10 +23,6 @@ package body Admission.Networks with SPARK_Mode is
       end loop;
       return Result;
    end Digits_End;
-
-   ----------
-   -- Ends --
-   ----------
 
    function Ends (Text : String) return Octet_Ends is
       Result : Octet_Ends := (others => 0);
@@ -55,10 +43,6 @@ package body Admission.Networks with SPARK_Mode is
       end loop;
       return Result;
    end Ends;
-
-   -----------
-   -- Parse --
-   -----------
 
    procedure Parse (Text : String; N : out Network; V : out Verdict) is
    begin

@@ -20,10 +20,6 @@ package body Admission.Pending_Connections with SPARK_Mode is
    --  Who has waited longest of the sources that have the most; nobody where
    --  none has two
 
-   --------------
-   -- Count_Of --
-   --------------
-
    function Count_Of
      (T : Table; S : Admission.Networks.Source) return Place_Count is
       Result : Place_Count := 0;
@@ -36,10 +32,6 @@ package body Admission.Pending_Connections with SPARK_Mode is
       end loop;
       return Result;
    end Count_Of;
-
-   -----------
-   -- Enter --
-   -----------
 
    procedure Enter
      (T : in out Table; P : Place; S : Admission.Networks.Source) is
@@ -60,10 +52,6 @@ package body Admission.Pending_Connections with SPARK_Mode is
         (Taken => True, Kept => False, Source => S, Came => T.Steps,
          Served => Served, Heard => T.Steps);
    end Enter;
-
-   ----------------
-   -- First_Kept --
-   ----------------
 
    function First_Kept (T : Table) return Place_Choice is
       Result : Place_Choice := No_Place;
@@ -87,10 +75,6 @@ package body Admission.Pending_Connections with SPARK_Mode is
       return Result;
    end First_Kept;
 
-   ----------------
-   -- Free_Place --
-   ----------------
-
    function Free_Place (T : Table) return Place_Choice is
    begin
       for P in Place loop
@@ -102,27 +86,15 @@ package body Admission.Pending_Connections with SPARK_Mode is
       return No_Place;
    end Free_Place;
 
-   ----------
-   -- Keep --
-   ----------
-
    procedure Keep (T : in out Table; P : Place) is
    begin
       T.Items (P).Kept := True;
    end Keep;
 
-   -----------
-   -- Leave --
-   -----------
-
    procedure Leave (T : in out Table; P : Place) is
    begin
       T.Items (P) := (others => <>);
    end Leave;
-
-   ----------
-   -- Next --
-   ----------
 
    function Next (T : Table; Due : Place_Set) return Place_Choice is
       Result : Place_Choice := No_Place;
@@ -148,10 +120,6 @@ package body Admission.Pending_Connections with SPARK_Mode is
       return Result;
    end Next;
 
-   -------------
-   -- Of_Most --
-   -------------
-
    function Of_Most (T : Table) return Place_Choice is
       Result : Place_Choice := No_Place;
       Most   : Place_Count  := 1;
@@ -175,10 +143,6 @@ package body Admission.Pending_Connections with SPARK_Mode is
       return Result;
    end Of_Most;
 
-   --------------------
-   -- Oldest_Waiting --
-   --------------------
-
    function Oldest_Waiting
      (T : Table; S : Admission.Networks.Source) return Place_Choice
    is
@@ -199,10 +163,6 @@ package body Admission.Pending_Connections with SPARK_Mode is
       end loop;
       return Result;
    end Oldest_Waiting;
-
-   -----------
-   -- Serve --
-   -----------
 
    procedure Serve (T : in out Table; P : Place) is
       S : constant Admission.Networks.Source := T.Items (P).Source;
@@ -225,10 +185,6 @@ package body Admission.Pending_Connections with SPARK_Mode is
          pragma Loop_Invariant (T.Steps = T'Loop_Entry.Steps);
       end loop;
    end Serve;
-
-   -------------
-   -- Surplus --
-   -------------
 
    function Surplus (T : Table; P : Place) return Place_Choice is
       S      : constant Admission.Networks.Source := T.Items (P).Source;

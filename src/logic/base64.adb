@@ -140,19 +140,11 @@ package body Base64 with SPARK_Mode is
    with Post => Natural (Triple_Byte_3'Result) = V3 mod 4 * 64 + V4;
    --  The three bytes of four symbols.
 
-   --------------------
-   -- Are_Symbols_At --
-   --------------------
-
    function Are_Symbols_At (Text : String; K : Natural) return Boolean is
      (Is_Symbol (Text (Text'First + 4 * K))
       and then Is_Symbol (Text (Text'First + 4 * K + 1))
       and then Is_Symbol (Text (Text'First + 4 * K + 2))
       and then Is_Symbol (Text (Text'First + 4 * K + 3)));
-
-   ------------
-   -- Decode --
-   ------------
 
    procedure Decode
      (Input  : String;
@@ -263,10 +255,6 @@ package body Base64 with SPARK_Mode is
       pragma Assert (Is_Well_Formed (Input));
    end Decode;
 
-   ----------------
-   -- Decoded_At --
-   ----------------
-
    function Decoded_At (Text : String; I : Positive) return Byte is
       P  : constant Positive := Text'First + (I - 1) / 3 * 4;
       V1 : constant Sextet := Value_Of (Text (P));
@@ -280,10 +268,6 @@ package body Base64 with SPARK_Mode is
             when 1      => Triple_Byte_2 (V2, V3),
             when others => Triple_Byte_3 (V3, V4));
    end Decoded_At;
-
-   ------------
-   -- Encode --
-   ------------
 
    procedure Encode
      (Input  : Byte_Array;
@@ -373,10 +357,6 @@ package body Base64 with SPARK_Mode is
            Output (First + P) = Encoded_At (Input, Length, P));
    end Encode;
 
-   ---------------------
-   -- Group_Character --
-   ---------------------
-
    function Group_Character
      (Input : Byte_Array; Length, K : Natural; J : Place) return Character
    is
@@ -398,10 +378,6 @@ package body Base64 with SPARK_Mode is
       end case;
    end Group_Character;
 
-   ----------------
-   -- Prove_Bits --
-   ----------------
-
    procedure Prove_Bits (B1, B2, B3 : Natural) is
    begin
       pragma Assert ((B1 mod 4 * 16 + B2 / 16) / 16 = B1 mod 4);
@@ -410,15 +386,7 @@ package body Base64 with SPARK_Mode is
       pragma Assert ((B2 mod 16 * 4 + B3 / 64) mod 4 = B3 / 64);
    end Prove_Bits;
 
-   -----------------
-   -- Prove_Bytes --
-   -----------------
-
    procedure Prove_Bytes (Text : String; K : Natural) is null;
-
-   ---------------------
-   -- Prove_Byte_Back --
-   ---------------------
 
    procedure Prove_Byte_Back
      (Input : Byte_Array; Length : Natural; Text : String; I : Positive)
@@ -437,10 +405,6 @@ package body Base64 with SPARK_Mode is
       end case;
    end Prove_Byte_Back;
 
-   -----------------
-   -- Prove_Group --
-   -----------------
-
    procedure Prove_Group (Input : Byte_Array; Length, K : Natural) is
    begin
       for J in Place loop
@@ -451,10 +415,6 @@ package body Base64 with SPARK_Mode is
               = Group_Character (Input, Length, K, J));
       end loop;
    end Prove_Group;
-
-   ----------------------
-   -- Prove_Group_Back --
-   ----------------------
 
    procedure Prove_Group_Back
      (Input : Byte_Array; Length : Natural; Text : String; K : Natural)
@@ -487,10 +447,6 @@ package body Base64 with SPARK_Mode is
       pragma Assert (V2 mod 16 * 16 + V3 / 4 = B2);
       pragma Assert (V3 mod 4 * 64 + V4 = B3);
    end Prove_Group_Back;
-
-   ----------------------
-   -- Prove_Round_Trip --
-   ----------------------
 
    procedure Prove_Round_Trip (Input : Byte_Array; Length : Natural) is
       Text   : String (1 .. Encoded_Length (Length)) := (others => ' ');
@@ -553,15 +509,7 @@ package body Base64 with SPARK_Mode is
            Natural (Result (I)) = Natural (Input (I)));
    end Prove_Round_Trip;
 
-   ---------------------
-   -- Prove_Same_Byte --
-   ---------------------
-
    procedure Prove_Same_Byte (A, B : Byte) is null;
-
-   ------------------
-   -- Prove_Symbol --
-   ------------------
 
    procedure Prove_Symbol (Value : Sextet) is null;
 

@@ -75,10 +75,6 @@ package body Command_Lines with SPARK_Mode is
      (R : in out Reading; Value : String; Result : out Texts.Text);
    --  Value; where it is empty R is Wrong
 
-   ----------
-   -- Fail --
-   ----------
-
    procedure Fail (R : in out Reading; Message : String) is
    begin
       R.Request := Wrong;
@@ -96,10 +92,6 @@ package body Command_Lines with SPARK_Mode is
       Texts.Append (R.Reason, After);
    end Fail;
 
-   ------------
-   -- Finish --
-   ------------
-
    procedure Finish (R : in out Reading) is
    begin
       if R.Request not in Settled_Kind and then R.Awaited /= None then
@@ -107,10 +99,6 @@ package body Command_Lines with SPARK_Mode is
          Texts.Append (R.Reason, Name_Of (R.Awaited));
       end if;
    end Finish;
-
-   ------------------
-   -- Read_Network --
-   ------------------
 
    procedure Read_Network (R : in out Reading; Value : String) is
       Text    : constant Texts.Text := Texts.To_Text (Value);
@@ -139,10 +127,6 @@ package body Command_Lines with SPARK_Mode is
             Texts.Append (R.Reason, Network.Length);
       end case;
    end Read_Network;
-
-   -----------------
-   -- Read_Number --
-   -----------------
 
    procedure Read_Number
      (R      : in out Reading;
@@ -179,10 +163,6 @@ package body Command_Lines with SPARK_Mode is
       end if;
    end Read_Number;
 
-   ---------------
-   -- Read_Size --
-   ---------------
-
    procedure Read_Size (R : in out Reading; Value : String) is
       Cross  : Natural := 0;
       Number : Natural;
@@ -213,10 +193,6 @@ package body Command_Lines with SPARK_Mode is
       end if;
    end Read_Size;
 
-   ---------------
-   -- Read_Text --
-   ---------------
-
    procedure Read_Text
      (R : in out Reading; Value : String; Result : out Texts.Text) is
    begin
@@ -226,10 +202,6 @@ package body Command_Lines with SPARK_Mode is
       end if;
    end Read_Text;
 
-   -----------------
-   -- Refuse_Long --
-   -----------------
-
    procedure Refuse_Long (R : in out Reading) is
    begin
       if R.Request not in Settled_Kind then
@@ -238,10 +210,6 @@ package body Command_Lines with SPARK_Mode is
          Texts.Append (R.Reason, " characters");
       end if;
    end Refuse_Long;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take (R : in out Reading; Argument : String) is
       Is_Name : constant Boolean :=
@@ -282,10 +250,6 @@ package body Command_Lines with SPARK_Mode is
       Take_Name (R, Argument);
    end Take;
 
-   ---------------
-   -- Take_Name --
-   ---------------
-
    procedure Take_Name (R : in out Reading; Name : String) is
    begin
       if Name = "--help" or else Name = "-h" then
@@ -306,10 +270,6 @@ package body Command_Lines with SPARK_Mode is
          end if;
       end if;
    end Take_Name;
-
-   ----------------
-   -- Take_Value --
-   ----------------
 
    procedure Take_Value (R : in out Reading; Value : String) is
       Number : Natural;

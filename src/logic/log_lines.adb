@@ -4,10 +4,6 @@
 
 package body Log_Lines with SPARK_Mode is
 
-   ---------
-   -- Put --
-   ---------
-
    procedure Put (S : in out State; Item : Line) is
    begin
       if not Queues.Is_Full (S.Kept) then
@@ -16,10 +12,6 @@ package body Log_Lines with SPARK_Mode is
          S.Not_Kept := S.Not_Kept + 1;
       end if;
    end Put;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take
      (S       : in out State;
@@ -41,10 +33,6 @@ package body Log_Lines with SPARK_Mode is
       end if;
       S.Writing := Found;
    end Take;
-
-   -------------
-   -- Written --
-   -------------
 
    procedure Written (S : in out State) is
    begin

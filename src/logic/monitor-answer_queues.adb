@@ -14,19 +14,11 @@ package body Monitor.Answer_Queues with SPARK_Mode is
    --  Numbers and lengths count alike: by way of 16 bits, which the provers
    --  find easier than 64
 
-   -----------
-   -- Clear --
-   -----------
-
    procedure Clear (Q : in out Queue) is
    begin
       Q.First := Next_Number (Q);
       Answers.Clear (Q.Items);
    end Clear;
-
-   ---------------
-   -- Prove_Sum --
-   ---------------
 
    procedure Prove_Sum (Count : Natural) is
    begin
@@ -36,20 +28,12 @@ package body Monitor.Answer_Queues with SPARK_Mode is
          = Orders.Ticket (Unsigned_16 (Count)) + 1);
    end Prove_Sum;
 
-   ---------
-   -- Put --
-   ---------
-
    procedure Put (Q : in out Queue; Number : Orders.Ticket; Item : Answer) is
    begin
       if Is_Awaited (Q, Number) then
          Answers.Replace (Q.Items, Place_Of (Q, Number), Item);
       end if;
    end Put;
-
-   ------------------
-   -- Remove_First --
-   ------------------
 
    procedure Remove_First (Q : in out Queue) is
    begin
@@ -58,19 +42,11 @@ package body Monitor.Answer_Queues with SPARK_Mode is
       Q.First := Q.First + 1;
    end Remove_First;
 
-   -------------
-   -- Reserve --
-   -------------
-
    procedure Reserve (Q : in out Queue) is
    begin
       Prove_Sum (Length (Q));
       Answers.Put (Q.Items, (others => <>));
    end Reserve;
-
-   ------------------
-   -- Skip_Nothing --
-   ------------------
 
    procedure Skip_Nothing (Q : in out Queue) is
       Before : constant Queue := Q with Ghost;

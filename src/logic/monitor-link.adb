@@ -4,10 +4,6 @@
 
 package body Monitor.Link with SPARK_Mode is
 
-   -----------
-   -- Judge --
-   -----------
-
    procedure Judge (S : in out State; X : Sample; V : out Verdict) is
       Progress : constant Boolean := Is_Progress (S, X);
    begin
@@ -36,10 +32,6 @@ package body Monitor.Link with SPARK_Mode is
       end if;
    end Judge;
 
-   -----------
-   -- Start --
-   -----------
-
    procedure Start (S : out State; Now : Milliseconds) is
    begin
       S := (Watched_Since => Now,
@@ -49,10 +41,6 @@ package body Monitor.Link with SPARK_Mode is
             Holding_Since => Now,
             Acked         => 0);
    end Start;
-
-   ------------
-   -- Append --
-   ------------
 
    procedure Append (Line : in out Texts.Text; Why : Cause) is
    begin
@@ -77,10 +65,6 @@ package body Monitor.Link with SPARK_Mode is
             Texts.Append (Line, "connection closed");
       end case;
    end Append;
-
-   --------------------
-   -- Append_Seconds --
-   --------------------
 
    procedure Append_Seconds (Line : in out Texts.Text; Span : Milliseconds) is
    begin

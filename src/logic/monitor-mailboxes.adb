@@ -65,10 +65,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
        and then Commands (B) <= Commands (B'Old)
        and then B.Arena = B'Old.Arena;
 
-   ----------------
-   -- Begin_Hold --
-   ----------------
-
    procedure Begin_Hold
      (B           : in out Mailbox;
       New_Command : Boolean;
@@ -81,10 +77,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end if;
    end Begin_Hold;
 
-   -------------------
-   -- Close_Session --
-   -------------------
-
    procedure Close_Session (B : in out Mailbox; Next : out Orders.Ticket) is
    begin
       B.Open := False;
@@ -94,10 +86,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       B.Made := B.Made + 1;
       Drop_Unasked (B);
    end Close_Session;
-
-   -------------
-   -- Compose --
-   -------------
 
    procedure Compose (From : Item; Line : out Short_Line) is
 
@@ -132,10 +120,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end case;
    end Compose;
 
-   ------------------
-   -- Drop_Unasked --
-   ------------------
-
    procedure Drop_Unasked (B : in out Mailbox) is
    begin
       B.Lost := False;
@@ -147,20 +131,12 @@ package body Monitor.Mailboxes with SPARK_Mode is
       B.Released := False;
    end Drop_Unasked;
 
-   --------------
-   -- End_Hold --
-   --------------
-
    procedure End_Hold (B : in out Mailbox; Now : Time) is
    begin
       if B.Hold.On and then Now >= Monitor.Message_Holds.Ending (B.Hold) then
          B.Released := True;
       end if;
    end End_Hold;
-
-   --------------------
-   -- End_Quiet_Hold --
-   --------------------
 
    procedure End_Quiet_Hold (B : in out Mailbox) is
    begin
@@ -170,10 +146,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end if;
    end End_Quiet_Hold;
 
-   ------------------
-   -- Open_Session --
-   ------------------
-
    procedure Open_Session (B : in out Mailbox) is
    begin
       B.Open := True;
@@ -181,10 +153,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       B.Imaged := False;
       Drop_Unasked (B);
    end Open_Session;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put
      (B      : in out Mailbox;
@@ -195,10 +163,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       pragma Assert (not Is_Awaited (B, Number));
       Skip_Nothing (B.Answers);
    end Put;
-
-   ---------------
-   -- Put_Arena --
-   ---------------
 
    procedure Put_Arena
      (B        : in out Mailbox;
@@ -216,19 +180,11 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end if;
    end Put_Arena;
 
-   ----------------
-   -- Put_Answer --
-   ----------------
-
    procedure Put_Answer
      (B : in out Mailbox; Number : Orders.Ticket; Answer : Answer_Kind) is
    begin
       Put (B, Number, (State => Ready_Text, Kind => Answer));
    end Put_Answer;
-
-   -----------------
-   -- Put_Battery --
-   -----------------
 
    procedure Put_Battery
      (B     : in out Mailbox;
@@ -243,10 +199,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
          Begin_Hold (B, False, Now, Begun);
       end if;
    end Put_Battery;
-
-   ---------------
-   -- Put_Image --
-   ---------------
 
    procedure Put_Image
      (B     : in out Mailbox;
@@ -263,10 +215,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end if;
    end Put_Image;
 
-   --------------
-   -- Put_Lost --
-   --------------
-
    procedure Put_Lost (B : in out Mailbox; Now : Time; Begun : out Boolean) is
    begin
       Begun := False;
@@ -276,18 +224,10 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end if;
    end Put_Lost;
 
-   -------------------
-   -- Put_No_Answer --
-   -------------------
-
    procedure Put_No_Answer (B : in out Mailbox; Number : Orders.Ticket) is
    begin
       Put (B, Number, (State => Ready_Nothing, others => <>));
    end Put_No_Answer;
-
-   ----------------
-   -- Put_Notice --
-   ----------------
 
    procedure Put_Notice
      (B     : in out Mailbox;
@@ -302,10 +242,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end if;
    end Put_Notice;
 
-   ------------------
-   -- Put_Position --
-   ------------------
-
    procedure Put_Position
      (B     : in out Mailbox;
       Line  : Short_Line;
@@ -319,10 +255,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
          Begin_Hold (B, False, Now, Begun);
       end if;
    end Put_Position;
-
-   -------------
-   -- Reserve --
-   -------------
 
    procedure Reserve
      (B      : in out Mailbox;
@@ -344,10 +276,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end if;
    end Reserve;
 
-   -----------------
-   -- Stop_Images --
-   -----------------
-
    procedure Stop_Images (B : in out Mailbox) is
    begin
       B.Made := B.Made + 1;
@@ -355,10 +283,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       B.Position.Length := 0;
       End_Quiet_Hold (B);
    end Stop_Images;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take
      (B         : in out Mailbox;

@@ -3,10 +3,6 @@
 
 package body Monitor.Message_Holds with SPARK_Mode is
 
-   ----------------
-   -- Begin_Hold --
-   ----------------
-
    procedure Begin_Hold
      (H           : in out Hold;
       New_Command : Boolean;

@@ -159,10 +159,6 @@ package body Monitor.Protocol with SPARK_Mode is
        and then (if R'Old.Length < Max_Line then R.Data (R.Length) = C);
    --  Appends C to the line where there is room, and notes where not.
 
-   ----------------------
-   -- Accept_Character --
-   ----------------------
-
    procedure Accept_Character
      (R : in out Line_Reader; C : Character; Complete : out Boolean)
    is
@@ -186,10 +182,6 @@ package body Monitor.Protocol with SPARK_Mode is
       end if;
    end Accept_Character;
 
-   -----------
-   -- Clear --
-   -----------
-
    procedure Clear (R : out Line_Reader) is
    begin
       R := (Data     => (others => ' '),
@@ -198,10 +190,6 @@ package body Monitor.Protocol with SPARK_Mode is
             Too_Long => False,
             Finished => False);
    end Clear;
-
-   ---------------
-   -- Field_End --
-   ---------------
 
    function Field_End
      (Line : String; First : Positive; Last : Natural) return Natural
@@ -216,10 +204,6 @@ package body Monitor.Protocol with SPARK_Mode is
       end loop;
       return Last;
    end Field_End;
-
-   ---------------------
-   -- Format_Position --
-   ---------------------
 
    procedure Format_Position
      (P      : Position;
@@ -289,10 +273,6 @@ package body Monitor.Protocol with SPARK_Mode is
       Prove_Position (Buffer, Last - 1, S, P);
    end Format_Position;
 
-   --------------
-   -- Get_Line --
-   --------------
-
    procedure Get_Line
      (R : Line_Reader; Line : in out String; Last : out Natural)
    is
@@ -300,10 +280,6 @@ package body Monitor.Protocol with SPARK_Mode is
       Last := (if R.Too_Long then 0 else R.Length);
       Line (1 .. Last) := R.Data (1 .. Last);
    end Get_Line;
-
-   ----------
-   -- Keep --
-   ----------
 
    procedure Keep (R : in out Line_Reader; C : Character) is
    begin
@@ -314,10 +290,6 @@ package body Monitor.Protocol with SPARK_Mode is
          R.Too_Long := True;
       end if;
    end Keep;
-
-   -----------
-   -- Parse --
-   -----------
 
    procedure Parse (Line : String; M : out Message) is
    begin
@@ -336,10 +308,6 @@ package body Monitor.Protocol with SPARK_Mode is
            (for all J in Known_Kind'First .. K => not Is_Line_Of (Line, J));
       end loop;
    end Parse;
-
-   --------------------
-   -- Parse_Position --
-   --------------------
 
    procedure Parse_Position
      (Line : String; Last : Natural; P : out Position; OK : out Boolean)
@@ -364,10 +332,6 @@ package body Monitor.Protocol with SPARK_Mode is
             Dx    => Micro (Fraction_Value (Line, S (5), S (6) - 2)),
             Dy    => Micro (Fraction_Value (Line, S (6), S (7) - 2)));
    end Parse_Position;
-
-   -------------------
-   -- Prove_Reading --
-   -------------------
 
    procedure Prove_Reading (Text : String) is
       R        : Line_Reader;
@@ -400,10 +364,6 @@ package body Monitor.Protocol with SPARK_Mode is
       pragma Assert (for all I in 1 .. Last => Line (I) = Text (I));
    end Prove_Reading;
 
-   ---------------------
-   -- Prove_Field_End --
-   ---------------------
-
    procedure Prove_Field_End
      (Line : String; First : Positive; Last, Ending : Natural)
    is
@@ -415,10 +375,6 @@ package body Monitor.Protocol with SPARK_Mode is
       pragma Assert
         (if Found > Ending then Line (Ending + 1) /= Field_Separator);
    end Prove_Field_End;
-
-   --------------------
-   -- Prove_Position --
-   --------------------
 
    procedure Prove_Position
      (Line : String; Last : Natural; S : Field_Starts; P : Position)
@@ -437,10 +393,6 @@ package body Monitor.Protocol with SPARK_Mode is
       pragma Assert (Are_Fields_Of (Line, T, P));
    end Prove_Position;
 
-   ----------------------
-   -- Prove_Round_Trip --
-   ----------------------
-
    procedure Prove_Round_Trip (P : Position) is
       Text : Position_Text;
       Last : Natural;
@@ -453,10 +405,6 @@ package body Monitor.Protocol with SPARK_Mode is
       pragma Assert (Q = P);
    end Prove_Round_Trip;
 
-   -------------------
-   -- Prove_Same_Id --
-   -------------------
-
    procedure Prove_Same_Id
      (A, B : String; First : Positive; Last : Natural; Id : Robot_Id)
    is
@@ -467,10 +415,6 @@ package body Monitor.Protocol with SPARK_Mode is
       end if;
    end Prove_Same_Id;
 
-   ----------------------
-   -- Prove_Same_Micro --
-   ----------------------
-
    procedure Prove_Same_Micro
      (A, B : String; First : Positive; Last : Natural; Value : Micro)
    is
@@ -479,10 +423,6 @@ package body Monitor.Protocol with SPARK_Mode is
       Numbers.Prove_Same_Value (A, B, Whole_First (A, First), Last - 7);
       Numbers.Prove_Same_Value (A, B, Last - 5, Last);
    end Prove_Same_Micro;
-
-   ------------------
-   -- Prove_Starts --
-   ------------------
 
    procedure Prove_Starts (Line : String; Last : Natural; S : Field_Starts)
    is
@@ -503,10 +443,6 @@ package body Monitor.Protocol with SPARK_Mode is
       pragma Assert (T (7) = S (7));
    end Prove_Starts;
 
-   ---------------
-   -- Put_Field --
-   ---------------
-
    procedure Put_Field
      (Value  : Micro;
       Buffer : in out Position_Text;
@@ -517,10 +453,6 @@ package body Monitor.Protocol with SPARK_Mode is
       Buffer (Last) := Field_Separator;
       Put_Micro (Value, Buffer, Last);
    end Put_Field;
-
-   ------------
-   -- Put_Id --
-   ------------
 
    procedure Put_Id
      (Id     : Robot_Id;
@@ -536,10 +468,6 @@ package body Monitor.Protocol with SPARK_Mode is
          Numbers.Append (Id, 1, Buffer, Last);
       end if;
    end Put_Id;
-
-   ---------------
-   -- Put_Micro --
-   ---------------
 
    procedure Put_Micro
      (Value  : Micro;
@@ -565,10 +493,6 @@ package body Monitor.Protocol with SPARK_Mode is
       pragma Assert (Fraction_Value (Buffer, First, Last) = Wide (Value));
    end Put_Micro;
 
-   -----------
-   -- Short --
-   -----------
-
    function Short (Text : String) return Short_Text is
       Result : Short_Text;
    begin
@@ -577,10 +501,6 @@ package body Monitor.Protocol with SPARK_Mode is
       Result.Length := Text'Last + 1;
       return Result;
    end Short;
-
-   ------------
-   -- Starts --
-   ------------
 
    function Starts (Line : String; Last : Natural) return Field_Starts is
       Result : Field_Starts := (1 => First_Field, others => Last + 3);

@@ -4,10 +4,6 @@
 
 package body Monitor.Session_Stages with SPARK_Mode is
 
-   ------------------
-   -- Begin_Active --
-   ------------------
-
    procedure Begin_Active (S : in out State; Admitted : out Boolean) is
    begin
       Admitted := May_Begin (S);
@@ -16,20 +12,12 @@ package body Monitor.Session_Stages with SPARK_Mode is
       end if;
    end Begin_Active;
 
-   -----------
-   -- Go_On --
-   -----------
-
    procedure Go_On (S : in out State; To : Stage_Kind) is
    begin
       if After (S.Stage) = To then
          S.Stage := To;
       end if;
    end Go_On;
-
-   ----------
-   -- Stop --
-   ----------
 
    procedure Stop (S : in out State) is
    begin

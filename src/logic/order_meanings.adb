@@ -4,10 +4,6 @@
 
 package body Order_Meanings with SPARK_Mode is
 
-   ---------------
-   -- Give_Rank --
-   ---------------
-
    procedure Give_Rank (R : in out Ranks; Order : in out Orders.Order) is
    begin
       if Has_Rank (Order.Message.Kind) then

@@ -4,10 +4,6 @@
 
 package body Robot.Health with SPARK_Mode is
 
-   -------------
-   -- Failure --
-   -------------
-
    procedure Failure (H : in out State; Command : Command_Kind) is
       Owed : Class_Set := H.Owed;
    begin
@@ -15,33 +11,17 @@ package body Robot.Health with SPARK_Mode is
       H := (Failures => H.Failures + 1, Owed => Owed, Untried => False);
    end Failure;
 
-   -------------
-   -- Initial --
-   -------------
-
    function Initial return State is
      ((Failures => 0, Owed => (others => False), Untried => False));
 
-   ------------
-   -- Opened --
-   ------------
-
    function Opened return State is
      ((Failures => 0, Owed => (others => False), Untried => True));
-
-   -----------
-   -- Probe --
-   -----------
 
    function Probe (H : State) return Command_Kind is
      (if not H.Owed (Text) then Version
       elsif not H.Owed (Digit) then Battery
       elsif not H.Owed (Unknown) then Unknown_Letter
       else Ping);
-
-   ----------------
-   -- Prove_Loss --
-   ----------------
 
    procedure Prove_Loss (Attempts : History) is
       H        : State := Initial;
@@ -63,10 +43,6 @@ package body Robot.Health with SPARK_Mode is
          exit when Lost (H);
       end loop;
    end Prove_Loss;
-
-   -------------
-   -- Success --
-   -------------
 
    procedure Success (H : in out State) is
    begin

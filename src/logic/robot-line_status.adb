@@ -4,10 +4,6 @@
 
 package body Robot.Line_Status with SPARK_Mode is
 
-   ----------
-   -- Note --
-   ----------
-
    procedure Note
      (S       : in out State;
       Done    : Robot.Requests.Job;

@@ -15,10 +15,6 @@ package body Robot.Protocol with SPARK_Mode is
      Post => Parity (A, Last) = Parity (B, Last);
    --  A checksum depends on its own text alone.
 
-   -----------------
-   -- Accept_Byte --
-   -----------------
-
    procedure Accept_Byte
      (R : in out Receiver; B : Byte; Complete : out Boolean)
    is
@@ -37,10 +33,6 @@ package body Robot.Protocol with SPARK_Mode is
       end if;
    end Accept_Byte;
 
-   --------------
-   -- Checksum --
-   --------------
-
    function Checksum (Data : Byte_Array; Length : Natural) return Byte is
       Result : Byte := 0;
    begin
@@ -51,10 +43,6 @@ package body Robot.Protocol with SPARK_Mode is
       return (if Result = Terminator then 16#0E# else Result);
    end Checksum;
 
-   -----------
-   -- Clear --
-   -----------
-
    procedure Clear (R : out Receiver) is
    begin
       R := (Data     => (others => 0),
@@ -62,10 +50,6 @@ package body Robot.Protocol with SPARK_Mode is
             Overflow => False,
             Finished => False);
    end Clear;
-
-   ------------
-   -- Decode --
-   ------------
 
    procedure Decode (F : Frame; Pending : Command_Kind; R : out Reply) is
       Kind  : Reply_Kind  := Wrong_Kind;
@@ -106,10 +90,6 @@ package body Robot.Protocol with SPARK_Mode is
       R := (Kind, Value);
    end Decode;
 
-   -------------
-   -- Decoded --
-   -------------
-
    function Decoded (F : Frame) return Reading is
    begin
       if Is_Framed (F) then
@@ -131,10 +111,6 @@ package body Robot.Protocol with SPARK_Mode is
       end if;
       return (OK => False, Value => (Ping, 0));
    end Decoded;
-
-   ------------
-   -- Encode --
-   ------------
 
    procedure Encode (C : Command; F : out Frame) is
       Last : Frame_Length := 1;
@@ -167,19 +143,11 @@ package body Robot.Protocol with SPARK_Mode is
       pragma Assert (Is_Text_For (F, C.Kind));
    end Encode;
 
-   ---------
-   -- Get --
-   ---------
-
    procedure Get (R : Receiver; F : out Frame) is
    begin
       F := (Data   => R.Data,
             Length => (if R.Overflow then 0 else R.Length));
    end Get;
-
-   ---------------------
-   -- Prove_Reception --
-   ---------------------
 
    procedure Prove_Reception (Data : Byte_Array; Pending : Command_Kind) is
       R        : Receiver;
@@ -209,10 +177,6 @@ package body Robot.Protocol with SPARK_Mode is
          or else Answer.Kind in Refused | Unknown_Command
          or else Answer.Kind in Failed_Reply);
    end Prove_Reception;
-
-   -----------------------
-   -- Prove_Same_Parity --
-   -----------------------
 
    procedure Prove_Same_Parity (A, B : Byte_Array; Last : Natural) is
    begin

@@ -19,10 +19,6 @@ package body Robot.Requests with SPARK_Mode is
            then not Is_Before (R, C, From)));
    --  What does not come before Best does not come before what does
 
-   -------------------
-   -- Begin_Session --
-   -------------------
-
    procedure Begin_Session (R : in out Requests; First : Orders.Ticket) is
    begin
       R.First_Order := First;
@@ -31,10 +27,6 @@ package body Robot.Requests with SPARK_Mode is
       R.Last_Change := 0;
       Order_Queues.Clear (R.Stops);
    end Begin_Session;
-
-   ------------
-   -- Finish --
-   ------------
 
    procedure Finish (R : in out Requests; Done : Job) is
    begin
@@ -46,10 +38,6 @@ package body Robot.Requests with SPARK_Mode is
       end if;
    end Finish;
 
-   ---------
-   -- Put --
-   ---------
-
    procedure Put
      (R       : in out Requests;
       From    : Single;
@@ -60,25 +48,13 @@ package body Robot.Requests with SPARK_Mode is
         (Pending => True, Request => Request, Order => Order);
    end Put;
 
-   --------------
-   -- Put_Stop --
-   --------------
-
    procedure Put_Stop (R : in out Requests; Order : Orders.Order) is
    begin
       Order_Queues.Put (R.Stops, Order);
       R.Last_Stop := Order.Number;
    end Put_Stop;
 
-   ----------------------
-   -- Prove_Transitivity --
-   ----------------------
-
    procedure Prove_Transitivity (R : Requests; From, Best : Client) is null;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take
      (R     : in out Requests;

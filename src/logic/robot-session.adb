@@ -92,10 +92,6 @@ package body Robot.Session with SPARK_Mode is
       Next : out Step);
    --  The exchange of the phase, or the probe before it, failed
 
-   --------------------
-   -- Begin_Exchange --
-   --------------------
-
    procedure Begin_Exchange
      (S       : State;
       P       : in out Progress;
@@ -121,10 +117,6 @@ package body Robot.Session with SPARK_Mode is
       end if;
    end Begin_Exchange;
 
-   ------------
-   -- Finish --
-   ------------
-
    procedure Finish
      (P    : in out Progress;
       Kind : Outcome_Kind;
@@ -135,10 +127,6 @@ package body Robot.Session with SPARK_Mode is
       P.Result.Kind := Kind;
       Next := (Finish, Wire.Stop);
    end Finish;
-
-   ---------
-   -- Act --
-   ---------
 
    procedure Act
      (S    : State;
@@ -157,10 +145,6 @@ package body Robot.Session with SPARK_Mode is
             Begin_Exchange (S, P, Acting, Command_For (P.Request), Next);
       end case;
    end Act;
-
-   -------------------
-   -- Start_Request --
-   -------------------
 
    procedure Start_Request
      (S    : State;
@@ -198,10 +182,6 @@ package body Robot.Session with SPARK_Mode is
          Act (S, P, Next);
       end if;
    end Start_Request;
-
-   --------------
-   -- Answered --
-   --------------
 
    procedure Answered
      (S     : in out State;
@@ -267,10 +247,6 @@ package body Robot.Session with SPARK_Mode is
       end case;
    end Answered;
 
-   ----------------
-   -- Unanswered --
-   ----------------
-
    procedure Unanswered
      (S    : in out State;
       P    : in out Progress;
@@ -305,10 +281,6 @@ package body Robot.Session with SPARK_Mode is
          Finish (P, Timed_Out, Next);
       end if;
    end Unanswered;
-
-   ----------------------
-   -- Continue_Request --
-   ----------------------
 
    procedure Continue_Request
      (S      : in out State;

@@ -37,10 +37,6 @@ package body Trace_Json with SPARK_Mode is
 
    subtype Job_Start is Event_Kind range Start .. Start_Due;
 
-   ------------
-   -- Append --
-   ------------
-
    procedure Append (Line : in out Texts.Text; Value : Unsigned_64) is
       subtype Digit_Place is Integer range 1 .. 20;
       Digit_Text : String (Digit_Place) := (others => '0');
@@ -56,10 +52,6 @@ package body Trace_Json with SPARK_Mode is
       Texts.Append (Line, Digit_Text (First .. Digit_Place'Last));
    end Append;
 
-   ----------------
-   -- Append_End --
-   ----------------
-
    procedure Append_End
      (Line : in out Texts.Text; First : Unsigned_64; Item : Event) is
    begin
@@ -68,10 +60,6 @@ package body Trace_Json with SPARK_Mode is
       Append_Place (Line, First, Item);
       Texts.Append (Line, "}");
    end Append_End;
-
-   ------------------
-   -- Append_Label --
-   ------------------
 
    procedure Append_Label (Line : in out Texts.Text; Label : Label_Text) is
    begin
@@ -83,10 +71,6 @@ package body Trace_Json with SPARK_Mode is
                    else '?')));
       end loop;
    end Append_Label;
-
-   ------------------
-   -- Append_Other --
-   ------------------
 
    procedure Append_Other
      (Line : in out Texts.Text; First : Unsigned_64; Item : Event) is
@@ -118,10 +102,6 @@ package body Trace_Json with SPARK_Mode is
       Texts.Append (Line, "}");
    end Append_Other;
 
-   ------------------
-   -- Append_Place --
-   ------------------
-
    procedure Append_Place
      (Line : in out Texts.Text; First : Unsigned_64; Item : Event)
    is
@@ -139,10 +119,6 @@ package body Trace_Json with SPARK_Mode is
           3 => Digit (Since / 10 mod 10),
           4 => Digit (Since mod 10)));
    end Append_Place;
-
-   ----------------
-   -- Begin_Text --
-   ----------------
 
    procedure Begin_Text
      (First    : Unsigned_64;
@@ -166,10 +142,6 @@ package body Trace_Json with SPARK_Mode is
          & """args"":{""name"":""destijl""}}");
    end Begin_Text;
 
-   ---------------
-   -- Name_Task --
-   ---------------
-
    procedure Name_Task (Who : Schedule.Task_Name; Line : out Texts.Text) is
       Below_All : constant := System.Any_Priority'Last + 1;
    begin
@@ -192,10 +164,6 @@ package body Trace_Json with SPARK_Mode is
          100 * (Below_All - Schedule.Table (Who).Priority) + Number_Of (Who));
       Texts.Append (Line, "}}");
    end Name_Task;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put
      (Open  : in out Slices;

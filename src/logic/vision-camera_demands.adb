@@ -3,27 +3,15 @@
 
 package body Vision.Camera_Demands with SPARK_Mode is
 
-   ---------
-   -- Ask --
-   ---------
-
    procedure Ask (S : in out State) is
    begin
       S := (S.Current + 1, True, True, S.Held);
    end Ask;
 
-   --------------
-   -- Withdraw --
-   --------------
-
    procedure Withdraw (S : in out State) is
    begin
       S.Wanted := False;
    end Withdraw;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take
      (S : in out State; Number : out Request_Number; Found : out Boolean) is
@@ -33,10 +21,6 @@ package body Vision.Camera_Demands with SPARK_Mode is
       S.Pending := False;
       S.Held := S.Held or else Found;
    end Take;
-
-   -------------
-   -- Release --
-   -------------
 
    procedure Release (S : in out State) is
    begin

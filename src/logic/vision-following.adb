@@ -4,28 +4,16 @@
 
 package body Vision.Following with SPARK_Mode is
 
-   ----------------
-   -- Begin_Anew --
-   ----------------
-
    procedure Begin_Anew
      (S : out State; Robots : Robot_Array; Found : Robot_Count) is
    begin
       S := (Robots => Robots, Number => Found, Age => 0);
    end Begin_Anew;
 
-   ------------
-   -- Forget --
-   ------------
-
    procedure Forget (S : out State) is
    begin
       S := (others => <>);
    end Forget;
-
-   ------------
-   -- Length --
-   ------------
 
    function Length (Item : Robot) return Distance is
       X : constant Micro_Pixels'Base :=
@@ -37,10 +25,6 @@ package body Vision.Following with SPARK_Mode is
         (Furthest,
          Micro_Pixels'Base'Max (X, Y) + Micro_Pixels'Base'Min (X, Y) / 2);
    end Length;
-
-   ----------
-   -- Plan --
-   ----------
 
    procedure Plan
      (S      : State;
@@ -60,10 +44,6 @@ package body Vision.Following with SPARK_Mode is
                            Reach (Place (S, L), Marker, Gap)));
       end loop;
    end Plan;
-
-   ------------
-   -- Settle --
-   ------------
 
    procedure Settle
      (S      : in out State;

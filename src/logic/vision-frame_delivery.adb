@@ -4,10 +4,6 @@
 
 package body Vision.Frame_Delivery with SPARK_Mode is
 
-   -------------
-   -- Elapsed --
-   -------------
-
    function Elapsed
      (First, Last : Time) return Vision.Image_Grid.Microseconds is
       Longest : constant Integer :=
@@ -19,19 +15,11 @@ package body Vision.Frame_Delivery with SPARK_Mode is
            (0, Integer'Min (Longest, (Last - First) / Microseconds (1))));
    end Elapsed;
 
-   --------------------
-   -- Begin_Delivery --
-   --------------------
-
    procedure Begin_Delivery (S : in out State; At_Time : Time) is
    begin
       Begin_Delivery (S.Uses);
       S.Newest_Time := At_Time;
    end Begin_Delivery;
-
-   ------------------
-   -- End_Delivery --
-   ------------------
 
    procedure End_Delivery (S : in out State; Awaited : out Boolean) is
    begin
@@ -39,10 +27,6 @@ package body Vision.Frame_Delivery with SPARK_Mode is
       Awaited := S.Waits;
       S.Waits := False;
    end End_Delivery;
-
-   -------------
-   -- Publish --
-   -------------
 
    procedure Publish
      (S : in out State; Which : Slot; At_Time : Time; Awaited : out Boolean)
@@ -56,10 +40,6 @@ package body Vision.Frame_Delivery with SPARK_Mode is
       Awaited := S.Waits;
       S.Waits := False;
    end Publish;
-
-   ---------------
-   -- Claim_Due --
-   ---------------
 
    procedure Claim_Due
      (S       : in out State;
@@ -83,10 +63,6 @@ package body Vision.Frame_Delivery with SPARK_Mode is
       Coming := Is_Delivering (S.Uses);
       S.Waits := Coming and then not Found;
    end Claim_Due;
-
-   ---------------------
-   -- Look_At_Silence --
-   ---------------------
 
    procedure Look_At_Silence
      (S : in out State; Now : Time; Awaited : out Boolean) is

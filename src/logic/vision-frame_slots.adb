@@ -17,20 +17,12 @@ package body Vision.Frame_Slots with SPARK_Mode is
         else Which = Which'Old);
    --  The first free slot of First .. Last; Which remains if there is none
 
-   --------------------
-   -- Begin_Delivery --
-   --------------------
-
    procedure Begin_Delivery (S : in out State) is
    begin
       S.Has_Newest := False;
       S.Has_Older := False;
       S.Delivering := True;
    end Begin_Delivery;
-
-   -----------------
-   -- Claim_Empty --
-   -----------------
 
    procedure Claim_Empty (S : in out State; Which : out Slot) is
    begin
@@ -44,10 +36,6 @@ package body Vision.Frame_Slots with SPARK_Mode is
       S.Last_Claimed := Which;
    end Claim_Empty;
 
-   ------------------
-   -- Claim_Newest --
-   ------------------
-
    procedure Claim_Newest
      (S : in out State; Which : out Slot; Found : out Boolean) is
    begin
@@ -60,10 +48,6 @@ package body Vision.Frame_Slots with SPARK_Mode is
       end if;
    end Claim_Newest;
 
-   -----------------
-   -- Claim_Older --
-   -----------------
-
    procedure Claim_Older (S : in out State; Which : out Slot) is
    begin
       Which := S.Older;
@@ -71,20 +55,12 @@ package body Vision.Frame_Slots with SPARK_Mode is
       S.In_Use (Which) := True;
    end Claim_Older;
 
-   ------------------
-   -- End_Delivery --
-   ------------------
-
    procedure End_Delivery (S : in out State) is
    begin
       S.Has_Newest := False;
       S.Has_Older := False;
       S.Delivering := False;
    end End_Delivery;
-
-   ---------------
-   -- Find_Free --
-   ---------------
 
    procedure Find_Free
      (S           : State;
@@ -101,15 +77,7 @@ package body Vision.Frame_Slots with SPARK_Mode is
       end loop;
    end Find_Free;
 
-   --------------------
-   -- Prove_One_Each --
-   --------------------
-
    procedure Prove_One_Each (S : State) is null;
-
-   -------------
-   -- Publish --
-   -------------
 
    procedure Publish (S : in out State; Which : Slot) is
    begin
@@ -124,10 +92,6 @@ package body Vision.Frame_Slots with SPARK_Mode is
                Delivering   => True);
       end if;
    end Publish;
-
-   -------------
-   -- Release --
-   -------------
 
    procedure Release (S : in out State; Which : Slot) is
    begin

@@ -5,10 +5,6 @@
 
 package body Vision.Image_Cycle with SPARK_Mode is
 
-   ----------------
-   -- Take_Image --
-   ----------------
-
    procedure Take_Image
      (S           : in out State;
       Late        : Microseconds;
@@ -23,10 +19,6 @@ package body Vision.Image_Cycle with SPARK_Mode is
       end if;
       Vision.Image_Grid.Step (S.Grid, Age, Has_Reserve, Period, Length);
    end Take_Image;
-
-   -------------
-   -- Look_In --
-   -------------
 
    procedure Look_In
      (S     : in out State;

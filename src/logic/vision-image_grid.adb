@@ -4,10 +4,6 @@
 
 package body Vision.Image_Grid with SPARK_Mode is
 
-   ----------
-   -- Step --
-   ----------
-
    procedure Step
      (S           : in out State;
       Age         : Microseconds;
@@ -27,10 +23,6 @@ package body Vision.Image_Grid with SPARK_Mode is
       S.Lost := S.Lost - Made_Up;
       Length := Period - Made_Up;
    end Step;
-
-   ----------------
-   -- Wait_Ended --
-   ----------------
 
    procedure Wait_Ended
      (S : in out State; Late : Microseconds; Period : Period_Time) is

@@ -10,10 +10,6 @@ package body Vision.Mode with SPARK_Mode is
    --  What becomes of S, and whether an image goes to the monitor: the
    --  periodic one while they flow, or the one with the arena in it
 
-   --------------
-   -- Ask_Open --
-   --------------
-
    procedure Ask_Open (S : in out State; Needed : out Boolean) is
    begin
       Needed := not Is_Open (S);
@@ -22,10 +18,6 @@ package body Vision.Mode with SPARK_Mode is
       end if;
    end Ask_Open;
 
-   ------------
-   -- Opened --
-   ------------
-
    procedure Opened (S : in out State; Success : Boolean) is
    begin
       if S.Stage = Opening then
@@ -33,18 +25,10 @@ package body Vision.Mode with SPARK_Mode is
       end if;
    end Opened;
 
-   -----------
-   -- Close --
-   -----------
-
    procedure Close (S : out State) is
    begin
       S := (others => <>);
    end Close;
-
-   ---------------
-   -- Ask_Arena --
-   ---------------
 
    procedure Ask_Arena (S : in out State; Accepted : out Boolean) is
    begin
@@ -54,20 +38,12 @@ package body Vision.Mode with SPARK_Mode is
       end if;
    end Ask_Arena;
 
-   --------------
-   -- Searched --
-   --------------
-
    procedure Searched (S : in out State; Found : Boolean) is
    begin
       if S.Stage = Searching then
          S.Stage := (if Found then Deciding else Streaming);
       end if;
    end Searched;
-
-   ------------
-   -- Decide --
-   ------------
 
    procedure Decide
      (S : in out State; Confirm : Boolean; Valid : out Boolean)
@@ -80,10 +56,6 @@ package body Vision.Mode with SPARK_Mode is
       end if;
    end Decide;
 
-   ------------------
-   -- Ask_Position --
-   ------------------
-
    procedure Ask_Position
      (S : in out State; On : Boolean; Accepted : out Boolean)
    is
@@ -93,10 +65,6 @@ package body Vision.Mode with SPARK_Mode is
          S.Position_On := On;
       end if;
    end Ask_Position;
-
-   ------------
-   -- Follow --
-   ------------
 
    procedure Follow
      (S : in out State; What : Event; Sends_Image : out Boolean)
@@ -127,10 +95,6 @@ package body Vision.Mode with SPARK_Mode is
             Sends_Image := Images_Flow (S);
       end case;
    end Follow;
-
-   -----------------
-   -- Prove_Arena --
-   -----------------
 
    procedure Prove_Arena (Events : History) is
       S      : State;

@@ -4,19 +4,11 @@
 
 package body Vision.Mode_Changes with SPARK_Mode is
 
-   -------------------
-   -- Begin_Session --
-   -------------------
-
    procedure Begin_Session (S : in out State; Number : Orders.Ticket) is
    begin
       S.First := Number;
       S.Seen := (others => <>);
    end Begin_Session;
-
-   --------------
-   -- Ask_Open --
-   --------------
 
    procedure Ask_Open
      (S       : in out State;
@@ -33,10 +25,6 @@ package body Vision.Mode_Changes with SPARK_Mode is
       end if;
    end Ask_Open;
 
-   ------------
-   -- Opened --
-   ------------
-
    procedure Opened
      (S       : in out State;
       Number  : Orders.Ticket;
@@ -50,19 +38,11 @@ package body Vision.Mode_Changes with SPARK_Mode is
       end if;
    end Opened;
 
-   -----------
-   -- Close --
-   -----------
-
    procedure Close (S : in out State; Was_Open : out Boolean) is
    begin
       Was_Open := Is_Open (S);
       Vision.Mode.Close (S.Seen.Mode);
    end Close;
-
-   --------------------
-   -- Close_By_Order --
-   --------------------
 
    procedure Close_By_Order
      (S : in out State; Number : Orders.Ticket; Done : out Boolean) is
@@ -73,10 +53,6 @@ package body Vision.Mode_Changes with SPARK_Mode is
       end if;
    end Close_By_Order;
 
-   ---------------
-   -- Ask_Arena --
-   ---------------
-
    procedure Ask_Arena
      (S : in out State; Number : Orders.Ticket; Accepted : out Boolean) is
    begin
@@ -85,10 +61,6 @@ package body Vision.Mode_Changes with SPARK_Mode is
          Vision.Mode.Ask_Arena (S.Seen.Mode, Accepted);
       end if;
    end Ask_Arena;
-
-   --------------
-   -- Searched --
-   --------------
 
    procedure Searched
      (S      : in out State;
@@ -105,10 +77,6 @@ package body Vision.Mode_Changes with SPARK_Mode is
       end if;
    end Searched;
 
-   ------------
-   -- Decide --
-   ------------
-
    procedure Decide
      (S       : in out State;
       Number  : Orders.Ticket;
@@ -124,10 +92,6 @@ package body Vision.Mode_Changes with SPARK_Mode is
          end if;
       end if;
    end Decide;
-
-   ------------------
-   -- Ask_Position --
-   ------------------
 
    procedure Ask_Position
      (S        : in out State;

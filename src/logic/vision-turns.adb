@@ -4,18 +4,10 @@
 
 package body Vision.Turns with SPARK_Mode is
 
-   -----------
-   -- Clear --
-   -----------
-
    procedure Clear (S : in out State) is
    begin
       Order_Queues.Clear (S.Items);
    end Clear;
-
-   ----------
-   -- Next --
-   ----------
 
    procedure Next
      (S : in out State; Item : out Orders.Order; Found : out Boolean) is
@@ -25,10 +17,6 @@ package body Vision.Turns with SPARK_Mode is
          S.Busy := False;
       end if;
    end Next;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put (S : in out State; Item : Orders.Order; Now : out Boolean) is
    begin

@@ -22,20 +22,12 @@ package body Checks with SPARK_Mode is
    function Number (Value : Integer) return Texts.Text;
    --  Value in decimal
 
-   ------------
-   -- Number --
-   ------------
-
    function Number (Value : Integer) return Texts.Text is
       Result : Texts.Text;
    begin
       Texts.Append (Result, Value);
       return Result;
    end Number;
-
-   ------------
-   -- Report --
-   ------------
 
    procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean)
    is
@@ -48,10 +40,6 @@ package body Checks with SPARK_Mode is
          All_Well := False;
       end if;
    end Report;
-
-   ---------
-   -- Run --
-   ---------
 
    procedure Run (Chosen : Options.Values; All_Well : out Boolean) is
       Held   : Process.Privileges.Kind;

@@ -44,10 +44,6 @@ package body Supervisor with SPARK_Mode is
    procedure Serve (Chosen : Options.Values);
    --  Lets the tasks work; returns when the process must be ended here
 
-   -----------------------
-   -- Keep_On_Processor --
-   -----------------------
-
    procedure Keep_On_Processor (Cpu : Options.Processor_Choice) is
       Done : Boolean;
       Text : Texts.Text;
@@ -64,10 +60,6 @@ package body Supervisor with SPARK_Mode is
       end if;
    end Keep_On_Processor;
 
-   ----------------
-   -- Keep_Trace --
-   ----------------
-
    procedure Keep_Trace is
       Failed : Boolean;
    begin
@@ -77,10 +69,6 @@ package body Supervisor with SPARK_Mode is
          Trace.Store;
       end loop;
    end Keep_Trace;
-
-   ----------------
-   -- Open_Trace --
-   ----------------
 
    procedure Open_Trace (Path : Texts.Text) is
       Done   : Boolean;
@@ -99,10 +87,6 @@ package body Supervisor with SPARK_Mode is
          end if;
       end if;
    end Open_Trace;
-
-   ---------
-   -- Run --
-   ---------
 
    procedure Run is
       Command_Line : Command_Lines.Reading renames Settings.Command_Line;
@@ -130,10 +114,6 @@ package body Supervisor with SPARK_Mode is
       Support_Tasks.Finish_Trace;
       Process.Leave (Process.Internal_Failure);
    end Run;
-
-   -----------
-   -- Serve --
-   -----------
 
    procedure Serve (Chosen : Options.Values) is
       Held   : Process.Privileges.Kind;
@@ -172,10 +152,6 @@ package body Supervisor with SPARK_Mode is
       Now := Clock;
       delay until Now + Schedule.Console_Limit;
    end Serve;
-
-   ----------
-   -- Tell --
-   ----------
 
    procedure Tell (Line : String) is
       Written : Boolean;

@@ -63,10 +63,6 @@ package body Journal with SPARK_Mode is
 
    end Buffer;
 
-   -------------
-   -- Get_Now --
-   -------------
-
    procedure Get_Now (Now : out Instant) is
       Read  : constant Time := Clock;
       Whole : Seconds_Count;
@@ -83,28 +79,16 @@ package body Journal with SPARK_Mode is
            Integer'Max (0, Integer'Min (Rest / Milliseconds (1), 999)));
    end Get_Now;
 
-   ---------------
-   -- Set_Level --
-   ---------------
-
    procedure Set_Level (Least : Options.Level) is
    begin
       Journal.Least := Least;
    end Set_Level;
-
-   --------------
-   -- Get_Kept --
-   --------------
 
    procedure Get_Kept (Level : Options.Level; Kept : out Boolean) is
       Last_Kept : constant Options.Level := Least;
    begin
       Kept := Level <= Last_Kept;
    end Get_Kept;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put (Level : Options.Level; Text : String) is
       Kept : Boolean;
@@ -131,10 +115,6 @@ package body Journal with SPARK_Mode is
       Put (Level, Text.Data (1 .. Text.Length));
    end Put;
 
-   --------------
-   -- Put_Part --
-   --------------
-
    procedure Put_Part
      (Level : Options.Level; Now : Instant; Text : String; After : Natural)
    is
@@ -149,10 +129,6 @@ package body Journal with SPARK_Mode is
       end loop;
       Buffer.Put (Item);
    end Put_Part;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take (Item : out Line) is
       Found   : Boolean;
@@ -176,18 +152,10 @@ package body Journal with SPARK_Mode is
       end if;
    end Take;
 
-   -------------
-   -- Written --
-   -------------
-
    procedure Written is
    begin
       Buffer.Written;
    end Written;
-
-   -----------------
-   -- Get_Waiting --
-   -----------------
 
    procedure Get_Waiting (Count : out Natural) is
    begin

@@ -24,10 +24,6 @@ package body Monitor.Outbox with SPARK_Mode is
    procedure Exchange (Left, Right : in out Message_Access);
    --  Each is where the other was
 
-   --------------
-   -- Exchange --
-   --------------
-
    procedure Exchange (Left, Right : in out Message_Access) is
       Kept : constant Message_Access := Left;
    begin
@@ -254,10 +250,6 @@ package body Monitor.Outbox with SPARK_Mode is
    procedure Wake_Hold with Annotate => (GNATprove, Terminating);
    --  Unasked messages begin to be held back
 
-   ------------
-   -- Answer --
-   ------------
-
    procedure Answer
      (Order : in out Orders.Order; Kind : Monitor.Protocol.Answer_Kind) is
    begin
@@ -267,10 +259,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Set_True (Room);
    end Answer;
 
-   --------------------
-   -- Answer_Nothing --
-   --------------------
-
    procedure Answer_Nothing (Order : in out Orders.Order) is
    begin
       Box.Answer_Nothing (Order.Number);
@@ -278,10 +266,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake_Sender (Order.Number);
       Set_True (Room);
    end Answer_Nothing;
-
-   -----------------------
-   -- Answer_With_Image --
-   -----------------------
 
    procedure Answer_With_Image
      (Order : in out Orders.Order; Message : in out Message_Access)
@@ -299,10 +283,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake_Sender (Order.Number);
    end Answer_With_Image;
 
-   -------------------
-   -- Close_Session --
-   -------------------
-
    procedure Close_Session (Next : out Orders.Ticket) is
    begin
       Set_False (Sender_Left);
@@ -311,10 +291,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Set_True (Arena_Room);
    end Close_Session;
 
-   --------------
-   -- End_Hold --
-   --------------
-
    procedure End_Hold is
       Now : constant Time := Clock;
    begin
@@ -322,18 +298,10 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake_Sender;
    end End_Hold;
 
-   --------------------
-   -- Get_Generation --
-   --------------------
-
    procedure Get_Generation (Current : out Monitor.Mailboxes.Generation) is
    begin
       Box.Get_Generation (Current);
    end Get_Generation;
-
-   ------------------
-   -- Get_Hold_End --
-   ------------------
 
    procedure Get_Hold_End
      (Any : out Boolean; At_Time : out Ada.Real_Time.Time) is
@@ -341,27 +309,15 @@ package body Monitor.Outbox with SPARK_Mode is
       Box.Get_Hold_End (Any, At_Time);
    end Get_Hold_End;
 
-   -----------------
-   -- Get_Waiting --
-   -----------------
-
    procedure Get_Waiting (Count : out Orders.Order_Count) is
    begin
       Box.Get_Waiting (Count);
    end Get_Waiting;
 
-   ------------------
-   -- Open_Session --
-   ------------------
-
    procedure Open_Session is
    begin
       Box.Open_Session;
    end Open_Session;
-
-   -----------------
-   -- Put_Battery --
-   -----------------
 
    procedure Put_Battery (Kind : Monitor.Protocol.Answer_Kind) is
       Now   : constant Time := Clock;
@@ -370,10 +326,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Box.Put_Battery (Kind, Now, Begun);
       Wake (Begun);
    end Put_Battery;
-
-   ---------------
-   -- Put_Image --
-   ---------------
 
    procedure Put_Image
      (Message : in out Message_Access; Made : Monitor.Mailboxes.Generation)
@@ -385,10 +337,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake (Begun);
    end Put_Image;
 
-   ----------------
-   -- Put_Notice --
-   ----------------
-
    procedure Put_Notice (Told : Monitor.Notices.Notice) is
       Now   : constant Time := Clock;
       Begun : Boolean;
@@ -396,10 +344,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Box.Put_Notice (Told, Now, Begun);
       Wake (Begun);
    end Put_Notice;
-
-   ------------------
-   -- Put_Position --
-   ------------------
 
    procedure Put_Position
      (Line : Monitor.Mailboxes.Short_Line; Made : Monitor.Mailboxes.Generation)
@@ -411,10 +355,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake (Begun);
    end Put_Position;
 
-   --------------------
-   -- Put_Robot_Lost --
-   --------------------
-
    procedure Put_Robot_Lost is
       Now   : constant Time := Clock;
       Begun : Boolean;
@@ -422,10 +362,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Box.Put_Lost (Now, Begun);
       Wake (Begun);
    end Put_Robot_Lost;
-
-   -------------
-   -- Reserve --
-   -------------
 
    procedure Reserve (Order : in out Orders.Order) is
       Result : Monitor.Mailboxes.Place;
@@ -446,18 +382,10 @@ package body Monitor.Outbox with SPARK_Mode is
       end if;
    end Reserve;
 
-   -----------------
-   -- Stop_Images --
-   -----------------
-
    procedure Stop_Images is
    begin
       Box.Stop_Images;
    end Stop_Images;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take
      (Between   : Monitor.Send_Order.Milliseconds;
@@ -479,18 +407,10 @@ package body Monitor.Outbox with SPARK_Mode is
       end if;
    end Take;
 
-   ----------
-   -- Wait --
-   ----------
-
    procedure Wait is
    begin
       Suspend_Until_True (Work);
    end Wait;
-
-   ---------------
-   -- Wait_Held --
-   ---------------
 
    procedure Wait_Held is
    begin
@@ -498,10 +418,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Suspend_Until_True (Hold_Begun);
       Trace.Start (Schedule.Th_Hold);
    end Wait_Held;
-
-   -----------------
-   -- Wait_Sender --
-   -----------------
 
    procedure Wait_Sender is
       Busy : Boolean;
@@ -516,10 +432,6 @@ package body Monitor.Outbox with SPARK_Mode is
       end loop;
    end Wait_Sender;
 
-   ----------
-   -- Wake --
-   ----------
-
    procedure Wake (Begun : Boolean) is
    begin
       Wake_Sender;
@@ -528,19 +440,11 @@ package body Monitor.Outbox with SPARK_Mode is
       end if;
    end Wake;
 
-   ---------------
-   -- Wake_Hold --
-   ---------------
-
    procedure Wake_Hold is
    begin
       Trace.Release (Schedule.Th_Hold);
       Set_True (Hold_Begun);
    end Wake_Hold;
-
-   -----------------
-   -- Wake_Sender --
-   -----------------
 
    procedure Wake_Sender (Number : Orders.Ticket := 0) is
    begin

@@ -51,27 +51,15 @@ package body Monitor.Session with SPARK_Mode is
 
    end State;
 
-   ---------
-   -- Get --
-   ---------
-
    procedure Get (Current : out Monitor.Session_Stages.State) is
    begin
       State.Get (Current);
    end Get;
 
-   ------------------
-   -- Begin_Active --
-   ------------------
-
    procedure Begin_Active (Admitted : out Boolean) is
    begin
       State.Begin_Active (Admitted);
    end Begin_Active;
-
-   ----------------
-   -- Begin_Work --
-   ----------------
 
    procedure Begin_Work is
    begin
@@ -79,99 +67,55 @@ package body Monitor.Session with SPARK_Mode is
       Set_True (Watch_Begins);
    end Begin_Work;
 
-   -------------------
-   -- Begin_Closing --
-   -------------------
-
    procedure Begin_Closing is
    begin
       State.Go_On (Monitor.Session_Stages.Closing);
    end Begin_Closing;
-
-   -----------------
-   -- End_Closing --
-   -----------------
 
    procedure End_Closing is
    begin
       State.Go_On (Monitor.Session_Stages.Closed);
    end End_Closing;
 
-   ----------------
-   -- End_Closed --
-   ----------------
-
    procedure End_Closed is
    begin
       State.Go_On (Monitor.Session_Stages.Free);
    end End_Closed;
-
-   ------------------
-   -- Request_Stop --
-   ------------------
 
    procedure Request_Stop is
    begin
       State.Stop;
    end Request_Stop;
 
-   ------------------
-   -- Allow_Server --
-   ------------------
-
    procedure Allow_Server is
    begin
       Set_True (Server_Allowed);
    end Allow_Server;
-
-   -----------------
-   -- Wait_Server --
-   -----------------
 
    procedure Wait_Server is
    begin
       Suspend_Until_True (Server_Allowed);
    end Wait_Server;
 
-   --------------------
-   -- Server_Listens --
-   --------------------
-
    procedure Server_Listens is
    begin
       Set_True (Listening);
    end Server_Listens;
-
-   --------------------
-   -- Wait_Listening --
-   --------------------
 
    procedure Wait_Listening is
    begin
       Suspend_Until_True (Listening);
    end Wait_Listening;
 
-   ------------------
-   -- Wait_Receive --
-   ------------------
-
    procedure Wait_Receive is
    begin
       Suspend_Until_True (Receive_Begins);
    end Wait_Receive;
 
-   -------------------
-   -- Receiver_Left --
-   -------------------
-
    procedure Receiver_Left is
    begin
       Set_True (Receive_Ended);
    end Receiver_Left;
-
-   ------------------------
-   -- Wait_Receiver_Left --
-   ------------------------
 
    procedure Wait_Receiver_Left is
    begin
@@ -179,10 +123,6 @@ package body Monitor.Session with SPARK_Mode is
       Suspend_Until_True (Receive_Ended);
       Trace.Resume (Schedule.Th_Com_Mon_Perdue);
    end Wait_Receiver_Left;
-
-   ----------------
-   -- Wait_Watch --
-   ----------------
 
    procedure Wait_Watch is
    begin

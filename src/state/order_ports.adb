@@ -32,10 +32,6 @@ package body Order_Ports with SPARK_Mode is
 
    end Port;
 
-   ---------
-   -- Put --
-   ---------
-
    procedure Put (Item : in out Orders.Order) is
    begin
       Item.Owed := False;
@@ -43,10 +39,6 @@ package body Order_Ports with SPARK_Mode is
       Trace.Release (Who, Item.Number);
       Set_True (Arrived);
    end Put;
-
-   ----------
-   -- Wait --
-   ----------
 
    procedure Wait (Item : in out Orders.Order) is
       Found : Boolean;
@@ -66,10 +58,6 @@ package body Order_Ports with SPARK_Mode is
       Trace.Start (Who, Item.Number);
       Item.Owed := True;
    end Wait;
-
-   -----------
-   -- Clear --
-   -----------
 
    procedure Clear is
    begin

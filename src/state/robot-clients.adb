@@ -3,10 +3,6 @@
 
 package body Robot.Clients with SPARK_Mode is
 
-   ------------
-   -- Signal --
-   ------------
-
    procedure Signal (Who : Robot.Requests.Client) is
    begin
       case Who is

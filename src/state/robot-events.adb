@@ -11,10 +11,6 @@ package body Robot.Events with SPARK_Mode is
    For_Keep_Alive : Suspension_Object;
    For_Reload     : Suspension_Object;
 
-   -------------
-   -- Started --
-   -------------
-
    procedure Started (With_Watchdog : Boolean) is
    begin
       if With_Watchdog then
@@ -27,10 +23,6 @@ package body Robot.Events with SPARK_Mode is
       Set_True (For_Keep_Alive);
    end Started;
 
-   ------------------
-   -- Wait_Battery --
-   ------------------
-
    procedure Wait_Battery is
    begin
       Trace.Done (Schedule.Th_Battery_Level);
@@ -38,20 +30,12 @@ package body Robot.Events with SPARK_Mode is
       Trace.Start (Schedule.Th_Battery_Level);
    end Wait_Battery;
 
-   ---------------------
-   -- Wait_Keep_Alive --
-   ---------------------
-
    procedure Wait_Keep_Alive is
    begin
       Trace.Done (Schedule.Th_Keep_Alive);
       Suspend_Until_True (For_Keep_Alive);
       Trace.Start (Schedule.Th_Keep_Alive);
    end Wait_Keep_Alive;
-
-   -----------------
-   -- Wait_Reload --
-   -----------------
 
    procedure Wait_Reload is
    begin

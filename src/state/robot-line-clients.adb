@@ -11,10 +11,6 @@ package body Robot.Line.Clients with SPARK_Mode is
    procedure Wait;
    --  Until the request has been carried out
 
-   ---------
-   -- Ask --
-   ---------
-
    procedure Ask (Order : in out Orders.Order) is
    begin
       Robot.Line.Put (Who, Order);
@@ -29,19 +25,11 @@ package body Robot.Line.Clients with SPARK_Mode is
       Robot.Line.Collect (Who, Result);
    end Ask;
 
-   ------------
-   -- Signal --
-   ------------
-
    procedure Signal is
    begin
       Trace.Release (Its_Task);
       Set_True (Finished);
    end Signal;
-
-   ----------
-   -- Wait --
-   ----------
 
    procedure Wait is
    begin

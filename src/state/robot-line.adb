@@ -103,19 +103,11 @@ package body Robot.Line with SPARK_Mode is
    with Annotate => (GNATprove, Terminating);
    --  The owner of the line looks again
 
-   ----------
-   -- Wake --
-   ----------
-
    procedure Wake (Number : Orders.Ticket := 0) is
    begin
       Trace.Release (Schedule.Th_Line, Number);
       Set_True (Work);
    end Wake;
-
-   -------------------
-   -- Begin_Session --
-   -------------------
 
    procedure Begin_Session (First : Orders.Ticket) is
    begin
@@ -123,18 +115,10 @@ package body Robot.Line with SPARK_Mode is
       Wake;
    end Begin_Session;
 
-   -------------------
-   -- Refuse_Orders --
-   -------------------
-
    procedure Refuse_Orders is
    begin
       Begin_Session (Orders.Ticket'Last);
    end Refuse_Orders;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put
      (From : Robot.Requests.Single; Request : Robot.Session.Request) is
@@ -151,10 +135,6 @@ package body Robot.Line with SPARK_Mode is
       Wake (Order.Number);
    end Put;
 
-   --------------
-   -- Put_Stop --
-   --------------
-
    procedure Put_Stop (Order : in out Orders.Order) is
    begin
       Order.Owed := False;
@@ -162,19 +142,11 @@ package body Robot.Line with SPARK_Mode is
       Wake (Order.Number);
    end Put_Stop;
 
-   --------------------
-   -- Set_Reload_Due --
-   --------------------
-
    procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time) is
    begin
       Line.Set_Reload_Due (At_Time);
       Wake;
    end Set_Reload_Due;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take (Next : in out Robot.Requests.Job) is
       Found : Boolean;
@@ -192,10 +164,6 @@ package body Robot.Line with SPARK_Mode is
       Next.Order.Owed := Next.Order.Number /= 0;
    end Take;
 
-   ------------
-   -- Finish --
-   ------------
-
    procedure Finish
      (Done    : Robot.Requests.Job;
       State   : Robot.Session.State;
@@ -211,19 +179,11 @@ package body Robot.Line with SPARK_Mode is
       end if;
    end Finish;
 
-   -------------
-   -- Collect --
-   -------------
-
    procedure Collect
      (From : Robot.Requests.Client; Result : out Robot.Session.Outcome) is
    begin
       Line.Collect (From, Result);
    end Collect;
-
-   ----------------
-   -- Get_Status --
-   ----------------
 
    procedure Get_Status (Current : out Robot.Line_Status.Status) is
    begin

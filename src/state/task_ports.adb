@@ -15,10 +15,6 @@ package body Task_Ports with SPARK_Mode is
      Post => not Item.Owed;
    --  Item is the vision's next order
 
-   ---------------
-   -- To_Vision --
-   ---------------
-
    procedure To_Vision (Item : in out Orders.Order) is
    begin
       if Item.Message.Kind in Arena_Order then
@@ -27,10 +23,6 @@ package body Task_Ports with SPARK_Mode is
          Camera_Control.Put (Item);
       end if;
    end To_Vision;
-
-   --------------
-   -- Dispatch --
-   --------------
 
    procedure Dispatch (Item : in out Orders.Order) is
    begin
@@ -53,10 +45,6 @@ package body Task_Ports with SPARK_Mode is
       end if;
    end Dispatch;
 
-   -----------------
-   -- Vision_Done --
-   -----------------
-
    procedure Vision_Done is
       Item : Orders.Order;
    begin
@@ -66,10 +54,6 @@ package body Task_Ports with SPARK_Mode is
       end if;
       pragma Assert (not Item.Owed);
    end Vision_Done;
-
-   -----------
-   -- Clear --
-   -----------
 
    procedure Clear is
    begin

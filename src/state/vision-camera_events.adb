@@ -9,19 +9,11 @@ package body Vision.Camera_Events with SPARK_Mode is
 
    Images_Begin : Suspension_Object;
 
-   ------------
-   -- Opened --
-   ------------
-
    procedure Opened is
    begin
       Trace.Release (Schedule.Th_Capture_Img);
       Set_True (Images_Begin);
    end Opened;
-
-   -----------------
-   -- Wait_Opened --
-   -----------------
 
    procedure Wait_Opened is
    begin

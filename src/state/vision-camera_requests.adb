@@ -70,10 +70,6 @@ package body Vision.Camera_Requests with SPARK_Mode is
 
    end Requests;
 
-   ----------
-   -- Open --
-   ----------
-
    procedure Open (Success : out Boolean) is
    begin
       Requests.Open;
@@ -85,27 +81,15 @@ package body Vision.Camera_Requests with SPARK_Mode is
       Requests.Collect (Success);
    end Open;
 
-   -----------
-   -- Close --
-   -----------
-
    procedure Close is
    begin
       Requests.Close;
    end Close;
 
-   --------------
-   -- Get_Idle --
-   --------------
-
    procedure Get_Idle (Idle : out Boolean) is
    begin
       Requests.Get_Idle (Idle);
    end Get_Idle;
-
-   ---------------
-   -- Wait_Open --
-   ---------------
 
    procedure Wait_Open (Number : out Request_Number) is
       Found : Boolean;
@@ -120,18 +104,10 @@ package body Vision.Camera_Requests with SPARK_Mode is
       Trace.Start (Schedule.Th_Camera);
    end Wait_Open;
 
-   ----------------
-   -- Get_Wanted --
-   ----------------
-
    procedure Get_Wanted (Number : Request_Number; Wanted : out Boolean) is
    begin
       Requests.Get_Wanted (Number, Wanted);
    end Get_Wanted;
-
-   ------------
-   -- Report --
-   ------------
 
    procedure Report (Success : Boolean) is
    begin
@@ -139,10 +115,6 @@ package body Vision.Camera_Requests with SPARK_Mode is
       Trace.Release (Schedule.Th_Camera_Control);
       Set_True (Answered);
    end Report;
-
-   --------------
-   -- Released --
-   --------------
 
    procedure Released is
    begin

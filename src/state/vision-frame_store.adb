@@ -112,18 +112,10 @@ package body Vision.Frame_Store with SPARK_Mode is
 
    end Store;
 
-   --------------------
-   -- Begin_Delivery --
-   --------------------
-
    procedure Begin_Delivery (At_Time : Ada.Real_Time.Time) is
    begin
       Store.Begin_Delivery (At_Time);
    end Begin_Delivery;
-
-   ------------------
-   -- End_Delivery --
-   ------------------
 
    procedure End_Delivery is
       Awaited : Boolean;
@@ -133,18 +125,10 @@ package body Vision.Frame_Store with SPARK_Mode is
       Tell_If (Awaited);
    end End_Delivery;
 
-   -----------------
-   -- Claim_Empty --
-   -----------------
-
    procedure Claim_Empty (Slot : out Vision.Frame_Slots.Slot) is
    begin
       Store.Claim_Empty (Slot);
    end Claim_Empty;
-
-   -------------
-   -- Publish --
-   -------------
 
    procedure Publish
      (Slot : Vision.Frame_Slots.Slot; At_Time : Ada.Real_Time.Time) is
@@ -155,18 +139,10 @@ package body Vision.Frame_Store with SPARK_Mode is
       Tell_If (Awaited);
    end Publish;
 
-   -------------
-   -- Release --
-   -------------
-
    procedure Release (Slot : Vision.Frame_Slots.Slot) is
    begin
       Store.Release (Slot);
    end Release;
-
-   ---------------
-   -- Claim_Due --
-   ---------------
 
    procedure Claim_Due
      (Now     : Ada.Real_Time.Time;
@@ -180,18 +156,10 @@ package body Vision.Frame_Store with SPARK_Mode is
       Store.Claim_Due (Now, Period, Slot, At_Time, Reserve, Found, Coming);
    end Claim_Due;
 
-   ---------------
-   -- Wait_Look --
-   ---------------
-
    procedure Wait_Look is
    begin
       Suspend_Until_True (Look);
    end Wait_Look;
-
-   ---------------------
-   -- Look_At_Silence --
-   ---------------------
 
    procedure Look_At_Silence (Now : Ada.Real_Time.Time) is
       Awaited : Boolean;
@@ -199,10 +167,6 @@ package body Vision.Frame_Store with SPARK_Mode is
       Store.Look_At_Silence (Now, Awaited);
       Tell_If (Awaited);
    end Look_At_Silence;
-
-   -------------
-   -- Tell_If --
-   -------------
 
    procedure Tell_If (Awaited : Boolean) is
    begin
@@ -212,19 +176,11 @@ package body Vision.Frame_Store with SPARK_Mode is
       end if;
    end Tell_If;
 
-   ------------------
-   -- Claim_Newest --
-   ------------------
-
    procedure Claim_Newest
      (Slot : out Vision.Frame_Slots.Slot; Found : out Boolean) is
    begin
       Store.Claim_Newest (Slot, Found);
    end Claim_Newest;
-
-   -----------------
-   -- Wait_Newest --
-   -----------------
 
    procedure Wait_Newest
      (Slot : out Vision.Frame_Slots.Slot; Found : out Boolean) is
@@ -239,10 +195,6 @@ package body Vision.Frame_Store with SPARK_Mode is
          Trace.Resume (Schedule.Th_Arene);
       end loop;
    end Wait_Newest;
-
-   ----------------
-   -- Get_Silent --
-   ----------------
 
    procedure Get_Silent
      (Now : Ada.Real_Time.Time; Silent : out Boolean) is

@@ -34,10 +34,6 @@ package body Vision.Queue with SPARK_Mode is
 
    end Queue;
 
-   ---------
-   -- Put --
-   ---------
-
    procedure Put (Item : in out Orders.Order) is
       Now : Boolean;
    begin
@@ -45,20 +41,12 @@ package body Vision.Queue with SPARK_Mode is
       Item.Owed := Now;
    end Put;
 
-   ----------
-   -- Next --
-   ----------
-
    procedure Next (Item : out Orders.Order) is
       Found : Boolean;
    begin
       Queue.Next (Item, Found);
       Item.Owed := Found;
    end Next;
-
-   -----------
-   -- Clear --
-   -----------
 
    procedure Clear is
    begin

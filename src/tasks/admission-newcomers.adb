@@ -134,10 +134,6 @@ package body Admission.Newcomers with SPARK_Mode is
    procedure Close_Session;
    --  If it has been brought back: ready for the next monitor
 
-   -------------------
-   -- Close_Session --
-   -------------------
-
    procedure Close_Session is
       Current : Monitor.Session_Stages.State;
    begin
@@ -149,10 +145,6 @@ package body Admission.Newcomers with SPARK_Mode is
            (Options.Info, "session closed, ready for a new monitor");
       end if;
    end Close_Session;
-
-   ------------
-   -- Decide --
-   ------------
 
    procedure Decide (G : in out Gate; Where : Place; R : in out Reception) is
       Admitted : Boolean;
@@ -179,10 +171,6 @@ package body Admission.Newcomers with SPARK_Mode is
       end case;
    end Decide;
 
-   ------------
-   -- Defend --
-   ------------
-
    procedure Defend (D : in out Defence; Changed : out Boolean) is
       Now    : constant Time := Clock;
       Length : Natural;
@@ -205,10 +193,6 @@ package body Admission.Newcomers with SPARK_Mode is
          Monitor.Sockets.Gate.Block (D.Blocked);
       end if;
    end Defend;
-
-   --------------
-   -- Get_Next --
-   --------------
 
    procedure Get_Next
      (G       : Gate;
@@ -256,10 +240,6 @@ package body Admission.Newcomers with SPARK_Mode is
       end if;
    end Get_Next;
 
-   -------------------
-   -- Get_Reception --
-   -------------------
-
    procedure Get_Reception (R : out Reception) is
       Current : Monitor.Session_Stages.State;
    begin
@@ -272,10 +252,6 @@ package body Admission.Newcomers with SPARK_Mode is
                | Monitor.Session_Stages.Closed =>
               (if Current.Stopping then Stopping else Deferred));
    end Get_Reception;
-
-   ----------
-   -- Hear --
-   ----------
 
    procedure Hear (G : in out Gate; Where : Place; R : in out Reception) is
       Now    : constant Time := Clock;
@@ -301,10 +277,6 @@ package body Admission.Newcomers with SPARK_Mode is
             Turn_Away (G, Where, Not_Authenticated, Noted_Not_Authenticated);
       end case;
    end Hear;
-
-   ---------------
-   -- Hear_Some --
-   ---------------
 
    procedure Hear_Some
      (G     : in out Gate;
@@ -339,10 +311,6 @@ package body Admission.Newcomers with SPARK_Mode is
       end loop;
    end Hear_Some;
 
-   ------------
-   -- Let_In --
-   ------------
-
    procedure Let_In (G : in out Gate; Where : Place) is
       Line : Texts.Text;
       Peer : Texts.Text;
@@ -356,10 +324,6 @@ package body Admission.Newcomers with SPARK_Mode is
       Leave (G.Table, Where);
       Monitor.Session.Begin_Work;
    end Let_In;
-
-   ----------------
-   -- Load_Token --
-   ----------------
 
    procedure Load_Token
      (Path    : Texts.Text;
@@ -399,10 +363,6 @@ package body Admission.Newcomers with SPARK_Mode is
       end if;
    end Load_Token;
 
-   ----------
-   -- Meet --
-   ----------
-
    procedure Meet
      (G     : in out Gate;
       Where : Place;
@@ -436,10 +396,6 @@ package body Admission.Newcomers with SPARK_Mode is
       end if;
    end Meet;
 
-   -------------------
-   -- Put_Unwritten --
-   -------------------
-
    procedure Put_Unwritten (L : in out Refusal_Log) is
       Line : Texts.Text;
    begin
@@ -450,10 +406,6 @@ package body Admission.Newcomers with SPARK_Mode is
          L.Unwritten := 0;
       end if;
    end Put_Unwritten;
-
-   ----------
-   -- Read --
-   ----------
 
    procedure Read
      (G      : in out Gate;
@@ -485,10 +437,6 @@ package body Admission.Newcomers with SPARK_Mode is
       G.Places (Where) := N;
    end Read;
 
-   ------------
-   -- Refuse --
-   ------------
-
    procedure Refuse
      (L       : in out Refusal_Log;
       Where   : Place;
@@ -517,10 +465,6 @@ package body Admission.Newcomers with SPARK_Mode is
          L.Unwritten := L.Unwritten + 1;
       end if;
    end Refuse;
-
-   -----------
-   -- Serve --
-   -----------
 
    procedure Serve (G : in out Gate) is
       Watched : Place_Set;
@@ -564,10 +508,6 @@ package body Admission.Newcomers with SPARK_Mode is
       Trace.Done (Schedule.Th_Server);
    end Serve;
 
-   ------------
-   -- Set_Up --
-   ------------
-
    procedure Set_Up
      (G       : out Gate;
       Allowed : Admission.Networks.List;
@@ -575,10 +515,6 @@ package body Admission.Newcomers with SPARK_Mode is
    begin
       G := (Allowed => Allowed, Token => Token, others => <>);
    end Set_Up;
-
-   ------------------
-   -- Take_In_Some --
-   ------------------
 
    procedure Take_In_Some
      (G : in out Gate; First : Reception; Most : Work_Count)
@@ -616,10 +552,6 @@ package body Admission.Newcomers with SPARK_Mode is
          Left := Left - 1;
       end loop;
    end Take_In_Some;
-
-   ---------------
-   -- Turn_Away --
-   ---------------
 
    procedure Turn_Away
      (G       : in out Gate;

@@ -50,18 +50,10 @@ is
 
    end Fallback;
 
-   ---------------------
-   -- Get_Stop_Failed --
-   ---------------------
-
    procedure Get_Stop_Failed (Failed : out Boolean) is
    begin
       Failed := Current_State (Stop_Failed);
    end Get_Stop_Failed;
-
-   ----------------------
-   -- Wait_Stop_Failed --
-   ----------------------
 
    procedure Wait_Stop_Failed is
    begin

@@ -69,10 +69,6 @@ package body Monitor.Tasks with SPARK_Mode is
    procedure Bring_Back;
    --  Robot, camera and queues to their initial state (F6)
 
-   ------------------
-   -- Start_Server --
-   ------------------
-
    procedure Start_Server (Gate : out Admission.Newcomers.Gate) is
       Chosen  : Options.Values renames Settings.Command_Line.Chosen;
       Token   : Admission.Authentication.Token;
@@ -114,10 +110,6 @@ package body Monitor.Tasks with SPARK_Mode is
       end if;
    end Start_Server;
 
-   ---------------
-   -- Th_Server --
-   ---------------
-
    task body Th_Server is
       Gate : Admission.Newcomers.Gate;
    begin
@@ -129,10 +121,6 @@ package body Monitor.Tasks with SPARK_Mode is
          Admission.Newcomers.Serve (Gate);
       end loop;
    end Th_Server;
-
-   ------------
-   -- Handle --
-   ------------
 
    procedure Handle
      (Line  : String;
@@ -172,10 +160,6 @@ package body Monitor.Tasks with SPARK_Mode is
          end case;
       end if;
    end Handle;
-
-   -------------------------
-   -- Th_Receive_From_Mon --
-   -------------------------
 
    task body Th_Receive_From_Mon is
       Incoming : String (1 .. 4096) := (others => ' ');
@@ -217,10 +201,6 @@ package body Monitor.Tasks with SPARK_Mode is
       end loop;
    end Th_Receive_From_Mon;
 
-   ----------
-   -- Send --
-   ----------
-
    procedure Send
      (Next  : in out Monitor.Mailboxes.Item;
       Image : access constant Monitor.Image_Messages.Message)
@@ -247,10 +227,6 @@ package body Monitor.Tasks with SPARK_Mode is
          Monitor.Sockets.Connection.Shut_Down;
       end if;
    end Send;
-
-   --------------------
-   -- Th_Send_To_Mon --
-   --------------------
 
    task body Th_Send_To_Mon is
       Between   : Monitor.Send_Order.Milliseconds renames
@@ -298,10 +274,6 @@ package body Monitor.Tasks with SPARK_Mode is
       end loop;
    end Th_Send_To_Mon;
 
-   ---------------
-   -- Wait_Loss --
-   ---------------
-
    procedure Wait_Loss (Why : out Monitor.Link.Cause) is
       Link    : Monitor.Link.State;
       Sample  : Monitor.Link.Sample;
@@ -336,10 +308,6 @@ package body Monitor.Tasks with SPARK_Mode is
          Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Wait_Loss;
-
-   ----------------
-   -- Bring_Back --
-   ----------------
 
    procedure Bring_Back is
       Next    : Orders.Ticket;
@@ -376,10 +344,6 @@ package body Monitor.Tasks with SPARK_Mode is
       end loop;
    end Bring_Back;
 
-   -----------------------
-   -- Th_Com_Mon_Perdue --
-   -----------------------
-
    task body Th_Com_Mon_Perdue is
       Why  : Monitor.Link.Cause;
       Line : Texts.Text;
@@ -398,10 +362,6 @@ package body Monitor.Tasks with SPARK_Mode is
          Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Th_Com_Mon_Perdue;
-
-   -------------
-   -- Th_Hold --
-   -------------
 
    task body Th_Hold is
       Any     : Boolean;

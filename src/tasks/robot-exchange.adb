@@ -61,10 +61,6 @@ package body Robot.Exchange with SPARK_Mode is
    --  What goes over the line is the step's command and nothing else; and a
    --  movement only while the robot is started
 
-   -----------------
-   -- Open_Device --
-   -----------------
-
    procedure Open_Device (Success : out Boolean) is
       Chosen : Options.Values renames Settings.Command_Line.Chosen;
       Reason : Texts.Text;
@@ -85,10 +81,6 @@ package body Robot.Exchange with SPARK_Mode is
          Journal.Put (Options.Error, Line);
       end if;
    end Open_Device;
-
-   --------------
-   -- Exchange --
-   --------------
 
    procedure Exchange
      (Item      : Command;
@@ -146,10 +138,6 @@ package body Robot.Exchange with SPARK_Mode is
       end loop;
    end Exchange;
 
-   ---------------
-   -- Carry_Out --
-   ---------------
-
    procedure Carry_Out
      (State   : in out Robot.Session.State;
       Request : Robot.Session.Request;
@@ -172,10 +160,6 @@ package body Robot.Exchange with SPARK_Mode is
       end loop;
       Result := Robot.Session.Result (Progress);
    end Carry_Out;
-
-   ---------------
-   -- Take_Step --
-   ---------------
 
    procedure Take_Step
      (State    : Robot.Session.State;

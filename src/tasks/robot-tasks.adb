@@ -36,10 +36,6 @@ package body Robot.Tasks with SPARK_Mode is
    --  Next on its grid, in the future: periods that could not be kept are
    --  left out, not caught up with
 
-   -------------
-   -- Tell_Of --
-   -------------
-
    procedure Tell_Of (Note : Note_Kind) is
    begin
       case Note is
@@ -62,10 +58,6 @@ package body Robot.Tasks with SPARK_Mode is
       end case;
    end Tell_Of;
 
-   -------------------
-   -- Tell_Of_Start --
-   -------------------
-
    procedure Tell_Of_Start (Mode : Mode_Kind) is
    begin
       Robot.Events.Started (With_Watchdog => Mode = Started_With_Watchdog);
@@ -75,10 +67,6 @@ package body Robot.Tasks with SPARK_Mode is
           else "robot started without watchdog"));
    end Tell_Of_Start;
 
-   ---------------
-   -- Skip_Past --
-   ---------------
-
    procedure Skip_Past (Next : in out Time; Period : Time_Span) is
       Now : constant Time := Clock;
    begin
@@ -86,10 +74,6 @@ package body Robot.Tasks with SPARK_Mode is
          Next := Next + Period;
       end loop;
    end Skip_Past;
-
-   -------------
-   -- Th_Line --
-   -------------
 
    task body Th_Line is
       State  : Robot.Session.State;
@@ -124,10 +108,6 @@ package body Robot.Tasks with SPARK_Mode is
       end loop;
    end Th_Line;
 
-   -----------------------
-   -- Th_Open_Com_Robot --
-   -----------------------
-
    task body Th_Open_Com_Robot is
       Order : Orders.Order;
    begin
@@ -138,10 +118,6 @@ package body Robot.Tasks with SPARK_Mode is
          Robot.Clients.Open.Ask (Order);
       end loop;
    end Th_Open_Com_Robot;
-
-   --------------------
-   -- Th_Start_Robot --
-   --------------------
 
    task body Th_Start_Robot is
       Order : Orders.Order;
@@ -154,10 +130,6 @@ package body Robot.Tasks with SPARK_Mode is
       end loop;
    end Th_Start_Robot;
 
-   -----------------------
-   -- Th_Start_Robot_WD --
-   -----------------------
-
    task body Th_Start_Robot_WD is
       Order : Orders.Order;
    begin
@@ -168,10 +140,6 @@ package body Robot.Tasks with SPARK_Mode is
          Robot.Clients.Start_Watchdog.Ask (Order);
       end loop;
    end Th_Start_Robot_WD;
-
-   ------------------
-   -- Th_Reload_WD --
-   ------------------
 
    task body Th_Reload_WD is
       Begun  : Status;
@@ -208,10 +176,6 @@ package body Robot.Tasks with SPARK_Mode is
       end loop;
    end Th_Reload_WD;
 
-   --------------------
-   -- Th_Reset_Robot --
-   --------------------
-
    task body Th_Reset_Robot is
       Order : Orders.Order;
    begin
@@ -223,10 +187,6 @@ package body Robot.Tasks with SPARK_Mode is
       end loop;
    end Th_Reset_Robot;
 
-   -------------
-   -- Th_Move --
-   -------------
-
    task body Th_Move is
       Order : Orders.Order;
    begin
@@ -237,10 +197,6 @@ package body Robot.Tasks with SPARK_Mode is
          Robot.Clients.Move.Ask (Order);
       end loop;
    end Th_Move;
-
-   ----------------------
-   -- Th_Battery_Level --
-   ----------------------
 
    task body Th_Battery_Level is
       Begun  : Status;
@@ -275,10 +231,6 @@ package body Robot.Tasks with SPARK_Mode is
       end loop;
    end Th_Battery_Level;
 
-   --------------
-   -- Th_Query --
-   --------------
-
    task body Th_Query is
       Order : Orders.Order;
    begin
@@ -289,10 +241,6 @@ package body Robot.Tasks with SPARK_Mode is
          Robot.Clients.Query.Ask (Order);
       end loop;
    end Th_Query;
-
-   -------------------
-   -- Th_Keep_Alive --
-   -------------------
 
    task body Th_Keep_Alive is
       Begun   : Status;

@@ -40,10 +40,6 @@ package body Support_Tasks with SPARK_Mode is
    procedure Wait_Console (Limit : Time);
    --  Until the log has been written, Limit at most
 
-   -----------
-   -- Write --
-   -----------
-
    procedure Write (Item : Journal.Line) is
       Text : Texts.Text;
       Rest : constant Natural := Item.Time.Thousandths;
@@ -61,10 +57,6 @@ package body Support_Tasks with SPARK_Mode is
       Console.Put_Log (Text.Data (1 .. Text.Length));
    end Write;
 
-   ----------------
-   -- Th_Console --
-   ----------------
-
    task body Th_Console is
       Item : Journal.Line;
    begin
@@ -75,10 +67,6 @@ package body Support_Tasks with SPARK_Mode is
          Journal.Written;
       end loop;
    end Th_Console;
-
-   ----------------------
-   -- Wait_Session_End --
-   ----------------------
 
    procedure Wait_Session_End (Limit : Time) is
       Known  : Monitor.Session_Stages.State;
@@ -101,10 +89,6 @@ package body Support_Tasks with SPARK_Mode is
       end loop;
    end Wait_Session_End;
 
-   ------------------
-   -- Wait_Console --
-   ------------------
-
    procedure Wait_Console (Limit : Time) is
       Waiting : Natural;
       Now     : Time;
@@ -117,10 +101,6 @@ package body Support_Tasks with SPARK_Mode is
          delay until Now + Schedule.Release_Poll;
       end loop;
    end Wait_Console;
-
-   ------------------
-   -- Finish_Trace --
-   ------------------
 
    procedure Finish_Trace is
       Whole  : Boolean;
@@ -137,10 +117,6 @@ package body Support_Tasks with SPARK_Mode is
          Wait_Console (Now + Schedule.Console_Limit);
       end if;
    end Finish_Trace;
-
-   -------------
-   -- Th_Stop --
-   -------------
 
    task body Th_Stop is
       Kind   : Process.Signals.Kind;

@@ -73,10 +73,6 @@ package body Vision.Tasks with SPARK_Mode is
    procedure Log_Reason (What : String);
    --  What and the reason that vision_c gives
 
-   ------------
-   -- Encode --
-   ------------
-
    procedure Encode
      (Slot    : Vision.Library.Slot;
       Quality : Options.Percentage;
@@ -99,10 +95,6 @@ package body Vision.Tasks with SPARK_Mode is
          Log_Reason ("image left out: ");
       end if;
    end Encode;
-
-   -----------------
-   -- Find_Robots --
-   -----------------
 
    procedure Find_Robots
      (Slot   : Vision.Library.Slot;
@@ -135,10 +127,6 @@ package body Vision.Tasks with SPARK_Mode is
       end if;
    end Find_Robots;
 
-   ----------------
-   -- Draw_Arena --
-   ----------------
-
    procedure Draw_Arena
      (Slot : Vision.Library.Slot; Arena : Vision.Shapes.Arena_Corners) is
       Result : Vision.Library.Status;
@@ -148,10 +136,6 @@ package body Vision.Tasks with SPARK_Mode is
          Log_Reason ("arena not drawn: ");
       end if;
    end Draw_Arena;
-
-   -----------------
-   -- Draw_Robots --
-   -----------------
 
    procedure Draw_Robots
      (Slot   : Vision.Library.Slot;
@@ -168,18 +152,10 @@ package body Vision.Tasks with SPARK_Mode is
       end loop;
    end Draw_Robots;
 
-   -----------------
-   -- Gap_Between --
-   -----------------
-
    function Gap_Between
      (First, Last : Time) return Vision.Following.Milliseconds is
      (Vision.Following.Milliseconds
         ((Vision.Frame_Delivery.Elapsed (First, Last) + 999) / 1_000));
-
-   ----------------
-   -- Log_Reason --
-   ----------------
 
    procedure Log_Reason (What : String) is
       Reason : Vision.Library.Reason_Text;
@@ -191,10 +167,6 @@ package body Vision.Tasks with SPARK_Mode is
       Texts.Append (Line, Reason (1 .. Last));
       Journal.Put (Options.Warning, Line);
    end Log_Reason;
-
-   -------------------
-   -- Camera_Failed --
-   -------------------
 
    procedure Camera_Failed (Why : Monitor.Notices.Notice) is
       Was_Open : Boolean;
@@ -208,10 +180,6 @@ package body Vision.Tasks with SPARK_Mode is
          Monitor.Outbox.Put_Notice (Why);
       end if;
    end Camera_Failed;
-
-   -----------------------
-   -- Th_Camera_Control --
-   -----------------------
 
    task body Th_Camera_Control is
       Order    : Orders.Order;
@@ -251,10 +219,6 @@ package body Vision.Tasks with SPARK_Mode is
          Task_Ports.Vision_Done;
       end loop;
    end Th_Camera_Control;
-
-   --------------------
-   -- Th_Capture_Img --
-   --------------------
 
    task body Th_Capture_Img is
       Chosen   : Options.Values renames Settings.Command_Line.Chosen;
@@ -370,10 +334,6 @@ package body Vision.Tasks with SPARK_Mode is
       end loop;
    end Th_Capture_Img;
 
-   --------------
-   -- Th_Arene --
-   --------------
-
    task body Th_Arene is
       Order  : Orders.Order;
       Chosen : Options.Values renames Settings.Command_Line.Chosen;
@@ -430,10 +390,6 @@ package body Vision.Tasks with SPARK_Mode is
          Task_Ports.Vision_Done;
       end loop;
    end Th_Arene;
-
-   ---------------
-   -- Th_Camera --
-   ---------------
 
    task body Th_Camera is
       Chosen : Options.Values renames Settings.Command_Line.Chosen;

@@ -51,10 +51,6 @@ package body Both_Ends is
          when 'V'    => "3.5",
          when others => "O");
 
-   ------------
-   -- Framed --
-   ------------
-
    function Framed (Text : String) return String is
       Sum : Unsigned_8 := 0;
    begin
@@ -65,20 +61,12 @@ package body Both_Ends is
         & Character'Val (if Sum = 16#0D# then 16#0E# else Sum) & ASCII.CR;
    end Framed;
 
-   -----------
-   -- Write --
-   -----------
-
    procedure Write (File : int; Text : String) is
    begin
       Check
         (Libc.Write (File, Text'Address, Text'Length) = Text'Length,
          "cannot be written");
    end Write;
-
-   ---------------
-   -- Open_Line --
-   ---------------
 
    procedure Open_Line (Where : Place) is
       Open : Boolean;
@@ -93,10 +81,6 @@ package body Both_Ends is
    function Master (Where : Place) return int is
      (if Pseudo_Terminals.Is_Open (Lines (Where))
       then Pseudo_Terminals.Robot_End (Lines (Where)) else -1);
-
-   -------------
-   -- Connect --
-   -------------
 
    procedure Connect (Where : Place; Port : Positive; By_Lines : Boolean) is
       use GNAT.Sockets;
@@ -114,10 +98,6 @@ package body Both_Ends is
       S.Message := (others => <>);
    end Connect;
 
-   ----------------
-   -- Disconnect --
-   ----------------
-
    procedure Disconnect (Where : Place) is
       Unused : int;
    begin
@@ -126,10 +106,6 @@ package body Both_Ends is
          States (Where).Socket := -1;
       end if;
    end Disconnect;
-
-   ---------------
-   -- Close_All --
-   ---------------
 
    procedure Close_All is
    begin
@@ -146,28 +122,16 @@ package body Both_Ends is
    function Messages (Where : Place) return Event_Vectors.Vector is
      (States (Where).Messages);
 
-   ------------
-   -- Forget --
-   ------------
-
    procedure Forget (Where : Place) is
    begin
       States (Where).Frames.Clear;
       States (Where).Messages.Clear;
    end Forget;
 
-   --------------------
-   -- Set_Unanswered --
-   --------------------
-
    procedure Set_Unanswered (Where : Place; Frame : String) is
    begin
       States (Where).Held := To_Unbounded_String (Frame);
    end Set_Unanswered;
-
-   ----------
-   -- Hear --
-   ----------
 
    procedure Hear (Where : Place) is
       S    : State renames States (Where);
@@ -199,10 +163,6 @@ package body Both_Ends is
          end if;
       end loop;
    end Hear;
-
-   -------------
-   -- Receive --
-   -------------
 
    procedure Receive (Where : Place) is
       S    : State renames States (Where);
@@ -249,10 +209,6 @@ package body Both_Ends is
       end loop;
    end Receive;
 
-   ----------
-   -- Look --
-   ----------
-
    procedure Look (Until_Time : Instant) is
       Files : Libc.Poll_Array (1 .. 2 * (Place'Pos (Place'Last) + 1)) :=
         (others => (-1, Libc.Poll_In, 0));
@@ -272,10 +228,6 @@ package body Both_Ends is
       end loop;
    end Look;
 
-   -----------
-   -- Serve --
-   -----------
-
    procedure Serve (For_Time : Duration) is
       End_Time : constant Instant := Now + For_Time;
    begin
@@ -285,18 +237,10 @@ package body Both_Ends is
       end loop;
    end Serve;
 
-   ----------
-   -- Send --
-   ----------
-
    procedure Send (Where : Place; Text : String) is
    begin
       Write (States (Where).Socket, Text);
    end Send;
-
-   -------------------
-   -- Await_Message --
-   -------------------
 
    procedure Await_Message
      (Where : Place; Label : String; Count : Positive := 1)
@@ -319,10 +263,6 @@ package body Both_Ends is
       end loop;
    end Await_Message;
 
-   -----------------
-   -- Await_Frame --
-   -----------------
-
    procedure Await_Frame (Where : Place; Text : String; Time : out Instant)
    is
       S        : State renames States (Where);
@@ -339,10 +279,6 @@ package body Both_Ends is
          Look (End_Time);
       end loop;
    end Await_Frame;
-
-   -------------
-   -- Measure --
-   -------------
 
    procedure Measure
      (Where   : Place;

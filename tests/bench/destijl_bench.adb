@@ -38,10 +38,6 @@ procedure Destijl_Bench is
 
    procedure Run (Which : Section);
 
-   -----------------
-   -- Print_Usage --
-   -----------------
-
    procedure Print_Usage (To : File_Type) is
    begin
       Put_Line (To, "usage: destijl_bench [OPTION]... [SECTION]...");
@@ -58,10 +54,6 @@ procedure Destijl_Bench is
       Put_Line (To, "   --supervisor PATH, --emulator PATH");
       Put_Line (To, "                 instead of those beside this one");
    end Print_Usage;
-
-   -----------------------
-   -- Read_Command_Line --
-   -----------------------
 
    procedure Read_Command_Line is
    begin
@@ -92,10 +84,6 @@ procedure Destijl_Bench is
          Wanted := (others => True);
       end if;
    end Read_Command_Line;
-
-   ---------
-   -- Run --
-   ---------
 
    procedure Run (Which : Section) is
    begin

@@ -23,10 +23,6 @@ package body Full_Load is
    procedure Measure (Baud : Natural; Tasks : Boolean := False);
    --  Tasks: the processor time of the tasks instead of the delays
 
-   -------------
-   -- Measure --
-   -------------
-
    procedure Measure (Baud : Natural; Tasks : Boolean := False) is
       use Ada.Numerics.Float_Random;
 
@@ -76,10 +72,6 @@ package body Full_Load is
       procedure Evaluate_Robot_Answers;
       procedure Evaluate_Periods;
 
-      ------------------
-      -- Ask_And_Note --
-      ------------------
-
       procedure Ask_And_Note (Command : String; Wire : String) is
          Item : Message;
          Time : Instant;
@@ -97,18 +89,10 @@ package body Full_Load is
          end if;
       end Ask_And_Note;
 
-      -----------
-      -- Pause --
-      -----------
-
       procedure Pause is
       begin
          delay 0.015 + 0.03 * Duration (Random (Source));
       end Pause;
-
-      ---------------------
-      -- Evaluate_Orders --
-      ---------------------
 
       procedure Evaluate_Orders is
          --  Amounts differ from order to order, so that each is found
@@ -134,10 +118,6 @@ package body Full_Load is
          end loop;
       end Evaluate_Orders;
 
-      ----------------------------
-      -- Evaluate_Robot_Answers --
-      ----------------------------
-
       procedure Evaluate_Robot_Answers is
          --  From the answer's last byte on the wire to the monitor. The
          --  state is asked for by the monitor only.
@@ -160,10 +140,6 @@ package body Full_Load is
             end if;
          end loop;
       end Evaluate_Robot_Answers;
-
-      ----------------------
-      -- Evaluate_Periods --
-      ----------------------
 
       procedure Evaluate_Periods is
          Battery, Image, Place : Instant := Never;
@@ -298,10 +274,6 @@ package body Full_Load is
          & Missed'Image);
    end Measure;
 
-   ------------
-   -- Report --
-   ------------
-
    procedure Report is
    begin
       Reports.Begin_Section
@@ -311,10 +283,6 @@ package body Full_Load is
       Measure (Baud => 0);
       Reports.End_Section;
    end Report;
-
-   ------------------
-   -- Report_Tasks --
-   ------------------
 
    procedure Report_Tasks is
    begin

@@ -17,10 +17,6 @@ package body Machines is
    function Known (Text, Otherwise : String) return String is
      (if Text = "" then Otherwise else Text);
 
-   ------------
-   -- Report --
-   ------------
-
    procedure Report is
       Model : constant String := File_Line ("/proc/cpuinfo", "model name");
       Board : constant String :=

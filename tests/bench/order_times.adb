@@ -99,10 +99,6 @@ package body Order_Times is
    --  Against the goal of orders and answers, under each condition that has
    --  been measured
 
-   ---------
-   -- One --
-   ---------
-
    procedure One (Through : Passage; Result : out Exchange) is
       --  a different one each time
       Value : constant String :=
@@ -118,10 +114,6 @@ package body Order_Times is
          "M=" & Value, Result);
    end One;
 
-   ----------
-   -- Said --
-   ----------
-
    function Said (Events : Event_Vectors.Vector) return String is
       Result : Unbounded_String;
    begin
@@ -130,10 +122,6 @@ package body Order_Times is
       end loop;
       return (if Events.Is_Empty then " nothing" else To_String (Result));
    end Said;
-
-   -------------
-   -- Recover --
-   -------------
 
    procedure Recover (Which : Passage) is
    begin
@@ -146,10 +134,6 @@ package body Order_Times is
            (Place_Of (Which), "AACK ACRJ ATIM ANAK", Count => 2);
       end if;
    end Recover;
-
-   -------------------
-   -- Measure_Stops --
-   -------------------
 
    procedure Measure_Stops is
       Count  : constant Positive :=
@@ -193,10 +177,6 @@ package body Order_Times is
       end loop;
       Left_Out := Left_Out + Missed;
    end Measure_Stops;
-
-   -------------
-   -- Measure --
-   -------------
 
    procedure Measure (Under : Condition) is
       Bare        : array (Bare_Passage) of Child;
@@ -304,10 +284,6 @@ package body Order_Times is
       Close_All;
    end Measure;
 
-   -----------------
-   -- Measure_All --
-   -----------------
-
    procedure Measure_All is
    begin
       if not Measured then
@@ -319,10 +295,6 @@ package body Order_Times is
          end loop;
       end if;
    end Measure_All;
-
-   -------------
-   -- Compare --
-   -------------
 
    procedure Compare (Name : String; Which : Distributions) is
       use Reports;
@@ -357,10 +329,6 @@ package body Order_Times is
       Compare_One ("full load, as a service", Loaded_Service);
    end Compare;
 
-   -------------------
-   -- Report_Orders --
-   -------------------
-
    procedure Report_Orders is
       Limit : Duration;
    begin
@@ -380,10 +348,6 @@ package body Order_Times is
          & " they failed");
       Reports.End_Section;
    end Report_Orders;
-
-   --------------------
-   -- Report_Answers --
-   --------------------
 
    procedure Report_Answers is
    begin

@@ -54,10 +54,6 @@ package body Period_Times is
    function Cyclictest_Latencies (From : Child) return Samples.Set;
    --  Of its histogram, to the microsecond
 
-   ----------
-   -- Late --
-   ----------
-
    function Late
      (Events : Event_Vectors.Vector; Text : String; Period : Time_Span)
       return Samples.Set
@@ -79,10 +75,6 @@ package body Period_Times is
       end loop;
       return Result.From_Least;
    end Late;
-
-   --------------------------
-   -- Cyclictest_Latencies --
-   --------------------------
 
    function Cyclictest_Latencies (From : Child) return Samples.Set is
       Result : Samples.Set;
@@ -108,10 +100,6 @@ package body Period_Times is
       end loop;
       return Result;
    end Cyclictest_Latencies;
-
-   ------------
-   -- Report --
-   ------------
 
    procedure Report is
       Camera     : Emulators.Emulator;

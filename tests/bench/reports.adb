@@ -78,10 +78,6 @@ package body Reports is
    procedure Plot_Curves (Drawing : in out Svg_File);
    procedure Plot_Bars (Drawing : in out Svg_File);
 
-   ------------
-   -- Quoted --
-   ------------
-
    function Quoted (Text : String) return String is
       Result : Unbounded_String;
    begin
@@ -94,10 +90,6 @@ package body Reports is
       return """" & To_String (Result) & """";
    end Quoted;
 
-   ----------
-   -- Next --
-   ----------
-
    procedure Next (List : in out Unbounded_String; Item : String) is
    begin
       if Length (List) > 0 then
@@ -105,10 +97,6 @@ package body Reports is
       end if;
       Append (List, Item);
    end Next;
-
-   ----------
-   -- Open --
-   ----------
 
    procedure Open (Path : String) is
    begin
@@ -118,19 +106,11 @@ package body Reports is
 
    function Folder return String is (To_String (Place));
 
-   --------------
-   -- Put_Fact --
-   --------------
-
    procedure Put_Fact (Name, Value : String) is
    begin
       Put_Line (Name & ": " & Value);
       Next (Facts, Quoted (Name) & ": " & Quoted (Value));
    end Put_Fact;
-
-   -------------------
-   -- Begin_Section --
-   -------------------
 
    procedure Begin_Section (Name, Title : String) is
    begin
@@ -148,10 +128,6 @@ package body Reports is
       New_Line;
    end Begin_Section;
 
-   ----------------
-   -- Figures_Of --
-   ----------------
-
    function Figures_Of (Set : Samples.Set) return String is
       Result : Unbounded_String := To_Unbounded_String
         ("""n"": " & Image (Set.Count));
@@ -165,18 +141,10 @@ package body Reports is
       return To_String (Result);
    end Figures_Of;
 
-   -------------
-   -- Goal_Of --
-   -------------
-
    function Goal_Of (Goal : String; Met : Boolean) return String is
      (if Goal = "" then ""
       else ", ""goal"": " & Quoted (Goal) & ", ""met"": "
         & (if Met then "true" else "false"));
-
-   ---------------
-   -- Put_Times --
-   ---------------
 
    procedure Put_Times (Name : String; Set : Samples.Set) is
    begin
@@ -188,10 +156,6 @@ package body Reports is
       New_Line;
    end Put_Times;
 
-   --------------
-   -- Put_Goal --
-   --------------
-
    procedure Put_Goal (Goal : String; Met : Boolean) is
    begin
       if Goal /= "" then
@@ -199,10 +163,6 @@ package body Reports is
            ("      goal " & Goal & (if Met then ": met" else ": NOT MET"));
       end if;
    end Put_Goal;
-
-   -----------
-   -- Ratio --
-   -----------
 
    function Ratio
      (Ours, Floor : Samples.Set; Share : Float) return Float
@@ -212,10 +172,6 @@ package body Reports is
       return (if Below > 0.0 then Float (Ours.Quantile (Share)) / Below
               else 0.0);
    end Ratio;
-
-   -------------
-   -- Compare --
-   -------------
 
    procedure Compare
      (Name  : String;
@@ -256,10 +212,6 @@ package body Reports is
         ((To_Unbounded_String (Name & ", floor"), Floor, True, Again));
    end Compare;
 
-   ---------
-   -- Put --
-   ---------
-
    procedure Put
      (Name  : String;
       Ours  : Samples.Set;
@@ -275,10 +227,6 @@ package body Reports is
          & Figures_Of (Ours) & Goal_Of (Goal, Met) & "}");
       Curves.Append ((To_Unbounded_String (Name), Ours, others => False));
    end Put;
-
-   ----------------
-   -- Put_Number --
-   ----------------
 
    procedure Put_Number
      (Name  : String;
@@ -308,10 +256,6 @@ package body Reports is
         ((To_Unbounded_String (Name), To_Unbounded_String (Unit),
           Value, Floor));
    end Put_Number;
-
-   -----------
-   -- Adopt --
-   -----------
 
    procedure Adopt (Row : String) is
 
@@ -354,19 +298,11 @@ package body Reports is
           (if Floor in "" | "null" then 0.0 else Float'Value (Floor))));
    end Adopt;
 
-   --------------
-   -- Put_Note --
-   --------------
-
    procedure Put_Note (Text : String) is
    begin
       Put_Line ("   " & Text);
       Next (Rows, "{""note"": " & Quoted (Text) & "}");
    end Put_Note;
-
-   -----------------
-   -- Plot_Curves --
-   -----------------
 
    procedure Plot_Curves (Drawing : in out Svg_File) is
 
@@ -459,10 +395,6 @@ package body Reports is
       end loop;
    end Plot_Curves;
 
-   ---------------
-   -- Plot_Bars --
-   ---------------
-
    procedure Plot_Bars (Drawing : in out Svg_File) is
       Left   : constant := 300.0;
       Most   : constant := 260.0;
@@ -492,10 +424,6 @@ package body Reports is
          Height := Height + 22.0;
       end loop;
    end Plot_Bars;
-
-   -----------------
-   -- End_Section --
-   -----------------
 
    procedure End_Section is
       Drawing : Svg_File;
@@ -528,10 +456,6 @@ package body Reports is
       Plot_Bars (Drawing);
       Close (Drawing);
    end End_Section;
-
-   -----------
-   -- Close --
-   -----------
 
    procedure Close is
       File : File_Type;

@@ -53,20 +53,12 @@ package body Scale_Limits is
    procedure Report_Processor_Use (Positions : Boolean);
    procedure Report_Commands;
 
-   ------------------
-   -- Take_Picture --
-   ------------------
-
    procedure Take_Picture (Size : String; Path : String) is
       Camera : Emulators.Emulator;
    begin
       Camera.Start (Camera => True, Options => "--frame-size " & Size);
       Camera.Save_Snapshot (Path);
    end Take_Picture;
-
-   -----------
-   -- Keeps --
-   -----------
 
    function Keeps
      (Picture, Size : String; Positions : Boolean; Rate : Positive)
@@ -107,10 +99,6 @@ package body Scale_Limits is
       return Last /= Never and then Longest < 1.5 / Rate;
    end Keeps;
 
-   ------------------
-   -- Highest_Rate --
-   ------------------
-
    function Highest_Rate
      (Picture, Size : String; Positions : Boolean) return Natural
    is
@@ -132,10 +120,6 @@ package body Scale_Limits is
       end loop;
       return Good;
    end Highest_Rate;
-
-   ------------------
-   -- Report_Rates --
-   ------------------
 
    procedure Report_Rates is
 
@@ -163,10 +147,6 @@ package body Scale_Limits is
       Report_Size ("1280x720");
       Report_Size ("1920x1080");
    end Report_Rates;
-
-   --------------------------
-   -- Report_Processor_Use --
-   --------------------------
 
    procedure Report_Processor_Use (Positions : Boolean) is
 
@@ -321,10 +301,6 @@ package body Scale_Limits is
          Floor => Share);
    end Report_Processor_Use;
 
-   ---------------------
-   -- Report_Commands --
-   ---------------------
-
    procedure Report_Commands is
 
       procedure Count (Name, Command, Answer : String);
@@ -377,10 +353,6 @@ package body Scale_Limits is
       Count ("commands answered by the supervisor itself", "what", "ACER");
       Count ("movements through an unpaced line", "RMOV:50", "AACK");
    end Report_Commands;
-
-   ------------
-   -- Report --
-   ------------
 
    procedure Report is
    begin

@@ -36,19 +36,11 @@ package body Single_Commands is
 
    procedure Measure_Once;
 
-   ---------
-   -- Ask --
-   ---------
-
    procedure Ask (R : in out Rig; Command : String; Answer : String) is
    begin
       R.Monitor.Expect (Command, Answer, Within => 10.0);
       delay Pause;
    end Ask;
-
-   ----------------------
-   -- Ask_One_Exchange --
-   ----------------------
 
    procedure Ask_One_Exchange (R : in out Rig; Command : String) is
    begin
@@ -56,10 +48,6 @@ package body Single_Commands is
       Ask (R, Command, "AACK");
       Task_Times.End_Exchange;
    end Ask_One_Exchange;
-
-   -------------------
-   -- Ask_For_Image --
-   -------------------
 
    procedure Ask_For_Image (R : in out Rig; Command : String) is
       Item : Message;
@@ -72,19 +60,11 @@ package body Single_Commands is
       --  the image may have been one on its way
    end Ask_For_Image;
 
-   ----------
-   -- Tell --
-   ----------
-
    procedure Tell (R : in out Rig; Command : String) is
    begin
       R.Monitor.Send_Line (Command);
       delay Pause;
    end Tell;
-
-   ---------------
-   -- Ask_Robot --
-   ---------------
 
    procedure Ask_Robot (R : in out Rig) is
       Unused : Message;
@@ -111,10 +91,6 @@ package body Single_Commands is
       end loop;
    end Ask_Robot;
 
-   ----------------
-   -- Ask_Camera --
-   ----------------
-
    procedure Ask_Camera (R : in out Rig) is
    begin
       Ask (R, "COPN", "AACK");
@@ -127,10 +103,6 @@ package body Single_Commands is
       Ask (R, "CPST", "AACK");
       Ask (R, "CCLS", "AACK");
    end Ask_Camera;
-
-   ---------------
-   -- Turn_Away --
-   ---------------
 
    procedure Turn_Away (R : in out Rig) is
       --  One by one, then more at once than are seen to in a turn
@@ -151,10 +123,6 @@ package body Single_Commands is
       delay 5 * Pause;
    end Turn_Away;
 
-   ------------------
-   -- Lose_Monitor --
-   ------------------
-
    procedure Lose_Monitor (R : in out Rig) is
    begin
       for Abortive in Boolean loop
@@ -170,10 +138,6 @@ package body Single_Commands is
       end loop;
    end Lose_Monitor;
 
-   ------------------
-   -- Stop_Driving --
-   ------------------
-
    procedure Stop_Driving (R : in out Rig) is
    begin
       Move_Forward (R);
@@ -182,10 +146,6 @@ package body Single_Commands is
         (R.Supervisor.Exit_Status (Within => 5.0) = 0,
          "the orderly stop fails");
    end Stop_Driving;
-
-   ------------------
-   -- Measure_Once --
-   ------------------
 
    procedure Measure_Once is
       R    : Rig;
@@ -203,10 +163,6 @@ package body Single_Commands is
       Stop_Driving (R);
       Task_Times.Stop;
    end Measure_Once;
-
-   -------------------
-   -- Measure_Tasks --
-   -------------------
 
    procedure Measure_Tasks is
       Start : constant Instant := Now;

@@ -41,10 +41,6 @@ package body Start_Times is
    procedure Report_Loading;
    procedure Report_Readiness;
 
-   ----------------
-   -- Time_Start --
-   ----------------
-
    procedure Time_Start
      (Program : String; Options : String; Set : in out Samples.Set)
    is
@@ -58,10 +54,6 @@ package body Start_Times is
       Set.Add (Process.Element (Errors, Line).Time - Begun);
       Process.Stop;
    end Time_Start;
-
-   ---------------
-   -- Megabytes --
-   ---------------
 
    function Megabytes
      (Process : Interfaces.C.int; Keys : String) return Float
@@ -82,10 +74,6 @@ package body Start_Times is
       return Result / 1024.0;
    end Megabytes;
 
-   -------------
-   -- Picture --
-   -------------
-
    function Picture return String is
       Path   : constant String := Programs.Temporary_Folder & "/start.jpg";
       Camera : Emulators.Emulator;
@@ -96,10 +84,6 @@ package body Start_Times is
       end if;
       return Path;
    end Picture;
-
-   -------------------
-   -- Report_Memory --
-   -------------------
 
    procedure Report_Memory is
       Supervisor : Supervisors.Supervisor;
@@ -129,10 +113,6 @@ package body Start_Times is
       Put ("memory with an image file as camera, resident", "Rss");
       Close_All;
    end Report_Memory;
-
-   --------------------
-   -- Report_Loading --
-   --------------------
 
    procedure Report_Loading is
       --  Orders while the camera is opened for the first time, and OpenCV is
@@ -260,10 +240,6 @@ package body Start_Times is
         ("order meanwhile", Orders (Loading), Forwarded (Loading));
    end Report_Loading;
 
-   ----------------------
-   -- Report_Readiness --
-   ----------------------
-
    procedure Report_Readiness is
       --  The robot drives; the monitor goes, and the next one has its first
       --  answer
@@ -298,10 +274,6 @@ package body Start_Times is
         ("monitor lost while driving, to the next one's first answer",
          Ready, "max < 200 ms", Ready.Quantile (1.0) < 0.200);
    end Report_Readiness;
-
-   ------------
-   -- Report --
-   ------------
 
    procedure Report is
       Listening : constant String := "--port 0 --bind 127.0.0.1";

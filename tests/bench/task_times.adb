@@ -76,10 +76,6 @@ package body Task_Times is
 
    Watch : Watch_Access;
 
-   ---------------
-   -- Budget_Of --
-   ---------------
-
    function Budget_Of (Name : String) return Duration is
       Most  : Response_Times.Span := 0;
    begin
@@ -92,10 +88,6 @@ package body Task_Times is
       return Duration (Most) / 1_000_000;
    end Budget_Of;
 
-   -------------
-   -- End_Run --
-   -------------
-
    procedure End_Run (Item : in out Thread) is
    begin
       if not Gone then
@@ -107,10 +99,6 @@ package body Task_Times is
       end if;
       Item.Run := 0.0;
    end End_Run;
-
-   ----------
-   -- Look --
-   ----------
 
    procedure Look (Item : in out Thread) is
       Text : String (1 .. 80);
@@ -139,10 +127,6 @@ package body Task_Times is
       Item.Used := Used;
    end Look;
 
-   ----------------
-   -- Watch_Task --
-   ----------------
-
    task body Watch_Task is
    begin
       --  it must see the end of each run
@@ -168,10 +152,6 @@ package body Task_Times is
          end loop;
       end loop;
    end Watch_Task;
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start (Process : Interfaces.C.int; Except : String := "") is
       Folder : constant String :=
@@ -209,27 +189,15 @@ package body Task_Times is
       Watch := new Watch_Task;
    end Start;
 
-   --------------------
-   -- Begin_Exchange --
-   --------------------
-
    procedure Begin_Exchange is
    begin
       Watch.Begin_Exchange;
    end Begin_Exchange;
 
-   ------------------
-   -- End_Exchange --
-   ------------------
-
    procedure End_Exchange is
    begin
       Watch.End_Exchange;
    end End_Exchange;
-
-   ----------
-   -- Stop --
-   ----------
 
    procedure Stop is
       Unused : int;
@@ -239,10 +207,6 @@ package body Task_Times is
          Unused := Libc.Close (Item.File);
       end loop;
    end Stop;
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put (Name : String; Set : Samples.Set; Budget : Duration) is
       Above : constant Natural := Set.Count_Above (Budget);
@@ -255,10 +219,6 @@ package body Task_Times is
             Above <= Set.Count / 1_000);
       end if;
    end Put;
-
-   -----------
-   -- Print --
-   -----------
 
    procedure Print is
    begin

@@ -83,10 +83,6 @@ package body Trace_Responses is
    function Found (S : Thread_State) return Boolean is
      (S.Begun /= Never);
 
-   -----------------
-   -- Activity_Of --
-   -----------------
-
    function Activity_Of (S : Thread_State; Last : Boolean)
      return Activity_Name
    is
@@ -119,10 +115,6 @@ package body Trace_Responses is
       return Environment;
    end Activity_Of;
 
-   ---------
-   -- Add --
-   ---------
-
    procedure Add
      (S      : in out Thread_State;
       At_End : Nanoseconds;
@@ -141,10 +133,6 @@ package body Trace_Responses is
       end if;
       S.Begun := Never;
    end Add;
-
-   ---------------
-   -- Begin_Job --
-   ---------------
 
    procedure Begin_Job (S : in out Thread_State; Item : Event) is
       Place : Natural := 0;
@@ -181,10 +169,6 @@ package body Trace_Responses is
       end loop;
    end Begin_Job;
 
-   -------------
-   -- Name_Of --
-   -------------
-
    function Name_Of (Name : Activity_Name) return String is
      (Task_Name (Name)
       & (case Name is
@@ -201,10 +185,6 @@ package body Trace_Responses is
             when Send_Position => ", position",
             when Send_Image    => ", image",
             when others        => ""));
-
-   ----------
-   -- Read --
-   ----------
 
    procedure Read
      (Path   : String;
@@ -266,10 +246,6 @@ package body Trace_Responses is
       end loop;
    end Read;
 
-   ----------
-   -- Make --
-   ----------
-
    procedure Make (Path : String) is
       R      : Rig;
       Load   : Busy_Loops.Load;
@@ -308,10 +284,6 @@ package body Trace_Responses is
          R.Supervisor.Log_Text);
    end Make;
 
-   ------------
-   -- Report --
-   ------------
-
    procedure Report (Path : String) is
       Own    : constant String := Programs.Temporary_Folder & "/trace.json";
       Result : Response_Array;
@@ -339,10 +311,6 @@ package body Trace_Responses is
       Reports.End_Section;
    end Report;
 
-   ------------
-   -- Resume --
-   ------------
-
    procedure Resume (S : in out Thread_State; Item : Event) is
    begin
       S.Waited := True;
@@ -360,10 +328,6 @@ package body Trace_Responses is
          S.Begun := Item.Time;
       end if;
    end Resume;
-
-   -----------------
-   -- Take_Bounds --
-   -----------------
 
    procedure Take_Bounds (Apart : Boolean; Result : in out Response_Array) is
       Known : Analysis;

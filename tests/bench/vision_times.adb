@@ -23,10 +23,6 @@ package body Vision_Times is
    procedure Report (Section, Key, Title : String);
    --  Key: what the program calls the section
 
-   -------------
-   -- Measure --
-   -------------
-
    procedure Measure is
       Program : Child;
       Limit   : constant Duration := 1_800.0;
@@ -44,10 +40,6 @@ package body Vision_Times is
             "image_times has failed");
       end if;
    end Measure;
-
-   ------------
-   -- Report --
-   ------------
 
    procedure Report (Section, Key, Title : String) is
       File : File_Type;
@@ -68,19 +60,11 @@ package body Vision_Times is
       Reports.End_Section;
    end Report;
 
-   -------------------
-   -- Report_Images --
-   -------------------
-
    procedure Report_Images is
    begin
       Report
         ("images", "image", "an image's way, from the camera to the socket");
    end Report_Images;
-
-   -------------------
-   -- Report_Search --
-   -------------------
 
    procedure Report_Search is
    begin

@@ -18,17 +18,9 @@ package body Option_Readers is
    function Sign return Natural;
    --  Where "=" is in an option, 0 without
 
-   ----------
-   -- Sign --
-   ----------
-
    function Sign return Natural is
      (if Index (Argument (Place), "--") = 1
       then Index (Argument (Place), "=") else 0);
-
-   ----------
-   -- Next --
-   ----------
 
    function Next return Boolean is
    begin
@@ -43,17 +35,9 @@ package body Option_Readers is
       return True;
    end Next;
 
-   ----------
-   -- Name --
-   ----------
-
    function Name return String is
      (if Sign = 0 then Argument (Place)
       else Argument (Place) (1 .. Sign - 1));
-
-   -----------
-   -- Value --
-   -----------
 
    function Value return String is
       Given : constant String := Argument (Place);
@@ -67,10 +51,6 @@ package body Option_Readers is
       Last := Place + 1;
       return Argument (Last);
    end Value;
-
-   ------------
-   -- Number --
-   ------------
 
    function Number
      (Low : Integer := 1; High : Integer := Integer'Last) return Integer
@@ -89,10 +69,6 @@ package body Option_Readers is
            & (if High = Integer'Last then " on" else " to " & Image (High))
            & " is expected, not '" & Text & "'";
    end Number;
-
-   ------------
-   -- Refuse --
-   ------------
 
    procedure Refuse is
    begin

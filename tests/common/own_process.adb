@@ -5,10 +5,6 @@ with System;
 
 package body Own_Process is
 
-   ----------------------
-   -- Prefer_Real_Time --
-   ----------------------
-
    procedure Prefer_Real_Time
      (Wanted : Boolean; Priority : int := Libc.Above_Supervisor)
    is
@@ -21,10 +17,6 @@ package body Own_Process is
          Param'Access);
    end Prefer_Real_Time;
 
-   -----------------------
-   -- Real_Time_Allowed --
-   -----------------------
-
    function Real_Time_Allowed return Boolean is
       Lowest : aliased Libc.Sched_Param := (Priority => 1);
       None   : aliased Libc.Sched_Param := (Priority => 0);
@@ -35,19 +27,11 @@ package body Own_Process is
           (0, Libc.Sched_Other, None'Access) = 0;
    end Real_Time_Allowed;
 
-   ------------------
-   -- Wake_On_Time --
-   ------------------
-
    procedure Wake_On_Time is
       Unused : int;
    begin
       Unused := Libc.Prctl (Libc.Pr_Set_Timerslack, 1);
    end Wake_On_Time;
-
-   --------------
-   -- Give_Way --
-   --------------
 
    procedure Give_Way is
       Nice   : constant := 5;
@@ -55,10 +39,6 @@ package body Own_Process is
    begin
       Unused := Libc.Setpriority (0, 0, Nice);
    end Give_Way;
-
-   -----------------
-   -- Lock_Memory --
-   -----------------
 
    procedure Lock_Memory is
       Once_Used : constant := 7;
@@ -71,19 +51,11 @@ package body Own_Process is
       end if;
    end Lock_Memory;
 
-   -------------------------
-   -- Ignore_Broken_Pipes --
-   -------------------------
-
    procedure Ignore_Broken_Pipes is
       Unused : System.Address;
    begin
       Unused := Libc.Signal (Libc.Sigpipe, Libc.Ignored);
    end Ignore_Broken_Pipes;
-
-   -----------------------
-   -- Allow_Descriptors --
-   -----------------------
 
    procedure Allow_Descriptors is
       Limit  : aliased Libc.Resource_Limit;

@@ -7,16 +7,8 @@ with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 
 package body Plain_Numbers is
 
-   -----------
-   -- Image --
-   -----------
-
    function Image (Value : Integer) return String is
      (Trim (Value'Image, Left));
-
-   -------------
-   -- Rounded --
-   -------------
 
    function Rounded (Value : Float; Aft : Natural := 2) return String is
       Text : String (1 .. 48);

@@ -6,10 +6,6 @@ with System;
 
 package body Polls is
 
-   ----------
-   -- Wait --
-   ----------
-
    procedure Wait (Files : in out Libc.Poll_Array; Span : Duration) is
       Billion : constant := 1_000_000_000;
       Left    : constant Long_Long_Integer :=
@@ -29,10 +25,6 @@ package body Polls is
          end loop;
       end if;
    end Wait;
-
-   -----------------
-   -- Is_Readable --
-   -----------------
 
    function Is_Readable
      (File : Interfaces.C.int; Span : Duration) return Boolean

@@ -14,10 +14,6 @@ package body Pseudo_Terminals is
    function Target_Of (Path : String) return String;
    --  Of the symbolic link at Path; "" where there is none
 
-   -----------
-   -- Close --
-   -----------
-
    procedure Close (File : in out int) is
       Ignored : int;
    begin
@@ -34,21 +30,9 @@ package body Pseudo_Terminals is
       L.Length := 0;
    end Close;
 
-   ------------
-   -- Device --
-   ------------
-
    function Device (L : Line) return String is (L.Name (1 .. L.Length));
 
-   -------------
-   -- Is_Open --
-   -------------
-
    function Is_Open (L : Line) return Boolean is (L.Master /= Closed);
-
-   ----------
-   -- Open --
-   ----------
 
    procedure Open (L : in out Line; Done : out Boolean) is
       Everyone : constant := 8#666#;
@@ -87,10 +71,6 @@ package body Pseudo_Terminals is
       end if;
    end Open;
 
-   --------------
-   -- Make_Raw --
-   --------------
-
    procedure Make_Raw (Terminal : int; Done : out Boolean) is
       Value   : Terminal_Attributes := (others => 0);
       Ignored : int;
@@ -102,10 +82,6 @@ package body Pseudo_Terminals is
          Done := Tcsetattr (Terminal, Tcsanow, Value'Address) = 0;
       end if;
    end Make_Raw;
-
-   ----------------
-   -- Place_Link --
-   ----------------
 
    function Place_Link (Path, Target : String) return String is
       Own     : constant String := Path & ".new";
@@ -135,10 +111,6 @@ package body Pseudo_Terminals is
       return Last_Error;
    end Place_Link;
 
-   -----------------
-   -- Remove_Link --
-   -----------------
-
    procedure Remove_Link (Path, Target : String) is
       Ignored : int;
    begin
@@ -147,17 +119,9 @@ package body Pseudo_Terminals is
       end if;
    end Remove_Link;
 
-   ---------------
-   -- Robot_End --
-   ---------------
-
    function Robot_End (L : Line) return int is (L.Master);
 
    function Device_End (L : Line) return int is (L.Slave);
-
-   ---------------
-   -- Target_Of --
-   ---------------
 
    function Target_Of (Path : String) return String is
       Data   : char_array (1 .. 4_096) := (others => nul);

@@ -3,27 +3,15 @@
 
 package body Samples is
 
-   ---------
-   -- Add --
-   ---------
-
    procedure Add (Object : in out Set; Value : Duration) is
    begin
       Object.Values.Append (Value);
    end Add;
 
-   -----------------
-   -- Delete_Last --
-   -----------------
-
    procedure Delete_Last (Object : in out Set) is
    begin
       Object.Values.Delete_Last;
    end Delete_Last;
-
-   -----------
-   -- Clear --
-   -----------
 
    procedure Clear (Object : in out Set) is
    begin
@@ -33,16 +21,8 @@ package body Samples is
    function Last (Object : Set) return Duration is
      (Object.Values.Last_Element);
 
-   -----------
-   -- Count --
-   -----------
-
    function Count (Object : Set) return Natural is
      (Natural (Object.Values.Length));
-
-   -----------------
-   -- Count_Above --
-   -----------------
 
    function Count_Above (Object : Set; Limit : Duration) return Natural is
       Result : Natural := 0;
@@ -55,10 +35,6 @@ package body Samples is
       return Result;
    end Count_Above;
 
-   ----------
-   -- Mean --
-   ----------
-
    function Mean (Object : Set) return Duration is
       Sum : Duration := 0.0;
    begin
@@ -67,10 +43,6 @@ package body Samples is
       end loop;
       return (if Object.Values.Is_Empty then 0.0 else Sum / Object.Count);
    end Mean;
-
-   ---------------
-   -- Quantiles --
-   ---------------
 
    function Quantiles (Object : Set; Shares : Share_Array)
      return Value_Array
@@ -91,16 +63,8 @@ package body Samples is
       return Result;
    end Quantiles;
 
-   --------------
-   -- Quantile --
-   --------------
-
    function Quantile (Object : Set; Share : Float) return Duration is
      (Object.Quantiles ((1 => Share)) (1));
-
-   ----------------
-   -- From_Least --
-   ----------------
 
    function From_Least (Object : Set) return Set is
       Least  : constant Duration := Object.Quantile (0.0);

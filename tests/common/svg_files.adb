@@ -17,10 +17,6 @@ package body Svg_Files is
    function Of_Class (Class : String) return String is
      (if Class = "" then "" else " class=""" & Class & """");
 
-   -------------
-   -- Decimal --
-   -------------
-
    function Decimal (Value : Float; Most : Positive := 1) return String is
       Text : constant String := Plain_Numbers.Rounded (Value, Most);
       Last : Natural := Text'Last;
@@ -33,10 +29,6 @@ package body Svg_Files is
       end if;
       return Text (Text'First .. Last);
    end Decimal;
-
-   -------------
-   -- Escaped --
-   -------------
 
    function Escaped (Text : String) return String is
       Result : Unbounded_String;
@@ -51,10 +43,6 @@ package body Svg_Files is
       end loop;
       return To_String (Result);
    end Escaped;
-
-   ------------
-   -- Create --
-   ------------
 
    procedure Create
      (Drawing       : in out Svg_File;
@@ -76,10 +64,6 @@ package body Svg_Files is
       Put_Line (Drawing.File, "<style>" & Style & "</style>");
    end Create;
 
-   --------------
-   -- Put_Text --
-   --------------
-
    procedure Put_Text
      (Drawing : in out Svg_File;
       X, Y    : Float;
@@ -97,10 +81,6 @@ package body Svg_Files is
          & Of_Class (Class) & ">" & Escaped (Text) & "</text>");
    end Put_Text;
 
-   ----------------
-   -- Put_Stroke --
-   ----------------
-
    procedure Put_Stroke
      (Drawing : in out Svg_File; X1, Y1, X2, Y2 : Float; Class : String) is
    begin
@@ -109,10 +89,6 @@ package body Svg_Files is
          "<line" & Place ("x1", X1) & Place ("y1", Y1) & Place ("x2", X2)
          & Place ("y2", Y2) & Of_Class (Class) & "/>");
    end Put_Stroke;
-
-   -------------
-   -- Put_Box --
-   -------------
 
    procedure Put_Box
      (Drawing : in out Svg_File; X, Y, Width, Height : Float; Class : String)
@@ -124,19 +100,11 @@ package body Svg_Files is
          & Place ("height", Height) & Of_Class (Class) & "/>");
    end Put_Box;
 
-   -----------------
-   -- Begin_Curve --
-   -----------------
-
    procedure Begin_Curve (Drawing : in out Svg_File; Class : String) is
    begin
       Put (Drawing.File, "<path" & Of_Class (Class) & " d=""");
       Drawing.Points := 0;
    end Begin_Curve;
-
-   -----------
-   -- Go_On --
-   -----------
 
    procedure Go_On (Drawing : in out Svg_File; X, Y : Float) is
       In_A_Line : constant := 8;
@@ -151,18 +119,10 @@ package body Svg_Files is
       end if;
    end Go_On;
 
-   ---------------
-   -- End_Curve --
-   ---------------
-
    procedure End_Curve (Drawing : in out Svg_File) is
    begin
       Put_Line (Drawing.File, """/>");
    end End_Curve;
-
-   -----------
-   -- Close --
-   -----------
 
    procedure Close (Drawing : in out Svg_File) is
    begin

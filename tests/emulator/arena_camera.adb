@@ -146,10 +146,6 @@ package body Arena_Camera is
    procedure Serve_Viewer (Who : Viewer_Number; Socket : Socket_Type);
    --  One connection from beginning to end. Socket_Error where it breaks.
 
-   ---------------
-   -- Configure --
-   ---------------
-
    procedure Configure (Socket : Socket_Type) is
    begin
       Set_Socket_Option
@@ -160,10 +156,6 @@ package body Arena_Camera is
       Set_Socket_Option
         (Socket, IP_Protocol_For_TCP_Level, (No_Delay, Enabled => True));
    end Configure;
-
-   -------------
-   -- Doorman --
-   -------------
 
    task body Doorman is
       Server : Socket_Type;
@@ -190,10 +182,6 @@ package body Arena_Camera is
          end;
       end loop;
    end Doorman;
-
-   -------------
-   -- Painter --
-   -------------
 
    task body Painter is
       S      : Shot;
@@ -250,10 +238,6 @@ package body Arena_Camera is
             & Ada.Exceptions.Exception_Information (Failure));
    end Painter;
 
-   ---------------
-   -- Scene_Now --
-   ---------------
-
    function Scene_Now (Time : Instant; Seed : Natural; S : Settings)
      return Arena_Scenes.Scene
    is
@@ -282,10 +266,6 @@ package body Arena_Camera is
                Heading => double (Pose.Angle) / 1_000_000.0),
             others => (0, 0, 0.0, 0.0, 0.0)));
    end Scene_Now;
-
-   ------------------
-   -- Serve_Viewer --
-   ------------------
 
    procedure Serve_Viewer (Who : Viewer_Number; Socket : Socket_Type) is
 
@@ -490,10 +470,6 @@ package body Arena_Camera is
       end if;
    end Serve_Viewer;
 
-   ------------
-   -- Studio --
-   ------------
-
    protected body Studio is
 
       procedure Begin_Watching (Who : Viewer_Number; Allowed : out Boolean)
@@ -609,10 +585,6 @@ package body Arena_Camera is
 
    end Studio;
 
-   -----------
-   -- Spoil --
-   -----------
-
    procedure Spoil
      (Data   : in out Image;
       Length : in out Image_Length;
@@ -673,10 +645,6 @@ package body Arena_Camera is
       end case;
    end Spoil;
 
-   -----------
-   -- Truth --
-   -----------
-
    function Truth (S : Shot) return String is
 
       function Decimal (Value : double) return String;
@@ -708,10 +676,6 @@ package body Arena_Camera is
         & ' ' & Decimal (Angle)
         & S.Number'Image & ' ' & Journals.Image (S.Time);
    end Truth;
-
-   ------------
-   -- Viewer --
-   ------------
 
    task body Viewer is
       Number : Viewer_Number;
@@ -748,54 +712,30 @@ package body Arena_Camera is
       end loop;
    end Viewer;
 
-   ----------
-   -- Mend --
-   ----------
-
    procedure Mend is
    begin
       Studio.Mend;
    end Mend;
-
-   --------------
-   -- Set_Mode --
-   --------------
 
    procedure Set_Mode (Mode : Mode_Kind) is
    begin
       Studio.Set_Mode (Mode);
    end Set_Mode;
 
-   -----------------
-   -- Set_Opening --
-   -----------------
-
    procedure Set_Opening (Time : Opening_Time) is
    begin
       Studio.Set_Opening (Time);
    end Set_Opening;
-
-   --------------
-   -- Set_Rate --
-   --------------
 
    procedure Set_Rate (Rate : Frame_Rate) is
    begin
       Studio.Set_Rate (Rate);
    end Set_Rate;
 
-   --------------
-   -- Set_Size --
-   --------------
-
    procedure Set_Size (Width : Frame_Width; Height : Frame_Height) is
    begin
       Studio.Set_Size (Width, Height);
    end Set_Size;
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start
      (Port    : Natural;

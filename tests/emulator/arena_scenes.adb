@@ -3,10 +3,6 @@
 
 package body Arena_Scenes is
 
-   ----------
-   -- Draw --
-   ----------
-
    procedure Draw
      (What     : Scene;
       Quality  : int;
@@ -23,10 +19,6 @@ package body Arena_Scenes is
    begin
       Length := Jpeg (What'Address, Quality, Data, Capacity);
    end Draw;
-
-   ----------------
-   -- Find_Robot --
-   ----------------
 
    procedure Find_Robot
      (Where          : Scene;

@@ -55,10 +55,6 @@ package body Bench_Console is
    procedure No_More (Rest : String);
    --  Bad_Value unless it is ""
 
-   -------------
-   -- Must_Be --
-   -------------
-
    procedure Must_Be (Outcome : String) is
    begin
       if Outcome /= "" then
@@ -66,20 +62,12 @@ package body Bench_Console is
       end if;
    end Must_Be;
 
-   -------------
-   -- No_More --
-   -------------
-
    procedure No_More (Rest : String) is
    begin
       if Rest /= "" then
          raise Bad_Value with "takes no value";
       end if;
    end No_More;
-
-   ----------
-   -- Obey --
-   ----------
 
    procedure Obey (Line : String) is
       Text   : constant String := Trim (Line, Blanks, Blanks);
@@ -238,10 +226,6 @@ package body Bench_Console is
       end if;
    end Obey;
 
-   -----------------
-   -- Obey_Camera --
-   -----------------
-
    procedure Obey_Camera (Name, Rest : String) is
       use Arena_Camera;
    begin
@@ -262,10 +246,6 @@ package body Bench_Console is
            "on, off, stall, garbage, size, fps, opening or mend is expected";
       end if;
    end Obey_Camera;
-
-   ----------------
-   -- Print_Help --
-   ----------------
 
    procedure Print_Help is
    begin
@@ -303,10 +283,6 @@ package body Bench_Console is
       Say ("quit                 as SIGTERM does");
    end Print_Help;
 
-   -------------------
-   -- Print_Journal --
-   -------------------
-
    procedure Print_Journal is
       Note   : Journals.Note;
       Number : Journals.Note_Number := 0;
@@ -319,10 +295,6 @@ package body Bench_Console is
          Number := Found;
       end loop;
    end Print_Journal;
-
-   ------------
-   -- Reader --
-   ------------
 
    task body Reader is
       Room  : constant := 4_096;
@@ -358,10 +330,6 @@ package body Bench_Console is
       end loop;
    end Reader;
 
-   ---------
-   -- Say --
-   ---------
-
    procedure Say (Line : String) is
       Text  : constant String := Line & ASCII.LF;
       First : Positive := Text'First;
@@ -380,18 +348,10 @@ package body Bench_Console is
       end loop;
    end Say;
 
-   -----------
-   -- Start --
-   -----------
-
    procedure Start is
    begin
       Reader.Start;
    end Start;
-
-   ------------
-   -- Status --
-   ------------
 
    function Status return String is
       use type Robot_Core.State_Kind;

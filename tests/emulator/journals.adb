@@ -21,10 +21,6 @@ package body Journals is
      (Value : Instant; Unit, Digit_Count : Positive) return String;
    --  Value in multiples of 10 ** Digit_Count * Unit nanoseconds
 
-   ---------
-   -- Add --
-   ---------
-
    procedure Add (J : in out Journal; N : Note) is
    begin
       J.Notes (J.Next mod Capacity) := N;
@@ -33,18 +29,10 @@ package body Journals is
       end if;
    end Add;
 
-   -----------
-   -- Clear --
-   -----------
-
    procedure Clear (J : in out Journal) is
    begin
       J.Cleared := J.Next - 1;
    end Clear;
-
-   --------------
-   -- Decimals --
-   --------------
 
    function Decimals
      (Value : Instant; Unit, Digit_Count : Positive) return String
@@ -61,10 +49,6 @@ package body Journals is
         & Whole (Whole'First + 1 .. Whole'Last)
         & '.' & Part (Part'First + 2 .. Part'Last);
    end Decimals;
-
-   ----------
-   -- Find --
-   ----------
 
    procedure Find
      (J     : Journal;
@@ -85,10 +69,6 @@ package body Journals is
          Found := 0;
       end if;
    end Find;
-
-   -----------
-   -- Image --
-   -----------
 
    function Image (N : Note) return String is
       use type Robot_Core.Command_Kind;
@@ -128,16 +108,8 @@ package body Journals is
    function Image (State : Robot_Core.State_Kind) return String is
      (Ada.Characters.Handling.To_Lower (State'Image));
 
-   ------------------
-   -- Milliseconds --
-   ------------------
-
    function Milliseconds (Time : Instant) return String is
      (Decimals (Time, Unit => 1_000, Digit_Count => 3));
-
-   ----------
-   -- Text --
-   ----------
 
    function Text (Data : Robot_Core.Octets) return String is
       Result : String (1 .. 4 * Data'Length);

@@ -18,10 +18,6 @@ package body Readings is
    function Plain (Value : Integer) return String is
      (Ada.Strings.Fixed.Trim (Value'Image, Ada.Strings.Left));
 
-   -------------
-   -- Battery --
-   -------------
-
    function Battery (Text : String) return Robot_Core.Battery_Level is
    begin
       if Text = "0" then
@@ -36,10 +32,6 @@ package body Readings is
       raise Bad_Value with
         "a battery level is 0, 1, 2 or critical, not '" & Text & "'";
    end Battery;
-
-   -----------
-   -- Bytes --
-   -----------
 
    function Bytes (Text : String) return Robot_Core.Octets is
       Result : Robot_Core.Octets (1 .. Data_Length'Last);
@@ -92,10 +84,6 @@ package body Readings is
       return Result (1 .. Last);
    end Bytes;
 
-   -----------
-   -- Image --
-   -----------
-
    function Image (Value : Micro; Unit : Positive) return String is
       Thousandths : constant Micro := abs Value * 1_000 / Micro (Unit);
       Part : constant String := Micro'Image (1_000 + Thousandths mod 1_000);
@@ -106,10 +94,6 @@ package body Readings is
         & '.' & Part (Part'Last - 2 .. Part'Last);
    end Image;
 
-   ---------------
-   -- On_Or_Off --
-   ---------------
-
    function On_Or_Off (Text : String) return Boolean is
    begin
       if Text = "on" then
@@ -119,10 +103,6 @@ package body Readings is
       end if;
       raise Bad_Value with "on or off is expected, not '" & Text & "'";
    end On_Or_Off;
-
-   ----------
-   -- Pose --
-   ----------
 
    function Pose (X, Y, Angle : String) return Robot_Motion.Pose is
       use Robot_Motion;
@@ -141,10 +121,6 @@ package body Readings is
       end if;
       return (In_X, In_Y, Degrees mod Full_Turn);
    end Pose;
-
-   ------------
-   -- Scaled --
-   ------------
 
    function Scaled (Text : String; Decimals : Natural) return Micro is
       Limit    : constant := 1_000_000;
@@ -186,10 +162,6 @@ package body Readings is
       return (if Negative then -Value else Value);
    end Scaled;
 
-   ----------
-   -- Size --
-   ----------
-
    procedure Size
      (Text   : String;
       Width  : out Arena_Camera.Frame_Width;
@@ -208,10 +180,6 @@ package body Readings is
         (Text (Cross + 1 .. Text'Last),
          Frame_Height'First, Frame_Height'Last);
    end Size;
-
-   -----------
-   -- Whole --
-   -----------
 
    function Whole (Text : String; Low, High : Integer) return Integer is
       Value : Integer;

@@ -9,10 +9,6 @@ package body Robot_Bench is
 
    protected body Bench is
 
-      ------------
-      -- Babble --
-      ------------
-
       procedure Babble (Byte : out Octet; Present : out Boolean) is
       begin
          Present := Babbling;
@@ -23,18 +19,10 @@ package body Robot_Bench is
          end if;
       end Babble;
 
-      -------------------
-      -- Clear_Journal --
-      -------------------
-
       procedure Clear_Journal is
       begin
          Journals.Clear (Heard);
       end Clear_Journal;
-
-      ----------
-      -- Hear --
-      ----------
 
       procedure Hear
         (Byte    : Octet;
@@ -90,27 +78,15 @@ package body Robot_Bench is
          Journals.Add (Heard, Note);
       end Hear;
 
-      -------------------
-      -- Let_Time_Pass --
-      -------------------
-
       procedure Let_Time_Pass is
       begin
          Advance_To (The_Robot, Robot_Time (Now));
       end Let_Time_Pass;
 
-      ----------
-      -- Look --
-      ----------
-
       procedure Look (Robot : out Robot_Core.Robot) is
       begin
          Robot := The_Robot;
       end Look;
-
-      ----------
-      -- Mend --
-      ----------
 
       procedure Mend is
       begin
@@ -118,10 +94,6 @@ package body Robot_Bench is
          Held_Back := 0;
          Babbling  := False;
       end Mend;
-
-      ---------------
-      -- Next_Note --
-      ---------------
 
       procedure Next_Note
         (After : Journals.Note_Number;
@@ -131,19 +103,11 @@ package body Robot_Bench is
          Journals.Find (Heard, After, Note, Found);
       end Next_Note;
 
-      -----------
-      -- Place --
-      -----------
-
       procedure Place (Pose : Robot_Motion.Pose) is
       begin
          Let_Time_Pass;
          Place (The_Robot, Pose);
       end Place;
-
-      -----------------
-      -- Set_Battery --
-      -----------------
 
       procedure Set_Battery (Level : Battery_Level) is
       begin
@@ -151,37 +115,21 @@ package body Robot_Bench is
          Set_Battery (The_Robot, Level);
       end Set_Battery;
 
-      ------------------
-      -- Set_Charging --
-      ------------------
-
       procedure Set_Charging (Plugged : Boolean) is
       begin
          Let_Time_Pass;
          Set_Charging (The_Robot, Plugged);
       end Set_Charging;
 
-      -------------
-      -- Set_Bit --
-      -------------
-
       procedure Set_Bit (Value : Answer_Faults.Bit_Number) is
       begin
          Faults.Bit := Value;
       end Set_Bit;
 
-      ---------------
-      -- Set_Delay --
-      ---------------
-
       procedure Set_Delay (Value : Instant) is
       begin
          Held_Back := Value;
       end Set_Delay;
-
-      -----------------
-      -- Set_Endless --
-      -----------------
 
       procedure Set_Endless (Value : Boolean) is
       begin
@@ -190,10 +138,6 @@ package body Robot_Bench is
             Babbling := False;
          end if;
       end Set_Endless;
-
-      ---------------
-      -- Set_Fault --
-      ---------------
 
       procedure Set_Fault
         (Kind : Fault_Kind; Value : Answer_Faults.Remaining) is
@@ -214,27 +158,15 @@ package body Robot_Bench is
          end case;
       end Set_Fault;
 
-      --------------------
-      -- Set_Kept_Bytes --
-      --------------------
-
       procedure Set_Kept_Bytes (Value : Answer_Length) is
       begin
          Faults.Keep := Value;
       end Set_Kept_Bytes;
 
-      --------------
-      -- Set_Pile --
-      --------------
-
       procedure Set_Pile (Value : Answer_Faults.Pile_Size) is
       begin
          Faults.Pile := Value;
       end Set_Pile;
-
-      ----------------
-      -- Set_Silent --
-      ----------------
 
       procedure Set_Silent (Value : Boolean) is
       begin
@@ -243,19 +175,11 @@ package body Robot_Bench is
 
       function Spoilt return Natural is (Spoilings);
 
-      ------------
-      -- Starve --
-      ------------
-
       procedure Starve is
       begin
          Let_Time_Pass;
          Starve (The_Robot);
       end Starve;
-
-      ---------------
-      -- Switch_On --
-      ---------------
 
       procedure Switch_On (Boot : Tick_Count) is
       begin
@@ -271,10 +195,6 @@ package body Robot_Bench is
       end Switch_On;
 
    end Bench;
-
-   ----------
-   -- Look --
-   ----------
 
    procedure Look (Robot : out Robot_Core.Robot; At_Time : Instant)
    is

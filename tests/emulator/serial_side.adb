@@ -87,10 +87,6 @@ package body Serial_Side is
    function Is_Due (Q : Queue; Time : Instant) return Boolean is
      (Q.Count > 0 and then Q.Data (Q.Head).Ended <= Time);
 
-   ---------
-   -- Add --
-   ---------
-
    procedure Add
      (Q : in out Queue; Byte : Robot_Core.Octet; From, Time : Instant)
    is
@@ -104,10 +100,6 @@ package body Serial_Side is
       end if;
    end Add;
 
-   ---------
-   -- Ask --
-   ---------
-
    function Ask (R : Request) return String is
       One     : constant Interfaces.Unsigned_64 := 1;
       Ignored : long;
@@ -118,10 +110,6 @@ package body Serial_Side is
       Desk.Wait (Text);
       return To_String (Text);
    end Ask;
-
-   -------------
-   -- Carrier --
-   -------------
 
    task body Carrier is
 
@@ -148,10 +136,6 @@ package body Serial_Side is
       procedure Collect;
       procedure Wait;
 
-      ------------
-      -- Babble --
-      ------------
-
       procedure Babble is
          Shortest : constant Instant := 200_000;
          --  Where bytes take no time an endless answer still does
@@ -168,10 +152,6 @@ package body Serial_Side is
          end if;
       end Babble;
 
-      ----------------
-      -- Close_Line --
-      ----------------
-
       procedure Close_Line is
       begin
          if Is_Open (The_Line) then
@@ -183,10 +163,6 @@ package body Serial_Side is
          To_Robot  := (others => <>);
          To_Client := (others => <>);
       end Close_Line;
-
-      -------------
-      -- Collect --
-      -------------
 
       procedure Collect is
          Time   : Instant;
@@ -202,10 +178,6 @@ package body Serial_Side is
             Add (To_Robot, Data (K), From => Time, Time => Byte_Time);
          end loop;
       end Collect;
-
-      -------------
-      -- Deliver --
-      -------------
 
       procedure Deliver is
          Wire : Answer_Faults.Wire_Bytes;
@@ -225,10 +197,6 @@ package body Serial_Side is
             end;
          end loop;
       end Deliver;
-
-      ---------------
-      -- Open_Line --
-      ---------------
 
       procedure Open_Line (Problem : out Unbounded_String) is
          Done : Boolean;
@@ -253,20 +221,12 @@ package body Serial_Side is
          end if;
       end Open_Line;
 
-      -------------
-      -- Publish --
-      -------------
-
       procedure Publish is
       begin
          Desk.Set_Device
            (To_Unbounded_String
               (if Is_Open (The_Line) then Device (The_Line) else "-"));
       end Publish;
-
-      --------------------
-      -- Serve_Requests --
-      --------------------
 
       procedure Serve_Requests is
          R       : Request;
@@ -313,10 +273,6 @@ package body Serial_Side is
          Desk.Answer (Problem);
       end Serve_Requests;
 
-      --------------
-      -- Transmit --
-      --------------
-
       procedure Transmit is
          Data    : Robot_Core.Octets (1 .. Room);
          Last    : Natural := 0;
@@ -336,10 +292,6 @@ package body Serial_Side is
               (Robot_End (The_Line), Data'Address, size_t (Last));
          end if;
       end Transmit;
-
-      ----------
-      -- Wait --
-      ----------
 
       procedure Wait is
          Files   : Poll_Array (1 .. 2);
@@ -402,10 +354,6 @@ package body Serial_Side is
          GNAT.OS_Lib.OS_Exit (3);
    end Carrier;
 
-   ----------
-   -- Desk --
-   ----------
-
    protected body Desk is
 
       procedure Answer (Text : Unbounded_String) is
@@ -444,29 +392,13 @@ package body Serial_Side is
 
    end Desk;
 
-   ------------
-   -- Device --
-   ------------
-
    function Device return String is (To_String (Desk.Device_Name));
-
-   -------------
-   -- Hang_Up --
-   -------------
 
    function Hang_Up return String is
      (Ask ((Length => 0, Kind => Hang, Data => (others => 0))));
 
-   --------------
-   -- Put_Back --
-   --------------
-
    function Put_Back return String is
      (Ask ((Length => 0, Kind => Return_Line, Data => (others => 0))));
-
-   -----------------
-   -- Remove_Head --
-   -----------------
 
    procedure Remove_Head (Q : in out Queue) is
    begin
@@ -474,26 +406,14 @@ package body Serial_Side is
       Q.Count := Q.Count - 1;
    end Remove_Head;
 
-   ------------------
-   -- Send_Unasked --
-   ------------------
-
    function Send_Unasked (Data : Robot_Core.Octets) return String is
      (Ask ((Length => Data'Length, Kind => Send, Data => Data)));
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start
      (Baud : Baud_Rate; Link : String; Problem : out Unbounded_String) is
    begin
       Carrier.Start (Baud, Link, Problem);
    end Start;
-
-   ----------
-   -- Stop --
-   ----------
 
    procedure Stop is
       Ignored : constant String :=

@@ -17,10 +17,6 @@ package body Settings is
 
    procedure Set_Marker (V : in out Values; Text : String);
 
-   -----------------------
-   -- Read_Command_Line --
-   -----------------------
-
    procedure Read_Command_Line
      (V : out Values; W : out Wish; Reason : out Unbounded_String) is
    begin
@@ -51,10 +47,6 @@ package body Settings is
          Reason := To_Unbounded_String
            (Ada.Exceptions.Exception_Message (Problem));
    end Read_Command_Line;
-
-   ---------
-   -- Set --
-   ---------
 
    procedure Set (V : in out Values) is
       subtype Remaining is Answer_Faults.Remaining;
@@ -105,10 +97,6 @@ package body Settings is
       end if;
    end Set;
 
-   --------------
-   -- Set_Pose --
-   --------------
-
    procedure Set_Pose (V : in out Values; Text : String) is
       First  : constant Natural := Index (Text, ",");
       Second : constant Natural :=
@@ -121,10 +109,6 @@ package body Settings is
         (Text (Text'First .. First - 1), Text (First + 1 .. Second - 1),
          Text (Second + 1 .. Text'Last));
    end Set_Pose;
-
-   ----------------
-   -- Set_Marker --
-   ----------------
 
    procedure Set_Marker (V : in out Values; Text : String) is
    begin

@@ -34,10 +34,6 @@ package body Answer_Ledgers is
    function Image (Text : Unbounded_String) return String;
    --  Printing characters only
 
-   -------------
-   -- Kind_Of --
-   -------------
-
    function Kind_Of (Command : String) return Answer_Kind is
       Name : constant String := Head (Command, 4);
    begin
@@ -48,10 +44,6 @@ package body Answer_Ledgers is
          elsif Name in "CACO" | "CAIN" | "MSSG" then Silent
          else Usual);
    end Kind_Of;
-
-   -----------
-   -- Image --
-   -----------
 
    function Image (Text : Unbounded_String) return String is
       Plain : String := Slice (Text, 1, Natural'Min (Shown, Length (Text)));
@@ -64,18 +56,10 @@ package body Answer_Ledgers is
       return Plain;
    end Image;
 
-   -----------
-   -- Clear --
-   -----------
-
    procedure Clear (L : in out Ledger) is
    begin
       L := (others => <>);
    end Clear;
-
-   ---------------
-   -- Pass_Over --
-   ---------------
 
    procedure Pass_Over (L : in out Ledger) is
    begin
@@ -91,10 +75,6 @@ package body Answer_Ledgers is
       end loop;
    end Pass_Over;
 
-   -----------------
-   -- Put_Command --
-   -----------------
-
    procedure Put_Command
      (L : in out Ledger; Text : String; Kind : Answer_Kind) is
    begin
@@ -104,10 +84,6 @@ package body Answer_Ledgers is
       L.Costs.Append (Impossible);
       Pass_Over (L);
    end Put_Command;
-
-   -----------------
-   -- Put_Message --
-   -----------------
 
    procedure Put_Message (L : in out Ledger; Item : Message) is
       Before : constant Cost_Vectors.Vector := L.Costs;
@@ -149,10 +125,6 @@ package body Answer_Ledgers is
       end if;
    end Put_Message;
 
-   -------------
-   -- Certain --
-   -------------
-
    function Certain (L : Ledger) return Natural is
    begin
       for Number in 0 .. Natural (L.Sent.Length) loop
@@ -163,20 +135,12 @@ package body Answer_Ledgers is
       return Natural (L.Sent.Length);
    end Certain;
 
-   ---------------
-   -- Is_Broken --
-   ---------------
-
    function Is_Broken (L : Ledger) return Boolean is (L.Broken);
 
    function Complaint (L : Ledger) return String is (To_String (L.Breach));
 
    function Is_Complete (L : Ledger) return Boolean is
      (not L.Broken and then L.Costs.Last_Element /= Impossible);
-
-   --------------------
-   -- Unasked_Losses --
-   --------------------
 
    function Unasked_Losses (L : Ledger) return Natural is
       Least : Natural := Impossible;

@@ -87,19 +87,11 @@ package body Camera_Faults is
 
    overriding procedure Inject (F : in out Other_Rate; W : in out World);
 
-   --------------------------
-   -- Expect_Robot_Answers --
-   --------------------------
-
    procedure Expect_Robot_Answers (W : in out World) is
    begin
       Expect
         (W, "RPIN", (if W.Robot = Line_Closed then "ANAK" else "AACK"));
    end Expect_Robot_Answers;
-
-   --------------------
-   -- Expect_Fitting --
-   --------------------
 
    procedure Expect_Fitting (W : in out World) is
       Width, Height : Natural;
@@ -111,29 +103,17 @@ package body Camera_Faults is
          "an image of" & Width'Image & " x" & Height'Image);
    end Expect_Fitting;
 
-   ----------
-   -- Lift --
-   ----------
-
    overriding procedure Lift (F : in out Camera_Fault; W : in out World) is
       pragma Unreferenced (F);
    begin
       W.Emulator.Tell ("camera mend");
    end Lift;
 
-   -------------
-   -- Prepare --
-   -------------
-
    overriding procedure Prepare (F : No_Such_Device; P : in out Plan) is
       pragma Unreferenced (F);
    begin
       P.Camera := To_Unbounded_String ("/dev/no_such_camera");
    end Prepare;
-
-   ------------
-   -- Inject --
-   ------------
 
    overriding procedure Inject (F : in out Not_There; W : in out World) is
       pragma Unreferenced (F);
@@ -389,10 +369,6 @@ package body Camera_Faults is
       W.Emulator.Tell ("camera mend");
       Expect_Images (W, 2);
    end Inject;
-
-   --------------
-   -- Register --
-   --------------
 
    procedure Register is
 

@@ -22,10 +22,6 @@ package body Demands is
    Images_Limit : constant Duration := 6.0;
    --  For one image more: ten a second, by programs of low priority
 
-   ------------
-   -- Asked --
-   ------------
-
    function Asked (W : in out World; Command : String) return Reply is
       Start : Instant;
       Late  : Boolean;
@@ -58,17 +54,9 @@ package body Demands is
       end loop;
    end Asked;
 
-   -----------
-   -- Image --
-   -----------
-
    function Image (R : Reply) return String is
      (if Length (R.Data) = 0 then R.Label
       else R.Label & ":" & To_String (R.Data));
-
-   ------------
-   -- Expect --
-   ------------
 
    procedure Expect (W : in out World; Command, Answers : String) is
       R : constant Reply := Asked (W, Command);
@@ -78,10 +66,6 @@ package body Demands is
          Command & " was answered " & Image (R) & " instead of " & Answers);
       Check_Within (R.Took, Prompt + Noise, "the answer to " & Command);
    end Expect;
-
-   -------------
-   -- Quieten --
-   -------------
 
    procedure Quieten (W : in out World) is
    begin
@@ -95,10 +79,6 @@ package body Demands is
       W.Robot := Line_Open;
    end Quieten;
 
-   -------------------------
-   -- Start_With_Watchdog --
-   -------------------------
-
    procedure Start_With_Watchdog (W : in out World) is
    begin
       if W.Robot not in Started_With_Watchdog | Moving_With_Watchdog then
@@ -108,10 +88,6 @@ package body Demands is
          W.Robot := Moving_With_Watchdog;
       end if;
    end Start_With_Watchdog;
-
-   ------------------
-   -- Expect_Truth --
-   ------------------
 
    procedure Expect_Truth (W : in out World) is
       Level  : constant String := W.Emulator.Status ("battery");
@@ -128,10 +104,6 @@ package body Demands is
         (W, "RGBT", "RBLV:" & (if Level = "critical" then "0" else Level));
    end Expect_Truth;
 
-   ---------------
-   -- Situation --
-   ---------------
-
    function Situation (W : in out World) return Before is
    begin
       W.Expect_Answers;
@@ -140,10 +112,6 @@ package body Demands is
          Atims => W.Monitor.Count_Of ("ATIM"),
          Time  => Now);
    end Situation;
-
-   -----------------
-   -- Expect_Loss --
-   -----------------
 
    procedure Expect_Loss (W : in out World; B : Before) is
       Deadline : constant Instant := B.Time + Loss_Of_Robot + Noise;
@@ -180,10 +148,6 @@ package body Demands is
          "told more than once that the robot is lost");
    end Expect_Loss;
 
-   --------------------
-   -- Expect_No_Loss --
-   --------------------
-
    procedure Expect_No_Loss (W : in out World; B : Before) is
    begin
       Check
@@ -191,20 +155,12 @@ package body Demands is
          "the robot was given up after fewer than four failures");
    end Expect_No_Loss;
 
-   -------------------
-   -- Await_Unasked --
-   -------------------
-
    procedure Await_Unasked (W : in out World) is
       On_Its_Way : constant Duration := 0.1;
    begin
       delay On_Its_Way;
       W.Listen;
    end Await_Unasked;
-
-   -------------------
-   -- Expect_Return --
-   -------------------
 
    procedure Expect_Return (W : in out World) is
    begin
@@ -215,10 +171,6 @@ package body Demands is
       W.Emulator.Await_Status ("moving", "0", Within => Stop_Limit + Noise);
       W.Robot := Line_Open;
    end Expect_Return;
-
-   ------------------------
-   -- Expect_Not_Running --
-   ------------------------
 
    procedure Expect_Not_Running (W : in out World; B : Before) is
       Within : constant Duration := Reload_Period + Prompt + Noise;
@@ -246,10 +198,6 @@ package body Demands is
       W.Robot := Line_Open;
    end Expect_Not_Running;
 
-   -------------------
-   -- Expect_Images --
-   -------------------
-
    procedure Expect_Images (W : in out World; Count : Positive) is
       Before : constant Natural := W.Monitor.Count_Of ("CIMG");
       Start  : constant Instant := Now;
@@ -268,10 +216,6 @@ package body Demands is
       end loop;
       Check (W.Monitor.Broken_Images = 0, "a broken image");
    end Expect_Images;
-
-   -------------------
-   -- Expect_Closed --
-   -------------------
 
    procedure Expect_Closed (W : in out World; B : Before) is
       Within : constant Duration := 3.5;
@@ -293,20 +237,12 @@ package body Demands is
       end loop;
    end Expect_Closed;
 
-   -----------------
-   -- Expect_Open --
-   -----------------
-
    procedure Expect_Open (W : in out World; B : Before) is
    begin
       Check
         (not W.Supervisor.Says ("camera closed", After => B.Log),
          "the camera was closed");
    end Expect_Open;
-
-   --------------------
-   -- Get_Image_Size --
-   --------------------
 
    procedure Get_Image_Size
      (W : in out World; Width, Height : out Natural)
@@ -325,10 +261,6 @@ package body Demands is
       Check (Done, "an image that is no base64");
       Jpeg_Headers.Get_Size (Data (1 .. Length), Width, Height);
    end Get_Image_Size;
-
-   --------------------
-   -- Recover_Camera --
-   --------------------
 
    procedure Recover_Camera (W : in out World) is
       Attempts : constant := 3;

@@ -35,10 +35,6 @@ procedure Destijl_Faults is
 
    procedure Print_Help;
 
-   ----------------
-   -- Print_Help --
-   ----------------
-
    procedure Print_Help is
    begin
       Put_Line ("bin/destijl_faults [OPTION ...]");
@@ -55,10 +51,6 @@ procedure Destijl_Faults is
       Put_Line ("  --supervisor, --emulator PATH  other programs");
       Put_Line ("  --list          the faults' names");
    end Print_Help;
-
-   ------------------
-   -- Read_Options --
-   ------------------
 
    procedure Read_Options is
    begin

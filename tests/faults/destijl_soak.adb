@@ -72,10 +72,6 @@ procedure Destijl_Soak is
 
    procedure Soak (Good : out Boolean);
 
-   -----------------
-   -- Print_Usage --
-   -----------------
-
    procedure Print_Usage (To : File_Type) is
    begin
       Put_Line (To, "usage: destijl_soak [OPTION ...]");
@@ -88,10 +84,6 @@ procedure Destijl_Soak is
       Put_Line (To, "Exit status: 0 all is in the end as in the beginning,");
       Put_Line (To, "1 not so, 2 bad usage.");
    end Print_Usage;
-
-   -----------------------
-   -- Read_Command_Line --
-   -----------------------
 
    procedure Read_Command_Line is
    begin
@@ -116,10 +108,6 @@ procedure Destijl_Soak is
       end loop;
    end Read_Command_Line;
 
-   -------------------
-   -- Choose_Faults --
-   -------------------
-
    procedure Choose_Faults is
       use type Worlds.Plan;
    begin
@@ -139,20 +127,12 @@ procedure Destijl_Soak is
       end loop;
    end Choose_Faults;
 
-   --------------
-   -- Complain --
-   --------------
-
    procedure Complain (Text : String) is
    begin
       Violations := Violations + 1;
       Put_Line ("VIOLATION: " & Text);
       Flush;
    end Complain;
-
-   ---------------
-   -- Stay_Calm --
-   ---------------
 
    procedure Stay_Calm (For_Time : Duration) is
       Monitor : Client;
@@ -255,10 +235,6 @@ procedure Destijl_Soak is
          end if;
    end Stay_Calm;
 
-   ------------------
-   -- Inject_Fault --
-   ------------------
-
    procedure Inject_Fault (Number : Positive; Repetition : Positive) is
       use type Trials.Outcome;
       Result : Trials.Result;
@@ -275,10 +251,6 @@ procedure Destijl_Soak is
       end if;
    end Inject_Fault;
 
-   -------------
-   -- Warm_Up --
-   -------------
-
    procedure Warm_Up is
    begin
       Stay_Calm (5.0);
@@ -288,10 +260,6 @@ procedure Destijl_Soak is
          end if;
       end loop;
    end Warm_Up;
-
-   ----------
-   -- Soak --
-   ----------
 
    procedure Soak (Good : out Boolean) is
       Start      : Instant;

@@ -34,10 +34,6 @@ package body Fault_Records is
       & " " & Fingerprint (Programs.Vision_Library)
       & " " & Fingerprint (Programs.Emulator));
 
-   -----------------
-   -- Fingerprint --
-   -----------------
-
    function Fingerprint (Path : String) return String is
       Source  : Stream_IO.File_Type;
       Context : GNAT.SHA256.Context := GNAT.SHA256.Initial_Context;
@@ -53,10 +49,6 @@ package body Fault_Records is
       Stream_IO.Close (Source);
       return GNAT.SHA256.Digest (Context);
    end Fingerprint;
-
-   ----------
-   -- Open --
-   ----------
 
    procedure Open (Path : String; Seed : Natural) is
       Place : Natural;
@@ -95,10 +87,6 @@ package body Fault_Records is
 
    function Result_Of (Key : String) return String is
      (if Results.Contains (Key) then Results (Key) else "");
-
-   -----------
-   -- Write --
-   -----------
 
    procedure Write (Key, Result : String) is
    begin

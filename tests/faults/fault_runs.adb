@@ -75,10 +75,6 @@ package body Fault_Runs is
    --  Fault and another, if possible one in fewer pairs than Limit; 0 where
    --  it goes together with none
 
-   ----------------
-   -- Worlds_Key --
-   ----------------
-
    function Worlds_Key (Item : Injection) return String is
       P : Plan;
    begin
@@ -92,10 +88,6 @@ package body Fault_Runs is
         & P.Log_Is_Read'Image;
    end Worlds_Key;
 
-   -----------------
-   -- Goes_Before --
-   -----------------
-
    function Goes_Before (Left, Right : Injection) return Boolean is
       Left_Cost  : constant Duration := Cost (Left);
       Right_Cost : constant Duration := Cost (Right);
@@ -108,10 +100,6 @@ package body Fault_Runs is
          return Worlds_Key (Left) < Worlds_Key (Right);
       end if;
    end Goes_Before;
-
-   ---------------
-   -- Draw_Pair --
-   ---------------
 
    procedure Draw_Pair
      (Source        : in out Random_Numbers.Generator;
@@ -143,10 +131,6 @@ package body Fault_Runs is
       Second := 0;
    end Draw_Pair;
 
-   ---------------
-   -- Add_Pairs --
-   ---------------
-
    procedure Add_Pairs
      (Queue : in out Injection_Vectors.Vector; S : Scope)
    is
@@ -173,10 +157,6 @@ package body Fault_Runs is
          end loop;
       end loop;
    end Add_Pairs;
-
-   ---------
-   -- Run --
-   ---------
 
    procedure Run
      (S        : Scope;
@@ -413,10 +393,6 @@ package body Fault_Runs is
          J.Process.Stop;
       end loop;
    end Run;
-
-   ----------
-   -- Work --
-   ----------
 
    procedure Work (Seed : Natural) is
       Outcome : Result;

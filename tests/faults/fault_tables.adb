@@ -32,10 +32,6 @@ package body Fault_Tables is
    procedure Groups_Of
      (First, Second : Positive; Earlier, Later : out Group_Kind);
 
-   ---------------
-   -- Groups_Of --
-   ---------------
-
    procedure Groups_Of
      (First, Second : Positive; Earlier, Later : out Group_Kind)
    is
@@ -45,10 +41,6 @@ package body Fault_Tables is
       Earlier := Group_Kind'Min (A, B);
       Later := Group_Kind'Max (A, B);
    end Groups_Of;
-
-   -----------
-   -- Count --
-   -----------
 
    procedure Count (First : Positive; Second : Natural; Violated : Boolean)
    is
@@ -73,10 +65,6 @@ package body Fault_Tables is
       end if;
    end Count;
 
-   ----------------------
-   -- Count_Impossible --
-   ----------------------
-
    procedure Count_Impossible (First : Positive; Second : Natural) is
    begin
       if Second = 0 then
@@ -86,10 +74,6 @@ package body Fault_Tables is
 
    function Injections return Natural is (All_Injections);
    function Violations return Natural is (All_Violations);
-
-   -----------
-   -- Print --
-   -----------
 
    procedure Print (Path : String := "") is
       File : File_Type;

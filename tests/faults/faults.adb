@@ -20,10 +20,6 @@ package body Faults is
    function Element (Number : Positive) return not null Fault_Access is
      (List.Element (Number));
 
-   -----------------
-   -- Go_Together --
-   -----------------
-
    function Go_Together (A, B : Fault'Class) return Boolean is
       First  : Plan;
       Second : Plan;

@@ -43,10 +43,6 @@ package body Line_Watch is
       --  in place of Start
    end Runner;
 
-   ---------------
-   -- Record_Of --
-   ---------------
-
    protected body Record_Of is
 
       procedure Begin_Once (First : out Boolean) is
@@ -89,10 +85,6 @@ package body Line_Watch is
 
    end Record_Of;
 
-   ------------
-   -- Runner --
-   ------------
-
    task body Runner is
       Line : Pseudo_Terminals.Line;
       Open : Boolean := False;
@@ -130,10 +122,6 @@ package body Line_Watch is
       end if;
    end Runner;
 
-   -----------
-   -- Start --
-   -----------
-
    procedure Start is
       First : Boolean;
    begin
@@ -142,10 +130,6 @@ package body Line_Watch is
          Runner.Start;
       end if;
    end Start;
-
-   ----------
-   -- Stop --
-   ----------
 
    procedure Stop is
       First : Boolean;

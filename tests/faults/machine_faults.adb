@@ -130,10 +130,6 @@ package body Machine_Faults is
 
    Pipe_File : int := -1;
 
-   ------------
-   -- Script --
-   ------------
-
    function Script (Name : String; Text : String) return Unbounded_String is
       Path   : constant String := Programs.Temporary_Folder & "/" & Name;
       File   : File_Type;
@@ -149,10 +145,6 @@ package body Machine_Faults is
       return To_Unbounded_String (Path);
    end Script;
 
-   ----------
-   -- Pipe --
-   ----------
-
    function Pipe return String is
       Path : constant String := Programs.Temporary_Folder & "/log";
    begin
@@ -164,10 +156,6 @@ package body Machine_Faults is
       end if;
       return Path;
    end Pipe;
-
-   -------------
-   -- Drained --
-   -------------
 
    function Drained return Natural is
       Buffer : String (1 .. 4_096);
@@ -182,16 +170,8 @@ package body Machine_Faults is
       return Result;
    end Drained;
 
-   ----------------
-   -- Clock_File --
-   ----------------
-
    function Clock_File return String is
      (Programs.Temporary_Folder & "/clock");
-
-   ---------------
-   -- Set_Shift --
-   ---------------
 
    procedure Set_Shift (Seconds : Long_Long_Integer) is
       Size   : constant := 8;
@@ -211,10 +191,6 @@ package body Machine_Faults is
       Unused := Libc.Close (Place);
    end Set_Shift;
 
-   ---------------
-   -- Need_Tool --
-   ---------------
-
    procedure Need_Tool (Name : String) is
       use type GNAT.OS_Lib.String_Access;
       Tool : GNAT.OS_Lib.String_Access :=
@@ -225,10 +201,6 @@ package body Machine_Faults is
       end if;
       GNAT.OS_Lib.Free (Tool);
    end Need_Tool;
-
-   ------------
-   -- Inject --
-   ------------
 
    overriding procedure Inject (F : in out Stopping; W : in out World) is
    begin
@@ -270,10 +242,6 @@ package body Machine_Faults is
         ("moving", "0", Within => Watchdog_Limit + Noise);
       W.Robot_Ready := False;
    end Inject;
-
-   -------------
-   -- Prepare --
-   -------------
 
    overriding procedure Prepare (F : Bad_Error; P : in out Plan) is
    begin
@@ -329,10 +297,6 @@ package body Machine_Faults is
       W.Talk (Span (W.Source, 0.0, 0.5));
    end Inject;
 
-   -------------
-   -- Prepare --
-   -------------
-
    overriding procedure Prepare (F : Full_Pipe; P : in out Plan) is
       pragma Unreferenced (F);
    begin
@@ -369,10 +333,6 @@ package body Machine_Faults is
    begin
       null;
    end Lift;
-
-   -------------
-   -- Prepare --
-   -------------
 
    overriding procedure Prepare (F : Set_Clock; P : in out Plan) is
       pragma Unreferenced (F);
@@ -414,10 +374,6 @@ package body Machine_Faults is
       Set_Shift (0);
    end Lift;
 
-   ------------
-   -- Inject --
-   ------------
-
    overriding procedure Inject (F : in out Busy; W : in out World) is
       Most : constant := 4;
    begin
@@ -442,10 +398,6 @@ package body Machine_Faults is
    begin
       F.Load.Stop;
    end Lift;
-
-   ------------
-   -- Inject --
-   ------------
 
    overriding procedure Inject (F : in out No_Descriptors; W : in out World)
    is
@@ -502,10 +454,6 @@ package body Machine_Faults is
       W.Reachable := True;
    end Lift;
 
-   -------------
-   -- Prepare --
-   -------------
-
    overriding procedure Prepare (F : Started_As; P : in out Plan) is
       Give_Line : constant String :=
         "for word; do" & ASCII.LF
@@ -554,10 +502,6 @@ package body Machine_Faults is
       W.Talk (Span (W.Source, 0.2, 1.0));
    end Inject;
 
-   ------------
-   -- Inject --
-   ------------
-
    overriding procedure Inject
      (F : in out Root_Without_Nice; W : in out World)
    is
@@ -580,10 +524,6 @@ package body Machine_Faults is
       Check
         (Index (Refused.Log_Text, "listening") = 0, "it says that it listens");
    end Inject;
-
-   --------------
-   -- Register --
-   --------------
 
    procedure Register is
 

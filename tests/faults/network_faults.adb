@@ -95,20 +95,12 @@ package body Network_Faults is
    function Amid (W : in out World; Line, Part : String) return String;
    --  Line with Part put in somewhere
 
-   ----------
-   -- Amid --
-   ----------
-
    function Amid (W : in out World; Line, Part : String) return String is
       Place : constant Natural := Whole (W.Source, 0, Line'Length);
    begin
       return Line (Line'First .. Line'First + Place - 1) & Part
         & Line (Line'First + Place .. Line'Last);
    end Amid;
-
-   ------------
-   -- Inject --
-   ------------
 
    overriding procedure Inject (F : in out Departure; W : in out World) is
    begin
@@ -122,10 +114,6 @@ package body Network_Faults is
       end if;
       W.Lose (F.How);
    end Inject;
-
-   -------------
-   -- Prepare --
-   -------------
 
    overriding procedure Prepare (F : Cut_Cable; P : in out Plan) is
       pragma Unreferenced (F);
@@ -167,10 +155,6 @@ package body Network_Faults is
       W.Reachable := True;
    end Lift;
 
-   -------------
-   -- Prepare --
-   -------------
-
    overriding procedure Prepare (F : Stall; P : in out Plan) is
       pragma Unreferenced (F);
    begin
@@ -205,10 +189,6 @@ package body Network_Faults is
       end if;
    end Inject;
 
-   -----------------
-   -- Send_Slowly --
-   -----------------
-
    procedure Send_Slowly (W : in out World) is
       Lines : constant Arguments := Words
         ("RPIN RGST RSTP RMOV:-12 RTRN:+45 nope RGBT RLDW");
@@ -226,10 +206,6 @@ package body Network_Faults is
          end;
       end loop;
    end Send_Slowly;
-
-   -----------------------
-   -- Send_Endless_Line --
-   -----------------------
 
    procedure Send_Endless_Line (W : in out World) is
       Pieces : constant := 16;
@@ -252,10 +228,6 @@ package body Network_Faults is
       W.Say ("", Refused);
    end Send_Endless_Line;
 
-   --------------------
-   -- Send_Nul_Bytes --
-   --------------------
-
    procedure Send_Nul_Bytes (W : in out World) is
    begin
       W.Say ((1 .. Whole (W.Source, 1, 300) => ASCII.NUL), Refused);
@@ -269,10 +241,6 @@ package body Network_Faults is
          end;
       end loop;
    end Send_Nul_Bytes;
-
-   -----------------------
-   -- Send_Invalid_Text --
-   -----------------------
 
    procedure Send_Invalid_Text (W : in out World) is
 
@@ -308,10 +276,6 @@ package body Network_Faults is
          W.Say ("MSSG:" & Amid (W, "text", Any_Flaw), Silent);
       end loop;
    end Send_Invalid_Text;
-
-   -------------------
-   -- Send_Odd_Data --
-   -------------------
 
    procedure Send_Odd_Data (W : in out World) is
       Count : constant Positive := Positive (Commands.Length);
@@ -356,10 +320,6 @@ package body Network_Faults is
       W.Robot_Ready := False;
    end Send_Odd_Data;
 
-   ------------
-   -- Inject --
-   ------------
-
    overriding procedure Inject (F : in out Sending; W : in out World) is
    begin
       W.Listen;
@@ -373,10 +333,6 @@ package body Network_Faults is
          end case;
       end if;
    end Inject;
-
-   ------------
-   -- Inject --
-   ------------
 
    overriding procedure Inject
      (F : in out Crowd_Of_Clients; W : in out World)
@@ -403,10 +359,6 @@ package body Network_Faults is
          & Seen.Closed'Image & " were closed,"
          & Seen.Left'Image & " were left to wait");
    end Inject;
-
-   ------------
-   -- Inject --
-   ------------
 
    overriding procedure Inject
      (F : in out Flood_Of_Clients; W : in out World)
@@ -442,10 +394,6 @@ package body Network_Faults is
       W.Talk (Block_Time + Queue * Newcomer_Time, Calm => True);
    end Inject;
 
-   ------------
-   -- Inject --
-   ------------
-
    overriding procedure Inject (F : in out Scan; W : in out World) is
       pragma Unreferenced (F);
       Count : constant Positive := Whole (W.Source, 50, 300);
@@ -454,10 +402,6 @@ package body Network_Faults is
       --  who comes later waits behind them; the one in command does not
       W.Talk (Block_Time + Count * Newcomer_Time, Calm => True);
    end Inject;
-
-   ------------
-   -- Inject --
-   ------------
 
    overriding procedure Inject
      (F : in out Half_Open_Scan; W : in out World)
@@ -470,10 +414,6 @@ package body Network_Faults is
       Raw_Probes.Half_Open
         (W.Address, W.Port, Whole (W.Source, 50, 300), W.Source);
    end Inject;
-
-   ------------
-   -- Inject --
-   ------------
 
    overriding procedure Inject
      (F : in out Second_Monitor; W : in out World)
@@ -516,10 +456,6 @@ package body Network_Faults is
          or else W.Emulator.Count_Of ("M=" & Mark) = 0,
          "the robot has obeyed a second monitor");
    end Inject;
-
-   --------------
-   -- Register --
-   --------------
 
    procedure Register is
       function Named (Text : String) return Unbounded_String

@@ -8,10 +8,6 @@ package body Random_Numbers is
    procedure Step (Source : in out Generator; Value : out Unsigned_64);
    --  A counter with an odd step, its bits mixed
 
-   ----------
-   -- Step --
-   ----------
-
    procedure Step (Source : in out Generator; Value : out Unsigned_64) is
    begin
       Source.State := Source.State + 16#9E37_79B9_7F4A_7C15#;
@@ -20,10 +16,6 @@ package body Random_Numbers is
       Value := (Value xor Shift_Right (Value, 27)) * 16#94D0_49BB_1331_11EB#;
       Value := Value xor Shift_Right (Value, 31);
    end Step;
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start
      (Source : in out Generator; Seed : Natural; Name : String)
@@ -36,10 +28,6 @@ package body Random_Numbers is
          Source.State := Value xor Unsigned_64 (Character'Pos (C));
       end loop;
    end Start;
-
-   -----------
-   -- Whole --
-   -----------
 
    function Whole
      (Source : in out Generator; Low, High : Integer) return Integer
@@ -55,17 +43,9 @@ package body Random_Numbers is
                 (Long_Long_Integer (High) - Long_Long_Integer (Low) + 1)));
    end Whole;
 
-   ------------
-   -- Chance --
-   ------------
-
    function Chance
      (Source : in out Generator; One_In : Positive) return Boolean
    is (Whole (Source, 1, One_In) = 1);
-
-   ----------
-   -- Span --
-   ----------
 
    function Span
      (Source : in out Generator; Low, High : Duration) return Duration
@@ -73,16 +53,8 @@ package body Random_Numbers is
      (Low + Duration (Whole (Source, 0, Integer ((High - Low) * 1_000)))
       / 1_000);
 
-   -----------
-   -- Octet --
-   -----------
-
    function Octet (Source : in out Generator) return Character is
      (Character'Val (Whole (Source, 0, 255)));
-
-   ----------
-   -- Text --
-   ----------
 
    function Text (Source : in out Generator; Size : Natural) return String is
    begin

@@ -19,18 +19,10 @@ package body Raw_Probes is
    procedure Set_Abortive (Socket : Socket_Type);
    --  Its close will be a reset
 
-   ------------------
-   -- Set_Abortive --
-   ------------------
-
    procedure Set_Abortive (Socket : Socket_Type) is
    begin
       Set_Socket_Option (Socket, Socket_Level, (Linger, True, 0));
    end Set_Abortive;
-
-   ----------------------
-   -- Begin_Connection --
-   ----------------------
 
    procedure Begin_Connection
      (Socket : out Socket_Type; Place : Sock_Addr_Type; Waits : Boolean)
@@ -49,10 +41,6 @@ package body Raw_Probes is
             null;
       end;
    end Begin_Connection;
-
-   -----------
-   -- Knock --
-   -----------
 
    procedure Knock
      (Address : String;
@@ -92,10 +80,6 @@ package body Raw_Probes is
       end loop;
    end Knock;
 
-   -------------------
-   -- Can_Half_Open --
-   -------------------
-
    function Can_Half_Open return Boolean is
       Socket : Socket_Type;
    begin
@@ -107,10 +91,6 @@ package body Raw_Probes is
       when Socket_Error =>
          return False;
    end Can_Half_Open;
-
-   ---------------
-   -- Half_Open --
-   ---------------
 
    procedure Half_Open
      (Address : String;
@@ -174,10 +154,6 @@ package body Raw_Probes is
       end loop;
       Close_Socket (Socket);
    end Half_Open;
-
-   -----------
-   -- Crowd --
-   -----------
 
    function Crowd
      (Address : String; Port : Positive; Count : Positive; Within : Duration)

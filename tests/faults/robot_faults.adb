@@ -114,38 +114,22 @@ package body Robot_Faults is
    overriding procedure Inject (F : in out Robot_Stops; W : in out World);
    overriding procedure Lift (F : in out Robot_Stops; W : in out World);
 
-   ------------------
-   -- Expect_Right --
-   ------------------
-
    procedure Expect_Right (W : in out World) is
       Q : constant Question := Any_Question (W);
    begin
       Expect (W, Questions (Q), Right_Answer (Q));
    end Expect_Right;
 
-   --------------------
-   -- Expect_Nothing --
-   --------------------
-
    procedure Expect_Nothing (W : in out World; Q : Question) is
    begin
       Expect (W, Questions (Q), "ATIM");
    end Expect_Nothing;
-
-   ----------
-   -- Lift --
-   ----------
 
    overriding procedure Lift (F : in out Robot_Fault; W : in out World) is
       pragma Unreferenced (F);
    begin
       W.Emulator.Tell ("mend");
    end Lift;
-
-   -----------
-   -- Spoil --
-   -----------
 
    procedure Spoil
      (F : Spoilt_Answers'Class; W : in out World; Count : Positive)
@@ -166,10 +150,6 @@ package body Robot_Faults is
                "truncate " & Image (Count) & " "
                & Image (Whole (W.Source, 0, Keep))));
    end Spoil;
-
-   --------------
-   -- In_Quiet --
-   --------------
 
    procedure In_Quiet (F : Spoilt_Answers'Class; W : in out World) is
       Few   : constant := Enough_To_Lose - 1;
@@ -246,10 +226,6 @@ package body Robot_Faults is
       end if;
    end In_Quiet;
 
-   ---------------
-   -- In_Motion --
-   ---------------
-
    procedure In_Motion (F : Spoilt_Answers'Class; W : in out World) is
       Few : constant Positive := Whole (W.Source, 1, Enough_To_Lose - 1);
       B   : Before := Situation (W);
@@ -269,10 +245,6 @@ package body Robot_Faults is
          Expect_Return (W);
       end if;
    end In_Motion;
-
-   ------------
-   -- Inject --
-   ------------
 
    overriding procedure Inject
      (F : in out Spoilt_Answers; W : in out World) is
@@ -551,10 +523,6 @@ package body Robot_Faults is
       end case;
    end Inject;
 
-   ----------
-   -- Lift --
-   ----------
-
    overriding procedure Lift (F : in out Unplugged; W : in out World) is
    begin
       if F.Away then
@@ -574,10 +542,6 @@ package body Robot_Faults is
             W.Emulator.Tell ("charge off");
       end case;
    end Lift;
-
-   --------------
-   -- Register --
-   --------------
 
    procedure Register is
 

@@ -99,10 +99,6 @@ package body Soak_Records is
    function In_Ms (Value : Duration) return String is
      (Rounded (Float (Value) * 1000.0));
 
-   -----------
-   -- State --
-   -----------
-
    protected body State is
 
       procedure Set_Calm (Value : Boolean) is
@@ -127,10 +123,6 @@ package body Soak_Records is
       function Faults return Natural is (Count);
 
    end State;
-
-   -------------
-   -- Sampler --
-   -------------
 
    task body Sampler is
       Processors : constant Positive :=
@@ -214,10 +206,6 @@ package body Soak_Records is
 
    function Faults return Natural is (State.Faults);
 
-   --------------
-   -- Is_Quiet --
-   --------------
-
    function Is_Quiet (Time : Duration) return Boolean is
       Number : constant Positive := 1 + Natural (Float'Floor (Float (Time)));
    begin
@@ -226,10 +214,6 @@ package body Soak_Records is
            .. Natural'Min (Number, Natural (Seconds.Length)) =>
            Seconds (Near).Stolen <= Most_Stolen);
    end Is_Quiet;
-
-   -------------
-   -- Between --
-   -------------
 
    function Between
      (From : Event_Vectors.Vector; First, Last : Duration;
@@ -247,19 +231,11 @@ package body Soak_Records is
       return Result;
    end Between;
 
-   ----------
-   -- Rate --
-   ----------
-
    function Rate (Intervals : Samples.Set) return Float is
       Mean : constant Float := Float (Intervals.Mean);
    begin
       return (if Mean > 0.0 then 1.0 / Mean else 0.0);
    end Rate;
-
-   ---------------------
-   -- Print_And_Judge --
-   ---------------------
 
    procedure Print_And_Judge (Good : out Boolean) is
       Tenth : constant Duration := Last_Time / 10;
@@ -372,10 +348,6 @@ package body Soak_Records is
             and then abs (Z.Rate - A.Rate) <= Rate_Margin * A.Rate);
    end Print_And_Judge;
 
-   ---------------
-   -- Write_Csv --
-   ---------------
-
    procedure Write_Csv (Path : String) is
       File   : File_Type;
       Before : Natural := 0;
@@ -413,10 +385,6 @@ package body Soak_Records is
       end loop;
       Close (File);
    end Write_Csv;
-
-   --------------
-   -- Draw_Svg --
-   --------------
 
    procedure Draw_Svg (Path : String; Title : String) is
       use Svg_Charts;

@@ -26,10 +26,6 @@ package body Svg_Charts is
    function Down (C : Chart; Y : Float) return Float;
    --  Pixels
 
-   ----------------
-   -- Round_Step --
-   ----------------
-
    function Round_Step (Span : Float) return Float is
       Power : constant Float := 10.0 ** Float'Floor (Log (Span / 4.0, 10.0));
    begin
@@ -41,16 +37,8 @@ package body Svg_Charts is
       return 10.0 * Power;
    end Round_Step;
 
-   ------------
-   -- Across --
-   ------------
-
    function Across (C : Chart; X : Float) return Float is
      (Left + Width * X / C.Last_X);
-
-   ----------
-   -- Down --
-   ----------
 
    function Down (C : Chart; Y : Float) return Float is
       Part : constant Float :=
@@ -61,10 +49,6 @@ package body Svg_Charts is
    begin
       return C.Bottom - Panel_Height * Part;
    end Down;
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start
      (C      : in out Chart;
@@ -96,10 +80,6 @@ package body Svg_Charts is
       Put_Text
         (C.File, Left + Width, Height - 8.0, "time, " & Unit_X, Last);
    end Start;
-
-   -----------------
-   -- Begin_Panel --
-   -----------------
 
    procedure Begin_Panel
      (C         : in out Chart;
@@ -167,10 +147,6 @@ package body Svg_Charts is
       end loop;
    end Begin_Panel;
 
-   ----------
-   -- Draw --
-   ----------
-
    procedure Draw
      (C       : in out Chart;
       Curve   : Points;
@@ -215,20 +191,12 @@ package body Svg_Charts is
       C.Legend := C.Legend - Character_Gap * Float (Name'Length) - 16.0;
    end Draw;
 
-   ----------
-   -- Mark --
-   ----------
-
    procedure Mark (C : in out Chart; X : Float) is
    begin
       Put_Stroke
         (C.File, Across (C, X), C.Bottom, Across (C, X), C.Bottom - 5.0,
          "a");
    end Mark;
-
-   ------------
-   -- Finish --
-   ------------
 
    procedure Finish (C : in out Chart) is
    begin

@@ -71,18 +71,10 @@ package body Trials is
    function Tail (Text : String) return String;
    --  Its last lines, indented
 
-   ----------
-   -- Name --
-   ----------
-
    function Name (First : Positive; Second : Natural) return String is
      (To_String (Element (First).Name)
       & (if Second = 0 then ""
          else " + " & To_String (Element (Second).Name)));
-
-   ----------------
-   -- Is_In_Need --
-   ----------------
 
    function Is_In_Need (First : Positive; Second : Natural) return Plan is
    begin
@@ -93,10 +85,6 @@ package body Trials is
          end if;
       end return;
    end Is_In_Need;
-
-   --------------------
-   -- Pick_Situation --
-   --------------------
 
    procedure Pick_Situation
      (First  : Positive;
@@ -140,10 +128,6 @@ package body Trials is
       end if;
    end Pick_Situation;
 
-   ----------
-   -- Lift --
-   ----------
-
    procedure Lift (Number : Positive) is
    begin
       Element (Number).Lift (The_World);
@@ -153,10 +137,6 @@ package body Trials is
            ("at the end of " & To_String (Element (Number).Name) & ": "
             & Ada.Exceptions.Exception_Message (Occurrence));
    end Lift;
-
-   ----------------
-   -- Inject_All --
-   ----------------
 
    procedure Inject_All
      (First   : Positive;
@@ -201,10 +181,6 @@ package body Trials is
       W.Reachable := True;
    end Inject_All;
 
-   ----------------
-   -- Expect_End --
-   ----------------
-
    procedure Expect_End is
       W      : World renames The_World;
       Status : Integer;
@@ -234,10 +210,6 @@ package body Trials is
       W.Start_Supervisor;
    end Expect_End;
 
-   ----------------------------
-   -- Expect_Session_Goes_On --
-   ----------------------------
-
    procedure Expect_Session_Goes_On is
       W : World renames The_World;
    begin
@@ -251,10 +223,6 @@ package body Trials is
          W.Violate
            (Answered_Once, Ada.Exceptions.Exception_Message (Occurrence));
    end Expect_Session_Goes_On;
-
-   ------------------------
-   -- Expect_New_Session --
-   ------------------------
 
    procedure Expect_New_Session is
       W        : World renames The_World;
@@ -309,10 +277,6 @@ package body Trials is
            (Session_Works, Ada.Exceptions.Exception_Message (Occurrence));
    end Expect_New_Session;
 
-   -----------------------
-   -- Expect_Invariants --
-   -----------------------
-
    procedure Expect_Invariants (First : Positive; Second : Natural) is
       W    : World renames The_World;
       Ends : constant Consequence := Consequence'Max
@@ -348,10 +312,6 @@ package body Trials is
       end if;
    end Expect_Invariants;
 
-   ----------
-   -- Tail --
-   ----------
-
    function Tail (Text : String) return String is
       Lines  : constant := 40;
       Longest : constant := 160;
@@ -380,10 +340,6 @@ package body Trials is
       end loop;
       return To_String (Result);
    end Tail;
-
-   ---------
-   -- Run --
-   ---------
 
    procedure Run
      (First      : Positive;
@@ -428,10 +384,6 @@ package body Trials is
         Outcome.Figures.Interrupted + Interrupted;
    end Run;
 
-   -------------
-   -- Give_Up --
-   -------------
-
    procedure Give_Up is
       W : World renames The_World;
    begin
@@ -450,10 +402,6 @@ package body Trials is
       when Failed =>
          W.Destroy;
    end Give_Up;
-
-   --------------
-   -- Run_Once --
-   --------------
 
    procedure Run_Once
      (First      : Positive;
@@ -530,10 +478,6 @@ package body Trials is
       end if;
    end Run_Once;
 
-   -----------
-   -- Build --
-   -----------
-
    procedure Build is
       Usual : Plan;
    begin
@@ -545,10 +489,6 @@ package body Trials is
      (if The_World.Is_Built then The_World.Pid else -1);
 
    function Port return Positive is (The_World.Port);
-
-   ------------
-   -- Finish --
-   ------------
 
    procedure Finish is
    begin

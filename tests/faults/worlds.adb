@@ -57,10 +57,6 @@ package body Worlds is
    procedure Try_Order (W : in out World; Command, Answer : String);
    --  As Order, but with Robot_Silent
 
-   ---------------
-   -- Free_Port --
-   ---------------
-
    function Free_Port return Positive is
       use GNAT.Sockets;
       Socket : Socket_Type;
@@ -73,10 +69,6 @@ package body Worlds is
       return Positive (Place.Port);
    end Free_Port;
 
-   -----------
-   -- Worst --
-   -----------
-
    function Worst (Left, Right : Figure_Set) return Figure_Set is
      ((Repeated     => Left.Repeated + Right.Repeated,
        Interrupted  => Left.Interrupted + Right.Interrupted,
@@ -86,10 +78,6 @@ package body Worlds is
          Duration'Max (Left.Slowest_Stop, Right.Slowest_Stop),
        Growth       => Natural'Max (Left.Growth, Right.Growth)));
 
-   -------------
-   -- Address --
-   -------------
-
    function Address (W : World) return String is
      (if W.The_Plan.Through_Link then Network_Links.Supervisor_Side
       else Loopback);
@@ -97,10 +85,6 @@ package body Worlds is
    function Pid (W : World) return Interfaces.C.int is (W.Supervisor.Pid);
 
    function Is_Built (W : World) return Boolean is (W.Port > 0);
-
-   -----------
-   -- Build --
-   -----------
 
    procedure Build (W : in out World; P : Plan) is
    begin
@@ -116,10 +100,6 @@ package body Worlds is
            & " " & To_String (P.Emulator_Options));
       W.Start_Supervisor;
    end Build;
-
-   ----------------------
-   -- Start_Supervisor --
-   ----------------------
 
    procedure Start_Supervisor (W : in out World) is
       Camera  : constant String :=
@@ -179,10 +159,6 @@ package body Worlds is
       Note_Facts (W);
    end Start_Supervisor;
 
-   ----------------
-   -- Note_Facts --
-   ----------------
-
    procedure Note_Facts (W : in out World) is
       use Process_Facts;
       Deadline : constant Instant := Now + Settle_Limit;
@@ -203,10 +179,6 @@ package body Worlds is
       end loop;
       W.Base_Memory := Resident_Kilobytes (W.Pid);
    end Note_Facts;
-
-   ---------------------
-   -- Expect_No_Leaks --
-   ---------------------
 
    procedure Expect_No_Leaks (W : in out World) is
       use Process_Facts;
@@ -238,10 +210,6 @@ package body Worlds is
       end if;
    end Expect_No_Leaks;
 
-   -------------
-   -- Destroy --
-   -------------
-
    procedure Destroy (W : in out World) is
    begin
       W.Monitor.Close;
@@ -252,19 +220,11 @@ package body Worlds is
       W.Port := 0;
    end Destroy;
 
-   ------------
-   -- Closed --
-   ------------
-
    function Closed (W : World) return Boolean is
       use type Monitor_Clients.Closing;
    begin
       return W.Monitor.Closed_By_Peer (0.0) /= Monitor_Clients.Open;
    end Closed;
-
-   ----------
-   -- Join --
-   ----------
 
    procedure Join (W : in out World; Within : Duration) is
       Deadline : constant Instant := Now + Within;
@@ -311,10 +271,6 @@ package body Worlds is
       end loop;
    end Join;
 
-   -----------------
-   -- Try_To_Join --
-   -----------------
-
    procedure Try_To_Join (W : in out World) is
    begin
       if not W.Present and then W.Reachable and then not W.Expected_End then
@@ -324,10 +280,6 @@ package body Worlds is
       when Failed =>
          W.Monitor.Close;
    end Try_To_Join;
-
-   ----------
-   -- Take --
-   ----------
 
    procedure Take
      (W     : in out World;
@@ -354,10 +306,6 @@ package body Worlds is
       end if;
    end Take;
 
-   ------------
-   -- Listen --
-   ------------
-
    procedure Listen (W : in out World) is
       Unused : Monitor_Clients.Message;
       Found  : Boolean;
@@ -367,10 +315,6 @@ package body Worlds is
          exit when not Found;
       end loop;
    end Listen;
-
-   ---------
-   -- Say --
-   ---------
 
    procedure Say (W : in out World; Command : String) is
    begin
@@ -391,10 +335,6 @@ package body Worlds is
       end if;
    end Say;
 
-   ---------------
-   -- Say_Bytes --
-   ---------------
-
    procedure Say_Bytes (W : in out World; Bytes : String) is
    begin
       if W.Present and then not W.Monitor.Try_Send (Bytes) then
@@ -404,10 +344,6 @@ package body Worlds is
          end if;
       end if;
    end Say_Bytes;
-
-   --------------------
-   -- Expect_Answers --
-   --------------------
 
    procedure Expect_Answers
      (W : in out World; Within : Duration := Answer_Limit)
@@ -428,10 +364,6 @@ package body Worlds is
          delay 0.001;
       end loop;
    end Expect_Answers;
-
-   ---------------
-   -- Try_Order --
-   ---------------
 
    procedure Try_Order (W : in out World; Command, Answer : String) is
       Second_Look : constant Duration := 0.3;
@@ -477,10 +409,6 @@ package body Worlds is
       end loop;
    end Try_Order;
 
-   -----------
-   -- Order --
-   -----------
-
    procedure Order (W : in out World; Command, Answer : String) is
    begin
       Try_Order (W, Command, Answer);
@@ -489,10 +417,6 @@ package body Worlds is
          raise Failed with Command & " had no answer from the robot instead"
            & " of " & Answer;
    end Order;
-
-   -------------------
-   -- Begin_Session --
-   -------------------
 
    procedure Begin_Session
      (W : in out World; Robot : Robot_Situation; Camera : Camera_Situation)
@@ -519,10 +443,6 @@ package body Worlds is
             W.Say ("CACO");
       end case;
    end Begin_Session;
-
-   --------------
-   -- Bring_To --
-   --------------
 
    procedure Bring_To (W : in out World; Robot : Robot_Situation) is
    begin
@@ -564,10 +484,6 @@ package body Worlds is
       end loop;
    end Bring_To;
 
-   ----------
-   -- Talk --
-   ----------
-
    procedure Talk
      (W : in out World; For_Time : Duration; Calm : Boolean := False)
    is
@@ -590,16 +506,8 @@ package body Worlds is
       end loop;
    end Talk;
 
-   --------------
-   -- Log_Says --
-   --------------
-
    function Log_Says (W : World; Text : String) return Natural is
      (W.Supervisor.Count_Of (Text, After => W.Session_Log));
-
-   --------------------
-   -- Forget_Session --
-   --------------------
 
    procedure Forget_Session (W : in out World) is
       Deadline : constant Instant := Now + Settle_Limit;
@@ -627,10 +535,6 @@ package body Worlds is
       end if;
    end Forget_Session;
 
-   ----------
-   -- Lose --
-   ----------
-
    procedure Lose
      (W         : in out World;
       How       : Manner;
@@ -650,10 +554,6 @@ package body Worlds is
       W.Found_By := Now + Detection;
    end Lose;
 
-   -----------------------
-   -- Nobody_In_Command --
-   -----------------------
-
    procedure Nobody_In_Command
      (W      : in out World;
       Since  : Instant := Now;
@@ -664,28 +564,16 @@ package body Worlds is
       W.Stop_Counted := False;
    end Nobody_In_Command;
 
-   ---------------------
-   -- Supervisor_Ends --
-   ---------------------
-
    procedure Supervisor_Ends (W : in out World; Status : Integer) is
    begin
       W.Expected_End := True;
       W.Expected_Status := Status;
    end Supervisor_Ends;
 
-   -----------------
-   -- End_Session --
-   -----------------
-
    procedure End_Session (W : in out World) is
    begin
       W.Lose (Orderly);
    end End_Session;
-
-   --------------------
-   -- Await_Standing --
-   --------------------
 
    procedure Await_Standing (W : in out World) is
       Patience : constant Duration := 3.0;
@@ -776,10 +664,6 @@ package body Worlds is
       end if;
    end Await_Standing;
 
-   ---------------
-   -- Wire_Tail --
-   ---------------
-
    function Wire_Tail (W : in out World) return String is
       Shown  : constant := 12;
       Notes  : constant Emulators.Notes := W.Emulator.Journal;
@@ -799,10 +683,6 @@ package body Worlds is
       when Failed =>
          return "";
    end Wire_Tail;
-
-   -------------
-   -- Violate --
-   -------------
 
    procedure Violate (W : in out World; Which : Invariant; Text : String) is
    begin

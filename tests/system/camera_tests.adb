@@ -70,10 +70,6 @@ package body Camera_Tests is
    --  Between Count + 1 messages: Period within Tolerance in the mean, none
    --  longer than Longest
 
-   ------------
-   -- Parsed --
-   ------------
-
    function Parsed (Item : Message) return Position is
       Text   : constant String := To_String (Item.Data);
       First  : Positive := Text'First;
@@ -106,10 +102,6 @@ package body Camera_Tests is
       when Constraint_Error =>
          raise Failed with "malformed CPOS:" & Text;
    end Parsed;
-
-   ------------------
-   -- Check_Period --
-   ------------------
 
    procedure Check_Period
      (R         : in out Rig;
@@ -150,10 +142,6 @@ package body Camera_Tests is
       Measure_Calmly (Measure'Access);
    end Check_Period;
 
-   --------------------
-   -- Open_And_Close --
-   --------------------
-
    procedure Open_And_Close is
       R           : Rig;
       Item        : Message;
@@ -181,10 +169,6 @@ package body Camera_Tests is
         (Process_Facts.Threads (R.Supervisor.Pid) <= Threads,
          "threads leak with the camera");
    end Open_And_Close;
-
-   ----------------
-   -- Open_Fails --
-   ----------------
 
    procedure Open_Fails is
 
@@ -216,10 +200,6 @@ package body Camera_Tests is
       end;
    end Open_Fails;
 
-   ------------------------
-   -- Loaded_When_Opened --
-   ------------------------
-
    procedure Loaded_When_Opened is
       --  OpenCV, while the robot drives; before, the supervisor is small
       Small : constant := 20_000;
@@ -249,10 +229,6 @@ package body Camera_Tests is
          "the robot has stopped meanwhile");
    end Loaded_When_Opened;
 
-   ---------------------
-   -- Library_Missing --
-   ---------------------
-
    procedure Library_Missing is
       --  The robot is driven all the same
       Folder : constant String := Programs.Temporary_Folder & "/bare";
@@ -276,10 +252,6 @@ package body Camera_Tests is
         (Programs.Vision_Library, Folder & "/libdestijl_vision.so");
       Open_Camera (R);
    end Library_Missing;
-
-   ---------------------
-   -- Open_Takes_Long --
-   ---------------------
 
    procedure Open_Takes_Long is
       --  A camera that takes the connection and says nothing holds up
@@ -330,10 +302,6 @@ package body Camera_Tests is
       Note ("ended after " & Milliseconds (Now - Time));
    end Open_Takes_Long;
 
-   ----------------------
-   -- Not_Open_Is_Anak --
-   ----------------------
-
    procedure Not_Open_Is_Anak is
       R : Rig;
    begin
@@ -346,10 +314,6 @@ package body Camera_Tests is
       R.Monitor.Expect ("CCLS", "AACK");
       R.Monitor.Expect ("CASA", "ANAK");
    end Not_Open_Is_Anak;
-
-   ------------------
-   -- Image_Period --
-   ------------------
 
    procedure Image_Period is
       --  F15: 10.0 images a second within 1 %, jitter 20 ms at p99
@@ -367,10 +331,6 @@ package body Camera_Tests is
          "something is drawn without being asked for");
    end Image_Period;
 
-   ----------------
-   -- Image_Size --
-   ----------------
-
    procedure Image_Size is
       R     : Rig;
       Facts : Images.Facts;
@@ -385,10 +345,6 @@ package body Camera_Tests is
          "image of" & Facts.Width'Image & " x" & Facts.Height'Image);
       Check (R.Monitor.Last_Image'Length < 40_000, "a large image");
    end Image_Size;
-
-   --------------
-   -- Own_Jpeg --
-   --------------
 
    procedure Own_Jpeg is
       --  The camera's own bytes reach the monitor, unless something is drawn
@@ -434,10 +390,6 @@ package body Camera_Tests is
       Expect_Own (False, "with the arena");
    end Own_Jpeg;
 
-   -------------------
-   -- Changing_Size --
-   -------------------
-
    procedure Changing_Size is
       --  In mid-stream, there and back
       R : Rig;
@@ -474,10 +426,6 @@ package body Camera_Tests is
       Check (R.Monitor.Broken_Images = 0, "a broken image");
    end Changing_Size;
 
-   --------------------
-   -- Damaged_Images --
-   --------------------
-
    procedure Damaged_Images is
       --  For a while that is shorter than the camera is waited for; what is
       --  whole enough to be shown may come through, what is none may not
@@ -501,10 +449,6 @@ package body Camera_Tests is
       R.Monitor.Expect ("CCLS", "AACK");
    end Damaged_Images;
 
-   ----------------------
-   -- Other_Image_Rate --
-   ----------------------
-
    procedure Other_Image_Rate is
       R : Rig;
    begin
@@ -514,10 +458,6 @@ package body Camera_Tests is
         (R, "CIMG", Count => 8,
          Period => 0.25, Tolerance => 0.02, Longest => 0.5);
    end Other_Image_Rate;
-
-   -----------------
-   -- Still_Image --
-   -----------------
 
    procedure Still_Image is
       --  A file as camera
@@ -547,10 +487,6 @@ package body Camera_Tests is
       Open_Camera (R);
    end Still_Image;
 
-   --------------------------
-   -- No_Image_After_Close --
-   --------------------------
-
    procedure No_Image_After_Close is
       R : Rig;
    begin
@@ -562,10 +498,6 @@ package body Camera_Tests is
          R.Monitor.Expect_Silence ("CIMG CPOS", For_Time => 0.4);
       end loop;
    end No_Image_After_Close;
-
-   -------------------
-   -- Camera_Stalls --
-   -------------------
 
    procedure Camera_Stalls is
       R    : Rig;
@@ -589,10 +521,6 @@ package body Camera_Tests is
       R.Monitor.Expect ("CCLS", "AACK");
    end Camera_Stalls;
 
-   -----------------
-   -- Camera_Goes --
-   -----------------
-
    procedure Camera_Goes is
       --  Its stream is closed; a new one refused at first
       R    : Rig;
@@ -609,10 +537,6 @@ package body Camera_Tests is
       R.Emulator.Tell ("camera on");
       Open_Camera (R);
    end Camera_Goes;
-
-   ---------------------
-   -- Arena_Confirmed --
-   ---------------------
 
    procedure Arena_Confirmed is
       R    : Rig;
@@ -655,10 +579,6 @@ package body Camera_Tests is
       R.Monitor.Expect ("CCLS", "AACK");
    end Arena_Confirmed;
 
-   --------------------
-   -- Arena_Rejected --
-   --------------------
-
    procedure Arena_Rejected is
       R    : Rig;
       Item : Message;
@@ -678,10 +598,6 @@ package body Camera_Tests is
         (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
          "the rejected arena is drawn");
    end Arena_Rejected;
-
-   --------------------
-   -- Drawn_As_Asked --
-   --------------------
 
    procedure Drawn_As_Asked is
 
@@ -737,10 +653,6 @@ package body Camera_Tests is
       end loop;
    end Drawn_As_Asked;
 
-   --------------------------
-   -- Arena_Searched_Again --
-   --------------------------
-
    procedure Arena_Searched_Again is
       --  After a confirmed one, and while one waits for the decision;
       --  positions stay true inside the arena
@@ -771,10 +683,6 @@ package body Camera_Tests is
          "inside the arena the robot is seen at " & To_String (Item.Data));
    end Arena_Searched_Again;
 
-   -----------------------------
-   -- Arena_Of_Stalled_Camera --
-   -----------------------------
-
    procedure Arena_Of_Stalled_Camera is
       --  The search is answered all the same: of the last image, or ANAK
       R    : Rig;
@@ -798,10 +706,6 @@ package body Camera_Tests is
       Open_Camera (R);
    end Arena_Of_Stalled_Camera;
 
-   ---------------------
-   -- Arena_Not_Found --
-   ---------------------
-
    procedure Arena_Not_Found is
       R    : Rig;
       Path : constant String := Programs.Temporary_Folder & "/empty.jpg";
@@ -817,10 +721,6 @@ package body Camera_Tests is
       Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
       Check (Item.Number > 0, "no image");
    end Arena_Not_Found;
-
-   -----------------------------------
-   -- Arena_Decision_Without_Search --
-   -----------------------------------
 
    procedure Arena_Decision_Without_Search is
       R    : Rig;
@@ -842,10 +742,6 @@ package body Camera_Tests is
          "an arena that was never found is drawn");
       R.Monitor.Expect ("what", "ACER");
    end Arena_Decision_Without_Search;
-
-   --------------------
-   -- Positions_True --
-   --------------------
 
    procedure Positions_True is
       R : Rig;
@@ -918,10 +814,6 @@ package body Camera_Tests is
       end;
    end Positions_True;
 
-   ---------------------------
-   -- Positions_Every_Image --
-   ---------------------------
-
    procedure Positions_Every_Image is
       R    : Rig;
       Last : Natural;
@@ -940,10 +832,6 @@ package body Camera_Tests is
         (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn / 4,
          "the robot is not drawn");
    end Positions_Every_Image;
-
-   ------------------------
-   -- Position_Not_Found --
-   ------------------------
 
    procedure Position_Not_Found is
       R    : Rig;
@@ -965,10 +853,6 @@ package body Camera_Tests is
       Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
       Check (Item.Number > 0, "no image");
    end Position_Not_Found;
-
-   --------------------------
-   -- Position_Of_Triangle --
-   --------------------------
 
    procedure Position_Of_Triangle is
       R     : Rig;
@@ -995,10 +879,6 @@ package body Camera_Tests is
          & Truth.Angle'Image & Truth.Cx'Image & Truth.Cy'Image);
    end Position_Of_Triangle;
 
-   ----------------------
-   -- Position_Stopped --
-   ----------------------
-
    procedure Position_Stopped is
       R    : Rig;
       Mark : Natural;
@@ -1023,10 +903,6 @@ package body Camera_Tests is
       end loop;
    end Position_Stopped;
 
-   -----------------
-   -- Loop_Closes --
-   -----------------
-
    procedure Loop_Closes is
       --  Order, motion, image, position
       R      : Rig;
@@ -1046,10 +922,6 @@ package body Camera_Tests is
       Check (After.Cx - Before.Cx > 60.0, "the robot has not moved");
       Check (abs (After.Cy - Before.Cy) < 3.0, "not straight on");
    end Loop_Closes;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

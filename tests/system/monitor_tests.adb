@@ -57,10 +57,6 @@ package body Monitor_Tests is
    --  After the loss of the monitor of a moving robot: stop on the wire,
    --  session closed, new monitor admitted, initial state, all works again
 
-   ------------------------
-   -- Answers_Are_Prompt --
-   ------------------------
-
    procedure Answers_Are_Prompt is
       --  F4: 10 ms. Here only that it is of this order with images and
       --  positions streaming; the benchmark has the figures.
@@ -95,10 +91,6 @@ package body Monitor_Tests is
       Open_Camera (R, Positions => True);
       Measure_Calmly (Measure'Access);
    end Answers_Are_Prompt;
-
-   ----------------------
-   -- Answers_In_Order --
-   ----------------------
 
    procedure Answers_In_Order is
       --  Rule 1: quick answers wait for the slow ones before them
@@ -135,10 +127,6 @@ package body Monitor_Tests is
       Expect_Next ("ANAK");
       R.Monitor.Expect_Silence ("AACK ANAK ACER ATIM", 0.3);
    end Answers_In_Order;
-
-   ------------------------
-   -- Answers_Held_Apart --
-   ------------------------
 
    procedure Answers_Held_Apart is
       --  Rule 7: unasked messages are held back while a command waits for
@@ -226,10 +214,6 @@ package body Monitor_Tests is
       Measure_Calmly (Measure_Images'Access);
    end Answers_Held_Apart;
 
-   -------------------------
-   -- Messages_Kept_Apart --
-   -------------------------
-
    procedure Messages_Kept_Apart is
       --  The existing monitor takes what one recv returns for one message.
       --  A few close ones are borne: a reader that is late brings the next
@@ -287,10 +271,6 @@ package body Monitor_Tests is
       Open_Camera (R, Positions => True);
       Measure_Calmly (Measure'Access);
    end Messages_Kept_Apart;
-
-   -----------------
-   -- Late_Reader --
-   -----------------
 
    procedure Late_Reader is
       --  As the existing monitor on a busy machine: one recv a turn, and
@@ -410,10 +390,6 @@ package body Monitor_Tests is
       Measure_Calmly (Measure_With_Commands'Access);
    end Late_Reader;
 
-   -----------------------
-   -- No_Gap_On_Request --
-   -----------------------
-
    procedure No_Gap_On_Request is
       R      : Rig;
       Place  : Message;
@@ -436,10 +412,6 @@ package body Monitor_Tests is
         (Close > Rounds / 2,
          "position and image are kept apart without a gap asked for");
    end No_Gap_On_Request;
-
-   ------------------
-   -- Slow_Monitor --
-   ------------------
 
    procedure Slow_Monitor is
       R      : Rig;
@@ -510,10 +482,6 @@ package body Monitor_Tests is
       Check (R.Monitor.Broken_Images = 0, "a broken image");
    end Slow_Monitor;
 
-   ---------------------
-   -- Expect_Recovery --
-   ---------------------
-
    procedure Expect_Recovery (R : in out Rig; Lost_At : Instant) is
       Stop : constant Emulators.Note :=
         R.Emulator.Await_On_Wire ("M=0", Within => 3.0);
@@ -534,10 +502,6 @@ package body Monitor_Tests is
       R.Monitor.Expect ("RSTP", "AACK");
    end Expect_Recovery;
 
-   ------------------
-   -- Lost_Orderly --
-   ------------------
-
    procedure Lost_Orderly is
       R    : Rig;
       Time : Instant;
@@ -549,10 +513,6 @@ package body Monitor_Tests is
       Expect_Recovery (R, Time);
    end Lost_Orderly;
 
-   -------------------
-   -- Lost_By_Reset --
-   -------------------
-
    procedure Lost_By_Reset is
       R    : Rig;
       Time : Instant;
@@ -563,10 +523,6 @@ package body Monitor_Tests is
       R.Monitor.Reset;
       Expect_Recovery (R, Time);
    end Lost_By_Reset;
-
-   ------------------------
-   -- Lost_By_Half_Close --
-   ------------------------
 
    procedure Lost_By_Half_Close is
       --  A monitor that will command nothing more is not in command
@@ -582,10 +538,6 @@ package body Monitor_Tests is
          "the connection stays half open");
       Expect_Recovery (R, Time);
    end Lost_By_Half_Close;
-
-   ---------------------------
-   -- Lost_With_Half_A_Line --
-   ---------------------------
 
    procedure Lost_With_Half_A_Line is
       R    : Rig;
@@ -609,10 +561,6 @@ package body Monitor_Tests is
       Connect (R);
       R.Monitor.Expect ("RPIN", "ANAK");
    end Lost_With_Half_A_Line;
-
-   ------------------------------
-   -- Lost_With_Orders_Waiting --
-   ------------------------------
 
    procedure Lost_With_Orders_Waiting is
       --  Orders that were waiting for the line do not follow the stop
@@ -639,10 +587,6 @@ package body Monitor_Tests is
             "an order after the stop: " & Wire);
       end;
    end Lost_With_Orders_Waiting;
-
-   --------------------------------
-   -- Lost_While_Robot_Is_Silent --
-   --------------------------------
 
    procedure Lost_While_Robot_Is_Silent is
       --  The session ends in bounded time although nothing answers, and
@@ -671,10 +615,6 @@ package body Monitor_Tests is
       Expect_Initial_State (R);
       Start_Robot (R);
    end Lost_While_Robot_Is_Silent;
-
-   -----------------------------
-   -- Lost_With_Everything_On --
-   -----------------------------
 
    procedure Lost_With_Everything_On is
       --  F6: exactly as at start-up: no arena, no positions, no images
@@ -855,10 +795,6 @@ package body Monitor_Tests is
       Vanish (Streaming => True, Silent => True);
    end Fallen_Silent;
 
-   -------------
-   -- Stalled --
-   -------------
-
    procedure Stalled is
       --  Two at once: one reads again after 10 s, the other never does
       Patient, Dead : Rig;
@@ -903,10 +839,6 @@ package body Monitor_Tests is
          "the patient monitor was given up");
       Patient.Monitor.Expect ("CCLS", "AACK");
    end Stalled;
-
-   -----------------------
-   -- Second_Is_Refused --
-   -----------------------
 
    procedure Second_Is_Refused is
       R      : Rig;
@@ -959,10 +891,6 @@ package body Monitor_Tests is
       R.Monitor.Expect ("RGST", "RCST:0");
    end Second_Is_Refused;
 
-   ----------------------------
-   -- Log_Message_Unanswered --
-   ----------------------------
-
    procedure Log_Message_Unanswered is
       R : Rig;
    begin
@@ -974,10 +902,6 @@ package body Monitor_Tests is
       R.Monitor.Expect_Silence ("AACK ANAK ACRJ ATIM", 0.3);
       R.Monitor.Expect ("RPIN", "ANAK");
    end Log_Message_Unanswered;
-
-   ----------------------
-   -- Line_Ends --
-   ----------------------
 
    procedure Line_Ends is
       R : Rig;
@@ -991,10 +915,6 @@ package body Monitor_Tests is
       R.Monitor.Expect ("RPIN:" & ASCII.CR, "AACK");
       Check (R.Emulator.Count_Of ("M=5") = 1, "no M=5 on the wire");
    end Line_Ends;
-
-   ---------------------
-   -- Lines_In_Pieces --
-   ---------------------
 
    procedure Lines_In_Pieces is
       --  TCP is a stream: a command may arrive byte by byte
@@ -1015,10 +935,6 @@ package body Monitor_Tests is
       Check (R.Monitor.Next_Answer.Label = "ACER", "no ACER");
       Check (R.Emulator.Count_Of ("T=-12") = 1, "no T=-12 on the wire");
    end Lines_In_Pieces;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

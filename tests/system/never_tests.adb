@@ -30,10 +30,6 @@ package body Never_Tests is
    procedure Expect_Alive (R : in out Rig);
    --  A new session works
 
-   ------------------
-   -- Expect_Alive --
-   ------------------
-
    procedure Expect_Alive (R : in out Rig) is
    begin
       Check (R.Supervisor.Is_Running, "the supervisor has ended");
@@ -44,10 +40,6 @@ package body Never_Tests is
       R.Monitor.Expect ("RSTP", "AACK");
       R.Monitor.Expect ("RCLS", "AACK");
    end Expect_Alive;
-
-   ------------------------
-   -- Malformed_Commands --
-   ------------------------
 
    procedure Malformed_Commands is
       R : Rig;
@@ -101,10 +93,6 @@ package body Never_Tests is
       Expect_Alive (R);
    end Malformed_Commands;
 
-   ----------------------
-   -- Superfluous_Data --
-   ----------------------
-
    procedure Superfluous_Data is
       --  Data behind a command that takes none: acted on or refused, one
       --  answer either way
@@ -143,10 +131,6 @@ package body Never_Tests is
       Expect_Alive (R);
    end Superfluous_Data;
 
-   ----------------------
-   -- Line_Without_End --
-   ----------------------
-
    procedure Line_Without_End is
       R      : Rig;
       Piece  : constant String (1 .. 64 * 1024) := (others => 'x');
@@ -170,10 +154,6 @@ package body Never_Tests is
          "the line is kept in memory");
       Expect_Alive (R);
    end Line_Without_End;
-
-   ------------------
-   -- Random_Bytes --
-   ------------------
 
    procedure Random_Bytes is
       use Random_Characters;
@@ -202,10 +182,6 @@ package body Never_Tests is
       delay 0.3;
       Expect_Alive (R);
    end Random_Bytes;
-
-   ---------------------
-   -- Random_Commands --
-   ---------------------
 
    procedure Random_Commands is
       --  Every command in every state, without waiting, in sessions that
@@ -276,10 +252,6 @@ package body Never_Tests is
       Expect_Alive (R);
    end Random_Commands;
 
-   ------------------------
-   -- Garbage_From_Robot --
-   ------------------------
-
    procedure Garbage_From_Robot is
       R    : Rig;
       Item : Message;
@@ -305,10 +277,6 @@ package body Never_Tests is
       R.Monitor.Expect ("RCLS", "AACK");
       Expect_Alive (R);
    end Garbage_From_Robot;
-
-   ----------------------------------------
-   -- Answers_Kept_For_A_Stalled_Monitor --
-   ----------------------------------------
 
    procedure Answers_Kept_For_A_Stalled_Monitor is
       --  While images wait, too: none of the answers is dropped
@@ -341,10 +309,6 @@ package body Never_Tests is
       Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
       Check (R.Monitor.Broken_Images = 0, "a broken image");
    end Answers_Kept_For_A_Stalled_Monitor;
-
-   ----------------------
-   -- Flat_Over_Cycles --
-   ----------------------
 
    procedure Flat_Over_Cycles is
       --  Opening and closing, losing and finding again
@@ -383,10 +347,6 @@ package body Never_Tests is
         (Process_Facts.Descriptors (R.Supervisor.Pid) = Descriptors,
          "descriptors before and after differ");
    end Flat_Over_Cycles;
-
-   ----------------------------
-   -- Flat_Over_Large_Images --
-   ----------------------------
 
    procedure Flat_Over_Large_Images is
       --  What images of another size need goes back to the system, whichever
@@ -439,10 +399,6 @@ package body Never_Tests is
       Note (Memory'Image & " kB, then" & After'Image & " kB");
       Check (After <= Memory + Kept, "memory grows");
    end Flat_Over_Large_Images;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

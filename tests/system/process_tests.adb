@@ -56,20 +56,12 @@ package body Process_Tests is
 
    procedure Stop_While_Moving (Signal : int);
 
-   ---------------
-   -- Need_Root --
-   ---------------
-
    procedure Need_Root is
    begin
       if Libc.Geteuid /= 0 then
          Skip ("only root can change its privileges");
       end if;
    end Need_Root;
-
-   ---------------
-   -- Need_Tool --
-   ---------------
 
    procedure Need_Tool (Name : String) is
       use type GNAT.OS_Lib.String_Access;
@@ -82,10 +74,6 @@ package body Process_Tests is
       GNAT.OS_Lib.Free (Tool);
    end Need_Tool;
 
-   ------------------------
-   -- Expect_Orderly_End --
-   ------------------------
-
    procedure Expect_Orderly_End (R : in out Rig; Since : Instant) is
       Status : constant Integer :=
         R.Supervisor.Exit_Status (Within => Stop_Limit);
@@ -94,10 +82,6 @@ package body Process_Tests is
       Note ("ended after " & Milliseconds (Ended - Since));
       Check (Status = 0, "exit status" & Status'Image);
    end Expect_Orderly_End;
-
-   -----------------------
-   -- Stop_While_Moving --
-   -----------------------
 
    procedure Stop_While_Moving (Signal : int) is
       R    : Rig;
@@ -132,10 +116,6 @@ package body Process_Tests is
       Stop_While_Moving (Libc.Sigint);
    end Stopped_By_Sigint;
 
-   -------------------------
-   -- Stopped_With_Camera --
-   -------------------------
-
    procedure Stopped_With_Camera is
       R    : Rig;
       Time : Instant;
@@ -150,10 +130,6 @@ package body Process_Tests is
       R.Emulator.Await_Status ("moving", "0", Within => 1.0);
       R.Emulator.Await_Status ("viewers", "0", Within => 3.0);
    end Stopped_With_Camera;
-
-   --------------------------------
-   -- Stopped_While_Robot_Silent --
-   --------------------------------
 
    procedure Stopped_While_Robot_Silent is
       --  The stop is sent although nothing answers
@@ -170,10 +146,6 @@ package body Process_Tests is
       R.Emulator.Await_Status ("moving", "0", Within => 1.0);
    end Stopped_While_Robot_Silent;
 
-   ---------------------------------
-   -- Stopped_While_Camera_Stalls --
-   ---------------------------------
-
    procedure Stopped_While_Camera_Stalls is
       R    : Rig;
       Time : Instant;
@@ -188,10 +160,6 @@ package body Process_Tests is
       Expect_Orderly_End (R, Time);
       R.Emulator.Await_Status ("moving", "0", Within => 1.0);
    end Stopped_While_Camera_Stalls;
-
-   ----------------------------------
-   -- Stopped_With_Stalled_Monitor --
-   ----------------------------------
 
    procedure Stopped_With_Stalled_Monitor is
       R    : Rig;
@@ -208,10 +176,6 @@ package body Process_Tests is
       R.Emulator.Await_Status ("moving", "0", Within => 1.0);
    end Stopped_With_Stalled_Monitor;
 
-   ---------------------
-   -- Stopped_At_Once --
-   ---------------------
-
    procedure Stopped_At_Once is
       --  Without a session, and twice
       R    : Rig;
@@ -227,10 +191,6 @@ package body Process_Tests is
       Check
         (not Connects (R.Supervisor.Port), "somebody still listens");
    end Stopped_At_Once;
-
-   ----------------------
-   -- Thirteen_Threads --
-   ----------------------
 
    procedure Thirteen_Threads is
 
@@ -251,10 +211,6 @@ package body Process_Tests is
             & Process_Facts.Thread_Names (S.Pid));
       end loop;
    end Thirteen_Threads;
-
-   -------------------
-   -- Own_Processor --
-   -------------------
 
    procedure Own_Processor is
       --  --cpu: the real-time tasks there alone, all others elsewhere
@@ -293,10 +249,6 @@ package body Process_Tests is
       end loop;
       R.Monitor.Expect ("ROPN", "AACK");
    end Own_Processor;
-
-   ------------------
-   -- Failing_Task --
-   ------------------
 
    procedure Failing_Task is
       --  A task that fails unexpectedly: the robot is stopped, exit 3. The
@@ -351,10 +303,6 @@ package body Process_Tests is
          end if;
       end loop;
    end Failing_Task;
-
-   -------------------------
-   -- Hundred_Connections --
-   -------------------------
 
    procedure Hundred_Connections is
       R           : Rig;
@@ -424,10 +372,6 @@ package body Process_Tests is
          "descriptors before and after differ");
    end Hundred_Connections;
 
-   -------------------
-   -- Memory_Locked --
-   -------------------
-
    procedure Memory_Locked is
       --  Where the process may: by privilege, or by a limit that is none
 
@@ -481,10 +425,6 @@ package body Process_Tests is
       end if;
    end Memory_Locked;
 
-   -------------
-   -- As_Root --
-   -------------
-
    procedure As_Root is
       R : Rig;
    begin
@@ -495,10 +435,6 @@ package body Process_Tests is
       R.Monitor.Expect ("RGFW", "AACK");
       R.Monitor.Expect ("RSTP", "AACK");
    end As_Root;
-
-   ----------------------
-   -- As_Ordinary_User --
-   ----------------------
 
    procedure As_Ordinary_User is
       --  Another user's pseudo-terminal cannot be opened: it is given away
@@ -558,10 +494,6 @@ package body Process_Tests is
          "root and an ordinary user have the same guarantees");
    end As_Ordinary_User;
 
-   --------------------------
-   -- With_File_Capability --
-   --------------------------
-
    procedure With_File_Capability is
       --  An ordinary user's priorities, by the program's own capability; the
       --  linker searches in fewer places then, and finds the camera part
@@ -590,10 +522,6 @@ package body Process_Tests is
       Check (R.Supervisor.Exit_Status (Stop_Limit) = 0, "exit status");
    end With_File_Capability;
 
-   -----------------------
-   -- Restarted_At_Once --
-   -----------------------
-
    procedure Restarted_At_Once is
       --  On the same port, although connections of the first still linger
       R      : Rig;
@@ -612,10 +540,6 @@ package body Process_Tests is
       R.Monitor.Connect (Number);
       R.Monitor.Expect ("ROPN", "AACK");
    end Restarted_At_Once;
-
-   --------------------------
-   -- As_Root_Without_Nice --
-   --------------------------
 
    procedure As_Root_Without_Nice is
       S      : Supervisors.Supervisor;
@@ -638,10 +562,6 @@ package body Process_Tests is
       Check
         (Index (S.Log_Text, "listening") = 0, "it says that it listens");
    end As_Root_Without_Nice;
-
-   --------------------
-   -- Console_Blocked --
-   --------------------
 
    procedure Console_Blocked is
       --  Nobody reads the log: its pipe is full after 64 kB
@@ -671,10 +591,6 @@ package body Process_Tests is
       Check (R.Emulator.Count_Of ("M=0") >= 1, "no stop on the wire");
    end Console_Blocked;
 
-   ---------------------
-   -- Console_Monitor --
-   ---------------------
-
    procedure Console_Monitor is
       --  The project's own monitor drives the robot from a script
       R       : Rig;
@@ -698,10 +614,6 @@ package body Process_Tests is
          "the console monitor has failed");
       Check (R.Emulator.Count_Of ("M=50") = 1, "no M=50 on the wire");
    end Console_Monitor;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

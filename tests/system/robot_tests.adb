@@ -57,10 +57,6 @@ package body Robot_Tests is
    procedure Expect_Works_Again (R : in out Rig);
    --  F9: ANAK until ROPN; ROPN and start work at once
 
-   ----------------------
-   -- Expect_Lost_Once --
-   ----------------------
-
    procedure Expect_Lost_Once (R : in out Rig; Within : Duration) is
       Item : constant Message := R.Monitor.Next_Of ("ATIM", Within);
    begin
@@ -68,10 +64,6 @@ package body Robot_Tests is
       R.Monitor.Expect_Silence ("ATIM", For_Time => 0.5);
       R.Supervisor.Expect_Log ("robot lost", Within => 2.0);
    end Expect_Lost_Once;
-
-   ------------------------
-   -- Expect_Works_Again --
-   ------------------------
 
    procedure Expect_Works_Again (R : in out Rig) is
    begin
@@ -83,10 +75,6 @@ package body Robot_Tests is
       R.Monitor.Expect ("RGFW", "AACK");
       R.Monitor.Expect ("RSTP", "AACK");
    end Expect_Works_Again;
-
-   --------------------
-   -- Open_And_Close --
-   --------------------
 
    procedure Open_And_Close is
       R : Rig;
@@ -101,10 +89,6 @@ package body Robot_Tests is
          R.Monitor.Expect ("RPIN", "ANAK");
       end loop;
    end Open_And_Close;
-
-   ----------------
-   -- Open_Fails --
-   ----------------
 
    procedure Open_Fails is
 
@@ -127,10 +111,6 @@ package body Robot_Tests is
       Refuse (Programs.Temporary_Folder);
       Refuse (Programs.Supervisor);
    end Open_Fails;
-
-   ----------------------
-   -- Not_Open_Is_Anak --
-   ----------------------
 
    procedure Not_Open_Is_Anak is
       R : Rig;
@@ -162,10 +142,6 @@ package body Robot_Tests is
       Check (R.Emulator.Journal.Is_Empty, "something is on the wire");
    end Not_Open_Is_Anak;
 
-   -------------------
-   -- Closing_Stops --
-   -------------------
-
    procedure Closing_Stops is
       R : Rig;
    begin
@@ -177,10 +153,6 @@ package body Robot_Tests is
       R.Emulator.Await_Status ("moving", "0", Within => 2.0);
       R.Monitor.Expect ("RGFW", "ANAK");
    end Closing_Stops;
-
-   --------------------
-   -- Three_Failures --
-   --------------------
 
    procedure Three_Failures is
       R : Rig;
@@ -209,10 +181,6 @@ package body Robot_Tests is
       Check (not R.Supervisor.Says ("robot lost"), "three are enough");
    end Three_Failures;
 
-   -------------------
-   -- Four_Failures --
-   -------------------
-
    procedure Four_Failures is
       R       : Rig;
       Unasked : Message;
@@ -232,10 +200,6 @@ package body Robot_Tests is
          R.Monitor.Expect ("RRST", "AACK");
       end loop;
    end Four_Failures;
-
-   -------------------
-   -- Silence_Found --
-   -------------------
 
    procedure Silence_Found is
       --  Issue: a lost line is found within 1 s while the robot is started
@@ -260,10 +224,6 @@ package body Robot_Tests is
       Expect_Works_Again (R);
    end Silence_Found;
 
-   -----------------------
-   -- Lost_Keeps_Camera --
-   -----------------------
-
    procedure Lost_Keeps_Camera is
       --  Rule 6
       R    : Rig;
@@ -281,10 +241,6 @@ package body Robot_Tests is
       Expect_Works_Again (R);
       R.Monitor.Expect ("CCLS", "AACK");
    end Lost_Keeps_Camera;
-
-   ----------------------
-   -- Reopened_At_Once --
-   ----------------------
 
    procedure Reopened_At_Once is
       --  While the answer to the last stop on the lost line is on its way:
@@ -308,10 +264,6 @@ package body Robot_Tests is
       end loop;
    end Reopened_At_Once;
 
-   -----------------
-   -- Late_Reopened --
-   -----------------
-
    procedure Late_Reopened is
       --  A robot that was lost while it was started, and whose answers are
       --  late when its line is opened again, is reset nevertheless
@@ -331,10 +283,6 @@ package body Robot_Tests is
       delay 0.5;
       R.Monitor.Expect ("RSOW", "AACK");
    end Late_Reopened;
-
-   -------------
-   -- Garbled --
-   -------------
 
    procedure Garbled is
       R : Rig;
@@ -370,10 +318,6 @@ package body Robot_Tests is
       Expect_Works_Again (R);
    end Garbled;
 
-   ------------------
-   -- Late_Answers --
-   ------------------
-
    procedure Late_Answers is
       --  A late answer never passes for the answer to the next command
       R : Rig;
@@ -402,10 +346,6 @@ package body Robot_Tests is
       Check (not R.Supervisor.Says ("robot lost"), "robot lost");
    end Late_Answers;
 
-   -------------------
-   -- Unasked_Bytes --
-   -------------------
-
    procedure Unasked_Bytes is
       R : Rig;
    begin
@@ -425,10 +365,6 @@ package body Robot_Tests is
       end loop;
       Check (not R.Supervisor.Says ("robot lost"), "robot lost");
    end Unasked_Bytes;
-
-   ----------------
-   -- Noisy_Line --
-   ----------------
 
    procedure Noisy_Line is
       --  A line that never falls silent: every command is answered in
@@ -456,10 +392,6 @@ package body Robot_Tests is
       R.Monitor.Expect ("RPIN", "AACK");
    end Noisy_Line;
 
-   ------------------------
-   -- Silent_When_Opened --
-   ------------------------
-
    procedure Silent_When_Opened is
       --  The line can be opened though its robot does not answer
       R : Rig;
@@ -470,10 +402,6 @@ package body Robot_Tests is
       R.Emulator.Tell ("silent off");
       R.Monitor.Expect ("RSOW", "AACK");
    end Silent_When_Opened;
-
-   -------------
-   -- Hung_Up --
-   -------------
 
    procedure Hung_Up is
       --  In the middle of a transaction
@@ -503,10 +431,6 @@ package body Robot_Tests is
       end loop;
    end Hung_Up;
 
-   ------------------------
-   -- Hung_Up_While_Idle --
-   ------------------------
-
    procedure Hung_Up_While_Idle is
       R : Rig;
    begin
@@ -520,10 +444,6 @@ package body Robot_Tests is
       R.Emulator.Tell ("return");
       Expect_Works_Again (R);
    end Hung_Up_While_Idle;
-
-   -------------------
-   -- Start_Refused --
-   -------------------
 
    procedure Start_Refused is
       R : Rig;
@@ -545,10 +465,6 @@ package body Robot_Tests is
          "the refused start has ended the watchdog");
    end Start_Refused;
 
-   ----------------------
-   -- Start_Unanswered --
-   ----------------------
-
    procedure Start_Unanswered is
       R : Rig;
    begin
@@ -562,10 +478,6 @@ package body Robot_Tests is
       R.Monitor.Expect ("RRST", "AACK");
       R.Monitor.Expect ("RSOW", "AACK");
    end Start_Unanswered;
-
-   ----------------------------
-   -- Start_Without_Watchdog --
-   ----------------------------
 
    procedure Start_Without_Watchdog is
       R : Rig;
@@ -582,10 +494,6 @@ package body Robot_Tests is
       delay 1.5;
       Check (R.Emulator.Count_Of ("w") = 0, "a reload without watchdog");
    end Start_Without_Watchdog;
-
-   -------------------------
-   -- Start_With_Watchdog --
-   -------------------------
 
    procedure Start_With_Watchdog is
       --  F11: the robot takes a reload 900 to 1100 ms after the last
@@ -618,10 +526,6 @@ package body Robot_Tests is
       delay 1.3;
       Check (R.Emulator.Count_Of ("w") = 0, "a reload after the reset");
    end Start_With_Watchdog;
-
-   -------------------
-   -- Watchdog_Kept --
-   -------------------
 
    procedure Watchdog_Kept is
       --  60 s with images, positions, orders and two busy loops; memory
@@ -695,10 +599,6 @@ package body Robot_Tests is
       Check (R.Monitor.Broken_Images = 0, "a broken image");
    end Watchdog_Kept;
 
-   -----------------------------
-   -- Watchdog_Disabled_Robot --
-   -----------------------------
-
    procedure Watchdog_Disabled_Robot is
       --  Rule 5: the robot no longer runs, and the monitor is told
       R    : Rig;
@@ -715,10 +615,6 @@ package body Robot_Tests is
       R.Monitor.Expect ("RSWW", "AACK");
       R.Monitor.Expect ("RGFW", "AACK");
    end Watchdog_Disabled_Robot;
-
-   --------------------
-   -- Reload_By_Hand --
-   --------------------
 
    procedure Reload_By_Hand is
       R : Rig;
@@ -741,10 +637,6 @@ package body Robot_Tests is
       R.Monitor.Expect ("RLDW", "AACK");
       Check (R.Emulator.Count_Of ("w") = 1, "no w on the wire");
    end Reload_By_Hand;
-
-   ---------------
-   -- Movements --
-   ---------------
 
    procedure Movements is
       R : Rig;
@@ -784,10 +676,6 @@ package body Robot_Tests is
       Order ("RTRN:99999999999999999999", "T=32767");
       Order ("RSTP", "M=0");
    end Movements;
-
-   ----------------------
-   -- Movement_Latency --
-   ----------------------
 
    procedure Movement_Latency is
       --  F12: event-driven, 5 ms. Here only that it is of this order while
@@ -833,10 +721,6 @@ package body Robot_Tests is
       Measure_Calmly (Measure'Access);
    end Movement_Latency;
 
-   --------------------
-   -- Stop_Overtakes --
-   --------------------
-
    procedure Stop_Overtakes is
       --  Rule 3. A ping holds the line; movements wait behind it; the stop
       --  goes first, and they are not sent any more.
@@ -880,10 +764,6 @@ package body Robot_Tests is
       R.Emulator.Await_Status ("moving", "0", Within => 1.0);
       R.Monitor.Expect ("RGFW", "AACK");
    end Stop_Overtakes;
-
-   --------------------
-   -- Battery_Period --
-   --------------------
 
    procedure Battery_Period is
       --  F13: 500 ms +- 1 %, jitter 20 ms
@@ -931,10 +811,6 @@ package body Robot_Tests is
       R.Monitor.Expect_Silence ("RBLV", For_Time => 1.1);
    end Battery_Period;
 
-   ------------------------
-   -- Battery_On_Request --
-   ------------------------
-
    procedure Battery_On_Request is
       R : Rig;
    begin
@@ -949,10 +825,6 @@ package body Robot_Tests is
       R.Monitor.Expect ("RGBT", "ATIM");
    end Battery_On_Request;
 
-   ----------------------
-   -- State_On_Request --
-   ----------------------
-
    procedure State_On_Request is
       R : Rig;
    begin
@@ -964,10 +836,6 @@ package body Robot_Tests is
       R.Monitor.Expect ("RSTP", "AACK");
       R.Monitor.Expect ("RGST", "RCST:0");
    end State_On_Request;
-
-   -----------------
-   -- Reset_Robot --
-   -----------------
 
    procedure Reset_Robot is
       R : Rig;
@@ -982,10 +850,6 @@ package body Robot_Tests is
          R.Monitor.Expect_Silence ("RBLV", For_Time => 0.7);
       end loop;
    end Reset_Robot;
-
-   ---------------
-   -- Power_Off --
-   ---------------
 
    procedure Power_Off is
       R : Rig;
@@ -1006,10 +870,6 @@ package body Robot_Tests is
       Start_Robot (R);
    end Power_Off;
 
-   --------------------------
-   -- Idle_Line_Is_Watched --
-   --------------------------
-
    procedure Idle_Line_Is_Watched is
       --  Pings while started, nothing while not
       R : Rig;
@@ -1028,10 +888,6 @@ package body Robot_Tests is
          R.Emulator.Count_Of ("p")'Image & " pings in 1 s");
       Check (R.Emulator.Status ("state") = "run", "not run");
    end Idle_Line_Is_Watched;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -38,17 +38,9 @@ package body Scenarios is
    Count_Skipped  : Natural := 0;
    Count_Repeated : Natural := 0;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name
      (Test : Scenario) return AUnit.Message_String
    is (AUnit.Format (Test.Title.all));
-
-   --------------
-   -- Run_Test --
-   --------------
 
    overriding procedure Run_Test (Test : in out Scenario) is
       Start       : Instant := Now;
@@ -60,10 +52,6 @@ package body Scenarios is
       function Stood_Still return String;
       --  How, since Start; empty if too little to matter
 
-      ---------
-      -- Say --
-      ---------
-
       procedure Say (Line : String) is
       begin
          Put_Line (Line);
@@ -74,18 +62,10 @@ package body Scenarios is
             Programs.Give_Up ("nobody reads what the tests have to say");
       end Say;
 
-      ------------
-      -- Report --
-      ------------
-
       procedure Report (Result : String) is
       begin
          Say (Result & ", " & Milliseconds (Now - Start));
       end Report;
-
-      -----------------
-      -- Stood_Still --
-      -----------------
 
       function Stood_Still return String is
          In_One_Piece : constant Duration := Standstills.Longest;
@@ -161,27 +141,15 @@ package body Scenarios is
       end loop;
    end Run_Test;
 
-   ----------------
-   -- Add_Filter --
-   ----------------
-
    procedure Add_Filter (Text : String) is
    begin
       Filters.Append (Text);
    end Add_Filter;
 
-   --------------------
-   -- Invert_Filters --
-   --------------------
-
    procedure Invert_Filters is
    begin
       Inverted := True;
    end Invert_Filters;
-
-   ---------
-   -- Add --
-   ---------
 
    procedure Add
      (Suite : AUnit.Test_Suites.Access_Test_Suite;

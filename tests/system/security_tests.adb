@@ -109,10 +109,6 @@ package body Security_Tests is
       Launcher : String := "";
       Program  : String := "");
 
-   -----------------------
-   -- Allowed_Addresses --
-   -----------------------
-
    procedure Allowed_Addresses is
       S       : Supervisor;
       Refused : Natural := 0;
@@ -161,10 +157,6 @@ package body Security_Tests is
       Refuse ("127.2.0.0");
    end Allowed_Addresses;
 
-   ----------------------
-   -- Allowed_And_IPv6 --
-   ----------------------
-
    procedure Allowed_And_IPv6 is
 
       procedure Connect
@@ -200,10 +192,6 @@ package body Security_Tests is
       Expect_Admitted (M);
    end Allowed_And_IPv6;
 
-   ------------------------------
-   -- Allowed_While_In_Command --
-   ------------------------------
-
    procedure Allowed_While_In_Command is
       --  Who is not allowed is told that and nothing else
       S           : Supervisor;
@@ -218,10 +206,6 @@ package body Security_Tests is
       Expect_Refused (N, Not_Alone);
       Expect_Admitted (First);
    end Allowed_While_In_Command;
-
-   ---------------------
-   -- Allowed_Wrongly --
-   ---------------------
 
    procedure Allowed_Wrongly is
       Eight : constant String :=
@@ -242,10 +226,6 @@ package body Security_Tests is
       M.Connect (S.Port);
       Expect_Admitted (M);
    end Allowed_Wrongly;
-
-   ---------------------
-   -- Bad_Token_Files --
-   ---------------------
 
    procedure Bad_Token_Files is
       No_Token  : constant String := "its first line is no token";
@@ -295,10 +275,6 @@ package body Security_Tests is
          "the token is on the console");
    end Bad_Token_Files;
 
-   ---------------------
-   -- Console_Monitor --
-   ---------------------
-
    procedure Console_Monitor is
       R    : Rig;
       Tool : Child;
@@ -334,10 +310,6 @@ package body Security_Tests is
       Check (Status ("/no/such/file") = 2, "without its file");
    end Console_Monitor;
 
-   ----------------------------
-   -- Crowd_Keeps_Nobody_Out --
-   ----------------------------
-
    procedure Crowd_Keeps_Nobody_Out is
       --  With as many as the kernel's queue holds in front
 
@@ -369,10 +341,6 @@ package body Security_Tests is
    begin
       Measure_Calmly (Measure'Access);
    end Crowd_Keeps_Nobody_Out;
-
-   ---------------------
-   -- Disturbs_Nobody --
-   ---------------------
 
    procedure Disturbs_Nobody is
       R       : Rig;
@@ -419,10 +387,6 @@ package body Security_Tests is
          "the one in command has lost its connection");
    end Disturbs_Nobody;
 
-   ------------------
-   -- Eight_Silent --
-   ------------------
-
    procedure Eight_Silent is
       --  No more of one address may be pending: the one that has waited
       --  longest makes room
@@ -452,18 +416,10 @@ package body Security_Tests is
       Expect_Warnings (S, Not_Authenticated, 9);
    end Eight_Silent;
 
-   ---------------------
-   -- Expect_Admitted --
-   ---------------------
-
    procedure Expect_Admitted (M : in out Client) is
    begin
       M.Expect ("RPIN", "ANAK");
    end Expect_Admitted;
-
-   --------------------
-   -- Expect_Refused --
-   --------------------
 
    procedure Expect_Refused
      (M      : in out Client;
@@ -488,10 +444,6 @@ package body Security_Tests is
          "refused, and still connected");
       Check (M.Count = 1, "more than a refusal");
    end Expect_Refused;
-
-   --------------------------
-   -- Expect_Start_Refused --
-   --------------------------
 
    procedure Expect_Start_Refused
      (Options  : String;
@@ -519,10 +471,6 @@ package body Security_Tests is
            (Index (Text, "listening on") = 0, "it says that it listens");
       end;
    end Expect_Start_Refused;
-
-   ---------------------
-   -- Expect_Warnings --
-   ---------------------
 
    procedure Expect_Warnings
      (S : Supervisor; Pattern : String; Count : Natural)
@@ -555,10 +503,6 @@ package body Security_Tests is
          end loop;
       end;
    end Expect_Warnings;
-
-   ------------------------
-   -- Flood_Of_Newcomers --
-   ------------------------
 
    procedure Flood_Of_Newcomers is
       --  Whoever connects is more urgent than the orders of the one in
@@ -611,10 +555,6 @@ package body Security_Tests is
       Crowd.Stop;
    end Flood_Of_Newcomers;
 
-   -----------------------
-   -- Flood_Without_End --
-   -----------------------
-
    procedure Flood_Without_End is
       --  Who connects anew as fast as it can fills the kernel's queue, and
       --  keeps out neither who is in command nor who comes next
@@ -663,10 +603,6 @@ package body Security_Tests is
       Measure_Calmly (Measure'Access);
    end Flood_Without_End;
 
-   ----------------------
-   -- Lines_Bit_By_Bit --
-   ----------------------
-
    procedure Lines_Bit_By_Bit is
       --  Those who send their lines in many pieces do not keep off who
       --  sends his at once
@@ -709,10 +645,6 @@ package body Security_Tests is
       Measure_Calmly (Measure'Access);
    end Lines_Bit_By_Bit;
 
-   -------------------
-   -- Median_Answer --
-   -------------------
-
    function Median_Answer (R : in out Rig) return Duration is
       Rounds  : constant := 100;
       Between : constant Duration := 0.02;
@@ -733,10 +665,6 @@ package body Security_Tests is
       return Taken.Quantile (0.5);
    end Median_Answer;
 
-   -------------------------------
-   -- Line_Without_Token_Option --
-   -------------------------------
-
    procedure Line_Without_Token_Option is
       --  A monitor with a token at a supervisor without
       S : Supervisor;
@@ -751,10 +679,6 @@ package body Security_Tests is
       Check
         (Index (S.Log_Text, Token) = 0, "the token is in: " & S.Log_Text);
    end Line_Without_Token_Option;
-
-   -----------------------
-   -- Secret_Not_Logged --
-   -----------------------
 
    procedure Secret_Not_Logged is
       S : Supervisor;
@@ -806,10 +730,6 @@ package body Security_Tests is
       Expect_Warnings (S, Not_Authenticated, 6);
    end Secret_Not_Logged;
 
-   -----------------------
-   -- Time_To_Admission --
-   -----------------------
-
    function Time_To_Admission
      (S : Supervisor; M : in out Client; Own : String) return Duration
    is
@@ -822,10 +742,6 @@ package body Security_Tests is
       Check (M.Next (Patience).Label = "ANAK", "not admitted");
       return Now - Start - (Host_Time.Taken - Host);
    end Time_To_Admission;
-
-   ----------------
-   -- Token_File --
-   ----------------
 
    function Token_File
      (Text : String := Token & LF;
@@ -841,10 +757,6 @@ package body Security_Tests is
       Check (Libc.Chmod (To_C (Path), Mode) = 0, "chmod of " & Path);
       return Path;
    end Token_File;
-
-   ---------------------
-   -- Token_In_Pieces --
-   ---------------------
 
    procedure Token_In_Pieces is
       S : Supervisor;
@@ -882,10 +794,6 @@ package body Security_Tests is
            Good_Line'Length);
    end Token_In_Pieces;
 
-   ----------------
-   -- Token_Late --
-   ----------------
-
    procedure Token_Late is
       S      : Supervisor;
       Silent : Client;
@@ -921,10 +829,6 @@ package body Security_Tests is
       Expect_Warnings (S, Not_Authenticated, 2);
    end Token_Late;
 
-   -----------------
-   -- Token_Right --
-   -----------------
-
    procedure Token_Right is
 
       procedure Try (Of_Token : String; Ending : String);
@@ -952,10 +856,6 @@ package body Security_Tests is
       Try ((1 .. 128 => 'x'), CR & LF);
    end Token_Right;
 
-   -------------------------
-   -- Token_With_Commands --
-   -------------------------
-
    procedure Token_With_Commands is
       --  What follows in the same segment is not lost
       Count : constant := 500;
@@ -976,10 +876,6 @@ package body Security_Tests is
       Expect_Admitted (M);
       Check (M.Count = 2 * Count + 1, "answers too many");
    end Token_With_Commands;
-
-   -----------------
-   -- Token_Wrong --
-   -----------------
 
    procedure Token_Wrong is
       S     : Supervisor;
@@ -1027,10 +923,6 @@ package body Security_Tests is
       Expect_Admitted (Gone);
    end Token_Wrong;
 
-   ---------------------------
-   -- Unreadable_Token_File --
-   ---------------------------
-
    procedure Unreadable_Token_File is
       Path    : constant String := Token_File (Mode => 0);
       Options : constant String := "--port 0 --token " & Path;
@@ -1051,10 +943,6 @@ package body Security_Tests is
             Program  => Copy);
       end if;
    end Unreadable_Token_File;
-
-   -----------------------
-   -- Waits_For_The_End --
-   -----------------------
 
    procedure Waits_For_The_End is
       --  While a session is brought to its end nobody is refused for it,
@@ -1096,10 +984,6 @@ package body Security_Tests is
          "the silent one refused after " & Milliseconds (Now - Start));
       Expect_Admitted (Next);
    end Waits_For_The_End;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

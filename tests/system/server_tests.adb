@@ -47,10 +47,6 @@ package body Server_Tests is
    procedure Expect_End
      (S : in out Supervisor; Status : Integer; Within : Duration);
 
-   ----------------
-   -- Expect_End --
-   ----------------
-
    procedure Expect_End
      (S : in out Supervisor; Status : Integer; Within : Duration)
    is
@@ -63,10 +59,6 @@ package body Server_Tests is
          "exit status" & Integer'Image (Seen) & " instead of"
          & Integer'Image (Status) & ": " & S.Log_Text);
    end Expect_End;
-
-   -------------
-   -- Listens --
-   -------------
 
    procedure Listens is
       S : Supervisor;
@@ -91,10 +83,6 @@ package body Server_Tests is
       S.Send_Signal (Libc.Sigterm);
       Expect_End (S, 0, End_Limit);
    end Listens;
-
-   ----------------
-   -- Port_Taken --
-   ----------------
 
    procedure Port_Taken is
       First, Second : Supervisor;
@@ -121,10 +109,6 @@ package body Server_Tests is
       Check (First.Is_Running, "the one that listened is gone");
    end Port_Taken;
 
-   ----------------------
-   -- Address_Not_Ours --
-   ----------------------
-
    procedure Address_Not_Ours is
       S : Supervisor;
    begin
@@ -136,10 +120,6 @@ package body Server_Tests is
          "the address is not named: " & S.Log_Text);
    end Address_Not_Ours;
 
-   -----------------------
-   -- Address_Malformed --
-   -----------------------
-
    procedure Address_Malformed is
       S : Supervisor;
    begin
@@ -149,10 +129,6 @@ package body Server_Tests is
         (Index (S.Log_Text, "300.1.2.3") > 0,
          "the address is not named: " & S.Log_Text);
    end Address_Malformed;
-
-   ----------------------
-   -- Admitted_Quickly --
-   ----------------------
 
    procedure Admitted_Quickly is
       --  F2: 50 ms. The median must keep it; a single one may meet with
@@ -187,10 +163,6 @@ package body Server_Tests is
       end loop;
       Check (Within > Times / 2, "most connections took over 50 ms");
    end Admitted_Quickly;
-
-   ---------------------
-   -- Burst_Of_10_000 --
-   ---------------------
 
    procedure Burst_Of_10_000 is
       Count : constant := 10_000;
@@ -246,10 +218,6 @@ package body Server_Tests is
         ("AACK ANAK ACRJ ATIM ACER RBLV RCST", For_Time => 0.3);
    end Burst_Of_10_000;
 
-   -------------------------
-   -- Burst_While_Started --
-   -------------------------
-
    procedure Burst_While_Started is
       --  Movements may be overtaken by stops, so only their number and the
       --  place of their answers are known.
@@ -292,10 +260,6 @@ package body Server_Tests is
         ("AACK ANAK ACRJ ATIM ACER RCST", For_Time => 0.3);
    end Burst_While_Started;
 
-   ------------------------
-   -- Flood_Keeps_Memory --
-   ------------------------
-
    procedure Flood_Keeps_Memory is
       --  Rule 2: what waits for an answer is bounded
       Count    : constant := 40_000;
@@ -328,10 +292,6 @@ package body Server_Tests is
          "the flood took more than 1 MB of memory");
    end Flood_Keeps_Memory;
 
-   ----------------------
-   -- Crowd_Finds_Room --
-   ----------------------
-
    procedure Crowd_Finds_Room is
       --  Whoever waits to be told that another monitor is in command, waits
       --  in the kernel's queue. Where it is full the kernel drops the
@@ -359,10 +319,6 @@ package body Server_Tests is
       end loop;
       Check_Within (Longest, Grant, "to get into the queue");
    end Crowd_Finds_Room;
-
-   --------------------
-   -- Streams_Closed --
-   --------------------
 
    procedure Streams_Closed is
       --  Started without standard streams, a program is given their numbers
@@ -413,10 +369,6 @@ package body Server_Tests is
       Expect_End (S, 0, Within => End_Limit);
    end Streams_Closed;
 
-   -----------------
-   -- Options_Bad --
-   -----------------
-
    procedure Options_Bad is
 
       procedure Refuse (Options : String);
@@ -454,10 +406,6 @@ package body Server_Tests is
       Refuse ("--cpu none");
    end Options_Bad;
 
-   ------------------
-   -- Options_Help --
-   ------------------
-
    procedure Options_Help is
       S : Supervisor;
    begin
@@ -494,10 +442,6 @@ package body Server_Tests is
       end;
    end Options_Help;
 
-   ---------------------
-   -- Options_Version --
-   ---------------------
-
    procedure Options_Version is
       S : Supervisor;
    begin
@@ -508,10 +452,6 @@ package body Server_Tests is
          and then Index (S.Output_Text, ".") > 0,
          "no version in: " & S.Output_Text);
    end Options_Version;
-
-   ---------------
-   -- Not_Heard --
-   ---------------
 
    procedure Not_Heard is
 
@@ -554,10 +494,6 @@ package body Server_Tests is
         (Programs.Emulator, 1, "--link /dev/null/robot", "2>/dev/full");
    end Not_Heard;
 
-   --------------------
-   -- Check_All_Well --
-   --------------------
-
    procedure Check_All_Well is
       R    : Rig;
       S    : Supervisor;
@@ -588,10 +524,6 @@ package body Server_Tests is
       end loop;
    end Check_All_Well;
 
-   ------------------------
-   -- Check_Nothing_Well --
-   ------------------------
-
    procedure Check_Nothing_Well is
       Taken : Supervisor;
       S     : Supervisor;
@@ -616,10 +548,6 @@ package body Server_Tests is
       end;
    end Check_Nothing_Well;
 
-   ----------------
-   -- Log_Levels --
-   ----------------
-
    procedure Log_Levels is
 
       function Log_Length (Level : String) return Natural;
@@ -642,10 +570,6 @@ package body Server_Tests is
         (Debug > Info,
          "debug logs" & Debug'Image & " lines, info" & Info'Image);
    end Log_Levels;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

@@ -94,10 +94,6 @@ package body Source_Tests is
 
    procedure Expect_Rate (R : in out Rig; Rate : Float);
 
-   -----------------
-   -- Small_Image --
-   -----------------
-
    function Small_Image return String is
       Path : constant String := Programs.Temporary_Folder & "/small.jpg";
       E    : Emulators.Emulator;
@@ -109,10 +105,6 @@ package body Source_Tests is
       return Path;
    end Small_Image;
 
-   -----------------
-   -- Begin_Watch --
-   -----------------
-
    procedure Begin_Watch
      (W : in out Watch; Image : String; Rate : Float; Jitter : Duration) is
    begin
@@ -122,10 +114,6 @@ package body Source_Tests is
       W.Monitor.Connect (W.Supervisor.Port);
       W.Monitor.Expect ("COPN", "AACK", Within => 20.0);
    end Begin_Watch;
-
-   -----------
-   -- Judge --
-   -----------
 
    procedure Judge
      (W        : Watch;
@@ -206,10 +194,6 @@ package body Source_Tests is
             Name & ": intervals of 95 in 100 off");
       end if;
    end Judge;
-
-   -------------
-   -- Sources --
-   -------------
 
    procedure Sources is
 
@@ -299,10 +283,6 @@ package body Source_Tests is
       Measure_Calmly (Measure'Access);
    end Sources;
 
-   ----------------
-   -- Set_Camera --
-   ----------------
-
    procedure Set_Camera
      (Image  : String;
       Format : String  := "MJPG";
@@ -327,20 +307,12 @@ package body Source_Tests is
       Check (Renamed, "the camera's settings cannot be changed");
    end Set_Camera;
 
-   --------------
-   -- Launcher --
-   --------------
-
    function Launcher return String is
       Library : constant String := Programs.Beside ("libv4l2_camera.so");
    begin
       Check (Ada.Directories.Exists (Library), Library & " is missing");
       return "env LD_PRELOAD=" & Library & " V4L2_CAMERA=" & V4l2_Settings;
    end Launcher;
-
-   -------------
-   -- Picture --
-   -------------
 
    procedure Picture
      (Path : String; True_Pose : out Emulators.Truth;
@@ -355,19 +327,11 @@ package body Source_Tests is
       True_Pose := E.Pose;
    end Picture;
 
-   -----------
-   -- Start --
-   -----------
-
    procedure Start (R : in out Rig; Source : String := "0") is
    begin
       R.Supervisor.Start ("--camera " & Source, Launcher => Launcher);
       Connect (R);
    end Start;
-
-   ------------------
-   -- Expect_Check --
-   ------------------
 
    procedure Expect_Check (Granted : String) is
       S : Supervisors.Supervisor;
@@ -378,10 +342,6 @@ package body Source_Tests is
         (Index (S.Output_Text, "camera 0: delivers images, " & Granted) > 0,
          "--check says " & S.Output_Text);
    end Expect_Check;
-
-   --------------------
-   -- Expect_Picture --
-   --------------------
 
    procedure Expect_Picture (R : in out Rig; X, Y : Float) is
       Unused : Message;
@@ -406,10 +366,6 @@ package body Source_Tests is
          & " instead of" & X'Image & Y'Image);
    end Expect_Picture;
 
-   ---------------------
-   -- Expect_Own_Jpeg --
-   ---------------------
-
    procedure Expect_Own_Jpeg (R : in out Rig; Path : String; Count : Positive)
    is
       Unused : Message;
@@ -422,10 +378,6 @@ package body Source_Tests is
             "image" & Number'Image & " is not the camera's");
       end loop;
    end Expect_Own_Jpeg;
-
-   -----------------
-   -- Expect_Rate --
-   -----------------
 
    procedure Expect_Rate (R : in out Rig; Rate : Float) is
 
@@ -451,10 +403,6 @@ package body Source_Tests is
    begin
       Measure_Calmly (Measure'Access);
    end Expect_Rate;
-
-   ----------------------
-   -- V4l2_Motion_Jpeg --
-   ----------------------
 
    procedure V4l2_Motion_Jpeg is
       Path : constant String := Programs.Temporary_Folder & "/v4l2.jpg";
@@ -487,10 +435,6 @@ package body Source_Tests is
       end;
    end V4l2_Motion_Jpeg;
 
-   -----------------
-   -- V4l2_Pixels --
-   -----------------
-
    procedure V4l2_Pixels is
       Path : constant String := Programs.Temporary_Folder & "/pixels.jpg";
       Raw  : constant String := Programs.Temporary_Folder & "/pixels.yuyv";
@@ -507,10 +451,6 @@ package body Source_Tests is
       Expect_Rate (R, 10.0);
    end V4l2_Pixels;
 
-   ---------------------
-   -- V4l2_Other_Size --
-   ---------------------
-
    procedure V4l2_Other_Size is
       Path : constant String := Programs.Temporary_Folder & "/large.jpg";
       Pose : Emulators.Truth;
@@ -523,10 +463,6 @@ package body Source_Tests is
       Open_Camera (R);
       Expect_Picture (R, 0.8 * Pose.Cx, 0.8 * Pose.Cy);
    end V4l2_Other_Size;
-
-   ---------------------
-   -- V4l2_Other_Rate --
-   ---------------------
 
    procedure V4l2_Other_Rate is
       Path : constant String := Programs.Temporary_Folder & "/rate.jpg";
@@ -546,10 +482,6 @@ package body Source_Tests is
       Open_Camera (R);
       Expect_Rate (R, 7.5);
    end V4l2_Other_Rate;
-
-   --------------------
-   -- V4l2_Unplugged --
-   --------------------
 
    procedure V4l2_Unplugged is
       Path : constant String := Programs.Temporary_Folder & "/plug.jpg";
@@ -576,10 +508,6 @@ package body Source_Tests is
       R.Monitor.Expect ("CCLS", "AACK");
    end V4l2_Unplugged;
 
-   ----------------------
-   -- V4l2_Broken_Jpeg --
-   ----------------------
-
    procedure V4l2_Broken_Jpeg is
       Path : constant String := Programs.Temporary_Folder & "/broken.jpg";
       Pose : Emulators.Truth;
@@ -604,10 +532,6 @@ package body Source_Tests is
       Expect_Own_Jpeg (R, Path, Count => 3);
    end V4l2_Broken_Jpeg;
 
-   ---------------
-   -- V4l2_Busy --
-   ---------------
-
    procedure V4l2_Busy is
       Path : constant String := Programs.Temporary_Folder & "/busy.jpg";
       Pose : Emulators.Truth;
@@ -623,10 +547,6 @@ package body Source_Tests is
       Open_Camera (R);
       Expect_Own_Jpeg (R, Path, Count => 3);
    end V4l2_Busy;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

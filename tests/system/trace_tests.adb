@@ -48,10 +48,6 @@ package body Trace_Tests is
 
    function Text_Of (Path : String) return String;
 
-   -------------------
-   -- Stop_And_Read --
-   -------------------
-
    procedure Stop_And_Read (R : in out Rig; T : out Trace) is
    begin
       R.Supervisor.Send_Signal (Libc.Sigterm);
@@ -60,10 +56,6 @@ package body Trace_Tests is
          "exit status: " & R.Supervisor.Log_Text);
       Read (Trace_Path, T);
    end Stop_And_Read;
-
-   ----------------
-   -- Check_Form --
-   ----------------
 
    procedure Check_Form (T : Trace) is
       Depth : array (Thread_Number) of Natural := (others => 0);
@@ -102,10 +94,6 @@ package body Trace_Tests is
       end loop;
       Check ((for all D of Depth => D = 0), "a beginning without end");
    end Check_Form;
-
-   ---------------
-   -- Check_Way --
-   ---------------
 
    procedure Check_Way (T : Trace; Label, Carrier, Order : String) is
       Place   : Natural := 0;
@@ -166,10 +154,6 @@ package body Trace_Tests is
       Follow ("th_sendToMon", "out AACK", 'i', Numbered => False);
    end Check_Way;
 
-   -------------
-   -- Text_Of --
-   -------------
-
    function Text_Of (Path : String) return String is
       use Ada.Text_IO;
       File   : File_Type;
@@ -182,10 +166,6 @@ package body Trace_Tests is
       Close (File);
       return To_String (Result);
    end Text_Of;
-
-   -------------------
-   -- Whole_Session --
-   -------------------
 
    procedure Whole_Session is
       Token : constant String := "correct-horse-battery";
@@ -255,10 +235,6 @@ package body Trace_Tests is
         (Index (Text_Of (Trace_Path), Token) = 0, "the token is in the trace");
    end Whole_Session;
 
-   ---------------------
-   -- After_A_Failure --
-   ---------------------
-
    procedure After_A_Failure is
       T : Trace;
 
@@ -305,10 +281,6 @@ package body Trace_Tests is
       Check (Count_Of ("th_stop", "robot M") >= 1, "no stop in the trace");
    end After_A_Failure;
 
-   ----------------------
-   -- Nothing_Happened --
-   ----------------------
-
    procedure Nothing_Happened is
       S : Supervisors.Supervisor;
       T : Trace;
@@ -319,10 +291,6 @@ package body Trace_Tests is
       Read (Trace_Path, T);
       Check_Form (T);
    end Nothing_Happened;
-
-   --------------------
-   -- Unusable_Files --
-   --------------------
 
    procedure Unusable_Files is
 
@@ -384,10 +352,6 @@ package body Trace_Tests is
          "--check has left its file");
    end Unusable_Files;
 
-   ---------------
-   -- Full_Disk --
-   ---------------
-
    procedure Full_Disk is
 
       procedure Fill (Path, Launcher, Reason : String);
@@ -412,10 +376,6 @@ package body Trace_Tests is
       Fill ("/dev/full", "", "No space left");
       Fill (Trace_Path, "prlimit --fsize=4096", "File too large");
    end Full_Disk;
-
-   ------------
-   -- Add_To --
-   ------------
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin

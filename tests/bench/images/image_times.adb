@@ -337,10 +337,6 @@ procedure Image_Times is
       procedure Everywhere (Where : Search);
       procedure Follow_On;
 
-      ----------------
-      -- Everywhere --
-      ----------------
-
       procedure Everywhere (Where : Search) is
       begin
          Start;
@@ -353,10 +349,6 @@ procedure Image_Times is
          end case;
          Check (Count = Robots, "robots");
       end Everywhere;
-
-      ---------------
-      -- Follow_On --
-      ---------------
 
       procedure Follow_On is
       begin

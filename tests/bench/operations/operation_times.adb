@@ -53,18 +53,10 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
    procedure Stop;
    procedure Report (Name : String);
 
-   -----------
-   -- Start --
-   -----------
-
    procedure Start is
    begin
       Begun := Clock;
    end Start;
-
-   ----------
-   -- Stop --
-   ----------
 
    procedure Stop is
    begin
@@ -73,10 +65,6 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
          Sample := Sample + 1;
       end if;
    end Stop;
-
-   ------------
-   -- Report --
-   ------------
 
    procedure Report (Name : String) is
       Last : constant Sample_Index := Sample;

@@ -72,10 +72,6 @@ package body Child_Processes is
    Last_Lines : Arguments;
    Failed_One : Boolean := False;
 
-   -------------
-   -- Running --
-   -------------
-
    protected body Running is
 
       procedure Add (Pid : int) is
@@ -100,10 +96,6 @@ package body Child_Processes is
       end Kill_All;
 
    end Running;
-
-   ---------------
-   -- Line_List --
-   ---------------
 
    protected body Line_List is
 
@@ -132,10 +124,6 @@ package body Child_Processes is
       function Closed return Boolean is (Ended);
 
    end Line_List;
-
-   ---------------
-   -- Collector --
-   ---------------
 
    task body Collector is
       Buffer : String (1 .. 8192);
@@ -172,10 +160,6 @@ package body Child_Processes is
          List.Close;
    end Collector;
 
-   -----------
-   -- Words --
-   -----------
-
    function Words (Text : String) return Arguments is
       Result : Arguments;
       First  : Positive := Text'First;
@@ -196,10 +180,6 @@ package body Child_Processes is
       end loop;
       return Result;
    end Words;
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start
      (Object    : in out Child;
@@ -286,16 +266,8 @@ package body Child_Processes is
               Object.Inner.Lists (Child_Processes.Errors)'Unchecked_Access));
    end Start;
 
-   ---------
-   -- Pid --
-   ---------
-
    function Pid (Object : Child) return int is
      (if Object.Inner = null then -1 else Object.Inner.Pid);
-
-   ----------------
-   -- Is_Running --
-   ----------------
 
    function Is_Running (Object : in out Child) return Boolean is
       Status : aliased int := 0;
@@ -318,10 +290,6 @@ package body Child_Processes is
       return True;
    end Is_Running;
 
-   -----------------
-   -- Send_Signal --
-   -----------------
-
    procedure Send_Signal (Object : Child; Signal : int) is
    begin
       Check
@@ -329,10 +297,6 @@ package body Child_Processes is
          and then Libc.Kill (Object.Inner.Pid, Signal) = 0,
          "cannot signal a program that has ended");
    end Send_Signal;
-
-   --------------
-   -- Put_Line --
-   --------------
 
    procedure Put_Line (Object : Child; Text : String) is
       Bytes : constant String := Text & ASCII.LF;
@@ -345,10 +309,6 @@ package body Child_Processes is
          "cannot write to the program's input");
    end Put_Line;
 
-   -----------------
-   -- Close_Input --
-   -----------------
-
    procedure Close_Input (Object : in out Child) is
       Unused : int;
    begin
@@ -358,24 +318,12 @@ package body Child_Processes is
       end if;
    end Close_Input;
 
-   -----------
-   -- Count --
-   -----------
-
    function Count (Object : Child; From : Stream) return Natural is
      (Object.Inner.Lists (From).Length);
-
-   -------------
-   -- Element --
-   -------------
 
    function Element
      (Object : Child; From : Stream; Number : Positive) return Line
    is (Object.Inner.Lists (From).Element (Number));
-
-   -------------
-   -- Awaited --
-   -------------
 
    function Awaited
      (Object  : Child;
@@ -408,18 +356,10 @@ package body Child_Processes is
       end loop;
    end Awaited;
 
-   ------------
-   -- Ignore --
-   ------------
-
    procedure Ignore (Object : in out Child; From : Stream) is
    begin
       Object.Inner.Lists (From).Set_Ignored (True);
    end Ignore;
-
-   -----------------
-   -- Exit_Status --
-   -----------------
 
    function Exit_Status
      (Object : in out Child; Within : Duration) return Integer
@@ -446,10 +386,6 @@ package body Child_Processes is
       return Object.Inner.Status;
    end Exit_Status;
 
-   ----------
-   -- Stop --
-   ----------
-
    procedure Stop (Object : in out Child) is
       Unused_Status : Integer;
       Unused        : int;
@@ -459,10 +395,6 @@ package body Child_Processes is
          Unused_Status := Object.Exit_Status (Within => 10.0);
       end if;
    end Stop;
-
-   --------------
-   -- Finalize --
-   --------------
 
    procedure Finalize (Object : in out Child) is
       Kept   : constant array (Stream) of Positive :=
@@ -520,18 +452,10 @@ package body Child_Processes is
       end if;
    end Finalize;
 
-   --------------
-   -- Stop_All --
-   --------------
-
    procedure Stop_All is
    begin
       Running.Kill_All;
    end Stop_All;
-
-   ----------------------
-   -- Print_Last_Lines --
-   ----------------------
 
    procedure Print_Last_Lines is
    begin
@@ -541,15 +465,7 @@ package body Child_Processes is
       Ada.Text_IO.Flush;
    end Print_Last_Lines;
 
-   --------------------
-   -- Any_Has_Failed --
-   --------------------
-
    function Any_Has_Failed return Boolean is (Failed_One);
-
-   -----------------------
-   -- Forget_Last_Lines --
-   -----------------------
 
    procedure Forget_Last_Lines is
    begin

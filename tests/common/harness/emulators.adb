@@ -34,10 +34,6 @@ package body Emulators is
    function Port (Object : Emulator) return Port_Type;
    --  Of its camera
 
-   ---------------
-   -- Next_Line --
-   ---------------
-
    function Next_Line (Object : in out Emulator) return String is
    begin
       Check
@@ -48,10 +44,6 @@ package body Emulators is
       return To_String
         (Object.Process.Element (Output, Object.Seen).Text);
    end Next_Line;
-
-   -----------
-   -- Value --
-   -----------
 
    function Value (Line : String; Key : String) return String is
       Text  : constant String := " " & Line & " ";
@@ -65,20 +57,12 @@ package body Emulators is
       return Text (First .. Index (Text, " ", First) - 1);
    end Value;
 
-   -------------
-   -- Seconds --
-   -------------
-
    function Seconds (Text : String) return Instant is
       Point : constant Natural := Index (Text, ".");
    begin
       return Instant'Value (Text (Text'First .. Point - 1)) * 1_000_000_000
         + Instant'Value (Text (Point + 1 .. Text'Last)) * 1_000;
    end Seconds;
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start
      (Object : in out Emulator; Camera : Boolean; Options : String := "")
@@ -115,19 +99,11 @@ package body Emulators is
       end if;
    end Start;
 
-   ------------
-   -- Device --
-   ------------
-
    function Device (Object : Emulator) return String is
      (To_String (Object.Link));
 
    function Camera_Url (Object : Emulator) return String is
      (To_String (Object.Url));
-
-   ----------
-   -- Tell --
-   ----------
 
    procedure Tell (Object : in out Emulator; Command : String) is
    begin
@@ -141,10 +117,6 @@ package body Emulators is
       end;
    end Tell;
 
-   ------------
-   -- Status --
-   ------------
-
    function Status (Object : in out Emulator; Key : String) return String is
    begin
       Object.Process.Put_Line ("status");
@@ -157,17 +129,9 @@ package body Emulators is
       end;
    end Status;
 
-   -------------------
-   -- Status_Number --
-   -------------------
-
    function Status_Number
      (Object : in out Emulator; Key : String) return Integer
    is (Integer'Value (Object.Status (Key)));
-
-   ------------------
-   -- Await_Status --
-   ------------------
 
    procedure Await_Status
      (Object : in out Emulator; Key, Value : String; Within : Duration)
@@ -189,18 +153,10 @@ package body Emulators is
       end loop;
    end Await_Status;
 
-   -------------------
-   -- Clear_Journal --
-   -------------------
-
    procedure Clear_Journal (Object : in out Emulator) is
    begin
       Object.Tell ("journal clear");
    end Clear_Journal;
-
-   -------------
-   -- Journal --
-   -------------
 
    function Journal (Object : in out Emulator) return Notes is
       Result : Notes;
@@ -226,10 +182,6 @@ package body Emulators is
       return Result;
    end Journal;
 
-   ---------------
-   -- Wire_Text --
-   ---------------
-
    function Wire_Text
      (Object : in out Emulator; Prefixes : String := "MT") return String
    is
@@ -246,10 +198,6 @@ package body Emulators is
       return To_String (Result);
    end Wire_Text;
 
-   --------------
-   -- Count_Of --
-   --------------
-
    function Count_Of
      (Object : in out Emulator; Command : String) return Natural
    is
@@ -262,10 +210,6 @@ package body Emulators is
       end loop;
       return Result;
    end Count_Of;
-
-   -------------------
-   -- Await_On_Wire --
-   -------------------
 
    function Await_On_Wire
      (Object : in out Emulator; Command : String; Within : Duration)
@@ -291,20 +235,12 @@ package body Emulators is
       end loop;
    end Await_On_Wire;
 
-   ----------
-   -- Port --
-   ----------
-
    function Port (Object : Emulator) return Port_Type is
       Url   : constant String := To_String (Object.Url);
       First : constant Positive := Index (Url, ":", Backward) + 1;
    begin
       return Port_Type'Value (Url (First .. Index (Url, "/", First) - 1));
    end Port;
-
-   -------------
-   -- Fetched --
-   -------------
 
    function Fetched (Object : Emulator; Path : String)
       return Stream_Element_Array
@@ -344,10 +280,6 @@ package body Emulators is
          raise Failed with "no connection to the camera for " & Path;
    end Fetched;
 
-   ----------
-   -- Pose --
-   ----------
-
    function Pose (Object : Emulator) return Truth is
       Bytes : constant Stream_Element_Array := Fetched (Object, "/pose");
       Text  : String (1 .. Bytes'Length)
@@ -364,10 +296,6 @@ package body Emulators is
          Dx => Number (6), Dy => Number (7), Angle => Number (8));
    end Pose;
 
-   -------------------
-   -- Save_Snapshot --
-   -------------------
-
    procedure Save_Snapshot (Object : Emulator; Path : String) is
       use Ada.Streams.Stream_IO;
       File : Ada.Streams.Stream_IO.File_Type;
@@ -376,10 +304,6 @@ package body Emulators is
       Write (File, Fetched (Object, "/snapshot.jpg"));
       Close (File);
    end Save_Snapshot;
-
-   ----------
-   -- Stop --
-   ----------
 
    procedure Stop (Object : in out Emulator) is
    begin

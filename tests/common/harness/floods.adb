@@ -32,16 +32,8 @@ package body Floods is
 
    procedure Free is new Ada.Unchecked_Deallocation (Sender, Sender_Access);
 
-   -------------
-   -- Address --
-   -------------
-
    function Address (Number : Positive) return String is
      ("127.0.1." & Character'Val (48 + Number));
-
-   ----------------------
-   -- Begin_Connection --
-   ----------------------
 
    procedure Begin_Connection
      (Socket : out Socket_Type; Own, Place : Sock_Addr_Type)
@@ -58,10 +50,6 @@ package body Floods is
          null;
    end Begin_Connection;
 
-   ----------
-   -- Come --
-   ----------
-
    procedure Come (Object : in out Crowd; Port : Positive; Own : String) is
    begin
       for Index in Object.Sockets'Range loop
@@ -76,10 +64,6 @@ package body Floods is
       end loop;
    end Come;
 
-   ----------------
-   -- Disconnect --
-   ----------------
-
    procedure Disconnect (Socket : in out Socket_Type) is
    begin
       if Socket /= No_Socket then
@@ -89,20 +73,12 @@ package body Floods is
       end if;
    end Disconnect;
 
-   --------
-   -- Go --
-   --------
-
    procedure Go (Object : in out Crowd) is
    begin
       for Socket of Object.Sockets loop
          Disconnect (Socket);
       end loop;
    end Go;
-
-   --------------
-   -- Progress --
-   --------------
 
    protected body Progress is
 
@@ -122,10 +98,6 @@ package body Floods is
 
    end Progress;
 
-   ---------
-   -- Say --
-   ---------
-
    procedure Say (Socket : Socket_Type; Text : String) is
       Data : Stream_Element_Array (1 .. Text'Length);
       Last : Stream_Element_Offset;
@@ -140,10 +112,6 @@ package body Floods is
          --  not yet, or no longer
          null;
    end Say;
-
-   ------------
-   -- Sender --
-   ------------
 
    task body Sender is
       Own     : constant Sock_Addr_Type :=
@@ -209,10 +177,6 @@ package body Floods is
       end loop;
    end Sender;
 
-   -----------
-   -- Start --
-   -----------
-
    procedure Start
      (Object : in out Flood; Port : Positive; How : Manner := Patient) is
    begin
@@ -222,15 +186,7 @@ package body Floods is
       end loop;
    end Start;
 
-   ------------
-   -- Served --
-   ------------
-
    function Served (Object : Flood) return Natural is (Object.Seen.Count);
-
-   ----------
-   -- Stop --
-   ----------
 
    procedure Stop (Object : in out Flood) is
    begin

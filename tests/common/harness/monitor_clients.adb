@@ -96,10 +96,6 @@ package body Monitor_Clients is
    function Is_Jpeg_Text (Text : Unbounded_String) return Boolean;
    --  Base64 alphabet, whole groups of four, a JPEG's first bytes
 
-   ------------------
-   -- Is_Jpeg_Text --
-   ------------------
-
    function Is_Jpeg_Text (Text : Unbounded_String) return Boolean is
       Size : constant Natural := Length (Text);
    begin
@@ -121,10 +117,6 @@ package body Monitor_Clients is
       end loop;
       return True;
    end Is_Jpeg_Text;
-
-   -----------
-   -- Inbox --
-   -----------
 
    protected body Inbox is
 
@@ -219,10 +211,6 @@ package body Monitor_Clients is
       function Leaving return Boolean is (Is_Leaving);
 
    end Inbox;
-
-   --------------
-   -- Receiver --
-   --------------
 
    task body Receiver is
       Buffer : Stream_Element_Array (1 .. 65_536);
@@ -339,10 +327,6 @@ package body Monitor_Clients is
          Box.Ended (Broken);
    end Receiver;
 
-   -------------
-   -- Connect --
-   -------------
-
    procedure Connect
      (Object         : in out Client;
       Port           : Positive;
@@ -392,10 +376,6 @@ package body Monitor_Clients is
            & Ada.Exceptions.Exception_Message (Occurrence);
    end Connect;
 
-   --------------
-   -- Connects --
-   --------------
-
    function Connects
      (Port : Positive; Address : String := "127.0.0.1") return Boolean
    is
@@ -416,10 +396,6 @@ package body Monitor_Clients is
       return Status = Completed;
    end Connects;
 
-   ----------
-   -- Send --
-   ----------
-
    procedure Send (Object : in out Client; Bytes : String) is
    begin
       Check (Object.Try_Send (Bytes), "the supervisor takes nothing more");
@@ -429,10 +405,6 @@ package body Monitor_Clients is
    begin
       Object.Send (Command & ASCII.LF);
    end Send_Line;
-
-   --------------
-   -- Try_Send --
-   --------------
 
    function Try_Send
      (Object : in out Client; Bytes : String) return Boolean
@@ -456,10 +428,6 @@ package body Monitor_Clients is
          return False;
    end Try_Send;
 
-   ----------
-   -- Next --
-   ----------
-
    function Next (Object : in out Client; Within : Duration) return Message is
       Deadline : constant Instant := Now + Within;
    begin
@@ -479,10 +447,6 @@ package body Monitor_Clients is
          delay 0.000_5;
       end loop;
    end Next;
-
-   -------------
-   -- Next_Of --
-   -------------
 
    function Next_Of
      (Object : in out Client; Labels : String; Within : Duration)
@@ -505,10 +469,6 @@ package body Monitor_Clients is
       end loop;
    end Next_Of;
 
-   -----------------
-   -- Next_Answer --
-   -----------------
-
    function Next_Answer
      (Object  : in out Client;
       Within  : Duration := 3.0;
@@ -527,10 +487,6 @@ package body Monitor_Clients is
            & Ada.Exceptions.Exception_Message (Occurrence);
    end Next_Answer;
 
-   ---------
-   -- Ask --
-   ---------
-
    function Ask
      (Object : in out Client; Command : String; Within : Duration := 3.0)
       return Message is
@@ -539,10 +495,6 @@ package body Monitor_Clients is
       Object.Send_Line (Command);
       return Object.Next_Answer (Within, Command);
    end Ask;
-
-   ------------
-   -- Expect --
-   ------------
 
    procedure Expect
      (Object  : in out Client;
@@ -561,18 +513,10 @@ package body Monitor_Clients is
          Command & " was answered " & Text & " instead of " & Answer);
    end Expect;
 
-   -----------------
-   -- Skip_To_Now --
-   -----------------
-
    procedure Skip_To_Now (Object : in out Client) is
    begin
       Object.Inner.Taken := Object.Inner.Box.Count;
    end Skip_To_Now;
-
-   --------------------
-   -- Expect_Silence --
-   --------------------
 
    procedure Expect_Silence
      (Object : in out Client; Labels : String; For_Time : Duration)
@@ -588,10 +532,6 @@ package body Monitor_Clients is
             "unexpected " & Item.Label & ":" & To_String (Item.Data));
       end loop;
    end Expect_Silence;
-
-   -----------
-   -- Count --
-   -----------
 
    function Count (Object : Client) return Natural is
      (Object.Inner.Box.Count);
@@ -620,10 +560,6 @@ package body Monitor_Clients is
    function Broken_Images (Object : Client) return Natural is
      (Object.Inner.Box.Broken_Images);
 
-   -----------------
-   -- Keep_Images --
-   -----------------
-
    procedure Keep_Images (Object : in out Client; Count : Positive) is
    begin
       Object.Inner.Box.Keep_Images (Count);
@@ -631,10 +567,6 @@ package body Monitor_Clients is
 
    function Image (Object : Client; Number : Positive) return String is
      (Object.Inner.Box.Image (Number));
-
-   -----------
-   -- Pause --
-   -----------
 
    procedure Pause (Object : in out Client) is
    begin
@@ -659,10 +591,6 @@ package body Monitor_Clients is
       Object.Inner.Box.Set_Late (Least, Most, To_Each);
    end Be_Late;
 
-   --------------------
-   -- Closed_By_Peer --
-   --------------------
-
    function Closed_By_Peer
      (Object : Client; Within : Duration) return Closing
    is
@@ -674,18 +602,10 @@ package body Monitor_Clients is
       return Object.Inner.Box.State;
    end Closed_By_Peer;
 
-   ----------------
-   -- Half_Close --
-   ----------------
-
    procedure Half_Close (Object : in out Client) is
    begin
       Shutdown_Socket (Object.Inner.Socket, Shut_Write);
    end Half_Close;
-
-   ------------
-   -- Let_Go --
-   ------------
 
    procedure Let_Go (Object : in out Client; Abortive : Boolean) is
    begin
@@ -723,27 +643,15 @@ package body Monitor_Clients is
       Free (Object.Inner);
    end Let_Go;
 
-   -----------
-   -- Close --
-   -----------
-
    procedure Close (Object : in out Client) is
    begin
       Let_Go (Object, Abortive => False);
    end Close;
 
-   -----------
-   -- Reset --
-   -----------
-
    procedure Reset (Object : in out Client) is
    begin
       Let_Go (Object, Abortive => True);
    end Reset;
-
-   --------------
-   -- Finalize --
-   --------------
 
    overriding procedure Finalize (Object : in out Client) is
    begin

@@ -46,10 +46,6 @@ package body Network_Links is
 
    function Succeeds (Command : String) return Boolean;
 
-   -------------
-   -- Address --
-   -------------
-
    function Address (Host : Positive) return String is
       function Plain (Value : Natural) return String is
         (Trim (Value'Image, Both));
@@ -61,10 +57,6 @@ package body Network_Links is
    function Supervisor_Side return String is (Address (1));
    function Monitor_Side return String is (Address (2));
 
-   --------------
-   -- Succeeds --
-   --------------
-
    function Succeeds (Command : String) return Boolean is
       Tool    : Child;
       Options : Arguments := Words (Command);
@@ -75,18 +67,10 @@ package body Network_Links is
       return Tool.Exit_Status (Within => 10.0) = 0;
    end Succeeds;
 
-   ---------
-   -- Run --
-   ---------
-
    procedure Run (Command : String) is
    begin
       Check (Succeeds (Command), "failed: " & Command);
    end Run;
-
-   ---------------
-   -- Run_There --
-   ---------------
 
    procedure Run_There (Command : String) is
       Done : Boolean;
@@ -96,10 +80,6 @@ package body Network_Links is
       Leave;
       Check (Done, "failed: " & Command);
    end Run_There;
-
-   --------------
-   -- Obstacle --
-   --------------
 
    function Obstacle return String is
       use type GNAT.OS_Lib.String_Access;
@@ -120,10 +100,6 @@ package body Network_Links is
       return "";
    end Obstacle;
 
-   ----------
-   -- Make --
-   ----------
-
    procedure Make (Object : in out Link) is
       Reason : constant String := Obstacle;
    begin
@@ -140,16 +116,8 @@ package body Network_Links is
       Run_There ("ip link set " & There & " up");
    end Make;
 
-   ---------------
-   -- Namespace --
-   ---------------
-
    function Namespace (Object : Link) return String is
      (if Object.Made then Name else "");
-
-   ---------
-   -- Cut --
-   ---------
 
    procedure Cut (Object : in out Link) is
    begin
@@ -157,29 +125,17 @@ package body Network_Links is
       Run_There ("ip link set " & There & " down");
    end Cut;
 
-   ----------
-   -- Mend --
-   ----------
-
    procedure Mend (Object : in out Link) is
    begin
       Check (Object.Made, "no link to mend");
       Run_There ("ip link set " & There & " up");
    end Mend;
 
-   -----------------
-   -- Fall_Silent --
-   -----------------
-
    procedure Fall_Silent (Object : in out Link) is
    begin
       Check (Object.Made, "no link to silence");
       Run_There ("ip addr del " & Monitor_Side & "/30 dev " & There);
    end Fall_Silent;
-
-   -----------
-   -- Enter --
-   -----------
 
    procedure Enter (Namespace : String) is
       File   : int;
@@ -195,10 +151,6 @@ package body Network_Links is
       Check (Result = 0, "cannot enter the namespace " & Namespace);
    end Enter;
 
-   -----------
-   -- Leave --
-   -----------
-
    procedure Leave is
       Result : constant int := Libc.Setns (Home, Libc.Clone_Newnet);
       Unused : int;
@@ -207,18 +159,10 @@ package body Network_Links is
       Check (Result = 0, "cannot leave the namespace");
    end Leave;
 
-   --------------
-   -- Finalize --
-   --------------
-
    overriding procedure Finalize (Object : in out Link) is
    begin
       Object.Remove;
    end Finalize;
-
-   ------------
-   -- Remove --
-   ------------
 
    procedure Remove (Object : in out Link) is
    begin
@@ -227,10 +171,6 @@ package body Network_Links is
          Remove_Left (Libc.Getpid);
       end if;
    end Remove;
-
-   -----------------
-   -- Remove_Left --
-   -----------------
 
    procedure Remove_Left (Process : int) is
       Unused : Boolean;

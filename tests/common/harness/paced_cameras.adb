@@ -64,10 +64,6 @@ package body Paced_Cameras is
    function Value_Of (Letter : Character) return Natural;
    --  Of base64
 
-   ------------
-   -- Octets --
-   ------------
-
    function Octets (Text : String) return Stream_Element_Array is
       Result : Stream_Element_Array (1 .. Text'Length);
    begin
@@ -76,10 +72,6 @@ package body Paced_Cameras is
       end loop;
       return Result;
    end Octets;
-
-   ------------
-   -- Padded --
-   ------------
 
    function Padded (Value : Long_Long_Integer; Length : Positive)
      return String
@@ -92,10 +84,6 @@ package body Paced_Cameras is
       return Zeroes & Digit;
    end Padded;
 
-   --------------
-   -- Value_Of --
-   --------------
-
    function Value_Of (Letter : Character) return Natural is
      (case Letter is
          when 'A' .. 'Z' => Character'Pos (Letter) - Character'Pos ('A'),
@@ -104,10 +92,6 @@ package body Paced_Cameras is
          when '+'        => 62,
          when '/'        => 63,
          when others     => raise Failed with "no base64");
-
-   -------------
-   -- Mark_Of --
-   -------------
 
    function Mark_Of (Text : String) return Mark is
       First  : constant Positive := Text'First + Before_Mark / 3 * 4;
@@ -135,10 +119,6 @@ package body Paced_Cameras is
          raise Failed with "an image that is none of this camera";
    end Mark_Of;
 
-   ----------
-   -- Pace --
-   ----------
-
    protected body Pace is
 
       function Interval return Duration is (Duration (1.0 / Current));
@@ -149,10 +129,6 @@ package body Paced_Cameras is
       end Set;
 
    end Pace;
-
-   ------------
-   -- Server --
-   ------------
 
    task body Server is
       Address : Sock_Addr_Type;
@@ -223,10 +199,6 @@ package body Paced_Cameras is
                & Ada.Exceptions.Exception_Information (Failure));
    end Server;
 
-   -----------
-   -- Start --
-   -----------
-
    procedure Start
      (Object : in out Camera;
       Image  : String;
@@ -253,10 +225,6 @@ package body Paced_Cameras is
       Object.Inner.Running := new Server (Object.Inner);
    end Start;
 
-   ---------
-   -- Url --
-   ---------
-
    function Url (Object : Camera) return String is
       Port : constant String := Object.Inner.Port'Image;
    begin
@@ -264,18 +232,10 @@ package body Paced_Cameras is
         & "/stream.mjpg";
    end Url;
 
-   --------------
-   -- Set_Rate --
-   --------------
-
    procedure Set_Rate (Object : Camera; Rate : Float) is
    begin
       Object.Inner.Rate.Set (Rate);
    end Set_Rate;
-
-   ----------
-   -- Stop --
-   ----------
 
    procedure Stop (Object : in out Camera) is
 

@@ -26,10 +26,6 @@ package body Process_Facts is
      (Path : String; Action : not null access procedure (Name : String));
    --  Of a folder whose entries may vanish meanwhile
 
-   -------------------
-   -- Status_Number --
-   -------------------
-
    function Status_Number (Process : int; Key : String) return Natural is
       Text : constant String := Field (Folder (Process) & "/status", Key);
       Last : Natural := Text'First - 1;
@@ -41,10 +37,6 @@ package body Process_Facts is
         (if Last < Text'First then 0
          else Natural'Value (Text (Text'First .. Last)));
    end Status_Number;
-
-   ---------------
-   -- File_Line --
-   ---------------
 
    function File_Line (Path : String; Key : String := "") return String is
       File : File_Type;
@@ -70,10 +62,6 @@ package body Process_Facts is
          return "";
    end File_Line;
 
-   -----------
-   -- Field --
-   -----------
-
    function Field (Path : String; Key : String) return String is
       File   : File_Type;
       Result : Unbounded_String;
@@ -96,10 +84,6 @@ package body Process_Facts is
       when Name_Error | Use_Error =>
          return "";
    end Field;
-
-   --------------------
-   -- For_Each_Entry --
-   --------------------
 
    procedure For_Each_Entry
      (Path : String; Action : not null access procedure (Name : String))
@@ -124,30 +108,14 @@ package body Process_Facts is
          null;
    end For_Each_Entry;
 
-   ------------------------
-   -- Resident_Kilobytes --
-   ------------------------
-
    function Resident_Kilobytes (Process : int) return Natural is
      (Status_Number (Process, "VmRSS"));
-
-   ----------------------
-   -- Locked_Kilobytes --
-   ----------------------
 
    function Locked_Kilobytes (Process : int) return Natural is
      (Status_Number (Process, "VmLck"));
 
-   -------------
-   -- Threads --
-   -------------
-
    function Threads (Process : int) return Natural is
      (Status_Number (Process, "Threads"));
-
-   -----------------
-   -- Descriptors --
-   -----------------
 
    function Descriptors (Process : int) return Natural is
       Result : Natural := 0;
@@ -165,10 +133,6 @@ package body Process_Facts is
       return Result;
    end Descriptors;
 
-   ---------------
-   -- Open_File --
-   ---------------
-
    function Open_File (Process : int; Descriptor : Natural) return String is
       Target : String (1 .. 4_096);
       Size   : constant long := Libc.Readlink
@@ -177,10 +141,6 @@ package body Process_Facts is
    begin
       return Target (1 .. Natural (long'Max (0, Size)));
    end Open_File;
-
-   ----------------
-   -- Has_Mapped --
-   ----------------
 
    function Has_Mapped (Process : int; Path : String) return Boolean is
       File  : File_Type;
@@ -196,10 +156,6 @@ package body Process_Facts is
       when Name_Error | Use_Error =>
          return False;
    end Has_Mapped;
-
-   ---------------------
-   -- Next_Descriptor --
-   ---------------------
 
    function Next_Descriptor (Process : int) return Natural is
       Most   : constant := 4_095;
@@ -223,10 +179,6 @@ package body Process_Facts is
       return Result;
    end Next_Descriptor;
 
-   ------------------
-   -- Thread_Named --
-   ------------------
-
    function Thread_Named (Process : int; Name : String) return int is
       Wanted : constant String :=
         To_Lower (Name (Name'First
@@ -249,10 +201,6 @@ package body Process_Facts is
       return Result;
    end Thread_Named;
 
-   ------------------
-   -- Thread_Names --
-   ------------------
-
    function Thread_Names (Process : int) return String is
       Result : Unbounded_String;
 
@@ -269,10 +217,6 @@ package body Process_Facts is
       For_Each_Entry (Folder (Process) & "/task", Add'Access);
       return To_String (Result);
    end Thread_Names;
-
-   ------------------
-   -- Thread_Waits --
-   ------------------
 
    function Thread_Waits (Process : int) return String is
       Result : Unbounded_String;
@@ -291,10 +235,6 @@ package body Process_Facts is
       For_Each_Entry (Folder (Process) & "/task", Add'Access);
       return To_String (Result);
    end Thread_Waits;
-
-   ----------------
-   -- Processors --
-   ----------------
 
    function Processors (Process : int; Thread : int) return String is
      (Field

@@ -36,10 +36,6 @@ package body Programs is
    function Path (Which : Program; Name : String) return String;
    --  As set, or Name in the folder of the running program
 
-   ----------
-   -- Path --
-   ----------
-
    function Path (Which : Program; Name : String) return String is
    begin
       if Paths (Which) = "" then
@@ -47,10 +43,6 @@ package body Programs is
       end if;
       return To_String (Paths (Which));
    end Path;
-
-   ------------
-   -- Beside --
-   ------------
 
    function Beside (Name : String) return String is
       Here : GNAT.OS_Lib.String_Access :=
@@ -76,10 +68,6 @@ package body Programs is
      (Compose
         (Containing_Directory (Supervisor), "libdestijl_vision.so"));
 
-   -----------------
-   -- Read_Option --
-   -----------------
-
    function Read_Option return Boolean is
       Name : constant String := Option_Readers.Name;
    begin
@@ -92,10 +80,6 @@ package body Programs is
       end loop;
       return False;
    end Read_Option;
-
-   ----------------------
-   -- Temporary_Folder --
-   ----------------------
 
    function Temporary_Folder return String is
       Open_To_All : constant := 8#777#;
@@ -111,10 +95,6 @@ package body Programs is
       end if;
       return To_String (Folder);
    end Temporary_Folder;
-
-   -----------------------
-   -- Copied_Supervisor --
-   -----------------------
 
    function Copied_Supervisor return String is
       To_Be_Run : constant := 8#755#;
@@ -133,10 +113,6 @@ package body Programs is
       return Copy;
    end Copied_Supervisor;
 
-   ------------
-   -- Remove --
-   ------------
-
    procedure Remove (Path : String) is
       --  By the system's own tool: links whose emulator has gone point
       --  nowhere, and Ada.Directories does not see those.
@@ -145,10 +121,6 @@ package body Programs is
       Unused := GNAT.OS_Lib.Spawn
         ("/bin/rm", (new String'("-rf"), new String'(Path)));
    end Remove;
-
-   -----------------------------
-   -- Remove_Temporary_Folder --
-   -----------------------------
 
    procedure Remove_Temporary_Folder is
    begin
@@ -162,10 +134,6 @@ package body Programs is
    begin
       Remove (Folder_Of (Process));
    end Remove_Left;
-
-   -------------
-   -- Give_Up --
-   -------------
 
    procedure Give_Up (Reason : String) is
    begin

@@ -5,10 +5,6 @@ with Monitor_Clients; use Monitor_Clients;
 
 package body Rigs is
 
-   --------------
-   -- Assemble --
-   --------------
-
    procedure Assemble
      (R                  : in out Rig;
       Camera             : Boolean := False;
@@ -30,28 +26,16 @@ package body Rigs is
       end if;
    end Assemble;
 
-   -------------
-   -- Connect --
-   -------------
-
    procedure Connect (R : in out Rig) is
    begin
       R.Monitor.Connect (R.Supervisor.Port);
    end Connect;
-
-   -----------------
-   -- Start_Robot --
-   -----------------
 
    procedure Start_Robot (R : in out Rig; Watchdog : Boolean := False) is
    begin
       R.Monitor.Expect ("ROPN", "AACK");
       R.Monitor.Expect ((if Watchdog then "RSWW" else "RSOW"), "AACK");
    end Start_Robot;
-
-   ------------------
-   -- Move_Forward --
-   ------------------
 
    procedure Move_Forward (R : in out Rig) is
    begin
@@ -60,10 +44,6 @@ package body Rigs is
       R.Emulator.Await_Status ("moving", "1", Within => 2.0);
       R.Emulator.Clear_Journal;
    end Move_Forward;
-
-   -----------------
-   -- Open_Camera --
-   -----------------
 
    procedure Open_Camera (R : in out Rig; Positions : Boolean := False) is
       Unused : Message;
@@ -75,10 +55,6 @@ package body Rigs is
       end if;
       Unused := R.Monitor.Next_Of ("CIMG", Within => 5.0);
    end Open_Camera;
-
-   --------------------------
-   -- Expect_Initial_State --
-   --------------------------
 
    procedure Expect_Initial_State (R : in out Rig) is
    begin

@@ -25,10 +25,6 @@ package body Standstills is
 
    type Watcher_Access is access Watcher;
 
-   -------------------
-   -- Record_Of_All --
-   -------------------
-
    protected body Record_Of_All is
 
       procedure Add (Gap : Duration) is
@@ -44,10 +40,6 @@ package body Standstills is
       function Longest return Duration is (Worst);
 
    end Record_Of_All;
-
-   -------------
-   -- Watcher --
-   -------------
 
    task body Watcher is
       Before : Instant;
@@ -66,10 +58,6 @@ package body Standstills is
       end loop;
    end Watcher;
 
-   -----------
-   -- Watch --
-   -----------
-
    procedure Watch is
       Unused : Watcher_Access;
    begin
@@ -84,10 +72,6 @@ package body Standstills is
    end Forget;
 
    function Longest return Duration is (Record_Of_All.Longest);
-
-   ----------------
-   -- Await_Calm --
-   ----------------
 
    procedure Await_Calm (Limit : Duration) is
       While_Calm  : constant Duration := 2.0;

@@ -21,10 +21,6 @@ package body Supervisors is
 
    function Text_Of (Object : Supervisor; From : Stream) return String;
 
-   -------------------
-   -- Start_Process --
-   -------------------
-
    procedure Start_Process
      (Object   : in out Supervisor;
       Options  : Arguments;
@@ -41,10 +37,6 @@ package body Supervisors is
       All_Words.Delete_First;
       Object.Process.Start (First, All_Words, "supervisor");
    end Start_Process;
-
-   -----------
-   -- Start --
-   -----------
 
    procedure Start
      (Object   : in out Supervisor;
@@ -81,10 +73,6 @@ package body Supervisors is
       end;
    end Start;
 
-   ---------
-   -- Run --
-   ---------
-
    procedure Run
      (Object   : in out Supervisor;
       Options  : String;
@@ -94,10 +82,6 @@ package body Supervisors is
       Start_Process (Object, Words (Options), Launcher, Program);
    end Run;
 
-   ----------
-   -- Port --
-   ----------
-
    function Port (Object : Supervisor) return Positive is (Object.Port);
 
    function Pid (Object : Supervisor) return Interfaces.C.int is
@@ -105,10 +89,6 @@ package body Supervisors is
 
    function Is_Running (Object : in out Supervisor) return Boolean is
      (Object.Process.Is_Running);
-
-   -----------------
-   -- Send_Signal --
-   -----------------
 
    procedure Send_Signal (Object : Supervisor; Signal : Interfaces.C.int) is
    begin
@@ -129,10 +109,6 @@ package body Supervisors is
       After   : Natural  := 0) return Boolean
    is (Object.Process.Awaited (Errors, Pattern, Within, After) > 0);
 
-   ----------------
-   -- Expect_Log --
-   ----------------
-
    procedure Expect_Log
      (Object  : Supervisor;
       Pattern : String;
@@ -145,10 +121,6 @@ package body Supervisors is
          & Milliseconds (Within));
    end Expect_Log;
 
-   -------------
-   -- Time_Of --
-   -------------
-
    function Time_Of
      (Object : Supervisor; Pattern : String; After : Natural := 0)
       return Instant
@@ -160,10 +132,6 @@ package body Supervisors is
         (if Number = 0 then Never
          else Object.Process.Element (Errors, Number).Time);
    end Time_Of;
-
-   --------------
-   -- Count_Of --
-   --------------
 
    function Count_Of
      (Object : Supervisor; Pattern : String; After : Natural := 0)
@@ -179,10 +147,6 @@ package body Supervisors is
       end loop;
       return Result;
    end Count_Of;
-
-   -------------
-   -- Text_Of --
-   -------------
 
    function Text_Of (Object : Supervisor; From : Stream) return String is
       Result : Unbounded_String;
@@ -200,18 +164,10 @@ package body Supervisors is
    function Output_Text (Object : Supervisor) return String is
      (Text_Of (Object, Output));
 
-   ----------------
-   -- Ignore_Log --
-   ----------------
-
    procedure Ignore_Log (Object : in out Supervisor) is
    begin
       Object.Process.Ignore (Errors);
    end Ignore_Log;
-
-   ----------
-   -- Stop --
-   ----------
 
    procedure Stop (Object : in out Supervisor) is
    begin

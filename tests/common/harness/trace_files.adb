@@ -14,10 +14,6 @@ package body Trace_Files is
 
    procedure Parse (Text : String; Result : in out Trace);
 
-   -----------
-   -- Parse --
-   -----------
-
    procedure Parse (Text : String; Result : in out Trace) is
 
       Next : Positive := Text'First;
@@ -401,10 +397,6 @@ package body Trace_Files is
       end if;
    end Parse;
 
-   ----------
-   -- Read --
-   ----------
-
    procedure Read (Path : String; Result : out Trace) is
       use Ada.Streams.Stream_IO;
       File : File_Type;
@@ -425,10 +417,6 @@ package body Trace_Files is
          Free (Text);
          raise;
    end Read;
-
-   ---------------
-   -- Thread_Of --
-   ---------------
 
    function Thread_Of (T : Trace; Name : String) return Thread_Number is
    begin

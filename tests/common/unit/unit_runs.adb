@@ -24,10 +24,6 @@ package body Unit_Runs is
 
    procedure Run_Suite is new AUnit.Run.Test_Runner_With_Results (Suite);
 
-   ---------
-   -- Add --
-   ---------
-
    procedure Add (Tests : not null AUnit.Test_Cases.Test_Case_Access) is
       Wanted : Boolean := Argument_Count = 0;
    begin
@@ -41,10 +37,6 @@ package body Unit_Runs is
          All_Tests.Add_Test (Tests);
       end if;
    end Add;
-
-   ---------
-   -- Run --
-   ---------
 
    procedure Run is
       Reporter : AUnit.Reporter.Text.Text_Reporter;

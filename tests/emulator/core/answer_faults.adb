@@ -38,20 +38,12 @@ package body Answer_Faults with SPARK_Mode is
      (if (Sum xor 1) = Carriage_Return then Sum xor 2 else Sum xor 1);
    --  One bit of it wrong, but not the one that would end the frame
 
-   ---------
-   -- Add --
-   ---------
-
    procedure Add (Kept : in out Wire_Bytes; Reply : Answer) is
    begin
       Kept.Data (Kept.Length + 1 .. Kept.Length + Reply.Length) :=
         Reply.Data (1 .. Reply.Length);
       Kept.Length := Kept.Length + Reply.Length;
    end Add;
-
-   -----------
-   -- Apply --
-   -----------
 
    procedure Apply
      (P      : in out Plan;
@@ -133,10 +125,6 @@ package body Answer_Faults with SPARK_Mode is
       end if;
    end Apply;
 
-   ------------
-   -- Babble --
-   ------------
-
    procedure Babble (P : in out Plan; Byte : out Octet) is
    begin
       Draw (P.Seed, Byte);
@@ -144,10 +132,6 @@ package body Answer_Faults with SPARK_Mode is
          Byte := 0;
       end if;
    end Babble;
-
-   ------------
-   -- Choose --
-   ------------
 
    procedure Choose
      (To   : Command_Kind;
@@ -173,19 +157,11 @@ package body Answer_Faults with SPARK_Mode is
       end case;
    end Choose;
 
-   ----------
-   -- Draw --
-   ----------
-
    procedure Draw (Seed : in out Unsigned_32; Value : out Octet) is
    begin
       Seed  := Seed * 1_664_525 + 1_013_904_223;
       Value := Octet (Shift_Right (Seed, 24));
    end Draw;
-
-   ------------------
-   -- Make_Garbage --
-   ------------------
 
    procedure Make_Garbage (Seed : in out Unsigned_32; Wire : out Wire_Bytes)
    is
@@ -215,20 +191,12 @@ package body Answer_Faults with SPARK_Mode is
       end if;
    end Make_Garbage;
 
-   ---------
-   -- Set --
-   ---------
-
    procedure Set (Wire : in out Wire_Bytes; C : Character) is
    begin
       Wire.Length := 3;
       Wire.Data (1 .. 3) :=
         (Character'Pos (C), Character'Pos (C), Carriage_Return);
    end Set;
-
-   -----------------
-   -- Set_Version --
-   -----------------
 
    procedure Set_Version (Wire : in out Wire_Bytes) is
    begin

@@ -67,20 +67,12 @@ package body Robot_Core with SPARK_Mode is
      (Framed (Octets'(1 => Character'Pos (Letter))))
      with Post => Framed'Result.Length = 3;
 
-   -------------
-   -- Add_One --
-   -------------
-
    procedure Add_One (Counter : in out Natural) is
    begin
       if Counter < Natural'Last then
          Counter := Counter + 1;
       end if;
    end Add_One;
-
-   ----------------
-   -- Advance_To --
-   ----------------
 
    procedure Advance_To (R : in out Robot; Now : Time_Point) is
       Target : Robot_Motion.Micro;
@@ -114,10 +106,6 @@ package body Robot_Core with SPARK_Mode is
       end if;
    end Advance_To;
 
-   --------------
-   -- Checksum --
-   --------------
-
    function Checksum (Text : Octets) return Octet is
       Sum : Octet := 0;
    begin
@@ -126,10 +114,6 @@ package body Robot_Core with SPARK_Mode is
       end loop;
       return (if Sum = Carriage_Return then Carriage_Return + 1 else Sum);
    end Checksum;
-
-   ------------
-   -- Decode --
-   ------------
 
    procedure Decode
      (Command : Frame;
@@ -196,10 +180,6 @@ package body Robot_Core with SPARK_Mode is
       end case;
    end Decode;
 
-   -------------
-   -- Do_Tick --
-   -------------
-
    procedure Do_Tick (R : in out Robot) is
    begin
       if R.State = Start_Up then
@@ -243,10 +223,6 @@ package body Robot_Core with SPARK_Mode is
       end if;
    end Do_Tick;
 
-   -----------
-   -- Enter --
-   -----------
-
    procedure Enter (R : in out Robot; State : State_Kind) is
    begin
       if State /= Movement then
@@ -266,10 +242,6 @@ package body Robot_Core with SPARK_Mode is
       R.State := State;
    end Enter;
 
-   ------------------
-   -- Follow_Power --
-   ------------------
-
    procedure Follow_Power (R : in out Robot) is
    begin
       if R.State = Off then
@@ -287,10 +259,6 @@ package body Robot_Core with SPARK_Mode is
       end if;
    end Follow_Power;
 
-   ------------
-   -- Framed --
-   ------------
-
    function Framed (Text : Octets) return Answer is
       Result : Answer;
    begin
@@ -300,10 +268,6 @@ package body Robot_Core with SPARK_Mode is
       Result.Data (Text'Length + 2) := Carriage_Return;
       return Result;
    end Framed;
-
-   ----------
-   -- Obey --
-   ----------
 
    procedure Obey (R : in out Robot; Result : in out Exchange) is
       Accepted : Boolean := True;
@@ -404,18 +368,10 @@ package body Robot_Core with SPARK_Mode is
       Result.Reply := Framed (if Accepted then 'O' else 'E');
    end Obey;
 
-   -----------
-   -- Place --
-   -----------
-
    procedure Place (R : in out Robot; At_Pose : Robot_Motion.Pose) is
    begin
       Robot_Motion.Place (R.Wheels, At_Pose);
    end Place;
-
-   -----------------
-   -- Read_Number --
-   -----------------
 
    procedure Read_Number
      (Text   : Octets;
@@ -466,10 +422,6 @@ package body Robot_Core with SPARK_Mode is
          else Integer'Min (Value, Robot_Motion.Amount'Last));
    end Read_Number;
 
-   -------------
-   -- Receive --
-   -------------
-
    procedure Receive
      (R        : in out Robot;
       Byte     : Octet;
@@ -502,29 +454,17 @@ package body Robot_Core with SPARK_Mode is
       Result.After := R.State;
    end Receive;
 
-   -----------------
-   -- Set_Battery --
-   -----------------
-
    procedure Set_Battery (R : in out Robot; Level : Battery_Level) is
    begin
       R.Level := Level;
       Follow_Power (R);
    end Set_Battery;
 
-   ------------------
-   -- Set_Charging --
-   ------------------
-
    procedure Set_Charging (R : in out Robot; Plugged : Boolean) is
    begin
       R.Plugged := Plugged;
       Follow_Power (R);
    end Set_Charging;
-
-   ------------
-   -- Starve --
-   ------------
 
    procedure Starve (R : in out Robot) is
    begin
@@ -533,10 +473,6 @@ package body Robot_Core with SPARK_Mode is
          Enter (R, Watchdog_Disabled);
       end if;
    end Starve;
-
-   ---------------
-   -- Switch_On --
-   ---------------
 
    procedure Switch_On (R : in out Robot; Boot : Tick_Count := Boot_Ticks) is
    begin

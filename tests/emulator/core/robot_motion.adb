@@ -50,10 +50,6 @@ package body Robot_Motion with SPARK_Mode is
      Pre  => Order /= None,
      Post => Is_Moving (M) = (Value /= 0);
 
-   -------------
-   -- Advance --
-   -------------
-
    procedure Advance (M : in out Motion; Elapsed : Step) is
       Whole_Turn : constant := Full_Turn / Turn_Rate;
       --  Microseconds for one turn
@@ -80,10 +76,6 @@ package body Robot_Motion with SPARK_Mode is
       end if;
    end Advance;
 
-   -----------------
-   -- Begin_Order --
-   -----------------
-
    procedure Begin_Order
      (M       : in out Motion;
       Order   : Order_Kind;
@@ -101,16 +93,8 @@ package body Robot_Motion with SPARK_Mode is
       end if;
    end Begin_Order;
 
-   ------------
-   -- Cosine --
-   ------------
-
    function Cosine (Angle : Heading) return Micro is
      (Sine ((Angle + Full_Turn / 4) mod Full_Turn));
-
-   --------
-   -- Go --
-   --------
 
    procedure Go (M : in out Motion; Millimetres : Amount) is
       Time : constant Micro :=
@@ -121,27 +105,15 @@ package body Robot_Motion with SPARK_Mode is
          Millimetres in Endless_Forward | Endless_Backward, Time);
    end Go;
 
-   ----------
-   -- Halt --
-   ----------
-
    procedure Halt (M : in out Motion) is
    begin
       Place (M, Pose_Of (M));
    end Halt;
 
-   -----------
-   -- Place --
-   -----------
-
    procedure Place (M : out Motion; At_Pose : Pose) is
    begin
       M := (From => At_Pose, others => <>);
    end Place;
-
-   -------------
-   -- Pose_Of --
-   -------------
 
    function Pose_Of (M : Motion) return Pose is
       Result : Pose := M.From;
@@ -197,10 +169,6 @@ package body Robot_Motion with SPARK_Mode is
       return Result;
    end Pose_Of;
 
-   ------------------
-   -- Quarter_Sine --
-   ------------------
-
    function Quarter_Sine (Angle : Quarter) return Fraction is
       Whole : constant Micro := Angle / Million;
       Part  : constant Micro := Angle mod Million;
@@ -215,10 +183,6 @@ package body Robot_Motion with SPARK_Mode is
       end if;
    end Quarter_Sine;
 
-   ----------
-   -- Room --
-   ----------
-
    function Room
      (Position, Low, High : Micro; Along : Component) return Micro is
    begin
@@ -230,10 +194,6 @@ package body Robot_Motion with SPARK_Mode is
          return Micro'Last;
       end if;
    end Room;
-
-   ----------
-   -- Sine --
-   ----------
 
    function Sine (Angle : Heading) return Micro is
       Half : constant := Full_Turn / 2;
@@ -248,10 +208,6 @@ package body Robot_Motion with SPARK_Mode is
          return -Quarter_Sine (Full_Turn - Angle);
       end if;
    end Sine;
-
-   ----------
-   -- Turn --
-   ----------
 
    procedure Turn (M : in out Motion; Degrees : Amount) is
       Time : constant Micro :=

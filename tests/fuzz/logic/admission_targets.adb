@@ -24,10 +24,6 @@ package body Admission_Targets is
    function Image (N : Admission.Networks.Network) return String;
    --  ADDRESS/LEN
 
-   -----------
-   -- Image --
-   -----------
-
    function Image (N : Admission.Networks.Network) return String is
       function Number (Value : Integer) return String is
         (Trim (Integer'Image (Value), Both));
@@ -39,10 +35,6 @@ package body Admission_Targets is
         & "/" & Number (N.Length);
    end Image;
 
-   ---------------
-   -- Take_Part --
-   ---------------
-
    procedure Take_Part (R : in out Reader; Last : out Natural) is
       C : Character;
    begin
@@ -53,10 +45,6 @@ package body Admission_Targets is
          Last := R.Used;
       end loop;
    end Take_Part;
-
-   -------------------
-   -- Network_Lists --
-   -------------------
 
    procedure Network_Lists (Data : Byte_Array) is
       R      : Reader := (Size => Data'Length, Data => Data, Used => 0);
@@ -132,10 +120,6 @@ package body Admission_Targets is
          Meet;
       end loop;
    end Network_Lists;
-
-   ------------
-   -- Tokens --
-   ------------
 
    procedure Tokens (Data : Byte_Array) is
       R     : Reader := (Size => Data'Length, Data => Data, Used => 0);

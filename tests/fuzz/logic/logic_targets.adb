@@ -19,18 +19,10 @@ package body Logic_Targets is
    procedure Crash
    with Import, Convention => C, External_Name => "fuzz_crash", No_Return;
 
-   ------------
-   -- Choose --
-   ------------
-
    procedure Choose (Target : Target_Kind) is
    begin
       Chosen := Target;
    end Choose;
-
-   ----------
-   -- Give --
-   ----------
 
    procedure Give (Data : System.Address; Size : Interfaces.C.size_t) is
       Input : Bytes.Byte_Array (1 .. Natural (Size))
@@ -43,10 +35,6 @@ package body Logic_Targets is
            (Standard_Error, Ada.Exceptions.Exception_Information (Occurrence));
          Crash;
    end Give;
-
-   ---------
-   -- Run --
-   ---------
 
    procedure Run (Data : Bytes.Byte_Array) is
    begin

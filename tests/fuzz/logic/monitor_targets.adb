@@ -16,10 +16,6 @@ package body Monitor_Targets is
    function Meaning (Line : String) return Message;
    --  That, said in another way than Parse does
 
-   -------------
-   -- Meaning --
-   -------------
-
    function Meaning (Line : String) return Message is
       Colon  : constant Natural := Index (Line, ":");
       Start  : constant String :=
@@ -65,10 +61,6 @@ package body Monitor_Targets is
       return (Kind, Value);
    end Meaning;
 
-   --------------------
-   -- Parse_Anywhere --
-   --------------------
-
    procedure Parse_Anywhere (Line : String) is
       Shifted : String (Integer'Last - Line'Length .. Integer'Last - 1);
       Here    : Message;
@@ -88,10 +80,6 @@ package body Monitor_Targets is
            (Text, Line (Line'First + Text_Offset .. Line'Last));
       end if;
    end Parse_Anywhere;
-
-   -----------
-   -- Lines --
-   -----------
 
    procedure Lines (Data : Bytes.Byte_Array) is
       Reader   : Line_Reader;
@@ -134,10 +122,6 @@ package body Monitor_Targets is
       end loop;
       Prove_Reading (All_Text);
    end Lines;
-
-   ---------------
-   -- Positions --
-   ---------------
 
    procedure Positions (Data : Bytes.Byte_Array) is
       R      : Input_Readers.Reader :=

@@ -15,10 +15,6 @@ package body Robot_Targets is
    procedure Read_Frame (F : Frame);
    --  Against each command, with and without its terminator
 
-   ----------------
-   -- Read_Frame --
-   ----------------
-
    procedure Read_Frame (F : Frame) is
       Ended  : Frame := F;
       Answer : Reply;
@@ -48,10 +44,6 @@ package body Robot_Targets is
          Check (Decoded (Ended) = Told, "a command is not read as written");
       end if;
    end Read_Frame;
-
-   ------------
-   -- Frames --
-   ------------
 
    procedure Frames (Data : Byte_Array) is
       R        : Receiver;
@@ -88,10 +80,6 @@ package body Robot_Targets is
       Read_Frame (F);
    end Frames;
 
-   --------------
-   -- Commands --
-   --------------
-
    procedure Commands (Data : Byte_Array) is
       R     : Reader := (Size => Data'Length, Data => Data, Used => 0);
       Place : Integer;
@@ -107,10 +95,6 @@ package body Robot_Targets is
          Read_Frame (F);
       end loop;
    end Commands;
-
-   --------------
-   -- Sessions --
-   --------------
 
    procedure Sessions (Data : Byte_Array) is
       R       : Reader := (Size => Data'Length, Data => Data, Used => 0);

@@ -14,10 +14,6 @@ package body Text_Targets is
    use type Command_Lines.Option_Kind;
    use type Command_Lines.Request_Kind;
 
-   ---------------
-   -- Arguments --
-   ---------------
-
    procedure Arguments (Data : Byte_Array) is
       R       : constant Reader :=
         (Size => Data'Length, Data => Data, Used => 0);
@@ -69,10 +65,6 @@ package body Text_Targets is
          "an option without a value is accepted");
    end Arguments;
 
-   ------------------
-   -- Base64_Texts --
-   ------------------
-
    procedure Base64_Texts (Data : Byte_Array) is
       R       : constant Reader :=
         (Size => Data'Length, Data => Data, Used => 0);
@@ -106,10 +98,6 @@ package body Text_Targets is
         (OK and then Decoded (1 .. Count) = Data, "it is not read as written");
       Base64.Prove_Round_Trip (Data, Data'Length);
    end Base64_Texts;
-
-   ---------------------
-   -- Decimal_Numbers --
-   ---------------------
 
    procedure Decimal_Numbers (Data : Byte_Array) is
       R      : Reader := (Size => Data'Length, Data => Data, Used => 0);
@@ -155,10 +143,6 @@ package body Text_Targets is
          Numbers.Prove_Same_Value (Into, Into, First, Last);
       end loop;
    end Decimal_Numbers;
-
-   -------------------
-   -- Bounded_Texts --
-   -------------------
 
    procedure Bounded_Texts (Data : Byte_Array) is
       R     : Reader := (Size => Data'Length, Data => Data, Used => 0);

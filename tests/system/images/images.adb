@@ -27,10 +27,6 @@ package body Images is
    function Image_Write_Yuyv (Image, Path : char_array) return int
    with Import, Convention => C, External_Name => "image_write_yuyv";
 
-   ----------
-   -- Seen --
-   ----------
-
    function Seen (Text : String) return Facts is
       Width, Height, Coloured : int;
    begin
@@ -40,10 +36,6 @@ package body Images is
          "not an image");
       return (Natural (Width), Natural (Height), Natural (Coloured));
    end Seen;
-
-   -----------------
-   -- Find_Marker --
-   -----------------
 
    procedure Find_Marker
      (Text : String; Found : out Boolean; X, Y : out Float)
@@ -55,25 +47,13 @@ package body Images is
       Y := Float (Py);
    end Find_Marker;
 
-   -------------
-   -- Is_File --
-   -------------
-
    function Is_File (Text : String; Path : String) return Boolean is
      (Image_Is_File (To_C (Text), int (Text'Length), To_C (Path)) = 0);
-
-   -----------------
-   -- Write_Empty --
-   -----------------
 
    procedure Write_Empty (Path : String) is
    begin
       Check (Image_Write_Empty (To_C (Path)) = 0, "cannot write " & Path);
    end Write_Empty;
-
-   ----------------
-   -- Write_Yuyv --
-   ----------------
 
    procedure Write_Yuyv (Image, Path : String) is
    begin

@@ -46,10 +46,6 @@ package body Answer_Faults_Tests is
    procedure Test_Order (T : in out Any_Test);
    procedure Test_No_Answer (T : in out Any_Test);
 
-   -------------------
-   -- Is_Good_Frame --
-   -------------------
-
    function Is_Good_Frame (Data : Octets) return Boolean is
    begin
       for K in Data'Range loop
@@ -61,16 +57,8 @@ package body Answer_Faults_Tests is
       return False;
    end Is_Good_Frame;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Answer_Faults"));
-
-   ------------------
-   -- Test_Corrupt --
-   ------------------
 
    procedure Test_Corrupt (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -92,10 +80,6 @@ package body Answer_Faults_Tests is
       Assert (Effect = None and then Is_Good_Frame (Sent), "third is good");
    end Test_Corrupt;
 
-   --------------
-   -- Test_Cut --
-   --------------
-
    procedure Test_Cut (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -112,10 +96,6 @@ package body Answer_Faults_Tests is
               "never the whole answer");
    end Test_Cut;
 
-   ---------------
-   -- Test_Drop --
-   ---------------
-
    procedure Test_Drop (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -127,10 +107,6 @@ package body Answer_Faults_Tests is
       Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = None and then Sent = Ack.Data (1 .. 3), "sent");
    end Test_Drop;
-
-   ------------------
-   -- Test_Endless --
-   ------------------
 
    procedure Test_Endless (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -152,10 +128,6 @@ package body Answer_Faults_Tests is
       end loop;
       Assert (Count in 4_000 .. 6_000, "not at random");
    end Test_Endless;
-
-   ---------------
-   -- Test_Flip --
-   ---------------
 
    procedure Test_Flip (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -198,10 +170,6 @@ package body Answer_Faults_Tests is
       Assert (P.Bit = 0, "the last of all");
    end Test_Flip;
 
-   ------------------
-   -- Test_Garbage --
-   ------------------
-
    procedure Test_Garbage (T : in out Any_Test) is
       pragma Unreferenced (T);
       Ended, Open : Natural := 0;
@@ -222,10 +190,6 @@ package body Answer_Faults_Tests is
       Assert (Effect = None, "over");
    end Test_Garbage;
 
-   --------------------
-   -- Test_No_Answer --
-   --------------------
-
    procedure Test_No_Answer (T : in out Any_Test) is
       pragma Unreferenced (T);
       Nothing : constant Answer := (others => <>);
@@ -240,10 +204,6 @@ package body Answer_Faults_Tests is
               and then P.Corrupt = 1, "used up");
    end Test_No_Answer;
 
-   ---------------
-   -- Test_None --
-   ---------------
-
    procedure Test_None (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -251,10 +211,6 @@ package body Answer_Faults_Tests is
       Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = None and then Sent = Ack.Data (1 .. 3), "changed");
    end Test_None;
-
-   ----------------
-   -- Test_Order --
-   ----------------
 
    procedure Test_Order (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -273,10 +229,6 @@ package body Answer_Faults_Tests is
       Assert (Effect = None, "fifth");
    end Test_Order;
 
-   -----------------
-   -- Test_Silent --
-   -----------------
-
    procedure Test_Silent (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -288,10 +240,6 @@ package body Answer_Faults_Tests is
       Assert (P.Drop = 1, "silence uses up nothing");
    end Test_Silent;
 
-   -------------------
-   -- Test_Truncate --
-   -------------------
-
    procedure Test_Truncate (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -301,10 +249,6 @@ package body Answer_Faults_Tests is
       Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = None, "over");
    end Test_Truncate;
-
-   ---------------
-   -- Test_Pile --
-   ---------------
 
    procedure Test_Pile (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -333,10 +277,6 @@ package body Answer_Faults_Tests is
       Assert (Sent = Ack.Data (1 .. 3), "alone");
    end Test_Pile;
 
-   -----------------------
-   -- Test_Pile_Is_Full --
-   -----------------------
-
    procedure Test_Pile_Is_Full (T : in out Any_Test) is
       pragma Unreferenced (T);
       Longest : constant Answer := (Length => 8, Data => (others => 65));
@@ -355,10 +295,6 @@ package body Answer_Faults_Tests is
       Assert (Effect = Together and then Sent'Length = 8 * 4,
               "the newest, from the one on for which there was no room");
    end Test_Pile_Is_Full;
-
-   ---------------------
-   -- Test_Wrong_Kind --
-   ---------------------
 
    procedure Test_Wrong_Kind (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -394,10 +330,6 @@ package body Answer_Faults_Tests is
       Expect (Move, "1V");
       Expect (Unknown, "1V");
    end Test_Wrong_Kind;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;

@@ -89,10 +89,6 @@ package body Robot_Core_Tests is
    procedure Test_Counters (T : in out Any_Test);
    procedure Test_Time_Goes_One_Way (T : in out Any_Test);
 
-   -----------
-   -- Bytes --
-   -----------
-
    function Bytes (Text : String) return Octets is
       Data : Octets (1 .. Text'Length);
    begin
@@ -102,10 +98,6 @@ package body Robot_Core_Tests is
       return Data;
    end Bytes;
 
-   ------------
-   -- Expect --
-   ------------
-
    procedure Expect (R : in out Robot; Text, Answer : String) is
       Got : constant String := Ask (R, Text);
    begin
@@ -114,20 +106,12 @@ package body Robot_Core_Tests is
               & "', in " & State (R)'Image);
    end Expect;
 
-   ------------------
-   -- Expect_State --
-   ------------------
-
    procedure Expect_State (R : Robot; State : State_Kind) is
    begin
       Assert (Robot_Core.State (R) = State,
               "in " & Robot_Core.State (R)'Image & ", not in "
               & State'Image);
    end Expect_State;
-
-   -----------
-   -- Image --
-   -----------
 
    function Image (Data : Octets) return String is
       Text : String (1 .. Data'Length);
@@ -137,10 +121,6 @@ package body Robot_Core_Tests is
       end loop;
       return Text;
    end Image;
-
-   --------------
-   -- In_State --
-   --------------
 
    function In_State (State : State_Kind) return Robot is
       R : Robot;
@@ -171,16 +151,8 @@ package body Robot_Core_Tests is
       return R;
    end In_State;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Robot_Core"));
-
-   ----------------
-   -- Raw_Answer --
-   ----------------
 
    function Raw_Answer (R : in out Robot; Data : Octets) return String is
    begin
@@ -203,10 +175,6 @@ package body Robot_Core_Tests is
       end;
    end Raw_Answer;
 
-   --------------
-   -- Send_Raw --
-   --------------
-
    procedure Send_Raw (R : in out Robot; Data : Octets) is
    begin
       Complete := False;
@@ -214,10 +182,6 @@ package body Robot_Core_Tests is
          Receive (R, Byte, Complete, Result);
       end loop;
    end Send_Raw;
-
-   ------------------------
-   -- Test_Answer_Frames --
-   ------------------------
 
    procedure Test_Answer_Frames (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -236,10 +200,6 @@ package body Robot_Core_Tests is
       Assert (Result.Reply.Data (1 .. Result.Reply.Length)
               = Bytes ("3.5") & 16#28# & CR, "version");
    end Test_Answer_Frames;
-
-   -----------------------
-   -- Test_Bad_Checksum --
-   -----------------------
 
    procedure Test_Bad_Checksum (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -260,10 +220,6 @@ package body Robot_Core_Tests is
       end loop;
    end Test_Bad_Checksum;
 
-   -------------------------
-   -- Test_Battery_Levels --
-   -------------------------
-
    procedure Test_Battery_Levels (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Movement);
@@ -280,10 +236,6 @@ package body Robot_Core_Tests is
       Expect (R, "v", "2");
    end Test_Battery_Levels;
 
-   ---------------
-   -- Test_Busy --
-   ---------------
-
    procedure Test_Busy (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Run);
@@ -298,10 +250,6 @@ package body Robot_Core_Tests is
       Expect (R, "T=0", "O");
       Expect (R, "b", "0");
    end Test_Busy;
-
-   -------------------
-   -- Test_Charging --
-   -------------------
 
    procedure Test_Charging (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -336,10 +284,6 @@ package body Robot_Core_Tests is
       Expect_State (R, Off);
    end Test_Charging;
 
-   -------------------
-   -- Test_Checksum --
-   -------------------
-
    procedure Test_Checksum (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -351,10 +295,6 @@ package body Robot_Core_Tests is
       Assert (Checksum ((16#0F#, 16#01#)) = 16#0E#, "0x0E itself");
       Assert (Checksum (Bytes ("")) = 0, "nothing");
    end Test_Checksum;
-
-   ------------------------------
-   -- Test_Checksum_Sent_As_0E --
-   ------------------------------
 
    procedure Test_Checksum_Sent_As_0E (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -372,10 +312,6 @@ package body Robot_Core_Tests is
       Assert (Raw_Answer (R, (16#70#, 16#7D#, 16#0F#)) = "E", "0x0F");
    end Test_Checksum_Sent_As_0E;
 
-   -------------------
-   -- Test_Counters --
-   -------------------
-
    procedure Test_Counters (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Idle);
@@ -392,10 +328,6 @@ package body Robot_Core_Tests is
       Assert (Stops (R) = 3, "stops" & Stops (R)'Image);
    end Test_Counters;
 
-   --------------------------------
-   -- Test_Early_Reloads_Disable --
-   --------------------------------
-
    procedure Test_Early_Reloads_Disable (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Idle);
@@ -411,10 +343,6 @@ package body Robot_Core_Tests is
       Assert (Missed_Total (R) = 3, "in all" & Missed_Total (R)'Image);
       Assert (Disabled_Count (R) = 1, "disabled once");
    end Test_Early_Reloads_Disable;
-
-   ----------------------------
-   -- Test_Every_Byte_String --
-   ----------------------------
 
    procedure Test_Every_Byte_String (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -444,10 +372,6 @@ package body Robot_Core_Tests is
       Expect (R, "p", "O");
    end Test_Every_Byte_String;
 
-   ------------------------------
-   -- Test_First_Letter_Counts --
-   ------------------------------
-
    procedure Test_First_Letter_Counts (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Idle);
@@ -464,10 +388,6 @@ package body Robot_Core_Tests is
       Expect (R, "Watchdog", "O");
       Assert (Watchdog_On (R), "watchdog");
    end Test_First_Letter_Counts;
-
-   ----------------------
-   -- Test_Low_Battery --
-   ----------------------
 
    procedure Test_Low_Battery (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -511,10 +431,6 @@ package body Robot_Core_Tests is
       Expect_State (R, Low_Battery);
    end Test_Low_Battery;
 
-   ------------------------------
-   -- Test_Missed_Returns_To_0 --
-   ------------------------------
-
    procedure Test_Missed_Returns_To_0 (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Idle);
@@ -532,10 +448,6 @@ package body Robot_Core_Tests is
       Expect_State (R, Run);
       Assert (Missed_Total (R) = 20, "in all" & Missed_Total (R)'Image);
    end Test_Missed_Returns_To_0;
-
-   --------------------
-   -- Test_Move_Rows --
-   --------------------
 
    procedure Test_Move_Rows (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -572,10 +484,6 @@ package body Robot_Core_Tests is
       Try ("T=0", Stop => True);
    end Test_Move_Rows;
 
-   ------------------------
-   -- Test_Movement_Ends --
-   ------------------------
-
    procedure Test_Movement_Ends (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Run);
@@ -607,10 +515,6 @@ package body Robot_Core_Tests is
       Expect_State (R, Movement);
    end Test_Movement_Ends;
 
-   ----------------------------
-   -- Test_Movement_Replaced --
-   ----------------------------
-
    procedure Test_Movement_Replaced (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Run);
@@ -630,10 +534,6 @@ package body Robot_Core_Tests is
       Assert (Pose (R).Y = 350_000, "50 mm upwards");
       Expect_State (R, Run);
    end Test_Movement_Replaced;
-
-   ----------------------
-   -- Test_NUL_Dropped --
-   ----------------------
 
    procedure Test_NUL_Dropped (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -656,10 +556,6 @@ package body Robot_Core_Tests is
       Assert (Raw_Answer (R, (16#70#, 16#62#, 16#61#, 16#73#, 0)) = "O",
               "'p', and 0x73 taken for the checksum");
    end Test_NUL_Dropped;
-
-   ------------------
-   -- Test_Numbers --
-   ------------------
 
    procedure Test_Numbers (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -722,10 +618,6 @@ package body Robot_Core_Tests is
       end loop;
    end Test_Numbers;
 
-   ----------------------
-   -- Test_Power_Cycle --
-   ----------------------
-
    procedure Test_Power_Cycle (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Idle);
@@ -748,10 +640,6 @@ package body Robot_Core_Tests is
       Assert (Pose (R) = A, "moved");
    end Test_Power_Cycle;
 
-   ------------------------------------
-   -- Test_Power_Off_After_2_Minutes --
-   ------------------------------------
-
    procedure Test_Power_Off_After_2_Minutes (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -771,10 +659,6 @@ package body Robot_Core_Tests is
          end if;
       end loop;
    end Test_Power_Off_After_2_Minutes;
-
-   ----------------------------
-   -- Test_Power_Off_Command --
-   ----------------------------
 
    procedure Test_Power_Off_Command (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -800,10 +684,6 @@ package body Robot_Core_Tests is
       end loop;
    end Test_Power_Off_Command;
 
-   ---------------------------------
-   -- Test_Queries_In_Every_State --
-   ---------------------------------
-
    procedure Test_Queries_In_Every_State (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -820,10 +700,6 @@ package body Robot_Core_Tests is
       end loop;
    end Test_Queries_In_Every_State;
 
-   ----------------------
-   -- Test_Reload_Rows --
-   ----------------------
-
    procedure Test_Reload_Rows (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -836,10 +712,6 @@ package body Robot_Core_Tests is
          end;
       end loop;
    end Test_Reload_Rows;
-
-   -----------------
-   -- Test_Starve --
-   -----------------
 
    procedure Test_Starve (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -864,10 +736,6 @@ package body Robot_Core_Tests is
       Expect_State (R, Idle);
    end Test_Starve;
 
-   ------------------------------
-   -- Test_Reset_From_Disabled --
-   ------------------------------
-
    procedure Test_Reset_From_Disabled (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Watchdog_Disabled);
@@ -885,10 +753,6 @@ package body Robot_Core_Tests is
       Wait (R, 10);
       Expect (R, "w", "O");
    end Test_Reset_From_Disabled;
-
-   ---------------------
-   -- Test_Reset_Rows --
-   ---------------------
 
    procedure Test_Reset_Rows (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -914,10 +778,6 @@ package body Robot_Core_Tests is
       end loop;
    end Test_Reset_Rows;
 
-   ---------------------
-   -- Test_Start_Rows --
-   ---------------------
-
    procedure Test_Start_Rows (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -942,10 +802,6 @@ package body Robot_Core_Tests is
       end loop;
    end Test_Start_Rows;
 
-   --------------------------
-   -- Test_Start_Up_Option --
-   --------------------------
-
    procedure Test_Start_Up_Option (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot;
@@ -956,10 +812,6 @@ package body Robot_Core_Tests is
       Wait_Microseconds (R, 1);
       Expect_State (R, Idle);
    end Test_Start_Up_Option;
-
-   ------------------------
-   -- Test_Start_Up_Time --
-   ------------------------
 
    procedure Test_Start_Up_Time (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -977,10 +829,6 @@ package body Robot_Core_Tests is
       Expect_State (R, Idle);
       Expect (R, "u", "O");
    end Test_Start_Up_Time;
-
-   -----------------------
-   -- Test_Three_Misses --
-   -----------------------
 
    procedure Test_Three_Misses (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -1007,10 +855,6 @@ package body Robot_Core_Tests is
       Assert (Missed_Total (R) = 3, "goes on counting");
    end Test_Three_Misses;
 
-   ----------------------------
-   -- Test_Time_Goes_One_Way --
-   ----------------------------
-
    procedure Test_Time_Goes_One_Way (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Idle);
@@ -1024,10 +868,6 @@ package body Robot_Core_Tests is
       Switch_On (R);
       Expect (R, "p", "O");
    end Test_Time_Goes_One_Way;
-
-   ------------------
-   -- Test_Unknown --
-   ------------------
 
    procedure Test_Unknown (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -1049,10 +889,6 @@ package body Robot_Core_Tests is
       end loop;
    end Test_Unknown;
 
-   ----------------------------------
-   -- Test_Watchdog_Kept_For_Hours --
-   ----------------------------------
-
    procedure Test_Watchdog_Kept_For_Hours (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Idle);
@@ -1071,10 +907,6 @@ package body Robot_Core_Tests is
       Expect_State (R, Run);
    end Test_Watchdog_Kept_For_Hours;
 
-   ------------------------------
-   -- Test_Watchdog_Off_Reload --
-   ------------------------------
-
    procedure Test_Watchdog_Off_Reload (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Run);
@@ -1086,10 +918,6 @@ package body Robot_Core_Tests is
       Expect_State (R, Run);
       Assert (Missed_Total (R) = 0, "missed");
    end Test_Watchdog_Off_Reload;
-
-   --------------------------------
-   -- Test_Watchdog_While_Moving --
-   --------------------------------
 
    procedure Test_Watchdog_While_Moving (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -1116,10 +944,6 @@ package body Robot_Core_Tests is
       Expect (R, "b", "0");
    end Test_Watchdog_While_Moving;
 
-   ---------------------------
-   -- Test_What_Keeps_Awake --
-   ---------------------------
-
    procedure Test_What_Keeps_Awake (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Idle);
@@ -1140,10 +964,6 @@ package body Robot_Core_Tests is
       Wait (R, 1);
       Expect_State (R, Off);
    end Test_What_Keeps_Awake;
-
-   -----------------------
-   -- Test_Window_Edges --
-   -----------------------
 
    procedure Test_Window_Edges (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -1185,10 +1005,6 @@ package body Robot_Core_Tests is
       Try (12, "E", 2);  --  missed by the tick, then refused as too early
    end Test_Window_Edges;
 
-   -----------------------
-   -- Test_Window_Phase --
-   -----------------------
-
    procedure Test_Window_Phase (T : in out Any_Test) is
       pragma Unreferenced (T);
 
@@ -1217,10 +1033,6 @@ package body Robot_Core_Tests is
       Try (Offset => 90_000, Interval => 1_110_000, Answer => "E");
    end Test_Window_Phase;
 
-   ---------------------
-   -- Test_Wrap_At_50 --
-   ---------------------
-
    procedure Test_Wrap_At_50 (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Robot := In_State (Idle);
@@ -1248,27 +1060,15 @@ package body Robot_Core_Tests is
       Assert (Raw_Answer (R, Ping) = "O", "and nothing is left of it");
    end Test_Wrap_At_50;
 
-   ----------
-   -- Wait --
-   ----------
-
    procedure Wait (R : in out Robot; Ticks : Natural) is
    begin
       Wait_Microseconds (R, Time_Point (Ticks) * Tick);
    end Wait;
 
-   -----------------------
-   -- Wait_Microseconds --
-   -----------------------
-
    procedure Wait_Microseconds (R : in out Robot; Time : Time_Point) is
    begin
       Advance_To (R, Clock (R) + Time);
    end Wait_Microseconds;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;

@@ -31,10 +31,6 @@ package body Robot_Motion_Tests is
    procedure Test_Square (T : in out Any_Test);
    procedure Test_Extremes (T : in out Any_Test);
 
-   ------------
-   -- Expect --
-   ------------
-
    procedure Expect
      (M : Motion; X, Y, Angle : Micro; Tolerance : Micro := 0)
    is
@@ -47,16 +43,8 @@ package body Robot_Motion_Tests is
               & X'Image & Y'Image & Angle'Image);
    end Expect;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Robot_Motion"));
-
-   ----------
-   -- Pass --
-   ----------
 
    procedure Pass (M : in out Motion; Time : Micro) is
       Left : Micro := Time;
@@ -67,20 +55,12 @@ package body Robot_Motion_Tests is
       end loop;
    end Pass;
 
-   ------------
-   -- Placed --
-   ------------
-
    function Placed (X, Y, Angle : Micro) return Motion is
       M : Motion;
    begin
       Place (M, (X, Y, Angle));
       return M;
    end Placed;
-
-   ------------------
-   -- Test_Endless --
-   ------------------
 
    procedure Test_Endless (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -98,10 +78,6 @@ package body Robot_Motion_Tests is
       Pass (M, 1_000_000);
       Expect (M, 400_000, 300_000, 315_000_000);
    end Test_Endless;
-
-   --------------------------
-   -- Test_Every_Direction --
-   --------------------------
 
    procedure Test_Every_Direction (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -125,10 +101,6 @@ package body Robot_Motion_Tests is
          end;
       end loop;
    end Test_Every_Direction;
-
-   -------------------
-   -- Test_Extremes --
-   -------------------
 
    procedure Test_Extremes (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -157,10 +129,6 @@ package body Robot_Motion_Tests is
       Expect (M, 738_000, 300_000, 0);
    end Test_Extremes;
 
-   ---------------
-   -- Test_Halt --
-   ---------------
-
    procedure Test_Halt (T : in out Any_Test) is
       pragma Unreferenced (T);
       M : Motion;
@@ -180,10 +148,6 @@ package body Robot_Motion_Tests is
       Go (M, 0);
       Assert (not Is_Moving (M), "moving by 0");
    end Test_Halt;
-
-   ---------------
-   -- Test_Sine --
-   ---------------
 
    procedure Test_Sine (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -209,10 +173,6 @@ package body Robot_Motion_Tests is
       end loop;
    end Test_Sine;
 
-   -----------------
-   -- Test_Square --
-   -----------------
-
    procedure Test_Square (T : in out Any_Test) is
       pragma Unreferenced (T);
       M : Motion := Placed (300_000, 200_000, 0);
@@ -228,10 +188,6 @@ package body Robot_Motion_Tests is
       Expect (M, 300_000, 200_000, 0);
    end Test_Square;
 
-   ------------------------------
-   -- Test_Steps_Do_Not_Matter --
-   ------------------------------
-
    procedure Test_Steps_Do_Not_Matter (T : in out Any_Test) is
       pragma Unreferenced (T);
       A, B : Motion := Placed (300_000, 200_000, 33_300_000);
@@ -246,10 +202,6 @@ package body Robot_Motion_Tests is
       P := Pose_Of (A);
       Expect (B, P.X, P.Y, P.Angle);
    end Test_Steps_Do_Not_Matter;
-
-   -------------------
-   -- Test_Straight --
-   -------------------
 
    procedure Test_Straight (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -267,10 +219,6 @@ package body Robot_Motion_Tests is
       Pass (M, 1_005_000);
       Expect (M, 200_000, 300_000, 0);
    end Test_Straight;
-
-   ----------------
-   -- Test_Turns --
-   ----------------
 
    procedure Test_Turns (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -295,10 +243,6 @@ package body Robot_Motion_Tests is
       Pass (M, 8_000_000);
       Expect (M, 400_000, 300_000, 6_000_000);
    end Test_Turns;
-
-   ----------------
-   -- Test_Walls --
-   ----------------
 
    procedure Test_Walls (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -350,10 +294,6 @@ package body Robot_Motion_Tests is
       end loop;
    end Test_Walls;
 
-   --------------------------
-   -- Test_Wall_Keeps_Busy --
-   --------------------------
-
    procedure Test_Wall_Keeps_Busy (T : in out Any_Test) is
       pragma Unreferenced (T);
       M : Motion := Placed (738_000, 300_000, 0);
@@ -367,10 +307,6 @@ package body Robot_Motion_Tests is
       Assert (not Is_Moving (M), "never ends");
       Expect (M, 738_000, 300_000, 0);
    end Test_Wall_Keeps_Busy;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;

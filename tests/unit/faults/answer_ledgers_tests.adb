@@ -29,34 +29,18 @@ package body Answer_Ledgers_Tests is
    procedure Test_Silent (T : in out Any_Test);
    procedure Test_Perhaps (T : in out Any_Test);
 
-   ---------
-   -- Ask --
-   ---------
-
    procedure Ask (Command : String) is
    begin
       Put_Command (L, Command, Kind_Of (Command));
    end Ask;
-
-   ----------
-   -- Hear --
-   ----------
 
    procedure Hear (Label : String) is
    begin
       Put_Message (L, (Label => Label, Time => Now, others => <>));
    end Hear;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Answer_Ledgers"));
-
-   ---------------
-   -- Test_Once --
-   ---------------
 
    procedure Test_Once (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -73,10 +57,6 @@ package body Answer_Ledgers_Tests is
       Assert (Is_Complete (L) and then Waiting (L) = 0, "none waits");
    end Test_Once;
 
-   ----------------
-   -- Test_Twice --
-   ----------------
-
    procedure Test_Twice (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -88,10 +68,6 @@ package body Answer_Ledgers_Tests is
       Assert (not Is_Complete (L), "broken is not complete");
       Assert (Complaint (L) /= "", "a reason");
    end Test_Twice;
-
-   ------------------
-   -- Test_Missing --
-   ------------------
 
    procedure Test_Missing (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -105,10 +81,6 @@ package body Answer_Ledgers_Tests is
       Assert
         (not Is_Complete (L) and then not Is_Broken (L), "one is missing");
    end Test_Missing;
-
-   ---------------------
-   -- Test_Wrong_Kind --
-   ---------------------
 
    procedure Test_Wrong_Kind (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -124,10 +96,6 @@ package body Answer_Ledgers_Tests is
       Assert (Is_Broken (L), "must be refused");
    end Test_Wrong_Kind;
 
-   --------------------
-   -- Test_Too_Early --
-   --------------------
-
    procedure Test_Too_Early (T : in out Any_Test) is
       pragma Unreferenced (T);
       Before : constant Instant := Now;
@@ -138,10 +106,6 @@ package body Answer_Ledgers_Tests is
       Put_Message (L, (Label => "AACK", Time => Before, others => <>));
       Assert (Is_Broken (L), "an answer before its command");
    end Test_Too_Early;
-
-   ------------------
-   -- Test_Unasked --
-   ------------------
 
    procedure Test_Unasked (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -157,10 +121,6 @@ package body Answer_Ledgers_Tests is
       Hear ("CIMG");
       Assert (Is_Complete (L), "answered once");
    end Test_Unasked;
-
-   ------------------
-   -- Test_Battery --
-   ------------------
 
    procedure Test_Battery (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -184,10 +144,6 @@ package body Answer_Ledgers_Tests is
       Assert (not Is_Complete (L), "one is missing");
    end Test_Battery;
 
-   ----------------
-   -- Test_Arena --
-   ----------------
-
    procedure Test_Arena (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -202,10 +158,6 @@ package body Answer_Ledgers_Tests is
       Hear ("ANAK");
       Assert (Is_Complete (L), "no arena");
    end Test_Arena;
-
-   ------------------------
-   -- Test_Loss_Of_Robot --
-   ------------------------
 
    procedure Test_Loss_Of_Robot (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -224,10 +176,6 @@ package body Answer_Ledgers_Tests is
         (Is_Complete (L) and then Unasked_Losses (L) = 1, "still one");
    end Test_Loss_Of_Robot;
 
-   -----------------
-   -- Test_Silent --
-   -----------------
-
    procedure Test_Silent (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -243,10 +191,6 @@ package body Answer_Ledgers_Tests is
       Hear ("AACK");
       Assert (Is_Broken (L), "an answer where none is due");
    end Test_Silent;
-
-   ------------------
-   -- Test_Perhaps --
-   ------------------
 
    procedure Test_Perhaps (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -264,10 +208,6 @@ package body Answer_Ledgers_Tests is
          Assert (Is_Broken (L), "but once");
       end loop;
    end Test_Perhaps;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;

@@ -36,10 +36,6 @@ package body Authentication_Tests is
    procedure Test_Decided_Once (T : in out Any_Test);
    procedure Test_Shown (T : in out Any_Test);
 
-   ------------
-   -- Expect --
-   ------------
-
    procedure Expect
      (Text : String; Outcome : Verdict; Of_Token : String := Usual)
    is
@@ -54,10 +50,6 @@ package body Authentication_Tests is
         (Decision (R) = Outcome, Decision (R)'Image & " after " & Text);
    end Expect;
 
-   ------------------
-   -- Expect_Shown --
-   ------------------
-
    procedure Expect_Shown (Line : String; Shown : String) is
       Text : Texts.Text := Texts.To_Text ("it: ");
    begin
@@ -66,10 +58,6 @@ package body Authentication_Tests is
         (Texts.Image (Text) = "it: " & Shown,
          Line & " is shown as " & Texts.Image (Text));
    end Expect_Shown;
-
-   ------------------
-   -- Expect_Token --
-   ------------------
 
    procedure Expect_Token (Text : String; Good : Boolean) is
       Known : Token;
@@ -80,16 +68,8 @@ package body Authentication_Tests is
       Assert ((Known.Length > 0) = Good, "its length: " & Text);
    end Expect_Token;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Admission.Authentication"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -106,10 +86,6 @@ package body Authentication_Tests is
       Register_Routine (T, Test_Shown'Access, "what the log shows");
    end Register_Tests;
 
-   -----------------------
-   -- Test_Decided_Once --
-   -----------------------
-
    procedure Test_Decided_Once (T : in out Any_Test) is
       pragma Unreferenced (T);
       Known : constant Token := To_Token (Usual);
@@ -124,10 +100,6 @@ package body Authentication_Tests is
       Accept_Character (R, Known, LF);
       Assert (Decision (R) = Wrong, "nothing is left of the line before");
    end Test_Decided_Once;
-
-   ----------------------
-   -- Test_Every_Place --
-   ----------------------
 
    procedure Test_Every_Place (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -165,10 +137,6 @@ package body Authentication_Tests is
       Try ((1 .. Max_Token - 1 => '!', Max_Token => '~'));
    end Test_Every_Place;
 
-   ----------------
-   -- Test_Files --
-   ----------------
-
    procedure Test_Files (T : in out Any_Test) is
       pragma Unreferenced (T);
       Known : Token;
@@ -199,10 +167,6 @@ package body Authentication_Tests is
       Expect_Token ((1 .. Max_Token + 1 => 'x'), False);
    end Test_Files;
 
-   ----------------
-   -- Test_Modes --
-   ----------------
-
    procedure Test_Modes (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -220,10 +184,6 @@ package body Authentication_Tests is
       Assert (not Is_Kept_Secret (8#100444#, Root), "root's, others read");
    end Test_Modes;
 
-   ----------------
-   -- Test_Right --
-   ----------------
-
    procedure Test_Right (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -233,10 +193,6 @@ package body Authentication_Tests is
       Expect ("AUTH:" & Usual & CR & LF, Right);
       Expect ("", Undecided);
    end Test_Right;
-
-   ----------------
-   -- Test_Shown --
-   ----------------
 
    procedure Test_Shown (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -263,10 +219,6 @@ package body Authentication_Tests is
          "cut at its end: " & Texts.Image (Full));
    end Test_Shown;
 
-   -------------------
-   -- Test_Too_Long --
-   -------------------
-
    procedure Test_Too_Long (T : in out Any_Test) is
       pragma Unreferenced (T);
       Longest : constant String := (1 .. Max_Token => 'x');
@@ -280,10 +232,6 @@ package body Authentication_Tests is
       Expect ("AUTH:" & Longest & CR & LF, Right, Longest);
       Expect ("AUTH:" & Longest & CR & 'x', Wrong, Longest);
    end Test_Too_Long;
-
-   ----------------
-   -- Test_Wrong --
-   ----------------
 
    procedure Test_Wrong (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -304,10 +252,6 @@ package body Authentication_Tests is
       Expect ("AUTH:" & Usual & Usual & LF, Wrong);
       Expect (Usual & LF, Wrong);
    end Test_Wrong;
-
-   --------------
-   -- To_Token --
-   --------------
 
    function To_Token (Text : String) return Token is
       Result : Token;

@@ -44,10 +44,6 @@ package body Base64_Tests is
    procedure Test_Two_Characters (T : in out Any_Test);
    procedure Test_Chaos (T : in out Any_Test);
 
-   ------------------
-   -- Check_Decode --
-   ------------------
-
    procedure Check_Decode (Text : String; Expected : String) is
       Output : Byte_Array (1 .. Max) := (others => 255);
       Length : Natural;
@@ -61,10 +57,6 @@ package body Base64_Tests is
               "behind the result of " & Text);
    end Check_Decode;
 
-   -------------------
-   -- Check_Refused --
-   -------------------
-
    procedure Check_Refused (Text : String) is
       Output : Byte_Array (1 .. Max) := (others => 0);
       Length : Natural;
@@ -73,10 +65,6 @@ package body Base64_Tests is
       Base64.Decode (Text, Output, Length, OK);
       Assert (not OK and then Length = 0, "refused: " & Text);
    end Check_Refused;
-
-   ----------------------
-   -- Check_Round_Trip --
-   ----------------------
 
    procedure Check_Round_Trip (Input : Byte_Array) is
       Text   : constant String := Encoded (Input);
@@ -90,10 +78,6 @@ package body Base64_Tests is
               "round trip of" & Integer'Image (Input'Length) & " bytes");
    end Check_Round_Trip;
 
-   -------------
-   -- Encoded --
-   -------------
-
    function Encoded (Input : Byte_Array) return String is
       Output : String (1 .. Base64.Encoded_Length (Input'Length));
       Last   : Natural;
@@ -104,16 +88,8 @@ package body Base64_Tests is
       return Output;
    end Encoded;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Base64"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -130,10 +106,6 @@ package body Base64_Tests is
                         "every first two characters");
       Register_Routine (T, Test_Chaos'Access, "chaos");
    end Register_Tests;
-
-   -------------------
-   -- Test_Alphabet --
-   -------------------
 
    procedure Test_Alphabet (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -152,10 +124,6 @@ package body Base64_Tests is
               and then Output (48) = 16#BF#, "last three bytes");
       Assert (Encoded (Output) = Text, "encoded again");
    end Test_Alphabet;
-
-   ----------------
-   -- Test_Chaos --
-   ----------------
 
    procedure Test_Chaos (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -190,10 +158,6 @@ package body Base64_Tests is
       Assert (Good > 0, "some are accepted");
    end Test_Chaos;
 
-   ----------------
-   -- Test_Image --
-   ----------------
-
    procedure Test_Image (T : in out Any_Test) is
       pragma Unreferenced (T);
       G     : Random_Bytes.Generator;
@@ -207,10 +171,6 @@ package body Base64_Tests is
       Check_Round_Trip (Input (1 .. 59_999));
       Check_Round_Trip (Input (1 .. 59_998));
    end Test_Image;
-
-   ------------------
-   -- Test_Lengths --
-   ------------------
 
    procedure Test_Lengths (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -230,10 +190,6 @@ package body Base64_Tests is
       end loop;
    end Test_Lengths;
 
-   ----------------
-   -- Test_Place --
-   ----------------
-
    procedure Test_Place (T : in out Any_Test) is
       pragma Unreferenced (T);
       Output : String (11 .. 40) := (others => '.');
@@ -252,10 +208,6 @@ package body Base64_Tests is
       Assert (Output = ".....Zm9vYmE=.............Zm9v", "rest as it was");
    end Test_Place;
 
-   -----------------
-   -- Test_Random --
-   -----------------
-
    procedure Test_Random (T : in out Any_Test) is
       pragma Unreferenced (T);
       G     : Random_Bytes.Generator;
@@ -269,10 +221,6 @@ package body Base64_Tests is
          Check_Round_Trip (Input (1 .. Natural (Input (1))));
       end loop;
    end Test_Random;
-
-   ------------------
-   -- Test_Refused --
-   ------------------
 
    procedure Test_Refused (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -311,10 +259,6 @@ package body Base64_Tests is
       Check_Refused ("Zm9vZh==");
    end Test_Refused;
 
-   --------------------
-   -- Test_Two_Bytes --
-   --------------------
-
    procedure Test_Two_Bytes (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -325,10 +269,6 @@ package body Base64_Tests is
          Check_Round_Trip ((1 => A));
       end loop;
    end Test_Two_Bytes;
-
-   -------------------------
-   -- Test_Two_Characters --
-   -------------------------
 
    procedure Test_Two_Characters (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -350,10 +290,6 @@ package body Base64_Tests is
       end loop;
       Assert (Count = 256, "as many texts as bytes");
    end Test_Two_Characters;
-
-   ------------------
-   -- Test_Vectors --
-   ------------------
 
    procedure Test_Vectors (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -378,10 +314,6 @@ package body Base64_Tests is
       Assert (Encoded ((16#FF#, 16#D8#, 16#FF#, 16#E0#)) = "/9j/4A==",
               "how every JPEG begins");
    end Test_Vectors;
-
-   --------------
-   -- To_Bytes --
-   --------------
 
    function To_Bytes (S : String) return Byte_Array is
       Result : Byte_Array (1 .. S'Length);

@@ -19,16 +19,8 @@ package body Blocklists_Tests is
    procedure Test_Too_Many (T : in out Any_Test);
    procedure Test_Forgets (T : in out Any_Test);
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Admission.Blocklists"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -38,10 +30,6 @@ package body Blocklists_Tests is
       Register_Routine (T, Test_Too_Many'Access, "too many to tell apart");
       Register_Routine (T, Test_Forgets'Access, "what is long ago");
    end Register_Tests;
-
-   ------------------
-   -- Test_Forgets --
-   ------------------
 
    procedure Test_Forgets (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -68,10 +56,6 @@ package body Blocklists_Tests is
       Assert (not Grown and then L.Count = 1, "nobody has come since");
    end Test_Forgets;
 
-   ---------------
-   -- Test_Many --
-   ---------------
-
    procedure Test_Many (T : in out Any_Test) is
       pragma Unreferenced (T);
       H     : History;
@@ -96,10 +80,6 @@ package body Blocklists_Tests is
       Assert (not Grown and then not Contains (L, 100), "no more room");
    end Test_Many;
 
-   --------------
-   -- Test_One --
-   --------------
-
    procedure Test_One (T : in out Any_Test) is
       pragma Unreferenced (T);
       H     : History;
@@ -122,10 +102,6 @@ package body Blocklists_Tests is
       Extend (L, H, Grown);
       Assert (not Grown and then L.Count = 1, "twice in the list");
    end Test_One;
-
-   -------------------
-   -- Test_Too_Many --
-   -------------------
 
    procedure Test_Too_Many (T : in out Any_Test) is
       pragma Unreferenced (T);

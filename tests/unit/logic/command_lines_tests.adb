@@ -30,10 +30,6 @@ package body Command_Lines_Tests is
    procedure Test_Wrong (T : in out Any_Test);
    procedure Test_Long (T : in out Any_Test);
 
-   ------------------
-   -- Expect_Wrong --
-   ------------------
-
    procedure Expect_Wrong (Line : String; Reason : String) is
       R : constant Reading := Read (Line);
    begin
@@ -43,16 +39,8 @@ package body Command_Lines_Tests is
          Line & ": " & Texts.Image (R.Reason));
    end Expect_Wrong;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Command_Lines"));
-
-   ----------
-   -- Read --
-   ----------
 
    function Read (Line : String) return Reading is
       Result : Reading;
@@ -72,10 +60,6 @@ package body Command_Lines_Tests is
       return Result;
    end Read;
 
-   --------------------
-   -- Register_Tests --
-   --------------------
-
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
    begin
@@ -89,19 +73,11 @@ package body Command_Lines_Tests is
       Register_Routine (T, Test_Long'Access, "an endless argument");
    end Register_Tests;
 
-   -------------------
-   -- Test_Defaults --
-   -------------------
-
    procedure Test_Defaults (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
       Assert (Read ("") = Reading'(others => <>), "not the defaults");
    end Test_Defaults;
-
-   -----------------
-   -- Test_Equals --
-   -----------------
 
    procedure Test_Equals (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -118,10 +94,6 @@ package body Command_Lines_Tests is
       Expect_Wrong ("--check=1", "option '--check' takes no value");
       Expect_Wrong ("--=1", "unknown option '--'");
    end Test_Equals;
-
-   -----------------------
-   -- Test_Every_Option --
-   -----------------------
 
    procedure Test_Every_Option (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -171,10 +143,6 @@ package body Command_Lines_Tests is
       Assert (Read ("--draw arena").Chosen.Drawing = Options.Arena, "arena");
    end Test_Every_Option;
 
-   -----------------
-   -- Test_Limits --
-   -----------------
-
    procedure Test_Limits (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -204,10 +172,6 @@ package body Command_Lines_Tests is
         ("--cpu 1024", "--cpu: '1024' is not a number in 0 .. 1023");
    end Test_Limits;
 
-   ---------------
-   -- Test_Long --
-   ---------------
-
    procedure Test_Long (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Reading;
@@ -223,10 +187,6 @@ package body Command_Lines_Tests is
       Take (R, (1 .. Texts.Max_Length => '-'));
       Assert (R.Request = Wrong, "a name as long as can be");
    end Test_Long;
-
-   -------------------
-   -- Test_Networks --
-   -------------------
 
    procedure Test_Networks (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -256,10 +216,6 @@ package body Command_Lines_Tests is
       Expect_Wrong ("--token=", "a value is missing after --token");
    end Test_Networks;
 
-   -------------------
-   -- Test_Requests --
-   -------------------
-
    procedure Test_Requests (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -275,10 +231,6 @@ package body Command_Lines_Tests is
         (Read ("--port x --help").Request = Wrong,
          "what follows a mistake counts no more");
    end Test_Requests;
-
-   ----------------
-   -- Test_Wrong --
-   ----------------
 
    procedure Test_Wrong (T : in out Any_Test) is
       pragma Unreferenced (T);

@@ -31,10 +31,6 @@ package body Decimals_Tests is
    procedure Test_Octets (T : in out Any_Test);
    procedure Test_Saturated (T : in out Any_Test);
 
-   ------------------
-   -- Check_Append --
-   ------------------
-
    procedure Check_Append (N : Texts.Number; Width : Texts.Digit_Count) is
       Text : String (1 .. 12) := (others => '.');
       Last : Natural := 2;
@@ -49,16 +45,8 @@ package body Decimals_Tests is
               "saturated value of" & N'Image);
    end Check_Append;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Decimals"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -69,10 +57,6 @@ package body Decimals_Tests is
       Register_Routine (T, Test_Saturated'Access, "any count of digits");
    end Register_Tests;
 
-   -----------------
-   -- Test_Append --
-   -----------------
-
    procedure Test_Append (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -80,10 +64,6 @@ package body Decimals_Tests is
          Check_Append (N, 1);
       end loop;
    end Test_Append;
-
-   ----------------
-   -- Test_Edges --
-   ----------------
 
    procedure Test_Edges (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -98,10 +78,6 @@ package body Decimals_Tests is
          Check_Append (0, Width);
       end loop;
    end Test_Edges;
-
-   -----------------
-   -- Test_Octets --
-   -----------------
 
    procedure Test_Octets (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -118,10 +94,6 @@ package body Decimals_Tests is
                  "digit" & B'Image);
       end loop;
    end Test_Octets;
-
-   --------------------
-   -- Test_Saturated --
-   --------------------
 
    procedure Test_Saturated (T : in out Any_Test) is
       pragma Unreferenced (T);

@@ -64,16 +64,8 @@ package body Image_Grid_Tests is
       & F.Oldest'Image & "," & F.Sent'Image & " sent," & F.Left_Out'Image
       & " left out");
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Vision.Image_Grid"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -86,10 +78,6 @@ package body Image_Grid_Tests is
       Register_Routine (T, Test_Drift'Access, "a clock that drifts");
       Register_Routine (T, Test_Step'Access, "a step makes up for little");
    end Register_Tests;
-
-   ---------
-   -- Run --
-   ---------
 
    procedure Run (From : Source; Phase : Long_Float; Result : out Figures) is
 
@@ -206,10 +194,6 @@ package body Image_Grid_Tests is
         Between (Positive (0.99 * Long_Float (Between.Last_Index)));
    end Run;
 
-   ---------------
-   -- Test_Fast --
-   ---------------
-
    procedure Test_Fast (T : in out Any_Test) is
       pragma Unreferenced (T);
       Rates  : constant array (Positive range <>) of Long_Float :=
@@ -230,10 +214,6 @@ package body Image_Grid_Tests is
       end loop;
    end Test_Fast;
 
-   ---------------
-   -- Test_Slow --
-   ---------------
-
    procedure Test_Slow (T : in out Any_Test) is
       pragma Unreferenced (T);
       Rates  : constant array (Positive range <>) of Long_Float :=
@@ -253,10 +233,6 @@ package body Image_Grid_Tests is
          end loop;
       end loop;
    end Test_Slow;
-
-   -----------------
-   -- Test_Jitter --
-   -----------------
 
    procedure Test_Jitter (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -281,10 +257,6 @@ package body Image_Grid_Tests is
       end loop;
    end Test_Jitter;
 
-   ----------------
-   -- Test_Drift --
-   ----------------
-
    procedure Test_Drift (T : in out Any_Test) is
       pragma Unreferenced (T);
       Result : Figures;
@@ -302,10 +274,6 @@ package body Image_Grid_Tests is
             "faster, phase" & Phase'Image & ":" & Image (Result));
       end loop;
    end Test_Drift;
-
-   ---------------
-   -- Test_Step --
-   ---------------
 
    procedure Test_Step (T : in out Any_Test) is
       pragma Unreferenced (T);

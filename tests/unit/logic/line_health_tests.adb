@@ -23,10 +23,6 @@ package body Line_Health_Tests is
    procedure Test_Explore (T : in out Any_Test);
    procedure Test_Late_Answers (T : in out Any_Test);
 
-   -------------
-   -- Explore --
-   -------------
-
    procedure Explore (H : State; Depth : Natural) is
       Next : State;
    begin
@@ -63,16 +59,8 @@ package body Line_Health_Tests is
       Explore (Next, Depth - 1);
    end Explore;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Robot.Health"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -88,10 +76,6 @@ package body Line_Health_Tests is
                         "a late answer never passes for the next");
    end Register_Tests;
 
-   ------------------
-   -- Test_Explore --
-   ------------------
-
    procedure Test_Explore (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -100,10 +84,6 @@ package body Line_Health_Tests is
       Explore (Opened, 4);
       Assert (Visited > 10_000, "states visited");
    end Test_Explore;
-
-   -----------------
-   -- Test_Fourth --
-   -----------------
 
    procedure Test_Fourth (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -123,10 +103,6 @@ package body Line_Health_Tests is
          end;
       end loop;
    end Test_Fourth;
-
-   ------------------
-   -- Test_Initial --
-   ------------------
 
    procedure Test_Initial (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -149,20 +125,12 @@ package body Line_Health_Tests is
               "a failure counts");
    end Test_Initial;
 
-   -----------------------
-   -- Test_Late_Answers --
-   -----------------------
-
    procedure Test_Late_Answers (T : in out Any_Test) is
       pragma Unreferenced (T);
       use type Bytes.Byte;
 
       function Answer_Frame (Text : String) return Frame;
       --  Text with its checksum and terminator.
-
-      ------------------
-      -- Answer_Frame --
-      ------------------
 
       function Answer_Frame (Text : String) return Frame is
          F : Frame;
@@ -233,10 +201,6 @@ package body Line_Health_Tests is
       end loop;
    end Test_Late_Answers;
 
-   ----------------------
-   -- Test_Probe_Order --
-   ----------------------
-
    procedure Test_Probe_Order (T : in out Any_Test) is
       pragma Unreferenced (T);
       H : State;
@@ -258,10 +222,6 @@ package body Line_Health_Tests is
       Failure (H, Version);
       Assert (Probe (H) = Unknown_Letter, "no digit after a digit");
    end Test_Probe_Order;
-
-   ----------------
-   -- Test_Reset --
-   ----------------
 
    procedure Test_Reset (T : in out Any_Test) is
       pragma Unreferenced (T);

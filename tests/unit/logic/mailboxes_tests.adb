@@ -64,18 +64,10 @@ package body Mailboxes_Tests is
    procedure Test_Stale (T : in out Any_Test);
    procedure Test_Full (T : in out Any_Test);
 
-   ------------
-   -- Answer --
-   ------------
-
    procedure Answer (Number : Ticket; Kind : Answer_Kind := Acknowledged) is
    begin
       Put_Answer (B, Number, Kind);
    end Answer;
-
-   ----------------
-   -- Begin_Anew --
-   ----------------
 
    procedure Begin_Anew is
       Next : Ticket;
@@ -85,10 +77,6 @@ package body Mailboxes_Tests is
       Assert (Next > 0, "numbers begin at 1");
       Open_Session (B);
    end Begin_Anew;
-
-   -----------
-   -- Check --
-   -----------
 
    procedure Check
      (Kind : Choice; Text : String := ""; Kept : Natural := Between)
@@ -110,45 +98,25 @@ package body Mailboxes_Tests is
       Assert (not Left, "the session lasts");
    end Check;
 
-   ---------------
-   -- Check_Gap --
-   ---------------
-
    procedure Check_Gap (Expected : Natural) is
    begin
       Assert (Due (B, Between) = Expected,
               "the gap is" & Due (B, Between)'Image);
    end Check_Gap;
 
-   ----------------
-   -- Check_Hold --
-   ----------------
-
    procedure Check_Hold (Held : Boolean) is
    begin
       Assert (Is_Held (B) = Held, "held back: " & Is_Held (B)'Image);
    end Check_Hold;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Monitor.Mailboxes"));
-
-   ----------
-   -- Pass --
-   ----------
 
    procedure Pass (Span : Ada.Real_Time.Time_Span) is
    begin
       Now := Now + Span;
       End_Hold (B, Now);
    end Pass;
-
-   -----------
-   -- Place --
-   -----------
 
    function Place return Ticket is
       Number : Ticket;
@@ -160,19 +128,11 @@ package body Mailboxes_Tests is
       return Number;
    end Place;
 
-   -----------------
-   -- Put_Battery --
-   -----------------
-
    procedure Put_Battery is
       Begun : Boolean;
    begin
       Put_Battery (B, Battery_Full, Now, Begun);
    end Put_Battery;
-
-   ---------------
-   -- Put_Image --
-   ---------------
 
    procedure Put_Image is
       Kept, Begun : Boolean;
@@ -180,10 +140,6 @@ package body Mailboxes_Tests is
       Put_Image (B, B.Made, Now, Kept, Begun);
       Assert (Kept, "the image is kept");
    end Put_Image;
-
-   ------------------
-   -- Put_Position --
-   ------------------
 
    procedure Put_Position (Text : String) is
       Line  : Short_Line;
@@ -193,10 +149,6 @@ package body Mailboxes_Tests is
       Line.Data (1 .. Line.Length) := Text & Monitor.Protocol.Line_Feed;
       Put_Position (B, Line, B.Made, Now, Begun);
    end Put_Position;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -213,10 +165,6 @@ package body Mailboxes_Tests is
       Register_Routine (T, Test_Stale'Access, "numbers out of date");
       Register_Routine (T, Test_Full'Access, "room for 256");
    end Register_Tests;
-
-   ----------------
-   -- Test_Arena --
-   ----------------
 
    procedure Test_Arena (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -238,10 +186,6 @@ package body Mailboxes_Tests is
       Check (Nothing);
    end Test_Arena;
 
-   ---------------
-   -- Test_Full --
-   ---------------
-
    procedure Test_Full (T : in out Any_Test) is
       pragma Unreferenced (T);
       First  : Ticket;
@@ -261,10 +205,6 @@ package body Mailboxes_Tests is
       Check (Monitor.Send_Order.Answer, "AACK");
       Assert (Place = First + Capacity, "room again");
    end Test_Full;
-
-   --------------
-   -- Test_Gap --
-   --------------
 
    procedure Test_Gap (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -290,10 +230,6 @@ package body Mailboxes_Tests is
       Check (Nothing);
    end Test_Gap;
 
-   ---------------
-   -- Test_Hold --
-   ---------------
-
    procedure Test_Hold (T : in out Any_Test) is
       pragma Unreferenced (T);
       First, Second : Ticket;
@@ -316,10 +252,6 @@ package body Mailboxes_Tests is
       Check (Image);
    end Test_Hold;
 
-   ----------------------
-   -- Test_Hold_Of_All --
-   ----------------------
-
    procedure Test_Hold_Of_All (T : in out Any_Test) is
       pragma Unreferenced (T);
       --  A command each 10 ms, answered at once, leaves no gap of 20 ms
@@ -341,10 +273,6 @@ package body Mailboxes_Tests is
       Assert (Turns >= 95, "not held back:" & Turns'Image);
       Check (Battery, "RBLV:2", Kept => 10);
    end Test_Hold_Of_All;
-
-   -----------------------
-   -- Test_Hold_Of_Each --
-   -----------------------
 
    procedure Test_Hold_Of_Each (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -370,10 +298,6 @@ package body Mailboxes_Tests is
       Check (Monitor.Send_Order.Answer, "AACK");
    end Test_Hold_Of_Each;
 
-   -----------------
-   -- Test_Newest --
-   -----------------
-
    procedure Test_Newest (T : in out Any_Test) is
       pragma Unreferenced (T);
       Begun : Boolean;
@@ -391,10 +315,6 @@ package body Mailboxes_Tests is
       Stop_Images (B);
       Check (Nothing);
    end Test_Newest;
-
-   ----------------
-   -- Test_Order --
-   ----------------
 
    procedure Test_Order (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -414,10 +334,6 @@ package body Mailboxes_Tests is
       Check (Monitor.Send_Order.Answer, "ACRJ");
       Check (Image);
    end Test_Order;
-
-   ----------------
-   -- Test_Stale --
-   ----------------
 
    procedure Test_Stale (T : in out Any_Test) is
       pragma Unreferenced (T);

@@ -38,26 +38,14 @@ package body Monitor_Link_Tests is
    procedure Test_Length (T : in out Any_Test);
    procedure Test_Cause (T : in out Any_Test);
 
-   --------------
-   -- Begin_At --
-   --------------
-
    procedure Begin_At (Time : Milliseconds) is
    begin
       Now := Time;
       Start (S, Now);
    end Begin_At;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Monitor.Link"));
-
-   ----------
-   -- Next --
-   ----------
 
    function Next
      (Unacknowledged : Natural;
@@ -78,10 +66,6 @@ package body Monitor_Link_Tests is
              V);
       return V;
    end Next;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -104,10 +88,6 @@ package body Monitor_Link_Tests is
       Register_Routine (T, Test_Cause'Access, "why a session ends");
       Register_Routine (T, Test_Length'Access, "what the kernel gives");
    end Register_Tests;
-
-   ------------------------
-   -- Test_After_Silence --
-   ------------------------
 
    procedure Test_After_Silence (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -132,10 +112,6 @@ package body Monitor_Link_Tests is
       Assert (Next (1, 10, 9, 16) = Present, "acknowledged");
    end Test_After_Silence;
 
-   ---------------
-   -- Test_Both --
-   ---------------
-
    procedure Test_Both (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -149,10 +125,6 @@ package body Monitor_Link_Tests is
                  (if I = 17 then Vanished else Stalled), "then vanished");
       end loop;
    end Test_Both;
-
-   ----------------
-   -- Test_Clock --
-   ----------------
 
    procedure Test_Clock (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -181,10 +153,6 @@ package body Monitor_Link_Tests is
       Assert (V = Present, "progress");
    end Test_Clock;
 
-   -----------------
-   -- Test_Length --
-   -----------------
-
    procedure Test_Length (T : in out Any_Test) is
       pragma Unreferenced (T);
       --  Of struct tcp_info up to and with the last field before
@@ -197,10 +165,6 @@ package body Monitor_Link_Tests is
          Assert (Is_Enough (Length), "enough");
       end loop;
    end Test_Length;
-
-   ----------------
-   -- Test_Pause --
-   ----------------
 
    procedure Test_Pause (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -216,10 +180,6 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Pause;
 
-   ----------------
-   -- Test_Quiet --
-   ----------------
-
    procedure Test_Quiet (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -228,10 +188,6 @@ package body Monitor_Link_Tests is
          Assert (Next (0, Milliseconds (I) * Step, 0, 1) = Present, "idle");
       end loop;
    end Test_Quiet;
-
-   ---------------
-   -- Test_Slow --
-   ---------------
 
    procedure Test_Slow (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -242,10 +198,6 @@ package body Monitor_Link_Tests is
                  "a byte every 5 s");
       end loop;
    end Test_Slow;
-
-   ------------------
-   -- Test_Stalled --
-   ------------------
 
    procedure Test_Stalled (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -271,10 +223,6 @@ package body Monitor_Link_Tests is
       Assert (Next (0, 15_000, 9, 0) = Stalled, "stalled, not vanished");
    end Test_Stalled;
 
-   --------------------
-   -- Test_Streaming --
-   --------------------
-
    procedure Test_Streaming (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -284,10 +232,6 @@ package body Monitor_Link_Tests is
                  "in full flow");
       end loop;
    end Test_Streaming;
-
-   -------------------
-   -- Test_Vanished --
-   -------------------
 
    procedure Test_Vanished (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -313,10 +257,6 @@ package body Monitor_Link_Tests is
          Assert (Now - Cut > 4_000, "not before 4 s");
       end loop;
    end Test_Vanished;
-
-   ------------------------
-   -- Test_Vanished_Idle --
-   ------------------------
 
    procedure Test_Vanished_Idle (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -351,10 +291,6 @@ package body Monitor_Link_Tests is
          end loop;
       end loop;
    end Test_Vanished_Idle;
-
-   ----------------
-   -- Test_Cause --
-   ----------------
 
    procedure Test_Cause (T : in out Any_Test) is
       pragma Unreferenced (T);

@@ -64,10 +64,6 @@ package body Monitor_Protocol_Tests is
    procedure Test_Refused_Positions (T : in out Any_Test);
    procedure Test_Damaged_Positions (T : in out Any_Test);
 
-   ----------------
-   -- Check_Line --
-   ----------------
-
    procedure Check_Line (R : in out Line_Reader; Text, Expected : String) is
       Line     : String (1 .. Max_Line + 10) := (others => '.');
       Last     : Natural;
@@ -84,18 +80,10 @@ package body Monitor_Protocol_Tests is
               "behind " & Expected);
    end Check_Line;
 
-   ---------------------
-   -- Check_Malformed --
-   ---------------------
-
    procedure Check_Malformed (Line : String) is
    begin
       Assert (Parsed (Line) = (Malformed, 0), "malformed: " & Line);
    end Check_Malformed;
-
-   --------------------
-   -- Check_Position --
-   --------------------
 
    procedure Check_Position (P : Position) is
       Text : constant String := Formatted (P);
@@ -111,10 +99,6 @@ package body Monitor_Protocol_Tests is
       Assert (OK and then Q = P, "read back " & Text);
    end Check_Position;
 
-   ----------------------------
-   -- Check_Refused_Position --
-   ----------------------------
-
    procedure Check_Refused_Position (Line : String) is
       P  : Position;
       OK : Boolean;
@@ -123,10 +107,6 @@ package body Monitor_Protocol_Tests is
       Parse_Position (L, L'Last, P, OK);
       Assert (not OK and then P = Not_Found, "no position: " & Line);
    end Check_Refused_Position;
-
-   ----------
-   -- Feed --
-   ----------
 
    procedure Feed (R : in out Line_Reader; Text : String) is
       Complete : Boolean;
@@ -137,10 +117,6 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Feed;
 
-   ---------------
-   -- Formatted --
-   ---------------
-
    function Formatted (P : Position) return String is
       Buffer : Position_Text;
       Last   : Natural;
@@ -149,10 +125,6 @@ package body Monitor_Protocol_Tests is
       Assert (Buffer (Last) = LF, "line feed");
       return Buffer (1 .. Last - 1);
    end Formatted;
-
-   -----------
-   -- Image --
-   -----------
 
    function Image (Value : Micro) return String is
       Digits_Only : constant String :=
@@ -168,16 +140,8 @@ package body Monitor_Protocol_Tests is
         & Filled (Filled'Last - 5 .. Filled'Last);
    end Image;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Monitor.Protocol"));
-
-   ------------
-   -- Parsed --
-   ------------
 
    function Parsed (Line : String) return Message is
       M : Message;
@@ -185,10 +149,6 @@ package body Monitor_Protocol_Tests is
       Parse (Line, M);
       return M;
    end Parsed;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -219,10 +179,6 @@ package body Monitor_Protocol_Tests is
                         "damaged positions");
    end Register_Tests;
 
-   -------------------
-   -- Test_Answered --
-   -------------------
-
    procedure Test_Answered (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -232,10 +188,6 @@ package body Monitor_Protocol_Tests is
                       and then K /= Log_Message), K'Image);
       end loop;
    end Test_Answered;
-
-   ------------------
-   -- Test_Answers --
-   ------------------
 
    procedure Test_Answers (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -263,10 +215,6 @@ package body Monitor_Protocol_Tests is
       Check (Moving, "RCST:1");
    end Test_Answers;
 
-   --------------------
-   -- Test_Any_Label --
-   --------------------
-
    procedure Test_Any_Label (T : in out Any_Test) is
       pragma Unreferenced (T);
       Line  : String (1 .. 4);
@@ -287,10 +235,6 @@ package body Monitor_Protocol_Tests is
          end loop;
       end loop;
    end Test_Any_Label;
-
-   ----------------------
-   -- Test_Bad_Numbers --
-   ----------------------
 
    procedure Test_Bad_Numbers (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -339,10 +283,6 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Bad_Numbers;
 
-   ------------------
-   -- Test_Battery --
-   ------------------
-
    procedure Test_Battery (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -351,10 +291,6 @@ package body Monitor_Protocol_Tests is
               and then Battery_Answer (1) = Battery_Low
               and then Battery_Answer (2) = Battery_Full, "levels");
    end Test_Battery;
-
-   ---------------
-   -- Test_Bare --
-   ---------------
 
    procedure Test_Bare (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -389,10 +325,6 @@ package body Monitor_Protocol_Tests is
       Check_Malformed ("RBLV:1");
    end Test_Bare;
 
-   ----------------------------
-   -- Test_Damaged_Positions --
-   ----------------------------
-
    procedure Test_Damaged_Positions (T : in out Any_Test) is
       pragma Unreferenced (T);
       Text : constant String :=
@@ -421,10 +353,6 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Damaged_Positions;
 
-   -----------------------
-   -- Test_Every_Number --
-   -----------------------
-
    procedure Test_Every_Number (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -436,10 +364,6 @@ package body Monitor_Protocol_Tests is
                  "move" & N'Image);
       end loop;
    end Test_Every_Number;
-
-   -----------------
-   -- Test_Labels --
-   -----------------
 
    procedure Test_Labels (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -499,10 +423,6 @@ package body Monitor_Protocol_Tests is
       Check_Unasked (Log_Label, "MSSG");
    end Test_Labels;
 
-   --------------------
-   -- Test_Line_Ends --
-   --------------------
-
    procedure Test_Line_Ends (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Line_Reader;
@@ -529,10 +449,6 @@ package body Monitor_Protocol_Tests is
       Check_Line (R, "CASA" & LF, "CASA");
    end Test_Line_Ends;
 
-   --------------
-   -- Test_Log --
-   --------------
-
    procedure Test_Log (T : in out Any_Test) is
       pragma Unreferenced (T);
       Line : constant String := "MSSG:hello: world";
@@ -549,10 +465,6 @@ package body Monitor_Protocol_Tests is
       Check_Malformed ("MSSG hello");
       Check_Malformed ("mssg:hello");
    end Test_Log;
-
-   ---------------------
-   -- Test_Long_Lines --
-   ---------------------
 
    procedure Test_Long_Lines (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -592,10 +504,6 @@ package body Monitor_Protocol_Tests is
       Assert (Is_Too_Long (R), "it was not");
    end Test_Long_Lines;
 
-   --------------------
-   -- Test_Not_Found --
-   --------------------
-
    procedure Test_Not_Found (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -604,10 +512,6 @@ package body Monitor_Protocol_Tests is
               "identifier -1, centre (-1, -1)");
       Check_Position (Not_Found);
    end Test_Not_Found;
-
-   ------------------
-   -- Test_Numbers --
-   ------------------
 
    procedure Test_Numbers (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -647,10 +551,6 @@ package body Monitor_Protocol_Tests is
       Check ("-" & (1 .. 1000 => '0') & "32768", -32_768);
    end Test_Numbers;
 
-   ----------------------
-   -- Test_Parse_Chaos --
-   ----------------------
-
    procedure Test_Parse_Chaos (T : in out Any_Test) is
       pragma Unreferenced (T);
       G    : Random_Characters.Generator;
@@ -684,10 +584,6 @@ package body Monitor_Protocol_Tests is
               "kinds seen");
    end Test_Parse_Chaos;
 
-   -----------------------
-   -- Test_Parse_Slices --
-   -----------------------
-
    procedure Test_Parse_Slices (T : in out Any_Test) is
       pragma Unreferenced (T);
       Buffer : constant String (101 .. 120) := "RSTPRTRN:-9012RMOV:5";
@@ -701,10 +597,6 @@ package body Monitor_Protocol_Tests is
       Assert (Parsed (Buffer (120 .. 119)) = (Malformed, 0), "empty");
       Assert (Parsed (High) = (Move_Robot, 8), "high");
    end Test_Parse_Slices;
-
-   --------------------
-   -- Test_Positions --
-   --------------------
 
    procedure Test_Positions (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -733,10 +625,6 @@ package body Monitor_Protocol_Tests is
               "the longest");
    end Test_Positions;
 
-   ---------------------------
-   -- Test_Random_Positions --
-   ---------------------------
-
    procedure Test_Random_Positions (T : in out Any_Test) is
       pragma Unreferenced (T);
       G     : Random_Micros.Generator;
@@ -757,10 +645,6 @@ package body Monitor_Protocol_Tests is
          end if;
       end loop;
    end Test_Random_Positions;
-
-   -----------------------
-   -- Test_Reader_Chaos --
-   -----------------------
 
    procedure Test_Reader_Chaos (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -803,10 +687,6 @@ package body Monitor_Protocol_Tests is
       end loop;
       Assert (Lines > 1_000, "lines");
    end Test_Reader_Chaos;
-
-   ----------------------------
-   -- Test_Refused_Positions --
-   ----------------------------
 
    procedure Test_Refused_Positions (T : in out Any_Test) is
       pragma Unreferenced (T);

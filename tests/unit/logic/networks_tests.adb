@@ -37,10 +37,6 @@ package body Networks_Tests is
    procedure Test_Peers (T : in out Any_Test);
    procedure Test_Sources (T : in out Any_Test);
 
-   ------------
-   -- Expect --
-   ------------
-
    procedure Expect (Text : String; Outcome : Verdict) is
       N : Network;
       V : Verdict;
@@ -49,16 +45,8 @@ package body Networks_Tests is
       Assert (V = Outcome, Text & " is " & V'Image);
    end Expect;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Admission.Networks"));
-
-   ----------
-   -- Read --
-   ----------
 
    function Read (Text : String) return Network is
       N : Network;
@@ -68,10 +56,6 @@ package body Networks_Tests is
       Assert (V = Good, Text & " is " & V'Image);
       return N;
    end Read;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -85,10 +69,6 @@ package body Networks_Tests is
       Register_Routine (T, Test_Peers'Access, "peers of IPv4 and of IPv6");
       Register_Routine (T, Test_Sources'Access, "sources of connections");
    end Register_Tests;
-
-   ---------------------
-   -- Test_Boundaries --
-   ---------------------
 
    procedure Test_Boundaries (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -123,10 +103,6 @@ package body Networks_Tests is
       end loop;
    end Test_Boundaries;
 
-   ----------------
-   -- Test_Clean --
-   ----------------
-
    procedure Test_Clean (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -143,10 +119,6 @@ package body Networks_Tests is
       Expect ("192.168.1.4/30", Good);
       Expect ("192.168.1.4/29", Not_Clean);
    end Test_Clean;
-
-   ---------------
-   -- Test_List --
-   ---------------
 
    procedure Test_List (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -172,10 +144,6 @@ package body Networks_Tests is
       Assert (not Admits (L, Peer (Joined (172, 16, 9, 1))), "no ninth");
    end Test_List;
 
-   ----------------
-   -- Test_Peers --
-   ----------------
-
    procedure Test_Peers (T : in out Any_Test) is
       pragma Unreferenced (T);
       L    : List;
@@ -196,10 +164,6 @@ package body Networks_Tests is
          Assert (not Admits (L, Near), "not quite IPv4" & I'Image);
       end loop;
    end Test_Peers;
-
-   ------------------
-   -- Test_Refused --
-   ------------------
 
    procedure Test_Refused (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -244,10 +208,6 @@ package body Networks_Tests is
       Expect (Long, No_Address);
    end Test_Refused;
 
-   ------------------
-   -- Test_Sources --
-   ------------------
-
    procedure Test_Sources (T : in out Any_Test) is
       pragma Unreferenced (T);
       Local : constant Peer_Address := (1 => 16#FE#, 2 => 16#80#, others => 1);
@@ -274,10 +234,6 @@ package body Networks_Tests is
             "octet" & I'Image);
       end loop;
    end Test_Sources;
-
-   ---------------
-   -- Test_Text --
-   ---------------
 
    procedure Test_Text (T : in out Any_Test) is
       pragma Unreferenced (T);

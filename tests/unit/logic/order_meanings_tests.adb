@@ -23,10 +23,6 @@ package body Order_Meanings_Tests is
    procedure Test_Frames (T : in out Any_Test);
    procedure Test_Ranks (T : in out Any_Test);
 
-   -----------------
-   -- Check_Frame --
-   -----------------
-
    procedure Check_Frame (Line, Expected : String) is
       M : Message;
       F : Robot.Protocol.Frame;
@@ -40,10 +36,6 @@ package body Order_Meanings_Tests is
       end loop;
    end Check_Frame;
 
-   ----------------
-   -- Check_Rank --
-   ----------------
-
    procedure Check_Rank
      (R : in out Ranks; Kind : Message_Kind; Rank, After : Ticket)
    is
@@ -56,16 +48,8 @@ package body Order_Meanings_Tests is
       Assert (Item.After = After, Kind'Image & " after" & Item.After'Image);
    end Check_Rank;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Order_Meanings"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -73,10 +57,6 @@ package body Order_Meanings_Tests is
       Register_Routine (T, Test_Frames'Access, "the robot's frames");
       Register_Routine (T, Test_Ranks'Access, "the ranks");
    end Register_Tests;
-
-   -----------------
-   -- Test_Frames --
-   -----------------
 
    procedure Test_Frames (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -99,10 +79,6 @@ package body Order_Meanings_Tests is
       Check_Frame ("RGBT", "v");
       Check_Frame ("RGST", "b");
    end Test_Frames;
-
-   ----------------
-   -- Test_Ranks --
-   ----------------
 
    procedure Test_Ranks (T : in out Any_Test) is
       pragma Unreferenced (T);

@@ -36,10 +36,6 @@ package body Pending_Connections_Tests is
    procedure Test_Full_Of_Single (T : in out Any_Test);
    procedure Test_Random (T : in out Any_Test);
 
-   -----------
-   -- Enter --
-   -----------
-
    procedure Enter (T : in out Table; S : Source; P : out Place) is
    begin
       P := Free_Place (T);
@@ -52,10 +48,6 @@ package body Pending_Connections_Tests is
       Enter (T, S, Unused);
    end Enter;
 
-   -----------------
-   -- Expect_Turn --
-   -----------------
-
    procedure Expect_Turn (T : in out Table; S : Source; P : out Place) is
       Choice : constant Place_Choice := Next (T, All_Due);
    begin
@@ -67,16 +59,8 @@ package body Pending_Connections_Tests is
       Serve (T, P);
    end Expect_Turn;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Admission.Pending_Connections"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -96,10 +80,6 @@ package body Pending_Connections_Tests is
         (T, Test_Random'Access, "nobody is kept out, whatever comes");
    end Register_Tests;
 
-   -----------
-   -- Taken --
-   -----------
-
    function Taken (T : Table) return Natural is
       Result : Natural := 0;
    begin
@@ -110,10 +90,6 @@ package body Pending_Connections_Tests is
       end loop;
       return Result;
    end Taken;
-
-   --------------
-   -- Test_Due --
-   --------------
 
    procedure Test_Due (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -135,10 +111,6 @@ package body Pending_Connections_Tests is
       Leave (W, P);
       Assert (First_Kept (W) = Q, "the next");
    end Test_Due;
-
-   ---------------
-   -- Test_Full --
-   ---------------
 
    procedure Test_Full (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -166,10 +138,6 @@ package body Pending_Connections_Tests is
          "not the first of two");
    end Test_Full;
 
-   -------------------------
-   -- Test_Full_Of_Single --
-   -------------------------
-
    procedure Test_Full_Of_Single (T : in out Any_Test) is
       pragma Unreferenced (T);
       W : Table;
@@ -182,10 +150,6 @@ package body Pending_Connections_Tests is
       Enter (W, 1_000, P);
       Assert (Surplus (W, P) = P, "the only one of a source is to go");
    end Test_Full_Of_Single;
-
-   ---------------
-   -- Test_Kept --
-   ---------------
 
    procedure Test_Kept (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -210,10 +174,6 @@ package body Pending_Connections_Tests is
       Assert (Surplus (W, P) = P, "all others are kept");
    end Test_Kept;
 
-   ------------------------
-   -- Test_Newcomer_Turn --
-   ------------------------
-
    procedure Test_Newcomer_Turn (T : in out Any_Test) is
       pragma Unreferenced (T);
       --  Who connects again and again has no more turns for it
@@ -232,10 +192,6 @@ package body Pending_Connections_Tests is
       Expect_Turn (W, 1, Q);
       Assert (Q = P, "who has just come goes ahead of its older one");
    end Test_Newcomer_Turn;
-
-   -----------------
-   -- Test_Random --
-   -----------------
 
    procedure Test_Random (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -350,10 +306,6 @@ package body Pending_Connections_Tests is
       end loop;
    end Test_Random;
 
-   ----------------
-   -- Test_Share --
-   ----------------
-
    procedure Test_Share (T : in out Any_Test) is
       pragma Unreferenced (T);
       W     : Table;
@@ -373,10 +325,6 @@ package body Pending_Connections_Tests is
       Assert (Surplus (W, P) = No_Place, "within its share again");
    end Test_Share;
 
-   ----------------
-   -- Test_Turns --
-   ----------------
-
    procedure Test_Turns (T : in out Any_Test) is
       pragma Unreferenced (T);
       W : Table;
@@ -394,10 +342,6 @@ package body Pending_Connections_Tests is
          Expect_Turn (W, 3, P);
       end loop;
    end Test_Turns;
-
-   -----------------------
-   -- Test_Turns_Within --
-   -----------------------
 
    procedure Test_Turns_Within (T : in out Any_Test) is
       pragma Unreferenced (T);

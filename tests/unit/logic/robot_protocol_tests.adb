@@ -50,20 +50,12 @@ package body Robot_Protocol_Tests is
    procedure Test_Nul (T : in out Any_Test);
    procedure Test_Stream (T : in out Any_Test);
 
-   --------------
-   -- Answered --
-   --------------
-
    function Answered (Text : String; Pending : Command_Kind) return Reply is
       R : Reply;
    begin
       Decode (Frame_Of (Text), Pending, R);
       return R;
    end Answered;
-
-   -------------------
-   -- Check_Command --
-   -------------------
 
    procedure Check_Command (C : Command; Text : String) is
       F : Frame;
@@ -72,10 +64,6 @@ package body Robot_Protocol_Tests is
       Assert (F = Frame_Of (Text), "frame of " & Text);
       Assert (Decoded (F) = (True, C), "read back " & Text);
    end Check_Command;
-
-   --------------
-   -- Frame_Of --
-   --------------
 
    function Frame_Of (Text : String) return Frame is
       F : Frame;
@@ -90,16 +78,8 @@ package body Robot_Protocol_Tests is
       return F;
    end Frame_Of;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Robot.Protocol"));
-
-   --------------------
-   -- Plain_Checksum --
-   --------------------
 
    function Plain_Checksum (Text : String) return Byte is
       Result : Byte := 0;
@@ -112,10 +92,6 @@ package body Robot_Protocol_Tests is
       end if;
       return Result;
    end Plain_Checksum;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -141,10 +117,6 @@ package body Robot_Protocol_Tests is
       Register_Routine (T, Test_Stream'Access, "a random stream");
    end Register_Tests;
 
-   ------------------
-   -- Test_Answers --
-   ------------------
-
    procedure Test_Answers (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -168,10 +140,6 @@ package body Robot_Protocol_Tests is
       Assert (Answered ("0", Ping) = (Wrong_Kind, 0), "no answer to ping");
    end Test_Answers;
 
-   --------------------
-   -- Test_Arguments --
-   --------------------
-
    procedure Test_Arguments (T : in out Any_Test) is
       pragma Unreferenced (T);
 
@@ -184,10 +152,6 @@ package body Robot_Protocol_Tests is
          Check_Command ((Turn, N), "T=" & Image (N));
       end loop;
    end Test_Arguments;
-
-   -----------------------
-   -- Test_Bad_Checksum --
-   -----------------------
 
    procedure Test_Bad_Checksum (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -220,10 +184,6 @@ package body Robot_Protocol_Tests is
       end loop;
    end Test_Bad_Checksum;
 
-   ----------------
-   -- Test_Chaos --
-   ----------------
-
    procedure Test_Chaos (T : in out Any_Test) is
       pragma Unreferenced (T);
       G     : Random_Bytes.Generator;
@@ -254,10 +214,6 @@ package body Robot_Protocol_Tests is
               "kinds seen");
    end Test_Chaos;
 
-   -------------------
-   -- Test_Checksum --
-   -------------------
-
    procedure Test_Checksum (T : in out Any_Test) is
       pragma Unreferenced (T);
       Data : Byte_Array (1 .. 50) := (others => 0);
@@ -277,10 +233,6 @@ package body Robot_Protocol_Tests is
                  "of one byte");
       end loop;
    end Test_Checksum;
-
-   ------------------
-   -- Test_Classes --
-   ------------------
 
    procedure Test_Classes (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -309,10 +261,6 @@ package body Robot_Protocol_Tests is
          end loop;
       end loop;
    end Test_Classes;
-
-   ------------------
-   -- Test_Decoded --
-   ------------------
 
    procedure Test_Decoded (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -359,10 +307,6 @@ package body Robot_Protocol_Tests is
       Assert (not Decoded (F).OK, "checksum");
    end Test_Decoded;
 
-   ---------------------
-   -- Test_Directions --
-   ---------------------
-
    procedure Test_Directions (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -372,10 +316,6 @@ package body Robot_Protocol_Tests is
       Check_Command (Right, "T=-32768");
       Check_Command (Stop, "M=0");
    end Test_Directions;
-
-   ------------------
-   -- Test_Letters --
-   ------------------
 
    procedure Test_Letters (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -399,10 +339,6 @@ package body Robot_Protocol_Tests is
       Assert (Decoded (F) = (True, (Ping, 0)), "none read back");
    end Test_Letters;
 
-   --------------------
-   -- Test_Malformed --
-   --------------------
-
    procedure Test_Malformed (T : in out Any_Test) is
       pragma Unreferenced (T);
       F : Frame;
@@ -422,10 +358,6 @@ package body Robot_Protocol_Tests is
          end loop;
       end loop;
    end Test_Malformed;
-
-   --------------
-   -- Test_Nul --
-   --------------
 
    procedure Test_Nul (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -461,10 +393,6 @@ package body Robot_Protocol_Tests is
       Assert (Answered (Text, Version).Kind = Version_Text, "printable");
    end Test_Nul;
 
-   ------------------------
-   -- Test_One_Character --
-   ------------------------
-
    procedure Test_One_Character (T : in out Any_Test) is
       pragma Unreferenced (T);
 
@@ -498,10 +426,6 @@ package body Robot_Protocol_Tests is
          end loop;
       end loop;
    end Test_One_Character;
-
-   -------------------
-   -- Test_Overflow --
-   -------------------
 
    procedure Test_Overflow (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -547,10 +471,6 @@ package body Robot_Protocol_Tests is
       Assert (Complete and then R = (Done, 0), "next");
    end Test_Overflow;
 
-   -------------------
-   -- Test_Receiver --
-   -------------------
-
    procedure Test_Receiver (T : in out Any_Test) is
       pragma Unreferenced (T);
       Rec      : Receiver;
@@ -584,10 +504,6 @@ package body Robot_Protocol_Tests is
       Assert (Complete and then R = (Level, 2), "cleared in between");
    end Test_Receiver;
 
-   -----------------
-   -- Test_Stream --
-   -----------------
-
    procedure Test_Stream (T : in out Any_Test) is
       pragma Unreferenced (T);
       G        : Random_Bytes.Generator;
@@ -619,10 +535,6 @@ package body Robot_Protocol_Tests is
       end loop;
    end Test_Stream;
 
-   --------------------
-   -- Test_Two_Bytes --
-   --------------------
-
    procedure Test_Two_Bytes (T : in out Any_Test) is
       pragma Unreferenced (T);
       F : Frame;
@@ -645,10 +557,6 @@ package body Robot_Protocol_Tests is
          end loop;
       end loop;
    end Test_Two_Bytes;
-
-   -------------------
-   -- Test_Versions --
-   -------------------
 
    procedure Test_Versions (T : in out Any_Test) is
       pragma Unreferenced (T);

@@ -86,10 +86,6 @@ package body Robot_Session_Tests is
    procedure Test_Probe (T : in out Any_Test);
    procedure Test_Everything (T : in out Any_Test);
 
-   ------------
-   -- Answer --
-   ------------
-
    function Answer (C : Wire.Command; How : Character) return Step_Result is
      (case How is
          when '-'        => (Ok => False, others => <>),
@@ -106,10 +102,6 @@ package body Robot_Session_Tests is
                 when Wire.Version        => (Wire.Version_Text, 0),
                 when Wire.Unknown_Letter => (Wire.Unknown_Command, 0),
                 when others              => (Wire.Done, 0))));
-
-   ---------------
-   -- Carry_Out --
-   ---------------
 
    procedure Carry_Out
      (S       : in out State;
@@ -165,10 +157,6 @@ package body Robot_Session_Tests is
       Assert (Is_Consistent (S), Label & "consistent");
    end Carry_Out;
 
-   -----------
-   -- Check --
-   -----------
-
    procedure Check
      (Mode    : Mode_Kind;
       Kind    : Request_Kind;
@@ -184,10 +172,6 @@ package body Robot_Session_Tests is
       Assert (S.Mode = After,
               Kind'Image & ": " & Mode'Image & " to " & S.Mode'Image);
    end Check;
-
-   -------------
-   -- Explore --
-   -------------
 
    procedure Explore
      (H : History; S : State; P : Progress; Next : Step)
@@ -279,16 +263,8 @@ package body Robot_Session_Tests is
       end case;
    end Explore;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Robot.Session"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -316,10 +292,6 @@ package body Robot_Session_Tests is
                         "every answer to every request");
    end Register_Tests;
 
-   ----------------
-   -- Test_Close --
-   ----------------
-
    procedure Test_Close (T : in out Any_Test) is
       pragma Unreferenced (T);
       S : State := Opened (Not_Started);
@@ -337,10 +309,6 @@ package body Robot_Session_Tests is
       end loop;
    end Test_Close;
 
-   -----------------
-   -- Test_Closed --
-   -----------------
-
    procedure Test_Closed (T : in out Any_Test) is
       pragma Unreferenced (T);
       S : State;
@@ -353,10 +321,6 @@ package body Robot_Session_Tests is
       end loop;
    end Test_Closed;
 
-   ----------------
-   -- Test_Drive --
-   ----------------
-
    procedure Test_Drive (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -367,10 +331,6 @@ package body Robot_Session_Tests is
          Check (Mode, Drive, "-", "T", (Timed_Out, 0, Nothing), Mode);
       end loop;
    end Test_Drive;
-
-   ---------------------
-   -- Test_Everything --
-   ---------------------
 
    procedure Test_Everything (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -413,10 +373,6 @@ package body Robot_Session_Tests is
       Assert (Visited > 5_000, "steps visited:" & Visited'Image);
    end Test_Everything;
 
-   ---------------------
-   -- Test_Keep_Alive --
-   ---------------------
-
    procedure Test_Keep_Alive (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -427,10 +383,6 @@ package body Robot_Session_Tests is
          Check (Mode, Keep_Alive, "-", "p", (Timed_Out, 0, Nothing), Mode);
       end loop;
    end Test_Keep_Alive;
-
-   ------------------
-   -- Test_Leaving --
-   ------------------
 
    procedure Test_Leaving (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -449,10 +401,6 @@ package body Robot_Session_Tests is
          Check (Mode, Power_Off, "+E", ".z", (Refused, 0, Nothing), Mode);
       end loop;
    end Test_Leaving;
-
-   -----------------------------
-   -- Test_Leaving_Unanswered --
-   -----------------------------
 
    procedure Test_Leaving_Unanswered (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -482,10 +430,6 @@ package body Robot_Session_Tests is
       end loop;
    end Test_Leaving_Unanswered;
 
-   ---------------
-   -- Test_Lost --
-   ---------------
-
    procedure Test_Lost (T : in out Any_Test) is
       pragma Unreferenced (T);
       S : State;
@@ -513,10 +457,6 @@ package body Robot_Session_Tests is
          end loop;
       end loop;
    end Test_Lost;
-
-   ---------------
-   -- Test_Open --
-   ---------------
 
    procedure Test_Open (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -547,10 +487,6 @@ package body Robot_Session_Tests is
          Check (Mode, Open_Line, "", "", (Done, 0, Nothing), Mode);
       end loop;
    end Test_Open;
-
-   ----------------
-   -- Test_Probe --
-   ----------------
 
    procedure Test_Probe (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -588,10 +524,6 @@ package body Robot_Session_Tests is
       Carry_Out (S, Reset, "+++", "!.~V.r", (Done, 0, Nothing));
    end Test_Probe;
 
-   ------------------
-   -- Test_Queries --
-   ------------------
-
    procedure Test_Queries (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -608,10 +540,6 @@ package body Robot_Session_Tests is
          Check (Mode, Get_Moving, "1", "b", (Done, 1, Nothing), Mode);
       end loop;
    end Test_Queries;
-
-   -----------------
-   -- Test_Reload --
-   -----------------
 
    procedure Test_Reload (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -635,10 +563,6 @@ package body Robot_Session_Tests is
              Not_Started);
    end Test_Reload;
 
-   -------------------------
-   -- Test_Reload_Refused --
-   -------------------------
-
    procedure Test_Reload_Refused (T : in out Any_Test) is
       pragma Unreferenced (T);
       Mode : constant Mode_Kind := Started_With_Watchdog;
@@ -654,10 +578,6 @@ package body Robot_Session_Tests is
              Mode);
    end Test_Reload_Refused;
 
-   ----------------
-   -- Test_Start --
-   ----------------
-
    procedure Test_Start (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -672,10 +592,6 @@ package body Robot_Session_Tests is
                 Mode);
       end loop;
    end Test_Start;
-
-   ---------------
-   -- Test_Stop --
-   ---------------
 
    procedure Test_Stop (T : in out Any_Test) is
       pragma Unreferenced (T);

@@ -20,16 +20,8 @@ package body Send_Order_Tests is
    procedure Test_Gap (T : in out Any_Test);
    procedure Test_Every_Gap (T : in out Any_Test);
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Monitor.Send_Order"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -41,10 +33,6 @@ package body Send_Order_Tests is
       Register_Routine (T, Test_Every_Gap'Access, "every gap");
    end Register_Tests;
 
-   ----------
-   -- Send --
-   ----------
-
    procedure Send (W : in out Waiting; Expected : Choice) is
       Sent : constant Choice := Next (W);
    begin
@@ -55,10 +43,6 @@ package body Send_Order_Tests is
       W.Last := Sent;
       W.Imaged := Sent = Image or else (W.Imaged and then Sent /= Position);
    end Send;
-
-   ----------------
-   -- Test_Order --
-   ----------------
 
    procedure Test_Order (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -79,10 +63,6 @@ package body Send_Order_Tests is
       W.Open := False;
       Assert (Next (W) = Nothing, "there is no monitor");
    end Test_Order;
-
-   ----------------
-   -- Test_Turns --
-   ----------------
 
    procedure Test_Turns (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -110,10 +90,6 @@ package body Send_Order_Tests is
       Send (W, Image);
    end Test_Turns;
 
-   ---------------
-   -- Test_Hold --
-   ---------------
-
    procedure Test_Hold (T : in out Any_Test) is
       pragma Unreferenced (T);
       W : Waiting :=
@@ -134,10 +110,6 @@ package body Send_Order_Tests is
       Send (W, Answer);
       Send (W, Answer);
    end Test_Hold;
-
-   --------------
-   -- Test_Gap --
-   --------------
 
    procedure Test_Gap (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -182,10 +154,6 @@ package body Send_Order_Tests is
       Check (Image, Answer, 1_000, 4);
       Check (Image, Nothing, 20, 0);
    end Test_Gap;
-
-   --------------------
-   -- Test_Every_Gap --
-   --------------------
 
    procedure Test_Every_Gap (T : in out Any_Test) is
       pragma Unreferenced (T);

@@ -23,10 +23,6 @@ package body Texts_Tests is
    procedure Test_Cut (T : in out Any_Test);
    procedure Test_Cut_Number (T : in out Any_Test);
 
-   ------------------
-   -- Check_Number --
-   ------------------
-
    procedure Check_Number (N : Integer) is
       Item : Text;
    begin
@@ -34,16 +30,8 @@ package body Texts_Tests is
       Assert (Image (Item) = Trimmed (N), "image of" & N'Image);
    end Check_Number;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Texts"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -54,10 +42,6 @@ package body Texts_Tests is
       Register_Routine (T, Test_Cut'Access, "cut at the end");
       Register_Routine (T, Test_Cut_Number'Access, "a number cut");
    end Register_Tests;
-
-   -----------------
-   -- Test_Append --
-   -----------------
 
    procedure Test_Append (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -73,10 +57,6 @@ package body Texts_Tests is
       Append (Item, "!");
       Assert (Image (Item) = "battery 2, -15!", "all in order");
    end Test_Append;
-
-   --------------
-   -- Test_Cut --
-   --------------
 
    procedure Test_Cut (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -105,10 +85,6 @@ package body Texts_Tests is
       Assert (Image (Item) = Long (1 .. Max_Length), "full stays full");
    end Test_Cut;
 
-   ---------------------
-   -- Test_Cut_Number --
-   ---------------------
-
    procedure Test_Cut_Number (T : in out Any_Test) is
       pragma Unreferenced (T);
       Item : Text;
@@ -123,10 +99,6 @@ package body Texts_Tests is
                  "room for" & Free'Image);
       end loop;
    end Test_Cut_Number;
-
-   ------------------
-   -- Test_Numbers --
-   ------------------
 
    procedure Test_Numbers (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -144,10 +116,6 @@ package body Texts_Tests is
       Check_Number (Integer'First);
       Check_Number (Integer'First + 1);
    end Test_Numbers;
-
-   --------------
-   -- Test_Set --
-   --------------
 
    procedure Test_Set (T : in out Any_Test) is
       pragma Unreferenced (T);

@@ -26,10 +26,6 @@ package body Trace_Json_Tests is
    procedure Test_Label (T : in out Any_Test);
    procedure Test_Order (T : in out Any_Test);
 
-   ------------
-   -- Expect --
-   ------------
-
    procedure Expect
      (Open : in out Slices; Item : Event; Text : String)
    is
@@ -39,16 +35,8 @@ package body Trace_Json_Tests is
       Assert (Texts.Image (Line) = Text, Texts.Image (Line));
    end Expect;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Trace_Json"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -60,10 +48,6 @@ package body Trace_Json_Tests is
       Register_Routine (T, Test_Label'Access, "a label ends no text");
       Register_Routine (T, Test_Order'Access, "tasks by their priorities");
    end Register_Tests;
-
-   ------------------
-   -- Test_Balance --
-   ------------------
 
    procedure Test_Balance (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -96,10 +80,6 @@ package body Trace_Json_Tests is
       Assert (Depth = 0, "not ended");
       Assert (Open = (Task_Name => None), "another task's is open");
    end Test_Balance;
-
-   -----------------
-   -- Test_Events --
-   -----------------
 
    procedure Test_Events (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -175,10 +155,6 @@ package body Trace_Json_Tests is
          & """tid"":1,""ts"":3.000}");
    end Test_Events;
 
-   ----------------
-   -- Test_Label --
-   ----------------
-
    procedure Test_Label (T : in out Any_Test) is
       pragma Unreferenced (T);
       Open : Slices := (others => None);
@@ -189,10 +165,6 @@ package body Trace_Json_Tests is
          "," & LF & "{""name"":""out a???b"",""ph"":""i"",""s"":""t"","
          & """pid"":1,""tid"":1,""ts"":0.000}");
    end Test_Label;
-
-   ------------------
-   -- Test_Longest --
-   ------------------
 
    procedure Test_Longest (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -220,10 +192,6 @@ package body Trace_Json_Tests is
          Assert (Line.Length < Texts.Max_Length, "a name is cut");
       end loop;
    end Test_Longest;
-
-   ----------------
-   -- Test_Order --
-   ----------------
 
    procedure Test_Order (T : in out Any_Test) is
       pragma Unreferenced (T);

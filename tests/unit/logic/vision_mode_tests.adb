@@ -22,16 +22,8 @@ package body Vision_Mode_Tests is
    procedure Test_Position (T : in out Any_Test);
    procedure Test_Everything (T : in out Any_Test);
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Vision.Mode"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -52,10 +44,6 @@ package body Vision_Mode_Tests is
       Register_Routine (T, Test_Everything'Access,
                         "everything from every state");
    end Register_Tests;
-
-   ----------------
-   -- Test_Arena --
-   ----------------
 
    procedure Test_Arena (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -84,10 +72,6 @@ package body Vision_Mode_Tests is
               "nothing to decide during the search");
    end Test_Arena;
 
-   ----------------
-   -- Test_Close --
-   ----------------
-
    procedure Test_Close (T : in out Any_Test) is
       pragma Unreferenced (T);
       Initial : constant State := (others => <>);
@@ -109,10 +93,6 @@ package body Vision_Mode_Tests is
       Close (S);
       Assert (S = Initial, "closing what is closed");
    end Test_Close;
-
-   ---------------------
-   -- Test_Everything --
-   ---------------------
 
    procedure Test_Everything (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -192,10 +172,6 @@ package body Vision_Mode_Tests is
       Assert (Count = 14, "two states without and twelve with a camera");
    end Test_Everything;
 
-   -----------------
-   -- Test_Forget --
-   -----------------
-
    procedure Test_Forget (T : in out Any_Test) is
       pragma Unreferenced (T);
       S  : State := (Streaming, Position_On => True, Confirmed => True);
@@ -212,10 +188,6 @@ package body Vision_Mode_Tests is
               and then S.Position_On, "forgotten, the images resume");
    end Test_Forget;
 
-   -------------------
-   -- Test_Given_Up --
-   -------------------
-
    procedure Test_Given_Up (T : in out Any_Test) is
       pragma Unreferenced (T);
       S  : State;
@@ -228,10 +200,6 @@ package body Vision_Mode_Tests is
       Ask_Open (S, OK);
       Assert (OK, "to be opened anew");
    end Test_Given_Up;
-
-   -------------------
-   -- Test_No_Arena --
-   -------------------
 
    procedure Test_No_Arena (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -249,10 +217,6 @@ package body Vision_Mode_Tests is
       Assert (not OK and then not Uses_Arena (S), "nothing to decide");
    end Test_No_Arena;
 
-   ---------------------
-   -- Test_Not_Opened --
-   ---------------------
-
    procedure Test_Not_Opened (T : in out Any_Test) is
       pragma Unreferenced (T);
       S  : State;
@@ -264,10 +228,6 @@ package body Vision_Mode_Tests is
       Ask_Open (S, OK);
       Assert (OK and then S.Stage = Opening, "tried again");
    end Test_Not_Opened;
-
-   ---------------
-   -- Test_Open --
-   ---------------
 
    procedure Test_Open (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -285,10 +245,6 @@ package body Vision_Mode_Tests is
       Ask_Open (S, OK);
       Assert (not OK and then S = Streaming_State, "open already");
    end Test_Open;
-
-   -------------------
-   -- Test_Position --
-   -------------------
 
    procedure Test_Position (T : in out Any_Test) is
       pragma Unreferenced (T);

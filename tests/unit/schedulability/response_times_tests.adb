@@ -45,10 +45,6 @@ package body Response_Times_Tests is
    procedure Test_Overload (T : in out Any_Test);
    procedure Test_No_Jitter_Known (T : in out Any_Test);
 
-   -------------
-   -- Compare --
-   -------------
-
    procedure Compare
      (Who : Activity_Index; Result : Bound; Answer : Integer) is
    begin
@@ -62,10 +58,6 @@ package body Response_Times_Tests is
       end if;
    end Compare;
 
-   -----------
-   -- Check --
-   -----------
-
    procedure Check (Set : Activity_Array; Answers : Answer_Array) is
       Result : Bound;
    begin
@@ -75,10 +67,6 @@ package body Response_Times_Tests is
       end loop;
    end Check;
 
-   ----------------
-   -- Check_Line --
-   ----------------
-
    procedure Check_Line (Set : Activity_Array; Answers : Answer_Array) is
       Result : Bound;
    begin
@@ -87,10 +75,6 @@ package body Response_Times_Tests is
          Compare (I, Result, Answers (I));
       end loop;
    end Check_Line;
-
-   ----------------------
-   -- Test_Liu_Layland --
-   ----------------------
 
    procedure Test_Liu_Layland (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -124,10 +108,6 @@ package body Response_Times_Tests is
              (52, 20, 10));
    end Test_Burns_Wellings_A;
 
-   ---------------------------
-   -- Test_Burns_Wellings_B --
-   ---------------------------
-
    procedure Test_Burns_Wellings_B (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -135,10 +115,6 @@ package body Response_Times_Tests is
       Check ((Item (1, 80, 32), Item (2, 40, 5), Item (3, 16, 4)),
              (58, 9, 4));
    end Test_Burns_Wellings_B;
-
-   ---------------------------
-   -- Test_Burns_Wellings_C --
-   ---------------------------
 
    procedure Test_Burns_Wellings_C (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -148,10 +124,6 @@ package body Response_Times_Tests is
              (80, 15, 5));
    end Test_Burns_Wellings_C;
 
-   ---------------------------
-   -- Test_Burns_Wellings_D --
-   ---------------------------
-
    procedure Test_Burns_Wellings_D (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -159,10 +131,6 @@ package body Response_Times_Tests is
       Check ((Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5)),
              (3, 6, 20));
    end Test_Burns_Wellings_D;
-
-   -------------------------
-   -- Test_Sha_Goodenough --
-   -------------------------
 
    procedure Test_Sha_Goodenough (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -174,10 +142,6 @@ package body Response_Times_Tests is
              (40, 80, 300));
    end Test_Sha_Goodenough;
 
-   -------------------
-   -- Test_Lehoczky --
-   -------------------
-
    procedure Test_Lehoczky (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -186,10 +150,6 @@ package body Response_Times_Tests is
       --  114, 102, 116, 104, 118, 106, 94; not the first is the worst
       Check ((Item (2, 70, 26), Item (1, 100, 62)), (26, 118));
    end Test_Lehoczky;
-
-   --------------
-   -- Test_CAN --
-   --------------
 
    procedure Test_CAN (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -204,10 +164,6 @@ package body Response_Times_Tests is
           Item (1, 3_500, 1_000)),
          (2_000, 3_000, 3_500));
    end Test_CAN;
-
-   -------------------
-   -- Test_Ceilings --
-   -------------------
 
    procedure Test_Ceilings (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -234,10 +190,6 @@ package body Response_Times_Tests is
       end loop;
    end Test_Ceilings;
 
-   ------------------------
-   -- Test_Ceiling_Table --
-   ------------------------
-
    procedure Test_Ceiling_Table (T : in out Any_Test) is
       pragma Unreferenced (T);
       --  G. Buttazzo, Hard Real-Time Computing Systems, the chapter on
@@ -259,10 +211,6 @@ package body Response_Times_Tests is
       end loop;
    end Test_Ceiling_Table;
 
-   -----------------
-   -- Test_Jitter --
-   -----------------
-
    procedure Test_Jitter (T : in out Any_Test) is
       pragma Unreferenced (T);
       Result : Bound;
@@ -279,10 +227,6 @@ package body Response_Times_Tests is
       Assert (Result.Local = 10, Result.Local'Image);
    end Test_Jitter;
 
-   -------------------
-   -- Test_Blocking --
-   -------------------
-
    procedure Test_Blocking (T : in out Any_Test) is
       pragma Unreferenced (T);
       Set : Activity_Array :=
@@ -295,10 +239,6 @@ package body Response_Times_Tests is
       Check (Set, (5, 11, 20));
    end Test_Blocking;
 
-   ----------------
-   -- Test_Level --
-   ----------------
-
    procedure Test_Level (T : in out Any_Test) is
       pragma Unreferenced (T);
       Set : Activity_Array :=
@@ -310,10 +250,6 @@ package body Response_Times_Tests is
       Check (Set, (12, 9, 12));
    end Test_Level;
 
-   ---------------------
-   -- Test_Processors --
-   ---------------------
-
    procedure Test_Processors (T : in out Any_Test) is
       pragma Unreferenced (T);
       Set : Activity_Array :=
@@ -322,10 +258,6 @@ package body Response_Times_Tests is
       Set (1).Processor := 2;
       Check (Set, (3, 3, 8));
    end Test_Processors;
-
-   -------------------
-   -- Test_Overload --
-   -------------------
 
    procedure Test_Overload (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -339,10 +271,6 @@ package body Response_Times_Tests is
       Check ((Item (2, 10, 5), Item (1, 20, 10)), (5, 20));
    end Test_Overload;
 
-   --------------------------
-   -- Test_No_Jitter_Known --
-   --------------------------
-
    procedure Test_No_Jitter_Known (T : in out Any_Test) is
       pragma Unreferenced (T);
       Early : constant Activity := Item (3, 10_000, 1);
@@ -354,10 +282,6 @@ package body Response_Times_Tests is
       Late.Budget := 0;
       Check ((Early, Last, Late), (1, 3, Unbounded));
    end Test_No_Jitter_Known;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -387,10 +311,6 @@ package body Response_Times_Tests is
         (T, Test_No_Jitter_Known'Access,
          "nor has what waits for something without one");
    end Register_Tests;
-
-   ----------
-   -- Name --
-   ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Response_Times"));

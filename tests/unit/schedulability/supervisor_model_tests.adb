@@ -42,10 +42,6 @@ package body Supervisor_Model_Tests is
    procedure Test_Slow_Processor (T : in out Any_Test);
    procedure Test_Inverted (T : in out Any_Test);
 
-   -------------
-   -- Reduced --
-   -------------
-
    function Reduced (Name : String) return String is
       Result : String (Name'Range);
       Last   : Natural := Name'First - 1;
@@ -58,10 +54,6 @@ package body Supervisor_Model_Tests is
       end loop;
       return Result (Name'First .. Last);
    end Reduced;
-
-   -----------------
-   -- Check_Tasks --
-   -----------------
 
    procedure Check_Tasks (File_Name : String; Found : in out Natural) is
       Head : constant String := "task ";
@@ -85,10 +77,6 @@ package body Supervisor_Model_Tests is
       Close (File);
    end Check_Tasks;
 
-   -------------------
-   -- Test_Complete --
-   -------------------
-
    procedure Test_Complete (T : in out Any_Test) is
       pragma Unreferenced (T);
       Found : Natural := 0;
@@ -109,20 +97,12 @@ package body Supervisor_Model_Tests is
       end loop;
    end Test_Complete;
 
-   -------------------
-   -- Test_Ceilings --
-   -------------------
-
    procedure Test_Ceilings (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
       Assert (Ceilings_Hold (Of_The_Table), "table");
       Assert (Ceilings_Hold (Of_The_Report), "report");
    end Test_Ceilings;
-
-   ---------------
-   -- Test_Here --
-   ---------------
 
    procedure Test_Here (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -134,10 +114,6 @@ package body Supervisor_Model_Tests is
       Assert (All_Met (Result), "a deadline is missed");
    end Test_Here;
 
-   -----------------
-   -- Test_Cortex --
-   -----------------
-
    procedure Test_Cortex (T : in out Any_Test) is
       pragma Unreferenced (T);
       Result : Analysis;
@@ -148,10 +124,6 @@ package body Supervisor_Model_Tests is
          Result);
       Assert (Deadlines_Met (Result), "a deadline is missed");
    end Test_Cortex;
-
-   ----------------
-   -- Test_Flood --
-   ----------------
 
    procedure Test_Flood (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -175,20 +147,12 @@ package body Supervisor_Model_Tests is
          "newcomers do not wait");
    end Test_Flood;
 
-   -----------------
-   -- Test_Orders --
-   -----------------
-
    procedure Test_Orders (T : in out Any_Test) is
       pragma Unreferenced (T);
 
       procedure Check (Name : Activity_Name; Result : Analysis);
       --  It waits for an order and for a task that is done, but for less than
       --  those of all tasks at once
-
-      -----------
-      -- Check --
-      -----------
 
       procedure Check (Name : Activity_Name; Result : Analysis) is
 
@@ -199,10 +163,6 @@ package body Supervisor_Model_Tests is
 
          function Wait_With_Queries return Span;
          --  If there were no other orders
-
-         -----------------------
-         -- Wait_With_Queries --
-         -----------------------
 
          function Wait_With_Queries return Span is
             Set   : Activity_Set := Each_One;
@@ -246,10 +206,6 @@ package body Supervisor_Model_Tests is
       Check (Reset_Order, Result);
    end Test_Orders;
 
-   -----------------
-   -- Test_Report --
-   -----------------
-
    procedure Test_Report (T : in out Any_Test) is
       pragma Unreferenced (T);
       Result : Analysis;
@@ -260,10 +216,6 @@ package body Supervisor_Model_Tests is
       Assert (not Met (Result.Requirements (F12_First_Byte)), "F12");
       Assert (Met (Result.Requirements (F2_Admitted)), "F2");
    end Test_Report;
-
-   -------------------
-   -- Test_No_Bound --
-   -------------------
 
    procedure Test_No_Bound (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -280,10 +232,6 @@ package body Supervisor_Model_Tests is
          "an image is sent in time that is not made in time");
    end Test_No_Bound;
 
-   ---------------------
-   -- Test_Slow_Robot --
-   ---------------------
-
    procedure Test_Slow_Robot (T : in out Any_Test) is
       pragma Unreferenced (T);
       Result : Analysis;
@@ -297,10 +245,6 @@ package body Supervisor_Model_Tests is
               "the processor's part does not depend on the robot");
    end Test_Slow_Robot;
 
-   ----------------------
-   -- Test_Slow_Kernel --
-   ----------------------
-
    procedure Test_Slow_Kernel (T : in out Any_Test) is
       pragma Unreferenced (T);
       Result : Analysis;
@@ -311,10 +255,6 @@ package body Supervisor_Model_Tests is
       Assert (not Met (Result.Requirements (F12_First_Byte)), "F12");
    end Test_Slow_Kernel;
 
-   -------------------------
-   -- Test_Slow_Processor --
-   -------------------------
-
    procedure Test_Slow_Processor (T : in out Any_Test) is
       pragma Unreferenced (T);
       Result : Analysis;
@@ -324,10 +264,6 @@ package body Supervisor_Model_Tests is
          (Percent => 3_000, Second | Many => True), Usual, Result);
       Assert (not Deadlines_Met (Result), "nothing is missed");
    end Test_Slow_Processor;
-
-   -------------------
-   -- Test_Inverted --
-   -------------------
 
    procedure Test_Inverted (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -343,10 +279,6 @@ package body Supervisor_Model_Tests is
             R'Image & " is better with an inversion");
       end loop;
    end Test_Inverted;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -372,10 +304,6 @@ package body Supervisor_Model_Tests is
       Register_Routine
         (T, Test_Inverted'Access, "an inversion makes nothing better");
    end Register_Tests;
-
-   ----------
-   -- Name --
-   ----------
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Supervisor_Model"));

@@ -49,10 +49,6 @@ package body Frame_Store_Tests is
       Reserve : out Boolean);
    --  What is sent at Now; it is released again
 
-   ----------------
-   -- Begin_Anew --
-   ----------------
-
    procedure Begin_Anew is
    begin
       for Slot in Vision.Frame_Slots.Slot loop
@@ -60,10 +56,6 @@ package body Frame_Store_Tests is
       end loop;
       Vision.Frame_Store.Begin_Delivery (Clock);
    end Begin_Anew;
-
-   ------------------
-   -- Check_Newest --
-   ------------------
 
    procedure Check_Newest (Expected : Vision.Frame_Slots.Slot) is
       Taken : Vision.Frame_Slots.Slot;
@@ -76,10 +68,6 @@ package body Frame_Store_Tests is
       Vision.Frame_Store.Release (Taken);
    end Check_Newest;
 
-   ----------------
-   -- Check_None --
-   ----------------
-
    procedure Check_None is
       Taken : Vision.Frame_Slots.Slot;
       Found : Boolean;
@@ -87,10 +75,6 @@ package body Frame_Store_Tests is
       Vision.Frame_Store.Claim_Newest (Taken, Found);
       Assert (not Found, "no image expected, not" & Taken'Image);
    end Check_None;
-
-   ---------------
-   -- Claim_Due --
-   ---------------
 
    procedure Claim_Due
      (Now     : Time;
@@ -106,26 +90,14 @@ package body Frame_Store_Tests is
       Vision.Frame_Store.Release (Slot);
    end Claim_Due;
 
-   ---------
-   -- Put --
-   ---------
-
    procedure Put (At_Time : Time; Slot : out Vision.Frame_Slots.Slot) is
    begin
       Vision.Frame_Store.Claim_Empty (Slot);
       Vision.Frame_Store.Publish (Slot, At_Time);
    end Put;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Vision.Frame_Store"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -144,10 +116,6 @@ package body Frame_Store_Tests is
                         "who waits for an image is told of what ends it");
       Register_Routine (T, Test_Elapsed'Access, "times between images");
    end Register_Tests;
-
-   ----------------------
-   -- Test_Always_Free --
-   ----------------------
 
    procedure Test_Always_Free (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -189,10 +157,6 @@ package body Frame_Store_Tests is
       Assert (Found, "the newest waits still");
    end Test_Always_Free;
 
-   --------------
-   -- Test_End --
-   --------------
-
    procedure Test_End (T : in out Any_Test) is
       pragma Unreferenced (T);
       Slot  : Vision.Frame_Slots.Slot;
@@ -223,10 +187,6 @@ package body Frame_Store_Tests is
       Vision.Frame_Store.Release (Slot);
    end Test_End;
 
-   ------------------
-   -- Test_In_Turn --
-   ------------------
-
    procedure Test_In_Turn (T : in out Any_Test) is
       pragma Unreferenced (T);
       Held, Slot, Last : Vision.Frame_Slots.Slot;
@@ -251,10 +211,6 @@ package body Frame_Store_Tests is
       end loop;
    end Test_In_Turn;
 
-   ------------------
-   -- Test_Elapsed --
-   ------------------
-
    procedure Test_Elapsed (T : in out Any_Test) is
       pragma Unreferenced (T);
       Begun : constant Time := Clock;
@@ -268,10 +224,6 @@ package body Frame_Store_Tests is
       Assert (Vision.Frame_Delivery.Elapsed (Begun, Begun + Seconds (5_000))
                 = Vision.Image_Grid.Microseconds'Last, "more than there is");
    end Test_Elapsed;
-
-   ------------------
-   -- Test_Reserve --
-   ------------------
 
    procedure Test_Reserve (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -318,10 +270,6 @@ package body Frame_Store_Tests is
       Check_Newest (Third);
    end Test_Reserve;
 
-   ---------------
-   -- Test_Wait --
-   ---------------
-
    procedure Test_Wait (T : in out Any_Test) is
       pragma Unreferenced (T);
       Begun   : constant Time := Clock;
@@ -363,10 +311,6 @@ package body Frame_Store_Tests is
       Begin_Wait (Expected => False);
    end Test_Wait;
 
-   -----------------
-   -- Test_Newest --
-   -----------------
-
    procedure Test_Newest (T : in out Any_Test) is
       pragma Unreferenced (T);
       First, Second, Third, Other : Vision.Frame_Slots.Slot;
@@ -396,10 +340,6 @@ package body Frame_Store_Tests is
       Assert (Other in Second | Third, "and the one before it is dropped");
    end Test_Newest;
 
-   ---------------
-   -- Test_Once --
-   ---------------
-
    procedure Test_Once (T : in out Any_Test) is
       pragma Unreferenced (T);
       Slot, Taken, Next : Vision.Frame_Slots.Slot;
@@ -420,10 +360,6 @@ package body Frame_Store_Tests is
       Vision.Frame_Store.Release (Taken);
       Check_Newest (Next);
    end Test_Once;
-
-   ----------------
-   -- Test_Times --
-   ----------------
 
    procedure Test_Times (T : in out Any_Test) is
       pragma Unreferenced (T);

@@ -19,10 +19,6 @@ package body Journal_Tests is
    procedure Test_Full (T : in out Any_Test);
    procedure Test_Long (T : in out Any_Test);
 
-   -----------
-   -- Check --
-   -----------
-
    procedure Check (Text : String) is
       Item  : Journal.Line;
       Count : Natural;
@@ -35,16 +31,8 @@ package body Journal_Tests is
       Journal.Written;
    end Check;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Journal"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -55,10 +43,6 @@ package body Journal_Tests is
       Register_Routine (T, Test_Full'Access,
                         "room for 256, then it says how many are missing");
    end Register_Tests;
-
-   ---------------
-   -- Test_Full --
-   ---------------
 
    procedure Test_Full (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -77,10 +61,6 @@ package body Journal_Tests is
       Assert (Count = 0, "empty");
    end Test_Full;
 
-   ----------------
-   -- Test_Level --
-   ----------------
-
    procedure Test_Level (T : in out Any_Test) is
       pragma Unreferenced (T);
       Count : Natural;
@@ -93,10 +73,6 @@ package body Journal_Tests is
       Journal.Set_Level (Options.Info);
       Check ("wanted");
    end Test_Level;
-
-   ---------------
-   -- Test_Long --
-   ---------------
 
    procedure Test_Long (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -111,10 +87,6 @@ package body Journal_Tests is
       Check (Full);
       Check ("");
    end Test_Long;
-
-   ----------------
-   -- Test_Order --
-   ----------------
 
    procedure Test_Order (T : in out Any_Test) is
       pragma Unreferenced (T);

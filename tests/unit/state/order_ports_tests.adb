@@ -22,10 +22,6 @@ package body Order_Ports_Tests is
    procedure Test_Full (T : in out Any_Test);
    procedure Test_Clear (T : in out Any_Test);
 
-   -----------
-   -- Check --
-   -----------
-
    procedure Check (Number : Ticket) is
       Item : Order;
    begin
@@ -34,26 +30,14 @@ package body Order_Ports_Tests is
               Number'Image & " expected, not" & Item.Number'Image);
    end Check;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Order_Ports"));
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put (Number : Ticket) is
       Item : Order := (Number => Number, Owed => True, others => <>);
    begin
       Port.Put (Item);
    end Put;
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -62,10 +46,6 @@ package body Order_Ports_Tests is
       Register_Routine (T, Test_Full'Access, "room for 256, and no more");
       Register_Routine (T, Test_Clear'Access, "orders that are forgotten");
    end Register_Tests;
-
-   ----------------
-   -- Test_Clear --
-   ----------------
 
    procedure Test_Clear (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -77,10 +57,6 @@ package body Order_Ports_Tests is
       Put (3);
       Check (3);
    end Test_Clear;
-
-   ---------------
-   -- Test_Full --
-   ---------------
 
    procedure Test_Full (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -101,10 +77,6 @@ package body Order_Ports_Tests is
          Check (1000 * Round + 500);
       end loop;
    end Test_Full;
-
-   ----------------
-   -- Test_Order --
-   ----------------
 
    procedure Test_Order (T : in out Any_Test) is
       pragma Unreferenced (T);

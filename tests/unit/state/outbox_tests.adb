@@ -36,10 +36,6 @@ package body Outbox_Tests is
    procedure Test_Arena (T : in out Any_Test);
    procedure Test_Answers (T : in out Any_Test);
 
-   ----------------
-   -- Begin_Anew --
-   ----------------
-
    procedure Begin_Anew is
       Next : Ticket;
    begin
@@ -47,10 +43,6 @@ package body Outbox_Tests is
       Assert (Next > 0, "numbers begin at 1");
       Monitor.Outbox.Open_Session;
    end Begin_Anew;
-
-   -----------
-   -- Check --
-   -----------
 
    procedure Check (Kind : Choice; Image : String := "") is
       Next : Monitor.Mailboxes.Item;
@@ -65,26 +57,14 @@ package body Outbox_Tests is
       end if;
    end Check;
 
-   ----------
-   -- Fill --
-   ----------
-
    procedure Fill (Text : String) is
    begin
       Made_Here.Length := Text'Length;
       Made_Here.Data (1 .. Text'Length) := Text;
    end Fill;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Monitor.Outbox"));
-
-   -----------------
-   -- Put_Picture --
-   -----------------
 
    procedure Put_Picture (Text : String) is
       Made : Monitor.Mailboxes.Generation;
@@ -96,10 +76,6 @@ package body Outbox_Tests is
               "another one to be filled");
    end Put_Picture;
 
-   --------------------
-   -- Register_Tests --
-   --------------------
-
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
    begin
@@ -107,10 +83,6 @@ package body Outbox_Tests is
       Register_Routine (T, Test_Arena'Access, "an answer that is an image");
       Register_Routine (T, Test_Answers'Access, "answers, and who waits");
    end Register_Tests;
-
-   ------------------
-   -- Test_Answers --
-   ------------------
 
    procedure Test_Answers (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -142,10 +114,6 @@ package body Outbox_Tests is
       Assert (not First.Owed and then not Second.Owed, "nothing is owed");
    end Test_Answers;
 
-   ----------------
-   -- Test_Arena --
-   ----------------
-
    procedure Test_Arena (T : in out Any_Test) is
       pragma Unreferenced (T);
       Item : Order;
@@ -161,10 +129,6 @@ package body Outbox_Tests is
          Check (Monitor.Send_Order.Image, "CIMG:periodic");
       end loop;
    end Test_Arena;
-
-   -----------------
-   -- Test_Images --
-   -----------------
 
    procedure Test_Images (T : in out Any_Test) is
       pragma Unreferenced (T);

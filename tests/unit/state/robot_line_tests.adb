@@ -36,10 +36,6 @@ package body Robot_Line_Tests is
    procedure Test_Out_Of_Date (T : in out Any_Test);
    procedure Test_Many_Stops (T : in out Any_Test);
 
-   ---------
-   -- Ask --
-   ---------
-
    procedure Ask
      (From        : Client;
       Kind        : Message_Kind;
@@ -58,10 +54,6 @@ package body Robot_Line_Tests is
         (From, Robot.Session.Request'(Kind => Kind, others => <>));
    end Ask;
 
-   -----------
-   -- Check --
-   -----------
-
    procedure Check
      (From : Client; Verdict : Verdict_Kind := Carry_Out)
    is
@@ -76,16 +68,8 @@ package body Robot_Line_Tests is
          Ada.Real_Time.Clock);
    end Check;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Robot.Line"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -101,20 +85,12 @@ package body Robot_Line_Tests is
                         "stops without end do not starve the reload");
    end Register_Tests;
 
-   ----------
-   -- Stop --
-   ----------
-
    procedure Stop (Number : Ticket; After : Ticket := 0) is
       Order : Orders.Order :=
         (Number, (Kind => Stop_Robot, others => <>), 0, After, Owed => True);
    begin
       Robot.Line.Put_Stop (Order);
    end Stop;
-
-   ---------------------
-   -- Test_Many_Stops --
-   ---------------------
 
    procedure Test_Many_Stops (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -133,10 +109,6 @@ package body Robot_Line_Tests is
       Check (Move, Out_Of_Date);
    end Test_Many_Stops;
 
-   ----------------------
-   -- Test_Out_Of_Date --
-   ----------------------
-
    procedure Test_Out_Of_Date (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -152,10 +124,6 @@ package body Robot_Line_Tests is
       Check (Open);
    end Test_Out_Of_Date;
 
-   --------------------
-   -- Test_Overtaken --
-   --------------------
-
    procedure Test_Overtaken (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -167,10 +135,6 @@ package body Robot_Line_Tests is
       Ask (Move, Go_Forward, 202, 2, 0);
       Check (Move);
    end Test_Overtaken;
-
-   -----------------
-   -- Test_Places --
-   -----------------
 
    procedure Test_Places (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -187,10 +151,6 @@ package body Robot_Line_Tests is
       Check (Reset);
       Check (Move, Overtaken);
    end Test_Places;
-
-   ------------------
-   -- Test_Urgency --
-   ------------------
 
    procedure Test_Urgency (T : in out Any_Test) is
       pragma Unreferenced (T);

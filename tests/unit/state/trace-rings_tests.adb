@@ -42,26 +42,14 @@ package body Trace.Rings_Tests is
    procedure Test_Overtaken (T : in out Any_Test);
    procedure Test_File (T : in out Any_Test);
 
-   ---------
-   -- Put --
-   ---------
-
    procedure Put (R : in out Ring; Item : Event) is
       Unused : Unsigned_64;
    begin
       Put (R, Item, Unused);
    end Put;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Trace.Rings"));
-
-   --------------------
-   -- Register_Tests --
-   --------------------
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -74,10 +62,6 @@ package body Trace.Rings_Tests is
       Register_Routine
         (T, Test_File'Access, "more than is kept, in time, in the file");
    end Register_Tests;
-
-   ---------------
-   -- Test_File --
-   ---------------
 
    procedure Test_File (T : in out Any_Test) is
       use type Ada.Calendar.Time;
@@ -151,10 +135,6 @@ package body Trace.Rings_Tests is
       Assert (Success and then not Ada.Directories.Exists (Path), "again");
    end Test_File;
 
-   --------------------
-   -- Test_Overtaken --
-   --------------------
-
    procedure Test_Overtaken (T : in out Any_Test) is
       pragma Unreferenced (T);
       Words : constant := Slot_Bytes / 8;
@@ -211,10 +191,6 @@ package body Trace.Rings_Tests is
       Assert (State = 2 * (Here + 100 * Capacity) + 2, "the newer is gone");
    end Test_Overtaken;
 
-   ----------------
-   -- Test_Round --
-   ----------------
-
    procedure Test_Round (T : in out Any_Test) is
       pragma Unreferenced (T);
       Where : Memory := (others => 0);
@@ -242,10 +218,6 @@ package body Trace.Rings_Tests is
          end loop;
       end loop;
    end Test_Round;
-
-   -------------------
-   -- Test_Together --
-   -------------------
 
    procedure Test_Together (T : in out Any_Test) is
       pragma Unreferenced (T);

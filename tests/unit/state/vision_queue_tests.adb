@@ -25,19 +25,11 @@ package body Vision_Queue_Tests is
    procedure Test_Clear (T : in out Any_Test);
    procedure Test_Full (T : in out Any_Test);
 
-   ----------------
-   -- Begin_Anew --
-   ----------------
-
    procedure Begin_Anew is
    begin
       Vision.Queue.Clear;
       Check_End;
    end Begin_Anew;
-
-   -----------
-   -- Check --
-   -----------
 
    procedure Check (Number : Ticket) is
       Item : Order;
@@ -48,10 +40,6 @@ package body Vision_Queue_Tests is
               Number'Image & " expected, not" & Item.Number'Image);
    end Check;
 
-   ---------------
-   -- Check_End --
-   ---------------
-
    procedure Check_End is
       Item : Order;
    begin
@@ -59,16 +47,8 @@ package body Vision_Queue_Tests is
       Assert (not Item.Owed, "none expected, not" & Item.Number'Image);
    end Check_End;
 
-   ----------
-   -- Name --
-   ----------
-
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Vision.Queue"));
-
-   ---------
-   -- Put --
-   ---------
 
    procedure Put (Number : Ticket; At_Once : Boolean) is
       Item : Order := (Number => Number, Owed => True, others => <>);
@@ -78,10 +58,6 @@ package body Vision_Queue_Tests is
               Number'Image & (if At_Once then " at once" else " waits"));
    end Put;
 
-   --------------------
-   -- Register_Tests --
-   --------------------
-
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
    begin
@@ -90,10 +66,6 @@ package body Vision_Queue_Tests is
                         "what is under way outlasts its session");
       Register_Routine (T, Test_Full'Access, "room for 256");
    end Register_Tests;
-
-   ----------------
-   -- Test_Clear --
-   ----------------
 
    procedure Test_Clear (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -108,10 +80,6 @@ package body Vision_Queue_Tests is
       Put (4, At_Once => True);
    end Test_Clear;
 
-   ---------------
-   -- Test_Full --
-   ---------------
-
    procedure Test_Full (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -125,10 +93,6 @@ package body Vision_Queue_Tests is
       end loop;
       Check_End;
    end Test_Full;
-
-   ----------------
-   -- Test_Order --
-   ----------------
 
    procedure Test_Order (T : in out Any_Test) is
       pragma Unreferenced (T);
