@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Queues of bounded length, first in first out: nothing is lost while there
---  is room, and there never is more in one than its capacity.
+--  Bounded FIFO queues: no element is lost while the queue is not full, and
+--  the length never exceeds the capacity.
 
 generic
    type Element is private;
@@ -8,7 +8,6 @@ generic
 package Bounded_Queues with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Bounded_Queues);
-   --  A claim that GNATprove checks: every subprogram ends
 
    subtype Count is Natural range 0 .. Capacity;
 
@@ -23,9 +22,9 @@ package Bounded_Queues with SPARK_Mode is
 
    function Element_At (Q : Queue; I : Place) return Element
    with Pre => I <= Length (Q);
-   --  What Q holds: the element at 1 is taken first
+   --  The elements of Q: the one at 1 is taken first
 
-   --  The words of the contracts
+   --  Used in the contracts
 
    function Is_Same (Q, Before : Queue) return Boolean is
      (Length (Q) = Length (Before)
@@ -38,7 +37,7 @@ package Bounded_Queues with SPARK_Mode is
       and then (for all I in 1 .. Length (Before) =>
                   Element_At (Q, I) = Element_At (Before, I)))
    with Ghost;
-   --  Q holds what Before did, at the same places, and perhaps more
+   --  The elements of Before are in Q at the same places; Q may have more
 
    function Is_Without_First (Q, Before : Queue) return Boolean is
      (Length (Before) > 0
@@ -46,9 +45,7 @@ package Bounded_Queues with SPARK_Mode is
       and then (for all I in 1 .. Length (Q) =>
                   Element_At (Q, I) = Element_At (Before, I + 1)))
    with Ghost;
-   --  Q is Before without the element that was to be taken first
-
-   --  The operations
+   --  Q is Before without its first element
 
    procedure Clear (Q : in out Queue)
    with Post => Length (Q) = 0;
@@ -60,7 +57,7 @@ package Bounded_Queues with SPARK_Mode is
         else Begins_With (Q, Q'Old)
           and then Length (Q) = Length (Q'Old) + 1
           and then Element_At (Q, Length (Q)) = Item);
-   --  Item is the last. A full queue stays as it is
+   --  Item becomes the last element. A full queue does not change
 
    procedure Take (Q : in out Queue; Item : out Element; Found : out Boolean)
    with
@@ -70,7 +67,7 @@ package Bounded_Queues with SPARK_Mode is
              Item = Element_At (Q'Old, 1)
              and then Is_Without_First (Q, Q'Old)
           else Length (Q) = 0);
-   --  The first, which leaves the queue. Item is any where not Found
+   --  Removes the first element. Item is undefined if not Found
 
    procedure Remove_First (Q : in out Queue)
    with
@@ -85,7 +82,7 @@ package Bounded_Queues with SPARK_Mode is
          (for all I in 1 .. Length (Q) - 1 =>
             Element_At (Q, I) =
               Element_At (Q'Old, (if Is_Full (Q'Old) then I + 1 else I)));
-   --  Item is the last; for it a full queue forgets the first
+   --  Item becomes the last element; a full queue drops its first one
 
    procedure Replace (Q : in out Queue; I : Place; Item : Element)
    with
@@ -95,7 +92,7 @@ package Bounded_Queues with SPARK_Mode is
        and then (for all J in 1 .. Length (Q) =>
                    (if J /= I then
                        Element_At (Q, J) = Element_At (Q'Old, J)));
-   --  Item instead of what is at I
+   --  Replaces the element at I by Item
 
 private
 
@@ -106,7 +103,7 @@ private
       First  : Place := 1;
       Length : Count := 0;
    end record;
-   --  A ring: what is at place I is in Items (Index (First, I))
+   --  A ring buffer: element I is Items (Index (First, I))
 
    function Index (First, I : Place) return Place is
      (if I - 1 <= Capacity - First then First + (I - 1)

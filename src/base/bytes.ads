@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The octets that the serial line, the images and the sockets carry, as
---  one type that every package below the tasks shares.
+--  Bytes of the serial line, the images and the sockets: one type for all
+--  packages below the tasks.
 
 with Interfaces;
 

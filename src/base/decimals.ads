@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Decimal numbers of up to eight digits, in text of characters or of
---  octets: what both wire formats write and read.
+--  Decimal numbers of up to eight digits, in character or byte strings: read
+--  and written by both protocols.
 
---  A generic is proved in its instances, with the SPARK mode that they have.
+--  A generic is proved in each instance, in the SPARK mode of the instance.
 
 generic
    type Symbol is (<>);
-   --  Characters or octets: the positions are those of ASCII, 0 .. 255.
+   --  Characters or bytes: the positions are the ASCII codes, 0 .. 255.
    type Text is array (Positive range <>) of Symbol;
 package Decimals is
 
@@ -54,7 +54,7 @@ package Decimals is
        and then Weight <= 10_000_000
        and then (if Position >= First then Is_Digit (T (Position))),
      Post => Place'Result <= 9 * Weight;
-   --  What the digit at Position counts; 0 in front of the first one.
+   --  The digit at Position times its weight; 0 before First.
 
    function Value (T : Text; First : Positive; Last : Natural) return Number
    is (Place (T, First, Last, 1)
@@ -71,7 +71,7 @@ package Decimals is
        and then Last - First < Max_Digits
        and then Are_Digits (T, First, Last),
      Post => Value'Result <= Largest (Last - First + 1);
-   --  The number that the digits First .. Last stand for. Eight at most.
+   --  The number written in First .. Last, eight digits at most.
 
    function Saturated_Value
      (T : Text; First : Positive; Last : Natural) return Number
@@ -88,7 +88,7 @@ package Decimals is
         then Saturated_Value'Result =
                Value (T, Last - Max_Digits + 1, Last)
         else Saturated_Value'Result = Number'Last);
-   --  The same for any count of digits; Number'Last for all that is more.
+   --  The same for any number of digits; Number'Last if it is larger.
 
    procedure Append
      (N     : Number;
@@ -109,8 +109,8 @@ package Decimals is
          (for all I in Into'Range =>
             (if I <= Last'Old or else I > Last then
                 Into (I) = Into'Old (I)));
-   --  Writes N after Last, with zeros in front up to Width digits, and
-   --  moves Last to its last digit.
+   --  Writes N after Last, padded with zeros to Width digits, and moves Last
+   --  to its last digit.
 
    procedure Prove_Same_Value
      (A, B : Text; First : Positive; Last : Natural)
@@ -124,6 +124,6 @@ package Decimals is
        and then (for all I in First .. Last => A (I) = B (I)),
      Post => Are_Digits (B, First, Last)
        and then Value (A, First, Last) = Value (B, First, Last);
-   --  A number depends on its own digits alone.
+   --  The value depends only on the digits of the number.
 
 end Decimals;

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The version of all that is released together.
+--  The version of the project, the same for all that is released.
 
 package Project_Version with SPARK_Mode is
 
    Number : constant String := "1.0.0";
-   --  Here and nowhere else: what else names it is checked against it
+   --  The only definition; other places that name it are checked against it
 
 end Project_Version;

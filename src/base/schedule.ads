@@ -1,15 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The one table of the supervisor's tasks: priorities, periods, deadlines
---  and the ceilings that follow from them. No other unit has such a number.
+--  The table of tasks: priorities, periods, deadlines and the ceilings that
+--  follow from them. No other unit defines such a number.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with System;        use System;
 
 package Schedule with SPARK_Mode is
 
-   --  Priorities. GNATprove and the compiler want each as a constant of its
-   --  own; the reason for each stands in its row below. Between equal numbers
-   --  the order of arrival decides (FIFO_Within_Priorities).
+   --  Priorities. GNATprove and the compiler need a named constant for each;
+   --  the reason for each is at its row below. Equal priorities are served in
+   --  the order of arrival (FIFO_Within_Priorities).
 
    Stop_Priority           : constant Priority := 35;
    Line_Priority           : constant Priority := 34;
@@ -39,12 +39,12 @@ package Schedule with SPARK_Mode is
    Reload_Period     : constant Time_Span := Milliseconds (1000);  --  F11
    Battery_Period    : constant Time_Span := Milliseconds (500);   --  F13
    Keep_Alive_Period : constant Time_Span := Milliseconds (100);
-   --  four failures of 100 ms + 87 ms each stay below the 1 s in which a
-   --  lost line must be found
+   --  four failures of 100 ms + 87 ms each take less than the 1 s within which
+   --  a lost line must be detected
    Link_Period       : constant Time_Span := Milliseconds (250);
-   --  how often the monitor's link is examined
+   --  sampling period of the monitor's connection
 
-   --  The tasks, a row each, the most urgent first.
+   --  The tasks, one row each, the highest priority first.
 
    type Task_Name is
      (Th_Stop,
@@ -71,20 +71,20 @@ package Schedule with SPARK_Mode is
 
    type Row is record
       Name      : String (1 .. 17);
-      --  padded with blanks; the report's, where it has the thread
+      --  padded with blanks; the name in the design report, if it is there
       Priority  : System.Priority;
       Report    : Any_Priority;
-      --  what the thread has in the report, or the one that does its work
+      --  priority of the report's thread with this name or this work
       Real_Time : Boolean;
-      --  it goes to the processor of --cpu, where there is one
+      --  pinned to the processor of --cpu, if given
       Period    : Time_Span;
-      --  from one release to the next; On_Event: an event releases it
+      --  between releases; On_Event: released by an event, sporadic
       Deadline  : Time_Span;
-      --  for what the comment says; Unbounded where no feature has a figure
+      --  of what the comment at the row says; Unbounded: no requirement
    end record;
 
    No_Thread : constant Any_Priority := Any_Priority'First;
-   --  of the report does this
+   --  no thread of the report does this
    On_Event  : constant Time_Span := Time_Span_Zero;
    Unbounded : constant Time_Span := Time_Span_Last;
 
@@ -92,46 +92,46 @@ package Schedule with SPARK_Mode is
      (Th_Stop =>
         ("th_stop          ", Stop_Priority, No_Thread, True,
          On_Event, Unbounded),
-      --  ends the process in order, whatever else goes on
+      --  ends the process in order, even under load
       Th_Line =>
         ("th_line          ", Line_Priority, 20, True,
          On_Event, Milliseconds (100)),
-      --  owns the robot's line. F12: a command to its frame at the robot.
-      --  Before the monitor's tasks: an order that has been received does
-      --  not wait for the receipt of the next
+      --  owns the robot's line. F12: from command to frame at the robot. Above
+      --  the monitor's tasks: a received order does not wait for the reception
+      --  of the next
       Th_Reload_WD =>
         ("th_reloadWD      ", Reload_Priority, 20, True,
          Reload_Period, Milliseconds (50)),
-      --  F11: the tightest window of all
+      --  F11: the tightest time window of all
       Th_Server =>
         ("th_server        ", Server_Priority, 30, True,
          On_Event, Milliseconds (50)),
-      --  F2: a newcomer is admitted
+      --  F2: admission of a new client
       Th_Move =>
         ("th_move          ", Move_Priority, 20, True,
          On_Event, Milliseconds (5)),
-      --  F12: a command to the first byte of its frame. Ahead of the receipt
+      --  F12: from command to the first byte of its frame. Above the reception
       --  of further commands
       Th_Receive_From_Mon =>
         ("th_receiveFromMon", Receive_Priority, 25, True,
          On_Event, Milliseconds (10)),
-      --  F4: a command to an answer without the robot
+      --  F4: from command to answer, for commands that do not need the robot
       Th_Com_Mon_Perdue =>
         ("th_comMonPerdue  ", Lost_Priority, 22, True,
          Link_Period, Milliseconds (100)),
-      --  F6: a loss to the stop at the robot. Before the sending of images
+      --  F6: from the loss to the stop at the robot. Above image sending
       Th_Hold =>
         ("th_hold          ", Hold_Priority, 22, True,
          On_Event, Unbounded),
-      --  ends the hold on unasked messages
+      --  ends the hold on unsolicited messages
       Th_Send_To_Mon =>
         ("th_sendToMon     ", Send_Priority, 22, True,
          On_Event, Milliseconds (10)),
-      --  F4: the robot's answer, or an unasked message, to its sending
+      --  F4: from the robot's answer, or an unsolicited message, to sending
       Th_Battery_Level =>
         ("th_batteryLevel  ", Battery_Priority, 20, True,
          Battery_Period, Milliseconds (20)),
-      --  F13: its jitter, which must not include a frame's image work
+      --  F13: its jitter, which must not include image processing
       Th_Open_Com_Robot =>
         ("th_openComRobot  ", Open_Priority, 20, True,
          On_Event, Unbounded),
@@ -147,23 +147,23 @@ package Schedule with SPARK_Mode is
       Th_Query =>
         ("th_query         ", Query_Priority, 20, True,
          On_Event, Unbounded),
-      --  ping, state, level and reload when the monitor asks
+      --  ping, state, level and reload on request of the monitor
       Th_Keep_Alive =>
         ("th_keepAlive     ", Keep_Alive_Priority, 20, True,
          Keep_Alive_Period, Unbounded),
-      --  asks a line that has been idle
+      --  pings an idle line
       Th_Camera_Control =>
         ("th_cameraControl ", Camera_Control_Priority, 20, True,
          On_Event, Unbounded),
       Th_Capture_Img =>
         ("th_captureImg    ", Capture_Priority, 20, False,
          On_Event, Milliseconds (20)),
-      --  F15: its jitter; its period is --fps's. After the robot's tasks: an
-      --  image takes milliseconds, each of them microseconds
+      --  F15: its jitter; its period is set by --fps. Below the robot's tasks:
+      --  an image takes milliseconds, each of them microseconds
       Th_Arene =>
         ("th_arene         ", Arena_Priority, 20, False,
          On_Event, Unbounded),
-      --  tens of milliseconds; the periodic images stand still meanwhile
+      --  takes tens of milliseconds; the periodic images pause meanwhile
       Th_Camera =>
         ("th_camera        ", Camera_Priority, 20, False,
          On_Event, Unbounded),
@@ -179,8 +179,8 @@ package Schedule with SPARK_Mode is
    --  Without the blanks
 
    --  Ceilings: the highest priority of the tasks that call the object.
-   --  GNATprove knows them from the code; proofs/faults lowers each but the
-   --  log's by one, and GNATprove refuses that.
+   --  GNATprove computes them from the code: proofs/faults lowers each by one,
+   --  except the log's, and GNATprove rejects it.
 
    Outbox_Ceiling  : constant Priority := Line_Priority;
    Line_Ceiling    : constant Priority := Stop_Priority;
@@ -191,71 +191,70 @@ package Schedule with SPARK_Mode is
    Frame_Ceiling   : constant Priority := Lost_Priority;
    Session_Ceiling : constant Priority := Stop_Priority;
    Journal_Ceiling : constant Priority := Priority'Last;
-   --  the last-chance handler of a failed task logs too
+   --  the last-chance handler of a failed task also logs
 
-   --  Times.
+   --  Time-outs and intervals.
 
    Battery_Offset    : constant Time_Span := Milliseconds (250);
-   --  from the start: keeps the battery away from the reload
+   --  after the start: keeps the battery request away from the reload
    Idle_Line         : constant Time_Span := Milliseconds (80);
-   --  a line that had an exchange this recently needs no ping
+   --  a line with an exchange this recently needs no ping
    Hold_Limit        : constant Time_Span := Milliseconds (950);
    --  PROTOCOL rule 7: the existing monitor waits 1 s for an answer
 
    Answer_Timeout    : constant Time_Span := Milliseconds (80);
-   --  of the robot, after the end of the command (PROTOCOL.md)
+   --  of the robot, from the end of the command (PROTOCOL.md)
    Byte_Time         : constant Time_Span := Microseconds (1042);
    --  10 bits at 9600 baud
 
    Reload_Quiet      : constant Time_Span := Milliseconds (20);
-   --  before a reload is due, nothing but a stop or a movement is begun
+   --  before a reload is due, only a stop or a movement may start
    Reload_Quiet_Suspect : constant Time_Span := Milliseconds (110);
-   --  the same while the line has failed last: the exchange may take all of
-   --  the answer time-out
+   --  the same if the last exchange failed: the next may take the whole answer
+   --  time-out
 
    Camera_Silence_Tenths : constant := 25;  --  of a second
    Camera_Silence    : constant Time_Span :=
      Milliseconds (100 * Camera_Silence_Tenths);
-   --  without a new image for this long the camera counts as failed
+   --  without a new image for this long the camera has failed
 
    Stop_Limit        : constant Time_Span := Milliseconds (800);
-   --  an orderly stop does not wait longer for robot and camera
+   --  an orderly stop waits at most this long for robot and camera
    Failure_Limit     : constant Time_Span := Milliseconds (300);
-   --  the same after a failure, when it may never come
+   --  the same after a failure, when they may never answer
    Console_Limit     : constant Time_Span := Milliseconds (100);
    --  for the last lines of the log
    Accept_Pause      : constant Time_Span := Milliseconds (100);
    --  after a connection that could not be accepted
    Newcomer_Interval : constant Time_Span := Milliseconds (10);
-   --  between two turns in which th_server sees to newcomers and their first
-   --  lines, at least. A flood of them may not take so much of the processor
-   --  that an order of the monitor in command is late; with 4 ms it could be
-   --  on a Cortex-A53 (proofs/schedulability). A newcomer with a token needs
-   --  two turns, and has 50 ms (F2)
+   --  Minimum time between two turns in which th_server handles pending
+   --  connections. Limits the processor time that a flood of connections can
+   --  take from the orders of the monitor in command: 4 ms is too short on a
+   --  Cortex-A53 (proofs/schedulability). A client with a token needs two
+   --  turns within 50 ms (F2)
    Newcomers_Per_Turn : constant := 10;
-   --  whom th_server takes in, hears or refuses in a turn. The kernel's queue
-   --  of 512 is empty after half a second
+   --  accepted, read or rejected in a turn at most. The kernel's queue of 512
+   --  is empty after half a second
    Hearings_Per_Turn : constant := 3;
-   --  of these at most are newcomers that it has taken in before; and so many
-   --  refusals at most get a line each in the log. A line may wait for the
-   --  task that writes it (proofs/schedulability, "inverted")
+   --  at most so many of these were pending before the turn; and at most so
+   --  many rejections get a log line each. A log line may wait for the console
+   --  task (proofs/schedulability, "inverted")
    Block_Time        : constant Time_Span := Milliseconds (900);
-   --  for sources that flood. Less than the second after which the kernel of
-   --  a monitor there tries again
+   --  for sources that flood. Less than the second after which the kernel of a
+   --  monitor at such an address retries
    Refusal_Pause     : constant Time_Span := Milliseconds (1000);
-   --  without a refusal: each of the next is in the log again
+   --  without a rejection: then each rejection is logged again
    Token_Limit       : constant Time_Span := Milliseconds (2000);
-   --  for the first line of a newcomer, where a token is asked for
+   --  for the first line of a client, if a token is required
    Trace_Limit       : constant Time_Span := Milliseconds (2000);
-   --  for the file of --trace; with Stop_Limit and Console_Limit less than
-   --  TimeoutStopSec of the systemd unit
+   --  to write the file of --trace; with Stop_Limit and Console_Limit less
+   --  than TimeoutStopSec of the systemd unit
    Store_Limit       : constant Time_Span := Milliseconds (10_000);
-   --  after which the main procedure takes the events of --trace to the file,
-   --  however few
+   --  the main procedure stores the events of --trace at least this often
    Release_Poll      : constant Time_Span := Milliseconds (5);
-   --  how often the ends of a session and of the process look again
+   --  polling period at the end of a session and of the process
 
    Camera_Release_Limit : constant Time_Span := Milliseconds (400);
-   --  the end of a session does not wait longer for the camera
+   --  the end of a session waits at most this long for the camera
 
 end Schedule;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Texts of bounded length, for what crosses from one task to another: no
---  allocation, no secondary stack.
+--  Texts of bounded length, to be passed between tasks: no allocation, no
+--  secondary stack.
 
 package Texts with SPARK_Mode, Pure is
 
@@ -18,7 +18,7 @@ package Texts with SPARK_Mode, Pure is
      Post => T.Length = Natural'Min (Value'Length, Max_Length)
        and then (for all I in 1 .. T.Length =>
                    T.Data (I) = Value (Value'First + (I - 1)));
-   --  Value, cut at Max_Length
+   --  Value, truncated to Max_Length
 
    procedure Append (T : in out Text; Value : String)
    with
@@ -29,7 +29,7 @@ package Texts with SPARK_Mode, Pure is
        and then (for all I in T'Old.Length + 1 .. T.Length =>
                    T.Data (I) =
                      Value (Value'First + (I - T'Old.Length - 1)));
-   --  T followed by Value, cut at Max_Length
+   --  T followed by Value, truncated to Max_Length
 
    procedure Append (T : in out Text; Value : Integer)
    with
@@ -42,13 +42,13 @@ package Texts with SPARK_Mode, Pure is
                    or else (Value < 0
                             and then I = T'Old.Length + 1
                             and then T.Data (I) = '-'));
-   --  T followed by Value in decimal, with a minus sign where negative
+   --  T followed by Value in decimal, with a minus sign if negative
 
    function To_Text (Value : String) return Text
    with
      Post => To_Text'Result.Length = Natural'Min (Value'Length, Max_Length)
        and then (for all I in 1 .. To_Text'Result.Length =>
                    To_Text'Result.Data (I) = Value (Value'First + (I - 1)));
-   --  Value, cut at Max_Length
+   --  Value, truncated to Max_Length
 
 end Texts;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Files that hold a secret: how such a file begins, and who may read it.
+--  Files that hold a secret: their first characters and permissions.
 
 with Admission.Authentication;
 with Texts;
@@ -22,8 +22,8 @@ is
    with
      Global => (In_Out => Files),
      Post   => Length <= Data'Length;
-   --  The first characters of the file, as many as there are and as Data
-   --  takes, its mode and its owner when they were read. Never waits.
-   --  Reason says why where Success is false
+   --  The first characters of the file, as many as exist and fit into Data,
+   --  and its mode and owner at that time. Never waits. Reason explains a
+   --  failure
 
 end Admission.Secret_Files;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The console: standard error for the log, standard output for what was
---  asked for. May wait, so for a task of low priority only.
+--  The console: standard error for the log, standard output for requested
+--  output. May wait, so only for tasks of low priority.
 
 package Console with
   SPARK_Mode,
@@ -10,11 +10,11 @@ package Console with
 is
 
    procedure Put_Log (Line : String) with Global => (In_Out => Terminal);
-   --  Line and a line feed in one write on standard error. Where nobody
-   --  takes it (closed, full disk), it is lost
+   --  Line and a line feed in one write on standard error. It is lost if it
+   --  cannot be written (closed, full disk)
 
    procedure Put (Line : String; Written : out Boolean)
    with Global => (In_Out => Terminal);
-   --  The same on standard output; Written is whether all of it was taken
+   --  The same on standard output; Written: all of it was accepted
 
 end Console;

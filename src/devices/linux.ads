@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The calls of the C library that the device bodies share, with the numbers
---  of the Linux kernel's interface. For the bodies in this folder only.
+--  C library functions shared by the device bodies, with constants of the
+--  Linux kernel's interface. For the bodies in this folder only.
 
 with Interfaces.C; use Interfaces.C;
 with System;
@@ -51,7 +51,7 @@ package Linux with SPARK_Mode => Off is
 
    procedure Close (Descriptor : int)
    with Import, Convention => C, External_Name => "close";
-   --  Where nothing can be done about a failure
+   --  No result: nothing can be done about a failure
 
    function Own_Process return int
    with Import, Convention => C, External_Name => "getpid";

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The calls of the C library that gate and connection share, with the
---  numbers of the Linux kernel's interface.
+--  C library functions shared by gate and connection, with constants of the
+--  Linux kernel's interface.
 
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
@@ -34,7 +34,7 @@ private package Monitor.Sockets.Calls with SPARK_Mode => Off is
    procedure Set_Option
      (S : Socket; Level, Name : int; Value : System.Address; Size : unsigned)
    with Import, Convention => C, External_Name => "setsockopt";
-   --  A kernel without the option leaves its own default
+   --  A kernel without the option keeps its default
 
    --  The beginning of the kernel's struct tcp_info (linux/tcp.h)
    type Word_Array is array (Positive range <>) of Unsigned_32
@@ -42,11 +42,11 @@ private package Monitor.Sockets.Calls with SPARK_Mode => Off is
 
    type Tcp_Info is record
       States      : Word_Array (1 .. 6);   --  states, times, segment sizes
-      Unacked     : Unsigned_32;           --  segments; where it listens,
+      Unacked     : Unsigned_32;           --  segments; for a listening socket
       Selected    : Unsigned_32;           --  its queue's length and limit
       Counters    : Word_Array (1 .. 5);   --  up to the last one sent
-      Last_Data   : Unsigned_32;           --  ms since the last received
-      Last_Ack    : Unsigned_32;           --  ms since the last received
+      Last_Data   : Unsigned_32;           --  ms since data was received
+      Last_Ack    : Unsigned_32;           --  ms since an ack was received
       Metrics     : Word_Array (1 .. 11);
       Pacing      : Word_Array (1 .. 4);
       Bytes_Acked : Unsigned_64;

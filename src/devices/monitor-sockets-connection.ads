@@ -13,15 +13,15 @@ is
 
    procedure Take_Over (Newcomer : Socket)
    with Global => (In_Out => Peer);
-   --  From the gate: it becomes the monitor in command. There must be none
+   --  Newcomer becomes the monitor in command. There must be none
 
    procedure Receive
      (Data : in out String; Length : out Natural; Open : out Boolean)
    with
      Global => (In_Out => Peer),
      Post   => Length <= Data'Length;
-   --  What the monitor in command has sent; waits for it. Open is false,
-   --  and Length 0, when the connection is over
+   --  Data received from the monitor in command; waits for it. Open is false,
+   --  and Length 0, when the connection has ended
 
    procedure Send
      (Data    : String;
@@ -32,31 +32,31 @@ is
      Global => (In_Out => Peer),
      Pre    => Unsent and then Length <= Data'Length,
      Post   => not Unsent;
-   --  Sends the first Length characters in one piece; waits while the
-   --  connection takes nothing. Fails when the connection is over. Unsent:
-   --  the message, which is sent once
+   --  Sends the first Length characters as a whole; waits while the connection
+   --  accepts nothing. Fails when the connection has ended. Unsent: the
+   --  message has not been sent before
 
    procedure Watch
      (Wait : Ada.Real_Time.Time_Span; Loss : out Monitor.Link.Loss_Kind)
    with Global => (In_Out => Peer);
-   --  Waits until the connection is over, for Wait at most, to the ms
+   --  Waits until the connection has ended, at most Wait; resolution 1 ms
 
    procedure Sample (Link : out Monitor.Link.Sample)
    with
      Global => (In_Out => Peer, Input => Ada.Real_Time.Clock_Time);
-   --  How the connection does, from the kernel (TCP_INFO); only the time
-   --  where it does not say all that is needed
+   --  State of the connection from the kernel (TCP_INFO); only the time is
+   --  valid if the kernel does not provide all that is needed
 
    procedure Leave_To_Kernel with Global => (In_Out => Peer);
-   --  Without samples: it ends the connection itself, for Watch to see, when
-   --  it has probed an idle monitor in vain (keep-alive), or when what was
-   --  sent has not been taken, for Monitor.Link.Vanished_After in either case
+   --  For use without samples: the kernel itself ends the connection, which
+   --  Watch detects, when keep-alive probes of an idle monitor are unanswered
+   --  or data is unacknowledged, both for Monitor.Link.Vanished_After
 
    procedure Shut_Down with Global => (In_Out => Peer);
-   --  Ends the connection in both directions; frees whoever waits in
-   --  Receive, Send or Watch
+   --  Ends the connection in both directions; calls waiting in Receive, Send
+   --  or Watch return
 
    procedure Close with Global => (In_Out => Peer);
-   --  Closes the connection; nobody may be in Receive, Send or Watch
+   --  Closes the connection; no task may be in Receive, Send or Watch
 
 end Monitor.Sockets.Connection;

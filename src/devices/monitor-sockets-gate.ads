@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The gate of the server for the monitor: the listening socket, and
---  newcomers that are to be admitted or refused.
+--  The listening socket of the server, and the pending connections, which are
+--  to be admitted or rejected.
 
 with Ada.Real_Time;
 with Admission.Blocklists;
@@ -24,11 +24,11 @@ is
       Success : out Boolean;
       Reason  : out Texts.Text)
    with Global => (In_Out => Newcomers);
-   --  Bound: the port in use, chosen by the system where Port is 0. Reason
-   --  says why where Success is false
+   --  Bound: the port in use, chosen by the system if Port is 0. Reason
+   --  explains a failure
 
    subtype Place is Admission.Pending_Connections.Place;
-   --  Of a newcomer that has neither been admitted nor refused
+   --  Index of a pending connection, neither admitted nor rejected
 
    subtype Place_Set is Admission.Pending_Connections.Place_Set;
 
@@ -44,10 +44,10 @@ is
      Post   =>
        (for all P in Place => (if Ready (P) then Watched (P)))
        and then (if Queued then Listens);
-   --  Waits until there is input, or the end of a connection, at one of the
-   --  places Watched, which then are Ready; where it Listens, until a
-   --  connection waits in the kernel's queue; until Wake_Server; until
-   --  Until_Time at most. Nothing may come at any time
+   --  Waits until one of the places Watched is Ready (input, or end of
+   --  connection); if it Listens, also until a connection waits in the
+   --  kernel's queue; until Wake_Server; or until Until_Time. May return early
+   --  with nothing ready
 
    type Arrival is (Newcomer, Nobody_There, Failed);
 
@@ -57,24 +57,24 @@ is
       Event  : out Arrival;
       Reason : out Texts.Text)
    with Global => (In_Out => Newcomers);
-   --  The next connection of the kernel's queue gets the place Where, which
-   --  must be free; never waits. From: the newcomer's address. Reason says
-   --  why where it Failed
+   --  Accepts the next connection of the kernel's queue into the place Where,
+   --  which must be free; never waits. From: the peer's address. Reason
+   --  explains a failure
 
    procedure Get_Name (Where : Place; Peer : out Texts.Text)
    with Global => (In_Out => Newcomers);
-   --  Of the newcomer that got this place last: its address and port
+   --  Address and port of the last client at this place
 
    procedure Get_Queue (Length, Limit : out Natural)
    with Global => (In_Out => Newcomers);
-   --  How many connections wait in the kernel's queue, and how many can; no
-   --  connection where the kernel does not say
+   --  Length and limit of the kernel's queue; Length is 0 if the kernel does
+   --  not tell
 
    procedure Block (Sources : Admission.Blocklists.List)
    with Global => (In_Out => Newcomers);
-   --  From now on the kernel takes no notice of connections that begin at
-   --  Sources, and of all others: they are tried again after 1 s, then 2 s.
-   --  A kernel that cannot do that takes all
+   --  From now on the kernel ignores new connections from Sources, and from no
+   --  others. The peers retry after 1 s, then 2 s. A kernel without filters
+   --  accepts all
 
    procedure Wake_Server with Global => (In_Out => Newcomers);
 
@@ -86,19 +86,19 @@ is
    with
      Global => (In_Out => Newcomers),
      Post   => Length <= Data'Length;
-   --  How that begins which the newcomer has sent and nobody has taken yet;
-   --  never waits. Open is false, and Length 0, when the connection is over
+   --  Reads what the pending connection has sent, without consuming it; never
+   --  waits. Open is false and Length 0 if the peer has closed
 
    procedure Take (Where : Place; Count : Natural)
    with Global => (In_Out => Newcomers);
-   --  The first Count characters of that are not wanted again
+   --  Consumes the first Count of these characters
 
    procedure Admit (Where : Place)
    with Global => (In_Out => (Newcomers, Connection.Peer));
-   --  The newcomer becomes the monitor in command. There must be none
+   --  The client becomes the monitor in command. There must be none
 
    procedure Refuse (Where : Place; Message : String)
    with Global => (In_Out => Newcomers);
-   --  Sends Message to the newcomer and closes its connection; never waits
+   --  Sends Message to the client and closes its connection; never waits
 
 end Monitor.Sockets.Gate;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The process and its end. What the system does for it until then is in the
---  children: its signals, privileges, memory and threads.
+--  The process and its end. Its child packages: signals, privileges, memory
+--  and threads.
 
 package Process with
   SPARK_Mode,

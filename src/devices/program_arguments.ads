@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The arguments that the process was started with. They never change.
+--  The arguments of the process. They never change.
 
 with Texts;
 
@@ -8,10 +8,10 @@ package Program_Arguments with SPARK_Mode is
    function Count return Natural with Global => null;
 
    function Is_Whole (Index : Positive) return Boolean with Global => null;
-   --  The argument numbered Index from 1 is not longer than a text may be
+   --  Argument Index, counted from 1, fits into a text
 
    function Argument (Index : Positive) return Texts.Text
    with Global => null;
-   --  As much of it as fits; empty where there is none
+   --  As much of it as fits; empty if there is none
 
 end Program_Arguments;

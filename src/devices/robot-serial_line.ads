@@ -21,32 +21,32 @@ is
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    with Global => (In_Out => Device);
-   --  Opens and sets up the device, and discards what it has received
-   --  already. Reason says why where Success is false
+   --  Opens and configures the device, and discards its input so far. Reason
+   --  explains a failure
 
    procedure Close with Global => (In_Out => Device);
-   --  Without effect where it is not open
+   --  No effect if it is not open
 
    procedure Discard_Input with Global => (In_Out => Device);
-   --  Forgets what has been received and not yet read
+   --  Discards what has been received and not read
 
    type Line_Record is record
       Count : Interfaces.Unsigned_64 := 0;
-      --  of frames, the failed ones too
+      --  number of frames, including failed ones
       Last  : Robot.Protocol.Reading;
-      --  as the robot reads it
+      --  the last frame, as the robot decodes it
    end record;
 
    Written : Line_Record with Ghost;
-   --  What has been written to the line by its owner
+   --  What the line's owner has written to the line
 
    procedure Write (Item : Robot.Protocol.Frame; Success : out Boolean)
    with
      Global => (In_Out => (Device, Written)),
      Post   => Written.Count = Written.Count'Old + 1
        and then Written.Last = Robot.Protocol.Decoded (Item);
-   --  Sends the frame. Does not wait: fails where the device takes nothing,
-   --  and where it is gone
+   --  Sends the frame. Never waits: fails if the device accepts nothing or has
+   --  been removed
 
    procedure Read
      (Data    : out Bytes.Byte_Array;
@@ -56,11 +56,11 @@ is
    with
      Global => (In_Out => Device, Input => Ada.Real_Time.Clock_Time),
      Post   => Length <= Data'Length;
-   --  What has been received; waits for a first byte until Until_Time at
-   --  most, Length is 0 then. Success is false where the device is gone
+   --  Received data; waits for the first byte until Until_Time at most, then
+   --  Length is 0. Success is false if the device has been removed
 
    procedure Stop_Blindly with Global => (In_Out => Device);
-   --  Writes the stop order's frame, whoever owns the line: the last resort
-   --  of a supervisor that ends on an internal failure
+   --  Writes the stop order's frame from any task: the last resort when the
+   --  supervisor ends by an internal failure
 
 end Robot.Serial_Line;

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The memory of a flight recorder: a ring of events that any number of
---  tasks write without waiting for each other. For Trace only.
+--  The memory of a flight recorder: a ring of events that any number of tasks
+--  write without waiting for each other. For Trace only.
 
 with Interfaces; use Interfaces;
 with System;
 with Trace_Json;
 
 private package Trace.Rings with SPARK_Mode => Off is
-   --  Off: addresses, and the processor's atomic operations
+   --  Off: addresses, and atomic operations of the processor
 
    Slot_Bytes : constant := 32;
 
@@ -15,24 +15,24 @@ private package Trace.Rings with SPARK_Mode => Off is
 
    procedure Set_Up
      (R : in out Ring; Where : System.Address; Capacity : Unsigned_64);
-   --  An empty ring at Where, in Capacity * Slot_Bytes bytes of zeros
+   --  An empty ring at Where, in Capacity * Slot_Bytes zeroed bytes
 
    procedure Put
      (R : in out Ring; Item : Trace_Json.Event; Number : out Unsigned_64);
-   --  Over the oldest event where the ring is full. Never waits: where
-   --  another task is still writing there, Item is lost. Number: how many
-   --  events there were before
+   --  Overwrites the oldest event if the ring is full. Never waits: if another
+   --  task is still writing that slot, Item is lost. Number: number of events
+   --  before
 
    function Count (R : Ring) return Unsigned_64;
-   --  How many events have been put so far
+   --  Number of events put so far
 
    procedure Get
      (R      : Ring;
       Number : Unsigned_64;
       Item   : out Trace_Json.Event;
       Found  : out Boolean);
-   --  The event that was put as Number, counted from 0. Not found where it
-   --  has been overwritten or lost, or is being written
+   --  The event Number, counted from 0. Not found if it has been overwritten
+   --  or lost, or is being written
 
 private
 

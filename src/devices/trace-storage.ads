@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The recorder's file: the events at its far end, in rounds, while the tasks
---  work; the text at its beginning at the end. For Trace only.
+--  The recorder's file: the events are stored at its end while the tasks work;
+--  the final text is written at its beginning. For Trace only.
 
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
@@ -8,66 +8,66 @@ with System;
 with Trace_Json;
 
 private package Trace.Storage with SPARK_Mode => Off is
-   --  Off: addresses, and the calls of the C library
+   --  Off: addresses, and C library functions
 
    Buffer_Bytes : constant := 24_576;
 
    type File is limited private;
 
-   --  Reasons are the C library's numbers of errors, 0 where there is none
+   --  Reason: an errno value, 0 for none
 
    procedure Try (Path : String; Reason : out Integer);
-   --  Whether Open would find a file that it can use; leaves all as it was
+   --  Whether Open would succeed; changes nothing
 
    procedure Open (F : in out File; Path : String; Reason : out Integer);
-   --  Of a file with places, which a pipe or a terminal has not. Its contents
-   --  stay until Empty
+   --  For a seekable file, so not a pipe or a terminal. Its contents remain
+   --  until Empty
 
    procedure Set_Up
      (F : in out File; Where : System.Address; Capacity : Unsigned_64);
-   --  With Buffer_Bytes of zeros at Where, and room for Capacity events, the
-   --  newest. Before anything that follows
+   --  With a buffer of Buffer_Bytes zeroed bytes at Where, and room for the
+   --  newest Capacity events. To be called before all that follows
 
    procedure Empty (F : in out File);
-   --  The first time: the former contents are gone. Can take longer than
+   --  At the first call: removes the former contents. May take longer than
    --  Open
 
-   --  The events. They have numbers, 0 and on
+   --  The events, numbered from 0
 
    function Next_Event (F : File) return Unsigned_64;
-   --  That Put takes, or Pass
+   --  The event number that Put or Pass takes next
 
    procedure Put
      (F : in out File; Item : Trace_Json.Event; Found : Boolean);
-   --  Takes the next event, not Found: one that was lost. It is in the file
-   --  after Save, or before
+   --  Takes the next event, or records a lost one (not Found). It is in the
+   --  file after Save at the latest
 
    procedure Save (F : in out File);
-   --  All that have been put. After a failure no more is put or saved
+   --  Saves the events put so far. After a failure nothing more is saved
 
    procedure Pass (F : in out File; Next : Unsigned_64);
-   --  Nothing is put of the events below Next. After Save
+   --  Skips the events below Next. After Save
 
    function Save_Reason (F : File) return Integer;
-   --  Why events are not saved any more
+   --  The error that stopped the saving of events
 
    procedure Get
      (F      : in out File;
       Number : Unsigned_64;
       Item   : out Trace_Json.Event;
       Found  : out Boolean);
-   --  One that was saved, where it still is. When nothing is put any more
+   --  A saved event, if not overwritten. After the last Put
 
    --  The text
 
    procedure Write (F : in out File; Text : String);
-   --  Nothing after a failure
+   --  No effect after a failure
 
    procedure End_Text (F : in out File);
-   --  The file ends behind what has been written
+   --  Truncates the file after the text
 
    function Write_Reason (F : File) return Integer;
-   --  Why not all the text is in the file
+   --  The error that stopped the writing of the text
 
 private
 
@@ -77,17 +77,17 @@ private
       Capacity    : Unsigned_64 := 1;
       Batch_At    : System.Address := System.Null_Address;
       Put_Length  : Unsigned_64 := 0;
-      --  events that are there and not in the file
+      --  buffered events that are not in the file
       Saved       : Unsigned_64 := 0;
-      --  events below this are in the file, but those that were passed
+      --  events below this are in the file, except skipped ones
       Save_Reason : Integer := 0;
       Batch_First : Unsigned_64 := Unsigned_64'Last;
-      --  for Get the batch begins with this one, if that is an event
+      --  first event in Get's batch, if it is an event number
       Chunk_At    : System.Address := System.Null_Address;
       Chunk_Last  : Natural := 0;
-      --  what is to be written next of the text
+      --  text to be written next
       Written     : Natural := 0;
-      --  bytes before
+      --  bytes of text written so far
       Write_Reason : Integer := 0;
    end record;
 

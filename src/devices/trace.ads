@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The trace (--trace): what every task did and when. While the tasks work,
---  the events go through memory to the far end of the file; at the end they
---  become its text. Without it each call tests one flag.
+--  The trace (--trace): events of all tasks with their times. While the tasks
+--  work, the events go through memory to the end of the file; at the end the
+--  text is made from them. Without --trace each call tests one flag.
 
 with Ada.Real_Time;
 with Monitor.Protocol;
@@ -17,103 +17,101 @@ package Trace with
   Initializes => Recorder
 is
    pragma Annotate (GNATprove, Terminating, Trace);
-   --  Store waits for something to store, and Finish for Store, both for a
-   --  limited time, and both for the disk; nothing else waits for anything.
-   --  A claim by reading: the body is outside SPARK
+   --  Store waits for events, and Finish for Store, both for a limited time,
+   --  and both for the disk; nothing else waits. A claim by review: the body
+   --  is outside SPARK
 
    Capacity : constant := 2 ** 17;
-   --  Events kept, the newest: more than two minutes of a session with
-   --  images, positions and 25 commands a second
+   --  Newest events kept: more than two minutes of a session with images,
+   --  positions and 25 commands per second
 
    In_Memory : constant := 2 ** 12;
-   --  The newest of them, in 128 KiB: the rest is in the file. What is
-   --  recorded faster than Store can take it there, is lost, the oldest first
+   --  The newest of them, in 128 KiB of memory; the rest is in the file. If
+   --  events are recorded faster than Store saves them, the oldest are lost
 
    subtype Task_Name is Schedule.Task_Name;
 
    procedure Try
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    with Global => (In_Out => Recorder);
-   --  Whether Open would find a file that it can use; leaves all as it was
+   --  Whether Open would succeed; changes nothing
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    with Global => (In_Out => Recorder);
-   --  Opens the file, which must not be a pipe or a terminal, takes the
-   --  memory, and records from here on. Reason says why where Success is
-   --  false. Once, before the tasks work
+   --  Opens the file, which must not be a pipe or a terminal, allocates the
+   --  memory, and starts recording. Reason explains a failure. Call once,
+   --  before the tasks work
 
    procedure Store with Global => (In_Out => Recorder);
-   --  Takes what has been recorded to the file. Waits before until it is a
-   --  quarter of In_Memory, or Wake has been called, Schedule.Store_Limit at
-   --  most. For one task only, from Open on
+   --  Saves the recorded events to the file. First waits until In_Memory is a
+   --  quarter full or Wake has been called, at most Schedule.Store_Limit. For
+   --  one task only, after Open
 
    procedure Wake with Global => (In_Out => Recorder);
-   --  Ends the wait in Store, in the next one where none is under way
+   --  Ends the current wait in Store, or else the next one
 
    procedure Finish (Whole : out Boolean; Reason : out Texts.Text)
    with Global => (In_Out => Recorder);
-   --  Ends the recording and writes the file, where there is one. Whole is
-   --  false where not all is in it: the disk is or was full, or it took
-   --  longer than Schedule.Trace_Limit. The calling task gives up its
-   --  real-time priority first. When nothing is left to be done but to end
-   --  the process
+   --  Ends the recording and writes the file, if any. Whole is false if it is
+   --  incomplete: the disk is or was full, or it took longer than
+   --  Schedule.Trace_Limit. The calling task first gives up its real-time
+   --  priority. To be called last, before the end of the process
 
-   --  The events. Who: the task that the event is about
+   --  The events. Who: the task concerned
 
    procedure Release (Who : Task_Name; Number : Orders.Ticket := 0)
    with Global => (In_Out => Recorder);
-   --  Who has something to do. Called where the event is signalled, just
-   --  before
+   --  Release: Who becomes ready. Called just before the event is signalled
 
    procedure Start (Who : Task_Name; Number : Orders.Ticket := 0)
    with Global => (In_Out => Recorder);
-   --  Who begins a job; Number: the monitor's command behind it
+   --  Who starts a job; Number: of the monitor's command, if any
 
    procedure Take_Up (Who : Task_Name)
    with Global => (In_Out => Recorder);
-   --  Who begins a job that the kernel has released it for, just now
+   --  Who starts a job just released by the kernel
 
    procedure Start (Who : Task_Name; Due : Ada.Real_Time.Time)
    with Global => (In_Out => Recorder);
-   --  The same for a job whose release was at Due, by the clock
+   --  Who starts a job that the clock released at Due
 
    procedure Done (Who : Task_Name)
    with Global => (In_Out => Recorder);
-   --  Who has nothing more to do for its job, if it had one
+   --  Who completes its job, if it has one
 
    type Wait_Kind is
      (Line,      --  the robot's line, until the request is done
-      Answer,    --  the robot's answer, or its time-out
+      Answer,    --  the robot's line, until the request is carried out
       Gap,       --  the gap between two messages
       Camera,    --  the camera: opened, released, the next image
       Room,      --  room for an answer
-      Tasks);    --  tasks that are at work still
+      Tasks);    --  tasks that are still busy
 
    procedure Wait (Who : Task_Name; What : Wait_Kind)
    with Global => (In_Out => Recorder);
-   --  In its job Who waits for What
+   --  During its job Who waits for What
 
    procedure Resume (Who : Task_Name)
    with Global => (In_Out => Recorder);
-   --  Who waits no longer, if it did
+   --  The wait of Who ends, if there is one
 
    procedure Resume (Who : Task_Name; Due : Ada.Real_Time.Time)
    with Global => (In_Out => Recorder);
-   --  The same after a wait until Due, by the clock
+   --  The wait of Who until the time Due ends
 
    procedure Idle (Who : Task_Name)
    with Global => (In_Out => Recorder);
-   --  Whatever released Who so far, there is nothing to do
+   --  Who was released, but has nothing to do
 
    procedure Received
      (Kind : Monitor.Protocol.Message_Kind; Number : Orders.Ticket)
    with Global => (In_Out => Recorder);
-   --  A command of the monitor has come
+   --  A command of the monitor has been received
 
    procedure Sent (Label : Monitor.Protocol.Label_Text)
    with Global => (In_Out => Recorder);
-   --  A message to the monitor has gone
+   --  A message to the monitor has been sent
 
    procedure Ordered (Who : Task_Name; Kind : Robot.Protocol.Command_Kind)
    with Global => (In_Out => Recorder);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The camera, and what is seen in its images: the Ada side of vision_c. It
---  only passes on; what is to be done with an image is decided above.
+--  The camera and the image processing: the Ada binding of vision_c. It makes
+--  no decisions.
 
 with Bytes;
 with Options;
@@ -16,22 +16,22 @@ package Vision.Library with
 is
 
    --  Camera is the open source of images. It belongs to one task at a time,
-   --  and so does each slot of Frames; two tasks may work on two slots at
-   --  once. No task is started, nothing is locked, nothing raises. OpenCV
-   --  was seen to use up to 52 kB of the calling task's stack.
+   --  as does each slot of Frames; two tasks may process two slots in
+   --  parallel. Starts no task, locks nothing, raises no exception. OpenCV was
+   --  measured to use up to 52 kB of the calling task's stack.
 
    subtype Slot is Vision.Frame_Slots.Slot;
-   --  A place for one image. What an operation needs is that the slot holds
-   --  one: Bad_Argument where it never did.
+   --  A place for one image. Operations on a slot that never held an image
+   --  return Bad_Argument.
 
    type Status is
      (Done,
-      Not_Found,     --  nothing wrong: no arena, no robot
+      Not_Found,     --  no error: no arena, no robot
       No_Camera,     --  the source cannot be opened, or is not open
       No_Image,      --  the source delivered nothing usable
       Too_Small,     --  the buffer cannot hold the result
       Bad_Argument,
-      Failed);       --  OpenCV failed inside, memory is exhausted, or the
+      Failed);       --  OpenCV failed internally, out of memory, or the
                      --  camera's JPEG cannot be decoded
 
    subtype Side is Positive range 1 .. 8_192;
@@ -40,7 +40,7 @@ is
    subtype Percentage is Positive range 1 .. 100;
 
    Max_Source : constant := 1_024;
-   --  Characters in the name of a source
+   --  Characters of the name of a source
 
    subtype Reason_Text is String (1 .. 120);
 
@@ -53,31 +53,31 @@ is
      Global => (In_Out => Camera),
      Pre    => Source'Length <= Max_Source,
      Post   => Result in Done | No_Camera | Bad_Argument | Failed;
-   --  Opens a camera number, device path, file, URL or GStreamer pipeline.
-   --  Images come scaled to fit Width x Height. What was open is closed
-   --  first. Takes as long as the source does, 5 s at most for a URL (7 s
-   --  where damaged images come). Of a source that has JPEG itself that is
-   --  kept, and decoded in the first operation that needs pixels.
+   --  Opens a camera number, device path, file, URL or GStreamer pipeline, and
+   --  closes the former source first. Images are scaled to fit Width x Height.
+   --  Waits for the source, for a URL at most 5 s (7 s with damaged images).
+   --  If the source delivers JPEG, that is stored, and decoded by the first
+   --  operation that needs pixels.
 
    procedure Grab (Into : Slot; Result : out Status)
    with
      Global => (In_Out => (Camera, Frames)),
      Post   => Result in Done | No_Camera | No_Image | Failed;
-   --  Waits for the next image, 2 s at most (4 s where damaged ones come)
-   --  where the source lets itself be interrupted. The slot keeps what it had
-   --  unless Done. What a live source delivers waits in buffers and grows old
-   --  there unless it is grabbed as fast as it comes.
+   --  Waits for the next image, at most 2 s (4 s with damaged images) if the
+   --  source can be interrupted. The slot is unchanged unless Done. Images of
+   --  a live source must be grabbed as fast as they arrive; otherwise they age
+   --  in buffers.
 
    procedure Get_Format (Text : out Reason_Text; Last : out Natural)
    with
      Global => (Input => Camera),
      Post   => Last <= Text'Last;
-   --  What the open source has granted, such as "MJPG 640x480, 30 a second":
-   --  Text (1 .. Last), the rest blank; nothing for a still image
+   --  The mode granted by the source, such as "MJPG 640x480, 30 a second", in
+   --  Text (1 .. Last), padded with blanks; empty for a still image
 
    procedure Close
    with Global => (In_Out => Camera);
-   --  Without effect where nothing is open
+   --  No effect if nothing is open
 
    procedure Find_Arena
      (In_Slot : Slot;
@@ -100,9 +100,8 @@ is
      Global => (Input => Frames),
      Post   => Result in Done | Not_Found | Bad_Argument | Failed
        and then (Result = Done) = (Count > 0);
-   --  The robots in the image, lowest identifier first; inside Arena only
-   --  where Use_Arena says so. To be called before anything is drawn: what is
-   --  drawn hides what is searched.
+   --  The robots in the image, lowest identifier first; only inside Arena if
+   --  Use_Arena. To be called before drawing, which would hide the robots.
 
    procedure Follow_Robots
      (In_Slot   : Slot;
@@ -118,9 +117,9 @@ is
      Global => (Input => Frames),
      Post   => Result in Done | Not_Found | Bad_Argument | Failed
        and then (Result = Done) = (Count > 0);
-   --  The robots in Areas (1 .. Number). None where anything else in the
-   --  image, or in Arena, has changed since the calling task searched it
-   --  last, with this or with Find_Robots
+   --  The robots in Areas (1 .. Number). None if anything else in the image,
+   --  or Arena, has changed since the calling task's last search by this or
+   --  Find_Robots
 
    procedure Draw_Arena
      (In_Slot : Slot;
@@ -149,17 +148,17 @@ is
      Post   => Result in Done | Too_Small | Bad_Argument | Failed
        and then Length <= Buffer'Length
        and then (Result = Done) = (Length > 0);
-   --  The image as JPEG, in the first Length bytes of Buffer; those behind
-   --  keep what they had. The camera's own bytes, of its own quality, where
-   --  nothing has been drawn, the size is that asked for and any viewer takes
-   --  them (vision_c/vision.h). Unless Done the buffer holds anything
+   --  The image as JPEG, in the first Length bytes of Buffer; unless Done the
+   --  contents are undefined. The camera's own JPEG, of its own quality, if
+   --  nothing has been drawn, the size is the requested one, and any viewer
+   --  can read it (vision_c/vision.h)
 
    procedure Reason (Text : out Reason_Text; Last : out Natural)
    with
      Global => (Input => (Camera, Frames)),
      Post   => Last <= Text'Last;
-   --  Why the last operation of the calling task was not Done, for the log:
-   --  Text (1 .. Last), the rest blank
+   --  Why the calling task's last operation failed, for the log: Text (1 ..
+   --  Last), padded with blanks
 
    procedure Library_Version (Text : out Reason_Text; Last : out Natural)
    with

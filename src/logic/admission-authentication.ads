@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The token that monitors must show, where one is asked for (--token), and
---  the first line of a newcomer, which shows it: AUTH:<token>.
+--  The token that monitors must send if one is required (--token), and the
+--  first line of a client, which carries it: AUTH:<token>.
 
 with Interfaces;
 with Texts;
@@ -8,7 +8,6 @@ with Texts;
 package Admission.Authentication with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Admission.Authentication);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Interfaces.Unsigned_32;
 
@@ -40,7 +39,7 @@ package Admission.Authentication with SPARK_Mode is
      (for all I in 1 .. Max_Token =>
         (if I <= Length then Data (I) in Token_Character
          else Data (I) = ' '));
-   --  The first Length characters of Data. Length 0: none is asked for.
+   --  The first Length characters of Data. Length 0: no token is required.
 
    function Line_Length (Text : String) return Natural
    with
@@ -50,14 +49,14 @@ package Admission.Authentication with SPARK_Mode is
                    Text (I) /= Line_Feed)
        and then (if Line_Length'Result < Text'Last then
                     Text (Line_Length'Result + 1) = Line_Feed);
-   --  Characters of the first line of Text, its end not counted.
+   --  Length of the first line of Text, without its line end.
 
    function Begins_With_Token (Text : String) return Boolean is
      (Line_Length (Text) in Min_Token .. Max_Token
       and then (for all I in 1 .. Line_Length (Text) =>
                   Text (I) in Token_Character))
    with Pre => Text'First = 1;
-   --  The first line of Text is a token.
+   --  The first line of Text is a valid token.
 
    procedure Read_Token (Text : String; T : out Token; Good : out Boolean)
    with
@@ -71,7 +70,7 @@ package Admission.Authentication with SPARK_Mode is
    --  The token in a file that begins with Text.
 
    type File_Mode is mod 2 ** 16;
-   --  The type of a file and who may do what with it, as stat has it.
+   --  Type and permissions of a file, as from stat.
 
    subtype User_Number is Interfaces.Unsigned_32;
 
@@ -81,36 +80,35 @@ package Admission.Authentication with SPARK_Mode is
      (Mode : File_Mode; Owner : User_Number) return Boolean
    is ((Mode and 8#026#) = 0
        and then ((Mode and 8#040#) = 0 or else Owner = Root));
-   --  Neither its group nor others can read or write the file; but where
-   --  root owns it, it may have chosen a group that reads. (systemd gives a
-   --  service its credentials with an access control list, which shows as
-   --  that.)
+   --  Group and others can neither read nor write the file. Exception: a file
+   --  of root may be readable by its group. (systemd passes credentials with
+   --  an access control list, which stat shows as the group's permission.)
 
-   --  The first line of a newcomer
+   --  The first line of a client
 
    Max_Line : constant := Label_Text'Length + Max_Token + 2;
-   --  Characters of the longest right one, with its carriage return and
-   --  line feed.
+   --  Length of the longest valid line, with its carriage return and line
+   --  feed.
 
    subtype Line_Count is Natural range 0 .. Max_Line;
 
    type Verdict is (Undecided, Right, Wrong);
 
    type Reader is private;
-   --  What a newcomer has sent. Initially nothing.
+   --  The characters received so far. Initially none.
 
    function Length (R : Reader) return Line_Count;
-   --  How many characters.
+   --  Number of characters.
 
    function Item (R : Reader; I : Positive) return Character
    with Ghost, Pre => I <= Length (R);
-   --  The character at I of those.
+   --  Character I.
 
    function Decision (R : Reader) return Verdict;
 
    function Is_Open (R : Reader) return Boolean is
      (Decision (R) = Undecided and then Length (R) < Max_Line);
-   --  It takes a character more: always, while nothing is decided.
+   --  It accepts another character: always, while undecided.
 
    function Is_Right (R : Reader; T : Token) return Boolean is
      (Length (R) in Label'Length + T.Length + 1 .. Label'Length + T.Length + 2
@@ -121,7 +119,7 @@ package Admission.Authentication with SPARK_Mode is
       and then (for all I in 1 .. T.Length =>
                   Item (R, Label'Length + I) = T.Data (I)))
    with Ghost;
-   --  It is the label, the token, a carriage return or none, a line feed.
+   --  The label, the token, an optional carriage return, a line feed.
 
    procedure Clear (R : out Reader)
    with Post => Length (R) = 0 and then Is_Open (R);
@@ -138,9 +136,8 @@ package Admission.Authentication with SPARK_Mode is
          (if Is_Right (R, T) then Right
           elsif C = Line_Feed or else Length (R) = Max_Line then Wrong
           else Undecided);
-   --  Takes the next character. The line is compared when it is complete:
-   --  in a time that does not depend on where it differs from the right
-   --  one, nor on how much.
+   --  Takes the next character. The line is compared once it is complete, in a
+   --  time that does not depend on the number or place of wrong characters.
 
    --  For the log
 
@@ -164,7 +161,7 @@ package Admission.Authentication with SPARK_Mode is
                     Shown_Length'Result > 0
                     and then Is_Label_End
                       (Line, Line'First + Shown_Length'Result - 1));
-   --  Line up to its first label of a token; all of it where there is none.
+   --  The length of Line up to its first token label; all of it without one.
 
    procedure Append_Shown (To : in out Texts.Text; Line : String)
    with
@@ -178,8 +175,8 @@ package Admission.Authentication with SPARK_Mode is
               (if I - To.Length'Old <= Shown_Length (Line)
                then Line (Line'First + (I - To.Length'Old - 1))
                else '.'));
-   --  To followed by Line, of which nothing is shown behind a label of a
-   --  token but three dots. No token gets into the log.
+   --  To followed by Line, with three dots in place of what follows a token
+   --  label. No token gets into the log.
 
 private
 

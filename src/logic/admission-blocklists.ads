@@ -1,13 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Sources that connect faster than they can be seen to, and are blocked for
---  a while: found among those that have connected last.
+--  Sources that connect faster than th_server can handle are blocked for a
+--  while: they are found in the history of the last connections.
 
 with Admission.Networks;
 
 package Admission.Blocklists with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Admission.Blocklists);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Admission.Networks.Source;
 
@@ -24,13 +23,13 @@ package Admission.Blocklists with SPARK_Mode is
 
    procedure Note (H : in out History; S : Admission.Networks.Source)
    with Post => Count_Of (H, S) > 0;
-   --  One has come from there
+   --  Records a connection from S
 
    procedure Clear (H : out History);
 
    function Count_Of
      (H : History; S : Admission.Networks.Source) return Arrival_Count;
-   --  How many have come from there
+   --  Number of connections from S in the history
 
    --  Lists
 
@@ -51,8 +50,8 @@ package Admission.Blocklists with SPARK_Mode is
      (for some I in 1 .. L.Count => L.Items (I) = S);
 
    Threshold : constant := Max_Arrivals / Max_Sources;
-   --  So many of the last arrivals are a flood where more come than can be
-   --  seen to. A monitor that tries again now and then has fewer
+   --  So many of the last connections are a flood if the server cannot keep
+   --  up. A monitor that retries now and then has fewer
 
    procedure Extend (L : in out List; H : History; Grown : out Boolean)
    with
@@ -62,7 +61,7 @@ package Admission.Blocklists with SPARK_Mode is
                    L.Items (I) = L.Items'Old (I))
        and then (for all I in L.Count'Old + 1 .. L.Count =>
                    Count_Of (H, L.Items (I)) >= Threshold);
-   --  By the sources that flood, while there is room
+   --  Adds the sources that flood, while the list has room
 
 private
 
@@ -73,6 +72,6 @@ private
       Count : Arrival_Count := 0;
       Last  : Arrival_Place := Max_Arrivals;
    end record;
-   --  A ring: the first Count items count, the newest is at Last
+   --  A ring buffer: the first Count items are valid, the newest is at Last
 
 end Admission.Blocklists;

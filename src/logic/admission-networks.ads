@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Networks of IPv4, and the list of those whose monitors are admitted: the
---  option --allow. Whom a peer's connections are counted for.
+--  IPv4 networks, and the list of networks whose monitors are admitted
+--  (--allow). The source to which a peer's connections are counted.
 
 with Bytes; use Bytes;
 with Interfaces;
@@ -8,7 +8,6 @@ with Interfaces;
 package Admission.Networks with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Admission.Networks);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Byte;
    use type Interfaces.Unsigned_32;
@@ -41,8 +40,8 @@ package Admission.Networks with SPARK_Mode, Pure is
    --  Peers
 
    subtype Peer_Address is Byte_Array (1 .. 16);
-   --  As IPv6 writes it. An address of IPv4 comes as its image there,
-   --  ::ffff:a.b.c.d, whatever the socket (RFC 4291, 2.5.5.2).
+   --  In IPv6 notation. An IPv4 address is mapped, ::ffff:a.b.c.d, whatever
+   --  the socket (RFC 4291, 2.5.5.2).
 
    function Is_IPv4 (P : Peer_Address) return Boolean is
      ((for all I in 1 .. 10 => P (I) = 0)
@@ -61,12 +60,12 @@ package Admission.Networks with SPARK_Mode, Pure is
    --  Sources
 
    subtype Source is Interfaces.Unsigned_64;
-   --  Whom connections are counted for: an address of IPv4, or the first
-   --  half of one of IPv6, for whoever has one such has all 2 ** 64.
+   --  The unit by which connections are counted: an IPv4 address, or the first
+   --  64 bits of an IPv6 address, as each subscriber has a /64.
 
    IPv4_Sources : constant Source := 16#FFFF_0000_0000#;
-   --  With the address behind it. Nobody has an address of IPv6 that begins
-   --  so (RFC 4291, 2.4: 0000::/8 is reserved).
+   --  Followed by the IPv4 address. No IPv6 address in use begins so (RFC
+   --  4291, 2.4: 0000::/8 is reserved).
 
    function Octets
      (P : Peer_Address; First : Positive) return Source
@@ -93,7 +92,7 @@ package Admission.Networks with SPARK_Mode, Pure is
       Items : Network_Array;
       Count : Network_Count := 0;
    end record;
-   --  The first Count items count. Initially there is none.
+   --  The first Count items are valid. Initially none.
 
    function Admits (L : List; P : Peer_Address) return Boolean is
      (L.Count = 0
@@ -101,8 +100,8 @@ package Admission.Networks with SPARK_Mode, Pure is
         (Is_IPv4 (P)
          and then (for some I in 1 .. L.Count =>
                      Contains (L.Items (I), IPv4 (P)))));
-   --  An empty list admits everybody, any other nobody but who has an
-   --  address of IPv4 in one of its networks.
+   --  An empty list admits everybody, any other only IPv4 addresses in one of
+   --  its networks.
 
    procedure Add (L : in out List; N : Network)
    with
@@ -115,7 +114,7 @@ package Admission.Networks with SPARK_Mode, Pure is
    --  The text of a network: ADDRESS/LEN, or ADDRESS for ADDRESS/32
 
    Max_Text : constant := 512;
-   --  Characters; every network has fewer.
+   --  Characters; no valid text is longer.
 
    subtype Text_Place is Natural range 0 .. Max_Text + 8;
 
@@ -131,7 +130,7 @@ package Admission.Networks with SPARK_Mode, Pure is
                       Text (I) in '0' .. '9')
           and then (if Digits_End'Result < Text'Last then
                        Text (Digits_End'Result + 1) not in '0' .. '9'));
-   --  The last of the digits that begin at First; First - 1 for none.
+   --  The last digit of the number that begins at First; First - 1 if none.
 
    function Digit_Value (C : Character) return Natural is
      (Character'Pos (C) - Character'Pos ('0'))
@@ -144,8 +143,8 @@ package Admission.Networks with SPARK_Mode, Pure is
        and then (for all I in First .. Last => Text (I) in '0' .. '9')
        and then (if First < Last then Text (First) /= '0'))
    with Pre => First >= Text'First and then Last <= Text'Last;
-   --  One to three digits, without a zero in front: there are programs
-   --  that take such numbers for octal ones.
+   --  One to three digits, without a leading zero: some programs read such a
+   --  number as octal.
 
    function Number
      (Text : String; First : Positive; Last : Natural) return Natural
@@ -185,7 +184,7 @@ package Admission.Networks with SPARK_Mode, Pure is
               (if Ends'Result (I - 1) < Text'Last
                then Digits_End (Text, Ends'Result (I - 1) + 2)
                else Ends'Result (I - 1)));
-   --  Where the four octets of an address end that Text begins with.
+   --  Where the four octets of the address at the beginning of Text end.
 
    function Begins_With_Address (Text : String) return Boolean is
      (Ends (Text) (4) <= Text'Last
@@ -243,6 +242,6 @@ package Admission.Networks with SPARK_Mode, Pure is
                (if Has_Length (Text)
                 then Number (Text, Ends (Text) (4) + 2, Text'Last)
                 else 32));
-   --  The network that Text means.
+   --  The network that Text denotes.
 
 end Admission.Networks;

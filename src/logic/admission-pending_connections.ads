@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Connections that are neither admitted nor refused: whose turn it is, and
---  who makes room, so that no source of them keeps the others out.
+--  Pending connections, neither admitted nor rejected: whose turn is next, and
+--  which one must make room, so that no source keeps the others out.
 
 with Admission.Networks;
 with Interfaces;
@@ -8,15 +8,14 @@ with Interfaces;
 package Admission.Pending_Connections with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Admission.Pending_Connections);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Admission.Networks.Source;
 
    Capacity : constant := 32;
 
    Share : constant := 8;
-   --  Of one source, at most. A monitor that waits for the user's token is
-   --  not shut out by another one, nor by seven that do not answer
+   --  Connections per source, at most. A monitor that waits for its user's
+   --  token is not displaced by another one, nor by seven that do not answer
 
    subtype Place is Positive range 1 .. Capacity;
 
@@ -35,7 +34,7 @@ package Admission.Pending_Connections with SPARK_Mode is
 
    function Is_Kept (T : Table; P : Place) return Boolean
    with Post => (if Is_Kept'Result then Is_Taken (T, P));
-   --  It has shown its right to be admitted, and makes room for nobody
+   --  It may be admitted, and is never displaced
 
    function Is_Waiting (T : Table; P : Place) return Boolean is
      (Is_Taken (T, P) and then not Is_Kept (T, P));
@@ -43,14 +42,14 @@ package Admission.Pending_Connections with SPARK_Mode is
    function Source_Of (T : Table; P : Place) return Admission.Networks.Source;
 
    function Came_First (T : Table; P, Q : Place) return Boolean;
-   --  P came no later than Q
+   --  P did not come later than Q
 
    function Is_Before (T : Table; P, Q : Place) return Boolean;
-   --  P's turn is no later than that of Q: the source of P has waited longer
-   --  for its turn, or they are of one source and P itself has
+   --  P's turn is not later than Q's: the source of P has waited longer, or
+   --  they have the same source and P has waited longer
 
    function Is_Consistent (T : Table) return Boolean with Ghost;
-   --  All connections of a source have waited for its turn equally long
+   --  All connections of a source have the same time of its last turn
 
    function Are_Of_One_Source (T : Table; P, Q : Place) return Boolean is
      (Is_Taken (T, P)
@@ -59,14 +58,14 @@ package Admission.Pending_Connections with SPARK_Mode is
 
    function Has_Sibling (T : Table; P : Place) return Boolean is
      (for some Q in Place => Q /= P and then Are_Of_One_Source (T, P, Q));
-   --  There is another one of its source
+   --  Another connection has the same source
 
    function Has_Free_Place (T : Table) return Boolean is
      (for some P in Place => not Is_Taken (T, P));
 
    function Count_Of
      (T : Table; S : Admission.Networks.Source) return Place_Count;
-   --  How many there are of this source
+   --  Number of connections of this source
 
    function Is_Same_But (A, B : Table; P : Place) return Boolean is
      (for all Q in Place =>
@@ -83,7 +82,7 @@ package Admission.Pending_Connections with SPARK_Mode is
         and then Source_Of (A, Q) = Source_Of (B, Q))
    with Ghost;
 
-   --  Coming and going
+   --  Adding and removing
 
    function Free_Place (T : Table) return Place_Choice
    with
@@ -127,7 +126,7 @@ package Admission.Pending_Connections with SPARK_Mode is
                        (if Is_Kept (T, P) then
                            Came_First (T, First_Kept'Result, P)))
         else (for all P in Place => not Is_Kept (T, P)));
-   --  Who came first of those that are to be admitted
+   --  The oldest of those that may be admitted
 
    function Next (T : Table; Due : Place_Set) return Place_Choice
    with
@@ -140,13 +139,13 @@ package Admission.Pending_Connections with SPARK_Mode is
                            Is_Before (T, Next'Result, P)))
         else (for all P in Place =>
                 not (Due (P) and then Is_Waiting (T, P))));
-   --  Whose turn it is, of those that wait and are Due: each source in turn
+   --  The next of those that wait and are Due; the sources take turns
 
    procedure Serve (T : in out Table; P : Place)
    with
      Pre  => Is_Consistent (T) and then Is_Taken (T, P),
      Post => Is_Consistent (T) and then Is_Same (T, T'Old);
-   --  P has had its turn, and so has its source
+   --  P and its source have had their turn
 
    function Surplus (T : Table; P : Place) return Place_Choice
    with
@@ -158,23 +157,23 @@ package Admission.Pending_Connections with SPARK_Mode is
         elsif Surplus'Result /= P then
            Is_Waiting (T, Surplus'Result)
            and then Has_Sibling (T, Surplus'Result));
-   --  Who must go now that P has come, so that no source has more than its
-   --  Share and the next has a place: of the source of P, or else of the one
-   --  that has most, who has waited longest. Never the only one of a source,
-   --  but P itself where all are
+   --  Which one must leave after P has come, so that no source exceeds its
+   --  Share and the next connection finds a place: of the source of P, or else
+   --  of the source with most connections, the one that has waited longest. P
+   --  itself if every source has only one
 
 private
 
    subtype Order is Interfaces.Unsigned_64;
-   --  2 ** 64 steps are not taken
+   --  2 ** 64 steps are never reached
 
    type Connection is record
       Taken  : Boolean := False;
       Kept   : Boolean := False;
       Source : Admission.Networks.Source := 0;
       Came   : Order := 0;
-      Served : Order := 0;  --  when its source had its turn
-      Heard  : Order := 0;  --  when it had its turn itself, or came
+      Served : Order := 0;  --  last turn of its source
+      Heard  : Order := 0;  --  its own last turn, or its arrival
    end record;
 
    type Connection_Array is array (Place) of Connection;

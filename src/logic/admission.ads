@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Who may be the monitor: the networks that are allowed, the token, and the
---  connections that wait for a decision; and, in the rooms above, the file of
---  the token and the newcomers themselves. Each is a child.
+--  Admission of the monitor: allowed networks, the token, and pending
+--  connections. The layers above add children for the token's file and for
+--  th_server's handling of new clients.
 
 package Admission with SPARK_Mode, Pure is
 

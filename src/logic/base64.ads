@@ -1,21 +1,21 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Base64 with padding and without line breaks (RFC 4648, section 4), as
---  the images travel to the monitor.
+--  Base64 with padding and without line breaks (RFC 4648, section 4): the
+--  encoding of images sent to the monitor.
 
 with Bytes; use Bytes; use type Bytes.Byte;
 
 package Base64 with SPARK_Mode is
 
    Max_Input : constant := 2 ** 28;
-   --  Bytes in one encoding; keeps every length in the range of Natural.
+   --  Bytes per encoding; keeps every length within Natural.
 
    subtype Input_Length is Natural range 0 .. Max_Input;
 
    function Encoded_Length (Length : Input_Length) return Natural is
      ((Length + 2) / 3 * 4);
-   --  Characters that Length bytes become: four for every three begun.
+   --  Length of the encoding of Length bytes: four for each group of three.
 
-   --  The words of the contracts
+   --  Used in the contracts
 
    subtype Sextet is Natural range 0 .. 63;
 
@@ -43,7 +43,7 @@ package Base64 with SPARK_Mode is
          when '+'        => 62,
          when '/'        => 63,
          when others     => 0);
-   --  The place of C in the alphabet; 0 for what is not in it.
+   --  The index of C in the alphabet; 0 for other characters.
 
    function Is_Input (Input : Byte_Array; Length : Natural) return Boolean is
      (Input'First = 1
@@ -57,7 +57,7 @@ package Base64 with SPARK_Mode is
      Ghost,
      Pre  => Is_Input (Input, Length),
      Post => Bits'Result <= 255;
-   --  Byte I of the input, zero behind its end.
+   --  Byte I of the input, zero after its end.
 
    function Group_Character
      (Input : Byte_Array; Length, K : Natural; J : Place) return Character
@@ -114,7 +114,7 @@ package Base64 with SPARK_Mode is
             Is_Symbol (C3) and then Value_Of (C3) mod 4 = 0
          else Value_Of (C2) mod 16 = 0))
    with Ghost;
-   --  The bits that are left over before the padding are zero.
+   --  The unused bits before the padding are zero.
 
    function Is_Well_Formed (Text : String) return Boolean is
      (Text'Length mod 4 = 0
@@ -127,7 +127,7 @@ package Base64 with SPARK_Mode is
    with
      Ghost,
      Pre => Text'Last < Integer'Last;
-   --  Some input has this encoding.
+   --  Text is the encoding of some input.
 
    function Decoded_Length (Text : String) return Natural is
      (if Text'Length < 4 then 0

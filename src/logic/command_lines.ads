@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The command line: its arguments, read one after the other, make a request
---  and the options of this run, or a reason why they do not.
+--  The command line: its arguments, read one by one, give a request and the
+--  options of this run, or a reason for rejection.
 
 with Ada.Characters.Latin_1; use Ada.Characters.Latin_1;
 with Options;
@@ -12,7 +12,7 @@ package Command_Lines with SPARK_Mode is
    type Request_Kind is (Run, Check, Show_Version, Show_Help, Wrong);
 
    subtype Settled_Kind is Request_Kind range Show_Version .. Wrong;
-   --  Whatever follows on the command line, the request stays
+   --  Final: the rest of the command line does not change it
 
    type Option_Kind is
      (None, Port, Bind, Allow, Token, Serial, Camera, Frame_Size, Frame_Rate,
@@ -24,7 +24,7 @@ package Command_Lines with SPARK_Mode is
       Reason  : Texts.Text;           --  of Wrong
       Awaited : Option_Kind := None;  --  the option whose value comes next
    end record;
-   --  What has been read so far: at first nothing, which is a good command
+   --  What has been read so far. Initially nothing, which is a valid command
    --  line
 
    procedure Take (R : in out Reading; Argument : String)
@@ -34,7 +34,7 @@ package Command_Lines with SPARK_Mode is
      Post =>
        (if R.Request'Old in Settled_Kind then R.Request = R.Request'Old);
    --  The next argument: "--name", "--name=value", or the value of the name
-   --  before. A value in an argument of its own does not begin with "--"
+   --  before it. A separate value does not begin with "--"
 
    procedure Refuse_Long (R : in out Reading)
    with

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The lines of the log that wait for the console, and those for which there
---  was no room: how many they were is said in their place.
+--  Log lines that wait for the console, and the count of lines dropped because
+--  there was no room: a message takes their place.
 
 with Bounded_Queues;
 with Options;
@@ -8,7 +8,6 @@ with Options;
 package Log_Lines with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Log_Lines);
-   --  A claim that GNATprove checks: every subprogram ends
 
    Capacity : constant := 256;
 
@@ -19,7 +18,7 @@ package Log_Lines with SPARK_Mode is
    --  The time since the supervisor started
 
    Max_Text : constant := 232;
-   --  Characters of a line: no more than 256 bytes are copied under the lock
+   --  Characters of a line: at most 256 bytes are copied under the lock
 
    subtype Text_Length is Natural range 0 .. Max_Text;
 
@@ -36,12 +35,12 @@ package Log_Lines with SPARK_Mode is
       Kept     : Queues.Queue;
       Not_Kept : Natural := 0;
       Writing  : Boolean := False;
-      --  the line taken last is not on the console yet
+      --  the line taken last is not yet on the console
    end record;
 
    function Waiting (S : State) return Natural is
      (Queues.Length (S.Kept) + (if S.Writing then 1 else 0));
-   --  Lines that are not written
+   --  Lines that are not yet written
 
    procedure Put (S : in out State; Item : Line)
    with
@@ -75,8 +74,8 @@ package Log_Lines with SPARK_Mode is
               (if Found then
                   Item = Queues.Element_At (S'Old.Kept, 1)
                   and then Queues.Is_Without_First (S.Kept, S'Old.Kept)));
-   --  The oldest line. Missing, if not 0: before it so many were not kept;
-   --  Item has only a level and a time then
+   --  The oldest line. Missing > 0: so many lines were dropped before it, and
+   --  Item has only a level and a time
 
    procedure Written (S : in out State)
    with Post => not S.Writing

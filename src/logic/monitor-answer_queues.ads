@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The answers to the commands of a monitor: each has its place, in the order
---  of the commands, from the moment that its command arrives.
+--  Answers to the commands of a monitor, in the order of the commands: each
+--  has its place from the arrival of its command.
 
 with Bounded_Queues;
 with Monitor.Protocol;
@@ -9,7 +9,6 @@ with Orders;
 package Monitor.Answer_Queues with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Monitor.Answer_Queues);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Orders.Ticket;
 
@@ -38,11 +37,11 @@ package Monitor.Answer_Queues with SPARK_Mode is
    --  Commands that wait for their answers
 
    function First_Number (Q : Queue) return Orders.Ticket;
-   --  Of the command whose answer is at the first place
+   --  The number of the command at the first place
 
    function Next_Number (Q : Queue) return Orders.Ticket is
      (First_Number (Q) + Orders.Ticket (Length (Q)));
-   --  Of the next command
+   --  The number of the next command
 
    function Holds (Q : Queue; Number : Orders.Ticket) return Boolean is
      (Number >= First_Number (Q)
@@ -69,14 +68,14 @@ package Monitor.Answer_Queues with SPARK_Mode is
 
    function First_Is_Ready (Q : Queue) return Boolean is
      (Length (Q) > 0 and then First_Answer (Q).State /= Awaited);
-   --  The next answer to be sent is there
+   --  The next answer to be sent is available
 
    procedure Clear (Q : in out Queue)
    with
      Post => Length (Q) = 0
        and then First_Number (Q) = Next_Number (Q'Old)
        and then Next_Number (Q) = Next_Number (Q'Old);
-   --  Nobody waits any more. No number comes twice
+   --  Empties the queue. No number is used twice
 
    procedure Reserve (Q : in out Queue)
    with
@@ -86,7 +85,7 @@ package Monitor.Answer_Queues with SPARK_Mode is
        and then Answers.Element_At (Places (Q), Length (Q)).State = Awaited
        and then First_Number (Q) = First_Number (Q'Old)
        and then Next_Number (Q) = Next_Number (Q'Old) + 1;
-   --  A place for the answer to command Next_Number, behind all others
+   --  Appends a place for the answer to command Next_Number
 
    procedure Put (Q : in out Queue; Number : Orders.Ticket; Item : Answer)
    with
@@ -101,8 +100,8 @@ package Monitor.Answer_Queues with SPARK_Mode is
                       Answers.Element_At (Places (Q), I) =
                         Answers.Element_At (Places (Q'Old), I)))
           else Answers.Is_Same (Places (Q), Places (Q'Old)));
-   --  Item is the answer to the command, unless that has one already or
-   --  does not wait (any more): each command is answered once
+   --  Item is the answer to the command. No effect if it has one already or no
+   --  longer waits: each command is answered once
 
    procedure Remove_First (Q : in out Queue)
    with
@@ -126,8 +125,7 @@ package Monitor.Answer_Queues with SPARK_Mode is
             Answers.Element_At (Places (Q), I) =
               Answers.Element_At
                 (Places (Q'Old), I + (Length (Q'Old) - Length (Q))));
-   --  The places at the front for which there is nothing to send are left
-   --  out, and no others
+   --  Removes the places at the front that have nothing to send, and no others
 
 private
 

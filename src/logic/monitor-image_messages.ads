@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Messages that carry an image. They are large: they pass from hand to hand,
---  and each has one owner at a time, which GNATprove checks.
+--  Messages that carry an image. They are large, so they are passed by
+--  reference, with one owner at a time, which GNATprove checks.
 
 package Monitor.Image_Messages with SPARK_Mode is
 
@@ -17,7 +17,7 @@ package Monitor.Image_Messages with SPARK_Mode is
       Data   : Message_Buffer := (others => ' ');
       Length : Message_Length := 0;
    end record;
-   --  The first Length characters of Data count
+   --  The first Length characters of Data are valid
 
    type Message_Access is access Message;
 

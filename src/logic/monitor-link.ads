@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Whether the monitor is still there: decided from what the kernel says
---  about the connection (TCP_INFO), sampled a few times a second.
+--  Detects the loss of the monitor from the kernel's data on the connection
+--  (TCP_INFO), sampled a few times a second.
 
 with Texts;
 
@@ -11,58 +11,58 @@ package Monitor.Link with SPARK_Mode is
    type Byte_Count is range 0 .. 2 ** 63 - 1;
 
    Vanished_After : constant Milliseconds := 4_000;
-   --  Sampled every 250 ms this finds a monitor that vanished without a
+   --  Sampled every 250 ms, this detects a monitor that vanished without a
    --  packet within the 5 s of F5.
 
    Confirmed_After : constant Milliseconds := 200;
-   --  Less than from one sample to the next: what has just been sent is to
-   --  have its time to be acknowledged.
+   --  Less than the sampling period: data just sent gets the time to be
+   --  acknowledged.
 
    Stalled_After : constant Milliseconds := 15_000;
-   --  A monitor that takes nothing for so long is lost.
+   --  A monitor that accepts no data for this long is lost.
 
    Needed_Bytes : constant := 148;
-   --  Of the kernel's struct tcp_info, up to tcpi_notsent_bytes. How many it
-   --  fills in depends on its version; an emulated one may give 4.
+   --  Of the kernel's struct tcp_info, up to tcpi_notsent_bytes. The kernel's
+   --  version decides how many it fills in; an emulated one may give 4.
 
    function Is_Enough (Length : Natural) return Boolean is
      (Length >= Needed_Bytes);
-   --  Length: of what the kernel has filled in.
+   --  Length: bytes filled in by the kernel.
 
    type Sample is record
       Now            : Milliseconds := 0;
       --  Monotonic time of the sample.
       Known          : Boolean      := False;
-      --  The kernel has said what follows.
+      --  The kernel has filled in the fields below.
       Unacknowledged : Natural      := 0;
       --  Segments sent and not acknowledged (tcpi_unacked).
       Since_Heard    : Milliseconds := 0;
       --  Age of the last sign of life: an acknowledgement or data
-      --  (tcpi_last_ack_recv, tcpi_last_data_recv). On an idle connection
-      --  the kernel asks for one every second (keep-alive).
+      --  (tcpi_last_ack_recv, tcpi_last_data_recv). The kernel requests one
+      --  every second on an idle connection (keep-alive).
       Outstanding    : Natural      := 0;
-      --  Bytes that the monitor's machine has not taken yet: in the kernel's
-      --  queue, or held by a send that does not return.
+      --  Bytes not yet taken by the peer's kernel: in our kernel's queue, or
+      --  held by a blocked send.
       Bytes_Acked    : Byte_Count   := 0;
       --  All bytes acknowledged so far (tcpi_bytes_acked).
    end record;
 
    type Verdict is
      (Present,
-      Vanished,   --  nobody acknowledges: the peer or the way to it is gone
-      Stalled);   --  it acknowledges, with a closed window: nobody reads
+      Vanished,   --  no acknowledgements: the peer or the route is gone
+      Stalled);   --  it acknowledges with a closed window: nobody reads
 
    type State is record
       Watched_Since : Milliseconds := 0;
-      --  The connection was admitted, its keep-alive begun.
+      --  When the connection was admitted and keep-alive began.
       Waiting       : Boolean      := False;
-      --  Segments were under way at the last sample ...
+      --  Segments were unacknowledged at the last sample ...
       Waiting_Since : Milliseconds := 0;
-      --  ... and so they were, with nothing acknowledged, since then.
+      --  ... since then, without any acknowledgement.
       Holding       : Boolean      := False;
       --  Bytes were outstanding at the last sample ...
       Holding_Since : Milliseconds := 0;
-      --  ... and so they were, with nothing acknowledged, since then.
+      --  ... since then, without any acknowledgement.
       Acked         : Byte_Count   := 0;
       --  Bytes acknowledged at the last sample.
    end record;
@@ -111,16 +111,15 @@ package Monitor.Link with SPARK_Mode is
             and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After
           then Stalled
           else Present);
-   --  Takes one sample. Silence alone does not make a monitor vanish: one
-   --  with a closed window, or that was kept waiting before it was admitted,
-   --  may not have been asked for anything for long. Nor does it count from
-   --  when the oldest message went out: the keep-alive that was not answered
-   --  before that is forgotten by the kernel as soon as a message follows.
+   --  Evaluates one sample. Silence alone is not a loss: with a closed window,
+   --  or during a long wait for admission, the kernel may not have probed the
+   --  peer for long. Nor does the age of the oldest message decide: the kernel
+   --  forgets an unanswered keep-alive as soon as a message follows.
 
    --  Why a session ends
 
    type Loss_Kind is (None, Closed_By_Peer, Reset_By_Peer, No_Sign_Of_Life);
-   --  What the connection itself says
+   --  As reported by the connection itself
 
    type Cause is
      (Nothing, Supervisor_Stops, Monitor_Vanished, Monitor_Stalled, Silence,
@@ -135,10 +134,10 @@ package Monitor.Link with SPARK_Mode is
        elsif V = Vanished then Monitor_Vanished
        elsif V = Stalled then Monitor_Stalled
        else Nothing);
-   --  Nothing: the session goes on
+   --  Nothing: the session continues
 
    procedure Append (Line : in out Texts.Text; Why : Cause);
-   --  For the log, with the limits above
+   --  For the log, with the time limits above
 
    procedure Append_Seconds (Line : in out Texts.Text; Span : Milliseconds)
    with Pre => Span <= 10 ** 9;

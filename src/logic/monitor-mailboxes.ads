@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What waits to be sent to the monitor, and what of it is sent when: one
---  answer a command, in the order of the commands; and the unasked messages,
---  of which only the newest counts, but for texts. Images are elsewhere.
+--  What waits to be sent to the monitor, and its order: one answer per
+--  command, in the order of the commands; and unsolicited messages, only the
+--  newest of each kind, except texts. Images are stored elsewhere.
 
 with Ada.Real_Time;
 with Monitor.Answer_Queues;
@@ -15,7 +15,6 @@ with Orders;
 package Monitor.Mailboxes with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Monitor.Mailboxes);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Ada.Real_Time.Time;
    use all type Monitor.Answer_Queues.Queue;
@@ -28,22 +27,22 @@ package Monitor.Mailboxes with SPARK_Mode is
    subtype Time is Ada.Real_Time.Time;
 
    type Generation is mod 2 ** 32;
-   --  Of the periodic images: an image made for an older one is not sent
+   --  Of periodic images: an image of an older generation is not sent
 
    type Short_Line is record
       Data   : Monitor.Protocol.Position_Text := (others => ' ');
       Length : Natural range 0 .. Monitor.Protocol.Max_Position := 0;
    end record;
-   --  A message without an image, as it is to be sent; none where Length is 0
+   --  A message without an image, as it is to be sent; Length 0: none
 
    type Mailbox is record
       Open     : Boolean := False;
       --  a monitor is in command
       Busy     : Boolean := False;
-      --  what was taken last is being sent
+      --  the message taken last is being sent
       Answers  : Monitor.Answer_Queues.Queue;
       Arena    : Boolean := False;
-      --  the image that is an answer waits
+      --  the image that answers an arena request waits
       Lost     : Boolean := False;
       Told     : Monitor.Notice_Queues.Queue;
       Battery  : Boolean := False;
@@ -53,9 +52,9 @@ package Monitor.Mailboxes with SPARK_Mode is
       Made     : Generation := 0;
       Hold     : Monitor.Message_Holds.Hold;
       Released : Boolean := False;
-      --  unasked messages have been held back for long enough
+      --  unsolicited messages have been held back for long enough
       Last     : Choice := Nothing;
-      --  taken last in this session
+      --  the choice taken last in this session
       Imaged   : Boolean := False;
       --  an image has been taken since the last position
    end record;
@@ -63,9 +62,9 @@ package Monitor.Mailboxes with SPARK_Mode is
    type Item is record
       Kind     : Choice := Nothing;
       Unsent   : Boolean := False;
-      --  it is yet to be sent: whoever has taken it does, once
+      --  not sent yet: the task that has taken it sends it, once
       Is_Image : Boolean := False;
-      --  of Answer and Image: the message is an image's
+      --  of Answer and Image: the message contains an image
       Answer   : Answer_Kind := Acknowledged;
       --  of Answer without an image, Robot_Lost and Battery
       Told     : Monitor.Notices.Notice := Monitor.Notices.Notice'First;
@@ -73,7 +72,7 @@ package Monitor.Mailboxes with SPARK_Mode is
       Position : Short_Line;
       --  of Position
    end record;
-   --  What goes to the monitor next
+   --  The message to send next
 
    procedure Compose (From : Item; Line : out Short_Line)
    with
@@ -92,19 +91,19 @@ package Monitor.Mailboxes with SPARK_Mode is
              and then Line.Data (1 .. Line.Length) =
                Monitor.Protocol.Wire_Text (From.Answer).Data
                  (1 .. Line.Length));
-   --  The line as it is to be sent, with its line feed
+   --  The line with its line feed
 
    function Commands (B : Mailbox) return Orders.Order_Count is
      (Length (B.Answers));
-   --  That wait for their answers
+   --  Commands that wait for their answers
 
    function Next_Number (B : Mailbox) return Orders.Ticket is
      (Next_Number (B.Answers));
-   --  Of the next command
+   --  The number of the next command
 
    function Holds (B : Mailbox; Number : Orders.Ticket) return Boolean is
      (Holds (B.Answers, Number));
-   --  The command has its place here
+   --  The command has a place in the queue
 
    function Is_Awaited (B : Mailbox; Number : Orders.Ticket) return Boolean
    is (Is_Awaited (B.Answers, Number));
@@ -113,7 +112,7 @@ package Monitor.Mailboxes with SPARK_Mode is
    function First (B : Mailbox) return Monitor.Answer_Queues.Answer is
      (First_Answer (B.Answers))
    with Pre => Commands (B) > 0;
-   --  The next answer to be sent, which may not be there yet
+   --  The next answer to be sent, which may not be available yet
 
    function Waits (B : Mailbox) return Waiting is
      ((Open     => B.Open,
@@ -134,7 +133,7 @@ package Monitor.Mailboxes with SPARK_Mode is
      (not Any_Unasked (Waits (B))
       and then not B.Hold.On
       and then not B.Released);
-   --  Nothing unasked waits, and nothing is held back
+   --  No unsolicited message waits, and nothing is held back
 
    --  The session
 
@@ -157,7 +156,7 @@ package Monitor.Mailboxes with SPARK_Mode is
        and then B.Busy = B'Old.Busy
        and then Next = Next_Number (B'Old)
        and then Next_Number (B) = Next;
-   --  Empties the box. Commands have lower numbers than Next so far
+   --  Empties the box. All earlier commands have numbers below Next
 
    --  The answers
 
@@ -181,8 +180,8 @@ package Monitor.Mailboxes with SPARK_Mode is
              Commands (B) = Commands (B'Old) + 1
              and then Next_Number (B) = Number + 1
           else B.Answers = B'Old.Answers and then not Begun);
-   --  A place for the answer of the next command. Begun, here and below:
-   --  unasked messages begin to be held back
+   --  Adds a place for the answer to the next command. Begun, here and below:
+   --  unsolicited messages begin to be held back
 
    procedure Put_Answer
      (B : in out Mailbox; Number : Orders.Ticket; Answer : Answer_Kind)
@@ -190,14 +189,14 @@ package Monitor.Mailboxes with SPARK_Mode is
      Post => Next_Number (B) = Next_Number (B'Old)
        and then Commands (B) <= Commands (B'Old)
        and then B.Arena = B'Old.Arena;
-   --  The answer of one command; without effect if its session has ended
+   --  The answer to a command; no effect if its session has ended
 
    procedure Put_No_Answer (B : in out Mailbox; Number : Orders.Ticket)
    with
      Post => Next_Number (B) = Next_Number (B'Old)
        and then Commands (B) <= Commands (B'Old)
        and then B.Arena = B'Old.Arena;
-   --  The command has no answer, but later ones have waited for it
+   --  The command needs no answer, but later ones may wait for it
 
    procedure Put_Arena
      (B        : in out Mailbox;
@@ -210,10 +209,10 @@ package Monitor.Mailboxes with SPARK_Mode is
        and then Kept =
          (Holds (B'Old, Number) and then not B'Old.Arena)
        and then B.Arena = (B'Old.Arena or else Kept);
-   --  The image that answers a search for the arena. Not accepted while the
-   --  one before waits; not kept, too, where its session has ended
+   --  The image that answers an arena request. Not accepted while the one
+   --  before waits; not kept if its session has ended
 
-   --  The unasked messages, of which nothing is kept without a session
+   --  Unsolicited messages; without a session none is kept
 
    procedure Put_Lost (B : in out Mailbox; Now : Time; Begun : out Boolean)
    with Post => B.Lost = (B'Old.Lost or else B.Open)
@@ -227,7 +226,7 @@ package Monitor.Mailboxes with SPARK_Mode is
       Begun : out Boolean)
    with Post => B.Open = B'Old.Open
      and then (if B.Open then Monitor.Notice_Queues.Length (B.Told) > 0);
-   --  Of more than there is room for the oldest is dropped
+   --  If there is no room, the oldest is dropped
 
    procedure Put_Battery
      (B     : in out Mailbox;
@@ -258,20 +257,20 @@ package Monitor.Mailboxes with SPARK_Mode is
      and then B.Made = B'Old.Made
      and then Kept = (B.Open and then Made = B.Made)
      and then B.Image = (B'Old.Image or else Kept);
-   --  Kept: it takes the place of one that waits still
+   --  Kept: it replaces an image that still waits
 
    procedure Stop_Images (B : in out Mailbox)
    with Post => B.Made = B'Old.Made + 1
      and then not B.Image
      and then B.Position.Length = 0;
-   --  Begins a new generation; what waits of the older one is dropped
+   --  Begins a new generation and drops the waiting image of the older one
 
    --  The sending
 
    function Due (B : Mailbox; Between : Milliseconds) return Milliseconds is
      (Gap (Waits (B), Monitor.Send_Order.Next (Waits (B)), Between));
-   --  How long after the last message the most urgent one may follow now;
-   --  Between two unasked ones
+   --  Minimum time from the last message to the most urgent one now; Between:
+   --  the gap between two unsolicited messages
 
    procedure Take
      (B         : in out Mailbox;
@@ -318,16 +317,16 @@ package Monitor.Mailboxes with SPARK_Mode is
                and then not Next.Is_Image
                and then B.Position.Length = 0,
              when Image      => Next.Is_Image and then not B.Image);
-   --  What was taken before has been sent, or could not be. The most urgent
-   --  message that may be sent now, if any; Gap after the last one, which
-   --  was sent at Last_Sent. Left: the session of what was being sent has
+   --  The message taken before has been sent, or could not be. Takes the most
+   --  urgent message that may be sent now, if any: Gap after the last one,
+   --  which was sent at Last_Sent. Left: the session of the message before has
    --  ended meanwhile
 
    --  The hold (PROTOCOL rule 7)
 
    function Is_Held (B : Mailbox) return Boolean is
      (B.Hold.On and then not B.Released);
-   --  Unasked messages are held back still
+   --  Unsolicited messages are still held back
 
    procedure End_Hold (B : in out Mailbox; Now : Time)
    with
@@ -336,6 +335,6 @@ package Monitor.Mailboxes with SPARK_Mode is
         or else (B.Hold.On
                  and then Now >= Monitor.Message_Holds.Ending (B.Hold)))
        and then B.Hold.On = B'Old.Hold.On;
-   --  Releases those whose time has come
+   --  Ends the hold if its time has come
 
 end Monitor.Mailboxes;

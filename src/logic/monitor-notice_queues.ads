@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Queues of what the monitor is told in words: eight may wait.
+--  Queues of up to eight text messages to the monitor.
 
 pragma SPARK_Mode;
 

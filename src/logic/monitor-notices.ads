@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the supervisor tells the monitor in words (MSSG).
+--  The text messages to the monitor (MSSG).
 
 with Schedule;
 

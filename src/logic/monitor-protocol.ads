@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The wire format of the monitor: its lines become messages, answers and
---  positions become lines.
+--  The protocol of the monitor: parses its lines, and formats answers and
+--  positions.
 
 with Decimals;
 with Robot.Protocol;
@@ -8,7 +8,7 @@ with Robot.Protocol;
 package Monitor.Protocol with SPARK_Mode is
 
    Max_Line : constant := 1024;
-   --  Characters in a line from the monitor, its end not counted.
+   --  Characters of a line from the monitor, without its end.
 
    Line_Feed : constant Character := Character'Val (10);
 
@@ -47,7 +47,7 @@ package Monitor.Protocol with SPARK_Mode is
    subtype Known_Kind is Message_Kind range Open_Robot .. Log_Message;
 
    subtype Order_Kind is Message_Kind range Open_Robot .. Stop_Position;
-   --  Those that a task carries out.
+   --  Those carried out by a task.
 
    function Takes_Number (Kind : Message_Kind) return Boolean is
      (Kind in Move_Robot | Turn_Robot);
@@ -59,11 +59,11 @@ package Monitor.Protocol with SPARK_Mode is
       Kind  : Message_Kind            := Malformed;
       Value : Robot.Protocol.Argument := 0;
    end record;
-   --  Value: the number of Move_Robot and Turn_Robot, otherwise 0.
+   --  Value: the argument of Move_Robot and Turn_Robot, otherwise 0.
 
    function Is_Answered (Kind : Message_Kind) return Boolean is
      (Kind not in Confirm_Arena | Reject_Arena | Log_Message);
-   --  Whether the monitor gets an answer to it: exactly one, then.
+   --  Whether the monitor gets exactly one answer, or none.
 
    subtype Label_Text is String (1 .. 4);
 
@@ -102,7 +102,7 @@ package Monitor.Protocol with SPARK_Mode is
    --  The text of a Log_Message is Line (Line'First + Text_Offset ..
    --  Line'Last); it may be empty.
 
-   --  The words of Parse's contract
+   --  Used in the contract of Parse
 
    package Numbers is new Decimals (Character, String);
 
@@ -117,15 +117,15 @@ package Monitor.Protocol with SPARK_Mode is
    function Has_Data (Line : String) return Boolean is
      (Line'Length >= 5 and then Line (Line'First + 4) = Separator)
    with Pre => Line'Last < Integer'Last;
-   --  A separator follows the label; the data after it may be empty.
+   --  The label is followed by a separator; the data may be empty.
 
    function Is_Bare (Line : String; Start : Label_Text) return Boolean is
      (Begins_With (Line, Start)
       and then (Line'Length = 4
                 or else (Line'Length = 5 and then Has_Data (Line))))
    with Pre => Line'Last < Integer'Last;
-   --  The label alone. The existing monitor writes a separator behind every
-   --  label, so one with nothing after it is as good as none.
+   --  The label alone. The existing monitor appends a separator to every
+   --  label, so a separator with nothing after it is accepted.
 
    function Is_Number
      (Line : String; First : Positive; Last : Natural) return Boolean
@@ -137,8 +137,7 @@ package Monitor.Protocol with SPARK_Mode is
    with Pre => Line'Last < Integer'Last
      and then First >= Line'First
      and then Last <= Line'Last;
-   --  Decimal: a sign or none, then digits, as many as one likes. Blanks
-   --  are no part of a number.
+   --  Decimal: an optional sign, then any number of digits. No blanks.
 
    function Magnitude
      (Line : String; First : Positive; Last : Natural) return Numbers.Number
@@ -160,7 +159,7 @@ package Monitor.Protocol with SPARK_Mode is
      and then First >= Line'First
      and then Last <= Line'Last
      and then Is_Number (Line, First, Last);
-   --  The number, or the nearest that the robot knows.
+   --  The number, limited to the robot's range.
 
    function Is_Order (Line : String; Start : Label_Text) return Boolean is
      (Begins_With (Line, Start)
@@ -185,30 +184,29 @@ package Monitor.Protocol with SPARK_Mode is
          (if Takes_Number (M.Kind)
           then Clamped_Number (Line, Line'First + Text_Offset, Line'Last)
           else 0);
-   --  What the monitor says with Line, which comes without its end. Every
-   --  line means something, if only Malformed: an empty line, a label in
-   --  small letters, data for a command that takes none, a number that is
-   --  missing or not decimal.
+   --  The message in Line, which has no line end. Every line has a meaning, at
+   --  least Malformed: an empty line, a label in lower case, data for a
+   --  command that takes none, a missing or non-decimal number.
 
    --  Lines from the monitor
 
    subtype Line_Length is Natural range 0 .. Max_Line;
 
    type Line_Reader is private;
-   --  The line under way. Initially empty.
+   --  The line being received. Initially empty.
 
    function Length (R : Line_Reader) return Line_Length;
-   --  Characters of the line so far, or of the line that is complete.
+   --  Characters of the line so far, or of the complete line.
 
    function Is_Too_Long (R : Line_Reader) return Boolean;
    --  The line has more than Max_Line characters: the rest is dropped.
 
    function Is_Complete (R : Line_Reader) return Boolean with Ghost;
-   --  Its line feed has come: the next character begins another line.
+   --  Its line feed has been received: the next character starts another line.
 
    function Is_Held (R : Line_Reader) return Boolean with Ghost;
-   --  A carriage return has come; the next character tells whether it
-   --  belongs to the end of the line.
+   --  The last character was a carriage return; the next one decides whether
+   --  it belongs to the line end.
 
    function Item (R : Line_Reader; I : Positive) return Character
    with Ghost, Pre => I <= Length (R);
@@ -217,14 +215,14 @@ package Monitor.Protocol with SPARK_Mode is
    function Kept (R : Line_Reader) return Line_Length is
      (if Is_Complete (R) then 0 else Length (R))
    with Ghost;
-   --  Characters that the line under way has already.
+   --  Number of characters received of the current line.
 
    function Added (R : Line_Reader; C : Character) return Natural is
      ((if Is_Held (R) and then not Is_Complete (R) and then C /= Line_Feed
        then 1 else 0)
       + (if C in Carriage_Return | Line_Feed then 0 else 1))
    with Ghost;
-   --  How many it gets with C: a carriage return waits for what follows it.
+   --  Length after C: a carriage return is held until the next character.
 
    procedure Clear (R : out Line_Reader)
    with
@@ -232,7 +230,7 @@ package Monitor.Protocol with SPARK_Mode is
        and then not Is_Too_Long (R)
        and then not Is_Complete (R)
        and then not Is_Held (R);
-   --  Forgets all that has arrived.
+   --  Discards all that has been received.
 
    procedure Accept_Character
      (R : in out Line_Reader; C : Character; Complete : out Boolean)
@@ -254,7 +252,7 @@ package Monitor.Protocol with SPARK_Mode is
                then Carriage_Return
                else C));
    --  Takes the next character. Complete: it ended a line, which Get_Line
-   --  gives; the character after it begins another line.
+   --  returns; the next character starts another line.
 
    procedure Get_Line
      (R : Line_Reader; Line : in out String; Last : out Natural)
@@ -263,8 +261,8 @@ package Monitor.Protocol with SPARK_Mode is
      Post => Last = (if Is_Too_Long (R) then 0 else Length (R))
        and then (for all I in 1 .. Last => Line (I) = Item (R, I));
    --  The line is Line (1 .. Last), without its end and the carriage return
-   --  before it. A line that is too long is given as an empty one, which
-   --  Parse finds malformed.
+   --  before it. A line that is too long is returned as empty, which Parse
+   --  rejects as malformed.
 
    procedure Prove_Reading (Text : String)
    with
@@ -272,17 +270,17 @@ package Monitor.Protocol with SPARK_Mode is
      Pre => Text'First = 1
        and then Text'Last < Integer'Last
        and then (for all C of Text => C /= Line_Feed);
-   --  Any characters and a line feed make one line: those characters, but
-   --  for a carriage return at the end, and nothing where they are more
-   --  than Max_Line: asserted in the body. Parse takes any line.
+   --  Any characters and a line feed make one line: these characters without a
+   --  final carriage return, or an empty line if there are more than Max_Line.
+   --  Asserted in the body. Parse accepts any line.
 
    --  Answers
 
    type Answer_Kind is
      (Acknowledged,     --  AACK
       Not_Done,         --  ANAK: the line or the camera is not open
-      Refused,          --  ACRJ: the robot refused it
-      Timed_Out,        --  ATIM: the robot did not answer, or is lost
+      Refused,          --  ACRJ: rejected by the robot
+      Timed_Out,        --  ATIM: no answer of the robot, or robot lost
       Not_Understood,   --  ACER
       Battery_Empty,    --  RBLV:0
       Battery_Low,      --  RBLV:1
@@ -290,7 +288,7 @@ package Monitor.Protocol with SPARK_Mode is
       Battery_Unknown,  --  RBLV:-1
       Standing,         --  RCST:0
       Moving);          --  RCST:1
-   --  The battery's levels are sent unasked too, and so is Timed_Out when
+   --  The battery levels are also sent unsolicited, and so is Timed_Out when
    --  the robot is lost.
 
    Max_Short : constant := 16;
@@ -299,7 +297,7 @@ package Monitor.Protocol with SPARK_Mode is
       Data   : String (1 .. Max_Short)    := (others => ' ');
       Length : Natural range 0 .. Max_Short := 0;
    end record;
-   --  The first Length characters of Data count.
+   --  The first Length characters of Data are valid.
 
    function Short (Text : String) return Short_Text
    with
@@ -322,7 +320,7 @@ package Monitor.Protocol with SPARK_Mode is
          when Battery_Unknown => Short ("RBLV:-1"),
          when Standing        => Short ("RCST:0"),
          when Moving          => Short ("RCST:1"));
-   --  The line that says so, with its line feed.
+   --  The line of the answer, with its line feed.
 
    subtype Battery_Level is Integer range -1 .. 2;
    --  -1: unknown; 0 empty, 1 low, 2 full.
@@ -334,7 +332,7 @@ package Monitor.Protocol with SPARK_Mode is
          when 1  => Battery_Low,
          when 2  => Battery_Full);
 
-   --  Labels of what is sent unasked; Separator and data follow.
+   --  Labels of unsolicited messages; separator and data follow.
 
    Image_Label    : constant Label_Text := "CIMG";
    Position_Label : constant Label_Text := "CPOS";
@@ -348,7 +346,7 @@ package Monitor.Protocol with SPARK_Mode is
    --  Millionths: of a pixel, or of a degree.
 
    subtype Robot_Id is Integer range -1 .. 999;
-   --  A marker's number; -1 where there is no robot.
+   --  The number of a marker; -1 without a robot.
 
    type Position is record
       Id     : Robot_Id := -1;
@@ -356,28 +354,28 @@ package Monitor.Protocol with SPARK_Mode is
       Cx, Cy : Micro    := 0;
       Dx, Dy : Micro    := 0;
    end record;
-   --  Angle in degrees, the centre (Cx, Cy) and the direction (Dx, Dy) in
-   --  pixels of the whole image.
+   --  Angle in degrees; centre (Cx, Cy) and direction (Dx, Dy) in pixels of
+   --  the whole image.
 
    Not_Found : constant Position :=
      (Id => -1, Angle => 0, Cx => -1_000_000, Cy => -1_000_000,
       Dx => 0, Dy => 0);
-   --  No robot in the image: F18 gives the identifier and the centre; angle
-   --  and direction are 0 as in the existing platform's empty position.
+   --  No robot in the image: F18 requires identifier and centre; angle and
+   --  direction are 0 as in the empty position of the existing platform.
 
    Max_Position : constant := 128;
 
    subtype Position_Text is String (1 .. Max_Position);
 
-   --  The words of the contracts
+   --  Used in the contracts
 
    First_Field : constant := 6;
-   --  Where the identifier begins, behind the label and the separator.
+   --  Where the identifier begins, after the label and the separator.
 
    Field_Separator : constant Character := ';';
 
    type Wide is range -10 ** 15 .. 10 ** 15;
-   --  Eight digits before the point and six behind it, in millionths.
+   --  Eight digits before the point and six after it, in millionths.
 
    function Field_End
      (Line : String; First : Positive; Last : Natural) return Natural
@@ -407,8 +405,8 @@ package Monitor.Protocol with SPARK_Mode is
               (if Starts'Result (I) <= Last + 1
                then Field_End (Line, Starts'Result (I), Last) + 2
                else Last + 3));
-   --  Where the six fields begin: field I is Line (Starts (I) .. Starts (I
-   --  + 1) - 2). The seventh is Last + 2 where there are exactly six.
+   --  Where the six fields begin: field I is Line (Starts (I) .. Starts (I +
+   --  1) - 2). The seventh start is Last + 2 if there are exactly six fields.
 
    function Is_Id
      (Line : String; First : Positive; Last : Natural) return Boolean
@@ -447,7 +445,7 @@ package Monitor.Protocol with SPARK_Mode is
    with Pre => Line'Last < Integer'Last
      and then First >= Line'First
      and then Last <= Line'Last;
-   --  A minus sign or none, one to eight digits, a point, six digits.
+   --  An optional minus sign, one to eight digits, a point, six digits.
 
    function Fraction_Value
      (Line : String; First : Positive; Last : Natural) return Wide
@@ -542,9 +540,7 @@ package Monitor.Protocol with SPARK_Mode is
    with Pre => Line'First = 1
      and then Line'Last <= Max_Position
      and then Last <= Line'Last;
-   --  ... and says P to the last decimal.
-
-   --  The operations
+   --  ... and encodes P exactly.
 
    procedure Format_Position
      (P      : Position;
@@ -555,8 +551,8 @@ package Monitor.Protocol with SPARK_Mode is
        and then Buffer (Last) = Line_Feed
        and then (for all I in 1 .. Last - 1 => Buffer (I) /= Line_Feed)
        and then Reads_As (Buffer, Last - 1, P);
-   --  Writes CPOS:id;angle;cx;cy;dx;dy and a line feed to Buffer (1 ..
-   --  Last), the id without and the others with exactly six decimals.
+   --  Writes CPOS:id;angle;cx;cy;dx;dy and a line feed to Buffer (1 .. Last),
+   --  the id as an integer, the others with exactly six decimals.
 
    procedure Parse_Position
      (Line : String; Last : Natural; P : out Position; OK : out Boolean)
@@ -566,12 +562,12 @@ package Monitor.Protocol with SPARK_Mode is
        and then Last <= Line'Last,
      Post => OK = Is_Position (Line, Last)
        and then (if OK then Reads_As (Line, Last, P) else P = Not_Found);
-   --  Reads such a line, Line (1 .. Last), given without its line feed. OK
-   --  is False, and P Not_Found, where it is none.
+   --  Reads such a line from Line (1 .. Last), without its line feed. If it is
+   --  not one, OK is False and P is Not_Found.
 
    procedure Prove_Round_Trip (P : Position)
    with Ghost;
-   --  What Format_Position writes Parse_Position accepts, and gives P back:
+   --  Parse_Position accepts what Format_Position writes, and returns P:
    --  asserted in the body.
 
 private
@@ -580,8 +576,8 @@ private
       Data     : String (1 .. Max_Line) := (others => ' ');
       Length   : Line_Length            := 0;
       Held     : Boolean                := False;
-      --  A carriage return has come; the next character tells whether it
-      --  belongs to the end of the line.
+      --  The last character was a carriage return; the next one decides
+      --  whether it belongs to the line end.
       Too_Long : Boolean                := False;
       Finished : Boolean                := False;
    end record;

@@ -1,20 +1,19 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Which of the messages that wait goes to the monitor next (PROTOCOL rules 1
---  and 7), answers before what is unasked; and how long after the last one.
+--  Which waiting message is sent to the monitor next (PROTOCOL rules 1 and 7),
+--  answers before unsolicited messages; and how long after the last one.
 
 package Monitor.Send_Order with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Monitor.Send_Order);
-   --  A claim that GNATprove checks: every subprogram ends
 
    type Choice is
      (Nothing,
       Answer,        --  to a command
-      Robot_Lost,    --  the unasked ones, most urgent first
+      Robot_Lost,    --  the unsolicited ones, most urgent first
       Text,
       Battery,
       Position,
-      Image);        --  and position take turns: they belong together
+      Image);        --  alternates with Position: they belong together
 
    subtype Sent_Kind is Choice range Answer .. Image;
 
@@ -28,13 +27,13 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
       Commands : Boolean := False;
       --  commands wait for their answers ...
       Ready    : Boolean := False;
-      --  ... and the answer to the first of them is there
+      --  ... and the answer to the first of them is available
       Messages : Unasked_Set := (others => False);
-      --  the unasked ones that wait ...
+      --  the unsolicited messages that wait ...
       Released : Boolean := False;
       --  ... and have been held back for long enough (rule 7)
       Last     : Choice := Nothing;
-      --  what was sent last in this session
+      --  sent last in this session
       Imaged   : Boolean := False;
       --  an image has been sent since the last position
    end record;
@@ -77,14 +76,14 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
    with
      Pre  => (if W.Ready then W.Commands),
      Post =>
-       --  only what is there, and that only to a monitor
+       --  only what waits, and only in a session
        (case Next'Result is
            when Nothing => True,
            when Answer  => W.Open and then W.Ready,
            when Unasked => W.Open and then W.Messages (Next'Result))
 
-       --  an answer goes before all that is unasked, unless that has waited
-       --  for long enough; then the two take turns
+       --  an answer precedes unsolicited messages, unless these have been held
+       --  back for long enough; then the two alternate
        and then
          (if W.Open and then W.Ready then
             (if not W.Released or else W.Last /= Answer
@@ -92,8 +91,8 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
              then Next'Result = Answer
              else Next'Result in Unasked))
 
-       --  while an answer is awaited the unasked are held back, but not for
-       --  ever
+       --  while an answer is awaited, unsolicited messages are held back for a
+       --  limited time
        and then
          (if W.Commands and then not W.Ready and then not W.Released then
              Next'Result = Nothing)
@@ -116,9 +115,9 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
        and then (if Sent = Answer then Gap'Result <= Answer_Gap)
        and then (if Sent in Unasked and then W.Last in Unasked then
                     Gap'Result = Between);
-   --  How long after the last message Sent may follow it, where Between is
-   --  what two unasked ones are apart. An unasked one after an answer, too:
-   --  the monitor takes its time over that. But answers without end must not
-   --  hold the unasked back for ever
+   --  Minimum time from the last message to Sent; Between is the gap between
+   --  two unsolicited messages. It also applies after an answer, as the
+   --  monitor takes time to process one. An endless sequence of answers does
+   --  not block unsolicited messages
 
 end Monitor.Send_Order;

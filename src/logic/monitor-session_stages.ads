@@ -1,17 +1,16 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The stages of the session with the monitor, one after the other; and that
---  no session begins when the supervisor is stopping.
+--  The stages of the session with the monitor, in sequence. No session begins
+--  when the supervisor is stopping.
 
 package Monitor.Session_Stages with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Monitor.Session_Stages);
-   --  A claim that GNATprove checks: every subprogram ends
 
    type Stage_Kind is
      (Free,       --  no monitor: the next one is admitted
       Active,     --  a monitor is in command
-      Closing,    --  it is lost: robot, camera and queues are brought back
-      Closed);    --  they have been; its connection is to be closed
+      Closing,    --  it is lost: robot, camera and queues are reset
+      Closed);    --  reset done; its connection is to be closed
 
    type State is record
       Stage    : Stage_Kind := Free;
@@ -36,10 +35,10 @@ package Monitor.Session_Stages with SPARK_Mode, Pure is
      Post => S.Stopping = S'Old.Stopping
        and then S.Stage =
          (if After (S'Old.Stage) = To then To else S'Old.Stage);
-   --  Without effect where To is not the next stage
+   --  No effect if To is not the next stage
 
    procedure Stop (S : in out State)
    with Post => S.Stopping and then S.Stage = S'Old.Stage;
-   --  For good: there is no way back
+   --  Permanent
 
 end Monitor.Session_Stages;

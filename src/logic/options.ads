@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What can be chosen on the command line, with the defaults.
+--  The options of the command line, with their defaults.
 
 with Admission.Networks;
 with Monitor.Send_Order;
@@ -10,11 +10,11 @@ package Options with SPARK_Mode is
    type Marker_Kind is (Aruco, Triangle);
 
    type Drawing_Kind is (Nothing, Arena, All_Of_It);
-   --  Over the images of the stream; All_Of_It: the robots, too. An arena that
-   --  is to be confirmed is drawn always
+   --  Drawn over the images of the stream; All_Of_It: the robots, too. An
+   --  arena to be confirmed is always drawn
 
    type Level is (Error, Warning, Info, Debug);
-   --  Of the log, most serious first
+   --  Levels of the log, most serious first
 
    subtype Port_Number is Natural range 0 .. 65_535;
    subtype Pixel_Count is Positive range 16 .. 4_096;
@@ -28,31 +28,31 @@ package Options with SPARK_Mode is
    subtype Processor_Choice is Integer range No_Processor .. Processor'Last;
 
    Camera_Rate : constant := 30;
-   --  Images a second asked of a camera, or the rate of the images sent if
-   --  that is higher: the newest is then never much older than 33 ms, and a
-   --  camera whose clock drifts against ours misses no period
+   --  Images per second requested from the camera, or the rate of the images
+   --  sent if that is higher. So the newest image is hardly older than 33 ms,
+   --  and clock drift of the camera makes no period miss its image
 
    type Values is record
       Port        : Port_Number  := 5_544;
       Bind        : Texts.Text   := Texts.To_Text ("0.0.0.0");
       Allowed     : Admission.Networks.List;
-      --  whose monitors are admitted; none: everybody's
+      --  networks whose monitors are admitted; empty: all
       Token_File  : Texts.Text;
-      --  with the token that monitors must show; empty: none
+      --  file with the token that monitors must send; empty: none
       Serial      : Texts.Text   := Texts.To_Text ("/dev/ttyS0");
       Camera      : Texts.Text   := Texts.To_Text ("0");
       Width       : Pixel_Count  := 640;
       Height      : Pixel_Count  := 480;
-      Frame_Rate  : Rate         := 10;          --  images a second
+      Frame_Rate  : Rate         := 10;          --  images per second
       Quality     : Percentage   := 80;          --  of the JPEG
       Marker      : Marker_Kind  := Aruco;
       Drawing     : Drawing_Kind := All_Of_It;
       Message_Gap : Milliseconds := 20;          --  PROTOCOL.md
       Log_Level   : Level        := Info;
       Cpu         : Processor_Choice := No_Processor;
-      --  where the real-time tasks are kept; No_Processor: anywhere
+      --  the real-time tasks are pinned to it; No_Processor: not pinned
       Trace_File  : Texts.Text;
-      --  for what the tasks did; empty: no trace
+      --  for the trace; empty: no trace
    end record;
 
 end Options;

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What an order of the monitor means: which request to the robot it is, its
---  place among the robot's orders, and what the monitor is answered. Nothing
---  else decides any of it.
+--  The meaning of a monitor's order: the request to the robot, the place among
+--  the robot's orders, and the answer to the monitor. Decided only here.
 
 with Monitor.Protocol; use Monitor.Protocol;
 with Orders;
@@ -12,7 +11,6 @@ with Robot.Session;    use Robot.Session;
 package Order_Meanings with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Order_Meanings);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Orders.Ticket;
 
@@ -21,9 +19,9 @@ package Order_Meanings with SPARK_Mode is
    subtype Vision_Order is Message_Kind range Open_Camera .. Stop_Position;
 
    subtype Arena_Order is Vision_Order range Ask_Arena .. Reject_Arena;
-   --  For th_arene; the vision's others are for th_cameraControl
+   --  Carried out by th_arene; the other vision orders by th_cameraControl
 
-   --  Who carries it out
+   --  The task that carries it out
 
    function Client_Of (Kind : Robot_Order) return Robot.Requests.Client is
      (case Kind is
@@ -38,9 +36,9 @@ package Order_Meanings with SPARK_Mode is
          when Ping_Robot | Reload_Watchdog
             | Monitor.Protocol.Get_Battery | Get_State =>
             Robot.Requests.Query);
-   --  Of the robot's line; a stop has no task of its own
+   --  Clients of the robot's line; a stop has no task of its own
 
-   --  What the robot is asked for
+   --  The request to the robot
 
    function Request_Of (M : Message) return Request is
      (case M.Kind is
@@ -65,11 +63,11 @@ package Order_Meanings with SPARK_Mode is
             (Drive, (Robot.Protocol.Turn, M.Value)),
          when others               => (Ping, others => <>));
 
-   --  Its place among the robot's orders
+   --  The place among the robot's orders
 
    function Has_Rank (Kind : Message_Kind) return Boolean is
      (Kind in Robot_Order and then Kind /= Stop_Robot);
-   --  A stop goes past all others
+   --  A stop overtakes all others
 
    function Changes_Session (M : Message) return Boolean is
      (M.Kind in Robot_Order
@@ -77,9 +75,9 @@ package Order_Meanings with SPARK_Mode is
 
    type Ranks is record
       Last   : Orders.Ticket := 0;
-      --  of the session's last order that has one
+      --  rank of the session's last ranked order
       Change : Orders.Ticket := 0;
-      --  of the last that changes the robot's session
+      --  the same of the last that changes the robot's session
    end record;
 
    procedure Give_Rank (R : in out Ranks; Order : in out Orders.Order)
@@ -99,7 +97,7 @@ package Order_Meanings with SPARK_Mode is
             and then Order.Rank = 0
             and then Order.After = 0);
 
-   --  What the monitor is answered
+   --  The answer to the monitor
 
    function Answer_To (Kind : Message_Kind; Result : Outcome)
      return Answer_Kind
@@ -113,10 +111,10 @@ package Order_Meanings with SPARK_Mode is
           when Refused               => Monitor.Protocol.Refused,
           when Timed_Out             => Monitor.Protocol.Timed_Out,
           when Not_Open | Not_Opened => Not_Done);
-   --  By the robot, where Result has come of its request
+   --  Answer for a robot order whose request had this Result
 
    function Answer_To (Done : Boolean) return Answer_Kind is
      (if Done then Acknowledged else Not_Done);
-   --  By the vision
+   --  Answer for a vision order
 
 end Order_Meanings;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Queues of orders: as many as commands may be waiting for their answers.
+--  Queues of orders, with room for all commands that may wait for answers.
 
 pragma SPARK_Mode;
 

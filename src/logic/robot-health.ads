@@ -1,26 +1,25 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Supervision of the robot's line: when it is lost, and how commands and
---  answers get back into step after an answer that did not come.
+--  Supervision of the robot's line: when it is lost, and how it is
+--  synchronised again after a missing answer.
 
 with Robot.Protocol; use Robot.Protocol;
 
 package Robot.Health with SPARK_Mode is
 
    --  An answer may be late, and the same letter answers many commands. So
-   --  after a failed exchange the line is out of step, and the class of the
-   --  answer that did not come is owed. Before the next command goes out, a
-   --  probe does: a harmless command whose answer is of a class that is not
-   --  owed. Whatever comes before that answer is late and is thrown away:
-   --  anything for which Robot.Protocol.Is_Answer (Reply, Probe) is False,
-   --  a refusal or a damaged frame too, for any command that arrived
-   --  damaged is refused. The robot answers in order, so with the probe's
-   --  own answer nothing is owed any more. A line that has just been opened
-   --  is out of step, too: the answer to a last stop, sent without awaiting
-   --  it when the line was lost or by a supervisor that ended, may still be
-   --  on its way.
+   --  after a failed exchange the line is out of step: an answer of the
+   --  missing answer's class may still arrive (it is owed). Before the next
+   --  command, a probe is sent: a harmless command whose answer has a class
+   --  that is not owed. All that arrives before that answer is discarded as
+   --  late: anything for which Robot.Protocol.Is_Answer (Reply, Probe) is
+   --  False, also a refusal or a damaged frame, as any command damaged on the
+   --  line is refused. The robot answers in order, so after the probe's answer
+   --  nothing is owed any more. A newly opened line is also out of step: the
+   --  answer to a last stop, sent without awaiting it on a lost line or by the
+   --  supervisor's previous run, may still arrive.
 
    Max_Failures : constant := 4;
-   --  In a row, and the line is lost: more than 3 (F8).
+   --  Failures in a row at which the line is lost: more than 3 (F8).
 
    subtype Failure_Count is Natural range 0 .. Max_Failures;
 
@@ -28,13 +27,13 @@ package Robot.Health with SPARK_Mode is
    --  Initially in step.
 
    function Failures (H : State) return Failure_Count;
-   --  Failed exchanges in a row.
+   --  Number of failed exchanges in a row.
 
    function Is_Owed (H : State; Class : Answer_Class) return Boolean;
-   --  An answer of this class may still arrive.
+   --  A late answer of this class may still arrive.
 
    function Lost (H : State) return Boolean is (Failures (H) = Max_Failures);
-   --  No further exchange: close the line.
+   --  No further exchange: the line must be closed.
 
    function In_Step (H : State) return Boolean;
    --  The next frame to arrive is the answer to the next command.
@@ -48,14 +47,14 @@ package Robot.Health with SPARK_Mode is
    with Post => not In_Step (Opened'Result)
      and then Failures (Opened'Result) = 0
      and then (for all C in Answer_Class => not Is_Owed (Opened'Result, C));
-   --  The line as it has just been opened.
+   --  The state of a newly opened line.
 
    function Probe (H : State) return Command_Kind
    with
      Pre  => not Lost (H),
      Post => Probe'Result in Version | Battery | Unknown_Letter | Ping
        and then not Is_Owed (H, Class_Of (Probe'Result));
-   --  The command to get back into step with. There is always one.
+   --  The command that synchronises the line. There always is one.
 
    procedure Success (H : in out State)
    with
@@ -63,7 +62,7 @@ package Robot.Health with SPARK_Mode is
      Post => In_Step (H)
        and then Failures (H) = 0
        and then (for all C in Answer_Class => not Is_Owed (H, C));
-   --  An answer came: that of a command sent in step, or a probe's own.
+   --  An answer was received: to a command sent in step, or to a probe.
 
    procedure Failure (H : in out State; Command : Command_Kind)
    with
@@ -75,11 +74,10 @@ package Robot.Health with SPARK_Mode is
          (for all C in Answer_Class =>
             Is_Owed (H, C) =
               (Is_Owed (H'Old, C) or else C = Class_Of (Command)));
-   --  The exchange of Command failed: no answer in time, a wrong checksum,
-   --  a wrong kind of answer or a malformed one. For a probe, only the
-   --  time counts.
+   --  The exchange of Command failed: no answer in time, a wrong checksum, a
+   --  wrong kind of answer or a malformed one. A probe fails only by time-out.
 
-   --  What holds whatever happens
+   --  Properties of all sequences
 
    type Attempt is record
       Command  : Command_Kind;
@@ -90,9 +88,9 @@ package Robot.Health with SPARK_Mode is
    type History is array (Positive range <>) of Attempt with Ghost;
 
    procedure Prove_Loss (Attempts : History) with Ghost;
-   --  Of any exchanges, one after the other: the line is lost exactly when
-   --  the last four have failed, and any success makes it as good as new.
-   --  Asserted in the body.
+   --  For any sequence of exchanges: the line is lost exactly when the last
+   --  four have failed, and any success restores the initial state. Asserted
+   --  in the body.
 
 private
 
@@ -108,8 +106,8 @@ private
       Untried  : Boolean       := False;  --  since it was opened
    end record
    with Dynamic_Predicate => Count (State.Owed) <= State.Failures;
-   --  A failure adds one class at most: while the line is not lost, one of
-   --  the four classes is free for a probe.
+   --  A failure adds at most one class: while the line is not lost, one of the
+   --  four classes is free for a probe.
 
    function Failures (H : State) return Failure_Count is (H.Failures);
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the tasks know of the robot and its line, and when the line is to be
---  left free for the reload of the watchdog.
+--  What the tasks know of the robot and its line, and when the line must stay
+--  free for the watchdog's reload.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Robot.Health;
@@ -11,7 +11,6 @@ with Schedule;
 package Robot.Line_Status with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Robot.Line_Status);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Robot.Requests.Verdict_Kind;
    use type Robot.Session.Mode_Kind;
@@ -21,24 +20,24 @@ package Robot.Line_Status with SPARK_Mode is
       Open       : Boolean := False;
       Mode       : Robot.Session.Mode_Kind := Robot.Session.Not_Started;
       Epoch      : Natural := 0;
-      --  another one after each start
+      --  changes at each start
       Started_At : Time := Time_First;
       --  when the robot acknowledged the last start
       Used_At    : Time := Time_First;
-      --  the end of the last exchange
+      --  end of the last exchange
    end record;
 
    type State is record
       Known      : Status;
       Reload_Due : Time := Time_First;
       Suspect    : Boolean := False;
-      --  the line has failed last
+      --  the last exchange failed
    end record;
 
    function Same_Run (Now, Before : Status) return Boolean is
      (Now.Mode /= Robot.Session.Not_Started
       and then Now.Epoch = Before.Epoch);
-   --  The robot has been running since Before without a new start
+   --  The robot has run since Before without a restart
 
    function Is_Quiet (S : State; Now : Time) return Boolean is
      (S.Known.Mode = Robot.Session.Started_With_Watchdog
@@ -46,7 +45,7 @@ package Robot.Line_Status with SPARK_Mode is
         (if S.Suspect then Schedule.Reload_Quiet_Suspect
          else Schedule.Reload_Quiet)
       and then Now < S.Reload_Due + Schedule.Reload_Quiet);
-   --  Nothing but a stop or a movement is begun: a reload is due
+   --  A reload is due: only a stop or a movement may start
 
    function Starts
      (Done : Robot.Requests.Job; Result : Robot.Session.Outcome)
@@ -55,7 +54,7 @@ package Robot.Line_Status with SPARK_Mode is
        and then Done.Request.Kind in
          Robot.Session.Start | Robot.Session.Start_Watchdog
        and then Result.Kind = Robot.Session.Done);
-   --  The robot has begun to run
+   --  The robot has started
 
    procedure Note
      (S       : in out State;
@@ -68,6 +67,6 @@ package Robot.Line_Status with SPARK_Mode is
        and then S.Known.Mode = Session.Mode
        and then S.Suspect = (Robot.Health.Failures (Session.Health) > 0)
        and then (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result);
-   --  Result has come of Done just now, and Session is its state
+   --  Request Done has just ended with Result; Session is its new state
 
 end Robot.Line_Status;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The wire format of the robot: commands become frames, the bytes that
---  come back become frames, and a frame is read against its command.
+--  The protocol of the robot: encodes commands as frames, receives frames, and
+--  decodes each as the answer to its command.
 
 with Bytes;    use Bytes; use type Bytes.Byte;
 with Decimals;
@@ -8,7 +8,7 @@ with Decimals;
 package Robot.Protocol with SPARK_Mode is
 
    pragma Assertion_Policy (Subprogram_Variant => Ignore);
-   --  Proved; GNAT 12 cannot compile the check at run time.
+   --  Proved; GNAT 12 cannot compile the run-time check.
 
    --  Commands
 
@@ -25,18 +25,18 @@ package Robot.Protocol with SPARK_Mode is
       Move,
       Turn,
       Unknown_Letter);
-   --  Unknown_Letter sends a letter that no firmware knows, which is
-   --  answered "unknown command": a probe to get back into step with after
-   --  a lost answer, when the other kinds of answer may still arrive late.
+   --  Unknown_Letter sends a letter that no firmware knows, answered by
+   --  "unknown command". It is the probe when late answers of all other
+   --  classes may arrive.
 
    subtype Argument is Integer range -32_768 .. 32_767;
-   --  Millimetres or degrees; the firmware computes with 16 bits.
+   --  Millimetres or degrees; the firmware uses 16 bits.
 
    type Command is record
       Kind  : Command_Kind := Ping;
       Value : Argument     := 0;
    end record;
-   --  Value counts for Move and Turn only.
+   --  Value is used by Move and Turn only.
 
    Forward  : constant Command := (Move, 32_767);
    Backward : constant Command := (Move, -32_768);
@@ -64,7 +64,7 @@ package Robot.Protocol with SPARK_Mode is
    --  Frames
 
    Max_Frame : constant := 50;
-   --  Bytes, as in the firmware, where longer frames wrap.
+   --  Bytes, as in the firmware, whose buffer wraps for longer frames.
 
    Terminator : constant Byte := 16#0D#;
 
@@ -74,7 +74,7 @@ package Robot.Protocol with SPARK_Mode is
       Data   : Byte_Array (1 .. Max_Frame) := (others => 0);
       Length : Frame_Length                := 0;
    end record;
-   --  The first Length bytes of Data count.
+   --  The first Length bytes of Data are valid.
 
    function Parity (Data : Byte_Array; Last : Natural) return Byte is
      (if Last = 0 then 0
@@ -95,7 +95,7 @@ package Robot.Protocol with SPARK_Mode is
      Post => Checksum'Result =
        (if Parity (Data, Length) = Terminator then 16#0E#
         else Parity (Data, Length));
-   --  The checksum of the first Length bytes: never the terminator.
+   --  The checksum of the first Length bytes: never equal to the terminator.
 
    function Is_Framed (F : Frame) return Boolean is
      (F.Length >= 3
@@ -103,9 +103,9 @@ package Robot.Protocol with SPARK_Mode is
       and then
         (for all I in 1 .. F.Length - 1 => F.Data (I) /= Terminator)
       and then F.Data (F.Length - 1) = Checksum (F.Data, F.Length - 2));
-   --  Text, checksum and terminator, and no terminator before the end.
+   --  Text, checksum and terminator, with no terminator before the end.
 
-   --  The words of the contracts on commands
+   --  Used in the contracts on commands
 
    package Byte_Decimals is new Decimals (Byte, Byte_Array);
 
@@ -122,7 +122,7 @@ package Robot.Protocol with SPARK_Mode is
    with Pre => First >= Data'First
      and then First < Integer'Last
      and then Last <= Data'Last;
-   --  A minus sign or none, and up to five digits within the range.
+   --  An optional minus sign and up to five digits, within the range.
 
    function Argument_Value
      (Data : Byte_Array; First : Positive; Last : Natural) return Argument
@@ -143,7 +143,7 @@ package Robot.Protocol with SPARK_Mode is
             and then F.Data (2) = Character'Pos ('=')
             and then Is_Argument (F.Data, 3, F.Length - 2)
          else F.Length = 3));
-   --  The frame's text is that of a command of this kind.
+   --  The frame has the text of a command of this kind.
 
    type Reading is record
       OK    : Boolean := False;
@@ -163,14 +163,14 @@ package Robot.Protocol with SPARK_Mode is
         else
            not Is_Framed (F)
            or else (for all K in Command_Kind => not Is_Text_For (F, K)));
-   --  Reads a command's frame, as the robot would; OK is False for all that
-   --  Encode never writes. For proofs and tests: the supervisor itself only
-   --  writes commands.
+   --  Decodes a command's frame, as the robot does; OK is False for all that
+   --  Encode never writes. For proofs and tests: the supervisor only writes
+   --  commands.
 
    function Is_Movement (R : Reading) return Boolean is
      (R.OK and then R.Value.Kind in With_Argument and then R.Value /= Stop)
    with Ghost;
-   --  The robot moves by it.
+   --  The command moves the robot.
 
    procedure Encode (C : Command; F : out Frame)
    with
@@ -181,23 +181,23 @@ package Robot.Protocol with SPARK_Mode is
        and then Decoded (F).Value.Kind = C.Kind
        and then Decoded (F).Value.Value =
                   (if C.Kind in With_Argument then C.Value else 0);
-   --  The frame that asks the robot for C.
+   --  The frame of command C.
 
    --  Replies
 
    type Reply_Kind is
      (Done,             --  O
-      Refused,          --  E: not in this state, or it read a bad checksum
+      Refused,          --  E: wrong state, or bad checksum received
       Unknown_Command,  --  C
       Level,            --  0 .. 2, after Battery
       Moving_State,     --  0, 1, after Busy
       Version_Text,     --  after Version
       Bad_Checksum,
-      Wrong_Kind,       --  sound, but no answer to this command
+      Wrong_Kind,       --  valid frame, but no answer to this command
       Malformed);       --  too short for a text and its checksum, or too long
 
    subtype Failed_Reply is Reply_Kind range Bad_Checksum .. Malformed;
-   --  Not an answer: a failure of the line.
+   --  Not an answer: the exchange failed.
 
    subtype Reply_Value is Integer range 0 .. 2;
 
@@ -208,7 +208,7 @@ package Robot.Protocol with SPARK_Mode is
    --  Value is the digit of a Level or a Moving_State, otherwise 0.
 
    type Answer_Class is (Acknowledge, Digit, Text, Unknown);
-   --  What the answers look like: no text of one class is one of another.
+   --  Classes of answers by form: no text belongs to two of them.
 
    function Class_Of (Kind : Command_Kind) return Answer_Class is
      (case Kind is
@@ -216,7 +216,7 @@ package Robot.Protocol with SPARK_Mode is
          when Battery | Busy                     => Digit,
          when Version                            => Text,
          when Unknown_Letter                     => Unknown);
-   --  The class of the answer to a command that the robot understood.
+   --  The class of the answer if the robot has understood the command.
 
    function Is_Answer
      (Reply : Reply_Kind; Pending : Command_Kind) return Boolean
@@ -227,12 +227,12 @@ package Robot.Protocol with SPARK_Mode is
           when Version_Text    => Pending = Version,
           when Unknown_Command => Pending = Unknown_Letter,
           when others          => False);
-   --  Whether Reply is the one of the class of Pending: what a probe waits
-   --  for. Refused never is, since any command that arrived damaged is
-   --  answered so.
+   --  Whether Reply has the class of Pending: the answer that a probe waits
+   --  for. Refused never has, since any command damaged on the line is
+   --  refused.
 
-   --  The words of Decode's contract. A frame may still carry its
-   --  terminator or have lost it already.
+   --  Used in the contract of Decode. The frame's terminator may be present or
+   --  already removed.
 
    function Text_Length (F : Frame) return Natural is
      (if F.Length > 0 and then F.Data (F.Length) = Terminator
@@ -241,15 +241,15 @@ package Robot.Protocol with SPARK_Mode is
    with Post => Text_Length'Result <= Max_Frame - 1
      and then (if Text_Length'Result > 0 then
                   Text_Length'Result < F.Length);
-   --  Bytes before the checksum; 0 where there is no text.
+   --  Bytes before the checksum; 0 if there is no text.
 
    function Is_Sound (F : Frame) return Boolean is
      (F.Data (Text_Length (F) + 1) = Checksum (F.Data, Text_Length (F)));
-   --  Its checksum is right.
+   --  The checksum is right.
 
    function Is_Character (F : Frame; C : Character) return Boolean is
      (Text_Length (F) = 1 and then F.Data (1) = Character'Pos (C));
-   --  Its text is the one character C.
+   --  The text is the single character C.
 
    function Is_Version (F : Frame) return Boolean is
      (Text_Length (F) >= 2
@@ -258,9 +258,9 @@ package Robot.Protocol with SPARK_Mode is
                   F.Data (I) in Character'Pos (' ') .. Character'Pos ('~'))
       and then (for some I in 1 .. Text_Length (F) =>
                   F.Data (I) = Character'Pos ('.')));
-   --  Its text is a version such as 3.5: a digit first and a point in it,
-   --  so that no answer of another class passes for it, not even two that
-   --  have run together.
+   --  The text is a version such as 3.5: it begins with a digit and has a
+   --  point, so no answer of another class is taken for it, nor two answers in
+   --  one frame.
 
    function Digit_Kind (Pending : Command_Kind) return Reply_Kind is
      (if Pending = Battery then Level else Moving_State);
@@ -287,8 +287,8 @@ package Robot.Protocol with SPARK_Mode is
           elsif Is_Version (F) and then Pending = Version
           then (Version_Text, 0)
           else (Wrong_Kind, 0));
-   --  What the frame F says as the answer to Pending. Every frame has a
-   --  meaning. An empty one, as Get gives for too long a one, is Malformed.
+   --  The meaning of frame F as the answer to Pending. Every frame has one. An
+   --  empty frame, which Get returns if the frame was too long, is Malformed.
 
    --  Receiving
 
@@ -298,13 +298,13 @@ package Robot.Protocol with SPARK_Mode is
       Overflow : Boolean                     := False;
       Finished : Boolean                     := False;
    end record;
-   --  The frame under way, without its terminator. Overflow: longer than
-   --  Max_Frame bytes, the rest was dropped. Finished: its terminator has
-   --  come, and the next byte begins another.
+   --  The frame being received, without its terminator. Overflow: more than
+   --  Max_Frame bytes, the rest was dropped. Finished: its terminator has been
+   --  received, and the next byte starts another frame.
 
    procedure Clear (R : out Receiver)
    with Post => R.Length = 0 and then not R.Overflow and then not R.Finished;
-   --  Forgets all that has arrived.
+   --  Discards all that has been received.
 
    procedure Accept_Byte
      (R : in out Receiver; B : Byte; Complete : out Boolean)
@@ -328,17 +328,16 @@ package Robot.Protocol with SPARK_Mode is
        and then
          (if not Complete and then not R.Overflow then
              R.Data (R.Length) = B);
-   --  Takes the next byte from the line. Complete: it ended a frame, which
-   --  Get gives. NUL bytes are kept, since a checksum may be NUL: the
-   --  robot's own rule, which drops them, is for what it receives, and no
-   --  command has such a checksum.
+   --  Takes the next byte from the line. Complete: it ended a frame, which Get
+   --  returns. NUL bytes are kept, since a checksum may be NUL. The robot
+   --  itself drops NUL bytes, but no command has such a checksum.
 
    procedure Get (R : Receiver; F : out Frame)
    with
      Post => F.Length = (if R.Overflow then 0 else R.Length)
        and then (for all I in 1 .. F.Length => F.Data (I) = R.Data (I));
-   --  The frame received, without its terminator; an empty one in place of
-   --  one that was too long, which Decode then finds malformed.
+   --  The received frame, without its terminator; empty if it was too long,
+   --  which Decode rejects as malformed.
 
    procedure Prove_Reception (Data : Byte_Array; Pending : Command_Kind)
    with
@@ -346,8 +345,8 @@ package Robot.Protocol with SPARK_Mode is
      Pre => Data'First = 1
        and then Data'Last < Integer'Last
        and then (for all B of Data => B /= Terminator);
-   --  Any bytes and a terminator make one frame, which is those bytes, or
-   --  empty where they are too many; and what Decode makes of it is an
-   --  answer to Pending, a refusal, or a failure: asserted in the body.
+   --  Any bytes and a terminator make one frame: these bytes, or an empty one
+   --  if they are too many. Decode turns it into an answer to Pending, a
+   --  refusal, or a failure. Asserted in the body.
 
 end Robot.Protocol;

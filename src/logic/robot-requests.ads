@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The requests that wait for the robot's line, and which of them is carried
---  out next. Urgency decides: the end of a session, a stop, the reload of the
---  watchdog, a movement, then the rest in the order of the commands.
+--  Requests that wait for the robot's line, and the choice of the next. By
+--  priority: end of a session, stop, reload of the watchdog, movement, then
+--  the rest in the order of the commands.
 
 with Order_Queues;
 with Orders;
@@ -10,14 +10,13 @@ with Robot.Session;
 package Robot.Requests with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Robot.Requests);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Orders.Order;
    use type Orders.Ticket;
 
    type Client is
      (Safe_State,   --  the end of a session: stop and close
-      Stop_Order,   --  a monitor's stop: past its thread, straight here
+      Stop_Order,   --  a monitor's stop: queued directly, by no task
       Reload,
       Move,
       Battery,
@@ -27,16 +26,16 @@ package Robot.Requests with SPARK_Mode is
       Reset,
       Query,
       Keep_Alive);
-   --  Who asks. Each has one request at a time, Stop_Order as many as
-   --  commands may wait
+   --  The client that asks. Each has one request at a time; Stop_Order may
+   --  have as many as commands may wait
 
    subtype Single is Client
    with Static_Predicate => Single in Safe_State | Reload .. Keep_Alive;
-   --  Those with one request at a time
+   --  Clients with one request at a time
 
    type Verdict_Kind is
      (Carry_Out,
-      Overtaken,    --  a movement that a later stop has made void
+      Overtaken,    --  a movement cancelled by a later stop
       Out_Of_Date); --  its session has ended
 
    type Job is record
@@ -50,29 +49,29 @@ package Robot.Requests with SPARK_Mode is
       Pending : Boolean := False;
       Request : Robot.Session.Request;
       Order   : Orders.Order;
-      --  the monitor's order behind the request; its number is 0 for none
+      --  the monitor's order behind the request; number 0: none
    end record;
 
    type Slot_Array is array (Client) of Slot;
-   --  That of Stop_Order is not used
+   --  The slot of Stop_Order is not used
 
    type Requests is record
       Slots       : Slot_Array;
       Stops       : Order_Queues.Queue;
-      --  the monitor's, oldest first
+      --  the monitor's stops, oldest first
       First_Order : Orders.Ticket := 1;
-      --  of the session: what has a lower number is out of date
+      --  of the session: orders with a lower number are out of date
       Last_Stop   : Orders.Ticket := 0;
-      --  the number of the last stop of the session, 0 for none
+      --  number of the last stop of the session, 0: none
       Completed   : Orders.Ticket := 0;
-      --  orders of the session that have been carried out, but stops
+      --  ranked orders of the session that have been carried out
       Last_Change : Orders.Ticket := 0;
-      --  the rank of the last of them that changed the session, 0 for none
+      --  rank of the last of them that changed the session, 0: none
       Was_Stop    : Boolean := False;
-      --  what was taken last was a monitor's stop
+      --  the request taken last was a monitor's stop
    end record;
 
-   --  What waits
+   --  Waiting requests
 
    function Is_Pending (R : Requests; From : Client) return Boolean is
      (if From = Stop_Order then Order_Queues.Length (R.Stops) > 0
@@ -89,7 +88,7 @@ package Robot.Requests with SPARK_Mode is
       else R.Slots (From).Order)
    with Pre => Is_Pending (R, From);
 
-   --  What may go next
+   --  Requests that may start
 
    function Verdict_On (R : Requests; From : Client) return Verdict_Kind is
      (if From = Stop_Order or else Order_Of (R, From).Number = 0
@@ -109,13 +108,13 @@ package Robot.Requests with SPARK_Mode is
          then R.Completed + 1 = Order_Of (R, From).Rank
          else Order_Of (R, From).After <= R.Last_Change))
    with Pre => Is_Pending (R, From);
-   --  An order that changes the session is when all orders before it have
-   --  been carried out; another one when the last before it that changes
-   --  the session has been; a stop always is
+   --  An order that changes the session is in turn when all orders before it
+   --  are done; any other order when the last session change before it is
+   --  done; a stop always
 
    function Waits_For_Quiet (From : Client) return Boolean is
      (From in Battery .. Keep_Alive);
-   --  Is not begun shortly before the watchdog is to be reloaded
+   --  Not started shortly before a reload of the watchdog is due
 
    function May_Go (R : Requests; From : Client; Quiet : Boolean)
      return Boolean
@@ -127,25 +126,25 @@ package Robot.Requests with SPARK_Mode is
          (if From = Stop_Order and then R.Was_Stop then
              not Is_Pending (R, Reload))
        and then (if Quiet then not Waits_For_Quiet (From)));
-   --  A stop behind a stop leaves a waiting reload the first place: stops
-   --  without end do not starve the watchdog
+   --  Between two stops a waiting reload has priority: an endless sequence of
+   --  stops does not block the reloads
 
    subtype In_Order is Client range Open .. Query;
-   --  Go in the order of the commands
+   --  Carried out in the order of the commands
 
    function Is_Before (R : Requests; Left, Right : Client) return Boolean is
      (if Left in In_Order and then Right in In_Order then
          Order_Of (R, Left).Number < Order_Of (R, Right).Number
       else Left < Right)
    with Pre => Is_Pending (R, Left) and then Is_Pending (R, Right);
-   --  Left is more urgent than Right
+   --  Left has priority over Right
 
    function Is_Ready (R : Requests) return Boolean is
      (for some From in Client =>
         Is_Pending (R, From) and then Is_In_Turn (R, From));
-   --  Something may be taken, at least when it need not be quiet
+   --  A request may start, at least outside the quiet time before a reload
 
-   --  The words of the contracts
+   --  Used in the contracts
 
    function Is_Same_Past (R, Before : Requests) return Boolean is
      (R.First_Order = Before.First_Order
@@ -153,8 +152,6 @@ package Robot.Requests with SPARK_Mode is
       and then R.Completed = Before.Completed
       and then R.Last_Change = Before.Last_Change)
    with Ghost;
-
-   --  The operations
 
    procedure Begin_Session (R : in out Requests; First : Orders.Ticket)
    with
@@ -164,7 +161,7 @@ package Robot.Requests with SPARK_Mode is
        and then R.Last_Change = 0
        and then Order_Queues.Length (R.Stops) = 0
        and then R.Slots = R'Old.Slots;
-   --  Orders with a lower number than First are out of date from now on
+   --  Orders with a number below First are now out of date
 
    procedure Put
      (R       : in out Requests;
@@ -177,7 +174,7 @@ package Robot.Requests with SPARK_Mode is
        and then (for all C in Client =>
                    (if C /= From then R.Slots (C) = R'Old.Slots (C)))
        and then Order_Queues.Is_Same (R.Stops, R'Old.Stops);
-   --  From has a request
+   --  Client From makes a request
 
    procedure Put_Stop (R : in out Requests; Order : Orders.Order)
    with
@@ -194,8 +191,7 @@ package Robot.Requests with SPARK_Mode is
               Order_Queues.Length (R'Old.Stops) + 1
             and then Order_Queues.Element_At
               (R.Stops, Order_Queues.Length (R.Stops)) = Order);
-   --  A monitor's stop, behind those that wait already. Movements that wait
-   --  and are older become void
+   --  Appends a monitor's stop. It cancels older movements that still wait
 
    function Job_Of (R : Requests; From : Client) return Job is
      ((From    => From,
@@ -235,9 +231,9 @@ package Robot.Requests with SPARK_Mode is
              and then
                (Next.From in Safe_State | Stop_Order
                 or else (Next.From = Reload and then R'Old.Was_Stop)));
-   --  The most urgent of what may go now, which waits no longer. A stop goes
-   --  past everything but the end of the session, and a reload after another
-   --  stop
+   --  Removes the request with the highest priority of those that may start. A
+   --  stop precedes all but the end of the session, and but a reload after
+   --  another stop
 
    procedure Finish (R : in out Requests; Done : Job)
    with
@@ -254,6 +250,6 @@ package Robot.Requests with SPARK_Mode is
             and then R.Last_Change = R'Old.Last_Change)
        and then R.Slots = R'Old.Slots
        and then Order_Queues.Is_Same (R.Stops, R'Old.Stops);
-   --  What was taken has been carried out; stops have no rank
+   --  The request taken has been carried out; stops have no rank
 
 end Robot.Requests;

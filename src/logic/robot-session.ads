@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The session with the robot: what each request means in each state, as a
---  sequence of steps on the line. Decides; the owner of the line carries out.
+--  sequence of steps on the line, which the owner of the line carries out.
 
 with Robot.Health;
 with Robot.Protocol;
@@ -22,10 +22,10 @@ package Robot.Session with SPARK_Mode is
    function Is_Consistent (S : State) return Boolean is
      ((if not S.Line_Open then S.Mode = Not_Started)
       and then not Robot.Health.Lost (S.Health));
-   --  A started robot has an open line; a lost line is never kept open
+   --  A started robot has an open line; a lost line is always closed
 
    type Request_Kind is
-     (Open_Line,        --  then a reset brings the robot to a known state
+     (Open_Line,        --  then resets the robot: a known state
       Close_Line,       --  stops a started robot first
       Start,            --  without watchdog
       Start_Watchdog,
@@ -37,8 +37,8 @@ package Robot.Session with SPARK_Mode is
       Drive,            --  a movement order: only while started
       Stop,             --  always sent while the line is open
       Reload,           --  the periodic reload of the watchdog
-      Reload_By_Hand,   --  a monitor's: nothing to send during the periodic
-      Keep_Alive);      --  a ping that finds a lost line
+      Reload_By_Hand,   --  by the monitor: no effect during periodic ones
+      Keep_Alive);      --  a ping that detects a lost line
 
    subtype Movement is Robot.Protocol.Command
    with Dynamic_Predicate => Movement.Kind in Robot.Protocol.With_Argument;
@@ -61,25 +61,25 @@ package Robot.Session with SPARK_Mode is
          when Drive                   => R.Command,
          when Close_Line | Stop       => Robot.Protocol.Stop,
          when Reload | Reload_By_Hand => (Robot.Protocol.Reload, 0));
-   --  What the robot is asked for
+   --  The robot's command for R
 
    function Changes_Session (Kind : Request_Kind) return Boolean is
      (Kind in Open_Line | Close_Line | Start | Start_Watchdog | Reset
         | Power_Off);
-   --  These keep their place among the orders: all earlier ones come before
-   --  them and all later ones after. Stops alone go past them
+   --  All earlier orders are carried out before these, and all later ones
+   --  after. Only stops overtake them
 
    type Outcome_Kind is
-     (Done,             --  the robot acknowledged, or nothing was to be done
-      Refused,          --  the robot refused it, or would have
+     (Done,             --  acknowledged by the robot, or nothing to do
+      Refused,          --  refused by the robot, or certain to be
       Timed_Out,        --  no valid answer
       Not_Open,         --  the line is not open
       Not_Opened);      --  the device cannot be opened
 
    type Note_Kind is
      (Nothing,
-      Missed_Window,    --  a reload was refused, the robot runs on
-      Not_Running,      --  a reload was refused: the robot runs no longer
+      Missed_Window,    --  a reload was refused, the robot still runs
+      Not_Running,      --  a reload was refused: the robot has stopped running
       Robot_Lost);      --  the fourth failure in a row: the line is closed
 
    type Outcome is record
@@ -92,10 +92,10 @@ package Robot.Session with SPARK_Mode is
    type Step_Kind is
      (Open_Device,
       Close_Device,
-      Send,        --  write the command, await nothing
+      Send,        --  write the command, await no answer
       Exchange,    --  write the command, await its answer
       Synchronise, --  the same, and skip the frames of other classes
-      Finish);     --  the outcome stands
+      Finish);     --  the outcome is final
 
    type Step is record
       Kind    : Step_Kind              := Finish;
@@ -104,18 +104,18 @@ package Robot.Session with SPARK_Mode is
 
    type Step_Result is record
       Ok    : Boolean := False;
-      --  Open_Device: it is open; Exchange, Synchronise: a valid answer
-      --  came in time, and Reply is it
+      --  Open_Device: it is open; Exchange, Synchronise: a valid answer came
+      --  in time, in Reply
       Reply : Robot.Protocol.Reply;
    end record;
 
    type Progress is private;
-   --  How far a request has come
+   --  The progress of a request
 
    function Result (P : Progress) return Outcome;
-   --  What came of the request, once its step is Finish
+   --  The outcome of the request, once its step is Finish
 
-   --  The words of the contracts
+   --  Used in the contracts
 
    function Is_Sent (Next : Step) return Boolean is
      (Next.Kind in Send | Exchange | Synchronise);
@@ -134,7 +134,7 @@ package Robot.Session with SPARK_Mode is
 
    function Is_Reload_Active (S : State) return Boolean is
      (S.Mode = Started_With_Watchdog);
-   --  The supervisor reloads the robot's watchdog
+   --  The supervisor reloads the robot's watchdog periodically
 
    function Is_Accepted (Last : Step_Result) return Boolean is
      (Last.Ok
@@ -150,36 +150,36 @@ package Robot.Session with SPARK_Mode is
 
    function Is_Under_Way (S : State; P : Progress) return Boolean
    with Ghost;
-   --  P belongs to S: the invariant of a request, true between its steps
+   --  P belongs to S: the invariant of a request, valid between its steps
 
    Max_Steps : constant := 17;
 
    function Steps_Left (S : State; P : Progress) return Natural with Ghost;
-   --  At most so many steps are still to come; 0 once the outcome stands
+   --  Upper bound of the remaining steps; 0 once the outcome is final
 
    function Is_Allowed (S : State; P : Progress; Next : Step) return Boolean
    is
-     --  no movement order except when started, and none after a stop
+     --  a movement is sent only while started, and never after a stop
      ((if Sends_Movement (Next) then
           S.Mode /= Not_Started and then not Has_Stopped (P))
-      --  the periodic reload exactly while it is active, one by hand
-      --  exactly while it is not
+      --  a periodic reload is sent while reloads are active, a monitor's
+      --  reload only while they are not
       and then
         (if Sends_Reload (Next) then
             Request_Of (P).Kind =
               (if Is_Reload_Active (S) then Reload else Reload_By_Hand))
-      --  nothing goes out on a closed line
+      --  nothing is sent on a closed line
       and then
         (if Is_Sent (Next) or else Next.Kind = Close_Device then S.Line_Open)
-      --  an answer is awaited in step, a late one is skipped out of step
+      --  in step: await the answer; out of step: skip late answers
       and then
         (if Next.Kind = Exchange then Robot.Health.In_Step (S.Health)
          elsif Next.Kind = Synchronise then
             not Robot.Health.In_Step (S.Health)
             and then not Robot.Health.Lost (S.Health)
             and then Next.Command.Kind = Robot.Health.Probe (S.Health))
-      --  what is written without awaiting an answer is a stop, and the
-      --  reset of a line that has just been opened
+      --  only a stop, and the reset of a newly opened line, are sent without
+      --  awaiting an answer
       and then
         (if Next.Kind = Send then
             Sends_Stop (Next)
@@ -191,9 +191,7 @@ package Robot.Session with SPARK_Mode is
    with
      Ghost,
      Pre => Is_Under_Way (S, P);
-   --  What holds of every step of every request
-
-   --  The operations
+   --  Holds for every step of every request
 
    procedure Start_Request
      (S    : State;
@@ -229,7 +227,7 @@ package Robot.Session with SPARK_Mode is
                   (Has_Stopped (P'Old) or else Sends_Stop (Next))
        and then (Next.Kind = Finish
                  or else Steps_Left (S, P) < Steps_Left (S'Old, P'Old))
-       --  started by an acknowledged start only
+       --  started only by an acknowledged start
        and then
          (if S.Mode /= S'Old.Mode and then S.Mode /= Not_Started then
              Is_Accepted (Last)
@@ -237,11 +235,11 @@ package Robot.Session with SPARK_Mode is
              and then Result (P).Kind = Done
              and then Request_Of (P).Kind =
                (if S.Mode = Started then Start else Start_Watchdog))
-       --  and no way out without a stop before
+       --  and never left without a stop before
        and then
          (if S.Mode /= S'Old.Mode and then S.Mode = Not_Started then
              Has_Stopped (P'Old))
-       --  a lost robot's line is closed
+       --  the line of a lost robot is closed
        and then
          (if Next.Kind = Finish and then Result (P).Note = Robot_Lost
           then not S.Line_Open);
@@ -251,9 +249,9 @@ private
 
    type Phase_Kind is
      (Opening,       --  the device
-      Clearing,      --  the reset that follows an opening, and a probe
-      Leaving,       --  the stop on the way out of "started"
-      Acting,        --  the command that the request is for
+      Clearing,      --  the reset after opening, and a probe
+      Leaving,       --  the stop before leaving "started"
+      Acting,        --  the command of the request itself
       Asking_Motion, --  after a refused reload: does it move?
       Testing_Run,   --  it does not: does it still accept a stop?
       Closing,       --  the device
@@ -261,7 +259,7 @@ private
       Ended);
 
    Leave_Tries : constant := 3;
-   --  How often the stop on the way out is tried while the line still works
+   --  Attempts of the stop before leaving, while the line works
 
    subtype Try_Count is Natural range 0 .. Leave_Tries;
 
@@ -272,9 +270,9 @@ private
       --  the command of the phase's exchange
       Probing  : Robot.Protocol.Command_Kind := Robot.Protocol.Version;
       In_Probe : Boolean                     := False;
-      --  the exchange under way only brings the line into step
+      --  the current exchange only synchronises the line
       Blind    : Boolean                     := False;
-      --  the stop has been sent once without being in step
+      --  the stop has been sent once while out of step
       Stopped  : Boolean                     := False;
       --  a stop has been sent, in step or not
       Tries    : Try_Count                   := 0;
@@ -300,7 +298,7 @@ private
          when Reload_By_Hand                 => not Is_Reload_Active (S),
          when others                         => True)
    with Ghost;
-   --  The request's own command may go out on the open line
+   --  The request's own command may be sent on the open line
 
    function Is_Exchanging (S : State; P : Progress) return Boolean is
      (P.Phase in Exchange_Phase
@@ -315,8 +313,8 @@ private
         (if P.Blind or else P.Wanted = Robot.Protocol.Stop
          then P.Stopped))
    with Ghost;
-   --  A command of an exchange is out: the blind stop, the reset of a line
-   --  just opened, a probe or the wanted one
+   --  A command of an exchange has been sent: the blind stop, the reset of a
+   --  newly opened line, a probe or the wanted one
 
    function Is_Under_Way (S : State; P : Progress) return Boolean is
      ((if P.Result.Note = Robot_Lost then

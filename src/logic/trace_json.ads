@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a trace records of the tasks, and the text that it becomes: the JSON
---  of Chrome's trace format, which ui.perfetto.dev opens.
+--  The events of a trace, and its text: Chrome's JSON trace format, which
+--  ui.perfetto.dev opens.
 
 with Interfaces; use Interfaces;
 with Schedule;
@@ -9,26 +9,25 @@ with Texts;
 package Trace_Json with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Trace_Json);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Schedule.Task_Name;
 
    type Event_Kind is
-     (Release,    --  the task has something to do from now on
-      Due,        --  the same by the clock, from the time that was set
+     (Release,    --  the task has become ready
+      Due,        --  the same by the clock, at the time that was set
       Start,      --  of a job
-      Take_Up,    --  both at once: the kernel has released the task
+      Take_Up,    --  both at once: released by the kernel just now
       Start_Due,  --  of a job whose release was at the time Number
-      Done,       --  its end, or nothing where none is under way
-      Wait,       --  the job waits, Label says what for
-      Resume,     --  and goes on
+      Done,       --  end of a job; no effect without one
+      Wait,       --  the job waits, Label is the reason
+      Resume,     --  the wait ends
       Idle,       --  the task found nothing to do
       Received,   --  a message of the monitor, Label is its own
       Sent,       --  a message to the monitor
       Ordered);   --  a command to the robot, Label is its letter
 
    subtype Label_Text is String (1 .. 6);
-   --  Letters and digits, then blanks
+   --  Letters and digits, padded with blanks
 
    type Event is record
       At_Time : Unsigned_64 := 0;   --  in nanoseconds
@@ -42,7 +41,7 @@ package Trace_Json with SPARK_Mode is
 
    type Slice_Kind is (None, Job, Job_And_Wait);
    type Slices is array (Schedule.Task_Name) of Slice_Kind;
-   --  What is open in the text so far: what is begun there is ended there,
+   --  The open slices of the text. All are closed, even if events are missing
    --  whichever events are missing
 
    procedure Begin_Text
@@ -50,11 +49,11 @@ package Trace_Json with SPARK_Mode is
       Recorded : Unsigned_64;
       Kept     : Unsigned_64;
       Line     : out Texts.Text);
-   --  How the text begins. First: the time from which times are counted;
-   --  Recorded: how many events there have been; Kept: those that follow
+   --  The beginning of the text. First: time 0 of the trace; Recorded: number
+   --  of events that were recorded; Kept: number of events that follow
 
    procedure Name_Task (Who : Schedule.Task_Name; Line : out Texts.Text);
-   --  Its name and its place among the others, by priority
+   --  The name of the task and its position by priority
 
    procedure Put
      (Open  : in out Slices;
@@ -75,9 +74,9 @@ package Trace_Json with SPARK_Mode is
                (if Open'Old (Item.Who) = None then None else Job),
              when Release | Due | Idle | Received | Sent | Ordered =>
                 Open'Old (Item.Who));
-   --  What Item adds, nothing where Line is empty
+   --  The text for Item; Line is empty if there is none
 
    End_Of_Text : constant String := ASCII.LF & "]}" & ASCII.LF;
-   --  After Done for every task
+   --  Follows Done for every task
 
 end Trace_Json;

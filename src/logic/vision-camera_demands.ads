@@ -1,11 +1,10 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Whether the camera is wanted, and whether its owner has taken that up. A
---  camera that took long to open may no longer be wanted when it is there.
+--  Whether the camera is requested, and whether its owner has accepted that. A
+--  camera that is slow to open may no longer be needed once it is open.
 
 package Vision.Camera_Demands with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Vision.Camera_Demands);
-   --  A claim that GNATprove checks: every subprogram ends
 
    type Request_Number is mod 2 ** 32;
 
@@ -13,22 +12,22 @@ package Vision.Camera_Demands with SPARK_Mode, Pure is
       Current : Request_Number := 0;
       Wanted  : Boolean := False;
       Pending : Boolean := False;
-      --  asked for, not yet taken up
+      --  requested, not yet accepted
       Held    : Boolean := False;
-      --  the owner has taken it up, and not closed the camera yet
+      --  the owner has accepted, and not closed the camera since
    end record;
 
    function Is_Idle (S : State) return Boolean is
      (not S.Held and then not S.Pending);
-   --  The owner has nothing to do with the camera, nor will it
+   --  The owner has no work with the camera, now or pending
 
    function Is_Wanted (S : State; Number : Request_Number) return Boolean is
      (S.Wanted and then Number = S.Current);
-   --  The camera that was opened for Number is wanted still
+   --  The camera opened for Number is still requested
 
    procedure Ask (S : in out State)
    with Post => S = (S'Old.Current + 1, True, True, S'Old.Held);
-   --  What was asked for before is no longer wanted
+   --  Earlier requests are withdrawn
 
    procedure Withdraw (S : in out State)
    with Post => S = (S'Old.Current, False, S'Old.Pending, S'Old.Held);
@@ -40,8 +39,8 @@ package Vision.Camera_Demands with SPARK_Mode, Pure is
        and then Number = S.Current
        and then S = (S'Old.Current, S'Old.Wanted, False,
                      S'Old.Held or else Found);
-   --  The owner takes up what was asked for, wanted or not: whoever has asked
-   --  waits for what comes of it
+   --  The owner accepts the request, even if withdrawn: the task that made it
+   --  waits for the result
 
    procedure Release (S : in out State)
    with Post => S = (S'Old.Current, S'Old.Wanted, S'Old.Pending, False);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Robots are looked for where they can be by now, as long as all of them
---  are found there, and everywhere from time to time (F18).
+--  Robots are searched near their last places, as long as all are found there,
+--  and in the whole image from time to time (F18).
 
 with Options;
 with Vision.Shapes; use Vision.Shapes;
@@ -8,33 +8,31 @@ with Vision.Shapes; use Vision.Shapes;
 package Vision.Following with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Vision.Following);
-   --  A claim that GNATprove checks: every subprogram ends
 
    type Milliseconds is range 0 .. 10_000;
 
    Interval : constant Milliseconds := 3_000;
-   --  Between two searches everywhere. A robot that comes changes the image
-   --  where nothing is searched, which is noticed
-   --  (Vision.Library.Follow_Robots); this is for one that was there and could
-   --  not be recognised
+   --  Between two searches of the whole image. A new robot is noticed by the
+   --  change in the image (Vision.Library.Follow_Robots); this is for a robot
+   --  that was present but not recognised
 
    Longest_Gap : constant Milliseconds := 500;
-   --  Between two images, for the second to be searched in parts
+   --  Longest time between two images for a search of areas only
 
-   --  What follows is in thousandths of a robot's length in the image: from
-   --  its centre to the point that it looks at, 3 cm of an ArUco marker of
-   --  6 cm, 5.3 cm of the triangle
+   --  The following are in thousandths of a robot's length in the image: from
+   --  the centre to the point in its direction, 3 cm for an ArUco marker of 6
+   --  cm, 5.3 cm for the triangle
 
    type Thousandths is range 0 .. 10_000;
 
    Body_Reach : constant array (Options.Marker_Kind) of Thousandths :=
      (Options.Aruco => 2_200, Options.Triangle => 1_240);
-   --  6.6 cm: the robot, 12.4 cm wide, whichever way it looks
+   --  6.6 cm: the robot is 12.4 cm wide, in any orientation
 
    Speed : constant array (Options.Marker_Kind) of Thousandths :=
      (Options.Aruco => 10, Options.Triangle => 6);
-   --  In a millisecond: 30 cm/s, the largest that is followed. A faster
-   --  robot, or one put elsewhere, is not found and looked for everywhere
+   --  Per millisecond: 30 cm/s, the highest speed that is followed. A faster
+   --  or moved robot is not found, and the whole image is searched
 
    Furthest : constant := 10 ** 12;
 
@@ -45,8 +43,8 @@ package Vision.Following with SPARK_Mode is
      or else
        (Length'Result >= abs (Item.Direction.X - Item.Centre.X)
         and then Length'Result >= abs (Item.Direction.Y - Item.Centre.Y));
-   --  Without a root: up to an eighth more than it is, and never less but
-   --  for the rounding
+   --  Without a square root: up to an eighth too large, and too small only by
+   --  the rounding
 
    function Reach
      (Item : Robot; Marker : Options.Marker_Kind; Gap : Milliseconds)
@@ -58,25 +56,25 @@ package Vision.Following with SPARK_Mode is
               (Body_Reach (Marker) + Speed (Marker) * Thousandths'Base (Gap))
           / 1_000))
    with Pre => Gap <= Longest_Gap;
-   --  How far from where it was a part of the robot can be, Gap later
+   --  How far from its last place any part of the robot can be after Gap
 
    type State is private;
    --  Initially nothing is known
 
    function Count (S : State) return Robot_Count;
-   --  Robots whose places are known
+   --  Number of robots with known places
 
    function Place (S : State; K : Positive) return Robot
    with Pre => K <= Count (S);
 
    function Age (S : State) return Milliseconds;
-   --  Since the last search everywhere
+   --  Time since the last search of the whole image
 
    function May_Follow (S : State; Gap : Milliseconds) return Boolean is
      (Count (S) > 0
       and then Gap <= Longest_Gap and then Gap <= Interval - Age (S));
-   --  Whether an image that comes Gap after the last one is searched in
-   --  parts only
+   --  Whether an image that arrives Gap after the last one is searched in
+   --  areas only
 
    function Has_All
      (S : State; Robots : Robot_Array; Found : Robot_Count) return Boolean
@@ -84,10 +82,10 @@ package Vision.Following with SPARK_Mode is
        and then
          (for all K in 1 .. Count (S) =>
             (for some L in 1 .. Found => Robots (L).Id = Place (S, K).Id)));
-   --  Robots (1 .. Found) are those known, and perhaps more
+   --  Robots (1 .. Found) are the known ones, and perhaps more
 
-   --  For each image: Plan, then Settle where the areas have been searched,
-   --  and Begin_Anew where everything has
+   --  For each image: Plan, then Settle after a search of areas, or Begin_Anew
+   --  after a search of the whole image
 
    procedure Plan
      (S      : State;
@@ -101,7 +99,7 @@ package Vision.Following with SPARK_Mode is
          (for all K in 1 .. Number =>
             Areas (K) = (Place (S, K).Centre,
                          Reach (Place (S, K), Marker, Gap)));
-   --  Where to look: in Areas (1 .. Number), or everywhere if there are none
+   --  Search in Areas (1 .. Number), or in the whole image if there are none
 
    procedure Settle
      (S      : in out State;
@@ -118,7 +116,7 @@ package Vision.Following with SPARK_Mode is
              and then Count (S) = Found
              and then (for all K in 1 .. Found => Place (S, K) = Robots (K))
           else Count (S) = 0);
-   --  What has been found in the areas. Unless Done one is missing
+   --  The result of a search of areas. Not Done: a robot was not found
 
    procedure Begin_Anew
      (S : out State; Robots : Robot_Array; Found : Robot_Count)
@@ -126,7 +124,7 @@ package Vision.Following with SPARK_Mode is
      Post => Age (S) = 0
        and then Count (S) = Found
        and then (for all K in 1 .. Found => Place (S, K) = Robots (K));
-   --  What has been found everywhere
+   --  The result of a search of the whole image
 
    procedure Forget (S : out State)
    with Post => Count (S) = 0;

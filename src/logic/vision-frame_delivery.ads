@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The images that the camera delivers: when they came, which of them is due,
---  and whether th_captureImg waits for the next.
+--  The images from the camera: arrival times, which one is due, and whether
+--  th_captureImg waits for the next.
 
 with Ada.Real_Time;      use Ada.Real_Time;
 with Schedule;
@@ -10,25 +10,23 @@ with Vision.Image_Grid;
 package Vision.Frame_Delivery with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Vision.Frame_Delivery);
-   --  A claim that GNATprove checks: every subprogram ends
 
    type State is record
       Uses        : Vision.Frame_Slots.State;
       Newest_Time : Time := Time_First;
-      --  when the newest image came, or the delivery began
+      --  arrival of the newest image, or start of the delivery
       Older_Time  : Time := Time_First;
-      --  the same of the one before it
+      --  arrival of the image before it
       Waits       : Boolean := False;
-      --  th_captureImg, for the next image
+      --  th_captureImg waits for the next image
    end record;
 
    function Elapsed (First, Last : Time) return Vision.Image_Grid.Microseconds;
-   --  From First to Last, 0 where it is earlier; the longest there is where
-   --  it is longer
+   --  From First to Last, within the range of the type; 0 if Last is earlier
 
    function Is_Silent (S : State; Now : Time) return Boolean is
      (Now - S.Newest_Time > Schedule.Camera_Silence);
-   --  Nothing has come for so long that the camera counts as failed
+   --  No image for so long that the camera has failed
 
    function Is_Reserve
      (S      : State;
@@ -40,20 +38,20 @@ package Vision.Frame_Delivery with SPARK_Mode is
          (Newest_Age => Elapsed (S.Newest_Time, Now),
           Older_Age  => Elapsed (S.Older_Time, Now),
           Period     => Period));
-   --  The older image is due, and the newest is kept
+   --  The older image is due, and the newest is kept for later
 
    procedure Begin_Delivery (S : in out State; At_Time : Time)
    with
      Post => Is_Delivering (S.Uses) and then S.Waits = S'Old.Waits;
-   --  Contracts do not speak of the times: GNATprove knows nothing of the
-   --  equality of two Time. The unit tests do
+   --  The contracts do not cover the times: GNATprove cannot reason about the
+   --  equality of two Time values. The unit tests cover them
 
    procedure End_Delivery (S : in out State; Awaited : out Boolean)
    with
      Post => not Is_Delivering (S.Uses)
        and then Awaited = S'Old.Waits
        and then not S.Waits;
-   --  Awaited, here and below: th_captureImg is to look
+   --  Awaited, here and below: th_captureImg must be woken
 
    procedure Publish
      (S : in out State; Which : Slot; At_Time : Time; Awaited : out Boolean)
@@ -82,8 +80,8 @@ package Vision.Frame_Delivery with SPARK_Mode is
              and then Use_Of (S.Uses, Which) = Claimed)
        and then Coming = Is_Delivering (S'Old.Uses)
        and then S.Waits = (Coming and then not Found);
-   --  The image that is to be sent at an instant of the grid, and when it
-   --  came; Reserve: a newer one waits. Coming: another will come
+   --  The image to be sent at an instant of the grid, and its arrival time.
+   --  Reserve: a newer one waits. Coming: another will arrive
 
    procedure Look_At_Silence
      (S : in out State; Now : Time; Awaited : out Boolean)

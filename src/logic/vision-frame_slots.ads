@@ -1,17 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Who may use which frame slot: one holds the newest image and one that
---  before it, for whoever claims them first; the others are claimed by one
---  task each, or free.
+--  Ownership of the frame slots: one holds the newest image and one the image
+--  before it, both unclaimed; each other slot is claimed by one task, or free.
 
 package Vision.Frame_Slots with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Vision.Frame_Slots);
-   --  A claim that GNATprove checks: every subprogram ends
 
    type Slot is range 0 .. 5;
-   --  A place for one image. One is with the camera's owner, one holds the
-   --  newest image, one that before it, and one is with each of the two
-   --  readers: there is always a free one
+   --  A place for one image. Used at most: one by the camera's owner, one for
+   --  the newest image, one for the image before it, and one by each of the
+   --  two readers. So one is always free
 
    type Use_Kind is (Free, Claimed, Older, Newest);
 
@@ -23,12 +21,12 @@ package Vision.Frame_Slots with SPARK_Mode, Pure is
    function Has_Newest (S : State) return Boolean;
 
    function Has_Older (S : State) return Boolean;
-   --  The image before the newest waits, too
+   --  The image before the newest also waits
 
    function Is_Delivering (S : State) return Boolean;
-   --  The camera is open: newer images will come
+   --  The camera is open: newer images will arrive
 
-   --  The words of the contracts
+   --  Used in the contracts
 
    type Change_Kind is
      (None,
@@ -52,7 +50,7 @@ package Vision.Frame_Slots with SPARK_Mode, Pure is
          (if Other /= Which then
              Use_Of (S, Other) = After (Change, Use_Of (Before, Other))))
    with Ghost;
-   --  What has become of the other slots
+   --  The change of all other slots
 
    procedure Prove_One_Each (S : State)
    with
@@ -66,9 +64,7 @@ package Vision.Frame_Slots with SPARK_Mode, Pure is
                (if Use_Of (S, Left) in Newest | Older
                   and then Use_Of (S, Left) = Use_Of (S, Right)
                 then Left = Right)));
-   --  There never are two of either
-
-   --  The operations
+   --  There is at most one of either kind
 
    procedure Begin_Delivery (S : in out State)
    with
@@ -88,9 +84,9 @@ package Vision.Frame_Slots with SPARK_Mode, Pure is
              Use_Of (S'Old, Which) = Free)
        and then Is_Same_But (S, S'Old, Which, None)
        and then Is_Delivering (S) = Is_Delivering (S'Old);
-   --  A slot to be filled: a free one as long as there is one, the next after
-   --  the one claimed last. So each gets its memory soon after the start, and
-   --  none late, when a rare moment first needs it
+   --  A slot to be filled: a free one, if any, searched from the slot claimed
+   --  last. In rotation all slots get their memory soon after the start, none
+   --  of them late
 
    procedure Publish (S : in out State; Which : Slot)
    with
@@ -101,8 +97,8 @@ package Vision.Frame_Slots with SPARK_Mode, Pure is
              and then Is_Same_But (S, S'Old, Which, Newer_Comes)
           else Use_Of (S, Which) = Free
             and then Is_Same_But (S, S'Old, Which, None));
-   --  The newest image wins: but for the one before it, those that nobody has
-   --  claimed are dropped
+   --  The image becomes the newest. The newest so far is kept as the image
+   --  before it, the older one is dropped, unless claimed
 
    procedure Release (S : in out State; Which : Slot)
    with
@@ -123,7 +119,7 @@ package Vision.Frame_Slots with SPARK_Mode, Pure is
        and then (if not Found then
                    (for all W in Slot => Use_Of (S, W) = Use_Of (S'Old, W)))
        and then Is_Delivering (S) = Is_Delivering (S'Old);
-   --  The newest image, once. The one before it is dropped
+   --  Claims the newest image. The one before it is dropped
 
    procedure Claim_Older (S : in out State; Which : out Slot)
    with
@@ -134,7 +130,7 @@ package Vision.Frame_Slots with SPARK_Mode, Pure is
        and then Has_Newest (S) = Has_Newest (S'Old)
        and then not Has_Older (S)
        and then Is_Delivering (S) = Is_Delivering (S'Old);
-   --  The image before the newest, which waits still
+   --  Claims the image before the newest, which still waits
 
 private
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  One cycle of the periodic images (F15, F18): whether an image is looked
---  for, when the next cycle begins, which robots are still known, and what is
---  drawn and told. Decides; th_captureImg carries out.
+--  One cycle of the periodic images (F15, F18): whether to send an image, when
+--  the next cycle starts, which robots are still known, and what is drawn and
+--  reported. th_captureImg carries it out.
 
 with Monitor.Protocol;
 with Options;
@@ -13,7 +13,6 @@ with Vision.Shapes;
 package Vision.Image_Cycle with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Vision.Image_Cycle);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Options.Drawing_Kind;
    use type Vision.Following.State;
@@ -25,7 +24,7 @@ package Vision.Image_Cycle with SPARK_Mode is
    type Work is
      (Leave,           --  the camera is closed
       Report_Silence,  --  it has delivered nothing for too long
-      Look,            --  for an image to send
+      Look,            --  look for an image to send
       Rest);           --  until the next cycle
 
    function Work_Of (Mode : Vision.Mode.State; Silent : Boolean) return Work
@@ -48,9 +47,9 @@ package Vision.Image_Cycle with SPARK_Mode is
       --  for an image, since the last instant of the grid
       Known  : Vision.Following.State;
       Arena  : Vision.Shapes.Arena_Corners := Vision.Shapes.No_Arena;
-      --  in which Known were found
+      --  the arena in which Known were found
    end record;
-   --  Initially no image has gone out, and no robot is known
+   --  Initially no image has been sent, and no robot is known
 
    procedure Take_Image
      (S           : in out State;
@@ -65,9 +64,9 @@ package Vision.Image_Cycle with SPARK_Mode is
        and then not S.Waited
        and then S.Known = S'Old.Known
        and then S.Arena = S'Old.Arena;
-   --  An image goes out that came Age ago and, where it was waited for, Late
-   --  after the last instant; Has_Reserve: a newer one waits. The next
-   --  instant is Length after this one
+   --  An image that arrived Age ago is sent; if it was waited for, Late after
+   --  the last instant. Has_Reserve: a newer one waits. Length: time to the
+   --  next instant
 
    procedure Look_In
      (S     : in out State;
@@ -80,8 +79,8 @@ package Vision.Image_Cycle with SPARK_Mode is
          (if Mode.Position_On and then Arena = S'Old.Arena
           then S.Known = S'Old.Known and then S.Arena = S'Old.Arena
           else Vision.Following.Count (S.Known) = 0 and then S.Arena = Arena);
-   --  Robots are searched in Arena, if at all: those known elsewhere, or
-   --  before the search was off, are known no more
+   --  Robots are searched in Arena, if at all. Robots known from another
+   --  arena, or from before a pause of the search, are forgotten
 
    function Position_Of
      (Robots : Vision.Shapes.Robot_Array; Count : Vision.Shapes.Robot_Count)
@@ -94,6 +93,6 @@ package Vision.Image_Cycle with SPARK_Mode is
           Cy    => Monitor.Protocol.Micro (Robots (1).Centre.Y),
           Dx    => Monitor.Protocol.Micro (Robots (1).Direction.X),
           Dy    => Monitor.Protocol.Micro (Robots (1).Direction.Y)));
-   --  What the monitor is told of Robots (1 .. Count): the first
+   --  The position reported to the monitor: that of Robots (1)
 
 end Vision.Image_Cycle;

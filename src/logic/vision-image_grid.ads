@@ -1,44 +1,43 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  When an image is sent, and which of those that wait (F15): a grid of
---  instants, one period apart, that moves with the source where it must.
+--  When an image is sent, and which of those waiting (F15): at the instants of
+--  a periodic grid, which is shifted where the source requires it.
 
 package Vision.Image_Grid with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Vision.Image_Grid);
-   --  A claim that GNATprove checks: every subprogram ends
 
    type Microseconds is range 0 .. 10_000_000;
 
    subtype Period_Time is Microseconds range 10_000 .. 1_000_000;
-   --  Between two images: 1 to 100 a second
+   --  Period of the images: 1 to 100 per second
 
-   --  At each instant of the grid the newest image goes out. Where none is
-   --  newer than the last one sent, the next goes out as it arrives, and the
-   --  grid goes on from there: so it comes to lie behind the latest images of
-   --  a source that is as fast as the grid, whatever their jitter.
-   --
-   --  A source that is a little faster overtakes the grid from time to time:
-   --  two images wait, and one is left out. If the newer has only just come,
-   --  the one after it may come too late. So then the older one goes out, and
-   --  the newer is kept in reserve. What the grid has lost by waiting it makes
+   --  The newest image is sent at each instant of the grid. If none is newer
+   --  than the last one sent, the next image is sent on arrival, and the grid
+   --  is shifted to that time. So for a source as fast as the grid, the grid
+   --  follows its latest arrivals, whatever their jitter. A source that is
+   --  slightly faster overtakes the grid from time to time: two images wait,
+   --  and one would be dropped. If the newer one has only just arrived, its
+   --  successor may come too late. Then the older one is sent, and the newer
+   --  one is kept in reserve. The delay that the grid accumulates by waiting
+   --  is made up in small steps, as soon as images are available earlier.
    --  up for in small steps, as soon as there are images to be had earlier.
 
    function Reserve (Period : Period_Time) return Microseconds is
      (Period * 12 / 100);
-   --  How new an image is at most that is kept in reserve. The one before it
-   --  is sent up to so much later than a period after its arrival: with 20 ms
-   --  beyond that of F15 in mind, 8 ms remain for the image's own work
+   --  Largest age of an image kept in reserve. The older image is sent up to
+   --  this much later than a period after its arrival: of the 20 ms beyond the
+   --  period that F15 allows, 8 ms remain for the image processing
 
    function Early (Period : Period_Time) return Microseconds is
      (Period / 5);
-   --  An image that has waited so long could have been sent earlier
+   --  An image that has waited this long could have been sent earlier
 
    Enough_Early : constant := 12;
-   --  So many of them one after the other: it is no chance
+   --  So many early images in a row are no coincidence
 
    function Most_Made_Up (Period : Period_Time) return Microseconds is
      (Period / 10);
-   --  In one step
+   --  Per step
 
    function Shortest (Period : Period_Time) return Microseconds is
      (Period - Most_Made_Up (Period));
@@ -49,26 +48,25 @@ package Vision.Image_Grid with SPARK_Mode, Pure is
       return Boolean
    is (Newest_Age < Reserve (Period)
        and then Older_Age <= Period + Reserve (Period));
-   --  Of two images that wait at an instant of the grid, with the time since
-   --  each arrived
+   --  Of two images waiting at an instant of the grid, given their ages
 
    type State is private;
 
    Initial : constant State;
-   --  No image has gone out, nothing is lost
+   --  No image has been sent, no delay
 
    function Has_Begun (S : State) return Boolean;
-   --  An image has gone out
+   --  An image has been sent
 
    function Lost (S : State) return Microseconds;
-   --  What the grid has lost and not made up for
+   --  Delay of the grid that has not been made up
 
    function Most_Lost (Period : Period_Time) return Microseconds is
      (Period / 2);
-   --  A source that pauses does not make many images come early afterwards
+   --  A pause of the source must not make many images early afterwards
 
    function Early_Images (S : State) return Natural;
-   --  Those one after the other that could have been sent earlier
+   --  Images in a row that could have been sent earlier
 
    procedure Wait_Ended
      (S : in out State; Late : Microseconds; Period : Period_Time)
@@ -79,8 +77,8 @@ package Vision.Image_Grid with SPARK_Mode, Pure is
         else Lost (S'Old))
        and then Has_Begun (S) = Has_Begun (S'Old)
        and then Early_Images (S) = 0;
-   --  There was no image at an instant of the grid: one came Late after it.
-   --  What is waited for the first image is not lost
+   --  No image waited at an instant of the grid: one came Late after it. The
+   --  wait for the first image is no delay
 
    procedure Step
      (S           : in out State;
@@ -99,8 +97,8 @@ package Vision.Image_Grid with SPARK_Mode, Pure is
        and then
          (if not Has_Reserve and then Early_Images (S) < Enough_Early
           then Length = Period);
-   --  An image goes out, Age after it arrived; Has_Reserve: a newer one waits.
-   --  The next instant is Length after this one
+   --  An image of this Age is sent; Has_Reserve: a newer one waits. The next
+   --  instant is Length after this one
 
 private
 

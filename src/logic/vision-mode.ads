@@ -1,15 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The mode of the vision (F14 to F19): what each command and event does to
---  it, and what is to be sent. Decides; the vision tasks carry out.
+--  The mode of the vision (F14 to F19): the effect of each command and event,
+--  and what is to be sent. The vision tasks carry it out.
 
 package Vision.Mode with SPARK_Mode, Pure is
 
    type Stage_Kind is
      (Closed,      --  no camera
-      Opening,     --  asked for, not yet there
+      Opening,     --  requested, not yet open
       Streaming,   --  periodic images
-      Searching,   --  arena asked for: no images
-      Deciding);   --  its image has gone out: no images until the decision
+      Searching,   --  arena requested: no images
+      Deciding);   --  its image has been sent: no images until the decision
 
    type State is record
       Stage       : Stage_Kind := Closed;
@@ -23,20 +23,20 @@ package Vision.Mode with SPARK_Mode, Pure is
    --  a camera it is always so
 
    function Images_Flow (S : State) return Boolean is (S.Stage = Streaming);
-   --  Whether periodic images are sent
+   --  Periodic images are sent
 
    function Is_Open (S : State) return Boolean is
      (S.Stage in Streaming | Searching | Deciding);
 
    function Uses_Arena (S : State) return Boolean is (S.Confirmed);
-   --  Whether the arena is drawn and limits the search for robots
+   --  The arena is drawn and limits the search for robots
 
    procedure Ask_Open (S : in out State; Needed : out Boolean)
    with
      Pre  => S.Stage /= Opening,
      Post => Needed = not Is_Open (S'Old)
        and then S = (if Needed then (Opening, False, False) else S'Old);
-   --  F14. Needed: the camera is to be opened now
+   --  F14. Needed: the camera must be opened now
 
    procedure Opened (S : in out State; Success : Boolean)
    with
@@ -44,12 +44,12 @@ package Vision.Mode with SPARK_Mode, Pure is
        (if S'Old.Stage /= Opening then S'Old
         elsif Success then (Streaming, False, False)
         else (Closed, False, False));
-   --  The camera is there, or could not be opened. Without effect where the
-   --  opening has been given up meanwhile
+   --  The camera is open, or could not be opened. No effect if it has been
+   --  closed meanwhile
 
    procedure Close (S : out State)
    with Post => S = (Closed, False, False);
-   --  F16, F6, and a camera that fails
+   --  F16, F6, and a failure of the camera
 
    procedure Ask_Arena (S : in out State; Accepted : out Boolean)
    with
@@ -57,7 +57,7 @@ package Vision.Mode with SPARK_Mode, Pure is
        and then S =
          (if Accepted then (Searching, S'Old.Position_On, S'Old.Confirmed)
           else S'Old);
-   --  F17: the images stop, the search begins
+   --  F17: the images pause, the search begins
 
    procedure Searched (S : in out State; Found : Boolean)
    with
@@ -65,8 +65,8 @@ package Vision.Mode with SPARK_Mode, Pure is
        (if S'Old.Stage /= Searching then S'Old
         elsif Found then (Deciding, S'Old.Position_On, S'Old.Confirmed)
         else (Streaming, S'Old.Position_On, S'Old.Confirmed));
-   --  F17: an image with the arena goes out and the decision is awaited, or
-   --  none was found and the images go on as before
+   --  F17: an image with the arena is sent and the decision is awaited, or
+   --  none was found and the images resume
 
    procedure Decide
      (S : in out State; Confirm : Boolean; Valid : out Boolean)
@@ -75,8 +75,8 @@ package Vision.Mode with SPARK_Mode, Pure is
        and then S =
          (if Valid then (Streaming, S'Old.Position_On, Confirm)
           else S'Old);
-   --  F17: kept or forgotten; either way the images resume. Without effect
-   --  where no decision is awaited
+   --  F17: kept or discarded; in both cases the images resume. No effect if no
+   --  decision is awaited
 
    procedure Ask_Position
      (S : in out State; On : Boolean; Accepted : out Boolean)
@@ -84,10 +84,10 @@ package Vision.Mode with SPARK_Mode, Pure is
      Post => Accepted = (Is_Open (S'Old) or else not On)
        and then S =
          (if Accepted then (S'Old.Stage, On, S'Old.Confirmed) else S'Old);
-   --  F18, F19. Refused where the camera is not open; switching off what is
-   --  off is accepted
+   --  F18, F19. Refused if the camera is not open; switching off twice is
+   --  accepted
 
-   --  What holds whatever happens
+   --  Properties of all sequences
 
    type Event is
      (Open_Order,
@@ -107,10 +107,10 @@ package Vision.Mode with SPARK_Mode, Pure is
    type History is array (Positive range <>) of Event with Ghost;
 
    procedure Prove_Arena (Events : History) with Ghost;
-   --  From the initial state, whatever happens: exactly one image goes out
-   --  between an arena order and its decision (the periodic ones do not flow
-   --  meanwhile, the one with the arena does once it is found), and an arena
-   --  is in use only from its confirmation on, until the next rejection or
-   --  the closing of the camera. Asserted in the body
+   --  From the initial state, for any sequence: exactly one image is sent
+   --  between an arena order and its decision (the one with the arena, once it
+   --  is found; no periodic ones), and an arena is in use only from its
+   --  confirmation to the next rejection or closing of the camera. Asserted in
+   --  the body
 
 end Vision.Mode;

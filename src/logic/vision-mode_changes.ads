@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What orders and events do to the mode of the vision and to its arena. What
---  an ended session still asks for is refused.
+--  The effect of orders and events on the mode of the vision and its arena.
+--  Orders of an ended session are refused.
 
 with Orders;
 with Vision.Mode;
@@ -9,7 +9,6 @@ with Vision.Shapes;
 package Vision.Mode_Changes with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Vision.Mode_Changes);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Orders.Ticket;
    use type Vision.Mode.Stage_Kind;
@@ -23,15 +22,15 @@ package Vision.Mode_Changes with SPARK_Mode is
 
    type State is record
       First     : Orders.Ticket := 0;
-      --  of the session's orders
+      --  number of the session's first order
       Seen      : View;
       Candidate : Vision.Shapes.Arena_Corners := Vision.Shapes.No_Arena;
-      --  that awaits its decision
+      --  the arena that awaits its decision
    end record;
 
    function Counts (S : State; Number : Orders.Ticket) return Boolean is
      (Number >= S.First);
-   --  The order is of a session that has not ended
+   --  The order's session has not ended
 
    function Is_Open (S : State) return Boolean is
      (Vision.Mode.Is_Open (S.Seen.Mode));
@@ -55,7 +54,7 @@ package Vision.Mode_Changes with SPARK_Mode is
           and then (if Needed then S.Seen.Mode.Stage = Vision.Mode.Opening
                     else S = S'Old)
         else S = S'Old and then not Needed and then not Is_Open);
-   --  Needed: the camera is to be opened now
+   --  Needed: the camera must be opened now
 
    procedure Opened
      (S       : in out State;

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What is seen in an image: points, the arena, robots, and areas of it.
+--  Shapes found in an image: points, the arena, robots, and areas.
 
 package Vision.Shapes with SPARK_Mode is
 
    pragma Pure;
 
    type Micro_Pixels is range -10 ** 13 .. 10 ** 13;
-   --  Millionths of a pixel of the whole image, x to the right and y down, 0
-   --  the centre of the top left pixel
+   --  Millionths of a pixel of the whole image, x to the right and y down; 0
+   --  is the centre of the top left pixel
 
    type Micro_Degrees is range -180_000_000 .. 180_000_000;
    --  Millionths of a degree
@@ -19,17 +19,17 @@ package Vision.Shapes with SPARK_Mode is
    type Corner is (Top_Left, Top_Right, Bottom_Right, Bottom_Left);
 
    type Arena_Corners is array (Corner) of Point;
-   --  Inner corners of the white border, as the image shows them
+   --  Inner corners of the white border, in image coordinates
 
    No_Arena : constant Arena_Corners := (others => (X => 0, Y => 0));
 
    type Identifier is range 0 .. 999;
-   --  Of an ArUco marker (DICT_4X4_1000); 0 for a triangle
+   --  ID of an ArUco marker (DICT_4X4_1000); 0 for a triangle
 
    type Robot is record
       Id        : Identifier    := 0;
       Centre    : Point;
-      Direction : Point;               --  the point that the robot looks at
+      Direction : Point;               --  a point in the robot's direction
       Angle     : Micro_Degrees := 0;  --  PROTOCOL: atan2 (cy - dy, cx - dx)
    end record;
 
@@ -41,7 +41,7 @@ package Vision.Shapes with SPARK_Mode is
       Centre : Point;
       Reach  : Micro_Pixels := 0;
    end record;
-   --  A square of the image: its middle, and half its side
+   --  A square of the image: its centre, and half its side
 
    type Area_Array is array (1 .. Robot_Count'Last) of Area;
 

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The orders to the vision: one at a time is carried out, the others wait
---  their turn, first in first out.
+--  The orders to the vision, carried out one at a time, first in first out.
 
 with Order_Queues;
 with Orders;
@@ -8,12 +7,11 @@ with Orders;
 package Vision.Turns with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Vision.Turns);
-   --  A claim that GNATprove checks: every subprogram ends
 
    use type Orders.Order;
 
    type State is private;
-   --  Initially nothing is carried out and nothing waits
+   --  Initially no order is carried out and none waits
 
    function Is_Busy (S : State) return Boolean;
    --  An order is being carried out
@@ -33,7 +31,7 @@ package Vision.Turns with SPARK_Mode is
               Order_Queues.Length (Waiting (S'Old)) + 1
             and then Order_Queues.Element_At
               (Waiting (S), Order_Queues.Length (Waiting (S))) = Item);
-   --  Now: Item may be carried out at once; else it waits, behind all others
+   --  Now: Item may be carried out at once; otherwise it is queued
 
    procedure Next
      (S : in out State; Item : out Orders.Order; Found : out Boolean)
@@ -47,13 +45,13 @@ package Vision.Turns with SPARK_Mode is
              and then Is_Busy (S) = Is_Busy (S'Old)
           else Order_Queues.Length (Waiting (S)) = 0
             and then not Is_Busy (S));
-   --  The order under way has been carried out: the next one, if there is one
+   --  The current order has been carried out; takes the next, if any
 
    procedure Clear (S : in out State)
    with
      Post => Order_Queues.Length (Waiting (S)) = 0
        and then Is_Busy (S) = Is_Busy (S'Old);
-   --  Forgets those that wait, not the one under way
+   --  Removes those that wait, not the current one
 
 private
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The vision: its mode, where robots are searched for, when an image is sent;
---  and, in the rooms above, the camera with the library for its images, the
---  images on their way, and the tasks that work on them. Each is a child.
+--  The vision: its mode, the search areas, and the times of the images. The
+--  layers above add children: the camera and its library, the images in
+--  transit, and the tasks that process them.
 
 package Vision with SPARK_Mode, Pure is
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The literal texts of both protocols once more, as PROTOCOL.md has them.
---  Encoder and decoder share one table; two values swapped in it would be
---  swapped in both. GNATprove compares the tables with these texts.
+--  The literal texts of both protocols, repeated from PROTOCOL.md. Encoder and
+--  decoder share one table, so a mistake in it would cancel out. GNATprove
+--  compares the tables with these texts.
 
 with Monitor.Protocol; use Monitor.Protocol;
 with Order_Meanings;   use Order_Meanings;
@@ -12,7 +12,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
 
    use type Robot.Session.Outcome_Kind;
 
-   --  What the monitor says
+   --  Messages of the monitor
 
    function Is_Label (Text : Label_Text; Kind : Known_Kind) return Boolean is
      (Text =
@@ -46,7 +46,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
    procedure Prove_Label (Kind : Known_Kind)
    with Post => Is_Label (Label (Kind), Kind);
 
-   --  What the robot is asked for then
+   --  The resulting commands to the robot
 
    function Is_Command
      (Letter : Character; Value : Integer; M : Message) return Boolean
@@ -74,7 +74,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
           when Turn_Robot                   =>
             Letter = 'T' and then Value = M.Value)
    with Pre => M.Kind in Robot_Order;
-   --  The letter of the frame and the number behind it
+   --  The letter of the frame and the number after it
 
    procedure Prove_Command (M : Message)
    with
@@ -83,7 +83,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
        (Letter (Robot.Session.Command_For (Request_Of (M)).Kind),
         Robot.Session.Command_For (Request_Of (M)).Value, M);
 
-   --  What the monitor is answered
+   --  Answers to the monitor
 
    function Says (Line : Short_Text; Text : String) return Boolean is
      (Line.Length = Text'Length + 1

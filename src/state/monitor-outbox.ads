@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What waits to be sent to the monitor, shared by all tasks.
---  Monitor.Mailboxes says what goes when.
+--  Messages that wait to be sent to the monitor, shared by all tasks.
+--  Monitor.Mailboxes decides what is sent when.
 
 with Ada.Real_Time;
 with Monitor.Image_Messages;
@@ -17,15 +17,15 @@ package Monitor.Outbox with SPARK_Mode is
    ---------------------------
 
    procedure Open_Session with Annotate => (GNATprove, Terminating);
-   --  Empties the box: a monitor has been admitted
+   --  A monitor has been admitted: empties the box
 
    procedure Close_Session (Next : out Orders.Ticket)
    with Annotate => (GNATprove, Terminating);
-   --  Empties the box and frees whoever waits for it. Commands have lower
-   --  numbers than Next so far
+   --  Empties the box and releases the tasks that wait for it. All earlier
+   --  commands have numbers below Next
 
    procedure Wait_Sender;
-   --  Until the sender has left the connection of the session just closed.
+   --  Until the sender no longer uses the connection of the closed session.
    --  For th_comMonPerdue only
 
    ------------------
@@ -34,8 +34,8 @@ package Monitor.Outbox with SPARK_Mode is
 
    procedure Reserve (Order : in out Orders.Order)
    with Pre => not Order.Owed;
-   --  Gives Order its number, and its answer a place; waits while as many as
-   --  may wait do (PROTOCOL rule 2). It is Owed then, unless the session has
+   --  Gives Order its number, and its answer a place; waits while no place is
+   --  free (PROTOCOL rule 2). Then Order is Owed, unless the session has
    --  ended. For th_receiveFromMon only
 
    procedure Answer
@@ -44,14 +44,14 @@ package Monitor.Outbox with SPARK_Mode is
      Pre  => Order.Owed,
      Post => not Order.Owed,
      Annotate => (GNATprove, Terminating);
-   --  Without effect if its session has ended
+   --  No effect if its session has ended
 
    procedure Answer_Nothing (Order : in out Orders.Order)
    with
      Pre  => Order.Owed,
      Post => not Order.Owed,
      Annotate => (GNATprove, Terminating);
-   --  The command has no answer, but later ones have waited for it
+   --  The command needs no answer, but later ones may wait for it
 
    procedure Answer_With_Image
      (Order   : in out Orders.Order;
@@ -59,20 +59,20 @@ package Monitor.Outbox with SPARK_Mode is
    with
      Pre  => Order.Owed,
      Post => not Order.Owed;
-   --  The image that answers a search for the arena; waits until the one
-   --  before has been taken. Message is another one then, to be filled next
+   --  The image that answers an arena request; waits until the one before has
+   --  been taken. Message is exchanged for another one, to be filled next
    --  time. For th_arene only
 
    --------------------------
-   -- The unasked messages --
+   -- Unsolicited messages --
    --------------------------
 
    procedure Put_Robot_Lost with Annotate => (GNATprove, Terminating);
-   --  ATIM, unasked (F9)
+   --  ATIM, unsolicited (F9)
 
    procedure Put_Notice (Told : Monitor.Notices.Notice)
    with Annotate => (GNATprove, Terminating);
-   --  MSSG. Eight may wait; of more the oldest is dropped
+   --  MSSG. Up to eight wait; then the oldest is dropped
 
    procedure Put_Battery (Kind : Monitor.Protocol.Answer_Kind)
    with Annotate => (GNATprove, Terminating);
@@ -88,18 +88,18 @@ package Monitor.Outbox with SPARK_Mode is
      (Message : in out Monitor.Image_Messages.Message_Access;
       Made    : Monitor.Mailboxes.Generation)
    with Annotate => (GNATprove, Terminating);
-   --  Replaces an image that waits still. Message is another one then, to be
-   --  filled next time
+   --  Replaces an image that still waits. Message is exchanged for another
+   --  one, to be filled next time
 
    procedure Stop_Images with Annotate => (GNATprove, Terminating);
-   --  Begins a new generation; what waits of the older one is dropped
+   --  Begins a new generation and drops the waiting image of the older one
 
    ------------------
    -- The sending  --
    ------------------
 
    procedure Wait;
-   --  Until something has been put into the box. For th_sendToMon only
+   --  Until a message has been put into the box. For th_sendToMon only
 
    procedure Take
      (Between   : Monitor.Send_Order.Milliseconds;
@@ -111,28 +111,28 @@ package Monitor.Outbox with SPARK_Mode is
      Pre  => not Next.Unsent,
      Post => Next.Unsent = (Next.Kind in Monitor.Send_Order.Sent_Kind),
      Annotate => (GNATprove, Terminating);
-   --  What was taken before has been sent, or could not be. The most urgent
-   --  message that may be sent now, if any: Gap after the last one, which was
-   --  sent at Last_Sent; Between two unasked ones. An image is in Image, whose
-   --  former content is no longer needed. For th_sendToMon only
+   --  The message taken before has been sent, or could not be. Takes the most
+   --  urgent message that may be sent now, if any: Gap after the last one,
+   --  which was sent at Last_Sent; Between two unsolicited ones. An image is
+   --  returned in Image, whose content is overwritten. For th_sendToMon only
 
    ----------------------------------
    -- The hold (PROTOCOL rule 7)   --
    ----------------------------------
 
    procedure Wait_Held;
-   --  Until unasked messages begin to be held back. For the hold's task only
+   --  Until unsolicited messages begin to be held back. For th_hold only
 
    procedure Get_Hold_End
      (Any : out Boolean; At_Time : out Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
-   --  Whether unasked messages are held back still; until when
+   --  Whether unsolicited messages are still held back, and until when
 
    procedure End_Hold with Annotate => (GNATprove, Terminating);
-   --  Release those whose time has come
+   --  Ends the hold if its time has come
 
    procedure Get_Waiting (Count : out Orders.Order_Count)
    with Annotate => (GNATprove, Terminating);
-   --  Commands that wait for their answer
+   --  Number of commands that wait for their answers
 
 end Monitor.Outbox;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The session with the monitor: who is in command, how a session begins and
---  ends, and the events that pass between the tasks that see to it.
+--  ends, and the events between the tasks involved.
 
 with Monitor.Session_Stages;
 
@@ -11,23 +11,23 @@ package Monitor.Session with SPARK_Mode is
 
    procedure Begin_Active (Admitted : out Boolean)
    with Annotate => (GNATprove, Terminating);
-   --  Not where the supervisor is stopping, or a session has not ended
+   --  Refused if the supervisor is stopping, or a session has not ended
    procedure Begin_Closing with Annotate => (GNATprove, Terminating);
    procedure End_Closing with Annotate => (GNATprove, Terminating);
    procedure End_Closed with Annotate => (GNATprove, Terminating);
-   --  The four steps of a session; one that is not the next has no effect
+   --  The four steps of a session; no effect if it is not the next step
 
    procedure Begin_Work;
-   --  The session's tasks begin: its connection is admitted
+   --  The connection is admitted: releases the session's tasks
 
    procedure Request_Stop with Annotate => (GNATprove, Terminating);
-   --  The supervisor is stopping: no monitor is admitted any more, and the
-   --  one in command counts as lost
+   --  The supervisor is stopping: no further monitor is admitted, and the one
+   --  in command counts as lost
 
    --  The events, each for one task
 
    procedure Allow_Server with Annotate => (GNATprove, Terminating);
-   --  The process is set up: trace, processor, memory, level of the log
+   --  The process is set up: trace, processor, memory, log level
    procedure Wait_Server;
    --  For th_server only
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The event-data port of one task: a bounded queue of orders, first in
---  first out, with the task waiting at its end.
+--  The event-data port of a task: a bounded FIFO queue of orders, from which
+--  the task takes them.
 
 with Order_Queues;
 with Orders;
@@ -8,7 +8,7 @@ with Schedule;
 
 generic
    Who : Schedule.Task_Name;
-   --  whose port it is
+   --  the task that owns the port
 package Order_Ports with SPARK_Mode is
 
    procedure Put (Item : in out Orders.Order)
@@ -16,18 +16,18 @@ package Order_Ports with SPARK_Mode is
      Pre  => Item.Owed,
      Post => not Item.Owed,
      Annotate => (GNATprove, Terminating);
-   --  An order for the task. There is always room: no more orders are
-   --  under way than the port holds
+   --  An order for the task. There is always room: no more orders are in
+   --  progress than the port holds
 
    procedure Wait (Item : in out Orders.Order)
    with
      Pre  => not Item.Owed,
      Post => Item.Owed;
-   --  The next order; waits for it. For the one task of the port, whose
-   --  job is from here to the next call
+   --  The next order; waits for it. For the owner of the port only: its job
+   --  lasts until the next call
 
    procedure Clear with Annotate => (GNATprove, Terminating);
-   --  Forget the orders that wait: their session has ended
+   --  Removes the waiting orders: their session has ended
 
 private
 

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The clients of the robot's line, one for each task that asks.
+--  The clients of the robot's line, one for each task that makes requests.
 
 with Robot.Line.Clients;
 with Robot.Requests;
@@ -30,7 +30,7 @@ package Robot.Clients with SPARK_Mode is
 
    procedure Signal (Who : Robot.Requests.Client)
    with Annotate => (GNATprove, Terminating);
-   --  The request of Who has been carried out. A stop has no client, and
-   --  nobody waits for it
+   --  The request of Who has been carried out. No effect for a stop, which has
+   --  no client
 
 end Robot.Clients;

@@ -9,8 +9,8 @@ package Robot.Events with SPARK_Mode is
    procedure Wait_Battery;
    --  For th_batteryLevel only
    procedure Wait_Keep_Alive;
-   --  For the task that keeps the line alive only
+   --  For th_keepAlive only
    procedure Wait_Reload;
-   --  After a start with watchdog. For the task that reloads it only
+   --  After a start with watchdog. For th_reloadWD only
 
 end Robot.Events;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  One client of the robot's line: asks, and waits for what comes of it.
+--  A client of the robot's line: makes a request and waits for its outcome.
 
 with Orders;
 with Robot.Requests;
@@ -20,7 +20,7 @@ package Robot.Line.Clients with SPARK_Mode is
 
    procedure Ask
      (Request : Robot.Session.Request; Result : out Robot.Session.Outcome);
-   --  The same for a request of its own
+   --  The same for a request of the task itself
 
    procedure Signal with Annotate => (GNATprove, Terminating);
    --  The request has been carried out

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The requests that wait for the robot's line, and what is known of the
+--  The requests that wait for the robot's line, and the known state of the
 --  robot, shared by all tasks.
 
 with Ada.Real_Time;
@@ -17,12 +17,12 @@ package Robot.Line with SPARK_Mode is
    --  Orders with a lower number are out of date from now on
 
    procedure Refuse_Orders with Annotate => (GNATprove, Terminating);
-   --  All orders are out of date from now on: the process ends
+   --  The process ends: all orders are out of date from now on
 
    procedure Put
      (From : Robot.Requests.Single; Request : Robot.Session.Request)
    with Annotate => (GNATprove, Terminating);
-   --  From has a request of its own
+   --  A request of From's own
 
    procedure Put
      (From : Robot.Requests.Single; Order : in out Orders.Order)
@@ -30,19 +30,18 @@ package Robot.Line with SPARK_Mode is
      Pre  => Order.Owed,
      Post => not Order.Owed,
      Annotate => (GNATprove, Terminating);
-   --  From has the monitor's order, which the owner of the line answers
+   --  An order of the monitor from From; the line's owner answers it
 
    procedure Put_Stop (Order : in out Orders.Order)
    with
      Pre  => Order.Owed,
      Post => not Order.Owed,
      Annotate => (GNATprove, Terminating);
-   --  A monitor's stop. Movements that are still waiting and are older
-   --  become void
+   --  A monitor's stop. It cancels older movements that still wait
 
    procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
-   --  Shortly before this time nothing but a stop or a movement is begun
+   --  Shortly before this time only a stop or a movement may start
 
    procedure Take (Next : in out Robot.Requests.Job)
    with
@@ -56,12 +55,12 @@ package Robot.Line with SPARK_Mode is
       Result  : Robot.Session.Outcome;
       At_Time : Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
-   --  Result has come of Done, and State is the session's now
+   --  Request Done has ended with Result; State is the session's new state
 
    procedure Collect
      (From : Robot.Requests.Client; Result : out Robot.Session.Outcome)
    with Annotate => (GNATprove, Terminating);
-   --  What came of the last request of From
+   --  The outcome of the last request of From
 
    procedure Get_Status (Current : out Robot.Line_Status.Status)
    with Annotate => (GNATprove, Terminating);

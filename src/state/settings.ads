@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The command line of this run, read while the program is elaborated: before
---  any task begins, so that all may read it without a lock.
+--  The command line of this run. Read at elaboration, before any task starts,
+--  so tasks read it without a lock.
 
 with Command_Lines;
 
@@ -10,6 +10,6 @@ package Settings with SPARK_Mode is
 
    Command_Line : Command_Lines.Reading
      with Constant_After_Elaboration;
-   --  What is asked for, and the options; or why it is not understood
+   --  The request and the options, or why the line is rejected
 
 end Settings;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The event-data ports of the tasks that carry out the monitor's orders,
---  and the way of an order to the right one.
+--  The event-data ports of the tasks that carry out the monitor's orders, and
+--  the dispatch of orders to them.
 
 with Monitor.Protocol;
 with Order_Ports;
@@ -10,7 +10,6 @@ with Schedule;
 package Task_Ports with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Task_Ports);
-   --  A claim that GNATprove checks: every subprogram ends
 
    package Open_Robot is new Order_Ports (Schedule.Th_Open_Com_Robot);
    package Start_Robot is new Order_Ports (Schedule.Th_Start_Robot);
@@ -27,13 +26,13 @@ package Task_Ports with SPARK_Mode is
      Pre  => Item.Owed
        and then Item.Message.Kind in Monitor.Protocol.Order_Kind,
      Post => not Item.Owed;
-   --  Item goes to the task that carries it out, to the vision in the order
-   --  of the commands; a stop goes straight to the owner of the line
+   --  Sends Item to the task that carries it out: vision orders one by one, in
+   --  the order of the commands, a stop directly to the line's owner
 
    procedure Vision_Done;
-   --  A vision task has carried out an order: the next one may go
+   --  A vision task has carried out an order: the next one may start
 
    procedure Clear;
-   --  Forget all orders that wait: their session has ended
+   --  Removes all waiting orders: their session has ended
 
 end Task_Ports;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What is asked of the camera's owner: open it, close it. Nobody but
---  th_cameraControl waits for a camera that takes long to open.
+--  Requests to the camera's owner: open, close. Only th_cameraControl waits
+--  for a camera that is slow to open.
 
 with Vision.Camera_Demands;
 
@@ -9,26 +9,25 @@ package Vision.Camera_Requests with SPARK_Mode is
    subtype Request_Number is Vision.Camera_Demands.Request_Number;
 
    procedure Open (Success : out Boolean);
-   --  Asks for the camera and waits for what comes of it. For
-   --  th_cameraControl only
+   --  Requests the camera and waits for the outcome. For th_cameraControl only
 
    procedure Close with Annotate => (GNATprove, Terminating);
-   --  The camera is no longer wanted. Does not wait
+   --  The camera is no longer requested. Does not wait
 
    procedure Get_Idle (Idle : out Boolean)
    with Annotate => (GNATprove, Terminating);
    --  Whether the owner has released the camera
 
    procedure Wait_Open (Number : out Request_Number);
-   --  Until the camera is wanted. For the owner only
+   --  Until the camera is requested. For the owner only
 
    procedure Get_Wanted (Number : Request_Number; Wanted : out Boolean)
    with Annotate => (GNATprove, Terminating);
-   --  Whether the camera opened for Number is wanted still
+   --  Whether the camera opened for Number is still requested
 
    procedure Report (Success : Boolean)
    with Annotate => (GNATprove, Terminating);
-   --  What came of opening it. For the owner only
+   --  The outcome of opening it. For the owner only
 
    procedure Released with Annotate => (GNATprove, Terminating);
    --  The owner has closed the camera

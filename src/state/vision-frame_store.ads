@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Which task may use which frame slot: the camera's owner fills one after
---  the other, the newest is for whoever takes it first.
+--  Which task may use which frame slot: the camera's owner fills them in turn,
+--  and the newest image goes to the first reader that claims it.
 
 with Ada.Real_Time;
 with Vision.Frame_Slots;
@@ -13,7 +13,7 @@ package Vision.Frame_Store with SPARK_Mode is
    --  The camera has been opened
 
    procedure End_Delivery with Annotate => (GNATprove, Terminating);
-   --  The camera has been closed or has failed: nothing newer will come
+   --  The camera has been closed or has failed: no newer image will come
 
    procedure Claim_Empty (Slot : out Vision.Frame_Slots.Slot)
    with Annotate => (GNATprove, Terminating);
@@ -22,8 +22,8 @@ package Vision.Frame_Store with SPARK_Mode is
    procedure Publish
      (Slot : Vision.Frame_Slots.Slot; At_Time : Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
-   --  The slot holds the newest image now; but for the one before it, those
-   --  that nobody has claimed are dropped
+   --  The slot holds the newest image now. The newest so far is kept as the
+   --  image before it, the older one is dropped, unless claimed
 
    procedure Release (Slot : Vision.Frame_Slots.Slot)
    with Annotate => (GNATprove, Terminating);
@@ -38,18 +38,18 @@ package Vision.Frame_Store with SPARK_Mode is
       Found   : out Boolean;
       Coming  : out Boolean)
    with Annotate => (GNATprove, Terminating);
-   --  The image that is to be sent at an instant of the grid, and when it
-   --  came; Reserve: a newer one waits. Where none is found, Coming tells
-   --  whether Wait_Look will end. For th_captureImg
+   --  The image to be sent at an instant of the grid, and its arrival time.
+   --  Reserve: a newer one waits. If none is found, Coming tells whether
+   --  Wait_Look will return. For th_captureImg
 
    procedure Wait_Look;
-   --  Until there is something to look at after a Claim_Due without an image:
-   --  one has come, or none will. For th_captureImg only
+   --  After a Claim_Due without an image, until one has come or none will. For
+   --  th_captureImg only
 
    procedure Look_At_Silence (Now : Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
-   --  Ends Wait_Look where nothing has come for so long that the camera
-   --  counts as failed
+   --  Ends Wait_Look if no image has come for so long that the camera has
+   --  failed
 
    procedure Claim_Newest
      (Slot : out Vision.Frame_Slots.Slot; Found : out Boolean)
@@ -58,11 +58,11 @@ package Vision.Frame_Store with SPARK_Mode is
 
    procedure Wait_Newest
      (Slot : out Vision.Frame_Slots.Slot; Found : out Boolean);
-   --  The same, and waits for it; not found when the delivery has ended.
+   --  The same, but waits for an image; not found when the delivery has ended.
    --  For th_arene only
 
    procedure Get_Silent (Now : Ada.Real_Time.Time; Silent : out Boolean)
    with Annotate => (GNATprove, Terminating);
-   --  Nothing has come for so long that the camera counts as failed
+   --  No image for so long that the camera has failed
 
 end Vision.Frame_Store;

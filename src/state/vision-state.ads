@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The mode of the vision and the arena, shared by the vision's tasks. The
---  object only locks: Vision.Mode_Changes decides.
+--  object only locks; Vision.Mode_Changes decides.
 
 with Orders;
 with Schedule;
@@ -14,25 +14,25 @@ package Vision.State with SPARK_Mode is
    protected Store with Priority => Schedule.Vision_Ceiling is
 
       procedure Begin_Session (First : Orders.Ticket);
-      --  The initial state; orders with a lower number are refused
+      --  Sets the initial state; orders with a lower number are refused
 
       procedure Get (Current : out View);
 
       procedure Ask_Open
         (Number : Orders.Ticket; Needed : out Boolean; Is_Open : out Boolean);
-      --  Needed: the camera is to be opened now. Is_Open: it is already.
+      --  Needed: the camera must be opened now. Is_Open: it is already open.
       --  Neither: the session has ended
 
       procedure Opened
         (Number : Orders.Ticket; Success : Boolean; Is_Open : out Boolean);
-      --  What came of the opening. Is_Open is false, too, where the session
-      --  has ended or the camera has failed meanwhile
+      --  The outcome of the opening. Is_Open is also false if the session has
+      --  ended or the camera has failed meanwhile
 
       procedure Close (Was_Open : out Boolean);
-      --  No camera any more: it has failed, or the session has ended
+      --  The camera has failed, or the session has ended
 
       procedure Close_By_Order (Number : Orders.Ticket; Done : out Boolean);
-      --  The same, asked for by the monitor
+      --  The same, by order of the monitor
 
       procedure Ask_Arena (Number : Orders.Ticket; Accepted : out Boolean);
 
@@ -41,7 +41,7 @@ package Vision.State with SPARK_Mode is
          Found  : Boolean;
          Arena  : Vision.Shapes.Arena_Corners;
          Valid  : out Boolean);
-      --  Valid is false where the search has been given up meanwhile
+      --  Valid is false if the search has been cancelled meanwhile
 
       procedure Decide
         (Number : Orders.Ticket; Confirm : Boolean; Valid : out Boolean);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Who may be the monitor: newcomers, where they come from, the token they
---  show, and who is in command already. For th_server.
+--  Admission of the monitor: th_server checks the address of each new client,
+--  its token, and whether another monitor is in command.
 
 with Ada.Real_Time;
 with Admission.Authentication;
@@ -20,33 +20,33 @@ package Admission.Newcomers with SPARK_Mode is
    with
      Post => (if Path.Length = 0 then Success and then Token.Length = 0
               else Success = (Token.Length > 0));
-   --  The token in the file Path, none where Path is empty. Reason says why
-   --  where Success is false
+   --  The token in the file Path, none if Path is empty. Reason explains a
+   --  failure
 
    use type Admission.Authentication.Verdict;
 
    type Gate is private;
-   --  Who is let in, and who waits for it
+   --  The pending connections and their state
 
    function Is_Consistent (G : Gate) return Boolean with Ghost;
-   --  Whoever is entitled has a right to it: his address is allowed, and he
-   --  has sent the right line where a token is asked for
+   --  Invariant: a connection is entitled only if its address is allowed, and
+   --  it has sent the right token line if one is required
 
    procedure Set_Up
      (G       : out Gate;
       Allowed : Admission.Networks.List;
       Token   : Admission.Authentication.Token)
    with Post => Is_Consistent (G);
-   --  Nobody waits
+   --  No pending connection
 
    procedure Serve (G : in out Gate)
    with
      Pre  => Is_Consistent (G),
      Post => Is_Consistent (G);
-   --  Waits for what comes next (newcomers, pieces of their lines, the end of
-   --  their time, the end of a session) and sees to it: to so many of them,
-   --  and a Newcomer_Interval of the table later to the next, however many
-   --  come. Every source of them has its turn
+   --  One turn of th_server: waits for an event (new connection, data,
+   --  time-out, end of a session), and handles a limited number of
+   --  connections, the sources in turn. Turns are at least a Newcomer_Interval
+   --  apart, so a flood cannot take all the processor time
 
 private
 
@@ -55,16 +55,16 @@ private
    type Newcomer is record
       From   : Admission.Networks.Peer_Address := (others => 0);
       Limit  : Ada.Real_Time.Time              := Ada.Real_Time.Time_First;
-      --  for its token
+      --  deadline for its token
       Reader : Admission.Authentication.Reader;
    end record;
 
    type Newcomer_Array is array (Place) of Newcomer;
 
    Max_Lines : constant := 32;
-   --  Of the log, on newcomers that were refused. Then there is one more
-   --  each turn, so that a flood does not keep other lines out of the log,
-   --  and as many again when nobody was refused for a Refusal_Pause
+   --  Log lines on rejected connections. Then one more each turn, so that a
+   --  flood does not displace other lines from the log; all of them again
+   --  after a Refusal_Pause without a rejection
 
    subtype Line_Count is Natural range 0 .. Max_Lines;
 
@@ -72,21 +72,21 @@ private
 
    type Refusal_Log is record
       Lines      : Line_Count := Max_Lines;
-      --  that may be written now
+      --  that may still be written now
       Turn_Lines : Turn_Line_Count := 0;
-      --  of these, in this turn
+      --  written in this turn
       Unwritten  : Natural := 0;
-      --  refusals since the last such line
+      --  rejections without a line of their own, not yet reported
       Last       : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
-      --  refusal
+      --  time of the last rejection
    end record;
 
    type Defence is record
       Arrivals   : Admission.Blocklists.History;
-      --  since there was nobody in the kernel's queue
+      --  since the kernel's queue was last empty
       Blocked    : Admission.Blocklists.List;
       Unblocking : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
-      --  of those who are blocked
+      --  when the block of the sources ends
    end record;
 
    type Gate is record
@@ -94,12 +94,12 @@ private
       Token    : Admission.Authentication.Token;
       Table    : Admission.Pending_Connections.Table;
       Places   : Newcomer_Array;
-      --  a newcomer waits until it has shown its token. It is kept where
-      --  nobody can be told yet whether it is admitted
+      --  a connection waits here for its token line, or is kept while the end
+      --  of a session prevents the decision
       Pause    : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
-      --  nobody is taken in before: it has just failed
+      --  no connection is accepted before: the last accept has failed
       Rest     : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
-      --  nothing is seen to before
+      --  the next turn does not begin before
       Floods   : Defence;
       Refusals : Refusal_Log;
    end record;

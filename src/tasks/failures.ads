@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What happens when a task ends, which none may: the process is told, and
---  stops the robot and itself.
+--  Reaction to the end of a task, as none may end: the robot is stopped, then
+--  the process.
 
 package Failures with
   SPARK_Mode,
@@ -9,14 +9,14 @@ package Failures with
 is
 
    pragma Elaborate_Body;
-   --  Its elaboration sets the handler for all tasks, before any runs
+   --  The elaboration sets the handler for all tasks, before any runs
 
    procedure Get_Stop_Failed (Failed : out Boolean)
    with Global => (In_Out => Stop_Task);
    --  Whether Wait_Stop_Failed would return at once
 
    procedure Wait_Stop_Failed with Global => (In_Out => Stop_Task);
-   --  Waits until the task that ends the process has failed itself, and
-   --  leaves the end of the process to the caller. For one task only
+   --  Waits until the task that ends the process has failed itself: the caller
+   --  must end the process. For one task only
 
 end Failures;

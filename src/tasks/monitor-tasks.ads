@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The report's four tasks of the monitor, and the one that ends the hold on
---  unasked messages.
+--  The four monitor tasks of the design report, and the one that ends the hold
+--  on unsolicited messages.
 
 with Schedule;
 
@@ -12,16 +12,16 @@ package Monitor.Tasks with SPARK_Mode is
    --  Starts the server (F1), admits the monitor (F2), closes its session
 
    task Th_Receive_From_Mon with Priority => Schedule.Receive_Priority;
-   --  Receives, decodes and dispatches every message (F3)
+   --  Receives, decodes and dispatches all messages (F3)
 
    task Th_Send_To_Mon with Priority => Schedule.Send_Priority;
-   --  Sends what waits in the outbox (F4)
+   --  Sends the messages in the outbox (F4)
 
    task Th_Com_Mon_Perdue with Priority => Schedule.Lost_Priority;
-   --  Finds that the monitor is lost (F5), brings everything back to the
+   --  Detects the loss of the monitor (F5) and resets everything to the
    --  initial state (F6)
 
    task Th_Hold with Priority => Schedule.Hold_Priority;
-   --  Releases unasked messages that have been held back long enough
+   --  Releases unsolicited messages that have been held back long enough
 
 end Monitor.Tasks;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Carries out a request on the serial line, step by step as the session's
---  logic says. For the owner of the line only.
+--  Carries out a request on the serial line, by the steps of Robot.Session.
+--  For the owner of the line only.
 
 with Robot.Session;
 
@@ -13,7 +13,7 @@ private package Robot.Exchange with SPARK_Mode is
    with
      Pre  => Robot.Session.Is_Consistent (State),
      Post => Robot.Session.Is_Consistent (State);
-   --  Comes to an end: a request has Robot.Session.Max_Steps steps at most,
-   --  and none of them waits for longer than the answer's time-out
+   --  Terminates: a request has at most Robot.Session.Max_Steps steps, and
+   --  none waits longer than the answer's time-out
 
 end Robot.Exchange;

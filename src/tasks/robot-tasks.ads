@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The tasks of the robot: six of the report's, the owner of the line, and
---  the periodic ones that a start sets going.
+--  The tasks of the robot: six of the design report, the owner of the line,
+--  and the periodic ones that a start releases.
 
 with Schedule;
 
@@ -10,7 +10,7 @@ package Robot.Tasks with SPARK_Mode is
 
    task Th_Line with Priority => Schedule.Line_Priority;
    --  Owns the serial line: takes the most urgent request, carries it out,
-   --  answers the monitor's orders, and sets the periodic tasks going
+   --  answers the monitor's orders, and releases the periodic tasks
 
    task Th_Open_Com_Robot with Priority => Schedule.Open_Priority;
    --  ROPN, RCLS (F7)
@@ -19,10 +19,10 @@ package Robot.Tasks with SPARK_Mode is
    --  RSOW (F10)
 
    task Th_Start_Robot_WD with Priority => Schedule.Start_Watchdog_Priority;
-   --  RSWW (F11); the reloads that follow are Th_Reload_WD's
+   --  RSWW (F11); Th_Reload_WD then does the reloads
 
    task Th_Reload_WD with Priority => Schedule.Reload_Priority;
-   --  The reload of the watchdog, every Reload_Period from the start on
+   --  Reloads the watchdog every Reload_Period after the start
 
    task Th_Reset_Robot with Priority => Schedule.Reset_Priority;
    --  RRST, RPOF
@@ -31,12 +31,12 @@ package Robot.Tasks with SPARK_Mode is
    --  The movement orders (F12)
 
    task Th_Battery_Level with Priority => Schedule.Battery_Priority;
-   --  The battery's level every Battery_Period (F13)
+   --  Reads the battery level every Battery_Period (F13)
 
    task Th_Query with Priority => Schedule.Query_Priority;
    --  RPIN, RLDW, RGBT, RGST
 
    task Th_Keep_Alive with Priority => Schedule.Keep_Alive_Priority;
-   --  A ping while the robot is started and its line idle
+   --  Pings while the robot is started and its line is idle
 
 end Robot.Tasks;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The report's three tasks of the vision, and the owner of the camera.
+--  The three vision tasks of the design report, and the camera's owner.
 
 with Bytes;
 with Monitor.Image_Messages;
@@ -14,13 +14,13 @@ package Vision.Tasks with SPARK_Mode is
    --  COPN, CCLS (F14, F16), CPCO, CPST (F18, F19)
 
    task Th_Capture_Img with Priority => Schedule.Capture_Priority;
-   --  The periodic image and the robot's position in it (F15, F18)
+   --  Sends the periodic image and the robot's position in it (F15, F18)
 
    task Th_Arene with Priority => Schedule.Arena_Priority;
    --  CASA, CACO, CAIN (F17)
 
    task Th_Camera with Priority => Schedule.Camera_Priority;
-   --  Owns the camera: opens it, takes every image it delivers, closes it
+   --  Owns the camera: opens it, takes every image, closes it
 
 private
 
