@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Queues of bounded length, first in first out: nothing is lost while there
---  is room, and there never is more in one than its capacity.
+--  Bounded FIFO queues: no element is lost while the queue is not full, and
+--  the length never exceeds the capacity.
 
 package body Bounded_Queues with SPARK_Mode is
 

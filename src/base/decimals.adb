@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Decimal numbers of up to eight digits, in text of characters or of
---  octets: what both wire formats write and read.
+--  Decimal numbers of up to eight digits, in character or byte strings: read
+--  and written by both protocols.
 
 package body Decimals is
 
@@ -23,7 +23,7 @@ package body Decimals is
      Pre  => E > 0,
      Post => N / Power (E) * 10 + N / Power (E - 1) mod 10
                = N / Power (E - 1);
-   --  The digit in front of which N / Power (E) stands.
+   --  N / Power (E) with one more digit of N is N / Power (E - 1).
 
    procedure Prove_Longer_Value
      (T : Text; First : Positive; Last : Natural)
@@ -36,7 +36,7 @@ package body Decimals is
        and then Are_Digits (T, First, Last),
      Post => Value (T, First, Last)
                = Value (T, First, Last - 1) * 10 + Digit_Value (T (Last));
-   --  What one digit more makes of a number.
+   --  The value of a number with one more digit.
 
    procedure Append
      (N     : Number;

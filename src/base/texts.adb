@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Texts of bounded length, for what crosses from one task to another: no
---  allocation, no secondary stack.
+--  Texts of bounded length, to be passed between tasks: no allocation, no
+--  secondary stack.
 
 package body Texts with SPARK_Mode is
 
@@ -26,7 +26,7 @@ package body Texts with SPARK_Mode is
       Digit : String (Digit_Place) := (others => '0');
       First : Digit_Place;
       Rest  : Integer := (if Value < 0 then Value else -Value);
-      --  negative: its range is the larger one
+      --  negative: the negative range is larger
    begin
       for Place in reverse Digit_Place loop
          Digit (Place) := Character'Val (Character'Pos ('0') - Rest rem 10);

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Files that hold a secret: how such a file begins, and who may read it.
+--  Files that hold a secret: their first characters and permissions.
 
 with GNAT.OS_Lib;
 with Interfaces;   use Interfaces;
@@ -18,7 +18,7 @@ is
    Wanted       : constant unsigned := 16#000B#;
    --  STATX_TYPE, STATX_MODE, STATX_UID
 
-   --  The kernel's struct statx (linux/stat.h), the same on all machines
+   --  The kernel's struct statx (linux/stat.h), the same on all platforms
    type Filler is array (Positive range <>) of Unsigned_32
      with Convention => C;
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The console: standard error for the log, standard output for what was
---  asked for. May wait, so for a task of low priority only.
+--  The console: standard error for the log, standard output for requested
+--  output.
 
 with GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;
@@ -15,11 +15,11 @@ is
    with Import, Convention => C_Variadic_2, External_Name => "open";
 
    procedure Open_Streams;
-   --  Where they are closed, nothing else may get their descriptors: the log
-   --  would be written to the monitor or to the robot
+   --  Opens closed standard streams. Otherwise a socket or the serial line
+   --  could get their descriptors, and receive the log
 
    procedure Put_On (Descriptor : int; Line : String; Written : out Boolean);
-   --  All of it, or as much as is taken
+   --  Writes all of it, or as much as is accepted
 
    procedure Open_Streams is
       Read_Write : constant := 2;  --  O_RDWR

@@ -18,13 +18,13 @@ is
    Current : Socket := Nobody with Atomic;
 
    Send_Buffer : constant := 65_536;
-   --  Bytes; the kernel doubles it. More, and seconds of old images would
-   --  wait there for a slow monitor
+   --  Bytes; the kernel doubles it. A larger one would hold seconds of old
+   --  images for a slow monitor
 
    Receive_Buffer : constant := 65_536;
-   --  Bytes; the kernel doubles it, for what it needs itself. It does not
-   --  grow then: whoever sends faster than the robot drives has hundreds of
-   --  commands waiting here and not a megabyte
+   --  Bytes; the kernel doubles it for its own needs, and no longer adapts it.
+   --  So a monitor that sends faster than the robot executes has hundreds of
+   --  commands waiting here, not a megabyte
 
    Send_Flags    : constant := 16#4000#;  --  MSG_NOSIGNAL
    Both_Ways     : constant := 2;         --  SHUT_RDWR
@@ -47,7 +47,7 @@ is
       Set_Number (Newcomer, Level_Tcp, 1, 1);                 --  TCP_NODELAY
       Set_Number (Newcomer, Level_Socket, 7, Send_Buffer);    --  SO_SNDBUF
       Set_Number (Newcomer, Level_Socket, 8, Receive_Buffer); --  SO_RCVBUF
-      --  an idle monitor that vanished: 1 s, then three probes of 1 s
+      --  detects an idle peer that vanished: 1 s, then three probes of 1 s
       Set_Number (Newcomer, Level_Socket, 9, 1);              --  SO_KEEPALIVE
       Set_Number (Newcomer, Level_Tcp, Idle_Option, 1);
       Set_Number (Newcomer, Level_Tcp, Repeat_Option, 1);
@@ -60,9 +60,9 @@ is
    is
       Got : Ssize;
    begin
-      --  a command that has no answer must not make a sender wait that
-      --  holds the next one back until this one is acknowledged (Nagle). Now
-      --  that it is on its way, for the acknowledgement takes its time, too
+      --  acknowledge at once: a sender with Nagle's algorithm holds its next
+      --  command back until this one, which may have no answer, is
+      --  acknowledged
       Set_Number (Current, Level_Tcp, Quick_Option, 1);
       loop
          Got := C_Receive (Current, Data'Address, Data'Length, 0);
@@ -128,8 +128,8 @@ is
       Whole : Seconds_Count;
       Rest  : Time_Span;
    begin
-      --  not by a division of the time as a whole: its result, an Integer,
-      --  would be too small for the milliseconds of 25 days
+      --  no division of the whole time: its result is an Integer, which
+      --  overflows after 25 days of milliseconds
       Split (Clock, Whole, Rest);
       Link :=
         (Now    => Monitor.Link.Milliseconds (Whole) * 1000

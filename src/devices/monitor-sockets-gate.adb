@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The gate of the server for the monitor: the listening socket, and
---  newcomers that are to be admitted or refused.
+--  The listening socket of the server, and the pending connections, which are
+--  to be admitted or rejected.
 
 with Ada.Exceptions;
 with Ada.Real_Time;         use Ada.Real_Time;
@@ -19,22 +19,22 @@ package body Monitor.Sockets.Gate with
   Refined_State => (Newcomers => (Listener, Waker, Waiting, Peers))
 is
 
-   Listener : Socket := Nobody with Atomic;  --  takes connections
+   Listener : Socket := Nobody with Atomic;  --  accepts connections
    Waker    : int := -1 with Atomic;         --  an event counter: Wake_Server
 
    Waiting : array (Place) of Socket := (others => Nobody)
      with Atomic_Components;
-   --  the newcomers'
+   --  sockets of the pending connections
 
    Listening : constant Positive := Place'Last + 1;
    Waking    : constant Positive := Place'Last + 2;
-   --  beside the places: numbers of what th_server waits for
+   --  indices of the other descriptors that th_server waits for
 
    Queue_Length : constant := 512;
-   --  Of those who wait to be taken in. Whoever finds the kernel's queue full
-   --  tries again later and later, and may do so for ever. So it is empty
-   --  before Schedule.Block_Time is over: with 1,024 it was not, and amid a
-   --  flood it took up to 2.4 s to be admitted, now 0.3 s
+   --  Backlog of connections not yet accepted. A client that finds it full
+   --  retries at growing intervals. So it must be emptied within
+   --  Schedule.Block_Time: with 1,024 it was not, and during a flood an
+   --  admission took up to 2.4 s, now 0.3 s
 
    Send_With_End : constant := 16#C040#;
    --  MSG_NOSIGNAL, MSG_DONTWAIT, MSG_MORE
@@ -48,8 +48,8 @@ is
       return Socket
    with Import, Convention => C, External_Name => "accept4";
 
-   --  struct sockaddr_in, sockaddr_in6: the port and the address of IPv4 in
-   --  the order of the network
+   --  struct sockaddr_in, sockaddr_in6: port and IPv4 address in network byte
+   --  order
    type Socket_Address is record
       Family  : Unsigned_16 := 0;
       Port    : Stream_Element_Array (1 .. 2) := (others => 0);
@@ -61,7 +61,7 @@ is
    Inet_Family : constant := 2;  --  AF_INET
 
    Peers : array (Place) of Socket_Address;
-   --  the newcomers'
+   --  addresses of the pending connections
 
    --  struct sock_filter, sock_fprog (linux/filter.h)
    type Filter_Step is record
@@ -104,7 +104,7 @@ is
       Set_Socket_Option (Server, Socket_Level, (Reuse_Address, True));
       Bind_Socket (Server, Place);
       Listen_Socket (Server, Queue_Length);
-      --  a newcomer that is gone again must not block the accept
+      --  a client that has left again must not block the accept
       Control_Socket (Server, Non_Blocking);
       Bound := Natural (Get_Socket_Name (Server).Port);
       Waker := Event_Counter (0, 8#4000#);  --  EFD_NONBLOCK
@@ -120,8 +120,8 @@ is
    end Listen;
 
    procedure Block (Sources : Admission.Blocklists.List) is
-      --  A program for the kernel's filter, which a packet to the listening
-      --  socket passes first. A jump goes on at the next step but so many
+      --  A BPF program: the kernel applies it to each packet to the listening
+      --  socket. A jump skips the given number of steps
       Load_Byte : constant := 16#30#;
       Load_Half : constant := 16#28#;
       Load_Word : constant := 16#20#;
@@ -133,13 +133,13 @@ is
       IPv4      : constant := 16#0800#;
       Pass      : constant Filter_Step := (Return_It, 0, 0, Unsigned_32'Last);
       Start     : constant Filter_Array :=
-        --  only what begins a connection: SYN without ACK
+        --  only packets that open a connection: SYN without ACK
         ((Load_Byte, 0, 0, 13),
          (And_With, 0, 0, 16#12#),
          (If_Equal, 1, 0, 16#02#),
          Pass,
          (Load_Half, 0, 0, Protocol),
-         (If_Equal, 0, 0, IPv4));  --  or after the sources of IPv4
+         (If_Equal, 0, 0, IPv4));  --  else past IPv4, set below
       Program   : Filter_Array
         (1 .. Start'Length + 2 + 5 * Admission.Blocklists.Max_Sources);
       Last      : Natural := 0;
@@ -213,7 +213,7 @@ is
       Limit := Queue_Length;
       if Get_Option (Listener, Level_Tcp, Info_Option,
                      Info'Address, Size'Address) = 0
-        and then Size >= Info.Counters'Position  --  else not known
+        and then Size >= Info.Counters'Position  --  older kernel
       then
          Length := Natural (Info.Unacked);
          Limit := Natural (Info.Selected);
@@ -241,7 +241,7 @@ is
          Peers (Where) := Address;
          Event := Newcomer;
       elsif GNAT.OS_Lib.Errno = EAGAIN then
-         --  a newcomer that has gone already is no failure
+         --  the client has already left: no failure
          Event := Nobody_There;
       else
          Texts.Set (Reason, GNAT.OS_Lib.Errno_Message);
@@ -276,7 +276,7 @@ is
       Entries (Waking).Descriptor := Waker;
       if Until_Time /= Time_Last then
          Left := Until_Time - Clock;
-         --  to the next millisecond: not awake too early again and again
+         --  rounded up to 1 ms, to avoid repeated early wake-ups
          Wait_Ms :=
            (if Left < Time_Span_Zero then 0
             else int (Integer'Min (Left / Milliseconds (1), 60_000)) + 1);
@@ -335,13 +335,13 @@ is
       pragma Unreferenced (Ignored);
       Unread  : Stream_Element_Array (1 .. 256);
    begin
-      --  one packet: the message goes out with the end, which takes half the
-      --  time. There may be a flood of them
+      --  message and FIN in one packet, which takes half the time: there may
+      --  be a flood of rejections
       Ignored := C_Send
         (Refused, Message'Address, Message'Length, Send_With_End);
       C_Shutdown (Refused, 1);  --  SHUT_WR
-      --  what it has sent already would turn the close into a reset, which
-      --  could overtake the message
+      --  unread data would turn the close into a reset, which could overtake
+      --  the message
       Ignored := C_Receive
         (Refused, Unread'Address, Unread'Length, Receive_Now);
       Waiting (Where) := Nobody;

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The process and its end. What the system does for it until then is in the
---  children: its signals, privileges, memory and threads.
+--  The process and its end.
 
 with Interfaces.C; use Interfaces.C;
 

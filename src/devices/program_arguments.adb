@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The arguments that the process was started with. They never change.
+--  The arguments of the process.
 
 with Ada.Command_Line;
 

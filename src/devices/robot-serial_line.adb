@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The serial line to the robot: 9600 baud, 8 data bits, no parity, 1 stop
---  bit, raw, no echo. For the one task that owns the line.
+--  bit, raw, no echo.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with GNAT.OS_Lib;
@@ -49,7 +49,7 @@ is
          Success := False;
          return;
       end if;
-      --  Blocking here, for with a time-out GNAT 12 turns the echo on
+      --  Blocking: with a time-out GNAT 12 turns the echo on
       Set (Port, B9600, CS8, One, None,
            Block => True, Local => True, Flow => None, Timeout => 0.0);
       Success := Fcntl (Descriptor, Set_Flags, Non_Block) >= 0;

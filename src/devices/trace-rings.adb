@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The memory of a flight recorder: a ring of events that any number of
---  tasks write without waiting for each other. For Trace only.
+--  The memory of a flight recorder: a ring of events that any number of tasks
+--  write without waiting for each other.
 
 with Interfaces.C;            use Interfaces.C;
 with System.Storage_Elements; use System.Storage_Elements;
@@ -9,20 +9,20 @@ package body Trace.Rings with SPARK_Mode => Off is
 
    type Slot is record
       State : aliased Unsigned_64;
-      --  0: empty; 2 N + 1: event N is being written; 2 N + 2: it is there.
-      --  Only who has changed it to the odd value writes the rest, so two
-      --  writers a whole round apart cannot mix their events
+      --  0: empty; 2 N + 1: event N is being written; 2 N + 2: it is complete.
+      --  Only the task that has set the odd value writes Item, so two writers
+      --  a whole round apart cannot mix their events
       Item  : Trace_Json.Event;
    end record
    with Size => Slot_Bytes * 8;
 
-   --  The order of memory, for processors that keep as little of it as those
-   --  of arm64 (on x86 only the compiler could disturb it). A writer: State
-   --  odd, fence, event, State even with release. A reader: State with
-   --  acquire, event, fence, State again. So whoever reads a part of an event
-   --  that is being written, sees the odd State behind it, and whoever sees
-   --  the even State sees all of its event. The numbers of events need no
-   --  order: R.Next says nothing of what a slot holds.
+   --  Memory order, for processors with a weak memory model such as arm64 (on
+   --  x86 it only restricts the compiler). Writer: State odd, fence, event,
+   --  State even with release. Reader: State with acquire, event, fence, State
+   --  again. So a reader that sees part of an event being written then sees
+   --  the odd State, and a reader that sees the even State sees the whole
+   --  event. The event numbers need no order: R.Next tells nothing about the
+   --  contents of a slot.
 
    Acquire : constant int := 2;  --  __ATOMIC_ACQUIRE
    Release : constant int := 3;  --  __ATOMIC_RELEASE
@@ -59,7 +59,7 @@ package body Trace.Rings with SPARK_Mode => Off is
      Import,
      Convention    => Intrinsic,
      External_Name => "__atomic_compare_exchange_8";
-   --  After is at Place now if the value at Before was there
+   --  Sets Place to After if it equals the value at Before
 
    procedure Fence (Order : int)
    with
@@ -117,7 +117,7 @@ package body Trace.Rings with SPARK_Mode => Off is
          Fence (Release);
          Here.Item := Item;
          Store (Here.State'Address, 2 * Own + 2, Release);
-         --  it is long ago that a cache had them: the next slots on their way
+         --  long evicted from the cache: prefetch the next slots
          Prefetch (Place (R, Own + 3), 1, 3);
       end if;
    end Put;

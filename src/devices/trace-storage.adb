@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The recorder's file: the events at its far end, in rounds, while the tasks
---  work; the text at its beginning at the end. For Trace only.
+--  The recorder's file: the events are stored at its end while the tasks work;
+--  the final text is written at its beginning.
 
 with GNAT.OS_Lib;
 with Linux;                   use Linux;
@@ -10,7 +10,7 @@ with Texts;
 package body Trace.Storage with SPARK_Mode => Off is
 
    type Saved_Event is record
-      Mark : Unsigned_64 := 0;      --  its number and 1 more, 0: none
+      Mark : Unsigned_64 := 0;      --  event number + 1; 0: none
       Item : Trace_Json.Event;
    end record
    with Size => 32 * 8;
@@ -38,7 +38,7 @@ package body Trace.Storage with SPARK_Mode => Off is
 
    function Open_Places
      (Path : char_array; Flags : int; Mode : unsigned) return int;
-   --  The same for a file with places; else -1, as for any other error
+   --  The same for a seekable file; -1 for any other file or error
 
    function Unlink (Path : char_array) return int
    with Import, Convention => C, External_Name => "unlink";
@@ -62,7 +62,7 @@ package body Trace.Storage with SPARK_Mode => Off is
    function Place_Of (F : File; Number : Unsigned_64) return long is
      (long (F.Capacity) * (Texts.Max_Length + 32)
       + Event_Bytes * long (Number mod F.Capacity));
-   --  The text never gets there, and nothing is in between
+   --  The text never reaches the events; the gap is a hole in the file
 
    procedure Write_Chunk (F : in out File);
 
@@ -182,7 +182,7 @@ package body Trace.Storage with SPARK_Mode => Off is
          Ignored := Read_Place
            (F.Descriptor, F.Batch_At, Batch_Bytes,
             Place_Of (F, F.Batch_First));
-         --  what it does not read, has another mark
+         --  a slot that was not read has another mark
       end if;
       Item := Read (Place).Item;
       Found := Read (Place).Mark = Number + 1;

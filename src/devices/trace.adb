@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The trace (--trace): what every task did and when. While the tasks work,
---  the events go through memory to the far end of the file; at the end they
---  become its text. Without it each call tests one flag.
+--  The trace (--trace): events of all tasks with their times.
 
 with Ada.Real_Time;           use Ada.Real_Time;
 with Ada.Unchecked_Conversion;
@@ -34,7 +32,7 @@ is
    Ring_Bytes  : constant := In_Memory * Trace.Rings.Slot_Bytes;
    Read_Write  : constant int := 3;        --  PROT_READ, PROT_WRITE
    All_Present : constant int := 16#8022#;
-   --  MAP_PRIVATE, MAP_ANONYMOUS, MAP_POPULATE: every page is there at once
+   --  MAP_PRIVATE, MAP_ANONYMOUS, MAP_POPULATE: all pages are prefaulted
 
    Monotonic   : constant int := 1;        --  CLOCK_MONOTONIC
    Time_Shared : constant int := 0;        --  SCHED_OTHER
@@ -72,11 +70,11 @@ is
 
    function Nanoseconds is
      new Ada.Unchecked_Conversion (Duration, Unsigned_64);
-   --  GNAT's Duration is a count of nanoseconds in 64 bits; with another size
-   --  this would not pass the validation build
+   --  GNAT's Duration counts nanoseconds in 64 bits; with another size the
+   --  validation build fails
 
    Beginning : constant Time := Time_Of (0, Time_Span_Zero);
-   --  Of CLOCK_MONOTONIC, which is Ada's clock, too
+   --  The epoch of CLOCK_MONOTONIC, which is Ada's clock, too
 
    function Now return Unsigned_64;
 
@@ -87,20 +85,20 @@ is
       Who    : Task_Name;
       Number : Orders.Ticket := 0;
       Label  : Trace_Json.Label_Text := (others => ' '));
-   --  An event of this moment
+   --  Records an event with the current time
 
    function Count (Due : Time) return Unsigned_64 is
      (Nanoseconds (Duration'Max (0.0, To_Duration (Due - Beginning))));
-   --  Due may be Time_First: at once
+   --  Due may be Time_First: immediate
 
    procedure Set_Reason (Reason : out Texts.Text; Number : Integer);
-   --  As text, "" for 0
+   --  The error message for Number, "" for 0
 
    procedure Fetch
      (Number : Unsigned_64;
       Item   : out Trace_Json.Event;
       Found  : out Boolean);
-   --  From the file or the ring, once the recording has ended
+   --  From the file or the ring, after the end of the recording
 
    procedure Write (Line : Texts.Text);
 
@@ -178,7 +176,7 @@ is
    procedure Store is
       Item    : Trace_Json.Event;
       Found   : Boolean;
-      Last    : Unsigned_64;  --  events are numbered below this
+      Last    : Unsigned_64;  --  upper bound of the event numbers, exclusive
       Waited  : Poll_Array := (1 => (Store_Due, Poll_In, 0));
       Calls   : Unsigned_64;
       Taken   : Ssize;
@@ -198,7 +196,7 @@ is
          end if;
          for Number in Trace.Storage.Next_Event (File) + 1 .. Last loop
             Trace.Rings.Get (Ring, Number - 1, Item, Found);
-            --  it may be being written; the next time it is there
+            --  perhaps still being written: retry at the next call
             exit when not Found and then Last - Number < In_Memory / 2;
             Trace.Storage.Put (File, Item, Found);
          end loop;
@@ -243,7 +241,7 @@ is
       Item    : Trace_Json.Event;
       Found   : Boolean;
       Kept    : Unsigned_64 := 0;
-      Last    : Unsigned_64;  --  events are numbered below this
+      Last    : Unsigned_64;  --  upper bound of the event numbers, exclusive
       Oldest  : Unsigned_64;
       Next    : Unsigned_64;
       In_Time : Boolean := True;
@@ -255,7 +253,7 @@ is
          return;
       end if;
       On := False;
-      --  nobody waits for this any more, and it takes long
+      --  not urgent any more, and it takes long
       Ignored := Set_Scheduler (0, Time_Shared, Lowest'Address);
       Ignored := Set_Mask (0, File_Too_Large'Address, System.Null_Address);
       while Storing and then In_Time loop

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Calls vision_c/vision.h and turns its floating point into integers.
+--  The camera and the image processing: the Ada binding of vision_c.
 
 with Interfaces.C; use Interfaces.C;
 with System;
@@ -96,10 +96,10 @@ package body Vision.Library with SPARK_Mode => Off is
    procedure Copy_Text
      (To : in out char_array; From : System.Address; Length : size_t)
    with Import, Convention => C, External_Name => "strncpy";
-   --  Of the C library: no secondary stack, as Interfaces.C.Strings has
+   --  Of the C library: needs no secondary stack, unlike Interfaces.C.Strings
 
-   --  Conversions. vision.h promises finite numbers within the ranges below;
-   --  they are checked all the same, as a NaN has no integer.
+   --  Conversions. vision.h promises finite numbers within the ranges below.
+   --  They are checked nevertheless, since a NaN converts to no integer.
 
    Pixel_Limit  : constant double := 1.0E7;
    Degree_Limit : constant double := 180.0;
@@ -130,7 +130,7 @@ package body Vision.Library with SPARK_Mode => Off is
 
    procedure Copy
      (From : System.Address; Text : out Reason_Text; Last : out Natural);
-   --  The C string at From, cut at the length of Text
+   --  The C string at From, truncated to the length of Text
 
    No_Robots : constant C_Robots :=
      (others => (Id        => 0,
@@ -144,7 +144,7 @@ package body Vision.Library with SPARK_Mode => Off is
       Robots : out Robot_Array;
       Count  : out Robot_Count;
       Result : in out Status);
-   --  What a search has found, where Result is Done
+   --  The robots found, if Result is Done
 
    procedure Take
      (Found  : C_Robots;

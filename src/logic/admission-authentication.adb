@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The token that monitors must show, where one is asked for (--token), and
---  the first line of a newcomer, which shows it: AUTH:<token>.
+--  The token that monitors must send if one is required (--token), and the
+--  first line of a client, which carries it: AUTH:<token>.
 
 package body Admission.Authentication with SPARK_Mode is
 
@@ -13,19 +13,19 @@ package body Admission.Authentication with SPARK_Mode is
      (Difference or (X xor Y))
    with
      Post => (Added'Result = 0) = (Difference = 0 and then X = Y);
-   --  What is 0 as long as there is no difference
+   --  Accumulates differences: 0 as long as there is none
 
    function Text_Length (R : Reader) return Line_Count is
      (if R.Length >= 2 and then R.Data (R.Length - 1) = Carriage_Return
       then R.Length - 2
       else R.Length - 1)
    with Pre => R.Length > 0;
-   --  Without the end of the line
+   --  The length of the line without its end
 
    function Padded (R : Reader; I : Positive) return Character is
      (if I <= Text_Length (R) then R.Data (I) else ' ')
    with Pre => R.Length > 0 and then I <= Max_Line;
-   --  The line's character at I, and blanks behind its end
+   --  Character I of the line, blanks after its end
 
    function Is_Same (R : Reader; T : Token) return Boolean
    with
@@ -35,8 +35,8 @@ package body Admission.Authentication with SPARK_Mode is
         and then (for all I in Label'Range => Padded (R, I) = Label (I))
         and then (for all I in 1 .. Max_Token =>
                     Padded (R, Label'Length + I) = T.Data (I)));
-   --  The line is the label and the token. Looks at all places, whatever
-   --  it has seen: its time depends on the length of the line only
+   --  The line is the label and the token. Compares all places in any case:
+   --  its time depends only on the length of the line
 
    procedure Accept_Character
      (R : in out Reader; T : Token; C : Character) is

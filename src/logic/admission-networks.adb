@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Networks of IPv4, and the list of those whose monitors are admitted: the
---  option --allow. Whom a peer's connections are counted for.
+--  IPv4 networks, and the list of networks whose monitors are admitted
+--  (--allow).
 
 package body Admission.Networks with SPARK_Mode is
 

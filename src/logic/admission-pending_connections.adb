@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Connections that are neither admitted nor refused: whose turn it is, and
---  who makes room, so that no source of them keeps the others out.
+--  Pending connections, neither admitted nor rejected: whose turn is next, and
+--  which one must make room, so that no source keeps the others out.
 
 package body Admission.Pending_Connections with SPARK_Mode is
 
@@ -11,14 +11,14 @@ package body Admission.Pending_Connections with SPARK_Mode is
        (if Oldest_Waiting'Result in Place then
            Is_Waiting (T, Oldest_Waiting'Result)
            and then Source_Of (T, Oldest_Waiting'Result) = S);
-   --  Who has waited longest of this source
+   --  The connection of this source that has waited longest
 
    function Of_Most (T : Table) return Place_Choice
    with
      Post => (if Of_Most'Result in Place then
                  Is_Waiting (T, Of_Most'Result));
-   --  Who has waited longest of the sources that have the most; nobody where
-   --  none has two
+   --  The connection that has waited longest, of the sources with most
+   --  connections; none if no source has two
 
    function Count_Of
      (T : Table; S : Admission.Networks.Source) return Place_Count is

@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Base64 with padding and without line breaks (RFC 4648, section 4), as
---  the images travel to the monitor.
+--  Base64 with padding and without line breaks (RFC 4648, section 4): the
+--  encoding of images sent to the monitor.
 
 package body Base64 with SPARK_Mode is
 
    pragma Assertion_Policy (Assert => Ignore, Loop_Invariant => Ignore);
-   --  Many look at all that is written so far: proved, but at run time they
+   --  Many examine all that is written so far: proved, but at run time they
    --  would make the work quadratic. The contracts are checked.
 
    Alphabet : constant array (Sextet) of Character :=
@@ -24,7 +24,7 @@ package body Base64 with SPARK_Mode is
      Post => Is_Symbol (Symbol (Value))
        and then Value_Of (Symbol (Value)) = Value
        and then Symbol (Value) /= Padding;
-   --  A symbol stands for one value.
+   --  Each symbol stands for one value.
 
    procedure Prove_Group (Input : Byte_Array; Length, K : Natural)
    with
@@ -90,7 +90,7 @@ package body Base64 with SPARK_Mode is
          (if 3 * K + 3 <= Length then
              Natural (Decoded_At (Text, 3 * K + 3))
                = Natural (Input (3 * K + 3)));
-   --  Group K of an encoding is well-formed and gives its bytes back.
+   --  Group K of an encoding is well-formed and decodes to its bytes.
 
    procedure Prove_Bits (B1, B2, B3 : Natural)
    with
@@ -105,7 +105,7 @@ package body Base64 with SPARK_Mode is
        and then (B2 mod 16 * 4 + B3 / 64) mod 4 * 64 + B3 mod 64 = B3
        and then (if B2 = 0 then (B1 mod 4 * 16 + B2 / 16) mod 16 = 0)
        and then (if B3 = 0 then (B2 mod 16 * 4 + B3 / 64) mod 4 = 0);
-   --  Three bytes cut into four sextets, and put together again.
+   --  Three bytes cut into four sextets, and joined again.
 
    procedure Prove_Byte_Back
      (Input : Byte_Array; Length : Natural; Text : String; I : Positive)
@@ -195,7 +195,7 @@ package body Base64 with SPARK_Mode is
               Output (I) = Decoded_At (Input, I));
       end loop;
 
-      --  The last four characters, which may be padded
+      --  the last four characters, which may be padded
 
       Tail  := 4 * (Groups - 1);
       Start := 3 * (Groups - 1);
@@ -277,8 +277,8 @@ package body Base64 with SPARK_Mode is
       Last   : out Natural)
    is
       pragma Suppress (All_Checks);
-      --  Every image passes here: what is proved to hold is not looked at
-      --  again for each of its bytes
+      --  every image passes here: the run-time checks, all proved, would cost
+      --  time for each byte
 
       Triples    : constant Natural := Length / 3;
       N1, N2, N3 : Natural range 0 .. 255;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The command line: its arguments, read one after the other, make a request
---  and the options of this run, or a reason why they do not.
+--  The command line: its arguments, read one by one, give a request and the
+--  options of this run, or a reason for rejection.
 
 with Admission.Networks;
 
@@ -28,7 +28,7 @@ package body Command_Lines with SPARK_Mode is
        and then Value'First > 0
        and then Value'Last < Integer'Last,
      Post => R.Awaited = None;
-   --  The value of R.Awaited
+   --  Reads the value of R.Awaited
 
    function Name_Of (Option : Option_Kind) return String is
      (case Option is
@@ -61,10 +61,10 @@ package body Command_Lines with SPARK_Mode is
      Pre  => First <= Last
        and then Value'Last < Integer'Last,
      Post => Result in First .. Last;
-   --  Value where it is a number in First .. Last; else First, and R is Wrong
+   --  The number Value, if in First .. Last; else First, and R is Wrong
 
    procedure Read_Network (R : in out Reading; Value : String);
-   --  One more network whose monitors are admitted
+   --  Adds a network whose monitors are admitted
 
    procedure Read_Size (R : in out Reading; Value : String)
    with
@@ -73,7 +73,7 @@ package body Command_Lines with SPARK_Mode is
 
    procedure Read_Text
      (R : in out Reading; Value : String; Result : out Texts.Text);
-   --  Value; where it is empty R is Wrong
+   --  Value; if it is empty, R is Wrong
 
    procedure Fail (R : in out Reading; Message : String) is
    begin

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The lines of the log that wait for the console, and those for which there
---  was no room: how many they were is said in their place.
+--  Log lines that wait for the console, and the count of lines dropped because
+--  there was no room: a message takes their place.
 
 package body Log_Lines with SPARK_Mode is
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The answers to the commands of a monitor: each has its place, in the order
---  of the commands, from the moment that its command arrives.
+--  Answers to the commands of a monitor, in the order of the commands: each
+--  has its place from the arrival of its command.
 
 with Interfaces; use Interfaces;
 
@@ -11,8 +11,8 @@ package body Monitor.Answer_Queues with SPARK_Mode is
      Ghost,
      Pre  => Count < Orders.Capacity,
      Post => Orders.Ticket (Count + 1) = Orders.Ticket (Count) + 1;
-   --  Numbers and lengths count alike: by way of 16 bits, which the provers
-   --  find easier than 64
+   --  Numbers and lengths count alike: by way of 16 bits, which are easier for
+   --  the provers than 64
 
    procedure Clear (Q : in out Queue) is
    begin

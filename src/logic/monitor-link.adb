@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Whether the monitor is still there: decided from what the kernel says
---  about the connection (TCP_INFO), sampled a few times a second.
+--  Detects the loss of the monitor from the kernel's data on the connection
+--  (TCP_INFO), sampled a few times a second.
 
 package body Monitor.Link with SPARK_Mode is
 

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What waits to be sent to the monitor, and what of it is sent when: one
---  answer a command, in the order of the commands; and the unasked messages,
---  of which only the newest counts, but for texts. Images are elsewhere.
+--  What waits to be sent to the monitor, and its order: one answer per
+--  command, in the order of the commands; and unsolicited messages, only the
+--  newest of each kind, except texts.
 
 package body Monitor.Mailboxes with SPARK_Mode is
 
@@ -33,7 +33,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       and then B.Last = Before.Last
       and then B.Imaged = Before.Imaged)
    with Ghost;
-   --  All but the hold
+   --  All components except the hold
 
    procedure End_Quiet_Hold (B : in out Mailbox)
    with
@@ -43,7 +43,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
              B.Hold.On = B'Old.Hold.On
              and then B.Released = B'Old.Released
           else Is_Quiet (B));
-   --  No hold without a message that is held back
+   --  No hold unless a message is held back
 
    procedure Begin_Hold
      (B           : in out Mailbox;

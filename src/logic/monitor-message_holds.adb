@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  How long unasked messages are held back.
+--  How long unsolicited messages are held back.
 
 package body Monitor.Message_Holds with SPARK_Mode is
 

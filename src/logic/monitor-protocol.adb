@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The wire format of the monitor: its lines become messages, answers and
---  positions become lines.
+--  The protocol of the monitor: parses its lines, and formats answers and
+--  positions.
 
 package body Monitor.Protocol with SPARK_Mode is
 
@@ -56,7 +56,7 @@ package body Monitor.Protocol with SPARK_Mode is
        and then Reads_As_Micro (A, First, Last, Value)
        and then (for all I in First .. Last => A (I) = B (I)),
      Post => Reads_As_Micro (B, First, Last, Value);
-   --  A number depends on its own characters alone.
+   --  The value depends only on the characters of the number.
 
    procedure Prove_Same_Id
      (A, B : String; First : Positive; Last : Natural; Id : Robot_Id)
@@ -91,7 +91,7 @@ package body Monitor.Protocol with SPARK_Mode is
        and then (if Ending < Last then
                     Line (Ending + 1) = Field_Separator),
      Post => Field_End (Line, First, Last) = Ending;
-   --  There is but one such end.
+   --  The end of a field is unique.
 
    function Are_Cut
      (Line : String; Last : Natural; S : Field_Starts) return Boolean
@@ -119,8 +119,7 @@ package body Monitor.Protocol with SPARK_Mode is
      Pre => Line'First = 1
        and then Line'Last <= Max_Position
        and then Last <= Line'Last;
-   --  The separators of Line (1 .. Last) cut it into fields that begin at
-   --  S.
+   --  The separators of Line (1 .. Last) cut it into fields that begin at S.
 
    procedure Prove_Starts (Line : String; Last : Natural; S : Field_Starts)
    with
@@ -130,7 +129,7 @@ package body Monitor.Protocol with SPARK_Mode is
        and then Last in First_Field .. Line'Last
        and then Are_Cut (Line, Last, S),
      Post => Starts (Line, Last) = S;
-   --  Fields are where their separators say.
+   --  Fields begin as determined by their separators.
 
    procedure Prove_Position
      (Line : String; Last : Natural; S : Field_Starts; P : Position)
@@ -145,7 +144,7 @@ package body Monitor.Protocol with SPARK_Mode is
        and then Are_Fields (Line, Last, S)
        and then Are_Fields_Of (Line, S, P),
      Post => Reads_As (Line, Last, P);
-   --  A line that is cut at S into the fields of P says P.
+   --  A line whose fields, cut at S, are those of P encodes P.
 
    procedure Keep (R : in out Line_Reader; C : Character)
    with
@@ -157,7 +156,7 @@ package body Monitor.Protocol with SPARK_Mode is
        and then (for all I in 1 .. R'Old.Length =>
                    R.Data (I) = R'Old.Data (I))
        and then (if R'Old.Length < Max_Line then R.Data (R.Length) = C);
-   --  Appends C to the line where there is room, and notes where not.
+   --  Appends C to the line if there is room; otherwise marks it as too long.
 
    procedure Accept_Character
      (R : in out Line_Reader; C : Character; Complete : out Boolean)
@@ -213,7 +212,7 @@ package body Monitor.Protocol with SPARK_Mode is
       S     : Field_Starts := (others => First_Field) with Ghost;
       With_Id, With_Angle, With_Cx, With_Cy, With_Dx, With_Dy :
         Position_Text with Ghost;
-      --  what the line is with this field as its last
+      --  position encoded by the line if it ended with this field
    begin
       Buffer := (others => ' ');
       Buffer (1) := Position_Label (1);

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The stages of the session with the monitor, one after the other; and that
---  no session begins when the supervisor is stopping.
+--  The stages of the session with the monitor, in sequence.
 
 package body Monitor.Session_Stages with SPARK_Mode is
 

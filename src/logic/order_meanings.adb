@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What an order of the monitor means: which request to the robot it is, its
---  place among the robot's orders, and what the monitor is answered.
+--  The meaning of a monitor's order: the request to the robot, the place among
+--  the robot's orders, and the answer to the monitor.
 
 package body Order_Meanings with SPARK_Mode is
 

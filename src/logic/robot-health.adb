@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Supervision of the robot's line: when it is lost, and how commands and
---  answers get back into step after an answer that did not come.
+--  Supervision of the robot's line: when it is lost, and how it is
+--  synchronised again after a missing answer.
 
 package body Robot.Health with SPARK_Mode is
 
@@ -26,7 +26,7 @@ package body Robot.Health with SPARK_Mode is
    procedure Prove_Loss (Attempts : History) is
       H        : State := Initial;
       In_A_Row : Natural := 0;
-      --  failures since the last success
+      --  failed exchanges since the last success
    begin
       for A of Attempts loop
          pragma Loop_Invariant (In_A_Row < Max_Failures);

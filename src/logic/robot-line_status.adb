@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the tasks know of the robot and its line, and when the line is to be
---  left free for the reload of the watchdog.
+--  What the tasks know of the robot and its line, and when the line must stay
+--  free for the watchdog's reload.
 
 package body Robot.Line_Status with SPARK_Mode is
 

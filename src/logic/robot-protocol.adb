@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The wire format of the robot: commands become frames, the bytes that
---  come back become frames, and a frame is read against its command.
+--  The protocol of the robot: encodes commands as frames, receives frames, and
+--  decodes each as the answer to its command.
 
 package body Robot.Protocol with SPARK_Mode is
 
@@ -13,7 +13,7 @@ package body Robot.Protocol with SPARK_Mode is
        and then Last <= Max_Frame
        and then (for all I in 1 .. Last => A (I) = B (I)),
      Post => Parity (A, Last) = Parity (B, Last);
-   --  A checksum depends on its own text alone.
+   --  A checksum depends only on its own text.
 
    procedure Accept_Byte
      (R : in out Receiver; B : Byte; Complete : out Boolean)

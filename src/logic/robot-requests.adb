@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The requests that wait for the robot's line, and which of them is carried
---  out next. Urgency decides: the end of a session, a stop, the reload of the
---  watchdog, a movement, then the rest in the order of the commands.
+--  Requests that wait for the robot's line, and the choice of the next.
 
 package body Robot.Requests with SPARK_Mode is
 
@@ -17,7 +15,7 @@ package body Robot.Requests with SPARK_Mode is
           (if C < From and then Is_Pending (R, C)
              and then not Is_Before (R, C, Best)
            then not Is_Before (R, C, From)));
-   --  What does not come before Best does not come before what does
+   --  What does not precede Best does not precede From, which does
 
    procedure Begin_Session (R : in out Requests; First : Orders.Ticket) is
    begin

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The session with the robot: what each request means in each state, as a
---  sequence of steps on the line. Decides; the owner of the line carries out.
+--  sequence of steps on the line, which the owner of the line carries out.
 
 package body Robot.Session with SPARK_Mode is
 
@@ -34,8 +34,8 @@ package body Robot.Session with SPARK_Mode is
              and then Next.Command.Kind = Robot.Health.Probe (S.Health)
              and then Next.Command.Value = 0)
        and then (if P'Old.Blind then Next.Kind /= Send);
-   --  The step that exchanges Command in Phase: a probe comes first where
-   --  the line is out of step, and before the probe, blindly, a stop
+   --  The step that exchanges Command in Phase. If the line is out of step, a
+   --  probe comes first, and before the probe a blind stop
 
    procedure Finish
      (P    : in out Progress;
@@ -50,7 +50,7 @@ package body Robot.Session with SPARK_Mode is
        and then P.Result.Note = P'Old.Result.Note
        and then Next.Kind = Finish
        and then Next.Command = Wire.Stop;
-   --  The request has come to its end
+   --  Ends the request
 
    procedure Act
      (S    : State;
@@ -77,20 +77,20 @@ package body Robot.Session with SPARK_Mode is
              when Open_Line  => 6,
              when Close_Line => 1,
              when others     => 5);
-   --  The command that the request is for, after the stop where one was due
+   --  The command of the request, after the stop if one was due
 
    procedure Answered
      (S     : in out State;
       P     : in out Progress;
       Reply : Wire.Reply;
       Next  : out Step);
-   --  The exchange of the phase has its answer
+   --  The exchange of the phase has been answered
 
    procedure Unanswered
      (S    : in out State;
       P    : in out Progress;
       Next : out Step);
-   --  The exchange of the phase, or the probe before it, failed
+   --  The exchange of the phase, or the probe before it, has failed
 
    procedure Begin_Exchange
      (S       : State;
@@ -206,8 +206,8 @@ package body Robot.Session with SPARK_Mode is
                P.Result.Note := Missed_Window;
                Finish (P, Refused, Next);
             else
-               --  standing still: a stop changes nothing, and only a
-               --  running robot accepts it
+               --  not moving: a stop changes nothing, and is accepted only by
+               --  a running robot
                Begin_Exchange (S, P, Testing_Run, Wire.Stop, Next);
             end if;
 
@@ -239,7 +239,7 @@ package body Robot.Session with SPARK_Mode is
                  (S, P, Asking_Motion, (Wire.Busy, 0), Next);
             else
                if P.Request.Kind = Reset then
-                  --  refused only where the robot does not run
+                  --  refused only if the robot is not running
                   S.Mode := Not_Started;
                end if;
                Finish (P, Refused, Next);
@@ -259,7 +259,7 @@ package body Robot.Session with SPARK_Mode is
       P.In_Probe := False;
       P.Result.Kind := Timed_Out;
       if Robot.Health.Lost (S.Health) then
-         --  a last stop, in case the robot still hears
+         --  a last stop, in case the robot still receives
          P.Result.Note := Robot_Lost;
          P.Phase := Losing;
          P.Stopped := True;
@@ -272,7 +272,7 @@ package body Robot.Session with SPARK_Mode is
             Act (S, P, Next);
          end if;
       elsif P.Phase = Clearing then
-         --  the line is open all the same: its robot may be off
+         --  the line stays open: the robot may be switched off
          Finish (P, Done, Next);
       elsif P.Phase in Asking_Motion | Testing_Run then
          P.Result.Note := Missed_Window;
@@ -297,8 +297,8 @@ package body Robot.Session with SPARK_Mode is
                S := (Line_Open => True,
                      Mode      => Not_Started,
                      Health    => Robot.Health.Opened);
-               --  the reset first of all, without awaiting its answer:
-               --  a robot that hears, but answers late, is reset, too
+               --  first a reset without awaiting its answer: it also resets a
+               --  robot that receives but answers late
                P.Phase := Clearing;
                P.Wanted := (Wire.Reset, 0);
                Next := (Send, P.Wanted);
@@ -325,12 +325,12 @@ package body Robot.Session with SPARK_Mode is
               and then not Robot.Health.In_Step (S.Health)
               and then P.Wanted = Wire.Stop
             then
-               --  the blind stop is out; now get into step
+               --  the blind stop has been sent; now synchronise
                Begin_Exchange (S, P, Phase, Wanted, Next);
             elsif Phase = Clearing and then not P.In_Probe
               and then not Robot.Health.In_Step (S.Health)
             then
-               --  and so is the reset
+               --  the reset, too, has been sent
                Begin_Exchange (S, P, Phase, Wanted, Next);
             elsif not Last.Ok then
                Unanswered (S, P, Next);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a trace records of the tasks, and the text that it becomes: the JSON
---  of Chrome's trace format, which ui.perfetto.dev opens.
+--  The events of a trace, and its text: Chrome's JSON trace format, which
+--  ui.perfetto.dev opens.
 
 with System;
 
@@ -21,19 +21,19 @@ package body Trace_Json with SPARK_Mode is
    --  In decimal
 
    procedure Append_Label (Line : in out Texts.Text; Label : Label_Text);
-   --  Up to its first blank; nothing in it can end a text of JSON
+   --  Up to its first blank; it contains no quote, so cannot end a JSON string
 
    procedure Append_Place
      (Line : in out Texts.Text; First : Unsigned_64; Item : Event);
-   --  The members of an object that say where it belongs
+   --  The members of an object that give its time and task
 
    procedure Append_End
      (Line : in out Texts.Text; First : Unsigned_64; Item : Event);
-   --  The end of the slice of Item's task that was begun last
+   --  Ends the last open slice of Item's task
 
    procedure Append_Other
      (Line : in out Texts.Text; First : Unsigned_64; Item : Event);
-   --  All but the ends of slices
+   --  The text of all events except ends of slices
 
    subtype Job_Start is Event_Kind range Start .. Start_Due;
 
@@ -158,7 +158,7 @@ package body Trace_Json with SPARK_Mode is
          "{""name"":""thread_sort_index"",""ph"":""M"",""pid"":1,""tid"":");
       Texts.Append (Line, Number_Of (Who));
       Texts.Append (Line, ",""args"":{""sort_index"":");
-      --  the viewer puts the lowest index on top
+      --  the viewer shows the lowest index on top
       Texts.Append
         (Line,
          100 * (Below_All - Schedule.Table (Who).Priority) + Number_Of (Who));

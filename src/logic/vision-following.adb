@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Robots are looked for where they can be by now, as long as all of them
---  are found there, and everywhere from time to time (F18).
+--  Robots are searched near their last places, as long as all are found there,
+--  and in the whole image from time to time (F18).
 
 package body Vision.Following with SPARK_Mode is
 

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Who may use which frame slot: one holds the newest image and one that
---  before it, for whoever claims them first; the others are claimed by one
---  task each, or free.
+--  Ownership of the frame slots: one holds the newest image and one the image
+--  before it, both unclaimed; each other slot is claimed by one task, or free.
 
 package body Vision.Frame_Slots with SPARK_Mode is
 
@@ -15,7 +14,7 @@ package body Vision.Frame_Slots with SPARK_Mode is
        (if (for some W in First .. Last => Use_Of (S, W) = Free) then
            Which in First .. Last and then Use_Of (S, Which) = Free
         else Which = Which'Old);
-   --  The first free slot of First .. Last; Which remains if there is none
+   --  The first free slot of First .. Last; otherwise Which is unchanged
 
    procedure Begin_Delivery (S : in out State) is
    begin

@@ -1,14 +1,14 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The mode of the vision (F14 to F19): what each command and event does to
---  it, and what is to be sent. Decides; the vision tasks carry out.
+--  The mode of the vision (F14 to F19): the effect of each command and event,
+--  and what is to be sent.
 
 package body Vision.Mode with SPARK_Mode is
 
    procedure Follow
      (S : in out State; What : Event; Sends_Image : out Boolean)
    with Ghost;
-   --  What becomes of S, and whether an image goes to the monitor: the
-   --  periodic one while they flow, or the one with the arena in it
+   --  The effect on S, and whether an image is sent to the monitor: a periodic
+   --  one, or the one with the arena
 
    procedure Ask_Open (S : in out State; Needed : out Boolean) is
    begin
@@ -132,7 +132,7 @@ package body Vision.Mode with SPARK_Mode is
                   Asked := False;
                   Kept := What = Confirmation;
                else
-                  --  nothing is decided before the image has gone out
+                  --  no decision before the image has been sent
                   pragma Assert (S = Before);
                end if;
             when others =>

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What orders and events do to the mode of the vision and to its arena. What
---  an ended session still asks for is refused.
+--  The effect of orders and events on the mode of the vision and its arena.
 
 package body Vision.Mode_Changes with SPARK_Mode is
 

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The orders to the vision: one at a time is carried out, the others wait
---  their turn, first in first out.
+--  The orders to the vision, carried out one at a time, first in first out.
 
 package body Vision.Turns with SPARK_Mode is
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What would work here and what would not, and how to mend it: the option
---  --check.
+--  The option --check: reports what would work on this machine and what would
+--  not, with advice.
 
 with Admission.Authentication;
 with Admission.Newcomers;
@@ -17,7 +17,7 @@ package body Checks with SPARK_Mode is
    use type Vision.Library.Status;
 
    procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean);
-   --  All_Well stays so where Good is, and somebody takes the line
+   --  All_Well is unchanged if Good, and the line could be written
 
    function Number (Value : Integer) return Texts.Text;
    --  Value in decimal

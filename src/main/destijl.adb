@@ -9,8 +9,8 @@ with Supervisor;
 
 procedure Destijl with SPARK_Mode => Off, Priority => Schedule.Main_Priority
 is
-   --  Off: an exception handler, for what proof does not cover (a signal of
-   --  the hardware, an exhausted stack)
+   --  Off: an exception handler, for what proof does not cover (hardware
+   --  signals, stack overflow)
 begin
    Supervisor.Run;
 exception

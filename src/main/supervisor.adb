@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The supervisor: reads the command line, says what it will do, and lets
---  its tasks work until the process is ended.
+--  The supervisor: reads the command line, logs its configuration, and runs
+--  the tasks until the process ends.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Checks;
@@ -29,20 +29,20 @@ pragma Unreferenced (Monitor.Tasks, Robot.Tasks, Vision.Tasks);
 package body Supervisor with SPARK_Mode is
 
    procedure Keep_On_Processor (Cpu : Options.Processor_Choice);
-   --  Leaves the process where that cannot be
+   --  Ends the process on failure
 
    procedure Open_Trace (Path : Texts.Text);
-   --  Leaves the process where that cannot be
+   --  Ends the process on failure
 
    procedure Keep_Trace;
-   --  Takes the trace to its file, again and again, until th_stop has failed
+   --  Saves the trace to its file repeatedly, until th_stop has failed
 
    procedure Tell (Line : String) with No_Return;
-   --  On standard output. Leaves the process, with failure where nobody takes
-   --  the line
+   --  On standard output. Ends the process, with failure if the line cannot be
+   --  written
 
    procedure Serve (Chosen : Options.Values);
-   --  Lets the tasks work; returns when the process must be ended here
+   --  Runs the tasks; returns when the caller must end the process
 
    procedure Keep_On_Processor (Cpu : Options.Processor_Choice) is
       Done : Boolean;
@@ -109,7 +109,7 @@ package body Supervisor with SPARK_Mode is
          when Command_Lines.Run =>
             Serve (Command_Line.Chosen);
       end case;
-      --  once more: orders may have been sent after that of the failure
+      --  again: orders may have been sent since the failure's stop
       Robot.Serial_Line.Stop_Blindly;
       Support_Tasks.Finish_Trace;
       Process.Leave (Process.Internal_Failure);
@@ -148,7 +148,7 @@ package body Supervisor with SPARK_Mode is
       end if;
       Failures.Wait_Stop_Failed;
       Robot.Line.Refuse_Orders;
-      --  its last lines are written meanwhile
+      --  meanwhile its last lines are written
       Now := Clock;
       delay until Now + Schedule.Console_Limit;
    end Serve;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The log on its way to the console: a bounded buffer, so that no task ever
---  waits for the console. The object only locks: Log_Lines decides.
+--  The log on its way to the console: a bounded buffer, so that no task waits
+--  for the console. The object only locks; Log_Lines decides.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
@@ -17,13 +17,13 @@ package body Journal with SPARK_Mode is
 
    Least : Options.Level := Options.Info
      with Atomic, Async_Readers, Async_Writers;
-   --  Of what is kept. Not in the buffer: a line that is not kept costs next
-   --  to nothing, neither a lock nor the time of day
+   --  The most detailed level logged. Outside the buffer: a line that is not
+   --  logged needs neither a lock nor the time of day
 
    procedure Put_Part
      (Level : Options.Level; Now : Instant; Text : String; After : Natural)
    with Pre => After <= Text'Length;
-   --  A line of what follows After characters of Text
+   --  A line of Text, without its first After characters
 
    procedure Get_Now (Now : out Instant)
    with Global => (Input => (Start, Clock_Time));
@@ -68,8 +68,8 @@ package body Journal with SPARK_Mode is
       Whole : Seconds_Count;
       Rest  : Time_Span;
    begin
-      --  not by a division of the time as a whole: its result, an Integer,
-      --  would be too small after 24 days
+      --  no division of the whole time: its result is an Integer, which
+      --  overflows after 24 days
       Split (Time_Of (0, Read - Start), Whole, Rest);
       Now :=
         (Seconds     => Natural

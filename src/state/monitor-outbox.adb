@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What waits to be sent to the monitor, shared by all tasks. The object only
---  locks, and passes images from hand to hand: Monitor.Mailboxes decides.
+--  Messages that wait to be sent to the monitor. The object only locks, and
+--  exchanges image messages by reference; Monitor.Mailboxes decides.
 
 with Ada.Real_Time;                use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
@@ -22,7 +22,7 @@ package body Monitor.Outbox with SPARK_Mode is
    Hold_Begun  : Suspension_Object;
 
    procedure Exchange (Left, Right : in out Message_Access);
-   --  Each is where the other was
+   --  Swaps the two
 
    procedure Exchange (Left, Right : in out Message_Access) is
       Kept : constant Message_Access := Left;
@@ -33,7 +33,7 @@ package body Monitor.Outbox with SPARK_Mode is
 
    protected Box with Priority => Schedule.Outbox_Ceiling is
       procedure Fill (First, Second : in out Message_Access);
-      --  Images' messages for the box itself, of which none waits
+      --  The box gets its messages for images
       procedure Open_Session;
       procedure Close_Session (Next : out Orders.Ticket);
       procedure Get_Busy (Busy : out Boolean);
@@ -42,7 +42,7 @@ package body Monitor.Outbox with SPARK_Mode is
          Number : out Orders.Ticket;
          Result : out Monitor.Mailboxes.Place;
          Begun  : out Boolean);
-      --  Begun, here and below: unasked messages begin to be held back
+      --  Begun, here and below: unsolicited messages begin to be held back
       procedure Answer
         (Number : Orders.Ticket; Kind : Monitor.Protocol.Answer_Kind);
       procedure Answer_Nothing (Number : Orders.Ticket);
@@ -83,8 +83,8 @@ package body Monitor.Outbox with SPARK_Mode is
       procedure Get_Waiting (Count : out Orders.Order_Count);
    private
       Mail  : Monitor.Mailboxes.Mailbox;
-      Arena : Message_Access := null;  --  the answer that is an image
-      Image : Message_Access := null;  --  the periodic one
+      Arena : Message_Access := null;  --  of an arena order
+      Image : Message_Access := null;  --  the periodic image
    end Box;
 
    protected body Box is
@@ -237,18 +237,18 @@ package body Monitor.Outbox with SPARK_Mode is
 
    First  : Message_Access := new Monitor.Image_Messages.Message;
    Second : Message_Access := new Monitor.Image_Messages.Message;
-   --  For the box
+   --  The box's own
 
    procedure Wake_Sender (Number : Orders.Ticket := 0)
    with Annotate => (GNATprove, Terminating);
-   --  There is something to be looked at
+   --  The box may contain a message to be sent
 
    procedure Wake (Begun : Boolean)
    with Annotate => (GNATprove, Terminating);
-   --  An unasked message has been put into the box
+   --  An unsolicited message has been put into the box
 
    procedure Wake_Hold with Annotate => (GNATprove, Terminating);
-   --  Unasked messages begin to be held back
+   --  Unsolicited messages begin to be held back
 
    procedure Answer
      (Order : in out Orders.Order; Kind : Monitor.Protocol.Answer_Kind) is
@@ -422,7 +422,7 @@ package body Monitor.Outbox with SPARK_Mode is
    procedure Wait_Sender is
       Busy : Boolean;
    begin
-      --  the event may be a late one of the session before
+      --  the event may be a late one of the previous session
       loop
          Box.Get_Busy (Busy);
          exit when not Busy;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The session with the monitor: who is in command, how a session begins and
---  ends, and the events that pass between the tasks that see to it. The object
---  only locks: Monitor.Session_Stages decides.
+--  ends, and the events between the tasks involved. The object only locks;
+--  Monitor.Session_Stages decides.
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Schedule;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The event-data port of one task: a bounded queue of orders, first in
---  first out, with the task waiting at its end.
+--  The event-data port of a task: a bounded FIFO queue of orders, from which
+--  the task takes them.
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Trace;
@@ -52,7 +52,7 @@ package body Order_Ports with SPARK_Mode is
          Trace.Idle (Who);
       end loop;
       if More then
-         --  the next Wait does not wait
+         --  the next Wait returns at once
          Set_True (Arrived);
       end if;
       Trace.Start (Who, Item.Number);

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  One client of the robot's line: asks, and waits for what comes of it.
+--  A client of the robot's line: makes a request and waits for its outcome.
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Trace;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The requests that wait for the robot's line, and what is known of the
---  robot, shared by all tasks. The object only locks: Robot.Requests and
+--  The requests that wait for the robot's line, and the known state of the
+--  robot, shared by all tasks. The object only locks; Robot.Requests and
 --  Robot.Line_Status decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
@@ -101,7 +101,7 @@ package body Robot.Line with SPARK_Mode is
 
    procedure Wake (Number : Orders.Ticket := 0)
    with Annotate => (GNATprove, Terminating);
-   --  The owner of the line looks again
+   --  Wakes the owner of the line
 
    procedure Wake (Number : Orders.Ticket := 0) is
    begin
@@ -174,7 +174,7 @@ package body Robot.Line with SPARK_Mode is
    begin
       Line.Finish (Done, State, Result, At_Time, More);
       if More then
-         --  the next Take does not wait
+         --  the next Take returns at once
          Set_True (Work);
       end if;
    end Finish;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The command line of this run, read while the program is elaborated.
+--  The command line of this run.
 
 with Program_Arguments;
 with Texts;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The event-data ports of the tasks that carry out the monitor's orders,
---  and the way of an order to the right one.
+--  The event-data ports of the tasks that carry out the monitor's orders, and
+--  the dispatch of orders to them.
 
 with Order_Meanings; use Order_Meanings;
 with Robot.Line;
@@ -13,7 +13,7 @@ package body Task_Ports with SPARK_Mode is
    with
      Pre  => Item.Owed,
      Post => not Item.Owed;
-   --  Item is the vision's next order
+   --  Sends the vision's next order
 
    procedure To_Vision (Item : in out Orders.Order) is
    begin
@@ -57,8 +57,8 @@ package body Task_Ports with SPARK_Mode is
 
    procedure Clear is
    begin
-      --  the vision's ports hold one order between them, which is to be
-      --  taken: it leads to the next
+      --  the vision's ports hold at most one order, which must still be taken,
+      --  as it leads to the next
       Vision.Queue.Clear;
       Open_Robot.Clear;
       Start_Robot.Clear;

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What is asked of the camera's owner: open it, close it. Nobody but
---  th_cameraControl waits for a camera that takes long to open. The object
---  only locks: Vision.Camera_Demands decides.
+--  Requests to the camera's owner: open, close. The object only locks;
+--  Vision.Camera_Demands decides.
 
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with Schedule;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Which task may use which frame slot: the camera's owner fills one after
---  the other, the newest is for whoever takes it first. The object only
---  locks: Vision.Frame_Slots and Vision.Frame_Delivery decide.
+--  Which task may use which frame slot: the camera's owner fills them in turn,
+--  and the newest image goes to the first reader that claims it. The object
+--  only locks; Vision.Frame_Slots and Vision.Frame_Delivery decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
@@ -12,10 +12,10 @@ with Vision.Frame_Delivery;
 package body Vision.Frame_Store with SPARK_Mode is
 
    Changed : Suspension_Object;
-   --  An image has come, or none will: for th_arene
+   --  An image has come, or none will. Awaited by th_arene
 
    Look : Suspension_Object;
-   --  The same, or nothing has come for too long: for th_captureImg
+   --  The same, or the camera is silent. Awaited by th_captureImg
 
    protected Store with Priority => Schedule.Frame_Ceiling is
       procedure Begin_Delivery (At_Time : Time);
@@ -44,7 +44,7 @@ package body Vision.Frame_Store with SPARK_Mode is
    end Store;
 
    procedure Tell_If (Awaited : Boolean);
-   --  th_captureImg has something to look at
+   --  Wakes th_captureImg
 
    protected body Store is
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What happens when a task ends, which none may: the process is told, and
---  stops the robot and itself.
+--  Reaction to the end of a task, as none may end: the robot is stopped, then
+--  the process.
 
 with Ada.Exceptions;                use Ada.Exceptions;
 with Ada.Synchronous_Task_Control;  use Ada.Synchronous_Task_Control;

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Carries out a request on the serial line, step by step as the session's
---  logic says. For the owner of the line only.
+--  Carries out a request on the serial line, by the steps of Robot.Session.
 
 with Ada.Real_Time;  use Ada.Real_Time;
 with Bytes;
@@ -32,7 +31,7 @@ package body Robot.Exchange with SPARK_Mode is
          (if Item.Kind in With_Argument then
              Robot.Serial_Line.Written.Last.Value.Value = Item.Value))
    with Ghost;
-   --  Since Before one frame has been written, that of Item
+   --  Since Before, Item has been written, and no other frame
 
    procedure Exchange
      (Item      : Command;
@@ -40,8 +39,8 @@ package body Robot.Exchange with SPARK_Mode is
       Ok        : out Boolean;
       Answer    : out Reply)
    with Post => Is_Written (Item, Robot.Serial_Line.Written'Old);
-   --  Sends Item and waits for its answer. Skip_Late: frames that are no
-   --  answer of its class are late ones to earlier commands
+   --  Sends Item and waits for its answer. Skip_Late: frames of other classes
+   --  are late answers to earlier commands, and are skipped
 
    procedure Take_Step
      (State    : Robot.Session.State;
@@ -58,8 +57,8 @@ package body Robot.Exchange with SPARK_Mode is
              (if Is_Movement (Robot.Serial_Line.Written.Last) then
                  State.Mode /= Robot.Session.Not_Started)
         else Robot.Serial_Line.Written = Robot.Serial_Line.Written'Old);
-   --  What goes over the line is the step's command and nothing else; and a
-   --  movement only while the robot is started
+   --  Only the step's command is sent on the line, and a movement only while
+   --  the robot is started
 
    procedure Open_Device (Success : out Boolean) is
       Chosen : Options.Values renames Settings.Command_Line.Chosen;
@@ -132,7 +131,7 @@ package body Robot.Exchange with SPARK_Mode is
             exit when Ok;
          end loop;
          exit when Ok;
-         --  a line that never falls silent does not put the deadline off
+         --  a line that never falls silent must not postpone the time-out
          Now := Clock;
          exit when Now >= Deadline;
       end loop;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The tasks beside the report's: the console, and the end of the process,
---  orderly or after a failure.
+--  The tasks that are not in the design report: the console, and the end of
+--  the process, in order or after a failure.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Console;
@@ -32,13 +32,13 @@ package body Support_Tasks with SPARK_Mode is
          when Options.Debug   => "debug");
 
    procedure Write (Item : Journal.Line);
-   --  One line of the log: "[seconds.milliseconds] level: text"
+   --  Writes a line of the log: "[seconds.milliseconds] level: text"
 
    procedure Wait_Session_End (Limit : Time);
-   --  Until the session is over, Limit at most
+   --  Waits until the session has ended, Limit at most
 
    procedure Wait_Console (Limit : Time);
-   --  Until the log has been written, Limit at most
+   --  Waits until the log has been written, Limit at most
 
    procedure Write (Item : Journal.Line) is
       Text : Texts.Text;
@@ -128,7 +128,7 @@ package body Support_Tasks with SPARK_Mode is
          Process.Signals.Wait (Kind);
          Trace.Take_Up (Schedule.Th_Stop);
          if Kind = Process.Signals.Failure then
-            --  whoever has failed, the robot stops now, for good
+            --  whichever task has failed, the robot stops now, for good
             Robot.Line.Refuse_Orders;
             Robot.Serial_Line.Stop_Blindly;
             Trace.Ordered (Schedule.Th_Stop, Robot.Protocol.Move);
