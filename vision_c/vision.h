@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/* The camera and the image work of the supervisor: a plain C interface
- * over OpenCV 4, usable from any language.
+/* The camera and the image processing of the supervisor: a plain C interface
+ * to OpenCV 4, usable from any language.
  *
- * Threads: no function starts a thread, and OpenCV is kept to the calling
- * one; a video back end that has threads of its own has them at ordinary
- * priority, whatever the caller's. The camera (vision_open, vision_grab,
- * vision_close) belongs to one thread at a time; each frame slot belongs to
- * one thread at a time; the caller sees to both. Different slots may be used
- * by different threads at once.
+ * Threads: no function starts a thread, and OpenCV runs in the calling thread
+ * only; threads of a video back end run at ordinary priority, whatever the
+ * caller's. The camera (vision_open, vision_grab, vision_close) belongs to
+ * one thread at a time, and so does each frame slot; the caller ensures both.
+ * Different threads may use different slots at the same time.
  *
- * Errors: every function returns a vision_status; no C++ exception leaves.
+ * Errors: every function returns a vision_status and throws no C++ exception.
  *
- * Coordinates: pixels of the whole image, sub-pixel, x to the right and y
+ * Coordinates: sub-pixel, in pixels of the whole image, x to the right and y
  * down, (0, 0) the centre of the top left pixel.
  */
 #ifndef VISION_H
@@ -45,13 +44,12 @@ typedef enum {
 
 typedef struct { double x, y; } vision_point;
 
-/* The four inner corners of the arena's white border, in the order top
- * left, top right, bottom right, bottom left as the image shows them: the
- * side from the first to the second is that which, with the side opposite,
- * runs most to the right, however the field lies. */
+/* The four inner corners of the arena's white border, in the order top left,
+ * top right, bottom right, bottom left in the image. Top is the side that,
+ * with its opposite side, is closest to horizontal. */
 typedef struct { vision_point corner[4]; } vision_arena;
 
-/* A square of the image: its middle, and half its side. */
+/* A square of the image: its centre, and half its side. */
 typedef struct {
   vision_point centre;
   double reach;
@@ -64,104 +62,102 @@ typedef struct {
   double angle;            /* atan2 (cy - dy, cx - dx), degrees, (-180, 180] */
 } vision_robot;
 
-/* Opens SOURCE: a camera number, a device path, a file (still image or
- * video, replayed in a loop), a URL, or a GStreamer pipeline (text with a
- * '!'). WIDTH, HEIGHT and FPS are asked of a camera; every frame is scaled
- * to fit WIDTH x HEIGHT, its proportions kept, when the source delivers
- * another size. SOURCE stays the caller's. An open source is closed first.
- * May take as long as the source does, 5 s at most for a URL (7 s where
- * damaged images come).
- * VISION_NO_CAMERA when it cannot be opened or gives no first image.
+/* Opens SOURCE: a camera number, a device path, a file (still image or video,
+ * replayed in a loop), a URL, or a GStreamer pipeline (text with a '!').
+ * WIDTH, HEIGHT and FPS are requested from a camera; an image of another size
+ * is scaled to fit WIDTH x HEIGHT with its aspect ratio. SOURCE remains the
+ * caller's. An open source is closed first. Waits for the source, for a URL
+ * at most 5 s (7 s with damaged images). VISION_NO_CAMERA if it cannot be
+ * opened or delivers no image.
  *
- * Where the source has JPEG itself (Motion JPEG in an HTTP stream or a file,
- * a V4L2 camera that grants MJPG), that is what is stored: it is decoded in
- * the first function that needs pixels, in its thread, and encoded again
- * only where something has been drawn in it or its size is not that asked
- * for. */
+ * JPEG from the source (Motion JPEG in an HTTP stream or a file, a V4L2
+ * camera that grants MJPG) is stored as it is. The first function that needs
+ * pixels decodes it, in its own thread. It is encoded again only if something
+ * has been drawn into it or its size is not the requested one.
+ */
 vision_status vision_open(const char *source, int width, int height, int fps);
 
-/* Waits for the next image of the open source and stores it in SLOT.
- * Paced by the source; a file is paced at its own rate (a still image at
- * 25 a second). VISION_NO_IMAGE when a URL ends, or after 2 s without an
- * image (4 s where damaged ones came), where the source lets itself be
- * interrupted. Damaged: no image, or, of a JPEG, a head from which nothing
- * can be decoded; one that is damaged or ends further behind is stored.
- * What a live source delivers waits in buffers of the system and grows old
- * there unless it is grabbed as fast as it comes. */
+/* Waits for the next image of the open source and stores it in SLOT. Paced by
+ * the source; a file is paced at its own rate (a still image at 25 per
+ * second). VISION_NO_IMAGE when a URL ends, or after 2 s without an image (4
+ * s with damaged images), if the source can be interrupted. Damaged: no
+ * image, or a JPEG whose header cannot be decoded; a JPEG that is damaged or
+ * truncated after its header is stored. Images of a live source must be
+ * grabbed as fast as they arrive; otherwise they age in buffers of the
+ * system. */
 vision_status vision_grab(int slot);
 
-/* What the open source delivers, such as "MJPG 640x480, 30 a second": the
- * format, the size and, where the source says it, the rate that it granted;
- * empty for a still image and where none is open. Never null, valid until the
- * next call from this thread. */
+/* The format, size and granted rate (if known) of the open source, such as
+ * "MJPG 640x480, 30 a second"; empty for a still image and if none is open.
+ * Never null, valid until the next call from this thread. */
 const char *vision_format(void);
 
-/* Closes the source; does nothing when none is open. */
+/* Closes the source; no effect if none is open. */
 vision_status vision_close(void);
 
-/* The size of the image in SLOT. As with all that follow:
- * VISION_BAD_ARGUMENT when nothing was ever stored there. */
+/* The size of the image in SLOT. Here and in all functions below:
+ * VISION_BAD_ARGUMENT if nothing was ever stored there. */
 vision_status vision_size(int slot, int *width, int *height);
 
-/* Finds the arena in the image of SLOT: a plain 4:3 field in a brighter
- * border of any width and brightness, either side up, from a third of the
- * image's width. Robots, things and shadows may be on it; the lens may bend
- * its sides, which meet in the corners. VISION_NOT_FOUND if none. */
+/* Finds the arena in the image of SLOT: a plain 4:3 field with a brighter
+ * border of any width and brightness, in any orientation, at least a third of
+ * the image's width. Robots, objects and shadows may be on it; lens
+ * distortion may bend its sides. VISION_NOT_FOUND if there is none. */
 vision_status vision_find_arena(int slot, vision_arena *arena);
 
-/* Finds the robots in the image of SLOT, inside ARENA unless it is null
- * (their centre; a fiftieth of its width outside is tolerated), and writes
- * at most CAPACITY of them, lowest identifier first; COUNT is how many were
- * written. VISION_NOT_FOUND with COUNT 0 if none. A marker needs a side of
- * 10 to 12 pixels (of less than 9 it is none) and a white margin of a quarter
- * of a module; one whose identifier is in doubt is not named. Its centre is
- * the middle of its first and third corner, its direction the middle of its
- * first and second. */
+/* Finds the robots in the image of SLOT; unless ARENA is null, only those
+ * with their centre inside (tolerance: a fiftieth of its width). Writes at
+ * most CAPACITY of them, lowest identifier first; COUNT is the number
+ * written. VISION_NOT_FOUND with COUNT 0 if there is none. A marker needs a
+ * side of 10 to 12 pixels (below 9 it is rejected) and a white margin of a
+ * quarter of a module; it is not reported if its identifier is uncertain. Its
+ * centre is the midpoint of its first and third corner, its direction the
+ * midpoint of its first and second. */
 vision_status vision_find_robots(int slot, vision_marker marker,
                                  const vision_arena *arena,
                                  vision_robot *robots, int capacity,
                                  int *count);
 
-/* The same where the robots are known to be: in AREAS only, as long as the
- * rest of the image (or of the arena) looks as it did when the calling thread
- * searched it last, here or in vision_find_robots. VISION_NOT_FOUND, too,
- * where it does not: search everywhere then. An area's search ends with as
- * many robots as the calling thread found there last. What is found is found
- * with the same result. */
+/* The same near known places of the robots: searches AREAS only, if the rest
+ * of the image (or arena) has not changed since the calling thread's last
+ * search, by this or vision_find_robots. Otherwise VISION_NOT_FOUND: search
+ * the whole image then. The search of an area ends when it has found as many
+ * robots as the last search there. The results are those of
+ * vision_find_robots. */
 vision_status vision_follow_robots(int slot, vision_marker marker,
                                    const vision_arena *arena,
                                    const vision_area *areas, int area_count,
                                    vision_robot *robots, int capacity,
                                    int *count);
 
-/* Draw into the image of SLOT; after the searches, from which drawings hide
- * what they look for. */
+/* Draw into the image of SLOT; after the searches, as drawings hide the
+ * robots and the arena. */
 vision_status vision_draw_arena(int slot, const vision_arena *arena);
 vision_status vision_draw_robot(int slot, const vision_robot *robot);
 
 /* Writes the image of SLOT as JPEG into BUFFER of CAPACITY bytes; LENGTH is
- * how many were written. The camera's own bytes, up to the end of the image,
- * whatever QUALITY says, where they show the image as it is to be, fit, and
- * are what any viewer takes: one scan, Huffman's code with its tables, an
- * end, no marker that is out of place. Else the image is encoded, QUALITY
- * 1 .. 100. VISION_TOO_SMALL when it does not fit (what BUFFER holds is
- * undefined then). */
+ * the number written. The camera's own bytes, up to the end of the image, are
+ * used, whatever QUALITY, if they show the image as required, fit, and any
+ * viewer can read them: one scan, Huffman code with its tables, an end, no
+ * misplaced marker. Otherwise the image is encoded, QUALITY 1 .. 100.
+ * VISION_TOO_SMALL if it does not fit (the contents of BUFFER are then
+ * undefined). */
 vision_status vision_encode(int slot, int quality, unsigned char *buffer,
                             int capacity, int *length);
 
 /* Stores an image from memory in SLOT: 8-bit BGR, rows of WIDTH * 3 bytes
- * without padding. The memory stays the caller's. */
+ * without padding. The memory remains the caller's. */
 vision_status vision_load(int slot, const unsigned char *bgr, int width,
                           int height);
 
-/* Stores a JPEG from memory in SLOT, as vision_grab does with a camera's,
- * to be fitted to WIDTH x HEIGHT. The memory stays the caller's.
- * VISION_NO_IMAGE when it is damaged. */
+/* Stores a JPEG from memory in SLOT, as vision_grab does, to be fitted to
+ * WIDTH x HEIGHT. The memory remains the caller's. VISION_NO_IMAGE if it is
+ * damaged. */
 vision_status vision_load_jpeg(int slot, const unsigned char *jpeg,
                                int length, int width, int height);
 
-/* What went wrong last in the calling thread, for a log: never null, valid
- * until the next call from this thread. */
+/* The last error of the calling thread, for a log: never null, valid until
+ * the next call from this thread. */
 const char *vision_reason(void);
 
 /* The version of OpenCV in use, such as "4.6.0". Static. */

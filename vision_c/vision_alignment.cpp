@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Alignment: moves a drawn shape to where it lies in the image best.
+// Alignment: moves a drawn shape to its best position in the image.
 
 #include "vision_search.hpp"
 
@@ -9,7 +9,7 @@ namespace vision {
 
 namespace {
 
-// The coordinates in which the parameters of a map are of one size.
+// Coordinates in which the parameters of a map have similar scale.
 struct Frame_Of_Shape {
   double x, y, scale;
   explicit Frame_Of_Shape(const cv::Mat &shape)
@@ -20,7 +20,7 @@ struct Frame_Of_Shape {
   }
 };
 
-// The map that takes the unit square to QUAD (Heckbert 1989).
+// The map from the unit square to QUAD (Heckbert 1989).
 Map map_of_square(const Quad &quad) {
   const Point a = quad[1] - quad[2], b = quad[3] - quad[2];
   const Point rest = quad[0] - quad[1] + quad[2] - quad[3];
@@ -32,8 +32,7 @@ Map map_of_square(const Quad &quad) {
   return {x.x, y.x, quad[0].x, x.y, y.y, quad[0].y, g, h, 1};
 }
 
-// Whether MAP turns nothing over between -1 and 1, nor takes it near the
-// horizon.
+// Whether MAP keeps the orientation between -1 and 1, away from the horizon.
 bool keeps_turn(const Map &map) {
   double nearest = 1e9;
   for (const double x : {-1.0, 1.0})
@@ -43,14 +42,13 @@ bool keeps_turn(const Map &map) {
   return nearest > 0.2 * map(2, 2) && cv::determinant(map) > 1e-6;
 }
 
-// What the brightness of a pixel of a shape gains by a change of offset,
-// contrast and each parameter of its map to the image; what is not used stays
-// 0.
+// Derivatives of a shape pixel's brightness with respect to offset, contrast
+// and each parameter of the map; unused ones stay 0.
 constexpr int fours = 3, most_gains = 4 * fours;
 using Gains = std::array<Four, fours>;
 
-// The pixels of shapes of one size that are compared with an image, and what
-// they show.
+// The pixels of shapes of one size that are compared with an image, and their
+// values.
 class Comparison {
 public:
   Comparison(const cv::Mat &image, const cv::Mat &used, const Map &map)
@@ -79,25 +77,25 @@ public:
     look(map);
   }
 
-  // Moves MAP, from unit coordinates of the shape, so that SHAPE (float) lies
-  // on its image best, by least squares (Gauss-Newton); contrast and
-  // brightness are fitted with it. FIT.distance is what remains, grey levels
-  // over contrast. False, and nothing is changed, where the shape slips away,
-  // or where not less than LEAST remains; it is not tried where a twentieth
-  // more remains at the beginning.
+  // Moves MAP, from unit coordinates of the shape, so that SHAPE (float) fits
+  // its image best, by least squares (Gauss-Newton); contrast and brightness
+  // are fitted too. FIT.distance is the residual, in grey levels over
+  // contrast. Returns false with no change if the shape drifts away or the
+  // residual is LEAST or more; not attempted if the initial residual is over
+  // LEAST by a twentieth.
   //
-  // The steps are taken in the shape's own coordinates: there the gradients,
-  // and so the normal equations, are the same in every round.
+  // Steps are in the shape's coordinates: there the gradients, and so the
+  // normal equations, are the same in each iteration.
   bool align(const cv::Mat &shape, int parameters, double least, Map &map,
              Fit &fit);
 
-  // By how much the square of the blur of SHAPE, to which the last alignment
-  // has led, is less than that of the image; pixels of the shape.
+  // By how much the squared blur of SHAPE, after the last alignment, is below
+  // that of the image; pixels of the shape.
   double blur_left(const cv::Mat &shape, const Fit &fit) const;
 
 private:
-  // Nothing is allocated from search to search. The places are filled up to
-  // a multiple of four, and so is what is seen there.
+  // No allocation in later searches. Positions and samples are padded to a
+  // multiple of four.
   struct Buffers {
     std::vector<float> x, y, seen, value;
     std::vector<int> place;
@@ -107,8 +105,8 @@ private:
 
   const cv::Mat &grey;
   const Frame_Of_Shape frame;
-  // Where each pixel is, in unit coordinates and in the shape; what the image
-  // and the shape show there.
+  // Position of each pixel, in unit coordinates and in the shape; the values
+  // of the image and of the shape there.
   std::vector<float> &x, &y, &seen, &value;
   std::vector<int> &place;
   std::vector<Gains> &gains;
@@ -124,7 +122,7 @@ private:
 
 thread_local Comparison::Buffers Comparison::buffers;
 
-// What the image shows at each pixel.
+// Samples the image at each pixel.
 void Comparison::look(const Map &map) {
   const cv::Matx33f single = map;
   seen.resize(x.size());
@@ -135,7 +133,7 @@ void Comparison::look(const Map &map) {
   }
 }
 
-// The brightness and contrast that fit best, and what remains then.
+// The best brightness and contrast, and the residual.
 bool Comparison::fit_brightness(Fit &fit) const {
   const double number = double(place.size());
   double v = 0.0, vv = 0.0, s = 0.0, sv = 0.0, ss = 0.0;
@@ -249,7 +247,7 @@ bool Comparison::align(const cv::Mat &shape, int parameters, double least,
         change[i] += inverse(i, j) * right[j / 4][j % 4];
     now.offset += change[0];
     now.contrast += change[1];
-    // What is to be moved in the shape is to be moved back in the image.
+    // A shift in the shape is the opposite shift in the image.
     const auto part = [&](int k) { return change[2 + k] / now.contrast; };
     const Map step(1 + part(0), part(1), part(2), part(3), 1 + part(4),
                    part(5), part(6), part(7), 1);
@@ -273,8 +271,8 @@ bool Comparison::align(const cv::Mat &shape, int parameters, double least,
   return true;
 }
 
-// A blur changes a shape by half of its Laplacian; what of that the other
-// parameters would do as well does not count.
+// A blur changes a shape by half of its Laplacian; the part that the other
+// parameters can produce is excluded.
 double Comparison::blur_left(const cv::Mat &shape, const Fit &fit) const {
   const int across = shape.cols;
   Gains sum{};
@@ -316,7 +314,7 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
   double least = none;
   if (!keeps_turn(start))
     return false;
-  // pixels of the image for one of the shape, about its middle
+  // image pixels per shape pixel, at its centre
   const double scale =
       std::sqrt(std::fabs(cross(apply(start, Point(0.5, 0)) -
                                     apply(start, Point(-0.5, 0)),
@@ -346,7 +344,7 @@ bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
     std::swap(fit.shape, blurred);
     return true;
   };
-  // Most images are about as sharp as the first.
+  // Most images are about as sharp as the first one.
   const double known = fit.spread * scale;
   bool better = known > 0.0 && try_blur(known);
   for (const double sigma : {0.9, 1.4, 0.6, 2.2})

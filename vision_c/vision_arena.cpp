@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for the arena: edges of a small image vote for lines, four
-// lines make an outline, the best outlines are looked at closely.
+// The search for the arena: edges of a small image vote for lines, four lines
+// form an outline, and the best outlines are examined closely.
 
 #include "vision_rims.hpp"
 
@@ -15,13 +15,13 @@ namespace {
 
 constexpr int small_side = 320;  // pixels, of the image searched
 
-// The lenses that are tried: half of a step off, a side of a field that
-// fills the image bends by two pixels of the small image.
+// The lens distortions tried: with an error of half a step, a side of a field
+// that fills the image bends by two pixels of the small image.
 constexpr std::array<double, 5> bends{0.0, -0.05, -0.11, -0.18, -0.26};
 
 // ------------------------------------------------------------------- Edges
 
-// A point of the small image where it gets brighter along NORMAL.
+// A point of the small image at which it gets brighter along NORMAL.
 struct Spot {
   cv::Point2f at, normal;  // from the middle, pixels; of length 1
   float slope;             // grey levels a pixel
@@ -29,8 +29,8 @@ struct Spot {
 
 constexpr int gain = 128;  // of the gradient: a grey level a pixel
 
-// The level that one in four gradients is below; a plain area or the least
-// part of a rough one, which noise makes.
+// The lower quartile of the gradients: from a plain area, or the smoothest
+// part of a rough one, where noise causes them.
 double usual_gradient(const cv::Mat &dx, const cv::Mat &dy) {
   std::array<int, 1024> tally{};
   int count = 0;
@@ -53,7 +53,7 @@ void find_spots(const cv::Mat &small, std::vector<Spot> &spots) {
   cv::Mat &dx = scratch.gradient, &dy = scratch.transposed;
   cv::Sobel(small, dx, CV_16S, 1, 0, 5, 1.0, 0.0, cv::BORDER_REPLICATE);
   cv::Sobel(small, dy, CV_16S, 0, 1, 5, 1.0, 0.0, cv::BORDER_REPLICATE);
-  // A quarter of the sizes of two normal deviates is below 0.76 of theirs.
+  // The lower quartile of the length of two normal deviates is 0.76 sigma.
   const double noise = usual_gradient(dx, dy) / 0.76;
   const double slope = std::max(1.2 * gain, 3.5 * noise);
   const float least = float(slope * slope);
@@ -75,7 +75,7 @@ void find_spots(const cv::Mat &small, std::vector<Spot> &spots) {
       if (5.0f * high >= 2.0f * wide)
         down = fall > 0.0f ? 1 : -1;
       const std::ptrdiff_t ahead = across + down * line;
-      // Along the normal: the far side of a thin border rises the other way.
+      // Along the normal: beyond a thin border the gradient is reversed.
       const auto size = [&](std::ptrdiff_t at) {
         return rise * x[at] + fall * y[at];
       };
@@ -101,7 +101,7 @@ constexpr float distance_bin = 2.0f;  // pixels
 constexpr int pieces = 128;          // of a line
 constexpr float piece = 4.0f;        // pixels
 
-// A line that is brighter on the side its normal points to.
+// A line that is brighter on the side of its normal.
 struct Rim {
   cv::Point2f normal;
   float distance = 0.0f;  // from the middle along the normal, pixels
@@ -111,7 +111,7 @@ struct Rim {
 
   cv::Point2f along() const { return {-normal.y, normal.x}; }
 
-  // The share of the way FROM .. TO, both on the line, that has edges.
+  // The share of the segment FROM .. TO, both on the line, that has edges.
   float support(const cv::Point2f &from, const cv::Point2f &to) const {
     const auto index = [&](const cv::Point2f &point) {
       const int n = cvRound(point.dot(along()) / piece) + pieces / 2;
@@ -131,8 +131,8 @@ struct Votes {
   std::vector<Rim> rims;
 };
 
-// The edges as a lens without distortion would show them, sorted by the
-// direction of their normals.
+// The edges after removal of the lens distortion, sorted by the direction of
+// their normals.
 void straighten_spots(Votes &votes, double bend, float unit) {
   const float rate = float(bend) / (unit * unit);
   votes.straight.clear();
@@ -181,7 +181,7 @@ void count_votes(Votes &votes) {
   }
 }
 
-// Fits the line to the edges near it, and notes where it has some.
+// Fits the line to the edges near it, and records where it has some.
 void fit_rim(const Votes &votes, Rim &rim) {
   std::array<bool, pieces> filled;
   for (int round = 0; round < 2; ++round) {
@@ -330,8 +330,8 @@ struct Candidates {
   }
 };
 
-// Four lines, each a quarter turn clockwise from the one before it, with
-// edges along the way between their corners.
+// Four lines, each a quarter turn clockwise from the previous one, with edges
+// between their corners.
 void find_outlines(const cv::Mat &small, const std::vector<Rim> &rims,
                    double bend, Candidates &found) {
   constexpr int quarter = angles / 4, slack = 9;  // 18 degrees
@@ -404,7 +404,7 @@ void find_outlines(const cv::Mat &small, const std::vector<Rim> &rims,
           const double support = right_support + bottom + left + upper;
           if (support < 2.3 || !is_field(candidate.outline, 0.16))
             continue;
-          // Of two that fit alike it is the plainer lens.
+          // For equal fits, prefer the smaller distortion.
           candidate.score = support - 0.5 * std::fabs(bend);
           found.add(candidate);
         }
@@ -413,9 +413,9 @@ void find_outlines(const cv::Mat &small, const std::vector<Rim> &rims,
   }
 }
 
-// The noise of a pixel: standard deviation, from what is left of three
-// neighbours on a line when the mean of the outer two is taken off; a quarter
-// of them are below 0.32 of theirs.
+// Noise of a pixel: standard deviation, from the difference of each pixel and
+// the mean of its two neighbours on a line; the lower quartile is 0.32 of
+// that.
 double noise_of(const cv::Mat &grey) {
   std::array<int, 256> tally{};
   int count = 0;
@@ -438,7 +438,7 @@ double noise_of(const cv::Mat &grey) {
   return std::max(0.3, (level - 0.5 + part) / (0.32 * std::sqrt(6.0)));
 }
 
-// Edges in the field for each of its pixels.
+// Edge points in the field per pixel.
 double busyness(const std::vector<Spot> &spots, const cv::Mat &small,
                 const Outline &outline, double contrast) {
   constexpr double part = 0.1;  // of the border's contrast that counts
@@ -461,8 +461,8 @@ double grade(const Evidence &evidence) {
          std::pow(0.85, 4 - evidence.corners);
 }
 
-// Whether ONE lies in OTHER: two edges of one border, of which the inner is
-// the field's.
+// Whether ONE lies in OTHER: two edges of one border, of which the inner one
+// belongs to the field.
 bool inside(const Outline &one, const Outline &other) {
   for (int k = 0; k < 4; ++k)
     if (depth(one.corner[k], other.corner.data(), 4) < -0.01)
@@ -470,8 +470,8 @@ bool inside(const Outline &one, const Outline &other) {
   return true;
 }
 
-// Whether ONE, which has two corners of OTHER and does not lie in it, is OTHER
-// with a wrong line.
+// Whether ONE, which shares two corners with OTHER and does not lie in it, is
+// OTHER with a wrong line.
 bool is_variant(const Outline &one, const Outline &other) {
   constexpr double near = 0.03;
   int shared = 0;
@@ -480,8 +480,8 @@ bool is_variant(const Outline &one, const Outline &other) {
   return shared >= 2 && !inside(one, other);
 }
 
-// Whether the sides go on behind the corners: it is one of several tiles or
-// panes, or a part of a frame. Rough ground looks like a weak border.
+// Whether the sides continue beyond the corners: then it is one of several
+// tiles or panes, or part of a frame. Rough ground looks like a weak border.
 bool continues(const cv::Mat &small, const Outline &outline, double noise,
                const Evidence &evidence) {
   constexpr double weak = 35.0;  // grey levels
@@ -514,7 +514,7 @@ vision_status find_arena(Frame &here, vision_arena &arena) {
     count_votes(votes);
     find_rims(votes);
     find_outlines(small, votes.rims, bend, found);
-    // A stronger lens than that which fits well makes it worse.
+    // A distortion larger than a well-fitting one only fits worse.
     const double here = found.count > 0 ? found.candidate[0].score : 0.0;
     if (here > 3.6 && found.candidate[0].outline.bend != bend)
       break;
@@ -522,7 +522,7 @@ vision_status find_arena(Frame &here, vision_arena &arena) {
 
   const double noise = noise_of(grey);
   const double noise_small = scale > 1.0 ? noise_of(small) : noise;
-  // Closer and closer, at fewer and fewer.
+  // More and more closely, for fewer and fewer candidates.
   Candidates near, nearer;
   for (int n = 0; n < found.count; ++n) {
     Candidate &candidate = found.candidate[n];
@@ -585,7 +585,7 @@ vision_status find_arena(Frame &here, vision_arena &arena) {
   }
   if (best <= 0.0)
     return fail(VISION_NOT_FOUND, "no arena in the image");
-  // The first side is that which runs most to the right.
+  // The first side is the top: the one closest to horizontal.
   int first = 0;
   double furthest = 0.0;
   for (int k = 0; k < 4; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame slots: storing, drawing, encoding; and the errors' reasons.
+// The frame slots: storing, drawing, encoding; and error messages.
 
 #include "vision_internal.hpp"
 
@@ -36,14 +36,14 @@ cv::Point fine(const vision_point &point) {
   return {cvRound(point.x * (1 << shift)), cvRound(point.y * (1 << shift))};
 }
 
-// Lines stay visible in large images.
+// Lines remain visible in large images.
 int thickness(const cv::Mat &image) {
   return std::max(1, std::min(image.cols, image.rows) / 240);
 }
 
-// Writes TEXT on a plate of its own, so that it can be read whatever is
-// behind: beside a marker that reaches REACH from CENTRE to its sides, in the
-// first corner where the plate is inside the image and does not hide TIP.
+// Writes TEXT on an opaque plate next to a marker that extends by REACH from
+// CENTRE: at the first corner where the plate is inside the image and does not
+// hide TIP.
 void draw_label(cv::Mat &image, const std::string &text,
                 const cv::Point2d &centre, const cv::Point2d &tip,
                 double reach) {
@@ -88,7 +88,7 @@ void draw_label(cv::Mat &image, const std::string &text,
 }  // namespace
 
 Frame *frame(int slot) {
-  // Never destroyed: at exit a thread may still be at work on a frame.
+  // Never destroyed: at exit another thread may still use a frame.
   static Frames *const frames = new Frames;
   return slot >= 0 && slot < VISION_SLOTS ? &frames->slot[slot] : nullptr;
 }
@@ -223,8 +223,8 @@ vision_status vision_draw_robot(int slot, const vision_robot *robot) {
     const cv::Point2d ahead(robot->direction.x - centre.x,
                             robot->direction.y - centre.y);
 
-    // The arrow goes on well past the point that the robot looks at, or it
-    // would be lost in the marker.
+    // The arrow extends well beyond the direction point, to be visible outside
+    // the marker.
     const vision_point tip{centre.x + 2.5 * ahead.x, centre.y + 2.5 * ahead.y};
     if (!sound(tip))
       return fail(VISION_BAD_ARGUMENT, "no robot to draw");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the parts of vision_c share: frame slots, errors, limits.
+// Shared by the parts of vision_c: frame slots, errors, limits.
 
 #ifndef VISION_INTERNAL_HPP
 #define VISION_INTERNAL_HPP
@@ -14,49 +14,48 @@
 
 namespace vision {
 
-// What is known of a JPEG without decoding it.
+// Properties of a JPEG, known without decoding.
 struct Jpeg_Facts {
   int width = 0, height = 0;
   std::size_t whole = 0;  // bytes up to its end, if it can be passed on as it
                           // is; else 0
 };
 
-// Looks at the head of a JPEG, and at the rest for what is no part of an
-// image. False, with a reason, where it cannot be decoded.
+// Examines the header of a JPEG, and the rest for data that is not part of an
+// image. False, with a reason, if it cannot be decoded.
 bool examine(const cv::Mat &bytes, Jpeg_Facts &facts);
 
-// Decodes as far as the bytes are good; to a half, quarter or eighth of its
-// size where that is SIZE still or more. False, with a reason, where it
-// cannot be done.
+// Decodes the undamaged part; scaled to a half, quarter or eighth if that is
+// at least SIZE. False, with a reason, if it cannot be decoded.
 bool decode(const cv::Mat &bytes, const cv::Size &size, cv::Mat &image);
 
-// Encodes into BUFFER; what is in it is undefined unless VISION_OK.
+// Encodes into BUFFER; its contents are undefined unless VISION_OK.
 vision_status encode(const cv::Mat &image, int quality, unsigned char *buffer,
                      int capacity, int &length);
 
-// The largest size of the proportions of FROM that fits into LIMIT.
+// The largest size that fits into LIMIT with the aspect ratio of FROM.
 cv::Size fitting(const cv::Size &from, const cv::Size &limit);
 
-// Makes TO of SIZE from FROM; of the same size they swap, so that the buffers
-// go round and nothing is copied.
+// Makes TO of SIZE from FROM; if the sizes are equal, swaps the buffers
+// instead of copying.
 void scale(cv::Mat &from, cv::Mat &to, const cv::Size &size);
 
-// An image, or something of its size, that is kept for the next one. Where it
-// is large its memory is mapped apart, and goes back to the system when it is
+// A buffer for an image, or data of its size, that is reused for the next
+// image. Large buffers are mapped separately, and returned to the system when
 // no longer needed (vision_memory.cpp).
 struct Kept : cv::Mat {
   Kept();
 };
 
-// Images will be of this size, or are scaled to it.
+// Images will have this size, or are scaled to it.
 void expect_images(int width, int height);
 
-// An image. Its memory is used for the next one in the same slot, as is what
-// the work on it needs by the next work of the same thread, so that nothing is
-// allocated once sizes have settled.
+// An image. Its memory is reused for the next image in the same slot, and the
+// work buffers by the same thread, so that nothing is allocated once sizes are
+// stable.
 struct Frame {
-  // What a slot holds. A camera's own JPEG is decoded when its pixels are
-  // needed first, and passed on as it is until something is drawn in it.
+  // Contents of a slot. A camera's JPEG is decoded when its pixels are first
+  // needed, and passed on unchanged until something is drawn.
   enum class Content { nothing, pixels, jpeg, jpeg_and_pixels };
 
   Content content = Content::nothing;
@@ -69,7 +68,7 @@ struct Frame {
     return content == Content::jpeg || content == Content::jpeg_and_pixels;
   }
 
-  // Of the image, decoded or not.
+  // Size of the image, decoded or not.
   cv::Size size() const {
     return content == Content::jpeg
                ? fitting({facts.width, facts.height}, limit)
@@ -77,18 +76,17 @@ struct Frame {
   }
 };
 
-// The frame of a slot, null when there is no such slot.
+// The frame of a slot, null if there is no such slot.
 Frame *frame(int slot);
 
-// Decodes what a frame holds if need be. False, with a reason, where that
-// cannot be done.
+// Decodes the frame if necessary. False, with a reason, on failure.
 bool make_pixels(Frame &here);
 
-// Notes why the calling thread's operation fails, and returns the status.
+// Records the error of the calling thread's operation, and returns the status.
 vision_status fail(vision_status status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-// Runs an operation; its exceptions end here.
+// Runs an operation; catches its exceptions.
 template <typename Operation> vision_status guarded(Operation operation) {
   try {
     return operation();
@@ -104,7 +102,7 @@ template <typename Operation> vision_status guarded(Operation operation) {
   }
 }
 
-// The same for an operation on a slot, which has to hold an image.
+// The same for an operation on a slot, which must hold an image.
 template <typename Operation>
 vision_status on_frame(int slot, Operation operation) {
   return guarded([&] {
@@ -125,8 +123,8 @@ vision_status on_image(int slot, Operation operation) {
   });
 }
 
-// Whether a point can be drawn and searched around: a finite number of
-// pixels not absurdly far from the image.
+// Whether a point can be drawn and searched around: finite, and not too far
+// from the image.
 inline bool sound(const vision_point &point) {
   const double limit = 1e6;  // false for a NaN too
   return point.x >= -limit && point.x <= limit && point.y >= -limit &&

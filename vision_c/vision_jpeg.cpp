@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JPEG: the camera's own, as far as they need be known, and decoded where
-// they must be; and what the monitor is sent.
+// JPEG: examines the camera's own, decodes it if necessary, and encodes images
+// for the monitor.
 
 #include "vision_internal.hpp"
 
@@ -13,17 +13,17 @@
 #include <jpeglib.h>
 #include <jerror.h>  // after that one
 
-// libjpeg itself and not OpenCV's functions around it: those encode into a
-// vector that they let grow, swap the colours in a pass of their own, and
-// look at no head without decoding what follows.
+// Uses libjpeg directly, not OpenCV's functions: those encode into a growing
+// vector, swap the colours in a separate pass, and cannot read a header
+// without decoding the image.
 
 namespace vision {
 
 namespace {
 
-// libjpeg ends an operation in error_exit, which must not return. It is left
-// by a jump into the function that began it; nothing in between has a
-// destructor.
+// libjpeg ends a failed operation in error_exit, which must not return: it
+// jumps back (longjmp) to the function that started it; no function in between
+// has a destructor.
 struct Errors {
   jpeg_error_mgr manager;
   std::jmp_buf leave;
@@ -63,7 +63,7 @@ struct Decoder {
   }
 };
 
-// Reads the head; of an image that is none of ours, that is the end.
+// Reads the header; fails for an unsupported image.
 void begin(Decoder &decoder, const cv::Mat &bytes) {
   jpeg_decompress_struct &object = decoder.object;
   jpeg_create_decompress(&object);
@@ -79,8 +79,8 @@ void begin(Decoder &decoder, const cv::Mat &bytes) {
   object.out_color_space = JCS_EXT_BGR;
 }
 
-// Whether any viewer shows an image of one scan: colour or grey, coded by
-// Huffman's method, with its own tables (many USB cameras leave them out).
+// Whether any viewer can show it: a single scan, colour or grey, Huffman code,
+// with its own tables (many USB cameras omit them).
 bool is_common(const jpeg_decompress_struct &object) {
   if (object.arith_code ||
       (object.jpeg_color_space != JCS_YCbCr &&
@@ -88,7 +88,7 @@ bool is_common(const jpeg_decompress_struct &object) {
     return false;
   for (int k = 0; k < object.num_components; ++k) {
     const jpeg_component_info &component = *object.cur_comp_info[k];
-    // libjpeg checks these numbers only when it begins to decode.
+    // libjpeg checks these numbers only when it starts to decode.
     if (component.dc_tbl_no < 0 || component.dc_tbl_no >= NUM_HUFF_TBLS ||
         component.ac_tbl_no < 0 || component.ac_tbl_no >= NUM_HUFF_TBLS)
       return false;
@@ -99,9 +99,9 @@ bool is_common(const jpeg_decompress_struct &object) {
   return true;
 }
 
-// The length of a scan up to and with the end of the image, given what
-// follows its head; 0 where there is no such end, or where something else
-// stands before it than the code of a scan and its restart markers.
+// The length of a scan including the end of the image, given the bytes after
+// its header; 0 if there is no such end, or anything before it but scan data
+// and restart markers.
 std::size_t length_of_scan(const unsigned char *from, std::size_t size) {
   const unsigned char *next = from;
   const unsigned char *const end = from + size;
@@ -136,14 +136,14 @@ bool examine(const cv::Mat &bytes, Jpeg_Facts &facts) {
   begin(decoder, bytes);
   facts.width = int(decoder.object.image_width);
   facts.height = int(decoder.object.image_height);
-  // Builds the tables, and so finds out whether they are any. Of an image
-  // in several scans it would read them all.
+  // Builds the tables, which validates them. For an image in several scans it
+  // would read all of them.
   const bool is_one_scan = !jpeg_has_multiple_scans(&decoder.object);
   const bool is_passed = is_one_scan && is_common(decoder.object);
   if (is_one_scan)
     jpeg_start_decompress(&decoder.object);
 
-  // At the end of the bytes libjpeg goes on with an end of its own making.
+  // After the last byte libjpeg inserts an end of image itself.
   const jpeg_source_mgr &source = *decoder.object.src;
   const unsigned char *const end = bytes.data + bytes.total();
   if (source.bytes_in_buffer == 0 ||
@@ -191,9 +191,9 @@ bool decode(const cv::Mat &bytes, const cv::Size &size, cv::Mat &image) {
 
 namespace {
 
-// Into memory of the caller's. libjpeg wants a new place as soon as one is
-// full, if nothing comes any more or not: that is SPARE, in which nothing
-// may be at the end.
+// Encodes into the caller's memory. libjpeg requests a new buffer as soon as
+// one is full, even at the end: SPARE, which must be empty after the last
+// byte.
 struct Encoder {
   jpeg_compress_struct object;
   jpeg_destination_mgr destination;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for ArUco markers: outlines of four corners, read and aligned.
+// The search for ArUco markers: quadrilaterals are read and aligned.
 
 #include "vision_search.hpp"
 
@@ -29,12 +29,12 @@ public:
 
   bool knows(unsigned bits) const { return meaning[bits] >= 0; }
 
-  // What 16 bits mean that it knows, row by row: a marker, and how many
-  // quarters of a turn clockwise the marker shows them.
+  // Decodes 16 bits, row by row: the marker's ID, and by how many quarter
+  // turns clockwise it is rotated.
   int id(unsigned bits) const { return meaning[bits] / 4; }
   int turns(unsigned bits) const { return meaning[bits] % 4; }
 
-  // All that it knows, in each turn.
+  // All valid words, in each rotation.
   const std::vector<unsigned> &words() const { return known; }
 
 private:
@@ -56,7 +56,7 @@ private:
     }
   }
 
-  // The bits after a quarter of a turn clockwise.
+  // The bits after a clockwise quarter turn.
   static unsigned turned(unsigned bits) {
     unsigned result = 0;
     for (int row = 0; row < 4; ++row)
@@ -72,8 +72,8 @@ const Dictionary &dictionary() {
   return known;
 }
 
-// Grey levels, or labels, of the modules of a marker: 6 x 6 of its own, black
-// border included, and what is around them.
+// Grey levels, or labels, of a marker's modules: its own 6 x 6, including the
+// black border, and those around it.
 template <typename Item> using Grid = std::array<std::array<Item, 8>, 8>;
 
 int ring_of(int row, int column) {
@@ -84,11 +84,10 @@ int bit_of(int row, int column) {
   return 4 * (row - 2) + column - 2;
 }
 
-// Where the marker lies in the image that it is read in, its modules counted
-// from its top left corner.
+// The marker in module coordinates, from its top left corner.
 const Quad six_by_six{Point(0, 0), Point(6, 0), Point(6, 6), Point(0, 6)};
 
-// The modules, each averaged over the middle of its area.
+// The modules, each averaged over the centre of its area.
 Grid<double> read_modules(const cv::Mat &grey, const Map &map,
                           double module) {
   const int samples = std::min(std::max(cvRound(0.6 * module), 1), 4);
@@ -113,8 +112,8 @@ Grid<double> read_modules(const cv::Mat &grey, const Map &map,
   return modules;
 }
 
-// What the modules were before an optic mixed neighbours: SHARE is what each
-// has of the next one's light.
+// Reverses the optical crosstalk between neighbouring modules: SHARE is the
+// share of a neighbour's light in each.
 Grid<double> unmix(const Grid<double> &seen, double share) {
   Grid<double> now = seen;
   for (int round = 0; round < 4; ++round) {
@@ -137,7 +136,7 @@ Grid<double> unmix(const Grid<double> &seen, double share) {
   return now;
 }
 
-// The modules of the border, one after the other.
+// The modules of the border, in sequence.
 const std::array<std::array<int, 2>, 20> &border_modules() {
   static const auto modules = [] {
     std::array<std::array<int, 2>, 20> all;
@@ -152,8 +151,8 @@ const std::array<std::array<int, 2>, 20> &border_modules() {
   return modules;
 }
 
-// Whether the border is black, but for one place that something may cover:
-// what is not black all round is none.
+// Whether the border is black, except for one place that may be covered:
+// otherwise it is no marker.
 bool is_border(const Grid<bool> &black) {
   constexpr int most_hidden = 4;
   const auto &modules = border_modules();
@@ -173,7 +172,7 @@ bool is_border(const Grid<bool> &black) {
 
 constexpr double least_contrast = 10.0;  // grey levels
 
-// One threshold for all: the one that divides the levels best (Otsu 1979).
+// A single threshold, which separates the levels best (Otsu 1979).
 bool read_evenly(const Grid<double> &modules, unsigned &bits) {
   std::array<double, 36> level;
   for (int k = 0; k < 36; ++k)
@@ -205,9 +204,9 @@ bool read_evenly(const Grid<double> &modules, unsigned &bits) {
   return is_border(black);
 }
 
-// How each known marker differs from what light alone can be: glare and
-// shadows are the same for modules that are next to each other, nearly. What
-// is left of 36 modules without a mean around each one is compared.
+// Compares markers by differences: illumination is nearly equal for adjacent
+// modules. Of the 36 modules, each one's difference from the mean around it is
+// compared.
 class Differences {
 public:
   Differences() {
@@ -231,8 +230,8 @@ public:
     }
   }
 
-  // The marker that is most like MODULES. False where none is, or another
-  // one nearly as much.
+  // The marker most similar to MODULES. False if there is none, or another one
+  // is nearly as similar.
   bool read(const Grid<double> &modules, unsigned &bits) const {
     constexpr double like = 0.75;   // the cosine between both, at least
     constexpr double apart = 0.75;  // its sine, as a share of the next one's
@@ -275,7 +274,7 @@ private:
   cv::Matx<double, 36, 36> product;
   std::vector<double> length_of;
 
-  // Of the 36 modules the one that bears a bit.
+  // The index among the 36 modules of the one with this bit.
   static int inner(int bit) { return 7 + bit / 4 * 6 + bit % 4; }
 
   static double near(int i, int k, double spread) {
@@ -289,13 +288,13 @@ const Differences &differences() {
   return known;
 }
 
-// The drawing of a marker that is compared with the image: its pixels for a
-// module, and the quiet zone's width in them.
+// The drawing of a marker that is compared with the image: pixels per module,
+// and the width of the quiet zone in pixels.
 constexpr int pitch = 8;
 constexpr int extent = 8 * pitch;
 
-// Which pixels of a module are compared, in each direction: half of them, and
-// as many on either side of an edge, which is not drawn aside then.
+// The pixels of a module that are compared, in each direction: half of them,
+// symmetrical to each edge, so that it is not shifted.
 constexpr std::array<int, 4> places{0, 2, 5, 7};
 constexpr int points = 8 * int(places.size());
 constexpr uchar read_only = 1;  // not to be compared, but looked at
@@ -309,13 +308,13 @@ bool is_white(unsigned bits, int row, int column) {
   return ring == 0 || (ring > 1 && (bits >> bit_of(row, column) & 1u));
 }
 
-// What black and white are at each module.
+// Levels of black and white at each module.
 struct Light {
   Grid<double> black{}, white{};
 };
 
-// Where the light is the same nearly: means over what is not far, of those
-// modules that are SEEN.
+// For nearly even illumination: means over a wide neighbourhood of the modules
+// that are SEEN.
 Light light_far(unsigned bits, const Grid<double> &modules,
                 const Grid<bool> &seen, double black, double white) {
   constexpr double spread = 4.0;  // modules
@@ -348,8 +347,8 @@ Light light_far(unsigned bits, const Grid<double> &modules,
   return light;
 }
 
-// Where it is not: black is what it is at the modules next to a place, were
-// they black. How much brighter white is there does not change as fast.
+// For uneven illumination: black is interpolated from adjacent modules as if
+// they were black. The contrast to white varies more slowly.
 Light light_near(unsigned bits, const Grid<double> &modules,
                  const Grid<bool> &seen, double black, double white) {
   constexpr double spread = 0.9, spread_of_steps = 2.0;  // modules
@@ -402,9 +401,9 @@ Light light_near(unsigned bits, const Grid<double> &modules,
   return light;
 }
 
-// Draws a marker as MODULES light it, 0 for black and 1 for white in the
-// middle of both; EVENLY: nearly the same all over it. Says in USED which
-// pixels are to be compared.
+// Draws a marker with the illumination of MODULES, 0 for the mean black and 1
+// for the mean white; EVENLY: the illumination is nearly even. Marks in USED
+// the pixels to be compared.
 void draw(unsigned bits, const Grid<double> &modules, bool evenly,
           cv::Mat &shape, cv::Mat &used, Grid<double> &contrast) {
   double white = 0.0, black = 0.0;
@@ -420,8 +419,8 @@ void draw(unsigned bits, const Grid<double> &modules, bool evenly,
   const double step = std::max(1.0, white - black);
   const double middle = (white + black) / 2;
 
-  // A border that is bright, or what should be white around it and is not,
-  // is hidden, or not there.
+  // A bright border module, or a dark module of the quiet zone, is covered or
+  // absent.
   Grid<bool> seen;
   for (int row = 0; row < 8; ++row)
     for (int column = 0; column < 8; ++column)
@@ -453,7 +452,7 @@ void draw(unsigned bits, const Grid<double> &modules, bool evenly,
     large.copyTo(shape, mask);
   }
 
-  // The rim of the quiet zone is blurred into what is around it.
+  // The outer edge of the quiet zone blurs into its surroundings.
   constexpr int rim = int(places.size()) / 2;
   used.create(extent, extent, CV_8UC1);
   used.setTo(0);
@@ -464,11 +463,11 @@ void draw(unsigned bits, const Grid<double> &modules, bool evenly,
             (x + y) % 2 == 0 ? compared : read_only;
 }
 
-// How much of a module's contrast in the drawing speaks for the other colour,
-// for each one: above a half, the other one fits better.
+// For each module, the share of its contrast in the drawing that indicates the
+// opposite colour: above a half, that fits better.
 Grid<double> doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
                     const Grid<double> &contrast, const Fit &fit) {
-  // What is left over, and what a module gives to the pixels near it.
+  // The residual, and the contribution of a module to the pixels near it.
   std::array<std::array<double, points>, points> rest{};
   const cv::Matx33f map = fit.map;
   for (int y = 0; y < points; ++y)
@@ -513,7 +512,7 @@ Grid<double> doubts(const cv::Mat &grey, unsigned bits, const cv::Mat &used,
   return doubt;
 }
 
-// Whether nothing but BITS can be meant.
+// Whether BITS is the only possible reading.
 bool is_certain(unsigned bits, const Grid<double> &doubt) {
   constexpr double doubtful = 0.3, wrong = 0.45, most = 0.12;
   double squares = 0.0;
@@ -543,13 +542,13 @@ bool is_certain(unsigned bits, const Grid<double> &doubt) {
   return true;
 }
 
-// The side of a square as large as QUAD.
+// The side of a square with the area of QUAD.
 double size_of(const Quad &quad) {
   return std::sqrt(std::fabs(cross(quad[2] - quad[0], quad[3] - quad[1])) /
                    2);
 }
 
-// QUAD in an image that is reduced by SCALE, and back.
+// Converts QUAD to an image reduced by SCALE, and back.
 Quad reduced(const Quad &quad, double scale) {
   const Point half(0.5, 0.5);
   Quad result;
@@ -570,10 +569,10 @@ bool is_sound(const Quad &quad) {
   return shortest >= smallest && longest < 5.0 * shortest;
 }
 
-// Aligns the whole pattern of a marker, given its BITS: more edges than its
-// outline has, so less noise, and none that its inside draws away. BLUR, in
-// pixels, is the image's where it is known, and then what it has turned out
-// to be. False where that leaves doubts.
+// Aligns the whole pattern of a marker, given its BITS: more edges than the
+// outline alone, so less noise and no bias from its inside. BLUR, in pixels:
+// the image's if known, on return the measured one. False if the reading is
+// uncertain.
 bool align_marker(const cv::Mat &grey, unsigned bits,
                   const Grid<double> &modules, bool perspective,
                   bool evenly, Quad &corner, double &blur) {
@@ -587,7 +586,7 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   draw(bits, modules, evenly, shape, used, contrast);
   Quad start = corner;
   if (!perspective) {
-    // the parallelogram that is nearest
+    // the nearest parallelogram
     const Point over = (start[0] - start[1] + start[2] - start[3]) / 4;
     start = {start[0] - over, start[1] + over, start[2] - over,
              start[3] + over};
@@ -604,8 +603,8 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   return true;
 }
 
-// Whether what is inside a candidate's outline is darker at its rim than
-// somewhere inside, before anything is known precisely.
+// Quick test with rough positions: a candidate is darker at its border than
+// somewhere inside.
 bool is_worth_it(const Grid<double> &modules) {
   double brightest = 0.0, darkest = 255.0;
   for (int row = 1; row < 7; ++row)
@@ -622,12 +621,12 @@ bool is_worth_it(const Grid<double> &modules) {
   return brightest > darkest + 0.8 * least_contrast && dark >= 13;
 }
 
-// Pixels of a side: pictograms on a box of 8 pixels were read as markers.
+// Pixels per side: pictograms in a box of 8 pixels were read as markers.
 constexpr double least_size = 9.0;
 
-// Reads the marker whose outline is about HERE in an image reduced by SCALE:
-// GREY, and SMOOTH for its edges, which lie at most SHARE of a module away.
-// Its CORNERs are those in the image that is not reduced.
+// Reads the marker with its outline near HERE in an image reduced by SCALE:
+// GREY, and SMOOTH for its edges, at most SHARE of a module away. CORNERS are
+// in pixels of the original image.
 bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
                  double module, double share, Quad here, double &blur,
                  Quad &corner, int &id) {
@@ -650,7 +649,7 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
             tried.begin() + tries)
       continue;
     tried[tries++] = bits;
-    // The same light all over the marker, nearly, or shadows and glare
+    // Even illumination, or shadows and glare
     Quad aligned = here;
     if (!align_marker(grey, bits, seen, module > 2.5, true, aligned, blur) &&
         (module < 3.5 ||
@@ -660,16 +659,15 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
     if (!is_sound(aligned) || size_of(aligned) < least_size)
       continue;
     corner = aligned;
-    // What covers a part of the outline is not near it now. The outline is
-    // the more precise, the sharper the image; the errors of both are not
-    // the same.
+    // A cover on part of the outline is not near it now. The outline is more
+    // precise in a sharp image; the two errors are independent.
     if (module > 3.5 &&
         refine(scratch.smooth, aligned.data(), 4, Bright::outside,
                std::min(std::max(1.5, 0.25 * module), 4.0), 0.12))
       for (int n = 0; n < 4; ++n)
         corner[n] = blur < 1.2 ? aligned[n] : (corner[n] + aligned[n]) / 2;
     id = dictionary().id(bits);
-    // Turned so often, its top left corner is where that one is.
+    // Rotates the corners so that the first is the marker's top left.
     std::rotate(corner.begin(), corner.begin() + dictionary().turns(bits),
                 corner.end());
     return true;
@@ -677,8 +675,8 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
   return false;
 }
 
-// Reads the marker whose outline is about CORNER, and moves that to where it
-// is, its own top left corner first; BLUR as for the alignment. False where
+// Reads the marker with its outline near CORNER, which is set to its exact
+// position, its own top left corner first; BLUR as for the alignment. False if
 // there is none.
 bool find_marker(Quad &corner, int &id, double &blur) {
   constexpr double most = 8.0;  // pixels of a module that are enough
@@ -694,8 +692,8 @@ bool find_marker(Quad &corner, int &id, double &blur) {
   if (!is_worth_it(read_modules(grey, map_of(six_by_six, here),
                                 module / scale)))
     return false;
-  // Near edges first: behind them may lie those of something brighter. Where
-  // something covers a corner, the outline is further off.
+  // Near edges first: edges of something brighter may follow. If a corner is
+  // covered, the outline is further away.
   return read_marker(grey, smooth, scale, module, 0.45, here, blur, corner,
                      id) ||
          (module > 3.0 && read_marker(grey, smooth, scale, module, 0.75, here,
@@ -710,9 +708,9 @@ void find_markers(Search &search, std::vector<vision_robot> &robots) {
   const std::size_t before = robots.size();
   small.clear();
 
-  // A marker is a candidate more than once: its outlines, and thresholds.
+  // A marker has several candidates: outlines, and thresholds.
   std::vector<Quad> found;
-  // What the image's rim cuts is none: nothing is known beyond.
+  // A marker cut off by the image border is not read.
   const cv::Rect2d whole(-0.5, -0.5, scratch.smooth.cols, scratch.smooth.rows);
   const auto is_cut = [&](const Quad &quad) {
     return !std::all_of(quad.begin(), quad.end(), [&](const Point &corner) {
@@ -746,8 +744,8 @@ void find_markers(Search &search, std::vector<vision_robot> &robots) {
     cv::resize(finer(cv::Rect(cv::Point(), half * 2)), scratch.level[level],
                half, 0, 0, cv::INTER_AREA);
   }
-  // Where there are fewer pixels there is less noise, and less to do, as long
-  // as the markers are large enough there.
+  // A reduced image has less noise and needs less time, if the markers are
+  // large enough in it.
   int coarsest = levels - 1;
   while (search.size > 0.0 && coarsest > 0 &&
          1.25 * search.size < enough * (1 << coarsest))

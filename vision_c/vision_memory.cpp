@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The memory of what is kept from one image to the next.
+// The buffers that are reused from image to image.
 
 #include "vision_internal.hpp"
 #include "vision_settings.hpp"
@@ -13,17 +13,17 @@ namespace vision {
 
 namespace {
 
-// Bytes. An image has six times as many, the camera's own JPEG of one seldom
-// as many: its size changes with each, and to map memory takes its time.
+// Bytes. An image is six times as large, a camera's JPEG rarely: its size
+// varies with each image, and mapping takes time.
 int least_for(int width, int height) {
   return std::max(least_mapped, width * height / 2);
 }
 
 std::atomic<int> least{least_for(640, 480)};
 
-// Maps what is large. The C library does that only where no hole of its heap
-// is large enough, and OpenCV's outlines leave such holes: an image in there
-// would keep the heap from shrinking for as long as it is kept.
+// Maps large buffers separately. The C library does so only if no hole of its
+// heap is large enough, and OpenCV's contours leave such holes: an image there
+// would prevent the heap from shrinking.
 class Apart : public cv::MatAllocator {
 public:
   cv::UMatData *allocate(int dimensions, const int *sizes, int type,
@@ -72,7 +72,7 @@ void expect_images(int width, int height) {
 
 Kept::Kept() {
 #ifndef __SANITIZE_ADDRESS__  // which sees a step outside only in the heap
-  // Never destroyed, for the reason that frame gives.
+  // Never destroyed, for the reason given at frame.
   static cv::MatAllocator *const apart = new Apart;
   allocator = apart;
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Candidates for markers: outlines of what is darker than what is around it,
-// with four corners.
+// Candidates for markers: quadrilateral outlines of regions darker than their
+// surroundings.
 
 #include "vision_search.hpp"
 
@@ -25,8 +25,7 @@ bool is_large_enough(const cv::Rect &box) {
   return std::min(box.width, box.height) >= shortest_side;
 }
 
-// The quadrilateral that an outline is but for its roughness. False where it
-// is none.
+// The quadrilateral that approximates an outline. False if there is none.
 bool find_polygon(const std::vector<cv::Point> &outline, double tolerance,
                   std::vector<cv::Point> &polygon) {
   cv::approxPolyDP(outline, polygon,
@@ -45,13 +44,13 @@ void find_quads(const cv::Mat &image, int window, int darker, int scale,
   cv::subtract(scratch.darker, image, scratch.darker);
   cv::threshold(scratch.darker, scratch.mask, darker - 1, 255,
                 cv::THRESH_BINARY);
-  // Where so much is darker, much of it is noise or grain.
+  // A threshold this low mostly finds noise or grain.
   if (darker < grain &&
       cv::countNonZero(scratch.mask) > crowded * double(image.total()))
     cv::threshold(scratch.darker, scratch.mask, grain - 1, 255,
                   cv::THRESH_BINARY);
-  // Most of a search would go to the outlines of specks. The border of the
-  // smallest marker has ten pixels in such a square at its corners.
+  // Removes specks, whose outlines would take most of the search. The border
+  // of the smallest marker has ten pixels in such a square at its corners.
   cv::blur(scratch.mask, scratch.darker, cv::Size(around, around),
            cv::Point(-1, -1), cv::BORDER_REPLICATE);
   cv::threshold(scratch.darker, scratch.darker,
@@ -65,18 +64,18 @@ void find_quads(const cv::Mat &image, int window, int darker, int scale,
       break;
     if (contour.size() < 4 || !is_large_enough(cv::boundingRect(contour)))
       continue;
-    // Not the inner outline, which turns the other way
+    // Skip inner outlines, which have the opposite orientation
     if (cv::contourArea(contour, true) > 0.0)
       continue;
     if (!find_polygon(contour, rough, polygon)) {
-      // Something bright over a side opens a frame: the outline runs along
-      // its inside, too.
+      // Something bright across a side opens a frame: the outline then also
+      // follows its inside.
       cv::convexHull(contour, hull);
       if (cv::arcLength(contour, true) < opened * cv::arcLength(hull, true) ||
           !find_polygon(hull, rough_hull, polygon))
         continue;
     }
-    // An outline joins the centres of its pixels, half a pixel inside.
+    // A contour joins pixel centres, half a pixel inside the edge.
     const Point middle = Point(polygon[0] + polygon[1] + polygon[2] +
                                polygon[3]) / 4;
     const double larger =

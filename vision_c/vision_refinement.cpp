@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Refinement: moves the sides of an outline onto the edges in the image with
-// sub-pixel precision.
+// Refinement: moves the sides of an outline onto image edges with sub-pixel
+// precision.
 
 #include "vision_search.hpp"
 
@@ -12,8 +12,8 @@ struct Edge {
   double along, across;  // where on its side, and how far outside of it
 };
 
-// Where the outline is along the side FROM .. TO, in bands: the profiles
-// across the side are averaged over a band, which takes noise off.
+// Finds the edge along the side FROM .. TO, in bands: profiles across the side
+// are averaged over a band to reduce noise.
 void find_edges(const cv::Mat &grey, const Point &from, const Point &to,
                 Bright bright, double reach, double end,
                 std::vector<Edge> &edges) {
@@ -71,7 +71,7 @@ void find_edges(const cv::Mat &grey, const Point &from, const Point &to,
     double weight = 0.0, moment = 0.0;
     for (int i = std::max(1, best - around);
          i <= std::min(2 * half - 1, best + around); ++i) {
-      // Squared: what is near the edge counts, not what lies beside it.
+      // Squared, to weight the pixels near the edge.
       const double share = std::max(0.0, rise[i]) * std::max(0.0, rise[i]);
       weight += share;
       moment += share * i;
@@ -80,8 +80,8 @@ void find_edges(const cv::Mat &grey, const Point &from, const Point &to,
   }
 }
 
-// Fits a line to the edges of one side; those that do not belong to it (a
-// robot stands there) lose their weight. False where too few are left.
+// Fits a line to the edges of one side; the weight of outliers (such as a
+// robot) is reduced. False if too few remain.
 bool fit_line(const std::vector<Edge> &edges, const Point &from,
               const Point &to, Line &line) {
   constexpr double width = 0.7;  // pixels of distance that halve a weight
@@ -91,7 +91,7 @@ bool fit_line(const std::vector<Edge> &edges, const Point &from,
   for (int round = 0; round < 12; ++round) {
     double w = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (const Edge &edge : edges) {
-      // At first every edge counts, then more and more the near ones.
+      // At first all edges count, then increasingly the near ones.
       const double scale = round == 0 ? 1e6 : width * (1.0 + 8.0 / round);
       const double away = edge.across - offset - slope * edge.along;
       const double share = 1.0 / (1.0 + away * away / (scale * scale));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outline of the arena's field: moved onto edges with sub-pixel
-// precision, all four sides and the lens at once.
+// The outline of the arena's field: moved onto edges with sub-pixel precision,
+// all four sides and the lens distortion together.
 
 #include "vision_rims.hpp"
 
@@ -15,8 +15,8 @@ constexpr double least_bend = -0.4, most_bend = 0.1;
 using Vector = cv::Vec<double, unknowns>;
 using Matrix = cv::Matx<double, unknowns, unknowns>;
 
-// An edge of the image near a side. As the outline changes, it gets nearer by
-// PULL times: the side's two corners (x, y each), and the lens.
+// An image edge near a side. PULL: the derivatives of its distance with
+// respect to the side's two corners (x, y each) and the distortion.
 struct Edge {
   int side = 0;
   double part = 0.0;      // of the side before it
@@ -43,7 +43,7 @@ struct Edges {
   int count = 0;
 };
 
-// A point of a side in the image, and what moves it.
+// A point of a side in the image, and its derivatives.
 struct Place {
   Point pixel, along, outward;
   std::array<double, 5> pull;
@@ -59,7 +59,7 @@ Place place_on(const Outline &outline, const View &view, int side,
       std::sqrt(std::max(1.0 - 4.0 * outline.bend * square, 1e-2));
   const double factor = 2.0 / (1.0 + root);
   const double bending = factor * factor / root;
-  // Of the distortion at U, symmetric.
+  // The derivative of the distortion at U, which is symmetric.
   const auto turned = [&](const Point &by) {
     return view.unit *
            (factor * by + 2.0 * outline.bend * bending * u.dot(by) * u);
@@ -76,10 +76,10 @@ Place place_on(const Outline &outline, const View &view, int side,
   return place;
 }
 
-// The edges along the outline, in bands: the profiles across a side are
-// averaged over a band, which takes noise off. Of several it is the innermost
-// that is not much weaker than the strongest: what is beyond the border may be
-// brighter still.
+// Finds the edges along the outline, in bands: profiles across a side are
+// averaged over a band to reduce noise. Of several edges it takes the
+// innermost one that is not much weaker than the strongest: the ground outside
+// the border may be brighter still.
 void find_edges(const cv::Mat &grey, const Outline &outline, double reach,
                 double noise, double contrast, const Pace &pace,
                 Edges &edges) {
@@ -104,8 +104,8 @@ void find_edges(const cv::Mat &grey, const Outline &outline, double reach,
     const double band_length = extent * (1 - 2 * end) / bands;
     const int lines =
         std::min(std::max(int(band_length + 0.5), 1), pace.lines);
-    // A rise is a difference of two sums of so many values; two values half a
-    // pixel apart have much of their noise in common.
+    // A gradient is the difference of two sums of this many samples; samples
+    // half a pixel apart have correlated noise.
     const int width = std::min(
         std::max(cvRound(2.0 + 12.0 * noise / contrast), 2), beside - 1);
     const float slope = float(
@@ -158,9 +158,8 @@ void find_edges(const cv::Mat &grey, const Outline &outline, double reach,
   }
 }
 
-// Moves the outline so that the edges lie on it; those that do not belong to
-// it (a robot stands there) lose their weight. WIDTH: pixels of distance that
-// halve a weight at last.
+// Moves the outline onto the edges; the weight of outliers (such as a robot)
+// is reduced. WIDTH: the distance in pixels that finally halves a weight.
 bool move_onto(const Edges &edges, double width, double unit,
                Outline &outline, Vector &change) {
   constexpr int rounds = 7;
@@ -180,7 +179,7 @@ bool move_onto(const Edges &edges, double width, double unit,
           left(edge.unknown(i), edge.unknown(j)) += pull * edge.pull[j];
       }
     }
-    // What the edges do not tell stays: the lens, of a small field.
+    // Undetermined parameters stay: the lens, for a small field.
     for (int i = 0; i < 8; ++i)
       left(i, i) += 1e-4 * unit * unit;
     const double stiffness = 100.0;
@@ -201,7 +200,7 @@ bool move_onto(const Edges &edges, double width, double unit,
   return true;
 }
 
-// Fits VALUE, of which some may be far off.
+// Fits VALUE, with outliers.
 Slope fit_slope(const Point *at, const double *value, int count) {
   Slope slope{{0.0, 0.0, 0.0}};
   double scale = 1e6;
@@ -308,7 +307,7 @@ bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
   }
   evidence.usual = middle_of(rise.data(), total);
 
-  // Where two sides meet, the light on both is the same.
+  // At a corner, both sides have the same illumination.
   evidence.corners = 0;
   for (int k = 0; k < 4; ++k) {
     std::array<double, finest> before, after;
@@ -365,8 +364,8 @@ int ends_continued(const cv::Mat &small, const Outline &outline,
                    double noise) {
   constexpr int places = 7;
   const View view(small);
-  // How much brighter it gets outwards there, a pixel inside, on the side and
-  // a pixel outside of it; false beyond the image.
+  // The outward increase of brightness at one pixel inside the side, on it and
+  // one pixel outside; false beyond the image.
   using Rises = std::array<float, 3>;
   const auto rises_at = [&](int side, double part, Rises &rises) {
     const Place place = place_on(outline, view, side, part);
@@ -422,8 +421,8 @@ bool is_field(const Outline &outline, double tolerance) {
   constexpr int steps = 8;
   constexpr double greatest_tilt = 30.0;  // degrees
   const std::array<Point, 4> &c = outline.corner;
-  // The plane to the undistorted image: where the square 0 .. 1 has its
-  // corners (Heckbert).
+  // The map from the plane to the undistorted image: the corners of the unit
+  // square (Heckbert).
   const Point sum = c[0] - c[1] + c[2] - c[3];
   const Point one = c[1] - c[2], two = c[3] - c[2];
   const double area = cross(one, two);
@@ -435,7 +434,7 @@ bool is_field(const Outline &outline, double tolerance) {
   for (int n = 0; n < steps; ++n) {
     const double focal =
         widest * std::pow(narrowest / widest, double(n) / (steps - 1));
-    // The sides in space, in one unknown unit.
+    // The sides in space, in an arbitrary unit.
     const cv::Vec3d right(a.x / focal, a.y / focal, g);
     const cv::Vec3d down(b.x / focal, b.y / focal, h);
     const double width = cv::norm(right), height = cv::norm(down);

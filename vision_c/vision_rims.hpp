@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outline of the arena's field under a lens that bends its sides: how it
-// is moved onto the edges of an image, and whether they are an arena's.
+// The outline of the arena's field with lens distortion: its adjustment to the
+// edges of an image, and the test whether it is an arena.
 
 #ifndef VISION_RIMS_HPP
 #define VISION_RIMS_HPP
@@ -9,10 +9,10 @@
 
 namespace vision {
 
-// Undistorted points have their origin in the middle of the image, half of
-// its longest side as their unit, and lie on straight lines where the world
-// has them. The division model of radial distortion: an undistorted point is
-// its image / (1 + BEND * square of its distance from the middle).
+// Undistorted points have their origin in the image centre; their unit is half
+// of the longest image side; straight lines remain straight. Division model of
+// radial distortion: an undistorted point is its image / (1 + BEND * square of
+// its distance from the centre).
 inline Point straighten(const Point &shown, double bend) {
   return shown / (1.0 + bend * shown.dot(shown));
 }
@@ -22,7 +22,7 @@ inline Point distort(const Point &straight, double bend) {
   return straight * (2.0 / (1.0 + std::sqrt(std::max(inner, 1e-2))));
 }
 
-// Between the pixels of an image and points of unit half its longest side.
+// Converts between image pixels and points in units of half the longest side.
 struct View {
   Point middle;
   double unit;
@@ -34,8 +34,8 @@ struct View {
   Point pixel(const Point &shown) const { return middle + unit * shown; }
 };
 
-// Clockwise as the image shows it, the first side that which runs most to the
-// right.
+// Clockwise in the image, beginning with the top side: the one closest to
+// horizontal.
 struct Outline {
   std::array<Point, 4> corner;  // undistorted
   double bend = 0.0;
@@ -43,7 +43,7 @@ struct Outline {
   Point shown(int k) const { return distort(corner[k], bend); }
 };
 
-// A level that changes evenly over the field, as light does.
+// A grey level that varies linearly over the field, as illumination does.
 struct Slope {
   cv::Vec3d factor;
 
@@ -52,7 +52,7 @@ struct Slope {
   }
 };
 
-// What an image shows along an outline.
+// Measurements of an image along an outline.
 struct Evidence {
   double moved = 0.0;     // pixels that a corner came to lie elsewhere
   double support = 0.0;   // share of what can be seen that has an edge on it
@@ -63,7 +63,7 @@ struct Evidence {
   double usual = 0.0;     // contrast
 };
 
-// How closely an outline is looked at.
+// Sampling density along an outline.
 struct Pace {
   int bands;    // of a side, at most: an edge each
   int lines;    // of a band, at most: the mean of so many profiles
@@ -74,23 +74,23 @@ constexpr Pace quick{16, 3, false}, normal{24, 4, false},
     thorough{48, 8, true};
 
 // Moves OUTLINE onto edges that get brighter outwards, at most REACH pixels
-// away; NOISE is the standard deviation of a pixel. False where a side has
-// none.
+// away; NOISE is the standard deviation of a pixel. False if a side has no
+// edge.
 bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
             const Pace &pace, Evidence &evidence);
 
-// The share of the field that is as dark as beside its border, or darker, and
-// that is neither darker nor brighter.
+// The share of the field that is as dark as next to its border, or darker, and
+// the share that is neither darker nor brighter.
 void look_inside(const cv::Mat &grey, const Outline &outline,
                  const Evidence &evidence, double &dark, double &plain);
 
-// At how many of the eight ends of the sides an edge goes on behind the
-// corner, as it does between tiles or window panes.
+// At how many of the eight ends of the sides an edge continues beyond the
+// corner, as between tiles or window panes.
 int ends_continued(const cv::Mat &small, const Outline &outline,
                    double noise);
 
-// Whether a 4:3 rectangle can look like OUTLINE, either side up, tilted by
-// no more than an arena's camera is, whatever its focal length.
+// Whether OUTLINE can be the image of a 4:3 rectangle, in either orientation,
+// within the tilt of an arena's camera, for any focal length.
 bool is_field(const Outline &outline, double tolerance);
 
 }  // namespace vision

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for robots: everywhere, in the arena, or only where they are
-// known to be as long as nothing else has changed.
+// The search for robots: in the whole image, in the arena, or only near known
+// places if the rest has not changed.
 
 #include "vision_search.hpp"
 
@@ -31,16 +31,15 @@ vision_robot make_robot(int id, const Point &centre, const Point &direction,
 
 namespace {
 
-// A part of an image as its reduced ones begin too: what is found in it is
-// found in the same pixels as in the whole.
+// Aligns a part of an image to the grid of the reduced images: the same
+// pixels, and so the same results, as for the whole image.
 cv::Rect on_grid(const cv::Rect &box) {
   constexpr int step = 1 << (levels - 1);
   const cv::Point first(box.x / step * step, box.y / step * step);
   return {first, box.br()};
 }
 
-// Wider where there is room: what OpenCV does to many pixels at once it does
-// to so many.
+// Wider if there is room: OpenCV processes many pixels at once.
 cv::Rect in_vectors(const cv::Rect &box, const cv::Rect &whole) {
   constexpr int many = 32;
   const int width = (box.width + many - 1) / many * many;
@@ -51,7 +50,7 @@ bool is_worth_it(const cv::Rect &box) {
   return box.width >= 16 && box.height >= 16;
 }
 
-// False where there is too little to search in.
+// False if the part is too small to search.
 bool limit(const Frame &here, const vision_arena *arena, Search &search) {
   const cv::Rect all(cv::Point(), here.image.size());
   search.box = all;
@@ -66,7 +65,7 @@ bool limit(const Frame &here, const vision_arena *arena, Search &search) {
     top = std::min(top, corner.y);
     bottom = std::max(bottom, corner.y);
   }
-  // A robot whose centre is inside reaches out of the field.
+  // A robot with its centre inside extends beyond the field.
   search.bounded = true;
   search.width = std::max(right - left, (bottom - top) * 4.0 / 3.0);
   search.slack = 0.02 * search.width;
@@ -82,8 +81,8 @@ bool limit(const Frame &here, const vision_arena *arena, Search &search) {
 
 // ---------------------------------------------------------------- Following
 
-// What each tile of the image looked like when it was searched last. As long
-// as one that is not searched looks the same, nothing has come there.
+// The last searched appearance of each tile of the image. If it has not
+// changed, no robot has entered the tile.
 struct Watch {
   static constexpr int across = 80;   // tiles, along the longer side, where
   static constexpr int least = 8;     // pixels are not more than a tile's side
@@ -117,7 +116,7 @@ void Watch::look(const cv::Mat &image, cv::Mat &now, int &side) const {
 
 thread_local Watch watch;
 
-// The tiles that a part of the image touches.
+// The tiles that overlap a part of the image.
 cv::Rect tiles_of(const cv::Rect &part, int side, const cv::Mat &tiles) {
   const cv::Point first(part.x / side, part.y / side);
   const cv::Point last((part.x + part.width + side - 1) / side,
@@ -125,14 +124,14 @@ cv::Rect tiles_of(const cv::Rect &part, int side, const cv::Mat &tiles) {
   return cv::Rect(first, last) & cv::Rect(cv::Point(), tiles.size());
 }
 
-// Everything has been searched.
+// The whole image has been searched.
 void note_all(Frame &here) {
   int side = 0;
   watch.look(here.image, watch.seen, side);
 }
 
-// Whether something in WHOLE but not in PARTS has changed since it has been
-// searched. The parts count as searched then.
+// Whether anything in WHOLE outside PARTS has changed since its search.
+// Records the parts as searched.
 bool has_changed(Frame &here, const cv::Rect &whole,
                  const std::vector<cv::Rect> &parts) {
   int side = 0;
@@ -148,17 +147,17 @@ bool has_changed(Frame &here, const cv::Rect &whole,
          Watch::change * Watch::samples * Watch::samples;
 }
 
-// What the calling thread found last, and how blurred.
+// The calling thread's last results, and their blur.
 thread_local std::vector<vision_robot> last;
 
 thread_local double last_blur = 0.0;
 
-// Those found last in a part are enough there.
+// The search of a part may end with the robots found there last.
 void expect_last(const cv::Rect &part, Search &search) {
   search.known = 0;
   search.size = 0.0;
-  // How blurred an image is is estimated in steps, and where it is blurred the
-  // outlines depend on the steps.
+  // Blur is estimated in steps, and in a blurred image the results depend on
+  // the steps.
   constexpr double sharp = 1.0;  // pixels
   search.blur = last_blur < sharp ? last_blur : 0.0;
   for (const vision_robot &robot : last)
@@ -171,9 +170,9 @@ void expect_last(const cv::Rect &part, Search &search) {
     }
 }
 
-// How much further a robot reaches than its marker, where one was found last;
-// pixels. An ArUco marker reaches 1.4 times as far as from its centre to the
-// point that the robot looks at, the robot 2.2 times.
+// How far a robot extends beyond its marker, as last found; pixels. An ArUco
+// marker extends 1.4 times the distance from its centre to the direction
+// point, the robot 2.2 times.
 double beside(vision_marker marker, const vision_point &at) {
   constexpr double share = 0.55;
   for (const vision_robot &robot : last)
@@ -186,7 +185,7 @@ double beside(vision_marker marker, const vision_point &at) {
 
 // ---------------------------------------------------------------- Searching
 
-// Of robots found twice at one place, one is enough.
+// Removes duplicates at one place.
 void drop_doubles(std::vector<vision_robot> &robots) {
   std::stable_sort(robots.begin(), robots.end(),
                    [](const vision_robot &a, const vision_robot &b) {
@@ -207,8 +206,8 @@ bool are_sound(const vision_area *areas, int count) {
   });
 }
 
-// Finds the robots in the parts of the image that CHOOSE names; nothing
-// where it says no. FOLLOWED: those found last are enough.
+// Finds the robots in the parts of the image given by CHOOSE, if it returns
+// true. FOLLOWED: stops at the number found last.
 template <typename Choice>
 vision_status find_robots(int slot, vision_marker marker,
                           const vision_arena *arena, vision_robot *robots,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the searches share: geometry, grey levels between pixels, outlines
-// moved onto edges, drawn shapes aligned with the image.
+// Shared by the searches: geometry, interpolated grey levels, refinement of
+// outlines, alignment of drawn shapes with the image.
 
 #ifndef VISION_SEARCH_HPP
 #define VISION_SEARCH_HPP
@@ -17,11 +17,11 @@ namespace vision {
 
 using Point = cv::Point2d;
 
-// How often an image is reduced by two, and once more, in the search for
+// Number of image sizes, each half of the one before, in the search for
 // markers.
 constexpr int levels = 4;
 
-// Images that a search makes on its way; none outlasts it.
+// Temporary images of a search.
 struct Scratch {
   cv::Mat grey, smooth, small, gradient, transposed, mask, tiles;
   cv::Mat darker;
@@ -53,7 +53,7 @@ inline bool intersect(const Line &a, const Line &b, Point &point) {
   return true;
 }
 
-// From one plane to another.
+// A projective map between two planes.
 using Map = cv::Matx33d;
 
 inline Point apply(const Map &map, const Point &p) {
@@ -67,12 +67,12 @@ inline Point apply(const Map &map, const Point &p) {
 
 using Quad = std::array<Point, 4>;  // clockwise as the image shows it
 
-// The map that takes the corners FROM to the corners TO; one without
-// perspective where both are parallelograms.
+// The map from the corners FROM to the corners TO; affine if both are
+// parallelograms.
 Map map_of(const Quad &from, const Quad &to);
 
-// How far POINT lies inside a convex polygon given clockwise as the image
-// shows it; negative outside.
+// Distance of POINT inside a convex polygon, which is clockwise in the image;
+// negative outside.
 inline double depth(const Point &point, const Point *corner, int count) {
   double least = 1e9;
   for (int k = 0; k < count; ++k) {
@@ -83,12 +83,12 @@ inline double depth(const Point &point, const Point *corner, int count) {
   return least;
 }
 
-// AT in 0 .. LAST; what is no number, far behind the camera, is 0.
+// AT, limited to 0 .. LAST; NaN, from far behind the camera, becomes 0.
 inline float within(float at, float last) {
   return at > 0.0f ? std::min(at, last) : 0.0f;
 }
 
-// Between pixels; beyond the image, what its rim shows.
+// Interpolates between pixels; outside the image, the nearest border pixel.
 inline float sample(const cv::Mat &grey, float x, float y) {
   const float right = within(x, float(grey.cols - 1));
   const float down = within(y, float(grey.rows - 1));
@@ -106,7 +106,7 @@ inline double sample(const cv::Mat &grey, const Point &at) {
   return sample(grey, float(at.x), float(at.y));
 }
 
-// Four at a time, as any processor here has vectors for.
+// Four at a time: all processors in question have such vectors.
 typedef float Four __attribute__((vector_size(16)));
 typedef int Four_Places __attribute__((vector_size(16)));
 
@@ -120,7 +120,7 @@ inline void store(const Four &four, float *to) {
   std::memcpy(to, &four, sizeof four);
 }
 
-// The smaller one of each.
+// The smaller of each pair.
 inline Four_Places least(const Four_Places &at, int last) {
   const Four_Places most = Four_Places{} + last;
   return at < most ? at : most;
@@ -157,7 +157,7 @@ inline Four sample(const cv::Mat &grey, const Four &x, const Four &y) {
   return upper + v * (lower - upper);
 }
 
-// Takes four points to where MAP takes them.
+// Applies MAP to four points.
 inline void move(const cv::Matx33f &map, Four &x, Four &y) {
   const Four w = 1.0f / (map(2, 0) * x + map(2, 1) * y + map(2, 2));
   const Four right = (map(0, 0) * x + map(0, 1) * y + map(0, 2)) * w;
@@ -165,7 +165,7 @@ inline void move(const cv::Matx33f &map, Four &x, Four &y) {
   x = right;
 }
 
-// The mean of COUNT places, each by STEP further than the one before.
+// The mean of COUNT samples, spaced by STEP.
 inline float mean_along(const cv::Mat &grey, const Point &first,
                         const Point &step, int count) {
   const float x = float(first.x), y = float(first.y);
@@ -183,16 +183,16 @@ inline bool in_image(const cv::Mat &grey, const Point &at) {
 
 // ------------------------------------------------- Refinement and alignment
 
-// Which side of an outline is the brighter one.
+// The brighter side of an outline.
 enum class Bright { outside, inside };
 
-// Moves the corners of a convex polygon, clockwise as the image shows it,
-// so that its sides lie on edges of the image at most REACH pixels away; the
-// share END of a side is left out at each end. False where a side has none.
+// Moves the corners of a convex polygon, clockwise in the image, so that its
+// sides lie on image edges at most REACH pixels away; the share END of a side
+// is omitted at each end. False if a side has no edge.
 bool refine(const cv::Mat &grey, Point *corner, int count, Bright bright,
             double reach, double end);
 
-// Where a drawn shape lies in the image.
+// Position of a drawn shape in the image.
 struct Fit {
   Map map;                // from the pixels of the shape to those of the image
   cv::Mat shape;          // drawn as blurred as the image shows it
@@ -203,25 +203,25 @@ struct Fit {
 
 constexpr uchar compared = 255;  // a pixel of a shape
 
-// Moves FIT.map to where SHAPE (float, sharp; about 0 to 1) lies in the image
-// best, counting the pixels that USED says are COMPARED, and tells the rest
-// of FIT. How sharp the image is is estimated from what remains of a first
-// try, with FIT.spread where that is known, and tried again, until it fits
-// well or no better. False where more than WORST remains.
+// Adjusts FIT.map so that SHAPE (float, sharp; about 0 to 1) fits the image
+// best, comparing the pixels marked as COMPARED in USED, and sets the rest of
+// FIT. The image blur is estimated from the residual of a first attempt,
+// starting with FIT.spread if known, and refined until the fit is good or no
+// longer improves. False if the residual exceeds WORST.
 bool align(const cv::Mat &grey, const cv::Mat &shape, const cv::Mat &used,
            bool perspective, double worst, Fit &fit);
 
 // ------------------------------------------------------------ Quadrilaterals
 
-// Adds the outlines of quadrilaterals in an image that is reduced by SCALE,
-// in the pixels of what is not: of what is by DARKER grey levels darker than
-// the mean of a WINDOW around it.
+// Adds the outlines of quadrilaterals in an image reduced by SCALE, in pixels
+// of the original: regions that are DARKER grey levels darker than the mean of
+// a WINDOW around them.
 void find_quads(const cv::Mat &image, int window, int darker, int scale,
                 std::vector<Quad> &quads);
 
 // ------------------------------------------------------------------ Robots
 
-// The part of the image that is searched, and how.
+// The part of the image to search, and the parameters.
 struct Search {
   cv::Rect box;
   bool bounded = false;        // by the arena
@@ -240,7 +240,7 @@ bool in_field(const Search &search, const Point &centre);
 vision_robot make_robot(int id, const Point &centre, const Point &direction,
                         const Search &search);
 
-// Add what is found in the smoothed image of the part that is searched.
+// Add what is found in the smoothed image of that part.
 void find_markers(Search &search, std::vector<vision_robot> &robots);
 void find_triangles(const Search &search, std::vector<vision_robot> &robots);
 

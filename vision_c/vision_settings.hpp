@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is to be set in the process before any image work.
+// Process settings, to be made before any image processing.
 
 #ifndef VISION_SETTINGS_HPP
 #define VISION_SETTINGS_HPP
@@ -13,26 +13,25 @@ namespace vision {
 
 constexpr int least_mapped = 128 << 10;  // bytes: the C library's beginning
 
-// What images of this size need again and again, a byte for each pixel, stays
-// with the process; larger blocks go back to the system when they are no
-// longer needed. The C library would else keep for ever what an image of 4K
-// needed.
+// Buffers that images of this size need repeatedly, a byte for each pixel,
+// stay with the process; larger blocks are returned to the system when no
+// longer needed. Otherwise the C library would keep the memory of a 4K image
+// permanently.
 inline void keep_memory_for(int width, int height) {
   mallopt(M_MMAP_THRESHOLD, std::max(least_mapped, width * height / 4 * 5));
 }
 
-// Before main, as the environment may only be changed while there is one
-// thread; without effect where it has been called before. What the user has
-// set stays.
+// Call before main, as the environment may only be changed with a single
+// thread; no effect if called before. Settings of the user are kept.
 inline void prepare_process() {
   // The reason of a failure is returned, not printed.
   if (std::getenv("OPENCV_FFMPEG_LOGLEVEL") == nullptr)
     setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   if (std::getenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT") == nullptr)
     setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "2", 0);  // seconds
-  // The memory is locked, so the C library can give back only what it has
-  // mapped apart (see keep_memory_for), and the end of the heap it began with:
-  // of each other heap it would keep the most there ever was.
+  // The memory is locked, so the C library can return only separately mapped
+  // blocks (see keep_memory_for) and the top of its first heap: any other heap
+  // would keep its largest size.
   mallopt(M_ARENA_MAX, 1);
   keep_memory_for(640, 480);
 }

@@ -48,7 +48,7 @@ struct Source {
   timespec next{0, 0};     // when the next one is due
 };
 
-// Never destroyed, for the reason that vision::frame gives.
+// Never destroyed, for the reason given at vision::frame.
 Source &source() {
   static Source *const the_source = new Source;
   return *the_source;
@@ -63,8 +63,8 @@ struct Settings {
   }
 } const settings;
 
-// Makes the calling thread an ordinary one for a while, because the threads
-// that a video back end starts inherit the policy of their creator.
+// Sets ordinary scheduling for the calling thread temporarily, because the
+// threads of a video back end inherit the policy of their creator.
 class Time_Sharing {
 public:
   Time_Sharing() {
@@ -101,7 +101,7 @@ void close(Source &from) {
   from.still = Kept();
 }
 
-// Makes TO, an image of ours, from FROM; false where that cannot be done.
+// Makes TO, a supported image, from FROM; false on failure.
 bool convert(cv::Mat &from, cv::Mat &to, const cv::Size &limit) {
   if (from.dims != 2 || from.empty() || from.depth() != CV_8U ||
       from.cols > VISION_MAX_SIDE || from.rows > VISION_MAX_SIDE)
@@ -124,8 +124,8 @@ bool is_number(const std::string &name) {
 const double motion_jpeg = cv::VideoWriter::fourcc('M', 'J', 'P', 'G');
 const double yuyv = cv::VideoWriter::fourcc('Y', 'U', 'Y', 'V');
 
-// Asks for the camera's own JPEG instead of pixels, where it has it: FFmpeg
-// then only takes the stream apart, V4L2 hands out the driver's buffer.
+// Requests the camera's own JPEG instead of pixels, if available: FFmpeg then
+// only demultiplexes the stream, V4L2 returns the driver's buffer.
 void ask_for_jpeg(Source &from, int fps) {
   static const double unmarked =  // how OpenCV calls it in an HTTP stream
       cv::VideoWriter::fourcc('m', 'j', 'p', 'e');
@@ -138,9 +138,9 @@ void ask_for_jpeg(Source &from, int fps) {
     from.capture.set(cv::CAP_PROP_FRAME_WIDTH, from.limit.width);
     from.capture.set(cv::CAP_PROP_FRAME_HEIGHT, from.limit.height);
     from.capture.set(cv::CAP_PROP_FPS, fps);
-    // One is filled while the other is here: with a single one a camera whose
-    // images take as long as the interval between them loses every other. Two
-    // hold nothing old.
+    // Double buffering: with one buffer, a camera whose images take as long as
+    // the interval between them loses every other one. Two buffers hold no old
+    // image.
     from.capture.set(cv::CAP_PROP_BUFFERSIZE, 2);
     from.is_jpeg =
         from.capture.get(cv::CAP_PROP_FOURCC) == motion_jpeg &&
@@ -165,7 +165,7 @@ bool start(Source &from, int fps) {
   return is_open;
 }
 
-// Decides what the name stands for.
+// Determines the kind of source from its name.
 void classify(Source &from, bool &image_file) {
   struct stat file{};
   const bool exists = stat(from.name.c_str(), &file) == 0;
@@ -197,8 +197,8 @@ double seconds() {
   return double(now.tv_sec) + double(now.tv_nsec) * 1e-9;
 }
 
-// Waits until the next image of a file is due. After a delay the pace starts
-// anew: images that are late are not made up for.
+// Waits until the next image of a file is due. After a delay the pace
+// restarts; late images are not made up for.
 void wait(Source &from) {
   timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -214,8 +214,8 @@ void wait(Source &from) {
   from.next.tv_nsec = nanoseconds % 1000000000L;
 }
 
-// Empty where there is no image to be read. OpenCV throws where a file says
-// that it holds an absurdly large one.
+// Empty if no image can be read. OpenCV throws for a file with an absurdly
+// large image.
 cv::Mat read_still(const std::string &name) {
   try {
     return cv::imread(name, cv::IMREAD_COLOR);
@@ -234,19 +234,18 @@ vision_status open_still(Source &from) {
   return VISION_OK;
 }
 
-// Whether what has been read into RAW is an image. A JPEG is not decoded for
-// that: what is seen of damage is a head that says nothing of use.
+// Whether RAW is an image. A JPEG is not decoded for this: only a damaged
+// header is detected.
 bool is_image(Source &from) {
   return !from.is_jpeg ||
          (from.raw.type() == CV_8UC1 && from.raw.isContinuous() &&
           examine(from.raw, from.facts));
 }
 
-// Reads the next image of a live source into RAW. One may be damaged now and
-// then, or be none.
+// Reads the next image of a live source into RAW, skipping a few damaged ones.
 bool read_live(Source &from) {
-  // Where FFmpeg does not decode, what it cannot find its way in comes back
-  // in small pieces: hundreds of failures for an image of nonsense.
+  // Without decoding, FFmpeg returns invalid data in small pieces: hundreds of
+  // failures for one invalid image.
   const bool in_pieces = from.is_jpeg && from.backend == cv::CAP_FFMPEG;
   const int most_failures = in_pieces ? 5000 : 3;
   const double patience = from.is_jpeg ? 2.0 : 1.0;  // seconds, but the last
@@ -271,7 +270,7 @@ bool read_video(Source &from) {
   return false;
 }
 
-// Reads the next image into RAW. A file that ends begins again.
+// Reads the next image into RAW. A file restarts at its end.
 bool read(Source &from) {
   if (from.waiting) {
     from.waiting = false;
@@ -285,11 +284,11 @@ bool read(Source &from) {
   return start(from, 1) && read_video(from);
 }
 
-// What has been granted: format, size, and the rate where the source says it.
+// Describes the granted format, size, and rate if known.
 void describe(const Source &from, char *text, std::size_t capacity) {
   const unsigned format = unsigned(from.capture.get(cv::CAP_PROP_FOURCC));
   const double rate = from.capture.get(cv::CAP_PROP_FPS);
-  // of a URL FFmpeg makes it up
+  // FFmpeg invents it for a URL
   const bool rate_known =
       rate > 0.0 &&
       (from.kind == Kind::video || from.backend != cv::CAP_FFMPEG);
@@ -316,8 +315,8 @@ vision_status open_stream(Source &from, int fps) {
                     : "");
   bool is_there = read(from);
   if (!is_there && from.is_jpeg && from.backend == cv::CAP_V4L2) {
-    // granted, but not what came: OpenCV would show anything where it cannot
-    // decode, so that only another format will do
+    // granted, but not delivered: OpenCV accepts any data that it does not
+    // decode, so only another format helps
     from.is_jpeg = false;
     from.capture.set(cv::CAP_PROP_CONVERT_RGB, 1);
     from.capture.set(cv::CAP_PROP_FOURCC, yuyv);
@@ -390,7 +389,7 @@ vision_status vision_grab(int slot) {
     }
     if (!vision::read(from))
       return fail(VISION_NO_IMAGE, "%s: no image came", from.name.c_str());
-    // read before it is due: to begin a file again takes its time
+    // read before it is due: restarting a file takes time
     if (from.kind == Kind::video)
       vision::wait(from);
     if (from.is_jpeg) {

@@ -9,8 +9,8 @@ namespace vision {
 
 namespace {
 
-// Turns three corners so that the first is the tip, and puts them clockwise.
-// False where no corner stands out.
+// Orders three corners clockwise, the tip first. False if no corner is the
+// tip.
 bool order_triangle(std::array<Point, 3> &corner) {
   if (cross(corner[1] - corner[0], corner[2] - corner[0]) < 0)
     std::swap(corner[1], corner[2]);
@@ -26,8 +26,8 @@ bool order_triangle(std::array<Point, 3> &corner) {
          base < 0.9 * std::min(left, right) && base > 0.25 * left;
 }
 
-// A triangle as the platform's robots carry it, drawn; where its corners
-// are, and what of the drawing is compared with the image.
+// A drawing of the triangle on the platform's robots; its corners, and the
+// pixels that are compared with the image.
 struct Triangle {
   static constexpr double width = 40.0, height = 64.0, margin = 12.0;
   cv::Mat shape, used;
@@ -48,7 +48,7 @@ struct Triangle {
     cv::resize(large, shape, size, 0, 0, cv::INTER_AREA);
     shape.convertTo(shape, CV_32F, 1.0 / 255.0);
 
-    // Only near it: the robot's dark body does not reach far.
+    // Only nearby: the robot's dark body is not much larger.
     const Point middle = (corner[0] + corner[1] + corner[2]) / 3;
     std::array<Point, 3> wider;
     for (int k = 0; k < 3; ++k)
@@ -61,9 +61,9 @@ struct Triangle {
             depth(Point(x, y), wider.data(), 3) > 0.0 ? 255 : 0;
   }
 
-  // Whether a camera that looks down at most 30 degrees aslant sees it so:
-  // other white things have three corners, too. What it sees is the drawing
-  // stretched; no direction may be stretched more than that over another.
+  // Whether a camera tilted by at most 30 degrees can see it so: other white
+  // objects have three corners, too. Its image is the drawing stretched; the
+  // ratio of the stretches in any two directions is limited.
   bool is_seen_as(const std::array<Point, 3> &found) const {
     const double most = 1.0 / std::cos(CV_PI / 6.0);
     const Point across = (found[1] - found[2]) / width;
@@ -72,7 +72,7 @@ struct Triangle {
            (most + 1.0 / most) * std::fabs(cross(across, ahead));
   }
 
-  // Moves the corners of one in the image to where it lies best.
+  // Moves the corners to their best position in the image.
   bool align(std::array<Point, 3> &found) const {
     const Point other = corner[1] + corner[2] - corner[0];
     const Point last = found[1] + found[2] - found[0];
@@ -87,9 +87,9 @@ struct Triangle {
   }
 };
 
-// The corners of a contour which is a triangle but for its roughness: those
-// of the largest triangle within. (OpenCV's smallest triangle around it is
-// sometimes far from the smallest.)
+// The corners of a roughly triangular contour: those of the largest inscribed
+// triangle. (OpenCV's smallest enclosing triangle is sometimes far from the
+// smallest.)
 bool find_corners(const std::vector<cv::Point> &contour,
                   std::array<Point, 3> &corner) {
   std::vector<cv::Point> hull;
@@ -111,7 +111,7 @@ bool find_corners(const std::vector<cv::Point> &contour,
   return cv::contourArea(hull) < 1.6 * (largest / 2.0);
 }
 
-// The corners of the triangle that a contour is. False where it is none.
+// The corners of a contour's triangle. False if it is none.
 bool find_triangle(const std::vector<cv::Point> &contour,
                    std::array<Point, 3> &corner) {
   static const Triangle drawn;
@@ -128,9 +128,9 @@ struct Limits {
   double least, most;  // pixels of a triangle
 };
 
-// Adds the triangles among the things that a mask of a part of the image
-// shows, and those that lie on them: on a body that is itself brighter than
-// the floor, say. BELOW: how many things more may lie on each other.
+// Adds the triangles among the objects in a mask of a part of the image, and
+// those on top of them, such as on a body brighter than the floor. BELOW:
+// remaining levels of such nesting.
 void find_in(cv::Mat &mask, const cv::Point &origin, int below,
              const Limits &limits,
              std::vector<std::array<Point, 3>> &triangles) {
@@ -173,8 +173,8 @@ void find_in(cv::Mat &mask, const cv::Point &origin, int below,
 
 void find_triangles(const Search &search,
                     std::vector<vision_robot> &robots) {
-  // The triangle is 20 cm2, the field 80 cm wide; without an arena the field
-  // may be narrower than is assumed.
+  // The triangle has 20 cm2, the field is 80 cm wide; without an arena the
+  // field may be narrower than assumed.
   const double area = 20.0 / (80.0 * 80.0) * search.width * search.width;
   const Limits limits{
       std::max(40.0, area * (search.bounded ? 0.4 : 0.08)), 2.5 * area};

@@ -42,7 +42,6 @@ package Trace_Json with SPARK_Mode is
    type Slice_Kind is (None, Job, Job_And_Wait);
    type Slices is array (Schedule.Task_Name) of Slice_Kind;
    --  The open slices of the text. All are closed, even if events are missing
-   --  whichever events are missing
 
    procedure Begin_Text
      (First    : Unsigned_64;

@@ -14,13 +14,14 @@ package Vision.Image_Grid with SPARK_Mode, Pure is
    --  The newest image is sent at each instant of the grid. If none is newer
    --  than the last one sent, the next image is sent on arrival, and the grid
    --  is shifted to that time. So for a source as fast as the grid, the grid
-   --  follows its latest arrivals, whatever their jitter. A source that is
-   --  slightly faster overtakes the grid from time to time: two images wait,
-   --  and one would be dropped. If the newer one has only just arrived, its
-   --  successor may come too late. Then the older one is sent, and the newer
-   --  one is kept in reserve. The delay that the grid accumulates by waiting
-   --  is made up in small steps, as soon as images are available earlier.
-   --  up for in small steps, as soon as there are images to be had earlier.
+   --  follows its latest arrivals, whatever their jitter.
+   --
+   --  A source that is slightly faster overtakes the grid from time to time:
+   --  two images wait, and one would be dropped. If the newer one has only
+   --  just arrived, its successor may come too late. Then the older one is
+   --  sent, and the newer one is kept in reserve. The delay that the grid
+   --  accumulates by waiting is made up in small steps, as soon as images are
+   --  available earlier.
 
    function Reserve (Period : Period_Time) return Microseconds is
      (Period * 12 / 100);
