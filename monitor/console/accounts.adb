@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What has come from the supervisor: shown, counted, summed up.
+--  The messages received from the supervisor: shown, counted, summarised.
 
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -21,7 +21,7 @@ package body Accounts is
    --  Bytes, as JPEG
 
    Pause : constant Duration := 1.0;
-   --  Images further apart than this are not one stream
+   --  Images with a longer interval are not one stream
 
    Settings_Start   : Time    := Time_First;
    Settings_Quiet   : Boolean := False;
@@ -36,9 +36,9 @@ package body Accounts is
    Image_Number : Natural := 0;
    Image_At     : Time    := Time_First;
    Streaming    : Boolean := False;
-   --  The latest image is one of a stream, not the answer to a question
+   --  The latest image belongs to a stream, and is no answer
 
-   --  Counts; only the task that takes the lines writes them
+   --  Counters, written only by the task that receives the lines
 
    Latencies      : Durations.Set;
    Intervals      : Durations.Set;
@@ -48,7 +48,7 @@ package body Accounts is
    Battery_Levels : Natural := 0;
    Surprises      : Natural := 0;
 
-   --  The status line's parts
+   --  The parts of the status line
 
    Battery_Words  : Unbounded_String := To_Unbounded_String ("-");
    Position_Words : Unbounded_String := To_Unbounded_String ("no position");
@@ -56,7 +56,7 @@ package body Accounts is
    --  Images a second, smoothed over the last few
 
    function Stamp (At_Time : Time) return String;
-   --  Since the connection, in seconds; nine characters
+   --  Since the start of the connection, in seconds; nine characters
 
    function Meaning (Line : String) return String;
    --  Of an answer
@@ -71,7 +71,7 @@ package body Accounts is
    --  image_NNNN.jpg
 
    procedure Put (At_Time : Time; Mark : String; Text : String);
-   --  A line, unless quiet
+   --  A line, unless --quiet
 
    procedure Put_Answer (Line : String; Given : Command; Ended_At : Time);
 
@@ -83,7 +83,7 @@ package body Accounts is
    --  To Image
 
    procedure Write_Image (Name : String; OK : out Boolean);
-   --  Guard is taken
+   --  Guard is held
 
    procedure Take_Battery (Line : String; Ended_At : Time);
 
@@ -94,8 +94,8 @@ package body Accounts is
 
    procedure Decode (Text : String; OK : out Boolean) is
       Step   : constant := 512;
-      --  Small pieces: the decoder's contracts, where they are checked,
-      --  cost more than proportionally to the length
+      --  Small pieces: the run-time cost of the decoder's contracts grows
+      --  faster than the length
       Piece  : Bytes.Byte_Array (1 .. Step / 4 * 3);
       Length : Natural;
       First  : Positive := Text'First;
@@ -109,7 +109,7 @@ package body Accounts is
          Image (Image_Length + 1 .. Image_Length + Length) :=
            Piece (1 .. Length);
          Image_Length := Image_Length + Length;
-         --  Padding is for the end only
+         --  Padding is allowed only at the end
          OK := OK and then (Length = Piece'Length or else Last = Text'Last);
          First := Last + 1;
       end loop;
@@ -348,7 +348,7 @@ package body Accounts is
          else To_Duration (Ended_At - Image_At));
       Steady   : constant Boolean :=
         Streaming and then not Asked and then Interval in 1.0E-6 .. Pause;
-      --  Interval is one between two images of the same stream
+      --  Interval is between two images of the same stream
       Width    : Natural;
       Height   : Natural;
       OK       : Boolean;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What has come from the supervisor: shown line by line or in the status
---  line, counted, and summed up at the end.
+--  The messages received from the supervisor: shown as lines or in the status
+--  line, counted, and summarised at the end.
 
 with Ada.Real_Time; use Ada.Real_Time;
 
@@ -12,27 +12,27 @@ package Accounts is
       Each_Message : Boolean;
       Folder       : String);
    --  Each_Message: a line for every image, position and battery level.
-   --  Folder: where every image is saved; empty for none.
+   --  Folder: where every image is saved; empty: nowhere.
 
    procedure Put_Sent (Line : String);
-   --  A command leaves
+   --  A command is sent
 
    procedure Put_Unanswered (Line : String; After : Duration);
-   --  A command has had no answer
+   --  A command is unanswered
 
    procedure Take (Line : String; Begun_At : Time; Ended_At : Time)
    with Pre => Line'First = 1;
    --  A line from the supervisor, without its end
 
    procedure Take_Too_Long (Ended_At : Time);
-   --  One that is longer than anything the supervisor has to say
+   --  A line longer than any valid one
 
    procedure Save_Latest
      (File : String; Saved : out Boolean);
-   --  The latest image; empty File: image_NNNN.jpg, NNNN its number. The
-   --  user is told.
+   --  Saves the latest image; empty File: image_NNNN.jpg, NNNN its number. The
+   --  result is reported to the user.
 
    procedure Put_Summary;
-   --  After the last Take
+   --  To be called after the last Take
 
 end Accounts;

@@ -19,10 +19,10 @@ package body Connections is
    --  Characters: base64 of an image of more than 4 MB
 
    Tick : constant Duration := 0.02;
-   --  How often unanswered commands are looked for
+   --  Polling period for unanswered commands
 
    Farewell : constant Duration := 1.0;
-   --  For the supervisor to close its side, after which it has read all
+   --  Until the supervisor has read all and closes its side
 
    Socket : Socket_Type := No_Socket;
    Limit  : Duration    := 0.0;
@@ -30,7 +30,7 @@ package body Connections is
 
    Line   : String (1 .. Max_Line);
    Length : Natural := 0;
-   --  The line that is being received: Line (1 .. Length)
+   --  The line being received: Line (1 .. Length)
 
    Too_Long : Boolean := False;
    Begun_At : Time    := Time_First;
@@ -42,7 +42,7 @@ package body Connections is
    --  The connection is lost, unless it is being closed
 
    procedure Write_Line (Line : String);
-   --  To the supervisor, with its end
+   --  Sends it to the supervisor, with its end
 
    task Reader is
       entry Start;
@@ -79,8 +79,8 @@ package body Connections is
          end loop;
       end if;
 
-      --  What was sent last still arrives: a socket closed with something
-      --  unread in it resets the connection
+      --  So that the last line still arrives: closing a socket with unread
+      --  data resets the connection
       begin
          Shutdown_Socket (Socket, Shut_Write);
       exception

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  A monitor for the console: sends commands to the supervisor, from the
---  keyboard or a script, and shows what comes back.
+--  keyboard or a script, and shows its messages.
 
 with Accounts;
 with Ada.Directories;
@@ -26,37 +26,37 @@ procedure Destijl_Monitor is
 
    Values   : Invocation.Options;
    Scripted : Boolean;
-   --  The lines are a script: one command at a time, a failure ends it
+   --  The input is a script: one command at a time, the first failure ends it
 
    Input : Line_Inputs.Source;
 
    procedure Put_Error_Line (Line : String);
-   --  Without the program's name before it
+   --  Without the program's name
 
    procedure Read_Command_Line;
-   --  Ends the program where there is nothing more to do
+   --  Ends the program if there is nothing more to do
 
    procedure Check_Script;
-   --  Ends the program if a line of the script is not understood: better
-   --  before the robot moves than in the middle
+   --  Ends the program if a line of the script is invalid: before the robot
+   --  moves, not in between
 
    procedure Make_Folder;
 
    function First_Line (Token_File : String) return String;
-   --  What shows the token; empty where Token_File is. Ends the program
-   --  where there is no token in it
+   --  The line that shows the token; empty if Token_File is empty. Ends the
+   --  program if the file contains no token
 
    procedure Connect;
 
    procedure Run;
-   --  The input, to its end
+   --  Processes the input, to its end
 
    procedure Carry_Out (Given : Words.Action; Where : String);
 
    procedure Send (Given : Words.Action);
 
    procedure Fail (Text : String; Status : Positive := 1);
-   --  Says so, and ends a script
+   --  Reports the mistake, and ends a script
 
    procedure Carry_Out (Given : Words.Action; Where : String) is
       Text : constant String := To_String (Given.Text);
@@ -284,7 +284,7 @@ procedure Destijl_Monitor is
    task Interrupter is
       entry Start;
    end Interrupter;
-   --  Ends the program when it is told to by a signal
+   --  Ends the program on a signal
 
    task body Interrupter is
    begin

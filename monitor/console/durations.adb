@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Measured durations, and what is said of them.
+--  Measured durations, with their statistics.
 
 with Ada.Containers.Generic_Array_Sort;
 

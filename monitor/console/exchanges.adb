@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Which answer belongs to which command.
+--  Matches answers to commands.
 
 with Monitor.Protocol; use Monitor.Protocol;
 
@@ -8,13 +8,13 @@ package body Exchanges is
    subtype Robot_Kind is Message_Kind range Open_Robot .. Get_State;
 
    Longest_Kept : constant := 16;
-   --  Of an answer. Of a longer one, an image, the label is kept.
+   --  Of an answer. Of a longer one, an image, only the label is kept.
 
    function Can_Answer
      (Line : String; Begun_At : Time; Given : Command) return Boolean;
-   --  Battery levels, images and the loss of the robot come unasked too:
-   --  they are answers to what asks for them only. An image that was under
-   --  way before the arena was asked for is no answer.
+   --  Battery levels, images and the loss of the robot are also sent
+   --  unsolicited: they only answer the commands that request them. An image
+   --  begun before the arena order is no answer.
 
    function Can_Answer
      (Line : String; Begun_At : Time; Given : Command) return Boolean
@@ -89,7 +89,7 @@ package body Exchanges is
                      else Line);
                end if;
 
-               --  Those before it were overdue, and are skipped for good
+               --  Earlier ones were overdue, and are removed
                Pending (1 .. Waiting - I) := Pending (I + 1 .. Waiting);
                Waiting := Waiting - I;
                return;

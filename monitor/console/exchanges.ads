@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Which answer belongs to which command, and waiting for answers and for
---  messages of one kind.
+--  Matches answers to commands, and waits for answers and for messages of one
+--  kind.
 
 with Ada.Real_Time;           use Ada.Real_Time;
 with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
@@ -17,8 +17,8 @@ package Exchanges is
    end record;
 
    Capacity : constant := 256;
-   --  Commands that may wait for their answers; the supervisor reads no
-   --  more either.
+   --  Commands that may wait for their answers; the supervisor's limit is the
+   --  same.
 
    type Count is range 0 .. Capacity;
 
@@ -29,53 +29,53 @@ package Exchanges is
    protected Exchange is
 
       procedure Note_Sent (Given : Command; OK : out Boolean);
-      --  Given waits for its answer from now on. OK is False, and nothing
-      --  noted, when too many do already.
+      --  Given waits for its answer from now on. If too many wait, OK is False
+      --  and nothing is changed.
 
       procedure Match
         (Line     : String;
          Begun_At : Time;
          Found    : out Boolean;
          Given    : out Command);
-      --  Line has come, its first byte at Begun_At. Found: it answers
-      --  Given. The answers come in the order of the commands. Published
-      --  is to be called then.
+      --  Line was received, its first byte at Begun_At. Found: it answers
+      --  Given. The answers come in the order of the commands. Then Published
+      --  must be called.
 
       procedure Give_Up
         (Before : Time; Found : out Boolean; Given : out Command);
-      --  Found: Given was sent before that and has no answer; it is
-      --  unanswered, whatever comes later. Published is to be called then.
+      --  Found: Given was sent before that time and has no answer; it now
+      --  counts as unanswered. Then Published must be called.
 
       procedure Published;
-      --  The user has been told: Settled may open
+      --  The user has been informed: Settled may open
 
       entry Settled;
-      --  Open when no command waits that could still be answered in time
+      --  Open when no waiting command can still be answered in time
 
       function Last_Answer return Unbounded_String;
-      --  The last command's, only its label if it is long; empty if none
+      --  The last command's answer; its label if it is long; empty if none
 
       function Unanswered return Natural;
-      --  Commands without an answer in time, those waiting now among them
+      --  Commands not answered in time, including those waiting now
 
       function Answered return Natural;
       --  Commands with an answer in time
 
       procedure Watch (Class : Words.Message_Class);
-      --  What was seen before this does not count
+      --  Messages received before are ignored
 
       procedure See (Class : Words.Message_Class);
 
       entry Seen (Words.Message_Class);
-      --  Open when such a message has come since Watch
+      --  Open when such a message has been received since Watch
 
       procedure Claim_End (First : out Boolean);
-      --  First for one caller only: the one that ends the program
+      --  First is True for one caller only: the one that ends the program
 
       function Is_Ending return Boolean;
 
       procedure End_Reading;
-      --  Nothing comes from the supervisor any more
+      --  The supervisor sends nothing more
 
       entry Reading_Ended;
 

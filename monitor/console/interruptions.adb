@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The request to end that comes as a signal.
+--  Signals that end the program.
 
 with Ada.Interrupts.Names; use Ada.Interrupts.Names;
 
 package body Interruptions is
 
    pragma Unreserve_All_Interrupts;
-   --  The run time keeps SIGINT for itself otherwise
+   --  Otherwise the run time handles SIGINT itself
 
    protected Signals is
       entry Await;

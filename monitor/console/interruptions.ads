@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The request to end that comes as a signal: SIGINT (control C), SIGTERM.
+--  Signals that end the program: SIGINT (control C), SIGTERM.
 
 package Interruptions is
 
    procedure Await;
-   --  Returns when one has come
+   --  Waits for one
 
 end Interruptions;

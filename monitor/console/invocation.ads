@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the console monitor is called with.
+--  The arguments of the console monitor.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -9,8 +9,8 @@ package Invocation is
       Host    : Unbounded_String := To_Unbounded_String ("127.0.0.1");
       Port    : Positive         := 5_544;
       Script  : Unbounded_String;         --  empty: the keyboard; "-" too
-      Token   : Unbounded_String;         --  a file; empty: none is shown
-      Images  : Unbounded_String;         --  empty: none is saved by itself
+      Token   : Unbounded_String;         --  a file; empty: no token
+      Images  : Unbounded_String;         --  empty: not saved automatically
       Timeout : Duration         := 5.0;  --  s, for an answer
       Quiet   : Boolean          := False;
       Verbose : Boolean          := False;
@@ -22,7 +22,7 @@ package Invocation is
      (Values : out Options;
       What   : out Outcome;
       Reason : out Unbounded_String);
-   --  From the command line. Reason: why it is refused.
+   --  From the command line. Reason: why it is rejected.
 
    procedure Put_Usage (Put_Line : not null access procedure (Line : String));
 

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The size of an image, from the frame header of its JPEG form.
+--  The size of an image, from the frame header of its JPEG.
 
 with Bytes; use type Bytes.Byte;
 

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The size of an image, from the frame header of its JPEG form.
+--  The size of an image, from the frame header of its JPEG.
 
 with Bytes;
 
@@ -9,7 +9,7 @@ package Jpeg_Headers is
      (Image  : Bytes.Byte_Array;
       Width  : out Natural;
       Height : out Natural);
-   --  In pixels (ITU-T T.81, B.2.2: frame header). Both are 0 where Image
-   --  is no JPEG, or ends before its frame header.
+   --  In pixels (ITU-T T.81, B.2.2: frame header). Both are 0 if Image is no
+   --  JPEG, or ends before its frame header.
 
 end Jpeg_Headers;

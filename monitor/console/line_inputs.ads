@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Lines of a script or of the keyboard, byte for byte: Ada.Text_IO would
---  translate what is not ASCII.
+--  Lines of a script or of the keyboard, byte by byte: Ada.Text_IO would
+--  convert non-ASCII characters.
 
 with Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
@@ -17,8 +17,8 @@ package Line_Inputs is
      (S     : in out Source;
       Line  : out Ada.Strings.Unbounded.Unbounded_String;
       Ended : out Boolean);
-   --  The next line, without its end. Ended: there is none any more. What
-   --  follows the last line feed counts as a line if there is anything.
+   --  The next line, without its end. Ended: there are no more. Characters
+   --  after the last line feed count as a line.
 
    procedure Close (S : in out Source);
 
@@ -29,7 +29,7 @@ private
       Buffer : String (1 .. 4096)          := (others => ' ');
       Next   : Positive                    := 1;
       Last   : Natural                     := 0;
-      --  Buffer (Next .. Last) is still to be read
+      --  Buffer (Next .. Last) has not been read yet
    end record;
 
 end Line_Inputs;

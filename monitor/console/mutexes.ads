@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Mutual exclusion for what may block, such as output, and therefore
---  cannot be done inside a protected action.
+--  Mutual exclusion for operations that may block, such as output, and so are
+--  not allowed inside a protected action.
 
 package Mutexes is
 

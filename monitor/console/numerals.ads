@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Numbers as people write them: without the leading blank and exponent of
---  Ada's own images.
+--  Numbers in plain notation: without the leading blank and exponent of Ada's
+--  images.
 
 package Numerals is
 
@@ -26,6 +26,6 @@ package Numerals is
       OK    : out Boolean)
    with
      Pre => First <= Last;
-   --  Decimal digits, with a minus sign or none, in First .. Last
+   --  Decimal digits with an optional minus sign, in First .. Last
 
 end Numerals;

@@ -9,7 +9,7 @@ with Mutexes;
 
 package body Terminals is
 
-   --  Control sequences (ECMA-48, and DEC's where that has none)
+   --  Control sequences (ECMA-48, otherwise DEC's)
 
    Escape         : constant String := (1 => ASCII.ESC);
    Erase_Line     : constant String := ASCII.CR & Escape & "[K";
@@ -27,7 +27,7 @@ package body Terminals is
    Prompt         : constant String := "> ";
 
    type Mode is (Plain, Status, Status_And_Input);
-   --  What is kept at the bottom
+   --  The lines kept at the bottom
 
    Kept : Mode := Plain;
    Text : Unbounded_String;
@@ -40,13 +40,13 @@ package body Terminals is
    function Is_Terminal (File : File_Descriptor) return Boolean;
 
    function Shown (Line : String) return String;
-   --  Line, harmless
+   --  Line without control characters
 
    procedure Put (File : File_Descriptor; Line : String);
-   --  A line that stays
+   --  A permanent line
 
    procedure Write_Out (File : File_Descriptor; Data : String);
-   --  All of it, in one piece where the system takes it so
+   --  Writes all of it, if possible in one call
 
    procedure Finish is
    begin
@@ -55,7 +55,7 @@ package body Terminals is
          when Plain            => null;
          when Status           => Write_Out (Standout, Erase_Line);
          when Status_And_Input =>
-            --  Both lines go; what comes next begins in their place
+            --  Removes both lines; the next output begins in their place
             Write_Out (Standout, Erase_Line & Up & Delete_Line & ASCII.CR);
       end case;
       Kept := Plain;
@@ -79,8 +79,8 @@ package body Terminals is
    begin
       Mutex.Seize;
       if Kept = Status_And_Input then
-         --  The stale status line above what was typed goes, a new one and
-         --  a new prompt come below
+         --  Removes the stale status line above the typed line; a new status
+         --  line and prompt follow below
          Write_Out
            (Standout,
             Up & Up & Delete_Line & Down & Erase_Line & No_Wrap
@@ -104,8 +104,8 @@ package body Terminals is
             Erase_Line & Shown (Line) & ASCII.LF & No_Wrap
             & To_String (Text) & Wrap);
       else
-         --  Inserted above the status line. What is being typed moves down
-         --  with the cursor in its place, and stays.
+         --  Inserted above the status line. The typed text moves down with the
+         --  cursor.
          Write_Out
            (File,
             Index_Line & Save_Cursor & Up & Up & ASCII.CR & Insert_Line

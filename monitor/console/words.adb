@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The words of the console and of scripts.
+--  The command language of the console and of scripts.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
@@ -53,13 +53,13 @@ package body Words is
 
    function Rest (Text : String) return String is
      (Trimmed (Text (Text'First + First_Word (Text)'Length .. Text'Last)));
-   --  What follows the first word
+   --  The text after the first word
 
    function Spaced (Text : String) return String is
      (if Text = "" then ""
       elsif Rest (Text) = "" then First_Word (Text)
       else First_Word (Text) & " " & Spaced (Rest (Text)));
-   --  Text, which comes trimmed, with one blank between words
+   --  Text, which is trimmed, with single blanks between words
 
    function Is_Bare (Text : String) return Boolean is
      (Text'Length >= 4
@@ -79,8 +79,8 @@ package body Words is
    function Try_Action (Line : String) return Action;
    function Wait_Action (Line : String) return Action;
    function Word_Action (Line : String) return Action;
-   --  Line comes trimmed; Nothing from Phrase_Action: it is no phrase. The
-   --  line of Try_Action and Wait_Action is without the first word.
+   --  Line is trimmed; Phrase_Action returns Nothing if it is no phrase.
+   --  Try_Action and Wait_Action get the line without its first word.
 
    function Is_Acknowledged (Answer : String) return Boolean is
      (Head (Answer, 4) in
