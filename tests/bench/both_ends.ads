@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The monitor's end of a connection and the robot's end of a line in one
---  hand: what goes in at one and comes out at the other is timed by one
---  clock, and all is served by one task.
+--  Both the monitor's end of a connection and the robot's end of a line: the
+--  time from one to the other is measured by one clock, and one task serves
+--  both.
 
 with Ada.Containers.Vectors;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -11,7 +11,7 @@ with Instants; use Instants;
 package Both_Ends is
 
    type Place is (Ours, Floor, Tick_1, Tick_2, Tick_3);
-   --  What is between the ends
+   --  The program between the ends
 
    procedure Open_Line (Where : Place);
    --  A pseudo-terminal, with a robot that answers everything at once

@@ -5,11 +5,11 @@
 package Full_Load is
 
    procedure Report;
-   --  Once with the robot's line at 9600 baud, and once unpaced, so that the
-   --  supervisor's own part of F12 shows
+   --  Once with the robot's line at 9600 baud, and once unpaced, to show the
+   --  supervisor's own part of F12
 
    procedure Report_Tasks;
-   --  The processor time that each task takes, beside the budget that the
-   --  analysis of the deadlines gives it
+   --  The processor time of each task, compared with its budget in the
+   --  deadline analysis
 
 end Full_Load;

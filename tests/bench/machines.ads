@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the figures were taken on, and with what rights.
+--  The machine and the privileges of the measurement.
 
 package Machines is
 

@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  How punctual the periodic tasks are, beside cyclictest and a bare program
---  that writes to a line of its own.
+--  The jitter of the periodic tasks, compared with cyclictest and a minimal
+--  program that writes to its own line.
 
 package Period_Times is
 
    procedure Report;
-   --  No command is sent meanwhile: a reload waits for an exchange that is
-   --  under way, by design
+   --  No command is sent meanwhile: by design a reload waits for a current
+   --  exchange
 
 end Period_Times;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  How much the supervisor can do: images a second at each size, commands a
---  second; and what it takes of the processors at its ordinary pace.
+--  The supervisor's capacity: images per second at each size, commands per
+--  second; and its processor load at the ordinary rate.
 
 package Scale_Limits is
 

@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a test expects, independent of the framework that runs it: the
---  benchmark uses the same harness.
+--  Expectations of a test, independent of the test framework: the benchmark
+--  uses the same harness.
 
 package Expectations is
 
    Failed : exception;
-   --  What was expected did not happen; the message says what was seen
+   --  An expectation was not met; the message says what was observed
 
    Skipped : exception;
    --  The machine does not allow this test; the message says why
@@ -21,25 +21,24 @@ package Expectations is
    --  From now on tests that measure time are skipped
 
    procedure Measures_Time;
-   --  Says that the test measures time: raises Skipped where such tests are
-   --  left out. Measure_Calmly calls it, and a test that holds a time against
-   --  a goal without Measure_Calmly.
+   --  The test measures time: raises Skipped if such tests are skipped. Called
+   --  by Measure_Calmly, and by tests that compare a time with a goal without
+   --  it.
 
    procedure Measure_Calmly (Measure : not null access procedure);
-   --  Measure, and if what it expects fails, again, three times at most. The
-   --  last failure is raised, the others are noted. For times and periods
-   --  only: a defect that comes each time is found, one that comes seldom may
-   --  not be.
+   --  Runs Measure; repeats it on failure, three times at most. The last
+   --  failure is raised, the others are logged. For times and periods only: a
+   --  permanent defect is found, a rare one may be missed.
 
    procedure Limit_Time (Span : Duration);
-   --  From now on Check_Time raises Failed when Span has passed
+   --  From now on Check_Time raises Failed once Span has passed
 
    procedure Check_Time;
-   --  For what may wait again and again; nothing without Limit_Time
+   --  For operations that may wait repeatedly; no effect without Limit_Time
 
    procedure Skip (Reason : String) with No_Return;
 
    procedure Note (Text : String);
-   --  A figure worth reading in the report of the run
+   --  Adds a figure to the report of the run
 
 end Expectations;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Points in time on CLOCK_MONOTONIC, which every process of a test shares:
---  what the emulator notes can be compared with what the monitor received.
+--  Times of CLOCK_MONOTONIC, which all processes of a test share: times of the
+--  emulator and of the monitor can be compared.
 
 package Instants is
 

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The few calls of the C library that tests, benches and emulator need, as
---  they are. The numbers are those of Linux on every architecture that Debian
---  releases.
+--  The C library functions that tests, benchmarks and emulator need. The
+--  constants are those of Linux on all architectures of Debian.
 
 with GNAT.OS_Lib;
 with Interfaces.C;         use Interfaces.C;
@@ -12,7 +11,7 @@ package Libc is
 
    function Last_Error return String is
      (GNAT.OS_Lib.Errno_Message (Default => "unknown error"));
-   --  What went wrong with the last call of this task, in words
+   --  The error message of this task's last call
 
    --  Clock
 
@@ -30,7 +29,7 @@ package Libc is
    --  Files
 
    type Pipe_Ends is array (0 .. 1) of int with Convention => C;
-   --  0 is read from, 1 is written to
+   --  0: the read end, 1: the write end
 
    O_Rdonly  : constant int := 8#0#;
    O_Wronly  : constant int := 8#1#;
@@ -73,7 +72,7 @@ package Libc is
    function Readlink
      (Path : char_array; Buffer : System.Address; Size : size_t) return long
    with Import, Convention => C, External_Name => "readlink";
-   --  How long it is, without a NUL; negative where there is none
+   --  Its length, without a NUL; negative if there is none
 
    function Dup2 (File, Onto : int) return int
    with Import, Convention => C, External_Name => "dup2";
@@ -99,7 +98,7 @@ package Libc is
    Poll_In      : constant short := 16#0001#;
    Poll_Out     : constant short := 16#0004#;
    Poll_Hang_Up : constant short := 16#2000#;
-   --  POLLRDHUP: the other end sends no more
+   --  POLLRDHUP: the peer sends no more
 
    type Poll_Array is array (Positive range <>) of Poll_Descriptor
    with Convention => C;
@@ -131,7 +130,7 @@ package Libc is
 
    type Terminal_Attributes is array (1 .. 256) of unsigned_char
    with Alignment => 8;
-   --  A termios, whose size only the C library knows: well below this
+   --  A termios, whose size only the C library knows: smaller than this
 
    B9600   : constant unsigned := 8#15#;
    Tcsanow : constant int := 0;
@@ -159,7 +158,7 @@ package Libc is
 
    procedure Execv (Path : chars_ptr; Arguments : Argument_Vector)
    with Import, Convention => C, External_Name => "execvp";
-   --  Searches PATH where Path has no slash; returns only when it failed
+   --  Searches PATH if Path has no slash; returns only on failure
 
    procedure Exit_Now (Status : int)
    with Import, Convention => C, External_Name => "_exit";
@@ -208,7 +207,7 @@ package Libc is
       Resource : int;
       New_Limit, Old_Limit : access Resource_Limit) return int
    with Import, Convention => C, External_Name => "prlimit";
-   --  null: not to be set, not wanted
+   --  null: not set, not requested
 
    --  Signals
 
@@ -248,8 +247,8 @@ package Libc is
    Sched_Fifo  : constant int := 1;
 
    Above_Supervisor : constant int := 60;
-   --  A priority above all of the supervisor's: for who notes times as if
-   --  he sat at another machine
+   --  A priority above all of the supervisor's: for the time stamps of a
+   --  simulated remote machine
 
    type Sched_Param is record
       Priority : int;
@@ -262,7 +261,7 @@ package Libc is
 
    function Setpriority (Which : int; Who : unsigned; Nice : int) return int
    with Import, Convention => C, External_Name => "setpriority";
-   --  Which 0 and Who 0 are the calling thread
+   --  Which 0 and Who 0: the calling thread
 
    function Mlockall (Flags : int) return int
    with Import, Convention => C, External_Name => "mlockall";

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the running program asks of the system for itself. Where the system
---  refuses, nothing changes.
+--  Settings of the running program itself. If the system refuses one, nothing
+--  changes.
 
 with Interfaces.C; use Interfaces.C;
 
@@ -10,27 +10,26 @@ package Own_Process is
 
    procedure Prefer_Real_Time
      (Wanted : Boolean; Priority : int := Libc.Above_Supervisor);
-   --  For the calling thread: this priority, so that the times it notes are
-   --  not those of its own waiting; or an ordinary one again
+   --  Sets this priority for the calling thread, so that measured times
+   --  exclude its own wake-up latency; or an ordinary one again
 
    function Real_Time_Allowed return Boolean;
-   --  To this process; the calling thread is an ordinary one afterwards
+   --  To this process; afterwards the calling thread has ordinary priority
 
    procedure Wake_On_Time;
-   --  The calling thread wakes up on time, even if it is an ordinary one
+   --  No timer slack for the calling thread, even at ordinary priority
 
    procedure Give_Way;
-   --  The calling thread and those that it starts run behind ordinary ones
+   --  The calling thread and those it starts run below ordinary ones
 
    procedure Lock_Memory;
-   --  For root: what this process has once used stays in memory. Elsewhere
-   --  the system could take the page that is needed next, and read it from
-   --  the disk again
+   --  For root: locks the memory of this process. Otherwise the system could
+   --  evict the page needed next, and read it from the disk again
 
    procedure Ignore_Broken_Pipes;
-   --  The other end may close what is being written to
+   --  The reader may close a pipe that is written to
 
    procedure Allow_Descriptors;
-   --  As many for this process as it may have
+   --  Raises the limit of descriptors to the maximum
 
 end Own_Process;

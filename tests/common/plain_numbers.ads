@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Numbers as one writes them, without a blank in front.
+--  Numbers without a leading blank.
 
 package Plain_Numbers is
 
    function Image (Value : Integer) return String;
 
    function Rounded (Value : Float; Aft : Natural := 2) return String;
-   --  With so many decimals, without a point where Aft is 0
+   --  With Aft decimals; without a point if Aft is 0
 
 end Plain_Numbers;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Waiting for descriptors, to the nanosecond.
+--  Waiting for descriptors, with nanosecond resolution.
 
 with Interfaces.C;
 
@@ -8,8 +8,9 @@ with Libc;
 package Polls is
 
    procedure Wait (Files : in out Libc.Poll_Array; Span : Duration);
-   --  Until something is ready or Span has passed; at once where Span is not
-   --  positive. A failure or a signal looks like nothing ready.
+   --  Waits until something is ready or Span has passed; returns at once
+   --  unless Span is positive. A failure or a signal is reported as nothing
+   --  ready.
 
    function Is_Readable
      (File : Interfaces.C.int; Span : Duration) return Boolean;

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  A serial line in software: a pseudo-terminal, and the symbolic link that
---  gives it a name of its own.
+--  A serial line in software: a pseudo-terminal, and a symbolic link to it.
 
 with Interfaces.C; use Interfaces.C;
 
@@ -10,11 +9,11 @@ package Pseudo_Terminals is
    --  Closed by default
 
    procedure Open (L : in out Line; Done : out Boolean);
-   --  A new device, raw, for every user of the machine. Any number of
-   --  clients may open and close it. L must be closed.
+   --  A new device, raw, accessible to all users. Any number of clients may
+   --  open and close it. L must be closed.
 
    procedure Close (L : in out Line);
-   --  Hangs up: who has the device open is told so, and it is gone
+   --  Hangs up: clients get a hang-up, and the device is removed
 
    function Is_Open (L : Line) return Boolean;
 
@@ -24,17 +23,17 @@ package Pseudo_Terminals is
 
    function Robot_End (L : Line) return int
      with Pre => Is_Open (L);
-   --  Where the robot reads and writes, without ever waiting
+   --  The robot's end, for non-blocking reads and writes
 
    function Device_End (L : Line) return int
      with Pre => Is_Open (L);
-   --  The device, as it is kept open here
+   --  The device, which is also kept open here
 
    --  The link. Path is a link's own, Target what it points to.
 
    function Place_Link (Path, Target : String) return String;
-   --  Makes it, or lets an existing link point to Target: "" when done.
-   --  Anything else at Path stays, and the result says what is wrong.
+   --  Makes it, or changes an existing link to Target: returns "". Anything
+   --  else at Path is left, and the result names the error.
 
    procedure Remove_Link (Path, Target : String);
    --  Removes it if it still points to Target
@@ -47,8 +46,7 @@ private
    type Line is limited record
       Master : int := Closed;
       Slave  : int := Closed;
-      --  Held open by us: without any client the master would only read
-      --  errors
+      --  Kept open: without any client, reads of the master fail
       Name   : String (1 .. Max_Name) := (others => ' ');
       Length : Natural := 0;
    end record;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Measured times of one kind, and their figures.
+--  Measured times of one kind, and their statistics.
 
 with Ada.Containers.Vectors;
 
@@ -24,18 +24,18 @@ package Samples is
 
    function Quantile (Object : Set; Share : Float) return Duration
      with Pre => Share in 0.0 .. 1.0;
-   --  The smallest value that at least Share of the samples do not exceed;
-   --  0 without samples
+   --  The smallest value that at least Share of the samples do not exceed; 0
+   --  without samples
 
    type Share_Array is array (Positive range <>) of Float;
    type Value_Array is array (Positive range <>) of Duration;
 
    function Quantiles (Object : Set; Shares : Share_Array)
      return Value_Array;
-   --  The same of many
+   --  The same for several
 
    function From_Least (Object : Set) return Set;
-   --  Each as its distance from the smallest
+   --  Replaces each by its difference from the smallest
 
 private
 

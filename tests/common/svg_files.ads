@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Drawings as SVG files: texts, lines, boxes and curves. Places and sizes
---  are pixels, from the upper left corner.
+--  Drawings as SVG files: texts, lines, boxes and curves. Positions and sizes
+--  are in pixels from the upper left corner.
 
 private with Ada.Text_IO;
 
@@ -14,12 +14,12 @@ package Svg_Files is
       Title         : String;
       Width, Height : Float;
       Style         : String);
-   --  Style is CSS: it says what the classes of all below look like, which
-   --  may be several, between blanks. Raises Name_Error or Use_Error where
-   --  the file cannot be written.
+   --  Style is CSS with the classes used below; a shape may have several
+   --  classes, separated by blanks. Raises Name_Error or Use_Error if the file
+   --  cannot be written.
 
    type Anchor_Kind is (First, Middle, Last);
-   --  What of a text is at its place
+   --  Which part of a text is at its position
 
    procedure Put_Text
      (Drawing : in out Svg_File;
@@ -44,14 +44,14 @@ package Svg_Files is
    procedure Close (Drawing : in out Svg_File);
 
    function Decimal (Value : Float; Most : Positive := 1) return String;
-   --  As short as it goes, with so many decimals at most
+   --  As short as possible, with at most so many decimals
 
 private
 
    type Svg_File is limited record
       File   : Ada.Text_IO.File_Type;
       Points : Natural := 0;
-      --  of the curve, so far
+      --  of the curve so far
    end record;
 
 end Svg_Files;

@@ -19,8 +19,8 @@ package Arena_Camera is
 
    subtype Frame_Width is Positive range 1 .. 4_096;
    subtype Frame_Height is Positive range 1 .. 2_304;
-   --  Beyond what a camera of this kind has (1920 x 1440) an image is drawn
-   --  once and delivered again and again
+   --  Above the sizes of such cameras (1920 x 1440) one image is drawn and
+   --  sent repeatedly
    subtype Frame_Rate is Positive range 1 .. 240;
    subtype Noise_Level is Natural range 0 .. 30;
    subtype Marker_Number is Natural range 0 .. 999;
@@ -41,14 +41,14 @@ package Arena_Camera is
       S       : Settings;
       Actual  : out Natural;
       Problem : out Unbounded_String);
-   --  Listens on Port, or on a free one (Actual) where Port is 0. Once.
-   --  Problem says why it could not; "" if it could.
+   --  Listens on Port, or on a free one (Actual) if Port is 0. Call once.
+   --  Problem is the reason of a failure; "" if none.
 
    type Mode_Kind is
      (On,
-      Stalled,   --  streams stay open, no image comes
-      Garbage,   --  what comes is no image, or a spoilt one
-      Off);      --  streams are closed, new ones refused
+      Stalled,   --  streams stay open without images
+      Garbage,   --  invalid or damaged images are sent
+      Off);      --  streams are closed, new ones rejected
 
    procedure Set_Mode (Mode : Mode_Kind);
 
@@ -59,13 +59,13 @@ package Arena_Camera is
    subtype Opening_Time is Natural range 0 .. 60_000;
 
    procedure Set_Opening (Time : Opening_Time);
-   --  So many milliseconds pass before whoever asks for images hears of it
+   --  Delay of the reply to a request for images, in milliseconds
 
    procedure Mend;
-   --  Mode, size, rate and opening as in the beginning
+   --  Resets mode, size, rate and delay
 
    function Viewers return Natural;
-   --  Streams and snapshots under way
+   --  Open streams and snapshots
 
    function Frames return Natural;
    --  Images drawn so far

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The arena renderer of tests/scene (scene.h), as far as the camera uses it.
+--  The arena renderer of tests/scene (scene.h), as used by the camera.
 
 with Interfaces.C; use Interfaces.C;
 with System;
@@ -44,6 +44,6 @@ package Arena_Scenes is
       Data     : System.Address;
       Capacity : int;
       Length   : out int);
-   --  scene_jpeg: Length -1 where it failed
+   --  scene_jpeg: Length is -1 on failure
 
 end Arena_Scenes;

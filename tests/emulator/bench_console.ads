@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The commands on standard input, each answered on standard output. The
---  end of the input ends only this, not the emulator.
+--  The commands on standard input, each answered on standard output. End of
+--  input ends only this, not the emulator.
 
 package Bench_Console is
 
@@ -8,6 +8,6 @@ package Bench_Console is
    --  One line to standard output, at once
 
    procedure Start;
-   --  From now on commands are read. Once.
+   --  Starts to read commands. Call once.
 
 end Bench_Console;

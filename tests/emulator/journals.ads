@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the emulator remembers of every command: a ring, allocated once,
---  that keeps the newest.
+--  The emulator's record of all commands: a ring buffer, allocated once.
 
 with Answer_Faults;
 with Instants;     use Instants;
@@ -18,7 +17,7 @@ package Journals is
       Exchange : Robot_Core.Exchange;
       Effect   : Answer_Faults.Effect_Kind := Answer_Faults.None;
       Late     : Instant := 0;
-      --  By which the answer was held back
+      --  Delay added to the answer
       Interval : Instant := 0;
       --  Of a reload: since the one before it, or the start
    end record;
@@ -37,7 +36,7 @@ package Journals is
       After : Note_Number;
       N     : out Note;
       Found : out Note_Number);
-   --  The oldest note kept whose number is above After; 0 where none is
+   --  The oldest stored note with a number above After; 0 if there is none
 
    function Image (N : Note) return String;
    --  One line of words, each key=value, separated by blanks:

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Numbers, words and poses as a person writes them, on the command line or
---  on standard input.
+--  Parses numbers, words and poses from the command line or standard input.
 
 with Arena_Camera;
 with Robot_Core;
@@ -9,7 +8,7 @@ with Robot_Motion;
 package Readings is
 
    Bad_Value : exception;
-   --  Its message says what was expected
+   --  The message says what was expected
 
    function Whole (Text : String; Low, High : Integer) return Integer;
    --  A decimal number in Low .. High, or Bad_Value
@@ -33,7 +32,7 @@ package Readings is
 
    function Bytes (Text : String) return Robot_Core.Octets
      with Post => Bytes'Result'Length <= Data_Length'Last;
-   --  Characters, where \r, \n, \\ and \xHH stand for what they usually do
+   --  Characters, with the usual escapes \r, \n, \\ and \xHH
 
    function Image (Value : Robot_Motion.Micro; Unit : Positive) return String;
    --  Value / Unit (a power of 10) with three decimals

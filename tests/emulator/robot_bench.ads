@@ -1,11 +1,10 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The one robot on the bench, shared by the tasks: its serial line feeds
---  it, the console spoils its answers, the camera looks at it. Also what
---  has been heard so far.
+--  The one robot, shared by the tasks: its serial line sends it bytes, the
+--  console injects faults into its answers, the camera observes it. Also
+--  records the exchanges.
 --
---  The robot lives in the past: it knows the time of the last thing that
---  happened to it. Who only looks takes a copy and lets time pass on that,
---  so that the serial line never waits for anybody.
+--  The robot's state is that of its last event. A reader takes a copy and
+--  advances that in time, so that the serial line never waits.
 
 with Answer_Faults;
 with Instants;  use Instants;
@@ -27,10 +26,10 @@ package Robot_Bench is
    protected Bench is
 
       procedure Switch_On (Boot : Robot_Core.Tick_Count);
-      --  Power-cycles the robot; Boot is how long its start-up takes
+      --  Power-cycles the robot; Boot is the duration of its start-up
 
       procedure Switch_On;
-      --  The same, as long as the last time
+      --  The same, with the last duration
 
       procedure Hear
         (Byte    : Robot_Core.Octet;
@@ -38,17 +37,17 @@ package Robot_Bench is
          Ended   : Instant;
          Wire    : out Answer_Faults.Wire_Bytes;
          Late    : out Instant);
-      --  A byte was on the line from Started to Ended. Wire is what goes
-      --  back, Late how much later than Ended.
+      --  A byte was on the line from Started to Ended. Wire is the reply, to
+      --  be sent Late after Ended.
 
       procedure Babble
         (Byte : out Robot_Core.Octet; Present : out Boolean);
-      --  The next byte of an answer without end, while there is one
+      --  The next byte of an endless answer, if there is one
 
       procedure Let_Time_Pass;
 
       procedure Mend;
-      --  None of the following faults any more
+      --  Removes all of the following faults
 
       procedure Set_Silent (Value : Boolean);
       procedure Set_Endless (Value : Boolean);
@@ -67,10 +66,10 @@ package Robot_Bench is
       procedure Clear_Journal;
 
       procedure Look (Robot : out Robot_Core.Robot);
-      --  As it was when something last happened
+      --  Its state at its last event
 
       function Spoilt return Natural;
-      --  Answers that went out otherwise than the robot gave them, or late
+      --  Number of answers that were changed or delayed
 
       procedure Next_Note
         (After : Journals.Note_Number;
@@ -91,6 +90,6 @@ package Robot_Bench is
    end Bench;
 
    procedure Look (Robot : out Robot_Core.Robot; At_Time : Instant);
-   --  A copy of it as it is at that time, unless that is past already
+   --  A copy, advanced to that time unless it is in the past
 
 end Robot_Bench;

@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The serial line's task: bytes between the pseudo-terminal and the robot,
---  each at its time.
+--  The serial line's task: transfers bytes between the pseudo-terminal and the
+--  robot, with the timing of the line.
 --
 --  At B baud a byte takes 10 / B seconds (start bit, 8 bits, stop bit). The
---  robot has heard a byte when its time is over, and a client reads an
---  answer's byte when that one's time is over. Times are absolute: a byte
---  that is late does not make the next one late.
+--  robot receives a byte at the end of its time, and a client reads a byte of
+--  an answer at the end of its time. Times are absolute: a delayed byte does
+--  not delay the next one.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -18,8 +18,8 @@ package Serial_Side is
 
    procedure Start
      (Baud : Baud_Rate; Link : String; Problem : out Unbounded_String);
-   --  Makes the device, and the link unless that is "", and begins. Once.
-   --  Problem says why it could not; "" if it could.
+   --  Creates the device, and the link unless it is "", and starts. Call once.
+   --  Problem is the reason of a failure; "" if none.
 
    procedure Stop;
    --  Hangs up and removes the link. After Start only.
@@ -27,15 +27,14 @@ package Serial_Side is
    function Device return String;
    --  The pseudo-terminal; "-" while hung up
 
-   --  Each of the following returns when it has happened: "" when done,
-   --  else what is wrong.
+   --  Each of the following returns when it is done: "", or the error.
 
    function Send_Unasked (Data : Robot_Core.Octets) return String
      with Pre => Data'Length <= 256;
-   --  Puts bytes on the line that nobody asked for, behind what is there
+   --  Sends unsolicited bytes, after those already waiting
 
    function Hang_Up return String;
-   --  The device and its link go away. The robot hears nothing any more.
+   --  The device and its link are removed. The robot receives nothing more.
 
    function Put_Back return String;
    --  A new device; the link points to it

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What can be chosen on the emulator's command line.
+--  The options of the emulator.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What ends the emulator: SIGTERM, SIGINT, SIGHUP, or `quit`.
+--  Requests to end the emulator: SIGTERM, SIGINT, SIGHUP, or `quit`.
 
 with Ada.Interrupts.Names;
 
 package Stop_Signals is
 
    pragma Unreserve_All_Interrupts;
-   --  SIGINT too is ours
+   --  SIGINT is also handled here
 
    protected Stop is
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Whether every command of a session was answered exactly once, in order,
---  although some answers look like messages that come unasked.
+--  Checks that every command of a session is answered exactly once, in order,
+--  although some answers look like unsolicited messages.
 
 with Ada.Containers.Vectors;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -12,9 +12,9 @@ package Answer_Ledgers is
 
    type Answer_Kind is
      (Usual,      --  AACK, ANAK, ACRJ, ATIM or ACER
-      Battery,    --  the same, or RBLV: that comes unasked as well
+      Battery,    --  the same, or RBLV, which is also sent unsolicited
       State,      --  the same, or RCST
-      Arena,      --  the same, or CIMG: that comes unasked as well
+      Arena,      --  the same, or CIMG, which is also sent unsolicited
       Refused,    --  ACER
       Perhaps,    --  ACER or nothing
       Silent);    --  nothing
@@ -23,7 +23,7 @@ package Answer_Ledgers is
    --  Of a well-formed command
 
    function Is_Answer (Kind : Answer_Kind; Label : String) return Boolean;
-   --  Whether a message with this label may be one
+   --  Whether a message with this label may be such an answer
 
    type Ledger is private;
 
@@ -32,28 +32,28 @@ package Answer_Ledgers is
 
    procedure Put_Command
      (L : in out Ledger; Text : String; Kind : Answer_Kind);
-   --  It is about to be sent now
+   --  It will be sent now
 
    procedure Put_Message (L : in out Ledger; Item : Message);
    --  It was received
 
    function Is_Broken (L : Ledger) return Boolean;
    --  The messages cannot be the answers to the commands, each once and in
-   --  their order, and unasked messages between them
+   --  order, with unsolicited messages in between
 
    function Complaint (L : Ledger) return String;
-   --  What broke it
+   --  The line that caused it
 
    function Is_Complete (L : Ledger) return Boolean;
-   --  Nothing is waiting for its answer
+   --  No command waits for its answer
 
    function Unasked_Losses (L : Ledger) return Natural
      with Pre => not Is_Broken (L);
-   --  As many ATIM came unasked, at least: one for each loss of the robot
+   --  Minimum number of unsolicited ATIM: one for each loss of the robot
 
    function Commands (L : Ledger) return Natural;
    function Waiting (L : Ledger) return Natural;
-   --  Commands that have had no answer for certain
+   --  Commands that certainly have no answer
 
    function First_Waiting (L : Ledger) return String;
 
@@ -71,8 +71,8 @@ private
    Impossible : constant Natural := Natural'Last;
 
    package Cost_Vectors is new Ada.Containers.Vectors (Natural, Natural);
-   --  By the number of commands answered: the smallest number of unasked
-   --  ATIM with which the messages so far can mean that, or Impossible
+   --  By number of answered commands: the smallest number of unsolicited ATIM
+   --  that is consistent with the messages so far, or Impossible
 
    type Ledger is record
       Sent    : Command_Vectors.Vector;

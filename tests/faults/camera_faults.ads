@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a camera can do to the supervisor.
+--  Faults of a camera.
 
 package Camera_Faults is
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The record of a run, from which it can be continued: a file with a line
---  for what is tried, then one for each injection.
+--  The record of a run, for its continuation: a file with a line for what is
+--  tested, then one for each injection.
 
 package Fault_Records is
 
@@ -8,15 +8,13 @@ package Fault_Records is
    --  The file is of another run, or cannot be used; the message says which
 
    procedure Open (Path : String; Seed : Natural);
-   --  Reads what is there, or begins anew. Raises Wrong_Record where the seed,
-   --  the supervisor, its library or the emulator are others than those of
-   --  the file.
+   --  Reads an existing file, or starts a new one. Raises Wrong_Record if
+   --  seed, supervisor, library or emulator differ from those of the file.
 
    function Result_Of (Key : String) return String;
-   --  What is written there of the injection; "" where nothing is
+   --  The recorded result of the injection; "" if none
 
    procedure Write (Key, Result : String);
-   --  Nothing where no file is open. Raises Wrong_Record where it cannot be
-   --  done
+   --  No effect if no file is open. Raises Wrong_Record on failure
 
 end Fault_Records;

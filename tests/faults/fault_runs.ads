@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  A run: which injections there are to be, and several processes that do
---  them side by side, for most of their time is waiting.
+--  A run: its list of injections, and several processes that perform them in
+--  parallel, as they mostly wait.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -13,14 +13,14 @@ package Fault_Runs is
       Times : Natural := 100;
       --  of each fault alone
       Pairs : Natural := 100;
-      --  in which each fault is, with another at random
+      --  per fault, combined with a random one
       Only  : Unbounded_String;
-      --  a part of the name of a fault or a pair
+      --  part of the name of a fault or a pair
       At_Repetition : Natural := 0;
-      --  only this one; 0 is all
+      --  only this repetition; 0: all
       Record_File   : Unbounded_String;
-      --  where each result is written down; what is in it already is not
-      --  done again. Empty: none
+      --  file for the results; injections already in it are not repeated.
+      --  Empty: none
    end record;
 
    Most_Jobs : constant := 32;
@@ -31,13 +31,13 @@ package Fault_Runs is
       Program  : String;
       Figures  : out Figure_Set)
      with Pre => Jobs <= Most_Jobs;
-   --  Program is this one, which each of the jobs runs. Violations are
-   --  printed as they come, and everything is counted in Fault_Tables.
-   --  Figures are the worst of all. To be called from the environment task.
-   --  Raises Fault_Records.Wrong_Record where Record_File is of another run.
+   --  Program is this one, run by each job. Violations are printed at once,
+   --  and all results are counted in Fault_Tables. Figures are the worst of
+   --  all. To be called by the environment task. Raises
+   --  Fault_Records.Wrong_Record if Record_File belongs to another run.
 
    procedure Work (Seed : Natural);
-   --  What each of the jobs does: takes injections from standard input, one
-   --  a line, and answers on standard output
+   --  A job: takes injections from standard input, one per line, and answers
+   --  on standard output
 
 end Fault_Runs;

@@ -1,26 +1,25 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  How late the kernel's pseudo-terminals are.
+--  Measures the delay of the kernel's pseudo-terminals.
 --
---  Between two programs a pseudo-terminal carries the bytes in a kernel
---  thread of ordinary priority. On a loaded machine that thread waits: an
---  answer that the emulated robot gave in time misses its 80 ms, and for the
---  supervisor the robot was silent; a stop order that was written in time
---  reaches the robot late. A serial line's driver knows no such thing. So a
---  byte is sent through a pseudo-terminal all the time, and its way is
---  measured.
+--  The kernel carries the bytes of a pseudo-terminal in a thread of ordinary
+--  priority. On a loaded machine that thread is delayed: an answer that the
+--  emulated robot gave in time misses its 80 ms, and a stop order written in
+--  time reaches the robot late. The driver of a serial line has no such delay.
+--  So bytes are sent continuously through a pseudo-terminal, and their delay
+--  is measured.
 
 with Instants; use Instants;
 
 package Line_Watch is
 
    procedure Start;
-   --  Begins to measure; nothing where it has begun already
+   --  Starts the measurement; no effect if started already
 
    function Worst (From, To : Instant) return Duration;
-   --  The slowest byte that was on its way between the two; 0.0 where
-   --  pseudo-terminals cannot be had. The last minute is remembered.
+   --  The largest delay of a byte sent between the two times; 0.0 if
+   --  pseudo-terminals are unavailable. The last minute is stored.
 
    procedure Stop;
-   --  Measures no more. For the end of the program
+   --  Stops the measurement. For the end of the program
 
 end Line_Watch;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a machine and its administrator can do to the supervisor.
+--  Faults caused by the machine and its administrator.
 
 package Machine_Faults is
 

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a network and those who use it can do to the supervisor.
+--  Faults of the network and its users.
 
 package Network_Faults is
 

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Random numbers that a seed repeats, on every machine and with every
---  compiler.
+--  Random numbers, reproducible by a seed on all machines and compilers.
 
 with Interfaces;
 
@@ -10,12 +9,12 @@ package Random_Numbers is
 
    procedure Start (Source : in out Generator; Seed : Natural; Name : String);
    --  The sequence of Seed and Name: one for each fault and repetition, so
-   --  that one of them can be repeated without the others
+   --  that each can be repeated alone
 
    function Whole
      (Source : in out Generator; Low, High : Integer) return Integer
    with Pre => Low <= High;
-   --  From Low to High, both included
+   --  From Low to High, inclusive
 
    function Chance
      (Source : in out Generator; One_In : Positive) return Boolean;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Connections that nobody means to keep: what a port scanner does.
+--  Short-lived connections, as from a port scanner.
 
 with Random_Numbers;
 
@@ -10,11 +10,11 @@ package Raw_Probes is
       Port    : Positive;
       Count   : Positive;
       Source  : in out Random_Numbers.Generator);
-   --  Connects, and leaves at once: orderly, by a reset, before it is
-   --  answered, with a few bytes, or with one direction closed only
+   --  Connects and disconnects at once: in order, by a reset, before the
+   --  answer, after a few bytes, or with one direction closed
 
    function Can_Half_Open return Boolean;
-   --  Whether this process may write packets of its own
+   --  Whether this process may send raw packets
 
    procedure Half_Open
      (Address : String;
@@ -22,14 +22,14 @@ package Raw_Probes is
       Count   : Positive;
       Source  : in out Random_Numbers.Generator)
    with Pre => Can_Half_Open;
-   --  The first packet of a connection, and never the third: the kernel
-   --  here, which knows of no connection, answers the second by a reset
+   --  The first packet of a handshake, and never the third: the kernel here,
+   --  which knows no such connection, answers the second by a reset
 
    type Crowd_Result is record
       Told   : Natural := 0;
-      --  got a whole line of text before the end
+      --  received a complete line before the end
       Closed : Natural := 0;
-      --  came in and saw the end of their connection
+      --  were accepted, and then closed
       Left   : Natural := 0;
       --  neither
    end record;
@@ -37,6 +37,6 @@ package Raw_Probes is
    function Crowd
      (Address : String; Port : Positive; Count : Positive; Within : Duration)
       return Crowd_Result;
-   --  So many connections begun before any of them is looked at
+   --  Starts so many connections before checking any
 
 end Raw_Probes;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a robot and its line can do to the supervisor.
+--  Faults of the robot and its line.
 
 package Robot_Faults is
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Curves over time as an SVG file: panels below each other with one axis of
---  time, readable on a light page and on a dark one.
+--  Curves over time as an SVG file: panels with a common time axis, readable
+--  on light and dark pages.
 
 with Ada.Containers.Vectors;
 
@@ -29,8 +29,8 @@ package Svg_Charts is
       Unit_X : String;
       Panels : Positive)
    with Pre => Last_X > 0.0;
-   --  The time axis goes from 0 to Last_X. Raises Name_Error or Use_Error
-   --  where the file cannot be written.
+   --  The time axis is 0 .. Last_X. Raises Name_Error or Use_Error if the file
+   --  cannot be written.
 
    procedure Begin_Panel
      (C         : in out Chart;
@@ -38,8 +38,8 @@ package Svg_Charts is
       Low, High : Float;
       Kind      : Scale := Linear)
    with Pre => Low < High and then (Kind = Linear or else Low > 0.0);
-   --  Of all its curves; the axis may begin lower and end higher, at round
-   --  values. Title has the unit.
+   --  Range of all its curves; the axis is extended to round values. Title
+   --  includes the unit.
 
    procedure Draw
      (C       : in out Chart;
@@ -47,12 +47,12 @@ package Svg_Charts is
       Name    : String;
       As      : Colour;
       Stepped : Boolean := False);
-   --  Into the last panel; Name goes into its legend. Points that a line
-   --  through their neighbours gives as well are left out. Stepped: a value
-   --  holds until the next.
+   --  Adds a curve to the last panel; Name is for its legend. Points on the
+   --  line through their neighbours are omitted. Stepped: a value holds until
+   --  the next.
 
    procedure Mark (C : in out Chart; X : Float);
-   --  A stroke on the axis of the last panel
+   --  A mark on the axis of the last panel
 
    procedure Finish (C : in out Chart);
 
@@ -62,14 +62,14 @@ private
       File         : Svg_Files.Svg_File;
       Last_X       : Float := 1.0;
       Panels       : Natural := 0;
-      --  begun so far
+      --  started so far
       Bottom       : Float := 0.0;
       --  of the last panel, pixels
       Low, High    : Float := 0.0;
       --  of its axis
       Kind         : Scale := Linear;
       Legend       : Float := 0.0;
-      --  where its next name goes, pixels
+      --  position of the next name, pixels
    end record;
 
 end Svg_Charts;

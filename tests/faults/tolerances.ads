@@ -1,82 +1,78 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the checks demand, and what they grant beyond it: several worlds
---  share the processors, and neither the load nor the harness are what the
---  faults are to test.
+--  The requirements of the checks, and the margins added: several worlds share
+--  the processors, and neither load nor harness is under test.
 
 package Tolerances is
 
-   --  Demanded
+   --  Requirements
 
    Stop_Limit : constant Duration := 0.2;
-   --  The robot stands after nobody is in command for so long
+   --  The robot is stopped this long after the loss of command
 
    Loss_Limit : constant Duration := 0.05;
-   --  F5: a close and a reset are found
+   --  F5: time to detect a close or a reset
 
    Vanished_Limit : constant Duration := 5.0;
-   --  F5: a monitor that vanished is found
+   --  F5: time to detect a vanished monitor
 
    Stalled_Limit : constant Duration := 15.0;
-   --  A monitor that takes nothing is lost after so long
+   --  A monitor that accepts nothing is lost after this time
 
    Return_Limit : constant Duration := 1.0;
-   --  F6: a new monitor is admitted after the loss was found
+   --  F6: time from the detected loss to the admission of a new monitor
 
    Watchdog_Limit : constant Duration := 3.6;
-   --  A robot with its watchdog on stands, so long after the last reload
+   --  A robot with watchdog is stopped this long after the last reload
 
    Admission_Limit : constant Duration := 2.0;
-   --  Who comes amid a flood from other addresses is seen to
+   --  Time to serve a new client during a flood from other addresses
 
    Newcomer_Time : constant Duration := 0.0012;
-   --  The supervisor sees to ten newcomers in ten times that
+   --  The supervisor serves ten pending connections in ten times this
 
    Block_Time : constant Duration := 1.0;
-   --  Who comes from where a flood came from may have to try again after
-   --  that
+   --  A client from the source of a flood may have to retry after this
 
-   --  Granted
+   --  Margins
 
    Noise : constant Duration := 0.5;
-   --  On every time above: a dozen worlds on two processors
+   --  On all times above: a dozen worlds on two processors
 
    Answer_Limit : constant Duration := 20.0;
-   --  For all answers of a session: as many exchanges as may wait, some of
-   --  them with time-outs, and a camera that opens slowly
+   --  For all answers of a session: as many exchanges as may wait, some with
+   --  time-outs, and a camera that is slow to open
 
    Busy_Limit : constant Duration := 5.0;
-   --  The same where nothing is wrong but that the processors are busy
+   --  The same on busy processors, without any other fault
 
    Line_Attempts : constant := 5;
-   --  To start and to move the robot: between two programs the kernel's
-   --  pseudo-terminal carries the bytes in a thread of ordinary priority,
-   --  and on a loaded machine an answer misses its 80 ms now and then
+   --  For starting and moving the robot: the kernel carries the bytes of a
+   --  pseudo-terminal in a thread of ordinary priority, and on a loaded
+   --  machine an answer sometimes misses its 80 ms
 
    Late_Line : constant Duration := 0.025;
    --  A pseudo-terminal that takes so long for a byte (Line_Watch) may have
-   --  spoilt exchanges that no fault has spoilt. What was violated then only
-   --  because of an answer of the robot is looked at again, so often.
+   --  caused failed exchanges. Violations that depend only on an answer of the
+   --  robot are then tested again, so often.
 
    Host_Grant : constant Duration := 0.1;
-   --  Of processor time that the host of a virtual machine takes during an
-   --  injection (Host_Time). Where it took more, what was violated only
-   --  because of a time is looked at again: no program can hold
-   --  one then. What was answered twice, leaks or has died has no such
-   --  excuse.
+   --  Of processor time stolen by the host of a virtual machine during an
+   --  injection (Host_Time). Above that, violations of time limits only are
+   --  tested again, as no program can meet them. Double answers, leaks and
+   --  crashes always count.
 
    Host_Attempts : constant := 12;
-   --  So often at most
+   --  Number of attempts
 
    Line_Pause : constant Duration := 0.2;
-   --  Between two attempts, for late answers to come in
+   --  Between two attempts, so that late answers arrive
 
    Settle_Limit : constant Duration := 5.0;
-   --  For descriptors and threads to be what they were, after a session
+   --  Time after a session until descriptors and threads are as before
 
    Memory_Growth : constant Natural := 24 * 1024;
-   --  Kilobytes over those of a supervisor that has had its first session
-   --  with a camera: OpenCV's and the C library's pools grow with the first
-   --  sessions. Hundreds of injections into the same supervisor may not add
-   --  more.
+   --  Kilobytes above those after the supervisor's first session with a
+   --  camera: memory pools of OpenCV and the C library grow in the first
+   --  sessions. The limit for hundreds of injections into the same supervisor.
 
 end Tolerances;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  One injection: a session in a random state, a fault or two at random
---  moments, and the five invariants afterwards.
+--  One injection: a session in a random state, one or two faults at random
+--  times, and afterwards the five invariants.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Interfaces.C;
@@ -15,12 +15,12 @@ package Trials is
       Ends_As  : Outcome := Held;
       Figures  : Figure_Set;
       Account  : Unbounded_String;
-      --  what was violated and in which state of the world, or why this
-      --  machine does not allow it; several lines
+      --  the violations with the state of the world, or why this machine does
+      --  not permit it; several lines
    end record;
 
    function Name (First : Positive; Second : Natural) return String;
-   --  Of the faults with these numbers; Second 0: the first alone
+   --  The faults with these numbers; Second 0: only the first
 
    procedure Run
      (First      : Positive;
@@ -28,23 +28,21 @@ package Trials is
       Seed       : Natural;
       Repetition : Positive;
       Outcome    : out Result);
-   --  In the world of this process, which is built anew where it does not
-   --  fit
+   --  In the world of this process, which is rebuilt if it does not match
 
-   --  For a soak, which does other things with the same supervisor in
-   --  between
+   --  For a soak test, which uses the same supervisor in between
 
    procedure Build;
-   --  The world as most faults need it. From now on a violation, unless it
-   --  is its end, does not end its supervisor.
+   --  The world as most faults need it. From now on a violation does not end
+   --  its supervisor, unless it is its end.
 
    function Process return Interfaces.C.int;
-   --  The supervisor of now, -1 where a violation has ended it
+   --  The current supervisor, -1 if ended by a violation
 
    function Port return Positive;
-   --  Where it listens
+   --  Its port
 
    procedure Finish;
-   --  Leaves nothing running
+   --  Stops all programs
 
 end Trials;

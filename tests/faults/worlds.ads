@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Where a fault is injected: one supervisor, one emulated robot with its
---  arena camera, one monitor that counts what it asks and what it is told.
+--  The test environment of a fault: one supervisor, one emulated robot with
+--  its arena camera, one monitor that records its commands and the answers.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Interfaces.C;
@@ -24,22 +24,22 @@ package Worlds is
       Program          : Unbounded_String;
       --  another copy of the supervisor
       Options          : Unbounded_String;
-      --  of the supervisor, beside those that connect the three
+      --  of the supervisor, besides those that connect the three
       Emulator_Options : Unbounded_String;
       Camera           : Unbounded_String;
       --  instead of the emulated one's
       Through_Link     : Boolean := False;
-      --  the monitor sits at the far end of a cable (Network_Links)
+      --  the monitor is at the far end of a cable (Network_Links)
       Fresh            : Boolean := False;
       --  a new supervisor for every injection
       Receive_Buffer   : Natural := 0;
       --  of the monitor's socket, bytes; 0 leaves the system's
       Log_Is_Read      : Boolean := True;
-      --  False where the launcher takes its standard error away: the checks
-      --  do without its log
+      --  False if the launcher removes its standard error: the checks do not
+      --  use the log
    end record;
 
-   --  What is going on in it
+   --  Its current state
 
    type Robot_Situation is
      (Line_Closed, Line_Open, Started, Started_With_Watchdog, Moving,
@@ -53,22 +53,21 @@ package Worlds is
       Nothing_Leaks);
 
    type Explanation is (A_Late_Line, A_Stopped_Machine, Nothing_Else);
-   --  What a violation may come from, other than the supervisor: a
-   --  pseudo-terminal that was late (Line_Watch), or the machine's host,
-   --  which took the processors (Host_Time); or from neither, such as two
-   --  answers to one command
+   --  Possible causes of a violation other than the supervisor: a delayed
+   --  pseudo-terminal (Line_Watch), or processor time stolen by the host
+   --  (Host_Time); neither for violations such as two answers to one command
 
-   --  Worth knowing, beside whether all held
+   --  Additional figures
 
    type Figure_Set is record
       Repeated     : Natural := 0;
-      --  sessions begun again, see Tolerances.Line_Attempts
+      --  sessions repeated, see Tolerances.Line_Attempts
       Interrupted  : Natural := 0;
-      --  injections made again, see Tolerances.Host_Grant
+      --  injections repeated, see Tolerances.Host_Grant
       Stops        : Natural := 0;
       --  of a moving robot, after a close or a reset
       Late_Stops   : Natural := 0;
-      --  of these, within the margin for noise only
+      --  of these, those that needed the margin
       Slowest_Stop : Duration := 0.0;
       --  from the close to the stop order on the wire
       Growth       : Natural := 0;
@@ -76,48 +75,48 @@ package Worlds is
    end record;
 
    function Worst (Left, Right : Figure_Set) return Figure_Set;
-   --  Counts are added; of the others the maximum
+   --  Adds the counts; of the others takes the maximum
 
    type World is tagged limited record
       Emulator   : Emulators.Emulator;
       Supervisor : Supervisors.Supervisor;
       Monitor    : Monitor_Clients.Client;
-      --  Commands go through Say, so that they are counted
+      --  Commands must be sent by Say, to be counted
       Source     : Random_Numbers.Generator;
-      --  of this injection: everything random comes from here
+      --  of this injection: the source of all random values
       The_Plan   : Plan;
       Robot      : Robot_Situation := Line_Closed;
       Camera     : Camera_Situation := Camera_Closed;
-      --  as the session was brought to, before the fault
+      --  state of the session before the fault
 
       Alone      : Boolean := True;
-      --  no other fault is under way: the session is there, and a fault may
-      --  demand what only it can spoil
+      --  no other fault is active: the session exists, and a fault may check
+      --  requirements that only it can violate
 
-      --  What a fault tells the checks; reset before the next injection
+      --  Set by a fault for the checks; reset before the next injection
 
       Line_Works : Boolean := True;
-      --  False where a stop could not reach the robot: it is not looked at
+      --  False if a stop could not reach the robot: it is not checked
       Robot_Ready : Boolean := True;
-      --  False where the robot has to be switched off and on before it can
-      --  be started again
+      --  False if the robot must be power-cycled before it can be started
+      --  again
       Reachable  : Boolean := True;
       --  False while no new monitor can be admitted: between Inject and Lift
 
-      --  Kept by the operations below
+      --  Maintained by the operations below
 
       Present        : Boolean := False;
       --  the monitor is connected
       Ledger         : Answer_Ledgers.Ledger;
       Read           : Natural := 0;
-      --  messages that the ledger has
+      --  messages recorded in the ledger
       Session_Log    : Natural := 0;
       --  lines of the log before this session
       Nobody_Since   : Instant := Never;
       Nobody_Limit   : Duration := 0.0;
       Stop_Counted   : Boolean := False;
       Found_By       : Instant := Never;
-      --  when a loss of the monitor is to have been found, at the latest
+      --  latest time for the detection of the monitor's loss
       Port           : Natural := 0;
       Expected_End   : Boolean := False;
       Expected_Status : Integer := 0;
@@ -125,28 +124,28 @@ package Worlds is
       Figures        : Figure_Set;
       Violations     : Natural := 0;
       Explained_By   : Explanation := A_Late_Line;
-      --  the one among them that the least can explain
+      --  the one with the fewest possible causes
       Account        : Unbounded_String;
       --  what was violated, line by line
       Remarks        : Unbounded_String;
-      --  the same of stops that were late, but within the margin for noise
+      --  the same for stops that needed the margin
    end record;
 
    --  Building
 
    procedure Build (W : in out World; P : Plan);
-   --  Emulator and supervisor, new; a first session with everything; then
-   --  threads, descriptors and memory are noted. Raises Failed.
+   --  Starts emulator and supervisor; a first session with all features; then
+   --  records threads, descriptors and memory. Raises Failed.
 
    procedure Start_Supervisor (W : in out World);
-   --  A new one beside the emulator that there is, with its first session
+   --  A new supervisor with the same emulator, and its first session
 
    function Is_Built (W : World) return Boolean;
 
    procedure Destroy (W : in out World);
 
    function Address (W : World) return String;
-   --  Where the supervisor listens
+   --  Its port
 
    function Pid (W : World) return Interfaces.C.int;
    --  Of the supervisor
@@ -155,77 +154,77 @@ package Worlds is
 
    procedure Begin_Session
      (W : in out World; Robot : Robot_Situation; Camera : Camera_Situation);
-   --  A monitor connects and brings robot and camera there by commands.
-   --  Raises Failed where that does not succeed.
+   --  Connects a monitor and brings robot and camera into that state by
+   --  commands. Raises Failed on failure.
 
    procedure Bring_To (W : in out World; Robot : Robot_Situation);
    --  By commands, from a closed line. Raises Failed.
 
    procedure Join (W : in out World; Within : Duration);
-   --  A monitor connects and is admitted; tried again while it is refused.
-   --  Raises Failed when it is not admitted.
+   --  Connects a monitor; retries while it is rejected. Raises Failed if it is
+   --  not admitted.
 
    procedure Try_To_Join (W : in out World);
-   --  The same amid a fault: where it is not admitted soon, then not
+   --  The same during a fault: gives up soon if it is not admitted
 
    procedure Order (W : in out World; Command, Answer : String);
    --  Says Command and waits. Raises Failed unless it is answered with one
    --  of the labels in Answer
 
    procedure Say (W : in out World; Command : String);
-   --  Sends a well-formed command and does not wait. Nothing happens where
-   --  no monitor is connected; where the connection turns out to be closed
-   --  the monitor is no longer present.
+   --  Sends a well-formed command and does not wait. No effect if no monitor
+   --  is connected; if the connection turns out to be closed, the monitor is
+   --  no longer present.
 
    procedure Say (W : in out World; Line : String; Answer : Answer_Kind);
-   --  Any line, with the answer that it must have
+   --  Any line, with its expected answer
 
    procedure Say_Bytes (W : in out World; Bytes : String);
-   --  As they are and uncounted: part of a line, say. Followed by Say of
-   --  the line's end.
+   --  Sent unchanged and not counted: such as part of a line. Must be followed
+   --  by Say with the line's end.
 
    procedure Expect_Answers
      (W : in out World; Within : Duration := Tolerances.Answer_Limit);
-   --  Until all commands are answered. Raises Failed when one is not.
+   --  Waits until all commands are answered. Raises Failed if one is not.
 
    procedure Talk
      (W : in out World; For_Time : Duration; Calm : Boolean := False);
-   --  Random commands at random moments, not waited for. Calm: such as
-   --  leave robot and camera as they are.
+   --  Random commands at random times, without waiting. Calm: only those that
+   --  do not change robot and camera.
 
    procedure Listen (W : in out World);
-   --  What was received goes to the ledger
+   --  Records received messages in the ledger
 
    --  The end of the session
 
    type Manner is (Orderly, Abortive, Silently);
-   --  Silently: the connection stays as it is, but no longer belongs to the
-   --  session (a cable was cut)
+   --  The connection stays open, but no longer belongs to the session (a cable
+   --  was cut)
 
    procedure Lose
      (W         : in out World;
       How       : Manner;
       Detection : Duration := Tolerances.Loss_Limit);
-   --  The monitor is gone from now on: closed, or reset. Detection is what
-   --  the supervisor may take to find it.
+   --  The monitor is gone from now on: closed, or reset. Detection: the time
+   --  for the supervisor to detect it.
 
    procedure Nobody_In_Command
      (W         : in out World;
       Since     : Instant := Now;
       Within    : Duration := Tolerances.Stop_Limit);
-   --  From Since the robot must stand Within, and a margin: checked after
-   --  the fault. Lose says so itself, and where the supervisor closes the
-   --  connection it holds from then on.
+   --  The robot must be stopped Within after Since, plus a margin: checked
+   --  after the fault. Implied by Lose, and by a close of the connection by
+   --  the supervisor.
 
    procedure Supervisor_Ends (W : in out World; Status : Integer);
-   --  This fault ends it, with this status; it need not have ended yet
+   --  This fault ends the supervisor, with this status, perhaps later
 
    procedure End_Session (W : in out World);
-   --  An orderly close, if there is a session
+   --  Closes in order, if there is a session
 
    procedure Await_Standing (W : in out World);
-   --  The third invariant, where nobody is in command. May be repeated: a
-   --  movement afterwards is found as well
+   --  The third invariant, when nobody is in command. May be repeated: it also
+   --  detects a later movement
 
    --  Findings
 
@@ -233,15 +232,15 @@ package Worlds is
 
    procedure Violate
      (W : in out World; Text : String; By : Explanation := A_Late_Line);
-   --  What the fault itself demands beyond the five
+   --  Requirements of the fault itself, besides the five
 
    function Wire_Tail (W : in out World) return String;
-   --  The last commands that the robot has heard, and when: lines
+   --  The last commands received by the robot, with their times: lines
 
    procedure Expect_No_Leaks (W : in out World);
    --  The fifth invariant, between two sessions
 
    The_Link : Network_Links.Link;
-   --  of all worlds of this process, one after the other
+   --  all worlds of this process, one after the other
 
 end Worlds;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The places for images, too large for a stack.
+--  The buffers for images, too large for a stack.
 
 with Interfaces.C; use Interfaces.C;
 
@@ -12,12 +12,12 @@ package Image_Buffers is
    --  Pixels
 
    Source : Bytes.Byte_Array (1 .. 2_000_000);
-   --  What the camera delivers
+   --  The camera's image
 
    Jpeg : Bytes.Byte_Array (1 .. Monitor.Image_Messages.Max_Jpeg) :=
      (others => 0);
    Text : Monitor.Image_Messages.Message_Buffer := (others => ' ');
-   --  What is made of it
+   --  The result
 
    Out_Text : Monitor.Image_Messages.Message_Buffer := (others => ' ');
    --  A copy of it, for the floor

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Load on the machine: processes that only burn time.
+--  Load on the machine: processes in a busy loop.
 
 with Child_Processes;
 
 package Busy_Loops is
 
    type Load is tagged limited private;
-   --  Ends when it leaves its scope
+   --  Ends at the end of its scope
 
    procedure Start (Object : in out Load; Count : Positive := 2)
      with Pre => Count <= 4;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Programs started by a test: their lines are collected all the time, so
---  that they never block on a full pipe, and they end with the object.
+--  Programs started by a test: their output is always read, so that they never
+--  block on a full pipe, and they end with the object.
 
 with Ada.Containers.Indefinite_Vectors;
 private with Ada.Finalization;
@@ -16,7 +16,7 @@ package Child_Processes is
    subtype Arguments is String_Vectors.Vector;
 
    function Words (Text : String) return Arguments;
-   --  The parts of Text between blanks
+   --  The parts of Text, separated by blanks
 
    type Stream is (Output, Errors);
    --  Standard output and standard error of the program
@@ -28,7 +28,7 @@ package Child_Processes is
    end record;
 
    type Child is tagged limited private;
-   --  Killed when it leaves its scope
+   --  Killed at the end of its scope
 
    procedure Start
      (Object    : in out Child;
@@ -36,10 +36,10 @@ package Child_Processes is
       Options   : Arguments := String_Vectors.Empty_Vector;
       Name      : String := "";
       Real_Time : Boolean := False);
-   --  Runs Program (searched in PATH unless it has a slash). Name is for
-   --  messages. Real_Time: at the lowest real-time priority where that is
-   --  allowed, before all ordinary load. To be called from the environment
-   --  task: the kernel ends the program with the thread that started it.
+   --  Runs Program (searched in PATH unless it has a slash). Name is used in
+   --  messages. Real_Time: at the lowest real-time priority if permitted,
+   --  above ordinary load. To be called by the environment task: the kernel
+   --  ends the program with the thread that started it.
 
    function Pid (Object : Child) return Interfaces.C.int;
 
@@ -48,12 +48,12 @@ package Child_Processes is
    procedure Send_Signal (Object : Child; Signal : Interfaces.C.int);
 
    procedure Put_Line (Object : Child; Text : String);
-   --  To the program's standard input
+   --  Writes to the program's standard input
 
    procedure Close_Input (Object : in out Child);
 
    function Count (Object : Child; From : Stream) return Natural;
-   --  Lines so far
+   --  Number of lines so far
 
    function Element
      (Object : Child; From : Stream; Number : Positive) return Line;
@@ -64,31 +64,31 @@ package Child_Processes is
       Pattern : String;
       Within  : Duration;
       After   : Natural := 0) return Natural;
-   --  Number of the first line past line After that contains Pattern; waits
-   --  for it Within seconds; 0 when it did not come
+   --  Number of the first line after number After that contains Pattern; waits
+   --  for it Within seconds; 0 if it did not come
 
    procedure Ignore (Object : in out Child; From : Stream);
-   --  Reads no more of it while the program runs: what a program does whose
-   --  reader has stopped
+   --  Stops reading its output while it runs: a program whose reader has
+   --  stopped
 
    function Exit_Status
      (Object : in out Child; Within : Duration) return Integer;
-   --  Waits for the end: the exit status, or 128 + signal. Raises Failed
-   --  when it has not ended in time.
+   --  Waits for the end: the exit status, or 128 + signal. Raises Failed if it
+   --  has not ended in time.
 
    procedure Stop (Object : in out Child);
    --  Kills it if it still runs, and waits for its end
 
    procedure Stop_All;
-   --  The same for every program still running: for an emergency end
+   --  The same for all programs still running: for an abort
 
    procedure Print_Last_Lines;
-   --  Prints what the programs that were stopped since Forget_Last_Lines
-   --  said last, for the account of a failed test
+   --  Prints the last output of the programs stopped since Forget_Last_Lines,
+   --  for the report of a failed test
 
    function Any_Has_Failed return Boolean;
-   --  Whether one of these has ended after an internal failure (exit status
-   --  3) or by the signal of a fault
+   --  Whether one of these has ended by an internal failure (exit status 3) or
+   --  a fatal signal
 
    procedure Forget_Last_Lines;
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The emulated robot and its arena camera, as a process of its own: what
---  it is told on its standard input, what it has seen on the wire.
+--  The emulated robot and its arena camera, as a separate process: commands on
+--  its standard input, and its record of the wire.
 
 with Ada.Containers.Vectors;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -11,16 +11,16 @@ with Instants;              use Instants;
 package Emulators is
 
    type Emulator is tagged limited private;
-   --  Killed when it leaves its scope
+   --  Killed at the end of its scope
 
    procedure Start
      (Object : in out Emulator; Camera : Boolean; Options : String := "");
-   --  With a robot that is ready at once, unless Options say otherwise. A
-   --  real robot and a real camera do not compete for the processor: where
-   --  it is allowed the emulator goes before all ordinary load.
+   --  With a robot that is ready at once, unless Options say otherwise. A real
+   --  robot and a real camera do not compete for the processor: if permitted,
+   --  the emulator has priority over ordinary load.
 
    function Device (Object : Emulator) return String;
-   --  Of the robot's line: a link that stays the same when it returns
+   --  Of the robot's line: a link that stays the same when the line returns
 
    function Camera_Url (Object : Emulator) return String;
 
@@ -28,14 +28,14 @@ package Emulators is
    --  Raises Failed unless the answer is ok
 
    function Status (Object : in out Emulator; Key : String) return String;
-   --  A value of the status line, such as "run" of "state"
+   --  A value in the status line, such as "run" of "state"
 
    function Status_Number
      (Object : in out Emulator; Key : String) return Integer;
 
    procedure Await_Status
      (Object : in out Emulator; Key, Value : String; Within : Duration);
-   --  Raises Failed when it does not become Value
+   --  Raises Failed if it does not become Value
 
    --  The wire
 
@@ -45,9 +45,9 @@ package Emulators is
       Command     : Unbounded_String;
       Answer      : Unbounded_String;
       Accepted    : Boolean := False;
-      --  of a reload: in its window
+      --  of a reload: inside its window
       Interval    : Duration := 0.0;
-      --  of a reload: since the one before
+      --  of a reload: since the previous one
    end record;
 
    package Note_Vectors is new Ada.Containers.Vectors (Positive, Note);
@@ -56,12 +56,12 @@ package Emulators is
    procedure Clear_Journal (Object : in out Emulator);
 
    function Journal (Object : in out Emulator) return Notes;
-   --  Since it was cleared
+   --  Since the last clear
 
    function Wire_Text
      (Object : in out Emulator; Prefixes : String := "MT") return String;
-   --  The commands that begin with one of the characters of Prefixes, in
-   --  their order, with a blank after each
+   --  The commands that begin with a character of Prefixes, in their order,
+   --  each followed by a blank
 
    function Count_Of
      (Object : in out Emulator; Command : String) return Natural;
@@ -69,10 +69,10 @@ package Emulators is
    function Await_On_Wire
      (Object : in out Emulator; Command : String; Within : Duration)
       return Note;
-   --  The first such command since the journal was cleared; raises Failed
-   --  when there is none
+   --  The first such command since the last clear; raises Failed if there is
+   --  none
 
-   --  The truth
+   --  The true pose
 
    type Truth is record
       X, Y, Heading : Float := 0.0;
@@ -85,10 +85,10 @@ package Emulators is
    end record;
 
    function Pose (Object : Emulator) return Truth;
-   --  Now, from the camera's side
+   --  The current pose, from the camera
 
    procedure Save_Snapshot (Object : Emulator; Path : String);
-   --  An image of the camera, as a file
+   --  Saves an image of the camera to a file
 
    procedure Stop (Object : in out Emulator);
 
@@ -97,7 +97,7 @@ private
    type Emulator is tagged limited record
       Process : Child;
       Seen    : Natural := 0;
-      --  lines of its output that have been taken
+      --  output lines that have been taken
       Link    : Unbounded_String;
       Url     : Unbounded_String;
    end record;

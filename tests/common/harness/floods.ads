@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Others who connect: several senders, each with an address of its own and
---  many connections at a time; or a crowd from one address at once.
+--  Floods of connections: several senders, each with its own address and many
+--  connections at a time; or many connections from one address at once.
 
 private with Ada.Finalization;
 private with GNAT.Sockets;
@@ -8,19 +8,19 @@ private with GNAT.Sockets;
 package Floods is
 
    type Flood is tagged limited private;
-   --  Ends when it leaves its scope
+   --  Ends at the end of its scope
 
    type Manner is
-     (Patient,    --  connects again as soon as it is told something
-      Restless,   --  says something wrong and connects again at once
-      Slow);      --  sends its first line a byte at a time
+     (Patient,    --  reconnects after the server's message
+      Restless,   --  sends a wrong line and reconnects at once
+      Slow);      --  sends its first line byte by byte
 
    procedure Start
      (Object : in out Flood; Port : Positive; How : Manner := Patient);
-   --  Of a supervisor that listens on 127.0.0.1
+   --  Against a supervisor that listens on 127.0.0.1
 
    function Served (Object : Flood) return Natural;
-   --  How many of them it has told something, or closed
+   --  Connections that were sent a message, or closed
 
    procedure Stop (Object : in out Flood);
 
@@ -30,11 +30,11 @@ package Floods is
    Senders : constant := 4;
 
    type Crowd (Count : Positive) is tagged limited private;
-   --  Goes when it leaves its scope
+   --  Ends at the end of its scope
 
    procedure Come (Object : in out Crowd; Port : Positive; Own : String);
-   --  Connections with noise, from the address Own: half of them stay, the
-   --  others are closed at once
+   --  Connections with noise, from the address Own: half of them stay open,
+   --  the others are closed at once
 
    procedure Go (Object : in out Crowd);
 

@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the host of a virtual machine takes for others: nothing of that
---  time is a program's own doing.
+--  Time that the host of a virtual machine has stolen: no program here is its
+--  cause.
 
 package Host_Time is
 
    function Taken return Duration;
-   --  From all processors together since the machine was started, in steps
-   --  of 10 ms; 0.0 where the kernel does not say
+   --  Of all processors together since boot, in steps of 10 ms; 0.0 if the
+   --  kernel does not report it
 
 end Host_Time;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  A monitor of the tests: one TCP connection, every message kept with the
---  time of its arrival, and the ways in which a monitor can be lost.
+--  A monitor for tests: one TCP connection, every message stored with its time
+--  of arrival, and the ways in which a monitor can be lost.
 
 private with Ada.Finalization;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -13,24 +13,23 @@ package Monitor_Clients is
 
    type Message is record
       Number : Natural := 0;
-      --  1, 2 .. in the order of arrival; 0 when there is none
+      --  1, 2 .. in the order of arrival; 0: none
       Time   : Instant := Never;
-      --  when the recv that ended it returned
+      --  when the recv that completed it returned
       Group  : Natural := 0;
-      --  The existing monitor's reader takes what it receives up to a final
-      --  end of line as one message: messages with the same group would be
-      --  one for it
+      --  The existing monitor treats all data received up to a final line end
+      --  as one message: messages of the same group would be one message to it
       Late   : Duration := 0.0;
-      --  how late the reader was
+      --  delay of the reader
       Label  : Message_Label := "    ";
       Data   : Unbounded_String;
-      --  what follows the colon; of an image only its first characters
+      --  the text after the colon; of an image only its first characters
       Size   : Natural := 0;
       --  of the whole line, in bytes, without its end
    end record;
 
    type Client is tagged limited private;
-   --  Closed when it leaves its scope
+   --  Closed at the end of its scope
 
    procedure Connect
      (Object         : in out Client;
@@ -40,19 +39,19 @@ package Monitor_Clients is
       Receive_Buffer : Natural := 0;
       Namespace      : String  := "";
       Real_Time      : Boolean := True);
-   --  Source is the client's own address, the system's choice where it is
-   --  empty. Receive_Buffer 0 leaves the system's. Namespace is that of
-   --  Network_Links. Real_Time: the task that receives gets the
-   --  priority Libc.Above_Supervisor where that is allowed, so that the
-   --  times it notes are those of arrival. Raises Failed when refused.
+   --  Source is the client's own address; if empty, the system's choice.
+   --  Receive_Buffer 0: the system's default. Namespace: of Network_Links.
+   --  Real_Time: the receiving task gets the priority Libc.Above_Supervisor if
+   --  permitted, so that its times are those of arrival. Raises Failed when
+   --  rejected.
 
    function Connects
      (Port : Positive; Address : String := "127.0.0.1") return Boolean;
-   --  Whether anybody listens there
+   --  Whether a server listens there
 
    procedure Send (Object : in out Client; Bytes : String);
-   --  As they are; blocks while the supervisor takes nothing, 30 s at most.
-   --  Raises Failed when they cannot be sent.
+   --  Sends unchanged; blocks while the supervisor accepts nothing, 30 s at
+   --  most. Raises Failed when they cannot be sent.
 
    procedure Send_Line (Object : in out Client; Command : String);
 
@@ -63,25 +62,25 @@ package Monitor_Clients is
    --  Messages are taken in their order, each once.
 
    function Next (Object : in out Client; Within : Duration) return Message;
-   --  Number 0 when none came
+   --  Number is 0 if none came
 
    function Next_Of
      (Object : in out Client; Labels : String; Within : Duration)
       return Message;
-   --  The next whose label is one of Labels, such as "AACK ANAK"; those
-   --  before it are skipped. Raises Failed when it does not come.
+   --  The next message with one of Labels, such as "AACK ANAK"; earlier ones
+   --  are skipped. Raises Failed if it does not come.
 
    function Next_Answer
      (Object  : in out Client;
       Within  : Duration := 3.0;
       Command : String   := "") return Message;
-   --  The next that is an answer: AACK, ANAK, ACRJ, ATIM, ACER; RBLV, RCST
-   --  and CIMG where Command is the one they answer
+   --  The next answer: AACK, ANAK, ACRJ, ATIM, ACER; RBLV, RCST and CIMG only
+   --  if they answer Command
 
    function Ask
      (Object : in out Client; Command : String; Within : Duration := 3.0)
       return Message;
-   --  Sends Command and takes the answer. Unasked messages are skipped.
+   --  Sends Command and takes its answer. Unsolicited messages are skipped.
 
    procedure Expect
      (Object  : in out Client;
@@ -89,16 +88,16 @@ package Monitor_Clients is
       Answer  : String;
       Within  : Duration := 3.0);
    --  Raises Failed unless Answer is the answer to Command. Within has a
-   --  margin over the answer's worst case of a few hundred milliseconds.
+   --  margin over the worst-case answer time of a few hundred milliseconds.
 
    procedure Skip_To_Now (Object : in out Client);
-   --  Forgets what has arrived and has not been taken
+   --  Discards the messages that have arrived and were not taken
 
    procedure Expect_Silence
      (Object : in out Client; Labels : String; For_Time : Duration);
    --  Raises Failed if one of Labels comes
 
-   --  All that has arrived, taken or not
+   --  All messages received, taken or not
 
    function Count (Object : Client) return Natural;
    function Element (Object : Client; Number : Positive) return Message;
@@ -111,21 +110,21 @@ package Monitor_Clients is
 
    procedure Keep_Images (Object : in out Client; Count : Positive);
    function Image (Object : Client; Number : Positive) return String;
-   --  The base64 text of message Number, where it is among the newest
-   --  images that are kept (1 at first)
+   --  The base64 text of message Number, if it is among the newest images
+   --  stored (by default 1)
 
    --  Reading
 
    procedure Pause (Object : in out Client);
    procedure Resume (Object : in out Client);
-   --  Nothing is read from the socket in between
+   --  Between the two, nothing is read from the socket
    procedure Limit_Reading (Object : in out Client; Rate : Natural);
-   --  Bytes a second; 0 is no limit
+   --  Bytes per second; 0: no limit
    procedure Be_Late
      (Object : in out Client; Least, Most : Duration; To_Each : Boolean)
      with Pre => Least <= Most;
-   --  From now on the reader is late, by a random time: to each group that
-   --  has come, or only after each, which it is busy with
+   --  From now on the reader is delayed by a random time: for each group
+   --  received, or only after each, while it processes it
 
    --  The end
 
@@ -136,7 +135,7 @@ package Monitor_Clients is
    --  Waits until the supervisor has closed the connection
 
    procedure Half_Close (Object : in out Client);
-   --  Nothing more will be sent, but read
+   --  Nothing more is sent, but still read
    procedure Close (Object : in out Client);
    --  Orderly
    procedure Reset (Object : in out Client);

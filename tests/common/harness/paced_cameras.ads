@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Cameras of any rate, with jitter, over HTTP on 127.0.0.1: each image of
---  the Motion JPEG says which one it is and when it left.
+--  Cameras of any rate, with jitter, over HTTP on 127.0.0.1: each image of the
+--  Motion JPEG contains its number and the time of its sending.
 
 private with Ada.Finalization;
 
@@ -9,15 +9,15 @@ with Instants; use Instants;
 package Paced_Cameras is
 
    type Camera is tagged limited private;
-   --  Stopped when it leaves its scope. For one viewer
+   --  Stopped at the end of its scope. For one viewer
 
    procedure Start
      (Object : in out Camera;
       Image  : String;
       Rate   : Float;
       Jitter : Duration := 0.0);
-   --  Image is the path of a JPEG. Each image comes up to Jitter earlier or
-   --  later than Rate, in images a second, has it
+   --  Image is the path of a JPEG. Each image is sent up to Jitter earlier or
+   --  later than at Rate, in images per second
 
    function Url (Object : Camera) return String;
 
@@ -28,12 +28,12 @@ package Paced_Cameras is
 
    type Mark is record
       Number : Natural := 0;
-      Time   : Instant := Never;  --  when it left
+      Time   : Instant := Never;  --  when it was sent
    end record;
 
    function Mark_Of (Text : String) return Mark;
-   --  Text is the beginning of the base64 text of an image. Raises Failed
-   --  where it is none of these cameras
+   --  Text is the beginning of the base64 text of an image. Raises Failed if
+   --  it is not from such a camera
 
 private
 

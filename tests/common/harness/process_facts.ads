@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the kernel says about a process that a test has started, and in
---  other files of its own.
+--  Facts about a process started by a test, from the kernel and its other
+--  files.
 
 with Interfaces.C; use Interfaces.C;
 
@@ -11,32 +11,32 @@ package Process_Facts is
 
    function Resident_Kilobytes (Process : int) return Natural;
    function Locked_Kilobytes (Process : int) return Natural;
-   --  Of its address space, whether in memory yet or not
+   --  Of its address space, resident or not
    function Threads (Process : int) return Natural;
    function Descriptors (Process : int) return Natural;
    --  0 when there is no such process
 
    function Next_Descriptor (Process : int) return Natural;
-   --  The number of the one that it would open now: the lowest free one
+   --  The lowest free descriptor: the next one that it would open
 
    function Open_File (Process : int; Descriptor : Natural) return String;
-   --  What is behind it, as the kernel names it: a path, "pipe:[123]"; ""
-   --  where it is closed
+   --  The file behind it, as the kernel names it: a path, "pipe:[123]"; "" if
+   --  closed
 
    function Has_Mapped (Process : int; Path : String) return Boolean;
    --  A file, such as a library
 
    function Thread_Named (Process : int; Name : String) return int;
-   --  Its number, 0 when there is none. Upper and lower case count as one;
-   --  the kernel keeps the first 15 characters of a name.
+   --  Its number, 0 if there is none. Case is ignored; the kernel keeps the
+   --  first 15 characters of a name.
 
    function Thread_Names (Process : int) return String;
 
    function Thread_Waits (Process : int) return String;
-   --  " name:function" of each thread, function being that of the kernel in
-   --  which it waits, "0" where it does not
+   --  " name:function" of each thread; function: the kernel function in which
+   --  it waits, "0" if it does not wait
 
    function Processors (Process : int; Thread : int) return String;
-   --  Where the thread may run, as the kernel writes it: "0", "1-3"
+   --  The affinity of the thread, in the kernel's notation: "0", "1-3"
 
 end Process_Facts;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Where the programs under test are: beside the running one, unless told;
---  and what is left of them when a run is given up.
+--  Paths of the programs under test: by default the folder of the running
+--  program; and the clean-up after an aborted run.
 
 with Interfaces.C;
 
@@ -14,14 +14,14 @@ package Programs is
    function Monitor return String;
 
    function Vision_Library return String;
-   --  What the supervisor loads when the camera is opened first, beside it
+   --  The library that the supervisor loads when it first opens the camera
 
    function Read_Option return Boolean;
-   --  The option that Option_Readers is at is --supervisor, --emulator or
-   --  --monitor: its value is the path of that program from now on
+   --  If the current option of Option_Readers is --supervisor, --emulator or
+   --  --monitor: its value becomes the path of that program
 
    function Temporary_Folder return String;
-   --  One for this run, made at its first use, open to every user
+   --  A folder for this run, made at first use, accessible to all users
 
    function Copied_Supervisor return String;
    --  A copy in the temporary folder, with its library, that every user can
@@ -30,11 +30,11 @@ package Programs is
    procedure Remove_Temporary_Folder;
 
    procedure Remove_Left (Process : Interfaces.C.int);
-   --  The temporary folder of a process that was killed
+   --  Removes the temporary folder of a killed process
 
    procedure Give_Up (Reason : String) with No_Return;
-   --  Ends the run, exit status 1, whatever its tasks wait for: stops the
-   --  programs and removes the temporary folder, then says why, where that
-   --  can still be said
+   --  Ends the run, exit status 1, even if its tasks are blocked: stops the
+   --  programs, removes the temporary folder, then prints the reason, if
+   --  possible
 
 end Programs;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The three parties together: emulated robot and camera, supervisor,
---  monitor, connected with each other.
+--  The three parties, connected: emulated robot and camera, supervisor,
+--  monitor.
 
 with Emulators;
 with Monitor_Clients;
@@ -23,11 +23,11 @@ package Rigs is
       Program            : String  := "";
       Bind               : String  := "127.0.0.1";
       Connected          : Boolean := True);
-   --  Camera: with the arena's camera. Bind other than 127.0.0.1: the
-   --  monitor is left to the caller.
+   --  Camera: with the arena's camera. If Bind is not 127.0.0.1, the caller
+   --  connects the monitor.
 
    procedure Connect (R : in out Rig);
-   --  The monitor, anew; the one before is closed
+   --  Connects a new monitor; the one before is closed
 
    procedure Start_Robot (R : in out Rig; Watchdog : Boolean := False);
    --  Opens the line and starts
@@ -36,9 +36,9 @@ package Rigs is
    --  Starts the robot and lets it drive, then clears the journal
 
    procedure Open_Camera (R : in out Rig; Positions : Boolean := False);
-   --  Raises Failed when no image comes
+   --  Raises Failed if no image comes
 
    procedure Expect_Initial_State (R : in out Rig);
-   --  Of the monitor's session: robot and camera have to be opened
+   --  A new session of the monitor: robot and camera must be opened
 
 end Rigs;

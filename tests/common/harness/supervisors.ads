@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The supervisor under test, as a process of its own, and its log.
+--  The supervisor under test, as a separate process, and its log.
 
 with Interfaces.C;
 
@@ -9,7 +9,7 @@ with Instants;        use Instants;
 package Supervisors is
 
    type Supervisor is tagged limited private;
-   --  Killed when it leaves its scope
+   --  Killed at the end of its scope
 
    procedure Start
      (Object   : in out Supervisor;
@@ -18,16 +18,16 @@ package Supervisors is
       Program  : String  := "";
       Bind     : String  := "127.0.0.1";
       Within   : Duration := 10.0);
-   --  On a free port of Bind, and waits until it listens. Options are words
-   --  between blanks. Launcher, such as "setpriv --no-new-privs", runs it.
-   --  Program is another copy of it.
+   --  On a free port of Bind; waits until it listens. Options are separated by
+   --  blanks. Launcher, such as "setpriv --no-new-privs", runs it. Program is
+   --  another copy of it.
 
    procedure Run
      (Object   : in out Supervisor;
       Options  : String;
       Launcher : String := "";
       Program  : String := "");
-   --  The same with these options only, and without waiting
+   --  The same with only these options, and without waiting
 
    function Port (Object : Supervisor) return Positive;
 
@@ -47,7 +47,7 @@ package Supervisors is
       Pattern : String;
       Within  : Duration := 0.0;
       After   : Natural  := 0) return Boolean;
-   --  Whether a line of the log past line After contains Pattern, now or
+   --  Whether a line of the log after number After contains Pattern, now or
    --  within the time
 
    procedure Expect_Log
@@ -60,19 +60,19 @@ package Supervisors is
    function Time_Of
      (Object : Supervisor; Pattern : String; After : Natural := 0)
       return Instant;
-   --  When the line was read that has Pattern; Never if there is none
+   --  Time when the line with Pattern was read; Never if there is none
 
    function Count_Of
      (Object : Supervisor; Pattern : String; After : Natural := 0)
       return Natural;
-   --  How many lines past line After contain Pattern
+   --  Number of lines after number After that contain Pattern
 
    function Log_Text (Object : Supervisor) return String;
    function Output_Text (Object : Supervisor) return String;
    --  All lines of standard error and of standard output
 
    procedure Ignore_Log (Object : in out Supervisor);
-   --  It is no longer read, so that its pipe fills up
+   --  Stops reading it, so that its pipe fills up
 
    procedure Stop (Object : in out Supervisor);
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The file that the supervisor writes with --trace: read as strictly as the
---  grammar of JSON has it, and given back as the events in it.
+--  The file that the supervisor writes with --trace: parsed strictly as JSON,
+--  and returned as events.
 
 with Ada.Containers.Vectors;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -8,7 +8,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 package Trace_Files is
 
    Bad_Trace : exception;
-   --  It is not JSON, or not what Chrome's trace format demands
+   --  It is not JSON, or not in Chrome's trace format
 
    type Nanoseconds is range -2 ** 63 .. 2 ** 63 - 1;
 
@@ -32,7 +32,7 @@ package Trace_Files is
    type Thread is record
       Name  : Unbounded_String;
       Order : Natural := 0;
-      --  the viewer's: the lowest on top
+      --  position in the viewer: the lowest on top
    end record;
 
    type Thread_Array is array (Thread_Number) of Thread;
@@ -47,6 +47,6 @@ package Trace_Files is
    procedure Read (Path : String; Result : out Trace);
 
    function Thread_Of (T : Trace; Name : String) return Thread_Number;
-   --  Raises Bad_Trace where no task has that name
+   --  Raises Bad_Trace if no task has that name
 
 end Trace_Files;

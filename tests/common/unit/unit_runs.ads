@@ -6,11 +6,11 @@ with AUnit.Test_Cases;
 package Unit_Runs is
 
    procedure Add (Tests : not null AUnit.Test_Cases.Test_Case_Access);
-   --  Adds them to the run if their name is an argument of the program, or
-   --  if it has none
+   --  Adds the tests to the run if their name is an argument of the program,
+   --  or if it has no arguments
 
    procedure Run;
-   --  All that was added. Exit status 0 only if tests ran, all of them
-   --  succeeded, and each argument was the name of some.
+   --  Runs all added tests. Exit status 0 only if tests ran, all succeeded,
+   --  and each argument was the name of some.
 
 end Unit_Runs;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What goes wrong, on request, with an answer on its way to the wire. The
---  robot itself has heard and obeyed the command all the same.
+--  Faults of an answer on the wire, on request. The robot itself has received
+--  and carried out the command.
 
 with Interfaces;
 with Robot_Core;
@@ -17,11 +17,10 @@ package Answer_Faults with SPARK_Mode, Pure is
       Corrupt, Flipped, Wrong_Kind);
 
    subtype Remaining is Natural range 0 .. 1_000_000;
-   --  So many answers still to be spoilt
+   --  Number of answers still to be affected
 
    subtype Bit_Number is Natural range 0 .. 1_000_000;
-   --  Of the bits of an answer, bit 0 of its first byte first, counted on
-   --  beyond its end and from its beginning again
+   --  Counts the bits of an answer, from bit 0 of its first byte, cyclically
 
    Max_Pile : constant := 16;
 
@@ -56,9 +55,9 @@ package Answer_Faults with SPARK_Mode, Pure is
       Kept     : Wire_Bytes;
       --  Answers held
    end record;
-   --  Where several apply, one is used up at a time, in this order
+   --  If several apply, one is used at a time, in this order
 
-   --  The words of the contract
+   --  Used in the contract
 
    function Flipped_Byte
      (Bit : Bit_Number; Length : Robot_Core.Answer_Length) return Positive
@@ -77,7 +76,7 @@ package Answer_Faults with SPARK_Mode, Pure is
             then Reply.Data (K) xor Mask (Bit mod 8)
             else Reply.Data (K)))
    with Pre => Reply.Length > 0;
-   --  Exactly that bit is another
+   --  Exactly that bit is inverted
 
    function Is_Text (Wire : Wire_Bytes; C : Character) return Boolean is
      (Wire.Length = 3
@@ -107,8 +106,8 @@ package Answer_Faults with SPARK_Mode, Pure is
             Is_Text (Wire, 'O') or else Is_Text (Wire, '1'),
           when others                 =>
             Is_Version (Wire) or else Is_Text (Wire, '1'));
-   --  A good frame that answers another question. A state in place of a
-   --  battery's level is one that nobody can tell from a level of 0.
+   --  A valid frame that answers another question. A state instead of a
+   --  battery level cannot be distinguished from a level of 0.
 
    procedure Apply
      (P      : in out Plan;
@@ -131,11 +130,11 @@ package Answer_Faults with SPARK_Mode, Pure is
              and then Is_Flipped (Reply, Wire, P'Old.Bit),
            when Wrong_Kind              =>
              Is_Of_Another_Kind (To, Wire));
-   --  What leaves instead of Reply, which answers To. An empty reply stays
-   --  empty and uses up nothing. Garbage never is a good frame.
+   --  The bytes sent instead of Reply, the answer to To. An empty reply stays
+   --  empty and uses no fault. Garbage is never a valid frame.
 
    procedure Babble (P : in out Plan; Byte : out Robot_Core.Octet)
      with Post => Byte /= 16#0D#;
-   --  The next byte of an answer that does not end
+   --  The next byte of an endless answer
 
 end Answer_Faults;

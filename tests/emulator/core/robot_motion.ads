@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Where the emulated robot stands and how its wheels move it: integers
---  only, a pose as a function of the time since the last order.
+--  The emulated robot's position and its motion: integers only, a pose as a
+--  function of the time since the last order.
 
 package Robot_Motion with SPARK_Mode, Pure is
 
@@ -14,8 +14,8 @@ package Robot_Motion with SPARK_Mode, Pure is
    --  Microseconds since the emulator started (36,000 years of them)
 
    Wheel_Speed : constant := 200;
-   --  Straight ahead, mm/s. The firmware's regulator asks both wheels for
-   --  the same set point whatever the distance, so there is one speed.
+   --  Straight ahead, mm/s. The firmware's controller uses one set point for
+   --  both wheels whatever the distance, so there is one speed.
 
    Turn_Rate : constant := 90;
    --  On the spot, degrees/s. Neither rate is documented for the robot;
@@ -25,8 +25,8 @@ package Robot_Motion with SPARK_Mode, Pure is
    Arena_Height : constant := 600_000;
 
    Body_Radius : constant := 62_000;
-   --  The robot's, micrometres, as tests/scene draws it: its centre comes
-   --  no nearer to a wall
+   --  The robot's radius, micrometres, as drawn by tests/scene: its centre
+   --  stays this far from a wall
 
    Full_Turn : constant := 360_000_000;
 
@@ -50,26 +50,26 @@ package Robot_Motion with SPARK_Mode, Pure is
 
    Endless_Forward  : constant Amount := 32_767;
    Endless_Backward : constant Amount := -32_768;
-   --  A movement by one of these never ends by itself. On a turn the
-   --  positive one is to the left (counter-clockwise).
+   --  A movement by one of these never ends by itself. A positive turn is to
+   --  the left (counter-clockwise).
 
    type Motion is private;
    --  A robot's pose and what its wheels are doing; at rest in the middle
    --  of the arena by default
 
    function Is_Moving (M : Motion) return Boolean;
-   --  Wheels turning. Against a wall they go on turning (they slip) for as
-   --  long as the order would have taken.
+   --  The wheels are turning. Against a wall they slip, for as long as the
+   --  order would have taken.
 
    function Start_Of (M : Motion) return Pose;
-   --  Where the order under way began, or where the robot rests
+   --  Where the current order began, or where the robot rests
 
    function Pose_Of (M : Motion) return Pose
      with Post => (if not Is_Moving (M) then Pose_Of'Result = Start_Of (M));
 
    procedure Place (M : out Motion; At_Pose : Pose)
      with Post => Pose_Of (M) = At_Pose and then not Is_Moving (M);
-   --  Puts the robot somewhere by hand, at rest
+   --  Moves the robot by hand; it is then at rest
 
    procedure Halt (M : in out Motion)
      with Post => not Is_Moving (M);
@@ -77,22 +77,21 @@ package Robot_Motion with SPARK_Mode, Pure is
 
    procedure Go (M : in out Motion; Millimetres : Amount)
      with Post => Is_Moving (M) = (Millimetres /= 0);
-   --  Straight on from where it is, backward where negative; replaces what
-   --  was under way
+   --  Straight ahead, backward if negative; replaces the current order
 
    procedure Turn (M : in out Motion; Degrees : Amount)
      with Post => Is_Moving (M) = (Degrees /= 0);
-   --  On the spot, to the left where positive; replaces likewise
+   --  On the spot, to the left if positive; also replaces the order
 
    subtype Step is Micro range 0 .. 1_000_000;
 
    procedure Advance (M : in out Motion; Elapsed : Step)
      with Post => (if not Is_Moving (M'Old) then not Is_Moving (M));
-   --  Lets Elapsed microseconds pass; at rest once the order is done
+   --  Advances by Elapsed microseconds; at rest once the order is done
 
    function Sine (Angle : Heading) return Micro
      with Post => Sine'Result in -1_000_000 .. 1_000_000;
-   --  In millionths, right to 40 of them
+   --  In millionths, with an error of at most 40
 
    function Cosine (Angle : Heading) return Micro
      with Post => Cosine'Result in -1_000_000 .. 1_000_000;
