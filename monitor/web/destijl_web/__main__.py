@@ -23,7 +23,7 @@ def main() -> int:
 
 
 def _serve(chosen: options.Options, heart: int) -> int:
-    #  Only here: the guard needs nothing of it
+    #  Imported here: the guard does not need it
     from . import server
 
     return server.run(chosen, heart)

@@ -1,5 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""Which answer belongs to which command.
+"""Matches answers to commands.
 
 The supervisor answers each command that has an answer once, in their order.
 Battery levels, images and the loss of the robot come unasked too: they are
@@ -18,8 +18,8 @@ UNANSWERED = frozenset(("CACO", "CAIN"))
 
 ROBOT_LIMIT = 5.0
 CAMERA_LIMIT = 15.0
-#  Seconds for an answer, counted from when it is this command's turn. A camera
-#  that is reached by its URL takes up to 5 s.
+#  Seconds for an answer, from the command's turn. A camera opened by its URL
+#  takes up to 5 s.
 
 
 @dataclass(eq=False)
@@ -61,8 +61,8 @@ class Exchange:
         return self._waiting[-1]
 
     def sent(self, command: Command, now: float) -> list[Command]:
-        """Command waits from now on. Returns it where it has neither an answer
-        nor commands before it."""
+        """Command waits from now on. Returns it if it has no answer and none
+        waits before it."""
         command.sent_at = now
         if not self._waiting:
             if command.label in UNANSWERED:
@@ -91,7 +91,7 @@ class Exchange:
         return first if now - self._turn_began > limit else None
 
     def give_up(self) -> list[Command]:
-        """All that wait, which wait no longer."""
+        """Removes and returns all that wait."""
         given_up = list(self._waiting)
         self._waiting.clear()
         return given_up
@@ -108,6 +108,6 @@ def _can_answer(line: bytes, begun_at: float, command: Command) -> bool:
     if label == b"RCST":
         return command.label == "RGST"
     if label == b"CIMG":
-        #  An image that was under way before the arena was asked for is none
+        #  An image in transit before the arena order is no answer
         return command.label == "CASA" and begun_at >= command.sent_at
     return False

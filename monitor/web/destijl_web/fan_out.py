@@ -1,5 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""What goes to all viewers: to a few of them in each turn of the event loop, so
+"""Messages to all viewers: to a few of them in each turn of the event loop, so
 that an order, or its answer, never waits for all of them."""
 
 import asyncio
@@ -16,7 +16,7 @@ class FanOut:
         self._filled = asyncio.Event()
 
     def add(self, viewer: Viewer) -> None:
-        """Something has been put for it."""
+        """It has queued messages."""
         if not viewer.queued:
             viewer.queued = True
             self._queue.append(viewer)

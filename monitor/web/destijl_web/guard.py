@@ -1,9 +1,9 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""The guard: a process that starts the gateway, and kills it where it hangs.
+"""The guard: a process that starts the gateway, and kills it if it hangs.
 
-The supervisor tolerates a monitor that merely says nothing. A gateway that
-hangs would so leave the robot as it is, driving perhaps. Killed, it makes the
-kernel close the connection, and the supervisor stops the robot."""
+The supervisor tolerates a silent monitor, so a gateway that hangs could leave
+the robot driving. When it is killed, the kernel closes the connection, and the
+supervisor stops the robot."""
 
 import contextlib
 import ctypes
@@ -20,11 +20,11 @@ BEAT = 0.1
 #  Seconds between two signs of life
 
 PATIENCE = 10
-#  So many times BEAT without one is a hang. Counted, not measured: where the
-#  whole machine was suspended, only one of them is over
+#  So many times BEAT without one is a hang. Counted, not measured: a
+#  suspension of the machine counts as one
 
 START_LIMIT = 60.0
-#  Seconds to the first sign of life: a slow machine reads from a slow disk
+#  Seconds to the first sign of life: start-up from a slow disk is slow
 
 STOP_LIMIT = 6.0
 #  Seconds for an orderly stop
@@ -34,12 +34,12 @@ _SMALLEST_PIPE = 4096
 
 
 def run(gateway: Callable[[int], int]) -> int:
-    """Runs gateway in a process of its own, with the end of the pipe that its
-    signs of life go to. Returns the exit status for the program."""
+    """Runs gateway in a separate process, with the end of the pipe for its
+    signs of life. Returns the exit status for the program."""
     listening, beating = os.pipe()
     fcntl.fcntl(beating, fcntl.F_SETPIPE_SZ, _SMALLEST_PIPE)
     os.set_blocking(beating, False)
-    #  Ctrl-Z would stop guard and gateway, and the robot would go on
+    #  Ctrl-Z would stop guard and gateway, and the robot would keep driving
     signal.signal(signal.SIGTSTP, signal.SIG_IGN)
     own = os.getpid()
     child = os.fork()
@@ -51,8 +51,8 @@ def run(gateway: Callable[[int], int]) -> int:
 
 
 def beat(heart: int) -> None:
-    """A sign of life, from the gateway. Raises OSError where the guard is gone
-    or hangs itself."""
+    """A sign of life, from the gateway. Raises OSError if the guard has ended
+    or hangs."""
     os.write(heart, b".")
 
 
@@ -70,7 +70,7 @@ def _be_gateway(gateway: Callable[[int], int], heart: int, guard: int) -> int:
 
 
 def _end(status: int) -> None:
-    #  At once: a thread that waits for a disk is not waited for
+    #  At once: does not wait for a thread that waits for a disk
     with contextlib.suppress(OSError):
         sys.stdout.flush()
         sys.stderr.flush()
@@ -121,7 +121,7 @@ class _Guard:
             print(f"destijl_web: the gateway {why}: killed", file=sys.stderr)
 
     def _buried(self) -> int:
-        #  The pipe ends a moment before the process does
+        #  The pipe ends just before the process
         for ignored in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
             signal.signal(ignored, signal.SIG_IGN)
         _, status = os.waitpid(self._child, 0)

@@ -1,5 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""What joins viewers and supervisor: who drives, what everybody sees."""
+"""Connects viewers and supervisor: who drives, what everybody sees."""
 
 import asyncio
 import binascii
@@ -27,7 +27,7 @@ ORDERS_PER_VIEWER = 16
 
 SILENCE = 0.5
 ABSENCE = 1.0
-#  Seconds without a ping of the driver: the robot is stopped, the wheel free
+#  Seconds without a ping of the driver: to stop the robot, to free the wheel
 
 TICK = 0.05
 LATE = 0.15
@@ -35,18 +35,18 @@ LATE = 0.15
 EVENTS = 100
 BATTERY_TIME = 600.0
 BATTERY_STEP = 10.0
-#  Seconds that the history covers, and between two equal levels in it
+#  Duration of the history, and interval between equal levels, in seconds
 
 CAMERA_SILENCE = 2.0
 IMAGE_AGE = 1.0
-#  Seconds; an older image is not shown to a newcomer
+#  Seconds; an older image is not sent to a new viewer
 
 STOP_TOLD = 1.0
-#  Seconds between two events of the same viewer's stop
+#  Seconds between two events for stops of the same viewer
 
 BEHIND = 0.005
-#  Seconds by which all others hear later of an order than its driver, whose
-#  own answer is then on its way
+#  Seconds by which others are informed of an order after its driver, whose own
+#  answer is then already sent
 
 MAX_IMAGE = 6 * 2**20
 
@@ -77,7 +77,7 @@ class Hub:
         self._image: bytes | None = None
         self._image_at = 0.0
         self._images_since = 0.0
-        #  They are expected from then on
+        #  They are expected after this time
         self._camera_told = False
         self._stopped_silent = False
         self._ticked_at = 0.0
@@ -124,7 +124,7 @@ class Hub:
         self._publish()
 
     def take(self, viewer: Viewer, message: messages.Message) -> None:
-        """What a page says."""
+        """A message from a page."""
         if isinstance(message, messages.Ping):
             viewer.put_pong(encode("pong", n=message.number))
             viewer.wake()
@@ -179,8 +179,8 @@ class Hub:
         self._publish()
 
     def _is_late(self, now: float) -> bool:
-        """The machine let us wait: pings may be there that we have not read.
-        Not twice in succession, however busy it is."""
+        """The machine stalled: pings may have arrived that are not read yet.
+        Not assumed twice in succession."""
         late = now - self._ticked_at > LATE and not self._was_late
         self._ticked_at = now
         self._was_late = late
@@ -246,13 +246,13 @@ class Hub:
         self._note("order", label=command.label, value=command.value, name=name)
 
     def _stop(self) -> None:
-        """The gateway's own, wherever the robot might be moving."""
+        """By the gateway itself, if the robot may be moving."""
         if self.link.is_up() and (
             self.state["robot"] in ("open", "started") or self.link.waiting() > 0
         ):
             self._send(Command("RSTP"), "")
 
-    #  The wheel
+    #  Control (the wheel)
 
     def _drives(self, viewer: Viewer) -> bool:
         return bool(self.state["driver"] == viewer.number)
@@ -447,7 +447,7 @@ class Hub:
             self._forget_image()
         self._tell("message", "warning", text=text)
 
-    #  To all
+    #  To all viewers
 
     def _tell_viewers(self) -> None:
         self.state.set(

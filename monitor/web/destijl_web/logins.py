@@ -1,5 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""Who has shown which token."""
+"""Sessions of browsers, by the token that they have sent."""
 
 import hmac
 import ipaddress
@@ -7,16 +7,16 @@ import secrets
 from collections import OrderedDict
 
 LIFE = 12 * 3600.0
-#  Seconds of a session
+#  Duration of a session in seconds
 
 MAX_SESSIONS = 1000
-#  The oldest makes room
+#  Above, the oldest is removed
 
 MAX_ADDRESSES = 1000
 
 ATTEMPTS = 10
 RECOVERY = 6.0
-#  So many wrong tokens at once from an address, then one in so many seconds
+#  Number of wrong tokens at once per address, then one in so many seconds
 
 
 class Logins:
@@ -28,7 +28,7 @@ class Logins:
         ]
         self._sessions: OrderedDict[str, tuple[str, float]] = OrderedDict()
         self._wrong: OrderedDict[str, tuple[float, float]] = OrderedDict()
-        #  Of an address, how many, and when
+        #  Per address: count and time
 
     def are_needed(self) -> bool:
         return bool(self._tokens)
@@ -37,7 +37,7 @@ class Logins:
         return self._count(_source(address), now) <= ATTEMPTS - 1
 
     def log_in(self, token: str, address: str, now: float) -> str | None:
-        """A new session's name, where the token is right."""
+        """The name of a new session, if the token is right."""
         given = token.encode("utf-8", "replace")
         role = None
         for one_role, right in self._tokens:
@@ -57,7 +57,7 @@ class Logins:
         return session
 
     def role(self, session: str | None, now: float) -> str | None:
-        """Of who is in that session; None: of somebody who is in none."""
+        """The role of that session; None: of a browser without a session."""
         if not self._tokens:
             return "open"
         role, until = self._sessions.get(session or "", (None, 0.0))
@@ -69,7 +69,7 @@ class Logins:
 
 
 def _source(address: str) -> str:
-    """Who has a network of IPv6 has all its addresses."""
+    """The owner of an IPv6 network has all its addresses."""
     try:
         parsed = ipaddress.ip_address(address.partition("%")[0])
     except ValueError:

@@ -1,5 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""What a page says: read, and refused where it is anything else."""
+"""Messages from a page: parsed, and rejected if invalid."""
 
 import json
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ MAX_SIZE = 4096
 #  Bytes
 
 LARGEST = 2**53
-#  Of numbers that the page wants back: JavaScript's integers
+#  Of numbers returned to the page: JavaScript's integers
 
 LARGEST_VALUE = 1_000_000
 #  Of a distance or an angle; the supervisor clamps it

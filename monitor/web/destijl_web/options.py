@@ -1,5 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""What the program is called with."""
+"""The options of the program."""
 
 import enum
 import ipaddress
@@ -36,11 +36,11 @@ MAX_ORIGINS = 8
 
 
 class Usage(Exception):
-    """Bad usage; its text says what."""
+    """Bad usage; its text is the reason."""
 
 
 class Wish(enum.Enum):
-    """What is asked for instead of running."""
+    """A request other than to run."""
 
     HELP = enum.auto()
     VERSION = enum.auto()
@@ -170,7 +170,7 @@ def _number(name: str, given: str, first: int) -> int:
 
 
 def _token(name: str, path: str) -> str:
-    """The rules of the supervisor: one file serves both."""
+    """Same rules as in the supervisor: one file serves both."""
     try:
         with open(path, "rb") as file:
             mode = Path(path).stat()

@@ -24,7 +24,7 @@ class Origins:
             self._hosts.update(names)
 
     def is_host(self, host: str, local_address: str) -> bool:
-        """Host, of a request that came to local_address, names us."""
+        """Host, of a request to local_address, is one of our names."""
         host = host.lower()
         return (
             host in self._hosts
@@ -56,7 +56,7 @@ def address_to_open(bind: str, port: int) -> str:
 
 
 def _own_address(version: int) -> str:
-    """Of the interface towards the rest of the world; nothing is sent."""
+    """Of the interface with the default route; nothing is sent."""
     family, far, near = (
         (socket.AF_INET, "192.0.2.1", "127.0.0.1")
         if version == 4

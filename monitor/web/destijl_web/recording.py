@@ -1,5 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""A session written to a folder, by a thread of its own: a slow disk delays no
+"""A session written to a folder, by a separate thread: a slow disk delays no
 order."""
 
 import json
@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 MAX_WAITING = 64 * 2**20
-#  Bytes that wait for the disk; more, and the recording fails
+#  Bytes waiting for the disk; above, the recording fails
 
 _PER_LINE = 256
-#  What a line counts for
+#  Bytes counted for a line
 
 FLUSH_PERIOD = 1.0
 CLOSE_LIMIT = 2.0
@@ -56,7 +56,7 @@ class Recording:
         self._queue.put(({"t": t, "type": kind, **fields}, image))
 
     def close(self) -> None:
-        """What has been put is still written, in time."""
+        """Queued data is still written, in time."""
         self._queue.put(None)
 
     def join(self) -> None:
@@ -102,7 +102,7 @@ class Recording:
                 with self._lock:
                     self._waiting -= _PER_LINE + (len(image) if image else 0)
                 if time.monotonic() - flushed > FLUSH_PERIOD:
-                    #  the images first: a line speaks of what is there
+                    #  images first: a line refers to stored images
                     images.flush()
                     lines.flush()
                     flushed = time.monotonic()

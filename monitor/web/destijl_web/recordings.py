@@ -1,5 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""Recordings that have been made: listed, and given."""
+"""Stored recordings: listed, and served."""
 
 import json
 import os
@@ -12,7 +12,7 @@ from typing import Any
 _NAME = re.compile(r"[0-9]{8}T[0-9]{6}\.[0-9]{3}Z")
 
 _TAIL = 65536
-#  Bytes in which the last whole line is looked for
+#  Bytes at the end in which the last complete line is searched
 
 _PIECE = 2**20
 _IMAGE = b'"type":"image"'
@@ -20,11 +20,11 @@ _IMAGE = b'"type":"image"'
 CSV_HEAD = "time_ms,id,angle_deg,x_px,y_px,dx_px,dy_px\n"
 _CSV_FIELDS = ("t", "id", "angle", "x", "y", "dx", "dy")
 _CSV_LINES = 500
-#  In a piece
+#  Bytes per read
 
 
 class Recordings:
-    """Its functions wait for the disk: they are for a thread."""
+    """Its functions wait for the disk: to be called in a thread."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -41,7 +41,7 @@ class Recordings:
         return sorted(found, key=lambda one: str(one["name"]), reverse=True)
 
     def file(self, name: str, which: str) -> Path | None:
-        """Which is events.jsonl or images.mjpeg."""
+        """The file events.jsonl or images.mjpeg."""
         if _NAME.fullmatch(name) is None:
             return None
         folder = self._folder / name
@@ -115,6 +115,6 @@ def _images(events: Path) -> int:
         while piece := file.read(_PIECE):
             piece = kept + piece
             count += piece.count(_IMAGE)
-            #  too short to have one, long enough for the first part of one
+            #  too short for a field, but long enough for its first part
             kept = piece[-(len(_IMAGE) - 1) :]
     return count

@@ -28,18 +28,18 @@ PAGE = Path(__file__).resolve().parent.parent / "page"
 
 MAX_FORM = 4096
 MAX_CONNECTIONS = 400
-#  Beyond it the oldest that are no viewer's are closed
+#  Above, the oldest connections without a viewer are closed
 
 HEARTBEAT = 20.0
-#  Seconds between two signs of life that a browser is asked for
+#  Seconds between two WebSocket pings to a browser
 
 SWEEP = 1.0
 FAREWELL = 1.0
 #  Seconds
 
 SWITCH = 0.0005
-#  Seconds that a thread keeps the interpreter: the event loop waits so long
-#  for one that reads a recording
+#  Seconds between thread switches: the event loop waits this long for a thread
+#  that reads a recording
 
 _TYPES = {
     ".html": "text/html",
@@ -59,7 +59,7 @@ _Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 
 
 class CannotStart(Exception):
-    """Its text says why."""
+    """Its text is the reason."""
 
 
 class _OneLine(logging.Formatter):
@@ -94,7 +94,7 @@ async def _serve(options: Options, heart: int) -> int:
     service = Service(options)
     await service.start()
     print(f"destijl_web: open {service.address}", flush=True)
-    #  What there is now stays: it need not be looked at again and again
+    #  Exclude the present objects from garbage collection
     gc.collect()
     gc.freeze()
     tasks = [asyncio.create_task(_beat(heart)), asyncio.create_task(stop.wait())]
@@ -106,7 +106,7 @@ async def _serve(options: Options, heart: int) -> int:
 
 
 class Service:
-    """All of the gateway that is no process."""
+    """The gateway without its process."""
 
     def __init__(self, options: Options) -> None:
         self._options = options
@@ -247,7 +247,7 @@ class _Gateway:
         self, request: web.Request, response: web.StreamResponse
     ) -> None:
         host = request.headers.get(hdrs.HOST, "")
-        #  Safari before 15.4 does not take WebSockets for 'self'
+        #  Safari before 15.4 does not accept WebSockets for 'self'
         sockets = (
             f" ws://{host} wss://{host}" if re.fullmatch(r"[\w.:\[\]-]+", host) else ""
         )
@@ -271,11 +271,12 @@ class _Gateway:
         )
 
     def _cookie(self, request: web.Request) -> str:
-        #  Cookies do not know ports: each gateway of a machine has its own
+        #  Cookies are shared among ports: each gateway of a machine has its
+        #  own name
         return f"destijl_web_{self._origins.port}"
 
     def _address(self, request: web.Request) -> str:
-        """Of the browser; what a proxy of this machine says is believed."""
+        """The browser's address; a proxy on this machine is trusted."""
         address = request.remote or ""
         if self._origins.is_proxied() and is_loopback(address):
             address = (
@@ -291,7 +292,7 @@ class _Gateway:
         return _page("index.html" if self._role(request) else "login.html")
 
     async def _file(self, request: web.Request) -> web.StreamResponse:
-        #  without a cookie, too: the form has a style
+        #  without a cookie, too: the form needs the style sheet
         return _page(request.match_info["path"])
 
     async def _login(self, request: web.Request) -> web.StreamResponse:
@@ -442,6 +443,6 @@ def _page(name: str) -> web.StreamResponse:
         or path.resolve() != path
     ):
         raise web.HTTPNotFound(text="no such page\n")
-    #  asked for each time, and not sent again where it is the same
+    #  revalidated each time, and not sent again if unchanged
     headers: dict[str, str] = {"Content-Type": kind, "Cache-Control": "no-cache"}
     return web.FileResponse(path, headers=headers)

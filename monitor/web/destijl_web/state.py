@@ -1,5 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""What every viewer is shown: links, robot, camera, who drives."""
+"""The state shown to every viewer: links, robot, camera, who drives."""
 
 from typing import Any
 
@@ -13,7 +13,7 @@ _NEW_SESSION: Fields = {
     "arena": "none",
     "battery": -1,
 }
-#  What a session with the supervisor begins with
+#  The state at the beginning of a session with the supervisor
 
 
 class State:
@@ -50,7 +50,7 @@ class State:
         self.set(**_NEW_SESSION)
 
     def answered(self, label: str, answer: str) -> None:
-        """A command has its answer, or has been sent, where it has none."""
+        """A command was answered, or sent if it has no answer."""
         done = answer == "AACK"
         if label == "ROPN":
             if done and self["robot"] in ("closed", "lost"):
@@ -62,7 +62,7 @@ class State:
             if done:
                 self.set(robot="started", watchdog=label == "RSWW")
         elif label in ("RRST", "RPOF"):
-            #  a reset is refused only where the robot does not run
+            #  a reset is refused only if the robot is not running
             if done or (label == "RRST" and answer == "ACRJ"):
                 self.set(robot="open", watchdog=False)
         elif label == "COPN":

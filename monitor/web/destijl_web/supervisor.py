@@ -1,6 +1,6 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""The connection to the supervisor: made anew where it is lost, orders out at
-once, lines in."""
+"""The connection to the supervisor: reconnects when lost, sends orders at
+once, receives lines."""
 
 import asyncio
 import contextlib
@@ -18,30 +18,30 @@ CONNECT_LIMIT = 5.0
 FIRST_PAUSE = 0.2
 LONGEST_PAUSE = 2.0
 FAREWELL = 1.0
-#  Seconds; the last one for the supervisor to close its side
+#  Seconds; the last one: for the supervisor to close its side
 
 TOO_MANY = 200
-#  Commands that wait; the supervisor reads no more than 256. Beyond it only
-#  stops go out, and of those no more than a few after one another
+#  Commands that may wait; the supervisor's limit is 256. Above, only stops are
+#  sent, and only a few in succession
 
 ENOUGH_STOPS = 4
 
 _TCP_USER_TIMEOUT = 18
-#  Linux's
+#  Linux only
 
 _log = logging.getLogger(__name__)
 
 
 class Listener(Protocol):
-    """Whom the link tells what happens. Nothing of it may wait."""
+    """Receives the events of the link. Its functions must not wait."""
 
     def link_began(self) -> None:
-        """The supervisor has taken us as its monitor."""
+        """The supervisor has admitted us as its monitor."""
 
     def link_refused(self, reason: str) -> None: ...
 
     def link_failed(self) -> None:
-        """No supervisor is there, or nothing that speaks as one."""
+        """No supervisor answers there."""
 
     def link_ended(self, reason: str) -> None:
         """After link_began."""
@@ -52,7 +52,7 @@ class Listener(Protocol):
     def unasked(self, line: bytes) -> None: ...
 
     def unanswered(self, command: Command) -> None:
-        """The connection ends for that."""
+        """The connection ends for this reason."""
 
 
 class Link:
@@ -120,7 +120,7 @@ class Link:
         self._session.send(command)
 
     def watch(self) -> None:
-        """To be called every now and then: looks for answers that are late."""
+        """To be called periodically: checks for late answers."""
         if self._session is not None:
             self._session.watch()
 
@@ -161,8 +161,8 @@ class _Session(asyncio.Protocol):
         made.setsockopt(socket.IPPROTO_TCP, _TCP_USER_TIMEOUT, 4000)
         if self._token is not None:
             transport.write(b"AUTH:" + self._token.encode("ascii") + b"\n")
-        #  Answered AACK in every state, and changes nothing in a new session:
-        #  so we know that we are its monitor
+        #  Answered AACK in every state, without effect in a new session: so we
+        #  know that we are its monitor
         self.send(Command("CPST"))
 
     def data_received(self, data: bytes) -> None:
@@ -206,9 +206,8 @@ class _Session(asyncio.Protocol):
         now = self._loop.time()
         line = command.line()
         if command.label == "CASA":
-            #  Sent before it, a command that changes nothing: what images were
-            #  under way come before that one's answer, and are not taken for
-            #  the arena's
+            #  Before it, a command without effect: images in transit arrive
+            #  before its answer, and are not taken for the arena's
             fence = Command("CPCO" if self._position_wanted else "CPST")
             self.exchange.sent(fence, now)
             line = fence.line() + line
@@ -228,14 +227,14 @@ class _Session(asyncio.Protocol):
         late = self.exchange.overdue(self._loop.time())
         if late is not None and self._transport is not None:
             if self.began:
-                #  Whatever came now might be its answer or the next one's
+                #  The next message might be its answer or the next one's
                 self._listener.unanswered(late)
             self._end(f"no answer to {late.label}")
 
     async def close(self) -> None:
         if self._transport is not None:
-            #  What was sent last still arrives: a socket closed with something
-            #  unread in it resets the connection
+            #  So that the last line still arrives: closing a socket with
+            #  unread data resets the connection
             with contextlib.suppress(OSError):
                 self._transport.write_eof()
             await asyncio.wait([self.ended], timeout=FAREWELL)
@@ -293,13 +292,13 @@ def _as_it_is(session: _Session) -> _Session:
 
 
 def printable(data: bytes) -> str:
-    """Text of the supervisor, fit to be shown."""
+    """Text of the supervisor, in printable form."""
     text = data[:1024].decode("utf-8", "replace")
     return "".join(c if c.isprintable() else "?" for c in text)
 
 
 def _join(first: Command, second: Command) -> None:
-    """The answer to first is that to second, too."""
+    """The answer to first also answers second."""
     one, other = first.done, second.done
 
     def both(answer: str, took: float) -> None:

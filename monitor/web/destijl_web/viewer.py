@@ -1,5 +1,5 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""One page: what is on its way to it, bounded however slow it is."""
+"""One page: the messages queued for it, bounded even if it is slow."""
 
 import asyncio
 import contextlib
@@ -11,24 +11,24 @@ from aiohttp import WSCloseCode, web
 
 IMAGES_UNDER_WAY = 2
 STATES_WAITING = 32
-#  Beyond it, changes of the state are dropped, and all of it follows
+#  Above, changes of the state are dropped, and the whole state is sent later
 
 PONGS_WAITING = 8
-#  The latest
+#  The latest only
 
 TEXTS_WAITING = 512
-#  Beyond it the connection is closed
+#  Above, the connection is closed
 
 RATE = 50.0
 BURST = 100.0
-#  Messages of a page, a second and at once
+#  Messages of a page, per second and at once
 
 KERNEL_BUFFER = 2**17
-#  Bytes, of which Linux makes twice as many. Chosen by itself they would be
-#  megabytes, and nobody would see what a page does not take
+#  Bytes; Linux doubles it. The default would be megabytes, and a stalled page
+#  would not be detected
 
 DRAIN_LIMIT = 10.0
-#  Seconds in which something must have left for the page
+#  Seconds within which something must have been sent to the page
 
 
 class Viewer:
@@ -48,7 +48,7 @@ class Viewer:
         self.queued = False
         #  In the fan-out's queue
         self.state_is_stale = False
-        #  All of it is to be sent, once the page has taken what waits
+        #  The whole state is to be sent, once the queue has drained
         self._ws = ws
         self.transport = transport
         connection: socket.socket = transport.get_extra_info("socket")
@@ -64,10 +64,10 @@ class Viewer:
         self._drained_at = asyncio.get_running_loop().time()
         self._closing: tuple[int, str] | None = None
 
-    #  From the page
+    #  Received from the page
 
     def may_say(self, now: float) -> bool:
-        """Whether a message now is not one too many."""
+        """Whether a message now is within the rate limit."""
         since = now - self._counted_at
         self._allowance = min(BURST, self._allowance + since * RATE) - 1.0
         self._counted_at = now
@@ -78,7 +78,7 @@ class Viewer:
         if self._image is not None:
             self.wake()
 
-    #  To the page. What is put goes out after the next wake
+    #  To the page. Queued messages are sent after the next wake
 
     def put(self, text: str) -> None:
         if len(self._texts) >= TEXTS_WAITING:
@@ -108,13 +108,13 @@ class Viewer:
         self._wake.set()
 
     def close(self, code: int, reason: str) -> None:
-        """Once; what waits is dropped."""
+        """Once; drops the queue."""
         if self._closing is None:
             self._closing = (code, reason)
             self.wake()
 
     def is_stuck(self, now: float) -> bool:
-        """Nothing has left for it for DRAIN_LIMIT."""
+        """Nothing was sent to it for DRAIN_LIMIT."""
         if self.transport.is_closing() and self._closing is None:
             return False
         if self.transport.get_write_buffer_size() == 0:
@@ -125,7 +125,7 @@ class Viewer:
         self.transport.abort()
 
     async def send(self, whole_state: Callable[[], str]) -> None:
-        """Sends what is put, until the connection ends."""
+        """Sends the queue, until the connection ends."""
         with contextlib.suppress(ConnectionError):
             while self._closing is None and not self._ws.closed:
                 await self._wake.wait()

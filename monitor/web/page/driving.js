@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What drives and what stops: keys, the pad, and all that must end a drive.
-// A key or button held drives; when the last one is released the robot stops.
+// Driving and stopping: keys, the pad, and all events that end a movement. A
+// held key or button drives; when the last one is released the robot stops.
 
 const KEYS = {
   ArrowUp: "RGFW", ArrowDown: "RGBW", ArrowLeft: "RGLF", ArrowRight: "RGRI",
   KeyW: "RGFW", KeyS: "RGBW", KeyA: "RGLF", KeyD: "RGRI",
 };
 
-// A click of a screen reader cannot be held: it goes a short way
+// A click of a screen reader cannot be held: it moves a short distance
 const STEPS = {
   RGFW: ["RMOV", 50], RGBW: ["RMOV", -50], RGLF: ["RTRN", 15], RGRI: ["RTRN", -15],
 };
@@ -18,7 +18,7 @@ const writes = (element) => element?.tagName === "TEXTAREA" ||
   element?.isContentEditable ||
   (element?.tagName === "INPUT" && TEXT.has(element.type));
 
-// What needs arrows and letters for itself
+// Elements that use arrows and letters themselves
 const takesKeys = (element) => writes(element) ||
   element?.tagName === "SELECT" ||
   (element?.tagName === "INPUT" && ["number", "range"].includes(element.type));
@@ -56,7 +56,7 @@ export class Driving {
     const { current } = this;
     if (current === before) return;
     this.show();
-    // Why the movement was refused says more than that its stop was
+    // The reason for the refused movement is more useful than that of its stop
     if (current === "") this.order("RSTP", undefined, () => this.refused);
     else this.order(current);
   }
@@ -70,7 +70,7 @@ export class Driving {
     return result;
   }
 
-  // Nothing is held any more; what is still pressed counts when pressed anew
+  // Releases everything; keys still pressed count when pressed again
   letGo() {
     this.held.clear();
     this.show();
@@ -88,7 +88,7 @@ export class Driving {
     return this.order("RSTP");
   }
 
-  // Where the user's attention or the page is gone
+  // When the page or the user's focus is lost
   stopIfMoving() {
     if (this.moving || this.held.size > 0) this.stop();
     else this.letGo();
@@ -114,7 +114,7 @@ export class Driving {
       if (!event.repeat) this.page.stopped();
       return;
     }
-    // With one of these held some systems never tell of the other's release
+    // With one of these held, some systems do not report the other's release
     if (["Control", "Alt", "Meta"].includes(event.key)) {
       if (this.held.size > 0) this.stop();
       return;
@@ -123,7 +123,7 @@ export class Driving {
     if (!label || event.ctrlKey || event.altKey || event.metaKey) return;
     if (!this.letters && !event.code.startsWith("Arrow")) return;
     if (takesKeys(event.target) || document.querySelector("dialog[open]")) return;
-    // Who only watches scrolls with the arrows
+    // For a viewer who does not drive, arrows scroll
     if (!this.page.mayDrive()) {
       if (!event.repeat) this.page.hint();
       return;
@@ -133,7 +133,7 @@ export class Driving {
   }
 
   keyUp(event) {
-    // Firefox presses a button when space is released
+    // Firefox activates a button when space is released
     if ((event.code === "Space" || event.key === " ") && !writes(event.target))
       event.preventDefault();
     this.release("key " + event.code);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said: the log of all events, and of them the last that matters,
-// in a live region: politely, or for stops and losses at once.
+// Messages: the log of all events, and the last important one in a live
+// region: politely, or at once for stops and losses.
 
 import { clock, has, language, t } from "./words.js";
 
@@ -16,7 +16,7 @@ const URGENT = new Set(["supervisor_lost", "supervisor_refused", "robot_lost",
   "wheel_lost", "wheel_seized", "stopped_by", "stopped_silent", "camera_silent",
   "recording_failed"]);
 
-// Orders that are routine once they are done
+// Orders that are routine once done
 const QUIET = new Set(["RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN",
   "RPIN", "RGBT", "RGST", "CPCO", "CPST", "CACO", "CAIN"]);
 
@@ -33,7 +33,7 @@ export function answerWords(answer) {
 export const succeeded = (answer) => ["AACK", "CIMG"].includes(answer) ||
   /^(RBLV|RCST):/.test(answer ?? "");
 
-// What to do about a refusal
+// Advice after a refusal
 export function remedy(label, answer) {
   const key = ["do_" + label + "_" + answer, "do_" + answer].find(has);
   return key ? t(key) : "";
@@ -73,7 +73,7 @@ export function entry(event, time = clock(event.time)) {
   const what = document.createElement("span");
   what.className = "what";
   what.textContent = words(event);
-  // The supervisor speaks English
+  // The supervisor's texts are English
   if (event.code === "message" && language() !== "en") what.lang = "en";
   item.append(when, level, what);
   return item;
@@ -89,7 +89,7 @@ function put(event) {
   document.getElementById("log-empty").hidden = true;
 }
 
-// All that was before
+// All earlier events
 export function restore(events) {
   entries.length = 0;
   list.replaceChildren();
@@ -102,8 +102,8 @@ export function renew() {
   if (said) show();
 }
 
-// me: the name of who looks; mine: the event is about what this page ordered,
-// and was said then
+// me: the name of this viewer; mine: the event is about an order of this page,
+// and was reported then
 export function happened(event, me, mine) {
   put(event);
   if (event.code === "order") {
@@ -122,13 +122,13 @@ function show() {
   const { box, text } = said;
   const other = box === alertBox ? newsBox : alertBox;
   other.textContent = "";
-  // The same words again are said again only if they were away
+  // The same text is announced again only if it was cleared
   box.textContent = "";
   setTimeout(() => { if (said.box === box) box.textContent = said.text(); }, 30);
   document.getElementById("says").title = text();
 }
 
-// text is a function, so that it can be said in the other language as well
+// text is a function, so that it can be repeated in the other language
 export function news(text) {
   said = { box: newsBox, text };
   show();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The WebSocket to the gateway: connects, connects again by itself, pings,
-// finds out when the connection is slow or dead, and pairs orders with their
-// answers. monitor/web/README.md has the messages.
+// The WebSocket to the gateway: connects and reconnects, pings, detects a slow
+// or dead connection, and matches answers to orders. monitor/web/README.md has
+// the messages.
 
 const TICK = 100;                  // ms between pings of who drives
 const TICKS_WATCHING = 10;         // one ping in so many of who watches
@@ -36,7 +36,7 @@ export class Link {
     this.connect();
   }
 
-  // For the end of the page
+  // At the end of the page
   end() {
     this.ended = true;
     this.drop({}, false);
@@ -54,7 +54,7 @@ export class Link {
     this.socket = socket;
     this.openedAt = performance.now();
     this.pings.clear();
-    // A socket that was given up says nothing any more
+    // Ignore a socket that was abandoned
     const mine = (action) => (event) => {
       if (this.socket === socket) action(event);
     };
@@ -72,7 +72,7 @@ export class Link {
       const sent = this.pings.get(message.n);
       if (sent === undefined) return;
       this.rtt = performance.now() - sent;
-      // Those before it are answered as well, or will never be
+      // Earlier ones are answered too, or will never be
       for (const n of this.pings.keys()) if (n <= message.n) this.pings.delete(n);
       if (this.state === "slow") this.change("open");
     } else if (message.type === "answer") {
@@ -86,7 +86,7 @@ export class Link {
     }
   }
 
-  // The connection is gone, or given up
+  // The connection is lost, or abandoned
   drop(close = {}, again = true) {
     const socket = this.socket;
     this.socket = undefined;
@@ -104,7 +104,7 @@ export class Link {
     this.change("lost", close);
   }
 
-  // There may be a network again
+  // The network may be back
   hurry() {
     if (this.retry === undefined || this.ended) return;
     this.connect();
@@ -148,7 +148,7 @@ export class Link {
     return true;
   }
 
-  // count images were shown or were replaced by newer ones
+  // count images were shown, or replaced by newer ones
   seen(count) {
     const socket = this.socket;
     const now = performance.now();
@@ -162,7 +162,7 @@ export class Link {
     }
   }
 
-  // Resolves to { answer, ms, total }: ms as the gateway measured, total as here
+  // Resolves to { answer, ms, total }: ms measured by the gateway, total here
   order(label, value) {
     this.lastOrder += 1;
     const id = this.lastOrder;

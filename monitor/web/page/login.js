@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of the form for the token.
+// The texts of the token form.
 
 import { onLanguage, start, t } from "./words.js";
 

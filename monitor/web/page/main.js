@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page: what comes from the gateway is shown, what the user wants is sent.
+// The page: shows the gateway's messages, sends the user's orders.
 
 import { Driving } from "./driving.js";
 import * as journal from "./journal.js";
@@ -44,12 +44,12 @@ const mine = () => me !== null && state.driver === me;
 const viewer = (id) => state.viewers.find((one) => one.id === id);
 const nameOf = (id) => viewer(id)?.name ?? "?";
 
-// The gateway takes printable names of at most 30 characters only
+// The gateway accepts only printable names of at most 30 characters
 const clean = (name) => name.replace(/[\p{C}\p{Z}]+/gu, " ").trim().slice(0, 30);
 
 // ---------------------------------------------------------------- the wheel
 
-// That the wheel was ours outlives a reload, not the tab
+// Whether the wheel was ours: survives a reload, not the tab
 const remembered = {
   get() {
     try {
@@ -91,11 +91,11 @@ async function order(label, value) {
   return result;
 }
 
-// An order of the user: a refusal is said, with what to do, unless quiet then
+// An order of the user: reports a refusal, with advice, unless quiet applies
 async function wish(label, value, quiet = () => false) {
   const result = await order(label, value);
   const { answer } = result;
-  // That the connection is gone has been said
+  // The loss of the connection has been reported
   if (answer === "LOST" || (quiet() && answer !== "ATIM")) return result;
   if (!journal.succeeded(answer))
     journal.alarm(() => t("order_answer", {
@@ -117,7 +117,7 @@ function whyNot() {
   }
 }
 
-// To who presses a driving key while nobody drives
+// For a user who presses a driving key while nobody drives
 let hinted = -Infinity;
 
 function hint() {
@@ -128,7 +128,7 @@ function hint() {
 
 const driving = new Driving({ order: wish, mayDrive: () => link.usable && mine(), whyNot, hint, stopped });
 
-// The user wants the robot to stand: whoever drives, whatever was before
+// The user wants to stop the robot: whoever drives, in any state
 async function stopped() {
   const button = at("stop");
   button.classList.add("pressed");
@@ -161,7 +161,7 @@ function linkChanged(now, before, { reason = "", code = 0 }) {
     driving.moving = false;
     if (before === "open" || before === "slow")
       journal.alarm(() => reason ? t("link_refused", { reason }) : t("link_lost"));
-    // Should our name be what it did not take, it is not said again
+    // If it rejected our name, do not send that again
     if (code === 1008) stored.set("destijl.name", "");
     if (mine()) remembered.set(true);
     me = null;
@@ -170,7 +170,7 @@ function linkChanged(now, before, { reason = "", code = 0 }) {
   show();
 }
 
-// The gateway answers pages without token with the form
+// Without a token the gateway answers with the form
 async function askForLogin() {
   try {
     const page = await (await fetch("/", { cache: "no-store" })).text();
@@ -193,7 +193,7 @@ function receive(message) {
       }
       break;
     case "event":
-      // Somebody else has stopped the robot: who drives presses anew
+      // Another viewer has stopped the robot: the driver must press again
       if (message.code === "stopped_by" && mine()) driving.letGo();
       journal.happened(message, nameOf(me), message.code === "order" && mine() ||
         message.code === "stopped_by" && mine() && message.args.name === nameOf(me));
@@ -264,7 +264,7 @@ function receiveImage(blob) {
 }
 
 async function drawImages() {
-  // A hidden page shows nothing: the gateway waits with the next
+  // A hidden page shows nothing: the gateway delays the next
   if (drawing) return;
   drawing = true;
   while (waiting && !document.hidden) {
@@ -320,14 +320,14 @@ function showPictureNote() {
 
 // -------------------------------------------------------------------- state
 
-// Only what differs is written: a screen reader hears of what changes
+// Writes only differences: a screen reader announces changes
 function write(id, text) {
   const element = at(id);
   if (element.textContent !== text) element.textContent = text;
 }
 
 function tile(name, level, text, more) {
-  // What is said of them is old, once the connection is gone
+  // Their values are old, once the connection is lost
   at("tile-" + name).dataset.level = link.usable || name === "supervisor" ? level : "off";
   write("tile-" + name + "-text", text);
   if (more !== undefined) write("tile-" + name + "-more", more);
@@ -424,7 +424,7 @@ function usable(button, yes) {
   else button.setAttribute("aria-disabled", "true");
 }
 
-// A list that is made anew keeps the focus where it was
+// Rebuilds a list and keeps the focus
 function fill(list, items) {
   const key = list.contains(document.activeElement)
     ? document.activeElement.dataset.key : undefined;
@@ -505,7 +505,7 @@ function showWheel() {
   };
   const focused = document.activeElement?.id;
   for (const [id, shown] of Object.entries(wanted)) at(id).hidden = !shown;
-  // The button that was just used is gone: the one in its place has the focus
+  // The button just used is gone: focus the one in its place
   if (focused in wanted && !wanted[focused]) {
     const next = Object.keys(wanted).find((id) => wanted[id]);
     if (next) at(next).focus();
@@ -566,7 +566,7 @@ const starter = new Starter({
 
 const recordings = new Recordings();
 
-// A control that is aria-disabled says why instead
+// A control that is aria-disabled reports the reason instead
 function on(id, action) {
   at(id).addEventListener("click", () => {
     if (at(id).getAttribute("aria-disabled") === "true") {
@@ -627,7 +627,7 @@ function listen() {
   driving.listen();
   journal.listen();
   for (const one of document.querySelectorAll(".stop")) {
-    // A stop does not wait for the finger to be lifted
+    // A stop does not wait for the release of the finger
     let pressed = -Infinity;
     one.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
@@ -703,7 +703,7 @@ function listen() {
   addEventListener("online", () => link.hurry());
 }
 
-// A page that nobody sees drives nothing
+// A hidden page must not drive
 function leave() {
   if (mine()) {
     driving.stop();

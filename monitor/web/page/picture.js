@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture of the arena, and over it, on a canvas of the screen's own
-// resolution, the robot's position, heading and fading trail.
+// A picture of the arena with a canvas of the screen's resolution over it: the
+// robot's position, heading and fading trail.
 
 const TRAIL = 15000;               // ms until the trail has faded
 const JUMP = 0.15;                 // of the width: no line is drawn so far
@@ -32,7 +32,7 @@ export class Picture {
     }
   }
 
-  // Shows the JPEG; throws where it cannot be decoded
+  // Shows the JPEG; throws if it cannot be decoded
   async show(jpeg) {
     const bitmap = await createImageBitmap(jpeg);
     const { picture } = this;
@@ -46,7 +46,7 @@ export class Picture {
     if (resized) this.draw();
   }
 
-  // Adds a position (id -1: none) as of the time at
+  // Adds a position (id -1: none) of the given time
   add(position, at) {
     this.points.push({ ...position, at });
     this.now = at;
@@ -61,7 +61,7 @@ export class Picture {
     this.points.splice(0, first);
   }
 
-  // The positions until now, for a replay
+  // The positions up to now, for a replay
   set(points, now) {
     this.points = points;
     this.now = now;
@@ -85,9 +85,9 @@ export class Picture {
     const left = (overlay.width - picture.width * scale) / 2;
     const top = (overlay.height - picture.height * scale) / 2;
     const place = (x, y) => [left + x * scale, top + y * scale];
-    // One unit of drawing: a pixel of CSS, more on a large picture
+    // Unit of drawing: a CSS pixel, more on a large picture
     const unit = Math.max(this.density, overlay.width / 900);
-    // Segments that overlap would show where they meet
+    // Overlapping segments would be visible at their joints
     context.lineCap = "butt";
     context.lineJoin = "round";
     if (this.trail) this.drawTrail(context, place, unit);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two small plots: the battery's last ten minutes, the last hundred
-// orders. SVG, so that they are crisp and take the colours of style.css.
+// orders. SVG, to be sharp and to use the colours of style.css.
 
 import { number, t } from "./words.js";
 
@@ -50,7 +50,7 @@ export class Battery {
   draw() {
     const now = Date.now();
     const begin = now - HISTORY;
-    // The last one before the ten minutes holds at their beginning
+    // The last level before the ten minutes is valid at their beginning
     while (this.levels.length > 1 && this.levels[1][0] < begin) this.levels.shift();
     const x = (time) => Math.max(0, (time - begin) / HISTORY * WIDTH);
     const y = (level) => HEIGHT - 4 - level * (HEIGHT - 8) / 2;
@@ -90,7 +90,7 @@ export class Latency {
 
   get last() { return this.times[this.times.length - 1]; }
 
-  // The time that the given part of the orders does not exceed
+  // The time that the given share of the orders does not exceed
   quantile(part) {
     const sorted = [...this.times].sort((a, b) => a - b);
     return sorted[Math.max(0, Math.ceil(part * sorted.length) - 1)];

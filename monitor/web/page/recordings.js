@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of recordings, and the replay of one: its events are read as a
-// whole, its images a piece of the file at a time.
+// The list of recordings, and the replay of one: its events are loaded
+// completely, its images in parts of the file.
 
 import { entry } from "./journal.js";
 import { Picture } from "./picture.js";
@@ -28,7 +28,7 @@ const time = (ms) => {
 const size = (bytes) => bytes < 1e6 ? number(bytes / 1e3) + " kB"
   : number(bytes / 1e6, 1) + " MB";
 
-// The index of the last element whose t is not after the time; -1: none
+// The index of the last element with t not after the time; -1: none
 function until(list, moment) {
   let low = 0;
   let high = list.length;
@@ -40,7 +40,7 @@ function until(list, moment) {
   return low - 1;
 }
 
-// The images, cut from pieces of the file
+// The images, cut from parts of the file
 class Images {
   constructor(url, images) {
     this.url = url;
@@ -140,14 +140,14 @@ class Replay {
   take(text) {
     const all = [];
     for (const row of text.split("\n")) {
-      // The last row of one that is being written may be half a row
+      // The last line of an active recording may be incomplete
       try { if (row) all.push(JSON.parse(row)); } catch { /* left out */ }
     }
     this.frames = all.filter(({ type }) => type === "image");
     this.positions = all.filter(({ type }) => type === "position")
       .map((position) => ({ ...position, at: position.t }));
     this.events = all.filter(({ type }) => type === "event");
-    // A recording need not repeat the orders as events
+    // A recording need not repeat orders as events
     if (!this.events.some(({ code }) => code === "order")) {
       const answers = all.filter(({ type }) => type === "answer");
       this.events = this.events.concat(answers.map(({ t: when, label, answer, ms }) => {
@@ -158,7 +158,7 @@ class Replay {
       })).sort((a, b) => a.t - b.t);
     }
     this.images = new Images(address(this.name, "images.mjpeg"), this.frames);
-    // A session may have gone on for long before its camera was opened
+    // The session may have started long before the camera was opened
     this.first = this.frames[0]?.t ?? 0;
     this.length = all.reduce((most, { t: when }) => Math.max(most, when), 0);
     at("replay-slider").max = this.length;
@@ -172,7 +172,7 @@ class Replay {
     let before = performance.now();
     const step = (now) => {
       if (!this.playing) return;
-      // Time stands while an image is being fetched
+      // Time is paused while an image is being fetched
       if (!this.showing)
         this.go(this.moment + (now - before) * Number(at("replay-speed").value));
       before = now;
@@ -211,7 +211,7 @@ class Replay {
       .map((event) => entry(event, time(event.t))));
   }
 
-  // One image after the other; those that are late already are left out
+  // One image after the other; late ones are skipped
   async draw() {
     if (this.showing || this.frames.length === 0) return;
     const { images, name } = this;
@@ -253,7 +253,7 @@ export class Recordings {
     onLanguage(() => this.show());
   }
 
-  // there: the gateway records; writing: the recording under way
+  // there: the gateway records; writing: the active recording
   set(there, writing) {
     at("recordings").hidden = !there;
     if (there && (this.there !== there || this.writing !== writing)) this.read();

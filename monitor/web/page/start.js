@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one button for a newcomer: the wheel, the robot, its watchdog, the
-// camera, the positions. A robot that fails does not keep the camera from
-// opening, nor the camera the robot.
+// The start button: control, robot, watchdog, camera, positions. A failure of
+// the robot does not prevent the camera from opening, nor vice versa.
 
 import { t } from "./words.js";
 
@@ -54,7 +53,7 @@ export class Starter {
   item(step) {
     const item = document.createElement("li");
     item.dataset.step = step;
-    // A screen reader says the step with its result
+    // A screen reader announces the step with its result
     item.setAttribute("aria-atomic", "true");
     for (const name of ["span", "small", "p"]) item.append(document.createElement(name));
     this.list.append(item);
@@ -100,7 +99,7 @@ export class Starter {
 
   async both() {
     const first = await this.openAndStart();
-    // While the robot starts up there is time for the camera
+    // The robot's start-up leaves time for the camera
     const [robot, camera] = await Promise.all([
       first === "ACRJ" ? this.startAgain() : first === "AACK",
       this.camera(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page's words in the language chosen: the browser's at first, then
-// what was chosen here, which is remembered.
+// The page's texts in the chosen language: initially the browser's, then the
+// stored choice.
 
 import en from "./en.js";
 import fr from "./fr.js";
@@ -8,7 +8,7 @@ import fr from "./fr.js";
 const languages = { en, fr };
 const listeners = [];
 
-// Storage may be refused (private windows, policies): the page works without
+// Storage may be denied (private windows, policies): the page works without
 export const stored = {
   get(key) {
     try { return localStorage.getItem(key); } catch { return null; }
@@ -34,7 +34,7 @@ export const language = () => current;
 
 export const has = (key) => key in languages[current];
 
-// The words of key, with {name} replaced by args.name
+// The text of key, with {name} replaced by args.name
 export function t(key, args = {}) {
   const words = languages[current][key] ?? en[key] ?? key;
   return words.replace(/\{(\w+)\}/g, (whole, name) =>
@@ -47,7 +47,7 @@ const attributes = [
   ["data-t-placeholder", "placeholder"],
 ];
 
-// Fills every element with data-t (its text) or data-t-label and the like
+// Fills all elements with data-t (text) or data-t-label and the like
 export function apply(root = document) {
   for (const element of root.querySelectorAll("[data-t]"))
     element.textContent = t(element.dataset.t);
@@ -66,7 +66,7 @@ export function choose(code) {
   for (const listener of listeners) listener();
 }
 
-// Also called once at the beginning
+// Also called once at start
 export function start() {
   document.documentElement.lang = current;
   apply();
