@@ -80,7 +80,7 @@ package Schedule with SPARK_Mode is
       Period    : Time_Span;
       --  between releases; On_Event: released by an event, sporadic
       Deadline  : Time_Span;
-      --  of what the comment at the row says; Unbounded: no requirement
+      --  for the interval named at the row; Unbounded: no requirement
    end record;
 
    No_Thread : constant Any_Priority := Any_Priority'First;
