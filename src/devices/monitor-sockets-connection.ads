@@ -33,8 +33,8 @@ is
      Pre    => Unsent and then Length <= Data'Length,
      Post   => not Unsent;
    --  Sends the first Length characters as a whole; waits while the connection
-   --  accepts nothing. Fails when the connection has ended. Unsent: the
-   --  message has not been sent before
+   --  accepts nothing. Fails when the connection has ended. Unsent marks
+   --  a message that is still to be sent
 
    procedure Watch
      (Wait : Ada.Real_Time.Time_Span; Loss : out Monitor.Link.Loss_Kind)

@@ -178,7 +178,7 @@ package body Arena_Camera is
          exception
             when Socket_Error =>
                delay 0.1;
-               --  Out of descriptors, perhaps: not for ever
+               --  Perhaps out of descriptors, temporarily
          end;
       end loop;
    end Doorman;

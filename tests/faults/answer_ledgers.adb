@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  All readings of the messages are followed at once: a message that may be
---  either an answer or unasked is taken for both, until others decide.
+--  Follows all interpretations of the messages in parallel: a message that may
+--  be an answer or unsolicited is taken as both, until others decide.
 
 with Ada.Containers;    use Ada.Containers;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a camera can do to the supervisor.
+--  Faults of a camera.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -23,7 +23,7 @@ package body Camera_Faults is
    --  For a source on the network to be given up
 
    procedure Expect_Robot_Answers (W : in out World);
-   --  As quickly as ever, while the camera does what it does
+   --  In the usual time, during the fault of the camera
 
    procedure Expect_Fitting (W : in out World);
    --  The last image fills the size asked for, in one direction at least
@@ -31,9 +31,9 @@ package body Camera_Faults is
    type Camera_Fault is abstract new Fault with null record;
 
    overriding procedure Lift (F : in out Camera_Fault; W : in out World);
-   --  The camera works as it should again
+   --  The camera works again
 
-   --  It does not open: nobody serves it, or there is no such device
+   --  It does not open: no server, or no such device
 
    type Not_There is new Camera_Fault with null record;
 
@@ -193,8 +193,8 @@ package body Camera_Faults is
       Start := Now;
       W.Say ("COPN");
 
-      --  Its answer comes first, but neither the robot nor what nobody
-      --  has asked for waits for it
+      --  Its answer comes first, but neither the robot nor unsolicited
+      --  messages wait for it
 
       delay Span (W.Source, 0.0, 0.3);
       Expect_On_Wire ("RTRN:7", "T=7");

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a fault may demand of the session while it goes on.
+--  Requirements that a fault checks during the session.
 
 with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
@@ -134,7 +134,7 @@ package body Demands is
                  To_String (W.Emulator.Journal.Last_Element.Command);
             begin
                exit when Last = "M=0";
-               --  it may still be on its way, at 9600 baud
+               --  it may still be in transit, at 9600 baud
                Check (not Late, "the last word to a lost robot is " & Last);
             end;
             delay 0.005;
@@ -264,7 +264,7 @@ package body Demands is
 
    procedure Recover_Camera (W : in out World) is
       Attempts : constant := 3;
-      --  What is on its way of the fault may close it once more
+      --  A late effect of the fault may close it once more
       Answer   : Reply;
    begin
       for Attempt in 1 .. Attempts loop

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  One supervisor for half an hour: sessions with everything, and between
---  them random faults. Does it remain what it was in the first minutes?
+--  One supervisor for half an hour: sessions with all features, and random
+--  faults in between. Compares the end with the beginning.
 
 with Ada.Containers.Vectors;
 with Ada.Exceptions;
@@ -33,7 +33,7 @@ procedure Destijl_Soak is
    Longest  : constant := 24 * 60;
 
    Longest_Fault : constant Duration := 12.0;
-   --  Longer ones would leave no time for the others
+   --  Longer ones would leave no time for others
 
    package Number_Vectors is new Ada.Containers.Vectors (Positive, Positive);
 
@@ -50,8 +50,8 @@ procedure Destijl_Soak is
    --  of the robot, in calm sessions
 
    Answer_Time_Out : constant Duration := 0.08;
-   --  The robot may take so long; where a virtual machine's host took as much
-   --  of processor time, its answer can be late through nobody's fault
+   --  The robot's answer may take so long; with that much time stolen by the
+   --  host it may be late without an error of the supervisor
 
    procedure Print_Usage (To : File_Type);
 
@@ -62,13 +62,13 @@ procedure Destijl_Soak is
    procedure Complain (Text : String);
 
    procedure Stay_Calm (For_Time : Duration);
-   --  A session with everything that is measured
+   --  A session with all features, which is measured
 
    procedure Inject_Fault (Number : Positive; Repetition : Positive);
 
    procedure Warm_Up;
-   --  What is taken with the first images, and with the first of each size,
-   --  is not growth
+   --  Resources allocated with the first images, and the first of each size,
+   --  are not counted as growth
 
    procedure Soak (Good : out Boolean);
 
@@ -148,7 +148,7 @@ procedure Destijl_Soak is
       function Is_Explained return Boolean is
         (Line_Watch.Worst (Begun, Now) >= Tolerances.Late_Line
          or else Host_Time.Taken - Taken >= Answer_Time_Out);
-      --  The kernel's doing, or the host's of this machine
+      --  Caused by the kernel, or by the host of this machine
 
       procedure Ask (Command : String; Own : Boolean);
 
@@ -226,7 +226,7 @@ procedure Destijl_Soak is
          Soak_Records.Set_Calm (False);
          Own_Process.Prefer_Real_Time (False);
          if Is_Explained then
-            --  such as a start that the robot's silence has spoilt
+            --  such as a start spoilt by the robot's silence
             Late_Answers := Late_Answers + 1;
          else
             Complain

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  A run: the injections, and the processes that do them.
+--  A run: the injections, and the processes that perform them.
 
 with Ada.Containers.Vectors;
 with Ada.Strings;         use Ada.Strings;
@@ -19,10 +19,10 @@ with Trials;              use Trials;
 package body Fault_Runs is
 
    Injection_Limit : constant Duration := 600.0;
-   --  A process that has not come back by then hangs: that is a violation
+   --  A process not finished by then hangs: that is a violation
 
    Long : constant Duration := 4.0;
-   --  Injections that take so long are begun first, after the heavy ones
+   --  Injections this long are started first, after the heavy ones
 
    type Injection is record
       First      : Positive := 1;
@@ -72,8 +72,8 @@ package body Fault_Runs is
       Used          : Counts;
       Limit         : Positive;
       First, Second : out Natural);
-   --  Fault and another, if possible one in fewer pairs than Limit; 0 where
-   --  it goes together with none
+   --  Fault and a second one, if possible in fewer pairs than Limit; 0 if it
+   --  can be combined with none
 
    function Worlds_Key (Item : Injection) return String is
       P : Plan;

@@ -30,8 +30,8 @@ package body Faults is
    begin
       A.Prepare (First);
       B.Prepare (Second);
-      --  where both want to start something in their own way there is no
-      --  world for them, and nothing can follow the supervisor's end
+      --  two faults that change the start need different worlds, and nothing
+      --  can follow the supervisor's end
       return A.Name /= B.Name
         and then not A.Alone
         and then not B.Alone

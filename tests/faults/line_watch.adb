@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  How late the kernel's pseudo-terminals are.
+--  Measures the delay of the kernel's pseudo-terminals.
 
 with Interfaces.C; use Interfaces.C;
 

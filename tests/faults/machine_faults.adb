@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a machine and its administrator can do to the supervisor.
+--  Faults caused by the machine and its administrator.
 
 with Ada.Directories;       use Ada.Directories;
 with Ada.Strings;           use Ada.Strings;
@@ -62,12 +62,10 @@ package body Machine_Faults is
    --  Clock, processors, descriptors
 
    type Set_Clock is new Fault with null record;
-   --  The machine's own clock is not touched: others live by it. A small
-   --  library that is loaded before the C library's tells the supervisor,
-   --  and nobody else, another time. A deadline that is computed from it is
-   --  then an hour off for the kernel, whose clock has not changed: that
-   --  shows a dependence more surely than a real change does, which only
-   --  meets the waits that are under way.
+   --  The machine's clock is not changed. A library preloaded before the C
+   --  library reports another time to the supervisor only. A deadline computed
+   --  from it is then an hour off for the kernel: this detects a dependence
+   --  more reliably than a real change, which only affects waits in progress.
 
    overriding procedure Prepare (F : Set_Clock; P : in out Plan);
    overriding procedure Inject (F : in out Set_Clock; W : in out World);
@@ -118,7 +116,7 @@ package body Machine_Faults is
    --  Takes all that is in it; how many bytes that was
 
    function Clock_File return String;
-   --  Of the supervisor's wall clock: a number of seconds
+   --  An offset of the supervisor's wall clock, in seconds
 
    procedure Set_Shift (Seconds : Long_Long_Integer);
 
@@ -150,7 +148,7 @@ package body Machine_Faults is
    begin
       if Pipe_File < 0 then
          Check (Libc.Mkfifo (To_C (Path), 8#600#) = 0, "no pipe to be had");
-         --  for reading and writing: nobody then waits for its other end
+         --  for reading and writing: so no open waits for the other end
          Pipe_File := Libc.Open
            (To_C (Path), Libc.O_Rdwr + Libc.O_Nonblock + Libc.O_Cloexec);
       end if;
@@ -237,7 +235,7 @@ package body Machine_Faults is
       end if;
       W.Supervisor.Send_Signal (Libc.Sigkill);
       W.Supervisor_Ends (Status => 128 + Integer (Libc.Sigkill));
-      --  its own doing: nothing on the line says so
+      --  by itself: nothing on the line causes it
       W.Emulator.Await_Status
         ("moving", "0", Within => Watchdog_Limit + Noise);
       W.Robot_Ready := False;
@@ -281,7 +279,7 @@ package body Machine_Faults is
       elsif F.Kind = Full_Disk and then Error_File = "/dev/full" then
          Skip ("no namespace for mounts here, or / is no mount point");
       end if;
-      --  where it is closed nothing else may take its place
+      --  if closed, no other file may get its descriptor
       Check
         (Error_File =
            (case F.Kind is
@@ -290,7 +288,7 @@ package body Machine_Faults is
                when Full_Disk           =>
                   Programs.Temporary_Folder & "/disk/log"),
          "its standard error is " & Error_File);
-      --  each is worth a line of the log
+      --  each produces a log line
       for Number in 1 .. Whole (W.Source, 1, 200) loop
          W.Say ("nonsense");
       end loop;
@@ -381,12 +379,12 @@ package body Machine_Faults is
         (Positive'Min
            (Most, Positive (System.Multiprocessors.Number_Of_CPUs)));
       W.Talk (Span (W.Source, 0.5, 1.5));
-      --  amid the load, not when it is over
+      --  during the load, not after it
       begin
          W.Expect_Answers (if W.Alone then Busy_Limit else Answer_Limit);
       exception
          when Failed =>
-            --  a late line makes an answer another one, but not a late one
+            --  a late line changes an answer, but does not delay it
             W.Explained_By :=
               Explanation'Max (W.Explained_By, A_Stopped_Machine);
             raise;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a network and those who use it can do to the supervisor.
+--  Faults of the network and its users.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -22,7 +22,7 @@ package body Network_Faults is
       & " RPOF RGBT RGST COPN CCLS CASA CACO CAIN CPCO CPST MSSG");
    --  All that the monitor can say
 
-   --  The monitor leaves
+   --  The monitor disconnects
 
    type Departure is new Fault with record
       How      : Manner := Orderly;
@@ -48,7 +48,7 @@ package body Network_Faults is
    overriding procedure Prepare (F : Stall; P : in out Plan);
    overriding procedure Inject (F : in out Stall; W : in out World);
 
-   --  What it sends
+   --  Faults in the data it sends
 
    type Sending_Kind is
      (Byte_By_Byte, Endless_Line, Nul_Bytes, Invalid_Text, Odd_Data);
@@ -65,7 +65,7 @@ package body Network_Faults is
    procedure Send_Invalid_Text (W : in out World);
    procedure Send_Odd_Data (W : in out World);
 
-   --  Others who connect
+   --  Other clients
 
    type Crowd_Of_Clients is new Fault with null record;
 
@@ -141,7 +141,7 @@ package body Network_Faults is
                "the monitor that vanished is not missed within "
                & Milliseconds (Now - Start));
          else
-            --  whether it was is shown by who is admitted next
+            --  the next admission shows whether it was
             delay Vanished_Limit;
          end if;
       end if;
@@ -165,7 +165,7 @@ package body Network_Faults is
    overriding procedure Inject (F : in out Stall; W : in out World) is
       use type Monitor_Clients.Closing;
       Filling : constant Duration := 1.5;
-      --  Images on their way until the last of them is taken, and a sample
+      --  Images in transit until the last one is taken, and a sample
       Start   : constant Instant := Now;
       Ends    : constant Instant := Start + F.Length;
    begin
@@ -340,7 +340,7 @@ package body Network_Faults is
       pragma Unreferenced (F);
       Count    : constant := 1_000;
       Patience : constant Duration := 20.0;
-      --  Who finds the queue of the kernel full tries again after 1, 3, 7 s
+      --  A client that finds the kernel's queue full retries after 1, 3, 7 s
       Seen     : Raw_Probes.Crowd_Result;
    begin
       if W.Expected_End or else not W.Reachable then
@@ -349,8 +349,8 @@ package body Network_Faults is
       W.Listen;
       Seen := Raw_Probes.Crowd (W.Address, W.Port, Count, Patience);
       W.Listen;
-      --  Where there is no monitor one of them is it, until it leaves. Who
-      --  had to speak may see a reset before the reason.
+      --  Without a monitor, one of them becomes it until it disconnects. A
+      --  client with unread data may see a reset before the reason.
       Check
         (not W.Present
          or else (Seen.Closed = Count and then Seen.Left = 0
@@ -384,7 +384,7 @@ package body Network_Faults is
         (W.Port, W.Address, Source => "127.0.0.2", Real_Time => False);
       Seen := Other.Next (Admission_Limit + Noise).Number > 0;
       W.Listen;
-      --  where there is no monitor one of them is it, until it leaves
+      --  without a monitor, one of them becomes it until it disconnects
       Check
         (not W.Present or else Seen,
          "who comes amid the flood is not seen to within "
@@ -399,7 +399,7 @@ package body Network_Faults is
       Count : constant Positive := Whole (W.Source, 50, 300);
    begin
       Raw_Probes.Knock (W.Address, W.Port, Count, W.Source);
-      --  who comes later waits behind them; the one in command does not
+      --  later clients wait behind them; the monitor in command does not
       W.Talk (Block_Time + Count * Newcomer_Time, Calm => True);
    end Inject;
 
@@ -438,7 +438,7 @@ package body Network_Faults is
          Item := Other.Next (Return_Limit + Noise);
          W.Listen;
          exit when not W.Present;
-         --  without a descriptor it can be neither admitted nor refused, and
+         --  without a descriptor it can be neither admitted nor rejected, and
          --  waits in the kernel's queue
          Check
            (not W.Reachable

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Connections that nobody means to keep.
+--  Short-lived connections, as from a port scanner.
 
 with Ada.Streams;    use Ada.Streams;
 with GNAT.Sockets;   use GNAT.Sockets;
@@ -165,9 +165,9 @@ package body Raw_Probes is
       Heard    : array (1 .. Count) of Boolean := (others => False);
       Waiting  : Natural := Count;
       Patience : constant Duration := 1.5;
-      --  Where its queue is full the kernel forgets a connection that this
-      --  end takes for established, until a byte comes: who hears nothing
-      --  speaks
+      --  If its queue is full, the kernel forgets a connection that this end
+      --  regards as established, until a byte arrives: so a client without
+      --  reply sends one
       Asked    : Instant;
       Result   : Crowd_Result;
       Deadline : Instant;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a robot and its line can do to the supervisor.
+--  Faults of the robot and its line.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
@@ -40,17 +40,17 @@ package body Robot_Faults is
      (Whole (W.Source, Question'First, Question'Last));
 
    procedure Expect_Right (W : in out World);
-   --  One of them is answered as it should
+   --  One of them is answered correctly
 
    procedure Expect_Nothing (W : in out World; Q : Question);
-   --  It has no answer that can be believed
+   --  It has no valid answer
 
    type Robot_Fault is abstract new Fault with null record;
 
    overriding procedure Lift (F : in out Robot_Fault; W : in out World);
-   --  The robot answers as it should again
+   --  The robot answers correctly again
 
-   --  Answers spoilt, a few or many
+   --  Corrupted answers, a few or many
 
    type Spoiling is (Dropped, Flipped, Cut, Wrong_Kind, Garbage);
 
@@ -66,7 +66,7 @@ package body Robot_Faults is
    --  The next Count answers
 
    procedure In_Quiet (F : Spoilt_Answers'Class; W : in out World);
-   --  Every answer told is one to what was asked: each can be judged
+   --  Every answer reported is a possible answer to the command
 
    procedure In_Motion (F : Spoilt_Answers'Class; W : in out World);
 
@@ -82,19 +82,19 @@ package body Robot_Faults is
 
    overriding procedure Inject (F : in out No_Answers; W : in out World);
 
-   --  Answers held back, that come together
+   --  Answers held back, and sent together
 
    type Pile is new Robot_Fault with null record;
 
    overriding procedure Inject (F : in out Pile; W : in out World);
 
-   --  Answers nobody asked for
+   --  Unsolicited answers
 
    type Unasked is new Robot_Fault with null record;
 
    overriding procedure Inject (F : in out Unasked; W : in out World);
 
-   --  The adapter is pulled and put back
+   --  The adapter is pulled out and put back
 
    type Unplugged is new Robot_Fault with record
       Away : Boolean := False;
@@ -103,7 +103,7 @@ package body Robot_Faults is
    overriding procedure Inject (F : in out Unplugged; W : in out World);
    overriding procedure Lift (F : in out Unplugged; W : in out World);
 
-   --  The robot stands and accepts nothing any more
+   --  The robot is stopped and accepts nothing any more
 
    type Reason is (Disabled, Switched_Off_And_On, Empty, Charging);
 
@@ -171,8 +171,8 @@ package body Robot_Faults is
       end if;
 
       if F.How = Wrong_Kind then
-         --  every other kind for each: one of the answers to a question for
-         --  the battery's level nobody can tell from a level of 0
+         --  every other kind for each: some answers to a battery request
+         --  cannot be distinguished from a level of 0
          for Any of Questions loop
             for Kind in 1 .. Kinds loop
                W.Emulator.Tell ("wrong 1");
@@ -191,8 +191,8 @@ package body Robot_Faults is
          for Number in 1 .. Count loop
             Q := Any_Question (W);
             if F.How = Wrong_Kind then
-               --  nobody can know that a level of 0 is none, and with it
-               --  the line seems to be in step
+               --  a false level of 0 cannot be detected, and with it the line
+               --  seems to be synchronised
                Expect
                  (W, Questions (Q),
                   "ATIM " & (if Q = 2 then "RBLV:0 " else "")
@@ -273,7 +273,7 @@ package body Robot_Faults is
          W.Emulator.Tell (Mended);
          Expect (W, "ROPN", "AACK");
 
-         --  what is late still may spoil the first exchanges
+         --  late answers may disturb the first exchanges
 
          delay F.Late_By;
          Expect_Return (W);
@@ -291,8 +291,8 @@ package body Robot_Faults is
             end loop;
             W.Emulator.Tell (Mended);
 
-            --  What is late comes while others are awaited, whose answers
-            --  it holds up. Never is it taken for one of them.
+            --  Late answers arrive while others are awaited, and delay these.
+            --  They are never taken for them.
 
             if F.Late_By > 0.0 then
                delay Span (W.Source, 0.0, F.Late_By);
@@ -386,14 +386,14 @@ package body Robot_Faults is
          W.Talk (Span (W.Source, 0.0, 0.06), Calm => True);
       end loop;
       if W.Alone then
-         --  a stop among them must have its effect, whatever is answered
+         --  a stop among them must be effective, whatever the answers
          W.Expect_Answers;
          W.Say ("RSTP");
          W.Expect_Answers;
          W.Emulator.Await_Status
            ("moving", "0", Within => Prompt + Stop_Limit + Noise);
 
-         --  and when they have passed the line can be trusted again
+         --  and after them the line must work again
          delay 0.1;
          Expect (W, "RCLS", "AACK");
          Expect_Return (W);
@@ -424,7 +424,7 @@ package body Robot_Faults is
       end if;
 
       if Soon then
-         --  back before anybody has noticed
+         --  back before it is detected
          delay Span (W.Source, 0.0, 0.06);
          Put_Back;
       end if;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What a soak has measured.
+--  The measurements of a soak test.
 
 with Ada.Containers.Indefinite_Vectors;
 with Ada.Containers.Vectors;
@@ -15,9 +15,9 @@ with Svg_Charts;
 
 package body Soak_Records is
 
-   --  By how much the last tenth may be worse than the first. A leak of a
-   --  kilobyte a second would add 1600 between the middles of the two
-   --  tenths of half an hour; the rest are for a machine that is not alone.
+   --  How much worse the last tenth may be than the first. A leak of a
+   --  kilobyte per second adds 1600 between the middles of the two tenths of
+   --  half an hour; the other margins are for a shared machine.
    Memory_Margin : constant Natural := 1024;  --  kilobytes, of the median
    Median_Factor : constant Float := 1.5;
    Median_Margin : constant Duration := 0.000_5;
@@ -27,8 +27,8 @@ package body Soak_Records is
    Rate_Margin   : constant Float := 0.01;  --  of the images a second
 
    Most_Stolen   : constant Float := 1.0;
-   --  Percent of the processors in a second that is judged: two steps of
-   --  10 ms on two of them
+   --  Stolen percent of the processors in a judged second: two steps of 10 ms
+   --  on two processors
 
    Window : constant Duration := 30.0;
    --  of the curves' percentiles
@@ -83,8 +83,8 @@ package body Soak_Records is
    end Sampler;
 
    function Is_Quiet (Time : Duration) return Boolean;
-   --  The host left the processors to this machine in the second of Time
-   --  and in the one before, whose work may have waited for this one
+   --  The host stole little time in the second of Time and in the one before,
+   --  whose work may have been delayed to this one
 
    function Between
      (From : Event_Vectors.Vector; First, Last : Duration;

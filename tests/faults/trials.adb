@@ -66,7 +66,7 @@ package body Trials is
    procedure Lift (Number : Positive);
 
    procedure Give_Up;
-   --  After what leaves the world in a state that nobody knows
+   --  After faults that leave the world in an unknown state
 
    function Tail (Text : String) return String;
    --  Its last lines, indented
@@ -257,8 +257,8 @@ package body Trials is
             end loop;
          end;
       end if;
-      --  a stop and a close do what they are to do even where the line was
-      --  late four times in a row
+      --  a stop and a close must be effective even if the line was late four
+      --  times in a row
       W.Order ("RSTP", "AACK ATIM ANAK");
       W.Emulator.Await_Status ("moving", "0", Within => Drive_Limit);
       if Chance (W.Source, 2) then

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Where a fault is injected.
+--  The test environment of a fault.
 
 with Ada.Strings;         use Ada.Strings;
 with Ada.Strings.Fixed;   use Ada.Strings.Fixed;
@@ -31,7 +31,7 @@ package body Worlds is
       & " ROPN RCLS RSOW RSWW RRST COPN CCLS CASA CACO CAIN CPCO CPST");
 
    procedure Forget_Session (W : in out World);
-   --  It has ended: what its ledger says is judged
+   --  It has ended: evaluates its ledger
 
    procedure Note_Facts (W : in out World);
    --  Once they no longer change
@@ -48,8 +48,8 @@ package body Worlds is
      (W     : in out World;
       Item  : out Monitor_Clients.Message;
       Found : out Boolean);
-   --  The next message, for the ledger and for Item. Where there is none any
-   --  more and the connection is closed the session is over.
+   --  The next message, for the ledger and for Item. If there is none and the
+   --  connection is closed, the session has ended.
 
    Robot_Silent : exception;
    --  An answer ATIM where another was expected
@@ -136,7 +136,7 @@ package body Worlds is
       end if;
       W.Port := Port;
 
-      --  with everything, so that what it takes from the system is taken
+      --  with all features, so that all resources are allocated
       W.Begin_Session (Moving, Camera_Closed);
       if W.The_Plan.Camera = "" then
          W.Order ("COPN", "AACK");
@@ -164,7 +164,7 @@ package body Worlds is
       Deadline : constant Instant := Now + Settle_Limit;
       Same     : Natural := 0;
    begin
-      --  a second without a change: what is still closing is not to be counted
+      --  a second without a change: connections still closing are not counted
       while Same < 50 and then Now < Deadline loop
          if Threads (W.Pid) = W.Base_Threads
            and then Descriptors (W.Pid) = W.Base_Descriptors
@@ -245,7 +245,7 @@ package body Worlds is
                Real_Time      => False);
             W.Present := True;
             W.Nobody_Since := Never;
-            --  who is refused is told so, who is admitted is answered
+            --  a rejected client gets a message, an admitted one an answer
             W.Say ("nope", Refused);
             while W.Present and then not Is_Complete (W.Ledger)
               and then not Is_Broken (W.Ledger)
@@ -367,7 +367,7 @@ package body Worlds is
 
    procedure Try_Order (W : in out World; Command, Answer : String) is
       Second_Look : constant Duration := 0.3;
-      --  The first ATIM may have been the unasked one
+      --  The first ATIM may have been the unsolicited one
       Deadline    : Instant := Now + Answer_Limit;
       Late        : Boolean;
       Item        : Monitor_Clients.Message;
@@ -577,7 +577,7 @@ package body Worlds is
 
    procedure Await_Standing (W : in out World) is
       Patience : constant Duration := 3.0;
-      --  only to say how late it stood
+      --  only to report the delay
       Limit    : constant Instant :=
         W.Nobody_Since + W.Nobody_Limit + Noise;
       Since    : constant Instant := W.Nobody_Since;

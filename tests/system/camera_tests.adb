@@ -230,7 +230,7 @@ package body Camera_Tests is
    end Loaded_When_Opened;
 
    procedure Library_Missing is
-      --  The robot is driven all the same
+      --  The robot works nevertheless
       Folder : constant String := Programs.Temporary_Folder & "/bare";
       Copy   : constant String := Folder & "/destijl";
       R      : Rig;
@@ -254,9 +254,8 @@ package body Camera_Tests is
    end Library_Missing;
 
    procedure Open_Takes_Long is
-      --  A camera that takes the connection and says nothing holds up
-      --  neither the robot, nor the end of the session, nor that of the
-      --  supervisor.
+      --  A camera that accepts the connection and sends nothing delays neither
+      --  the robot, nor the end of the session, nor that of the supervisor.
       R    : Rig;
       Item : Message;
       Time : Instant;
@@ -277,7 +276,7 @@ package body Camera_Tests is
       Check (Item.Label = "ANAK", "COPN was answered " & Item.Label);
       Check (R.Monitor.Next_Answer.Label = "AACK", "the stop");
 
-      --  The monitor goes while the camera is being opened
+      --  The monitor disconnects while the camera is being opened
       R.Monitor.Send_Line ("COPN");
       delay 0.3;
       Time := Now;
@@ -347,7 +346,7 @@ package body Camera_Tests is
    end Image_Size;
 
    procedure Own_Jpeg is
-      --  The camera's own bytes reach the monitor, unless something is drawn
+      --  The camera's JPEG is passed on unchanged, unless something is drawn
       Path : constant String := Programs.Temporary_Folder & "/own.jpg";
       R    : Rig;
 
@@ -371,7 +370,7 @@ package body Camera_Tests is
       end Expect_Own;
 
    begin
-      --  Without noise one image is as the other
+      --  Without noise all images are equal
       Assemble
         (R, Camera => True,
          Emulator_Options => "--noise 0 --pose 30,40,60",
@@ -427,8 +426,8 @@ package body Camera_Tests is
    end Changing_Size;
 
    procedure Damaged_Images is
-      --  For a while that is shorter than the camera is waited for; what is
-      --  whole enough to be shown may come through, what is none may not
+      --  For less than the camera's time-out; damaged images may be sent if
+      --  they can be decoded, others may not
       R : Rig;
    begin
       Assemble (R, Camera => True);
@@ -546,7 +545,7 @@ package body Camera_Tests is
       Open_Camera (R);
       R.Monitor.Skip_To_Now;
       R.Monitor.Send_Line ("CASA");
-      --  An image may have been on its way; after it exactly one
+      --  One image may have been in transit; after it exactly one
       delay 1.5;
       declare
          Number : Natural := 0;
@@ -575,7 +574,7 @@ package body Camera_Tests is
         (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
          "the confirmed arena is not drawn");
 
-      --  and forgotten with the camera
+      --  and discarded with the camera
       R.Monitor.Expect ("CCLS", "AACK");
    end Arena_Confirmed;
 
@@ -602,7 +601,7 @@ package body Camera_Tests is
    procedure Drawn_As_Asked is
 
       procedure Confirm (R : in out Rig);
-      --  The arena, which is drawn where it is to be confirmed
+      --  The arena, which is drawn when it is to be confirmed
 
       function Coloured (R : in out Rig) return Natural;
       --  Pixels of the image after the next, all of which has been made since
@@ -684,7 +683,7 @@ package body Camera_Tests is
    end Arena_Searched_Again;
 
    procedure Arena_Of_Stalled_Camera is
-      --  The search is answered all the same: of the last image, or ANAK
+      --  The search is answered nevertheless: by the last image, or ANAK
       R    : Rig;
       Item : Message;
    begin
@@ -716,7 +715,7 @@ package body Camera_Tests is
       Connect (R);
       Open_Camera (R);
       R.Monitor.Expect ("CASA", "ANAK", Within => 5.0);
-      --  nothing to decide: the images go on
+      --  no decision: the images continue
       Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
       Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
       Check (Item.Number > 0, "no image");

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  F4 to F6: the monitor, how it is served and how it is lost.
+--  F4 to F6: service and loss of the monitor.
 
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -58,8 +58,8 @@ package body Monitor_Tests is
    --  session closed, new monitor admitted, initial state, all works again
 
    procedure Answers_Are_Prompt is
-      --  F4: 10 ms. Here only that it is of this order with images and
-      --  positions streaming; the benchmark has the figures.
+      --  F4: 10 ms. Here only the order of magnitude with images and positions
+      --  streaming; the benchmark has the figures.
       Count : constant := 100;
       R     : Rig;
 
@@ -129,17 +129,17 @@ package body Monitor_Tests is
    end Answers_In_Order;
 
    procedure Answers_Held_Apart is
-      --  Rule 7: unasked messages are held back while a command waits for
+      --  Rule 7: unsolicited messages are held back while a command waits for
       --  its answer, 950 ms at most.
       In_Flight : constant Duration := 0.01;
-      --  what was being sent when the command came
+      --  message in transit when the command came
       Trials    : constant := 25;
 
       R    : Rig;
       Item : Message;
 
       procedure Take_Next;
-      --  What comes, but no answer other than AACK
+      --  Other messages, but no answer other than AACK
 
       procedure Measure_Answers;
       procedure Measure_Images;
@@ -178,8 +178,8 @@ package body Monitor_Tests is
       end Measure_Answers;
 
       procedure Measure_Images is
-         --  Commands of 60 ms each, for 2 s and more: images come in between
-         --  all the same
+         --  Commands of 60 ms each, for 2 s and more: images are still sent in
+         --  between
          Count   : constant := 35;
          Longest : Duration := 0.0;
          Last    : Instant;
@@ -215,12 +215,12 @@ package body Monitor_Tests is
    end Answers_Held_Apart;
 
    procedure Messages_Kept_Apart is
-      --  The existing monitor takes what one recv returns for one message.
-      --  A few close ones are borne: a reader that is late brings the next
-      --  one nearer
+      --  The existing monitor takes all that one recv returns as one message.
+      --  A few short gaps are tolerated: a delayed reader shortens the next
+      --  one
       Unasked_Gap : constant Duration := 0.018;
       Answer_Gap  : constant Duration := 0.003;
-      --  20 and 4 ms, less what the way to the reader differs by
+      --  20 and 4 ms, less the variation on the way to the reader
 
       R : Rig;
 
@@ -273,21 +273,20 @@ package body Monitor_Tests is
    end Messages_Kept_Apart;
 
    procedure Late_Reader is
-      --  As the existing monitor on a busy machine: one recv a turn, and
-      --  what it returned is one message. 5 to 15 ms late to whatever comes;
-      --  or, with commands in between, busy for as long with what has come:
-      --  late to whatever comes, it would merge an answer with the image
-      --  4 ms before
+      --  Like the existing monitor on a busy machine: one recv per turn, and
+      --  its result is one message. 5 to 15 ms of delay for each message; or,
+      --  with commands in between, the same time after each message: a delay
+      --  for each would merge an answer with the image 4 ms before
       Least      : constant Duration := 0.005;
       Most       : constant Duration := 0.015;
       Tolerance  : constant Duration := 0.001;
       In_Flight  : constant Duration := 0.03;
-      --  what was on its way to the reader when the command was sent
+      --  in transit to the reader when the command was sent
       Hold_Limit : constant Duration := 0.95;
       R          : Rig;
 
       procedure Open_Slowly (Taking : Positive);
-      --  A camera that takes so long, ms
+      --  Time that a camera takes to open, ms
 
       procedure Measure (With_Commands : Boolean);
       procedure Measure_Alone;
@@ -315,8 +314,8 @@ package body Monitor_Tests is
                 Between'Image & " levels before the camera's answer");
          R.Monitor.Expect ("CCLS", "AACK");
          delay 0.1;
-         --  commands in a row, without such a time between them, hold a
-         --  level back together
+         --  commands in a row, without such a gap between them, hold a level
+         --  back together
       end Open_Slowly;
 
       procedure Measure (With_Commands : Boolean) is
@@ -427,8 +426,8 @@ package body Monitor_Tests is
       R.Emulator.Tell ("pose 20 30 0");
       delay 0.5;
 
-      --  Nothing is read for 5 s, that is 50 images; then what waits on
-      --  the way is at most the two buffers, not a backlog.
+      --  Nothing is read for 5 s, that is 50 images; then at most the two
+      --  buffers are in transit, no backlog.
       R.Monitor.Pause;
       R.Monitor.Send_Line ("what");
       delay 4.0;
@@ -458,8 +457,8 @@ package body Monitor_Tests is
          and then abs (Y - Truth.Cy) < 5.0,
          "the image does not show the robot where it is");
 
-      --  Slow, about a third of what the images need: answers come, and
-      --  in their order
+      --  Slow, about a third of the rate of the images: answers come, in their
+      --  order
       R.Monitor.Limit_Reading (100_000);
       delay 1.0;
       for Number in 1 .. 5 loop
@@ -525,7 +524,7 @@ package body Monitor_Tests is
    end Lost_By_Reset;
 
    procedure Lost_By_Half_Close is
-      --  A monitor that will command nothing more is not in command
+      --  A monitor that has stopped sending is not in command
       R    : Rig;
       Time : Instant;
    begin
@@ -563,7 +562,7 @@ package body Monitor_Tests is
    end Lost_With_Half_A_Line;
 
    procedure Lost_With_Orders_Waiting is
-      --  Orders that were waiting for the line do not follow the stop
+      --  Orders that waited for the line do not follow the stop
       R    : Rig;
       Time : Instant;
    begin
@@ -589,8 +588,8 @@ package body Monitor_Tests is
    end Lost_With_Orders_Waiting;
 
    procedure Lost_While_Robot_Is_Silent is
-      --  The session ends in bounded time although nothing answers, and
-      --  the stop is sent all the same
+      --  The session ends in bounded time without any answer, and the stop is
+      --  sent nevertheless
       R    : Rig;
       Time : Instant;
    begin
@@ -756,7 +755,7 @@ package body Monitor_Tests is
       R.Monitor.Expect ("what", "ACER");
       Check (not R.Supervisor.Says ("monitor lost"), "present, yet lost");
       R.Monitor.Close;
-      --  closed, or reset where an image was on its way
+      --  closed, or reset if an image was in transit
       R.Supervisor.Expect_Log ("monitor lost: connection", Within => 1.0);
       R.Supervisor.Expect_Log ("session closed", Within => 3.0);
       Connect (R);
@@ -764,8 +763,8 @@ package body Monitor_Tests is
    end Present_With_Short_Info;
 
    procedure Vanished_Before_A_Message is
-      --  The first thing that it is sent, when the camera is open, ends the
-      --  kernel's own keep-alive 3 s after the cut
+      --  The first message to it, when the camera is open, ends the kernel's
+      --  keep-alive 3 s after the cut
       Link  : Network_Links.Link;
       R     : Rig;
       Time  : Instant;
@@ -876,7 +875,7 @@ package body Monitor_Tests is
          end loop;
       end;
 
-      --  One that commands at once does not command
+      --  One that sends commands at once is not in command
       R.Emulator.Clear_Journal;
       Second.Connect (R.Supervisor.Port);
       if Second.Try_Send ("RGFW" & ASCII.LF) then
@@ -910,7 +909,7 @@ package body Monitor_Tests is
       R.Monitor.Expect ("ROPN" & ASCII.CR, "AACK");
       R.Monitor.Expect ("RSOW" & ASCII.CR, "AACK");
       R.Monitor.Expect ("RMOV:5" & ASCII.CR, "AACK");
-      --  The existing monitor writes a separator behind every label
+      --  The existing monitor appends a separator to every label
       R.Monitor.Expect ("RPIN:", "AACK");
       R.Monitor.Expect ("RPIN:" & ASCII.CR, "AACK");
       Check (R.Emulator.Count_Of ("M=5") = 1, "no M=5 on the wire");

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What must never happen, whatever comes in.
+--  What must never happen, for any input.
 
 with Ada.Numerics.Discrete_Random;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -94,8 +94,8 @@ package body Never_Tests is
    end Malformed_Commands;
 
    procedure Superfluous_Data is
-      --  Data behind a command that takes none: acted on or refused, one
-      --  answer either way
+      --  Data after a command that takes none: carried out or rejected, one
+      --  answer in both cases
       R : Rig;
    begin
       Assemble (R, Camera => True);
@@ -120,7 +120,7 @@ package body Never_Tests is
                     (R.Monitor.Next_Answer (10.0).Label = "ACER",
                      "two answers to " & Name & Data);
                else
-                  --  the battery may have come unasked before the answer
+                  --  the battery may have come unsolicited before the answer
                   delay 0.12;
                end if;
             end;
@@ -184,9 +184,9 @@ package body Never_Tests is
    end Random_Bytes;
 
    procedure Random_Commands is
-      --  Every command in every state, without waiting, in sessions that
-      --  end anywhere. Each is answered once: counted. RGBT is left out, for
-      --  its answer looks like the unasked level.
+      --  Every command in every state, without waiting, in sessions that end
+      --  anywhere. Each is answered once: counted. RGBT is omitted, as its
+      --  answer looks like the unsolicited level.
       R        : Rig;
       All_Words : constant Arguments := Words
         ("ROPN RCLS RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP"
@@ -349,8 +349,8 @@ package body Never_Tests is
    end Flat_Over_Cycles;
 
    procedure Flat_Over_Large_Images is
-      --  What images of another size need goes back to the system, whichever
-      --  task and frame slot had it
+      --  Buffers for images of another size are returned to the system,
+      --  whichever task and frame slot had them
       Before : constant := 4;    --  rounds until ordinary images need no more
       Rounds : constant := 8;
       Last   : constant := 4;    --  rounds: what is kept is there after each,

@@ -52,7 +52,7 @@ package body Robot_Tests is
    procedure Idle_Line_Is_Watched;
 
    procedure Expect_Lost_Once (R : in out Rig; Within : Duration);
-   --  One unasked ATIM, and no more of them
+   --  One unsolicited ATIM, and no more
 
    procedure Expect_Works_Again (R : in out Rig);
    --  F9: ANAK until ROPN; ROPN and start work at once
@@ -243,8 +243,8 @@ package body Robot_Tests is
    end Lost_Keeps_Camera;
 
    procedure Reopened_At_Once is
-      --  While the answer to the last stop on the lost line is on its way:
-      --  it must not pass for that of the next command
+      --  While the answer to the last stop on the lost line is in transit: it
+      --  must not be taken for that of the next command
       R    : Rig;
       Item : Message;
    begin
@@ -265,8 +265,8 @@ package body Robot_Tests is
    end Reopened_At_Once;
 
    procedure Late_Reopened is
-      --  A robot that was lost while it was started, and whose answers are
-      --  late when its line is opened again, is reset nevertheless
+      --  A robot that was lost while started, and whose answers are late when
+      --  its line is opened again, is reset nevertheless
       R    : Rig;
       Item : Message;
    begin
@@ -338,7 +338,7 @@ package body Robot_Tests is
          R.Emulator.Tell ("delay 200");
          R.Monitor.Expect ("RGST", "ATIM");
          R.Emulator.Tell ("delay 0");
-         --  the robot answers in order: what it says next is late, too
+         --  the robot answers in order: its next answer is late, too
          delay 0.15;
          R.Monitor.Expect ("RGBT", "RBLV:1");
          R.Monitor.Expect ("RPIN", "AACK");
@@ -367,8 +367,8 @@ package body Robot_Tests is
    end Unasked_Bytes;
 
    procedure Noisy_Line is
-      --  A line that never falls silent: every command is answered in
-      --  bounded time, and all is well again after the noise
+      --  A line that never falls silent: every command is answered in bounded
+      --  time, and all works after the noise
       R    : Rig;
       Item : Message;
       Time : Instant;
@@ -581,8 +581,8 @@ package body Robot_Tests is
            (Late <= Early + 1024,
             "memory grows:" & Early'Image & " kB," & Late'Image & " kB");
          Check (Reloads >= 58, "only" & Reloads'Image & " reloads");
-         --  without real-time priorities deadlines are not guaranteed, but
-         --  the robot runs on
+         --  without real-time priorities deadlines are not guaranteed, but the
+         --  robot keeps running
          if R.Supervisor.Says ("real-time priorities: yes") then
             Check (Missed = 0, "missed windows:" & Missed'Image);
          end if;
@@ -600,7 +600,7 @@ package body Robot_Tests is
    end Watchdog_Kept;
 
    procedure Watchdog_Disabled_Robot is
-      --  Rule 5: the robot no longer runs, and the monitor is told
+      --  Rule 5: the robot no longer runs, and the monitor is informed
       R    : Rig;
       Item : Message;
    begin
@@ -630,7 +630,7 @@ package body Robot_Tests is
       delay 2.2;
       Check (R.Emulator.Status ("missed_total") = "0", "missed window");
 
-      --  Where the supervisor has none of its own, it goes to the robot
+      --  Without a reload of its own the supervisor sends it to the robot
       R.Monitor.Expect ("RRST", "AACK");
       R.Monitor.Expect ("RSOW", "AACK");
       R.Emulator.Clear_Journal;
@@ -678,7 +678,7 @@ package body Robot_Tests is
    end Movements;
 
    procedure Movement_Latency is
-      --  F12: event-driven, 5 ms. Here only that it is of this order while
+      --  F12: event-driven, 5 ms. Here only the order of magnitude while
       --  images stream; the benchmark has the figures.
       Count : constant := 60;
       R     : Rig;
@@ -722,8 +722,8 @@ package body Robot_Tests is
    end Movement_Latency;
 
    procedure Stop_Overtakes is
-      --  Rule 3. A ping holds the line; movements wait behind it; the stop
-      --  goes first, and they are not sent any more.
+      --  Rule 3. A ping holds the line; movements wait behind it; the stop is
+      --  sent first, and the movements are cancelled.
       R : Rig;
    begin
       Assemble (R);

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Who is let in: addresses, tokens, and that no token gets into the log.
+--  Admission: addresses, tokens, and that no token gets into the log.
 
 with Ada.Directories;
 with Ada.Streams.Stream_IO; use Ada.Streams;
@@ -42,8 +42,8 @@ package body Security_Tests is
 
    Admission_Time  : constant Duration := 2.0;
    Same_Address_Time : constant Duration := 5.0;
-   --  for a monitor with the right token, amid a flood from other addresses,
-   --  and from the flood's own when that has ended
+   --  for a monitor with the right token, during a flood from other addresses,
+   --  and from the flood's own address after its end
 
    Another_Address : constant String := "127.0.0.2";
 
@@ -56,8 +56,8 @@ package body Security_Tests is
 
    function Time_To_Admission
      (S : Supervisor; M : in out Client; Own : String) return Duration;
-   --  Of M with the right token from its address Own. What the host of the
-   --  machine took meanwhile is not counted
+   --  Of M with the right token from its address Own. Time stolen by the host
+   --  of the machine is subtracted
 
    type Client_Array is array (Positive range <>) of Client;
 
@@ -94,13 +94,13 @@ package body Security_Tests is
       Reason : String;
       After  : Duration := 0.0;
       Within : Duration := At_Once);
-   --  Told so, and closed, not sooner than After and not later than Within
+   --  It gets the message and is closed, between After and Within
 
    procedure Expect_Admitted (M : in out Client);
 
    procedure Expect_Warnings
      (S : Supervisor; Pattern : String; Count : Natural);
-   --  As many lines of the log, all of them warnings
+   --  So many lines of the log, all of them warnings
 
    procedure Expect_Start_Refused
      (Options  : String;
@@ -184,7 +184,7 @@ package body Security_Tests is
       Connect (Open, M, "::1");
       Expect_Admitted (M);
 
-      --  all of IPv4, also where it comes through a socket of IPv6
+      --  all of IPv4, also through an IPv6 socket
       Closed.Start ("--allow 0.0.0.0/0", Bind => "::");
       Connect (Closed, M, "::1");
       Expect_Refused (M, Not_Allowed);
@@ -193,7 +193,7 @@ package body Security_Tests is
    end Allowed_And_IPv6;
 
    procedure Allowed_While_In_Command is
-      --  Who is not allowed is told that and nothing else
+      --  A disallowed client gets that message and no other
       S           : Supervisor;
       First, M, N : Client;
    begin
@@ -233,8 +233,7 @@ package body Security_Tests is
 
       procedure Refuse (Path : String; Reason : String);
       procedure Report (Path : String; Reason : String);
-      --  The same for --check, which looks at the camera, too: it takes its
-      --  time
+      --  The same for --check, which also tries the camera, so it is slow
 
       procedure Refuse (Path : String; Reason : String) is
       begin
@@ -311,7 +310,7 @@ package body Security_Tests is
    end Console_Monitor;
 
    procedure Crowd_Keeps_Nobody_Out is
-      --  With as many as the kernel's queue holds in front
+      --  With as many connections in front as the kernel's queue holds
 
       procedure Measure;
 
@@ -388,8 +387,8 @@ package body Security_Tests is
    end Disturbs_Nobody;
 
    procedure Eight_Silent is
-      --  No more of one address may be pending: the one that has waited
-      --  longest makes room
+      --  The limit per address is reached: the connection that has waited
+      --  longest is removed
       S      : Supervisor;
       Silent : Client_Array (1 .. 8);
       Last   : Client;
@@ -505,16 +504,16 @@ package body Security_Tests is
    end Expect_Warnings;
 
    procedure Flood_Of_Newcomers is
-      --  Whoever connects is more urgent than the orders of the one in
-      --  command (th_server goes before th_move), but has a bounded share
+      --  New connections have priority over the orders of the monitor in
+      --  command (th_server is above th_move), but a bounded share
       use type System.Multiprocessors.CPU;
 
       Interval : constant Duration := 0.01;
-      --  between two turns in which they are seen to, at least
+      --  minimum time between two turns that handle them
       Per_Turn : constant := 10;
-      --  so many then
+      --  number per turn
       Grant    : constant Duration := 0.005;
-      --  on a shared machine
+      --  margin on a shared machine
 
       R     : Rig;
       Crowd : Floods.Flood;
@@ -549,15 +548,15 @@ package body Security_Tests is
          "hardly any newcomer is seen to");
       Check
         (Amid <= 2 * Quiet + Grant, "orders wait for newcomers");
-      --  the end of a session is seen to all the same, whoever is next
+      --  the end of a session is handled nevertheless
       R.Monitor.Close;
       R.Supervisor.Expect_Log ("session closed", Within => At_Once);
       Crowd.Stop;
    end Flood_Of_Newcomers;
 
    procedure Flood_Without_End is
-      --  Who connects anew as fast as it can fills the kernel's queue, and
-      --  keeps out neither who is in command nor who comes next
+      --  Clients that reconnect as fast as possible fill the kernel's queue,
+      --  but block neither the monitor in command nor the next one
 
       procedure Measure;
 
@@ -604,10 +603,10 @@ package body Security_Tests is
    end Flood_Without_End;
 
    procedure Lines_Bit_By_Bit is
-      --  Those who send their lines in many pieces do not keep off who
-      --  sends his at once
+      --  Clients that send their lines in many pieces do not block one that
+      --  sends its line at once
       Between : constant Duration := 0.05;
-      --  seven pieces, of which each takes 10 ms
+      --  seven pieces, each of which takes 10 ms
 
       procedure Measure;
 
@@ -660,7 +659,7 @@ package body Security_Tests is
          Taken.Add (Now - Start);
          delay Between;
       end loop;
-      --  on a loaded machine the emulated robot is late now and then
+      --  on a loaded machine the emulated robot is sometimes late
       Check (Late < Rounds / 4, Late'Image & " orders without an answer");
       return Taken.Quantile (0.5);
    end Median_Answer;
@@ -807,8 +806,8 @@ package body Security_Tests is
         (Silent, Not_Authenticated, After => Token_Time - 0.2,
          Within => Token_Time + At_Once);
 
-      --  each has its own time, whatever comes in between, and no piece of
-      --  a line prolongs it
+      --  each has its own time limit, not prolonged by any piece of a line or
+      --  other event
       Slow.Connect (S.Port);
       Start := Now;
       for Place in 1 .. 12 loop
@@ -857,7 +856,7 @@ package body Security_Tests is
    end Token_Right;
 
    procedure Token_With_Commands is
-      --  What follows in the same segment is not lost
+      --  Data after it in the same segment is not lost
       Count : constant := 500;
       S     : Supervisor;
       M     : Client;
@@ -945,8 +944,8 @@ package body Security_Tests is
    end Unreadable_Token_File;
 
    procedure Waits_For_The_End is
-      --  While a session is brought to its end nobody is refused for it,
-      --  and nobody gets more time for his first line
+      --  While a session is being closed no client is rejected for it, and
+      --  none gets more time for its first line
       R      : Rig;
       Silent : Client;
       Next   : Client;
@@ -963,7 +962,7 @@ package body Security_Tests is
       Start := Now;
       R.Emulator.Tell ("silent on");
       R.Monitor.Close;
-      --  the stop is tried again while the robot says nothing
+      --  the stop is repeated while the robot is silent
       Next.Connect (R.Supervisor.Port);
       Next.Send (Good_Line & "RPIN" & LF);
       delay 0.02;

@@ -131,8 +131,8 @@ package body Server_Tests is
    end Address_Malformed;
 
    procedure Admitted_Quickly is
-      --  F2: 50 ms. The median must keep it; a single one may meet with
-      --  other work of the machine.
+      --  F2: 50 ms. The median must meet it; a single one may be delayed by
+      --  other load of the machine.
       Limit  : constant Duration := 0.05;
       Times  : constant := 9;
       S      : Supervisor;
@@ -170,7 +170,7 @@ package body Server_Tests is
       Text  : Unbounded_String;
       Start : Instant;
 
-      --  The robot is not started, so that nothing comes unasked. Three
+      --  The robot is not started, so there are no unsolicited messages. Three
       --  kinds of answers without the robot's help and four with it, in an
       --  order without a short period.
 
@@ -220,7 +220,7 @@ package body Server_Tests is
 
    procedure Burst_While_Started is
       --  Movements may be overtaken by stops, so only their number and the
-      --  place of their answers are known.
+      --  order of their answers are known.
       Count    : constant := 1_000;
       R        : Rig;
       Text     : Unbounded_String;
@@ -261,7 +261,7 @@ package body Server_Tests is
    end Burst_While_Started;
 
    procedure Flood_Keeps_Memory is
-      --  Rule 2: what waits for an answer is bounded
+      --  Rule 2: the number of waiting commands is bounded
       Count    : constant := 40_000;
       R        : Rig;
       Text     : Unbounded_String;
@@ -293,9 +293,9 @@ package body Server_Tests is
    end Flood_Keeps_Memory;
 
    procedure Crowd_Finds_Room is
-      --  Whoever waits to be told that another monitor is in command, waits
-      --  in the kernel's queue. Where it is full the kernel drops the
-      --  newcomer, who tries again after 1, 3 and 7 s.
+      --  Clients to be rejected, as another monitor is in command, wait in the
+      --  kernel's queue. If it is full the kernel drops the connection, and
+      --  the client retries after 1, 3 and 7 s.
       Count : constant := 200;
       Grant : constant Duration := 0.5;
       R        : Rig;

@@ -41,7 +41,7 @@ procedure System_Tests is
    task Guard is
       entry Done;
    end Guard;
-   --  Whatever hangs, the run ends and leaves nothing behind
+   --  Even if something hangs, the run ends and leaves nothing behind
 
    task body Guard is
    begin

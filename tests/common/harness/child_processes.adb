@@ -374,8 +374,8 @@ package body Child_Processes is
          end if;
          delay 0.001;
       end loop;
-      --  What it said last is still being read; not for ever, as a
-      --  grandchild may hold the pipe
+      --  Its last output is still being read; with a limit, as a grandchild
+      --  may hold the pipe
       for From in Stream loop
          for Attempt in 1 .. 500 loop
             exit when Object.Inner.Readers (From)'Terminated
@@ -408,7 +408,7 @@ package body Child_Processes is
       Object.Close_Input;
       for From in Stream loop
          Object.Inner.Lists (From).Set_Ignored (False);
-         --  A grandchild may still hold the pipe: do not wait for ever
+         --  A grandchild may still hold the pipe: limited wait
          for Attempt in 1 .. 1000 loop
             exit when Object.Inner.Readers (From)'Terminated;
             delay 0.001;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  A cable that can be pulled out.
+--  A simulated cable that can be pulled out.
 
 with Ada.Directories;
 with Ada.Strings;       use Ada.Strings;

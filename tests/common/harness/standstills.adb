@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  How long this machine's processors stood still.
+--  Detects stalls of this machine's processors.
 
 with System.Multiprocessors.Dispatching_Domains;
 
@@ -48,7 +48,7 @@ package body Standstills is
          Dispatching_Domains.Set_CPU (Processor);
       exception
          when Dispatching_Domains.Dispatching_Domain_Error =>
-            null;  --  not one of ours: watches where it is put
+            null;  --  a foreign processor set: stays where it is
       end;
       Own_Process.Prefer_Real_Time (True);
       loop

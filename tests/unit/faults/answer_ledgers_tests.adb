@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Whether every command is seen to be answered exactly once.
+--  Whether the ledger verifies that every command is answered exactly once.
 
 with AUnit.Assertions; use AUnit.Assertions;
 
@@ -125,7 +125,7 @@ package body Answer_Ledgers_Tests is
    procedure Test_Battery (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
-      --  the unasked level comes first, the answer is a refusal
+      --  the unsolicited level comes first, the answer is a refusal
       Clear (L);
       Ask ("RGBT");
       Ask ("RPIN");

@@ -105,7 +105,7 @@ package body Blocklists_Tests is
 
    procedure Test_Too_Many (T : in out Any_Test) is
       pragma Unreferenced (T);
-      --  Then nobody is blocked: it could be the monitor
+      --  Then no source is blocked: it could be the monitor
       H     : History;
       L     : List;
       Grown : Boolean;

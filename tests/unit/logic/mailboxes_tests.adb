@@ -44,7 +44,7 @@ package body Mailboxes_Tests is
    procedure Check_Gap (Expected : Natural);
 
    procedure Check_Hold (Held : Boolean);
-   --  Held: unasked messages are held back.
+   --  Held: unsolicited messages are held back.
 
    function Place return Ticket;
    --  Of the next command.
@@ -276,7 +276,7 @@ package body Mailboxes_Tests is
 
    procedure Test_Hold_Of_Each (T : in out Any_Test) is
       pragma Unreferenced (T);
-      --  However long unasked ones have waited for a slow monitor
+      --  However long unsolicited messages have waited for a slow monitor
       Number : Ticket;
    begin
       Begin_Anew;

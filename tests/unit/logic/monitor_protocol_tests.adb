@@ -299,7 +299,7 @@ package body Monitor_Protocol_Tests is
          if not Takes_Number (K) and then not Takes_Text (K) then
             Assert (Parsed (Label (K)) = (K, 0), Label (K));
 
-            --  The existing monitor writes the separator all the same
+            --  The existing monitor writes the separator nevertheless
 
             Assert (Parsed (Label (K) & ":") = (K, 0), Label (K) & ":");
             Check_Malformed (Label (K) & ":1");
@@ -372,7 +372,7 @@ package body Monitor_Protocol_Tests is
       --  Text is the label of Kind.
 
       procedure Check_Unasked (Actual, Expected : String);
-      --  The label of something that is sent unasked.
+      --  The label of an unsolicited message.
 
       Count : Natural := 0;
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Pending connections: turns, room and shares, and that no source keeps
---  another one out, whatever comes.
+--  another one out, for any sequence.
 
 with Ada.Numerics.Discrete_Random;
 
@@ -176,7 +176,7 @@ package body Pending_Connections_Tests is
 
    procedure Test_Newcomer_Turn (T : in out Any_Test) is
       pragma Unreferenced (T);
-      --  Who connects again and again has no more turns for it
+      --  Frequent reconnections give no additional turns
       W    : Table;
       P, Q : Place;
    begin
@@ -195,10 +195,10 @@ package body Pending_Connections_Tests is
 
    procedure Test_Random (T : in out Any_Test) is
       pragma Unreferenced (T);
-      --  Sources 1 to 40 come, say something, are admitted and go in any
-      --  order. Whoever is due is served as soon as all the others that have
-      --  a connection have been served once; nobody has more than a share;
-      --  nobody loses its only connection but to be the newest of all
+      --  Sources 1 to 40 connect, send, are admitted and disconnect in any
+      --  order. A source that is due is served after each other source at most
+      --  once; no source exceeds its share; the only connection of a source is
+      --  removed only if it is the newest of all
       subtype Any_Source is Positive range 1 .. 40;
       subtype Step_Kind is Natural range 0 .. 9;
       package Sources is new Ada.Numerics.Discrete_Random (Any_Source);

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The outbox: images pass from hand to hand, and whoever waits is woken.
+--  The outbox: images are passed by reference, and waiting tasks are woken.
 
 with Ada.Real_Time;          use Ada.Real_Time;
 

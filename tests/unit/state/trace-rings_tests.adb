@@ -104,8 +104,8 @@ package body Trace.Rings_Tests is
       Trace.Sent ("AACK");
       Begun := Ada.Calendar.Clock;
       Trace.Finish (Success, Reason);
-      --  with the contracts on, and beside other work, it may be too slow;
-      --  the file is sound all the same
+      --  with contracts on and other load it may be too slow; the file is
+      --  valid nevertheless
       Assert (Success or else Texts.Image (Reason) = "it takes too long",
               Texts.Image (Reason));
       Assert (Ada.Calendar.Clock - Begun < 20.0,
@@ -166,7 +166,7 @@ package body Trace.Rings_Tests is
    begin
       Set_Up (R, Where'Address, Capacity);
       Put_Round (0);
-      --  event 3 is being written still, and goes on to be
+      --  event 3 is still being written
       State := 2 * Here + 1;
       Expect (Here, False);
       declare
@@ -184,7 +184,7 @@ package body Trace.Rings_Tests is
       State := 2 * Here + 2;
       Put_Round (2 * Capacity);
       Expect (Here + 2 * Capacity, True);
-      --  who comes late leaves a newer one alone
+      --  a late reader does not change a newer one
       State := 2 * (Here + 100 * Capacity) + 2;
       Put_Round (3 * Capacity);
       Expect (Here + 3 * Capacity, False);
