@@ -213,7 +213,7 @@ is
       Limit := Queue_Length;
       if Get_Option (Listener, Level_Tcp, Info_Option,
                      Info'Address, Size'Address) = 0
-        and then Size >= Info.Counters'Position  --  older kernel
+        and then Size >= Info.Counters'Position  --  else unknown
       then
          Length := Natural (Info.Unacked);
          Limit := Natural (Info.Selected);

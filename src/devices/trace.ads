@@ -82,7 +82,7 @@ is
 
    type Wait_Kind is
      (Line,      --  the robot's line, until the request is done
-      Answer,    --  the robot's line, until the request is carried out
+      Answer,    --  the robot's answer, or its time-out
       Gap,       --  the gap between two messages
       Camera,    --  the camera: opened, released, the next image
       Room,      --  room for an answer
