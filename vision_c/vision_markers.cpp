@@ -660,7 +660,7 @@ bool read_marker(const cv::Mat &grey, const cv::Mat &smooth, double scale,
       continue;
     corner = aligned;
     // A cover on part of the outline is not near it now. The outline is more
-    // precise in a sharp image; the two errors are independent.
+    // precise in a sharp image; its errors are not those of the bits.
     if (module > 3.5 &&
         refine(scratch.smooth, aligned.data(), 4, Bright::outside,
                std::min(std::max(1.5, 0.25 * module), 4.0), 0.12))

@@ -48,7 +48,7 @@ package body Standstills is
          Dispatching_Domains.Set_CPU (Processor);
       exception
          when Dispatching_Domains.Dispatching_Domain_Error =>
-            null;  --  a foreign processor set: stays where it is
+            null;  --  it may not run there: it stays where it is
       end;
       Own_Process.Prefer_Real_Time (True);
       loop
