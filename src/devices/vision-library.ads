@@ -11,14 +11,19 @@ package Vision.Library with
   SPARK_Mode,
   Abstract_State =>
     ((Camera with Synchronous, External => (Async_Readers, Async_Writers)),
-     (Frames with Synchronous, External => (Async_Readers, Async_Writers))),
-  Initializes    => (Camera, Frames)
+     (Frames with Synchronous, External => (Async_Readers, Async_Writers)),
+     (Memory with Synchronous, External => (Async_Readers, Async_Writers))),
+  Initializes    => (Camera, Frames, Memory)
 is
 
    --  Camera is the open source of images. It belongs to one task at a time,
    --  and so does each slot of Frames; two tasks may work on two slots at
-   --  once. No task is started, nothing is locked, nothing raises. OpenCV
-   --  was seen to use up to 52 kB of the calling task's stack.
+   --  once. Memory is what is remembered of each calling task: the image that
+   --  it has searched last, and why its last operation failed. Searching and
+   --  encoding decode a slot's JPEG where nothing has needed its pixels. The
+   --  first operation, Library_Version too, loads the libraries. No task is
+   --  started, nothing is locked, nothing raises. OpenCV was seen to use up to
+   --  52 kB of the calling task's stack.
 
    subtype Slot is Vision.Frame_Slots.Slot;
    --  A place for one image. What an operation needs is that the slot holds
@@ -50,7 +55,7 @@ is
       Fps           : Positive;
       Result        : out Status)
    with
-     Global => (In_Out => Camera),
+     Global => (In_Out => (Camera, Memory)),
      Pre    => Source'Length <= Max_Source,
      Post   => Result in Done | No_Camera | Bad_Argument | Failed;
    --  Opens a camera number, device path, file, URL or GStreamer pipeline.
@@ -61,7 +66,7 @@ is
 
    procedure Grab (Into : Slot; Result : out Status)
    with
-     Global => (In_Out => (Camera, Frames)),
+     Global => (In_Out => (Camera, Frames, Memory)),
      Post   => Result in Done | No_Camera | No_Image | Failed;
    --  Waits for the next image, 2 s at most (4 s where damaged ones come)
    --  where the source lets itself be interrupted. The slot keeps what it had
@@ -76,7 +81,7 @@ is
    --  Text (1 .. Last), the rest blank; nothing for a still image
 
    procedure Close
-   with Global => (In_Out => Camera);
+   with Global => (In_Out => (Camera, Memory));
    --  Without effect where nothing is open
 
    procedure Find_Arena
@@ -84,7 +89,7 @@ is
       Arena   : out Arena_Corners;
       Result  : out Status)
    with
-     Global => (Input => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Not_Found | Bad_Argument | Failed
        and then (if Result /= Done then Arena = No_Arena);
 
@@ -97,7 +102,7 @@ is
       Count     : out Robot_Count;
       Result    : out Status)
    with
-     Global => (Input => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Not_Found | Bad_Argument | Failed
        and then (Result = Done) = (Count > 0);
    --  The robots in the image, lowest identifier first; inside Arena only
@@ -115,7 +120,7 @@ is
       Count     : out Robot_Count;
       Result    : out Status)
    with
-     Global => (Input => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Not_Found | Bad_Argument | Failed
        and then (Result = Done) = (Count > 0);
    --  The robots in Areas (1 .. Number). None where anything else in the
@@ -127,7 +132,7 @@ is
       Arena   : Arena_Corners;
       Result  : out Status)
    with
-     Global => (In_Out => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Bad_Argument | Failed;
 
    procedure Draw_Robot
@@ -135,7 +140,7 @@ is
       Item    : Robot;
       Result  : out Status)
    with
-     Global => (In_Out => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Bad_Argument | Failed;
 
    procedure Encode
@@ -145,7 +150,7 @@ is
       Length  : out Natural;
       Result  : out Status)
    with
-     Global => (Input => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Too_Small | Bad_Argument | Failed
        and then Length <= Buffer'Length
        and then (Result = Done) = (Length > 0);
@@ -156,14 +161,14 @@ is
 
    procedure Reason (Text : out Reason_Text; Last : out Natural)
    with
-     Global => (Input => (Camera, Frames)),
+     Global => (Input => Memory),
      Post   => Last <= Text'Last;
    --  Why the last operation of the calling task was not Done, for the log:
    --  Text (1 .. Last), the rest blank
 
    procedure Library_Version (Text : out Reason_Text; Last : out Natural)
    with
-     Global => null,
+     Global => (In_Out => Camera),
      Post   => Last <= Text'Last;
    --  The version of OpenCV, such as "4.6.0"
 

@@ -2,6 +2,7 @@
 --  Runs the unit tests of the protected state: all, or those whose names
 --  are its arguments.
 
+with Event_Tests;
 with Frame_Store_Tests;
 with Journal_Tests;
 with Order_Ports_Tests;
@@ -13,6 +14,7 @@ with Vision_Queue_Tests;
 
 procedure State_Unit_Tests is
 begin
+   Unit_Runs.Add (new Event_Tests.Test_Case);
    Unit_Runs.Add (new Frame_Store_Tests.Test_Case);
    Unit_Runs.Add (new Journal_Tests.Test_Case);
    Unit_Runs.Add (new Order_Ports_Tests.Test_Case);
