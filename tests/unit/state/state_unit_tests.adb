@@ -8,6 +8,7 @@ with Journal_Tests;
 with Order_Ports_Tests;
 with Outbox_Tests;
 with Robot_Line_Tests;
+with Serial_Line_Tests;
 with Trace.Rings_Tests;
 with Unit_Runs;
 with Vision_Queue_Tests;
@@ -20,6 +21,7 @@ begin
    Unit_Runs.Add (new Order_Ports_Tests.Test_Case);
    Unit_Runs.Add (new Outbox_Tests.Test_Case);
    Unit_Runs.Add (new Robot_Line_Tests.Test_Case);
+   Unit_Runs.Add (new Serial_Line_Tests.Test_Case);
    Unit_Runs.Add (new Trace.Rings_Tests.Test_Case);
    Unit_Runs.Add (new Vision_Queue_Tests.Test_Case);
    Unit_Runs.Run;
