@@ -53,6 +53,11 @@ package Linux with SPARK_Mode => Off is
    with Import, Convention => C, External_Name => "close";
    --  No result: nothing can be done about a failure
 
+   function Event_Counter (Initial : unsigned; Flags : int) return int
+   with Import, Convention => C, External_Name => "eventfd";
+
+   Event_Non_Blocking : constant int := 8#4000#;  --  EFD_NONBLOCK
+
    function Own_Process return int
    with Import, Convention => C, External_Name => "getpid";
 

@@ -79,9 +79,6 @@ is
       Steps  : System.Address;
    end record with Convention => C;
 
-   function Event_Counter (Initial : unsigned; Flags : int) return int
-   with Import, Convention => C, External_Name => "eventfd";
-
    procedure Listen
      (Address : Texts.Text;
       Port    : Options.Port_Number;
@@ -107,7 +104,7 @@ is
       --  a client that has left again must not block the accept
       Control_Socket (Server, Non_Blocking);
       Bound := Natural (Get_Socket_Name (Server).Port);
-      Waker := Event_Counter (0, 8#4000#);  --  EFD_NONBLOCK
+      Waker := Event_Counter (0, Event_Non_Blocking);
       Listener := Socket (To_C (Server));
       Success := True;
    exception

@@ -32,6 +32,9 @@ is
    Non_Block   : constant := 8#4000#;
    Input_Queue : constant := 0;      --  TCIFLUSH
 
+   Longest_Poll : constant Time_Span := Milliseconds (900);
+   --  in nanoseconds alone, fewer than 1.0E9
+
    procedure Put (Item : Robot.Protocol.Frame; Success : out Boolean);
 
    procedure Open
@@ -97,7 +100,7 @@ is
    is
       Entries : Linux.Poll_Array (1 .. 1) :=
         (1 => (Descriptor, Linux.Poll_In, 0));
-      Count   : int;
+      Count   : int := 1;
       Got     : Linux.Ssize;
       Left    : Time_Span;
       Wait    : Linux.Time_Spec;
@@ -106,13 +109,17 @@ is
       Length := 0;
       loop
          Left := Until_Time - Clock;
+         exit when Count = 0 and then Left <= Time_Span_Zero;
          if Left < Time_Span_Zero then
             Left := Time_Span_Zero;
+         elsif Left > Longest_Poll then
+            Left := Longest_Poll;
          end if;
          Wait := (0, long (Left / Nanoseconds (1)));
          Count := Linux.Precise_Poll
            (Entries'Address, 1, Wait'Address, System.Null_Address);
-         exit when Count >= 0 or else GNAT.OS_Lib.Errno /= Linux.EINTR;
+         exit when Count > 0
+           or else (Count < 0 and then GNAT.OS_Lib.Errno /= Linux.EINTR);
       end loop;
       Success := Count >= 0;
       if Count > 0 then

@@ -37,11 +37,6 @@ is
    Monotonic   : constant int := 1;        --  CLOCK_MONOTONIC
    Time_Shared : constant int := 0;        --  SCHED_OTHER
 
-   Event_Flags : constant int := 8#2004000#;  --  EFD_CLOEXEC, EFD_NONBLOCK
-
-   function Event_Descriptor (Count : unsigned; Flags : int) return int
-   with Import, Convention => C, External_Name => "eventfd";
-
    function Map
      (Where  : System.Address;
       Length : size_t;
@@ -154,7 +149,7 @@ is
    begin
       Trace.Storage.Open (File, Texts.Image (Path), Number);
       if Number = 0 then
-         Store_Due := Event_Descriptor (0, Event_Flags);
+         Store_Due := Event_Counter (0, Event_Non_Blocking);
          if Store_Due >= 0 then
             Memory := Map
               (System.Null_Address, Ring_Bytes + Trace.Storage.Buffer_Bytes,

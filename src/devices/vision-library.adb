@@ -105,8 +105,17 @@ package body Vision.Library with SPARK_Mode => Off is
    Degree_Limit : constant double := 180.0;
    Micro        : constant double := 1.0E6;
 
-   function To_Status (Code : int) return Status is
+   type Status_Set is array (Status) of Boolean;
+
+   Search : constant Status_Set :=
+     (Done | Not_Found | Bad_Argument | Failed => True, others => False);
+
+   Drawing : constant Status_Set :=
+     (Done | Bad_Argument | Failed => True, others => False);
+
+   function To_Status (Code : int; Possible : Status_Set) return Status is
      (if Code in 0 .. Status'Pos (Status'Last)
+        and then Possible (Status'Val (Code))
       then Status'Val (Code) else Failed);
 
    function Is_Sound (P : C_Point) return Boolean is
@@ -155,6 +164,9 @@ package body Vision.Library with SPARK_Mode => Off is
    begin
       Robots := (others => <>);
       Count := 0;
+      if Result = Done and then Total not in 0 .. Found'Length then
+         Result := Failed;
+      end if;
       if Result = Done then
          for K in 1 .. Natural (Total) loop
             if Is_Sound (Found (K)) then
@@ -198,12 +210,16 @@ package body Vision.Library with SPARK_Mode => Off is
    begin
       To_C (Source, Name, Count);
       Result := To_Status
-        (C_Open (Name, int (Width), int (Height), int (Fps)));
+        (C_Open (Name, int (Width), int (Height), int (Fps)),
+         (Done | No_Camera | Bad_Argument | Failed => True,
+          others => False));
    end Open;
 
    procedure Grab (Into : Slot; Result : out Status) is
    begin
-      Result := To_Status (C_Grab (int (Into)));
+      Result := To_Status
+        (C_Grab (int (Into)),
+         (Done | No_Camera | No_Image | Failed => True, others => False));
    end Grab;
 
    procedure Get_Format (Text : out Reason_Text; Last : out Natural) is
@@ -226,7 +242,7 @@ package body Vision.Library with SPARK_Mode => Off is
       Found : C_Arena := (others => Nowhere);
    begin
       Arena := No_Arena;
-      Result := To_Status (C_Find_Arena (int (In_Slot), Found));
+      Result := To_Status (C_Find_Arena (int (In_Slot), Found), Search);
       if Result = Done then
          if (for all P of Found => Is_Sound (P)) then
             for C in Corner loop
@@ -256,7 +272,7 @@ package body Vision.Library with SPARK_Mode => Off is
            (int (In_Slot),
             Options.Marker_Kind'Pos (Marker),
             (if Use_Arena then Limit'Access else null),
-            Found, Found'Length, Total));
+            Found, Found'Length, Total), Search);
       Take (Found, Total, Robots, Count, Result);
    end Find_Robots;
 
@@ -285,7 +301,7 @@ package body Vision.Library with SPARK_Mode => Off is
            (int (In_Slot),
             Options.Marker_Kind'Pos (Marker),
             (if Use_Arena then Limit'Access else null),
-            Searched, int (Number), Found, Found'Length, Total));
+            Searched, int (Number), Found, Found'Length, Total), Search);
       Take (Found, Total, Robots, Count, Result);
    end Follow_Robots;
 
@@ -295,7 +311,8 @@ package body Vision.Library with SPARK_Mode => Off is
       Result  : out Status)
    is
    begin
-      Result := To_Status (C_Draw_Arena (int (In_Slot), To_C (Arena)));
+      Result := To_Status
+        (C_Draw_Arena (int (In_Slot), To_C (Arena)), Drawing);
    end Draw_Arena;
 
    procedure Draw_Robot
@@ -310,7 +327,7 @@ package body Vision.Library with SPARK_Mode => Off is
             (Id        => int (Item.Id),
              Centre    => To_C (Item.Centre),
              Direction => To_C (Item.Direction),
-             Angle     => double (Item.Angle) / Micro)));
+             Angle     => double (Item.Angle) / Micro)), Drawing);
    end Draw_Robot;
 
    procedure Encode
@@ -324,7 +341,11 @@ package body Vision.Library with SPARK_Mode => Off is
    begin
       Result := To_Status
         (C_Encode (int (From), int (Quality), Buffer'Address,
-                   Buffer'Length, Written));
+                   Buffer'Length, Written),
+         (Done | Too_Small | Bad_Argument | Failed => True, others => False));
+      if Result = Done and then Written not in 1 .. Buffer'Length then
+         Result := Failed;
+      end if;
       Length := (if Result = Done then Natural (Written) else 0);
    end Encode;
 

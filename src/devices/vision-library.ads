@@ -11,14 +11,18 @@ package Vision.Library with
   SPARK_Mode,
   Abstract_State =>
     ((Camera with Synchronous, External => (Async_Readers, Async_Writers)),
-     (Frames with Synchronous, External => (Async_Readers, Async_Writers))),
-  Initializes    => (Camera, Frames)
+     (Frames with Synchronous, External => (Async_Readers, Async_Writers)),
+     (Memory with Synchronous, External => (Async_Readers, Async_Writers))),
+  Initializes    => (Camera, Frames, Memory)
 is
 
    --  Camera is the open source of images. It belongs to one task at a time,
    --  as does each slot of Frames; two tasks may process two slots in
-   --  parallel. Starts no task, locks nothing, raises no exception. OpenCV was
-   --  measured to use up to 52 kB of the calling task's stack.
+   --  parallel. Memory is what is known of each calling task: the image that
+   --  it searched last, and why its last operation failed. Searching and
+   --  encoding decode a stored JPEG. The first operation, Library_Version too,
+   --  loads the libraries. Starts no task, locks nothing, raises no exception.
+   --  OpenCV was measured to use up to 52 kB of the calling task's stack.
 
    subtype Slot is Vision.Frame_Slots.Slot;
    --  A place for one image. Operations on a slot that never held an image
@@ -50,7 +54,7 @@ is
       Fps           : Positive;
       Result        : out Status)
    with
-     Global => (In_Out => Camera),
+     Global => (In_Out => (Camera, Memory)),
      Pre    => Source'Length <= Max_Source,
      Post   => Result in Done | No_Camera | Bad_Argument | Failed;
    --  Opens a camera number, device path, file, URL or GStreamer pipeline, and
@@ -61,7 +65,7 @@ is
 
    procedure Grab (Into : Slot; Result : out Status)
    with
-     Global => (In_Out => (Camera, Frames)),
+     Global => (In_Out => (Camera, Frames, Memory)),
      Post   => Result in Done | No_Camera | No_Image | Failed;
    --  Waits for the next image, at most 2 s (4 s with damaged images) if the
    --  source can be interrupted. The slot is unchanged unless Done. Images of
@@ -76,7 +80,7 @@ is
    --  Text (1 .. Last), padded with blanks; empty for a still image
 
    procedure Close
-   with Global => (In_Out => Camera);
+   with Global => (In_Out => (Camera, Memory));
    --  No effect if nothing is open
 
    procedure Find_Arena
@@ -84,7 +88,7 @@ is
       Arena   : out Arena_Corners;
       Result  : out Status)
    with
-     Global => (Input => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Not_Found | Bad_Argument | Failed
        and then (if Result /= Done then Arena = No_Arena);
 
@@ -97,7 +101,7 @@ is
       Count     : out Robot_Count;
       Result    : out Status)
    with
-     Global => (Input => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Not_Found | Bad_Argument | Failed
        and then (Result = Done) = (Count > 0);
    --  The robots in the image, lowest identifier first; only inside Arena if
@@ -114,7 +118,7 @@ is
       Count     : out Robot_Count;
       Result    : out Status)
    with
-     Global => (Input => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Not_Found | Bad_Argument | Failed
        and then (Result = Done) = (Count > 0);
    --  The robots in Areas (1 .. Number). None if anything else in the image,
@@ -126,7 +130,7 @@ is
       Arena   : Arena_Corners;
       Result  : out Status)
    with
-     Global => (In_Out => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Bad_Argument | Failed;
 
    procedure Draw_Robot
@@ -134,7 +138,7 @@ is
       Item    : Robot;
       Result  : out Status)
    with
-     Global => (In_Out => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Bad_Argument | Failed;
 
    procedure Encode
@@ -144,7 +148,7 @@ is
       Length  : out Natural;
       Result  : out Status)
    with
-     Global => (Input => Frames),
+     Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Too_Small | Bad_Argument | Failed
        and then Length <= Buffer'Length
        and then (Result = Done) = (Length > 0);
@@ -155,14 +159,14 @@ is
 
    procedure Reason (Text : out Reason_Text; Last : out Natural)
    with
-     Global => (Input => (Camera, Frames)),
+     Global => (Input => Memory),
      Post   => Last <= Text'Last;
    --  Why the calling task's last operation failed, for the log: Text (1 ..
    --  Last), padded with blanks
 
    procedure Library_Version (Text : out Reason_Text; Last : out Natural)
    with
-     Global => null,
+     Global => (In_Out => Camera),
      Post   => Last <= Text'Last;
    --  The version of OpenCV, such as "4.6.0"
 

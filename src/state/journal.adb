@@ -3,7 +3,7 @@
 --  for the console. The object only locks; Log_Lines decides.
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Event;
 with Schedule;
 with Trace;
 
@@ -11,7 +11,7 @@ package body Journal with SPARK_Mode is
 
    use type Options.Level;
 
-   Arrived : Suspension_Object;
+   package Arrived is new Event;
 
    Start : constant Time := Clock;
 
@@ -106,7 +106,7 @@ package body Journal with SPARK_Mode is
             pragma Loop_Variant (Increases => Done);
          end loop;
          Trace.Release (Schedule.Th_Console);
-         Set_True (Arrived);
+         Arrived.Set;
       end if;
    end Put;
 
@@ -140,7 +140,7 @@ package body Journal with SPARK_Mode is
          Buffer.Take (Item, Found, Missing);
          exit when Found;
          Trace.Idle (Schedule.Th_Console);
-         Suspend_Until_True (Arrived);
+         Arrived.Wait;
       end loop;
       Trace.Start (Schedule.Th_Console);
       if Missing > 0 then

@@ -3,7 +3,7 @@
 --  exchanges image messages by reference; Monitor.Mailboxes decides.
 
 with Ada.Real_Time;                use Ada.Real_Time;
-with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Event;
 with Monitor.Message_Holds;
 with Schedule;
 with Trace;
@@ -15,11 +15,11 @@ package body Monitor.Outbox with SPARK_Mode is
 
    subtype Message_Access is Monitor.Image_Messages.Message_Access;
 
-   Room        : Suspension_Object;
-   Work        : Suspension_Object;
-   Arena_Room  : Suspension_Object;
-   Sender_Left : Suspension_Object;
-   Hold_Begun  : Suspension_Object;
+   package Room is new Event;
+   package Work is new Event;
+   package Arena_Room is new Event;
+   package Sender_Left is new Event;
+   package Hold_Begun is new Event;
 
    procedure Exchange (Left, Right : in out Message_Access);
    --  Swaps the two
@@ -256,7 +256,7 @@ package body Monitor.Outbox with SPARK_Mode is
       Box.Answer (Order.Number, Kind);
       Order.Owed := False;
       Wake_Sender (Order.Number);
-      Set_True (Room);
+      Room.Set;
    end Answer;
 
    procedure Answer_Nothing (Order : in out Orders.Order) is
@@ -264,7 +264,7 @@ package body Monitor.Outbox with SPARK_Mode is
       Box.Answer_Nothing (Order.Number);
       Order.Owed := False;
       Wake_Sender (Order.Number);
-      Set_True (Room);
+      Room.Set;
    end Answer_Nothing;
 
    procedure Answer_With_Image
@@ -276,7 +276,7 @@ package body Monitor.Outbox with SPARK_Mode is
          Box.Answer_With_Image (Order.Number, Message, Accepted);
          exit when Accepted;
          Trace.Wait (Schedule.Th_Arene, Trace.Room);
-         Suspend_Until_True (Arena_Room);
+         Arena_Room.Wait;
          Trace.Resume (Schedule.Th_Arene);
       end loop;
       Order.Owed := False;
@@ -285,10 +285,9 @@ package body Monitor.Outbox with SPARK_Mode is
 
    procedure Close_Session (Next : out Orders.Ticket) is
    begin
-      Set_False (Sender_Left);
       Box.Close_Session (Next);
-      Set_True (Room);
-      Set_True (Arena_Room);
+      Room.Set;
+      Arena_Room.Set;
    end Close_Session;
 
    procedure End_Hold is
@@ -373,7 +372,7 @@ package body Monitor.Outbox with SPARK_Mode is
          Box.Reserve (Now, Order.Number, Result, Begun);
          exit when Result /= Monitor.Mailboxes.Full;
          Trace.Wait (Schedule.Th_Receive_From_Mon, Trace.Room);
-         Suspend_Until_True (Room);
+         Room.Wait;
          Trace.Resume (Schedule.Th_Receive_From_Mon);
       end loop;
       Order.Owed := Result = Monitor.Mailboxes.Reserved;
@@ -399,23 +398,23 @@ package body Monitor.Outbox with SPARK_Mode is
    begin
       Box.Take (Between, Now, Last_Sent, Next, Image, Gap, Left);
       if Left then
-         Set_True (Sender_Left);
+         Sender_Left.Set;
       end if;
       if Next.Kind = Monitor.Send_Order.Answer then
-         Set_True (Room);
-         Set_True (Arena_Room);
+         Room.Set;
+         Arena_Room.Set;
       end if;
    end Take;
 
    procedure Wait is
    begin
-      Suspend_Until_True (Work);
+      Work.Wait;
    end Wait;
 
    procedure Wait_Held is
    begin
       Trace.Done (Schedule.Th_Hold);
-      Suspend_Until_True (Hold_Begun);
+      Hold_Begun.Wait;
       Trace.Start (Schedule.Th_Hold);
    end Wait_Held;
 
@@ -427,7 +426,7 @@ package body Monitor.Outbox with SPARK_Mode is
          Box.Get_Busy (Busy);
          exit when not Busy;
          Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
-         Suspend_Until_True (Sender_Left);
+         Sender_Left.Wait;
          Trace.Resume (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Wait_Sender;
@@ -443,13 +442,13 @@ package body Monitor.Outbox with SPARK_Mode is
    procedure Wake_Hold is
    begin
       Trace.Release (Schedule.Th_Hold);
-      Set_True (Hold_Begun);
+      Hold_Begun.Set;
    end Wake_Hold;
 
    procedure Wake_Sender (Number : Orders.Ticket := 0) is
    begin
       Trace.Release (Schedule.Th_Send_To_Mon, Number);
-      Set_True (Work);
+      Work.Set;
    end Wake_Sender;
 
 begin

@@ -3,7 +3,7 @@
 --  ends, and the events between the tasks involved. The object only locks;
 --  Monitor.Session_Stages decides.
 
-with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Event;
 with Schedule;
 with Trace;
 
@@ -11,11 +11,11 @@ package body Monitor.Session with SPARK_Mode is
 
    use type Monitor.Session_Stages.Stage_Kind;
 
-   Server_Allowed  : Suspension_Object;
-   Listening       : Suspension_Object;
-   Receive_Begins  : Suspension_Object;
-   Receive_Ended   : Suspension_Object;
-   Watch_Begins    : Suspension_Object;
+   package Server_Allowed is new Event;
+   package Listening is new Event;
+   package Receive_Begins is new Event;
+   package Receive_Ended is new Event;
+   package Watch_Begins is new Event;
 
    protected State with Priority => Schedule.Session_Ceiling is
       procedure Begin_Active (Admitted : out Boolean);
@@ -63,8 +63,8 @@ package body Monitor.Session with SPARK_Mode is
 
    procedure Begin_Work is
    begin
-      Set_True (Receive_Begins);
-      Set_True (Watch_Begins);
+      Receive_Begins.Set;
+      Watch_Begins.Set;
    end Begin_Work;
 
    procedure Begin_Closing is
@@ -89,44 +89,44 @@ package body Monitor.Session with SPARK_Mode is
 
    procedure Allow_Server is
    begin
-      Set_True (Server_Allowed);
+      Server_Allowed.Set;
    end Allow_Server;
 
    procedure Wait_Server is
    begin
-      Suspend_Until_True (Server_Allowed);
+      Server_Allowed.Wait;
    end Wait_Server;
 
    procedure Server_Listens is
    begin
-      Set_True (Listening);
+      Listening.Set;
    end Server_Listens;
 
    procedure Wait_Listening is
    begin
-      Suspend_Until_True (Listening);
+      Listening.Wait;
    end Wait_Listening;
 
    procedure Wait_Receive is
    begin
-      Suspend_Until_True (Receive_Begins);
+      Receive_Begins.Wait;
    end Wait_Receive;
 
    procedure Receiver_Left is
    begin
-      Set_True (Receive_Ended);
+      Receive_Ended.Set;
    end Receiver_Left;
 
    procedure Wait_Receiver_Left is
    begin
       Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
-      Suspend_Until_True (Receive_Ended);
+      Receive_Ended.Wait;
       Trace.Resume (Schedule.Th_Com_Mon_Perdue);
    end Wait_Receiver_Left;
 
    procedure Wait_Watch is
    begin
-      Suspend_Until_True (Watch_Begins);
+      Watch_Begins.Wait;
    end Wait_Watch;
 
 end Monitor.Session;

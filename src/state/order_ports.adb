@@ -2,12 +2,12 @@
 --  The event-data port of a task: a bounded FIFO queue of orders, from which
 --  the task takes them.
 
-with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Event;
 with Trace;
 
 package body Order_Ports with SPARK_Mode is
 
-   Arrived : Suspension_Object;
+   package Arrived is new Event;
 
    protected body Port is
 
@@ -37,7 +37,7 @@ package body Order_Ports with SPARK_Mode is
       Item.Owed := False;
       Port.Put (Item);
       Trace.Release (Who, Item.Number);
-      Set_True (Arrived);
+      Arrived.Set;
    end Put;
 
    procedure Wait (Item : in out Orders.Order) is
@@ -46,14 +46,14 @@ package body Order_Ports with SPARK_Mode is
    begin
       Trace.Done (Who);
       loop
-         Suspend_Until_True (Arrived);
+         Arrived.Wait;
          Port.Take (Item, Found, More);
          exit when Found;
          Trace.Idle (Who);
       end loop;
       if More then
          --  the next Wait returns at once
-         Set_True (Arrived);
+         Arrived.Set;
       end if;
       Trace.Start (Who, Item.Number);
       Item.Owed := True;

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  A client of the robot's line: makes a request and waits for its outcome.
 
-with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Event;
 with Trace;
 
 package body Robot.Line.Clients with SPARK_Mode is
 
-   Finished : Suspension_Object;
+   package Finished is new Event;
 
    procedure Wait;
    --  Until the request has been carried out
@@ -28,13 +28,13 @@ package body Robot.Line.Clients with SPARK_Mode is
    procedure Signal is
    begin
       Trace.Release (Its_Task);
-      Set_True (Finished);
+      Finished.Set;
    end Signal;
 
    procedure Wait is
    begin
       Trace.Wait (Its_Task, Trace.Line);
-      Suspend_Until_True (Finished);
+      Finished.Wait;
       Trace.Resume (Its_Task);
    end Wait;
 

@@ -4,7 +4,7 @@
 --  Robot.Line_Status decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Event;
 with Order_Meanings;
 with Schedule;
 with Trace;
@@ -14,7 +14,7 @@ package body Robot.Line with SPARK_Mode is
    type Result_Array is
      array (Robot.Requests.Client) of Robot.Session.Outcome;
 
-   Work : Suspension_Object;
+   package Work is new Event;
 
    protected Line with Priority => Schedule.Line_Ceiling is
       procedure Begin_Session (First : Orders.Ticket);
@@ -106,7 +106,7 @@ package body Robot.Line with SPARK_Mode is
    procedure Wake (Number : Orders.Ticket := 0) is
    begin
       Trace.Release (Schedule.Th_Line, Number);
-      Set_True (Work);
+      Work.Set;
    end Wake;
 
    procedure Begin_Session (First : Orders.Ticket) is
@@ -154,7 +154,7 @@ package body Robot.Line with SPARK_Mode is
    begin
       Trace.Done (Schedule.Th_Line);
       loop
-         Suspend_Until_True (Work);
+         Work.Wait;
          Now := Clock;
          Line.Take (Now, Next, Found);
          exit when Found;
@@ -175,7 +175,7 @@ package body Robot.Line with SPARK_Mode is
       Line.Finish (Done, State, Result, At_Time, More);
       if More then
          --  the next Take returns at once
-         Set_True (Work);
+         Work.Set;
       end if;
    end Finish;
 

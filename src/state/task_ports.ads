@@ -9,8 +9,6 @@ with Schedule;
 
 package Task_Ports with SPARK_Mode is
 
-   pragma Annotate (GNATprove, Terminating, Task_Ports);
-
    package Open_Robot is new Order_Ports (Schedule.Th_Open_Com_Robot);
    package Start_Robot is new Order_Ports (Schedule.Th_Start_Robot);
    package Start_Robot_Watchdog is new Order_Ports
@@ -25,14 +23,15 @@ package Task_Ports with SPARK_Mode is
    with
      Pre  => Item.Owed
        and then Item.Message.Kind in Monitor.Protocol.Order_Kind,
-     Post => not Item.Owed;
+     Post => not Item.Owed,
+     Annotate => (GNATprove, Terminating);
    --  Sends Item to the task that carries it out: vision orders one by one, in
    --  the order of the commands, a stop directly to the line's owner
 
-   procedure Vision_Done;
+   procedure Vision_Done with Annotate => (GNATprove, Terminating);
    --  A vision task has carried out an order: the next one may start
 
-   procedure Clear;
+   procedure Clear with Annotate => (GNATprove, Terminating);
    --  Removes all waiting orders: their session has ended
 
 end Task_Ports;

@@ -2,14 +2,14 @@
 --  Requests to the camera's owner: open, close. The object only locks;
 --  Vision.Camera_Demands decides.
 
-with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Event;
 with Schedule;
 with Trace;
 
 package body Vision.Camera_Requests with SPARK_Mode is
 
-   Asked    : Suspension_Object;
-   Answered : Suspension_Object;
+   package Asked is new Event;
+   package Answered is new Event;
 
    protected Requests with Priority => Schedule.Camera_Ceiling is
       procedure Open;
@@ -73,9 +73,9 @@ package body Vision.Camera_Requests with SPARK_Mode is
    begin
       Requests.Open;
       Trace.Release (Schedule.Th_Camera);
-      Set_True (Asked);
+      Asked.Set;
       Trace.Wait (Schedule.Th_Camera_Control, Trace.Camera);
-      Suspend_Until_True (Answered);
+      Answered.Wait;
       Trace.Resume (Schedule.Th_Camera_Control);
       Requests.Collect (Success);
    end Open;
@@ -98,7 +98,7 @@ package body Vision.Camera_Requests with SPARK_Mode is
          Requests.Take (Number, Found);
          exit when Found;
          Trace.Idle (Schedule.Th_Camera);
-         Suspend_Until_True (Asked);
+         Asked.Wait;
       end loop;
       Trace.Start (Schedule.Th_Camera);
    end Wait_Open;
@@ -112,7 +112,7 @@ package body Vision.Camera_Requests with SPARK_Mode is
    begin
       Requests.Report (Success);
       Trace.Release (Schedule.Th_Camera_Control);
-      Set_True (Answered);
+      Answered.Set;
    end Report;
 
    procedure Released is

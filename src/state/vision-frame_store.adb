@@ -4,17 +4,17 @@
 --  only locks; Vision.Frame_Slots and Vision.Frame_Delivery decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
+with Event;
 with Schedule;
 with Trace;
 with Vision.Frame_Delivery;
 
 package body Vision.Frame_Store with SPARK_Mode is
 
-   Changed : Suspension_Object;
+   package Changed is new Event;
    --  An image has come, or none will. Awaited by th_arene
 
-   Look : Suspension_Object;
+   package Look is new Event;
    --  The same, or the camera is silent. Awaited by th_captureImg
 
    protected Store with Priority => Schedule.Frame_Ceiling is
@@ -121,7 +121,7 @@ package body Vision.Frame_Store with SPARK_Mode is
       Awaited : Boolean;
    begin
       Store.End_Delivery (Awaited);
-      Set_True (Changed);
+      Changed.Set;
       Tell_If (Awaited);
    end End_Delivery;
 
@@ -135,7 +135,7 @@ package body Vision.Frame_Store with SPARK_Mode is
       Awaited : Boolean;
    begin
       Store.Publish (Slot, At_Time, Awaited);
-      Set_True (Changed);
+      Changed.Set;
       Tell_If (Awaited);
    end Publish;
 
@@ -158,7 +158,7 @@ package body Vision.Frame_Store with SPARK_Mode is
 
    procedure Wait_Look is
    begin
-      Suspend_Until_True (Look);
+      Look.Wait;
    end Wait_Look;
 
    procedure Look_At_Silence (Now : Ada.Real_Time.Time) is
@@ -172,7 +172,7 @@ package body Vision.Frame_Store with SPARK_Mode is
    begin
       if Awaited then
          Trace.Release (Schedule.Th_Capture_Img);
-         Set_True (Look);
+         Look.Set;
       end if;
    end Tell_If;
 
@@ -191,7 +191,7 @@ package body Vision.Frame_Store with SPARK_Mode is
          Store.Claim_Newest (Slot, Found);
          exit when Found or else not Delivering;
          Trace.Wait (Schedule.Th_Arene, Trace.Camera);
-         Suspend_Until_True (Changed);
+         Changed.Wait;
          Trace.Resume (Schedule.Th_Arene);
       end loop;
    end Wait_Newest;

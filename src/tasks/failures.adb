@@ -2,10 +2,10 @@
 --  Reaction to the end of a task, as none may end: the robot is stopped, then
 --  the process.
 
-with Ada.Exceptions;                use Ada.Exceptions;
-with Ada.Synchronous_Task_Control;  use Ada.Synchronous_Task_Control;
-with Ada.Task_Identification;       use Ada.Task_Identification;
-with Ada.Task_Termination;          use Ada.Task_Termination;
+with Ada.Exceptions;           use Ada.Exceptions;
+with Ada.Task_Identification;  use Ada.Task_Identification;
+with Ada.Task_Termination;     use Ada.Task_Termination;
+with Event;
 with Journal;
 with Options;
 with Process.Signals;
@@ -16,7 +16,7 @@ with Trace;
 
 package body Failures with
   SPARK_Mode    => Off,
-  Refined_State => (Stop_Task => Stop_Failed)
+  Refined_State => (Stop_Task => Has_Failed)
 is
    --  Off: a termination handler is an access to a protected procedure
 
@@ -25,7 +25,8 @@ is
         (Cause : Cause_Of_Termination; T : Task_Id; X : Exception_Occurrence);
    end Fallback;
 
-   Stop_Failed : Suspension_Object;
+   package Stop_Failed is new Event;
+   Has_Failed : Boolean := False with Atomic;
 
    protected body Fallback is
 
@@ -41,7 +42,8 @@ is
                else ""));
          if T = Support_Tasks.Th_Stop'Identity then
             Robot.Serial_Line.Stop_Blindly;
-            Set_True (Stop_Failed);
+            Has_Failed := True;
+            Stop_Failed.Set;
             Trace.Wake;
          else
             Process.Signals.Report_Failure;
@@ -52,12 +54,12 @@ is
 
    procedure Get_Stop_Failed (Failed : out Boolean) is
    begin
-      Failed := Current_State (Stop_Failed);
+      Failed := Has_Failed;
    end Get_Stop_Failed;
 
    procedure Wait_Stop_Failed is
    begin
-      Suspend_Until_True (Stop_Failed);
+      Stop_Failed.Wait;
    end Wait_Stop_Failed;
 
 begin

@@ -1,0 +1,17 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  An event that one task waits for. GNAT's suspension objects have a mutex
+--  without a ceiling: a task that is pre-empted while it holds one delays a
+--  more urgent task for as long as the tasks between them run. An event
+--  counter of the kernel has no such mutex.
+
+generic
+package Event with SPARK_Mode is
+
+   procedure Set with Annotate => (GNATprove, Terminating);
+   --  Does not block. Several times before the next Wait count as once
+
+   procedure Wait;
+   --  Until the event has been set since the last Wait. GNATprove refuses a
+   --  second task that waits, and a wait inside a protected action
+
+end Event;

@@ -1,0 +1,33 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The kernel's event counters (eventfd): neither to set nor to take one
+--  holds a lock that another task could wait for.
+
+package Event_Counters with
+  SPARK_Mode,
+  Abstract_State =>
+    (Kernel with Synchronous, External => (Async_Readers, Async_Writers)),
+  Initializes => Kernel
+is
+
+   type Counter is private;
+
+   function New_Counter return Counter
+   with Volatile_Function, Global => (Input => Kernel);
+   --  Where the system has none left, the process ends: it cannot start
+
+   procedure Add (To : Counter)
+   with Global   => (In_Out => Kernel),
+        Annotate => (GNATprove, Terminating);
+   --  Adds one. Does not block
+
+   procedure Take (From : Counter; Number : out Natural)
+   with Global => (In_Out => Kernel);
+   --  Waits until the counter is not zero, sets it to zero, and says what it
+   --  was. Number is 0 where a signal has interrupted the wait
+
+private
+   pragma SPARK_Mode (Off);
+
+   type Counter is range -1 .. 2 ** 31 - 1 with Size => 32;
+
+end Event_Counters;

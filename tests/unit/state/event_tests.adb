@@ -1,0 +1,83 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Event;
+with Instants;         use Instants;
+
+package body Event_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   package Asked is new Event;
+   package Answered is new Event;
+
+   procedure Test_Kept (T : in out Any_Test);
+   procedure Test_Turns (T : in out Any_Test);
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Event"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine
+        (T, Test_Kept'Access, "several sets count as one, then it blocks");
+      Register_Routine
+        (T, Test_Turns'Access, "two tasks wake each other, none is lost");
+   end Register_Tests;
+
+   procedure Test_Kept (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Pause : constant Duration := 0.05;
+      Begun : Instant;
+   begin
+      for I in 1 .. 3 loop
+         Answered.Set;
+      end loop;
+      Answered.Wait;
+      Begun := Now;
+      declare
+         task Setter;
+
+         task body Setter is
+         begin
+            delay Pause;
+            Answered.Set;
+         end Setter;
+      begin
+         Answered.Wait;
+      end;
+      Assert (Now - Begun >= Pause, "it did not wait for the next set");
+   end Test_Kept;
+
+   procedure Test_Turns (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Turns   : constant := 50_000;
+      Counted : Natural := 0 with Atomic;
+      Wrong   : Natural := 0;
+
+      task Partner;
+
+      task body Partner is
+      begin
+         for I in 1 .. Turns loop
+            Asked.Wait;
+            Counted := Counted + 1;
+            Answered.Set;
+         end loop;
+      end Partner;
+
+   begin
+      for I in 1 .. Turns loop
+         Asked.Set;
+         Answered.Wait;
+         if Counted /= I then
+            Wrong := Wrong + 1;
+         end if;
+      end loop;
+      Assert (Wrong = 0, "the partner was ahead or behind" & Wrong'Image
+              & " times");
+   end Test_Turns;
+
+end Event_Tests;

@@ -1,0 +1,58 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with Ada.Real_Time;     use Ada.Real_Time;
+
+with AUnit.Assertions;  use AUnit.Assertions;
+
+with Bytes;
+with Pseudo_Terminals;
+with Robot.Serial_Line;
+with Texts;
+
+package body Serial_Line_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   procedure Test_Wait (T : in out Any_Test);
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Robot.Serial_Line"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine
+        (T, Test_Wait'Access, "a read waits as long as it is told");
+   end Register_Tests;
+
+   procedure Test_Wait (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Line    : Pseudo_Terminals.Line;
+      Path    : Texts.Text;
+      Reason  : Texts.Text;
+      Done    : Boolean;
+      Data    : Bytes.Byte_Array (1 .. 4);
+      Length  : Natural;
+      Limit   : Time;
+      --  the kernel takes no nanoseconds of a second or more, and 32 bits
+      --  hold 2.1 seconds of them
+      Waits   : constant array (1 .. 4) of Time_Span :=
+        (Milliseconds (-10), Milliseconds (20),
+         Milliseconds (1_050), Milliseconds (2_200));
+   begin
+      Pseudo_Terminals.Open (Line, Done);
+      Assert (Done, "no pseudo-terminal");
+      Texts.Set (Path, Pseudo_Terminals.Device (Line));
+      Robot.Serial_Line.Open (Path, Done, Reason);
+      Assert (Done, Texts.Image (Reason));
+      for Wait of Waits loop
+         Limit := Clock + Wait;
+         Robot.Serial_Line.Read (Data, Length, Limit, Done);
+         Assert (Done and then Length = 0, "the read failed");
+         Assert (Clock >= Limit, "it did not wait for the time it was told");
+      end loop;
+      Robot.Serial_Line.Close;
+      Pseudo_Terminals.Close (Line);
+   end Test_Wait;
+
+end Serial_Line_Tests;
