@@ -46,7 +46,7 @@ typedef struct { double x, y; } vision_point;
 
 /* The four inner corners of the arena's white border, in the order top left,
  * top right, bottom right, bottom left in the image. Top is the side that,
- * with its opposite side, extends furthest to the right. */
+ * with its opposite side, is closest to pointing right. */
 typedef struct { vision_point corner[4]; } vision_arena;
 
 /* A square of the image: its centre, and half its side. */

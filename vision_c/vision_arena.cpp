@@ -585,7 +585,7 @@ vision_status find_arena(Frame &here, vision_arena &arena) {
   }
   if (best <= 0.0)
     return fail(VISION_NOT_FOUND, "no arena in the image");
-  // The first side is the top: the one that extends furthest to the right.
+  // The first side is the top: the one closest to pointing right.
   int first = 0;
   double furthest = 0.0;
   for (int k = 0; k < 4; ++k) {

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Bounded FIFO queues: no element is lost while the queue is not full, and
---  the length never exceeds the capacity.
 
 package body Bounded_Queues with SPARK_Mode is
 

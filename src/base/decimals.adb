@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Decimal numbers of up to eight digits, in character or byte strings: read
---  and written by both protocols.
 
 package body Decimals is
 

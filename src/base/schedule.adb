@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The table of tasks: priorities, periods, deadlines and the ceilings that
---  follow from them.
 
 package body Schedule with SPARK_Mode is
 

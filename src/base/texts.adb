@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Texts of bounded length, to be passed between tasks: no allocation, no
---  secondary stack.
 
 package body Texts with SPARK_Mode is
 

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Files that hold a secret: their first characters and permissions.
 
 with GNAT.OS_Lib;
 with Interfaces;   use Interfaces;

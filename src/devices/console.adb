@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The console: standard error for the log, standard output for requested
---  output.
 
 with GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;

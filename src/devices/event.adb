@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  An event that one task waits for.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Event_Counters;

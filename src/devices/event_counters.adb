@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The kernel's event counters (eventfd).
 
 with Console;
 with Interfaces;   use Interfaces;

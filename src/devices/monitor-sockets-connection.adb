@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The connection of the monitor in command.
 
 with Ada.Real_Time;         use Ada.Real_Time;
 with GNAT.OS_Lib;

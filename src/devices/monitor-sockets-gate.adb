@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The listening socket of the server, and the pending connections, which are
---  to be admitted or rejected.
 
 with Ada.Exceptions;
 with Ada.Real_Time;         use Ada.Real_Time;

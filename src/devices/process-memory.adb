@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The memory of the process: that it is there when it is needed.
 
 with Interfaces.C;            use Interfaces.C;
 with Process.Privileges;

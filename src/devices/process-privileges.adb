@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the system lets the process do. Examined before any task runs.
 
 with Console;
 with Interfaces;   use Interfaces;

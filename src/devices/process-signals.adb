@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The signals that end the process. They are blocked before any task runs.
 
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The threads of the process: their names, and the processors they run on.
 
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;

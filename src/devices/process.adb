@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The process and its end.
 
 with Interfaces.C; use Interfaces.C;
 

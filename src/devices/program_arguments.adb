@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The arguments of the process.
 
 with Ada.Command_Line;
 

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The serial line to the robot: 9600 baud, 8 data bits, no parity, 1 stop
---  bit, raw, no echo.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with GNAT.OS_Lib;

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The memory of a flight recorder: a ring of events that any number of tasks
---  write without waiting for each other.
 
 with Interfaces.C;            use Interfaces.C;
 with System.Storage_Elements; use System.Storage_Elements;

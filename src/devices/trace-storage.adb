@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The recorder's file: the events are stored at its end while the tasks work;
---  the final text is written at its beginning.
 
 with GNAT.OS_Lib;
 with Linux;                   use Linux;

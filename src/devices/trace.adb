@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The trace (--trace): events of all tasks with their times.
 
 with Ada.Real_Time;           use Ada.Real_Time;
 with Ada.Unchecked_Conversion;

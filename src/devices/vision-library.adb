@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The camera and the image processing: the Ada binding of vision_c.
 
 with Interfaces.C; use Interfaces.C;
 with System;

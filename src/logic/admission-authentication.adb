@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The token that monitors must send if one is required (--token), and the
---  first line of a client, which carries it: AUTH:<token>.
 
 package body Admission.Authentication with SPARK_Mode is
 

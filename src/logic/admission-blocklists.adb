@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Sources that connect faster than th_server can handle are blocked for a
---  while: they are found in the history of the last connections.
 
 package body Admission.Blocklists with SPARK_Mode is
 

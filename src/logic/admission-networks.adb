@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  IPv4 networks, and the list of networks whose monitors are admitted
---  (--allow).
 
 package body Admission.Networks with SPARK_Mode is
 

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Pending connections, neither admitted nor rejected: whose turn is next, and
---  which one must make room, so that no source keeps the others out.
 
 package body Admission.Pending_Connections with SPARK_Mode is
 

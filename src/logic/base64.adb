@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Base64 with padding and without line breaks (RFC 4648, section 4): the
---  encoding of images sent to the monitor.
 
 package body Base64 with SPARK_Mode is
 

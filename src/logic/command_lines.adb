@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The command line: its arguments, read one by one, give a request and the
---  options of this run, or a reason for rejection.
 
 with Admission.Networks;
 

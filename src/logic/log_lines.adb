@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Log lines that wait for the console, and the count of lines dropped because
---  there was no room: a message takes their place.
 
 package body Log_Lines with SPARK_Mode is
 

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Answers to the commands of a monitor, in the order of the commands: each
---  has its place from the arrival of its command.
 
 with Interfaces; use Interfaces;
 

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Detects the loss of the monitor from the kernel's data on the connection
---  (TCP_INFO), sampled a few times a second.
 
 package body Monitor.Link with SPARK_Mode is
 

@@ -1,7 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What waits to be sent to the monitor, and its order: one answer per
---  command, in the order of the commands; and unsolicited messages, only the
---  newest of each kind, except texts.
 
 package body Monitor.Mailboxes with SPARK_Mode is
 

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  How long unsolicited messages are held back.
 
 package body Monitor.Message_Holds with SPARK_Mode is
 

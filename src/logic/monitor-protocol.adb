@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The protocol of the monitor: parses its lines, and formats answers and
---  positions.
 
 package body Monitor.Protocol with SPARK_Mode is
 

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The stages of the session with the monitor, in sequence.
 
 package body Monitor.Session_Stages with SPARK_Mode is
 

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The meaning of a monitor's order: the request to the robot, the place among
---  the robot's orders, and the answer to the monitor.
 
 package body Order_Meanings with SPARK_Mode is
 

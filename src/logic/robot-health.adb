@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Supervision of the robot's line: when it is lost, and how it is
---  synchronised again after a missing answer.
 
 package body Robot.Health with SPARK_Mode is
 

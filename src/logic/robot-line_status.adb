@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the tasks know of the robot and its line, and when the line must stay
---  free for the watchdog's reload.
 
 package body Robot.Line_Status with SPARK_Mode is
 

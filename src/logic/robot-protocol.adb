@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The protocol of the robot: encodes commands as frames, receives frames, and
---  decodes each as the answer to its command.
 
 package body Robot.Protocol with SPARK_Mode is
 

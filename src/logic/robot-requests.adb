@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Requests that wait for the robot's line, and the choice of the next.
 
 package body Robot.Requests with SPARK_Mode is
 

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The events of a trace, and its text: Chrome's JSON trace format, which
---  ui.perfetto.dev opens.
 
 with System;
 

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Whether the camera is requested, and whether its owner has accepted that.
 
 package body Vision.Camera_Demands with SPARK_Mode is
 

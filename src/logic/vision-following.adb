@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Robots are searched near their last places, as long as all are found there,
---  and in the whole image from time to time (F18).
 
 package body Vision.Following with SPARK_Mode is
 

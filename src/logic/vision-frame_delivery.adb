@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The images from the camera: arrival times, which one is due, and whether
---  th_captureImg waits for the next.
 
 package body Vision.Frame_Delivery with SPARK_Mode is
 

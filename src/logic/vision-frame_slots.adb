@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Ownership of the frame slots: one holds the newest image and one the image
---  before it, both unclaimed; each other slot is claimed by one task, or free.
 
 package body Vision.Frame_Slots with SPARK_Mode is
 

@@ -1,7 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  One cycle of the periodic images (F15, F18): whether to send an image, when
---  the next cycle starts, which robots are still known, and what is drawn and
---  reported.
 
 package body Vision.Image_Cycle with SPARK_Mode is
 

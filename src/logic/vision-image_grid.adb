@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  When an image is sent, and which of those waiting (F15): at the instants of
---  a periodic grid, which is shifted where the source requires it.
 
 package body Vision.Image_Grid with SPARK_Mode is
 

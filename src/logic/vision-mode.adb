@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The mode of the vision (F14 to F19): the effect of each command and event,
---  and what is to be sent.
 
 package body Vision.Mode with SPARK_Mode is
 

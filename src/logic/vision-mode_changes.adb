@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The effect of orders and events on the mode of the vision and its arena.
 
 package body Vision.Mode_Changes with SPARK_Mode is
 

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The orders to the vision, carried out one at a time, first in first out.
 
 package body Vision.Turns with SPARK_Mode is
 

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The literal texts of both protocols, repeated from PROTOCOL.md.
 
 package body Wire_Texts with SPARK_Mode is
 

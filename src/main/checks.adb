@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The option --check: reports what would work on this machine and what would
---  not, with advice.
 
 with Admission.Authentication;
 with Admission.Newcomers;

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The supervisor: reads the command line, logs its configuration, and runs
---  the tasks until the process ends.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Checks;

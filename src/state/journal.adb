@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The log on its way to the console: a bounded buffer, so that no task waits
---  for the console. The object only locks; Log_Lines decides.
+--  The object only locks; Log_Lines decides.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Event;

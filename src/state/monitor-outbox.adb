@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Messages that wait to be sent to the monitor. The object only locks, and
---  exchanges image messages by reference; Monitor.Mailboxes decides.
+--  The object only locks, and exchanges image messages by reference;
+--  Monitor.Mailboxes decides.
 
 with Ada.Real_Time;                use Ada.Real_Time;
 with Event;

@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The session with the monitor: who is in command, how a session begins and
---  ends, and the events between the tasks involved. The object only locks;
---  Monitor.Session_Stages decides.
+--  The object only locks; Monitor.Session_Stages decides.
 
 with Event;
 with Schedule;

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The event-data port of a task: a bounded FIFO queue of orders, from which
---  the task takes them.
 
 with Event;
 with Trace;

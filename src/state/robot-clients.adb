@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The clients of the robot's line, one for each task that makes requests.
 
 package body Robot.Clients with SPARK_Mode is
 

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The event "the robot has started", one for each periodic robot task.
 
 with Event;
 with Schedule;

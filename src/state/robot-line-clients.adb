@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  A client of the robot's line: makes a request and waits for its outcome.
 
 with Event;
 with Trace;

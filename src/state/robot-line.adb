@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The requests that wait for the robot's line, and the known state of the
---  robot, shared by all tasks. The object only locks; Robot.Requests and
---  Robot.Line_Status decide.
+--  The object only locks; Robot.Requests and Robot.Line_Status decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Event;

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The command line of this run.
 
 with Program_Arguments;
 with Texts;

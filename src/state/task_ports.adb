@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The event-data ports of the tasks that carry out the monitor's orders, and
---  the dispatch of orders to them.
 
 with Order_Meanings; use Order_Meanings;
 with Robot.Line;

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The event "the camera is open", for the periodic images.
 
 with Event;
 with Schedule;

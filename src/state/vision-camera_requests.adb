@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Requests to the camera's owner: open, close. The object only locks;
---  Vision.Camera_Demands decides.
+--  The object only locks; Vision.Camera_Demands decides.
 
 with Event;
 with Schedule;

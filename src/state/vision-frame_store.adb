@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Which task may use which frame slot: the camera's owner fills them in turn,
---  and the newest image goes to the first reader that claims it. The object
---  only locks; Vision.Frame_Slots and Vision.Frame_Delivery decide.
+--  The object only locks; Vision.Frame_Slots and Vision.Frame_Delivery decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Event;

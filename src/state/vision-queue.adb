@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The orders to the vision, carried out one at a time in the order of the
---  commands by two tasks.
 
 with Schedule;
 with Vision.Turns;

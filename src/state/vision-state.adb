@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The mode of the vision and the arena, shared by the vision's tasks. The
---  object only locks; Vision.Mode_Changes decides.
 
 package body Vision.State with SPARK_Mode is
 

@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Who may be the monitor: newcomers, where they come from, the token they
---  show, and who is in command already. For th_server.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Admission.Secret_Files;

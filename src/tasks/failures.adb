@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Reaction to the end of a task, as none may end: the robot is stopped, then
---  the process.
 
 with Ada.Exceptions;           use Ada.Exceptions;
 with Ada.Task_Identification;  use Ada.Task_Identification;

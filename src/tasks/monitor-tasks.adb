@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The report's four tasks of the monitor, and the one that ends the hold on
---  unasked messages.
 
 with Ada.Real_Time;    use Ada.Real_Time;
 with Admission.Authentication;

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Carries out a request on the serial line, by the steps of Robot.Session.
 
 with Ada.Real_Time;  use Ada.Real_Time;
 with Bytes;

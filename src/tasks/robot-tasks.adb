@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The tasks of the robot: six of the report's, the owner of the line, and
---  the periodic ones that a start sets going.
 
 with Ada.Real_Time;     use Ada.Real_Time;
 with Journal;

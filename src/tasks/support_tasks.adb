@@ -1,6 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The tasks that are not in the design report: the console, and the end of
---  the process, in order or after a failure.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Console;

@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The report's three tasks of the vision, and the owner of the camera.
 
 with Ada.Real_Time;    use Ada.Real_Time;
 with Base64;
