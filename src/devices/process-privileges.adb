@@ -26,17 +26,24 @@ package body Process.Privileges with SPARK_Mode => Off is
    procedure Get_Limit (Resource : int; Limit : System.Address)
    with Import, Convention => C, External_Name => "getrlimit";
 
+   function Get_Policy (Thread : int) return int
+   with Import, Convention => C, External_Name => "sched_getscheduler";
+   First_In_First_Out : constant int := 1;  --  SCHED_FIFO
+
+   function Seen_By_Run_Time return int
+   with Import, Convention => C, External_Name => "__gnat_has_cap_sys_nice";
+   --  GNAT's run time gives ceilings to objects where this is 1, and to root's
+
    function Has (Capability : Natural) return Boolean;
 
    procedure Get (Held : out Kind) is
-      Real_Time : constant Boolean := Has (Sys_Nice);
    begin
       Held :=
-        (if Effective_User = 0 then
-           (if Real_Time then Root_With_Real_Time
-            else Root_Without_Real_Time)
-         elsif Real_Time then User_With_Real_Time
-         else User_Without_Real_Time);
+        (if Effective_User /= 0 and then Seen_By_Run_Time = 0 then
+            Ordinary_User
+         elsif Get_Policy (0) = First_In_First_Out and then Has (Sys_Nice) then
+            Real_Time
+         else Cannot_Run);
    end Get;
 
    procedure Get_May_Lock (May_Lock : out Boolean) is
@@ -61,13 +68,14 @@ package body Process.Privileges with SPARK_Mode => Off is
 
 begin
    Get (At_Start);
-   if At_Start = Root_Without_Real_Time then
+   if At_Start = Cannot_Run then
       --  Every protected action would raise Program_Error: no task may run,
       --  so this is the last moment
       Console.Put_Log
-        ("destijl: cannot run as root without CAP_SYS_NICE (as in a "
-         & "container by default): run as an ordinary user, or grant the "
-         & "capability (docker run --cap-add SYS_NICE)");
+        ("destijl: cannot run as root without CAP_SYS_NICE, or with that of "
+         & "a user namespace (as in a container by default): run as an "
+         & "ordinary user, or grant the capability (docker run --cap-add "
+         & "SYS_NICE)");
       Leave (Cannot_Start);
    end if;
 end Process.Privileges;

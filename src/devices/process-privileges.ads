@@ -6,13 +6,17 @@ package Process.Privileges with SPARK_Mode is
    pragma Elaborate_Body;
 
    type Kind is
-     (Root_With_Real_Time,     --  FIFO priorities, ceilings checked
-      User_With_Real_Time,     --  FIFO priorities, ceilings not checked
-      User_Without_Real_Time,  --  time-shared, priorities without effect
-      Root_Without_Real_Time); --  GNAT's tasks cannot run like this
+     (Real_Time,      --  FIFO priorities, and ceilings act
+      Ordinary_User,  --  time-shared mostly; ceilings do not act
+      Cannot_Run);    --  every protected action would raise Program_Error
+
+   function Image (Held : Kind) return String is
+     (if Held = Real_Time then "yes (FIFO), ceilings act"
+      else "none, ceilings do not act");
 
    procedure Get (Held : out Kind)
    with Global => (In_Out => System_State);
+   --  As it is, and not only as it may be. For the environment task
 
    procedure Get_May_Lock (May_Lock : out Boolean)
    with Global => (In_Out => System_State);

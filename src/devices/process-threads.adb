@@ -11,7 +11,7 @@ package body Process.Threads with
   Refined_State => (Named => (Numbers, Count, Sets, Kept))
 is
 
-   type Processor_Set is array (0 .. 1_023) of Boolean
+   type Processor_Set is array (Options.Processor) of Boolean
      with Pack, Convention => C;
    --  1024 bits, as glibc's
 
@@ -59,14 +59,28 @@ is
       Set_Affinity (int (abs Thread), Set_Size, Sets (Thread > 0)'Address);
    end Keep;
 
-   procedure Keep_On (Cpu : Natural; Done : out Boolean) is
+   procedure Keep_On
+     (Cpu : in out Options.Processor_Choice; Alone, Done : out Boolean)
+   is
       Main    : constant int := Linux.Own_Process;
       Allowed : Processor_Set := (others => False);
+      Last    : Options.Processor := 0;
+      Count   : Natural := 0;
    begin
-      Done := Get_Affinity (Main, Set_Size, Allowed'Address) >= 0
-        and then Cpu in Allowed'Range
-        and then Allowed (Cpu);
-      if Done then
+      if Get_Affinity (Main, Set_Size, Allowed'Address) >= 0 then
+         for I in Allowed'Range loop
+            if Allowed (I) then
+               Last := I;
+               Count := Count + 1;
+            end if;
+         end loop;
+      end if;
+      Alone := Count = 1;
+      if Cpu = Options.Last_Processor then
+         Cpu := Last;
+      end if;
+      Done := Cpu = Options.No_Processor or else Allowed (Cpu);
+      if Done and then Cpu /= Options.No_Processor then
          Sets (True) (Cpu) := True;
          Sets (False) := Allowed and not Sets (True);
          if Sets (False) = (Processor_Set'Range => False) then

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The threads of the process: their names, and the processors they run on.
 
+with Options;
 with Schedule;
 
 package Process.Threads with
@@ -16,10 +17,11 @@ is
    --  its name; the stack of a real-time task is in memory from here on.
    --  First of all that a task does, and once
 
-   procedure Keep_On (Cpu : Natural; Done : out Boolean)
+   procedure Keep_On
+     (Cpu : in out Options.Processor_Choice; Alone, Done : out Boolean)
    with Global => (In_Out => (Named, System_State));
    --  From here on the real-time tasks run on processor Cpu alone, and all
-   --  other threads on the others, where there are any. Done is false where
-   --  this process may not run on Cpu
+   --  other threads on the others; Alone: there are none. Cpu becomes the one
+   --  that was meant. Done is false where this process may not run on Cpu
 
 end Process.Threads;

@@ -344,10 +344,14 @@ package body Command_Lines with SPARK_Mode is
                Fail (R, "--log-level: ", Value, " is no level of the log");
             end if;
          when Cpu =>
-            Read_Number
-              (R, Value, Options.Processor'First, Options.Processor'Last,
-               Number);
-            R.Chosen.Cpu := Number;
+            if Value = "auto" then
+               R.Chosen.Cpu := Options.Last_Processor;
+            else
+               Read_Number
+                 (R, Value, Options.Processor'First, Options.Processor'Last,
+                  Number);
+               R.Chosen.Cpu := Number;
+            end if;
          when Trace =>
             Read_Text (R, Value, Text);
             R.Chosen.Trace_File := Text;

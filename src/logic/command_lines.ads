@@ -69,9 +69,9 @@ package Command_Lines with SPARK_Mode is
      & "  --message-gap MS     before each unasked message, 0 .. 1000 (20);"
      & LF
      & "                       before an answer 4 at most" & LF
-     & "  --cpu N              keep the real-time tasks on processor N, and"
+     & "  --cpu N              keep the real-time tasks on processor N, or on"
      & LF
-     & "                       all else off it" & LF
+     & "                       the last one (auto), and all else off it" & LF
      & "  --log-level LEVEL    error, warning, info or debug (info)" & LF
      & "  --trace FILE         at the end, write to FILE what every task did"
      & LF

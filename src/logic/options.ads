@@ -24,8 +24,10 @@ package Options with SPARK_Mode is
 
    subtype Processor is Natural range 0 .. 1_023;
 
-   No_Processor : constant := -1;
-   subtype Processor_Choice is Integer range No_Processor .. Processor'Last;
+   No_Processor   : constant := -1;
+   Last_Processor : constant := -2;
+   subtype Processor_Choice is Integer
+     range Last_Processor .. Processor'Last;
 
    Camera_Rate : constant := 30;
    --  Images per second requested from the camera, or the rate of the images
@@ -50,7 +52,8 @@ package Options with SPARK_Mode is
       Message_Gap : Milliseconds := 20;          --  PROTOCOL.md
       Log_Level   : Level        := Info;
       Cpu         : Processor_Choice := No_Processor;
-      --  the real-time tasks are pinned to it; No_Processor: not pinned
+      --  the real-time tasks are pinned to it; No_Processor: not pinned;
+      --  Last_Processor: the last that the process may run on
       Trace_File  : Texts.Text;
       --  for the trace; empty: no trace
    end record;

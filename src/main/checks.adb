@@ -12,6 +12,7 @@ with Vision.Library;
 
 package body Checks with SPARK_Mode is
 
+   use type Process.Privileges.Kind;
    use type Vision.Library.Status;
 
    procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean);
@@ -51,23 +52,14 @@ package body Checks with SPARK_Mode is
    begin
       All_Well := True;
       Process.Privileges.Get (Held);
-      case Held is
-         when Process.Privileges.Root_With_Real_Time =>
-            Report
-              (True, "priorities: real-time (FIFO), ceilings checked",
-               All_Well);
-         when Process.Privileges.User_With_Real_Time =>
-            Report
-              (True, "priorities: real-time (FIFO), ceilings not checked",
-               All_Well);
-         when Process.Privileges.User_Without_Real_Time
-            | Process.Privileges.Root_Without_Real_Time =>
-            Report
-              (False,
-               "priorities: none (time-shared): run as root, or once "
-               & "'sudo setcap cap_sys_nice,cap_ipc_lock+ep bin/destijl'",
-               All_Well);
-      end case;
+      Good := Held = Process.Privileges.Real_Time;
+      Report
+        (Good,
+         "real-time priorities: " & Process.Privileges.Image (Held)
+         & (if Good then ""
+            else ": run as root, or once "
+              & "'sudo setcap cap_sys_nice,cap_ipc_lock+ep bin/destijl'"),
+         All_Well);
 
       Robot.Serial_Line.Open (Chosen.Serial, Good, Reason);
       Robot.Serial_Line.Close;

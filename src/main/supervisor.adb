@@ -26,8 +26,12 @@ pragma Unreferenced (Monitor.Tasks, Robot.Tasks, Vision.Tasks);
 
 package body Supervisor with SPARK_Mode is
 
-   procedure Keep_On_Processor (Cpu : Options.Processor_Choice);
-   --  Ends the process on failure
+   use type Process.Privileges.Kind;
+
+   procedure Keep_On_Processor
+     (Cpu : Options.Processor_Choice; Claim : out Texts.Text);
+   --  Claim: which deadlines hold, by the table of configurations in
+   --  proofs/schedulability/README.md. Ends the process if Cpu is not allowed
 
    procedure Open_Trace (Path : Texts.Text);
    --  Ends the process on failure
@@ -42,19 +46,27 @@ package body Supervisor with SPARK_Mode is
    procedure Serve (Chosen : Options.Values);
    --  Runs the tasks; returns when the caller must end the process
 
-   procedure Keep_On_Processor (Cpu : Options.Processor_Choice) is
-      Done : Boolean;
-      Text : Texts.Text;
+   procedure Keep_On_Processor
+     (Cpu : Options.Processor_Choice; Claim : out Texts.Text)
+   is
+      Chosen : Options.Processor_Choice := Cpu;
+      Alone  : Boolean;
+      Done   : Boolean;
    begin
-      if Cpu /= Options.No_Processor then
-         Process.Threads.Keep_On (Cpu, Done);
-         if not Done then
-            Texts.Set (Text, "destijl: there is no processor ");
-            Texts.Append (Text, Cpu);
-            Texts.Append (Text, " for this process (--cpu)");
-            Console.Put_Log (Texts.Image (Text));
-            Process.Leave (Process.Cannot_Start);
-         end if;
+      Process.Threads.Keep_On (Chosen, Alone, Done);
+      if not Done then
+         Texts.Set (Claim, "destijl: there is no processor ");
+         Texts.Append (Claim, Chosen);
+         Texts.Append (Claim, " for this process (--cpu)");
+         Console.Put_Log (Texts.Image (Claim));
+         Process.Leave (Process.Cannot_Start);
+      elsif Alone then
+         Texts.Set (Claim, "as analysed for one processor");
+      elsif Chosen = Options.No_Processor then
+         Texts.Set (Claim, "none guaranteed without --cpu");
+      else
+         Texts.Set (Claim, "as analysed with --cpu, on processor ");
+         Texts.Append (Claim, Chosen);
       end if;
    end Keep_On_Processor;
 
@@ -114,12 +126,13 @@ package body Supervisor with SPARK_Mode is
    end Run;
 
    procedure Serve (Chosen : Options.Values) is
+      Claim  : Texts.Text;
       Held   : Process.Privileges.Kind;
       Locked : Boolean;
       Now    : Time;
    begin
       Open_Trace (Chosen.Trace_File);
-      Keep_On_Processor (Chosen.Cpu);
+      Keep_On_Processor (Chosen.Cpu, Claim);
       Process.Memory.Lock (Locked);
       Journal.Set_Level (Chosen.Log_Level);
       Monitor.Session.Allow_Server;
@@ -127,19 +140,14 @@ package body Supervisor with SPARK_Mode is
       Process.Privileges.Get (Held);
       Journal.Put
         (Options.Info,
-         (case Held is
-             when Process.Privileges.Root_With_Real_Time =>
-                "real-time priorities: yes (FIFO), ceilings checked",
-             when Process.Privileges.User_With_Real_Time =>
-                "real-time priorities: yes (FIFO), ceilings not checked",
-             when others =>
-                "real-time priorities: none, deadlines are not guaranteed "
-                & "(destijl --check tells how to get them)"));
-      Journal.Put
-        (Options.Info,
-         (if Locked then "memory: locked"
-          else "memory: not locked, a page may have to be read again when "
-            & "it is needed (CAP_IPC_LOCK or LimitMEMLOCK=infinity)"));
+         "real-time priorities: " & Process.Privileges.Image (Held)
+         & (if Locked then "; memory: locked"
+            else "; memory: not locked (CAP_IPC_LOCK, LimitMEMLOCK=infinity)")
+         & "; deadlines: "
+         & (if Held /= Process.Privileges.Real_Time then
+               "none guaranteed (destijl --check tells how to get them)"
+            elsif Locked then Texts.Image (Claim)
+            else "none guaranteed"));
 
       if Chosen.Trace_File.Length > 0 then
          Keep_Trace;

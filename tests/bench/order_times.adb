@@ -52,9 +52,7 @@ package body Order_Times is
    type Condition is
      (Idle, Beside_Traced, Loaded, Service, Loaded_Service, With_Gap);
    --  Beside_Traced: idle, with and without --trace in turns. Service: as
-   --  systemd runs it, an ordinary user with real-time priorities. Only for
-   --  root's run time does every protected operation raise the priority to
-   --  its ceiling and lower it again, by a call of the system each
+   --  systemd runs it, an ordinary user with CAP_SYS_NICE
 
    type Distributions is array (Condition) of Distribution;
 

@@ -490,11 +490,10 @@ package body Machine_Faults is
       if W.The_Plan.Log_Is_Read then
          W.Supervisor.Expect_Log
            ((case F.Kind is
-                when Root           =>
-                   "real-time priorities: yes (FIFO), ceilings checked",
-                when User_With_Nice =>
-                   "real-time priorities: yes (FIFO), ceilings not checked",
-                when User           => "real-time priorities: none"),
+                when Root | User_With_Nice =>
+                   "real-time priorities: yes (FIFO), ceilings act",
+                when User                  =>
+                   "real-time priorities: none, ceilings do not act"),
             Within => 2.0);
       end if;
       W.Talk (Span (W.Source, 0.2, 1.0));

@@ -3,6 +3,7 @@
 
 with Ada.Directories;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
+with Ada.Strings.Maps;
 with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
 with Interfaces.C;          use Interfaces.C;
@@ -35,6 +36,7 @@ package body Process_Tests is
    procedure Thirteen_Threads;
    procedure Failing_Task;
    procedure Own_Processor;
+   procedure One_Processor;
    procedure Hundred_Connections;
    procedure Restarted_At_Once;
    procedure Memory_Locked;
@@ -42,12 +44,18 @@ package body Process_Tests is
    procedure As_Ordinary_User;
    procedure With_File_Capability;
    procedure As_Root_Without_Nice;
+   procedure Ceilings;
    procedure Console_Blocked;
    procedure Console_Monitor;
 
    As_User : constant String :=
      "setpriv --reuid=65534 --regid=65534 --clear-groups"
      & " --inh-caps=-all";
+
+   As_Service : constant String :=
+     As_User & ",+sys_nice --ambient-caps=+sys_nice"
+     & " --bounding-set=-all,+sys_nice";
+   --  with the capability of the unit
 
    procedure Need_Root;
    procedure Need_Tool (Name : String);
@@ -214,13 +222,48 @@ package body Process_Tests is
 
    procedure Own_Processor is
       --  --cpu: the real-time tasks there alone, all others elsewhere
-      R     : Rig;
       Wrong : Supervisors.Supervisor;
 
-      function Where (Name : String) return String is
-        (Process_Facts.Processors
-           (R.Supervisor.Pid,
-            Process_Facts.Thread_Named (R.Supervisor.Pid, Name)));
+      procedure Expect (Option, Processor : String);
+
+      procedure Expect (Option, Processor : String) is
+         R : Rig;
+
+         function Where (Name : String) return String is
+           (Process_Facts.Processors
+              (R.Supervisor.Pid,
+               Process_Facts.Thread_Named (R.Supervisor.Pid, Name)));
+      begin
+         Assemble (R, Supervisor_Options => Option);
+         for Name of Words
+           (Process_Facts.Thread_Names (R.Supervisor.Pid))
+         loop
+            if Name in "th_captureImg" | "th_arene" | "th_camera"
+                     | "th_console"
+              or else Index (Name, "th_") /= 1
+            then
+               Check
+                 (Where (Name) not in "" | Processor
+                  and then Index (Where (Name), Processor) = 0,
+                  Option & ": " & Name & " runs on " & Where (Name));
+            else
+               Check
+                 (Where (Name) = Processor,
+                  Option & ": " & Name & " runs on " & Where (Name));
+            end if;
+         end loop;
+         R.Supervisor.Expect_Log ("deadlines: ", Within => 2.0);
+         Check
+           (not R.Supervisor.Says ("memory: locked")
+            or else R.Supervisor.Says
+              ("deadlines: as analysed with --cpu, on processor "
+               & Processor),
+            "not what is claimed: " & R.Supervisor.Log_Text);
+         R.Monitor.Expect ("ROPN", "AACK");
+      end Expect;
+
+      Allowed : constant String :=
+        Process_Facts.File_Line ("/proc/self/status", "Cpus_allowed_list");
    begin
       Wrong.Run ("--port 0 --cpu 1023");
       Check
@@ -232,23 +275,52 @@ package body Process_Tests is
       if System.Multiprocessors.Number_Of_CPUs < 2 then
          Skip ("there is one processor only");
       end if;
-      Assemble (R, Supervisor_Options => "--cpu 0");
-      for Name of Words
-        (Process_Facts.Thread_Names (R.Supervisor.Pid))
-      loop
-         if Name in "th_captureImg" | "th_arene" | "th_camera" | "th_console"
-           or else Index (Name, "th_") /= 1
-         then
-            Check
-              (Where (Name) not in "" | "0"
-               and then Index (Where (Name), "0") = 0,
-               Name & " runs on " & Where (Name));
-         else
-            Check (Where (Name) = "0", Name & " runs on " & Where (Name));
-         end if;
-      end loop;
-      R.Monitor.Expect ("ROPN", "AACK");
+      Expect ("--cpu 0", "0");
+      Expect
+        ("--cpu auto",
+         Allowed
+           (1 + Index (Allowed, Ada.Strings.Maps.To_Set (",-" & ASCII.HT),
+                       Going => Ada.Strings.Backward) .. Allowed'Last));
    end Own_Processor;
+
+   procedure One_Processor is
+      --  Nothing to choose from: everything is there, asked or not
+
+      procedure Expect (Option : String);
+
+      procedure Expect (Option : String) is
+         R : Rig;
+      begin
+         Assemble
+           (R, Supervisor_Options => Option,
+            Launcher => "taskset --cpu-list 0");
+         if Process_Facts.Processors (R.Supervisor.Pid, R.Supervisor.Pid)
+           /= "0"
+         then
+            Skip ("GNAT's run time, from 14 on, takes all processors");
+         end if;
+         R.Supervisor.Expect_Log ("deadlines: ", Within => 2.0);
+         Check
+           (not R.Supervisor.Says ("memory: locked")
+            or else R.Supervisor.Says
+              ("deadlines: as analysed for one processor"),
+            "not what is claimed: " & R.Supervisor.Log_Text);
+         for Name of Words
+           (Process_Facts.Thread_Names (R.Supervisor.Pid))
+         loop
+            Check
+              (Process_Facts.Processors
+                 (R.Supervisor.Pid,
+                  Process_Facts.Thread_Named (R.Supervisor.Pid, Name)) = "0",
+               Option & ": " & Name & " runs elsewhere");
+         end loop;
+         R.Monitor.Expect ("ROPN", "AACK");
+      end Expect;
+   begin
+      Need_Tool ("taskset");
+      Expect ("");
+      Expect ("--cpu auto");
+   end One_Processor;
 
    procedure Failing_Task is
       --  A task that fails unexpectedly: the robot is stopped, exit 3. The
@@ -542,26 +614,84 @@ package body Process_Tests is
    end Restarted_At_Once;
 
    procedure As_Root_Without_Nice is
-      S      : Supervisors.Supervisor;
-      Status : Integer;
+      --  Nor with the capability in a namespace of users, which Linux takes
+      --  for none
+
+      procedure Expect (Launcher : String);
+
+      procedure Expect (Launcher : String) is
+         S      : Supervisors.Supervisor;
+         Status : Integer;
+      begin
+         S.Run
+           ("--port 0 --bind 127.0.0.1",
+            Launcher => Launcher, Program => Programs.Copied_Supervisor);
+         Status := S.Exit_Status (Within => Stop_Limit);
+         delay 0.05;
+         Check
+           (Status = 1, "exit status" & Status'Image & ": " & S.Log_Text);
+         Check
+           (Index (S.Log_Text, "CAP_SYS_NICE") > 0,
+            "the reason is not named: " & S.Log_Text);
+         Check
+           (Index (S.Log_Text, "listening") = 0, "it says that it listens");
+      end Expect;
+
+      In_Namespace : constant String := As_User & " unshare --user ";
+      Tool         : Child;
    begin
       Need_Root;
       Need_Tool ("setpriv");
-      S.Run
-        ("--port 0 --bind 127.0.0.1",
-         Launcher => "setpriv --bounding-set=-sys_nice"
-           & " --inh-caps=-sys_nice");
-      Status := S.Exit_Status (Within => Stop_Limit);
-      delay 0.05;
-      Check
-        (Status = 1, "exit status" & Status'Image & ": " & S.Log_Text);
-      Check
-        (Index (S.Log_Text, "CAP_SYS_NICE") > 0
-         or else Index (S.Log_Text, "cap_sys_nice") > 0,
-         "the reason is not named: " & S.Log_Text);
-      Check
-        (Index (S.Log_Text, "listening") = 0, "it says that it listens");
+      Expect ("setpriv --bounding-set=-sys_nice --inh-caps=-sys_nice");
+      Tool.Start ("env", Words (In_Namespace & "true"));
+      if Tool.Exit_Status (Within => 5.0) = 0 then
+         Expect (In_Namespace & "--map-root-user");
+         Expect (In_Namespace & "--map-user=65534 --keep-caps");
+      else
+         Note ("not tried in a namespace: none can be made");
+      end if;
    end As_Root_Without_Nice;
+
+   procedure Ceilings is
+      --  They act, or do not, as the start says: by a violation. And the
+      --  supervisor says the same
+      Violation : constant String :=
+        Programs.Temporary_Folder & "/ceiling_violation";
+
+      procedure Expect (Launcher : String; Act : Boolean);
+
+      procedure Expect (Launcher : String; Act : Boolean) is
+         Says : constant String :=
+           (if Act then "yes (FIFO), ceilings act"
+            else "none, ceilings do not act");
+         Test : Child;
+         S    : Supervisors.Supervisor;
+      begin
+         Test.Start ("env", Words (Launcher & " " & Violation));
+         Check
+           (Test.Exit_Status (Within => 5.0) = 0
+            and then Test.Awaited
+              (Output,
+               "said: " & Says & "; seen: "
+               & (if Act then "Program_Error" else "no exception"),
+               Within => 1.0) = 1,
+            "not so: " & Launcher);
+         S.Start
+           (Launcher => Launcher, Program => Programs.Copied_Supervisor);
+         S.Expect_Log ("real-time priorities: " & Says, Within => 2.0);
+      end Expect;
+   begin
+      Need_Root;
+      Need_Tool ("setpriv");
+      Ada.Directories.Copy_File
+        (Programs.Beside ("ceiling_violation"), Violation);
+      Check
+        (Libc.Chmod (To_C (Violation), 8#755#) = 0,
+         "the copy cannot be run");
+      Expect ("setpriv --no-new-privs", Act => True);
+      Expect (As_Service, Act => True);
+      Expect (As_User, Act => False);
+   end Ceilings;
 
    procedure Console_Blocked is
       --  Nobody reads the log: its pipe is full after 64 kB
@@ -634,6 +764,7 @@ package body Process_Tests is
       Add (Suite, "Never_Moves_On_After_A_Failed_Task",
            Failing_Task'Access);
       Add (Suite, "Threads_On_Their_Own_Processor", Own_Processor'Access);
+      Add (Suite, "Threads_On_One_Processor", One_Processor'Access);
       Add (Suite, "Never_Grows_In_100_Connections",
            Hundred_Connections'Access);
       Add (Suite, "Restart_At_Once", Restarted_At_Once'Access);
@@ -644,6 +775,7 @@ package body Process_Tests is
       Add (Suite, "Privileges_Of_Ordinary_User", As_Ordinary_User'Access);
       Add (Suite, "Privileges_Of_Root_Without_CAP_SYS_NICE",
            As_Root_Without_Nice'Access);
+      Add (Suite, "Privileges_And_Ceilings", Ceilings'Access);
       Add (Suite, "Never_Waits_For_The_Console", Console_Blocked'Access);
       Add (Suite, "Console_Monitor_Drives_The_Robot",
            Console_Monitor'Access);

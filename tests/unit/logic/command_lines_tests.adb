@@ -138,6 +138,10 @@ package body Command_Lines_Tests is
               .Chosen.Log_Level = L,
             "level" & L'Image);
       end loop;
+      Assert (Read ("--cpu auto").Chosen.Cpu = Last_Processor, "auto");
+      Assert (Read ("").Chosen.Cpu = No_Processor, "no processor");
+      Assert
+        (Read ("--cpu auto --cpu 0").Chosen.Cpu = 0, "the last one counts");
       Assert (Read ("--marker aruco").Chosen.Marker = Aruco, "aruco");
       Assert (Read ("--draw all").Chosen.Drawing = All_Of_It, "all");
       Assert (Read ("--draw arena").Chosen.Drawing = Options.Arena, "arena");
@@ -170,6 +174,8 @@ package body Command_Lines_Tests is
         ("--frame-size x", "--frame-size: '' is not a number in 16 .. 4096");
       Expect_Wrong
         ("--cpu 1024", "--cpu: '1024' is not a number in 0 .. 1023");
+      Expect_Wrong
+        ("--cpu Auto", "--cpu: 'Auto' is not a number in 0 .. 1023");
    end Test_Limits;
 
    procedure Test_Long (T : in out Any_Test) is

@@ -1,0 +1,34 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Do ceilings act here? Says what a task sees that calls an object whose
+--  ceiling is below its priority, and one whose ceiling is above. Exit status
+--  0 where that is what Process.Privileges says.
+
+with Ada.Text_IO;        use Ada.Text_IO;
+with GNAT.OS_Lib;
+with Process.Privileges; use Process.Privileges;
+with Schedule;
+with Violators;
+
+procedure Ceiling_Violation with Priority => Schedule.Main_Priority is
+   Held   : Kind;
+   Raised : Boolean;
+   Inside : Integer;
+   Good   : Boolean;
+begin
+   Get (Held);
+   Violators.Await (Raised, Inside);
+   Put_Line
+     ("said: " & Image (Held) & "; seen: "
+      & (if Raised then "Program_Error" else "no exception")
+      & ", priority inside" & Inside'Image);
+   Flush;
+   --  GNAT's priorities are Linux's less one
+   Good :=
+     (case Held is
+         when Real_Time     =>
+            Raised and then Inside = Schedule.Stop_Priority + 1,
+         when Ordinary_User =>
+            not Raised and then Inside <= Schedule.Line_Priority + 1,
+         when Cannot_Run    => False);
+   GNAT.OS_Lib.OS_Exit (if Good then 0 else 1);
+end Ceiling_Violation;
