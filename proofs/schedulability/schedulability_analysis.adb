@@ -69,6 +69,10 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          when F15_Image       => "F15 image due to image ready",
          when F15_Jitter      => "F15 jitter of the image sent *");
 
+   procedure Print_Calls;
+   --  For proofs/schedulability/calls: each activity's task, whether it stays
+   --  on its processor, and what it calls
+
    procedure Print_Table (Item : Analysis);
    procedure Print_Line (Item : Analysis);
    procedure Print_Requirements (Item : Analysis; Inverted : Analysis);
@@ -109,6 +113,19 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       return Trimmed (Value / 1_000) & "."
         & Rest (Rest'First + 1 .. Rest'Last);
    end Milliseconds;
+
+   procedure Print_Calls is
+   begin
+      for A in Task_Activity loop
+         Put (Task_Name (A) & (if Stays_Here (A) then " stays" else " -"));
+         for O in Operation_Name loop
+            if Calls (A, O) > 0 then
+               Put (" " & O'Image);
+            end if;
+         end loop;
+         New_Line;
+      end loop;
+   end Print_Calls;
 
    procedure Print_Table (Item : Analysis) is
    begin
@@ -425,8 +442,11 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
 begin
    if Argument_Count = 1 and then Argument (1) = "--all" then
       Whole := True;
+   elsif Argument_Count = 1 and then Argument (1) = "--calls" then
+      Print_Calls;
+      return;
    elsif Argument_Count > 0 then
-      Put_Line (Standard_Error, "usage: schedulability [--all]");
+      Put_Line (Standard_Error, "usage: schedulability [--all | --calls]");
       Set_Exit_Status (2);
       return;
    end if;

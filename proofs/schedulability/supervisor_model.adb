@@ -55,9 +55,6 @@ package body Supervisor_Model with SPARK_Mode is
        | Reset_Done | Query_Done;
    --  th_line has carried it out and answered, and lets the task go on
 
-   subtype Task_Activity is Activity_Name range
-     Activity_Name'Succ (Kernel) .. Activity_Name'Pred (Environment);
-
    function Task_Of (Name : Task_Activity) return Schedule.Task_Name;
 
    function To_Span (Value : Integer) return Span is
@@ -78,11 +75,6 @@ package body Supervisor_Model with SPARK_Mode is
    function Processor_Of
      (Name : Activity_Name; Where : Placement; On : Machine)
       return Processor_Number;
-
-   function Calls (Name : Activity_Name; Which : Operation_Name)
-     return Natural
-   with Post => Calls'Result <= 20;
-   --  How often one release calls such an operation, at most
 
    function Ceiling_Of (Which : Operation_Name) return Urgency is
      (Urgency
@@ -116,8 +108,6 @@ package body Supervisor_Model with SPARK_Mode is
    function Stays_Here (Name : Activity_Name) return Boolean is
      (Name in Line_Request | Reload_Due | Reload_Done | Battery_Due
         | Ping_Due | Ping_Done | Order_Name | Done_Name);
-   --  Its objects and events are those of Robot, and its own port: the image
-   --  work and the log touch none of them
 
    function Is_Spaced (Name : Activity_Name) return Boolean is
      (Name in Line_Answer | Newcomer | Send_Look);
@@ -332,7 +322,6 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Session_Operation =>
            (case Name is
-               when Receive => 1,
                when Stop | Loss => 2,
                when Newcomer => 9,
                when others => 0),
@@ -503,14 +492,12 @@ package body Supervisor_Model with SPARK_Mode is
             --  then; and who sleeps for it lets a less urgent one in here
             Far := 0;
             for P in Image_Processor loop
-               if not Stays_Here (A) then
-                  Far := Far
-                    + Longest_At (P, Object_Of (O), Set (Row (A)).Processor);
-               end if;
+               Far := Far
+                 + Longest_At (P, Object_Of (O), Set (Row (A)).Processor);
                pragma Loop_Invariant
                  (Far <= Microseconds (P) * Horizon);
             end loop;
-            if Far > 0 then
+            if Far > 0 and then not Stays_Here (A) then
                Wait := Wait + Microseconds (Calls (A, O)) * (Far + Lower);
             end if;
             pragma Loop_Invariant
