@@ -68,16 +68,18 @@ package Budgets with SPARK_Mode is
 
    --  Measured as root, both processors busy with other work all the time,
    --  robot's line at 9600 baud, images of 640x480 with positions; rounded up
-   --  to 5 us. Behind each: where the longest was found on the first machine
-   --  and on the second, and of how many:
+   --  to 5 us. None is the longest that there can be: each is a bound that
+   --  99.9 % of the task's activities keep, in runs longer than those that
+   --  it was taken from. Behind each: where it was found on the first machine
+   --  and on the second, as the longest of how many:
    --    bench  script/bench tasks: its load
    --    each   its single commands, 20 ms apart
    --    asking the tasks that ask the line and pass on what comes of it, all
    --           in one: of 53_955 activities 12 took longer than 150 us
    --    half   of the longest order and its answer together
-   --  Fewer than one in a thousand of each task took longer, most by less than
-   --  1 ms, one by 13, and often several tasks' at once, whatever they do. The
-   --  analysis bears these as wake-ups that come late
+   --  Of those that took longer most did by less than 1 ms, one by 13, and
+   --  often several tasks' at once, whatever they do. They are borne as
+   --  wake-ups that come late: README.md, how late these may be
    --
    --  When these were measured, an order's own task answered it, but a stop,
    --  which th_line did. Now th_line answers all. So its time for an answer

@@ -4,31 +4,10 @@
 
 package body Response_Times with SPARK_Mode is
 
+   pragma Assertion_Policy (Ghost => Ignore, Loop_Invariant => Ignore);
+
    Max_Rounds : constant := 10_000;
    --  of one recurrence; each that does not end it lengthens the window
-
-   Max_Instances : constant := 1_000;
-   --  releases of one activity in one busy period
-
-   Most : constant := 4 * Horizon * Horizon;
-   --  of the demand of one activity in a window
-
-   Too_Much : constant := Horizon + 1;
-
-   function Demand_Of (Item : Activity; Window : Span) return Microseconds is
-     (if Item.Budget = 0 then 0
-      elsif Item.Jitter = Horizon then Too_Much
-      else Releases (Window, Item.Jitter + Item.Deferral, Item.Period)
-        * Item.Budget)
-   with Post => Demand_Of'Result <= Most;
-
-   function Queued_Of (Item : Activity; Window : Span) return Microseconds is
-     (if Item.Budget = 0 then 0
-      elsif Item.Jitter = Horizon then Too_Much
-      else ((Window + Item.Jitter) / Item.Period + 1) * Item.Budget)
-   with Post => Queued_Of'Result <= Most;
-   --  An arrival at the very end of the window goes before a transaction
-   --  that has not begun
 
    function Interference
      (Set : Activity_Array; Who : Activity_Index; Window : Span)
@@ -40,29 +19,32 @@ package body Response_Times with SPARK_Mode is
          if Interferes (Set, Who, I) then
             Sum := Sum + Demand_Of (Set (I), Window);
          end if;
-         pragma Loop_Invariant
-           (Sum <= Microseconds (I - Set'First + 1) * Most);
+         pragma Loop_Invariant (Sum = Interference_To (Set, Who, Window, I));
       end loop;
       return Sum;
    end Interference;
 
-   procedure Find_Window
-     (Set    : Activity_Array;
-      Who    : Activity_Index;
-      Demand : Span;
-      Window : out Span;
-      Found  : out Boolean)
+   function Window_Of
+     (Set : Activity_Array; Who : Activity_Index; Before : Release_Index)
+      return Window_Bound
    is
-      Next : Microseconds;
+      Demand : constant Microseconds := Own_Demand (Set (Who), Before);
+      Window : Span;
+      Next   : Microseconds;
    begin
-      Window := Demand;
-      for Round in 1 .. Max_Rounds loop
-         Next := Demand + Interference (Set, Who, Window);
-         Found := Next = Window;
-         exit when Found or else Next > Horizon;
-         Window := Next;
-      end loop;
-   end Find_Window;
+      if Demand <= Horizon then
+         Window := Demand;
+         for Round in 1 .. Max_Rounds loop
+            Next := Demand + Interference (Set, Who, Window);
+            if Next = Window then
+               return (Found => True, Length => Window);
+            end if;
+            exit when Next > Horizon;
+            Window := Next;
+         end loop;
+      end if;
+      return (Found => False, Length => 0);
+   end Window_Of;
 
    procedure Pre_Emptive_Bound
      (Set    : Activity_Array;
@@ -70,173 +52,153 @@ package body Response_Times with SPARK_Mode is
       Result : out Bound)
    is
       Item   : constant Activity := Set (Who);
-      Demand : Microseconds;
-      Window : Span;
-      Found  : Boolean;
-      Ended  : Microseconds;
-      Worst  : Microseconds := 0;
-      Local  : Span := 0;
+      Window : Window_Bound;
+      Finish : Lateness := 0;
+      Local  : Lateness := 0;
    begin
       Result := (others => <>);
-      for Before in Microseconds range 0 .. Max_Instances - 1 loop
-         Demand := Item.Blocking + (Before + 1) * Item.Budget;
-         exit when Demand > Horizon;
-         Find_Window (Set, Who, Demand, Window, Found);
-         exit when not Found;
-         Ended := Window + Item.Jitter;
-         if Ended > Before * Item.Period then
-            Worst := Microseconds'Max (Worst, Ended - Before * Item.Period);
-         end if;
-         exit when Worst > Horizon;
-         if Before * Item.Period <= Item.Jitter then
-            --  it may have been released with the first
-            Local := Span'Max (Local, Window);
-         elsif Ended > Before * Item.Period then
-            Local := Span'Max (Local, Ended - Before * Item.Period);
-         end if;
-         if Ended <= (Before + 1) * Item.Period then
-            --  done before the next one comes: the busy period is over
-            Result := (Exists => True,
-                       Start  => 0,
-                       Finish => Worst,
-                       Local  => Local);
+      for Before in Release_Index loop
+         Window := Window_Of (Set, Who, Before);
+         exit when not Window.Found;
+         Finish := Lateness'Max
+           (Finish, From_Arrival (Item, Window.Length, Before));
+         Local := Lateness'Max
+           (Local, From_Release (Item, Window.Length, Before));
+         exit when Finish > Horizon or else Local > Horizon;
+         pragma Loop_Invariant
+           (not Result.Exists and then Window = Window_Of (Set, Who, Before));
+         pragma Loop_Invariant (Finish <= Horizon and then Local <= Horizon);
+         pragma Loop_Invariant
+           (for all B in 0 .. Before =>
+              Is_Covered (Item, Window_Of (Set, Who, B), B, Finish, Local));
+         if Is_Last (Item, Window, Before) then
+            Result := (Exists   => True,
+                       Start    => 0,
+                       Finish   => Finish,
+                       Local    => Local,
+                       Releases => Before + 1);
             exit;
          end if;
       end loop;
    end Pre_Emptive_Bound;
+
+   function Longest_Lower
+     (Set : Activity_Array; Who : Activity_Index) return Span
+   is
+      Longest : Span := 0;
+   begin
+      for I in Set'Range loop
+         if Set (I).Priority < Set (Who).Priority then
+            Longest := Span'Max (Longest, Set (I).Budget);
+         end if;
+         pragma Loop_Invariant
+           (for all J in Set'First .. I =>
+              (if Set (J).Priority < Set (Who).Priority
+               then Longest >= Set (J).Budget));
+      end loop;
+      return Longest;
+   end Longest_Lower;
+
+   function Busy_Period
+     (Set : Activity_Array; Who : Activity_Index) return Window_Bound
+   is
+      Blocking : constant Span := Longest_Lower (Set, Who);
+      Length   : Span := Span'Max (1, Set (Who).Budget);
+      Sum      : Microseconds;
+   begin
+      for Round in 1 .. Max_Rounds loop
+         Sum := 0;
+         for I in Set'Range loop
+            if Set (I).Priority >= Set (Who).Priority then
+               Sum := Sum + Carried_Of (Set (I), Length);
+            end if;
+            pragma Loop_Invariant (Sum = Carried_To (Set, Who, Length, I));
+         end loop;
+         if Blocking + Sum <= Length then
+            return (Found => True, Length => Length);
+         end if;
+         exit when Blocking + Sum > Horizon;
+         Length := Blocking + Sum;
+      end loop;
+      return (Found => False, Length => 0);
+   end Busy_Period;
+
+   function Wait_Of
+     (Set : Activity_Array; Who : Activity_Index; Before : Release_Index)
+      return Window_Bound
+   is
+      Demand : constant Microseconds :=
+        Longest_Lower (Set, Who) + Before * Set (Who).Budget;
+      Length : Span;
+      Sum    : Microseconds;
+   begin
+      if Demand <= Horizon then
+         Length := Demand;
+         for Round in 1 .. Max_Rounds loop
+            Sum := 0;
+            for I in Set'Range loop
+               if I /= Who and then Set (I).Priority >= Set (Who).Priority
+               then
+                  Sum := Sum + Queued_Of (Set (I), Length);
+               end if;
+               pragma Loop_Invariant (Sum = Queued_To (Set, Who, Length, I));
+            end loop;
+            if Demand + Sum = Length then
+               return (Found => True, Length => Length);
+            end if;
+            exit when Demand + Sum > Horizon;
+            Length := Demand + Sum;
+         end loop;
+      end if;
+      return (Found => False, Length => 0);
+   end Wait_Of;
 
    procedure Transaction_Bound
      (Set    : Activity_Array;
       Who    : Activity_Index;
       Result : out Bound)
    is
-      Item : constant Activity := Set (Who);
-
-      function Longest_Lower return Span
-      with Global => (Input => (Set, Who)), Pre => Who in Set'Range;
-      --  The transaction that has just begun
-
-      procedure Find_Busy (Length : out Span; Found : out Boolean)
-      with
-        Global => (Input => (Set, Who)),
-        Pre    => Who in Set'Range;
-      --  The longest time without rest for Who and the more urgent ones
-
-      procedure Find_Start
-        (Demand : Span; Length : out Span; Found : out Boolean)
-      with
-        Global => (Input => (Set, Who)),
-        Pre    => Who in Set'Range;
-      --  When a transaction before which Demand is due may begin
-
-      function Longest_Lower return Span is
-         Longest : Span := 0;
-      begin
-         for I in Set'Range loop
-            if Set (I).Priority < Set (Who).Priority then
-               Longest := Span'Max (Longest, Set (I).Budget);
-            end if;
-         end loop;
-         return Longest;
-      end Longest_Lower;
-
-      procedure Find_Busy (Length : out Span; Found : out Boolean) is
-         Blocking : constant Span := Longest_Lower;
-         Next     : Microseconds;
-      begin
-         Length := Span'Max (1, Set (Who).Budget);
-         for Round in 1 .. Max_Rounds loop
-            Next := Blocking;
-            for I in Set'Range loop
-               if Set (I).Priority >= Set (Who).Priority then
-                  Next := Next + Demand_Of (Set (I), Length);
-               end if;
-               pragma Loop_Invariant
-                 (Next <= Horizon
-                    + Microseconds (I - Set'First + 1) * Most);
-            end loop;
-            Found := Next <= Length;
-            exit when Found or else Next > Horizon;
-            Length := Next;
-         end loop;
-      end Find_Busy;
-
-      procedure Find_Start
-        (Demand : Span; Length : out Span; Found : out Boolean)
-      is
-         Next : Microseconds;
-      begin
-         Length := Demand;
-         for Round in 1 .. Max_Rounds loop
-            Next := Demand;
-            for I in Set'Range loop
-               if I /= Who and then Set (I).Priority >= Set (Who).Priority
-               then
-                  Next := Next + Queued_Of (Set (I), Length);
-               end if;
-               pragma Loop_Invariant
-                 (Next <= Horizon
-                    + Microseconds (I - Set'First + 1) * Most);
-            end loop;
-            Found := Next = Length;
-            exit when Found or else Next > Horizon;
-            Length := Next;
-         end loop;
-      end Find_Start;
-
-      Blocking : constant Span := Longest_Lower;
-      Busy     : Span;
-      Count    : Microseconds;
-      Demand   : Microseconds;
-      Wait     : Span;
-      Found    : Boolean;
-      Begun    : Microseconds;
-      Start    : Microseconds := 0;
-      Finish   : Microseconds := 0;
-      Local    : Span := 0;
+      Item   : constant Activity := Set (Who);
+      Busy   : constant Window_Bound := Busy_Period (Set, Who);
+      Count  : Microseconds;
+      Wait   : Window_Bound;
+      Start  : Lateness := 0;
+      Finish : Lateness := 0;
+      Local  : Lateness := 0;
    begin
       Result := (others => <>);
-      Find_Busy (Busy, Found);
-      if not Found then
-         return;
-      end if;
-      Count := Releases (Busy, Item.Jitter, Item.Period);
-      if Count not in 1 .. Max_Instances then
+      Count := Releases (Busy.Length, Item.Jitter, Item.Period);
+      if not Busy.Found or else Count not in 1 .. Max_Releases then
          return;
       end if;
       for Before in 0 .. Count - 1 loop
-         Demand := Blocking + Before * Item.Budget;
-         if Demand > Horizon then
+         Wait := Wait_Of (Set, Who, Before);
+         if not Wait.Found or else Wait.Length + Item.Budget > Horizon then
             return;
          end if;
-         Find_Start (Demand, Wait, Found);
-         if not Found then
+         Start := Lateness'Max
+           (Start, From_Arrival (Item, Wait.Length, Before));
+         Finish := Lateness'Max
+           (Finish, From_Arrival (Item, Wait.Length + Item.Budget, Before));
+         Local := Lateness'Max
+           (Local, From_Release (Item, Wait.Length + Item.Budget, Before));
+         if Start > Horizon or else Finish > Horizon or else Local > Horizon
+         then
             return;
          end if;
-         Begun := Wait + Item.Jitter;
-         if Begun > Before * Item.Period then
-            Start := Microseconds'Max (Start, Begun - Before * Item.Period);
-         end if;
-         if Begun + Item.Budget > Before * Item.Period then
-            Finish := Microseconds'Max
-              (Finish, Begun + Item.Budget - Before * Item.Period);
-         end if;
-         if Start > Horizon or else Finish > Horizon then
-            return;
-         end if;
-         if Before * Item.Period > Item.Jitter then
-            Wait := Span'Min (Wait, Start);
-         end if;
-         if Wait + Item.Budget > Horizon then
-            return;
-         end if;
-         Local := Span'Max (Local, Wait + Item.Budget);
-         pragma Loop_Invariant (Start <= Horizon and then Finish <= Horizon);
+         pragma Loop_Invariant
+           (Start <= Horizon and then Finish <= Horizon
+            and then Local <= Horizon);
+         pragma Loop_Invariant
+           (for all B in 0 .. Before =>
+              Is_Carried
+                (Item, Wait_Of (Set, Who, B), B, Start, Finish, Local));
       end loop;
-      Result := (Exists => True,
-                 Start  => Start,
-                 Finish => Finish,
-                 Local  => Local);
+      Result := (Exists   => True,
+                 Start    => Start,
+                 Finish   => Finish,
+                 Local    => Local,
+                 Releases => Count);
    end Transaction_Bound;
 
    function Least_Ceilings

@@ -4,11 +4,19 @@
 
 package Response_Times with SPARK_Mode, Pure is
 
+   pragma Assertion_Policy
+     (Ghost => Ignore, Post => Ignore, Subprogram_Variant => Ignore);
+   --  Proved; to check at run time too would take hours, and of the variants
+   --  GNAT 12 cannot compile it
+
    pragma Annotate (GNATprove, Terminating, Response_Times);
    --  A claim that GNATprove checks: every subprogram ends
 
    Horizon : constant := 100_000_000;
    --  In microseconds: what takes longer counts as without a bound
+
+   Max_Releases : constant := 1_000;
+   --  of one activity in one busy period; with more it has no bound
 
    type Microseconds is range 0 .. 2 ** 62;
 
@@ -34,17 +42,27 @@ package Response_Times with SPARK_Mode, Pure is
       --  without a bound, and so is all that it delays
       Budget    : Span := 0;
       --  processor time of one release, at most
+      Suspension : Span := 0;
+      --  for how long one release sleeps before it is done, at most, with
+      --  what may go before it when it wakes
       Deferral  : Span := 0;
       --  for how long its service may be put off while less urgent ones go
-      --  on: it sleeps, or the kernel has not yet woken it
+      --  on, as seen by others: the kernel has not yet woken it, or it
+      --  sleeps (Put_Off). Horizon: without a bound
+      Tail      : Span := 0;
+      --  what one release may do besides in any window, at most: where the
+      --  next comes a Period after a moment within it, what follows that
       Blocking  : Span := 0;
-      --  by activities of lower priority, at most
+      --  by activities of lower priority and the kernel, at most, once in a
+      --  busy period
       Level     : Urgency := Urgency'Last;
       --  where lower than Priority: it shares a lock that knows no ceiling
       --  with one of this priority, and waits while others delay that one
    end record;
 
    type Activity_Array is array (Activity_Index range <>) of Activity;
+
+   subtype Release_Count is Microseconds range 0 .. Max_Releases;
 
    type Bound is record
       Exists : Boolean := False;
@@ -55,8 +73,18 @@ package Response_Times with SPARK_Mode, Pure is
       --  from the arrival to the end
       Local  : Span    := 0;
       --  from the release to the end
+      Releases : Release_Count := 0;
+      --  in the busy period that it was found for
    end record;
    --  All 0 where none exists within the Horizon
+
+   function Put_Off (Item : Activity; Own : Bound) return Span is
+     (if Item.Suspension = 0 then Item.Deferral
+      elsif not Own.Exists then Horizon
+      else Span'Max (Own.Local, Item.Budget) - Item.Budget);
+   --  The Deferral of an activity with this bound of its own. One that
+   --  sleeps before it is done may have all of its work left when its time
+   --  is nearly over, and the next release follows (Chen and others 2019)
 
    subtype Lateness is Microseconds range 0 .. 2 * Horizon;
 
@@ -78,44 +106,240 @@ package Response_Times with SPARK_Mode, Pure is
    --  Other may run while Who waits. Equal priorities count as higher, so
    --  that the bound holds for every order of arrival
 
+   Most : constant := 4 * Horizon * Horizon + Horizon;
+   --  of the demand of one activity in a window
+
+   function Demand_Of (Item : Activity; Window : Span) return Microseconds is
+     (if Item.Budget = 0 then 0
+      elsif Item.Jitter = Horizon or else Item.Deferral = Horizon
+      then Horizon + 1
+      else Releases (Window, Item.Jitter + Item.Deferral, Item.Period)
+        * Item.Budget + Item.Tail)
+   with Post => Demand_Of'Result <= Most;
+
+   function Interference_To
+     (Set    : Activity_Array;
+      Who    : Activity_Index;
+      Window : Span;
+      Last   : Activity_Count) return Microseconds
+   is (if Last < Set'First then 0
+       else Interference_To (Set, Who, Window, Last - 1)
+         + (if Interferes (Set, Who, Last)
+            then Demand_Of (Set (Last), Window) else 0))
+   with
+     Ghost,
+     Subprogram_Variant => (Decreases => Last),
+     Pre  => Who in Set'Range and then Last in Set'First - 1 .. Set'Last,
+     Post => Interference_To'Result
+       <= Microseconds (Last - Set'First + 1) * Most;
+
    function Interference
      (Set : Activity_Array; Who : Activity_Index; Window : Span)
       return Microseconds
    with
      Pre  => Who in Set'Range,
-     Post => Interference'Result <= Set'Length * (4 * Horizon * Horizon);
+     Post => Interference'Result
+       = Interference_To (Set, Who, Window, Set'Last);
    --  Processor time that others take from Who in a window, at most
 
-   procedure Find_Window
-     (Set    : Activity_Array;
-      Who    : Activity_Index;
-      Demand : Span;
-      Window : out Span;
-      Found  : out Boolean)
+   type Window_Bound is record
+      Found  : Boolean := False;
+      Length : Span    := 0;
+   end record;
+   --  Not found where it is longer than the Horizon
+
+   subtype Release_Index is Release_Count range 0 .. Max_Releases - 1;
+
+   function Own_Demand
+     (Item : Activity; Before : Release_Index) return Microseconds
+   is (Item.Blocking + (Before + 1) * (Item.Budget + Item.Suspension))
+   with Post => Own_Demand'Result <= (2 * Max_Releases + 1) * Horizon;
+   --  Of a release and so many Before it: it sleeps in each
+
+   function Window_Of
+     (Set : Activity_Array; Who : Activity_Index; Before : Release_Index)
+      return Window_Bound
    with
      Pre  => Who in Set'Range,
-     Post => (if Found
-              then Window = Demand + Interference (Set, Who, Window));
-   --  The time in which Who is given Demand beside the interference: a
-   --  fixed point of the recurrence. Not found beyond the Horizon
+     Post =>
+       (if Window_Of'Result.Found
+        then Window_Of'Result.Length = Own_Demand (Set (Who), Before)
+          + Interference (Set, Who, Window_Of'Result.Length));
+   --  From the beginning of the busy period to the end of a release with so
+   --  many Before it: a fixed point of the recurrence, and none of them is
+   --  below that end
+
+   function From_Arrival
+     (Item : Activity; Window : Span; Before : Release_Index)
+      return Lateness
+   is (Microseconds'Max (Window + Item.Jitter, Before * Item.Period)
+       - Before * Item.Period);
+   --  From the arrival of that release to its end, at most
+
+   function From_Release
+     (Item : Activity; Window : Span; Before : Release_Index)
+      return Lateness
+   is (if Before * Item.Period <= Item.Jitter then Window
+       else From_Arrival (Item, Window, Before));
+   --  Where so many arrive within the jitter it may have been released with
+   --  the first
+
+   function Is_Covered
+     (Item   : Activity;
+      Window : Window_Bound;
+      Before : Release_Index;
+      Finish : Span;
+      Local  : Span) return Boolean
+   is (Window.Found
+       and then Finish >= From_Arrival (Item, Window.Length, Before)
+       and then Local >= From_Release (Item, Window.Length, Before))
+   with Ghost;
+
+   function Is_Last
+     (Item : Activity; Window : Window_Bound; Before : Release_Index)
+      return Boolean
+   is (Window.Length + Item.Jitter <= (Before + 1) * Item.Period);
+   --  It is done before the next one comes: the busy period is over
 
    procedure Pre_Emptive_Bound
      (Set    : Activity_Array;
       Who    : Activity_Index;
       Result : out Bound)
-   with Pre => Who in Set'Range;
+   with
+     Pre  => Who in Set'Range,
+     Post =>
+       (if Result.Exists
+        then Result.Releases > 0
+          and then Is_Last
+            (Set (Who), Window_Of (Set, Who, Result.Releases - 1),
+             Result.Releases - 1)
+          and then
+            (for all Before in 0 .. Result.Releases - 1 =>
+               Is_Covered
+                 (Set (Who), Window_Of (Set, Who, Before), Before,
+                  Result.Finish, Result.Local)));
    --  Every release of the busy period is examined, so that a response may
    --  be longer than the period
+
+   --  The same where nothing is interrupted: the activities are the clients
+   --  of one line, Budget the length of a transaction. Processor, Suspension,
+   --  Deferral, Level and Blocking do not count: blocking is the longest
+   --  transaction of the less urgent
+
+   function Carried_Of (Item : Activity; Window : Span) return Microseconds
+   is
+     (if Item.Budget = 0 then 0
+      elsif Item.Jitter = Horizon then Horizon + 1
+      else Releases (Window, Item.Jitter, Item.Period) * Item.Budget)
+   with Post => Carried_Of'Result <= Most;
+
+   function Queued_Of (Item : Activity; Window : Span) return Microseconds is
+     (if Item.Budget = 0 then 0
+      elsif Item.Jitter = Horizon then Horizon + 1
+      else ((Window + Item.Jitter) / Item.Period + 1) * Item.Budget)
+   with Post => Queued_Of'Result <= Most;
+   --  An arrival at the very end of the window goes before a transaction
+   --  that has not begun
+
+   function Carried_To
+     (Set    : Activity_Array;
+      Who    : Activity_Index;
+      Window : Span;
+      Last   : Activity_Count) return Microseconds
+   is (if Last < Set'First then 0
+       else Carried_To (Set, Who, Window, Last - 1)
+         + (if Set (Last).Priority >= Set (Who).Priority
+            then Carried_Of (Set (Last), Window) else 0))
+   with
+     Ghost,
+     Subprogram_Variant => (Decreases => Last),
+     Pre  => Who in Set'Range and then Last in Set'First - 1 .. Set'Last,
+     Post => Carried_To'Result
+       <= Microseconds (Last - Set'First + 1) * Most;
+
+   function Queued_To
+     (Set    : Activity_Array;
+      Who    : Activity_Index;
+      Window : Span;
+      Last   : Activity_Count) return Microseconds
+   is (if Last < Set'First then 0
+       else Queued_To (Set, Who, Window, Last - 1)
+         + (if Last /= Who and then Set (Last).Priority >= Set (Who).Priority
+            then Queued_Of (Set (Last), Window) else 0))
+   with
+     Ghost,
+     Subprogram_Variant => (Decreases => Last),
+     Pre  => Who in Set'Range and then Last in Set'First - 1 .. Set'Last,
+     Post => Queued_To'Result
+       <= Microseconds (Last - Set'First + 1) * Most;
+
+   function Longest_Lower
+     (Set : Activity_Array; Who : Activity_Index) return Span
+   with
+     Pre  => Who in Set'Range,
+     Post =>
+       (for all Item of Set =>
+          (if Item.Priority < Set (Who).Priority
+           then Longest_Lower'Result >= Item.Budget));
+   --  The transaction that has just begun
+
+   function Busy_Period
+     (Set : Activity_Array; Who : Activity_Index) return Window_Bound
+   with
+     Pre  => Who in Set'Range,
+     Post =>
+       (if Busy_Period'Result.Found
+        then Busy_Period'Result.Length >= Longest_Lower (Set, Who)
+          + Carried_To (Set, Who, Busy_Period'Result.Length, Set'Last));
+   --  The longest time without rest for Who and the more urgent ones
+
+   function Wait_Of
+     (Set : Activity_Array; Who : Activity_Index; Before : Release_Index)
+      return Window_Bound
+   with
+     Pre  => Who in Set'Range,
+     Post =>
+       (if Wait_Of'Result.Found
+        then Wait_Of'Result.Length
+          = Longest_Lower (Set, Who) + Before * Set (Who).Budget
+            + Queued_To (Set, Who, Wait_Of'Result.Length, Set'Last));
+   --  From the beginning of the busy period to when a transaction with so
+   --  many Before it may begin
+
+   function Is_Carried
+     (Item   : Activity;
+      Wait   : Window_Bound;
+      Before : Release_Index;
+      Start  : Span;
+      Finish : Span;
+      Local  : Span) return Boolean
+   is (Wait.Found
+       and then Wait.Length + Item.Budget <= Horizon
+       and then Start >= From_Arrival (Item, Wait.Length, Before)
+       and then Finish
+         >= From_Arrival (Item, Wait.Length + Item.Budget, Before)
+       and then Local
+         >= From_Release (Item, Wait.Length + Item.Budget, Before))
+   with Ghost;
 
    procedure Transaction_Bound
      (Set    : Activity_Array;
       Who    : Activity_Index;
       Result : out Bound)
-   with Pre => Who in Set'Range;
-   --  The same where nothing is interrupted: the activities are the clients
-   --  of one line, Budget the length of a transaction. Processor, Deferral,
-   --  Level and Blocking do not count: blocking is the longest transaction
-   --  of the less urgent
+   with
+     Pre  => Who in Set'Range,
+     Post =>
+       (if Result.Exists
+        then Busy_Period (Set, Who).Found
+          and then Result.Releases > 0
+          and then Result.Releases = Releases
+            (Busy_Period (Set, Who).Length, Set (Who).Jitter,
+             Set (Who).Period)
+          and then
+            (for all Before in 0 .. Result.Releases - 1 =>
+               Is_Carried
+                 (Set (Who), Wait_Of (Set, Who, Before), Before,
+                  Result.Start, Result.Finish, Result.Local)));
 
    Max_Operations : constant := 32;
    subtype Operation_Index is Positive range 1 .. Max_Operations;

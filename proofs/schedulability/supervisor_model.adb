@@ -55,9 +55,6 @@ package body Supervisor_Model with SPARK_Mode is
        | Reset_Done | Query_Done;
    --  th_line has carried it out and answered, and lets the task go on
 
-   subtype Task_Activity is Activity_Name range
-     Activity_Name'Succ (Kernel) .. Activity_Name'Pred (Environment);
-
    function Task_Of (Name : Task_Activity) return Schedule.Task_Name;
 
    function To_Span (Value : Integer) return Span is
@@ -78,11 +75,6 @@ package body Supervisor_Model with SPARK_Mode is
    function Processor_Of
      (Name : Activity_Name; Where : Placement; On : Machine)
       return Processor_Number;
-
-   function Calls (Name : Activity_Name; Which : Operation_Name)
-     return Natural
-   with Post => Calls'Result <= 20;
-   --  How often one release calls such an operation, at most
 
    function Ceiling_Of (Which : Operation_Name) return Urgency is
      (Urgency
@@ -113,13 +105,23 @@ package body Supervisor_Model with SPARK_Mode is
              Name in Console | Stop | Line_Answer .. Line_Open | Newcomer
                | Receive | Loss | Arena | Camera);
 
+   function Stays_Here (Name : Activity_Name) return Boolean is
+     (Name in Line_Request | Reload_Due | Reload_Done | Battery_Due
+        | Ping_Due | Ping_Done | Order_Name | Done_Name);
+
+   function Is_Spaced (Name : Activity_Name) return Boolean is
+     (Name in Line_Answer | Newcomer | Send_Look);
+   --  However late one is, from its end to the next is a period: the line
+   --  carries an exchange in between, or the next is reckoned from the clock
+   --  as read at the end of this one, but for its Tail
+
    procedure Fill
      (Choice : Priority_Choice;
       Where  : Placement;
       On     : Machine;
       Under  : Load;
       Set    : out Activity_Set);
-   --  Everything but the jitters
+   --  Everything but the jitters, and what comes of responses
 
    function Latest (Item : Bound) return Span is
      (if Item.Exists then Item.Finish else Horizon);
@@ -320,7 +322,6 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Session_Operation =>
            (case Name is
-               when Receive => 1,
                when Stop | Loss => 2,
                when Newcomer => 9,
                when others => 0),
@@ -414,6 +415,7 @@ package body Supervisor_Model with SPARK_Mode is
          Whole.Priority := Urgency'Max (Whole.Priority, Item.Priority);
          Whole.Period := Command_Interval;
          Whole.Budget := Span'Max (Whole.Budget, Item.Budget);
+         Whole.Suspension := Span'Max (Whole.Suspension, Item.Suspension);
          Whole.Deferral := Span'Max (Whole.Deferral, Item.Deferral);
       end Join;
 
@@ -439,7 +441,15 @@ package body Supervisor_Model with SPARK_Mode is
                then To_Period (Newcomer_Interval) else Period_Of (A)),
             Jitter    => 0,
             Budget    => Budget_Of (A, On),
+            Suspension => 0,
             Deferral  => 0,
+            Tail      =>
+              (case A is
+                  --  the last of its lines of the log
+                  when Newcomer  => Budget_Of (A, On)
+                    / (Schedule.Hearings_Per_Turn + 3),
+                  when Send_Look => Budget_Of (A, On) / 2,
+                  when others    => 0),
             Blocking  => 0,
             Level     => Priority_Of (A, Choice));
       end loop;
@@ -487,23 +497,25 @@ package body Supervisor_Model with SPARK_Mode is
                pragma Loop_Invariant
                  (Far <= Microseconds (P) * Horizon);
             end loop;
-            if Far > 0 then
+            if Far > 0 and then not Stays_Here (A) then
                Wait := Wait + Microseconds (Calls (A, O)) * (Far + Lower);
             end if;
             pragma Loop_Invariant
               (Wait <= Microseconds (Operation_Name'Pos (O) + 1)
                  * (20 * 5 * Horizon));
          end loop;
-         if A /= Kernel then
-            Wait := Wait + Under.Latency;
-         end if;
-         Set (Row (A)).Deferral := Capped (Wait);
-         Wait := Wait + Lower;
          if Set (Row (A)).Level < Set (Row (A)).Priority then
+            --  it sleeps for the mutex of an event, too
             Wait := Wait + Longest
               + Capped (Operation_Time (Event_Operation) * On.Percent / 100);
          end if;
-         Set (Row (A)).Blocking := Capped (Wait);
+         Set (Row (A)).Suspension := Capped (Wait);
+         if A /= Kernel then
+            Set (Row (A)).Blocking := Under.Latency + Lower;
+            if not Is_Spaced (A) then
+               Set (Row (A)).Deferral := Under.Latency;
+            end if;
+         end if;
       end loop;
 
       for Name in Order_Name loop
@@ -545,6 +557,7 @@ package body Supervisor_Model with SPARK_Mode is
       if Which /= Row (Line_Outcome) then
          Paced (Row (Line_Outcome)).Period := Period_Of (Line_Answer);
          Paced (Row (Line_Outcome)).Jitter := 0;
+         Paced (Row (Line_Outcome)).Deferral := 0;
          Pre_Emptive_Bound (Paced, Which, Other);
          if not Result.Exists then
             Result := Other;
@@ -553,7 +566,8 @@ package body Supervisor_Model with SPARK_Mode is
               (Exists => True,
                Start  => Span'Min (Result.Start, Other.Start),
                Finish => Span'Min (Result.Finish, Other.Finish),
-               Local  => Span'Min (Result.Local, Other.Local));
+               Local  => Span'Min (Result.Local, Other.Local),
+               Releases => 0);
          end if;
       end if;
    end Bound_Activity;
@@ -622,7 +636,9 @@ package body Supervisor_Model with SPARK_Mode is
                      when Ping        => Latest (Bounds (Ping_Due)),
                      when Unanswered  => 0),
                Budget    => Lengths (C),
+               Suspension => 0,
                Deferral  => 0,
+               Tail      => 0,
                Blocking  => 0,
                Level     => Urgency'Last);
          end loop;
@@ -715,7 +731,8 @@ package body Supervisor_Model with SPARK_Mode is
             Finish => Span'Max
               (Alone.Finish, Span'Max (Behind.Finish, Quiet) - Quiet),
             Local  => Span'Max
-              (Alone.Local, Span'Max (Behind.Local, Quiet) - Quiet));
+              (Alone.Local, Span'Max (Behind.Local, Quiet) - Quiet),
+            Releases => 0);
       end if;
 
       Bound_One
@@ -778,6 +795,9 @@ package body Supervisor_Model with SPARK_Mode is
       with Global => (In_Out => (Set, Changed));
       --  To this jitter
 
+      procedure Change_Deferral (Which : Row_Index; To : Span)
+      with Global => (In_Out => (Set, Changed));
+
       procedure Change (Which : Row_Index; Period : Positive_Span; To : Span)
       is
       begin
@@ -787,6 +807,17 @@ package body Supervisor_Model with SPARK_Mode is
             Changed := True;
          end if;
       end Change;
+
+      procedure Change_Deferral (Which : Row_Index; To : Span) is
+      begin
+         if Set (Which).Deferral /= To then
+            Set (Which).Deferral := To;
+            Changed := True;
+         end if;
+      end Change_Deferral;
+
+      Orders, Dones : Span := 0;
+      --  the longest Deferral among them
 
    begin
       Changed := False;
@@ -826,7 +857,17 @@ package body Supervisor_Model with SPARK_Mode is
                       Latest (Bounds (Capture)),
                    when others       => 0));
          end if;
+         if not Is_Spaced (A) then
+            Change_Deferral (Row (A), Put_Off (Set (Row (A)), Bounds (A)));
+         end if;
+         if A in Order_Name then
+            Orders := Span'Max (Orders, Set (Row (A)).Deferral);
+         elsif A in Done_Name then
+            Dones := Span'Max (Dones, Set (Row (A)).Deferral);
+         end if;
       end loop;
+      Change_Deferral (Orders_Row, Orders);
+      Change_Deferral (Done_Row, Dones);
 
       Change (Orders_Row, Command_Interval, Latest (Bounds (Receive)));
       if All_Answered then
@@ -848,13 +889,15 @@ package body Supervisor_Model with SPARK_Mode is
       Host       : Row_Index    := Row_Index'Last;
       Whole      : Activity     := (Priority => Urgency'Last, others => <>);
       Budget     : Microseconds := Microseconds (Pauses);
-      Blocking   : Microseconds := 0;
+      Sleeps     : Microseconds := 0;
    begin
       See_Streams (Others_Set);
       for A in Activity_Name loop
          if Members (A) then
             Budget := Budget + Set (Row (A)).Budget;
-            Blocking := Blocking + Set (Row (A)).Blocking;
+            --  also for those within the chain that are woken
+            Sleeps := Sleeps
+              + Set (Row (A)).Suspension + Set (Row (A)).Blocking;
             Whole.Processor := Set (Row (A)).Processor;
             Whole.Priority :=
               Urgency'Min (Whole.Priority, Set (Row (A)).Priority);
@@ -870,14 +913,14 @@ package body Supervisor_Model with SPARK_Mode is
          end if;
          pragma Loop_Invariant
            (Budget <= (Microseconds (Row (A)) + 1) * Horizon
-            and then Blocking <= Microseconds (Row (A)) * Horizon);
+            and then Sleeps <= Microseconds (Row (A)) * (2 * Horizon));
       end loop;
-      if Budget > Horizon or else Blocking > Horizon then
+      if Budget > Horizon or else Sleeps > Horizon then
          Result := (others => <>);
          return;
       end if;
       Whole.Budget := Budget;
-      Whole.Blocking := Blocking;
+      Whole.Suspension := Sleeps;
       Others_Set (Host) := Whole;
       Bound_Activity (Others_Set, Host, Result);
    end Bound_Chain;
@@ -1059,8 +1102,9 @@ package body Supervisor_Model with SPARK_Mode is
          Bound_One (Alone, Line_Answer, Value.Answer);
          Alone (Row (Line_Answer)).Budget := Capped
            (Set (Row (Line_Answer)).Budget + Set (Row (Line_Outcome)).Budget);
-         Alone (Row (Line_Answer)).Blocking := Capped
-           (Set (Row (Line_Answer)).Blocking
+         Alone (Row (Line_Answer)).Suspension := Capped
+           (Set (Row (Line_Answer)).Suspension
+            + Set (Row (Line_Outcome)).Suspension
             + Set (Row (Line_Outcome)).Blocking);
          Bound_One (Alone, Line_Answer, Value.Outcome);
       end Bound_Owner;

@@ -132,7 +132,19 @@ package Supervisor_Model with SPARK_Mode is
       Under  : Load;
       Result : out Analysis);
 
+   subtype Task_Activity is Activity_Name range
+     Activity_Name'Succ (Kernel) .. Activity_Name'Pred (Environment);
+
    function Task_Name (Name : Activity_Name) return String;
+
+   function Calls (Name : Activity_Name; Which : Operation_Name)
+     return Natural
+   with Post => Calls'Result <= 20;
+   --  How often one release calls such an operation, at most
+
+   function Stays_Here (Name : Activity_Name) return Boolean;
+   --  The image work and the log touch none of its objects and events: these
+   --  are those of Robot, and its own port
 
    function Ceilings_Hold (Choice : Priority_Choice) return Boolean;
    --  No activity calls an operation whose ceiling is below its priority

@@ -19,11 +19,20 @@ package body Response_Times_Tests is
    is ((Priority => Priority, Period => Period, Budget => Budget,
         Jitter => Jitter, others => <>));
 
+   function Sleeper
+     (Priority : Urgency; Period, Budget, Suspension : Span) return Activity
+   is ((Priority => Priority, Period => Period, Budget => Budget,
+        Suspension => Suspension, others => <>));
+
    procedure Compare
      (Who : Activity_Index; Result : Bound; Answer : Integer);
 
    procedure Check (Set : Activity_Array; Answers : Answer_Array);
    --  Pre-emptive responses
+
+   procedure Check_Sleepers (Set : Activity_Array; Answers : Answer_Array);
+   --  The same where some sleep: most urgent first, as the bound of one is
+   --  needed for the next
 
    procedure Check_Line (Set : Activity_Array; Answers : Answer_Array);
    --  The same of a line
@@ -42,6 +51,10 @@ package body Response_Times_Tests is
    procedure Test_Blocking (T : in out Any_Test);
    procedure Test_Level (T : in out Any_Test);
    procedure Test_Processors (T : in out Any_Test);
+   procedure Test_Dynamic_Suspension (T : in out Any_Test);
+   procedure Test_Suspension_As_Jitter (T : in out Any_Test);
+   procedure Test_Own_Suspension (T : in out Any_Test);
+   procedure Test_Tail (T : in out Any_Test);
    procedure Test_Overload (T : in out Any_Test);
    procedure Test_No_Jitter_Known (T : in out Any_Test);
 
@@ -66,6 +79,18 @@ package body Response_Times_Tests is
          Compare (I, Result, Answers (I));
       end loop;
    end Check;
+
+   procedure Check_Sleepers (Set : Activity_Array; Answers : Answer_Array)
+   is
+      Known  : Activity_Array := Set;
+      Result : Bound;
+   begin
+      for I in Known'Range loop
+         Pre_Emptive_Bound (Known, I, Result);
+         Compare (I, Result, Answers (I));
+         Known (I).Deferral := Put_Off (Known (I), Result);
+      end loop;
+   end Check_Sleepers;
 
    procedure Check_Line (Set : Activity_Array; Answers : Answer_Array) is
       Result : Bound;
@@ -259,6 +284,64 @@ package body Response_Times_Tests is
       Check (Set, (3, 3, 8));
    end Test_Processors;
 
+   procedure Test_Dynamic_Suspension (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      --  J.-J. Chen, G. Nelissen, W.-H. Huang, A Unifying Response Time
+      --  Analysis Framework for Dynamic Self-Suspending Tasks, ECRTS 2016,
+      --  and the review of 2019, example 6: R1 - C1 = 5, R2 - C2 = 9. By
+      --  hand: 4 + 5; 6 + 1 + 2 x 4; and 4 + 5 x 4 + 3 x 6, for 42 + 5 is
+      --  no more than 5 x 10 and 42 + 9 no more than 3 x 19
+      Check_Sleepers
+        ((Sleeper (3, 10, 4, 5), Sleeper (2, 19, 6, 1),
+          Sleeper (1, 50, 4, 0)),
+         (9, 15, 42));
+      --  without a bound of its own it leaves the others none
+      Check_Sleepers
+        ((Sleeper (2, 10, 4, 7), Sleeper (1, 50, 4, 0)),
+         (Unbounded, Unbounded));
+   end Test_Dynamic_Suspension;
+
+   procedure Test_Suspension_As_Jitter (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Set : Activity_Array :=
+        (Sleeper (3, 2, 1, 0), Sleeper (2, 20, 5, 5),
+         Sleeper (1, 1_000, 1, 0));
+   begin
+      --  J.-J. Chen and others, Many Suspensions, Many Problems, Real-Time
+      --  Systems 55 (2019), on suspensions taken for jitter of their own
+      --  length: that gives 1 + 6 + 5 = 12 for the third. But let the first
+      --  run in each even unit of time, and the second, released at 0 and
+      --  20, sleep in 1, 3, .. 9, work in 11, 13, .. 19, and then in 21,
+      --  23, .. 29. The third, released at 10, runs in 31, and ends 22 later
+      Check_Sleepers (Set, (1, 20, 22));
+      Set (2).Deferral := Set (2).Suspension;
+      Set (2).Suspension := 0;
+      Check_Sleepers (Set, (1, 10, 12));
+   end Test_Suspension_As_Jitter;
+
+   procedure Test_Own_Suspension (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Item   : Activity := Sleeper (1, 10, 4, 3);
+      Result : Bound;
+   begin
+      --  by hand: two releases at once and the third 2 later; each works 4
+      --  and sleeps 3, so the third ends at 21, 19 after its release
+      Item.Jitter := 18;
+      Pre_Emptive_Bound ((1 => Item), 1, Result);
+      Assert (Result.Finish = 25, Result.Finish'Image);
+      Assert (Result.Local = 19, Result.Local'Image);
+   end Test_Own_Suspension;
+
+   procedure Test_Tail (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      First : Activity := Item (2, 10, 4);
+   begin
+      --  by hand: 3 of the release before and a whole one, then 3
+      First.Tail := 3;
+      Check ((First, Item (1, 50, 3)), (4, 10));
+   end Test_Tail;
+
    procedure Test_Overload (T : in out Any_Test) is
       pragma Unreferenced (T);
       Result : Bound;
@@ -306,6 +389,17 @@ package body Response_Times_Tests is
       Register_Routine (T, Test_Blocking'Access, "blocking");
       Register_Routine (T, Test_Level'Access, "a lock without ceiling");
       Register_Routine (T, Test_Processors'Access, "two processors");
+      Register_Routine
+        (T, Test_Dynamic_Suspension'Access,
+         "Chen, Nelissen and Huang 2016, suspensions");
+      Register_Routine
+        (T, Test_Suspension_As_Jitter'Access,
+         "Chen and others 2019, suspensions are no jitter");
+      Register_Routine
+        (T, Test_Own_Suspension'Access,
+         "each release of the busy period sleeps");
+      Register_Routine
+        (T, Test_Tail'Access, "what is left of the release before");
       Register_Routine (T, Test_Overload'Access, "overload has no bound");
       Register_Routine
         (T, Test_No_Jitter_Known'Access,
