@@ -26,7 +26,6 @@ is
    --  was. Number is 0 where a signal has interrupted the wait
 
 private
-   pragma SPARK_Mode (Off);
 
    type Counter is range -1 .. 2 ** 31 - 1 with Size => 32;
 
