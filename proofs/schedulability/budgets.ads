@@ -153,8 +153,7 @@ package Budgets with SPARK_Mode is
       Vision_Operation,    --  Vision.State, Vision.Camera_Requests,
                            --  Vision.Frame_Store
       Session_Operation,
-      Journal_Operation,
-      Event_Operation);    --  the mutex of a suspension object
+      Journal_Operation);
 
    type Operation_Times is array (Operation_Name) of Span;
 
@@ -173,8 +172,7 @@ package Budgets with SPARK_Mode is
       Port_Operation      => 2,
       Vision_Operation    => 2,
       Session_Operation   => 2,
-      Journal_Operation   => 5,
-      Event_Operation     => 2);
+      Journal_Operation   => 5);
 
    --  The load
 

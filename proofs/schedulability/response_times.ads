@@ -55,9 +55,6 @@ package Response_Times with SPARK_Mode, Pure is
       Blocking  : Span := 0;
       --  by activities of lower priority and the kernel, at most, once in a
       --  busy period
-      Level     : Urgency := Urgency'Last;
-      --  where lower than Priority: it shares a lock that knows no ceiling
-      --  with one of this priority, and waits while others delay that one
    end record;
 
    type Activity_Array is array (Activity_Index range <>) of Activity;
@@ -100,8 +97,7 @@ package Response_Times with SPARK_Mode, Pure is
       return Boolean
    is (Other /= Who
        and then Set (Other).Processor = Set (Who).Processor
-       and then Set (Other).Priority >=
-         Urgency'Min (Set (Who).Priority, Set (Who).Level))
+       and then Set (Other).Priority >= Set (Who).Priority)
    with Pre => Who in Set'Range and then Other in Set'Range;
    --  Other may run while Who waits. Equal priorities count as higher, so
    --  that the bound holds for every order of arrival
@@ -223,7 +219,7 @@ package Response_Times with SPARK_Mode, Pure is
 
    --  The same where nothing is interrupted: the activities are the clients
    --  of one line, Budget the length of a transaction. Processor, Suspension,
-   --  Deferral, Level and Blocking do not count: blocking is the longest
+   --  Deferral and Blocking do not count: blocking is the longest
    --  transaction of the less urgent
 
    function Carried_Of (Item : Activity; Window : Span) return Microseconds

@@ -75,8 +75,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
 
    procedure Print_Table (Item : Analysis);
    procedure Print_Line (Item : Analysis);
-   procedure Print_Requirements (Item : Analysis; Inverted : Analysis);
-   --  Inverted: the same with the mutexes of events as they are
+   procedure Print_Requirements (Item : Analysis);
    procedure Print_Loads (Item : Analysis);
 
    procedure Print_Silent (Item : Analysis);
@@ -186,16 +185,14 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       end loop;
    end Print_Line;
 
-   procedure Print_Requirements (Item : Analysis; Inverted : Analysis) is
+   procedure Print_Requirements (Item : Analysis) is
    begin
       Put_Line
         (Head ("from the cause to the effect", 44) & Column ("bound", 10)
-         & Column ("demanded", 10) & Column ("margin", 10)
-         & Column ("inverted", 10));
+         & Column ("demanded", 10) & Column ("margin", 10));
       for R in Requirement_Name loop
          declare
-            This  : Requirement renames Item.Requirements (R);
-            Worse : Requirement renames Inverted.Requirements (R);
+            This : Requirement renames Item.Requirements (R);
          begin
             Put_Line
               (Head (Meaning (R), 44)
@@ -206,11 +203,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
                & (if Met (This)
                   then Column (Milliseconds (This.Limit - This.Bound), 10)
                   elsif Always (R) then Column ("MISSED", 10)
-                  else Column ("not all", 10))
-               & Column
-                   ((if Worse.Known then Milliseconds (Worse.Bound)
-                     else "none"), 10)
-               & (if Met (Worse) then "" else " !"));
+                  else Column ("not all", 10)));
          end;
       end loop;
    end Print_Requirements;
@@ -271,11 +264,8 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
    is
       Varied   : Load := Under;
       Result   : Analysis;
-      Inverted : Analysis;
       Silent   : Analysis;
    begin
-      Analyse (Choice, Where, On, Under, Inverted);
-      Varied.Ideal_Events := True;
       Analyse (Choice, Where, On, Varied, Result);
       Varied.Silent := True;
       Analyse (Choice, Where, On, Varied, Silent);
@@ -289,7 +279,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          Print_Line (Result);
          New_Line;
       end if;
-      Print_Requirements (Result, Inverted);
+      Print_Requirements (Result);
       Print_Silent (Silent);
       Put_Line
         ("verdict: "
@@ -313,13 +303,10 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
           and then
             (not Always (Name) or else Met (Result.Requirements (Name))));
 
-      Under    : Load := (Flood => True, others => <>);
+      Under    : constant Load := (Flood => True, others => <>);
       Slower   : Machine := On;
       Result   : Analysis;
-      Inverted : Analysis;
    begin
-      Analyse (Of_The_Table, Real_Time_Apart, On, Under, Inverted);
-      Under.Ideal_Events := True;
       Analyse (Of_The_Table, Real_Time_Apart, On, Under, Result);
       Good := Result.Bounds (Newcomer).Exists
         and then Result.Bounds (Newcomer).Finish
@@ -330,7 +317,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       New_Line;
       Put_Line ("== amid a flood of newcomers, " & Title);
       Print_Loads (Result);
-      Print_Requirements (Result, Inverted);
+      Print_Requirements (Result);
       Put ("verdict: what is demanded of every single one is "
            & (if Good then "kept" else "NOT kept"));
       for R in Requirement_Name loop
@@ -367,7 +354,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          while Value <= Last loop
             declare
                M : Machine := On;
-               L : Load := (Ideal_Events => True, others => <>);
+               L : Load;
             begin
                Choose (Value, M, L);
                Analyse (Of_The_Table, Real_Time_Apart, M, L, Result);

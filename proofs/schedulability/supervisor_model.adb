@@ -32,15 +32,6 @@ package body Supervisor_Model with SPARK_Mode is
    --  th_hold has to do with each hold once, and at its end: a hold begins
    --  after a message, and with a command or the message after
 
-   type Event_Name is
-     (Line_Work,      --  Robot.Line: a request has come
-      Order_Arrived,  --  Order_Ports
-      Outbox_Work,    --  Monitor.Outbox: something may be sent
-      Hold_Begun,     --  Monitor.Outbox: something is held back
-      Log_Arrived);   --  Journal
-   --  Suspension objects that tasks of different priorities touch, apart
-   --  from those whose only setter is more urgent than who waits
-
    --  A command of the monitor is for one of these, so that for everybody
    --  else they are one stream, of the longest and a command apart
 
@@ -84,26 +75,7 @@ package body Supervisor_Model with SPARK_Mode is
             when Port_Operation     => Schedule.Order_Ceiling,
             when Vision_Operation   => Schedule.Camera_Ceiling,
             when Session_Operation  => Schedule.Session_Ceiling,
-            when Journal_Operation  => Schedule.Journal_Ceiling,
-            when Event_Operation    => System.Any_Priority'First));
-
-   function Touches (Name : Activity_Name; Event : Event_Name) return Boolean
-   is (case Event is
-          when Line_Work =>
-             Name in Line_Request .. Line_Open | Reload_Due | Reload_Done
-               | Order_Name | Battery_Due | Ping_Due | Loss | Receive,
-          when Order_Arrived =>
-             Name in Receive | Order_Name | Done_Name | Camera_Order
-               | Camera_Answer | Arena,
-          when Outbox_Work =>
-             Name in Send_Look .. Send_Image | Battery_Done | Receive
-               | Line_Answer | Line_Outcome | Hold | Camera_Order
-               | Camera_Answer | Capture | Arena,
-          when Hold_Begun =>
-             Name in Hold | Battery_Done | Line_Answer | Capture,
-          when Log_Arrived =>
-             Name in Console | Stop | Line_Answer .. Line_Open | Newcomer
-               | Receive | Loss | Arena | Camera);
+            when Journal_Operation  => Schedule.Journal_Ceiling));
 
    function Stays_Here (Name : Activity_Name) return Boolean is
      (Name in Line_Request | Reload_Due | Reload_Done | Battery_Due
@@ -241,7 +213,7 @@ package body Supervisor_Model with SPARK_Mode is
    function Ceilings_Hold (Choice : Priority_Choice) return Boolean is
      (for all A in Activity_Name =>
         (for all O in Operation_Name =>
-           (if O /= Event_Operation and then Calls (A, O) > 0
+           (if Calls (A, O) > 0
             then Priority_Of (A, Choice) <= Ceiling_Of (O))));
 
    function Period_Of (Name : Activity_Name) return Positive_Span is
@@ -331,14 +303,7 @@ package body Supervisor_Model with SPARK_Mode is
                --  the longest line
                when Console => 2,
                when Newcomer => Schedule.Hearings_Per_Turn + 3,
-               when others => 0),
-         when Event_Operation =>
-           (case Name is
-               when Capture | Arena => 4,
-               when Newcomer => Schedule.Hearings_Per_Turn + 3,
-               when Console | Camera => 2,
-               when Kernel | Environment => 0,
-               when others => 3));
+               when others => 0));
 
    procedure Fill
      (Choice : Priority_Choice;
@@ -361,7 +326,7 @@ package body Supervisor_Model with SPARK_Mode is
       subtype Image_Processor is Processor_Number range 1 .. 4;
 
       type Object_Name is
-        (Outbox, Line, Port, Vision, Session, Journal, Event);
+        (Outbox, Line, Port, Vision, Session, Journal);
 
       function Object_Of (Which : Operation_Name) return Object_Name is
         (case Which is
@@ -370,8 +335,7 @@ package body Supervisor_Model with SPARK_Mode is
             when Port_Operation     => Port,
             when Vision_Operation   => Vision,
             when Session_Operation  => Session,
-            when Journal_Operation  => Journal,
-            when Event_Operation    => Event);
+            when Journal_Operation  => Journal);
 
       function Longest_At
         (Where_Else : Processor_Number;
@@ -450,8 +414,7 @@ package body Supervisor_Model with SPARK_Mode is
                     / (Schedule.Hearings_Per_Turn + 3),
                   when Send_Look => Budget_Of (A, On) / 2,
                   when others    => 0),
-            Blocking  => 0,
-            Level     => Priority_Of (A, Choice));
+            Blocking  => 0);
       end loop;
 
       --  the kernel on the other processors
@@ -472,19 +435,6 @@ package body Supervisor_Model with SPARK_Mode is
       end loop;
 
       for A in Activity_Name loop
-         --  the lowest with which it shares the mutex of an event
-         if not Under.Ideal_Events then
-            for E in Event_Name loop
-               for B in Activity_Name loop
-                  if Touches (A, E) and then Touches (B, E)
-                    and then Set (Row (A)).Processor = Set (Row (B)).Processor
-                  then
-                     Set (Row (A)).Level := Urgency'Min
-                       (Set (Row (A)).Level, Set (Row (B)).Priority);
-                  end if;
-               end loop;
-            end loop;
-         end if;
          Lower := Ceiling_Blocking (Set, Sections, Ceilings, Row (A));
          Wait := 0;
          for O in Operation_Name loop
@@ -504,11 +454,6 @@ package body Supervisor_Model with SPARK_Mode is
               (Wait <= Microseconds (Operation_Name'Pos (O) + 1)
                  * (20 * 5 * Horizon));
          end loop;
-         if Set (Row (A)).Level < Set (Row (A)).Priority then
-            --  it sleeps for the mutex of an event, too
-            Wait := Wait + Longest
-              + Capped (Operation_Time (Event_Operation) * On.Percent / 100);
-         end if;
          Set (Row (A)).Suspension := Capped (Wait);
          if A /= Kernel then
             Set (Row (A)).Blocking := Under.Latency + Lower;
@@ -639,8 +584,7 @@ package body Supervisor_Model with SPARK_Mode is
                Suspension => 0,
                Deferral  => 0,
                Tail      => 0,
-               Blocking  => 0,
-               Level     => Urgency'Last);
+               Blocking  => 0);
          end loop;
          Transaction_Bound (Clients, Index (Who), Result);
       end Bound_One;
@@ -901,7 +845,6 @@ package body Supervisor_Model with SPARK_Mode is
             Whole.Processor := Set (Row (A)).Processor;
             Whole.Priority :=
               Urgency'Min (Whole.Priority, Set (Row (A)).Priority);
-            Whole.Level := Urgency'Min (Whole.Level, Set (Row (A)).Level);
             if A not in Line_Request | Line_Answer | Line_Outcome then
                --  these go on for other transactions; the rest is the
                --  chain's own

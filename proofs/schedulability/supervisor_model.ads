@@ -34,8 +34,6 @@ package Supervisor_Model with SPARK_Mode is
    type Load is record
       Turnaround : Span := Robot_Turnaround;
       Latency    : Span := Wake_Latency;
-      Ideal_Events : Boolean := False;
-      --  as if the mutex of a suspension object knew a ceiling
       Silent     : Boolean := False;
       --  one exchange stays without an answer, until its time-out
       Flood      : Boolean := False;
@@ -143,8 +141,8 @@ package Supervisor_Model with SPARK_Mode is
    --  How often one release calls such an operation, at most
 
    function Stays_Here (Name : Activity_Name) return Boolean;
-   --  The image work and the log touch none of its objects and events: these
-   --  are those of Robot, and its own port
+   --  The image work and the log touch none of its objects: these are those
+   --  of Robot, and its own port
 
    function Ceilings_Hold (Choice : Priority_Choice) return Boolean;
    --  No activity calls an operation whose ceiling is below its priority

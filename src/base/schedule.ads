@@ -237,8 +237,7 @@ package Schedule with SPARK_Mode is
    --  is empty after half a second
    Hearings_Per_Turn : constant := 3;
    --  at most so many of these were pending before the turn; and at most so
-   --  many rejections get a log line each. A log line may wait for the console
-   --  task (proofs/schedulability, "inverted")
+   --  many rejections get a log line each
    Block_Time        : constant Time_Span := Milliseconds (900);
    --  for sources that flood. Less than the second after which the kernel of a
    --  monitor at such an address retries

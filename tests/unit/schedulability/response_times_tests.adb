@@ -49,7 +49,6 @@ package body Response_Times_Tests is
    procedure Test_Ceiling_Table (T : in out Any_Test);
    procedure Test_Jitter (T : in out Any_Test);
    procedure Test_Blocking (T : in out Any_Test);
-   procedure Test_Level (T : in out Any_Test);
    procedure Test_Processors (T : in out Any_Test);
    procedure Test_Dynamic_Suspension (T : in out Any_Test);
    procedure Test_Suspension_As_Jitter (T : in out Any_Test);
@@ -264,17 +263,6 @@ package body Response_Times_Tests is
       Check (Set, (5, 11, 20));
    end Test_Blocking;
 
-   procedure Test_Level (T : in out Any_Test) is
-      pragma Unreferenced (T);
-      Set : Activity_Array :=
-        (Item (3, 50, 2), Item (2, 50, 7), Item (1, 50, 3));
-   begin
-      Check (Set, (2, 9, 12));
-      --  the first shares a lock without ceiling with the third
-      Set (1).Level := 1;
-      Check (Set, (12, 9, 12));
-   end Test_Level;
-
    procedure Test_Processors (T : in out Any_Test) is
       pragma Unreferenced (T);
       Set : Activity_Array :=
@@ -387,7 +375,6 @@ package body Response_Times_Tests is
       Register_Routine (T, Test_Ceiling_Table'Access, "Buttazzo, ceilings");
       Register_Routine (T, Test_Jitter'Access, "release jitter");
       Register_Routine (T, Test_Blocking'Access, "blocking");
-      Register_Routine (T, Test_Level'Access, "a lock without ceiling");
       Register_Routine (T, Test_Processors'Access, "two processors");
       Register_Routine
         (T, Test_Dynamic_Suspension'Access,

@@ -17,7 +17,7 @@ package body Supervisor_Model_Tests is
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
-   Usual : constant Load := (Ideal_Events => True, others => <>);
+   Usual : constant Load := (others => <>);
 
    function Reduced (Name : String) return String;
    --  In lower case, without underlines
@@ -40,7 +40,6 @@ package body Supervisor_Model_Tests is
    procedure Test_Slow_Robot (T : in out Any_Test);
    procedure Test_Slow_Kernel (T : in out Any_Test);
    procedure Test_Slow_Processor (T : in out Any_Test);
-   procedure Test_Inverted (T : in out Any_Test);
 
    function Reduced (Name : String) return String is
       Result : String (Name'Range);
@@ -245,7 +244,7 @@ package body Supervisor_Model_Tests is
    begin
       Analyse
         (Of_The_Table, Real_Time_Apart, (others => <>),
-         (Turnaround => 40_000, Ideal_Events => True, others => <>),
+         (Turnaround => 40_000, others => <>),
          Result);
       Assert (not Met (Result.Requirements (F11_Reload)), "F11");
       Assert (Met (Result.Requirements (F12_First_Byte)),
@@ -258,7 +257,7 @@ package body Supervisor_Model_Tests is
    begin
       Analyse
         (Of_The_Table, Real_Time_Apart, (others => <>),
-         (Latency => 2_000, Ideal_Events => True, others => <>), Result);
+         (Latency => 2_000, others => <>), Result);
       Assert (not Met (Result.Requirements (F12_First_Byte)), "F12");
    end Test_Slow_Kernel;
 
@@ -271,21 +270,6 @@ package body Supervisor_Model_Tests is
          (Percent => 3_000, Second | Many => True), Usual, Result);
       Assert (not Deadlines_Met (Result), "nothing is missed");
    end Test_Slow_Processor;
-
-   procedure Test_Inverted (T : in out Any_Test) is
-      pragma Unreferenced (T);
-      Ideal, Inverted : Analysis;
-   begin
-      Analyse (Of_The_Table, Real_Time_Apart, (others => <>), Usual, Ideal);
-      Analyse
-        (Of_The_Table, Real_Time_Apart, (others => <>), (others => <>),
-         Inverted);
-      for R in Requirement_Name loop
-         Assert
-           (Inverted.Requirements (R).Bound >= Ideal.Requirements (R).Bound,
-            R'Image & " is better with an inversion");
-      end loop;
-   end Test_Inverted;
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -308,8 +292,6 @@ package body Supervisor_Model_Tests is
       Register_Routine (T, Test_Slow_Kernel'Access, "a slow kernel is seen");
       Register_Routine
         (T, Test_Slow_Processor'Access, "a slow processor is seen");
-      Register_Routine
-        (T, Test_Inverted'Access, "an inversion makes nothing better");
    end Register_Tests;
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
