@@ -196,7 +196,7 @@ package Budgets with SPARK_Mode is
    --  no task of ours is in the way. PREEMPT_RT, or a kernel as prompt
 
    Message_Gap      : constant Span := 20_000;
-   --  --message-gap, its default: before an unasked message
+   --  --message-gap, its default: before an unsolicited message
    Answer_Gap       : constant Span := 4_000;
    --  before an answer; and the time after which th_sendToMon looks whether
    --  there is one

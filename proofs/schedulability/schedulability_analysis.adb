@@ -59,7 +59,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          when F2_Admitted     => "F2  connection to its admission",
          when F4_Own_Answer   => "F4  command to the supervisor's answer",
          when F4_Robot_Answer => "F4  robot's answer to the monitor's",
-         when F4_Unasked      => "F4  the same to the battery message *",
+         when F4_Unsolicited      => "F4  the same to the battery message *",
          when F6_Stop         => "F6  loss of the monitor to stop sent",
          when F11_Reload      => "F11 reload due to its first byte",
          when F12_First_Byte  => "F12 order to first byte, line free",
@@ -444,7 +444,7 @@ begin
              & ", an image each 100.000; robot answers within "
              & Milliseconds (Robot_Turnaround));
    Put_Line ("*: but for a gap of " & Milliseconds (Message_Gap)
-             & " after another unasked message");
+             & " after another unsolicited message");
    Put_Line ("cpu 1, the real-time processor (--cpu): all tasks but"
              & " th_captureImg, th_arene, th_camera, th_console");
 

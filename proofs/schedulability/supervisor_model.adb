@@ -901,7 +901,7 @@ package body Supervisor_Model with SPARK_Mode is
         (F2_Admitted     => Before (Schedule.Th_Server),
          F4_Own_Answer   => Before (Schedule.Th_Receive_From_Mon),
          F4_Robot_Answer => Before (Schedule.Th_Send_To_Mon),
-         F4_Unasked      => Before (Schedule.Th_Send_To_Mon),
+         F4_Unsolicited      => Before (Schedule.Th_Send_To_Mon),
          F6_Stop         => Before (Schedule.Th_Com_Mon_Perdue),
          F11_Reload      => Before (Schedule.Th_Reload_WD),
          F12_First_Byte  => Before (Schedule.Th_Move),
@@ -922,7 +922,7 @@ package body Supervisor_Model with SPARK_Mode is
          Bounds (Newcomer).Exists);
 
       --  answers: an image may be under way, and a pause follows it. Of
-      --  unasked messages all but that pause
+      --  unsolicited messages all but that pause
 
       Bound_Chain
         (Set,
@@ -942,7 +942,7 @@ package body Supervisor_Model with SPARK_Mode is
          (Line_Answer | Battery_Done | Send_Image | Send_Battery => True,
           others => False),
          0, Ended);
-      Conclude (F4_Unasked, Ended.Finish, Ended.Exists);
+      Conclude (F4_Unsolicited, Ended.Finish, Ended.Exists);
 
       --  the robot's line
 

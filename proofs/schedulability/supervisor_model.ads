@@ -51,7 +51,7 @@ package Supervisor_Model with SPARK_Mode is
      (F2_Admitted,
       F4_Own_Answer,
       F4_Robot_Answer,
-      F4_Unasked,
+      F4_Unsolicited,
       F6_Stop,
       F11_Reload,
       F12_First_Byte,

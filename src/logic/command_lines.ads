@@ -66,7 +66,7 @@ package Command_Lines with SPARK_Mode is
      & "  --jpeg-quality N     1 .. 100 (80)" & LF
      & "  --marker KIND        aruco or triangle (aruco)" & LF
      & "  --draw WHAT          over the images: all, arena or none (all)" & LF
-     & "  --message-gap MS     before each unasked message, 0 .. 1000 (20);"
+     & "  --message-gap MS     before an unsolicited message, 0 .. 1000 (20);"
      & LF
      & "                       before an answer 4 at most" & LF
      & "  --cpu N              keep the real-time tasks on processor N, or on"

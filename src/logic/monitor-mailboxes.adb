@@ -4,7 +4,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
 
    use type Monitor.Notice_Queues.Queue;
 
-   procedure Drop_Unasked (B : in out Mailbox)
+   procedure Drop_Unsolicited (B : in out Mailbox)
    with
      Post => Is_Quiet (B)
        and then B.Open = B'Old.Open
@@ -36,7 +36,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
    with
      Post => Is_Same_Mail (B, B'Old)
        and then
-         (if Any_Unasked (Waits (B)) then
+         (if Any_Unsolicited (Waits (B)) then
              B.Hold.On = B'Old.Hold.On
              and then B.Released = B'Old.Released
           else Is_Quiet (B));
@@ -69,7 +69,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Begun       : out Boolean) is
    begin
       Begun := False;
-      if Any_Unasked (Waits (B)) and then Commands (B) > 0 then
+      if Any_Unsolicited (Waits (B)) and then Commands (B) > 0 then
          Monitor.Message_Holds.Begin_Hold (B.Hold, New_Command, Now, Begun);
       end if;
    end Begin_Hold;
@@ -81,7 +81,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Next := Next_Number (B);
       B.Arena := False;
       B.Made := B.Made + 1;
-      Drop_Unasked (B);
+      Drop_Unsolicited (B);
    end Close_Session;
 
    procedure Compose (From : Item; Line : out Short_Line) is
@@ -117,7 +117,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end case;
    end Compose;
 
-   procedure Drop_Unasked (B : in out Mailbox) is
+   procedure Drop_Unsolicited (B : in out Mailbox) is
    begin
       B.Lost := False;
       Monitor.Notice_Queues.Clear (B.Told);
@@ -126,7 +126,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       B.Image := False;
       B.Hold.On := False;
       B.Released := False;
-   end Drop_Unasked;
+   end Drop_Unsolicited;
 
    procedure End_Hold (B : in out Mailbox; Now : Time) is
    begin
@@ -137,7 +137,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
 
    procedure End_Quiet_Hold (B : in out Mailbox) is
    begin
-      if not Any_Unasked (Waits (B)) then
+      if not Any_Unsolicited (Waits (B)) then
          B.Hold.On := False;
          B.Released := False;
       end if;
@@ -148,7 +148,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       B.Open := True;
       B.Last := Nothing;
       B.Imaged := False;
-      Drop_Unasked (B);
+      Drop_Unsolicited (B);
    end Open_Session;
 
    procedure Put
@@ -332,7 +332,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       if Next.Kind /= Nothing then
          B.Last := Next.Kind;
       end if;
-      if Next.Kind in Unasked and then Commands (B) = 0 then
+      if Next.Kind in Unsolicited and then Commands (B) = 0 then
          B.Hold.On := False;
          B.Released := False;
       end if;

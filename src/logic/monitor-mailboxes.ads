@@ -130,7 +130,7 @@ package Monitor.Mailboxes with SPARK_Mode is
    with Post => (if Waits'Result.Ready then Waits'Result.Commands);
 
    function Is_Quiet (B : Mailbox) return Boolean is
-     (not Any_Unasked (Waits (B))
+     (not Any_Unsolicited (Waits (B))
       and then not B.Hold.On
       and then not B.Released);
    --  No unsolicited message waits, and nothing is held back

@@ -17,9 +17,9 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
 
    subtype Sent_Kind is Choice range Answer .. Image;
 
-   subtype Unasked is Choice range Robot_Lost .. Image;
+   subtype Unsolicited is Choice range Robot_Lost .. Image;
 
-   type Unasked_Set is array (Unasked) of Boolean;
+   type Unsolicited_Set is array (Unsolicited) of Boolean;
 
    type Waiting is record
       Open     : Boolean := False;
@@ -28,7 +28,7 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
       --  commands wait for their answers ...
       Ready    : Boolean := False;
       --  ... and the answer to the first of them is available
-      Messages : Unasked_Set := (others => False);
+      Messages : Unsolicited_Set := (others => False);
       --  the unsolicited messages that wait ...
       Released : Boolean := False;
       --  ... and have been held back for long enough (rule 7)
@@ -43,10 +43,10 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
    Answer_Gap : constant Milliseconds := 4;
    --  at most, before an answer (PROTOCOL.md)
 
-   function Any_Unasked (W : Waiting) return Boolean is
-     (for some Kind in Unasked => W.Messages (Kind));
+   function Any_Unsolicited (W : Waiting) return Boolean is
+     (for some Kind in Unsolicited => W.Messages (Kind));
 
-   function First_Unasked (W : Waiting) return Unasked is
+   function First_Unsolicited (W : Waiting) return Unsolicited is
      (if W.Messages (Robot_Lost) then Robot_Lost
       elsif W.Messages (Text) then Text
       elsif W.Messages (Battery) then Battery
@@ -55,23 +55,24 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
       then Position
       else Image)
    with
-     Pre  => Any_Unasked (W),
-     Post => W.Messages (First_Unasked'Result)
+     Pre  => Any_Unsolicited (W),
+     Post => W.Messages (First_Unsolicited'Result)
        and then (for all Kind in Robot_Lost .. Battery =>
-                   (if Kind < First_Unasked'Result then
+                   (if Kind < First_Unsolicited'Result then
                        not W.Messages (Kind)))
        and then
          (if W.Messages (Position) and then W.Messages (Image) then
-            First_Unasked'Result /= (if W.Imaged then Image else Position));
+            First_Unsolicited'Result /=
+              (if W.Imaged then Image else Position));
 
    function Next (W : Waiting) return Choice is
      (if not W.Open then Nothing
       elsif W.Ready
-        and then not (Any_Unasked (W) and then W.Released
+        and then not (Any_Unsolicited (W) and then W.Released
                       and then W.Last = Answer)
       then Answer
-      elsif Any_Unasked (W) and then (not W.Commands or else W.Released)
-      then First_Unasked (W)
+      elsif Any_Unsolicited (W) and then (not W.Commands or else W.Released)
+      then First_Unsolicited (W)
       else Nothing)
    with
      Pre  => (if W.Ready then W.Commands),
@@ -80,16 +81,16 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
        (case Next'Result is
            when Nothing => True,
            when Answer  => W.Open and then W.Ready,
-           when Unasked => W.Open and then W.Messages (Next'Result))
+           when Unsolicited => W.Open and then W.Messages (Next'Result))
 
        --  an answer precedes unsolicited messages, unless these have been held
        --  back for long enough; then the two alternate
        and then
          (if W.Open and then W.Ready then
             (if not W.Released or else W.Last /= Answer
-               or else not Any_Unasked (W)
+               or else not Any_Unsolicited (W)
              then Next'Result = Answer
-             else Next'Result in Unasked))
+             else Next'Result in Unsolicited))
 
        --  while an answer is awaited, unsolicited messages are held back for a
        --  limited time
@@ -97,7 +98,7 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
          (if W.Commands and then not W.Ready and then not W.Released then
              Next'Result = Nothing)
        and then
-         (if W.Open and then Any_Unasked (W)
+         (if W.Open and then Any_Unsolicited (W)
             and then (W.Released or else not W.Commands)
           then Next'Result /= Nothing);
 
@@ -113,7 +114,7 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
    with
      Post => Gap'Result <= Between
        and then (if Sent = Answer then Gap'Result <= Answer_Gap)
-       and then (if Sent in Unasked and then W.Last in Unasked then
+       and then (if Sent in Unsolicited and then W.Last in Unsolicited then
                     Gap'Result = Between);
    --  Minimum time from the last message to Sent; Between is the gap between
    --  two unsolicited messages. It also applies after an answer, as the

@@ -371,7 +371,7 @@ package body Monitor_Protocol_Tests is
       procedure Check (Text : String; Kind : Known_Kind);
       --  Text is the label of Kind.
 
-      procedure Check_Unasked (Actual, Expected : String);
+      procedure Check_Unsolicited (Actual, Expected : String);
       --  The label of an unsolicited message.
 
       Count : Natural := 0;
@@ -384,10 +384,10 @@ package body Monitor_Protocol_Tests is
                     K = Kind or else Label (K) /= Text), "once " & Text);
       end Check;
 
-      procedure Check_Unasked (Actual, Expected : String) is
+      procedure Check_Unsolicited (Actual, Expected : String) is
       begin
          Assert (Actual = Expected, "label " & Expected);
-      end Check_Unasked;
+      end Check_Unsolicited;
 
    begin
       Check ("ROPN", Open_Robot);
@@ -416,11 +416,11 @@ package body Monitor_Protocol_Tests is
       Check ("CPST", Stop_Position);
       Check ("MSSG", Log_Message);
       Assert (Count = Known_Kind'Pos (Known_Kind'Last) + 1, "all of them");
-      Check_Unasked (Image_Label, "CIMG");
-      Check_Unasked (Position_Label, "CPOS");
-      Check_Unasked (Battery_Label, "RBLV");
-      Check_Unasked (State_Label, "RCST");
-      Check_Unasked (Log_Label, "MSSG");
+      Check_Unsolicited (Image_Label, "CIMG");
+      Check_Unsolicited (Position_Label, "CPOS");
+      Check_Unsolicited (Battery_Label, "RBLV");
+      Check_Unsolicited (State_Label, "RCST");
+      Check_Unsolicited (Log_Label, "MSSG");
    end Test_Labels;
 
    procedure Test_Line_Ends (T : in out Any_Test) is

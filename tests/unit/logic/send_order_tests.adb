@@ -9,7 +9,7 @@ package body Send_Order_Tests is
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
-   Everything : constant Unasked_Set := (others => True);
+   Everything : constant Unsolicited_Set := (others => True);
 
    procedure Send (W : in out Waiting; Expected : Choice);
    --  It is next, and is sent
@@ -37,7 +37,7 @@ package body Send_Order_Tests is
       Sent : constant Choice := Next (W);
    begin
       Assert (Sent = Expected, Sent'Image & " instead of " & Expected'Image);
-      if Sent in Unasked then
+      if Sent in Unsolicited then
          W.Messages (Sent) := False;
       end if;
       W.Last := Sent;
@@ -163,7 +163,7 @@ package body Send_Order_Tests is
    begin
       for Released in Boolean loop
          for Last in Choice loop
-            for Kind in Unasked loop
+            for Kind in Unsolicited loop
                for Between in Milliseconds loop
                   W := (Open     => True,
                         Commands => True,
@@ -176,10 +176,10 @@ package body Send_Order_Tests is
                     (Gap (W, Next (W), Between)
                      <= Milliseconds'Min (Between, Answer_Gap),
                      "an answer waits for long");
-                  if Last in Unasked then
+                  if Last in Unsolicited then
                      Assert
                        (Gap (W, Kind, Between) = Between,
-                        "two unasked ones are not kept apart");
+                        "two unsolicited ones are not kept apart");
                   end if;
                end loop;
             end loop;
