@@ -166,20 +166,18 @@ def label(figure: str, unit: str) -> str:
     return text + (f", {unit}" if name != "n" else "")
 
 
-def goal_of(goals: list[dict[str, Any]], what: str) -> list[str]:
+def goal_of(rows: list[Row], figure: str, what: str) -> list[str]:
     """Its cells: the goal, and in how many runs it was met."""
-    if not goals:
-        return ["", ""]
+    goals = [row.get("goals", {}).get(figure, {}) for row in rows]
     limits = [
-        f"{kind} {goal[kind]:,g}"
-        for goal in goals
-        for kind in ("at most", "at least")
-        if kind in goal
+        next((f"{k} {g[k]:,g}" for k in ("at most", "at least") if k in g), "")
+        for g in goals
     ]
-    if limits != limits[:1] * len(goals):
+    if len(set(limits)) > 1:
         raise Wrong(f"{what}: runs with other goals: {', '.join(limits)}")
-    met = sum(goal["met"] for goal in goals)
-    return [limits[0], f"{met} of {len(goals)}"]
+    if not limits[0]:
+        return ["", ""]
+    return [limits[0], f"{sum(goal['met'] for goal in goals)} of {len(goals)}"]
 
 
 def lines(table: Table, runs: list[Run], seen: set[tuple[str, ...]]) -> Iterator[str]:
@@ -192,6 +190,7 @@ def lines(table: Table, runs: list[Run], seen: set[tuple[str, ...]]) -> Iterator
         if section not in {key[0] for key in every}:
             raise Wrong(f"no rows of section {section}")
     cells = []
+    present = set()
     for key in every:
         for run, rows in zip(runs, found, strict=True):
             if key not in rows:
@@ -204,17 +203,20 @@ def lines(table: Table, runs: list[Run], seen: set[tuple[str, ...]]) -> Iterator
             what = f"{': '.join(key)}: {figure}"
             if len(having) < len(runs):
                 raise Wrong(f"only some runs have {what}")
+            present.add(figure)
             seen.add((*key, figure))
             unit = str(having[0]["unit"])
-            goals = [r["goals"][figure] for r in having if figure in r.get("goals", {})]
             cells.append(
                 [
                     key[1],
                     label(figure, unit),
                     *(shown(row[figure], figure, unit) for row in having),
-                    *goal_of(goals, what),
+                    *goal_of(having, figure, what),
                 ]
             )
+    for figure in table.figures:
+        if figure not in present:
+            raise Wrong(f"no row has {figure}")
     heads = ["what", "figure", *(run.name for run in runs), "goal", "met in"]
     if not any(line[-1] for line in cells):
         heads, cells = heads[:-2], [line[:-2] for line in cells]
@@ -270,7 +272,7 @@ def written(page: str, results: Results) -> str:
     for name in (MACHINE, *TABLES):
         if names.count(name) != 1:
             raise Wrong(f"{PAGE.name}: {names.count(name)} tables {name}, not 1")
-    if page.count("<!-- ") != 2 * len(names):
+    if len(re.findall("^<!-- ", page, re.M)) != 2 * len(names):
         raise Wrong(f"{PAGE.name}: a marker without its other one")
     page = block.sub(table, page)
     for section, rows in of_root[0].sections.items():
@@ -313,14 +315,11 @@ def main(arguments: list[str]) -> None:
     made = written(page, results)
     keep(results)
     PAGE.write_text(made, encoding="utf-8")
+    print(f"written: {PAGE}")
 
 
 if __name__ == "__main__":
     try:
         main(sys.argv[1:])
-    except (Wrong, OSError, ValueError, KeyError) as problem:
-        sys.exit(
-            f"measurements: {problem!r}"
-            if isinstance(problem, KeyError)
-            else f"measurements: {problem}"
-        )
+    except (Wrong, OSError, ValueError) as problem:
+        sys.exit(f"measurements: {problem}")

@@ -11,6 +11,7 @@ with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 
+with Expectations;          use Expectations;
 with Plain_Numbers;         use Plain_Numbers;
 with Svg_Files;             use Svg_Files;
 
@@ -191,9 +192,10 @@ package body Reports is
            ("      goal " & Key (G.Of_What)
             & (if G.At_Least then " >= " else " <= ") & Rounded (G.Limit)
             & (if Met then ": met" else ": NOT MET"));
-         Next
+         Append
            (List,
-            """" & Key (G.Of_What) & """: {"""
+            (if Length (List) = 0 then "" else ", ")
+            & """" & Key (G.Of_What) & """: {"""
             & (if G.At_Least then "at least" else "at most") & """: "
             & Rounded (G.Limit, 3) & ", ""met"": "
             & (if Met then "true" else "false") & "}");
@@ -224,6 +226,7 @@ package body Reports is
       Again  : constant Boolean :=
         (for some Item of Curves => not Item.Floor and then Item.Set = Ours);
    begin
+      Check (Ours.Count > 0, Name & ": nothing measured");
       Begin_Row (Name, "us");
       Note_Times (Ours);
       Note_Floor (Floor);
@@ -245,6 +248,7 @@ package body Reports is
    procedure Put
      (Name : String; Ours : Samples.Set; Wanted : Goals := No_Goals) is
    begin
+      Check (Ours.Count > 0, Name & ": nothing measured");
       Begin_Row (Name, "us");
       Note_Times (Ours);
       Put_Line (Name);
