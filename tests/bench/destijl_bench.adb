@@ -9,7 +9,9 @@ with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
 
 with Bench_Settings;
+with Both_Ends;
 with Child_Processes;
+with Expectations;
 with Full_Load;
 with Machines;
 with Option_Readers;        use Option_Readers;
@@ -37,6 +39,9 @@ procedure Destijl_Bench is
    procedure Print_Usage (To : File_Type);
 
    procedure Run (Which : Section);
+
+   procedure Run_Next;
+   --  From the beginning, also if the attempt before has failed
 
    procedure Print_Usage (To : File_Type) is
    begin
@@ -102,6 +107,15 @@ procedure Destijl_Bench is
       end case;
    end Run;
 
+   Next_One : Section := Section'First;
+
+   procedure Run_Next is
+   begin
+      Own_Process.Prefer_Real_Time (False);
+      Both_Ends.Close_All;
+      Run (Next_One);
+   end Run_Next;
+
 begin
    Own_Process.Ignore_Broken_Pipes;
    Read_Command_Line;
@@ -110,7 +124,8 @@ begin
    Machines.Report;
    for Which in Section loop
       if Wanted (Which) then
-         Run (Which);
+         Next_One := Which;
+         Expectations.Measure_Calmly (Run_Next'Access);
       end if;
    end loop;
    Reports.Close;

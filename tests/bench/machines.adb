@@ -2,13 +2,16 @@
 --  What the figures were taken on.
 
 with Ada.Calendar.Formatting;
+with Ada.Environment_Variables;
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Interfaces.C;      use Interfaces.C;
 with System.Multiprocessors;
 
+with Bench_Settings;
 with Libc;
 with Own_Process;
+with Plain_Numbers; use Plain_Numbers;
 with Process_Facts; use Process_Facts;
 with Reports;
 
@@ -50,6 +53,11 @@ package body Machines is
          & (if Own_Process.Real_Time_Allowed
             then ", real-time priorities"
             else ", no real-time priorities"));
+      Reports.Put_Fact
+        ("sources",
+         Ada.Environment_Variables.Value ("DESTIJL_COMMIT", "unknown"));
+      Reports.Put_Fact ("samples", Image (Bench_Settings.Sample_Count));
+      Reports.Put_Fact ("seconds", Image (Bench_Settings.Seconds));
       Reports.Put_Fact
         ("begun", Ada.Calendar.Formatting.Image (Ada.Calendar.Clock)
          & " UTC");

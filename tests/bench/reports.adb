@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What the benchmark says.
 
+with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Containers.Vectors;
 with Ada.Directories;
 with Ada.Numerics.Elementary_Functions;
@@ -10,20 +11,22 @@ with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 
+with Expectations;          use Expectations;
 with Plain_Numbers;         use Plain_Numbers;
 with Svg_Files;             use Svg_Files;
 
 package body Reports is
 
-   type Figure is range 1 .. 4;
+   subtype Time_Figure is Figure range Median .. Max;
 
-   Shares : constant array (Figure) of Float := (0.5, 0.99, 0.999, 1.0);
+   Shares : constant array (Time_Figure) of Float := (0.5, 0.99, 0.999, 1.0);
 
    subtype Name_Text is String (1 .. 6);
-   Titles : constant array (Figure) of Name_Text :=
+   Titles : constant array (Time_Figure) of Name_Text :=
      ("median", "   p99", " p99.9", "   max");
-   Keys   : constant array (Figure) of Name_Text :=
-     ("median", "p99   ", "p999  ", "max   ");
+
+   Ratio_Of : constant array (Time_Figure) of Ratio_Figure :=
+     (Median_Ratio, P99_Ratio, P999_Ratio, Max_Ratio);
 
    Name_Width : constant := 56;
    Width      : constant := 11;
@@ -50,6 +53,8 @@ package body Reports is
    Facts    : Unbounded_String;  --  JSON
    Sections : Unbounded_String;  --  JSON
    Rows     : Unbounded_String;  --  JSON, of the section that is open
+   Row      : Unbounded_String;  --  JSON, of the row that is open
+   Known    : array (Figure) of Float;  --  of that row
    Section  : Unbounded_String;
    Title    : Unbounded_String;
    Curves   : Curve_Vectors.Vector;
@@ -66,14 +71,24 @@ package body Reports is
    procedure Next (List : in out Unbounded_String; Item : String);
    --  One more of a list of JSON
 
-   function Figures_Of (Set : Samples.Set) return String;
-   --  As members of a JSON object
+   function Key (Of_What : Figure) return String is
+     (To_Lower (Of_What'Image));
+
+   procedure Begin_Row (Name, Unit : String);
+
+   procedure Note (Name : String; Value : Float);
+   --  One more member of the row
+
+   procedure Note (Of_What : Figure; Value : Float);
+   --  The same, for a goal to be compared with
+
+   procedure Note_Times (Set : Samples.Set);
+   procedure Note_Floor (Set : Samples.Set);
+
+   procedure End_Row (Wanted : Goals);
+   --  Says which goals are met
 
    procedure Put_Times (Name : String; Set : Samples.Set);
-   procedure Put_Goal (Goal : String; Met : Boolean);
-
-   function Goal_Of (Goal : String; Met : Boolean) return String;
-   --  As members of a JSON object
 
    procedure Plot_Curves (Drawing : in out Svg_File);
    procedure Plot_Bars (Drawing : in out Svg_File);
@@ -122,89 +137,107 @@ package body Reports is
       New_Line;
       Put_Line (Name & ": " & Title);
       Put (Head ("   times in us", Name_Width) & Column ("n"));
-      for F in Figure loop
+      for F in Time_Figure loop
          Put (Column (Titles (F)));
       end loop;
       New_Line;
    end Begin_Section;
 
-   function Figures_Of (Set : Samples.Set) return String is
-      Result : Unbounded_String := To_Unbounded_String
-        ("""n"": " & Image (Set.Count));
+   procedure Begin_Row (Name, Unit : String) is
    begin
-      for F in Figure loop
-         Append
-           (Result,
-            ", " & Quoted (Trim (Keys (F), Both)) & ": "
-            & Rounded (Micro (Set.Quantile (Shares (F))), 3));
-      end loop;
-      return To_String (Result);
-   end Figures_Of;
+      Row := To_Unbounded_String
+        ("{""name"": " & Quoted (Name) & ", ""unit"": " & Quoted (Unit));
+   end Begin_Row;
 
-   function Goal_Of (Goal : String; Met : Boolean) return String is
-     (if Goal = "" then ""
-      else ", ""goal"": " & Quoted (Goal) & ", ""met"": "
-        & (if Met then "true" else "false"));
+   procedure Note (Name : String; Value : Float) is
+   begin
+      Append (Row, ", """ & Name & """: " & Rounded (Value, 3));
+   end Note;
+
+   procedure Note (Of_What : Figure; Value : Float) is
+   begin
+      Note (Key (Of_What), Value);
+      Known (Of_What) := Value;
+   end Note;
+
+   procedure Note_Times (Set : Samples.Set) is
+   begin
+      Append (Row, ", ""n"": " & Image (Set.Count));
+      for F in Time_Figure loop
+         Note (F, Micro (Set.Quantile (Shares (F))));
+      end loop;
+   end Note_Times;
+
+   procedure Note_Floor (Set : Samples.Set) is
+   begin
+      for F in Time_Figure loop
+         declare
+            Floor : constant Float := Micro (Set.Quantile (Shares (F)));
+         begin
+            Note ("floor_" & Key (F), Floor);
+            Note
+              (Ratio_Of (F), (if Floor > 0.0 then Known (F) / Floor else 0.0));
+         end;
+      end loop;
+   end Note_Floor;
+
+   procedure End_Row (Wanted : Goals) is
+      List : Unbounded_String;
+      Met  : Boolean;
+   begin
+      for G of Wanted loop
+         Met := (if G.At_Least then Known (G.Of_What) >= G.Limit
+                 else Known (G.Of_What) <= G.Limit);
+         Put_Line
+           ("      goal " & Key (G.Of_What)
+            & (if G.At_Least then " >= " else " <= ") & Rounded (G.Limit)
+            & (if Met then ": met" else ": NOT MET"));
+         Append
+           (List,
+            (if Length (List) = 0 then "" else ", ")
+            & """" & Key (G.Of_What) & """: {"""
+            & (if G.At_Least then "at least" else "at most") & """: "
+            & Rounded (G.Limit, 3) & ", ""met"": "
+            & (if Met then "true" else "false") & "}");
+      end loop;
+      if Wanted'Length > 0 then
+         Append (Row, ", ""goals"": {" & List & "}");
+      end if;
+      Next (Rows, To_String (Row) & "}");
+   end End_Row;
 
    procedure Put_Times (Name : String; Set : Samples.Set) is
    begin
       Put (Head ("   " & Name, Name_Width)
            & Column (Image (Set.Count)));
-      for F in Figure loop
+      for F in Time_Figure loop
          Put (Column (Rounded (Micro (Set.Quantile (Shares (F))), 1)));
       end loop;
       New_Line;
    end Put_Times;
 
-   procedure Put_Goal (Goal : String; Met : Boolean) is
-   begin
-      if Goal /= "" then
-         Put_Line
-           ("      goal " & Goal & (if Met then ": met" else ": NOT MET"));
-      end if;
-   end Put_Goal;
-
-   function Ratio
-     (Ours, Floor : Samples.Set; Share : Float) return Float
-   is
-      Below : constant Float := Float (Floor.Quantile (Share));
-   begin
-      return (if Below > 0.0 then Float (Ours.Quantile (Share)) / Below
-              else 0.0);
-   end Ratio;
-
    procedure Compare
-     (Name  : String;
-      Ours  : Samples.Set;
-      Floor : Samples.Set;
-      Goal  : String  := "";
-      Met   : Boolean := True)
+     (Name   : String;
+      Ours   : Samples.Set;
+      Floor  : Samples.Set;
+      Wanted : Goals := No_Goals)
    is
       use type Samples.Set;
-      Ratios : Unbounded_String;
       Again  : constant Boolean :=
         (for some Item of Curves => not Item.Floor and then Item.Set = Ours);
    begin
+      Check (Ours.Count > 0, Name & ": nothing measured");
+      Begin_Row (Name, "us");
+      Note_Times (Ours);
+      Note_Floor (Floor);
       Put (Head (Name & ", ratio", Name_Width) & Column (""));
-      for F in Figure loop
-         declare
-            Value : constant Float := Ratio (Ours, Floor, Shares (F));
-         begin
-            Put (Column (Rounded (Value)));
-            Next (Ratios, Quoted (Trim (Keys (F), Both)) & ": "
-                  & Rounded (Value, 3));
-         end;
+      for F in Time_Figure loop
+         Put (Column (Rounded (Known (Ratio_Of (F)))));
       end loop;
       New_Line;
       Put_Times ("this supervisor", Ours);
       Put_Times ("floor", Floor);
-      Put_Goal (Goal, Met);
-      Next
-        (Rows,
-         "{""name"": " & Quoted (Name) & ", ""unit"": ""us"", "
-         & Figures_Of (Ours) & ", ""floor"": {" & Figures_Of (Floor)
-         & "}, ""ratio"": {" & To_String (Ratios) & "}"
-         & Goal_Of (Goal, Met) & "}");
+      End_Row (Wanted);
       if not Again then
          Curves.Append ((To_Unbounded_String (Name), Ours, others => False));
       end if;
@@ -213,54 +246,51 @@ package body Reports is
    end Compare;
 
    procedure Put
-     (Name  : String;
-      Ours  : Samples.Set;
-      Goal  : String  := "";
-      Met   : Boolean := True) is
+     (Name : String; Ours : Samples.Set; Wanted : Goals := No_Goals) is
    begin
+      Check (Ours.Count > 0, Name & ": nothing measured");
+      Begin_Row (Name, "us");
+      Note_Times (Ours);
       Put_Line (Name);
       Put_Times ("this supervisor", Ours);
-      Put_Goal (Goal, Met);
-      Next
-        (Rows,
-         "{""name"": " & Quoted (Name) & ", ""unit"": ""us"", "
-         & Figures_Of (Ours) & Goal_Of (Goal, Met) & "}");
+      End_Row (Wanted);
       Curves.Append ((To_Unbounded_String (Name), Ours, others => False));
    end Put;
 
    procedure Put_Number
-     (Name  : String;
-      Value : Float;
-      Unit  : String;
-      Floor : Float   := 0.0;
-      Goal  : String  := "";
-      Met   : Boolean := True) is
+     (Name   : String;
+      Value  : Float;
+      Unit   : String;
+      Floor  : Float := No_Floor;
+      Wanted : Goals := No_Goals) is
    begin
+      Begin_Row (Name, Unit);
+      Note (Reports.Value, Value);
+      if Floor >= 0.0 then
+         Note ("floor", Floor);
+      end if;
+      if Floor > 0.0 then
+         Note (Ratio, Value / Floor);
+      end if;
       Put_Line
         (Head (Name, Name_Width)
          & Column ((if Floor > 0.0 then Rounded (Value / Floor) & " x"
                     else ""))
          & Column (Rounded (Value)) & " " & Unit
-         & (if Floor > 0.0 then ", floor " & Rounded (Floor) else ""));
-      Put_Goal (Goal, Met);
-      Next
-        (Rows,
-         "{""name"": " & Quoted (Name) & ", ""unit"": " & Quoted (Unit)
-         & ", ""value"": " & Rounded (Value, 3)
-         & (if Floor > 0.0
-            then ", ""floor"": " & Rounded (Floor, 3) & ", ""ratio"": "
-              & Rounded (Value / Floor, 3)
-            else "")
-         & Goal_Of (Goal, Met) & "}");
+         & (if Floor >= 0.0 then ", floor " & Rounded (Floor) else ""));
+      End_Row (Wanted);
       Bars.Append
         ((To_Unbounded_String (Name), To_Unbounded_String (Unit),
-          Value, Floor));
+          Value, Float'Max (Floor, 0.0)));
    end Put_Number;
 
-   procedure Adopt (Row : String) is
+   procedure Adopt (Row : String; Wanted : Goals := No_Goals) is
 
       function Member (Key : String) return String;
       --  Its value, without quotation marks
+
+      function Number (Key : String) return Float is
+        (Float'Value (Member (Key)));
 
       function Member (Key : String) return String is
          Place : constant Natural := Index (Row, """" & Key & """:");
@@ -279,23 +309,34 @@ package body Reports is
       end Member;
 
       Name  : constant String := Member ("size") & " " & Member ("name");
-      Floor : constant String := Member ("floor_median");
+      Floor : constant Float :=
+        (if Member ("floor_median") in "" | "null" then No_Floor
+         else Number ("floor_median"));
    begin
+      if Member ("value") /= "" then
+         Put_Number
+           (Name, Number ("value"), Member ("unit"), Number ("floor"), Wanted);
+         return;
+      end if;
+      Begin_Row (Name, "us");
+      Append (Reports.Row, ", ""n"": " & Member ("n"));
       Put (Head (Name, Name_Width) & Column (Member ("n")));
-      for F in Figure loop
-         Put (Column (Member (Trim (Keys (F), Both))));
+      for F in Time_Figure loop
+         Note (F, Number (Key (F)));
+         Put (Column (Member (Key (F))));
       end loop;
       New_Line;
-      if Floor not in "" | "null" then
+      if Floor > 0.0 then
+         Note ("floor_median", Floor);
+         Note (Median_Ratio, Known (Median) / Floor);
          Put_Line
-           ("   ratio " & Member ("ratio") & ", the floor's median "
-            & Floor);
+           ("   ratio " & Rounded (Known (Median_Ratio))
+            & ", the floor's median " & Rounded (Floor));
       end if;
-      Next (Rows, Row);
+      End_Row (Wanted);
       Bars.Append
         ((To_Unbounded_String (Name), To_Unbounded_String ("us"),
-          Float'Value (Member ("median")),
-          (if Floor in "" | "null" then 0.0 else Float'Value (Floor))));
+          Known (Median), Float'Max (Floor, 0.0)));
    end Adopt;
 
    procedure Put_Note (Text : String) is

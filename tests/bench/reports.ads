@@ -17,37 +17,50 @@ package Reports is
    procedure Begin_Section (Name, Title : String);
    procedure End_Section;
 
+   type Figure is
+     (Value, Ratio, Median, P99, P999, Max,
+      Median_Ratio, P99_Ratio, P999_Ratio, Max_Ratio);
+   --  Of a row. Value and Ratio: of a number; the others: of times
+
+   subtype Ratio_Figure is Figure range Median_Ratio .. Max_Ratio;
+
+   type Goal is record
+      Of_What  : Figure;
+      Limit    : Float;
+      --  in the unit of the row (times: us), or a ratio
+      At_Least : Boolean := False;
+      --  otherwise at most
+   end record;
+
+   type Goals is array (Positive range <>) of Goal;
+
+   No_Goals : constant Goals (1 .. 0) := (others => (Value, 0.0, False));
+
    procedure Put
-     (Name  : String;
-      Ours  : Samples.Set;
-      Goal  : String  := "";
-      Met   : Boolean := True);
-   --  Times without a floor
+     (Name : String; Ours : Samples.Set; Wanted : Goals := No_Goals);
+   --  Times without a floor. The name of a row is its only one in its section
 
    procedure Compare
-     (Name  : String;
-      Ours  : Samples.Set;
-      Floor : Samples.Set;
-      Goal  : String  := "";
-      Met   : Boolean := True);
+     (Name   : String;
+      Ours   : Samples.Set;
+      Floor  : Samples.Set;
+      Wanted : Goals := No_Goals);
    --  Times with those of the floor
 
-   function Ratio
-     (Ours, Floor : Samples.Set; Share : Float) return Float;
-   --  Of the two quantiles; 0 if the floor has none
+   No_Floor : constant Float := -1.0;
 
    procedure Put_Number
-     (Name  : String;
-      Value : Float;
-      Unit  : String;
-      Floor : Float   := 0.0;
-      Goal  : String  := "";
-      Met   : Boolean := True);
+     (Name   : String;
+      Value  : Float;
+      Unit   : String;
+      Floor  : Float := No_Floor;
+      Wanted : Goals := No_Goals);
    --  One figure, with the floor's if there is one
 
-   procedure Adopt (Row : String);
-   --  A JSON row measured by another program: an object with name, size, n,
-   --  median, p99, p999, max, and floor_median and ratio or null
+   procedure Adopt (Row : String; Wanted : Goals := No_Goals);
+   --  A JSON row measured by another program: an object with name, size, unit
+   --  and either n, median, p99, p999, max, and floor_median or null; or value
+   --  and floor
 
    procedure Put_Note (Text : String);
    --  A line of explanation under the table

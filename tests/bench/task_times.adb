@@ -61,8 +61,6 @@ package body Task_Times is
 
    procedure End_Run (Item : in out Thread);
 
-   procedure Put (Name : String; Set : Samples.Set; Budget : Duration);
-
    function Budget_Of (Name : Activity_Name) return Duration is
      (Duration (Processor_Time (Name)) / 1_000_000);
 
@@ -183,6 +181,10 @@ package body Task_Times is
       end Add;
 
    begin
+      if Watch /= null and then not Watch'Terminated then
+         Stop;
+         --  a measurement that has failed
+      end if;
       Threads.Clear;
       Gone := False;
       Search (Folder, "", (Directory => True, others => False), Add'Access);
@@ -208,19 +210,22 @@ package body Task_Times is
       end loop;
    end Stop;
 
-   procedure Put (Name : String; Set : Samples.Set; Budget : Duration) is
-      Above : constant Natural := Set.Count_Above (Budget);
-   begin
-      if Set.Count > 0 and then Budget > 0.0 then
-         Reports.Put
-           (Name, Set,
-            "<= its budget," & Integer'Image (Integer (Budget * 1_000_000))
-            & " us, in 999 of 1000;" & Above'Image & " longer",
-            Above <= Set.Count / 1_000);
-      end if;
-   end Put;
-
    procedure Print is
+      Number : Natural := 0;
+      Above  : Natural := 0;
+
+      procedure Put (Name : String; Set : Samples.Set; Budget : Duration);
+
+      procedure Put (Name : String; Set : Samples.Set; Budget : Duration) is
+      begin
+         if Budget > 0.0 then
+            Reports.Put
+              (Name, Set,
+               (1 => (Reports.P999, 1.0E6 * Float (Budget), False)));
+            Number := Number + Set.Count;
+            Above := Above + Set.Count_Above (Budget);
+         end if;
+      end Put;
    begin
       for Place in Runs.Iterate loop
          Put
@@ -230,6 +235,8 @@ package body Task_Times is
       Put (Owner & ", request", Requests, Budget_Of (Line_Request));
       Put (Owner & ", answer", Answers,
            Budget_Of (Line_Answer) + Budget_Of (Line_Outcome));
+      Reports.Put_Number ("activities", Float (Number), "");
+      Reports.Put_Number ("activities above their budgets", Float (Above), "");
    end Print;
 
 end Task_Times;

@@ -287,6 +287,8 @@ package body Trace_Responses is
    procedure Report (Path : String) is
       Own    : constant String := Programs.Temporary_Folder & "/trace.json";
       Result : Response_Array;
+      Number : Natural := 0;
+      Above  : Natural := 0;
    begin
       Reports.Begin_Section
         ("responses", "what each task takes from its release to its end");
@@ -298,14 +300,19 @@ package body Trace_Responses is
          if Result (Name).Times.Count > 0 then
             Reports.Put
               (Name_Of (Name), Result (Name).Times,
-               Goal => (if Result (Name).Bound = 0.0 then ""
-                        else "bound " & Milliseconds (Result (Name).Bound)
-                          & (if Result (Name).Above = 0 then ""
-                             else "," & Result (Name).Above'Image
-                               & " above")),
-               Met  => Result (Name).Above = 0);
+               (if Result (Name).Bound = 0.0 then Reports.No_Goals
+                else (1 => (Reports.Max, 1.0E6 * Float (Result (Name).Bound),
+                            False))));
+         end if;
+         if Result (Name).Bound > 0.0 then
+            Number := Number + Result (Name).Times.Count;
+            Above := Above + Result (Name).Above;
          end if;
       end loop;
+      Reports.Put_Number ("responses", Float (Number), "");
+      Reports.Put_Number
+        ("responses above their bounds", Float (Above), "",
+         Wanted => (1 => (Reports.Value, 0.0, False)));
       Reports.Put_Note
         ("the bounds are those of proofs/schedulability for this machine");
       Reports.End_Section;

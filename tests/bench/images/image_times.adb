@@ -2,6 +2,7 @@
 --  How long each stage of an image's way takes, from the camera's bytes to
 --  those on the socket, and each kind of search; beside the floors.
 
+with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Command_Line; use Ada.Command_Line;
 with Ada.Exceptions;
 with Ada.Real_Time;    use Ada.Real_Time;
@@ -200,7 +201,7 @@ procedure Image_Times is
 
    procedure Measure_Stages (Width, Height : Positive);
    procedure Measure_Searches
-     (Width, Height : Positive; Robots : Natural; Section : String);
+     (Width, Height : Positive; Robots : Natural; Prefix : String);
 
    procedure Measure_Stages (Width, Height : Positive) is
       Size   : constant String :=
@@ -285,30 +286,30 @@ procedure Image_Times is
       Floors (Whole) := Floors (Encoding);
       Floors (Sending) := Floors (To_Text);
 
-      Report ("image", "grab: check and keep a JPEG", Size,
+      Report ("images", "grab: check and keep a JPEG", Size,
               Times (Grabbing), Floors (Grabbing));
-      Report ("image", "pass it on", Size,
+      Report ("images", "pass it on", Size,
               Times (Passing), Floors (Passing));
-      Report ("image", "camera's JPEG passed through", Size,
+      Report ("images", "camera's JPEG passed through", Size,
               Times (Through), Floors (Through));
-      Report ("image", "decode", Size,
+      Report ("images", "decode", Size,
               Times (Decoding), Floors (Decoding));
-      Report ("image", "arena", Size,
+      Report ("images", "arena", Size,
               Times (Arena_Search), Floors (None));
-      Report ("image", "draw", Size,
+      Report ("images", "draw", Size,
               Times (Drawing), Floors (None));
-      Report ("image", "encode", Size,
+      Report ("images", "encode", Size,
               Times (Encoding), Floors (Encoding));
-      Report ("image", "base64", Size,
+      Report ("images", "base64", Size,
               Times (To_Text), Floors (To_Text));
-      Report ("image", "send", Size,
+      Report ("images", "send", Size,
               Times (Sending), Floors (Sending));
-      Report ("image", "encode + base64 + send", Size,
+      Report ("images", "encode + base64 + send", Size,
               Times (Whole), Floors (Whole));
    end Measure_Stages;
 
    procedure Measure_Searches
-     (Width, Height : Positive; Robots : Natural; Section : String)
+     (Width, Height : Positive; Robots : Natural; Prefix : String)
    is
       Size    : constant String :=
         Image (Width) & "x" & Image (Height);
@@ -325,9 +326,6 @@ procedure Image_Times is
       Known   : Vision.Following.State;
       Settled : Boolean;
       Result  : Status;
-      Name    : constant String :=
-        (if Section = "markers" then Image (Robots) & " in view: "
-         else "search: ");
 
       --  Each search has some images in a row, as the supervisor would make
       --  it: the caches hold what it needs, not what another one left
@@ -393,12 +391,12 @@ procedure Image_Times is
       end loop;
       Plain := Full;
       Copy := Full;
-      Report (Section, Name & "in the arena", Size, Inside, Copy);
+      Report ("search", Prefix & "in the arena", Size, Inside, Copy);
       if Follow.Count > 0 then
-         Report (Section, Name & "following", Size, Follow, Plain);
+         Report ("search", Prefix & "following", Size, Follow, Plain);
       end if;
       Plain.Clear;
-      Report (Section, Name & "whole image", Size, Full, Plain);
+      Report ("search", Prefix & "whole image", Size, Full, Plain);
    end Measure_Searches;
 
    --  Markers beside OpenCV's detector at its defaults, on the same images
@@ -413,6 +411,7 @@ procedure Image_Times is
    is
       Size  : constant String :=
         Image (Width) & "x" & Image (Height);
+      Name  : constant String := To_Lower (Kind'Image);
       Ours  : Samples.Set renames Times (Whole);
       Peer  : Samples.Set renames Floors (Whole);
       Item  : Scenes.Description;
@@ -448,8 +447,7 @@ procedure Image_Times is
       end Search_Peer;
 
       function Share (Part : Natural) return String is
-        (Rounded (100.0 * Float (Part) / Float (Number * Ids'Length), 0)
-         & " %");
+        (Rounded (100.0 * Float (Part) / Float (Number * Ids'Length), 1));
 
    begin
       for K in Ids'Range loop
@@ -474,11 +472,17 @@ procedure Image_Times is
             Search_Peer;
          end if;
       end loop;
-      Report
-        ("search",
-         Head (Kind'Image, 8) & Share (Right) & ", OpenCV's "
-         & Share (Right_Peer),
-         Size, Ours, Peer);
+      Report ("search", "four robots, " & Name, Size, Ours, Peer);
+      Put_Line
+        (Head ("", 11) & "   found: " & Share (Right) & " %, by OpenCV "
+         & Share (Right_Peer) & " %");
+      if Is_Open (File) then
+         Put_Line
+           (File,
+            "{""section"":""search"",""name"":""found of four robots, "
+            & Name & """,""size"":""" & Size & """,""unit"":""%"",""value"":"
+            & Share (Right) & ",""floor"":" & Share (Right_Peer) & "}");
+      end if;
    end Measure_Peer;
 
    procedure Put_Usage;
@@ -506,7 +510,7 @@ begin
              & " libjpeg-turbo alone for decode, encode and the sum;");
    Put_Line ("memcpy of the same bytes for the other stages; the whole"
              & " image for the searches; OpenCV's own");
-   Put_Line ("detector for the rows that name what share of the markers each"
+   Put_Line ("detector for four robots, and what share of the markers each"
              & " has found.");
    New_Line;
    Put_Line (Head ("size", 11) & Head ("stage", 34) & Tail ("median", 10)
@@ -522,14 +526,14 @@ begin
                          when others => 1_080);
       begin
          Measure_Stages (Width, Height);
-         Measure_Searches (Width, Height, 1, "search");
+         Measure_Searches (Width, Height, 1, "search: ");
          for Kind in Disturbance loop
             Measure_Peer (Width, Height, Kind);
          end loop;
       end;
    end loop;
    for Robots in 0 .. 4 loop
-      Measure_Searches (640, 480, Robots, "markers");
+      Measure_Searches (640, 480, Robots, Image (Robots) & " in view: ");
    end loop;
    if Is_Open (File) then
       Close (File);

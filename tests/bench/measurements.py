@@ -1,0 +1,325 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables of docs/measurements.md, from the results of script/bench.
+
+usage: script/bench --docs FOLDER ... | --check
+
+Each FOLDER is of one run, with its bench.json, and user/bench.json of the same
+as an ordinary user. The results are kept in tests/bench/results, the page is
+written anew from them. --check fails if the page is not what they make."""
+
+import difflib
+import json
+import re
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs" / "measurements.md"
+RESULTS = ROOT / "tests" / "bench" / "results"
+
+MACHINE = "machine"
+#  The table of the facts of each run
+
+Row = dict[str, Any]
+
+
+class Wrong(Exception):
+    """What results or page lack."""
+
+
+@dataclass
+class Table:
+    """Rows of these sections, whose names match; a line for each figure that a
+    row has, a column for each run: those as root, or those as a user."""
+
+    sections: tuple[str, ...]
+    figures: tuple[str, ...]
+    names: str = ".*"
+    user: bool = False
+
+
+ORDERS = ("orders", "answers")
+MEDIANS = ("median_ratio", "median", "floor_median")
+P99 = ("p99_ratio", "p99", "floor_p99")
+P999 = ("p999_ratio", "p999", "floor_p999")
+PLAIN = r"(order|answer), (?!.*(relay|--trace|default gap)).*"
+RELAY = ".*, to the relay"
+
+TABLES = {
+    "ratios": Table(ORDERS, ("median_ratio", "p99_ratio"), PLAIN),
+    "times": Table(ORDERS, ("median", "floor_median", "p99", "floor_p99"), PLAIN),
+    "relay": Table(ORDERS, ("median_ratio",), RELAY),
+    "silent": Table(ORDERS, ("p999", "max", "value"), ".*stop.*|.*default gap"),
+    "user": Table(ORDERS, ("median_ratio", "p99_ratio", "p99"), PLAIN, user=True),
+    "user-relay": Table(ORDERS, ("median_ratio",), RELAY, user=True),
+    "periods": Table(("periods",), (*P999, *MEDIANS), ".*, to cyclictest"),
+    "line": Table(("periods",), ("p999_ratio", "floor_p999"), ".*with a line"),
+    "start": Table(
+        ("start",),
+        (*MEDIANS, "max", "value"),
+        "(start|monitor|memory)(?!.*--trace).*",
+    ),
+    "loading": Table(("start",), (*MEDIANS, *P99), "camera.*|order .*"),
+    "rates": Table(("scale",), ("value",), "highest rate.*"),
+    "processor": Table(("scale",), ("value",), "(?!highest)(?!.*--trace).*"),
+    "trace": Table(
+        (*ORDERS, "start", "scale"),
+        ("median_ratio", "p99_ratio", "median", "ratio", "value"),
+        ".*--trace.*",
+    ),
+    "images": Table(("images",), MEDIANS, r".*\+ send"),
+    "stages": Table(
+        ("images",), ("median",), r"\S+ (encode|base64|send|.* passed through)"
+    ),
+    "search": Table(("search",), ("median_ratio", "median"), ".* search: .*"),
+    "arena": Table(("images",), ("median",), ".* arena"),
+    "markers": Table(
+        ("search",),
+        ("median_ratio", "median"),
+        ".* [1-4] in view: (following|whole image)",
+    ),
+    "peer": Table(("search",), MEDIANS, r"\S+ four robots, plain"),
+    "found": Table(("search",), ("value", "floor"), ".* found of .*"),
+    "load": Table(("load",), ("median", "p99", "p999", "value")),
+    "responses": Table(("responses",), ("max", "value")),
+    "tasks": Table(("tasks",), ("n", "p999", "value")),
+}
+
+LABELS = {"p999": "p99.9", "max": "longest", "n": "samples"}
+
+
+class Run:
+    """One bench.json."""
+
+    def __init__(self, path: Path, name: str) -> None:
+        read = json.loads(path.read_text(encoding="utf-8"))
+        self.path = path
+        self.name = name
+        self.sections: dict[str, dict[str, Row]] = {}
+        for section in read.pop("sections"):
+            rows = self.sections.setdefault(section["name"], {})
+            for row in section["rows"]:
+                if "note" in row:
+                    continue
+                if row["name"] in rows:
+                    raise Wrong(f"{path}: {section['name']}: {row['name']} twice")
+                rows[row["name"]] = row
+        self.facts: dict[str, str] = read
+
+    def rows(self, table: Table) -> dict[tuple[str, str], Row]:
+        return {
+            (section, name): row
+            for section in table.sections
+            for name, row in self.sections.get(section, {}).items()
+            if re.fullmatch(table.names, name)
+        }
+
+
+Results = tuple[list[Run], list[Run]]
+#  As root, as an ordinary user
+
+
+def load(folder: Path, runs: list[tuple[Path, Path]]) -> Results:
+    """The runs in these files; those of an ordinary user where there are."""
+    if not runs:
+        raise Wrong(f"{folder}: no results")
+    numbered = list(enumerate(runs, 1))
+    return (
+        [Run(path, f"run {number}") for number, (path, _) in numbered],
+        [Run(of_user, f"user {n}") for n, (_, of_user) in numbered if of_user.exists()],
+    )
+
+
+def recorded() -> Results:
+    paths = sorted(RESULTS.glob("run*.json"))
+    files = [path for path in paths if "-" not in path.name]
+    return load(RESULTS, [(path, of_user(path)) for path in files])
+
+
+def of_user(path: Path) -> Path:
+    return path.with_name(path.stem + "-user.json")
+
+
+def shown(value: float, figure: str, unit: str) -> str:
+    """With three digits or so."""
+    size = abs(value)
+    if figure == "n" or unit == "":
+        return f"{value:,.0f}"
+    if "ratio" in figure and size < 2:
+        return f"{value:.3f}"
+    return f"{value:,.{0 if size >= 100 else 1 if size >= 10 else 2}f}"
+
+
+def label(figure: str, unit: str) -> str:
+    if figure in ("value", "floor"):
+        return ("floor, " if figure == "floor" else "") + (unit or "number")
+    if figure == "ratio":
+        return figure
+    if figure.endswith("_ratio"):
+        figure = figure.removesuffix("_ratio")
+        return "ratio, " + LABELS.get(figure, figure)
+    name = figure.removeprefix("floor_")
+    text = ("floor, " if name != figure else "") + LABELS.get(name, name)
+    return text + (f", {unit}" if name != "n" else "")
+
+
+def goal_of(rows: list[Row], figure: str, what: str) -> list[str]:
+    """Its cells: the goal, and in how many runs it was met."""
+    goals = [row.get("goals", {}).get(figure, {}) for row in rows]
+    limits = [
+        next((f"{k} {g[k]:,g}" for k in ("at most", "at least") if k in g), "")
+        for g in goals
+    ]
+    if len(set(limits)) > 1:
+        raise Wrong(f"{what}: runs with other goals: {', '.join(limits)}")
+    if not limits[0]:
+        return ["", ""]
+    return [limits[0], f"{sum(goal['met'] for goal in goals)} of {len(goals)}"]
+
+
+def lines(table: Table, runs: list[Run], seen: set[tuple[str, ...]]) -> Iterator[str]:
+    """Of the table. Notes in seen which goals they have."""
+    if not runs:
+        raise Wrong("no run of an ordinary user (--user)")
+    found = [run.rows(table) for run in runs]
+    every = {key: None for rows in found for key in rows}
+    for section in table.sections:
+        if section not in {key[0] for key in every}:
+            raise Wrong(f"no rows of section {section}")
+    cells = []
+    present = set()
+    for key in every:
+        for run, rows in zip(runs, found, strict=True):
+            if key not in rows:
+                raise Wrong(f"{run.path} lacks {': '.join(key)}")
+        of_all = [rows[key] for rows in found]
+        for figure in table.figures:
+            having = [row for row in of_all if figure in row]
+            if not having:
+                continue
+            what = f"{': '.join(key)}: {figure}"
+            if len(having) < len(runs):
+                raise Wrong(f"only some runs have {what}")
+            present.add(figure)
+            seen.add((*key, figure))
+            unit = str(having[0]["unit"])
+            cells.append(
+                [
+                    key[1],
+                    label(figure, unit),
+                    *(shown(row[figure], figure, unit) for row in having),
+                    *goal_of(having, figure, what),
+                ]
+            )
+    for figure in table.figures:
+        if figure not in present:
+            raise Wrong(f"no row has {figure}")
+    heads = ["what", "figure", *(run.name for run in runs), "goal", "met in"]
+    if not any(line[-1] for line in cells):
+        heads, cells = heads[:-2], [line[:-2] for line in cells]
+    if len({line[1] for line in cells}) == 1:
+        heads = [cells[0][1], *heads[2:]]
+        cells = [[line[0], *line[2:]] for line in cells]
+    yield cell_line(heads)
+    yield "|---" * len(heads) + "|"
+    last = ""
+    for line in cells:
+        yield cell_line(["" if line[0] == last else line[0], *line[1:]])
+        last = line[0]
+
+
+def cell_line(cells: list[str]) -> str:
+    return "| " + " | ".join(cells) + " |"
+
+
+def facts(runs: list[Run]) -> Iterator[str]:
+    names = list(runs[0].facts)
+    yield cell_line(["", *(run.name for run in runs)])
+    yield "|---" * (len(runs) + 1) + "|"
+    for name in names:
+        if any(name not in run.facts for run in runs):
+            raise Wrong(f"only some runs have {name}")
+        yield cell_line([name, *(run.facts[name] for run in runs)])
+
+
+def written(page: str, results: Results) -> str:
+    """The page with the tables of these results."""
+    of_root, as_user = results
+    seen: set[tuple[str, ...]] = set()
+
+    def table(match: re.Match[str]) -> str:
+        name = match[1]
+        if name == MACHINE:
+            made = facts([*of_root, *as_user])
+        elif name in TABLES:
+            wanted = TABLES[name]
+            made = lines(wanted, as_user if wanted.user else of_root, seen)
+        else:
+            raise Wrong(f"{PAGE.name}: no such table: {name}")
+        try:
+            text = "\n".join(made)
+        except Wrong as problem:
+            raise Wrong(f"table {name}: {problem}") from None
+        return f"<!-- table: {name} -->\n\n{text}\n\n<!-- end -->\n"
+
+    block = re.compile(
+        r"^<!-- table: (\S+) -->\n((?!<!-- table).*\n)*?<!-- end -->\n", re.M
+    )
+    names = [match[1] for match in block.finditer(page)]
+    for name in (MACHINE, *TABLES):
+        if names.count(name) != 1:
+            raise Wrong(f"{PAGE.name}: {names.count(name)} tables {name}, not 1")
+    if len(re.findall("^<!-- ", page, re.M)) != 2 * len(names):
+        raise Wrong(f"{PAGE.name}: a marker without its other one")
+    page = block.sub(table, page)
+    for section, rows in of_root[0].sections.items():
+        for name, row in rows.items():
+            for figure in row.get("goals", {}):
+                if (section, name, figure) not in seen:
+                    raise Wrong(f"no table has the goal {section}: {name}: {figure}")
+    return page
+
+
+def keep(results: Results) -> None:
+    texts = {}
+    for kind, runs in zip(("", "-user"), results, strict=True):
+        for run in runs:
+            number = run.name.rpartition(" ")[2]
+            texts[f"run{number}{kind}.json"] = run.path.read_bytes()
+    RESULTS.mkdir(exist_ok=True)
+    for path in RESULTS.glob("run*.json"):
+        path.unlink()
+    for name, text in texts.items():
+        (RESULTS / name).write_bytes(text)
+
+
+def main(arguments: list[str]) -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    if arguments == ["--check"]:
+        made = written(page, recorded())
+        if made != page:
+            changes = difflib.unified_diff(
+                page.splitlines(), made.splitlines(), "page", "results", lineterm=""
+            )
+            print("\n".join(changes))
+            raise Wrong(f"{PAGE.name} has other figures than the results")
+        return
+    folders = [Path(argument) for argument in arguments]
+    results = load(
+        Path(),
+        [(f / "bench.json", f / "user" / "bench.json") for f in folders],
+    )
+    made = written(page, results)
+    keep(results)
+    PAGE.write_text(made, encoding="utf-8")
+    print(f"written: {PAGE}")
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except (Wrong, OSError, ValueError) as problem:
+        sys.exit(f"measurements: {problem}")
