@@ -318,7 +318,6 @@ package body Supervisor_Model with SPARK_Mode is
       Sections : Section_Array (Row_Index, Operations) :=
         (others => (others => 0));
       Ceilings : Ceiling_Array (Operations) := (others => 0);
-      Longest  : Span := 0;
       Lower    : Span;
       Far      : Microseconds;
       Wait     : Microseconds;
@@ -385,11 +384,6 @@ package body Supervisor_Model with SPARK_Mode is
 
    begin
       Set := (others => <>);
-      for O in Operation_Name loop
-         Longest := Span'Max
-           (Longest, Capped (Operation_Time (O) * On.Percent / 100));
-      end loop;
-
       for A in Activity_Name loop
          for O in Operation_Name loop
             if Calls (A, O) > 0 then
@@ -456,7 +450,7 @@ package body Supervisor_Model with SPARK_Mode is
          end loop;
          Set (Row (A)).Suspension := Capped (Wait);
          if A /= Kernel then
-            Set (Row (A)).Blocking := Under.Latency + Lower;
+            Set (Row (A)).Blocking := Capped (Under.Latency + Lower);
             if not Is_Spaced (A) then
                Set (Row (A)).Deferral := Under.Latency;
             end if;
