@@ -511,7 +511,7 @@ package body Supervisor_Model with SPARK_Mode is
          end if;
          Set (Row (A)).Suspension := Capped (Wait);
          if A /= Kernel then
-            Set (Row (A)).Blocking := Under.Latency + Lower;
+            Set (Row (A)).Blocking := Capped (Under.Latency + Lower);
             if not Is_Spaced (A) then
                Set (Row (A)).Deferral := Under.Latency;
             end if;
