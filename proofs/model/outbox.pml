@@ -4,7 +4,9 @@
 
 #include "common.pml"
 
+#ifndef SESSIONS
 #define SESSIONS  2
+#endif
 #ifndef COMMANDS
 #define COMMANDS  2   /* in each session */
 #endif
@@ -27,6 +29,9 @@ typedef Monitor_Outbox_Box_Type {
    bool Open;
    bool Busy;       /* what was taken last is being sent */
    mtype:place Places [CAPACITY] = Awaited;  /* the first is the oldest */
+#if CAPACITY > 1
+   byte Whose [CAPACITY];                    /* command's answer: ghost */
+#endif
    byte Count;
    byte Head = 1;
    bool Unasked;    /* one that waits */
@@ -53,6 +58,8 @@ EVENT (Monitor_Outbox_Hold_Begun);
 inline Next_Place () {
 #if CAPACITY > 1
    Box.Places [0] = Box.Places [1];
+   Box.Whose [0] = Box.Whose [1];
+   Box.Whose [1] = 0;
 #endif
    Box.Places [CAPACITY - 1] = Awaited;
    Box.Count--;
@@ -78,6 +85,13 @@ inline Begin_Hold (begun) {
    Box.Holding = Box.Holding || begun
 }
 
+#if CAPACITY > 1
+#define PLACE(at, number, item) \
+   Box.Places [at] = item; Box.Whose [at] = number
+#else
+#define PLACE(at, number, item)  Box.Places [at] = item
+#endif
+
 inline Answer (number, item) {
 #ifdef MUTANT_EVENT_BEFORE_STATE
    Set_True (Monitor_Outbox_Work);
@@ -89,7 +103,14 @@ inline Answer (number, item) {
       :: number >= Box.Head && number - Box.Head < Box.Count ->
          /* no command is answered twice */
          assert (Box.Places [number - Box.Head] == Awaited);
-         Box.Places [number - Box.Head] = item;
+#ifdef MUTANT_ANSWERED_AS_DONE
+         if
+         :: Box.Places [0] == Awaited -> PLACE (0, number, item)
+         :: else -> PLACE (1, number, item)
+         fi;
+#else
+         PLACE (number - Box.Head, number, item);
+#endif
          Skip_Nothing ()
       :: else
       fi
@@ -222,6 +243,10 @@ look:
       :: (May_Answer || May_Tell) && gap -> goto taken
       :: May_Answer && !gap ->
          kind = An_Answer;
+#if CAPACITY > 1
+         /* it is that of the oldest command */
+         assert (Box.Whose [0] == Box.Head);
+#endif
          Box.Answered = true;
          Next_Place ();
          Skip_Nothing ()
@@ -386,6 +411,10 @@ end_stays:  false
          Box.Count = 0;
          Box.Places [0] = Awaited;
          Box.Places [CAPACITY - 1] = Awaited;
+#if CAPACITY > 1
+         Box.Whose [0] = 0;
+         Box.Whose [1] = 0;
+#endif
          Box.Unasked = false;
          End_Quiet_Hold ()
       };
