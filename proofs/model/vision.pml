@@ -643,10 +643,12 @@ active proctype Th_Receive_From_Mon ()
             sent++;
             if
             :: kind = Open_Camera
-            :: kind = Close_Camera
             :: kind = Ask_Arena
             :: kind = Decide_Arena
+#ifndef ARENA             /* one search after the other: three commands */
+            :: kind = Close_Camera
             :: kind = Ask_Position
+#endif
             fi;
             number = Next;
             Next++;
