@@ -12,14 +12,52 @@
    them, the setting of an event too, may be interleaved with every other
    task: several processors, no priorities. */
 
-#define EVENT(name)         bool name = false
-#define EVENTS(name, n)     bool name [n] = false
+#define EVENT(name)         byte name = 0
+#define EVENTS(name, n)     byte name [n] = 0
 #define PROTECTED(name)     name##_Type name
 #define INSTANCE(name, n)
 
-#define Set_True(event)            event = true
-#define Set_False(event)           event = false
-#define Suspend_Until_True(event)  atomic { event -> event = false }
+/* A suspension object as Annex D.10 and the run time have it. One that a task
+   waits for is not set but releases the task; set again before that goes on,
+   it stays true, and the task's next wait does not wait.
+
+   0  false          1  true
+   2  false, a task waits
+   3  false, its task released     4  true, its task released */
+
+#define Set_True(event)   event = event + (event != 1 && event != 4)
+#define Set_False(event)  event = event - (event == 1 || event == 4)
+#define Is_True(event)    (event == 1 || event >= 3)  /* or has been */
+
+/* Where the environment begins only when the tasks wait for it: a set that
+   comes before the wait comes later in the run, too */
+#define Is_Awaited(event)  (event == 2)
+
+/* One task only waits for it: else the run time raises Program_Error */
+#define Suspend(event, until) \
+   atomic { \
+      assert (event < 2); \
+      if \
+      :: event == 1 -> event = 0 \
+      :: event == 0 -> event = 2; until event >= 3 -> event = event - 3 \
+      fi \
+   }
+
+#define Suspend_Until_True(event)  Suspend (event, )
 
 /* A task that waits for work is at a label end_...: only there may it be
-   when nothing can happen any more. */
+   when nothing can happen any more */
+#define Suspend_For_Work(event)    Suspend (event, end_for_work:)
+
+/* What the code does at a place is said there, where it is neither an event
+   nor an inline that says it, and `steps` compares the order with the code's:
+
+   [*: Box.Take *]             a protected operation, or a call of a driver
+   [*: A, B *]                 one after the other;  A | B: one of the two
+   [*: A, B + *]               once or more
+   [*: A in outbox *]          is modelled there, and here is its place
+   [*: whole *]                this proctype has all operations of its task
+   [*: is A, B *]              a proctype for one of these subprograms
+
+   with / for [ and ] at its two ends. A name is as much of the code's as says
+   which one is meant. */

@@ -24,6 +24,7 @@ EVENT (Journal_Arrived);
 bool Console_Stuck = false;       /* takes no more: a pipe nobody reads */
 
 inline Put_Line () {
+   /*: Journal.Buffer.Put */
    atomic {
       if
       :: Journal_Buffer.Count < LINES -> Journal_Buffer.Count++
@@ -39,16 +40,21 @@ inline Put_Line () {
 
 active proctype Th_Console () provided (!Left)
 {
-end_wait:
+   /*: whole */
+look:
    atomic {
-      Journal_Arrived -> Journal_Arrived = false;
-look: if
+      /*: Journal.Buffer.Take */
+      if
       :: Journal_Buffer.Count > 0 ->
          Journal_Buffer.Count--;
-         Journal_Buffer.Writing = true
-      :: else -> goto end_wait
+         Journal_Buffer.Writing = true;
+         goto write
+      :: else
       fi
    };
+   atomic { Suspend_For_Work (Journal_Arrived); goto look };
+write:
+   /*: Journal.Buffer.Written */
 end_stuck:
    atomic { !Console_Stuck -> Journal_Buffer.Writing = false; goto look }
 }
@@ -64,14 +70,23 @@ bool Stopping  = false;
 bool Line_Open = false;
 bool Refused   = false;   /* Robot.Line: no order is carried out any more */
 
+inline Refuse_Orders () {
+   /*: Line.Line.Begin_Session in orders, Set_True (Line.Work) in orders */
+   Refused = true
+}
+
 /* The fall-back handler of a task that ends; runs in that task */
 typedef Failures_Fallback_Type { bool Used };
 PROTECTED (Failures_Fallback);
 
-inline Stop_Blindly () { Moves = false }
+inline Stop_Blindly () {
+   /*: Robot.Serial_Line.Stop_Blindly */
+   Moves = false
+}
 
 inline Ended (which) {
    atomic {
+      /*: Fallback.Ended */
       Failures_Fallback.Used = true;
       Put_Line ();
       if
@@ -80,7 +95,9 @@ inline Ended (which) {
 #ifndef MUTANT_FAILED_STOP_NOT_TOLD
          Set_True (Failures_Stop_Failed)
 #endif
-      :: else -> Pending = Failure
+      :: else ->
+         /*: Report_Failure */
+         Pending = Failure
       fi
    }
 }
@@ -89,6 +106,7 @@ inline Ended (which) {
 active proctype Any_Task () provided (!Left)
 {
    mtype:task which;
+   /*: once Failures.Fallback.Ended */
    if
    :: which = Of_Stop
    :: which = Of_Main
@@ -123,11 +141,20 @@ active proctype User () provided (!Left)
 
 active proctype Supervisor () provided (!Left && Failed != Of_Main)
 {
+   /*: whole */
    Set_True (Monitor_Session_Server_Allowed);
-end_wait:
-   Suspend_Until_True (Failures_Stop_Failed);
+   /*: Suspend_Until_True (Listening) in session */
+   Put_Line ();
+   Put_Line ();
+   Suspend_For_Work (Failures_Stop_Failed);
+   Refuse_Orders ();
    /* its last lines are written meanwhile */
-   atomic { Stop_Blindly (); Left = true }
+   /*: delay */
+   atomic {
+      Stop_Blindly ();
+      /*: Process.Leave */
+      Left = true
+   }
 }
 
 /* Admits a monitor, not while the supervisor stops */
@@ -138,7 +165,8 @@ active proctype Th_Server () provided (!Left)
 end_wait:
    do
 #ifndef MUTANT_ADMITTED_WHILE_STOPPING
-   :: atomic { again > 0 && Stage == Free && !Stopping ->
+   :: /*: Session.Begin_Active */
+      atomic { again > 0 && Stage == Free && !Stopping ->
                again--; Stage = Active }
 #else
    :: atomic { again > 0 && Stage == Free && !Stopping -> again-- };
@@ -175,35 +203,50 @@ end_wait:
 active proctype Th_Stop () provided (!Left && Failed != Of_Stop)
 {
    mtype:signal kind = None;
+   /*: whole */
 end_wait:
+   /*: Process.Signals.Wait */
    atomic { Pending != None -> kind = Pending; Pending = None;
             Orderly = (kind == Stop_Request && !Fault) };
-#ifndef MUTANT_WAITING_ORDERS_CARRIED_OUT
-   Refused = Refused || kind == Failure;
-#endif
    if
-   :: kind == Failure -> Stop_Blindly ()
+   :: kind == Failure ->
+#ifndef MUTANT_WAITING_ORDERS_CARRIED_OUT
+      Refuse_Orders ();
+#endif
+      Stop_Blindly ()
    :: else
    fi;
    Put_Line ();
+   /*: Session.Request_Stop */
    Stopping = true;
+   /*: Connection.Shut_Down in session */
    /* Wait_Session_End: as long as it takes, or, where a task has failed or
       the line hangs, until the limit */
+   /*: Session.State.Get, Line.Line.Get_Status, Camera_Requests.Get_Idle */
    if
    :: Session_Over
    :: Fault
+   :: /*: delay, Session.State.Get, Line.Line.Get_Status,
+          Camera_Requests.Get_Idle + */
+      (Session_Over || Fault)
    fi;
+   /*: Line.Line.Get_Status */
    if
    :: Line_Open -> Stop_Blindly ()
    :: else
    fi;
    Put_Line ();
    /* Wait_Console */
+   /*: Journal.Get_Waiting */
    if
    :: Journal_Buffer.Count == 0 && !Journal_Buffer.Writing
    :: Console_Stuck
    :: Fault
+   :: /*: delay, Journal.Get_Waiting + */
+      (Journal_Buffer.Count == 0 && !Journal_Buffer.Writing
+       || Console_Stuck || Fault)
    fi;
+   /*: Process.Leave */
    atomic { assert (!Moves); Left = true }
 }
 

@@ -74,25 +74,26 @@ inline Put_It (who, what, its_number, its_rank, its_after) {
    }
 }
 
-#ifdef EVENTS_AT_ONCE
-/* what comes between a change and its event is in orders.pml */
-inline Put (who, what, its_number, its_rank, its_after) {
-   atomic { Put_It (who, what, its_number, its_rank, its_after);
-            Set_True (Robot_Line_Work) }
-}
-#else
 inline Put (who, what, its_number, its_rank, its_after) {
 #ifdef MUTANT_WORK_BEFORE_PUT
    Set_True (Robot_Line_Work);
+#endif
+   /*: Line.Line.Put */
    atomic { Put_It (who, what, its_number, its_rank, its_after) }
-#else
-   atomic { Put_It (who, what, its_number, its_rank, its_after) };
-   Set_True (Robot_Line_Work)
-#endif
 }
+
+/* The other half of Ask, in an atomic step with what the caller does next:
+   whether the request has been carried out when the wait begins makes no
+   difference, as there is one only */
+inline Wait (who) {
+#ifndef MUTANT_WORK_BEFORE_PUT
+   Set_True (Robot_Line_Work);
 #endif
+   Suspend_Until_True (Robot_Line_Clients_Finished [who])
+}
 
 inline Put_Stop (its_number) {
+   /*: Line.Line.Put_Stop */
    d_step {
       assert (len (Stops) < STOPS);
       Stops ! its_number;
@@ -104,14 +105,6 @@ inline Put_Stop (its_number) {
    skip
 #endif
 }
-
-inline Ask (who, what, its_number, its_rank, its_after) {
-   Put (who, what, its_number, its_rank, its_after)
-}
-
-/* Wait for its end, in an atomic step with what the caller does next */
-#define Finished(who) \
-   Robot_Line_Clients_Finished [who] -> Robot_Line_Clients_Finished [who] = false
 
 /* What has been written to the robot */
 bool Stop_Owed  = false;  /* a movement, and no stop since */
@@ -180,6 +173,7 @@ inline Close_Device () {
 }
 
 inline Carry_Out_Request () {
+   /*: Robot.Exchange.Carry_Out */
    /* no order of a session that has ended, but for a stop */
    assert (number == 0 || number >= L.Session || kind == Stop);
    blind = false;
@@ -358,25 +352,23 @@ inline Take_Job () {
    event before it takes. Nobody else looks at that event, so to set it is no
    step of its own. */
 inline Wake_For_More () {
+   more = len (Stops) > 0;
    k = 0;
    do
-   :: k < CLIENTS ->
-      if
-      :: May (k) -> Set_True (Robot_Line_Work)
-      :: else
-      fi;
-      k++
+   :: k < CLIENTS -> more = more || May (k); k++
    :: else -> break
    od;
    k = 0;
    if
-   :: len (Stops) > 0 -> Set_True (Robot_Line_Work)
+   :: more -> Set_True (Robot_Line_Work)
    :: else
-   fi
+   fi;
+   more = false
 }
 
 /* What has come of it, Collect, is data */
 inline Finish_Job () {
+   /*: Line.Line.Finish */
    L.Open = State_Open;
    L.Mode = State_Mode;
    if
@@ -419,21 +411,24 @@ active proctype Th_Line ()
    bool State_Open;
    mtype:mode State_Mode = Not_Started;
 #endif
-   bool found, blind, after_stop, started;
+   bool found, blind, after_stop, started, more;
    byte Failures, from, number, rank, best;
    mtype:request kind;
    mtype:verdict verdict = Carry_Out;
    mtype:outcome result = Done;
    mtype:reply reply = Accepted;
-end_wait:
+   Whole_Line
+wait:
    atomic {
-      Robot_Line_Work -> Robot_Line_Work = false;
+      Suspend_For_Work (Robot_Line_Work);
+      !Short_Time;
       /* take and carry out: nobody else sees what happens on the line
          meanwhile, and what arrives meanwhile might have come before. A
          wake-up that finds nothing that may go waits again */
+      /*: Line.Line.Take */
       d_step { Take_Job () }
       if
-      :: !found -> goto end_wait
+      :: !found -> goto wait
       :: found && verdict == Carry_Out -> Carry_Out_Request ()
       :: found && verdict != Carry_Out -> result = Refused
       fi;
@@ -472,8 +467,9 @@ tell:
 #endif
       :: else -> Set_True (Robot_Line_Clients_Finished [from])
       fi;
+      Tell_Of ();
       from = 0; kind = 0; number = 0; rank = 0;
       verdict = Carry_Out; result = Done;
-      goto end_wait
+      goto wait
    }
 }

@@ -26,6 +26,7 @@ byte Waiting       = 0;    /* commands without answer, in the session */
 bool Unanswered [NUMBERS] = false;
 
 inline Monitor_Outbox_Answer (its_number) {
+   /*: Monitor.Outbox.Answer in outbox */
    d_step {
       if
       :: its_number >= First ->
@@ -41,7 +42,18 @@ inline Monitor_Outbox_Answer (its_number) {
 #if SESSIONS > 1
 #define BEGINS_STARTED         /* as if opened and started before */
 #endif
-inline Tell_Of_Start () { skip }    /* see periodic.pml */
+inline Tell_Of_Start () {
+   /*: Robot.Events.Started in periodic */
+   skip
+}
+inline Tell_Of () {
+   if
+   :: /*: Outbox.Put_Notice in outbox | Outbox.Put_Robot_Lost in outbox */ skip
+   :: skip
+   fi
+}
+#define Whole_Line  /*: whole */
+#define Short_Time  false   /* see periodic.pml */
 #include "line.pml"
 
 /* Task_Ports */
@@ -65,9 +77,10 @@ EVENTS (Order_Ports_Arrived, 6);
    takes. Nobody else looks at that event, so to set it is no step of its
    own. */
 inline Take (p) {
+   /*: Port.Take [p] */
    if
    :: len (Port (p)) > 0 -> Port (p) ? number, kind, rank, after
-   :: else -> goto end_wait
+   :: else -> goto wait
    fi;
 #ifndef MUTANT_MORE_ORDERS_FORGOTTEN
    if
@@ -80,15 +93,16 @@ inline Take (p) {
 /* What each of these tasks does: Order_Ports.Wait and Robot.Line.Clients.Ask. The
    owner of the line answers. */
 inline Serve (p, client) {
+   /*: whole */
    atomic {
-      Order_Ports_Arrived [p] -> Order_Ports_Arrived [p] = false;
+      Suspend_For_Work (Order_Ports_Arrived [p]);
       Take (p)
    };
-   Ask (client, kind, number, rank, after);
+   Put (client, kind, number, rank, after);
    atomic {
-      Finished (client);
+      Wait (client);
       number = 0; kind = 0; rank = 0; after = 0;
-      goto end_wait
+      goto wait
    }
 }
 
@@ -97,55 +111,64 @@ inline Serve (p, client) {
 active proctype Th_Open_Com_Robot ()
 {
    ORDER;
-end_wait:
+wait:
    Serve (Task_Ports_Open_Robot, Robot_Clients_Open)
 }
 
 active proctype Th_Start_Robot ()
 {
    ORDER;
-end_wait:
+wait:
    Serve (Task_Ports_Start_Robot, Robot_Clients_Start)
 }
 
 active proctype Th_Start_Robot_WD ()
 {
    ORDER;
-end_wait:
+wait:
    Serve (Task_Ports_Start_Robot_Watchdog, Robot_Clients_Start_Watchdog)
 }
 
 active proctype Th_Reset_Robot ()
 {
    ORDER;
-end_wait:
+wait:
    Serve (Task_Ports_Reset_Robot, Robot_Clients_Reset)
 }
 
 active proctype Th_Move ()
 {
    ORDER;
-end_wait:
+wait:
    Serve (Task_Ports_Move, Robot_Clients_Move)
 }
 
 active proctype Th_Query ()
 {
    ORDER;
-end_wait:
+wait:
    Serve (Task_Ports_Query, Robot_Clients_Query)
 }
 
+inline Clear (p) {
+   /*: Port.Clear [p] */
+   do
+   :: Port (p) ? _, _, _, _
+   :: len (Port (p)) == 0 -> break
+   od
+}
+
+bool Free = true;         /* the session: see session.pml */
 EVENT (Monitor_Session_Receive_Begins);
 EVENT (Monitor_Session_Receive_Ended);
+EVENT (Monitor_Session_Watch_Begins);
 
 active proctype Th_Receive_From_Mon ()
 {
    byte number, rank, after, sent, port;
    mtype:request kind;
-end_wait:
    do
-   :: Suspend_Until_True (Monitor_Session_Receive_Begins);
+   :: Suspend_For_Work (Monitor_Session_Receive_Begins);
       do
       :: atomic { !Monitor_Outbox_Open -> break }
       :: atomic {
@@ -159,7 +182,11 @@ end_wait:
             :: kind = Open_Line;      port = Task_Ports_Open_Robot
             :: kind = Drive;          port = Task_Ports_Move
             :: kind = Stop
-#if SESSIONS == 1
+#if COMMANDS == 1
+            :: kind = Close_Line;     port = Task_Ports_Open_Robot
+            :: kind = Start_Watchdog; port = Task_Ports_Start_Robot_Watchdog
+#endif
+#if SESSIONS == 1 || COMMANDS == 1
             :: kind = Start;          port = Task_Ports_Start_Robot
             :: kind = Reset;          port = Task_Ports_Reset_Robot
             :: kind = Query;          port = Task_Ports_Query
@@ -173,6 +200,7 @@ end_wait:
          if
          :: kind == Stop -> Put_Stop (number)
          :: else ->
+            /*: Port.Put [port] */
             atomic {
                assert (len (Port (port)) < CAPACITY);
                Port (port) ! number, kind, rank, after;
@@ -195,20 +223,43 @@ end_wait:
 bool In_Command = false;
 bool Patient    = false;
 
-active proctype Th_Com_Mon_Perdue ()
+active proctype Th_Server ()
 {
-   byte session, p;
+   byte session;
+   (Is_Awaited (Monitor_Session_Watch_Begins)
+    && Is_Awaited (Monitor_Session_Receive_Begins)
+    && Is_Awaited (Robot_Line_Work)
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Open_Robot])
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Start_Robot])
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Start_Robot_Watchdog])
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Reset_Robot])
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Move])
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Query]));
    do
    :: session < SESSIONS ->
-      /* Begin_Active */
+      /* Begin_Active, Admit: see session.pml */
+      /*: Box.Open_Session */
       d_step {
+         Free -> Free = false;
          In_First = (session == 0);
          session++;
          Monitor_Outbox_Open = true;
          In_Command = true;
          Nobody = false
       }
-      Set_True (Monitor_Session_Receive_Begins);
+      /* one after the other in session.pml */
+      atomic {
+         Set_True (Monitor_Session_Receive_Begins);
+         Set_True (Monitor_Session_Watch_Begins)
+      }
+   :: else -> break
+   od
+}
+
+active proctype Th_Com_Mon_Perdue ()
+{
+   do
+   :: Suspend_For_Work (Monitor_Session_Watch_Begins);
       /* Wait_Loss: at any time, or when all has been answered */
       if
       :: true
@@ -216,6 +267,7 @@ active proctype Th_Com_Mon_Perdue ()
          atomic { Waiting == 0 -> Patient = false }
       fi;
       /* Bring_Back */
+      /*: Box.Close_Session */
       d_step {
          In_Command = false;
          Monitor_Outbox_Open = false;
@@ -229,6 +281,7 @@ active proctype Th_Com_Mon_Perdue ()
          k = 0
       }
 #ifndef MUTANT_SESSION_NOT_BEGUN
+      /*: Line.Line.Begin_Session */
       d_step {
          L.Session = First;
          do :: Stops ? _ :: len (Stops) == 0 -> break od;
@@ -239,26 +292,24 @@ active proctype Th_Com_Mon_Perdue ()
       Set_True (Robot_Line_Work);
 #endif
 #ifndef MUTANT_NO_SAFE_STATE
-      Ask (Robot_Clients_Safe_State, Close_Line, 0, 0, 0);
-      atomic { Finished (Robot_Clients_Safe_State) };
+      Put (Robot_Clients_Safe_State, Close_Line, 0, 0, 0);
+      atomic { Wait (Robot_Clients_Safe_State) };
+      /*: Line.Line.Collect */
 #endif
       Nobody = true;
       Suspend_Until_True (Monitor_Session_Receive_Ended);
-      /* Task_Ports.Clear */
+      /* nobody puts an order meanwhile: one step */
       atomic {
-         do
-         :: p < 6 ->
-            do
-            :: Port (p) ? _, _, _, _
-            :: len (Port (p)) == 0 -> break
-            od;
-            p++
-         :: else -> break
-         od;
-         p = 0
+         /*: Queue.Queue.Clear in vision */
+         Clear (Task_Ports_Open_Robot);
+         Clear (Task_Ports_Start_Robot);
+         Clear (Task_Ports_Start_Robot_Watchdog);
+         Clear (Task_Ports_Reset_Robot);
+         Clear (Task_Ports_Move);
+         Clear (Task_Ports_Query)
       };
-      assert (!Stop_Owed)
-   :: else -> break
+      assert (!Stop_Owed);
+      Free = true
    od
 }
 

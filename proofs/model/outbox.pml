@@ -4,7 +4,9 @@
 
 #include "common.pml"
 
+#ifndef SESSIONS
 #define SESSIONS  2
+#endif
 #ifndef COMMANDS
 #define COMMANDS  2   /* in each session */
 #endif
@@ -27,6 +29,9 @@ typedef Monitor_Outbox_Box_Type {
    bool Open;
    bool Busy;       /* what was taken last is being sent */
    mtype:place Places [CAPACITY] = Awaited;  /* the first is the oldest */
+#if CAPACITY > 1
+   byte Whose [CAPACITY];                    /* command's answer: ghost */
+#endif
    byte Count;
    byte Head = 1;
    bool Unasked;    /* one that waits */
@@ -53,6 +58,8 @@ EVENT (Monitor_Outbox_Hold_Begun);
 inline Next_Place () {
 #if CAPACITY > 1
    Box.Places [0] = Box.Places [1];
+   Box.Whose [0] = Box.Whose [1];
+   Box.Whose [1] = 0;
 #endif
    Box.Places [CAPACITY - 1] = Awaited;
    Box.Count--;
@@ -78,17 +85,32 @@ inline Begin_Hold (begun) {
    Box.Holding = Box.Holding || begun
 }
 
+#if CAPACITY > 1
+#define PLACE(at, number, item) \
+   Box.Places [at] = item; Box.Whose [at] = number
+#else
+#define PLACE(at, number, item)  Box.Places [at] = item
+#endif
+
 inline Answer (number, item) {
 #ifdef MUTANT_EVENT_BEFORE_STATE
    Set_True (Monitor_Outbox_Work);
    Set_True (Monitor_Outbox_Room);
 #endif
+   /*: Box.Answer | Box.Answer_Nothing */
    d_step {
       if
       :: number >= Box.Head && number - Box.Head < Box.Count ->
          /* no command is answered twice */
          assert (Box.Places [number - Box.Head] == Awaited);
-         Box.Places [number - Box.Head] = item;
+#ifdef MUTANT_ANSWERED_AS_DONE
+         if
+         :: Box.Places [0] == Awaited -> PLACE (0, number, item)
+         :: else -> PLACE (1, number, item)
+         fi;
+#else
+         PLACE (number - Box.Head, number, item);
+#endif
          Skip_Nothing ()
       :: else
       fi
@@ -109,36 +131,42 @@ chan Dispatched = [CAPACITY] of { byte };
 active [CAPACITY] proctype Executor ()
 {
    byte number;
+   /*: is Monitor.Outbox.Answer, Monitor.Outbox.Answer_Nothing */
 end_wait:
    do
    :: Dispatched ? number;
 #ifdef STUCK
 end_stuck:
-      false;              /* as an opening may that waits for its camera */
+      0;                  /* as an opening may that waits for its camera */
 #endif
       Answer (number, Ready_Text);
       number = 0
    od
 }
 
+bool Free = true;         /* the session: see session.pml */
 EVENT (Monitor_Session_Receive_Begins);
 EVENT (Monitor_Session_Receive_Ended);
+EVENT (Monitor_Session_Watch_Begins);
 
 active proctype Th_Receive_From_Mon ()
 {
    byte number, sent;
    bool begun;
-end_wait:
+   bool open = true;
+   /*: whole */
    do
-   :: Suspend_Until_True (Monitor_Session_Receive_Begins);
-      do
-      :: atomic { Shut -> break }
-      :: atomic { !Patient && sent < COMMANDS ->
+   :: Suspend_For_Work (Monitor_Session_Receive_Begins);
+receive:
+      /*: Connection.Receive + */
+line: do
+      :: atomic { Shut || !open -> break }
+      :: atomic { !Patient && sent < COMMANDS && open ->
                   sent++; Handling = true };
-         /* Reserve */
-reserve: atomic {
+reserve: /*: Box.Reserve */
+         atomic {
             if
-            :: !Box.Open -> Handling = false; break
+            :: !Box.Open -> open = false; goto reserved
             :: Box.Open && Box.Count < CAPACITY ->
                number = Box.Head + Box.Count;
                Box.Places [Box.Count] = Awaited;
@@ -151,21 +179,45 @@ reserve: atomic {
             :: Box.Open && Box.Count == CAPACITY
             fi
          };
-         atomic { Monitor_Outbox_Room -> Monitor_Outbox_Room = false; goto reserve };
+         atomic { Suspend_Until_True (Monitor_Outbox_Room); goto reserve };
 reserved:
          if
          :: begun -> atomic { begun = false; Set_True (Monitor_Outbox_Hold_Begun) }
          :: else
          fi;
          if
-         :: Answer (number, Ready_Nothing)              /* Log_Message */
-         :: Owed++; Answer (number, Ready_Text)         /* Malformed */
-         :: atomic { Owed++; assert (len (Dispatched) < CAPACITY);
-                     Dispatched ! number }
+         :: !open
+         :: open -> Answer (number, Ready_Nothing)      /* Log_Message */
+         :: open -> Owed++; Answer (number, Ready_Text) /* Malformed */
+         :: atomic {                                    /* Dispatch */
+               open -> Owed++;
+               assert (len (Dispatched) < CAPACITY);
+               Dispatched ! number;
+               if
+               :: /*: Queue.Queue.Put in vision */
+                  if
+                  :: /*: Port.Put [port] in vision,
+                         Set_True (Order_Ports.Arrived [port]) in vision */ skip
+                  :: skip
+                  fi
+               :: /*: Port.Put [port] in orders,
+                      Set_True (Order_Ports.Arrived [port]) in orders */ skip
+               :: /*: Line.Line.Put_Stop in orders,
+                      Set_True (Line.Work) in orders */ skip
+               fi
+            }
          fi;
-         atomic { number = 0; Handling = false }
+         atomic {
+            number = 0;
+            Handling = false;
+            if
+            :: goto receive
+            :: goto line
+            fi
+         }
       od;
-      sent = 0;
+      /*: Connection.Shut_Down in session */
+      atomic { sent = 0; open = true };
       Set_True (Monitor_Session_Receive_Ended)
    od
 }
@@ -174,25 +226,27 @@ active proctype Th_Send_To_Mon ()
 {
    mtype:message kind = Nothing;
    bool gap;            /* what was sent last is too near for the next */
-end_wait:
-   Suspend_Until_True (Monitor_Outbox_Work);
+   /*: whole */
+wait:
+   Suspend_For_Work (Monitor_Outbox_Work);
 look:
-   /* Take: what was taken before has been sent; that the one who waits for
-      that is told is in session.pml */
+   /* what was taken before has been sent */
+   /*: Box.Take */
    atomic {
       Box.Busy = false;
       if
-      :: !May_Answer && !May_Tell -> gap = false; goto end_wait
-      :: (May_Answer || May_Tell) && gap ->
-         /* delay until the gap is over, and Take again */
-         gap = false;
-#ifdef MUTANT_GAP_WITHOUT_LOOK
-         goto end_wait
-#else
-         goto look
-#endif
+      :: /*: Set_True (Sender_Left) in session */ skip
+      :: skip
+      fi;
+      if
+      :: !May_Answer && !May_Tell -> gap = false; goto taken
+      :: (May_Answer || May_Tell) && gap -> goto taken
       :: May_Answer && !gap ->
          kind = An_Answer;
+#if CAPACITY > 1
+         /* it is that of the oldest command */
+         assert (Box.Whose [0] == Box.Head);
+#endif
          Box.Answered = true;
          Next_Place ();
          Skip_Nothing ()
@@ -204,11 +258,29 @@ look:
       Box.Busy = true;
       End_Quiet_Hold ()
    };
-   if
-   :: kind == An_Answer -> Set_True (Monitor_Outbox_Room)
-   :: else
-   fi;
-   /* Send */
+taken:
+   atomic {
+      if
+      :: kind == An_Answer -> Set_True (Monitor_Outbox_Room);
+         /*: Set_True (Arena_Room) in vision */
+         skip
+      :: else
+      fi;
+      if
+      :: kind == Nothing && !gap -> goto wait
+      :: kind == Nothing && gap ->
+         /* until the gap is over */
+         /*: delay */
+         gap = false;
+#ifdef MUTANT_GAP_WITHOUT_LOOK
+         goto wait
+#else
+         goto look
+#endif
+      :: kind != Nothing
+      fi
+   };
+   /*: Connection.Send */
    atomic {
       if
       :: Reads && !Shut ->
@@ -216,10 +288,14 @@ look:
          Owed = Owed - (kind == An_Answer)
       :: Shut
       fi;
+      if
+      :: /*: Connection.Shut_Down in session */ skip
+      :: skip
+      fi;
       kind = Nothing;
       if :: gap = true :: gap = false fi;
 #ifdef MUTANT_SENT_WITHOUT_LOOK
-      goto end_wait
+      goto wait
 #else
       goto look
 #endif
@@ -228,13 +304,15 @@ look:
 
 active proctype Th_Hold ()
 {
-end_wait:
+   /*: whole */
+wait:
    atomic {
-      Monitor_Outbox_Hold_Begun -> Monitor_Outbox_Hold_Begun = false;
-look: Box.Renewed = false;
-      if :: !(Box.Holding && !Box.Released) -> goto end_wait :: else fi
+      Suspend_For_Work (Monitor_Outbox_Hold_Begun);
+look: /*: Box.Get_Hold_End */
+      Box.Renewed = false;
+      if :: !(Box.Holding && !Box.Released) -> goto wait :: else fi
    };
-   /* delay until At_Time; End_Hold */
+   /*: delay, Box.End_Hold */
    atomic {
       if
       :: Box.Holding -> Box.Released = true
@@ -254,9 +332,14 @@ active proctype Unasked_Source ()
 {
    byte left = UNASKED;
    bool begun;
+   /*: is Monitor.Outbox.Put_Notice, Monitor.Outbox.Put_Robot_Lost,
+       Monitor.Outbox.Put_Battery, Monitor.Outbox.Put_Image,
+       Monitor.Outbox.Put_Position */
 end_wait:
    do
-   :: atomic {
+   :: /*: Box.Put_Notice | Box.Put_Lost | Box.Put_Battery | Box.Put_Image
+          | Box.Put_Position */
+      atomic {
          left > 0 && Box.Open -> left--;
          Box.Unasked = true;
          Begin_Hold (begun);
@@ -273,12 +356,18 @@ end_wait:
    od
 }
 
-active proctype Th_Com_Mon_Perdue ()
+active proctype Th_Server ()
 {
    byte session;
+   (Is_Awaited (Monitor_Session_Watch_Begins)
+    && Is_Awaited (Monitor_Session_Receive_Begins)
+    && Is_Awaited (Monitor_Outbox_Work) && Is_Awaited (Monitor_Outbox_Hold_Begun));
    do
    :: session < SESSIONS ->
+      /* Begin_Active, Admit: see session.pml */
+      /*: Box.Open_Session */
       atomic {
+         Free -> Free = false;
          session++;
          Box.Open = true;
          Box.Answered = false;
@@ -287,7 +376,19 @@ active proctype Th_Com_Mon_Perdue ()
          Shut = false;
          Owed = 0
       };
-      Set_True (Monitor_Session_Receive_Begins);
+      /* one after the other in session.pml */
+      atomic {
+         Set_True (Monitor_Session_Receive_Begins);
+         Set_True (Monitor_Session_Watch_Begins)
+      }
+   :: else -> break
+   od
+}
+
+active proctype Th_Com_Mon_Perdue ()
+{
+   do
+   :: Suspend_For_Work (Monitor_Session_Watch_Begins);
       if
       :: Reads = true;
          if
@@ -301,13 +402,19 @@ end_stays:  false
       :: Reads = false
       fi;
       /* lost; Bring_Back */
+      /*: Connection.Shut_Down */
       atomic { Shut = true; Reads = false };
+      /*: Box.Close_Session */
       atomic {
          Box.Open = false;
          Box.Head = Box.Head + Box.Count;
          Box.Count = 0;
          Box.Places [0] = Awaited;
          Box.Places [CAPACITY - 1] = Awaited;
+#if CAPACITY > 1
+         Box.Whose [0] = 0;
+         Box.Whose [1] = 0;
+#endif
          Box.Unasked = false;
          End_Quiet_Hold ()
       };
@@ -316,14 +423,14 @@ end_stays:  false
 #endif
       !Box.Busy;                 /* Wait_Sender: see session.pml */
       Suspend_Until_True (Monitor_Session_Receive_Ended);
-      /* Task_Ports.Clear */
+      /*: Task_Ports.Clear in orders */
       atomic {
          do
          :: Dispatched ? _
          :: len (Dispatched) == 0 -> break
-         od
+         od;
+         Free = true
       }
-   :: else -> break
    od
 }
 

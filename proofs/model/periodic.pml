@@ -17,24 +17,36 @@ EVENT (Robot_Events_For_Keep_Alive);
 
 /* Th_Line's, before it answers the start */
 inline Tell_Of_Start () {
-#ifdef RELOAD
-#ifndef MUTANT_RELOAD_NOT_BEGUN
    if
+#if defined (RELOAD) && !defined (MUTANT_RELOAD_NOT_BEGUN)
    :: kind == Start_Watchdog -> Set_True (Robot_Events_For_Reload)
-   :: else
-   fi
 #else
-   skip
+   :: kind == Start_Watchdog ->
+      /*: Set_True (Robot.Events.For_Reload) in periodic */
+      skip
 #endif
-#else
-#ifndef MUTANT_BATTERY_NOT_BEGUN
+   :: else
+   fi;
+#if defined (RELOAD) || defined (KEEP_ALIVE)
+   /*: Set_True (Robot.Events.For_Battery) in periodic */
+#elif !defined (MUTANT_BATTERY_NOT_BEGUN)
    Set_True (Robot_Events_For_Battery);
 #endif
+#ifdef KEEP_ALIVE
    Set_True (Robot_Events_For_Keep_Alive)
+#else
+   /*: Set_True (Robot.Events.For_Keep_Alive) in periodic */
+   skip
 #endif
 }
 
+inline Tell_Of () { skip }
+#define Whole_Line
 #define EVENTS_AT_ONCE
+/* Between the look at the run and the request for its reload no request
+   begins: that takes an exchange with the robot, milliseconds, and what lies
+   between the two takes microseconds in the task of the second priority */
+bool Short_Time = false;
 #include "line.pml"
 
 #define In_Watchdog_Mode  (L.Mode == Started_With_Watchdog)
@@ -47,8 +59,8 @@ active proctype Th_Start_Robot_WD ()
 {
 end_wait:
    do
-   :: Ask (Robot_Clients_Start_Watchdog, Start_Watchdog, 0, 0, 0);
-      atomic { Finished (Robot_Clients_Start_Watchdog) }
+   :: Put (Robot_Clients_Start_Watchdog, Start_Watchdog, 0, 0, 0);
+      atomic { Wait (Robot_Clients_Start_Watchdog) }
    od
 }
 
@@ -57,8 +69,8 @@ active proctype Th_Start_Robot ()
 {
 end_wait:
    do
-   :: Ask (Robot_Clients_Start, Start, 0, 0, 0);
-      atomic { Finished (Robot_Clients_Start) }
+   :: Put (Robot_Clients_Start, Start, 0, 0, 0);
+      atomic { Wait (Robot_Clients_Start) }
    od
 }
 #endif
@@ -68,10 +80,10 @@ active proctype Th_Reset_Robot ()
 end_wait:
    do
    :: if
-      :: Ask (Robot_Clients_Reset, Open_Line, 0, 0, 0)
-      :: Ask (Robot_Clients_Reset, Reset, 0, 0, 0)
+      :: Put (Robot_Clients_Reset, Open_Line, 0, 0, 0)
+      :: Put (Robot_Clients_Reset, Reset, 0, 0, 0)
       fi;
-      atomic { Finished (Robot_Clients_Reset) }
+      atomic { Wait (Robot_Clients_Reset) }
    od
 }
 
@@ -80,8 +92,8 @@ active proctype Th_Move ()
 {
 end_wait:
    do
-   :: Ask (Robot_Clients_Move, Drive, 0, 0, 0);
-      atomic { Finished (Robot_Clients_Move) }
+   :: Put (Robot_Clients_Move, Drive, 0, 0, 0);
+      atomic { Wait (Robot_Clients_Move) }
    od
 }
 
@@ -100,16 +112,22 @@ end_wait:
 
 active proctype Th_Reload_WD ()
 {
-end_wait:
+   bool goes_on;
+   /*: whole */
+wait:
    atomic {
-      Robot_Events_For_Reload -> Robot_Events_For_Reload = false;
+      Suspend_For_Work (Robot_Events_For_Reload);
+      /*: Line.Line.Get_Status */
       L.New_Epoch [Robot_Clients_Reload] = false;
-look: if
-      :: Same_Run (Robot_Clients_Reload) && In_Watchdog_Mode
-      :: else -> goto end_wait
-      fi
+      goes_on = In_Watchdog_Mode
    };
+next:
    atomic {
+      if
+      :: goes_on -> goes_on = false
+      :: else -> goto wait
+      fi;
+      /*: Line.Line.Set_Reload_Due */
       L.Reload_Due = Far;
       Reloaded = false;
 #ifndef CALM
@@ -121,21 +139,24 @@ look: if
 #endif
    };
    atomic {
-      /* delay until Next */
+      /*: delay */
       L.Reload_Due != Far || L.New_Epoch [Robot_Clients_Reload];
-      /* the look and the request: nothing begins and ends on the line
-         between the two, the task's priority is next to its owner's */
+      /*: Line.Line.Get_Status */
 #ifndef MUTANT_RELOAD_WITHOUT_LOOK
       if
-      :: Same_Run (Robot_Clients_Reload) && In_Watchdog_Mode
-      :: else -> goto end_wait
+      :: Same_Run (Robot_Clients_Reload)
+      :: else -> goto wait
       fi;
 #endif
-      Put (Robot_Clients_Reload, Reload, 0, 0, 0)
+      Short_Time = true
    };
+   Put (Robot_Clients_Reload, Reload, 0, 0, 0);
    atomic {
-      Finished (Robot_Clients_Reload);
-      goto look
+      Short_Time = false;
+      atomic { Wait (Robot_Clients_Reload) };
+      /*: Line.Line.Collect, Line.Line.Get_Status */
+      goes_on = Same_Run (Robot_Clients_Reload) && In_Watchdog_Mode;
+      goto next
    }
 }
 
@@ -144,7 +165,7 @@ look: if
    the line has looked: there is nearly a second. */
 
 #ifdef CALM
-#define Comes_Near  (L.Reload_Due == Far && !Robot_Line_Work)
+#define Comes_Near  (L.Reload_Due == Far && !Is_True (Robot_Line_Work))
 #else
 #define Comes_Near  (L.Reload_Due == Far)
 #endif
@@ -162,42 +183,76 @@ end_wait:
 
 /* Battery and keep-alive: from a start on, as long as the same run lasts */
 
-inline Accompany (begun, client, what) {
+inline Begin_Run (begun, client) {
    atomic {
-      begun -> begun = false;
+      Suspend_For_Work (begun);
+      /*: Line.Line.Get_Status */
       L.New_Epoch [client] = false;
-look: if
-      :: Same_Run (client)
-      :: else -> goto end_wait
-      fi
-   };
-   /* delay until Next */
-   atomic {
-      if
-      :: Same_Run (client)
-      :: else -> goto end_wait
-      fi
-   };
-   Ask (client, what, 0, 0, 0);
-   atomic {
-      Finished (client);
-      goto look
+      goes_on = Same_Run (client)
    }
+}
+
+inline Look_Again (client) {
+   /*: Line.Line.Get_Status */
+   goes_on = Same_Run (client)
 }
 
 #ifndef KEEP_ALIVE
 active proctype Th_Battery_Level ()
 {
-end_wait:
-   Accompany (Robot_Events_For_Battery, Robot_Clients_Battery, Query)
+   bool goes_on;
+   /*: whole */
+   do
+   :: Begin_Run (Robot_Events_For_Battery, Robot_Clients_Battery);
+      do
+      :: goes_on ->
+         /*: delay */
+         Look_Again (Robot_Clients_Battery);
+         if
+         :: goes_on ->
+            Put (Robot_Clients_Battery, Query, 0, 0, 0);
+            atomic {
+               Wait (Robot_Clients_Battery);
+               /*: Line.Line.Collect */
+               Look_Again (Robot_Clients_Battery)
+            };
+            if
+            :: goes_on ->
+               /*: Monitor.Outbox.Put_Battery in outbox */
+               skip
+            :: else
+            fi
+         :: else
+         fi
+      :: else -> break
+      od
+   od
 }
 
 #else
 active proctype Th_Keep_Alive ()
 {
-end_wait:
-   Accompany (Robot_Events_For_Keep_Alive, Robot_Clients_Keep_Alive,
-              Keep_Alive)
+   bool goes_on;
+   /*: whole */
+   do
+   :: Begin_Run (Robot_Events_For_Keep_Alive, Robot_Clients_Keep_Alive);
+      do
+      :: goes_on ->
+         /*: delay */
+         Look_Again (Robot_Clients_Keep_Alive);
+         if
+         :: goes_on ->
+            Put (Robot_Clients_Keep_Alive, Keep_Alive, 0, 0, 0);
+            atomic {
+               Wait (Robot_Clients_Keep_Alive);
+               /*: Line.Line.Collect */
+               skip
+            }
+         :: else                     /* or the line is not idle */
+         fi
+      :: else -> break
+      od
+   od
 }
 #endif
 

@@ -30,6 +30,7 @@ bool In_Watch   = false;
 #define Over(c)  (Shut [c] || Peer [c] == Gone)
 
 inline Shut_Down (own) {
+   /*: Connection.Shut_Down */
    /* frees Receive, Send and Watch; must not hit the next monitor */
    atomic { assert (Current == own); Shut [Current] = true }
 }
@@ -50,32 +51,53 @@ EVENT (Monitor_Outbox_Sender_Left);
 
 active proctype Supervisor ()
 {
+   /* see ending.pml */
    Set_True (Monitor_Session_Server_Allowed);
    Suspend_Until_True (Monitor_Session_Listening)
 }
 
 inline Close_Session () {
+   /*: Connection.Close */
    atomic {
       /* what Monitor.Sockets.Connection.Close asks for */
       assert (!In_Receive && !In_Send && !In_Watch);
       Current = 0
    };
+   /*: Session.End_Closed */
    Stage = Free
 }
 
 active proctype Th_Server ()
 {
    byte peer;
+   bool look;
+   mtype:stage known = Free;
+   /*: whole */
    Suspend_Until_True (Monitor_Session_Server_Allowed);
    Set_True (Monitor_Session_Listening);
-end_wait:
+   do
+   ::
+   /* Get_Next: has one been kept until the end of a session? */
+   /*: delay */
    if
-   :: atomic { Waker -> Waker = false };
+   :: atomic { Waits > 0 ->
+      /*: Session.State.Get */
+#ifndef MUTANT_NEWCOMER_FORGOTTEN
+               look = (Stage == Free || Stage == Active)
+#endif
+      }
+   :: atomic { Waits == 0 -> skip }
+   fi;
+end_wait:
+   /*: Gate.Wait */
+   if
+   :: atomic { Waker -> Waker = false; look = false };
+      /*: Session.State.Get */
       if
       :: Stage == Closed -> Close_Session ()
       :: else
       fi;
-      goto end_wait
+      goto turn
    :: atomic {
          !Waker && len (Backlog) > 0 -> Backlog ? peer;
          /* whose address or token is not right, or does not come in time,
@@ -86,33 +108,45 @@ end_wait:
          fi;
          peer = 0
       }
-#ifndef MUTANT_NEWCOMER_FORGOTTEN
-   :: atomic { Waits > 0 && (Stage == Free || Stage == Active) -> skip }
-#endif
+   :: atomic { look -> skip }
    fi;
-   /* Decide: of one. The others are looked at next (Get_First), each in its
-      time */
-   if
-   :: atomic { Waits == 0 || Stage == Closing || Stage == Closed -> skip }
-   :: atomic { Waits > 0 && Stage == Active ->
+   /* Get_Reception, once a turn; Decide: of one after the other */
+   /*: Session.State.Get */
+   atomic { known = Stage; look = false };
+   do
+   :: atomic { Waits == 0 || known == Closing || known == Closed -> break }
+   :: atomic { Waits > 0 && known == Active ->
                Entitled ? peer; Waits--; Met [peer] = Rejected; peer = 0 }
-   :: atomic { Waits > 0 && Stage == Free -> Entitled ? peer; Waits-- };
-      Stage = Active;     /* not while stopping: see ending.pml */
+   :: atomic { Waits > 0 && known == Free -> Entitled ? peer; Waits-- };
+      /*: Session.Begin_Active */
+      atomic {
+         known = Active;
+         if
+         :: Stage = Active
+         :: Met [peer] = Rejected;      /* it is stopping: see ending.pml */
+            peer = 0;
+            goto next
+         fi
+      };
+      /*: Gate.Admit */
       atomic { assert (Current == 0); Current = peer };
+      /*: Box.Open_Session */
       Monitor_Outbox_Open = true;
       Met [peer] = Admitted;
       Set_True (Monitor_Session_Receive_Begins);
-      atomic { peer = 0; Set_True (Monitor_Session_Watch_Begins) }
-   fi;
-   goto end_wait
+      atomic { peer = 0; Set_True (Monitor_Session_Watch_Begins) };
+next: skip
+   od;
+turn:
+   known = Free
+   od
 }
 
 active proctype Th_Receive_From_Mon ()
 {
    byte own;
-end_wait:
    do
-   :: atomic { Monitor_Session_Receive_Begins -> Monitor_Session_Receive_Begins = false;
+   :: atomic { Suspend_For_Work (Monitor_Session_Receive_Begins);
                own = Current; In_Receive = true };
       if
       :: Over (own)
@@ -129,9 +163,32 @@ active proctype Th_Send_To_Mon ()
    bool success, left, more;
    byte own;
 end_wait:
-   /* Take: something to send, at any time */
-   atomic { Monitor_Outbox_Open -> Monitor_Outbox_Busy = true };
-send:
+   /* something to send, at any time */
+   /*: Suspend_Until_True (Outbox.Work) in outbox */
+   Monitor_Outbox_Open;
+take:
+   /* what was taken before has been sent; the next goes, if there is one and
+      no gap before it */
+   /*: Box.Take */
+   atomic {
+      left = !Monitor_Outbox_Open;
+      if
+      :: Monitor_Outbox_Open -> more = true; Monitor_Outbox_Busy = true
+      :: Monitor_Outbox_Busy = false
+      fi
+   };
+#ifndef MUTANT_LEFT_WITHOUT_EVENT
+   if :: left -> Set_True (Monitor_Outbox_Sender_Left) :: else fi;
+#endif
+   atomic {
+      left = false;
+      if
+      :: !more -> goto end_wait
+      :: !more -> /*: delay in outbox */ goto take
+      :: more -> more = false
+      fi
+   };
+   /*: Connection.Send */
    atomic { assert (Current != 0); own = Current; In_Send = true };
    /* a silent monitor, or one that does not read, blocks it */
    if
@@ -139,42 +196,30 @@ send:
    :: atomic { Over (own) -> success = false }
    fi;
    In_Send = false;
-#ifndef MUTANT_SENT_BEFORE_SHUT_DOWN
-   if :: !success -> Shut_Down (own) :: else fi;
-#endif
-   /* Take again: what was taken before has been sent; and the next goes, if
-      there is one and no gap before it */
-   atomic {
-      left = !Monitor_Outbox_Open;
-      if
-      :: Monitor_Outbox_Open -> more = true
-      :: Monitor_Outbox_Busy = false
-      fi
-   };
-#ifndef MUTANT_LEFT_WITHOUT_EVENT
-   if :: left -> Set_True (Monitor_Outbox_Sender_Left) :: else fi;
-#endif
 #ifdef MUTANT_SENT_BEFORE_SHUT_DOWN
-   if :: !success -> Shut_Down (own) :: else fi;
+   Monitor_Outbox_Busy = false;
 #endif
-   atomic {
-      own = 0; success = false; left = false;
-      if
-      :: more -> more = false; goto send
-      :: else -> goto end_wait
-      fi
-   }
+   if :: !success -> Shut_Down (own) :: else fi;
+   atomic { own = 0; success = false; goto take }
 }
 
 active proctype Th_Com_Mon_Perdue ()
 {
    byte own;
-end_wait:
+   /*: whole */
    do
-   :: atomic { Monitor_Session_Watch_Begins -> Monitor_Session_Watch_Begins = false;
+   :: atomic { Suspend_For_Work (Monitor_Session_Watch_Begins);
                own = Current; In_Watch = true };
       /* Wait_Loss: Watch and Judge */
-      atomic { Over (own) || Peer [own] == Silent -> In_Watch = false };
+      do
+      :: /*: Connection.Watch, Session.State.Get */
+         atomic { Over (own) || Peer [own] == Silent -> In_Watch = false; break }
+      :: /*: Connection.Watch, Session.State.Get */
+         atomic { !(Over (own) || Peer [own] == Silent) -> skip };
+         /*: Vision.Frame_Store.Look_At_Silence in vision */
+         Over (own) || Peer [own] == Silent
+      od;
+      /*: Session.Begin_Closing */
       Stage = Closing;
       /* Bring_Back */
 #ifdef MUTANT_WAITS_SWAPPED
@@ -182,11 +227,20 @@ end_wait:
 #endif
       Shut_Down (own);
       Set_False (Monitor_Outbox_Sender_Left);
+      /*: Box.Close_Session */
       Monitor_Outbox_Open = false;
-      /* the robot: see orders.pml; the camera: see vision.pml */
+      /*: Set_True (Outbox.Room) in outbox,
+          Set_True (Outbox.Arena_Room) in vision,
+          Robot.Line.Begin_Session in orders,
+          Line.Clients.Ask [Robot_Clients_Safe_State] in orders,
+          Vision.State.Store.Begin_Session in vision,
+          Camera_Requests.Close in vision,
+          Frame_Store.End_Delivery in vision */
       do
-      :: atomic { !Monitor_Outbox_Busy -> break }
-      :: atomic { Monitor_Outbox_Busy -> skip };
+      :: /*: Box.Get_Busy */
+         atomic { !Monitor_Outbox_Busy -> break }
+      :: /*: Box.Get_Busy */
+         atomic { Monitor_Outbox_Busy -> skip };
          Suspend_Until_True (Monitor_Outbox_Sender_Left)
 #ifdef MUTANT_SENDER_LOOKED_AT_ONCE
          ; break
@@ -195,16 +249,24 @@ end_wait:
 #ifndef MUTANT_WAITS_SWAPPED
       Suspend_Until_True (Monitor_Session_Receive_Ended);
 #endif
+      /*: Task_Ports.Clear in orders */
       own = 0;
-      /* End_Closing */
+      atomic {
+         /*: Camera_Requests.Get_Idle in vision */
+         if
+         :: /*: delay in vision, Camera_Requests.Get_Idle in vision + */ skip
+         :: skip
+         fi
+      };
 #ifdef MUTANT_WOKEN_BEFORE_STATE
       Waker = true;
 #endif
+      /*: Session.End_Closing */
       Stage = Closed;
-      /* Wake_Server */
 #ifdef MUTANT_WOKEN_BEFORE_STATE
       skip
 #elif !defined (MUTANT_SERVER_NOT_WOKEN)
+      /*: Gate.Wake_Server */
       Waker = true
 #endif
    od

@@ -35,6 +35,7 @@ EVENT (Monitor_Outbox_Arena_Room);
 
 bool In_Command = false;
 bool Patient    = false;
+bool All_Sent   = false;          /* the session's commands */
 bool Ended      = false;          /* no session any more */
 
 inline Answer (its_number) {
@@ -50,6 +51,7 @@ inline Answer (its_number) {
 }
 
 inline Stop_Images (ghost) {
+   /*: Box.Stop_Images */
    atomic {
 #ifndef MUTANT_LATE_IMAGE_PASSES
       Made_Is_Now = false;
@@ -121,59 +123,82 @@ Order_Ports_Port_Type Order_Ports_Port [2];
 EVENTS (Order_Ports_Arrived, 2);
 #define Port(p)  Order_Ports_Port [p].Items
 
-/* The steps of this model: what a task does between two points at which
-   another could see a difference is one step. That an event is set only
-   after what it announces, as a step of its own, is in orders.pml and
-   outbox.pml, for the same packages. */
+/* Of one task, two protected operations are one step only where nobody else
+   can make a difference between them. */
+
+bool Free = true;         /* the session: see session.pml */
+EVENT (Monitor_Session_Receive_Begins);
+EVENT (Monitor_Session_Receive_Ended);
+EVENT (Monitor_Session_Watch_Begins);
 
 inline To_Vision (its_number, its_kind) {
+   /* the event as a step of its own: see orders.pml, the same package */
+   atomic {
    if
    :: its_kind == Ask_Arena || its_kind == Decide_Arena ->
+      /*: Port.Put [Task_Ports_Arena] */
       Port (Task_Ports_Arena) ! its_number, its_kind;
       Set_True (Order_Ports_Arrived [Task_Ports_Arena])
    :: else ->
+      /*: Port.Put [Task_Ports_Camera_Control] */
       Port (Task_Ports_Camera_Control) ! its_number, its_kind;
       Set_True (Order_Ports_Arrived [Task_Ports_Camera_Control])
    fi
+   }
 }
 
 inline Take (p) {
+   /*: Port.Take [p] */
    if
    :: len (Port (p)) > 0 -> Port (p) ? number, kind
-   :: else -> goto end_wait
+   :: else -> goto wait
    fi;
    /* the queue lets one order go at a time: there is never more */
-   assert (len (Port (p)) == 0)
+   assert (len (Port (p)) == 0);
+   if
+   :: /*: Set_True (Order_Ports.Arrived [p]) in orders */ skip
+   :: skip
+   fi
 }
 
 inline Vision_Done () {
-   number = 0; kind = 0;
+   atomic {
+      number = 0; kind = 0;
 #ifndef MUTANT_NEXT_ORDER_FORGOTTEN
-   if
-   :: VQ.Items ? number, kind -> To_Vision (number, kind)
-   :: len (VQ.Items) == 0 -> VQ.Busy = false
-   fi;
-   number = 0; kind = 0;
+      /*: Queue.Queue.Next */
+      if
+      :: VQ.Items ? number, kind
+      :: len (VQ.Items) == 0 -> VQ.Busy = false; goto wait
+      fi
+#else
+      goto wait
 #endif
-   goto end_wait
+   };
+   To_Vision (number, kind);
+   atomic { number = 0; kind = 0; goto wait }
 }
 
-inline Tell_If_Awaited () {
+inline Tell_If (awaited) {
    if
-   :: FS.Waits -> FS.Waits = false; Set_True (Vision_Frame_Store_Look)
+   :: awaited -> awaited = false; Set_True (Vision_Frame_Store_Look)
    :: else
    fi
 }
 
 inline End_Delivery () {
-   FS.Newest = false;
-   FS.Delivering = false;
+   /*: Store.Store.End_Delivery */
+   atomic {
+      FS.Newest = false;
+      FS.Delivering = false;
+#ifndef MUTANT_END_WITHOUT_LOOK
+      awaited = FS.Waits;
+      FS.Waits = false
+#endif
+   };
 #ifndef MUTANT_END_WITHOUT_EVENT
    Set_True (Vision_Frame_Store_Changed);
 #endif
-#ifndef MUTANT_END_WITHOUT_LOOK
-   Tell_If_Awaited ()
-#endif
+   Tell_If (awaited)
 }
 
 /* Nothing new for so long that the camera has failed */
@@ -186,24 +211,42 @@ inline End_Delivery () {
 /* Once in the period of the link: what th_capture_img waits for does not
    come */
 inline Look_At_Silence () {
+   /*: Store.Store.Look_At_Silence */
    atomic {
 #ifdef MUTANT_SILENCE_WITHOUT_LOOK
-      false ->
+      0 &&
 #endif
-      FS.Waits && SILENT -> Tell_If_Awaited ()
-   }
+      FS.Waits && SILENT -> FS.Waits = false; awaited = true
+   };
+   Tell_If (awaited)
 }
 
-/* The camera delivers no more: close it, once; else go on at not_open */
+/* The camera delivers no more: close it, once */
 inline Camera_Failed () {
+   /*: State.Store.Close */
    atomic {
+      was_open = Is_Open;
+      VS.Stage = Closed;
       if
-      :: Is_Open -> VS.Stage = Closed
-      :: else -> VS.Stage = Closed; goto not_open
+      :: was_open
+      :: else -> goto closed
       fi
    };
-   atomic { Stop_Images (false); CR.Wanted = false };
-   atomic { End_Delivery () }
+   atomic {
+      was_open = false;
+      Stop_Images (false);
+      Close_Camera_Request ()
+   };
+   End_Delivery ();
+   /*: Outbox.Put_Notice in outbox */
+   skip;
+closed:
+   skip
+}
+
+inline Close_Camera_Request () {
+   /*: Requests.Requests.Close */
+   CR.Wanted = false
 }
 
 active proctype Th_Camera_Control ()
@@ -211,37 +254,47 @@ active proctype Th_Camera_Control ()
    byte number;
    mtype:order kind;
    bool success;
-end_wait:
+   /*: whole */
+wait:
    atomic {
-      Order_Ports_Arrived [Task_Ports_Camera_Control] ->
-      Order_Ports_Arrived [Task_Ports_Camera_Control] = false;
+      Suspend_For_Work (Order_Ports_Arrived [Task_Ports_Camera_Control]);
       Take (Task_Ports_Camera_Control);
       if
-      :: kind == Open_Camera && number >= VS.First && Is_Open ->
-         goto answer                                 /* it is open */
-      :: kind == Open_Camera && number < VS.First -> goto answer
-      :: kind == Close_Camera && number < VS.First -> goto answer
-      :: kind == Close_Camera && number >= VS.First ->
-         VS.Stage = Closed; goto close
-      :: kind == Open_Camera && number >= VS.First && !Is_Open ->
-         assert (VS.Stage == Closed);
-         VS.Stage = Opening                          /* needed */
+      :: kind == Open_Camera ->
+         /*: State.Store.Ask_Open */
+         if
+         :: number >= VS.First && !Is_Open ->
+            assert (VS.Stage == Closed);
+            VS.Stage = Opening                          /* needed */
+         :: else -> goto answer
+         fi
+      :: kind == Close_Camera ->
+         /*: State.Store.Close_By_Order */
+         if
+         :: number >= VS.First -> VS.Stage = Closed; goto close
+         :: else -> goto answer
+         fi
+      :: kind == Ask_Position ->
+         /* positions are sent at any time, as if they were asked for */
+         /*: State.Store.Ask_Position */
+         goto answer
       fi
    };
    /* Vision.Camera_Requests.Open */
+   /*: Requests.Requests.Open */
    atomic {
       CR.Current++;
       CR.Wanted = true;
       CR.Pending = true;
-      Control_Waits = true;
-#ifndef MUTANT_CAMERA_NOT_ASKED
-      Set_True (Vision_Camera_Requests_Asked)
-#endif
+      Control_Waits = true
    };
    atomic {
-      Vision_Camera_Requests_Answered -> Vision_Camera_Requests_Answered = false;
+#ifndef MUTANT_CAMERA_NOT_ASKED
+      Set_True (Vision_Camera_Requests_Asked);
+#endif
+      Suspend_Until_True (Vision_Camera_Requests_Answered);
       Control_Waits = false;
-      /* Vision.State.Opened */
+      /*: Requests.Collect, State.Store.Opened */
       if
       :: number >= VS.First && VS.Stage == Opening && CR.Opened ->
          VS.Stage = Streaming;
@@ -259,7 +312,7 @@ end_wait:
       assert (!success)
    };
 #ifndef MUTANT_CAMERA_KEPT_FOR_NOBODY
-   CR.Wanted = false;
+   Close_Camera_Request ();
 #endif
    goto answer;
 opened:
@@ -267,47 +320,80 @@ opened:
    goto answer;
 close:
    Stop_Images (true);
-   CR.Wanted = false;
+   Close_Camera_Request ();
 answer:
-   atomic { success = false; Answer (number); Vision_Done () }
+   /*: Monitor.Outbox.Answer in outbox */
+   atomic { success = false; Answer (number) };
+   Vision_Done ()
+}
+
+inline May_Be_Sent () {
+   assert (!(Monitor_Outbox_Open && Made_Is_Now && Images_Stopped))
 }
 
 active proctype Th_Capture_Img ()
 {
-end_wait:
-   Suspend_Until_True (Vision_Camera_Events_Images_Begin);
+   bool fails, looks, found, coming, was_open, awaited;
+   /*: whole */
+wait:
+   Suspend_For_Work (Vision_Camera_Events_Images_Begin);
    do
-   :: Made_Is_Now = true;           /* Get_Generation, before the mode */
+   :: /*: Box.Get_Generation */
+      Made_Is_Now = true;           /* before the mode */
+      /*: State.Store.Get, Store.Store.Get_Silent */
       atomic {
          if
          :: VS.Stage == Closed || VS.Stage == Opening ->
             Made_Is_Now = false;
-            goto end_wait
-         :: SILENT && Is_Open
-         :: VS.Stage == Streaming && FS.Newest ->
-            FS.Newest = false; FS.Claimed++; goto image
-         :: VS.Stage == Streaming && !FS.Newest && !SILENT ->
-            FS.Waits = true;
-            Made_Is_Now = false; goto wait_look
-         :: Is_Open && VS.Stage != Streaming && !SILENT ->
-            Made_Is_Now = false; goto pause
+            goto wait
+         :: SILENT && Is_Open -> fails = true
+         :: !SILENT && VS.Stage == Streaming -> looks = true
+         :: !SILENT && Is_Open && VS.Stage != Streaming
+         fi;
+         Made_Is_Now = Made_Is_Now && looks
+      };
+      if
+      :: fails -> fails = false; Camera_Failed ()
+      :: looks ->
+         /*: Store.Store.Claim_Due */
+         atomic {
+            looks = false;
+            if
+            :: FS.Newest -> FS.Newest = false; FS.Claimed++; found = true
+            :: else ->
+               coming = FS.Delivering;
+               FS.Waits = coming;
+               Made_Is_Now = false
+            fi
+         };
+         if
+         :: found ->                /* it is made */
+            atomic {
+               found = false;
+               if
+               :: /*: Outbox.Put_Image in outbox */ May_Be_Sent ()
+               :: skip
+               fi;
+               /*: Store.Store.Release */
+               FS.Claimed--
+            };
+            atomic {
+               if
+               :: /*: Outbox.Put_Position in outbox */ May_Be_Sent ()
+               :: skip
+               fi;
+               Made_Is_Now = false
+            }
+         :: else
          fi
-      };
-      Camera_Failed ();
-not_open:
-      Made_Is_Now = false;
-      goto pause;
-image:                              /* is made; Put_Image, Release */
+      :: else
+      fi;
       atomic {
-         FS.Claimed--;
-         assert (!(Monitor_Outbox_Open && Made_Is_Now && Images_Stopped));
-         Made_Is_Now = false
-      };
-      goto pause;
-wait_look:
-      Suspend_Until_True (Vision_Frame_Store_Look);
-pause:                              /* delay until Next */
-      skip
+         if
+         :: coming -> coming = false; Suspend_Until_True (Vision_Frame_Store_Look)
+         :: else -> /*: delay */ skip
+         fi
+      }
    od
 }
 
@@ -316,46 +402,55 @@ active proctype Th_Arene ()
    byte number;
    mtype:order kind;
    bool found, delivering;
-end_wait:
+   /*: whole */
+wait:
    atomic {
-      Order_Ports_Arrived [Task_Ports_Arena] ->
-      Order_Ports_Arrived [Task_Ports_Arena] = false;
+      Suspend_For_Work (Order_Ports_Arrived [Task_Ports_Arena]);
       Take (Task_Ports_Arena);
       if
       :: kind == Decide_Arena ->
+         /*: State.Store.Decide */
          if
          :: number >= VS.First && VS.Stage == Deciding ->
             VS.Stage = Streaming;
             Images_Stopped = false
          :: else
          fi;
-         goto answer
-      :: kind == Ask_Arena && !(number >= VS.First && Is_Open) ->
-         goto answer
-      :: kind == Ask_Arena && number >= VS.First && Is_Open ->
-         VS.Stage = Searching
+         goto answer_nothing
+      :: kind == Ask_Arena ->
+         /*: State.Store.Ask_Arena */
+         if
+         :: number >= VS.First && Is_Open -> VS.Stage = Searching
+         :: else -> goto answer
+         fi
       fi
    };
    Stop_Images (true);
    /* Wait_Newest */
 newest:
+   /*: Store.Store.Get_Delivering */
    delivering = FS.Delivering;
+   /*: Store.Store.Claim_Newest */
    atomic {
       if
-      :: FS.Newest -> FS.Newest = false; FS.Claimed++; goto search
-      :: !FS.Newest && !delivering -> goto searched
+      :: FS.Newest -> FS.Newest = false; FS.Claimed++; delivering = false;
+         found = true; goto search
+      :: !FS.Newest && !delivering -> goto search
       :: !FS.Newest && delivering -> delivering = false
       fi
    };
-   atomic { Vision_Frame_Store_Changed -> Vision_Frame_Store_Changed = false;
-            goto newest };
+   atomic { Suspend_Until_True (Vision_Frame_Store_Changed); goto newest };
 search:
    atomic {
-      delivering = false;
-      FS.Claimed--;
-      if :: found = true :: found = false fi
+      if
+      :: found ->
+         /*: Store.Store.Release */
+         FS.Claimed--;
+         if :: found = true :: found = false fi
+      :: else
+      fi
    };
-searched:
+   /*: State.Store.Searched */
    atomic {
       if
       :: number >= VS.First && VS.Stage == Searching && found ->
@@ -368,83 +463,121 @@ searched:
       :: else -> found = false; goto answer
       fi
    };
-   /* Answer_With_Image */
 put_image:
+   /*: Box.Answer_With_Image */
    atomic {
       if
-      :: number < First -> goto answer
+      :: number < First -> goto done
       :: number >= First && !Image_For_Arena ->
          Image_For_Arena = true;
-         goto answer
+         Answer (number);
+         goto done
       :: number >= First && Image_For_Arena
       fi
    };
-   atomic { Monitor_Outbox_Arena_Room -> Monitor_Outbox_Arena_Room = false;
-            goto put_image };
+   atomic { Suspend_Until_True (Monitor_Outbox_Arena_Room); goto put_image };
 answer:
-   atomic { Answer (number); Vision_Done () }
+   /*: Monitor.Outbox.Answer in outbox */
+   Answer (number);
+   goto next;
+answer_nothing:
+   /*: Monitor.Outbox.Answer_Nothing in outbox */
+   Answer (number);
+   goto next;
+done:
+   /*: Set_True (Outbox.Work) in outbox */
+   skip;
+next:
+   Vision_Done ()
 }
 
 active proctype Th_Camera ()
 {
    byte request;
-   bool success;
-end_wait:
-   /* Wait_Open */
+   bool success, was_open, awaited;
+   /*: whole */
+look:
    atomic {
-      Vision_Camera_Requests_Asked -> Vision_Camera_Requests_Asked = false;
-look: if
+      /*: Requests.Requests.Take */
+      if
       :: CR.Pending ->
-         request = CR.Current; CR.Pending = false; CR.Idle = false
-      :: else -> goto end_wait
+         request = CR.Current; CR.Pending = false; CR.Idle = false;
+         goto open
+      :: else
       fi
    };
-   /* Vision.Library.Open, Get_Wanted, Begin_Delivery, Report */
+   atomic { Suspend_For_Work (Vision_Camera_Requests_Asked); goto look };
+open:
+   /*: Vision.Library.Open, Requests.Requests.Get_Wanted */
    atomic {
       if
       :: Camera_Open = true; success = CR.Wanted && request == CR.Current
       :: success = false
-      fi;
-      CR.Opened = success;
-      Set_True (Vision_Camera_Requests_Answered);
-      if
-      :: !success -> goto close
-      :: else -> FS.Newest = false; FS.Delivering = true; success = false
       fi
    };
+   if
+   :: !success ->
+      /*: Requests.Requests.Report */
+      atomic {
+         CR.Opened = false;
+         Set_True (Vision_Camera_Requests_Answered);
+         goto close
+      }
+   :: success ->
+      /*: Store.Store.Begin_Delivery */
+      atomic { FS.Newest = false; FS.Delivering = true; success = false };
+      /*: Requests.Requests.Report */
+      atomic {
+         CR.Opened = true;
+         Set_True (Vision_Camera_Requests_Answered)
+      }
+   fi;
    do
-   :: /* Vision.Library.Grab, Publish */
+   :: /*: Store.Store.Claim_Empty, Vision.Library.Grab */
       atomic {
          /* with the image before the newest */
          assert (FS.Claimed + 2 * FS.Newest < SLOTS);
          if
-         :: success = true;
-            FS.Newest = FS.Newest || FS.Delivering;
-            Set_True (Vision_Frame_Store_Changed);
-            Tell_If_Awaited ();
-            goto wanted
-         :: goto wanted
+         :: success = true; goto grabbed
+         :: goto grabbed
          :: Camera_Hangs = true
          fi
       };
       /* until nobody is in command, or an opening waits for it */
       atomic { !In_Command || Control_Waits -> Camera_Hangs = false };
-wanted:
+grabbed:
+      if
+      :: success ->
+         /*: Store.Store.Publish */
+         atomic {
+            FS.Newest = FS.Newest || FS.Delivering;
+            awaited = FS.Waits;
+            FS.Waits = false;
+            Set_True (Vision_Frame_Store_Changed);
+            Tell_If (awaited)
+         }
+      :: else ->
+         /*: Store.Store.Release */
+         skip
+      fi;
+      /*: Requests.Requests.Get_Wanted */
       atomic {
          if
-         :: !(CR.Wanted && request == CR.Current) ->
-            success = false; goto not_open
-         :: CR.Wanted && request == CR.Current && !success -> break
+         :: !(CR.Wanted && request == CR.Current) -> success = false; break
+         :: CR.Wanted && request == CR.Current && !success
          :: CR.Wanted && request == CR.Current && success ->
-            success = false
+            success = false; goto more
          fi
-      }
+      };
+      Camera_Failed ();
+      break;
+more: skip
    od;
-   Camera_Failed ();
-not_open:
-   atomic { End_Delivery () };
+   End_Delivery ();
 close:
+   /*: Vision.Library.Close */
    atomic { request = 0; Camera_Open = false };
+   /*: Requests.Requests.Released */
    atomic {
 #ifndef MUTANT_CAMERA_NOT_RELEASED
       CR.Idle = true;
@@ -465,54 +598,96 @@ end_wait:
    od
 }
 
-/* The session: commands at any time, its end at any time, or when all have
-   been answered; then Bring_Back */
-
-active proctype Th_Com_Mon_Perdue ()
+active proctype Th_Server ()
 {
-   byte session, sent, i;
-   mtype:order kind;
+   byte session;
+   (Is_Awaited (Monitor_Session_Watch_Begins)
+    && Is_Awaited (Monitor_Session_Receive_Begins)
+    && Is_Awaited (Vision_Camera_Requests_Asked)
+    && Is_Awaited (Vision_Camera_Events_Images_Begin)
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Arena])
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Camera_Control]));
    do
    :: session < SESSIONS ->
+      /* Begin_Active, Admit: see session.pml */
+      /*: Box.Open_Session */
       atomic {
+         Free -> Free = false;
          In_First = (session == 0);
          session++;
          Monitor_Outbox_Open = true;
          In_Command = true;
-         if :: Reads = true :: Reads = false fi
-      };
+         if :: Reads = true :: Reads = false fi;
+         /* one after the other in session.pml */
+         Set_True (Monitor_Session_Receive_Begins);
+         Set_True (Monitor_Session_Watch_Begins)
+      }
+   :: else -> break
+   od;
+   Free;
+   Ended = true
+}
+
+/* Commands at any time */
+
+active proctype Th_Receive_From_Mon ()
+{
+   byte number, sent;
+   mtype:order kind;
+   do
+   :: Suspend_For_Work (Monitor_Session_Receive_Begins);
       do
+      :: atomic { !Monitor_Outbox_Open -> break }
       :: atomic {
-            sent < Limit && Waiting < CAPACITY ->
+            Monitor_Outbox_Open && sent < Limit && Waiting < CAPACITY ->
             sent++;
             if
             :: kind = Open_Camera
-            :: kind = Close_Camera
             :: kind = Ask_Arena
             :: kind = Decide_Arena
+#ifndef ARENA             /* one search after the other: three commands */
+            :: kind = Close_Camera
+            :: kind = Ask_Position
+#endif
             fi;
-            Unanswered [Next] = true;
-            Waiting++;
-            /* Dispatch */
-            if
-            :: VQ.Busy -> VQ.Items ! Next, kind
-            :: else -> VQ.Busy = true; To_Vision (Next, kind)
-            fi;
+            number = Next;
             Next++;
-            kind = 0
-         }
-      :: atomic { Reads && sent == Limit && !Patient -> Patient = true };
-         do
-         :: atomic { Waiting == 0 -> Patient = false; break }
-         :: Look_At_Silence ()
-         od;
-         break
-      :: Look_At_Silence ()
-      :: break
+            Unanswered [number] = true;
+            Waiting++;
+            All_Sent = (sent == Limit)
+         };
+         /*: Queue.Queue.Put */
+         atomic {
+            if
+            :: VQ.Busy -> VQ.Items ! number, kind; goto queued
+            :: else -> VQ.Busy = true
+            fi
+         };
+         To_Vision (number, kind);
+queued:  atomic { number = 0; kind = 0 }
       od;
-      /* Close_Session */
+      atomic { sent = 0; All_Sent = false };
+      Set_True (Monitor_Session_Receive_Ended)
+   od
+}
+
+/* The session's end at any time, or when all have been answered */
+
+active proctype Th_Com_Mon_Perdue ()
+{
+   byte i;
+   bool awaited;
+   do
+   :: Suspend_For_Work (Monitor_Session_Watch_Begins);
+      do
+      :: atomic { Reads && All_Sent && !Patient -> Patient = true }
+      :: atomic { Patient && Waiting == 0 -> Patient = false; break }
+      :: Look_At_Silence ()
+      :: !Patient -> break
+      od;
+      /* Bring_Back */
+      /*: Box.Close_Session */
       atomic {
-         sent = 0;
          Reads = false;
          Monitor_Outbox_Open = false;
          First = Next;
@@ -527,24 +702,33 @@ active proctype Th_Com_Mon_Perdue ()
             od;
             i = 0
          }
-#ifndef MUTANT_CLOSE_WITHOUT_ARENA_ROOM
-         Set_True (Monitor_Outbox_Arena_Room)
-#endif
       };
+#ifndef MUTANT_CLOSE_WITHOUT_ARENA_ROOM
+      Set_True (Monitor_Outbox_Arena_Room);
+#endif
+      /*: State.Store.Begin_Session */
       atomic { VS.Stage = Closed; VS.First = First };
 #ifndef MUTANT_CAMERA_LEFT_OPEN
-      CR.Wanted = false;
+      Close_Camera_Request ();
 #endif
 #ifndef MUTANT_SEARCH_OUTLIVES_SESSION
-      atomic { End_Delivery () };
+      End_Delivery ();
 #endif
+      Suspend_Until_True (Monitor_Session_Receive_Ended);
+      /*: Queue.Queue.Clear */
       atomic { do :: VQ.Items ? _, _ :: len (VQ.Items) == 0 -> break od };
       /* a camera that hangs is not waited for */
-      atomic { (CR.Idle && !CR.Pending) || Camera_Hangs ->
-               In_Command = false }
-   :: else -> break
-   od;
-   Ended = true
+      /*: Requests.Requests.Get_Idle */
+      atomic {
+         ((CR.Idle && !CR.Pending) || Camera_Hangs);
+         if
+         :: /*: delay, Requests.Requests.Get_Idle + */ skip
+         :: skip
+         fi;
+         In_Command = false;
+         Free = true
+      }
+   od
 }
 
 ltl every_vision_order_answered { [] (Patient -> <> !Patient) }
