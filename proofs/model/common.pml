@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
-   What all models share: events as Ada.Synchronous_Task_Control has them,
+   What all models share: events as src/devices/event.ads has them,
    and how tasks, protected objects and events are declared, so that `check`
    finds their names and compares them with the Ada code's.
 
    task              proctype Th_...
    protected object  PROTECTED (Package_Object), of type Package_Object_Type
-   event             EVENT (Package_Object), a suspension object
+   event             EVENT (Package_Object), an instance of Event
    generic instance  INSTANCE (Package_Instance, index)
 
    A protected operation is one atomic step; whatever lies between two of
@@ -17,37 +17,34 @@
 #define PROTECTED(name)     name##_Type name
 #define INSTANCE(name, n)
 
-/* A suspension object as Annex D.10 and the run time have it. One that a task
-   waits for is not set but releases the task; set again before that goes on,
-   it stays true, and the task's next wait does not wait.
+/* An event counter of the kernel, as Event uses it: set once or several times
+   before its task goes on is the same.
 
-   0  false          1  true
-   2  false, a task waits
-   3  false, its task released     4  true, its task released */
+   0  not set      1  set      2  not set, and its task waits */
 
-#define Set_True(event)   event = event + (event != 1 && event != 4)
-#define Set_False(event)  event = event - (event == 1 || event == 4)
-#define Is_True(event)    (event == 1 || event >= 3)  /* or has been */
+#define Set_Event(event)   event = 1
+#define Is_Set(event)      (event == 1)
 
 /* Where the environment begins only when the tasks wait for it: a set that
    comes before the wait comes later in the run, too */
 #define Is_Awaited(event)  (event == 2)
 
-/* One task only waits for it: else the run time raises Program_Error */
-#define Suspend(event, until) \
+/* One task only waits for it: GNATprove refuses a second one */
+#define Await_Event(event, until) \
    atomic { \
-      assert (event < 2); \
+      assert (event != 2); \
       if \
-      :: event == 1 -> event = 0 \
-      :: event == 0 -> event = 2; until event >= 3 -> event = event - 3 \
-      fi \
+      :: event == 1 \
+      :: event == 0 -> event = 2; until event == 1 \
+      fi; \
+      event = 0 \
    }
 
-#define Suspend_Until_True(event)  Suspend (event, )
+#define Wait_Event(event)  Await_Event (event, )
 
 /* A task that waits for work is at a label end_...: only there may it be
    when nothing can happen any more */
-#define Suspend_For_Work(event)    Suspend (event, end_for_work:)
+#define Wait_For_Work(event)  Await_Event (event, end_for_work:)
 
 /* What the code does at a place is said there, where it is neither an event
    nor an inline that says it, and `steps` compares the order with the code's:

@@ -32,7 +32,7 @@ inline Put_Line () {
       fi
    };
 #ifndef MUTANT_LOG_WITHOUT_EVENT
-   Set_True (Journal_Arrived)
+   Set_Event (Journal_Arrived)
 #else
    skip
 #endif
@@ -52,7 +52,7 @@ look:
       :: else
       fi
    };
-   atomic { Suspend_For_Work (Journal_Arrived); goto look };
+   atomic { Wait_For_Work (Journal_Arrived); goto look };
 write:
    /*: Journal.Buffer.Written */
 end_stuck:
@@ -71,7 +71,7 @@ bool Line_Open = false;
 bool Refused   = false;   /* Robot.Line: no order is carried out any more */
 
 inline Refuse_Orders () {
-   /*: Line.Line.Begin_Session in orders, Set_True (Line.Work) in orders */
+   /*: Line.Line.Begin_Session in orders, Set_Event (Line.Work) in orders */
    Refused = true
 }
 
@@ -93,7 +93,7 @@ inline Ended (which) {
       :: which == Of_Stop ->
          Stop_Blindly ();
 #ifndef MUTANT_FAILED_STOP_NOT_TOLD
-         Set_True (Failures_Stop_Failed)
+         Set_Event (Failures_Stop_Failed)
 #endif
       :: else ->
          /*: Report_Failure */
@@ -142,11 +142,10 @@ active proctype User () provided (!Left)
 active proctype Supervisor () provided (!Left && Failed != Of_Main)
 {
    /*: whole */
-   Set_True (Monitor_Session_Server_Allowed);
-   /*: Suspend_Until_True (Listening) in session */
+   Set_Event (Monitor_Session_Server_Allowed);
+   /*: Wait_Event (Listening) in session */
    Put_Line ();
-   Put_Line ();
-   Suspend_For_Work (Failures_Stop_Failed);
+   Wait_For_Work (Failures_Stop_Failed);
    Refuse_Orders ();
    /* its last lines are written meanwhile */
    /*: delay */
@@ -161,7 +160,7 @@ active proctype Supervisor () provided (!Left && Failed != Of_Main)
 active proctype Th_Server () provided (!Left)
 {
    byte again = 2;
-   Suspend_Until_True (Monitor_Session_Server_Allowed);
+   Wait_Event (Monitor_Session_Server_Allowed);
 end_wait:
    do
 #ifndef MUTANT_ADMITTED_WHILE_STOPPING

@@ -76,7 +76,7 @@ inline Put_It (who, what, its_number, its_rank, its_after) {
 
 inline Put (who, what, its_number, its_rank, its_after) {
 #ifdef MUTANT_WORK_BEFORE_PUT
-   Set_True (Robot_Line_Work);
+   Set_Event (Robot_Line_Work);
 #endif
    /*: Line.Line.Put */
    atomic { Put_It (who, what, its_number, its_rank, its_after) }
@@ -87,9 +87,9 @@ inline Put (who, what, its_number, its_rank, its_after) {
    difference, as there is one only */
 inline Wait (who) {
 #ifndef MUTANT_WORK_BEFORE_PUT
-   Set_True (Robot_Line_Work);
+   Set_Event (Robot_Line_Work);
 #endif
-   Suspend_Until_True (Robot_Line_Clients_Finished [who])
+   Wait_Event (Robot_Line_Clients_Finished [who])
 }
 
 inline Put_Stop (its_number) {
@@ -100,7 +100,7 @@ inline Put_Stop (its_number) {
       L.Last_Stop = its_number
    }
 #ifndef MUTANT_STOP_WITHOUT_EVENT
-   Set_True (Robot_Line_Work)
+   Set_Event (Robot_Line_Work)
 #else
    skip
 #endif
@@ -360,7 +360,7 @@ inline Wake_For_More () {
    od;
    k = 0;
    if
-   :: more -> Set_True (Robot_Line_Work)
+   :: more -> Set_Event (Robot_Line_Work)
    :: else
    fi;
    more = false
@@ -420,7 +420,7 @@ active proctype Th_Line ()
    Whole_Line
 wait:
    atomic {
-      Suspend_For_Work (Robot_Line_Work);
+      Wait_For_Work (Robot_Line_Work);
       !Short_Time;
       /* take and carry out: nobody else sees what happens on the line
          meanwhile, and what arrives meanwhile might have come before. A
@@ -465,7 +465,7 @@ tell:
 #ifdef MUTANT_ORDER_TASK_NOT_TOLD
       :: number > 0
 #endif
-      :: else -> Set_True (Robot_Line_Clients_Finished [from])
+      :: else -> Set_Event (Robot_Line_Clients_Finished [from])
       fi;
       Tell_Of ();
       from = 0; kind = 0; number = 0; rank = 0;

@@ -84,7 +84,7 @@ inline Take (p) {
    fi;
 #ifndef MUTANT_MORE_ORDERS_FORGOTTEN
    if
-   :: len (Port (p)) > 0 -> Set_True (Order_Ports_Arrived [p])
+   :: len (Port (p)) > 0 -> Set_Event (Order_Ports_Arrived [p])
    :: else
    fi
 #endif
@@ -95,7 +95,7 @@ inline Take (p) {
 inline Serve (p, client) {
    /*: whole */
    atomic {
-      Suspend_For_Work (Order_Ports_Arrived [p]);
+      Wait_For_Work (Order_Ports_Arrived [p]);
       Take (p)
    };
    Put (client, kind, number, rank, after);
@@ -168,7 +168,7 @@ active proctype Th_Receive_From_Mon ()
    byte number, rank, after, sent, port;
    mtype:request kind;
    do
-   :: Suspend_For_Work (Monitor_Session_Receive_Begins);
+   :: Wait_For_Work (Monitor_Session_Receive_Begins);
       do
       :: atomic { !Monitor_Outbox_Open -> break }
       :: atomic {
@@ -210,13 +210,13 @@ active proctype Th_Receive_From_Mon ()
                fi
             };
 #ifndef MUTANT_ORDER_WITHOUT_EVENT
-            Set_True (Order_Ports_Arrived [port])
+            Set_Event (Order_Ports_Arrived [port])
 #endif
          fi;
          d_step { number = 0; kind = 0; port = 0 }
       od;
       atomic { rank = 0; after = 0; sent = 0 };
-      Set_True (Monitor_Session_Receive_Ended)
+      Set_Event (Monitor_Session_Receive_Ended)
    od
 }
 
@@ -249,8 +249,8 @@ active proctype Th_Server ()
       }
       /* one after the other in session.pml */
       atomic {
-         Set_True (Monitor_Session_Receive_Begins);
-         Set_True (Monitor_Session_Watch_Begins)
+         Set_Event (Monitor_Session_Receive_Begins);
+         Set_Event (Monitor_Session_Watch_Begins)
       }
    :: else -> break
    od
@@ -259,7 +259,7 @@ active proctype Th_Server ()
 active proctype Th_Com_Mon_Perdue ()
 {
    do
-   :: Suspend_For_Work (Monitor_Session_Watch_Begins);
+   :: Wait_For_Work (Monitor_Session_Watch_Begins);
       /* Wait_Loss: at any time, or when all has been answered */
       if
       :: true
@@ -289,7 +289,7 @@ active proctype Th_Com_Mon_Perdue ()
          L.Completed = 0;
          L.Changed = 0
       }
-      Set_True (Robot_Line_Work);
+      Set_Event (Robot_Line_Work);
 #endif
 #ifndef MUTANT_NO_SAFE_STATE
       Put (Robot_Clients_Safe_State, Close_Line, 0, 0, 0);
@@ -297,7 +297,7 @@ active proctype Th_Com_Mon_Perdue ()
       /*: Line.Line.Collect */
 #endif
       Nobody = true;
-      Suspend_Until_True (Monitor_Session_Receive_Ended);
+      Wait_Event (Monitor_Session_Receive_Ended);
       /* nobody puts an order meanwhile: one step */
       atomic {
          /*: Queue.Queue.Clear in vision */

@@ -94,8 +94,8 @@ inline Begin_Hold (begun) {
 
 inline Answer (number, item) {
 #ifdef MUTANT_EVENT_BEFORE_STATE
-   Set_True (Monitor_Outbox_Work);
-   Set_True (Monitor_Outbox_Room);
+   Set_Event (Monitor_Outbox_Work);
+   Set_Event (Monitor_Outbox_Room);
 #endif
    /*: Box.Answer | Box.Answer_Nothing */
    d_step {
@@ -117,9 +117,9 @@ inline Answer (number, item) {
    }
 #ifndef MUTANT_EVENT_BEFORE_STATE
 #ifndef MUTANT_ANSWER_WITHOUT_EVENT
-   Set_True (Monitor_Outbox_Work);
+   Set_Event (Monitor_Outbox_Work);
 #endif
-   Set_True (Monitor_Outbox_Room)
+   Set_Event (Monitor_Outbox_Room)
 #endif
 }
 
@@ -156,7 +156,7 @@ active proctype Th_Receive_From_Mon ()
    bool open = true;
    /*: whole */
    do
-   :: Suspend_For_Work (Monitor_Session_Receive_Begins);
+   :: Wait_For_Work (Monitor_Session_Receive_Begins);
 receive:
       /*: Connection.Receive + */
 line: do
@@ -179,10 +179,10 @@ reserve: /*: Box.Reserve */
             :: Box.Open && Box.Count == CAPACITY
             fi
          };
-         atomic { Suspend_Until_True (Monitor_Outbox_Room); goto reserve };
+         atomic { Wait_Event (Monitor_Outbox_Room); goto reserve };
 reserved:
          if
-         :: begun -> atomic { begun = false; Set_True (Monitor_Outbox_Hold_Begun) }
+         :: begun -> atomic { begun = false; Set_Event (Monitor_Outbox_Hold_Begun) }
          :: else
          fi;
          if
@@ -197,13 +197,13 @@ reserved:
                :: /*: Queue.Queue.Put in vision */
                   if
                   :: /*: Port.Put [port] in vision,
-                         Set_True (Order_Ports.Arrived [port]) in vision */ skip
+                         Set_Event (Order_Ports.Arrived [port]) in vision */ skip
                   :: skip
                   fi
                :: /*: Port.Put [port] in orders,
-                      Set_True (Order_Ports.Arrived [port]) in orders */ skip
+                      Set_Event (Order_Ports.Arrived [port]) in orders */ skip
                :: /*: Line.Line.Put_Stop in orders,
-                      Set_True (Line.Work) in orders */ skip
+                      Set_Event (Line.Work) in orders */ skip
                fi
             }
          fi;
@@ -218,7 +218,7 @@ reserved:
       od;
       /*: Connection.Shut_Down in session */
       atomic { sent = 0; open = true };
-      Set_True (Monitor_Session_Receive_Ended)
+      Set_Event (Monitor_Session_Receive_Ended)
    od
 }
 
@@ -228,14 +228,14 @@ active proctype Th_Send_To_Mon ()
    bool gap;            /* what was sent last is too near for the next */
    /*: whole */
 wait:
-   Suspend_For_Work (Monitor_Outbox_Work);
+   Wait_For_Work (Monitor_Outbox_Work);
 look:
    /* what was taken before has been sent */
    /*: Box.Take */
    atomic {
       Box.Busy = false;
       if
-      :: /*: Set_True (Sender_Left) in session */ skip
+      :: /*: Set_Event (Sender_Left) in session */ skip
       :: skip
       fi;
       if
@@ -261,8 +261,8 @@ look:
 taken:
    atomic {
       if
-      :: kind == An_Answer -> Set_True (Monitor_Outbox_Room);
-         /*: Set_True (Arena_Room) in vision */
+      :: kind == An_Answer -> Set_Event (Monitor_Outbox_Room);
+         /*: Set_Event (Arena_Room) in vision */
          skip
       :: else
       fi;
@@ -307,7 +307,7 @@ active proctype Th_Hold ()
    /*: whole */
 wait:
    atomic {
-      Suspend_For_Work (Monitor_Outbox_Hold_Begun);
+      Wait_For_Work (Monitor_Outbox_Hold_Begun);
 look: /*: Box.Get_Hold_End */
       Box.Renewed = false;
       if :: !(Box.Holding && !Box.Released) -> goto wait :: else fi
@@ -321,7 +321,7 @@ look: /*: Box.Get_Hold_End */
       fi
    };
 #ifndef MUTANT_HOLD_WITHOUT_EVENT
-   Set_True (Monitor_Outbox_Work);
+   Set_Event (Monitor_Outbox_Work);
 #endif
    atomic { true -> goto look }
 }
@@ -345,11 +345,11 @@ end_wait:
          Begin_Hold (begun);
          Box.Renewed = Box.Renewed || begun
       };
-      Set_True (Monitor_Outbox_Work);
+      Set_Event (Monitor_Outbox_Work);
       if
       :: begun -> begun = false;
 #ifndef MUTANT_HOLD_NOT_BEGUN
-         Set_True (Monitor_Outbox_Hold_Begun)
+         Set_Event (Monitor_Outbox_Hold_Begun)
 #endif
       :: else
       fi
@@ -378,8 +378,8 @@ active proctype Th_Server ()
       };
       /* one after the other in session.pml */
       atomic {
-         Set_True (Monitor_Session_Receive_Begins);
-         Set_True (Monitor_Session_Watch_Begins)
+         Set_Event (Monitor_Session_Receive_Begins);
+         Set_Event (Monitor_Session_Watch_Begins)
       }
    :: else -> break
    od
@@ -388,7 +388,7 @@ active proctype Th_Server ()
 active proctype Th_Com_Mon_Perdue ()
 {
    do
-   :: Suspend_For_Work (Monitor_Session_Watch_Begins);
+   :: Wait_For_Work (Monitor_Session_Watch_Begins);
       if
       :: Reads = true;
          if
@@ -419,10 +419,10 @@ end_stays:  false
          End_Quiet_Hold ()
       };
 #ifndef MUTANT_CLOSE_WITHOUT_ROOM
-      Set_True (Monitor_Outbox_Room);
+      Set_Event (Monitor_Outbox_Room);
 #endif
       !Box.Busy;                 /* Wait_Sender: see session.pml */
-      Suspend_Until_True (Monitor_Session_Receive_Ended);
+      Wait_Event (Monitor_Session_Receive_Ended);
       /*: Task_Ports.Clear in orders */
       atomic {
          do

@@ -19,23 +19,23 @@ EVENT (Robot_Events_For_Keep_Alive);
 inline Tell_Of_Start () {
    if
 #if defined (RELOAD) && !defined (MUTANT_RELOAD_NOT_BEGUN)
-   :: kind == Start_Watchdog -> Set_True (Robot_Events_For_Reload)
+   :: kind == Start_Watchdog -> Set_Event (Robot_Events_For_Reload)
 #else
    :: kind == Start_Watchdog ->
-      /*: Set_True (Robot.Events.For_Reload) in periodic */
+      /*: Set_Event (Robot.Events.For_Reload) in periodic */
       skip
 #endif
    :: else
    fi;
 #if defined (RELOAD) || defined (KEEP_ALIVE)
-   /*: Set_True (Robot.Events.For_Battery) in periodic */
+   /*: Set_Event (Robot.Events.For_Battery) in periodic */
 #elif !defined (MUTANT_BATTERY_NOT_BEGUN)
-   Set_True (Robot_Events_For_Battery);
+   Set_Event (Robot_Events_For_Battery);
 #endif
 #ifdef KEEP_ALIVE
-   Set_True (Robot_Events_For_Keep_Alive)
+   Set_Event (Robot_Events_For_Keep_Alive)
 #else
-   /*: Set_True (Robot.Events.For_Keep_Alive) in periodic */
+   /*: Set_Event (Robot.Events.For_Keep_Alive) in periodic */
    skip
 #endif
 }
@@ -116,7 +116,7 @@ active proctype Th_Reload_WD ()
    /*: whole */
 wait:
    atomic {
-      Suspend_For_Work (Robot_Events_For_Reload);
+      Wait_For_Work (Robot_Events_For_Reload);
       /*: Line.Line.Get_Status */
       L.New_Epoch [Robot_Clients_Reload] = false;
       goes_on = In_Watchdog_Mode
@@ -135,7 +135,7 @@ next:
    atomic {
 #endif
 #ifndef MUTANT_DUE_WITHOUT_EVENT
-      Set_True (Robot_Line_Work)
+      Set_Event (Robot_Line_Work)
 #endif
    };
    atomic {
@@ -165,7 +165,7 @@ next:
    the line has looked: there is nearly a second. */
 
 #ifdef CALM
-#define Comes_Near  (L.Reload_Due == Far && !Is_True (Robot_Line_Work))
+#define Comes_Near  (L.Reload_Due == Far && !Is_Set (Robot_Line_Work))
 #else
 #define Comes_Near  (L.Reload_Due == Far)
 #endif
@@ -185,7 +185,7 @@ end_wait:
 
 inline Begin_Run (begun, client) {
    atomic {
-      Suspend_For_Work (begun);
+      Wait_For_Work (begun);
       /*: Line.Line.Get_Status */
       L.New_Epoch [client] = false;
       goes_on = Same_Run (client)

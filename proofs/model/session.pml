@@ -52,8 +52,8 @@ EVENT (Monitor_Outbox_Sender_Left);
 active proctype Supervisor ()
 {
    /* see ending.pml */
-   Set_True (Monitor_Session_Server_Allowed);
-   Suspend_Until_True (Monitor_Session_Listening)
+   Set_Event (Monitor_Session_Server_Allowed);
+   Wait_Event (Monitor_Session_Listening)
 }
 
 inline Close_Session () {
@@ -73,8 +73,8 @@ active proctype Th_Server ()
    bool look;
    mtype:stage known = Free;
    /*: whole */
-   Suspend_Until_True (Monitor_Session_Server_Allowed);
-   Set_True (Monitor_Session_Listening);
+   Wait_Event (Monitor_Session_Server_Allowed);
+   Set_Event (Monitor_Session_Listening);
    do
    ::
    /* Get_Next: has one been kept until the end of a session? */
@@ -133,8 +133,8 @@ end_wait:
       /*: Box.Open_Session */
       Monitor_Outbox_Open = true;
       Met [peer] = Admitted;
-      Set_True (Monitor_Session_Receive_Begins);
-      atomic { peer = 0; Set_True (Monitor_Session_Watch_Begins) };
+      Set_Event (Monitor_Session_Receive_Begins);
+      atomic { peer = 0; Set_Event (Monitor_Session_Watch_Begins) };
 next: skip
    od;
 turn:
@@ -146,7 +146,7 @@ active proctype Th_Receive_From_Mon ()
 {
    byte own;
    do
-   :: atomic { Suspend_For_Work (Monitor_Session_Receive_Begins);
+   :: atomic { Wait_For_Work (Monitor_Session_Receive_Begins);
                own = Current; In_Receive = true };
       if
       :: Over (own)
@@ -154,7 +154,7 @@ active proctype Th_Receive_From_Mon ()
       fi;
       Shut_Down (own);
       atomic { In_Receive = false; own = 0 };
-      Set_True (Monitor_Session_Receive_Ended)
+      Set_Event (Monitor_Session_Receive_Ended)
    od
 }
 
@@ -164,7 +164,7 @@ active proctype Th_Send_To_Mon ()
    byte own;
 end_wait:
    /* something to send, at any time */
-   /*: Suspend_Until_True (Outbox.Work) in outbox */
+   /*: Wait_Event (Outbox.Work) in outbox */
    Monitor_Outbox_Open;
 take:
    /* what was taken before has been sent; the next goes, if there is one and
@@ -178,7 +178,7 @@ take:
       fi
    };
 #ifndef MUTANT_LEFT_WITHOUT_EVENT
-   if :: left -> Set_True (Monitor_Outbox_Sender_Left) :: else fi;
+   if :: left -> Set_Event (Monitor_Outbox_Sender_Left) :: else fi;
 #endif
    atomic {
       left = false;
@@ -208,7 +208,7 @@ active proctype Th_Com_Mon_Perdue ()
    byte own;
    /*: whole */
    do
-   :: atomic { Suspend_For_Work (Monitor_Session_Watch_Begins);
+   :: atomic { Wait_For_Work (Monitor_Session_Watch_Begins);
                own = Current; In_Watch = true };
       /* Wait_Loss: Watch and Judge */
       do
@@ -223,14 +223,13 @@ active proctype Th_Com_Mon_Perdue ()
       Stage = Closing;
       /* Bring_Back */
 #ifdef MUTANT_WAITS_SWAPPED
-      Suspend_Until_True (Monitor_Session_Receive_Ended);
+      Wait_Event (Monitor_Session_Receive_Ended);
 #endif
       Shut_Down (own);
-      Set_False (Monitor_Outbox_Sender_Left);
       /*: Box.Close_Session */
       Monitor_Outbox_Open = false;
-      /*: Set_True (Outbox.Room) in outbox,
-          Set_True (Outbox.Arena_Room) in vision,
+      /*: Set_Event (Outbox.Room) in outbox,
+          Set_Event (Outbox.Arena_Room) in vision,
           Robot.Line.Begin_Session in orders,
           Line.Clients.Ask [Robot_Clients_Safe_State] in orders,
           Vision.State.Store.Begin_Session in vision,
@@ -241,13 +240,13 @@ active proctype Th_Com_Mon_Perdue ()
          atomic { !Monitor_Outbox_Busy -> break }
       :: /*: Box.Get_Busy */
          atomic { Monitor_Outbox_Busy -> skip };
-         Suspend_Until_True (Monitor_Outbox_Sender_Left)
+         Wait_Event (Monitor_Outbox_Sender_Left)
 #ifdef MUTANT_SENDER_LOOKED_AT_ONCE
          ; break
 #endif
       od;
 #ifndef MUTANT_WAITS_SWAPPED
-      Suspend_Until_True (Monitor_Session_Receive_Ended);
+      Wait_Event (Monitor_Session_Receive_Ended);
 #endif
       /*: Task_Ports.Clear in orders */
       own = 0;

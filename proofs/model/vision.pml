@@ -138,11 +138,11 @@ inline To_Vision (its_number, its_kind) {
    :: its_kind == Ask_Arena || its_kind == Decide_Arena ->
       /*: Port.Put [Task_Ports_Arena] */
       Port (Task_Ports_Arena) ! its_number, its_kind;
-      Set_True (Order_Ports_Arrived [Task_Ports_Arena])
+      Set_Event (Order_Ports_Arrived [Task_Ports_Arena])
    :: else ->
       /*: Port.Put [Task_Ports_Camera_Control] */
       Port (Task_Ports_Camera_Control) ! its_number, its_kind;
-      Set_True (Order_Ports_Arrived [Task_Ports_Camera_Control])
+      Set_Event (Order_Ports_Arrived [Task_Ports_Camera_Control])
    fi
    }
 }
@@ -156,7 +156,7 @@ inline Take (p) {
    /* the queue lets one order go at a time: there is never more */
    assert (len (Port (p)) == 0);
    if
-   :: /*: Set_True (Order_Ports.Arrived [p]) in orders */ skip
+   :: /*: Set_Event (Order_Ports.Arrived [p]) in orders */ skip
    :: skip
    fi
 }
@@ -180,7 +180,7 @@ inline Vision_Done () {
 
 inline Tell_If (awaited) {
    if
-   :: awaited -> awaited = false; Set_True (Vision_Frame_Store_Look)
+   :: awaited -> awaited = false; Set_Event (Vision_Frame_Store_Look)
    :: else
    fi
 }
@@ -196,7 +196,7 @@ inline End_Delivery () {
 #endif
    };
 #ifndef MUTANT_END_WITHOUT_EVENT
-   Set_True (Vision_Frame_Store_Changed);
+   Set_Event (Vision_Frame_Store_Changed);
 #endif
    Tell_If (awaited)
 }
@@ -257,7 +257,7 @@ active proctype Th_Camera_Control ()
    /*: whole */
 wait:
    atomic {
-      Suspend_For_Work (Order_Ports_Arrived [Task_Ports_Camera_Control]);
+      Wait_For_Work (Order_Ports_Arrived [Task_Ports_Camera_Control]);
       Take (Task_Ports_Camera_Control);
       if
       :: kind == Open_Camera ->
@@ -290,9 +290,9 @@ wait:
    };
    atomic {
 #ifndef MUTANT_CAMERA_NOT_ASKED
-      Set_True (Vision_Camera_Requests_Asked);
+      Set_Event (Vision_Camera_Requests_Asked);
 #endif
-      Suspend_Until_True (Vision_Camera_Requests_Answered);
+      Wait_Event (Vision_Camera_Requests_Answered);
       Control_Waits = false;
       /*: Requests.Collect, State.Store.Opened */
       if
@@ -316,7 +316,7 @@ wait:
 #endif
    goto answer;
 opened:
-   Set_True (Vision_Camera_Events_Images_Begin);
+   Set_Event (Vision_Camera_Events_Images_Begin);
    goto answer;
 close:
    Stop_Images (true);
@@ -336,7 +336,7 @@ active proctype Th_Capture_Img ()
    bool fails, looks, found, coming, was_open, awaited;
    /*: whole */
 wait:
-   Suspend_For_Work (Vision_Camera_Events_Images_Begin);
+   Wait_For_Work (Vision_Camera_Events_Images_Begin);
    do
    :: /*: Box.Get_Generation */
       Made_Is_Now = true;           /* before the mode */
@@ -390,7 +390,7 @@ wait:
       fi;
       atomic {
          if
-         :: coming -> coming = false; Suspend_Until_True (Vision_Frame_Store_Look)
+         :: coming -> coming = false; Wait_Event (Vision_Frame_Store_Look)
          :: else -> /*: delay */ skip
          fi
       }
@@ -405,7 +405,7 @@ active proctype Th_Arene ()
    /*: whole */
 wait:
    atomic {
-      Suspend_For_Work (Order_Ports_Arrived [Task_Ports_Arena]);
+      Wait_For_Work (Order_Ports_Arrived [Task_Ports_Arena]);
       Take (Task_Ports_Arena);
       if
       :: kind == Decide_Arena ->
@@ -439,7 +439,7 @@ newest:
       :: !FS.Newest && delivering -> delivering = false
       fi
    };
-   atomic { Suspend_Until_True (Vision_Frame_Store_Changed); goto newest };
+   atomic { Wait_Event (Vision_Frame_Store_Changed); goto newest };
 search:
    atomic {
       if
@@ -475,7 +475,7 @@ put_image:
       :: number >= First && Image_For_Arena
       fi
    };
-   atomic { Suspend_Until_True (Monitor_Outbox_Arena_Room); goto put_image };
+   atomic { Wait_Event (Monitor_Outbox_Arena_Room); goto put_image };
 answer:
    /*: Monitor.Outbox.Answer in outbox */
    Answer (number);
@@ -485,7 +485,7 @@ answer_nothing:
    Answer (number);
    goto next;
 done:
-   /*: Set_True (Outbox.Work) in outbox */
+   /*: Set_Event (Outbox.Work) in outbox */
    skip;
 next:
    Vision_Done ()
@@ -506,7 +506,7 @@ look:
       :: else
       fi
    };
-   atomic { Suspend_For_Work (Vision_Camera_Requests_Asked); goto look };
+   atomic { Wait_For_Work (Vision_Camera_Requests_Asked); goto look };
 open:
    /*: Vision.Library.Open, Requests.Requests.Get_Wanted */
    atomic {
@@ -520,7 +520,7 @@ open:
       /*: Requests.Requests.Report */
       atomic {
          CR.Opened = false;
-         Set_True (Vision_Camera_Requests_Answered);
+         Set_Event (Vision_Camera_Requests_Answered);
          goto close
       }
    :: success ->
@@ -529,7 +529,7 @@ open:
       /*: Requests.Requests.Report */
       atomic {
          CR.Opened = true;
-         Set_True (Vision_Camera_Requests_Answered)
+         Set_Event (Vision_Camera_Requests_Answered)
       }
    fi;
    do
@@ -553,7 +553,7 @@ grabbed:
             FS.Newest = FS.Newest || FS.Delivering;
             awaited = FS.Waits;
             FS.Waits = false;
-            Set_True (Vision_Frame_Store_Changed);
+            Set_Event (Vision_Frame_Store_Changed);
             Tell_If (awaited)
          }
       :: else ->
@@ -594,7 +594,7 @@ end_wait:
    do
    :: atomic { Image_For_Arena && Reads && Monitor_Outbox_Open ->
                Image_For_Arena = false;
-               Set_True (Monitor_Outbox_Arena_Room) }
+               Set_Event (Monitor_Outbox_Arena_Room) }
    od
 }
 
@@ -619,8 +619,8 @@ active proctype Th_Server ()
          In_Command = true;
          if :: Reads = true :: Reads = false fi;
          /* one after the other in session.pml */
-         Set_True (Monitor_Session_Receive_Begins);
-         Set_True (Monitor_Session_Watch_Begins)
+         Set_Event (Monitor_Session_Receive_Begins);
+         Set_Event (Monitor_Session_Watch_Begins)
       }
    :: else -> break
    od;
@@ -635,17 +635,21 @@ active proctype Th_Receive_From_Mon ()
    byte number, sent;
    mtype:order kind;
    do
-   :: Suspend_For_Work (Monitor_Session_Receive_Begins);
+   :: Wait_For_Work (Monitor_Session_Receive_Begins);
       do
       :: atomic { !Monitor_Outbox_Open -> break }
       :: atomic {
             Monitor_Outbox_Open && sent < Limit && Waiting < CAPACITY ->
             sent++;
             if
+#ifdef ARENA              /* opened first, then one search after the other */
+            :: sent == 1 && In_First -> kind = Open_Camera
+            :: sent > 1 || !In_First -> kind = Ask_Arena
+            :: sent > 1 || !In_First -> kind = Decide_Arena
+#else
             :: kind = Open_Camera
             :: kind = Ask_Arena
             :: kind = Decide_Arena
-#ifndef ARENA             /* one search after the other: three commands */
             :: kind = Close_Camera
             :: kind = Ask_Position
 #endif
@@ -667,7 +671,7 @@ active proctype Th_Receive_From_Mon ()
 queued:  atomic { number = 0; kind = 0 }
       od;
       atomic { sent = 0; All_Sent = false };
-      Set_True (Monitor_Session_Receive_Ended)
+      Set_Event (Monitor_Session_Receive_Ended)
    od
 }
 
@@ -678,7 +682,7 @@ active proctype Th_Com_Mon_Perdue ()
    byte i;
    bool awaited;
    do
-   :: Suspend_For_Work (Monitor_Session_Watch_Begins);
+   :: Wait_For_Work (Monitor_Session_Watch_Begins);
       do
       :: atomic { Reads && All_Sent && !Patient -> Patient = true }
       :: atomic { Patient && Waiting == 0 -> Patient = false; break }
@@ -704,7 +708,7 @@ active proctype Th_Com_Mon_Perdue ()
          }
       };
 #ifndef MUTANT_CLOSE_WITHOUT_ARENA_ROOM
-      Set_True (Monitor_Outbox_Arena_Room);
+      Set_Event (Monitor_Outbox_Arena_Room);
 #endif
       /*: State.Store.Begin_Session */
       atomic { VS.Stage = Closed; VS.First = First };
@@ -714,7 +718,7 @@ active proctype Th_Com_Mon_Perdue ()
 #ifndef MUTANT_SEARCH_OUTLIVES_SESSION
       End_Delivery ();
 #endif
-      Suspend_Until_True (Monitor_Session_Receive_Ended);
+      Wait_Event (Monitor_Session_Receive_Ended);
       /*: Queue.Queue.Clear */
       atomic { do :: VQ.Items ? _, _ :: len (VQ.Items) == 0 -> break od };
       /* a camera that hangs is not waited for */

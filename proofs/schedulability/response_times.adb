@@ -186,6 +186,12 @@ package body Response_Times with SPARK_Mode is
          then
             return;
          end if;
+         pragma Assert
+           (Is_Carried (Item, Wait, Before, Start, Finish, Local));
+         pragma Assert
+           (for all B in 0 .. Before - 1 =>
+              Is_Carried
+                (Item, Wait_Of (Set, Who, B), B, Start, Finish, Local));
          pragma Loop_Invariant
            (Start <= Horizon and then Finish <= Horizon
             and then Local <= Horizon);
