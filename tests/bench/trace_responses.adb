@@ -351,7 +351,7 @@ package body Trace_Responses is
    begin
       Analyse
         (Of_The_Table, (if Apart then Real_Time_Apart else One_Processor),
-         (others => <>), (Ideal_Events => True, others => <>), Known);
+         (others => <>), (others => <>), Known);
       for Name in Activity_Name loop
          Take (Name, Known.Bounds (Name));
       end loop;
