@@ -6,7 +6,7 @@ package Response_Times with SPARK_Mode, Pure is
 
    pragma Assertion_Policy
      (Ghost => Ignore, Post => Ignore, Subprogram_Variant => Ignore);
-   --  Proved; to check at run time too would take hours, and of the variants
+   --  Proved; to check at run time too takes minutes, and of the variants
    --  GNAT 12 cannot compile it
 
    pragma Annotate (GNATprove, Terminating, Response_Times);
