@@ -71,7 +71,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
 
    procedure Print_Calls;
    --  For proofs/schedulability/calls: each activity's task, whether it stays
-   --  on its processor, and what it calls
+   --  on its processor, and how often it calls what
 
    procedure Print_Table (Item : Analysis);
    procedure Print_Line (Item : Analysis);
@@ -116,10 +116,11 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
    procedure Print_Calls is
    begin
       for A in Task_Activity loop
-         Put (Task_Name (A) & (if Stays_Here (A) then " stays" else " -"));
+         Put (Task_Name (A) & " " & A'Image
+              & (if Stays_Here (A) then " stays" else " -"));
          for O in Operation_Name loop
             if Calls (A, O) > 0 then
-               Put (" " & O'Image);
+               Put (" " & O'Image & "=" & Trim (Calls (A, O)'Image, Both));
             end if;
          end loop;
          New_Line;

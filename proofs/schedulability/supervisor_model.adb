@@ -273,9 +273,9 @@ package body Supervisor_Model with SPARK_Mode is
            (case Name is
                when Line_Request | Line_Answer | Receive | Order_Name
                   | Ping_Done => 1,
-               when Stop | Line_Open | Reload_Due | Loss | Battery_Due
+               when Line_Open | Reload_Due | Loss | Battery_Due
                   | Battery_Done | Ping_Due => 2,
-               when Reload_Done => 3,
+               when Stop | Reload_Done => 3,
                when others => 0),
          when Port_Operation =>
            (case Name is
@@ -288,9 +288,11 @@ package body Supervisor_Model with SPARK_Mode is
          when Vision_Operation =>
            (case Name is
                when Stop => 1,
-               when Camera_Order | Camera_Answer | Camera => 3,
-               when Loss | Arena => 4,
-               when Capture => 8,  --  with a look that finds no image
+               when Camera_Order | Camera_Answer => 3,
+               when Loss => 4,
+               when Arena => 5,
+               when Capture | Camera => 8,
+               --  with a look that finds no image; with the end of a camera
                when others => 0),
          when Session_Operation =>
            (case Name is
@@ -299,8 +301,9 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Journal_Operation =>
            (case Name is
-               when Stop | Line_Answer .. Line_Open | Receive | Loss => 3,
+               when Line_Answer .. Line_Open | Receive | Loss => 3,
                --  the longest line
+               when Stop => 5,
                when Console => 2,
                when Newcomer => Schedule.Hearings_Per_Turn + 3,
                when others => 0));
