@@ -59,7 +59,13 @@ inline Next_Place () {
 #if CAPACITY > 1
    Box.Places [0] = Box.Places [1];
    Box.Whose [0] = Box.Whose [1];
-   Box.Whose [1] = 0;
+#endif
+#if CAPACITY > 2
+   Box.Places [1] = Box.Places [2];
+   Box.Whose [1] = Box.Whose [2];
+#endif
+#if CAPACITY > 1
+   Box.Whose [CAPACITY - 1] = 0;
 #endif
    Box.Places [CAPACITY - 1] = Awaited;
    Box.Count--;
