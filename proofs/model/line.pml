@@ -421,7 +421,6 @@ active proctype Th_Line ()
 wait:
    atomic {
       Wait_For_Work (Robot_Line_Work);
-      !Short_Time;
       /* take and carry out: nobody else sees what happens on the line
          meanwhile, and what arrives meanwhile might have come before. A
          wake-up that finds nothing that may go waits again */

@@ -53,7 +53,6 @@ inline Tell_Of () {
    fi
 }
 #define Whole_Line  /*: whole */
-#define Short_Time  false   /* see periodic.pml */
 #include "line.pml"
 
 /* Task_Ports */

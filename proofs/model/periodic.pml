@@ -43,10 +43,6 @@ inline Tell_Of_Start () {
 inline Tell_Of () { skip }
 #define Whole_Line
 #define EVENTS_AT_ONCE
-/* Between the look at the run and the request for its reload no request
-   begins: that takes an exchange with the robot, milliseconds, and what lies
-   between the two takes microseconds in the task of the second priority */
-bool Short_Time = false;
 #include "line.pml"
 
 #define In_Watchdog_Mode  (L.Mode == Started_With_Watchdog)
@@ -112,7 +108,7 @@ end_wait:
 
 active proctype Th_Reload_WD ()
 {
-   bool goes_on;
+   bool goes_on, same;
    /*: whole */
 wait:
    atomic {
@@ -140,21 +136,34 @@ next:
    };
    atomic {
       /*: delay */
-      L.Reload_Due != Far || L.New_Epoch [Robot_Clients_Reload];
-      /*: Line.Line.Get_Status */
-#ifndef MUTANT_RELOAD_WITHOUT_LOOK
-      if
-      :: Same_Run (Robot_Clients_Reload)
-      :: else -> goto wait
-      fi;
-#endif
-      Short_Time = true
+      L.Reload_Due != Far || L.New_Epoch [Robot_Clients_Reload]
    };
-   Put (Robot_Clients_Reload, Reload, 0, 0, 0);
    atomic {
-      Short_Time = false;
-      atomic { Wait (Robot_Clients_Reload) };
-      /*: Line.Line.Collect, Line.Line.Get_Status */
+      /* for the run that it has seen begin */
+      /*: Line.Line.Put_In_Run */
+      if
+#ifdef MUTANT_RELOAD_WITHOUT_LOOK
+      :: true ->
+#else
+      :: Same_Run (Robot_Clients_Reload) ->
+#endif
+         Put_It (Robot_Clients_Reload, Reload, 0, 0, 0); same = true
+      :: else
+      fi
+   };
+   Set_Event (Robot_Line_Work);
+   if
+   :: same ->
+      atomic {
+         same = false;
+         Wait_Event (Robot_Line_Clients_Finished [Robot_Clients_Reload]);
+         /*: Line.Line.Collect */
+         skip
+      }
+   :: else
+   fi;
+   atomic {
+      /*: Line.Line.Get_Status */
       goes_on = Same_Run (Robot_Clients_Reload) && In_Watchdog_Mode;
       goto next
    }

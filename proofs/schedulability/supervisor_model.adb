@@ -273,9 +273,9 @@ package body Supervisor_Model with SPARK_Mode is
            (case Name is
                when Line_Request | Line_Answer | Receive | Order_Name
                   | Ping_Done => 1,
-               when Line_Open | Reload_Due | Loss | Battery_Due
-                  | Battery_Done | Ping_Due => 2,
-               when Stop | Reload_Done => 3,
+               when Line_Open | Loss | Battery_Due | Battery_Done
+                  | Ping_Due => 2,
+               when Stop | Reload_Due | Reload_Done => 3,
                when others => 0),
          when Port_Operation =>
            (case Name is

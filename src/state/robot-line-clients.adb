@@ -24,6 +24,22 @@ package body Robot.Line.Clients with SPARK_Mode is
       Robot.Line.Collect (Who, Result);
    end Ask;
 
+   procedure Ask
+     (Run     : Robot.Line_Status.Status;
+      Request : Robot.Session.Request;
+      Result  : out Robot.Session.Outcome)
+   is
+      Same : Boolean;
+   begin
+      Robot.Line.Put_In_Run (Who, Request, Run, Same);
+      if Same then
+         Wait;
+         Robot.Line.Collect (Who, Result);
+      else
+         Result := (Kind => Robot.Session.Not_Open, others => <>);
+      end if;
+   end Ask;
+
    procedure Signal is
    begin
       Trace.Release (Its_Task);

@@ -2,6 +2,7 @@
 --  A client of the robot's line: makes a request and waits for its outcome.
 
 with Orders;
+with Robot.Line_Status;
 with Robot.Requests;
 with Robot.Session;
 with Schedule;
@@ -21,6 +22,13 @@ package Robot.Line.Clients with SPARK_Mode is
    procedure Ask
      (Request : Robot.Session.Request; Result : out Robot.Session.Outcome);
    --  The same for a request of the task itself
+
+   procedure Ask
+     (Run     : Robot.Line_Status.Status;
+      Request : Robot.Session.Request;
+      Result  : out Robot.Session.Outcome);
+   --  The same, unless the run of the robot that Run is of has ended: then no
+   --  request is made, and the result is Not_Open
 
    procedure Signal with Annotate => (GNATprove, Terminating);
    --  The request has been carried out

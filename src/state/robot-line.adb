@@ -20,6 +20,11 @@ package body Robot.Line with SPARK_Mode is
         (From    : Robot.Requests.Single;
          Request : Robot.Session.Request;
          Order   : Orders.Order);
+      procedure Put_In_Run
+        (From    : Robot.Requests.Single;
+         Request : Robot.Session.Request;
+         Run     : Robot.Line_Status.Status;
+         Same    : out Boolean);
       procedure Put_Stop (Order : Orders.Order);
       procedure Set_Reload_Due (At_Time : Time);
       procedure Take
@@ -53,6 +58,18 @@ package body Robot.Line with SPARK_Mode is
       begin
          Robot.Requests.Put (Waiting, From, Request, Order);
       end Put;
+
+      procedure Put_In_Run
+        (From    : Robot.Requests.Single;
+         Request : Robot.Session.Request;
+         Run     : Robot.Line_Status.Status;
+         Same    : out Boolean) is
+      begin
+         Same := Robot.Line_Status.Same_Run (State.Known, Run);
+         if Same then
+            Robot.Requests.Put (Waiting, From, Request, (others => <>));
+         end if;
+      end Put_In_Run;
 
       procedure Put_Stop (Order : Orders.Order) is
       begin
@@ -124,6 +141,16 @@ package body Robot.Line with SPARK_Mode is
       Line.Put (From, Request, (others => <>));
       Wake;
    end Put;
+
+   procedure Put_In_Run
+     (From    : Robot.Requests.Single;
+      Request : Robot.Session.Request;
+      Run     : Robot.Line_Status.Status;
+      Same    : out Boolean) is
+   begin
+      Line.Put_In_Run (From, Request, Run, Same);
+      Wake;
+   end Put_In_Run;
 
    procedure Put
      (From : Robot.Requests.Single; Order : in out Orders.Order) is

@@ -24,6 +24,14 @@ package Robot.Line with SPARK_Mode is
    with Annotate => (GNATprove, Terminating);
    --  A request of From's own
 
+   procedure Put_In_Run
+     (From    : Robot.Requests.Single;
+      Request : Robot.Session.Request;
+      Run     : Robot.Line_Status.Status;
+      Same    : out Boolean)
+   with Annotate => (GNATprove, Terminating);
+   --  The same, unless the robot's run that Run is of has ended (not Same)
+
    procedure Put
      (From : Robot.Requests.Single; Order : in out Orders.Order)
    with

@@ -158,11 +158,9 @@ package body Robot.Tasks with SPARK_Mode is
             Trace.Done (Schedule.Th_Reload_WD);
             delay until Next;
             Trace.Start (Schedule.Th_Reload_WD, Next);
-            Robot.Line.Get_Status (Now);
             --  a run that has begun meanwhile has its own reloads
-            exit when not Same_Run (Now, Begun);
             Robot.Clients.Reload.Ask
-              ((Kind => Reload, others => <>), Result);
+              (Begun, (Kind => Reload, others => <>), Result);
             Robot.Line.Get_Status (Now);
             if Result.Kind = Refused then
                --  the robot has begun to count anew

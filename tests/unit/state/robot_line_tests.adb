@@ -7,6 +7,7 @@ with Ada.Real_Time;
 with Monitor.Protocol; use Monitor.Protocol;
 with Orders;           use Orders;
 with Robot.Line;
+with Robot.Line_Status;
 with Robot.Requests;   use Robot.Requests;
 with Robot.Session;
 
@@ -27,14 +28,17 @@ package body Robot_Line_Tests is
    --  A request of From's own.
 
    procedure Check
-     (From : Client; Verdict : Verdict_Kind := Carry_Out);
-   --  The next job is From's, and is done.
+     (From    : Client;
+      Verdict : Verdict_Kind := Carry_Out;
+      Mode    : Robot.Session.Mode_Kind := Robot.Session.Not_Started);
+   --  The next job is From's, and is done; then the robot is in Mode
 
    procedure Test_Urgency (T : in out Any_Test);
    procedure Test_Overtaken (T : in out Any_Test);
    procedure Test_Places (T : in out Any_Test);
    procedure Test_Out_Of_Date (T : in out Any_Test);
    procedure Test_Many_Stops (T : in out Any_Test);
+   procedure Test_Of_A_Run (T : in out Any_Test);
 
    procedure Ask
      (From        : Client;
@@ -55,7 +59,9 @@ package body Robot_Line_Tests is
    end Ask;
 
    procedure Check
-     (From : Client; Verdict : Verdict_Kind := Carry_Out)
+     (From    : Client;
+      Verdict : Verdict_Kind := Carry_Out;
+      Mode    : Robot.Session.Mode_Kind := Robot.Session.Not_Started)
    is
       Next : Job;
    begin
@@ -64,8 +70,8 @@ package body Robot_Line_Tests is
               From'Image & " expected, not " & Next.From'Image);
       Assert (Next.Verdict = Verdict, From'Image & Next.Verdict'Image);
       Robot.Line.Finish
-        (Next, (Line_Open => True, others => <>), (others => <>),
-         Ada.Real_Time.Clock);
+        (Next, (Line_Open => True, Mode => Mode, others => <>),
+         (others => <>), Ada.Real_Time.Clock);
    end Check;
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
@@ -83,6 +89,8 @@ package body Robot_Line_Tests is
                         "orders of a session that has ended");
       Register_Routine (T, Test_Many_Stops'Access,
                         "stops without end do not starve the reload");
+      Register_Routine (T, Test_Of_A_Run'Access,
+                        "no reload of a run that has ended");
    end Register_Tests;
 
    procedure Stop (Number : Ticket; After : Ticket := 0) is
@@ -108,6 +116,44 @@ package body Robot_Line_Tests is
       Check (Stop_Order);
       Check (Move, Out_Of_Date);
    end Test_Many_Stops;
+
+   procedure Test_Of_A_Run (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Run  : Robot.Line_Status.Status;
+      Same : Boolean;
+
+      procedure Begin_Run;
+      procedure Reload_In (Expected : Boolean);
+
+      procedure Begin_Run is
+      begin
+         Ask (Start_Watchdog, Robot.Session.Start_Watchdog);
+         Check (Start_Watchdog, Mode => Robot.Session.Started_With_Watchdog);
+      end Begin_Run;
+
+      procedure Reload_In (Expected : Boolean) is
+      begin
+         Robot.Line.Put_In_Run
+           (Reload, (Kind => Robot.Session.Reload, others => <>), Run, Same);
+         Assert (Same = Expected, "the same run: " & Same'Image);
+      end Reload_In;
+
+   begin
+      Robot.Line.Begin_Session (500);
+      Begin_Run;
+      Robot.Line.Get_Status (Run);
+      Reload_In (True);
+      Check (Reload, Mode => Robot.Session.Started_With_Watchdog);
+      Begin_Run;
+      Reload_In (False);
+      Ask (Query, Ping_Robot, 500, 1, 0);
+      Check (Query);
+      --  which has ended the second run
+      Robot.Line.Get_Status (Run);
+      Reload_In (False);
+      Ask (Query, Ping_Robot, 501, 2, 0);
+      Check (Query);
+   end Test_Of_A_Run;
 
    procedure Test_Out_Of_Date (T : in out Any_Test) is
       pragma Unreferenced (T);
