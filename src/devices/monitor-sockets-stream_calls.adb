@@ -63,7 +63,9 @@ is
          return Ssize
       with Import, Convention => C, External_Name => "recv";
    begin
-      Got := Outcome (C_Receive (From, Data'Address, Data'Length, Flags));
+      Got := Outcome
+        (Ssize'Min (C_Receive (From, Data'Address, Data'Length, Flags),
+                    Data'Length));
       Error := GNAT.OS_Lib.Errno;
    end Receive;
 
@@ -79,7 +81,9 @@ is
          return Ssize
       with Import, Convention => C, External_Name => "send";
    begin
-      Put := Outcome (C_Send (To, Data'Address, Data'Length, Flags));
+      Put := Outcome
+        (Ssize'Min (C_Send (To, Data'Address, Data'Length, Flags),
+                    Data'Length));
       Error := GNAT.OS_Lib.Errno;
    end Send;
 
