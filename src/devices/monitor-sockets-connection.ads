@@ -19,7 +19,8 @@ is
      (Data : in out String; Length : out Natural; Open : out Boolean)
    with
      Global => (In_Out => Peer),
-     Post   => Length <= Data'Length;
+     Post   => Length <= Data'Length
+       and then Open = (Length > 0);
    --  Data received from the monitor in command; waits for it. Open is false,
    --  and Length 0, when the connection has ended
 

@@ -13,9 +13,12 @@ with Texts;
 package Monitor.Sockets.Gate with
   SPARK_Mode,
   Abstract_State =>
-    (Newcomers with Synchronous, External => (Async_Readers, Async_Writers)),
-  Initializes => Newcomers
+    (Pending,
+     (Newcomers with Synchronous, External => (Async_Readers, Async_Writers))),
+  Initializes => (Newcomers, Pending)
 is
+   --  Newcomers: the sockets in the kernel. Pending: which of them are pending
+   --  connections, and their addresses; for one task only
 
    procedure Listen
      (Address : Texts.Text;
@@ -40,7 +43,8 @@ is
       Queued     : out Boolean;
       Woken      : out Boolean)
    with
-     Global => (In_Out => Newcomers, Input => Ada.Real_Time.Clock_Time),
+     Global => (In_Out => Newcomers,
+                Input  => (Pending, Ada.Real_Time.Clock_Time)),
      Post   =>
        (for all P in Place => (if Ready (P) then Watched (P)))
        and then (if Queued then Listens);
@@ -56,13 +60,13 @@ is
       From   : out Admission.Networks.Peer_Address;
       Event  : out Arrival;
       Reason : out Texts.Text)
-   with Global => (In_Out => Newcomers);
+   with Global => (In_Out => (Newcomers, Pending));
    --  Accepts the next connection of the kernel's queue into the place Where,
    --  which must be free; never waits. From: the peer's address. Reason
    --  explains a failure
 
    procedure Get_Name (Where : Place; Peer : out Texts.Text)
-   with Global => (In_Out => Newcomers);
+   with Global => (Input => Pending);
    --  Address and port of the last client at this place
 
    procedure Get_Queue (Length, Limit : out Natural)
@@ -84,21 +88,22 @@ is
       Length : out Natural;
       Open   : out Boolean)
    with
-     Global => (In_Out => Newcomers),
-     Post   => Length <= Data'Length;
+     Global => (In_Out => Newcomers, Input => Pending),
+     Post   => Length <= Data'Length
+       and then (if not Open then Length = 0);
    --  Reads what the pending connection has sent, without consuming it; never
    --  waits. Open is false and Length 0 if the peer has closed
 
    procedure Take (Where : Place; Count : Natural)
-   with Global => (In_Out => Newcomers);
+   with Global => (In_Out => Newcomers, Input => Pending);
    --  Consumes the first Count of these characters
 
    procedure Admit (Where : Place)
-   with Global => (In_Out => (Newcomers, Connection.Peer));
+   with Global => (In_Out => (Pending, Connection.Peer));
    --  The client becomes the monitor in command. There must be none
 
    procedure Refuse (Where : Place; Message : String)
-   with Global => (In_Out => Newcomers);
+   with Global => (In_Out => (Newcomers, Pending));
    --  Sends Message to the client and closes its connection; never waits
 
 end Monitor.Sockets.Gate;

@@ -29,6 +29,18 @@ package Monitor.Link with SPARK_Mode is
      (Length >= Needed_Bytes);
    --  Length: bytes filled in by the kernel.
 
+   type Seconds is range -2 ** 63 .. 2 ** 63 - 1;
+
+   function Time_Of (Whole : Seconds; Rest : Integer) return Milliseconds is
+     (Milliseconds (Seconds'Max (0, Seconds'Min (Whole, 2 ** 50))) * 1_000
+      + Milliseconds (Integer'Max (0, Integer'Min (Rest, 999))))
+   with
+     Post =>
+       (if Whole in 0 .. 2 ** 50 and then Rest in 0 .. 999 then
+           Time_Of'Result =
+             Milliseconds (Whole) * 1_000 + Milliseconds (Rest));
+   --  Whole seconds of a clock, and the milliseconds of the next one
+
    type Sample is record
       Now            : Milliseconds := 0;
       --  Monotonic time of the sample.
@@ -120,6 +132,19 @@ package Monitor.Link with SPARK_Mode is
 
    type Loss_Kind is (None, Closed_By_Peer, Reset_By_Peer, No_Sign_Of_Life);
    --  As reported by the connection itself
+
+   Timed_Out : constant := 110;  --  ETIMEDOUT
+   No_Route  : constant := 113;  --  EHOSTUNREACH
+
+   function Loss_Of
+     (Ended : Boolean; Broken : Boolean; Error : Integer) return Loss_Kind
+   is (if not Ended then None
+       elsif Error in Timed_Out | No_Route then No_Sign_Of_Life
+       elsif Broken then Reset_By_Peer
+       else Closed_By_Peer);
+   --  Ended: the kernel reports an end of the connection; Broken: in both
+   --  directions, or an error. Error: the error of the socket (SO_ERROR), 0 if
+   --  there is none
 
    type Cause is
      (Nothing, Supervisor_Stops, Monitor_Vanished, Monitor_Stalled, Silence,

@@ -37,6 +37,8 @@ package body Monitor_Link_Tests is
    procedure Test_Clock (T : in out Any_Test);
    procedure Test_Length (T : in out Any_Test);
    procedure Test_Cause (T : in out Any_Test);
+   procedure Test_Loss (T : in out Any_Test);
+   procedure Test_Time (T : in out Any_Test);
 
    procedure Begin_At (Time : Milliseconds) is
    begin
@@ -87,6 +89,8 @@ package body Monitor_Link_Tests is
       Register_Routine (T, Test_Clock'Access, "odd clocks, odd counters");
       Register_Routine (T, Test_Cause'Access, "why a session ends");
       Register_Routine (T, Test_Length'Access, "what the kernel gives");
+      Register_Routine (T, Test_Loss'Access, "what ended the connection");
+      Register_Routine (T, Test_Time'Access, "the time of a sample");
    end Register_Tests;
 
    procedure Test_After_Silence (T : in out Any_Test) is
@@ -165,6 +169,23 @@ package body Monitor_Link_Tests is
          Assert (Is_Enough (Length), "enough");
       end loop;
    end Test_Length;
+
+   procedure Test_Loss (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Error in 0 .. 133 loop
+         for Broken in Boolean loop
+            Assert
+              (Loss_Of (False, Broken, Error) = None, "nothing has happened");
+            Assert
+              (Loss_Of (True, Broken, Error) =
+                 (if Error in 110 | 113 then No_Sign_Of_Life
+                  elsif Broken then Reset_By_Peer
+                  else Closed_By_Peer),
+               "error" & Error'Image);
+         end loop;
+      end loop;
+   end Test_Loss;
 
    procedure Test_Pause (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -324,5 +345,15 @@ package body Monitor_Link_Tests is
              "it vanished, nothing has been acknowledged for 4 s");
       Check (False, None, Stalled, "it has taken nothing for 15 s");
    end Test_Cause;
+
+   procedure Test_Time (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Time_Of (0, 0) = 0, "start");
+      Assert (Time_Of (12, 345) = 12_345, "milliseconds");
+      Assert (Time_Of (3_000_000_000, 999) = 3_000_000_000_999, "a century");
+      Assert (Time_Of (Seconds'First, -1) = 0, "before the start");
+      Assert (Time_Of (Seconds'Last, 0) = 2 ** 50 * 1_000, "for ever");
+   end Test_Time;
 
 end Monitor_Link_Tests;

@@ -1,0 +1,106 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  What the kernel tells of a connection, and of the queue of new ones.
+
+with AUnit.Assertions;  use AUnit.Assertions;
+
+with Interfaces;        use Interfaces;
+with Monitor.Link;      use Monitor.Link;
+with Monitor.Tcp_Infos; use Monitor.Tcp_Infos;
+
+package body Tcp_Infos_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   procedure Test_Layout (T : in out Any_Test);
+   procedure Test_Sample (T : in out Any_Test);
+   procedure Test_Extremes (T : in out Any_Test);
+   procedure Test_Queue (T : in out Any_Test);
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Monitor.Tcp_Infos"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Layout'Access, "as in C");
+      Register_Routine (T, Test_Sample'Access, "a sample");
+      Register_Routine (T, Test_Extremes'Access, "the largest numbers");
+      Register_Routine (T, Test_Queue'Access, "the queue");
+   end Register_Tests;
+
+   procedure Test_Extremes (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Info : constant Tcp_Info :=
+        (Unacked     => Unsigned_32'Last,
+         Not_Sent    => Unsigned_32'Last,
+         Last_Data   => Unsigned_32'Last,
+         Last_Ack    => Unsigned_32'Last,
+         Bytes_Acked => Unsigned_64'Last,
+         others      => <>);
+      S    : constant Sample := Sample_Of (Info, 152, 7);
+   begin
+      Assert (S.Unacknowledged = Natural'Last, "segments");
+      Assert (S.Outstanding = Natural'Last, "bytes");
+      Assert (S.Since_Heard = 2 ** 32 - 1, "time");
+      Assert (S.Bytes_Acked = Byte_Count'Last, "acknowledged");
+   end Test_Extremes;
+
+   procedure Test_Layout (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Info : Tcp_Info;
+      --  offsets of tcpi_unacked, tcpi_sacked, tcpi_last_data_recv,
+      --  tcpi_last_ack_recv, tcpi_bytes_acked, tcpi_notsent_bytes
+   begin
+      Assert (Info.Unacked'Position = 24, "unacked");
+      Assert (Info.Selected'Position = 28, "sacked");
+      Assert (Info.Last_Data'Position = 52, "last_data_recv");
+      Assert (Info.Last_Ack'Position = 56, "last_ack_recv");
+      Assert (Info.Bytes_Acked'Position = 120, "bytes_acked");
+      Assert (Info.Not_Sent'Position = 144, "notsent_bytes");
+      Assert (Info.Shortest'Position = Needed_Bytes, "needed");
+      Assert (Info.Counters'Position = Queue_Bytes, "needed for the queue");
+   end Test_Layout;
+
+   procedure Test_Queue (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Info   : constant Tcp_Info :=
+        (Unacked => 3, Selected => 128, others => <>);
+      Length : Natural;
+      Limit  : Natural;
+   begin
+      Get_Queue (Info, 32, 512, Length, Limit);
+      Assert (Length = 3 and then Limit = 128, "told");
+      for Filled in 0 .. 31 loop
+         Get_Queue (Info, Filled, 512, Length, Limit);
+         Assert (Length = 0 and then Limit = 512, "not told");
+      end loop;
+   end Test_Queue;
+
+   procedure Test_Sample (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Info  : constant Tcp_Info :=
+        (Unacked     => 2,
+         Not_Sent    => 100,
+         Last_Data   => 40,
+         Last_Ack    => 30,
+         Bytes_Acked => 5,
+         others      => <>);
+      Young : Tcp_Info := Info;
+      S     : Sample   := Sample_Of (Info, 148, 1_000);
+   begin
+      Assert
+        (S = (Now            => 1_000,
+              Known          => True,
+              Unacknowledged => 2,
+              Since_Heard    => 30,
+              Outstanding    => 102,
+              Bytes_Acked    => 5),
+         "all of it");
+      Young.Last_Data := 20;
+      S := Sample_Of (Young, 152, 1_000);
+      Assert (S.Since_Heard = 20, "data is a sign of life, too");
+      S := Sample_Of (Info, 147, 1_000);
+      Assert (S = (Now => 1_000, others => <>), "not enough");
+   end Test_Sample;
+
+end Tcp_Infos_Tests;
