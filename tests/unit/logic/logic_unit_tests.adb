@@ -16,6 +16,7 @@ with Monitor_Protocol_Tests;
 with Networks_Tests;
 with Order_Meanings_Tests;
 with Pending_Connections_Tests;
+with Processor_Sets_Tests;
 with Robot_Protocol_Tests;
 with Robot_Session_Tests;
 with Send_Order_Tests;
@@ -36,6 +37,7 @@ begin
    Unit_Runs.Add (new Image_Cycle_Tests.Test_Case);
    Unit_Runs.Add (new Image_Grid_Tests.Test_Case);
    Unit_Runs.Add (new Pending_Connections_Tests.Test_Case);
+   Unit_Runs.Add (new Processor_Sets_Tests.Test_Case);
    Unit_Runs.Add (new Robot_Protocol_Tests.Test_Case);
    Unit_Runs.Add (new Monitor_Protocol_Tests.Test_Case);
    Unit_Runs.Add (new Line_Health_Tests.Test_Case);
