@@ -76,8 +76,8 @@ inline Refuse_Orders () {
 }
 
 /* The fall-back handler of a task that ends; runs in that task */
-typedef Failures_Fallback_Type { bool Used };
-PROTECTED (Failures_Fallback);
+typedef Failures_Handlers_Handler_Type { bool Used };
+PROTECTED (Failures_Handlers_Handler);
 
 inline Stop_Blindly () {
    /*: Robot.Serial_Line.Stop_Blindly */
@@ -86,8 +86,8 @@ inline Stop_Blindly () {
 
 inline Ended (which) {
    atomic {
-      /*: Fallback.Ended */
-      Failures_Fallback.Used = true;
+      /*: Handler.Ended */
+      Failures_Handlers_Handler.Used = true;
       Put_Line ();
       if
       :: which == Of_Stop ->
@@ -106,7 +106,7 @@ inline Ended (which) {
 active proctype Any_Task () provided (!Left)
 {
    mtype:task which;
-   /*: once Failures.Fallback.Ended */
+   /*: once Failures.Handlers.Handler.Ended */
    if
    :: which = Of_Stop
    :: which = Of_Main

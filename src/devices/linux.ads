@@ -2,6 +2,7 @@
 --  C library functions shared by the device bodies, with constants of the
 --  Linux kernel's interface. For the bodies in this folder only.
 
+with GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;
 with System;
 
@@ -60,6 +61,11 @@ package Linux with SPARK_Mode => Off is
 
    function Own_Process return int
    with Import, Convention => C, External_Name => "getpid";
+
+   function Outcome_Of (Returned : Ssize) return Integer is
+     (if Returned < 0 then Integer'Min (-1, -GNAT.OS_Lib.Errno)
+      else Integer (Returned));
+   --  Of a call: what it returned, or, if it has failed, its error, negative
 
    EINTR  : constant := 4;
    EAGAIN : constant := 11;

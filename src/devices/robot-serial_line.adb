@@ -1,92 +1,93 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time; use Ada.Real_Time;
-with GNAT.OS_Lib;
-with GNAT.Serial_Communications; use GNAT.Serial_Communications;
-with Interfaces.C;  use Interfaces.C;
-with Linux;
-with System;
+with Error_Texts;
+with Robot.Serial_Line.Calls;
 
 package body Robot.Serial_Line with
-  SPARK_Mode    => Off,
-  Refined_State => (Device => Descriptor)
+  SPARK_Mode,
+  Refined_State => (Device => (Calls.Port, Descriptor))
 is
 
-   use type Linux.Ssize;
+   Descriptor : Calls.Outcome := Calls.No_Descriptor
+     with Atomic, Async_Readers, Async_Writers;
 
-   Closed     : constant int := -1;
-   Descriptor : int := Closed with Atomic;
-
-   function Fcntl (Fd : int; Command : int; Argument : int) return int
-   with Import, Convention => C_Variadic_2, External_Name => "fcntl";
-
-   function Is_Terminal (Fd : int) return int
-   with Import, Convention => C, External_Name => "isatty";
-
-   function Tc_Flush (Fd : int; Queue : int) return int
-   with Import, Convention => C, External_Name => "tcflush";
-
-   Set_Flags   : constant := 4;      --  F_SETFL
-   Non_Block   : constant := 8#4000#;
-   Input_Queue : constant := 0;      --  TCIFLUSH
-
-   Longest_Poll : constant Time_Span := Milliseconds (900);
-   --  in nanoseconds alone, fewer than 1.0E9
-
-   procedure Put (Item : Robot.Protocol.Frame; Success : out Boolean);
+   function Next_Wait (Now, Until_Time : Time) return Calls.Nanoseconds;
+   --  Up to Until_Time, or for a part of that. 0 if it has passed
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
-      Port : Serial_Port;
+      Opened      : Calls.Outcome;
+      Result      : Calls.Outcome;
+      Is_Terminal : Boolean;
    begin
       Close;
-      Texts.Set (Reason, "");
-      Open (Port, Port_Name (Texts.Image (Path)));
-      Descriptor := int (To_C (Port));
-      if Is_Terminal (Descriptor) = 0 then
-         Texts.Set (Reason, "not a serial line");
-         Close;
-         Success := False;
+      Success := False;
+      Calls.Open (Texts.Image (Path), Opened);
+      if Opened < 0 then
+         Error_Texts.Describe (-Opened, Reason);
          return;
       end if;
-      --  Blocking: with a time-out GNAT 12 turns the echo on
-      Set (Port, B9600, CS8, One, None,
-           Block => True, Local => True, Flow => None, Timeout => 0.0);
-      Success := Fcntl (Descriptor, Set_Flags, Non_Block) >= 0;
-      Discard_Input;
-   exception
-      when others =>
-         Texts.Set (Reason, GNAT.OS_Lib.Errno_Message);
+      Descriptor := Opened;
+      Calls.Get_Terminal (Opened, Is_Terminal);
+      if not Is_Terminal then
+         Texts.Set (Reason, "not a serial line");
          Close;
-         Success := False;
+         return;
+      end if;
+      Calls.Configure (Opened, Result);
+      if Result >= 0 then
+         --  after Configure, which makes it wait
+         Calls.Set_Non_Blocking (Opened, Result);
+      end if;
+      if Result < 0 then
+         Error_Texts.Describe (-Result, Reason);
+         Close;
+         return;
+      end if;
+      Calls.Discard_Input (Opened);
+      Texts.Set (Reason, "");
+      Success := True;
    end Open;
 
    procedure Close is
-      Fd : constant int := Descriptor;
+      Old : constant Calls.Outcome := Descriptor;
    begin
-      if Fd /= Closed then
-         Descriptor := Closed;
-         Linux.Close (Fd);
+      if Old /= Calls.No_Descriptor then
+         Descriptor := Calls.No_Descriptor;
+         Calls.Close (Old);
       end if;
    end Close;
 
    procedure Discard_Input is
-      Ignored : int;
+      Line : constant Calls.Outcome := Descriptor;
    begin
-      Ignored := Tc_Flush (Descriptor, Input_Queue);
+      Calls.Discard_Input (Line);
    end Discard_Input;
 
-   procedure Put (Item : Robot.Protocol.Frame; Success : out Boolean) is
+   function Next_Wait (Now, Until_Time : Time) return Calls.Nanoseconds is
+      --  32 bits hold 2.1 seconds of nanoseconds
+      Longest : constant Time_Span := Milliseconds (900);
+      Left    : Time_Span := Time_Span_Zero;
    begin
-      Success :=
-        Linux.Write (Descriptor, Item.Data'Address, size_t (Item.Length))
-        = Linux.Ssize (Item.Length);
-   end Put;
+      if Now < Until_Time then
+         Left := Until_Time - Now;
+         if Longest < Left then
+            Left := Longest;
+         end if;
+      end if;
+      --  a limit that GNATprove knows, too
+      return Integer'Max
+        (0, Integer'Min (Left / Nanoseconds (1), Calls.Nanoseconds'Last));
+   end Next_Wait;
 
    procedure Write (Item : Robot.Protocol.Frame; Success : out Boolean) is
+      Line : constant Calls.Outcome := Descriptor;
+      Sent : Calls.Outcome;
    begin
-      Put (Item, Success);
+      Calls.Write (Line, Item.Data, Item.Length, Sent);
+      Success := Sent = Item.Length;
       Written := (Written.Count + 1, Robot.Protocol.Decoded (Item));
    end Write;
 
@@ -96,46 +97,40 @@ is
       Until_Time : Ada.Real_Time.Time;
       Success : out Boolean)
    is
-      Entries : Linux.Poll_Array (1 .. 1) :=
-        (1 => (Descriptor, Linux.Poll_In, 0));
-      Count   : int := 1;
-      Got     : Linux.Ssize;
-      Left    : Time_Span;
-      Wait    : Linux.Time_Spec;
+      Line   : constant Calls.Outcome := Descriptor;
+      Result : Calls.Outcome;
+      Now    : Time := Clock;
    begin
       Data := (others => 0);
       Length := 0;
+      --  Ends because the clock goes on: each pass but the last begins before
+      --  Until_Time, or was interrupted by a signal. GNATprove does not know
+      --  that of the clock
       loop
-         Left := Until_Time - Clock;
-         exit when Count = 0 and then Left <= Time_Span_Zero;
-         if Left < Time_Span_Zero then
-            Left := Time_Span_Zero;
-         elsif Left > Longest_Poll then
-            Left := Longest_Poll;
-         end if;
-         Wait := (0, long (Left / Nanoseconds (1)));
-         Count := Linux.Precise_Poll
-           (Entries'Address, 1, Wait'Address, System.Null_Address);
-         exit when Count > 0
-           or else (Count < 0 and then GNAT.OS_Lib.Errno /= Linux.EINTR);
+         Calls.Wait_Input (Line, Next_Wait (Now, Until_Time), Result);
+         exit when Result /= 0 and then Result /= Calls.Interrupted;
+         Now := Clock;
+         exit when Result = 0 and then Until_Time <= Now;
       end loop;
-      Success := Count >= 0;
-      if Count > 0 then
-         Got := Linux.Read (Descriptor, Data'Address, Data'Length);
-         if Got > 0 then
-            Length := Natural (Got);
+      Success := Result >= 0;
+      if Result > 0 then
+         Calls.Read (Line, Data, Result);
+         if Result > 0 then
+            Length := Result;
          else
-            Success := Got < 0 and then GNAT.OS_Lib.Errno = Linux.EAGAIN;
+            --  0: removed. Nothing to read is none: another wait follows
+            Success := Result = Calls.No_Data;
          end if;
       end if;
    end Read;
 
    procedure Stop_Blindly is
+      Line    : constant Calls.Outcome := Descriptor;
       Frame   : Robot.Protocol.Frame;
-      Ignored : Boolean;
+      Ignored : Calls.Outcome;
    begin
       Robot.Protocol.Encode (Robot.Protocol.Stop, Frame);
-      Put (Frame, Ignored);
+      Calls.Write (Line, Frame.Data, Frame.Length, Ignored);
    end Stop_Blindly;
 
 end Robot.Serial_Line;

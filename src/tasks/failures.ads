@@ -2,21 +2,33 @@
 --  Reaction to the end of a task, as none may end: the robot is stopped, then
 --  the process.
 
-package Failures with
-  SPARK_Mode,
-  Abstract_State => (Stop_Task with Synchronous),
-  Initializes    => Stop_Task
-is
+with Texts;
 
-   pragma Elaborate_Body;
-   --  The elaboration sets the handler for all tasks, before any runs
+package Failures with SPARK_Mode is
 
-   procedure Get_Stop_Failed (Failed : out Boolean)
-   with Global => (In_Out => Stop_Task);
+   procedure Get_Stop_Failed (Failed : out Boolean);
    --  Whether Wait_Stop_Failed would return at once
 
-   procedure Wait_Stop_Failed with Global => (In_Out => Stop_Task);
+   procedure Wait_Stop_Failed;
    --  Waits until the task that ends the process has failed itself: the caller
    --  must end the process. For one task only
+
+private
+
+   type Notice is record
+      Of_Stop      : Boolean := False;
+      --  it was the task that ends the process
+      Who          : Texts.Text;
+      By_Exception : Boolean := False;
+      Name         : Texts.Text;
+      Message      : Texts.Text;
+      --  of the exception, if any
+   end record;
+   --  What the run time tells of a task that has ended
+
+   procedure React (Item : Notice);
+   --  For the handler of Failures.Handlers: puts a line into the log and tells
+   --  the task that ends the process. If that one has failed, the robot is
+   --  stopped here, and the main procedure is told
 
 end Failures;

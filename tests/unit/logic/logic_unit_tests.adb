@@ -17,6 +17,7 @@ with Networks_Tests;
 with Order_Meanings_Tests;
 with Packet_Filters_Tests;
 with Pending_Connections_Tests;
+with Processor_Sets_Tests;
 with Robot_Protocol_Tests;
 with Robot_Session_Tests;
 with Send_Order_Tests;
@@ -40,6 +41,7 @@ begin
    Unit_Runs.Add (new Image_Grid_Tests.Test_Case);
    Unit_Runs.Add (new Packet_Filters_Tests.Test_Case);
    Unit_Runs.Add (new Pending_Connections_Tests.Test_Case);
+   Unit_Runs.Add (new Processor_Sets_Tests.Test_Case);
    Unit_Runs.Add (new Robot_Protocol_Tests.Test_Case);
    Unit_Runs.Add (new Monitor_Protocol_Tests.Test_Case);
    Unit_Runs.Add (new Line_Health_Tests.Test_Case);

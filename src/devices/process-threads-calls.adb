@@ -1,0 +1,68 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with Interfaces.C; use Interfaces.C;
+with Linux;
+with System;
+
+package body Process.Threads.Calls with
+  SPARK_Mode    => Off,
+  Refined_State => (Table => (Numbers, Sets))
+is
+   --  Off: addresses are passed to C. Each number is written by its own task
+   --  alone, the sets are written before any task reads them
+
+   Numbers : array (Schedule.Task_Name) of Natural := (others => No_Thread)
+     with Atomic_Components;
+   Sets    : Processor_Sets.Division;
+   Size    : constant size_t := Processor_Sets.Set'Size / 8;
+
+   procedure Process_Control (Option : int; Value : System.Address)
+   with Import, Convention => C_Variadic_1, External_Name => "prctl";
+
+   function Own_Thread return int
+   with Import, Convention => C, External_Name => "gettid";
+
+   procedure Get_Affinity (Thread : int; Size : size_t; Set : System.Address)
+   with Import, Convention => C, External_Name => "sched_getaffinity";
+
+   procedure Set_Affinity (Thread : int; Size : size_t; Set : System.Address)
+   with Import, Convention => C, External_Name => "sched_setaffinity";
+
+   procedure Get_Allowed (Allowed : out Processor_Sets.Set) is
+   begin
+      Allowed := (others => False);
+      Get_Affinity (Linux.Own_Process, Size, Allowed'Address);
+   end Get_Allowed;
+
+   procedure Set_Name (Name : String) is
+   begin
+      Process_Control (15, Name'Address);  --  PR_SET_NAME
+   end Set_Name;
+
+   procedure Enter (Who : Schedule.Task_Name; Thread : out Natural) is
+   begin
+      Thread := Natural (Own_Thread);
+      Numbers (Who) := Thread;
+   end Enter;
+
+   procedure Get_Thread (Who : Schedule.Task_Name; Thread : out Natural) is
+   begin
+      Thread := Numbers (Who);
+   end Get_Thread;
+
+   procedure Get_Main (Thread : out Natural) is
+   begin
+      Thread := Natural (Linux.Own_Process);
+   end Get_Main;
+
+   procedure Put_Sets (Sets : Processor_Sets.Division) is
+   begin
+      Calls.Sets := Sets;
+   end Put_Sets;
+
+   procedure Keep (Thread : Natural; Real_Time : Boolean) is
+   begin
+      Set_Affinity (int (Thread), Size, Sets (Real_Time)'Address);
+   end Keep;
+
+end Process.Threads.Calls;

@@ -1,0 +1,99 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with GNAT.Serial_Communications; use GNAT.Serial_Communications;
+with Interfaces.C;               use Interfaces.C;
+with Linux;                      use Linux;
+with System;
+
+package body Robot.Serial_Line.Calls with
+  SPARK_Mode    => Off,
+  Refined_State => (Port => null)
+is
+   --  Off: addresses are passed to C, GNAT.Serial_Communications raises
+
+   function Fcntl (Fd, Command, Argument : int) return int
+   with Import, Convention => C_Variadic_2, External_Name => "fcntl";
+
+   function Is_Terminal_Device (Fd : int) return int
+   with Import, Convention => C, External_Name => "isatty";
+
+   procedure Tc_Flush (Fd, Queue : int)
+   with Import, Convention => C, External_Name => "tcflush";
+
+   procedure Open (Path : String; Result : out Outcome) is
+      Port : Serial_Port;
+   begin
+      Open (Port, Port_Name (Path));
+      Result := Outcome (To_C (Port));
+   exception
+      when others =>
+         Result := Outcome_Of (-1);
+   end Open;
+
+   procedure Get_Terminal (Descriptor : Outcome; Is_Terminal : out Boolean) is
+   begin
+      Is_Terminal := Is_Terminal_Device (int (Descriptor)) = 1;
+   end Get_Terminal;
+
+   procedure Configure (Descriptor : Outcome; Result : out Outcome) is
+      Port : Serial_Port;
+   begin
+      To_Ada (Port, Serial_Port_Descriptor (Descriptor));
+      --  Blocking: with a time-out GNAT 12 turns the echo on
+      Set (Port, B9600, CS8, One, None,
+           Block => True, Local => True, Flow => None, Timeout => 0.0);
+      Result := 0;
+   exception
+      when others =>
+         Result := Outcome_Of (-1);
+   end Configure;
+
+   procedure Set_Non_Blocking (Descriptor : Outcome; Result : out Outcome) is
+   begin
+      --  F_SETFL, O_NONBLOCK
+      Result := Outcome_Of (Ssize (Fcntl (int (Descriptor), 4, 8#4000#)));
+   end Set_Non_Blocking;
+
+   procedure Close (Descriptor : Outcome) is
+   begin
+      Linux.Close (int (Descriptor));
+   end Close;
+
+   procedure Discard_Input (Descriptor : Outcome) is
+   begin
+      Tc_Flush (int (Descriptor), 0);  --  TCIFLUSH
+   end Discard_Input;
+
+   procedure Write
+     (Descriptor : Outcome;
+      Data       : Bytes.Byte_Array;
+      Length     : Natural;
+      Result     : out Outcome) is
+   begin
+      Result := Outcome_Of
+        (Linux.Write (int (Descriptor), Data'Address, size_t (Length)));
+   end Write;
+
+   procedure Wait_Input
+     (Descriptor : Outcome; Limit : Nanoseconds; Result : out Outcome)
+   is
+      Entries : Poll_Entry := (int (Descriptor), Poll_In, 0);
+      Wait    : Time_Spec := (0, long (Limit));
+   begin
+      Result := Outcome_Of
+        (Ssize (Precise_Poll
+           (Entries'Address, 1, Wait'Address, System.Null_Address)));
+   end Wait_Input;
+
+   procedure Read
+     (Descriptor : Outcome;
+      Data       : in out Bytes.Byte_Array;
+      Result     : out Outcome) is
+   begin
+      Result := Outcome_Of
+        (Ssize'Min
+           (Linux.Read (int (Descriptor), Data'Address, Data'Length),
+            Data'Length));
+   end Read;
+
+end Robot.Serial_Line.Calls;

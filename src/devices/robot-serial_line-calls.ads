@@ -1,0 +1,72 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The calls of the serial device: each returns what the system says, and
+--  decides nothing.
+
+private package Robot.Serial_Line.Calls with
+  SPARK_Mode,
+  Abstract_State =>
+    (Port with
+       Synchronous, External => (Async_Readers, Async_Writers),
+       Part_Of => Device),
+  Initializes => Port
+is
+
+   subtype Outcome is Integer range -Integer'Last .. Integer'Last;
+   --  What a call returns, or, if it fails, its error (errno), negative
+
+   Interrupted : constant Outcome := -4;   --  EINTR
+   No_Data     : constant Outcome := -11;  --  EAGAIN
+
+   No_Descriptor : constant Outcome := -1;
+   --  Calls with it fail
+
+   subtype Nanoseconds is Integer range 0 .. 999_999_999;
+
+   procedure Open (Path : String; Result : out Outcome)
+   with Global => (In_Out => Port);
+   --  Result: the descriptor
+
+   procedure Get_Terminal (Descriptor : Outcome; Is_Terminal : out Boolean)
+   with Global => (In_Out => Port);
+   --  Whether it is a serial line
+
+   procedure Configure (Descriptor : Outcome; Result : out Outcome)
+   with Global => (In_Out => Port);
+   --  9600 baud, 8N1, raw, no echo. Read and Write wait
+
+   procedure Set_Non_Blocking (Descriptor : Outcome; Result : out Outcome)
+   with Global => (In_Out => Port);
+   --  From here on neither Read nor Write waits
+
+   procedure Close (Descriptor : Outcome) with Global => (In_Out => Port);
+
+   procedure Discard_Input (Descriptor : Outcome)
+   with Global => (In_Out => Port);
+
+   procedure Write
+     (Descriptor : Outcome;
+      Data       : Bytes.Byte_Array;
+      Length     : Natural;
+      Result     : out Outcome)
+   with
+     Global => (In_Out => Port),
+     Pre    => Length <= Data'Length;
+   --  The first Length bytes of Data. Result: how many have been accepted
+
+   procedure Wait_Input
+     (Descriptor : Outcome; Limit : Nanoseconds; Result : out Outcome)
+   with Global => (In_Out => Port);
+   --  Until there is something to read, Limit at most. Result: 0 if there is
+   --  nothing
+
+   procedure Read
+     (Descriptor : Outcome;
+      Data       : in out Bytes.Byte_Array;
+      Result     : out Outcome)
+   with
+     Global => (In_Out => Port),
+     Post   => Result <= Data'Length;
+   --  Into the first bytes of Data. Result: their number, 0 at the end of the
+   --  file
+
+end Robot.Serial_Line.Calls;
