@@ -22,6 +22,7 @@ with Send_Order_Tests;
 with Session_Stages_Tests;
 with Texts_Tests;
 with Trace_Json_Tests;
+with Trace_Layout_Tests;
 with Vision_Mode_Tests;
 with Unit_Runs;
 
@@ -47,6 +48,7 @@ begin
    Unit_Runs.Add (new Session_Stages_Tests.Test_Case);
    Unit_Runs.Add (new Texts_Tests.Test_Case);
    Unit_Runs.Add (new Trace_Json_Tests.Test_Case);
+   Unit_Runs.Add (new Trace_Layout_Tests.Test_Case);
    Unit_Runs.Add (new Vision_Mode_Tests.Test_Case);
    Unit_Runs.Run;
 end Logic_Unit_Tests;
