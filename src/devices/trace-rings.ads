@@ -2,44 +2,34 @@
 --  The memory of a flight recorder: a ring of events that any number of tasks
 --  write without waiting for each other. For Trace only.
 
-with Interfaces; use Interfaces;
-with System;
+with Trace.Ring_Memory;
 with Trace_Json;
+with Trace_Slots; use Trace_Slots;
 
-private package Trace.Rings with SPARK_Mode => Off is
-   --  Off: addresses, and atomic operations of the processor
+private package Trace.Rings with SPARK_Mode is
 
-   Slot_Bytes : constant := 32;
+   pragma Annotate (GNATprove, Terminating, Trace.Rings);
 
-   type Ring is limited private;
+   procedure Reset with Global => (In_Out => Ring_Memory.Memory);
+   --  The ring is empty. Before any other call, and not at the same time as
+   --  one
 
-   procedure Set_Up
-     (R : in out Ring; Where : System.Address; Capacity : Unsigned_64);
-   --  An empty ring at Where, in Capacity * Slot_Bytes zeroed bytes
-
-   procedure Put
-     (R : in out Ring; Item : Trace_Json.Event; Number : out Unsigned_64);
+   procedure Put (Item : Trace_Json.Event; Number : out Event_Number)
+   with Global => (In_Out => Ring_Memory.Memory);
    --  Overwrites the oldest event if the ring is full. Never waits: if another
    --  task is still writing that slot, Item is lost. Number: number of events
    --  before
 
-   function Count (R : Ring) return Unsigned_64;
+   procedure Get_Count (Count : out Event_Number)
+   with Global => (In_Out => Ring_Memory.Memory);
    --  Number of events put so far
 
    procedure Get
-     (R      : Ring;
-      Number : Unsigned_64;
+     (Number : Event_Number;
       Item   : out Trace_Json.Event;
-      Found  : out Boolean);
+      Found  : out Boolean)
+   with Global => (In_Out => Ring_Memory.Memory);
    --  The event Number, counted from 0. Not found if it has been overwritten
    --  or lost, or is being written
-
-private
-
-   type Ring is limited record
-      Where    : System.Address := System.Null_Address;
-      Capacity : Unsigned_64    := 1;
-      Next     : aliased Unsigned_64 := 0;
-   end record;
 
 end Trace.Rings;

@@ -2,100 +2,94 @@
 --  The recorder's file: the events are stored at its end while the tasks work;
 --  the final text is written at its beginning. For Trace only.
 
-with Interfaces;   use Interfaces;
-with Interfaces.C; use Interfaces.C;
-with System;
+with Texts;
+with Trace.Calls;  use Trace.Calls;
 with Trace_Json;
+with Trace_Layout; use Trace_Layout;
 
-private package Trace.Storage with SPARK_Mode => Off is
-   --  Off: addresses, and C library functions
+private package Trace.Storage with SPARK_Mode is
 
-   Buffer_Bytes : constant := 24_576;
+   pragma Annotate (GNATprove, Terminating, Trace.Storage);
 
-   type File is limited private;
-
-   --  Reason: an errno value, 0 for none
-
-   procedure Try (Path : String; Reason : out Integer);
+   procedure Try (Path : Texts.Text; Error : out Error_Number)
+   with Global => (In_Out => Calls.System_State);
    --  Whether Open would succeed; changes nothing
 
-   procedure Open (F : in out File; Path : String; Reason : out Integer);
+   procedure Open
+     (Path : Texts.Text; File : out Descriptor; Error : out Error_Number)
+   with
+     Global => (In_Out => Calls.System_State),
+     Post   => (File = None) = (Error > 0);
    --  For a seekable file, so not a pipe or a terminal. Its contents remain
-   --  until Empty
 
-   procedure Set_Up
-     (F : in out File; Where : System.Address; Capacity : Unsigned_64);
-   --  With a buffer of Buffer_Bytes zeroed bytes at Where, and room for the
-   --  newest Capacity events. To be called before all that follows
+   procedure Save
+     (File   : Descriptor;
+      Data   : Batch;
+      Length : Batch_Count;
+      Place  : Event_Place;
+      Error  : out Error_Number)
+   with
+     Global => (In_Out => Calls.System_State),
+     Pre    => Place + Length <= Trace_Layout.Capacity;
+   --  Saves the first Length events of Data from Place on
 
-   procedure Empty (F : in out File);
-   --  At the first call: removes the former contents. May take longer than
-   --  Open
-
-   --  The events, numbered from 0
-
-   function Next_Event (F : File) return Unsigned_64;
-   --  The event number that Put or Pass takes next
-
-   procedure Put
-     (F : in out File; Item : Trace_Json.Event; Found : Boolean);
-   --  Takes the next event, or records a lost one (not Found). It is in the
-   --  file after Save at the latest
-
-   procedure Save (F : in out File);
-   --  Saves the events put so far. After a failure nothing more is saved
-
-   procedure Pass (F : in out File; Next : Unsigned_64);
-   --  Skips the events below Next. After Save
-
-   function Save_Reason (F : File) return Integer;
-   --  The error that stopped the saving of events
+   type Batch_Reader is private;
+   --  Initially without events
 
    procedure Get
-     (F      : in out File;
-      Number : Unsigned_64;
+     (Reader : in out Batch_Reader;
+      File   : Descriptor;
+      Number : Event_Number;
       Item   : out Trace_Json.Event;
-      Found  : out Boolean);
-   --  A saved event, if not overwritten. After the last Put
+      Found  : out Boolean)
+   with Global => (In_Out => Calls.System_State);
+   --  A saved event, if not overwritten. After the last Save
 
-   --  The text
+   type Writer is private;
+   --  Writes the text. Initially empty, without error
 
-   procedure Write (F : in out File; Text : String);
-   --  No effect after a failure
+   function Size (To : Writer) return Natural;
+   --  Length of the text so far. After an error less
 
-   procedure End_Text (F : in out File);
-   --  Truncates the file after the text
+   function Error_Of (To : Writer) return Error_Number;
+   --  The error that stopped the writing
 
-   function Write_Reason (F : File) return Integer;
-   --  The error that stopped the writing of the text
+   procedure Put (To : in out Writer; File : Descriptor; Line : Texts.Text)
+   with
+     Global => (In_Out => Calls.System_State),
+     Pre    => Size (To) <= Text_Limit - Line.Length,
+     Post   => Size (To) <= Size (To)'Old + Line.Length;
+   --  No effect after an error
+
+   procedure End_Text (To : in out Writer; File : Descriptor)
+   with
+     Global => (In_Out => Calls.System_State),
+     Pre    => Size (To) <= Text_Limit;
+   --  Writes the last of the text, and truncates the file after it
 
 private
 
-   type File is limited record
-      Descriptor  : int := -1;
-      Emptied     : Boolean := False;
-      Capacity    : Unsigned_64 := 1;
-      Batch_At    : System.Address := System.Null_Address;
-      Put_Length  : Unsigned_64 := 0;
-      --  buffered events that are not in the file
-      Saved       : Unsigned_64 := 0;
-      --  events below this are in the file, except skipped ones
-      Save_Reason : Integer := 0;
-      Batch_First : Unsigned_64 := Unsigned_64'Last;
-      --  first event in Get's batch, if it is an event number
-      Chunk_At    : System.Address := System.Null_Address;
-      Chunk_Last  : Natural := 0;
-      --  text to be written next
-      Written     : Natural := 0;
-      --  bytes of text written so far
-      Write_Reason : Integer := 0;
+   type Batch_Reader is record
+      Is_Read : Boolean := False;
+      First   : Event_Number := 0;
+      Data    : Batch := (others => No_Event);
+   end record;
+   --  If Is_Read, Data has the events from First on that are in the file
+
+   Chunk_Size : constant := 8_192;
+
+   subtype Chunk_Length is Natural range 0 .. Chunk_Size;
+
+   type Writer is record
+      Data    : String (1 .. Chunk_Size) := (others => ' ');
+      Last    : Chunk_Length := 0;                --  of the text in Data
+      Written : Natural range 0 .. Text_Limit := 0;
+      --  bytes of the text before Data
+      Error   : Error_Number := 0;
    end record;
 
-   function Next_Event (F : File) return Unsigned_64 is
-     (F.Saved + F.Put_Length);
+   function Size (To : Writer) return Natural is (To.Written + To.Last);
 
-   function Save_Reason (F : File) return Integer is (F.Save_Reason);
-
-   function Write_Reason (F : File) return Integer is (F.Write_Reason);
+   function Error_Of (To : Writer) return Error_Number is (To.Error);
 
 end Trace.Storage;

@@ -1,120 +1,125 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Ada.Real_Time;           use Ada.Real_Time;
-with Ada.Unchecked_Conversion;
-with GNAT.OS_Lib;
-with Interfaces;              use Interfaces;
-with Interfaces.C;            use Interfaces.C;
-with Linux;                   use Linux;
-with System;                  use System;
-with System.Storage_Elements; use System.Storage_Elements;
+with Ada.Real_Time; use Ada.Real_Time;
+with Interfaces;    use Interfaces;
+with Trace.Calls;   use Trace.Calls;
+with Trace.Ring_Memory;
 with Trace.Rings;
 with Trace.Storage;
 with Trace_Json;
 
 package body Trace with
-  SPARK_Mode    => Off,
+  SPARK_Mode,
   Refined_State =>
-    (Recorder => (On, Storing, Ring, File, First, Store_Due))
+    (Recorder =>
+       (On, Storing, File, Store_Due, First, Saved, Save_Error,
+        Trace.Calls.System_State, Trace.Ring_Memory.Memory))
 is
 
    use type Monitor.Protocol.Message_Kind;
 
-   On        : Boolean := False with Atomic;
-   Storing   : Boolean := False with Atomic;  --  Store is at work
-   Ring      : Trace.Rings.Ring;
-   File      : Trace.Storage.File;
-   First     : Unsigned_64 := 0;  --  when the recording began
-   Store_Due : int := -1;         --  an eventfd: it is time to store
-   Quarter   : constant := In_Memory / 4;
+   subtype Event_Number is Trace_Layout.Event_Number;
 
-   Ring_Bytes  : constant := In_Memory * Trace.Rings.Slot_Bytes;
-   Read_Write  : constant int := 3;        --  PROT_READ, PROT_WRITE
-   All_Present : constant int := 16#8022#;
-   --  MAP_PRIVATE, MAP_ANONYMOUS, MAP_POPULATE: all pages are prefaulted
+   --  Each is atomic: Store and Finish are called by different tasks. After
+   --  Open only Store changes the last two, and Finish reads them when Store
+   --  is not at work
 
-   Monotonic   : constant int := 1;        --  CLOCK_MONOTONIC
-   Time_Shared : constant int := 0;        --  SCHED_OTHER
+   On         : Boolean := False
+     with Atomic, Async_Readers, Async_Writers;
+   Storing    : Boolean := False
+     with Atomic, Async_Readers, Async_Writers;
+   --  Store is at work
+   File       : Descriptor := None
+     with Atomic, Async_Readers, Async_Writers;
+   Store_Due  : Descriptor := None
+     with Atomic, Async_Readers, Async_Writers;
+   --  An event counter: it is time to store
+   First      : Unsigned_64 := 0
+     with Atomic, Async_Readers, Async_Writers;
+   --  When the recording began
+   Saved      : Event_Number := 0
+     with Atomic, Async_Readers, Async_Writers;
+   --  Events below this are in the file, except skipped ones
+   Save_Error : Error_Number := 0
+     with Atomic, Async_Readers, Async_Writers;
+   --  The error that stopped the saving of events
 
-   function Map
-     (Where  : System.Address;
-      Length : size_t;
-      Access_Kind, Flags, Descriptor : int;
-      Offset : long) return System.Address
-   with Import, Convention => C, External_Name => "mmap";
+   Quarter  : constant := In_Memory / 4;
+   No_Label : constant Trace_Json.Label_Text := "      ";
 
-   Not_Mapped : constant System.Address :=
-     System'To_Address (System.Memory_Size - 1);  --  MAP_FAILED
+   function To_Nanoseconds (Due : Time) return Unsigned_64;
+   --  From the epoch of CLOCK_MONOTONIC, which is Ada's clock, too. 0 for
+   --  times before, such as Time_First: immediate
 
-   function Get_Time (Clock : int; Now : System.Address) return int
-   with Import, Convention => C, External_Name => "clock_gettime";
-
-   type Signal_Set is array (1 .. 16) of Unsigned_64 with Convention => C;
-
-   File_Too_Large : constant Signal_Set := (1 => 2 ** 24, others => 0);
-   --  SIGXFSZ, which would end the process
-
-   function Set_Mask
-     (How : int; Set : System.Address; Old : System.Address) return int
-   with Import, Convention => C, External_Name => "pthread_sigmask";
-
-   function Set_Scheduler
-     (Thread : int; Policy : int; Priority : System.Address) return int
-   with Import, Convention => C, External_Name => "sched_setscheduler";
-
-   function Nanoseconds is
-     new Ada.Unchecked_Conversion (Duration, Unsigned_64);
-   --  GNAT's Duration counts nanoseconds in 64 bits; with another size the
-   --  validation build fails
-
-   Beginning : constant Time := Time_Of (0, Time_Span_Zero);
-   --  The epoch of CLOCK_MONOTONIC, which is Ada's clock, too
-
-   function Now return Unsigned_64;
+   procedure Set_Reason (Reason : out Texts.Text; Error : Error_Number);
+   --  The error message for Error, "" for 0
 
    procedure Put (Item : Trace_Json.Event);
 
    procedure Put
      (Kind   : Trace_Json.Event_Kind;
       Who    : Task_Name;
-      Number : Orders.Ticket := 0;
-      Label  : Trace_Json.Label_Text := (others => ' '));
+      Number : Unsigned_64 := 0;
+      Label  : Trace_Json.Label_Text := No_Label);
    --  Records an event with the current time
 
-   function Count (Due : Time) return Unsigned_64 is
-     (Nanoseconds (Duration'Max (0.0, To_Duration (Due - Beginning))));
-   --  Due may be Time_First: immediate
+   procedure Fill
+     (Next    : Event_Number;
+      Last    : Event_Number;
+      Data    : in out Trace_Layout.Batch;
+      Length  : in out Trace_Layout.Batch_Count;
+      Stopped : out Boolean)
+   with
+     Pre  => Next < Last and then Unsigned_64 (Length) <= Last - Next,
+     Post => Length <= Length'Old
+       and then (if not Stopped then Length = Length'Old);
+   --  The events from Next on, Length of them at most, from the ring into
+   --  Data. Stopped by an event that may still be being written
 
-   procedure Set_Reason (Reason : out Texts.Text; Number : Integer);
-   --  The error message for Number, "" for 0
+   procedure Save (Into : Descriptor);
+   --  Saves what is in the ring
 
    procedure Fetch
-     (Number : Unsigned_64;
-      Item   : out Trace_Json.Event;
-      Found  : out Boolean);
-   --  From the file or the ring, after the end of the recording
+     (Reader    : in out Trace.Storage.Batch_Reader;
+      From      : Descriptor;
+      Not_Saved : Event_Number;
+      Number    : Event_Number;
+      Item      : out Trace_Json.Event;
+      Found     : out Boolean);
+   --  From the file or, from Not_Saved on, from the ring, after the end of the
+   --  recording
 
-   procedure Write (Line : Texts.Text);
+   procedure Wait_Stored (Limit : Time; In_Time : out Boolean);
+   --  Waits until Store is not at work, Limit at most
 
-   procedure Set_Reason (Reason : out Texts.Text; Number : Integer) is
+   procedure Write_Text
+     (Limit : Time; In_Time : out Boolean; Error : out Error_Number);
+   --  Writes the text of the events that are kept, until Limit
+
+   function To_Nanoseconds (Due : Time) return Unsigned_64 is
+      Seconds : Seconds_Count;
+      Rest    : Time_Span;
    begin
-      Texts.Set (Reason, (if Number = 0 then ""
-                          else GNAT.OS_Lib.Errno_Message (Number)));
+      Split (Due, Seconds, Rest);
+      return
+        (if Seconds < 0 then 0
+         else Unsigned_64 (Seconds) * 1_000_000_000
+           + Unsigned_64 (Integer'Max (0, Rest / Nanoseconds (1))));
+   end To_Nanoseconds;
+
+   procedure Set_Reason (Reason : out Texts.Text; Error : Error_Number) is
+   begin
+      if Error = 0 then
+         Texts.Set (Reason, "");
+      else
+         Calls.Get_Message (Error, Reason);
+      end if;
    end Set_Reason;
 
-   function Now return Unsigned_64 is
-      Read    : Time_Spec := (0, 0);
-      Ignored : constant int := Get_Time (Monotonic, Read'Address);
-      pragma Unreferenced (Ignored);
-   begin
-      return Unsigned_64 (Read.Seconds) * 1_000_000_000
-        + Unsigned_64 (Read.Nanoseconds);
-   end Now;
-
    procedure Put (Item : Trace_Json.Event) is
-      Number : Unsigned_64;
+      Number : Event_Number;
    begin
-      Trace.Rings.Put (Ring, Item, Number);
+      Trace.Rings.Put (Item, Number);
       if Number mod Quarter = 0 then
          Wake;
       end if;
@@ -123,224 +128,317 @@ is
    procedure Put
      (Kind   : Trace_Json.Event_Kind;
       Who    : Task_Name;
-      Number : Orders.Ticket := 0;
-      Label  : Trace_Json.Label_Text := (others => ' ')) is
+      Number : Unsigned_64 := 0;
+      Label  : Trace_Json.Label_Text := No_Label)
+   is
+      Now : Unsigned_64;
    begin
-      Put ((Now, Unsigned_64 (Number), Who, Kind, Label));
+      Calls.Get_Time (Now);
+      Put ((Now, Number, Who, Kind, Label));
    end Put;
 
    procedure Try
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
-      Number : Integer;
+      Error : Error_Number;
    begin
-      Trace.Storage.Try (Texts.Image (Path), Number);
-      Success := Number = 0;
-      Set_Reason (Reason, Number);
+      Trace.Storage.Try (Path, Error);
+      Success := Error = 0;
+      Set_Reason (Reason, Error);
    end Try;
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
-      Number  : Integer;
-      Memory  : System.Address := Not_Mapped;
-      Ignored : int;
+      Opened  : Descriptor;
+      Counter : Outcome;
+      Error   : Error_Number;
+      Now     : Unsigned_64;
    begin
-      Trace.Storage.Open (File, Texts.Image (Path), Number);
-      if Number = 0 then
-         Store_Due := Event_Counter (0, Event_Non_Blocking);
-         if Store_Due >= 0 then
-            Memory := Map
-              (System.Null_Address, Ring_Bytes + Trace.Storage.Buffer_Bytes,
-               Read_Write, All_Present, -1, 0);
+      Trace.Storage.Open (Path, Opened, Error);
+      if Error = 0 then
+         Calls.Make_Counter (Counter);
+         if Counter < 0 then
+            Error := -Counter;
+         else
+            File := Opened;
+            Store_Due := Counter;
+            Trace.Rings.Reset;
+            Calls.Ignore_Size_Signal;
+            Calls.Get_Time (Now);
+            First := Now;
+            On := True;
          end if;
-         Number := (if Memory = Not_Mapped then GNAT.OS_Lib.Errno else 0);
       end if;
-      Success := Number = 0;
-      Set_Reason (Reason, Number);
-      if Success then
-         Trace.Rings.Set_Up (Ring, Memory, In_Memory);
-         Trace.Storage.Set_Up (File, Memory + Ring_Bytes, Capacity);
-         Ignored := Set_Mask (0, File_Too_Large'Address, System.Null_Address);
-         First := Now;
-         On := True;
-      end if;
+      Success := Error = 0;
+      Set_Reason (Reason, Error);
    end Open;
 
-   procedure Store is
-      Item    : Trace_Json.Event;
-      Found   : Boolean;
-      Last    : Unsigned_64;  --  upper bound of the event numbers, exclusive
-      Waited  : Poll_Array := (1 => (Store_Due, Poll_In, 0));
-      Calls   : Unsigned_64;
-      Taken   : Ssize;
-      Ignored : int;
-      pragma Unreferenced (Taken, Ignored);
+   procedure Fill
+     (Next    : Event_Number;
+      Last    : Event_Number;
+      Data    : in out Trace_Layout.Batch;
+      Length  : in out Trace_Layout.Batch_Count;
+      Stopped : out Boolean)
+   is
+      Item   : Trace_Json.Event;
+      Found  : Boolean;
+      Number : Event_Number;
    begin
-      Ignored := Poll
-        (Waited'Address, 1,
-         int (To_Duration (Schedule.Store_Limit * 1_000)));
-      Taken := Read (Store_Due, Calls'Address, Calls'Size / 8);
-      Storing := True;
-      if On and then Trace.Storage.Save_Reason (File) = 0 then
-         Trace.Storage.Empty (File);
-         Last := Trace.Rings.Count (Ring);
-         if Last - Trace.Storage.Next_Event (File) > In_Memory then
-            Trace.Storage.Pass (File, Last - In_Memory);
+      Stopped := False;
+      for Index in 0 .. Length - 1 loop
+         pragma Loop_Invariant
+           (Length = Length'Loop_Entry and then not Stopped);
+         Number := Next + Unsigned_64 (Index);
+         Trace.Rings.Get (Number, Item, Found);
+         if Found then
+            Data (Index) := Trace_Layout.To_Saved (Number, Item);
+         elsif Trace_Layout.May_Come (Number, Last) then
+            --  retry at the next call of Store
+            Stopped := True;
+            Length := Index;
+            exit;
+         else
+            Data (Index) := Trace_Layout.No_Event;
          end if;
-         for Number in Trace.Storage.Next_Event (File) + 1 .. Last loop
-            Trace.Rings.Get (Ring, Number - 1, Item, Found);
-            --  perhaps still being written: retry at the next call
-            exit when not Found and then Last - Number < In_Memory / 2;
-            Trace.Storage.Put (File, Item, Found);
-         end loop;
-         Trace.Storage.Save (File);
+      end loop;
+   end Fill;
+
+   procedure Save (Into : Descriptor) is
+      Data    : Trace_Layout.Batch := (others => Trace_Layout.No_Event);
+      Next    : Event_Number := Saved;
+      Last    : Event_Number;  --  upper bound of the event numbers, exclusive
+      Length  : Trace_Layout.Batch_Count;
+      Stopped : Boolean;
+      Error   : Error_Number;
+   begin
+      if Next = 0 then
+         --  its former contents. May take longer than Open
+         Calls.Truncate (Into, 0);
+      end if;
+      Trace.Rings.Get_Count (Last);
+      Next := Trace_Layout.First_To_Save (Next, Last);
+      Saved := Next;
+      loop
+         pragma Loop_Variant (Increases => Next);
+         Length := Trace_Layout.Run_Length (Next, Last);
+         exit when Length = 0;
+         Fill (Next, Last, Data, Length, Stopped);
+         pragma Assert (Unsigned_64 (Length) <= Last - Next);
+         Trace.Storage.Save
+           (Into, Data, Length, Trace_Layout.Place_Of (Next), Error);
+         Save_Error := Error;
+         exit when Error > 0;
+         Next := Next + Unsigned_64 (Length);
+         Saved := Next;
+         exit when Stopped;
+      end loop;
+   end Save;
+
+   procedure Store is
+      Counter   : constant Descriptor := Store_Due;
+      Into      : constant Descriptor := File;
+      Recording : Boolean;
+      Error     : Error_Number;
+   begin
+      Calls.Wait
+        (Counter, Natural'Max (0, Schedule.Store_Limit / Milliseconds (1)));
+      Storing := True;
+      Recording := On;
+      Error := Save_Error;
+      if Recording and then Error = 0 then
+         Save (Into);
       end if;
       Storing := False;
    end Store;
 
    procedure Wake is
-      One     : constant Unsigned_64 := 1;
-      Ignored : Ssize;
-      pragma Unreferenced (Ignored);
+      Counter : constant Descriptor := Store_Due;
    begin
-      if Store_Due >= 0 then
-         Ignored := Linux.Write (Store_Due, One'Address, One'Size / 8);
+      if Counter /= None then
+         Calls.Add (Counter);
       end if;
    end Wake;
 
    procedure Fetch
-     (Number : Unsigned_64;
-      Item   : out Trace_Json.Event;
-      Found  : out Boolean) is
+     (Reader    : in out Trace.Storage.Batch_Reader;
+      From      : Descriptor;
+      Not_Saved : Event_Number;
+      Number    : Event_Number;
+      Item      : out Trace_Json.Event;
+      Found     : out Boolean) is
    begin
-      if Number >= Trace.Storage.Next_Event (File) then
-         Trace.Rings.Get (Ring, Number, Item, Found);
+      if Number >= Not_Saved then
+         Trace.Rings.Get (Number, Item, Found);
       else
-         Trace.Storage.Get (File, Number, Item, Found);
+         Trace.Storage.Get (Reader, From, Number, Item, Found);
       end if;
    end Fetch;
 
-   procedure Write (Line : Texts.Text) is
+   procedure Wait_Stored (Limit : Time; In_Time : out Boolean) is
+      Now  : Time;
+      Busy : Boolean;
    begin
-      Trace.Storage.Write (File, Texts.Image (Line));
-   end Write;
+      --  the clock ends it, but GNATprove does not reason about time
+      for Turn in 1 .. 1_000 loop
+         Busy := Storing;
+         Now := Clock;
+         In_Time := Now < Limit;
+         exit when not Busy or else not In_Time;
+         delay until Now + Schedule.Release_Poll;
+      end loop;
+      In_Time := not Busy;
+   end Wait_Stored;
+
+   procedure Write_Text
+     (Limit : Time; In_Time : out Boolean; Error : out Error_Number)
+   is
+      Tasks     : constant := Task_Name'Pos (Task_Name'Last) + 1;
+      Into      : constant Descriptor := File;
+      Not_Saved : constant Event_Number := Saved;
+      Begun     : constant Unsigned_64 := First;
+      Reader    : Trace.Storage.Batch_Reader;
+      Writer    : Trace.Storage.Writer;
+      Slices    : Trace_Json.Slices := (others => Trace_Json.None);
+      Line      : Texts.Text;
+      Item      : Trace_Json.Event := (others => <>);
+      Found     : Boolean;
+      Kept      : Unsigned_64 := 0;
+      Last      : Event_Number;  --  upper bound of the numbers, exclusive
+      Oldest    : Event_Number;
+      Count     : Natural;
+      Now       : Time;
+   begin
+      Trace.Rings.Get_Count (Last);
+      Oldest := Trace_Layout.Oldest_Kept (Last);
+      Count := Natural (Last - Oldest);
+      for Past in 0 .. Count - 1 loop
+         Fetch
+           (Reader, Into, Not_Saved, Oldest + Unsigned_64 (Past), Item, Found);
+         Kept := Kept + (if Found then 1 else 0);
+      end loop;
+      Trace_Json.Begin_Text (Begun, Last, Kept, Line);
+      Trace.Storage.Put (Writer, Into, Line);
+      for Who in Task_Name loop
+         pragma Loop_Invariant
+           (Trace.Storage.Size (Writer) <=
+              (1 + Task_Name'Pos (Who)) * Texts.Max_Length);
+         Trace_Json.Name_Task (Who, Line);
+         Trace.Storage.Put (Writer, Into, Line);
+      end loop;
+      In_Time := True;
+      for Past in 0 .. Count - 1 loop
+         pragma Loop_Invariant
+           (Trace.Storage.Size (Writer) <=
+              (1 + Tasks + Past) * Texts.Max_Length);
+         Fetch
+           (Reader, Into, Not_Saved, Oldest + Unsigned_64 (Past), Item, Found);
+         if Found then
+            Trace_Json.Put (Slices, Begun, Item, Line);
+            Trace.Storage.Put (Writer, Into, Line);
+         end if;
+         if Past mod 256 = 255 then
+            Now := Clock;
+            In_Time := Now < Limit;
+         end if;
+         exit when not In_Time or else Trace.Storage.Error_Of (Writer) > 0;
+      end loop;
+      if In_Time then
+         Calls.Get_Time (Item.At_Time);
+      end if;
+      for Who in Task_Name loop
+         pragma Loop_Invariant
+           (Trace.Storage.Size (Writer) <=
+              (1 + Tasks + Capacity + Task_Name'Pos (Who))
+              * Texts.Max_Length);
+         Item := (At_Time => Item.At_Time,
+                  Who     => Who,
+                  Kind    => Trace_Json.Done,
+                  others  => <>);
+         Trace_Json.Put (Slices, Begun, Item, Line);
+         Trace.Storage.Put (Writer, Into, Line);
+      end loop;
+      Texts.Set (Line, Trace_Json.End_Of_Text);
+      Trace.Storage.Put (Writer, Into, Line);
+      Trace.Storage.End_Text (Writer, Into);
+      Error := Trace.Storage.Error_Of (Writer);
+   end Write_Text;
 
    procedure Finish (Whole : out Boolean; Reason : out Texts.Text) is
-      Lowest  : int := 0;
-      Ignored : int;
-      Limit   : constant Time := Clock + Schedule.Trace_Limit;
-      Slices  : Trace_Json.Slices := (others => Trace_Json.None);
-      Line    : Texts.Text;
-      Item    : Trace_Json.Event;
-      Found   : Boolean;
-      Kept    : Unsigned_64 := 0;
-      Last    : Unsigned_64;  --  upper bound of the event numbers, exclusive
-      Oldest  : Unsigned_64;
-      Next    : Unsigned_64;
-      In_Time : Boolean := True;
-      Problem : Integer := 0;
+      Now       : constant Time := Clock;
+      Limit     : constant Time := Now + Schedule.Trace_Limit;
+      Recording : constant Boolean := On;
+      In_Time   : Boolean;
+      Error     : Error_Number := 0;
    begin
       Whole := True;
       Texts.Set (Reason, "");
-      if not On then
+      if not Recording then
          return;
       end if;
       On := False;
       --  not urgent any more, and it takes long
-      Ignored := Set_Scheduler (0, Time_Shared, Lowest'Address);
-      Ignored := Set_Mask (0, File_Too_Large'Address, System.Null_Address);
-      while Storing and then In_Time loop
-         delay until Clock + Schedule.Release_Poll;
-         In_Time := Clock < Limit;
-      end loop;
+      Calls.Give_Up_Priority;
+      Wait_Stored (Limit, In_Time);
       if In_Time then
-         Last := Trace.Rings.Count (Ring);
-         Oldest := (if Last > Capacity then Last - Capacity else 0);
-         for Number in Oldest + 1 .. Last loop
-            Fetch (Number - 1, Item, Found);
-            Kept := Kept + (if Found then 1 else 0);
-         end loop;
-         Trace_Json.Begin_Text (First, Last, Kept, Line);
-         Write (Line);
-         for Who in Task_Name loop
-            Trace_Json.Name_Task (Who, Line);
-            Write (Line);
-         end loop;
-         Next := Oldest;
-         while Trace.Storage.Write_Reason (File) = 0
-           and then In_Time and then Next < Last
-         loop
-            Fetch (Next, Item, Found);
-            if Found then
-               Trace_Json.Put (Slices, First, Item, Line);
-               Write (Line);
-            end if;
-            Next := Next + 1;
-            In_Time := Next mod 256 > 0 or else Clock < Limit;
-         end loop;
-         for Who in Task_Name loop
-            Item := (At_Time => (if In_Time then Now else Item.At_Time),
-                     Who     => Who,
-                     Kind    => Trace_Json.Done,
-                     others  => <>);
-            Trace_Json.Put (Slices, First, Item, Line);
-            Write (Line);
-         end loop;
-         Trace.Storage.Write (File, Trace_Json.End_Of_Text);
-         Trace.Storage.End_Text (File);
-         Problem := Trace.Storage.Write_Reason (File);
+         Write_Text (Limit, In_Time, Error);
       end if;
-      if Problem = 0 and then not In_Time then
+      if Error = 0 and then not In_Time then
          Whole := False;
          Texts.Set (Reason, "it takes too long");
       else
-         if Problem = 0 then
-            Problem := Trace.Storage.Save_Reason (File);
+         if Error = 0 then
+            Error := Save_Error;
          end if;
-         Whole := Problem = 0;
-         Set_Reason (Reason, Problem);
+         Whole := Error = 0;
+         Set_Reason (Reason, Error);
       end if;
    end Finish;
 
    procedure Release (Who : Task_Name; Number : Orders.Ticket := 0) is
+      Recording : constant Boolean := On;
    begin
-      if On then
-         Put (Trace_Json.Release, Who, Number);
+      if Recording then
+         Put (Trace_Json.Release, Who, Unsigned_64 (Number));
       end if;
    end Release;
 
    procedure Start (Who : Task_Name; Number : Orders.Ticket := 0) is
+      Recording : constant Boolean := On;
    begin
-      if On then
-         Put (Trace_Json.Start, Who, Number);
+      if Recording then
+         Put (Trace_Json.Start, Who, Unsigned_64 (Number));
       end if;
    end Start;
 
    procedure Start (Who : Task_Name; Due : Time) is
+      Recording : constant Boolean := On;
    begin
-      if On then
-         Put (Trace_Json.Start_Due, Who, Orders.Ticket (Count (Due)));
+      if Recording then
+         Put (Trace_Json.Start_Due, Who, To_Nanoseconds (Due));
       end if;
    end Start;
 
    procedure Take_Up (Who : Task_Name) is
+      Recording : constant Boolean := On;
    begin
-      if On then
+      if Recording then
          Put (Trace_Json.Take_Up, Who);
       end if;
    end Take_Up;
 
    procedure Done (Who : Task_Name) is
+      Recording : constant Boolean := On;
    begin
-      if On then
+      if Recording then
          Put (Trace_Json.Done, Who);
       end if;
    end Done;
 
    procedure Wait (Who : Task_Name; What : Wait_Kind) is
+      Recording : constant Boolean := On;
    begin
-      if On then
+      if Recording then
          Put (Trace_Json.Wait, Who,
               Label => (case What is
                            when Line   => "line  ",
@@ -353,51 +451,58 @@ is
    end Wait;
 
    procedure Resume (Who : Task_Name) is
+      Recording : constant Boolean := On;
    begin
-      if On then
+      if Recording then
          Put (Trace_Json.Resume, Who);
       end if;
    end Resume;
 
    procedure Resume (Who : Task_Name; Due : Time) is
+      Recording : constant Boolean := On;
    begin
-      if On then
-         Put ((Count (Due), 0, Who, Trace_Json.Due, (others => ' ')));
+      if Recording then
+         Put ((To_Nanoseconds (Due), 0, Who, Trace_Json.Due, No_Label));
          Put (Trace_Json.Resume, Who);
       end if;
    end Resume;
 
    procedure Idle (Who : Task_Name) is
+      Recording : constant Boolean := On;
    begin
-      if On then
+      if Recording then
          Put (Trace_Json.Idle, Who);
       end if;
    end Idle;
 
    procedure Received
-     (Kind : Monitor.Protocol.Message_Kind; Number : Orders.Ticket) is
+     (Kind : Monitor.Protocol.Message_Kind; Number : Orders.Ticket)
+   is
+      Recording : constant Boolean := On;
    begin
-      if On then
-         Put (Trace_Json.Received, Schedule.Th_Receive_From_Mon, Number,
+      if Recording then
+         Put (Trace_Json.Received, Schedule.Th_Receive_From_Mon,
+              Unsigned_64 (Number),
               (if Kind = Monitor.Protocol.Malformed then "none  "
                else Monitor.Protocol.Label (Kind) & "  "));
       end if;
    end Received;
 
    procedure Sent (Label : Monitor.Protocol.Label_Text) is
+      Recording : constant Boolean := On;
    begin
-      if On then
+      if Recording then
          Put (Trace_Json.Sent, Schedule.Th_Send_To_Mon,
               Label => Label & "  ");
       end if;
    end Sent;
 
    procedure Ordered (Who : Task_Name; Kind : Robot.Protocol.Command_Kind) is
+      Recording : constant Boolean := On;
    begin
-      if On then
+      if Recording then
          Put (Trace_Json.Ordered, Who,
-              Label => (1      => Robot.Protocol.Letter (Kind),
-                        others => ' '));
+              Label => Robot.Protocol.Letter (Kind) & "     ");
       end if;
    end Ordered;
 

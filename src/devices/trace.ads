@@ -9,6 +9,7 @@ with Orders;
 with Robot.Protocol;
 with Schedule;
 with Texts;
+with Trace_Layout;
 
 package Trace with
   SPARK_Mode,
@@ -18,14 +19,14 @@ package Trace with
 is
    pragma Annotate (GNATprove, Terminating, Trace);
    --  Store waits for events, and Finish for Store, both for a limited time,
-   --  and both for the disk; nothing else waits. A claim by review: the body
-   --  is outside SPARK
+   --  and both for the disk; nothing else waits. Proved, if each call of the
+   --  system (Trace.Calls) and each delay ends
 
-   Capacity : constant := 2 ** 17;
+   Capacity : constant := Trace_Layout.Capacity;
    --  Newest events kept: more than two minutes of a session with images,
    --  positions and 25 commands per second
 
-   In_Memory : constant := 2 ** 12;
+   In_Memory : constant := Trace_Layout.In_Memory;
    --  The newest of them, in 128 KiB of memory; the rest is in the file. If
    --  events are recorded faster than Store saves them, the oldest are lost
 
@@ -39,7 +40,7 @@ is
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    with Global => (In_Out => Recorder);
-   --  Opens the file, which must not be a pipe or a terminal, allocates the
+   --  Opens the file, which must not be a pipe or a terminal, touches the
    --  memory, and starts recording. Reason explains a failure. Call once,
    --  before the tasks work
 
@@ -52,7 +53,8 @@ is
    --  Ends the current wait in Store, or else the next one
 
    procedure Finish (Whole : out Boolean; Reason : out Texts.Text)
-   with Global => (In_Out => Recorder);
+   with
+     Global => (Input => Ada.Real_Time.Clock_Time, In_Out => Recorder);
    --  Ends the recording and writes the file, if any. Whole is false if it is
    --  incomplete: the disk is or was full, or it took longer than
    --  Schedule.Trace_Limit. The calling task first gives up its real-time

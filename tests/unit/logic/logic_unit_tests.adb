@@ -26,6 +26,7 @@ with Socket_Addresses_Tests;
 with Tcp_Infos_Tests;
 with Texts_Tests;
 with Trace_Json_Tests;
+with Trace_Layout_Tests;
 with Vision_Mode_Tests;
 with Unit_Runs;
 
@@ -55,6 +56,7 @@ begin
    Unit_Runs.Add (new Tcp_Infos_Tests.Test_Case);
    Unit_Runs.Add (new Texts_Tests.Test_Case);
    Unit_Runs.Add (new Trace_Json_Tests.Test_Case);
+   Unit_Runs.Add (new Trace_Layout_Tests.Test_Case);
    Unit_Runs.Add (new Vision_Mode_Tests.Test_Case);
    Unit_Runs.Run;
 end Logic_Unit_Tests;

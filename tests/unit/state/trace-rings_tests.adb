@@ -4,17 +4,18 @@
 with Ada.Calendar;
 with Ada.Directories;
 with Ada.Real_Time;
-with Interfaces;              use Interfaces;
-with System.Storage_Elements; use System.Storage_Elements;
+with Interfaces;       use Interfaces;
 
-with AUnit.Assertions;        use AUnit.Assertions;
+with AUnit.Assertions; use AUnit.Assertions;
 
 with Programs;
-with Schedule;                use Schedule;
+with Schedule;         use Schedule;
 with Texts;
-with Trace.Rings;             use Trace.Rings;
+with Trace.Ring_Memory;
+with Trace.Rings;      use Trace.Rings;
 with Trace_Files;
-with Trace_Json;              use Trace_Json;
+with Trace_Json;       use Trace_Json;
+with Trace_Slots;      use Trace_Slots;
 
 package body Trace.Rings_Tests is
 
@@ -22,10 +23,7 @@ package body Trace.Rings_Tests is
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
-   Capacity : constant := 8;
-   --  so small that writers come round all the time
-
-   type Memory is array (1 .. Capacity * Slot_Bytes / 8) of Unsigned_64;
+   Capacity : constant := Trace_Slots.Capacity;
 
    function Marked (Value : Unsigned_64) return Event is
      (At_Time => Value,
@@ -35,17 +33,17 @@ package body Trace.Rings_Tests is
       Label   => (others => Character'Val (Value mod 251)));
    --  All of it depends on Value
 
-   procedure Put (R : in out Ring; Item : Event);
+   procedure Put (Item : Event);
 
    procedure Test_Round (T : in out Any_Test);
    procedure Test_Together (T : in out Any_Test);
    procedure Test_Overtaken (T : in out Any_Test);
    procedure Test_File (T : in out Any_Test);
 
-   procedure Put (R : in out Ring; Item : Event) is
-      Unused : Unsigned_64;
+   procedure Put (Item : Event) is
+      Unused : Event_Number;
    begin
-      Put (R, Item, Unused);
+      Put (Item, Unused);
    end Put;
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
@@ -137,85 +135,105 @@ package body Trace.Rings_Tests is
 
    procedure Test_Overtaken (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Words : constant := Slot_Bytes / 8;
-      Here  : constant := 3;   --  a slot
-      Where : Memory := (others => 0);
-      R     : Ring;
+      Here  : constant := 3;   --  an event, and its slot
       Item  : Event;
       Found : Boolean;
-      State : Unsigned_64 renames Where (Here * Words + 1);
+      State : Slot_State;
 
-      procedure Put_Round (First : Unsigned_64);
+      procedure Put_Round (First : Event_Number);
 
-      procedure Expect (Number : Unsigned_64; Is_There : Boolean);
+      procedure Expect (Number : Event_Number; Is_There : Boolean);
 
-      procedure Put_Round (First : Unsigned_64) is
+      procedure Take (Before, After : Slot_State);
+      --  As the writer of event Here does
+
+      procedure Put_Round (First : Event_Number) is
       begin
          for Number in First .. First + Capacity - 1 loop
-            Put (R, Marked (Number));
+            Put (Marked (Number));
          end loop;
       end Put_Round;
 
-      procedure Expect (Number : Unsigned_64; Is_There : Boolean) is
+      procedure Expect (Number : Event_Number; Is_There : Boolean) is
       begin
-         Get (R, Number, Item, Found);
+         Get (Number, Item, Found);
          Assert (Found = Is_There, "event" & Number'Image);
          Assert (not Found or else Item = Marked (Number), "mixed");
       end Expect;
 
+      procedure Take (Before, After : Slot_State) is
+      begin
+         Ring_Memory.Change (Here, Before, After, State);
+         Assert (State = Before, "state" & State'Image);
+      end Take;
+
+      After : Slot_State;
    begin
-      Set_Up (R, Where'Address, Capacity);
+      Reset;
       Put_Round (0);
       --  event 3 is still being written
-      State := 2 * Here + 1;
+      Take (Complete (Here), Being_Written (Here));
       Expect (Here, False);
-      declare
-         Before : constant Memory := Where;
-      begin
-         Put_Round (Capacity);
-         Assert
-           ((for all I in Here * Words + 1 .. (Here + 1) * Words =>
-               Where (I) = Before (I)),
-            "written by two");
-      end;
-      for Number in Unsigned_64 range Capacity .. 2 * Capacity - 1 loop
+      Put_Round (Capacity);
+      Ring_Memory.Read (Here, State, After, Item);
+      Assert
+        (State = Being_Written (Here) and then After = State
+         and then Item = Marked (Here),
+         "written by two");
+      for Number in Event_Number range Capacity .. 2 * Capacity - 1 loop
          Expect (Number, Number /= Here + Capacity);
       end loop;
-      State := 2 * Here + 2;
+      Take (Being_Written (Here), Complete (Here));
+      --  the next writer finds an event older than a round
       Put_Round (2 * Capacity);
       Expect (Here + 2 * Capacity, True);
-      --  a late reader does not change a newer one
-      State := 2 * (Here + 100 * Capacity) + 2;
+      --  a late writer does not change a newer one
+      Take (Complete (Here + 2 * Capacity), Complete (Here + 100 * Capacity));
       Put_Round (3 * Capacity);
       Expect (Here + 3 * Capacity, False);
-      Assert (State = 2 * (Here + 100 * Capacity) + 2, "the newer is gone");
+      Ring_Memory.Read (Here, State, After, Item);
+      Assert
+        (State = Complete (Here + 100 * Capacity)
+         and then Item = Marked (Here + 2 * Capacity),
+         "the newer is gone");
    end Test_Overtaken;
 
    procedure Test_Round (T : in out Any_Test) is
       pragma Unreferenced (T);
-      Where : Memory := (others => 0);
-      R      : Ring;
       Item   : Event;
       Found  : Boolean;
-      Number : Unsigned_64;
+      Number : Event_Number;
+      Count  : Event_Number;
+
+      procedure Look (Number, Put_So_Far : Event_Number);
+
+      procedure Look (Number, Put_So_Far : Event_Number) is
+      begin
+         Get (Number, Item, Found);
+         Assert
+           (Found = (Number < Put_So_Far
+                     and then Number + Capacity >= Put_So_Far),
+            "event" & Number'Image & " of" & Put_So_Far'Image);
+         Assert
+           (not Found or else Item = Marked (100 + Number),
+            "another than event" & Number'Image);
+      end Look;
+
    begin
-      Set_Up (R, Where'Address, Capacity);
-      Get (R, 0, Item, Found);
+      Reset;
+      Get (0, Item, Found);
       Assert (not Found, "an event in an empty ring");
-      for Put_So_Far in Unsigned_64 range 1 .. 3 * Capacity + 2 loop
-         Put (R, Marked (100 + Put_So_Far - 1), Number);
+      for Put_So_Far in Event_Number range 1 .. 3 * Capacity + 2 loop
+         Put (Marked (100 + Put_So_Far - 1), Number);
          Assert (Number = Put_So_Far - 1, "number" & Number'Image);
-         Assert (Count (R) = Put_So_Far, "count" & Count (R)'Image);
-         for Number in Unsigned_64 range 0 .. Put_So_Far + Capacity loop
-            Get (R, Number, Item, Found);
-            Assert
-              (Found = (Number < Put_So_Far
-                        and then Number + Capacity >= Put_So_Far),
-               "event" & Number'Image & " of" & Put_So_Far'Image);
-            Assert
-              (not Found or else Item = Marked (100 + Number),
-               "another than event" & Number'Image);
-         end loop;
+         Get_Count (Count);
+         Assert (Count = Put_So_Far, "count" & Count'Image);
+         if Put_So_Far mod 500 = 0 or else Put_So_Far mod Capacity in 0 .. 2
+         then
+            for Number in Event_Number range 0 .. Put_So_Far + Capacity loop
+               Look (Number, Put_So_Far);
+            end loop;
+         end if;
       end loop;
    end Test_Round;
 
@@ -223,43 +241,52 @@ package body Trace.Rings_Tests is
       pragma Unreferenced (T);
       Writers : constant := 4;
       Each    : constant := 1_000_000;
-      Where   : array (1 .. Memory'Length + 8) of Unsigned_64 :=
-        (others => 0);
-      R       : Ring;
+      Near    : constant := 8;
       Seen    : Natural := 0;
       Mixed   : Natural := 0;
       Kept    : Natural := 0;
+      Count   : Event_Number := 0;
 
-      procedure Look (Number : Unsigned_64);
+      procedure Look (Back : Event_Number);
+      --  At event Count - Back
 
-      procedure Look (Number : Unsigned_64) is
+      procedure Look_At_Both_Ends;
+      --  At the newest events, and at the oldest, which are overwritten next
+
+      procedure Look (Back : Event_Number) is
          Item  : Event;
          Found : Boolean;
       begin
-         Get (R, Number, Item, Found);
-         if Found then
-            Seen := Seen + 1;
-            if Item /= Marked (Item.At_Time) then
-               Mixed := Mixed + 1;
+         if Count > Back then
+            Get (Count - Back, Item, Found);
+            if Found then
+               Seen := Seen + 1;
+               if Item /= Marked (Item.At_Time) then
+                  Mixed := Mixed + 1;
+               end if;
             end if;
          end if;
       end Look;
 
+      procedure Look_At_Both_Ends is
+      begin
+         for Back in Event_Number range 1 .. Near loop
+            Get_Count (Count);
+            Look (Back);
+            Get_Count (Count);
+            Look (Capacity - Back);
+         end loop;
+      end Look_At_Both_Ends;
+
    begin
-      --  so that every second slot lies in two lines of the cache: what is
-      --  half written is seen half written
-      for I in 1 .. 8 loop
-         if To_Integer (Where (I)'Address) mod 64 = 16 then
-            Set_Up (R, Where (I)'Address, Capacity);
-         end if;
-      end loop;
+      Reset;
       declare
          task type Writer (Number : Integer);
 
          task body Writer is
          begin
             for I in Unsigned_64 range 1 .. Each loop
-               Put (R, Marked (Unsigned_64 (Number) * 2 ** 32 + I));
+               Put (Marked (Unsigned_64 (Number) * 2 ** 32 + I));
             end loop;
          end Writer;
 
@@ -269,20 +296,14 @@ package body Trace.Rings_Tests is
          Four  : Writer (4);
          pragma Unreferenced (One, Two, Three, Four);
       begin
-         while Count (R) < Writers * Each loop
-            for Back in Unsigned_64 range 1 .. Capacity loop
-               if Count (R) > Back then
-                  Look (Count (R) - Back);
-               end if;
-            end loop;
+         while Count < Writers * Each loop
+            Look_At_Both_Ends;
          end loop;
       end;
-      Assert (Count (R) = Writers * Each, "count" & Count (R)'Image);
+      Assert (Count = Writers * Each, "count" & Count'Image);
       Assert (Seen > 1_000, "the reader saw" & Seen'Image);
       Kept := Seen;
-      for Back in Unsigned_64 range 1 .. Capacity loop
-         Look (Count (R) - Back);
-      end loop;
+      Look_At_Both_Ends;
       Kept := Seen - Kept;
       Assert (Mixed = 0, Mixed'Image & " events mixed of" & Seen'Image);
       Assert (Kept > 0, "nothing is kept");

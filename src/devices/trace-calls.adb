@@ -1,0 +1,161 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with GNAT.OS_Lib;
+with Interfaces.C;            use Interfaces.C;
+with Linux;                   use Linux;
+with System;                  use System;
+with System.Storage_Elements; use System.Storage_Elements;
+
+package body Trace.Calls with
+  SPARK_Mode    => Off,
+  Refined_State => (System_State => null)
+is
+   --  Off: addresses are passed to C
+
+   Monotonic      : constant int := 1;      --  CLOCK_MONOTONIC
+   Time_Shared    : constant int := 0;      --  SCHED_OTHER
+   Start          : constant int := 0;      --  SEEK_SET
+   File_Too_Large : constant int := 25;     --  SIGXFSZ
+   Ignore         : constant Address := To_Address (1);  --  SIG_IGN
+
+   --  Where a result is of no use, a function of C is a procedure here
+
+   procedure Set_Action (Signal : int; Action : Address)
+   with Import, Convention => C, External_Name => "signal";
+
+   procedure Set_Scheduler (Thread, Policy : int; Priority : Address)
+   with Import, Convention => C, External_Name => "sched_setscheduler";
+
+   procedure Get_Time (Clock : int; Now : Address)
+   with Import, Convention => C, External_Name => "clock_gettime";
+
+   procedure Add_To (Counter : int; Value : Unsigned_64)
+   with Import, Convention => C, External_Name => "eventfd_write";
+
+   procedure Take_From (Counter : int; Value : Address)
+   with Import, Convention => C, External_Name => "eventfd_read";
+
+   procedure Poll (Entries : Address; Count : long; Wait_Ms : int)
+   with Import, Convention => C, External_Name => "poll";
+
+   function Open (Path : char_array; Flags : int; Mode : unsigned) return int
+   with Import, Convention => C_Variadic_2, External_Name => "open";
+
+   function Seek (File : int; Place : long; From : int) return long
+   with Import, Convention => C, External_Name => "lseek";
+
+   procedure Unlink (Path : char_array)
+   with Import, Convention => C, External_Name => "unlink";
+
+   procedure Truncate (File : int; Length : long)
+   with Import, Convention => C, External_Name => "ftruncate";
+
+   function Write_At
+     (File : int; Data : Address; Length : size_t; Place : long) return long
+   with Import, Convention => C, External_Name => "pwrite";
+
+   procedure Read_At
+     (File : int; Data : Address; Length : size_t; Place : long)
+   with Import, Convention => C, External_Name => "pread";
+
+   function Outcome_Of (Result : long) return Outcome is
+     (if Result < 0 then -GNAT.OS_Lib.Errno else Outcome (Result));
+
+   procedure Add (Counter : Descriptor) is
+   begin
+      Add_To (int (Counter), 1);
+   end Add;
+
+   procedure Close (File : Descriptor) is
+   begin
+      Linux.Close (int (File));
+   end Close;
+
+   procedure Get_Message (Error : Error_Number; Text : out Texts.Text) is
+   begin
+      Texts.Set (Text, GNAT.OS_Lib.Errno_Message (Error));
+   end Get_Message;
+
+   procedure Get_Time (Nanoseconds : out Unsigned_64) is
+      Now : Time_Spec := (0, 0);
+   begin
+      Get_Time (Monotonic, Now'Address);
+      Nanoseconds := Unsigned_64 (Now.Seconds) * 1_000_000_000
+        + Unsigned_64 (Now.Nanoseconds);
+   end Get_Time;
+
+   procedure Give_Up_Priority is
+      Lowest : constant int := 0;
+   begin
+      Set_Scheduler (0, Time_Shared, Lowest'Address);
+   end Give_Up_Priority;
+
+   procedure Ignore_Size_Signal is
+   begin
+      Set_Action (File_Too_Large, Ignore);
+   end Ignore_Size_Signal;
+
+   procedure Make_Counter (Result : out Outcome) is
+   begin
+      Result := Outcome_Of (long (Event_Counter (0, Event_Non_Blocking)));
+   end Make_Counter;
+
+   procedure Open
+     (Path : Texts.Text; Flags : Open_Flags; Result : out Outcome)
+   is
+      Mode : constant unsigned := 8#644#;
+   begin
+      Result := Outcome_Of
+        (long (Open (To_C (Texts.Image (Path)), int (Flags), Mode)));
+   end Open;
+
+   procedure Read_Events
+     (File : Descriptor; Data : in out Batch; Offset : File_Offset) is
+   begin
+      Read_At (int (File), Data'Address, Batch_Bytes, long (Offset));
+   end Read_Events;
+
+   procedure Remove (Path : Texts.Text) is
+   begin
+      Unlink (To_C (Texts.Image (Path)));
+   end Remove;
+
+   procedure Seek_Start (File : Descriptor; Result : out Outcome) is
+   begin
+      Result := Outcome_Of (Seek (int (File), 0, Start));
+   end Seek_Start;
+
+   procedure Truncate (File : Descriptor; Length : File_Offset) is
+   begin
+      Truncate (int (File), long (Length));
+   end Truncate;
+
+   procedure Wait (Counter : Descriptor; Milliseconds : Natural) is
+      Waited : Poll_Array := (1 => (int (Counter), Poll_In, 0));
+      Value  : Unsigned_64;
+   begin
+      Poll (Waited'Address, 1, int (Milliseconds));
+      Take_From (int (Counter), Value'Address);
+   end Wait;
+
+   procedure Write
+     (File : Descriptor; Data : String; Result : out Outcome) is
+   begin
+      Result := Outcome_Of
+        (long (Linux.Write (int (File), Data'Address, Data'Length)));
+   end Write;
+
+   procedure Write_Events
+     (File   : Descriptor;
+      Data   : Batch;
+      From   : Natural;
+      Length : Natural;
+      Offset : File_Offset;
+      Result : out Outcome) is
+   begin
+      Result := Outcome_Of
+        (Write_At (int (File), Data'Address + Storage_Offset (From),
+                   size_t (Length), long (Offset)));
+   end Write_Events;
+
+end Trace.Calls;
