@@ -2,6 +2,7 @@
 
 with Interfaces.C;    use Interfaces.C;
 with Vision.C_Shapes; use Vision.C_Shapes;
+with Vision.Findings;
 with Vision.Library.Calls;
 
 package body Vision.Library with
@@ -76,7 +77,8 @@ is
       Result := To_Status (Code, Search);
       if Result = Done then
          if Total in 0 .. int (Robot_Count'Last) then
-            Take_Robots (Found, Robot_Count (Total), Robots, Count);
+            Findings.Take_Robots
+              (Found, Robot_Count (Total), Robots, Count);
             if Count = 0 then
                Result := Not_Found;
             end if;
@@ -135,7 +137,7 @@ is
       Calls.Find_Arena (int (In_Slot), Found, Code);
       Result := To_Status (Code, Search);
       if Result = Done then
-         Take_Arena (Found, Arena, Usable);
+         Findings.Take_Arena (Found, Arena, Usable);
          if not Usable then
             Result := Not_Found;
          end if;

@@ -2,7 +2,18 @@
 
 package body Vision.C_Shapes with SPARK_Mode is
 
-   Micro : constant double := 1.0E6;
+   Pixel_Limit  : constant double := 1.0E7;
+   Degree_Limit : constant double := 180.0;
+   Micro        : constant double := 1.0E6;
+
+   function Is_Sound (P : C_Point) return Boolean is
+     (P.X in -Pixel_Limit .. Pixel_Limit
+      and then P.Y in -Pixel_Limit .. Pixel_Limit);
+
+   function Is_Sound (R : C_Robot) return Boolean is
+     (R.Id in int (Identifier'First) .. int (Identifier'Last)
+      and then Is_Sound (R.Centre) and then Is_Sound (R.Direction)
+      and then R.Angle in -Degree_Limit .. Degree_Limit);
 
    function To_Ada (P : C_Point) return Point is
      (X => Micro_Pixels (P.X * Micro), Y => Micro_Pixels (P.Y * Micro));
@@ -12,45 +23,6 @@ package body Vision.C_Shapes with SPARK_Mode is
       Centre    => To_Ada (R.Centre),
       Direction => To_Ada (R.Direction),
       Angle     => Micro_Degrees (R.Angle * Micro));
-
-   procedure Take_Arena
-     (Found : C_Arena; Arena : out Arena_Corners; Usable : out Boolean) is
-   begin
-      Arena := No_Arena;
-      Usable := Is_Sound (Found);
-      if Usable then
-         for C in Corner loop
-            Arena (C) := To_Ada (Found (C));
-            pragma Loop_Invariant
-              (for all D in Corner'First .. C =>
-                 Arena (D) = To_Ada (Found (D)));
-         end loop;
-      end if;
-   end Take_Arena;
-
-   procedure Take_Robots
-     (Found  : C_Robots;
-      Total  : Robot_Count;
-      Robots : out Robot_Array;
-      Count  : out Robot_Count) is
-   begin
-      Robots := (others => <>);
-      Count := 0;
-      for K in 1 .. Total loop
-         if Is_Sound (Found (K)) then
-            Count := Count + 1;
-            Robots (Count) := To_Ada (Found (K));
-         end if;
-         pragma Loop_Invariant (Count <= K);
-         pragma Loop_Invariant
-           ((Count > 0) = (for some L in 1 .. K => Is_Sound (Found (L))));
-         pragma Loop_Invariant
-           (if (for all L in 1 .. K => Is_Sound (Found (L)))
-            then Count = K
-              and then
-                (for all L in 1 .. K => Robots (L) = To_Ada (Found (L))));
-      end loop;
-   end Take_Robots;
 
    function To_C (P : Point) return C_Point is
      (X => double (P.X) / Micro, Y => double (P.Y) / Micro);

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The shapes as in vision_c/vision.h, whose coordinates are numbers with a
---  fraction. What comes from there is not trusted: a shape is used only if its
---  numbers are within their ranges.
+--  The shapes as in vision_c/vision.h, in numbers with a fraction. Those from
+--  there are not trusted: one is converted only if it is within its ranges.
 
 with Interfaces.C;  use Interfaces.C;
 with Vision.Shapes; use Vision.Shapes;
@@ -39,20 +38,14 @@ package Vision.C_Shapes with SPARK_Mode, Pure is
    type C_Areas is array (Area_Array'Range) of C_Area
    with Convention => C;
 
-   Pixel_Limit  : constant double := 1.0E7;
-   Degree_Limit : constant double := 180.0;
-
-   function Is_Sound (P : C_Point) return Boolean is
-     (P.X in -Pixel_Limit .. Pixel_Limit
-      and then P.Y in -Pixel_Limit .. Pixel_Limit);
+   function Is_Sound (P : C_Point) return Boolean;
+   --  Within ten million pixels of the image's corner
 
    function Is_Sound (A : C_Arena) return Boolean is
      (for all P of A => Is_Sound (P));
 
-   function Is_Sound (R : C_Robot) return Boolean is
-     (R.Id in int (Identifier'First) .. int (Identifier'Last)
-      and then Is_Sound (R.Centre) and then Is_Sound (R.Direction)
-      and then R.Angle in -Degree_Limit .. Degree_Limit);
+   function Is_Sound (R : C_Robot) return Boolean;
+   --  An identifier, sound points, and at most 180 degrees
 
    function To_Ada (P : C_Point) return Point
    with Pre => Is_Sound (P);
@@ -60,31 +53,6 @@ package Vision.C_Shapes with SPARK_Mode, Pure is
    function To_Ada (R : C_Robot) return Robot
    with Pre => Is_Sound (R);
    --  Rounded to millionths
-
-   procedure Take_Arena
-     (Found : C_Arena; Arena : out Arena_Corners; Usable : out Boolean)
-   with
-     Post => Usable = Is_Sound (Found)
-       and then
-         (if Usable
-          then (for all C in Corner => Arena (C) = To_Ada (Found (C)))
-          else Arena = No_Arena);
-
-   procedure Take_Robots
-     (Found  : C_Robots;
-      Total  : Robot_Count;
-      Robots : out Robot_Array;
-      Count  : out Robot_Count)
-   with
-     Post => Count <= Total
-       and then (Count > 0) =
-         (for some K in 1 .. Total => Is_Sound (Found (K)))
-       and then
-         (if (for all K in 1 .. Total => Is_Sound (Found (K)))
-          then Count = Total
-            and then
-              (for all K in 1 .. Total => Robots (K) = To_Ada (Found (K))));
-   --  The sound ones of Found (1 .. Total), in their order
 
    function To_C (P : Point) return C_Point;
 
