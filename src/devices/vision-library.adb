@@ -1,110 +1,24 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Interfaces.C; use Interfaces.C;
-with System;
+with Interfaces.C;    use Interfaces.C;
+with Vision.C_Shapes; use Vision.C_Shapes;
+with Vision.Findings;
+with Vision.Library.Calls;
 
-package body Vision.Library with SPARK_Mode => Off is
-
-   --  The types of vision.h
-
-   type C_Point is record
-      X, Y : double;
-   end record
-   with Convention => C;
-
-   type C_Arena is array (Corner) of C_Point
-   with Convention => C;
-
-   type C_Robot is record
-      Id        : int;
-      Centre    : C_Point;
-      Direction : C_Point;
-      Angle     : double;
-   end record
-   with Convention => C;
-
-   type C_Robots is array (Robot_Array'Range) of C_Robot
-   with Convention => C;
-
-   type C_Area is record
-      Centre : C_Point;
-      Reach  : double;
-   end record
-   with Convention => C;
-
-   type C_Areas is array (Area_Array'Range) of C_Area
-   with Convention => C;
-
-   Nowhere : constant C_Point := (0.0, 0.0);
-
-   --  The functions of vision.h
-
-   function C_Open
-     (Source : char_array; Width, Height, Fps : int) return int
-   with Import, Convention => C, External_Name => "vision_open";
-
-   function C_Grab (Slot : int) return int
-   with Import, Convention => C, External_Name => "vision_grab";
-
-   function C_Format return System.Address
-   with Import, Convention => C, External_Name => "vision_format";
-
-   function C_Close return int
-   with Import, Convention => C, External_Name => "vision_close";
-
-   function C_Find_Arena (Slot : int; Arena : in out C_Arena) return int
-   with Import, Convention => C, External_Name => "vision_find_arena";
-
-   function C_Find_Robots
-     (Slot, Marker : int;
-      Arena        : access constant C_Arena;
-      Robots       : in out C_Robots;
-      Capacity     : int;
-      Count        : out int) return int
-   with Import, Convention => C, External_Name => "vision_find_robots";
-
-   function C_Follow_Robots
-     (Slot, Marker : int;
-      Arena        : access constant C_Arena;
-      Areas        : C_Areas;
-      Area_Count   : int;
-      Robots       : in out C_Robots;
-      Capacity     : int;
-      Count        : out int) return int
-   with Import, Convention => C, External_Name => "vision_follow_robots";
-
-   function C_Draw_Arena (Slot : int; Arena : C_Arena) return int
-   with Import, Convention => C, External_Name => "vision_draw_arena";
-
-   function C_Draw_Robot (Slot : int; Item : C_Robot) return int
-   with Import, Convention => C, External_Name => "vision_draw_robot";
-
-   function C_Encode
-     (Slot, Quality : int;
-      Buffer        : System.Address;
-      Capacity      : int;
-      Length        : out int) return int
-   with Import, Convention => C, External_Name => "vision_encode";
-
-   function C_Reason return System.Address
-   with Import, Convention => C, External_Name => "vision_reason";
-
-   function C_Library return System.Address
-   with Import, Convention => C, External_Name => "vision_library";
-
-   procedure Copy_Text
-     (To : in out char_array; From : System.Address; Length : size_t)
-   with Import, Convention => C, External_Name => "strncpy";
-   --  Of the C library: needs no secondary stack, unlike Interfaces.C.Strings
-
-   --  Conversions. vision.h promises finite numbers within the ranges below.
-   --  They are checked nevertheless, since a NaN converts to no integer.
-
-   Pixel_Limit  : constant double := 1.0E7;
-   Degree_Limit : constant double := 180.0;
-   Micro        : constant double := 1.0E6;
+package body Vision.Library with
+  SPARK_Mode,
+  Refined_State => (Camera => Calls.Source,
+                    Frames => Calls.Slots,
+                    Memory => Calls.Notes)
+is
 
    type Status_Set is array (Status) of Boolean;
+
+   Opening : constant Status_Set :=
+     (Done | No_Camera | Bad_Argument | Failed => True, others => False);
+
+   Grabbing : constant Status_Set :=
+     (Done | No_Camera | No_Image | Failed => True, others => False);
 
    Search : constant Status_Set :=
      (Done | Not_Found | Bad_Argument | Failed => True, others => False);
@@ -112,91 +26,67 @@ package body Vision.Library with SPARK_Mode => Off is
    Drawing : constant Status_Set :=
      (Done | Bad_Argument | Failed => True, others => False);
 
+   Encoding : constant Status_Set :=
+     (Done | Too_Small | Bad_Argument | Failed => True, others => False);
+
    function To_Status (Code : int; Possible : Status_Set) return Status is
      (if Code in 0 .. Status'Pos (Status'Last)
         and then Possible (Status'Val (Code))
       then Status'Val (Code) else Failed);
-
-   function Is_Sound (P : C_Point) return Boolean is
-     (P.X'Valid and then P.Y'Valid
-      and then abs P.X <= Pixel_Limit and then abs P.Y <= Pixel_Limit);
-
-   function Is_Sound (R : C_Robot) return Boolean is
-     (R.Id in int (Identifier'First) .. int (Identifier'Last)
-      and then Is_Sound (R.Centre) and then Is_Sound (R.Direction)
-      and then R.Angle'Valid and then abs R.Angle <= Degree_Limit);
-
-   function To_Ada (P : C_Point) return Point is
-     (X => Micro_Pixels (P.X * Micro), Y => Micro_Pixels (P.Y * Micro));
-
-   function To_C (P : Point) return C_Point is
-     (X => double (P.X) / Micro, Y => double (P.Y) / Micro);
-
-   function To_C (A : Arena_Corners) return C_Arena is
-     (To_C (A (Top_Left)), To_C (A (Top_Right)),
-      To_C (A (Bottom_Right)), To_C (A (Bottom_Left)));
+   --  The literals of Status are in the order of vision_status
 
    procedure Copy
-     (From : System.Address; Text : out Reason_Text; Last : out Natural);
-   --  The C string at From, truncated to the length of Text
-
-   No_Robots : constant C_Robots :=
-     (others => (Id        => 0,
-                 Centre    => Nowhere,
-                 Direction => Nowhere,
-                 Angle     => 0.0));
+     (From : Calls.C_Text; Text : out Reason_Text; Last : out Natural)
+   with Post => Last <= Text'Last;
+   --  Up to the first nul
 
    procedure Take
      (Found  : C_Robots;
       Total  : int;
+      Code   : int;
       Robots : out Robot_Array;
       Count  : out Robot_Count;
-      Result : in out Status);
-   --  The robots found, if Result is Done
+      Result : out Status)
+   with
+     Post => Result in Done | Not_Found | Bad_Argument | Failed
+       and then (Result = Done) = (Count > 0);
+   --  The robots of a search that has returned Code
+
+   procedure Copy
+     (From : Calls.C_Text; Text : out Reason_Text; Last : out Natural) is
+   begin
+      Text := (others => ' ');
+      Last := 0;
+      for K in Text'Range loop
+         exit when From (size_t (K)) = nul;
+         Text (K) := To_Ada (From (size_t (K)));
+         Last := K;
+      end loop;
+   end Copy;
 
    procedure Take
      (Found  : C_Robots;
       Total  : int;
+      Code   : int;
       Robots : out Robot_Array;
       Count  : out Robot_Count;
-      Result : in out Status) is
+      Result : out Status) is
    begin
       Robots := (others => <>);
       Count := 0;
-      if Result = Done and then Total not in 0 .. Found'Length then
-         Result := Failed;
-      end if;
+      Result := To_Status (Code, Search);
       if Result = Done then
-         for K in 1 .. Natural (Total) loop
-            if Is_Sound (Found (K)) then
-               Count := Count + 1;
-               Robots (Count) :=
-                 (Id        => Identifier (Found (K).Id),
-                  Centre    => To_Ada (Found (K).Centre),
-                  Direction => To_Ada (Found (K).Direction),
-                  Angle     => Micro_Degrees (Found (K).Angle * Micro));
+         if Total in 0 .. int (Robot_Count'Last) then
+            Findings.Take_Robots
+              (Found, Robot_Count (Total), Robots, Count);
+            if Count = 0 then
+               Result := Not_Found;
             end if;
-         end loop;
-         if Count = 0 then
-            Result := Not_Found;
+         else
+            Result := Failed;
          end if;
       end if;
    end Take;
-
-   procedure Copy
-     (From : System.Address; Text : out Reason_Text; Last : out Natural)
-   is
-      Local : char_array (1 .. Reason_Text'Length) := (others => nul);
-   begin
-      Copy_Text (Local, From, Local'Length);
-      Text := (others => ' ');
-      Last := 0;
-      for Next of Local loop
-         exit when Next = nul;
-         Last := Last + 1;
-         Text (Last) := To_Ada (Next);
-      end loop;
-   end Copy;
 
    procedure Open
      (Source        : String;
@@ -204,33 +94,34 @@ package body Vision.Library with SPARK_Mode => Off is
       Fps           : Positive;
       Result        : out Status)
    is
-      Name  : char_array (0 .. Max_Source) := (others => nul);
-      Count : size_t;
+      Name : Calls.C_Name := (others => nul);
+      Code : int;
    begin
-      To_C (Source, Name, Count);
-      Result := To_Status
-        (C_Open (Name, int (Width), int (Height), int (Fps)),
-         (Done | No_Camera | Bad_Argument | Failed => True,
-          others => False));
+      for K in 1 .. Source'Length loop
+         Name (size_t (K - 1)) := To_C (Source (Source'First + (K - 1)));
+         pragma Loop_Invariant (Name (Name'Last) = nul);
+      end loop;
+      Calls.Open (Name, int (Width), int (Height), int (Fps), Code);
+      Result := To_Status (Code, Opening);
    end Open;
 
    procedure Grab (Into : Slot; Result : out Status) is
+      Code : int;
    begin
-      Result := To_Status
-        (C_Grab (int (Into)),
-         (Done | No_Camera | No_Image | Failed => True, others => False));
+      Calls.Grab (int (Into), Code);
+      Result := To_Status (Code, Grabbing);
    end Grab;
 
    procedure Get_Format (Text : out Reason_Text; Last : out Natural) is
+      Format : Calls.C_Text;
    begin
-      Copy (C_Format, Text, Last);
+      Calls.Get_Format (Format);
+      Copy (Format, Text, Last);
    end Get_Format;
 
    procedure Close is
-      Ignored : int;
-      pragma Unreferenced (Ignored);
    begin
-      Ignored := C_Close;
+      Calls.Close;
    end Close;
 
    procedure Find_Arena
@@ -238,16 +129,16 @@ package body Vision.Library with SPARK_Mode => Off is
       Arena   : out Arena_Corners;
       Result  : out Status)
    is
-      Found : C_Arena := (others => Nowhere);
+      Found  : C_Arena := (others => <>);
+      Code   : int;
+      Usable : Boolean;
    begin
       Arena := No_Arena;
-      Result := To_Status (C_Find_Arena (int (In_Slot), Found), Search);
+      Calls.Find_Arena (int (In_Slot), Found, Code);
+      Result := To_Status (Code, Search);
       if Result = Done then
-         if (for all P of Found => Is_Sound (P)) then
-            for C in Corner loop
-               Arena (C) := To_Ada (Found (C));
-            end loop;
-         else
+         Findings.Take_Arena (Found, Arena, Usable);
+         if not Usable then
             Result := Not_Found;
          end if;
       end if;
@@ -262,17 +153,14 @@ package body Vision.Library with SPARK_Mode => Off is
       Count     : out Robot_Count;
       Result    : out Status)
    is
-      Limit : aliased constant C_Arena := To_C (Arena);
-      Found : C_Robots := No_Robots;
+      Found : C_Robots := (others => <>);
       Total : int;
+      Code  : int;
    begin
-      Result := To_Status
-        (C_Find_Robots
-           (int (In_Slot),
-            Options.Marker_Kind'Pos (Marker),
-            (if Use_Arena then Limit'Access else null),
-            Found, Found'Length, Total), Search);
-      Take (Found, Total, Robots, Count, Result);
+      Calls.Find_Robots
+        (int (In_Slot), Options.Marker_Kind'Pos (Marker),
+         To_C (Arena), Use_Arena, Found, Total, Code);
+      Take (Found, Total, Code, Robots, Count, Result);
    end Find_Robots;
 
    procedure Follow_Robots
@@ -286,22 +174,18 @@ package body Vision.Library with SPARK_Mode => Off is
       Count     : out Robot_Count;
       Result    : out Status)
    is
-      Limit    : aliased constant C_Arena := To_C (Arena);
-      Searched : C_Areas;
-      Found    : C_Robots := No_Robots;
-      Total    : int;
+      Near  : C_Areas := (others => <>);
+      Found : C_Robots := (others => <>);
+      Total : int;
+      Code  : int;
    begin
-      for K in Searched'Range loop
-         Searched (K) :=
-           (To_C (Areas (K).Centre), double (Areas (K).Reach) / Micro);
+      for K in 1 .. Number loop
+         Near (K) := To_C (Areas (K));
       end loop;
-      Result := To_Status
-        (C_Follow_Robots
-           (int (In_Slot),
-            Options.Marker_Kind'Pos (Marker),
-            (if Use_Arena then Limit'Access else null),
-            Searched, int (Number), Found, Found'Length, Total), Search);
-      Take (Found, Total, Robots, Count, Result);
+      Calls.Follow_Robots
+        (int (In_Slot), Options.Marker_Kind'Pos (Marker),
+         To_C (Arena), Use_Arena, Near, int (Number), Found, Total, Code);
+      Take (Found, Total, Code, Robots, Count, Result);
    end Follow_Robots;
 
    procedure Draw_Arena
@@ -309,9 +193,10 @@ package body Vision.Library with SPARK_Mode => Off is
       Arena   : Arena_Corners;
       Result  : out Status)
    is
+      Code : int;
    begin
-      Result := To_Status
-        (C_Draw_Arena (int (In_Slot), To_C (Arena)), Drawing);
+      Calls.Draw_Arena (int (In_Slot), To_C (Arena), Code);
+      Result := To_Status (Code, Drawing);
    end Draw_Arena;
 
    procedure Draw_Robot
@@ -319,14 +204,10 @@ package body Vision.Library with SPARK_Mode => Off is
       Item    : Robot;
       Result  : out Status)
    is
+      Code : int;
    begin
-      Result := To_Status
-        (C_Draw_Robot
-           (int (In_Slot),
-            (Id        => int (Item.Id),
-             Centre    => To_C (Item.Centre),
-             Direction => To_C (Item.Direction),
-             Angle     => double (Item.Angle) / Micro)), Drawing);
+      Calls.Draw_Robot (int (In_Slot), To_C (Item), Code);
+      Result := To_Status (Code, Drawing);
    end Draw_Robot;
 
    procedure Encode
@@ -337,25 +218,32 @@ package body Vision.Library with SPARK_Mode => Off is
       Result  : out Status)
    is
       Written : int;
+      Code    : int;
    begin
-      Result := To_Status
-        (C_Encode (int (From), int (Quality), Buffer'Address,
-                   Buffer'Length, Written),
-         (Done | Too_Small | Bad_Argument | Failed => True, others => False));
-      if Result = Done and then Written not in 1 .. Buffer'Length then
-         Result := Failed;
+      Calls.Encode (int (From), int (Quality), Buffer, Written, Code);
+      Length := 0;
+      Result := To_Status (Code, Encoding);
+      if Result = Done then
+         if Written in 1 .. Buffer'Length then
+            Length := Natural (Written);
+         else
+            Result := Failed;
+         end if;
       end if;
-      Length := (if Result = Done then Natural (Written) else 0);
    end Encode;
 
    procedure Reason (Text : out Reason_Text; Last : out Natural) is
+      Why : Calls.C_Text;
    begin
-      Copy (C_Reason, Text, Last);
+      Calls.Get_Reason (Why);
+      Copy (Why, Text, Last);
    end Reason;
 
    procedure Library_Version (Text : out Reason_Text; Last : out Natural) is
+      Version : Calls.C_Text;
    begin
-      Copy (C_Library, Text, Last);
+      Calls.Get_Version (Version);
+      Copy (Version, Text, Last);
    end Library_Version;
 
 end Vision.Library;

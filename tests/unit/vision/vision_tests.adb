@@ -10,8 +10,10 @@ with Bytes;          use Bytes;
 with Options;
 with Pictures;
 with Scenes;
-with Vision.Library; use Vision.Library;
-with Vision.Shapes;  use Vision.Shapes;
+with Vision.C_Shapes; use Vision.C_Shapes;
+with Vision.Findings; use Vision.Findings;
+with Vision.Library;  use Vision.Library;
+with Vision.Shapes;   use Vision.Shapes;
 
 package body Vision_Tests is
 
@@ -34,6 +36,17 @@ package body Vision_Tests is
    procedure Test_Encode (T : in out Any_Test);
    procedure Test_Open_Failures (T : in out Any_Test);
    procedure Test_Texts (T : in out Any_Test);
+   procedure Test_Ranges (T : in out Any_Test);
+   procedure Test_Unsound_Robots (T : in out Any_Test);
+   procedure Test_Unsound_Arena (T : in out Any_Test);
+
+   Sound : constant C_Robot :=
+     (Id => 7, Centre => (1.5, -2.25), Direction => (3.0, 4.0),
+      Angle => 180.0);
+
+   Sound_In_Ada : constant Robot :=
+     (Id => 7, Centre => (1_500_000, -2_250_000),
+      Direction => (3_000_000, 4_000_000), Angle => 180_000_000);
 
    procedure Open_Scene (Scene : Scenes.Description) is
       Path   : constant String := Pictures.Temporary ("scene.jpg");
@@ -213,6 +226,74 @@ package body Vision_Tests is
       Assert (Last = Text'Last, "a long reason is cut");
    end Test_Texts;
 
+   procedure Test_Ranges (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Least : constant C_Robot :=
+        (0, (-1.0E7, -1.0E7), (-1.0E7, -1.0E7), -180.0);
+      Most  : constant C_Robot :=
+        (999, (1.0E7, 1.0E7), (1.0E7, 1.0E7), 180.0);
+   begin
+      Assert (Is_Sound (Sound) and then To_Ada (Sound) = Sound_In_Ada,
+              "in between");
+      Assert (To_C (Sound_In_Ada) = Sound, "and back");
+      Assert (Is_Sound (Least) and then To_Ada (Least) =
+                (0, (-10 ** 13, -10 ** 13), (-10 ** 13, -10 ** 13),
+                 -180_000_000), "least");
+      Assert (Is_Sound (Most) and then To_Ada (Most) =
+                (999, (10 ** 13, 10 ** 13), (10 ** 13, 10 ** 13),
+                 180_000_000), "most");
+      Assert (To_Ada (C_Point'(0.000_000_6, -0.000_000_4)) = (1, 0),
+              "rounded");
+      Assert (To_C (Area'((1_000_000, 2_000_000), 500_000)) =
+                ((1.0, 2.0), 0.5), "area");
+   end Test_Ranges;
+
+   procedure Test_Unsound_Robots (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Wrong  : constant array (Positive range <>) of C_Robot :=
+        ((-1, Sound.Centre, Sound.Direction, 0.0),
+         (1_000, Sound.Centre, Sound.Direction, 0.0),
+         (int'First, Sound.Centre, Sound.Direction, 0.0),
+         (7, (1.000_000_1E7, 0.0), Sound.Direction, 0.0),
+         (7, (0.0, double'Last), Sound.Direction, 0.0),
+         (7, Sound.Centre, (double'First, 0.0), 0.0),
+         (7, Sound.Centre, (0.0, -1.000_000_1E7), 0.0),
+         (7, Sound.Centre, Sound.Direction, 180.000_1),
+         (7, Sound.Centre, Sound.Direction, double'First));
+      Robots : Robot_Array;
+      Count  : Robot_Count;
+   begin
+      for W of Wrong loop
+         Assert (not Is_Sound (W), "one");
+         Take_Robots ((W, Sound, W, Sound), 4, Robots, Count);
+         Assert (Count = 2 and then Robots (1) = Sound_In_Ada
+                 and then Robots (2) = Sound_In_Ada, "left out");
+         Take_Robots ((W, W, Sound, Sound), 2, Robots, Count);
+         Assert (Count = 0, "none");
+      end loop;
+      Take_Robots ((others => Sound), 4, Robots, Count);
+      Assert (Count = 4, "all");
+      Take_Robots ((others => Sound), 0, Robots, Count);
+      Assert (Count = 0, "of none");
+   end Test_Unsound_Robots;
+
+   procedure Test_Unsound_Arena (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Found  : C_Arena := (others => (1.0, 2.0));
+      Arena  : Arena_Corners;
+      Usable : Boolean;
+   begin
+      Take_Arena (Found, Arena, Usable);
+      Assert (Usable and then
+                Arena = (Corner => (1_000_000, 2_000_000)), "sound");
+      for C in Corner loop
+         Found := (others => (1.0, 2.0));
+         Found (C).Y := double'Last;
+         Take_Arena (Found, Arena, Usable);
+         Assert (not Usable and then Arena = No_Arena, C'Image);
+      end loop;
+   end Test_Unsound_Arena;
+
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Ada side of the vision"));
 
@@ -228,6 +309,11 @@ package body Vision_Tests is
       Register_Routine (T, Test_Open_Failures'Access,
                         "what cannot be opened");
       Register_Routine (T, Test_Texts'Access, "reason and version");
+      Register_Routine (T, Test_Ranges'Access, "numbers within their ranges");
+      Register_Routine (T, Test_Unsound_Robots'Access,
+                        "robots out of range are left out");
+      Register_Routine (T, Test_Unsound_Arena'Access,
+                        "an arena out of range is none");
    end Register_Tests;
 
 end Vision_Tests;

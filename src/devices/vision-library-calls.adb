@@ -1,0 +1,164 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with System; use System;
+
+package body Vision.Library.Calls with
+  SPARK_Mode    => Off,
+  Refined_State => (Source => null, Slots => null, Notes => null)
+is
+
+   function C_Open (Source : C_Name; Width, Height, Fps : int) return int
+   with Import, Convention => C, External_Name => "vision_open";
+
+   function C_Grab (Slot : int) return int
+   with Import, Convention => C, External_Name => "vision_grab";
+
+   function C_Format return Address
+   with Import, Convention => C, External_Name => "vision_format";
+
+   procedure C_Close
+   with Import, Convention => C, External_Name => "vision_close";
+
+   function C_Find_Arena (Slot : int; Arena : in out C_Arena) return int
+   with Import, Convention => C, External_Name => "vision_find_arena";
+
+   function C_Find_Robots
+     (Slot, Marker : int;
+      Arena        : Address;
+      Robots       : in out C_Robots;
+      Capacity     : int;
+      Count        : out int) return int
+   with Import, Convention => C, External_Name => "vision_find_robots";
+
+   function C_Follow_Robots
+     (Slot, Marker : int;
+      Arena        : Address;
+      Areas        : C_Areas;
+      Area_Count   : int;
+      Robots       : in out C_Robots;
+      Capacity     : int;
+      Count        : out int) return int
+   with Import, Convention => C, External_Name => "vision_follow_robots";
+
+   function C_Draw_Arena (Slot : int; Arena : C_Arena) return int
+   with Import, Convention => C, External_Name => "vision_draw_arena";
+
+   function C_Draw_Robot (Slot : int; Item : C_Robot) return int
+   with Import, Convention => C, External_Name => "vision_draw_robot";
+
+   function C_Encode
+     (Slot, Quality : int;
+      Buffer        : Address;
+      Capacity      : int;
+      Length        : out int) return int
+   with Import, Convention => C, External_Name => "vision_encode";
+
+   function C_Reason return Address
+   with Import, Convention => C, External_Name => "vision_reason";
+
+   function C_Library return Address
+   with Import, Convention => C, External_Name => "vision_library";
+
+   procedure Copy (To : out C_Text; From : Address; Length : size_t)
+   with Import, Convention => C, External_Name => "strncpy";
+   --  Of the C library: fills with nul
+
+   --  A NaN or an infinity converts to no integer, and SPARK knows of none:
+   --  out of range instead
+
+   function Numbers (P : C_Point) return C_Point is
+     ((if P.X'Valid then P.X else double'Last),
+      (if P.Y'Valid then P.Y else double'Last));
+
+   function Numbers (R : C_Robot) return C_Robot is
+     (R.Id, Numbers (R.Centre), Numbers (R.Direction),
+      (if R.Angle'Valid then R.Angle else double'Last));
+
+   procedure Open (Name : C_Name; Width, Height, Fps : int; Code : out int) is
+   begin
+      Code := C_Open (Name, Width, Height, Fps);
+   end Open;
+
+   procedure Grab (Into : int; Code : out int) is
+   begin
+      Code := C_Grab (Into);
+   end Grab;
+
+   procedure Get_Format (Text : out C_Text) is
+   begin
+      Copy (Text, C_Format, Text'Length);
+   end Get_Format;
+
+   procedure Close renames C_Close;
+
+   procedure Find_Arena
+     (In_Slot : int; Arena : in out C_Arena; Code : out int) is
+   begin
+      Code := C_Find_Arena (In_Slot, Arena);
+      for P of Arena loop
+         P := Numbers (P);
+      end loop;
+   end Find_Arena;
+
+   procedure Find_Robots
+     (In_Slot, Marker : int;
+      Arena           : C_Arena;
+      Use_Arena       : Boolean;
+      Robots          : in out C_Robots;
+      Count, Code     : out int) is
+   begin
+      Code := C_Find_Robots
+        (In_Slot, Marker, (if Use_Arena then Arena'Address else Null_Address),
+         Robots, Robots'Length, Count);
+      for R of Robots loop
+         R := Numbers (R);
+      end loop;
+   end Find_Robots;
+
+   procedure Follow_Robots
+     (In_Slot, Marker : int;
+      Arena           : C_Arena;
+      Use_Arena       : Boolean;
+      Areas           : C_Areas;
+      Number          : int;
+      Robots          : in out C_Robots;
+      Count, Code     : out int) is
+   begin
+      Code := C_Follow_Robots
+        (In_Slot, Marker, (if Use_Arena then Arena'Address else Null_Address),
+         Areas, Number, Robots, Robots'Length, Count);
+      for R of Robots loop
+         R := Numbers (R);
+      end loop;
+   end Follow_Robots;
+
+   procedure Draw_Arena (In_Slot : int; Arena : C_Arena; Code : out int) is
+   begin
+      Code := C_Draw_Arena (In_Slot, Arena);
+   end Draw_Arena;
+
+   procedure Draw_Robot (In_Slot : int; Item : C_Robot; Code : out int) is
+   begin
+      Code := C_Draw_Robot (In_Slot, Item);
+   end Draw_Robot;
+
+   procedure Encode
+     (From, Quality : int;
+      Buffer        : in out Bytes.Byte_Array;
+      Length        : out int;
+      Code          : out int) is
+   begin
+      Code := C_Encode (From, Quality, Buffer'Address, Buffer'Length, Length);
+   end Encode;
+
+   procedure Get_Reason (Text : out C_Text) is
+   begin
+      Copy (Text, C_Reason, Text'Length);
+   end Get_Reason;
+
+   procedure Get_Version (Text : out C_Text) is
+   begin
+      Copy (Text, C_Library, Text'Length);
+   end Get_Version;
+
+end Vision.Library.Calls;
