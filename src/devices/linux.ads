@@ -22,10 +22,6 @@ package Linux with SPARK_Mode => Off is
      with Convention => C;
 
    Poll_In      : constant short := 16#0001#;
-   Poll_Out     : constant short := 16#0004#;
-   Poll_Error   : constant short := 16#0008#;
-   Poll_Hang_Up : constant short := 16#0010#;
-   Poll_Peer_Closed : constant short := 16#2000#;  --  POLLRDHUP
 
    type Time_Spec is record
       Seconds     : long;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Calls of libraries for the listening socket: each makes one, once, and
---  returns what it returned.
+--  The listening socket: made by GNAT.Sockets; for all else a call of the C
+--  library each, once, which returns what it returned.
 
 with Admission.Packet_Filters;
 with Admission.Socket_Addresses;
