@@ -4,16 +4,24 @@
 --  wakes up every few milliseconds, with a priority above the supervisor's if
 --  permitted.
 
+with Instants; use Instants;
+
 package Standstills is
 
-   procedure Watch;
-   --  Starts the measurement, until the end of the program
+   procedure Watch (Turn : Positive := 5);
+   --  Starts the measurement, until the end of the program: a look each Turn
+   --  milliseconds
 
    procedure Forget;
    --  Discards the measurements so far
 
    function Longest return Duration;
    --  The longest stall of a processor since Forget; 0.0 without Watch
+
+   function Within (From, To : Instant) return Duration;
+   --  For how much of that time a processor may have stood still: between two
+   --  looks that were half a millisecond further apart than they should. Only
+   --  of the newest stalls, thousands of them
 
    Too_Long : constant Duration := 0.02;
    Too_Much : constant Duration := 0.05;
