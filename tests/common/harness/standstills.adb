@@ -1,9 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Detects stalls of this machine's processors.
 
+with Interfaces.C; use type Interfaces.C.int;
 with System.Multiprocessors.Dispatching_Domains;
 
 with Host_Time;
+with Libc;
 with Own_Process;
 
 package body Standstills is
@@ -80,7 +82,7 @@ package body Standstills is
          when Dispatching_Domains.Dispatching_Domain_Error =>
             null;  --  it may not run there: it stays where it is
       end;
-      Own_Process.Prefer_Real_Time (True);
+      Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
       loop
          Before := Now;
          delay Span;

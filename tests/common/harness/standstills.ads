@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Detects stalls of this machine's processors, whatever their cause: the host
 --  of a virtual machine or a limit on a container. A thread on each processor
---  wakes up every few milliseconds, with a priority above the supervisor's if
---  permitted.
+--  wakes up every few milliseconds, with a priority above the supervisor's
+--  and those of what drives it, if permitted.
 
 with Instants; use Instants;
 
