@@ -106,8 +106,8 @@ package body Deadline_Times is
       Broken    : Natural := 0;
       --  of these, ended by something that did not come
       Orders    : Natural := 0;
-      Failed    : Natural := 0;
-      --  of these, without the answer that they should have
+      Robots    : Natural := 0;
+      --  lost: an order did not have the answer that it should
       Windows   : Natural := 0;
       --  of the watchdog, missed by a reload
       Reloads   : Natural := 0;
@@ -127,9 +127,11 @@ package body Deadline_Times is
       Spans    : in out Span_Vectors.Vector;
       Sent     : in out Sending_Vectors.Vector;
       Found    : in out Arrival_Vectors.Vector;
+      Sound    : out Boolean;
       Count    : in out Tally);
    --  A session, from its connection to its loss. Found: what came to the
-   --  monitor from when on all was under way
+   --  monitor from when on all was under way. Sound: the robot was not lost,
+   --  which ends it
 
    procedure Lose (R : in out Rig; Number : Natural);
 
@@ -137,6 +139,7 @@ package body Deadline_Times is
      (Journal : Emulators.Notes;
       Sent    : Sending_Vectors.Vector;
       Lost    : Instant;
+      Sound   : Boolean;
       Spans   : in out Span_Vectors.Vector;
       Start   : out Instant;
       Count   : in out Tally);
@@ -200,6 +203,7 @@ package body Deadline_Times is
       Spans    : in out Span_Vectors.Vector;
       Sent     : in out Sending_Vectors.Vector;
       Found    : in out Arrival_Vectors.Vector;
+      Sound    : out Boolean;
       Count    : in out Tally)
    is
       Begun  : constant Instant := Now;
@@ -219,16 +223,26 @@ package body Deadline_Times is
          Time := Now;
          R.Monitor.Send_Line (Command);
          Item := R.Monitor.Next_Answer (Patience, Command);
-         Sent.Append ((Time, Item.Time, To_Unbounded_String (Wire)));
          Count.Orders := Count.Orders + 1;
          if Item.Label /= Wanted then
-            Count.Failed := Count.Failed + 1;
-         elsif Wire = "" then
+            Sound := False;
+            --  what the watch for stand-stills has yet to notice
+            delay 0.1;
+            Reports.Put_Note
+              ("session" & Count.Sessions'Image & ": " & Command
+               & " answered by " & Item.Label & ", of "
+               & Milliseconds (Item.Time - Time) & " stood still: "
+               & Milliseconds (Standstills.Within (Time, Item.Time)));
+            return;
+         end if;
+         Sent.Append ((Time, Item.Time, To_Unbounded_String (Wire)));
+         if Wire = "" then
             Spans.Append ((Own_Answer, Time, Item.Time));
          end if;
       end Ask;
 
    begin
+      Sound := True;
       Connect (R);
       R.Monitor.Send_Line ("what");
       Spans.Append
@@ -238,7 +252,7 @@ package body Deadline_Times is
       Missed := R.Emulator.Status_Number ("missed_total");
       First := R.Monitor.Count + 1;
       Due := Now;
-      while Now < End_Time loop
+      while Sound and then Now < End_Time loop
          Number := Number + 1;
          declare
             Value : constant String := Image (1 + Number mod 9_000);
@@ -257,14 +271,18 @@ package body Deadline_Times is
            (Now, Due + Command_Interval + 0.01 * Duration (Random (Source)));
          delay Due - Now;
       end loop;
-      Count.Windows := Count.Windows
-        + R.Emulator.Status_Number ("missed_total") - Missed;
+      if Sound then
+         Count.Windows := Count.Windows
+           + R.Emulator.Status_Number ("missed_total") - Missed;
+      else
+         Count.Robots := Count.Robots + 1;
+      end if;
       delay Command_Interval;
       for Place in First .. R.Monitor.Count loop
          Found.Append
            ((R.Monitor.Element (Place).Time, R.Monitor.Element (Place).Label));
       end loop;
-      if Number mod 2 = 0 then
+      if Sound and then Number mod 2 = 0 then
          --  while an order is under way
          R.Monitor.Send_Line ("RMOV:9001");
          delay 0.015 * Duration (Random (Source));
@@ -276,6 +294,7 @@ package body Deadline_Times is
      (Journal : Emulators.Notes;
       Sent    : Sending_Vectors.Vector;
       Lost    : Instant;
+      Sound   : Boolean;
       Spans   : in out Span_Vectors.Vector;
       Start   : out Instant;
       Count   : in out Tally)
@@ -314,7 +333,9 @@ package body Deadline_Times is
             Place := Place + 1;
          elsif Item.Command = "W" then
             Start := Answer;
-         elsif Item.Command = "w" and then Item.First < Lost then
+         elsif Item.Command = "w" and then Item.First < Lost
+           and then (Sound or else Place <= Sent.Last_Index)
+         then
             Reloads := Reloads + 1;
             Turn := Natural ((Item.First - Start) / Reload_Period);
             Due := Start + Turn * Reload_Period;
@@ -322,7 +343,7 @@ package body Deadline_Times is
               ((Reload, Instant'Min (Due, Item.First),
                 Instant'Max (Due, Item.First)));
          elsif Item.Command = "M=0" and then Item.First >= Lost
-           and then not Stopped
+           and then Sound and then not Stopped
          then
             Stopped := True;
             Spans.Append ((Monitor_Lost, Lost, Item.Last));
@@ -330,6 +351,9 @@ package body Deadline_Times is
          Free := Answer;
       end loop;
       Check (Start /= Never, "no start on the line");
+      if not Sound then
+         return;
+      end if;
       Count.Stops := Count.Stops + Boolean'Pos (not Stopped);
       --  those that were due, but for one that may be on its way
       Turn := Natural
@@ -444,18 +468,22 @@ package body Deadline_Times is
          Sent  : Sending_Vectors.Vector;
          Found : Arrival_Vectors.Vector;
          Start : Instant;
+         Sound : Boolean;
       begin
          R.Emulator.Clear_Journal;
          Drive
            (R,
             Instant'Min
               (End_Time, Now + 10.0 + 10.0 * Duration (Random (Source))),
-            Spans, Sent, Found, Count);
+            Spans, Sent, Found, Sound, Count);
          --  the stop, and what the watch for stand-stills has yet to notice
          delay 0.5;
          Look_At_Line
-           (R.Emulator.Journal, Sent, R.Monitor.Left_At, Spans, Start, Count);
-         Look_At_Messages (Found, Start, Spans, Count);
+           (R.Emulator.Journal, Sent, R.Monitor.Left_At, Sound, Spans, Start,
+            Count);
+         if Sound then
+            Look_At_Messages (Found, Start, Spans, Count);
+         end if;
          Note (Spans, Times, Deadlines);
       end Run_Session;
 
@@ -464,7 +492,7 @@ package body Deadline_Times is
         ("deadlines", "from end to end, between the monitor's socket and the"
          & " robot's line");
       if not Watched then
-         Standstills.Watch (Turn => 1);
+         Standstills.Watch (Turn => 1, Lines => True);
          Watched := True;
       end if;
       Standstills.Forget;
@@ -517,7 +545,7 @@ package body Deadline_Times is
       Put ("sessions", Count.Sessions);
       Put ("sessions that broke off", Count.Broken, 0);
       Put ("orders", Count.Orders);
-      Put ("orders without their answer", Count.Failed, 0);
+      Put ("sessions in which the robot was lost", Count.Robots, 0);
       Put ("stops after a loss that did not come", Count.Stops, 0);
       Put ("reloads that did not come", Count.Reloads, 0);
       Put ("windows of the watchdog missed", Count.Windows, 0);
@@ -526,8 +554,12 @@ package body Deadline_Times is
         ("longest stand-still of a processor",
          1.0E6 * Float (Standstills.Longest), "us");
       Taken := Host_Time.Taken - Host;
+      Reports.Put_Number
+        ("longest way of a byte through another pseudo-terminal",
+         1.0E6 * Float (Standstills.Longest_Line), "us");
       Reports.Put_Number ("time that the host took", Float (Taken), "s");
       Stood_Still := Standstills.Longest >= Standstills.Too_Long
+        or else Standstills.Longest_Line >= Standstills.Too_Long
         or else Taken >= Standstills.Too_Much;
       Reports.End_Section;
    end Report;

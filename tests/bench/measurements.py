@@ -163,7 +163,9 @@ def load(folder: Path, runs: list[tuple[Path, Path]], hour: Path) -> Results:
     return {
         "run": [Run(path, f"run {number}") for number, (path, _) in numbered],
         "user": [
-            Run(of_user, f"user {n}") for n, (_, of_user) in numbered if of_user.exists()
+            Run(of_user, f"user {n}")
+            for n, (_, of_user) in numbered
+            if of_user.exists()
         ],
         "hour": [Run(hour, "the hour")],
     }

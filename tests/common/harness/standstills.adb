@@ -7,6 +7,8 @@ with System.Multiprocessors.Dispatching_Domains;
 with Host_Time;
 with Libc;
 with Own_Process;
+with Polls;
+with Pseudo_Terminals;
 
 package body Standstills is
 
@@ -22,7 +24,7 @@ package body Standstills is
 
    type Stall_Array is array (Stall_Number) of Stall;
 
-   protected Record_Of_All is
+   protected type Stall_Record is
       procedure Add (Gap : Duration; Item : Stall);
       procedure Clear;
       function Longest return Duration;
@@ -32,13 +34,19 @@ package body Standstills is
       Worst  : Duration := 0.0;
       Stalls : Stall_Array;
       Place  : Stall_Number := 0;
-   end Record_Of_All;
+   end Stall_Record;
+
+   Of_Processors, Of_Lines : Stall_Record;
 
    task type Watcher (Processor : CPU; Turn : Positive);
 
    type Watcher_Access is access Watcher;
 
-   protected body Record_Of_All is
+   task type Line_Watcher (Turn : Positive);
+
+   type Line_Watcher_Access is access Line_Watcher;
+
+   protected body Stall_Record is
 
       procedure Add (Gap : Duration; Item : Stall) is
       begin
@@ -69,7 +77,7 @@ package body Standstills is
          return Result;
       end Next_After;
 
-   end Record_Of_All;
+   end Stall_Record;
 
    task body Watcher is
       Span   : constant Duration := Duration (Turn) / 1_000;
@@ -87,13 +95,43 @@ package body Standstills is
          Before := Now;
          delay Span;
          Time := Now;
-         Record_Of_All.Add (Time - Before - Span, (Before, Time));
+         Of_Processors.Add (Time - Before - Span, (Before, Time));
       end loop;
    end Watcher;
 
-   procedure Watch (Turn : Positive := 5) is
-      Unused : Watcher_Access;
+   task body Line_Watcher is
+      Line   : Pseudo_Terminals.Line;
+      Open   : Boolean;
+      Byte   : aliased Character := 'x';
+      Before : Instant;
+      Time   : Instant;
+      Unused : Interfaces.C.long;
    begin
+      Pseudo_Terminals.Open (Line, Open);
+      Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
+      if Open then
+         loop
+            Before := Now;
+            Unused := Libc.Write
+              (Pseudo_Terminals.Device_End (Line), Byte'Address, 1);
+            if Polls.Is_Readable (Pseudo_Terminals.Robot_End (Line), 10.0) then
+               Time := Now;
+               Unused := Libc.Read
+                 (Pseudo_Terminals.Robot_End (Line), Byte'Address, 1);
+               Of_Lines.Add (Time - Before, (Before, Time));
+            end if;
+            delay Duration (Turn) / 1_000;
+         end loop;
+      end if;
+   end Line_Watcher;
+
+   procedure Watch (Turn : Positive := 5; Lines : Boolean := False) is
+      Unused  : Watcher_Access;
+      Unused2 : Line_Watcher_Access;
+   begin
+      if Lines then
+         Unused2 := new Line_Watcher (Turn);
+      end if;
       for Processor in 1 .. Number_Of_CPUs loop
          Unused := new Watcher (Processor, Turn);
       end loop;
@@ -101,18 +139,28 @@ package body Standstills is
 
    procedure Forget is
    begin
-      Record_Of_All.Clear;
+      Of_Processors.Clear;
+      Of_Lines.Clear;
    end Forget;
 
-   function Longest return Duration is (Record_Of_All.Longest);
+   function Longest return Duration is (Of_Processors.Longest);
+
+   function Longest_Line return Duration is (Of_Lines.Longest);
 
    function Within (From, To : Instant) return Duration is
       Time   : Instant := From;
       Item   : Stall;
+      Other  : Stall;
       Result : Duration := 0.0;
    begin
       loop
-         Item := Record_Of_All.Next_After (Time);
+         Item := Of_Processors.Next_After (Time);
+         Other := Of_Lines.Next_After (Time);
+         if Item.To = Never
+           or else (Other.To /= Never and then Other.From < Item.From)
+         then
+            Item := Other;
+         end if;
          exit when Item.To = Never or else Item.From >= To;
          Time := Instant'Max (Time, Item.From);
          Result := Result + (Instant'Min (To, Item.To) - Time);
