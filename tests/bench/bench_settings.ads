@@ -11,6 +11,15 @@ package Bench_Settings is
    Seconds : Positive := 60;
    --  of each measurement that lasts
 
+   function Short_Seconds return Positive is (Integer'Min (Seconds, 120));
+   --  of one that keeps too much for hours
+
+   As_Service : Boolean := False;
+   --  the supervisor runs as its unit runs it, in the sections that can
+
+   Only_Checked : Boolean := False;
+   --  deadlines end to end alone, and the program fails if one is missed
+
    Trace_File : Unbounded_String;
    --  whose responses are asked for, "" for one that is made
 

@@ -7,12 +7,15 @@ with Ada.Exceptions;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
+with Interfaces.C;         use Interfaces.C;
 
 with Bench_Settings;
 with Both_Ends;
 with Child_Processes;
+with Deadline_Times;
 with Expectations;
 with Full_Load;
+with Libc;
 with Machines;
 with Option_Readers;        use Option_Readers;
 with Order_Times;
@@ -34,6 +37,13 @@ procedure Destijl_Bench is
    Wanted : array (Section) of Boolean := (others => False);
    Folder : Unbounded_String;
 
+   All_Kept    : Boolean := True;
+   --  what is demanded of every single case
+   Stood_Still : Boolean := False;
+
+   function Attempts return Positive is
+     (if Bench_Settings.Only_Checked then 3 else 1);
+
    procedure Read_Command_Line;
 
    procedure Print_Usage (To : File_Type);
@@ -54,6 +64,12 @@ procedure Destijl_Bench is
       Put_Line (To, "   --samples N   of each distribution (2000)");
       Put_Line (To, "   --seconds N   of each measurement that lasts (60)");
       Put_Line (To, "   --quick       200 samples, 10 seconds");
+      Put_Line (To, "   --service     load, tasks, responses: as the unit");
+      Put_Line (To, "                 starts it; the last from end to end,");
+      Put_Line (To, "                 too; tasks, traces two minutes at most");
+      Put_Line (To, "   --check       the same, responses from end to end");
+      Put_Line (To, "                 alone: fails if what is demanded of");
+      Put_Line (To, "                 every single case is missed");
       Put_Line (To, "   --out FOLDER  for JSON and plots (a temporary one)");
       Put_Line (To, "   --file TRACE  for responses (one is made)");
       Put_Line (To, "   --supervisor PATH, --emulator PATH");
@@ -67,6 +83,11 @@ procedure Destijl_Bench is
             Bench_Settings.Seconds := Number;
          elsif Name = "--samples" then
             Bench_Settings.Sample_Count := Number;
+         elsif Name = "--service" then
+            Bench_Settings.As_Service := True;
+         elsif Name = "--check" then
+            Bench_Settings.As_Service := True;
+            Bench_Settings.Only_Checked := True;
          elsif Name = "--quick" then
             Bench_Settings.Seconds := 10;
             Bench_Settings.Sample_Count := 200;
@@ -85,6 +106,12 @@ procedure Destijl_Bench is
             Refuse;
          end if;
       end loop;
+      if Bench_Settings.As_Service
+        and then (Libc.Geteuid /= 0
+                  or else not Own_Process.Real_Time_Allowed)
+      then
+         raise Bad_Usage with "--service is for root";
+      end if;
       if Wanted = (Section => False) then
          Wanted := (others => True);
       end if;
@@ -103,7 +130,9 @@ procedure Destijl_Bench is
          when Load    => Full_Load.Report;
          when Tasks   => Full_Load.Report_Tasks;
          when Responses =>
-            Trace_Responses.Report (To_String (Bench_Settings.Trace_File));
+            if not Bench_Settings.Only_Checked then
+               Trace_Responses.Report (To_String (Bench_Settings.Trace_File));
+            end if;
       end case;
    end Run;
 
@@ -126,11 +155,20 @@ begin
       if Wanted (Which) then
          Next_One := Which;
          Expectations.Measure_Calmly (Run_Next'Access);
+         if Which = Responses and then Bench_Settings.As_Service then
+            --  once, for it may take hours; a short check again where the
+            --  machine stood still
+            for Attempt in 1 .. Attempts loop
+               Deadline_Times.Report (All_Kept, Stood_Still);
+               exit when All_Kept or else not Stood_Still;
+            end loop;
+         end if;
       end if;
    end loop;
    Reports.Close;
    Programs.Remove_Temporary_Folder;
-   GNAT.OS_Lib.OS_Exit (0);
+   GNAT.OS_Lib.OS_Exit
+     (if Bench_Settings.Only_Checked and then not All_Kept then 1 else 0);
 
 exception
    when Problem : Bad_Usage =>

@@ -15,15 +15,23 @@ with Plain_Numbers;         use Plain_Numbers;
 with Reports;
 with Rigs;                  use Rigs;
 with Samples;
+with Service_Starts;
 with Single_Commands;
 with Task_Times;
 
 package body Full_Load is
 
-   procedure Measure (Baud : Natural; Tasks : Boolean := False);
+   procedure Measure
+     (Baud    : Natural;
+      Tasks   : Boolean  := False;
+      Seconds : Positive := Bench_Settings.Seconds);
    --  Tasks: the processor time of the tasks instead of the delays
 
-   procedure Measure (Baud : Natural; Tasks : Boolean := False) is
+   procedure Measure
+     (Baud    : Natural;
+      Tasks   : Boolean  := False;
+      Seconds : Positive := Bench_Settings.Seconds)
+   is
       use Ada.Numerics.Float_Random;
 
       Answer_Bytes : constant := 3;
@@ -59,7 +67,7 @@ package body Full_Load is
       Missed    : Natural;
 
       Journal   : Emulators.Notes;
-      Sent      : array (1 .. 4 * 100 * Bench_Settings.Seconds) of Sending;
+      Sent      : array (1 .. 4 * 100 * Seconds) of Sending;
       Sent_Last : Natural := 0;
 
       procedure Ask_And_Note (Command : String; Wire : String);
@@ -196,7 +204,11 @@ package body Full_Load is
    begin
       Assemble
         (R, Camera => True,
-         Emulator_Options => "--baud " & Image (Baud));
+         Emulator_Options => "--baud " & Image (Baud),
+         Supervisor_Options => Service_Starts.Options,
+         Launcher => Service_Starts.Launcher,
+         Program => Service_Starts.Program);
+      Service_Starts.Look_At (R.Supervisor);
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
       Load.Start;
@@ -210,7 +222,7 @@ package body Full_Load is
          Task_Times.Start (R.Supervisor.Pid);
       end if;
       Start := Now;
-      while Now - Start < Duration (Bench_Settings.Seconds) loop
+      while Now - Start < Duration (Seconds) loop
          Amount := Amount + 1;
          declare
             Value : constant String := Image (1 + Amount mod 9_000);
@@ -292,7 +304,10 @@ package body Full_Load is
       Reports.Begin_Section
         ("tasks", "what one activity of a task takes under that load, and"
          & " for single commands");
-      Measure (Baud => 9_600, Tasks => True);
+      Measure
+        (Baud    => 9_600,
+         Tasks   => True,
+         Seconds => Bench_Settings.Short_Seconds);
       Single_Commands.Measure_Tasks;
       Task_Times.Print;
       Reports.End_Section;

@@ -1,11 +1,12 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
 """The tables of docs/measurements.md, from the results of script/bench.
 
-usage: script/bench --docs FOLDER ... | --check
+usage: script/bench --docs FOLDER ... | --hour FOLDER | --check
 
 Each FOLDER is of one run, with its bench.json, and user/bench.json of the same
-as an ordinary user. The results are kept in tests/bench/results, the page is
-written anew from them. --check fails if the page is not what they make."""
+as an ordinary user; that of --hour is of an hour as the service. The results
+are kept in tests/bench/results, the page is written anew from them. --check
+fails if the page is not what they make."""
 
 import difflib
 import json
@@ -19,9 +20,10 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "measurements.md"
 RESULTS = ROOT / "tests" / "bench" / "results"
+HOUR = RESULTS / "hour.json"
 
-MACHINE = "machine"
-#  The table of the facts of each run
+MACHINE = {"machine": ("run", "user"), "hour-machine": ("hour",)}
+#  The tables of the facts of each run of these kinds
 
 Row = dict[str, Any]
 
@@ -33,12 +35,14 @@ class Wrong(Exception):
 @dataclass
 class Table:
     """Rows of these sections, whose names match; a line for each figure that a
-    row has, a column for each run: those as root, or those as a user."""
+    row has, a column for each run of that kind. wide: a line for each row, a
+    column for each figure, and no goals, whose figures must be among them."""
 
     sections: tuple[str, ...]
     figures: tuple[str, ...]
     names: str = ".*"
-    user: bool = False
+    kind: str = "run"
+    wide: bool = False
 
 
 ORDERS = ("orders", "answers")
@@ -47,14 +51,15 @@ P99 = ("p99_ratio", "p99", "floor_p99")
 P999 = ("p999_ratio", "p999", "floor_p999")
 PLAIN = r"(order|answer), (?!.*(relay|--trace|default gap)).*"
 RELAY = ".*, to the relay"
+FEATURE = r"F\d+ .*"
 
 TABLES = {
     "ratios": Table(ORDERS, ("median_ratio", "p99_ratio"), PLAIN),
     "times": Table(ORDERS, ("median", "floor_median", "p99", "floor_p99"), PLAIN),
     "relay": Table(ORDERS, ("median_ratio",), RELAY),
     "silent": Table(ORDERS, ("p999", "max", "value"), ".*stop.*|.*default gap"),
-    "user": Table(ORDERS, ("median_ratio", "p99_ratio", "p99"), PLAIN, user=True),
-    "user-relay": Table(ORDERS, ("median_ratio",), RELAY, user=True),
+    "user": Table(ORDERS, ("median_ratio", "p99_ratio", "p99"), PLAIN, kind="user"),
+    "user-relay": Table(ORDERS, ("median_ratio",), RELAY, kind="user"),
     "periods": Table(("periods",), (*P999, *MEDIANS), ".*, to cyclictest"),
     "line": Table(("periods",), ("p999_ratio", "floor_p999"), ".*with a line"),
     "start": Table(
@@ -86,9 +91,34 @@ TABLES = {
     "load": Table(("load",), ("median", "p99", "p999", "value")),
     "responses": Table(("responses",), ("max", "value")),
     "tasks": Table(("tasks",), ("n", "p999", "value")),
+    "hour-times": Table(
+        ("deadlines",), ("n", "median", "p99", "p999", "max"), FEATURE, "hour", True
+    ),
+    "hour-bounds": Table(
+        ("deadlines",), ("bound", "longer", "longer_ran"), FEATURE, "hour", True
+    ),
+    "hour-deadlines": Table(
+        ("deadlines",), ("limit", "of", "missed", "missed_ran"), FEATURE, "hour", True
+    ),
+    "hour-numbers": Table(("deadlines",), ("value",), "(?!F).*", "hour"),
+    "hour-responses": Table(("responses",), ("n", "max", "value"), kind="hour"),
+    "hour-tasks": Table(("tasks",), ("n", "p999", "value"), kind="hour"),
 }
 
-LABELS = {"p999": "p99.9", "max": "longest", "n": "samples"}
+LABELS = {
+    "p999": "p99.9",
+    "max": "longest",
+    "n": "samples",
+    "longer": "longer",
+    "longer_ran": "longer without stand-stills",
+    "limit": "demanded",
+    "of": "of",
+    "missed": "longer",
+    "missed_ran": "longer without stand-stills",
+}
+
+COUNTS = ("n", "longer", "longer_ran", "of", "missed", "missed_ran")
+#  Figures without a unit
 
 
 class Run:
@@ -106,6 +136,9 @@ class Run:
                     continue
                 if row["name"] in rows:
                     raise Wrong(f"{path}: {section['name']}: {row['name']} twice")
+                if "missed" in row:
+                    every = "missed_ran" in row["goals"]
+                    row["of"] = "every one" if every else "99.9 %"
                 rows[row["name"]] = row
         self.facts: dict[str, str] = read
 
@@ -118,35 +151,42 @@ class Run:
         }
 
 
-Results = tuple[list[Run], list[Run]]
-#  As root, as an ordinary user
+Results = dict[str, list[Run]]
+#  As root: run, as an ordinary user: user, an hour as the service: hour
 
 
-def load(folder: Path, runs: list[tuple[Path, Path]]) -> Results:
+def load(folder: Path, runs: list[tuple[Path, Path]], hour: Path) -> Results:
     """The runs in these files; those of an ordinary user where there are."""
     if not runs:
         raise Wrong(f"{folder}: no results")
     numbered = list(enumerate(runs, 1))
-    return (
-        [Run(path, f"run {number}") for number, (path, _) in numbered],
-        [Run(of_user, f"user {n}") for n, (_, of_user) in numbered if of_user.exists()],
-    )
+    return {
+        "run": [Run(path, f"run {number}") for number, (path, _) in numbered],
+        "user": [
+            Run(of_user, f"user {n}")
+            for n, (_, of_user) in numbered
+            if of_user.exists()
+        ],
+        "hour": [Run(hour, "the hour")],
+    }
 
 
-def recorded() -> Results:
+def recorded(hour: Path = HOUR) -> Results:
     paths = sorted(RESULTS.glob("run*.json"))
     files = [path for path in paths if "-" not in path.name]
-    return load(RESULTS, [(path, of_user(path)) for path in files])
+    return load(RESULTS, [(path, of_user(path)) for path in files], hour)
 
 
 def of_user(path: Path) -> Path:
     return path.with_name(path.stem + "-user.json")
 
 
-def shown(value: float, figure: str, unit: str) -> str:
+def shown(value: float | str, figure: str, unit: str) -> str:
     """With three digits or so."""
+    if isinstance(value, str):
+        return value
     size = abs(value)
-    if figure == "n" or unit == "":
+    if figure in COUNTS or unit == "":
         return f"{value:,.0f}"
     if "ratio" in figure and size < 2:
         return f"{value:.3f}"
@@ -163,7 +203,7 @@ def label(figure: str, unit: str) -> str:
         return "ratio, " + LABELS.get(figure, figure)
     name = figure.removeprefix("floor_")
     text = ("floor, " if name != figure else "") + LABELS.get(name, name)
-    return text + (f", {unit}" if name != "n" else "")
+    return text + (f", {unit}" if name not in COUNTS else "")
 
 
 def goal_of(rows: list[Row], figure: str, what: str) -> list[str]:
@@ -178,6 +218,27 @@ def goal_of(rows: list[Row], figure: str, what: str) -> list[str]:
     if not limits[0]:
         return ["", ""]
     return [limits[0], f"{sum(goal['met'] for goal in goals)} of {len(goals)}"]
+
+
+def wide(table: Table, run: Run, seen: set[tuple[str, ...]]) -> Iterator[str]:
+    """The same for one run, a column for each figure; without rows that have
+    none of them."""
+    rows = {
+        key: row
+        for key, row in run.rows(table).items()
+        if any(figure in row for figure in table.figures)
+    }
+    if not rows:
+        raise Wrong(f"{run.path} has no rows of it")
+    yield cell_line(["what", *(label(figure, "us") for figure in table.figures)])
+    yield "|---" * (len(table.figures) + 1) + "|"
+    for key, row in rows.items():
+        for figure in table.figures:
+            if figure not in row:
+                raise Wrong(f"{run.path} lacks {': '.join(key)}: {figure}")
+            seen.add((*key, figure))
+        cells = [shown(row[figure], figure, "us") for figure in table.figures]
+        yield cell_line([key[1], *cells])
 
 
 def lines(table: Table, runs: list[Run], seen: set[tuple[str, ...]]) -> Iterator[str]:
@@ -247,16 +308,19 @@ def facts(runs: list[Run]) -> Iterator[str]:
 
 def written(page: str, results: Results) -> str:
     """The page with the tables of these results."""
-    of_root, as_user = results
-    seen: set[tuple[str, ...]] = set()
+    seen: dict[str, set[tuple[str, ...]]] = {kind: set() for kind in results}
 
     def table(match: re.Match[str]) -> str:
         name = match[1]
-        if name == MACHINE:
-            made = facts([*of_root, *as_user])
+        if name in MACHINE:
+            made = facts([run for kind in MACHINE[name] for run in results[kind]])
         elif name in TABLES:
             wanted = TABLES[name]
-            made = lines(wanted, as_user if wanted.user else of_root, seen)
+            runs = results[wanted.kind]
+            if wanted.wide:
+                made = wide(wanted, runs[0], seen[wanted.kind])
+            else:
+                made = lines(wanted, runs, seen[wanted.kind])
         else:
             raise Wrong(f"{PAGE.name}: no such table: {name}")
         try:
@@ -269,26 +333,30 @@ def written(page: str, results: Results) -> str:
         r"^<!-- table: (\S+) -->\n((?!<!-- table).*\n)*?<!-- end -->\n", re.M
     )
     names = [match[1] for match in block.finditer(page)]
-    for name in (MACHINE, *TABLES):
+    for name in (*MACHINE, *TABLES):
         if names.count(name) != 1:
             raise Wrong(f"{PAGE.name}: {names.count(name)} tables {name}, not 1")
     if len(re.findall("^<!-- ", page, re.M)) != 2 * len(names):
         raise Wrong(f"{PAGE.name}: a marker without its other one")
     page = block.sub(table, page)
-    for section, rows in of_root[0].sections.items():
-        for name, row in rows.items():
-            for figure in row.get("goals", {}):
-                if (section, name, figure) not in seen:
-                    raise Wrong(f"no table has the goal {section}: {name}: {figure}")
+    for kind in ("run", "hour"):
+        for section, rows in results[kind][0].sections.items():
+            for name, row in rows.items():
+                for figure in row.get("goals", {}):
+                    if (section, name, figure) not in seen[kind]:
+                        raise Wrong(
+                            f"no table has the goal {section}: {name}: {figure}"
+                        )
     return page
 
 
 def keep(results: Results) -> None:
     texts = {}
-    for kind, runs in zip(("", "-user"), results, strict=True):
-        for run in runs:
+    for kind, end in (("run", ""), ("user", "-user")):
+        for run in results[kind]:
             number = run.name.rpartition(" ")[2]
-            texts[f"run{number}{kind}.json"] = run.path.read_bytes()
+            texts[f"run{number}{end}.json"] = run.path.read_bytes()
+    texts[HOUR.name] = results["hour"][0].path.read_bytes()
     RESULTS.mkdir(exist_ok=True)
     for path in RESULTS.glob("run*.json"):
         path.unlink()
@@ -307,11 +375,17 @@ def main(arguments: list[str]) -> None:
             print("\n".join(changes))
             raise Wrong(f"{PAGE.name} has other figures than the results")
         return
-    folders = [Path(argument) for argument in arguments]
-    results = load(
-        Path(),
-        [(f / "bench.json", f / "user" / "bench.json") for f in folders],
-    )
+    if arguments[:1] == ["--hour"]:
+        if len(arguments) != 2:
+            raise Wrong("--hour needs one folder")
+        results = recorded(Path(arguments[1]) / "bench.json")
+    else:
+        folders = [Path(argument) for argument in arguments]
+        results = load(
+            Path(),
+            [(f / "bench.json", f / "user" / "bench.json") for f in folders],
+            HOUR,
+        )
     made = written(page, results)
     keep(results)
     PAGE.write_text(made, encoding="utf-8")

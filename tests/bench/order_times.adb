@@ -65,10 +65,6 @@ package body Order_Times is
    Source : Generator;
    Amount : Natural := 0;
 
-   As_Service : constant String :=
-     "setpriv --reuid=65534 --regid=65534 --clear-groups"
-     & " --inh-caps=+sys_nice --ambient-caps=+sys_nice";
-
    function Measurable (Under : Condition) return Boolean is
      (Under not in Service | Loaded_Service or else Libc.Geteuid = 0);
 
@@ -236,7 +232,8 @@ package body Order_Times is
                        & "/orders.json"
                   else ""),
                Launcher =>
-                 (if Under in Service | Loaded_Service then As_Service
+                 (if Under in Service | Loaded_Service
+                  then Programs.As_Service
                   else ""),
                Program  =>
                  (if Under in Service | Loaded_Service

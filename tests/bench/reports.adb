@@ -90,6 +90,9 @@ package body Reports is
 
    procedure Put_Times (Name : String; Set : Samples.Set);
 
+   procedure Write_Sections;
+   --  The JSON, as far as it goes
+
    procedure Plot_Curves (Drawing : in out Svg_File);
    procedure Plot_Bars (Drawing : in out Svg_File);
 
@@ -256,6 +259,48 @@ package body Reports is
       End_Row (Wanted);
       Curves.Append ((To_Unbounded_String (Name), Ours, others => False));
    end Put;
+
+   procedure Put_Deadline
+     (Name : String; Ours : Samples.Set; Kept : Deadline)
+   is
+      procedure Put_Excess
+        (Key, Excess : String; Limit : Duration; Count, Ran : Natural);
+
+      procedure Put_Excess
+        (Key, Excess : String; Limit : Duration; Count, Ran : Natural) is
+      begin
+         if Limit > 0.0 then
+            Append
+              (Row, ", """ & Key & """: " & Rounded (Micro (Limit), 0)
+               & ", """ & Excess & """: " & Image (Count)
+               & ", """ & Excess & "_ran"": " & Image (Ran));
+            Put_Line
+              ("      " & Key & " " & Rounded (Micro (Limit), 0)
+               & ": " & Image (Count) & " are longer, "
+               & Image (Ran) & " if stand-stills are taken out");
+         end if;
+      end Put_Excess;
+
+   begin
+      Check (Ours.Count > 0, Name & ": nothing measured");
+      Begin_Row (Name, "us");
+      Note_Times (Ours);
+      Put_Line (Name);
+      Put_Times ("this supervisor", Ours);
+      Put_Excess
+        ("bound", "longer", Kept.Bound, Kept.Longer, Kept.Longer_Ran);
+      Put_Excess
+        ("limit", "missed", Kept.Limit, Kept.Missed, Kept.Missed_Ran);
+      if Kept.Limit = 0.0 then
+         End_Row (No_Goals);
+      elsif Kept.Of_All then
+         Known (Missed_Ran) := Float (Kept.Missed_Ran);
+         End_Row ((1 => (Missed_Ran, 0.0, False)));
+      else
+         End_Row ((1 => (P999, Micro (Kept.Limit), False)));
+      end if;
+      Curves.Append ((To_Unbounded_String (Name), Ours, others => False));
+   end Put_Deadline;
 
    procedure Put_Number
      (Name   : String;
@@ -496,9 +541,10 @@ package body Reports is
       end if;
       Plot_Bars (Drawing);
       Close (Drawing);
+      Write_Sections;
    end End_Section;
 
-   procedure Close is
+   procedure Write_Sections is
       File : File_Type;
    begin
       Create (File, Out_File, Folder & "/bench.json");
@@ -507,6 +553,11 @@ package body Reports is
          "{" & To_String (Facts) & "," & ASCII.LF & """sections"": ["
          & ASCII.LF & To_String (Sections) & "]}");
       Close (File);
+   end Write_Sections;
+
+   procedure Close is
+   begin
+      Write_Sections;
       New_Line;
       Put_Line ("results and plots: " & Folder);
    end Close;

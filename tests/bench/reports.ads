@@ -18,9 +18,10 @@ package Reports is
    procedure End_Section;
 
    type Figure is
-     (Value, Ratio, Median, P99, P999, Max,
+     (Value, Ratio, Missed_Ran, Median, P99, P999, Max,
       Median_Ratio, P99_Ratio, P999_Ratio, Max_Ratio);
-   --  Of a row. Value and Ratio: of a number; the others: of times
+   --  Of a row. Value and Ratio: of a number; the others: of times, and
+   --  Missed_Ran of those that have a deadline
 
    subtype Ratio_Figure is Figure range Median_Ratio .. Max_Ratio;
 
@@ -47,6 +48,29 @@ package Reports is
       Wanted : Goals := No_Goals);
    --  Times with those of the floor
 
+   --  Times that have deadlines
+
+   type Deadline is record
+      Bound       : Duration := 0.0;
+      --  of the analysis, 0.0: none
+      Longer      : Natural  := 0;
+      --  how many times are above it
+      Longer_Ran  : Natural  := 0;
+      --  of these, how many would be if the machine had not stood still
+      Limit       : Duration := 0.0;
+      --  what is demanded, 0.0: nothing
+      Of_All      : Boolean  := False;
+      --  of every single one
+      Missed      : Natural  := 0;
+      Missed_Ran  : Natural  := 0;
+      --  the same for the limit
+   end record;
+
+   procedure Put_Deadline
+     (Name : String; Ours : Samples.Set; Kept : Deadline);
+   --  Missed_Ran has the goal 0 where Kept.Of_All; otherwise the p99.9 has
+   --  that of the limit
+
    No_Floor : constant Float := -1.0;
 
    procedure Put_Number
@@ -66,6 +90,7 @@ package Reports is
    --  A line of explanation under the table
 
    procedure Close;
-   --  Writes the JSON and prints the paths of the files
+   --  Prints the paths of the files. The JSON is written at the end of each
+   --  section
 
 end Reports;

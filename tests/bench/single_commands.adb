@@ -9,6 +9,7 @@ with Instants;        use Instants;
 with Libc;
 with Monitor_Clients; use Monitor_Clients;
 with Rigs;            use Rigs;
+with Service_Starts;
 with Task_Times;
 
 package body Single_Commands is
@@ -151,7 +152,11 @@ package body Single_Commands is
       R    : Rig;
       Load : Busy_Loops.Load;
    begin
-      Assemble (R, Camera => True, Emulator_Options => "--baud 9600");
+      Assemble
+        (R, Camera => True, Emulator_Options => "--baud 9600",
+         Supervisor_Options => Service_Starts.Options,
+         Launcher => Service_Starts.Launcher,
+         Program => Service_Starts.Program);
       Load.Start;
       Task_Times.Start (R.Supervisor.Pid, Except => "th_camera");
       --  which opens cameras here. The analysis knows nothing of that:
@@ -169,7 +174,7 @@ package body Single_Commands is
    begin
       loop
          Measure_Once;
-         exit when Now - Start >= Duration (Bench_Settings.Seconds);
+         exit when Now - Start >= Duration (Bench_Settings.Short_Seconds);
       end loop;
    end Measure_Tasks;
 

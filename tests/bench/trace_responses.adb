@@ -18,6 +18,7 @@ with Programs;
 with Reports;
 with Response_Times;        use Response_Times;
 with Rigs;                  use Rigs;
+with Service_Starts;
 with Supervisor_Model;      use Supervisor_Model;
 with Trace_Files;           use Trace_Files;
 
@@ -255,14 +256,18 @@ package body Trace_Responses is
    begin
       Assemble
         (R, Camera => True,
-         Supervisor_Options => "--trace " & Path
-           & (if Apart then " --cpu" & Last_Processor'Image else ""));
+         Supervisor_Options => "--trace " & Path & " "
+           & (if Bench_Settings.As_Service then Service_Starts.Options
+              elsif Apart then "--cpu" & Last_Processor'Image else ""),
+         Launcher => Service_Starts.Launcher,
+         Program => Service_Starts.Program);
+      Service_Starts.Look_At (R.Supervisor);
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
       Load.Start;
       Own_Process.Prefer_Real_Time (True);
       Start := Now;
-      while Now - Start < Duration (Bench_Settings.Seconds) loop
+      while Now - Start < Duration (Bench_Settings.Short_Seconds) loop
          Number := Number + 1;
          Unused := R.Monitor.Ask
            ((case Number mod 4 is

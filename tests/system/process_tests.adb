@@ -52,11 +52,6 @@ package body Process_Tests is
      "setpriv --reuid=65534 --regid=65534 --clear-groups"
      & " --inh-caps=-all";
 
-   As_Service : constant String :=
-     As_User & ",+sys_nice --ambient-caps=+sys_nice"
-     & " --bounding-set=-all,+sys_nice";
-   --  with the capability of the unit
-
    procedure Need_Root;
    procedure Need_Tool (Name : String);
 
@@ -689,7 +684,7 @@ package body Process_Tests is
         (Libc.Chmod (To_C (Violation), 8#755#) = 0,
          "the copy cannot be run");
       Expect ("setpriv --no-new-privs", Act => True);
-      Expect (As_Service, Act => True);
+      Expect (Programs.As_Service, Act => True);
       Expect (As_User, Act => False);
    end Ceilings;
 

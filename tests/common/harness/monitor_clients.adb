@@ -604,8 +604,11 @@ package body Monitor_Clients is
 
    procedure Half_Close (Object : in out Client) is
    begin
+      Object.Left := Now;
       Shutdown_Socket (Object.Inner.Socket, Shut_Write);
    end Half_Close;
+
+   function Left_At (Object : Client) return Instant is (Object.Left);
 
    procedure Let_Go (Object : in out Client; Abortive : Boolean) is
    begin
@@ -622,8 +625,10 @@ package body Monitor_Clients is
             end loop;
             Set_Socket_Option
               (Object.Inner.Socket, Socket_Level, (Linger, True, 0));
+            Object.Left := Now;
             Close_Socket (Object.Inner.Socket);
          else
+            Object.Left := Now;
             begin
                Shutdown_Socket (Object.Inner.Socket, Shut_Write);
             exception

@@ -141,6 +141,10 @@ package Monitor_Clients is
    procedure Reset (Object : in out Client);
    --  Abortive: the supervisor gets a reset
 
+   function Left_At (Object : Client) return Instant;
+   --  When the last of these was done to the connection: just before the call
+   --  of the system; Never before
+
 private
 
    type Parts;
@@ -148,6 +152,7 @@ private
 
    type Client is new Ada.Finalization.Limited_Controlled with record
       Inner : Parts_Access;
+      Left  : Instant := Never;
    end record;
 
    overriding procedure Finalize (Object : in out Client);

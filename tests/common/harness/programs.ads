@@ -27,6 +27,14 @@ package Programs is
    --  A copy in the temporary folder, with its library, that every user can
    --  run
 
+   function As_Service (Capabilities : String := "+sys_nice") return String
+   is ("setpriv --reuid=65534 --regid=65534 --clear-groups"
+       & " --inh-caps=-all," & Capabilities
+       & " --ambient-caps=" & Capabilities
+       & " --bounding-set=-all," & Capabilities);
+   --  Runs a program, which follows, as an ordinary user with capabilities:
+   --  by default with that of the unit. For root, if there is setpriv
+
    procedure Remove_Temporary_Folder;
 
    procedure Remove_Left (Process : Interfaces.C.int);

@@ -1,35 +1,60 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Detects stalls of this machine's processors.
 
+with Interfaces.C; use type Interfaces.C.int;
 with System.Multiprocessors.Dispatching_Domains;
 
 with Host_Time;
-with Instants;     use Instants;
+with Libc;
 with Own_Process;
+with Polls;
+with Pseudo_Terminals;
 
 package body Standstills is
 
    use System.Multiprocessors;
 
-   Turn : constant Duration := 0.005;
+   Noted : constant Duration := 0.000_5;
 
-   protected Record_Of_All is
-      procedure Add (Gap : Duration);
+   type Stall is record
+      From, To : Instant := Never;
+   end record;
+
+   type Stall_Number is mod 8_192;
+
+   type Stall_Array is array (Stall_Number) of Stall;
+
+   protected type Stall_Record is
+      procedure Add (Gap : Duration; Item : Stall);
       procedure Clear;
       function Longest return Duration;
+      function Next_After (Time : Instant) return Stall;
+      --  The one that begins first of those that end after Time
    private
-      Worst : Duration := 0.0;
-   end Record_Of_All;
+      Worst  : Duration := 0.0;
+      Stalls : Stall_Array;
+      Place  : Stall_Number := 0;
+   end Stall_Record;
 
-   task type Watcher (Processor : CPU);
+   Of_Processors, Of_Lines : Stall_Record;
+
+   task type Watcher (Processor : CPU; Turn : Positive);
 
    type Watcher_Access is access Watcher;
 
-   protected body Record_Of_All is
+   task type Line_Watcher (Turn : Positive);
 
-      procedure Add (Gap : Duration) is
+   type Line_Watcher_Access is access Line_Watcher;
+
+   protected body Stall_Record is
+
+      procedure Add (Gap : Duration; Item : Stall) is
       begin
          Worst := Duration'Max (Worst, Gap);
+         if Gap >= Noted then
+            Stalls (Place) := Item;
+            Place := Place + 1;
+         end if;
       end Add;
 
       procedure Clear is
@@ -39,10 +64,25 @@ package body Standstills is
 
       function Longest return Duration is (Worst);
 
-   end Record_Of_All;
+      function Next_After (Time : Instant) return Stall is
+         Result : Stall;
+      begin
+         for Item of Stalls loop
+            if Item.To > Time
+              and then (Result.To = Never or else Item.From < Result.From)
+            then
+               Result := Item;
+            end if;
+         end loop;
+         return Result;
+      end Next_After;
+
+   end Stall_Record;
 
    task body Watcher is
+      Span   : constant Duration := Duration (Turn) / 1_000;
       Before : Instant;
+      Time   : Instant;
    begin
       begin
          Dispatching_Domains.Set_CPU (Processor);
@@ -50,28 +90,85 @@ package body Standstills is
          when Dispatching_Domains.Dispatching_Domain_Error =>
             null;  --  it may not run there: it stays where it is
       end;
-      Own_Process.Prefer_Real_Time (True);
+      Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
       loop
          Before := Now;
-         delay Turn;
-         Record_Of_All.Add (Now - Before - Turn);
+         delay Span;
+         Time := Now;
+         Of_Processors.Add (Time - Before - Span, (Before, Time));
       end loop;
    end Watcher;
 
-   procedure Watch is
-      Unused : Watcher_Access;
+   task body Line_Watcher is
+      Line   : Pseudo_Terminals.Line;
+      Open   : Boolean;
+      Byte   : aliased Character := 'x';
+      Before : Instant;
+      Time   : Instant;
+      Unused : Interfaces.C.long;
    begin
+      Pseudo_Terminals.Open (Line, Open);
+      Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
+      if Open then
+         loop
+            Before := Now;
+            Unused := Libc.Write
+              (Pseudo_Terminals.Device_End (Line), Byte'Address, 1);
+            if Polls.Is_Readable (Pseudo_Terminals.Robot_End (Line), 10.0) then
+               Time := Now;
+               Unused := Libc.Read
+                 (Pseudo_Terminals.Robot_End (Line), Byte'Address, 1);
+               Of_Lines.Add (Time - Before, (Before, Time));
+            end if;
+            delay Duration (Turn) / 1_000;
+         end loop;
+      end if;
+   end Line_Watcher;
+
+   procedure Watch (Turn : Positive := 5; Lines : Boolean := False) is
+      Unused  : Watcher_Access;
+      Unused2 : Line_Watcher_Access;
+   begin
+      if Lines then
+         Unused2 := new Line_Watcher (Turn);
+      end if;
       for Processor in 1 .. Number_Of_CPUs loop
-         Unused := new Watcher (Processor);
+         Unused := new Watcher (Processor, Turn);
       end loop;
    end Watch;
 
    procedure Forget is
    begin
-      Record_Of_All.Clear;
+      Of_Processors.Clear;
+      Of_Lines.Clear;
    end Forget;
 
-   function Longest return Duration is (Record_Of_All.Longest);
+   function Longest return Duration is (Of_Processors.Longest);
+
+   function Longest_Line return Duration is (Of_Lines.Longest);
+
+   function Within (From, To : Instant) return Duration is
+      Time   : Instant := From;
+      Item   : Stall;
+      Other  : Stall;
+      Result : Duration := 0.0;
+   begin
+      loop
+         Item := Of_Processors.Next_After (Time);
+         Other := Of_Lines.Next_After (Time);
+         if Item.To = Never
+           or else (Other.To /= Never and then Other.From < Item.From)
+         then
+            Item := Other;
+         end if;
+         exit when Item.To = Never or else Item.From >= To;
+         Time := Instant'Max (Time, Item.From);
+         Result := Result + (Instant'Min (To, Item.To) - Time);
+         Time := Item.To;
+         exit when Time >= To;
+      end loop;
+      return Result;
+   end Within;
 
    procedure Await_Calm (Limit : Duration) is
       While_Calm  : constant Duration := 2.0;
