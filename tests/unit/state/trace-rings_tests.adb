@@ -241,7 +241,7 @@ package body Trace.Rings_Tests is
       pragma Unreferenced (T);
       Writers : constant := 4;
       Each    : constant := 1_000_000;
-      Near    : constant := 8;
+      Near    : constant := 2;
       Seen    : Natural := 0;
       Mixed   : Natural := 0;
       Kept    : Natural := 0;
