@@ -505,7 +505,7 @@ package body Deadline_Times is
          Program            => Service_Starts.Program,
          Connected          => False);
       Service_Starts.Look_At (R.Supervisor);
-      Load.Start;
+      Load.Start (Yielding => True);
       Own_Process.Prefer_Real_Time (True);
       End_Time := Now + Duration (Bench_Settings.Seconds);
       while Now < End_Time loop

@@ -3,11 +3,20 @@
 
 package body Busy_Loops is
 
-   procedure Start (Object : in out Load; Count : Positive := 2) is
-      Options : Child_Processes.Arguments;
+   procedure Start
+     (Object   : in out Load;
+      Count    : Positive := 2;
+      Yielding : Boolean := False)
+   is
+      Loop_Forever : constant String := "while :; do :; done";
+      Weight       : constant String := "/proc/self/autogroup";
+      Options      : Child_Processes.Arguments;
    begin
       Options.Append ("-c");
-      Options.Append ("while :; do :; done");
+      Options.Append
+        (if not Yielding then Loop_Forever
+         else "exec setsid nice -n 19 sh -c '[ ! -w " & Weight & " ] ||"
+           & " echo 19 >" & Weight & "; " & Loop_Forever & "'");
       for Number in 1 .. Count loop
          Object.Loops (Number).Start ("/bin/sh", Options, "busy loop");
       end loop;

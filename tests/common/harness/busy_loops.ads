@@ -8,8 +8,13 @@ package Busy_Loops is
    type Load is tagged limited private;
    --  Ends at the end of its scope
 
-   procedure Start (Object : in out Load; Count : Positive := 2)
+   procedure Start
+     (Object   : in out Load;
+      Count    : Positive := 2;
+      Yielding : Boolean := False)
      with Pre => Count <= 4;
+   --  Yielding: of the least weight, also as a session of its own, so that
+   --  kernel threads, which carry the bytes of a pseudo-terminal, go first
 
    procedure Stop (Object : in out Load);
 
