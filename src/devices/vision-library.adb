@@ -61,6 +61,7 @@ is
          exit when From (size_t (K)) = nul;
          Text (K) := To_Ada (From (size_t (K)));
          Last := K;
+         pragma Loop_Invariant (Last = K);
       end loop;
    end Copy;
 

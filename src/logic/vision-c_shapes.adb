@@ -2,27 +2,64 @@
 
 package body Vision.C_Shapes with SPARK_Mode is
 
-   Pixel_Limit  : constant double := 1.0E7;
-   Degree_Limit : constant double := 180.0;
-   Micro        : constant double := 1.0E6;
+   Micro : constant double := 1.0E6;
+
+   function Is_Pixels (Value : double) return Boolean is
+     (Value in -1.0E7 .. 1.0E7);
+
+   function Is_Degrees (Value : double) return Boolean is
+     (Value in -180.0 .. 180.0);
+
+   function To_Millionths
+     (Value : double; First, Last : Micro_Pixels) return Micro_Pixels
+   with
+     Pre  => First < Last and then Value in -1.0E7 .. 1.0E7,
+     Post => To_Millionths'Result in First .. Last;
+   --  Rounded. Found by bisection, since the provers know little about the
+   --  conversion of a double to an integer
+
+   function To_Millionths
+     (Value : double; First, Last : Micro_Pixels) return Micro_Pixels
+   is
+      Target : constant double := Value * Micro + 0.5;
+      Low    : Micro_Pixels := First;
+      High   : Micro_Pixels := Last;
+      Middle : Micro_Pixels;
+   begin
+      while Low < High loop
+         pragma Loop_Invariant (First <= Low and then High <= Last);
+         pragma Loop_Variant (Decreases => Micro_Pixels'Base (High) - Low);
+         Middle := Low + (Micro_Pixels'Base (High) - Low + 1) / 2;
+         if double (Middle) <= Target then
+            Low := Middle;
+         else
+            High := Middle - 1;
+         end if;
+      end loop;
+      return Low;
+   end To_Millionths;
 
    function Is_Sound (P : C_Point) return Boolean is
-     (P.X in -Pixel_Limit .. Pixel_Limit
-      and then P.Y in -Pixel_Limit .. Pixel_Limit);
+     (Is_Pixels (P.X) and then Is_Pixels (P.Y));
 
    function Is_Sound (R : C_Robot) return Boolean is
      (R.Id in int (Identifier'First) .. int (Identifier'Last)
       and then Is_Sound (R.Centre) and then Is_Sound (R.Direction)
-      and then R.Angle in -Degree_Limit .. Degree_Limit);
+      and then Is_Degrees (R.Angle));
+
+   function To_Pixels (Value : double) return Micro_Pixels is
+     (To_Millionths (Value, Micro_Pixels'First, Micro_Pixels'Last))
+   with Pre => Is_Pixels (Value);
 
    function To_Ada (P : C_Point) return Point is
-     (X => Micro_Pixels (P.X * Micro), Y => Micro_Pixels (P.Y * Micro));
+     (X => To_Pixels (P.X), Y => To_Pixels (P.Y));
 
    function To_Ada (R : C_Robot) return Robot is
      (Id        => Identifier (R.Id),
       Centre    => To_Ada (R.Centre),
       Direction => To_Ada (R.Direction),
-      Angle     => Micro_Degrees (R.Angle * Micro));
+      Angle     => Micro_Degrees
+        (To_Millionths (R.Angle, -180_000_000, 180_000_000)));
 
    function To_C (P : Point) return C_Point is
      (X => double (P.X) / Micro, Y => double (P.Y) / Micro);
