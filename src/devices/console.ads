@@ -9,12 +9,16 @@ package Console with
   Initializes => Terminal
 is
 
-   procedure Put_Log (Line : String) with Global => (In_Out => Terminal);
+   Max_Line : constant := 2 ** 24;
+   --  Characters, with the line feed
+
+   procedure Put_Log (Line : String)
+   with Global => (In_Out => Terminal), Pre => Line'Length < Max_Line;
    --  Line and a line feed in one write on standard error. It is lost if it
    --  cannot be written (closed, full disk)
 
    procedure Put (Line : String; Written : out Boolean)
-   with Global => (In_Out => Terminal);
+   with Global => (In_Out => Terminal), Pre => Line'Length < Max_Line;
    --  The same on standard output; Written: all of it was accepted
 
 end Console;

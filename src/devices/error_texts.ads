@@ -6,7 +6,7 @@ with Texts;
 package Error_Texts with SPARK_Mode is
 
    procedure Describe (Error : Integer; Text : out Texts.Text)
-   with Global => null;
+   with Global => null, Annotate => (GNATprove, Terminating);
    --  Such as "No such file or directory"
 
 end Error_Texts;

@@ -75,11 +75,6 @@ is
       To_Text (Family, Host'Address, Text'Address, Text'Length);
    end Get_Host;
 
-   procedure Get_Message (Error : Integer; Text : out Texts.Text) is
-   begin
-      Texts.Set (Text, GNAT.OS_Lib.Errno_Message (Error));
-   end Get_Message;
-
    procedure Listen
      (Address : Texts.Text;
       Port    : Options.Port_Number;

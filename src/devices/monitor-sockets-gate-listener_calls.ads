@@ -62,8 +62,4 @@ is
        (if Family = Admission.Socket_Addresses.Inet_Family then 4 else 16);
    --  The text of an address, followed by NUL
 
-   procedure Get_Message (Error : Integer; Text : out Texts.Text)
-   with Global => null;
-   --  What this errno means, in English
-
 end Monitor.Sockets.Gate.Listener_Calls;

@@ -3,6 +3,7 @@
 with Ada.Real_Time;  use Ada.Real_Time;
 with Admission.Packet_Filters;
 with Admission.Socket_Addresses;
+with Error_Texts;
 with Interfaces;
 with Interfaces.C;   use Interfaces.C;
 with Monitor.Sockets.Gate.Listener_Calls;
@@ -188,7 +189,7 @@ is
          --  the client has already left: no failure
          Event := Nobody_There;
       else
-         Listener_Calls.Get_Message (Error, Reason);
+         Error_Texts.Describe (Error, Reason);
          Event := Failed;
       end if;
    end Take_In;

@@ -32,18 +32,16 @@ package body Process.Privileges with SPARK_Mode => Off is
 
    function Seen_By_Run_Time return int
    with Import, Convention => C, External_Name => "__gnat_has_cap_sys_nice";
-   --  GNAT's run time gives ceilings to objects where this is 1, and to root's
 
    function Has (Capability : Natural) return Boolean;
 
    procedure Get (Held : out Kind) is
    begin
-      Held :=
-        (if Effective_User /= 0 and then Seen_By_Run_Time = 0 then
-            Ordinary_User
-         elsif Get_Policy (0) = First_In_First_Out and then Has (Sys_Nice) then
-            Real_Time
-         else Cannot_Run);
+      Held := Kind_Of
+        (Is_Root  => Effective_User = 0,
+         Is_Seen  => Seen_By_Run_Time /= 0,
+         Is_Fifo  => Get_Policy (0) = First_In_First_Out,
+         Has_Nice => Has (Sys_Nice));
    end Get;
 
    procedure Get_May_Lock (May_Lock : out Boolean) is

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with GNAT.OS_Lib;
 with Interfaces.C;            use Interfaces.C;
 with Linux;                   use Linux;
 with System;                  use System;
@@ -51,15 +50,12 @@ is
    with Import, Convention => C, External_Name => "ftruncate";
 
    function Write_At
-     (File : int; Data : Address; Length : size_t; Place : long) return long
+     (File : int; Data : Address; Length : size_t; Place : long) return Ssize
    with Import, Convention => C, External_Name => "pwrite";
 
    procedure Read_At
      (File : int; Data : Address; Length : size_t; Place : long)
    with Import, Convention => C, External_Name => "pread";
-
-   function Outcome_Of (Result : long) return Outcome is
-     (if Result < 0 then -GNAT.OS_Lib.Errno else Outcome (Result));
 
    procedure Add (Counter : Descriptor) is
    begin
@@ -70,11 +66,6 @@ is
    begin
       Linux.Close (int (File));
    end Close;
-
-   procedure Get_Message (Error : Error_Number; Text : out Texts.Text) is
-   begin
-      Texts.Set (Text, GNAT.OS_Lib.Errno_Message (Error));
-   end Get_Message;
 
    procedure Get_Time (Nanoseconds : out Unsigned_64) is
       Now : Time_Spec := (0, 0);
@@ -97,7 +88,7 @@ is
 
    procedure Make_Counter (Result : out Outcome) is
    begin
-      Result := Outcome_Of (long (Event_Counter (0, Event_Non_Blocking)));
+      Result := Outcome_Of (Ssize (Event_Counter (0, Event_Non_Blocking)));
    end Make_Counter;
 
    procedure Open
@@ -106,7 +97,7 @@ is
       Mode : constant unsigned := 8#644#;
    begin
       Result := Outcome_Of
-        (long (Open (To_C (Texts.Image (Path)), int (Flags), Mode)));
+        (Ssize (Open (To_C (Texts.Image (Path)), int (Flags), Mode)));
    end Open;
 
    procedure Read_Events
@@ -122,7 +113,7 @@ is
 
    procedure Seek_Start (File : Descriptor; Result : out Outcome) is
    begin
-      Result := Outcome_Of (Seek (int (File), 0, Start));
+      Result := Outcome_Of (Ssize (Seek (int (File), 0, Start)));
    end Seek_Start;
 
    procedure Truncate (File : Descriptor; Length : File_Offset) is
@@ -142,7 +133,7 @@ is
      (File : Descriptor; Data : String; Result : out Outcome) is
    begin
       Result := Outcome_Of
-        (long (Linux.Write (int (File), Data'Address, Data'Length)));
+        (Linux.Write (int (File), Data'Address, Data'Length));
    end Write;
 
    procedure Write_Events

@@ -34,10 +34,6 @@ is
    Interrupted : constant Error_Number := 4;  --  EINTR
    Io_Failure  : constant Error_Number := 5;  --  EIO
 
-   procedure Get_Message (Error : Error_Number; Text : out Texts.Text)
-   with Global => (In_Out => System_State);
-   --  The system's text for Error
-
    procedure Get_Time (Nanoseconds : out Unsigned_64)
    with Global => (In_Out => System_State);
    --  CLOCK_MONOTONIC, which is Ada's clock, too

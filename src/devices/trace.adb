@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Error_Texts;
 with Interfaces;    use Interfaces;
 with Trace.Calls;   use Trace.Calls;
 with Trace.Ring_Memory;
@@ -112,7 +113,7 @@ is
       if Error = 0 then
          Texts.Set (Reason, "");
       else
-         Calls.Get_Message (Error, Reason);
+         Error_Texts.Describe (Error, Reason);
       end if;
    end Set_Reason;
 
