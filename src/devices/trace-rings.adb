@@ -45,9 +45,4 @@ package body Trace.Rings with SPARK_Mode is
       end if;
    end Put;
 
-   procedure Reset is
-   begin
-      Ring_Memory.Reset;
-   end Reset;
-
 end Trace.Rings;

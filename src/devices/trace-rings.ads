@@ -10,10 +10,6 @@ private package Trace.Rings with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Trace.Rings);
 
-   procedure Reset with Global => (In_Out => Ring_Memory.Memory);
-   --  The ring is empty. Before any other call, and not at the same time as
-   --  one
-
    procedure Put (Item : Trace_Json.Event; Number : out Event_Number)
    with Global => (In_Out => Ring_Memory.Memory);
    --  Overwrites the oldest event if the ring is full. Never waits: if another

@@ -164,7 +164,7 @@ is
          else
             File := Opened;
             Store_Due := Counter;
-            Trace.Rings.Reset;
+            Trace.Ring_Memory.Reset;
             Calls.Ignore_Size_Signal;
             Calls.Get_Time (Now);
             First := Now;

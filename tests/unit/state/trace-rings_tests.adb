@@ -169,7 +169,7 @@ package body Trace.Rings_Tests is
 
       After : Slot_State;
    begin
-      Reset;
+      Ring_Memory.Reset;
       Put_Round (0);
       --  event 3 is still being written
       Take (Complete (Here), Being_Written (Here));
@@ -220,7 +220,7 @@ package body Trace.Rings_Tests is
       end Look;
 
    begin
-      Reset;
+      Ring_Memory.Reset;
       Get (0, Item, Found);
       Assert (not Found, "an event in an empty ring");
       for Put_So_Far in Event_Number range 1 .. 3 * Capacity + 2 loop
@@ -279,7 +279,7 @@ package body Trace.Rings_Tests is
       end Look_At_Both_Ends;
 
    begin
-      Reset;
+      Ring_Memory.Reset;
       declare
          task type Writer (Number : Integer);
 
