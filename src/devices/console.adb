@@ -24,10 +24,11 @@ is
 
    procedure Put_On (To : Calls.Stream; Line : String; Written : out Boolean)
    is
-      Text : constant String (1 .. Line'Length + 1) := Line & ASCII.LF;
+      Text : String (1 .. Line'Length + 1) := (others => ASCII.LF);
       Next : Positive := 1;
       Done : Calls.Outcome;
    begin
+      Text (1 .. Line'Length) := Line;
       while Next <= Text'Last loop
          Calls.Write (To, Text (Next .. Text'Last), Done);
          if Done > 0 then

@@ -39,7 +39,8 @@ package body Supervisor with SPARK_Mode is
    procedure Keep_Trace;
    --  Saves the trace to its file repeatedly, until th_stop has failed
 
-   procedure Tell (Line : String) with No_Return;
+   procedure Tell (Line : String)
+   with No_Return, Pre => Line'Length < Console.Max_Line;
    --  On standard output. Ends the process, with failure if the line cannot be
    --  written
 
