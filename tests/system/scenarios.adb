@@ -69,12 +69,16 @@ package body Scenarios is
 
       function Stood_Still return String is
          In_One_Piece : constant Duration := Standstills.Longest;
+         Of_A_Byte    : constant Duration := Standstills.Longest_Line;
          Of_Host      : constant Duration := Host_Time.Taken - Host_Before;
       begin
          return
            (if In_One_Piece >= Standstills.Too_Long
+              or else Of_A_Byte >= Standstills.Too_Long
               or else Of_Host >= Standstills.Too_Much
             then "stood still for " & Milliseconds (In_One_Piece)
+                 & ", a byte of a pseudo-terminal for "
+                 & Milliseconds (Of_A_Byte)
                  & ", its host took " & Milliseconds (Of_Host)
             else "");
       end Stood_Still;

@@ -15,15 +15,16 @@ package Scenarios is
      (Test : Scenario) return AUnit.Message_String;
 
    overriding procedure Run_Test (Test : in out Scenario);
-   --  Where Test fails and the machine stood still meanwhile, for 20 ms or
-   --  more in one piece (Standstills) or for 50 ms of processor time that
-   --  its host took (Host_Time), it says so, waits for a calm moment, and runs
-   --  it again: the robot has 80 ms to answer, and a test cannot tell who was
-   --  late. Up to twelve times, and for half an hour of all tests together;
-   --  then Test is not judged, which is neither passed nor failed. Of more
-   --  than eight tests that is not taken: the next one fails. Never run
-   --  again: what fails on a machine that ran, and where a program has ended
-   --  after an internal failure or by a fault.
+   --  Where Test fails and the machine stood still meanwhile, a processor or a
+   --  byte through a pseudo-terminal for 20 ms or more in one piece
+   --  (Standstills), or for 50 ms of processor time that its host took
+   --  (Host_Time), it says so, waits for a calm moment, and runs it again: the
+   --  robot has 80 ms to answer, and a test cannot tell who was late. Up to
+   --  twelve times, and for half an hour of all tests together; then Test is
+   --  not judged, which is neither passed nor failed. Of more than eight tests
+   --  that is not taken: the next one fails. Never run again: what fails on a
+   --  machine that ran, and where a program has ended after an internal
+   --  failure or by a fault.
 
    procedure Add_Filter (Text : String);
    --  Only scenarios whose name contains one of these are added from now on

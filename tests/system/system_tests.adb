@@ -86,7 +86,7 @@ begin
    Trace_Tests.Add_To (Suite);
    Never_Tests.Add_To (Suite);
 
-   Standstills.Watch;
+   Standstills.Watch (Lines => True);
    AUnit.Test_Suites.Run
      (Suite, AUnit.Options.Default_Options, Result, Outcome);
    New_Line;

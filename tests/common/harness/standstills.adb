@@ -25,6 +25,8 @@ package body Standstills is
    type Stall_Array is array (Stall_Number) of Stall;
 
    protected type Stall_Record is
+      procedure Begin_At (Time : Instant);
+      --  What is under way since then, until Add
       procedure Add (Gap : Duration; Item : Stall);
       procedure Clear;
       function Longest return Duration;
@@ -32,6 +34,7 @@ package body Standstills is
       --  The one that begins first of those that end after Time
    private
       Worst  : Duration := 0.0;
+      Begun  : Instant := Never;
       Stalls : Stall_Array;
       Place  : Stall_Number := 0;
    end Stall_Record;
@@ -48,8 +51,14 @@ package body Standstills is
 
    protected body Stall_Record is
 
+      procedure Begin_At (Time : Instant) is
+      begin
+         Begun := Time;
+      end Begin_At;
+
       procedure Add (Gap : Duration; Item : Stall) is
       begin
+         Begun := Never;
          Worst := Duration'Max (Worst, Gap);
          if Gap >= Noted then
             Stalls (Place) := Item;
@@ -62,7 +71,9 @@ package body Standstills is
          Worst := 0.0;
       end Clear;
 
-      function Longest return Duration is (Worst);
+      function Longest return Duration is
+        (if Begun = Never then Worst
+         else Duration'Max (Worst, Now - Begun));
 
       function Next_After (Time : Instant) return Stall is
          Result : Stall;
@@ -112,6 +123,7 @@ package body Standstills is
       if Open then
          loop
             Before := Now;
+            Of_Lines.Begin_At (Before);
             Unused := Libc.Write
               (Pseudo_Terminals.Device_End (Line), Byte'Address, 1);
             if Polls.Is_Readable (Pseudo_Terminals.Robot_End (Line), 10.0) then
@@ -179,7 +191,7 @@ package body Standstills is
          Forget;
          Host_Before := Host_Time.Taken;
          delay While_Calm;
-         exit when Longest < Too_Long
+         exit when Duration'Max (Longest, Longest_Line) < Too_Long
            and then Host_Time.Taken - Host_Before < Too_Much;
       end loop;
    end Await_Calm;

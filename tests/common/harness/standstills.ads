@@ -21,7 +21,7 @@ package Standstills is
    --  The longest stall of a processor since Forget; 0.0 without Watch
 
    function Longest_Line return Duration;
-   --  The longest that such a byte took
+   --  The longest that such a byte took since Forget, or has been under way
 
    function Within (From, To : Instant) return Duration;
    --  For how much of that time a processor, or a byte, may have stood still:
