@@ -15,6 +15,9 @@ import pytest
 from _pytest.runner import runtestprotocol
 from stand import ROOT, Browser, Page, Stand, Standstills
 
+ACCOUNT = pytest.StashKey[str]()
+#  Of the stand, for the report of a test that fails
+
 TRIES = 6
 #  Of a test that fails while the machine stood still: nobody can tell then who
 #  was late
@@ -30,9 +33,15 @@ def pytest_runtest_protocol(
             reports = runtestprotocol(item, nextitem=nextitem, log=False)
         if left == 0 or not standstills.longest or all(r.passed for r in reports):
             break
-        print(f"\n{item.nodeid} again: the machine stood {standstills.longest:.2f} s")
+        with item.config.pluginmanager.getplugin(
+            "capturemanager"
+        ).global_and_fixture_disabled():
+            print(f"\n{item.nodeid} again: late by {standstills.longest:.3f} s:")
+            print(*(r.longreprtext for r in reports if r.failed))
         item._initrequest()
     for report in reports:
+        if report.failed:
+            report.sections.append(("the stand", item.stash.get(ACCOUNT, "")))
         hook.pytest_runtest_logreport(report=report)
     hook.pytest_runtest_logfinish(nodeid=item.nodeid, location=item.location)
     return True
@@ -128,8 +137,14 @@ def stands(
                 #  an image without noise is smaller
                 others["emulator"] = ("--pose", "25,20,0", "--noise", "0")
             one = Stand(tmp_path, *gateway, **others)
-            made.callback(one.end)
+            made.callback(end, one)
             return one
+
+        def end(one: Stand) -> None:
+            try:
+                one.end()
+            finally:
+                request.node.stash[ACCOUNT] = one.account
 
         yield stand
 

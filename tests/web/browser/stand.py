@@ -15,6 +15,7 @@ import socket
 import subprocess
 import threading
 import time
+import tty
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -53,34 +54,56 @@ def await_(
 
 
 class Standstills:
-    """Notes how long a thread did not run that should have."""
+    """Notes how long a thread did not run that should have, and how late a
+    byte was on a pseudo-terminal, as the robot's line is one."""
 
     TICK = 0.01
     TOLERATED = 0.1
     #  A fifth of the shortest limit here
+    BYTE_TOLERATED = 0.02
+    #  A quarter of what the robot has for an answer
 
     def __init__(self) -> None:
         self.longest = 0.0
         #  of those not tolerated
         self._ended = threading.Event()
-        self._thread = threading.Thread(target=self._watch, daemon=True)
+        self._threads = [
+            threading.Thread(target=watch, daemon=True)
+            for watch in (self._watch, self._watch_line)
+        ]
+
+    def _note(self, late: float, tolerated: float) -> None:
+        if late > tolerated:
+            self.longest = max(self.longest, late)
 
     def _watch(self) -> None:
         before = time.monotonic()
         while not self._ended.wait(self.TICK):
             now = time.monotonic()
-            late = now - before - self.TICK
-            if late > self.TOLERATED:
-                self.longest = max(self.longest, late)
+            self._note(now - before - self.TICK, self.TOLERATED)
             before = now
 
+    def _watch_line(self) -> None:
+        ends = os.openpty()
+        robot, device = ends
+        tty.setraw(device)
+        while not self._ended.wait(self.TICK):
+            begun = time.monotonic()
+            os.write(device, b"x")
+            os.read(robot, 1)
+            self._note(time.monotonic() - begun, self.BYTE_TOLERATED)
+        for end in ends:
+            os.close(end)
+
     def __enter__(self) -> Standstills:
-        self._thread.start()
+        for thread in self._threads:
+            thread.start()
         return self
 
     def __exit__(self, *_: object) -> None:
         self._ended.set()
-        self._thread.join()
+        for thread in self._threads:
+            thread.join()
 
 
 class Child:
@@ -128,9 +151,8 @@ class Child:
             self._news.wait_for(found, within)
             match = found()
         if match is None:
-            said = "\n".join(self.lines[-20:])
             raise Failure(
-                f"{self.name}: no line with {pattern!r} within {within} s:\n{said}"
+                f"no line with {pattern!r} within {within} s of {self.account}"
             )
         return match
 
@@ -138,6 +160,11 @@ class Child:
         assert self.process.stdin is not None
         self.process.stdin.write(line + "\n")
         self.process.stdin.flush()
+
+    @property
+    def account(self) -> str:
+        """Its last lines, told where a test fails."""
+        return "\n".join([f"{self.name}:", *self.lines[-20:]])
 
     @property
     def children(self) -> list[int]:
@@ -344,7 +371,15 @@ class Stand:
         self.cable.leads_to = gateway.port
         return gateway
 
+    @property
+    def account(self) -> str:
+        return "\n".join(
+            child.account for child in (self.supervisor, self.gateway, self.emulator)
+        )
+
     def end(self) -> None:
+        with contextlib.suppress(Failure, OSError):
+            self.emulator.journal()  # into its lines
         self._made.close()
 
     def stands(self, within: float = 1.0) -> float:
@@ -499,7 +534,10 @@ class Page:
         return "" if value is None else str(value)
 
     def shows(self, key: str, value: str, within: float = LIMIT) -> None:
-        await_(lambda: self.data(key) == value, f"data-{key}={value}", within, 0.05)
+        try:
+            await_(lambda: self.data(key) == value, f"data-{key}={value}", within, 0.05)
+        except Failure as failure:
+            raise Failure(f"{failure}; {self.data(key)!r}, log: {self.log()}") from None
 
     def text(self, name: str) -> str:
         return str(
