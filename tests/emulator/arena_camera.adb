@@ -164,6 +164,11 @@ package body Arena_Camera is
    end Configure;
 
    procedure Displace (Scene : in out Arena_Scenes.Scene; By : double) is
+      Width  : constant double :=
+        double (Robot_Motion.Arena_Width) / 10_000.0;
+      Height : constant double :=
+        double (Robot_Motion.Arena_Height) / 10_000.0;
+
       Robot       : Arena_Scenes.Robot_In_Scene renames Scene.Robot (1);
       Beside      : Arena_Scenes.Scene := Scene;
       Here, There : double;
@@ -182,13 +187,9 @@ package body Arena_Camera is
 
       GNAT.Random_Numbers.Reset (Source, Integer (Scene.Seed));
       Robot.X := double'Max
-        (0.0, double'Min
-           (80.0,
-            Robot.X + Centimetres * double (Deviate)));
+        (0.0, double'Min (Width, Robot.X + Centimetres * double (Deviate)));
       Robot.Y := double'Max
-        (0.0, double'Min
-           (60.0,
-            Robot.Y + Centimetres * double (Deviate)));
+        (0.0, double'Min (Height, Robot.Y + Centimetres * double (Deviate)));
    end Displace;
 
    task body Doorman is

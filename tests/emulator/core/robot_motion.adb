@@ -314,15 +314,18 @@ package body Robot_Motion with SPARK_Mode is
       Degrees : Amount;
       Errors  : Wheel_Errors := Ideal)
    is
-      Angle : constant Micro := abs Micro (Degrees);
-      Part  : constant Micro := 100 + Micro (Errors.Overshoot);
-      --  What is turned of it, in percent
+      Part  : constant Micro range 100 .. 120 :=
+        100 + Micro (Errors.Overshoot);
+      --  What is turned, in percent
+      Angle : constant Micro range 0 .. 32_768 * 120 :=
+        abs Micro (Degrees) * Part;
+      --  Hundredths of degrees
       Time  : constant Micro :=
-        (Angle * Part * (Million / 100) + (Turn_Rate - 1)) / Turn_Rate;
+        (Angle * (Million / 100) + (Turn_Rate - 1)) / Turn_Rate;
       --  Rounded up: a turn is done when all of its angle is
       Limit : constant Travel :=
         (if Degrees in Endless_Forward | Endless_Backward then Travel'Last
-         else Angle * Part * Micro (Errors.Turn_Speed) * (Million / 10_000));
+         else Angle * Micro (Errors.Turn_Speed) * (Million / 10_000));
    begin
       Begin_Order (M, Rotation, Degrees, Time, Limit, Errors);
    end Turn;
