@@ -12,6 +12,7 @@ with Ada.Text_IO;
 with Interfaces;
 with Interfaces.C;     use Interfaces.C;
 
+with GNAT.Random_Numbers;
 with GNAT.Sockets;     use GNAT.Sockets;
 
 with Arena_Scenes;
@@ -64,6 +65,8 @@ package body Arena_Camera is
       procedure Set_Mode (New_Mode : Mode_Kind);
       procedure Set_Size (Width : Frame_Width; Height : Frame_Height);
       procedure Set_Rate (Rate : Frame_Rate);
+      procedure Set_Late (Time : Delay_Time);
+      procedure Set_Displaced (By : Displacement);
       procedure Set_Opening (Time : Opening_Time);
       procedure Mend;
 
@@ -127,6 +130,9 @@ package body Arena_Camera is
      return Arena_Scenes.Scene;
    --  What there is to be seen
 
+   procedure Displace (Scene : in out Arena_Scenes.Scene; By : double);
+   --  Its robot, by pixels of this standard deviation
+
    function Truth (S : Shot) return String;
    --  A line of /pose
 
@@ -156,6 +162,35 @@ package body Arena_Camera is
       Set_Socket_Option
         (Socket, IP_Protocol_For_TCP_Level, (No_Delay, Enabled => True));
    end Configure;
+
+   procedure Displace (Scene : in out Arena_Scenes.Scene; By : double) is
+      Width  : constant double :=
+        double (Robot_Motion.Arena_Width) / 10_000.0;
+      Height : constant double :=
+        double (Robot_Motion.Arena_Height) / 10_000.0;
+
+      Robot       : Arena_Scenes.Robot_In_Scene renames Scene.Robot (1);
+      Beside      : Arena_Scenes.Scene := Scene;
+      Here, There : double;
+      Cy, Dx, Dy  : double;
+      Status      : int;
+      Source      : GNAT.Random_Numbers.Generator;
+      Centimetres : double;
+
+      function Deviate return Long_Float is
+        (GNAT.Random_Numbers.Random_Gaussian (Source));
+   begin
+      Beside.Robot (1).X := Robot.X + 1.0;
+      Arena_Scenes.Find_Robot (Scene, 0, Here, Cy, Dx, Dy, Status);
+      Arena_Scenes.Find_Robot (Beside, 0, There, Cy, Dx, Dy, Status);
+      Centimetres := By / (There - Here);
+
+      GNAT.Random_Numbers.Reset (Source, Integer (Scene.Seed));
+      Robot.X := double'Max
+        (0.0, double'Min (Width, Robot.X + Centimetres * double (Deviate)));
+      Robot.Y := double'Max
+        (0.0, double'Min (Height, Robot.Y + Centimetres * double (Deviate)));
+   end Displace;
 
    task body Doorman is
       Server : Socket_Type;
@@ -206,6 +241,9 @@ package body Arena_Camera is
                     and then S.Scene.Height = int (Wanted.Height))
             then
                S.Scene := Scene_Now (S.Time, S.Number, Wanted);
+               if Wanted.Displaced > 0 then
+                  Displace (S.Scene, double (Wanted.Displaced));
+               end if;
                Arena_Scenes.Draw
                  (S.Scene, Quality, Drawn'Address, Largest_Image, Length);
             end if;
@@ -244,7 +282,8 @@ package body Arena_Camera is
       Robot : Robot_Core.Robot;
       Pose  : Robot_Motion.Pose;
    begin
-      Robot_Bench.Look (Robot, Time);
+      Robot_Bench.Look
+        (Robot, Time, Ago => Instant (S.Late) * 1_000_000);
       Pose := Robot_Core.Pose (Robot);
       return
         (Width  => int (S.Width),
@@ -410,9 +449,11 @@ package body Arena_Camera is
       if Path = "/pose" then
          declare
             Time : constant Instant := Now;
+            Sees : Settings := Studio.Configuration;
          begin
+            Sees.Late := 0;
             Reply ("200 OK", Plain,
-                   Truth ((Scene_Now (Time, 0, Studio.Configuration),
+                   Truth ((Scene_Now (Time, 0, Sees),
                            Studio.Newest.Number, Time))
                    & ASCII.LF);
          end;
@@ -554,6 +595,16 @@ package body Arena_Camera is
             Fresh   := Looking;
          end if;
       end Publish;
+
+      procedure Set_Displaced (By : Displacement) is
+      begin
+         Chosen.Displaced := By;
+      end Set_Displaced;
+
+      procedure Set_Late (Time : Delay_Time) is
+      begin
+         Chosen.Late := Time;
+      end Set_Late;
 
       procedure Set_Mode (New_Mode : Mode_Kind) is
       begin
@@ -716,6 +767,16 @@ package body Arena_Camera is
    begin
       Studio.Mend;
    end Mend;
+
+   procedure Set_Displaced (By : Displacement) is
+   begin
+      Studio.Set_Displaced (By);
+   end Set_Displaced;
+
+   procedure Set_Late (Time : Delay_Time) is
+   begin
+      Studio.Set_Late (Time);
+   end Set_Late;
 
    procedure Set_Mode (Mode : Mode_Kind) is
    begin

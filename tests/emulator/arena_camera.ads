@@ -9,7 +9,8 @@
 --                  (cm, cm, degrees; pixels; degrees as PROTOCOL.md has
 --                  them; number of the newest image; seconds of
 --                  CLOCK_MONOTONIC)
---  /pose/frame     the same as the newest image shows it
+--  /pose/frame     the same as the newest image shows it, with the camera's
+--                  delay and the noise of positions; its time is the image's
 --
 --  Images are drawn only while somebody looks.
 
@@ -23,6 +24,10 @@ package Arena_Camera is
    --  sent repeatedly
    subtype Frame_Rate is Positive range 1 .. 240;
    subtype Noise_Level is Natural range 0 .. 30;
+   subtype Delay_Time is Natural range 0 .. 1_000;
+   --  Milliseconds
+   subtype Displacement is Natural range 0 .. 10;
+   --  Pixels, standard deviation
    subtype Marker_Number is Natural range 0 .. 999;
 
    type Marker_Kind is (Aruco, Triangle);
@@ -34,6 +39,12 @@ package Arena_Camera is
       Noise     : Noise_Level   := 3;   --  standard deviation
       Marker    : Marker_Kind   := Aruco;
       Marker_Id : Marker_Number := 1;
+      Late      : Delay_Time    := 0;
+      --  Images show where the robot was so long ago, or where it was put
+      --  down at the start
+      Displaced : Displacement  := 0;
+      --  Of the robot in each image, in x and in y: any part of a pixel, not
+      --  beyond the arena's edge. The n-th image has the same in each run.
    end record;
 
    procedure Start
@@ -54,6 +65,8 @@ package Arena_Camera is
 
    procedure Set_Size (Width : Frame_Width; Height : Frame_Height);
    procedure Set_Rate (Rate : Frame_Rate);
+   procedure Set_Late (Time : Delay_Time);
+   procedure Set_Displaced (By : Displacement);
    --  From the next image on
 
    subtype Opening_Time is Natural range 0 .. 60_000;
@@ -62,7 +75,7 @@ package Arena_Camera is
    --  Delay of the reply to a request for images, in milliseconds
 
    procedure Mend;
-   --  Resets mode, size, rate and delay
+   --  Resets what is set by these
 
    function Viewers return Natural;
    --  Open streams and snapshots

@@ -103,6 +103,8 @@ package body Bench_Console is
          else Whole (Trim (Rest (Stop .. Rest'Last), Blanks, Blanks),
                      0, Highest));
 
+      Wheels : Robot_Motion.Wheel_Errors := Bench.Wheels;
+
       procedure Say_Device;
 
       procedure Say_Device is
@@ -115,6 +117,8 @@ package body Bench_Console is
          Bench.Set_Silent (On_Or_Off (Rest));
       elsif Name = "drop" then
          Bench.Set_Fault (Drop, Count);
+      elsif Name = "drop-every" then
+         Bench.Set_Every (Interval (Rest));
       elsif Name = "corrupt" then
          Bench.Set_Fault (Corrupt, Count);
       elsif Name = "garbage" then
@@ -184,6 +188,27 @@ package body Bench_Console is
                      Rest (Second + 1 .. Rest'Last)));
          end;
 
+      elsif Name = "speed" then
+         Wheels.Speed := Whole
+           (Rest, Robot_Motion.Speed_Percent'First,
+            Robot_Motion.Speed_Percent'Last);
+         Bench.Set_Wheels (Wheels);
+      elsif Name = "turn-speed" then
+         Wheels.Turn_Speed := Whole
+           (Rest, Robot_Motion.Speed_Percent'First,
+            Robot_Motion.Speed_Percent'Last);
+         Bench.Set_Wheels (Wheels);
+      elsif Name = "overshoot" then
+         Wheels.Overshoot := Whole
+           (Rest, Robot_Motion.Overshoot_Percent'First,
+            Robot_Motion.Overshoot_Percent'Last);
+         Bench.Set_Wheels (Wheels);
+      elsif Name = "pull" then
+         Wheels.Pull := Whole
+           (Rest, Robot_Motion.Pull_Angle'First,
+            Robot_Motion.Pull_Angle'Last);
+         Bench.Set_Wheels (Wheels);
+
       elsif Name = "camera" then
          if Rest = "stall" then
             Arena_Camera.Set_Mode (Arena_Camera.Stalled);
@@ -241,9 +266,14 @@ package body Bench_Console is
          Set_Rate (Whole (Rest, Frame_Rate'First, Frame_Rate'Last));
       elsif Name = "opening" then
          Set_Opening (Whole (Rest, 0, Opening_Time'Last));
+      elsif Name = "delay" then
+         Set_Late (Whole (Rest, Delay_Time'First, Delay_Time'Last));
+      elsif Name = "position-noise" then
+         Set_Displaced (Whole (Rest, Displacement'First, Displacement'Last));
       else
          raise Bad_Value with
-           "on, off, stall, garbage, size, fps, opening or mend is expected";
+           "on, off, stall, garbage, size, fps, opening, delay,"
+           & " position-noise or mend is expected";
       end if;
    end Obey_Camera;
 
@@ -251,6 +281,7 @@ package body Bench_Console is
    begin
       Say ("silent on|off        no answer at all");
       Say ("drop N               the next N answers are lost");
+      Say ("drop-every N         every Nth is lost; 0: none");
       Say ("corrupt N            ... have a wrong checksum");
       Say ("garbage N            ... are random bytes instead");
       Say ("truncate N [KEEP]    ... lack their carriage return, or are");
@@ -269,6 +300,11 @@ package body Bench_Console is
       Say ("battery LEVEL        0, 1, 2, or critical: off after 4 s");
       Say ("charge on|off        the charger's plug");
       Say ("pose X Y HEADING     puts the robot there: cm, degrees");
+      Say ("speed N              percent straight on, 70 to 130; this and");
+      Say ("                     the next three from the next order on");
+      Say ("turn-speed N         percent of turns, 70 to 130");
+      Say ("overshoot N          turns go on by N percent, 0 to 20");
+      Say ("pull N               degrees to the left per metre, -30 to 30");
       Say ("reset-robot          switches it off and on");
       Say ("starve               its watchdog, if on, disables it");
       Say ("camera on|off|stall  off: closed; stall: no image comes");
@@ -276,7 +312,10 @@ package body Bench_Console is
       Say ("camera size WxH      1x1 to 4096x2304, from the next image on");
       Say ("camera fps N         1 to 240");
       Say ("camera opening MS    it takes so long to open");
-      Say ("camera mend          on, size, rate and opening as at first");
+      Say ("camera delay MS      images show the robot so long ago");
+      Say ("camera position-noise PX");
+      Say ("                     each displaces the robot, 0 to 10");
+      Say ("camera mend          on, and all of these as at first");
       Say ("status               one line");
       Say ("journal              every command since it was cleared");
       Say ("journal clear");

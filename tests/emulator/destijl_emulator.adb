@@ -73,10 +73,12 @@ begin
    Own_Process.Ignore_Broken_Pipes;
 
    Bench.Place (V.Pose);
+   Bench.Set_Wheels (V.Wheels);
    Bench.Set_Battery (V.Battery);
    Bench.Set_Charging (V.Charging);
    Bench.Set_Silent (V.Silent);
    Bench.Set_Fault (Drop, V.Drop);
+   Bench.Set_Every (V.Every);
    Bench.Set_Fault (Corrupt, V.Corrupt);
    Bench.Set_Fault (Garbage, V.Garbage);
    Bench.Set_Fault (Truncate, V.Truncate);

@@ -94,6 +94,15 @@ package body Readings is
         & '.' & Part (Part'Last - 2 .. Part'Last);
    end Image;
 
+   function Interval (Text : String) return Answer_Faults.Interval is
+      Value : constant Natural := Whole (Text, 0, 1_000);
+   begin
+      if Value = 1 then
+         raise Bad_Value with "0, or 2 to 1000 is expected";
+      end if;
+      return Value;
+   end Interval;
+
    function On_Or_Off (Text : String) return Boolean is
    begin
       if Text = "on" then

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Parses numbers, words and poses from the command line or standard input.
 
+with Answer_Faults;
 with Arena_Camera;
 with Robot_Core;
 with Robot_Motion;
@@ -12,6 +13,9 @@ package Readings is
 
    function Whole (Text : String; Low, High : Integer) return Integer;
    --  A decimal number in Low .. High, or Bad_Value
+
+   function Interval (Text : String) return Answer_Faults.Interval;
+   --  0, or 2 and more
 
    function On_Or_Off (Text : String) return Boolean;
 

@@ -47,6 +47,7 @@ package body Robot_Bench is
             return;
          end if;
          In_Frame := False;
+         Robot_Pasts.Add (Past, The_Robot);
 
          Answer_Faults.Apply
            (Faults, Note.Exchange.Kind, Note.Exchange.Reply, Wire,
@@ -88,6 +89,12 @@ package body Robot_Bench is
          Robot := The_Robot;
       end Look;
 
+      procedure Look_Back
+        (Robot : out Robot_Core.Robot; Time : Robot_Core.Time_Point) is
+      begin
+         Robot := Robot_Pasts.Robot_At (Past, Time);
+      end Look_Back;
+
       procedure Mend is
       begin
          Faults    := (Seed => Faults.Seed, Turn => Faults.Turn, others => <>);
@@ -107,18 +114,21 @@ package body Robot_Bench is
       begin
          Let_Time_Pass;
          Place (The_Robot, Pose);
+         Robot_Pasts.Add (Past, The_Robot);
       end Place;
 
       procedure Set_Battery (Level : Battery_Level) is
       begin
          Let_Time_Pass;
          Set_Battery (The_Robot, Level);
+         Robot_Pasts.Add (Past, The_Robot);
       end Set_Battery;
 
       procedure Set_Charging (Plugged : Boolean) is
       begin
          Let_Time_Pass;
          Set_Charging (The_Robot, Plugged);
+         Robot_Pasts.Add (Past, The_Robot);
       end Set_Charging;
 
       procedure Set_Bit (Value : Answer_Faults.Bit_Number) is
@@ -138,6 +148,12 @@ package body Robot_Bench is
             Babbling := False;
          end if;
       end Set_Endless;
+
+      procedure Set_Every (Value : Answer_Faults.Interval) is
+      begin
+         Faults.Every  := Value;
+         Faults.Passed := 0;
+      end Set_Every;
 
       procedure Set_Fault
         (Kind : Fault_Kind; Value : Answer_Faults.Remaining) is
@@ -173,12 +189,18 @@ package body Robot_Bench is
          Faults.Silent := Value;
       end Set_Silent;
 
+      procedure Set_Wheels (Errors : Robot_Motion.Wheel_Errors) is
+      begin
+         Set_Wheels (The_Robot, Errors);
+      end Set_Wheels;
+
       function Spoilt return Natural is (Spoilings);
 
       procedure Starve is
       begin
          Let_Time_Pass;
          Starve (The_Robot);
+         Robot_Pasts.Add (Past, The_Robot);
       end Starve;
 
       procedure Switch_On (Boot : Tick_Count) is
@@ -191,16 +213,26 @@ package body Robot_Bench is
       begin
          Let_Time_Pass;
          Switch_On (The_Robot, Boot_Time);
+         Robot_Pasts.Add (Past, The_Robot);
          In_Frame := False;
       end Switch_On;
 
+      function Wheels return Robot_Motion.Wheel_Errors is
+        (Wheels (The_Robot));
+
    end Bench;
 
-   procedure Look (Robot : out Robot_Core.Robot; At_Time : Instant)
-   is
+   procedure Look
+     (Robot   : out Robot_Core.Robot;
+      At_Time : Instant;
+      Ago     : Instant := 0) is
    begin
-      Bench.Look (Robot);
-      Advance_To (Robot, Robot_Time (At_Time));
+      if Ago = 0 then
+         Bench.Look (Robot);
+         Advance_To (Robot, Robot_Time (At_Time));
+      else
+         Bench.Look_Back (Robot, Robot_Time (At_Time - Ago));
+      end if;
    end Look;
 
 end Robot_Bench;

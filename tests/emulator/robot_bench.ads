@@ -11,6 +11,7 @@ with Instants;  use Instants;
 with Journals;
 with Robot_Core;
 with Robot_Motion;
+with Robot_Pasts;
 
 package Robot_Bench is
 
@@ -53,20 +54,31 @@ package Robot_Bench is
       procedure Set_Endless (Value : Boolean);
       procedure Set_Fault
         (Kind : Fault_Kind; Value : Answer_Faults.Remaining);
+      procedure Set_Every (Value : Answer_Faults.Interval);
       procedure Set_Pile (Value : Answer_Faults.Pile_Size);
       procedure Set_Kept_Bytes (Value : Robot_Core.Answer_Length);
       procedure Set_Bit (Value : Answer_Faults.Bit_Number);
       procedure Set_Delay (Value : Instant);
+
       procedure Set_Battery (Level : Robot_Core.Battery_Level);
       procedure Set_Charging (Plugged : Boolean);
       procedure Starve;
       --  The robot's watchdog disables it
       procedure Place (Pose : Robot_Motion.Pose);
+      procedure Set_Wheels (Errors : Robot_Motion.Wheel_Errors);
+      --  For the orders from now on
+      function Wheels return Robot_Motion.Wheel_Errors;
 
       procedure Clear_Journal;
 
       procedure Look (Robot : out Robot_Core.Robot);
       --  Its state at its last event
+
+      procedure Look_Back
+        (Robot : out Robot_Core.Robot; Time : Robot_Core.Time_Point);
+      --  As it was at Time. Before the newest 512 events (the first of all
+      --  is that it was put down at the start): as it was after the oldest
+      --  of them.
 
       function Spoilt return Natural;
       --  Number of answers that were changed or delayed
@@ -78,6 +90,7 @@ package Robot_Bench is
 
    private
       The_Robot : Robot_Core.Robot;
+      Past      : Robot_Pasts.Past;
       Boot_Time : Robot_Core.Tick_Count := Robot_Core.Boot_Ticks;
       Faults    : Answer_Faults.Plan;
       Held_Back : Instant := 0;
@@ -89,7 +102,11 @@ package Robot_Bench is
       Reloaded  : Instant := 0;   --  last reload, or start
    end Bench;
 
-   procedure Look (Robot : out Robot_Core.Robot; At_Time : Instant);
-   --  A copy, advanced to that time unless it is in the past
+   procedure Look
+     (Robot   : out Robot_Core.Robot;
+      At_Time : Instant;
+      Ago     : Instant := 0);
+   --  A copy, advanced to that time unless it is in the past. Ago: as it was
+   --  so long before.
 
 end Robot_Bench;

@@ -4,7 +4,6 @@
 with Ada.Exceptions;
 with Ada.Strings.Fixed;  use Ada.Strings.Fixed;
 
-with Answer_Faults;
 with Option_Readers;     use Option_Readers;
 with Readings;           use Readings;
 
@@ -65,6 +64,21 @@ package body Settings is
          V.Battery := Battery (Value);
       elsif Name = "--pose" then
          Set_Pose (V, Value);
+      elsif Name = "--speed" then
+         V.Wheels.Speed := Number
+           (Robot_Motion.Speed_Percent'First,
+            Robot_Motion.Speed_Percent'Last);
+      elsif Name = "--turn-speed" then
+         V.Wheels.Turn_Speed := Number
+           (Robot_Motion.Speed_Percent'First,
+            Robot_Motion.Speed_Percent'Last);
+      elsif Name = "--overshoot" then
+         V.Wheels.Overshoot := Number
+           (Robot_Motion.Overshoot_Percent'First,
+            Robot_Motion.Overshoot_Percent'Last);
+      elsif Name = "--pull" then
+         V.Wheels.Pull := Number
+           (Robot_Motion.Pull_Angle'First, Robot_Motion.Pull_Angle'Last);
       elsif Name = "--camera-port" then
          V.Camera_Port := Number (0, 65_535);
          V.With_Camera := True;
@@ -76,6 +90,13 @@ package body Settings is
       elsif Name = "--noise" then
          V.Camera.Noise := Number
            (Arena_Camera.Noise_Level'First, Arena_Camera.Noise_Level'Last);
+      elsif Name = "--camera-delay" then
+         V.Camera.Late := Number
+           (Arena_Camera.Delay_Time'First, Arena_Camera.Delay_Time'Last);
+      elsif Name = "--position-noise" then
+         V.Camera.Displaced := Number
+           (Arena_Camera.Displacement'First,
+            Arena_Camera.Displacement'Last);
       elsif Name = "--marker" then
          Set_Marker (V, Value);
       elsif Name = "--marker-id" then
@@ -84,6 +105,8 @@ package body Settings is
             Arena_Camera.Marker_Number'Last);
       elsif Name = "--drop" then
          V.Drop := Number (Remaining'First, Remaining'Last);
+      elsif Name = "--drop-every" then
+         V.Every := Interval (Value);
       elsif Name = "--corrupt" then
          V.Corrupt := Number (Remaining'First, Remaining'Last);
       elsif Name = "--garbage" then

@@ -3,6 +3,7 @@
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
+with Answer_Faults;
 with Arena_Camera;
 with Robot_Core;
 with Robot_Motion;
@@ -20,9 +21,11 @@ package Settings is
       Battery     : Robot_Core.Battery_Level := Robot_Core.Full;
       Charging    : Boolean := False;
       Pose        : Robot_Motion.Pose;
+      Wheels      : Robot_Motion.Wheel_Errors;
 
       Silent      : Boolean := False;
       Drop        : Natural := 0;      --  answers
+      Every       : Answer_Faults.Interval := 0;
       Corrupt     : Natural := 0;
       Garbage     : Natural := 0;
       Truncate    : Natural := 0;
@@ -58,16 +61,30 @@ private
      & "  --charging           with its charger plugged in" & NL
      & "  --pose X,Y,HEADING   where it stands (40,30,0): cm, degrees" & NL
      & NL
+     & "Wheels that are not ideal (an order takes its usual time):" & NL
+     & "  --speed N            percent straight on, 70 to 130 (100)" & NL
+     & "  --turn-speed N       percent of turns, 70 to 130 (100)" & NL
+     & "  --overshoot N        turns go on by N percent, and take longer by"
+     & " as" & NL
+     & "                       much, 0 to 20 (0)" & NL
+     & "  --pull N             degrees to the left per metre, -30 to 30 (0)"
+     & NL
+     & NL
      & "The arena camera, if there is to be one:" & NL
      & "  --camera-port N      serves it on 127.0.0.1 (0: a free port)" & NL
      & "  --camera-fps N       images a second (25)" & NL
      & "  --frame-size WxH     (640x480)" & NL
      & "  --noise N            grey levels, standard deviation (3)" & NL
+     & "  --camera-delay MS    images show the robot so long ago, 0 to 1000"
+     & " (0)" & NL
+     & "  --position-noise PX  displaces the robot in each image, 0 to 10"
+     & " (0)" & NL
      & "  --marker KIND        aruco (default) or triangle" & NL
      & "  --marker-id N        of an ArUco marker, 0 to 999 (1)" & NL & NL
      & "Faults from the start:" & NL
      & "  --silent             answers nothing" & NL
      & "  --drop N             loses the first N answers" & NL
+     & "  --drop-every N       loses every Nth: 0 (none), or 2 to 1000" & NL
      & "  --corrupt N          spoils the checksum of the first N" & NL
      & "  --garbage N          sends random bytes instead" & NL
      & "  --truncate N         leaves out their carriage return" & NL

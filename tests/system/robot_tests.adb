@@ -42,6 +42,7 @@ package body Robot_Tests is
    procedure Watchdog_Disabled_Robot;
    procedure Reload_By_Hand;
    procedure Movements;
+   procedure Wheels_Not_Ideal;
    procedure Movement_Latency;
    procedure Stop_Overtakes;
    procedure Battery_Period;
@@ -677,6 +678,33 @@ package body Robot_Tests is
       Order ("RSTP", "M=0");
    end Movements;
 
+   procedure Wheels_Not_Ideal is
+      --  The orders are as ever; what the emulated robot makes of them is
+      --  not. 14 cm on an arc of 10 degrees a metre: 13.999 and 0.171 cm
+      R : Rig;
+
+      function Is_At (X, Y, Heading : String) return Boolean is
+        (R.Emulator.Status ("x") = X and then R.Emulator.Status ("y") = Y
+         and then R.Emulator.Status ("heading") = Heading);
+   begin
+      Assemble
+        (R, Emulator_Options =>
+           "--pose 20,30,0 --speed 70 --overshoot 20 --pull 10");
+      Start_Robot (R);
+      R.Monitor.Expect ("RMOV:200", "AACK");
+      R.Emulator.Await_Status ("moving", "0", Within => 3.0);
+      Check (Is_At ("33.998", "30.171", "1.400"), "another arc");
+      R.Monitor.Expect ("RTRN:90", "AACK");
+      R.Emulator.Await_Status ("moving", "0", Within => 3.0);
+      Check (Is_At ("33.998", "30.171", "109.400"), "another turn");
+      R.Emulator.Tell ("turn-speed 70");
+      R.Emulator.Tell ("overshoot 0");
+      R.Monitor.Expect ("RTRN:-90", "AACK");
+      R.Emulator.Await_Status ("moving", "0", Within => 3.0);
+      Check (Is_At ("33.998", "30.171", "46.400"), "too large a turn");
+      Check (R.Emulator.Wire_Text = "M=200 T=90 T=-90 ", "other orders");
+   end Wheels_Not_Ideal;
+
    procedure Movement_Latency is
       --  F12: event-driven, 5 ms. Here only the order of magnitude while
       --  images stream; the benchmark has the figures.
@@ -921,6 +949,7 @@ package body Robot_Tests is
            Watchdog_Disabled_Robot'Access);
       Add (Suite, "F11_Reload_By_Hand", Reload_By_Hand'Access);
       Add (Suite, "F12_Movements", Movements'Access);
+      Add (Suite, "F12_Wheels_Not_Ideal", Wheels_Not_Ideal'Access);
       Add (Suite, "F12_Movement_Latency", Movement_Latency'Access);
       Add (Suite, "F12_Rule_3_Stop_Overtakes", Stop_Overtakes'Access);
       Add (Suite, "F13_Battery_Period", Battery_Period'Access);

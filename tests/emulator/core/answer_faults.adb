@@ -50,12 +50,19 @@ package body Answer_Faults with SPARK_Mode is
       To     : Command_Kind;
       Reply  : Answer;
       Wire   : out Wire_Bytes;
-      Effect : out Effect_Kind) is
+      Effect : out Effect_Kind)
+   is
+      Has_Turn : Boolean := False;
+      --  To be lost as Every has it
    begin
       Wire := (others => <>);
       Wire.Length := Reply.Length;
       Wire.Data (Reply.Data'Range) := Reply.Data;
       Effect := None;
+      if P.Every > 0 and then Reply.Length >= 2 then
+         P.Passed := (P.Passed + 1) mod P.Every;
+         Has_Turn := P.Passed = 0;
+      end if;
 
       if Reply.Length < 2 then
          null;
@@ -70,6 +77,10 @@ package body Answer_Faults with SPARK_Mode is
 
       elsif P.Drop > 0 then
          P.Drop := P.Drop - 1;
+         Wire.Length := 0;
+         Effect := Dropped;
+
+      elsif Has_Turn then
          Wire.Length := 0;
          Effect := Dropped;
 

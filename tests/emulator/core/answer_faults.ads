@@ -19,6 +19,10 @@ package Answer_Faults with SPARK_Mode, Pure is
    subtype Remaining is Natural range 0 .. 1_000_000;
    --  Number of answers still to be affected
 
+   subtype Interval is Natural range 0 .. 1_000
+     with Static_Predicate => Interval in 0 | 2 .. 1_000;
+   --  Answers from a lost one to the next; 0: none is lost
+
    subtype Bit_Number is Natural range 0 .. 1_000_000;
    --  Counts the bits of an answer, from bit 0 of its first byte, cyclically
 
@@ -39,6 +43,7 @@ package Answer_Faults with SPARK_Mode, Pure is
       Silent   : Boolean   := False;  --  no answer at all, until ended
       Endless  : Boolean   := False;  --  no carriage return, until ended
       Drop     : Remaining := 0;      --  not sent
+      Every    : Interval  := 0;      --  each of this number is not sent
       Pile     : Pile_Size := 0;      --  held, and sent with the last of them
       Garbage  : Remaining := 0;      --  random bytes instead
       Truncate : Remaining := 0;      --  only the first Keep bytes
@@ -51,11 +56,14 @@ package Answer_Faults with SPARK_Mode, Pure is
       --  The next to be flipped. Each answer has its turn and moves it on.
       Turn     : Interfaces.Unsigned_8 := 0;
       --  Which wrong kind is next
+      Passed   : Natural range 0 .. 999 := 0;
+      --  Answers since the last that Every had lost
       Seed     : Interfaces.Unsigned_32 := 1;
       Kept     : Wire_Bytes;
       --  Answers held
    end record;
-   --  If several apply, one is used at a time, in this order
+   --  If several apply, one is used at a time, in this order. Every counts
+   --  all answers, those with another fault too.
 
    --  Used in the contract
 

@@ -88,10 +88,10 @@ package body Robot_Core with SPARK_Mode is
          Target := Robot_Motion.Micro'Min
            (Now, Robot_Motion.Micro'Min (R.Next_Tick, R.Now + Tick));
          if Target > R.Now then
-            Robot_Motion.Advance (R.Wheels, Target - R.Now);
+            Robot_Motion.Advance (R.Motion, Target - R.Now);
             R.Now := Target;
          end if;
-         if R.State = Movement and then not Robot_Motion.Is_Moving (R.Wheels)
+         if R.State = Movement and then not Robot_Motion.Is_Moving (R.Motion)
          then
             Enter (R, Run);
          end if;
@@ -226,7 +226,7 @@ package body Robot_Core with SPARK_Mode is
    procedure Enter (R : in out Robot; State : State_Kind) is
    begin
       if State /= Movement then
-         Robot_Motion.Halt (R.Wheels);
+         Robot_Motion.Halt (R.Motion);
       end if;
       if State not in Run | Movement then
          R.Guarded := False;
@@ -358,9 +358,9 @@ package body Robot_Core with SPARK_Mode is
             else
                Enter (R, Movement);
                if Result.Kind = Move then
-                  Robot_Motion.Go (R.Wheels, Result.Amount);
+                  Robot_Motion.Go (R.Motion, Result.Amount, R.Errors);
                else
-                  Robot_Motion.Turn (R.Wheels, Result.Amount);
+                  Robot_Motion.Turn (R.Motion, Result.Amount, R.Errors);
                end if;
             end if;
       end case;
@@ -370,7 +370,7 @@ package body Robot_Core with SPARK_Mode is
 
    procedure Place (R : in out Robot; At_Pose : Robot_Motion.Pose) is
    begin
-      Robot_Motion.Place (R.Wheels, At_Pose);
+      Robot_Motion.Place (R.Motion, At_Pose);
    end Place;
 
    procedure Read_Number
@@ -465,6 +465,12 @@ package body Robot_Core with SPARK_Mode is
       R.Plugged := Plugged;
       Follow_Power (R);
    end Set_Charging;
+
+   procedure Set_Wheels
+     (R : in out Robot; Errors : Robot_Motion.Wheel_Errors) is
+   begin
+      R.Errors := Errors;
+   end Set_Wheels;
 
    procedure Starve (R : in out Robot) is
    begin

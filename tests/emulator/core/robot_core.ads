@@ -32,6 +32,7 @@ package Robot_Core with SPARK_Mode, Pure is
 
    use type Interfaces.Unsigned_8;
    use type Robot_Motion.Micro;
+   use type Robot_Motion.Wheel_Errors;
 
    subtype Octet is Interfaces.Unsigned_8;
 
@@ -116,6 +117,8 @@ package Robot_Core with SPARK_Mode, Pure is
    function Battery (R : Robot) return Battery_Level;
    function Charging (R : Robot) return Boolean;
 
+   function Wheels (R : Robot) return Robot_Motion.Wheel_Errors;
+
    function Watchdog_On (R : Robot) return Boolean;
 
    function Missed (R : Robot) return Natural;
@@ -138,7 +141,8 @@ package Robot_Core with SPARK_Mode, Pure is
           Post => State (R) in Start_Up | In_Charge | Low_Battery
                   and then not Watchdog_On (R)
                   and then Clock (R) = Clock (R'Old);
-   --  Power-cycles the robot: pose, battery, charger and counters stay
+   --  Power-cycles the robot: pose, battery, charger, wheels and counters
+   --  stay
 
    procedure Advance_To (R : in out Robot; Now : Time_Point)
      with Post => Clock (R) = Time_Point'Max (Now, Clock (R'Old));
@@ -172,6 +176,11 @@ package Robot_Core with SPARK_Mode, Pure is
    procedure Set_Charging (R : in out Robot; Plugged : Boolean)
      with Post => Charging (R) = Plugged;
 
+   procedure Set_Wheels
+     (R : in out Robot; Errors : Robot_Motion.Wheel_Errors)
+   with Post => Wheels (R) = Errors and then State (R) = State (R'Old);
+   --  For the orders from now on
+
    procedure Place (R : in out Robot; At_Pose : Robot_Motion.Pose)
      with Post => State (R) = State (R'Old);
    --  Puts it down somewhere else. An order under way goes on from there
@@ -191,7 +200,8 @@ private
       State         : State_Kind := Off;
       Now           : Time_Point := 0;
       Next_Tick     : Robot_Motion.Micro := Tick;
-      Wheels        : Robot_Motion.Motion;
+      Motion        : Robot_Motion.Motion;
+      Errors        : Robot_Motion.Wheel_Errors;
       Level         : Battery_Level := Full;
       Plugged       : Boolean := False;
 
@@ -213,9 +223,11 @@ private
    function State (R : Robot) return State_Kind is (R.State);
    function Clock (R : Robot) return Time_Point is (R.Now);
    function Pose (R : Robot) return Robot_Motion.Pose is
-     (Robot_Motion.Pose_Of (R.Wheels));
+     (Robot_Motion.Pose_Of (R.Motion));
    function Battery (R : Robot) return Battery_Level is (R.Level);
    function Charging (R : Robot) return Boolean is (R.Plugged);
+   function Wheels (R : Robot) return Robot_Motion.Wheel_Errors is
+     (R.Errors);
    function Watchdog_On (R : Robot) return Boolean is (R.Guarded);
    function Missed (R : Robot) return Natural is (R.Misses);
    function Missed_Total (R : Robot) return Natural is (R.Missed_Sum);

@@ -9,7 +9,18 @@ package body Robot_Motion with SPARK_Mode is
    subtype Fraction is Micro range 0 .. Million;
    subtype Component is Micro range -Million .. Million;
    subtype Quarter is Micro range 0 .. Full_Turn / 4;
-   subtype Travel is Micro range 0 .. Longest_Run * Turn_Rate;
+
+   Stride : constant := 1_024;
+   --  Micrometres of an arc, halved 10 times to find where it meets a wall
+
+   Strides : constant := 1_100;
+   --  More than the longest arc that fits between the walls: 83 cm from
+   --  corner to corner
+
+   Longest_Way : constant := (Strides + 1) * Stride;
+
+   subtype Way is Micro range -Longest_Way .. Longest_Way;
+   --  Micrometres, negative backward
 
    Sines : constant array (Micro range 0 .. 90) of Fraction :=
    --  Of whole degrees, in millionths
@@ -40,23 +51,39 @@ package body Robot_Motion with SPARK_Mode is
    --  How far one can travel from Position before the coordinate, which
    --  changes by Along millionths of the travel, leaves Low .. High
 
+   type Place_In_Plane is record
+      X, Y : Micro range -2 ** 32 .. 2 ** 32;
+   end record;
+
+   function Place_After
+     (From : Pose; Pull : Pull_Angle; Length : Way) return Place_In_Plane;
+   --  At the end of an arc of that length, as if there were no walls
+
+   function Free_Way
+     (From : Pose; Pull : Pull_Angle; Forward : Boolean) return Travel
+   with Post => Free_Way'Result in Way;
+   --  The length of the arc that ends at the first wall
+
    procedure Begin_Order
-     (M       : in out Motion;
-      Order   : Order_Kind;
-      Value   : Amount;
-      Endless : Boolean;
-      Time    : Run_Time)
+     (M      : in out Motion;
+      Order  : Order_Kind;
+      Value  : Amount;
+      Time   : Run_Time;
+      Limit  : Travel;
+      Errors : Wheel_Errors)
    with
      Pre  => Order /= None,
      Post => Is_Moving (M) = (Value /= 0);
+   --  Limit: of a straight order not known yet
 
    procedure Advance (M : in out Motion; Elapsed : Step) is
-      Whole_Turn : constant := Full_Turn / Turn_Rate;
-      --  Microseconds for one turn
+      Whole_Turns : constant := 100 * Full_Turn / Turn_Rate;
+      --  Microseconds in which the robot turns whole turns whatever its
+      --  speed in percent
 
       Far_Enough : constant := 20 * Million;
       --  Microseconds after which an endless straight run has met a wall
-      --  wherever it began: 4 m are more than any diagonal
+      --  wherever it began: 2.8 m are more than any diagonal
    begin
       if M.Order = None then
          return;
@@ -70,25 +97,28 @@ package body Robot_Motion with SPARK_Mode is
             M.Done := M.Done + Elapsed;
          end if;
       elsif M.Order = Rotation then
-         M.Done := (M.Done + Elapsed) mod Whole_Turn;
+         M.Done := (M.Done + Elapsed) mod Whole_Turns;
       else
          M.Done := Micro'Min (M.Done + Elapsed, Far_Enough);
       end if;
    end Advance;
 
    procedure Begin_Order
-     (M       : in out Motion;
-      Order   : Order_Kind;
-      Value   : Amount;
-      Endless : Boolean;
-      Time    : Run_Time) is
+     (M      : in out Motion;
+      Order  : Order_Kind;
+      Value  : Amount;
+      Time   : Run_Time;
+      Limit  : Travel;
+      Errors : Wheel_Errors) is
    begin
       Halt (M);
       if Value /= 0 then
          M.Order    := Order;
-         M.Endless  := Endless;
+         M.Errors   := Errors;
+         M.Endless  := Value in Endless_Forward | Endless_Backward;
          M.Positive := Value > 0;
          M.Duration := Time;
+         M.Limit    := Limit;
          M.Done     := 0;
       end if;
    end Begin_Order;
@@ -96,13 +126,65 @@ package body Robot_Motion with SPARK_Mode is
    function Cosine (Angle : Heading) return Micro is
      (Sine ((Angle + Full_Turn / 4) mod Full_Turn));
 
-   procedure Go (M : in out Motion; Millimetres : Amount) is
+   function Free_Way
+     (From : Pose; Pull : Pull_Angle; Forward : Boolean) return Travel
+   is
+      Sign : constant Micro := (if Forward then 1 else -1);
+
+      function Is_Free (Length : Travel) return Boolean
+        with Pre => Length in Way;
+      --  No wall is where an arc of that length ends
+
+      function Is_Free (Length : Travel) return Boolean is
+         Place : constant Place_In_Plane :=
+           Place_After (From, Pull, Sign * Length);
+      begin
+         return Place.X in X_Position and then Place.Y in Y_Position;
+      end Is_Free;
+
+      Along_X : constant Component := Sign * Cosine (From.Angle);
+      Along_Y : constant Component := Sign * Sine (From.Angle);
+      Result  : Travel range 0 .. Way'Last := 0;
+      Part    : Travel range 0 .. Stride := Stride;
+   begin
+      if Pull = 0 then
+         return Micro'Min
+           (Way'Last,
+            Micro'Min
+              (Room (From.X, X_Position'First, X_Position'Last, Along_X),
+               Room (From.Y, Y_Position'First, Y_Position'Last, Along_Y)));
+      end if;
+
+      --  An arc can touch a wall and leave it again, so it is followed from
+      --  its beginning. What it does within one stride is less than 0.1
+      --  micrometres.
+
+      for K in 1 .. Strides loop
+         exit when not Is_Free (Result + Stride);
+         Result := Result + Stride;
+         pragma Loop_Invariant (Result = Micro (K) * Stride);
+      end loop;
+
+      for K in 1 .. 10 loop
+         pragma Loop_Invariant (Result <= Way'Last - Part);
+         Part := Part / 2;
+         if Is_Free (Result + Part) then
+            Result := Result + Part;
+         end if;
+      end loop;
+      return Result;
+   end Free_Way;
+
+   procedure Go
+     (M           : in out Motion;
+      Millimetres : Amount;
+      Errors      : Wheel_Errors := Ideal)
+   is
       Time : constant Micro :=
         abs Micro (Millimetres) * Million / Wheel_Speed;
    begin
-      Begin_Order
-        (M, Straight, Millimetres,
-         Millimetres in Endless_Forward | Endless_Backward, Time);
+      Begin_Order (M, Straight, Millimetres, Time, 0, Errors);
+      M.Limit := Free_Way (M.From, Errors.Pull, M.Positive);
    end Go;
 
    procedure Halt (M : in out Motion) is
@@ -126,12 +208,10 @@ package body Robot_Motion with SPARK_Mode is
             declare
                --  A finite turn takes a whole number of microseconds, a
                --  little more than its angle needs
-               Angle : constant Travel := M.Done * Turn_Rate;
-               Value : constant Travel :=
-                 (if M.Endless then Angle
-                  else Micro'Min
-                         (Angle, M.Duration * Turn_Rate / Million * Million));
-               Turned : constant Heading := Value mod Full_Turn;
+               Speed  : constant Micro := Micro (M.Errors.Turn_Speed);
+               Turned : constant Heading :=
+                 Micro'Min (M.Done * Turn_Rate * Speed / 100, M.Limit)
+                 mod Full_Turn;
             begin
                if M.Positive then
                   Result.Angle := (M.From.Angle + Turned) mod Full_Turn;
@@ -143,31 +223,51 @@ package body Robot_Motion with SPARK_Mode is
 
          when Straight =>
             declare
-               Sign    : constant Micro := (if M.Positive then 1 else -1);
-               Along_X : constant Component := Sign * Cosine (M.From.Angle);
-               Along_Y : constant Component := Sign * Sine (M.From.Angle);
-               Wanted  : constant Travel := M.Done * Wheel_Speed / 1_000;
-               Way     : constant Travel :=
+               Speed  : constant Micro := Micro (M.Errors.Speed);
+               Length : constant Micro range 0 .. Way'Last :=
                  Micro'Min
-                   (Wanted,
-                    Micro'Min
-                      (Room (M.From.X, X_Position'First, X_Position'Last,
-                             Along_X),
-                       Room (M.From.Y, Y_Position'First, Y_Position'Last,
-                             Along_Y)));
+                   (M.Done * Wheel_Speed * Speed / 100_000,
+                    Micro'Min (M.Limit, Way'Last));
+               Gone   : constant Way :=
+                 (if M.Positive then Length else -Length);
+               Place  : constant Place_In_Plane :=
+                 Place_After (M.From, M.Errors.Pull, Gone);
             begin
                Result.X := Micro'Max
-                 (X_Position'First,
-                  Micro'Min (X_Position'Last,
-                             M.From.X + Way * Along_X / Million));
+                 (X_Position'First, Micro'Min (X_Position'Last, Place.X));
                Result.Y := Micro'Max
-                 (Y_Position'First,
-                  Micro'Min (Y_Position'Last,
-                             M.From.Y + Way * Along_Y / Million));
+                 (Y_Position'First, Micro'Min (Y_Position'Last, Place.Y));
+               Result.Angle :=
+                 (M.From.Angle + Micro (M.Errors.Pull) * Gone)
+                 mod Full_Turn;
             end;
       end case;
       return Result;
    end Pose_Of;
+
+   function Place_After
+     (From : Pose; Pull : Pull_Angle; Length : Way) return Place_In_Plane
+   is
+      --  The chord of the arc: it leads half of the turn to the side, and
+      --  with h, that half in radians, it is shorter by sin h / h
+
+      Half    : constant Micro range -20 * Million .. 20 * Million :=
+        Micro (Pull) * Length / 2;
+      --  Microdegrees: degrees per metre are microdegrees per micrometre
+      Radians : constant Micro range -Million / 2 .. Million / 2 :=
+        Half * 17_453 / Million;
+      --  In millionths, as the next two
+      Square  : constant Micro range 0 .. Million / 4 :=
+        Radians * Radians / Million;
+      Shorter : constant Micro range 0 .. 2 * Million :=
+        Million - Square / 6 + Square * Square / (120 * Million);
+      Chord   : constant Micro range -2 * Longest_Way .. 2 * Longest_Way :=
+        Length * Shorter / Million;
+      Towards : constant Heading := (From.Angle + Half) mod Full_Turn;
+   begin
+      return (X => From.X + Chord * Cosine (Towards) / Million,
+              Y => From.Y + Chord * Sine (Towards) / Million);
+   end Place_After;
 
    function Quarter_Sine (Angle : Quarter) return Fraction is
       Whole : constant Micro := Angle / Million;
@@ -209,14 +309,25 @@ package body Robot_Motion with SPARK_Mode is
       end if;
    end Sine;
 
-   procedure Turn (M : in out Motion; Degrees : Amount) is
-      Time : constant Micro :=
-        (abs Micro (Degrees) * Million + (Turn_Rate - 1)) / Turn_Rate;
+   procedure Turn
+     (M       : in out Motion;
+      Degrees : Amount;
+      Errors  : Wheel_Errors := Ideal)
+   is
+      Part  : constant Micro range 100 .. 120 :=
+        100 + Micro (Errors.Overshoot);
+      --  What is turned, in percent
+      Angle : constant Micro range 0 .. 32_768 * 120 :=
+        abs Micro (Degrees) * Part;
+      --  Hundredths of degrees
+      Time  : constant Micro :=
+        (Angle * (Million / 100) + (Turn_Rate - 1)) / Turn_Rate;
       --  Rounded up: a turn is done when all of its angle is
+      Limit : constant Travel :=
+        (if Degrees in Endless_Forward | Endless_Backward then Travel'Last
+         else Angle * Micro (Errors.Turn_Speed) * (Million / 10_000));
    begin
-      Begin_Order
-        (M, Rotation, Degrees,
-         Degrees in Endless_Forward | Endless_Backward, Time);
+      Begin_Order (M, Rotation, Degrees, Time, Limit, Errors);
    end Turn;
 
 end Robot_Motion;

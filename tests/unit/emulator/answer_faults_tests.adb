@@ -22,6 +22,8 @@ package body Answer_Faults_Tests is
       Data   => (16#33#, 16#2E#, 16#35#, 16#28#, CR, others => 0));
 
    type Answers is array (Positive range <>) of Answer;
+   type Intervals is array (Positive range <>) of Interval;
+   type Effects is array (Positive range <>) of Effect_Kind;
 
    P      : Plan;
    Wire   : Wire_Bytes;
@@ -34,6 +36,7 @@ package body Answer_Faults_Tests is
    procedure Test_None (T : in out Any_Test);
    procedure Test_Silent (T : in out Any_Test);
    procedure Test_Drop (T : in out Any_Test);
+   procedure Test_Every (T : in out Any_Test);
    procedure Test_Corrupt (T : in out Any_Test);
    procedure Test_Truncate (T : in out Any_Test);
    procedure Test_Garbage (T : in out Any_Test);
@@ -128,6 +131,40 @@ package body Answer_Faults_Tests is
       end loop;
       Assert (Count in 4_000 .. 6_000, "not at random");
    end Test_Endless;
+
+   procedure Test_Every (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Nothing : constant Answer := (others => <>);
+   begin
+      for Every of Intervals'(2, 3, 10, 1_000) loop
+         P := (Every => Every, others => <>);
+         for K in 1 .. 3_000 loop
+            if K mod 7 = 0 then
+               Apply (P, Ping, Nothing, Wire, Effect);
+               Assert (Effect = None, "what is no answer is lost");
+            end if;
+            Apply (P, Ping, Ack, Wire, Effect);
+            if K mod Every = 0 then
+               Assert (Effect = Dropped and then Sent'Length = 0,
+                       "sent:" & K'Image);
+            else
+               Assert (Effect = None and then Sent = Ack.Data (1 .. 3),
+                       "lost:" & K'Image);
+            end if;
+         end loop;
+      end loop;
+
+      --  Answers with another fault count, and use it only in their turn
+
+      P := (Every => 3, Drop => 1, Corrupt => 3, others => <>);
+      for Expected of Effects'
+        (Dropped, Corrupt, Dropped, Corrupt, Corrupt, Dropped, None, None,
+         Dropped)
+      loop
+         Apply (P, Ping, Ack, Wire, Effect);
+         Assert (Effect = Expected, "other faults");
+      end loop;
+   end Test_Every;
 
    procedure Test_Flip (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -337,6 +374,7 @@ package body Answer_Faults_Tests is
       Register_Routine (T, Test_None'Access, "none");
       Register_Routine (T, Test_Silent'Access, "silent");
       Register_Routine (T, Test_Drop'Access, "drop");
+      Register_Routine (T, Test_Every'Access, "drop every");
       Register_Routine (T, Test_Corrupt'Access, "corrupt");
       Register_Routine (T, Test_Truncate'Access, "truncate");
       Register_Routine (T, Test_Garbage'Access, "garbage");

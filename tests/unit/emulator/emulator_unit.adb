@@ -5,12 +5,14 @@
 with Answer_Faults_Tests;
 with Robot_Core_Tests;
 with Robot_Motion_Tests;
+with Robot_Pasts_Tests;
 with Unit_Runs;
 
 procedure Emulator_Unit is
 begin
    Unit_Runs.Add (new Robot_Core_Tests.Test_Case);
    Unit_Runs.Add (new Robot_Motion_Tests.Test_Case);
+   Unit_Runs.Add (new Robot_Pasts_Tests.Test_Case);
    Unit_Runs.Add (new Answer_Faults_Tests.Test_Case);
    Unit_Runs.Run;
 end Emulator_Unit;

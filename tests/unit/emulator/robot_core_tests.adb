@@ -86,6 +86,7 @@ package body Robot_Core_Tests is
    procedure Test_Low_Battery (T : in out Any_Test);
    procedure Test_Power_Cycle (T : in out Any_Test);
    procedure Test_Starve (T : in out Any_Test);
+   procedure Test_Wheels (T : in out Any_Test);
    procedure Test_Counters (T : in out Any_Test);
    procedure Test_Time_Goes_One_Way (T : in out Any_Test);
 
@@ -1070,6 +1071,49 @@ package body Robot_Core_Tests is
       Advance_To (R, Clock (R) + Time);
    end Wait_Microseconds;
 
+   procedure Test_Wheels (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      use type Robot_Motion.Pose;
+      R : Robot := In_State (Run);
+   begin
+      --  From the next order on, each as long as it takes; a power cycle
+      --  mends nothing
+
+      Expect (R, "M=200", "O");
+      Wait (R, 5);
+      Set_Wheels (R, (Speed      => 70,
+                      Turn_Speed => 130,
+                      Overshoot  => 20,
+                      Pull       => 10));
+      Wait (R, 5);
+      Expect (R, "b", "0");
+      Assert (Pose (R) = (600_000, 300_000, 0), "the order under way");
+      Expect (R, "M=-200", "O");
+      Wait_Microseconds (R, 999_999);
+      Expect (R, "b", "1");
+      Wait_Microseconds (R, 1);
+      Expect (R, "b", "0");
+      Assert (Pose (R).Angle = 358_600_000
+              and then Pose (R).X in 460_000 .. 460_100
+              and then Pose (R).Y in 301_600 .. 301_800, "an arc, slowly");
+
+      Switch_On (R);
+      Wait (R, Boot_Ticks);
+      Expect (R, "u", "O");
+      Expect (R, "T=90", "O");
+      Wait_Microseconds (R, 1_199_999);
+      Expect (R, "b", "1");
+      Wait_Microseconds (R, 1);
+      Expect (R, "b", "0");
+      Assert (Pose (R).Angle = 358_600_000 + 140_400_000 - 360_000_000,
+              "a turn too fast and too long");
+
+      Set_Wheels (R, Robot_Motion.Ideal);
+      Expect (R, "T=-139", "O");
+      Wait (R, 16);
+      Assert (Pose (R).Angle = 0, "ideal again");
+   end Test_Wheels;
+
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
    begin
@@ -1124,6 +1168,7 @@ package body Robot_Core_Tests is
       Register_Routine (T, Test_Low_Battery'Access, "low battery");
       Register_Routine (T, Test_Power_Cycle'Access, "power cycle");
       Register_Routine (T, Test_Starve'Access, "its watchdog disables it");
+      Register_Routine (T, Test_Wheels'Access, "wheels not ideal");
       Register_Routine (T, Test_Counters'Access, "counters");
       Register_Routine (T, Test_Time_Goes_One_Way'Access, "time");
    end Register_Tests;

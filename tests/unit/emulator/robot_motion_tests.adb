@@ -1,7 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The wheels: distances, turns, walls.
 
+with Ada.Numerics;
 with Ada.Numerics.Long_Elementary_Functions;
+with Interfaces;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
@@ -19,6 +21,9 @@ package body Robot_Motion_Tests is
 
    function Placed (X, Y, Angle : Micro) return Motion;
 
+   type Values is array (1 .. 3) of Micro;
+   type Pulls is array (Positive range <>) of Pull_Angle;
+
    procedure Test_Sine (T : in out Any_Test);
    procedure Test_Straight (T : in out Any_Test);
    procedure Test_Every_Direction (T : in out Any_Test);
@@ -30,6 +35,27 @@ package body Robot_Motion_Tests is
    procedure Test_Steps_Do_Not_Matter (T : in out Any_Test);
    procedure Test_Square (T : in out Any_Test);
    procedure Test_Extremes (T : in out Any_Test);
+   procedure Test_Ideal_As_Ever (T : in out Any_Test);
+   procedure Test_Speed (T : in out Any_Test);
+   procedure Test_Turn_Speed (T : in out Any_Test);
+   procedure Test_Overshoot (T : in out Any_Test);
+   procedure Test_Arcs (T : in out Any_Test);
+   procedure Test_Back_Along_An_Arc (T : in out Any_Test);
+   procedure Test_Arcs_At_Walls (T : in out Any_Test);
+   procedure Test_Arc_Touches_A_Wall (T : in out Any_Test);
+   procedure Test_Extremes_With_Errors (T : in out Any_Test);
+
+   type Exact_Pose is record
+      X, Y, Angle : Long_Float;  --  micrometres, degrees
+   end record;
+
+   function On_Arc
+     (From : Pose; Pull : Pull_Angle; Length : Long_Float)
+      return Exact_Pose;
+   --  By the circle's centre; Length in micrometres, negative backward
+
+   procedure Expect_Near (M : Motion; Exact : Exact_Pose; What : String);
+   --  Within the 40 micrometres of Pose_Of's description
 
    procedure Expect
      (M : Motion; X, Y, Angle : Micro; Tolerance : Micro := 0)
@@ -43,8 +69,42 @@ package body Robot_Motion_Tests is
               & X'Image & Y'Image & Angle'Image);
    end Expect;
 
+   procedure Expect_Near (M : Motion; Exact : Exact_Pose; What : String) is
+      P       : constant Pose := Pose_Of (M);
+      Degrees : constant Long_Float :=
+        abs (Long_Float (P.Angle) / 1.0e6 - Exact.Angle);
+   begin
+      Assert (abs (Long_Float (P.X) - Exact.X) <= 40.0
+              and then abs (Long_Float (P.Y) - Exact.Y) <= 40.0
+              and then (Degrees < 2.0e-6 or else Degrees > 360.0 - 2.0e-6),
+              What & ": at" & P.X'Image & P.Y'Image & P.Angle'Image
+              & ", not" & Exact.X'Image & Exact.Y'Image & Exact.Angle'Image);
+   end Expect_Near;
+
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Robot_Motion"));
+
+   function On_Arc
+     (From : Pose; Pull : Pull_Angle; Length : Long_Float)
+      return Exact_Pose
+   is
+      use Ada.Numerics.Long_Elementary_Functions;
+      Radius : constant Long_Float :=
+        1.0e6 * 180.0 / (Ada.Numerics.Pi * Long_Float (Pull));
+      --  Negative to the right
+      Before : constant Long_Float := Long_Float (From.Angle) / 1.0e6;
+      After  : constant Long_Float :=
+        Before + Long_Float (Pull) * Length / 1.0e6;
+   begin
+      return
+        (X     => Long_Float (From.X)
+                  + Radius * (Sin (After, 360.0) - Sin (Before, 360.0)),
+         Y     => Long_Float (From.Y)
+                  - Radius * (Cos (After, 360.0) - Cos (Before, 360.0)),
+         Angle => (if After < 0.0 then After + 360.0
+                   elsif After >= 360.0 then After - 360.0
+                   else After));
+   end On_Arc;
 
    procedure Pass (M : in out Motion; Time : Micro) is
       Left : Micro := Time;
@@ -61,6 +121,154 @@ package body Robot_Motion_Tests is
       Place (M, (X, Y, Angle));
       return M;
    end Placed;
+
+   procedure Test_Arc_Touches_A_Wall (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Left : constant Wheel_Errors := (Pull => 30, others => <>);
+      M    : Motion;
+      P    : Pose;
+   begin
+      --  3 degrees towards the wall: the arc would come 2.6 mm nearer to it
+      --  and then away again
+
+      M := Placed (200_000, 66_000, 357_000_000);
+      Go (M, 400, Left);
+      Pass (M, 2_000_000);
+      Expect_Near (M, On_Arc ((200_000, 66_000, 357_000_000), 30, 400_000.0),
+                   "past the wall");
+
+      M := Placed (200_000, 63_000, 357_000_000);
+      Go (M, 400, Left);
+      Pass (M, 2_000_000);
+      P := Pose_Of (M);
+      Assert (P.Y = 62_000 and then P.X in 220_000 .. 225_000,
+              "not where it touched the wall:" & P.X'Image & P.Y'Image);
+
+      --  There it stays, and so does its heading, but for the micrometre
+      --  by which positions are rounded; backward it gets away
+
+      Go (M, 400, Left);
+      Pass (M, 1_000_000);
+      Assert (Pose_Of (M).Y = P.Y and then Pose_Of (M).X - P.X in 0 .. 50
+              and then Pose_Of (M).Angle - P.Angle in 0 .. 1_500,
+              "along the wall");
+      Pass (M, 1_000_000);
+      Go (M, -10, Left);
+      Pass (M, 50_000);
+      Assert (Pose_Of (M).Y > 62_100, "caught at the wall");
+   end Test_Arc_Touches_A_Wall;
+
+   procedure Test_Arcs (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      M       : Motion;
+      Start   : Pose;
+      Heading : Micro;
+   begin
+      for Pull in Pull_Angle loop
+         for Step in 0 .. 59 loop
+            Heading := Micro (Step) * 6_012_345;
+            if Pull /= 0 then
+               for Speed in 7 .. 13 loop
+                  M := Placed (400_000, 300_000, Heading);
+                  Start := Pose_Of (M);
+                  Go (M, (if Step mod 2 = 0 then 170 else -170),
+                      (Speed => 10 * Speed, Pull => Pull, others => <>));
+                  Pass (M, 400_000);
+                  Expect_Near
+                    (M,
+                     On_Arc (Start, Pull,
+                             Long_Float (Speed) * 8_000.0
+                             * (if Step mod 2 = 0 then 1.0 else -1.0)),
+                     "under way");
+                  Pass (M, 449_999);
+                  Assert (Is_Moving (M), "too early");
+                  Pass (M, 1);
+                  Assert (not Is_Moving (M), "too late");
+                  Expect_Near
+                    (M,
+                     On_Arc (Start, Pull,
+                             Long_Float (Speed) * 17_000.0
+                             * (if Step mod 2 = 0 then 1.0 else -1.0)),
+                     "at the end");
+               end loop;
+            end if;
+         end loop;
+
+         --  Nearly the longest there are
+
+         if Pull /= 0 then
+            M := Placed (100_000, 300_000, 0);
+            Start := Pose_Of (M);
+            Go (M, 600, (Pull => Pull, others => <>));
+            Pass (M, 3_000_000);
+            Expect_Near (M, On_Arc (Start, Pull, 600_000.0), "long");
+            Assert (Pose_Of (M).Angle
+                    = (Micro (Pull) * 600_000) mod Full_Turn, "its heading");
+         end if;
+      end loop;
+   end Test_Arcs;
+
+   procedure Test_Arcs_At_Walls (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      M      : Motion;
+      Start  : Pose;
+      P      : Pose;
+      Turned : Micro;
+      Length : Long_Float;
+      Before : Exact_Pose;
+   begin
+      for Pull of Pulls'(-30, -11, -1, 1, 12, 30) loop
+         for Degree in 0 .. 359 loop
+            M := Placed (111_111, 500_000, Micro (Degree) * 1_000_000);
+            Start := Pose_Of (M);
+            Go (M, (if Degree mod 3 = 0 then Endless_Backward
+                    else Endless_Forward),
+                (Speed => 70 + Degree mod 61, Pull => Pull, others => <>));
+            Pass (M, 60_000_000);
+            Assert (Is_Moving (M), "ended");
+
+            --  At a wall, on the arc, and nowhere before was there a wall
+
+            P := Pose_Of (M);
+            Assert (P.X <= 62_002 or else P.X >= 737_998
+                    or else P.Y <= 62_002 or else P.Y >= 537_998,
+                    "not at a wall:" & P.X'Image & P.Y'Image);
+            Turned := (P.Angle - Start.Angle) mod Full_Turn;
+            if Turned > Full_Turn / 2 then
+               Turned := Turned - Full_Turn;
+            end if;
+            Length := Long_Float (Turned) / Long_Float (Pull);
+            Assert ((Length <= 0.0) = (Degree mod 3 = 0), "its direction");
+            Expect_Near (M, On_Arc (Start, Pull, Length), "on its arc");
+            for Part in 0 .. 99 loop
+               Before := On_Arc
+                 (Start, Pull, Length * Long_Float (Part) / 100.0);
+               Assert
+                 (Before.X > 61_960.0 and then Before.X < 738_040.0
+                  and then Before.Y > 61_960.0
+                  and then Before.Y < 538_040.0, "through a wall");
+            end loop;
+         end loop;
+      end loop;
+   end Test_Arcs_At_Walls;
+
+   procedure Test_Back_Along_An_Arc (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      M : Motion;
+   begin
+      for Degree in 0 .. 359 loop
+         M := Placed (400_000, 300_000, Micro (Degree) * 1_000_000);
+         Go (M, 200, (Pull => 23, others => <>));
+         Pass (M, 1_000_000);
+         Assert (Pose_Of (M).Angle
+                 = (Micro (Degree) * 1_000_000 + 4_600_000) mod Full_Turn,
+                 "23 degrees per metre");
+         Go (M, -200, (Pull => 23, others => <>));
+         Pass (M, 1_000_000);
+         Expect (M, 400_000, 300_000, Micro (Degree) * 1_000_000,
+                 Tolerance => 2);
+      end loop;
+   end Test_Back_Along_An_Arc;
 
    procedure Test_Endless (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -129,6 +337,29 @@ package body Robot_Motion_Tests is
       Expect (M, 738_000, 300_000, 0);
    end Test_Extremes;
 
+   procedure Test_Extremes_With_Errors (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Most : constant Wheel_Errors := (130, 130, 20, 30);
+      M    : Motion;
+   begin
+      --  32,766 * 1.3 * 1.2 degrees are 141 turns and 354.96 degrees
+
+      Turn (M, 32_766, Most);
+      Pass (M, 436_879_999);
+      Assert (Is_Moving (M), "too early");
+      Pass (M, 1);
+      Assert (not Is_Moving (M), "too late");
+      Expect (M, 400_000, 300_000, 354_960_000);
+
+      M := Placed (400_000, 300_000, 0);
+      Go (M, -32_767, Most);
+      Pass (M, 163_834_999);
+      Assert (Is_Moving (M), "too early");
+      Pass (M, 1);
+      Assert (not Is_Moving (M), "too late");
+      Assert (Pose_Of (M).X = 62_000, "not at the wall");
+   end Test_Extremes_With_Errors;
+
    procedure Test_Halt (T : in out Any_Test) is
       pragma Unreferenced (T);
       M : Motion;
@@ -148,6 +379,99 @@ package body Robot_Motion_Tests is
       Go (M, 0);
       Assert (not Is_Moving (M), "moving by 0");
    end Test_Halt;
+
+   procedure Test_Ideal_As_Ever (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      use Interfaces;
+
+      Seed : Unsigned_32 := 1;
+      Sum  : Unsigned_64 := 0;
+      M    : Motion;
+      P    : Pose;
+
+      function Draw (Below : Unsigned_32) return Unsigned_32;
+
+      function Draw (Below : Unsigned_32) return Unsigned_32 is
+      begin
+         Seed := Seed * 1_664_525 + 1_013_904_223;
+         return Shift_Right (Seed, 8) mod Below;
+      end Draw;
+   begin
+      for K in 1 .. 100_000 loop
+         case Draw (12) is
+            when 0 =>
+               Go (M, Integer (Draw (800)) - 400);
+            when 1 =>
+               Turn (M, Integer (Draw (800)) - 400);
+            when 2 =>
+               Go (M, (if Draw (2) = 0 then Endless_Forward
+                       else Endless_Backward));
+            when 3 =>
+               Turn (M, (if Draw (2) = 0 then Endless_Forward
+                         else Endless_Backward));
+            when 4 =>
+               P.X := 62_000 + Micro (Draw (676_001));
+               P.Y := 62_000 + Micro (Draw (476_001));
+               P.Angle := Micro (Draw (16_777_216)) * 21;
+               Place (M, P);
+            when others =>
+               Advance (M, Micro (Draw (1_000_001)));
+         end case;
+         P := Pose_Of (M);
+         for Value of Values'(P.X, P.Y, P.Angle) loop
+            Sum := Sum * 31 + Unsigned_64 (Value);
+         end loop;
+         Sum := Sum * 31 + Boolean'Pos (Is_Moving (M));
+      end loop;
+
+      --  What it was before wheels could be anything but ideal
+
+      Assert (Sum = 17_283_344_166_477_718_937, "other poses:" & Sum'Image);
+   end Test_Ideal_As_Ever;
+
+   procedure Test_Overshoot (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      M : Motion;
+   begin
+      for Part in Overshoot_Percent loop
+         M := Placed (400_000, 300_000, 0);
+         Turn (M, 90, (Overshoot => Part, others => <>));
+         Pass (M, 1_000_000 + Micro (Part) * 10_000 - 1);
+         Assert (Is_Moving (M), "too early");
+         Pass (M, 1);
+         Assert (not Is_Moving (M), "too late");
+         Expect (M, 400_000, 300_000, 90_000_000 + Micro (Part) * 900_000);
+      end loop;
+
+      Turn (M, -90, (Overshoot => 20, others => <>));
+      Pass (M, 1_000_000);
+      Expect (M, 400_000, 300_000, 18_000_000);
+      Pass (M, 500_000);
+      Expect (M, 400_000, 300_000, 0);
+
+      --  Its factor and that of the speed: 90 * 0.7 * 1.2. Neither stopping
+      --  a turn nor an endless one knows it, nor a way.
+
+      Turn (M, 90, (Turn_Speed => 70, Overshoot => 20, others => <>));
+      Pass (M, 1_199_999);
+      Assert (Is_Moving (M), "too early");
+      Pass (M, 1);
+      Assert (not Is_Moving (M), "too late");
+      Expect (M, 400_000, 300_000, 75_600_000);
+      Turn (M, -90, (Overshoot => 20, others => <>));
+      Pass (M, 840_000);
+      Halt (M);
+      Pass (M, 1_000_000);
+      Expect (M, 400_000, 300_000, 0);
+      Turn (M, Endless_Forward, (Overshoot => 20, others => <>));
+      Pass (M, 41_000_000);
+      Expect (M, 400_000, 300_000, 90_000_000);
+      Halt (M);
+      Go (M, 100, (Overshoot => 20, others => <>));
+      Pass (M, 500_000);
+      Assert (not Is_Moving (M), "too late");
+      Expect (M, 400_000, 400_000, 90_000_000);
+   end Test_Overshoot;
 
    procedure Test_Sine (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -172,6 +496,41 @@ package body Robot_Motion_Tests is
          Angle := Angle + 77_777;
       end loop;
    end Test_Sine;
+
+   procedure Test_Speed (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      M : Motion;
+   begin
+      for Speed in Speed_Percent loop
+         M := Placed (300_000, 300_000, 0);
+         Go (M, 200, (Speed => Speed, others => <>));
+         Pass (M, 500_000);
+         Expect (M, 300_000 + 1_000 * Micro (Speed), 300_000, 0);
+         Pass (M, 499_999);
+         Assert (Is_Moving (M), "too early");
+         Pass (M, 1);
+         Assert (not Is_Moving (M), "too late");
+         Expect (M, 300_000 + 2_000 * Micro (Speed), 300_000, 0);
+         Turn (M, 90, (Speed => Speed, others => <>));
+         Pass (M, 1_000_000);
+         Expect (M, 300_000 + 2_000 * Micro (Speed), 300_000, 90_000_000);
+      end loop;
+
+      --  The wall stops it, its order takes the usual time
+
+      Go (M, -300, (Speed => 130, others => <>));
+      Pass (M, 1_499_999);
+      Assert (Is_Moving (M), "too early");
+      Pass (M, 1);
+      Assert (not Is_Moving (M), "too late");
+      Expect (M, 560_000, 62_000, 90_000_000);
+
+      --  The slowest without an end gets from one wall to the other
+
+      Go (M, Endless_Forward, (Speed => 70, others => <>));
+      Pass (M, 60_000_000);
+      Expect (M, 560_000, 538_000, 90_000_000);
+   end Test_Speed;
 
    procedure Test_Square (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -219,6 +578,37 @@ package body Robot_Motion_Tests is
       Pass (M, 1_005_000);
       Expect (M, 200_000, 300_000, 0);
    end Test_Straight;
+
+   procedure Test_Turn_Speed (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      M : Motion;
+   begin
+      for Speed in Speed_Percent loop
+         M := Placed (400_000, 300_000, 0);
+         Turn (M, 200, (Turn_Speed => Speed, others => <>));
+         Pass (M, 500_000);
+         Expect (M, 400_000, 300_000, 450_000 * Micro (Speed));
+         Pass (M, 1_722_222);
+         Assert (Is_Moving (M), "too early");
+         Pass (M, 1);
+         Assert (not Is_Moving (M), "too late");
+         Expect (M, 400_000, 300_000, 2_000_000 * Micro (Speed));
+         Turn (M, -200, (Turn_Speed => Speed, others => <>));
+         Pass (M, 3_000_000);
+         Expect (M, 400_000, 300_000, 0);
+
+         --  Without an end, by 0.9 degrees a second and percent, for hours
+
+         Turn (M, Endless_Backward, (Turn_Speed => Speed, others => <>));
+         for K in 1 .. 100 loop
+            Pass (M, 399_000_000);
+         end loop;
+         Assert (Is_Moving (M), "ended");
+         Expect
+           (M, 400_000, 300_000,
+            (-(39_900 * 900_000 * Micro (Speed))) mod Full_Turn);
+      end loop;
+   end Test_Turn_Speed;
 
    procedure Test_Turns (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -323,6 +713,19 @@ package body Robot_Motion_Tests is
         (T, Test_Steps_Do_Not_Matter'Access, "small steps or large");
       Register_Routine (T, Test_Square'Access, "100 squares");
       Register_Routine (T, Test_Extremes'Access, "longest orders");
+      Register_Routine
+        (T, Test_Ideal_As_Ever'Access, "ideal wheels as ever");
+      Register_Routine (T, Test_Speed'Access, "speeds");
+      Register_Routine (T, Test_Turn_Speed'Access, "speeds of turns");
+      Register_Routine (T, Test_Overshoot'Access, "overshoot");
+      Register_Routine (T, Test_Arcs'Access, "arcs");
+      Register_Routine
+        (T, Test_Back_Along_An_Arc'Access, "back along an arc");
+      Register_Routine (T, Test_Arcs_At_Walls'Access, "arcs at walls");
+      Register_Routine
+        (T, Test_Arc_Touches_A_Wall'Access, "an arc that touches a wall");
+      Register_Routine
+        (T, Test_Extremes_With_Errors'Access, "longest of the fastest");
    end Register_Tests;
 
 end Robot_Motion_Tests;
