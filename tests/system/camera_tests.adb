@@ -48,6 +48,7 @@ package body Camera_Tests is
    procedure Positions_Every_Image;
    procedure Position_Not_Found;
    procedure Position_Of_Triangle;
+   procedure Position_Of_Late_Image;
    procedure Position_Stopped;
    procedure Loop_Closes;
 
@@ -853,6 +854,47 @@ package body Camera_Tests is
       Check (Item.Number > 0, "no image");
    end Position_Not_Found;
 
+   procedure Position_Of_Late_Image is
+      --  The camera is a second late: half of it, and another second, are the
+      --  margins of a machine with other work
+      R         : Rig;
+      Here      : Emulators.Truth;
+      There     : Emulators.Truth;
+      Displaced : Float := 0.0;
+
+      function Is_At (Place : Emulators.Truth) return Boolean;
+      --  By the newest position
+
+      function Is_At (Place : Emulators.Truth) return Boolean is
+         Seen : constant Position :=
+           Parsed (R.Monitor.Next_Of ("CPOS", Within => 2.0));
+      begin
+         Displaced := Float'Max (Displaced, abs (Seen.Cx - Place.Cx));
+         return abs (Seen.Cx - Place.Cx) <= 12.0
+           and then abs (Seen.Cy - Place.Cy) <= 12.0;
+      end Is_At;
+
+   begin
+      Assemble
+        (R, Camera => True,
+         Emulator_Options =>
+           "--pose 20,20,0 --camera-delay 1000 --position-noise 2");
+      Open_Camera (R, Positions => True);
+      Here := R.Emulator.Pose;
+      for Number in 1 .. 20 loop
+         Check (Is_At (Here), "it is not seen where it stands");
+      end loop;
+      Check (Displaced > 0.5, "positions without noise");
+      R.Emulator.Tell ("pose 60 40 0");
+      There := R.Emulator.Pose;
+      delay 0.5;
+      R.Monitor.Skip_To_Now;
+      Check (Is_At (Here), "images are not late");
+      delay 1.5;
+      R.Monitor.Skip_To_Now;
+      Check (Is_At (There), "images are later than a second");
+   end Position_Of_Late_Image;
+
    procedure Position_Of_Triangle is
       R     : Rig;
       Truth : Emulators.Truth;
@@ -955,6 +997,8 @@ package body Camera_Tests is
            Positions_Every_Image'Access);
       Add (Suite, "F18_Position_Not_Found", Position_Not_Found'Access);
       Add (Suite, "F18_Position_Of_Triangle", Position_Of_Triangle'Access);
+      Add (Suite, "F18_Position_Of_Late_Image",
+           Position_Of_Late_Image'Access);
       Add (Suite, "F19_Position_Stopped", Position_Stopped'Access);
       Add (Suite, "F12_F18_Loop_Closes", Loop_Closes'Access);
    end Add_To;

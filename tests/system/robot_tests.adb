@@ -43,6 +43,7 @@ package body Robot_Tests is
    procedure Reload_By_Hand;
    procedure Movements;
    procedure Wheels_Not_Ideal;
+   procedure Every_Tenth_Answer_Lost;
    procedure Movement_Latency;
    procedure Stop_Overtakes;
    procedure Battery_Period;
@@ -678,6 +679,38 @@ package body Robot_Tests is
       Order ("RSTP", "M=0");
    end Movements;
 
+   procedure Every_Tenth_Answer_Lost is
+      --  Of all, so the levels of the battery have theirs too
+      R      : Rig;
+      Before : Integer;
+      Late   : Natural := 0;
+      All_Of : Integer;
+      Spoilt : Integer;
+   begin
+      Assemble (R);
+      Start_Robot (R);
+      R.Emulator.Tell ("drop-every 10");
+      Before := R.Emulator.Status_Number ("commands");
+      for Number in 1 .. 40 loop
+         R.Monitor.Send_Line ("RGST");
+         declare
+            Label : constant String :=
+              R.Monitor.Next_Answer (Command => "RGST").Label;
+         begin
+            Check (Label in "RCST" | "ATIM", Label);
+            Late := Late + Boolean'Pos (Label = "ATIM");
+         end;
+      end loop;
+      All_Of := R.Emulator.Status_Number ("commands") - Before;
+      Spoilt := R.Emulator.Status_Number ("spoilt");
+      Check
+        (Late > 0 and then Late <= Spoilt
+         and then abs (Spoilt - All_Of / 10) <= 1,
+         Late'Image & " and in all" & Spoilt'Image & " of" & All_Of'Image);
+      R.Emulator.Tell ("mend");
+      R.Monitor.Expect ("RGST", "RCST");
+   end Every_Tenth_Answer_Lost;
+
    procedure Wheels_Not_Ideal is
       --  The orders are as ever; what the emulated robot makes of them is
       --  not. 14 cm on an arc of 10 degrees a metre: 13.999 and 0.171 cm
@@ -950,6 +983,8 @@ package body Robot_Tests is
       Add (Suite, "F11_Reload_By_Hand", Reload_By_Hand'Access);
       Add (Suite, "F12_Movements", Movements'Access);
       Add (Suite, "F12_Wheels_Not_Ideal", Wheels_Not_Ideal'Access);
+      Add (Suite, "F08_Every_Tenth_Answer_Lost",
+           Every_Tenth_Answer_Lost'Access);
       Add (Suite, "F12_Movement_Latency", Movement_Latency'Access);
       Add (Suite, "F12_Rule_3_Stop_Overtakes", Stop_Overtakes'Access);
       Add (Suite, "F13_Battery_Period", Battery_Period'Access);
