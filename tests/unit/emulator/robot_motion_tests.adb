@@ -16,6 +16,9 @@ package body Robot_Motion_Tests is
    procedure Pass (M : in out Motion; Time : Micro);
    --  Any time, in steps
 
+   procedure Pass_To_End (M : in out Motion; Time : Micro);
+   --  Its order ends after exactly that time
+
    procedure Expect
      (M : Motion; X, Y, Angle : Micro; Tolerance : Micro := 0);
 
@@ -115,6 +118,14 @@ package body Robot_Motion_Tests is
       end loop;
    end Pass;
 
+   procedure Pass_To_End (M : in out Motion; Time : Micro) is
+   begin
+      Pass (M, Time - 1);
+      Assert (Is_Moving (M), "too early");
+      Pass (M, 1);
+      Assert (not Is_Moving (M), "too late");
+   end Pass_To_End;
+
    function Placed (X, Y, Angle : Micro) return Motion is
       M : Motion;
    begin
@@ -180,10 +191,7 @@ package body Robot_Motion_Tests is
                              Long_Float (Speed) * 8_000.0
                              * (if Step mod 2 = 0 then 1.0 else -1.0)),
                      "under way");
-                  Pass (M, 449_999);
-                  Assert (Is_Moving (M), "too early");
-                  Pass (M, 1);
-                  Assert (not Is_Moving (M), "too late");
+                  Pass_To_End (M, 450_000);
                   Expect_Near
                     (M,
                      On_Arc (Start, Pull,
@@ -317,10 +325,7 @@ package body Robot_Motion_Tests is
       --  The longest finite orders take their time and end where they must
 
       Turn (M, 32_766);
-      Pass (M, 364_066_666);
-      Assert (Is_Moving (M), "too early");
-      Pass (M, 1);
-      Assert (not Is_Moving (M), "too late");
+      Pass_To_End (M, 364_066_667);
       Expect (M, 400_000, 300_000, 6_000_000);
 
       M := Placed (400_000, 300_000, 0);
@@ -330,10 +335,7 @@ package body Robot_Motion_Tests is
 
       M := Placed (400_000, 300_000, 0);
       Go (M, 32_766);
-      Pass (M, 163_829_999);
-      Assert (Is_Moving (M), "too early");
-      Pass (M, 1);
-      Assert (not Is_Moving (M), "too late");
+      Pass_To_End (M, 163_830_000);
       Expect (M, 738_000, 300_000, 0);
    end Test_Extremes;
 
@@ -345,18 +347,12 @@ package body Robot_Motion_Tests is
       --  32,766 * 1.3 * 1.2 degrees are 141 turns and 354.96 degrees
 
       Turn (M, 32_766, Most);
-      Pass (M, 436_879_999);
-      Assert (Is_Moving (M), "too early");
-      Pass (M, 1);
-      Assert (not Is_Moving (M), "too late");
+      Pass_To_End (M, 436_880_000);
       Expect (M, 400_000, 300_000, 354_960_000);
 
       M := Placed (400_000, 300_000, 0);
       Go (M, -32_767, Most);
-      Pass (M, 163_834_999);
-      Assert (Is_Moving (M), "too early");
-      Pass (M, 1);
-      Assert (not Is_Moving (M), "too late");
+      Pass_To_End (M, 163_835_000);
       Assert (Pose_Of (M).X = 62_000, "not at the wall");
    end Test_Extremes_With_Errors;
 
@@ -436,10 +432,7 @@ package body Robot_Motion_Tests is
       for Part in Overshoot_Percent loop
          M := Placed (400_000, 300_000, 0);
          Turn (M, 90, (Overshoot => Part, others => <>));
-         Pass (M, 1_000_000 + Micro (Part) * 10_000 - 1);
-         Assert (Is_Moving (M), "too early");
-         Pass (M, 1);
-         Assert (not Is_Moving (M), "too late");
+         Pass_To_End (M, 1_000_000 + Micro (Part) * 10_000);
          Expect (M, 400_000, 300_000, 90_000_000 + Micro (Part) * 900_000);
       end loop;
 
@@ -453,10 +446,7 @@ package body Robot_Motion_Tests is
       --  a turn nor an endless one knows it, nor a way.
 
       Turn (M, 90, (Turn_Speed => 70, Overshoot => 20, others => <>));
-      Pass (M, 1_199_999);
-      Assert (Is_Moving (M), "too early");
-      Pass (M, 1);
-      Assert (not Is_Moving (M), "too late");
+      Pass_To_End (M, 1_200_000);
       Expect (M, 400_000, 300_000, 75_600_000);
       Turn (M, -90, (Overshoot => 20, others => <>));
       Pass (M, 840_000);
@@ -506,10 +496,7 @@ package body Robot_Motion_Tests is
          Go (M, 200, (Speed => Speed, others => <>));
          Pass (M, 500_000);
          Expect (M, 300_000 + 1_000 * Micro (Speed), 300_000, 0);
-         Pass (M, 499_999);
-         Assert (Is_Moving (M), "too early");
-         Pass (M, 1);
-         Assert (not Is_Moving (M), "too late");
+         Pass_To_End (M, 500_000);
          Expect (M, 300_000 + 2_000 * Micro (Speed), 300_000, 0);
          Turn (M, 90, (Speed => Speed, others => <>));
          Pass (M, 1_000_000);
@@ -519,10 +506,7 @@ package body Robot_Motion_Tests is
       --  The wall stops it, its order takes the usual time
 
       Go (M, -300, (Speed => 130, others => <>));
-      Pass (M, 1_499_999);
-      Assert (Is_Moving (M), "too early");
-      Pass (M, 1);
-      Assert (not Is_Moving (M), "too late");
+      Pass_To_End (M, 1_500_000);
       Expect (M, 560_000, 62_000, 90_000_000);
 
       --  The slowest without an end gets from one wall to the other
@@ -569,10 +553,7 @@ package body Robot_Motion_Tests is
       Expect (M, 400_000, 300_000, 0);
       Assert (not Is_Moving (M), "moving from the beginning");
       Go (M, 1);
-      Pass (M, 4_999);
-      Assert (Is_Moving (M), "too early");
-      Pass (M, 1);
-      Assert (not Is_Moving (M), "too late");
+      Pass_To_End (M, 5_000);
       Expect (M, 401_000, 300_000, 0);
       Go (M, -201);
       Pass (M, 1_005_000);
@@ -588,10 +569,7 @@ package body Robot_Motion_Tests is
          Turn (M, 200, (Turn_Speed => Speed, others => <>));
          Pass (M, 500_000);
          Expect (M, 400_000, 300_000, 450_000 * Micro (Speed));
-         Pass (M, 1_722_222);
-         Assert (Is_Moving (M), "too early");
-         Pass (M, 1);
-         Assert (not Is_Moving (M), "too late");
+         Pass_To_End (M, 1_722_223);
          Expect (M, 400_000, 300_000, 2_000_000 * Micro (Speed));
          Turn (M, -200, (Turn_Speed => Speed, others => <>));
          Pass (M, 3_000_000);
@@ -617,10 +595,7 @@ package body Robot_Motion_Tests is
       Turn (M, 90);
       Pass (M, 500_000);
       Expect (M, 400_000, 300_000, 45_000_000);
-      Pass (M, 499_999);
-      Assert (Is_Moving (M), "too early");
-      Pass (M, 1);
-      Assert (not Is_Moving (M), "too late");
+      Pass_To_End (M, 500_000);
       Expect (M, 400_000, 300_000, 90_000_000);
       Turn (M, -91);
       Pass (M, 2_000_000);
