@@ -73,6 +73,13 @@ package Order_Meanings with SPARK_Mode is
      (M.Kind in Robot_Order
       and then Changes_Session (Request_Of (M).Kind));
 
+   function Is_By_Hand (Kind : Message_Kind) return Boolean is
+     (Kind in Robot_Order
+      and then Kind not in Ping_Robot | Reload_Watchdog
+        | Monitor.Protocol.Get_Battery | Get_State);
+   --  It moves or stops the robot or changes its session, and so ends a
+   --  mission. Questions do not
+
    type Ranks is record
       Last   : Orders.Ticket := 0;
       --  rank of the session's last ranked order
