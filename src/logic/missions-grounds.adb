@@ -65,15 +65,21 @@ package body Missions.Grounds with SPARK_Mode is
    end Look;
 
    function Since (Begun, At_Time : Time) return Microseconds is
-      Span  : constant Time_Span := At_Time - Begun;
-      Whole : constant Integer := Span / Seconds (1);
-      Rest  : constant Integer :=
-        (Span - Seconds (Whole)) / Ada.Real_Time.Microseconds (1);
-      Sum   : constant Long_Long_Integer :=
-        Lead + 1_000_000 * Long_Long_Integer (Whole)
-        + Long_Long_Integer (Rest);
+      First : constant Time := Begun - Seconds (1);
+      --  Lead before Begun
+      Span  : Time_Span;
+      Whole : Integer;
+      Rest  : Integer;
    begin
-      return Microseconds (Long_Long_Integer'Max (0, Sum));
+      if At_Time <= First then
+         return 0;
+      end if;
+      --  in two parts: an Integer of microseconds is 35 minutes at most
+      Span := At_Time - First;
+      Whole := Span / Seconds (1);
+      Rest := (Span - Seconds (Whole)) / Ada.Real_Time.Microseconds (1);
+      return Microseconds (Integer'Max (0, Whole)) * 1_000_000
+        + Microseconds (Integer'Max (0, Rest));
    end Since;
 
    function Next_Time

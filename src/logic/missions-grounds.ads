@@ -32,7 +32,7 @@ package Missions.Grounds with SPARK_Mode is
    --  The robot may be elsewhere after this
 
    function Has_Position (G : Ground) return Boolean is
-     (G.Seen.Seen and then G.Now - G.Seen.Came <= Position_Limit);
+     (G.Seen.Seen and then G.Now <= G.Seen.Came + Position_Limit);
 
    procedure Check
      (G         : Ground;

@@ -98,7 +98,7 @@ package body Mission_Tasks with SPARK_Mode is
    procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report) is
    begin
       if Leg (M.Run) /= Last.Leg
-        or else Now - Last.At_Time >= Schedule.Progress_Interval
+        or else Now >= Last.At_Time + Schedule.Progress_Interval
       then
          Last := (Leg (M.Run), Now);
          Monitor.Outbox.Put_Progress
