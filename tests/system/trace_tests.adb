@@ -20,7 +20,7 @@ with Trace_Files;           use Trace_Files;
 
 package body Trace_Tests is
 
-   Tasks : constant := 21;
+   Tasks : constant := 22;
 
    Writing_Time : constant Duration := 4.0;
    --  of all that a test leaves in the trace, on a shared machine, with the
