@@ -354,7 +354,7 @@ package body Mission_Tests is
    begin
       Prepare (R);
       Begin_Drive (R);
-      R.Emulator.Tell ("pose -60 -60 0");
+      R.Emulator.Tell ("camera size 64x48");
       Expect_End (R, "aborted;robot not seen in 3 images");
       Expect_Nothing_After (R, "M=0");
    end Ended_By_Robot_Out_Of_Sight;

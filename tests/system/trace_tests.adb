@@ -204,6 +204,10 @@ package body Trace_Tests is
       R.Monitor.Expect ("AUTH:" & Token, "ACER");
       R.Monitor.Expect ("RPIN", "AACK");
       delay 1.3;
+      R.Monitor.Expect ("MGCM:45;33", "AACK");
+      Check
+        (To_String (R.Monitor.Next_Of ("MEND", Within => 20.0).Data) = "done",
+         "the mission has not been done");
       R.Monitor.Expect ("CCLS", "AACK");
       R.Monitor.Expect ("RRST", "AACK");
       R.Monitor.Expect ("RSOW", "AACK");
