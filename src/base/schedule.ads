@@ -229,6 +229,9 @@ package Schedule with SPARK_Mode is
    --  an order of a mission that has waited this long for the line is not
    --  sent: the robot is elsewhere by then
 
+   Progress_Interval : constant Time_Span := Milliseconds (1000);
+   --  between two reports on the progress of a mission, or a new leg
+
    Camera_Silence_Tenths : constant := 25;  --  of a second
    Camera_Silence    : constant Time_Span :=
      Milliseconds (100 * Camera_Silence_Tenths);

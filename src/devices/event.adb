@@ -33,7 +33,10 @@ package body Event with SPARK_Mode is
    begin
       loop
          Now := Clock;
-         Event_Counters.Take_Within (Counter, At_Time - Now, Times_Set);
+         Event_Counters.Take_Within
+           (Counter,
+            (if At_Time > Now then At_Time - Now else Time_Span_Zero),
+            Times_Set);
          Now := Clock;
          exit when Times_Set > 0 or else Now >= At_Time;
          --  a signal, as above

@@ -104,7 +104,9 @@ package Order_Meanings with SPARK_Mode is
                 else R'Old.Change)
           else R = R'Old
             and then Order.Rank = 0
-            and then Order.After = 0);
+            and then Order.After =
+              (if Order.Message.Kind in Mission_Order then R.Last else 0));
+   --  A mission's orders to the robot follow all earlier ones
 
    --  The answer to the monitor
 

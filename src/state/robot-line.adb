@@ -107,7 +107,7 @@ package body Robot.Line with SPARK_Mode is
          Robot.Requests.Take
            (R       => Waiting,
             Quiet   => Robot.Line_Status.Is_Quiet (State, Now),
-            Is_Late => Now - Asked > Schedule.Mission_Order_Limit,
+            Is_Late => Now > Asked + Schedule.Mission_Order_Limit,
             Next    => Next,
             Found   => Found);
       end Take;
