@@ -55,8 +55,7 @@ package body Supervisor_Model with SPARK_Mode is
 
    subtype Mission_Name is Activity_Name range Mission_Begin .. Mission_Told;
 
-   subtype Mission_Look is Mission_Name range Mission_Begin .. Mission_Seen;
-   --  After these a request may be made
+   subtype Mission_Look is Mission_Name range Mission_Due .. Mission_Seen;
 
    subtype Mission_Under_Way is Activity_Name
    with Static_Predicate =>
@@ -293,10 +292,11 @@ package body Supervisor_Model with SPARK_Mode is
      (case Which is
          when Outbox_Operation =>
            (case Name is
-               when Line_Outcome | Battery_Done | Loss | Newcomer => 1,
-               when Line_Answer | Receive | Mission_Name | Camera_Order
-                  | Camera_Answer => 2,
+               when Line_Outcome | Battery_Done | Loss | Newcomer
+                  | Mission_Look => 1,
+               when Line_Answer | Receive | Camera_Order | Camera_Answer => 2,
                when Capture | Arena => 3,
+               when Mission_Begin => 4,
                when Hold => 9,
                when others => 0),
          when Outbox_Take =>
@@ -307,16 +307,18 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Line_Operation =>
            (case Name is
-               when Line_Request | Line_Answer | Order_Name | Ping_Done => 1,
+               when Line_Request | Line_Answer | Order_Name | Ping_Done
+                  | Mission_Told => 1,
                when Line_Open | Receive | Loss | Battery_Due | Battery_Done
                   | Ping_Due => 2,
                when Stop | Reload_Due | Reload_Done | Mission_Look => 3,
-               when Mission_Told => 4,
+               when Mission_Begin => 5,
+               --  with the first look
                when others => 0),
          when Port_Operation =>
            (case Name is
-               when Order_Name | Mission_Name => 1,
-               when Receive | Camera_Answer => 2,
+               when Order_Name | Mission_Look => 1,
+               when Receive | Mission_Begin | Camera_Answer => 2,
                when Camera_Order | Arena => 3,
                --  its own order, and the next one's way to its task
                when Loss => 8,
@@ -324,12 +326,11 @@ package body Supervisor_Model with SPARK_Mode is
          when Vision_Operation =>
            (case Name is
                when Stop => 1,
-               when Mission_Name => 2,
-               when Camera_Order | Camera_Answer => 3,
+               when Mission_Look | Camera_Order | Camera_Answer => 3,
                when Loss => 4,
                when Arena => 5,
-               when Camera => 8,
-               when Capture => 9,
+               when Mission_Begin => 6,
+               when Camera | Capture => 8,
                --  with a look that finds no image; with the end of a camera
                when others => 0),
          when Session_Operation =>
@@ -339,6 +340,8 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Journal_Operation =>
            (case Name is
+               when Mission_Look => 1,
+               when Mission_Begin => 2,
                when Line_Answer .. Line_Open | Receive | Loss => 3,
                --  the longest line
                when Stop => 5,
