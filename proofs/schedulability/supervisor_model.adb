@@ -265,7 +265,7 @@ package body Supervisor_Model with SPARK_Mode is
          when Send_Battery | Battery_Due | Battery_Done =>
             To_Period (Battery_Period),
          when Mission_Due => To_Period (Mission_Period),
-         when Mission_Told => Mission_Interval,
+         when Mission_Told => Mission_Pause + Line_Interval,
          when Send_Position | Send_Image | Capture | Mission_Seen
             | Send_Mission =>
             --  where the grid makes up for what it has lost
@@ -578,14 +578,6 @@ package body Supervisor_Model with SPARK_Mode is
         1 .. Line_Client'Pos (Line_Client'Last) + 1;
       subtype Client_Set is Activity_Array (Client_Index);
 
-      Asks : constant Span := Span'Min
-        (Mission_Interval,
-         Span'Max
-           (Latest (Bounds (Mission_Begin)),
-            Span'Max (Latest (Bounds (Mission_Due)),
-                      Latest (Bounds (Mission_Seen)))));
-      --  How late a mission's request comes, at most: one at a time
-
       function Index (Who : Line_Client) return Client_Index is
         (Line_Client'Pos (Who) + 1);
 
@@ -626,6 +618,11 @@ package body Supervisor_Model with SPARK_Mode is
       procedure Keep_Later (Item : Bound; Result : in out Bound);
       --  Result holds in this case, too
 
+      function Asked_Apart return Positive_Span is
+        (Positive_Span'Min
+           (Horizon / 2, Positive_Span (Mission_Pause + Length (Mission))));
+      --  From one request of a mission to the next, on the average
+
       procedure Bound_One
         (Who : Line_Client; Lengths : Client_Times; Result : out Bound)
       is
@@ -643,7 +640,7 @@ package body Supervisor_Model with SPARK_Mode is
                      when Ping       => To_Period (Ping_Period),
                      when Unanswered => Horizon,
                      when Mission    =>
-                       (if Who = Mission then Horizon else Mission_Interval),
+                       (if Who = Mission then Horizon else Asked_Apart),
                      when others     => Commands_Apart (Under)),
                Jitter    =>
                  (case C is
@@ -651,7 +648,10 @@ package body Supervisor_Model with SPARK_Mode is
                      when Stop_Order  => Latest (Bounds (Receive)),
                      when Reload      => Latest (Bounds (Reload_Due)),
                      when Movement    => Latest (Bounds (Move_Order)),
-                     when Mission     => (if Who = Mission then 0 else Asks),
+                     when Mission     =>
+                       (if Who = Mission then 0 else 2 * Asked_Apart),
+                     --  a small turn, a question, a drive and a question
+                     --  follow each other at once; then come two images
                      when Battery     => Latest (Bounds (Battery_Due)),
                      when Other_Order => Latest_Order (Bounds),
                      when Ping        => Latest (Bounds (Ping_Due)),
@@ -928,8 +928,7 @@ package body Supervisor_Model with SPARK_Mode is
                    when Send_Answer  => Span'Max
                      (Latest (Bounds (Receive)), Latest_Answer (Line)),
                    when Mission_Told =>
-                      --  asked for one at a time
-                      Span'Min (Line (Mission).Finish, Mission_Interval),
+                      2 * Period_Of (A, Under),
                    when Send_Battery => Latest (Bounds (Battery_Done)),
                    when Send_Mission => Latest (Bounds (Mission_Seen)),
                    when Send_Position | Send_Image | Mission_Seen =>
