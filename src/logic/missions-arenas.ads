@@ -15,8 +15,8 @@ package Missions.Arenas with SPARK_Mode, Pure is
    type Wide is range -2 ** 126 .. 2 ** 126;
    --  For the products: GNAT has 128 bits on processors with 64
 
-   subtype Sixteenths is Wide range -32 .. 65_503;
-   --  Of a pixel: images of up to 4,094 pixels a side, and 2 before them
+   subtype Sixteenths is Wide range -8 .. 65_527;
+   --  Of a pixel: all of an image of 4,096 pixels a side
 
    type Grid_Point is record
       X, Y : Sixteenths := 0;
