@@ -103,7 +103,8 @@ package Robot.Requests with SPARK_Mode is
 
    function Verdict_On (R : Requests; From : Client; Is_Late : Boolean)
      return Verdict_Kind
-   is (if From = Stop_Order or else Order_Of (R, From).Number = 0
+   is (if From = Stop_Order
+         or else (Order_Of (R, From).Number = 0 and then From /= Mission)
        then Carry_Out
        elsif Order_Of (R, From).Number < R.First_Order then Out_Of_Date
        elsif From = Move and then Order_Of (R, From).Number < R.Last_Stop
@@ -268,10 +269,19 @@ package Robot.Requests with SPARK_Mode is
              Found
              and then
                (Next.From in Safe_State | Stop_Order
-                or else (Next.From = Reload and then R'Old.Was_Stop)));
+                or else (Next.From = Reload and then R'Old.Was_Stop)))
+       and then
+         (if Found
+            and then Next.From = Mission
+            and then Next.Verdict = Carry_Out
+          then Next.Order.Number >= R.First_Order
+            and then Next.Order.Number >= R.Last_Hand
+            and then
+              (if Is_Late then Next.Request.Kind = Robot.Session.Stop));
    --  Removes the request with the highest priority of those that may start. A
    --  stop precedes all but the end of the session, and but a reload after
-   --  another stop
+   --  another stop. Nothing is done for a mission that a later order by hand
+   --  has ended
 
    procedure Finish (R : in out Requests; Done : Job)
    with

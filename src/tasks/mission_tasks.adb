@@ -110,7 +110,7 @@ package body Mission_Tasks with SPARK_Mode is
 
    procedure Drive (M : in out Mission) is
       Base     : constant Time := M.Begun.Now;
-      Ground   : Missions.Grounds.Ground := M.Begun;
+      Ground   : Missions.Grounds.Ground;
       Told     : Report;
       Is_Over  : Boolean;
       By_Hand  : Boolean;
