@@ -293,7 +293,8 @@ package body Mission_Arenas_Tests is
       for X in Wide range 0 .. 64 loop
          for Y in Wide range 0 .. 48 loop
             declare
-               P : constant Grid_Point := (X * 160, Y * 160);
+               P : constant Vision.Shapes.Point :=
+                 (Micro_Pixels (X) * 9_999_999, Micro_Pixels (Y) * 9_999_999);
             begin
                Assert (Whole (M, P) = Y_Part (M, P) + Y_Part (Turned, P),
                        "by y");
