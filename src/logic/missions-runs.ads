@@ -239,8 +239,18 @@ private
       Rest_From   : Microseconds := 0;
       Count       : Image_Count := 0;
       Mean        : Near_Pose;
+      Expected    : Boolean := False;
+      --  Count = 0: the mean is where it should be
+      Confirmed   : Boolean := False;
+      --  and the first image showed it there
       Upset       : Boolean := False;
       --  in a turn, an image showed it elsewhere
+
+      --  The first image in a turn that shows a good part of it: how much,
+      --  when after the order; and when the turn had ended
+      Part_Turned : Bearing := 0;
+      Part_Time   : Microseconds := 0;
+      Turn_Time   : Microseconds := 0;
 
       --  Since the last look
       From        : Near_Pose;
@@ -255,14 +265,19 @@ private
       Turn_Weight : Weight := 4;
       Drives      : Gain   := 13_500;
       Way_Weight  : Weight := 25;
+      Way_Doubt   : Natural range 0 .. 50 := 0;
+      --  percent: by how much drives have differed from it
       Pulled      : Pull   := 0;
       Pull_Weight : Weight := 400;
-      Trusted     : Boolean := False;
-      --  a turn need not be looked at
+      Distrust    : Natural range 0 .. 4 := 1;
+      --  so many turns are still to be looked at
+      Lag         : Microseconds := 0;
+      --  of what an image shows, behind when it came
    end record;
 
-   Learnt_Way  : constant Weight := 60 ** 2;
-   Learnt_Turn : constant Weight := 25 ** 2;
+   Learnt_Way      : constant Weight := 60 ** 2;
+   Well_Learnt_Way : constant Weight := 200 ** 2;
+   Learnt_Turn     : constant Weight := 25 ** 2;
 
    function Has_Ended (R : Run) return Boolean is (R.Ended);
 
@@ -281,13 +296,25 @@ private
 
    function Position (R : Run) return Pose is (Pose_Of (R.Mean));
 
+   function Longest (R : Run) return Gain is
+     (if R.Way_Weight < Learnt_Way then Gain'Last
+      else Integer'Min
+        (Gain'Last,
+         R.Drives
+         + R.Drives
+           * Integer'Max
+               (R.Way_Doubt,
+                (if R.Way_Weight < Well_Learnt_Way then 5 else 2)) / 100));
+
    function Doubts (R : Run) return Missions.Guards.Doubts is
-     ((Longest =>
-         (if R.Way_Weight < Learnt_Way then Gain'Last
-          else Integer'Min (R.Drives + R.Drives / 40, Gain'Last)),
+     ((Longest => Longest (R),
        Likely  => (if R.Pull_Weight < Learnt_Way then 0 else R.Pulled),
        Either  => (if R.Pull_Weight < Learnt_Way then 30_000 else 4_000),
-       Heading => 1_500_000));
+       Heading =>
+         (if R.Turned = 0 or else R.Turned ** 2 <= R.Turn_Weight
+          then 1_500_000
+          elsif R.Turned ** 2 <= 4 * R.Turn_Weight then 2_500_000
+          else 4_000_000)));
 
    function Leg_End (R : Run) return Microseconds is (R.Leg_End);
 
