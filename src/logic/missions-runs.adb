@@ -203,7 +203,9 @@ package body Missions.Runs with SPARK_Mode is
         ((Wide (Angle) / 100 + (if Angle < 0 then -Half else Half))
          / Wide (R.Turns));
       if Ordered /= 0
-        and then abs (Wide (Ahead) * Sine (Angle) / Million) > Side_Way
+        and then
+          (abs Angle > Half_Turn / 4
+           or else abs (Wide (Ahead) * Sine (Angle) / Million) > Side_Way)
         and then abs Angle >
           (if R.Turns_Made = 2 then 4_000_000
            elsif R.Way_Weight < Learnt_Way then 3_000_000

@@ -262,13 +262,13 @@ private
 
       --  What is learnt
       Turns       : Gain   := 12_000;
-      Turn_Weight : Weight := 4;
+      Turn_Weight : Weight := 10;
       Drives      : Gain   := 13_500;
       Way_Weight  : Weight := 25;
       Way_Doubt   : Natural range 0 .. 50 := 0;
       --  percent: by how much drives have differed from it
       Pulled      : Pull   := 0;
-      Pull_Weight : Weight := 400;
+      Pull_Weight : Weight := 1_600;
       Distrust    : Natural range 0 .. 4 := 1;
       --  so many turns are still to be looked at
       Lag         : Microseconds := 0;
@@ -276,7 +276,6 @@ private
    end record;
 
    Learnt_Way      : constant Weight := 60 ** 2;
-   Well_Learnt_Way : constant Weight := 200 ** 2;
    Learnt_Turn     : constant Weight := 25 ** 2;
 
    function Has_Ended (R : Run) return Boolean is (R.Ended);
@@ -297,19 +296,25 @@ private
    function Position (R : Run) return Pose is (Pose_Of (R.Mean));
 
    function Longest (R : Run) return Gain is
-     (if R.Way_Weight < Learnt_Way then Gain'Last
+     (if R.Way_Weight < 60 ** 2 then Gain'Last
       else Integer'Min
         (Gain'Last,
          R.Drives
          + R.Drives
            * Integer'Max
                (R.Way_Doubt,
-                (if R.Way_Weight < Well_Learnt_Way then 5 else 2)) / 100));
+                (if R.Way_Weight < 150 ** 2 then 8
+                 elsif R.Way_Weight < 300 ** 2 then 4
+                 else 2)) / 100));
 
    function Doubts (R : Run) return Missions.Guards.Doubts is
      ((Longest => Longest (R),
-       Likely  => (if R.Pull_Weight < Learnt_Way then 0 else R.Pulled),
-       Either  => (if R.Pull_Weight < Learnt_Way then 30_000 else 4_000),
+       Likely  => R.Pulled,
+       Either  =>
+         (if R.Pull_Weight < 60 ** 2 then 30_000
+          elsif R.Pull_Weight < 150 ** 2 then 15_000
+          elsif R.Pull_Weight < 300 ** 2 then 8_000
+          else 4_000),
        Heading =>
          (if R.Turned = 0 or else R.Turned ** 2 <= R.Turn_Weight
           then 1_500_000
