@@ -120,14 +120,6 @@ bool Nobody     = false;  /* the session's end has been carried out */
 bool Reloaded   = false;  /* since the reload became due last */
 
 #ifdef MISSION
-inline Tell_Of () {
-   if
-   :: number > 0 && from != Robot_Clients_Mission ->
-      Monitor_Outbox_Answer (number)
-   :: else
-   fi
-}
-
 /* Any session begins with a robot that has been started */
 bool State_Open;
 mtype:mode State_Mode = Not_Started;
@@ -531,6 +523,13 @@ tell:
    fi;
 #endif
    atomic {
+#ifdef MISSION
+      if
+      :: number > 0 && from != Robot_Clients_Mission ->
+         Monitor_Outbox_Answer (number)
+      :: else
+      fi;
+#endif
       if
       :: from == Stop_Order
 #ifdef MUTANT_FINISHED_NOT_TOLD

@@ -33,8 +33,7 @@ byte End_Waits     = 0;      /* the MEND that waits to be sent: its mission */
 /* Ghosts */
 byte Ends_Owed     = 0;      /* the mission acknowledged, its MEND not sent */
 
-inline Monitor_Outbox_Answer (its_number) {
-   /*: Monitor.Outbox.Answer in outbox */
+inline Answer (its_number) {
    d_step {
       if
       :: its_number >= First ->
@@ -47,25 +46,32 @@ inline Monitor_Outbox_Answer (its_number) {
    }
 }
 
+inline Monitor_Outbox_Answer (its_number) {
+   /*: Monitor.Outbox.Answer in outbox */
+   Answer (its_number)
+}
+
 #define MISSION
 
 #define EVENTS_AT_ONCE         /* as separate steps: see orders.pml */
 inline Tell_Of_Start () { skip }
-/* Tell_Of, and what is written to the robot: in line.pml */
+inline Tell_Of () { skip }
 #define Whole_Line
 #include "line.pml"
 
-/* Checked in two parts: orders of the hand are stops and movements; or, with
-   -DCHANGES, stops and what changes the robot's session */
+/* Checked in parts: orders of the hand are stops and movements; with
+   -DCHANGES, stops and what changes the robot's session; with -DASKS movements
+   and questions, which are no orders of the hand */
 
 #define Task_Ports_Open_Robot  0   /* instance */
 #define Task_Ports_Move        1   /* instance */
+#define Task_Ports_Query       2   /* instance */
 
 typedef Order_Ports_Port_Type {
    chan Items = [CAPACITY] of { byte, mtype:request, byte, byte }
 };
-Order_Ports_Port_Type Order_Ports_Port [2];
-EVENTS (Order_Ports_Arrived, 2);
+Order_Ports_Port_Type Order_Ports_Port [3];
+EVENTS (Order_Ports_Arrived, 3);
 
 #define Port(p)  Order_Ports_Port [p].Items
 
@@ -111,6 +117,15 @@ active proctype Th_Move ()
    ORDER;
 wait:
    Serve (Task_Ports_Move, Robot_Clients_Move)
+}
+
+#endif
+#ifdef ASKS
+active proctype Th_Query ()
+{
+   ORDER;
+wait:
+   Serve (Task_Ports_Query, Robot_Clients_Query)
 }
 
 #endif
@@ -169,6 +184,7 @@ inline Ask (what) {
    fi;
    Wait (Robot_Clients_Mission);
    /*: Line.Line.Collect */
+   skip
 }
 
 inline Release () {
@@ -316,18 +332,20 @@ EVENT (Monitor_Session_Receive_Begins);
 EVENT (Monitor_Session_Receive_Ended);
 EVENT (Monitor_Session_Watch_Begins);
 
-/* Before the order is passed on */
-inline Note_Hand () {
-   /*: Line.Line.Note_Hand */
-   L.Last_Hand = number
-}
+mtype:command = { Mission_Asked, Stop_Asked, Act_Asked, Query_Asked };
 
-mtype:command = { Hand_Stops, Hand_Acts, Mission_Asked };
+/* What a command of the hand asks for */
+#ifdef CHANGES
+#define ACT   port = Task_Ports_Open_Robot; if :: kind = Close_Line :: kind = Open_Line fi
+#else
+#define ACT   kind = Drive; port = Task_Ports_Move
+#endif
 
 active proctype Th_Receive_From_Mon ()
 {
-   byte number, rank, after, sent;
+   byte number, rank, after, sent, port;
    mtype:command command;
+   mtype:request kind;
    do
    :: Wait_For_Work (Monitor_Session_Receive_Begins);
 end_receive:
@@ -342,8 +360,12 @@ end_receive:
             Waiting++;
             if
             :: command = Mission_Asked
-            :: command = Hand_Stops
-            :: command = Hand_Acts
+            :: command = Act_Asked; ACT
+#ifdef ASKS
+            :: command = Query_Asked; kind = Query; port = Task_Ports_Query
+#else
+            :: command = Stop_Asked
+#endif
             fi
          };
          if
@@ -355,7 +377,7 @@ end_receive:
                   /* never one that has been refused, or its end sent */
                   assert (MR.Mission < First || Unanswered [MR.Mission]
                           || Ends_Owed == MR.Mission);
-                  Monitor_Outbox_Answer (number)
+                  Answer (number)
                :: else ->
                   MR.Mission = number;
                   MR.Waits = true;
@@ -367,27 +389,35 @@ end_receive:
             :: command == 0 -> Set_Event (Missions_Requests_Arrived)
             :: else
             fi
-         :: command == Hand_Stops ->
-            Note_Hand ();
-            atomic { Hand = number; Put_Stop (number) }
          :: else ->
-            Note_Hand ();
-            atomic {
-               rank++;
-               Hand = number;
-#ifdef CHANGES
-               /*: Port.Put [Task_Ports_Open_Robot] */
-               Port (Task_Ports_Open_Robot) ! number, Close_Line, rank, after;
-               after = rank;
-               Set_Event (Order_Ports_Arrived [Task_Ports_Open_Robot])
-#else
-               /*: Port.Put [Task_Ports_Move] */
-               Port (Task_Ports_Move) ! number, Drive, rank, after;
-               Set_Event (Order_Ports_Arrived [Task_Ports_Move])
-#endif
-            }
+            if
+            :: command != Query_Asked ->
+               /* before it is passed on */
+               /*: Line.Line.Note_Hand */
+               L.Last_Hand = number
+            :: else
+            fi;
+            if
+            :: command == Stop_Asked ->
+               atomic { Hand = number; Put_Stop (number) }
+            :: else ->
+               /*: Port.Put [port] */
+               atomic {
+                  if
+                  :: command == Act_Asked -> Hand = number
+                  :: else
+                  fi;
+                  rank++;
+                  Port (port) ! number, kind, rank, after;
+                  if
+                  :: Changes_Session (kind) -> after = rank
+                  :: else
+                  fi;
+                  Set_Event (Order_Ports_Arrived [port])
+               }
+            fi
          fi;
-         d_step { number = 0; command = 0 }
+         d_step { number = 0; command = 0; kind = 0; port = 0 }
       od;
       atomic { rank = 0; after = 0; sent = 0 };
       Set_Event (Monitor_Session_Receive_Ended)
@@ -406,14 +436,18 @@ active proctype Th_Server ()
 #else
     && Is_Awaited (Order_Ports_Arrived [Task_Ports_Move])
 #endif
+#ifdef ASKS
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Query])
+#endif
    );
 end_server:
    do
-   :: session < 1 + (LATER > 0) ->
-      /* Begin_Active, Admit: see session.pml */
+   :: session >= 1 + (LATER > 0) -> break
+   :: /* Begin_Active, Admit: see session.pml */
       /*: Box.Open_Session */
       d_step {
-         Free -> Free = false;
+         session < 1 + (LATER > 0) && Free ->
+         Free = false;
          In_First = (session == 0);
          session++;
          Monitor_Outbox_Open = true;
@@ -429,7 +463,6 @@ end_server:
          Set_Event (Monitor_Session_Receive_Begins);
          Set_Event (Monitor_Session_Watch_Begins)
       }
-   :: else -> break
    od
 }
 
@@ -479,6 +512,7 @@ end_stays:
       atomic {
          Clear (Task_Ports_Open_Robot);
          Clear (Task_Ports_Move);
+         Clear (Task_Ports_Query)
       };
       assert (!Stop_Owed);
       Free = true
