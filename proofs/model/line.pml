@@ -45,6 +45,7 @@ typedef Robot_Line_Line_Type {
    mtype:mode Mode = Not_Started;
 #ifdef MISSION
    byte Last_Hand;
+   byte Last_Mission;            /* that has made a request */
    bool Too_Old;                 /* the mission's request, by now */
 #endif
    bool New_Epoch [CLIENTS]      /* a start since this client has looked */
@@ -303,6 +304,8 @@ inline Choose (who) {
              (who == Robot_Clients_Move && number < L.Last_Stop &&
               number != 0 -> Overtaken : Carry_Out));
 #ifdef MISSION
+   verdict = (who == Robot_Clients_Move && verdict == Carry_Out
+              && number < L.Last_Mission -> Overtaken : verdict);
    verdict = (who == Robot_Clients_Mission && verdict == Carry_Out
               && number < L.Last_Hand -> Overtaken : verdict);
    verdict = (who == Robot_Clients_Mission && verdict == Carry_Out

@@ -178,6 +178,7 @@ end_wait:
 inline Ask (what) {
    /*: Line.Line.Put_For_Mission */
    Put_It (Robot_Clients_Mission, what, number, 0, MR.After);
+   L.Last_Mission = number;
    if
    :: L.Too_Old = true
    :: L.Too_Old = false
@@ -256,7 +257,7 @@ look:
    };
    atomic {
       if
-      :: /*: Box.Put_Progress */ skip
+      :: /*: Monitor.Outbox.Put_Progress in outbox */ skip
       :: skip
       fi;
       if
@@ -275,7 +276,7 @@ leave:
       ended = false; left = 0; what = 0;
       Release ()
    };
-   /*: Box.Put_End */
+   /*: Monitor.Outbox.Put_End in outbox */
    atomic {
       if
       :: number >= First && Monitor_Outbox_Open ->
@@ -332,14 +333,26 @@ EVENT (Monitor_Session_Receive_Begins);
 EVENT (Monitor_Session_Receive_Ended);
 EVENT (Monitor_Session_Watch_Begins);
 
-mtype:command = { Mission_Asked, Stop_Asked, Act_Asked, Query_Asked };
+mtype:command = { Mission_Asked, Stop_Asked, Act_Asked, Other_Asked };
 
-/* What a command of the hand asks for */
+/* What an order of the hand asks for, and a robot order that is none: a line
+   that is open stays so when it is opened */
 #ifdef CHANGES
-#define ACT   port = Task_Ports_Open_Robot; if :: kind = Close_Line :: kind = Open_Line fi
+#define ACT    kind = Close_Line; port = Task_Ports_Open_Robot
+#define OTHER  kind = Open_Line; port = Task_Ports_Open_Robot
 #else
-#define ACT   kind = Drive; port = Task_Ports_Move
+#define ACT    kind = Drive; port = Task_Ports_Move
+#define OTHER  kind = Query; port = Task_Ports_Query
 #endif
+
+inline Note_Hand () {
+   /*: Line.Line.Note_Hand */
+   L.Last_Hand = number
+}
+
+inline Passed_On () {
+   Hand = (command != Other_Asked -> number : Hand)
+}
 
 active proctype Th_Receive_From_Mon ()
 {
@@ -361,63 +374,54 @@ end_receive:
             if
             :: command = Mission_Asked
             :: command = Act_Asked; ACT
-#ifdef ASKS
-            :: command = Query_Asked; kind = Query; port = Task_Ports_Query
-#else
+#ifndef ASKS
             :: command = Stop_Asked
+#endif
+#if defined (ASKS) || defined (CHANGES)
+            :: command = Other_Asked; OTHER
 #endif
             fi
          };
          if
-         :: command == Mission_Asked ->
-            /*: Place.Put */
-            atomic {
+         :: atomic {
+               command == Mission_Asked ->
+               /*: Place.Put */
                if
                :: MR.Mission != 0 ->
                   /* never one that has been refused, or its end sent */
                   assert (MR.Mission < First || Unanswered [MR.Mission]
                           || Ends_Owed == MR.Mission);
-                  Answer (number)
+                  Answer (number);
+                  goto handled
                :: else ->
                   MR.Mission = number;
                   MR.Waits = true;
-                  MR.After = rank;
-                  command = 0
+                  MR.After = rank
                fi
             };
+            atomic { Set_Event (Missions_Requests_Arrived); goto handled }
+         :: atomic { command == Other_Asked -> goto pass_on }
+         :: atomic {
+               command == Stop_Asked || command == Act_Asked ->
+               Note_Hand ()
+            }
+         fi;
+pass_on: atomic {
             if
-            :: command == 0 -> Set_Event (Missions_Requests_Arrived)
-            :: else
-            fi
-         :: else ->
-            if
-            :: command != Query_Asked ->
-               /* before it is passed on */
-               /*: Line.Line.Note_Hand */
-               L.Last_Hand = number
-            :: else
-            fi;
-            if
-            :: command == Stop_Asked ->
-               atomic { Hand = number; Put_Stop (number) }
+            :: command == Stop_Asked -> Put_Stop (number)
             :: else ->
                /*: Port.Put [port] */
-               atomic {
-                  if
-                  :: command == Act_Asked -> Hand = number
-                  :: else
-                  fi;
-                  rank++;
-                  Port (port) ! number, kind, rank, after;
-                  if
-                  :: Changes_Session (kind) -> after = rank
-                  :: else
-                  fi;
-                  Set_Event (Order_Ports_Arrived [port])
-               }
-            fi
-         fi;
-         d_step { number = 0; command = 0; kind = 0; port = 0 }
+               rank++;
+               Port (port) ! number, kind, rank, after;
+               if
+               :: Changes_Session (kind) -> after = rank
+               :: else
+               fi;
+               Set_Event (Order_Ports_Arrived [port])
+            fi;
+            Passed_On ();
+handled:    number = 0; command = 0; kind = 0; port = 0
+         }
       od;
       atomic { rank = 0; after = 0; sent = 0 };
       Set_Event (Monitor_Session_Receive_Ended)
@@ -472,7 +476,9 @@ active proctype Th_Com_Mon_Perdue ()
    :: Wait_For_Work (Monitor_Session_Watch_Begins);
       /* Wait_Loss: at any time, or never: then all is answered and told */
       if
+#ifndef ASKS
       :: true
+#endif
       :: true ->
          Waiting == 0 && MR.Mission == 0 && Ends_Owed == 0;
 end_stays:
@@ -499,6 +505,7 @@ end_stays:
          do :: Stops ? _ :: len (Stops) == 0 -> break od;
          L.Last_Stop = 0;
          L.Last_Hand = 0;
+         L.Last_Mission = 0;        /* older than all that come now */
          L.Completed = 0;
          L.Changed = 0
       }

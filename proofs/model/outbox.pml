@@ -219,21 +219,19 @@ reserved:
                Dispatched ! number;
                if
                :: Ask_For_Mission ()
+               :: /*: Queue.Queue.Put in vision */
+                  if
+                  :: /*: Port.Put [port] in vision,
+                         Set_Event (Order_Ports.Arrived [port]) in vision */ skip
+                  :: skip
+                  fi
                :: if
                   :: /*: Line.Line.Note_Hand in mission */ skip
                   :: skip
                   fi;
                   if
-                  :: /*: Queue.Queue.Put in vision */
-                     if
-                     :: /*: Port.Put [port] in vision,
-                            Set_Event (Order_Ports.Arrived [port]) in vision */
-                        skip
-                     :: skip
-                     fi
                   :: /*: Port.Put [port] in orders,
-                         Set_Event (Order_Ports.Arrived [port]) in orders */
-                     skip
+                         Set_Event (Order_Ports.Arrived [port]) in orders */ skip
                   :: /*: Line.Line.Put_Stop in orders,
                          Set_Event (Line.Work) in orders */ skip
                   fi
