@@ -37,8 +37,8 @@ package Robot.Requests with SPARK_Mode is
 
    type Verdict_Kind is
      (Carry_Out,
-      Overtaken,    --  a movement cancelled by a later stop; an order of a
-      --  mission that a later order by hand has ended
+      Overtaken,    --  a movement cancelled by a later stop or mission; an
+      --  order of a mission that a later order by hand has ended
       Out_Of_Date,  --  its session has ended
       Late);        --  an order of a mission that has waited too long
 
@@ -101,13 +101,20 @@ package Robot.Requests with SPARK_Mode is
      (Request_Of (R, From).Kind = Robot.Session.Stop)
    with Pre => Is_Pending (R, From);
 
+   function Last_Mission (R : Requests) return Orders.Ticket is
+     (R.Slots (Mission).Order.Number);
+   --  The last mission that has made a request
+
    function Verdict_On (R : Requests; From : Client; Is_Late : Boolean)
      return Verdict_Kind
    is (if From = Stop_Order
          or else (Order_Of (R, From).Number = 0 and then From /= Mission)
        then Carry_Out
        elsif Order_Of (R, From).Number < R.First_Order then Out_Of_Date
-       elsif From = Move and then Order_Of (R, From).Number < R.Last_Stop
+       elsif From = Move
+         and then
+           (Order_Of (R, From).Number < R.Last_Stop
+            or else Order_Of (R, From).Number < Last_Mission (R))
        then Overtaken
        elsif From = Mission and then Order_Of (R, From).Number < R.Last_Hand
        then Overtaken
