@@ -11,6 +11,7 @@ with Image_Cycle_Tests;
 with Image_Grid_Tests;
 with Line_Health_Tests;
 with Mailboxes_Tests;
+with Mission_Runs_Tests;
 with Monitor_Link_Tests;
 with Monitor_Protocol_Tests;
 with Networks_Tests;
@@ -48,6 +49,7 @@ begin
    Unit_Runs.Add (new Line_Health_Tests.Test_Case);
    Unit_Runs.Add (new Mailboxes_Tests.Test_Case);
    Unit_Runs.Add (new Order_Meanings_Tests.Test_Case);
+   Unit_Runs.Add (new Mission_Runs_Tests.Test_Case);
    Unit_Runs.Add (new Monitor_Link_Tests.Test_Case);
    Unit_Runs.Add (new Robot_Session_Tests.Test_Case);
    Unit_Runs.Add (new Send_Order_Tests.Test_Case);
