@@ -142,7 +142,9 @@ package body Monitor.Tasks with SPARK_Mode is
          Trace.Received (Order.Message.Kind, Order.Number);
          Order_Meanings.Give_Rank (Ranks, Order);
          case Order.Message.Kind is
-            when Order_Kind  =>
+            when Mission_Order =>
+               Monitor.Outbox.Answer (Order, Not_Done);
+            when Open_Robot .. Stop_Position =>
                Task_Ports.Dispatch (Order);
             when Log_Message =>
                Monitor.Outbox.Answer_Nothing (Order);
