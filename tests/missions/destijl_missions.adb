@@ -3,16 +3,20 @@
 --  JSON for each.
 
 with Ada.Exceptions;
-with Ada.Text_IO;     use Ada.Text_IO;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
 
 with Child_Processes;
+with Emulators;
 with Expectations;
 with Mission_Judges;
-with Mission_Lines;   use Mission_Lines;
-with Mission_Plans;   use Mission_Plans;
-with Option_Readers;  use Option_Readers;
+with Mission_Lines;         use Mission_Lines;
+with Mission_Pictures;
+with Mission_Plans;         use Mission_Plans;
+with Option_Readers;        use Option_Readers;
 with Own_Process;
+with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Real_Missions;
 
@@ -22,6 +26,13 @@ procedure Destijl_Missions is
    First     : Positive := 1;
    Step      : Positive := 1;
    Seed      : Natural  := 1;
+
+   Picture, Journal, Pose, Order : Unbounded_String;
+
+   Status : Integer := 0;
+
+   procedure Draw;
+   --  Status 1 where it is not as it should be
 
    procedure Read_Command_Line;
 
@@ -35,6 +46,10 @@ procedure Destijl_Missions is
    begin
       Put_Line (To, "usage: destijl_missions [OPTION]...");
       Put_Line (To, "   --real N        missions of the supervisor (0)");
+      Put_Line (To, "   --picture FILE  draws one instead: SVG");
+      Put_Line (To, "   --journal FILE  ... what the emulator has printed");
+      Put_Line (To, "   --pose X,Y,A    ... where it stood: cm, degrees");
+      Put_Line (To, "   --order MPCM:X;Y;...");
       Put_Line (To, "   --seed N        others (1)");
       Put_Line (To, "   --first N       the first one's number (1)");
       Put_Line (To, "   --step N        to the next one's number (1)");
@@ -49,6 +64,14 @@ procedure Destijl_Missions is
             Real := Number (0);
          elsif Name = "--seed" then
             Seed := Number (0);
+         elsif Name = "--picture" then
+            Picture := To_Unbounded_String (Value);
+         elsif Name = "--journal" then
+            Journal := To_Unbounded_String (Value);
+         elsif Name = "--pose" then
+            Pose := To_Unbounded_String (Value);
+         elsif Name = "--order" then
+            Order := To_Unbounded_String (Value);
          elsif Name = "--first" then
             First := Number;
          elsif Name = "--step" then
@@ -63,6 +86,28 @@ procedure Destijl_Missions is
          end if;
       end loop;
    end Read_Command_Line;
+
+   procedure Draw is
+      P     : constant Plan := Read (To_String (Pose), To_String (Order));
+      Notes : Emulators.Notes;
+      V     : Mission_Judges.Verdict;
+   begin
+      Mission_Pictures.Read_Journal (To_String (Journal), Notes);
+      if Notes.Is_Empty then
+         raise Bad_Plan with "no journal in " & To_String (Journal);
+      end if;
+      Mission_Pictures.Draw (P, Notes, To_String (Picture), V);
+      Put_Line
+        (Image (V.Passed) & " of " & Image (P.Count) & " points passed, "
+         & Rounded (Float (V.Pass), 1) & " mm from them at most, by "
+         & Image (V.Orders) & " orders in " & Rounded (Float (V.Time), 1)
+         & " s; exact turns and drives would take "
+         & Rounded (Float (V.Exact), 1) & " s");
+      if V.Wrong /= "" then
+         Put_Line (To_String (V.Wrong));
+         Status := 1;
+      end if;
+   end Draw;
 
    procedure Run_Real (P : Plan) is
       V : Mission_Judges.Verdict;
@@ -83,11 +128,14 @@ procedure Destijl_Missions is
 begin
    Own_Process.Ignore_Broken_Pipes;
    Read_Command_Line;
+   if Picture /= "" then
+      Draw;
+   end if;
    for K in 0 .. Real - 1 loop
       Run_Real (Random (Seed, First + K * Step));
    end loop;
    Programs.Remove_Temporary_Folder;
-   GNAT.OS_Lib.OS_Exit (0);
+   GNAT.OS_Lib.OS_Exit (Status);
 
 exception
    when Problem : Bad_Usage =>
@@ -95,6 +143,11 @@ exception
         (Standard_Error,
          "destijl_missions: " & Ada.Exceptions.Exception_Message (Problem));
       Print_Usage (Standard_Error);
+      GNAT.OS_Lib.OS_Exit (2);
+   when Problem : Bad_Plan =>
+      Put_Line
+        (Standard_Error,
+         "destijl_missions: " & Ada.Exceptions.Exception_Message (Problem));
       GNAT.OS_Lib.OS_Exit (2);
    when Problem : others =>
       Child_Processes.Stop_All;

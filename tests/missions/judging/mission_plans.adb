@@ -3,6 +3,7 @@
 
 with Ada.Numerics.Long_Elementary_Functions;
 use Ada.Numerics.Long_Elementary_Functions;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Plain_Numbers;
@@ -67,6 +68,46 @@ package body Mission_Plans is
       end loop;
       return Duration (Result);
    end Exact_Time;
+
+   function Read (Pose, Order : String) return Plan is
+      Label  : constant String := "MPCM:";
+      Result : Plan;
+      First  : Positive;
+
+      function Next (Text : String; Mark : Character) return Micro;
+      --  The number from First to Mark or the end, in millionths of the unit;
+      --  First goes behind
+
+      function Next (Text : String; Mark : Character) return Micro is
+         Stop : constant Natural := Index (Text & Mark, (1 => Mark), First);
+         Last : constant Natural := Stop - 1;
+      begin
+         return Value : constant Micro :=
+           Micro (Long_Float'Value (Text (First .. Last)) * 1.0E6)
+         do
+            First := Stop + 1;
+         end return;
+      end Next;
+
+   begin
+      First := Pose'First;
+      Result.Start.X := Next (Pose, ',') / 100;
+      Result.Start.Y := Next (Pose, ',') / 100;
+      Result.Start.Angle := Next (Pose, ',');
+      if Index (Order, Label) /= Order'First then
+         raise Bad_Plan with Label & " is expected";
+      end if;
+      First := Order'First + Label'Length;
+      while First <= Order'Last loop
+         Result.Count := Result.Count + 1;
+         Result.Points (Result.Count).X := Next (Order, ';') / 100;
+         Result.Points (Result.Count).Y := Next (Order, ';') / 100;
+      end loop;
+      return Result;
+   exception
+      when Constraint_Error =>
+         raise Bad_Plan with "a pose and points in the arena are expected";
+   end Read;
 
    function Random (Seed : Natural; Number : Positive) return Plan is
       Source : Generator;

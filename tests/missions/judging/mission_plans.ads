@@ -45,6 +45,12 @@ package Mission_Plans is
    --  The same for the same Seed and Number; whole tenths of millimetres.
    --  Where Faulty: each error of the wheels is anything the emulator offers
 
+   Bad_Plan : exception;
+
+   function Read (Pose, Order : String) return Plan;
+   --  One with ideal wheels. Pose: X,Y,HEADING as the emulator has it; Order:
+   --  MPCM with its points. Raises Bad_Plan
+
    function Order (P : Plan) return String
      with Pre => P.Count > 0;
    --  MPCM with its points
