@@ -229,7 +229,12 @@ def main(arguments: list[str]) -> None:
             raise Wrong("--docs needs the results of --out")
         document(Path(arguments[1]))
         return
-    parser = argparse.ArgumentParser(prog="script/bench missions")
+    parser = argparse.ArgumentParser(
+        prog="script/bench missions",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        usage=argparse.SUPPRESS,
+    )
     parser.add_argument("--simulated", type=int, default=1000, help="(1000)")
     parser.add_argument("--real", type=int, default=50, help="(50)")
     parser.add_argument("--seed", type=int, default=1, help="others (1)")
@@ -252,5 +257,5 @@ def main(arguments: list[str]) -> None:
 if __name__ == "__main__":
     try:
         main(sys.argv[1:])
-    except (Wrong, OSError, ValueError) as problem:
+    except (Wrong, KeyError, OSError, ValueError) as problem:
         sys.exit(f"missions: {problem}")

@@ -15,6 +15,7 @@ with GNAT.OS_Lib;
 
 with Camera_Tests;
 with Expectations;
+with Mission_Trial_Tests;
 with Monitor_Tests;
 with Never_Tests;
 with Option_Readers;
@@ -84,6 +85,7 @@ begin
    Process_Tests.Add_To (Suite);
    Security_Tests.Add_To (Suite);
    Trace_Tests.Add_To (Suite);
+   Mission_Trial_Tests.Add_To (Suite);
    Never_Tests.Add_To (Suite);
 
    Standstills.Watch (Lines => True);
