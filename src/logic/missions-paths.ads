@@ -106,7 +106,7 @@ package Missions.Paths with SPARK_Mode is
        and then First >= Line'First
        and then Last in First .. Line'Last
        and then Is_Size (Line, First, Last),
-     Post => Size_Value'Result in 0 .. Millionths'Last;
+     Post => Size_Value'Result >= 0;
 
    function Is_Coordinate
      (Line : String; First : Positive; Last : Natural) return Boolean

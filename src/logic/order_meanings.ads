@@ -75,6 +75,13 @@ package Order_Meanings with SPARK_Mode is
      (M.Kind in Robot_Order
       and then Changes_Session (Request_Of (M).Kind));
 
+   function Is_By_Hand (Kind : Message_Kind) return Boolean is
+     (Kind in Robot_Order
+      and then Kind not in Ping_Robot | Reload_Watchdog
+        | Monitor.Protocol.Get_Battery | Get_State);
+   --  It moves or stops the robot or changes its session, and so ends a
+   --  mission. Questions do not
+
    type Ranks is record
       Last   : Orders.Ticket := 0;
       --  rank of the session's last ranked order
@@ -97,7 +104,9 @@ package Order_Meanings with SPARK_Mode is
                 else R'Old.Change)
           else R = R'Old
             and then Order.Rank = 0
-            and then Order.After = 0);
+            and then Order.After =
+              (if Order.Message.Kind in Mission_Order then R.Last else 0));
+   --  A mission's orders to the robot follow all earlier ones
 
    --  The answer to the monitor
 
