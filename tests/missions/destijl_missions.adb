@@ -10,6 +10,7 @@ with GNAT.OS_Lib;
 with Child_Processes;
 with Emulators;
 with Expectations;
+with Judged_Simulations;
 with Mission_Judges;
 with Mission_Lines;         use Mission_Lines;
 with Mission_Pictures;
@@ -22,6 +23,7 @@ with Real_Missions;
 
 procedure Destijl_Missions is
 
+   Simulated : Natural  := 0;
    Real      : Natural  := 0;
    First     : Positive := 1;
    Step      : Positive := 1;
@@ -40,11 +42,14 @@ procedure Destijl_Missions is
 
    procedure Run_Real (P : Plan);
 
+   procedure Run_Simulated (P : Plan);
+
    procedure Say (Text : String);
 
    procedure Print_Usage (To : File_Type) is
    begin
       Put_Line (To, "usage: destijl_missions [OPTION]...");
+      Put_Line (To, "   --simulated N   missions in simulated time (0)");
       Put_Line (To, "   --real N        missions of the supervisor (0)");
       Put_Line (To, "   --picture FILE  draws one instead: SVG");
       Put_Line (To, "   --journal FILE  ... what the emulator has printed");
@@ -60,7 +65,9 @@ procedure Destijl_Missions is
    procedure Read_Command_Line is
    begin
       while Next loop
-         if Name = "--real" then
+         if Name = "--simulated" then
+            Simulated := Number (0);
+         elsif Name = "--real" then
             Real := Number (0);
          elsif Name = "--seed" then
             Seed := Number (0);
@@ -119,6 +126,13 @@ procedure Destijl_Missions is
          Say (Line ("real", P, Ada.Exceptions.Exception_Message (Problem)));
    end Run_Real;
 
+   procedure Run_Simulated (P : Plan) is
+      V : Mission_Judges.Verdict;
+   begin
+      Judged_Simulations.Run (P, V);
+      Say (Line ("simulated", P, V));
+   end Run_Simulated;
+
    procedure Say (Text : String) is
    begin
       Put_Line (Text);
@@ -131,6 +145,9 @@ begin
    if Picture /= "" then
       Draw;
    end if;
+   for K in 0 .. Simulated - 1 loop
+      Run_Simulated (Random (Seed, First + K * Step));
+   end loop;
    for K in 0 .. Real - 1 loop
       Run_Real (Random (Seed, First + K * Step));
    end loop;
