@@ -197,9 +197,9 @@ package Budgets with SPARK_Mode is
    Arena_Interval   : constant Positive_Span := 1_000_000;
    Camera_Interval  : constant Positive_Span := 33_333;
    --  30 images a second are asked of a camera
-   Mission_Interval : constant Positive_Span := 40_000;
-   --  between two requests of a mission to the robot, on the average: a
-   --  question whether it still moves, or a movement; one at a time
+   Mission_Pause    : constant Positive_Span := 20_000;
+   --  after the robot's answer to a mission, which was a question whether it
+   --  still moves, until the next
    Tick_Interval    : constant Positive_Span := 1_000;
    --  of the kernel: timer ticks, network and serial interrupts together
 
@@ -227,7 +227,7 @@ package Budgets with SPARK_Mode is
    Stop_Frame     : constant := 5;   --  M=0
    Longest_Frame  : constant := 10;  --  M=-32768
    Mission_Frame  : constant := 9;
-   --  M=14142: across the largest arena; less than 1 m backwards
+   --  M=-5000
    Probe_Frames   : constant := 5;
    --  a letter and what the answer to V is longer than the usual one
 

@@ -55,8 +55,7 @@ package body Supervisor_Model with SPARK_Mode is
 
    subtype Mission_Name is Activity_Name range Mission_Begin .. Mission_Told;
 
-   subtype Mission_Look is Mission_Name range Mission_Begin .. Mission_Seen;
-   --  After these a request may be made
+   subtype Mission_Look is Mission_Name range Mission_Due .. Mission_Seen;
 
    subtype Mission_Under_Way is Activity_Name
    with Static_Predicate =>
@@ -266,7 +265,7 @@ package body Supervisor_Model with SPARK_Mode is
          when Send_Battery | Battery_Due | Battery_Done =>
             To_Period (Battery_Period),
          when Mission_Due => To_Period (Mission_Period),
-         when Mission_Told => Mission_Interval,
+         when Mission_Told => Mission_Pause + Line_Interval,
          when Send_Position | Send_Image | Capture | Mission_Seen
             | Send_Mission =>
             --  where the grid makes up for what it has lost
@@ -293,10 +292,11 @@ package body Supervisor_Model with SPARK_Mode is
      (case Which is
          when Outbox_Operation =>
            (case Name is
-               when Line_Outcome | Battery_Done | Loss | Newcomer => 1,
-               when Line_Answer | Receive | Mission_Name | Camera_Order
-                  | Camera_Answer => 2,
+               when Line_Outcome | Battery_Done | Loss | Newcomer
+                  | Mission_Look => 1,
+               when Line_Answer | Receive | Camera_Order | Camera_Answer => 2,
                when Capture | Arena => 3,
+               when Mission_Begin => 4,
                when Hold => 9,
                when others => 0),
          when Outbox_Take =>
@@ -307,16 +307,18 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Line_Operation =>
            (case Name is
-               when Line_Request | Line_Answer | Order_Name | Ping_Done => 1,
+               when Line_Request | Line_Answer | Order_Name | Ping_Done
+                  | Mission_Told => 1,
                when Line_Open | Receive | Loss | Battery_Due | Battery_Done
                   | Ping_Due => 2,
                when Stop | Reload_Due | Reload_Done | Mission_Look => 3,
-               when Mission_Told => 4,
+               when Mission_Begin => 5,
+               --  with the first look
                when others => 0),
          when Port_Operation =>
            (case Name is
-               when Order_Name | Mission_Name => 1,
-               when Receive | Camera_Answer => 2,
+               when Order_Name | Mission_Look => 1,
+               when Receive | Mission_Begin | Camera_Answer => 2,
                when Camera_Order | Arena => 3,
                --  its own order, and the next one's way to its task
                when Loss => 8,
@@ -324,12 +326,11 @@ package body Supervisor_Model with SPARK_Mode is
          when Vision_Operation =>
            (case Name is
                when Stop => 1,
-               when Mission_Name => 2,
-               when Camera_Order | Camera_Answer => 3,
+               when Mission_Look | Camera_Order | Camera_Answer => 3,
                when Loss => 4,
                when Arena => 5,
-               when Camera => 8,
-               when Capture => 9,
+               when Mission_Begin => 6,
+               when Camera | Capture => 8,
                --  with a look that finds no image; with the end of a camera
                when others => 0),
          when Session_Operation =>
@@ -339,6 +340,8 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Journal_Operation =>
            (case Name is
+               when Mission_Look => 1,
+               when Mission_Begin => 2,
                when Line_Answer .. Line_Open | Receive | Loss => 3,
                --  the longest line
                when Stop => 5,
@@ -575,14 +578,6 @@ package body Supervisor_Model with SPARK_Mode is
         1 .. Line_Client'Pos (Line_Client'Last) + 1;
       subtype Client_Set is Activity_Array (Client_Index);
 
-      Asks : constant Span := Span'Min
-        (Mission_Interval,
-         Span'Max
-           (Latest (Bounds (Mission_Begin)),
-            Span'Max (Latest (Bounds (Mission_Due)),
-                      Latest (Bounds (Mission_Seen)))));
-      --  How late a mission's request comes, at most: one at a time
-
       function Index (Who : Line_Client) return Client_Index is
         (Line_Client'Pos (Who) + 1);
 
@@ -623,6 +618,11 @@ package body Supervisor_Model with SPARK_Mode is
       procedure Keep_Later (Item : Bound; Result : in out Bound);
       --  Result holds in this case, too
 
+      function Asked_Apart return Positive_Span is
+        (Positive_Span'Min
+           (Horizon / 2, Positive_Span (Mission_Pause + Length (Mission))));
+      --  From one request of a mission to the next, on the average
+
       procedure Bound_One
         (Who : Line_Client; Lengths : Client_Times; Result : out Bound)
       is
@@ -640,7 +640,7 @@ package body Supervisor_Model with SPARK_Mode is
                      when Ping       => To_Period (Ping_Period),
                      when Unanswered => Horizon,
                      when Mission    =>
-                       (if Who = Mission then Horizon else Mission_Interval),
+                       (if Who = Mission then Horizon else Asked_Apart),
                      when others     => Commands_Apart (Under)),
                Jitter    =>
                  (case C is
@@ -648,7 +648,10 @@ package body Supervisor_Model with SPARK_Mode is
                      when Stop_Order  => Latest (Bounds (Receive)),
                      when Reload      => Latest (Bounds (Reload_Due)),
                      when Movement    => Latest (Bounds (Move_Order)),
-                     when Mission     => (if Who = Mission then 0 else Asks),
+                     when Mission     =>
+                       (if Who = Mission then 0 else 2 * Asked_Apart),
+                     --  a small turn, a question, a drive and a question
+                     --  follow each other at once; then come two images
                      when Battery     => Latest (Bounds (Battery_Due)),
                      when Other_Order => Latest_Order (Bounds),
                      when Ping        => Latest (Bounds (Ping_Due)),
@@ -925,8 +928,7 @@ package body Supervisor_Model with SPARK_Mode is
                    when Send_Answer  => Span'Max
                      (Latest (Bounds (Receive)), Latest_Answer (Line)),
                    when Mission_Told =>
-                      --  asked for one at a time
-                      Span'Min (Line (Mission).Finish, Mission_Interval),
+                      2 * Period_Of (A, Under),
                    when Send_Battery => Latest (Bounds (Battery_Done)),
                    when Send_Mission => Latest (Bounds (Mission_Seen)),
                    when Send_Position | Send_Image | Mission_Seen =>
