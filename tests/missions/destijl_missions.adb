@@ -28,6 +28,7 @@ procedure Destijl_Missions is
    First     : Positive := 1;
    Step      : Positive := 1;
    Seed      : Natural  := 1;
+   Traced    : Boolean  := False;
 
    Picture, Journal, Pose, Order : Unbounded_String;
 
@@ -56,6 +57,7 @@ procedure Destijl_Missions is
       Put_Line (To, "   --pose X,Y,A    ... where it stood: cm, degrees");
       Put_Line (To, "   --order MPCM:X;Y;...");
       Put_Line (To, "   --seed N        others (1)");
+      Put_Line (To, "   --trace         prints what happens in simulated ones");
       Put_Line (To, "   --first N       the first one's number (1)");
       Put_Line (To, "   --step N        to the next one's number (1)");
       Put_Line (To, "   --supervisor PATH, --emulator PATH");
@@ -79,6 +81,8 @@ procedure Destijl_Missions is
             Pose := To_Unbounded_String (Value);
          elsif Name = "--order" then
             Order := To_Unbounded_String (Value);
+         elsif Name = "--trace" then
+            Traced := True;
          elsif Name = "--first" then
             First := Number;
          elsif Name = "--step" then
@@ -129,7 +133,7 @@ procedure Destijl_Missions is
    procedure Run_Simulated (P : Plan) is
       V : Mission_Judges.Verdict;
    begin
-      Judged_Simulations.Run (P, V);
+      Judged_Simulations.Run (P, V, Traced);
       Say (Line ("simulated", P, V));
    end Run_Simulated;
 

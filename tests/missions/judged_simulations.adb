@@ -15,7 +15,7 @@ package body Judged_Simulations is
    Angle_Noise : constant := 0.5;
    --  Degrees
 
-   procedure Run (P : Plan; V : out Verdict) is
+   procedure Run (P : Plan; V : out Verdict; Traced : Boolean := False) is
 
       function Seconds (Time : Robot_Motion.Time_Point) return Duration is
         (Duration (Time - Simulated_Missions.Start_Time) / 1_000_000);
@@ -60,7 +60,7 @@ package body Judged_Simulations is
       end if;
       Start (J, P);
       Simulated_Missions.Simulate
-        (M, F, P.Number, R, Image => Sight'Access, Place => See'Access);
+        (M, F, P.Number, R, Traced, Image => Sight'Access, Place => See'Access);
       Conclude
         (J, P, Missions.Texts.Text_Of (R.Ended), Duration (R.Time) / 1_000,
          R.Orders, V);

@@ -6,7 +6,8 @@ with Mission_Plans;  use Mission_Plans;
 
 package Judged_Simulations is
 
-   procedure Run (P : Plan; V : out Verdict)
+   procedure Run (P : Plan; V : out Verdict; Traced : Boolean := False)
      with Pre => P.Count > 0;
+   --  Traced: prints what happens
 
 end Judged_Simulations;
