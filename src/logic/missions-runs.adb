@@ -36,8 +36,6 @@ package body Missions.Runs with SPARK_Mode is
 
    --  Orders
 
-   Backward_Way : constant := 60_000;
-   --  at most, where forward would take half a turn
    Side_Way     : constant := 2_500;
    --  no turn is made to pass the target by less
 
@@ -79,10 +77,9 @@ package body Missions.Runs with SPARK_Mode is
 
    function There (Images : Image_Count) return Micrometres is
      (case Images is
-         when 0 .. 1           => 5_000,
-         when 2                => 7_000,
-         when 3                => 8_000,
-         when 4 .. Max_Images  => 9_000);
+         when 0 .. 1          => 6_000,
+         when 2               => 8_000,
+         when 3 .. Max_Images => 9_000);
    --  So near to the target, it is reached: the more images, the better it is
    --  known
 
@@ -151,8 +148,8 @@ package body Missions.Runs with SPARK_Mode is
       Ahead   : constant Micrometres :=
         Micrometres'Max (0, Way (Here, Goal));
       Is_Back : constant Boolean     :=
-        Ahead < Backward_Way
-        and then abs Difference (Here.Heading, Towards) > Half_Turn / 2;
+        abs Difference (Here.Heading, Towards) > Half_Turn / 2;
+      --  backward, where that means less turning
       Front   : constant Bearing     :=
         (if Is_Back then Normal (Towards + Half_Turn) else Towards);
 
@@ -686,7 +683,7 @@ package body Missions.Runs with SPARK_Mode is
                   R.Ask_At   := After (Now, Duration_Of (R));
                   if R.Movement = Halt then
                      R.Halted := True;
-                     Arrive (R, Now);
+                     R.Phase  := Looking;
                   end if;
 
                when Robot.Session.Timed_Out =>
@@ -694,7 +691,7 @@ package body Missions.Runs with SPARK_Mode is
                   R.Sure   := False;
                   R.Ask_At := Now;
                   if R.Movement = Halt then
-                     Arrive (R, Now);
+                     R.Phase := Looking;
                   end if;
 
                when Robot.Session.Refused =>
