@@ -57,7 +57,7 @@ procedure Destijl_Missions is
       Put_Line (To, "   --pose X,Y,A    ... where it stood: cm, degrees");
       Put_Line (To, "   --order MPCM:X;Y;...");
       Put_Line (To, "   --seed N        others (1)");
-      Put_Line (To, "   --trace         prints what happens in simulated ones");
+      Put_Line (To, "   --trace         tells what happens, if simulated");
       Put_Line (To, "   --first N       the first one's number (1)");
       Put_Line (To, "   --step N        to the next one's number (1)");
       Put_Line (To, "   --supervisor PATH, --emulator PATH");

@@ -60,7 +60,8 @@ package body Judged_Simulations is
       end if;
       Start (J, P);
       Simulated_Missions.Simulate
-        (M, F, P.Number, R, Traced, Image => Sight'Access, Place => See'Access);
+        (M, F, P.Number, R, Traced,
+         Image => Sight'Access, Place => See'Access);
       Conclude
         (J, P, Missions.Texts.Text_Of (R.Ended), Duration (R.Time) / 1_000,
          R.Orders, V);
