@@ -468,7 +468,7 @@ package body Missions.Runs with SPARK_Mode is
          R.Way_Doubt := Integer'Min
            (50,
             Integer'Max
-              (R.Way_Doubt * 3 / 4,
+              (R.Way_Doubt * 15 / 16,
                Integer (abs (Seen_Gain - Wide (R.Drives))) * 150 / R.Drives));
       end if;
       Learn_Gain

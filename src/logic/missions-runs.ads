@@ -303,9 +303,11 @@ private
          + R.Drives
            * Integer'Max
                (R.Way_Doubt,
-                (if R.Way_Weight < 150 ** 2 then 8
-                 elsif R.Way_Weight < 300 ** 2 then 4
-                 else 2)) / 100));
+                (if R.Way_Weight < 80 ** 2 then 18
+                 elsif R.Way_Weight < 120 ** 2 then 14
+                 elsif R.Way_Weight < 200 ** 2 then 9
+                 elsif R.Way_Weight < 350 ** 2 then 5
+                 else 3)) / 100));
 
    function Doubts (R : Run) return Missions.Guards.Doubts is
      ((Longest => Longest (R),
