@@ -88,12 +88,13 @@ package body Real_Missions is
       V   : out Verdict;
       See : access procedure (Where : Robot_Motion.Pose) := null)
    is
-      R     : Rigs.Rig;
-      J     : Judge;
-      Begun : Instant;
-      Ended : Message;
-      Next  : Positive;
-      Last  : Robot_Motion.Pose;
+      R      : Rigs.Rig;
+      J      : Judge;
+      Begun  : Instant;
+      Ended  : Message;
+      Next   : Positive;
+      Last   : Robot_Motion.Pose;
+      Drives : Boolean := False;
 
       procedure See_Pose
         (Time : Instant; Where : Robot_Motion.Pose; Driving : Boolean);
@@ -115,6 +116,7 @@ package body Real_Missions is
          end loop;
          See_Pose (J, Time - Begun, Where, Driving);
          Last := Where;
+         Drives := Driving;
          if See /= null then
             See (Where);
          end if;
@@ -144,7 +146,12 @@ package body Real_Missions is
            (J, P, To_String (Ended.Data), Ended.Time - Begun,
             Robot_Truths.Movements (Notes), V);
       end;
-      if V.Wrong = "" then
+      --  Its watchdog, too, may have stopped the robot
+      Check
+        (not Drives or else R.Emulator.Status ("moving") = "1",
+         "the robot has stopped without an order; the mission's end: "
+         & To_String (Ended.Data));
+      if not Drives then
          Compare (R.Emulator.Pose, Last);
       end if;
    end Run;
