@@ -51,6 +51,7 @@ package Missions.Grounds with SPARK_Mode is
            and then G.View.Mode.Position_On
            and then G.View.Mode.Confirmed
            and then Has_Position (G)
+           and then Missions.Arenas.Is_Usable (Map)
         else
           (case Why is
               when Robot_Not_Started   =>
@@ -106,7 +107,8 @@ package Missions.Grounds with SPARK_Mode is
    --  after Now, or at Due if that is earlier
 
    function Seen_From (Begun : Time; Map : Missions.Arenas.Map; G : Ground)
-     return Missions.Runs.Sighting;
+     return Missions.Runs.Sighting
+   with Pre => Missions.Arenas.Is_Usable (Map);
    --  The newest sighting of G
 
 end Missions.Grounds;

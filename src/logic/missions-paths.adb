@@ -19,13 +19,12 @@ package body Missions.Paths with SPARK_Mode is
            (for all I in 1 .. Result.Count =>
               Result.Starts (I) >= First
               and then Is_Point (Line, Result.Starts (I))
+              and then (if I = 1 then Result.Starts (I) = First)
+              and then Point_End (Line, Result.Starts (I)) < Line'Last
               and then
-                (if I = 1 then Result.Starts (I) = First
-                 else Point_End (Line, Result.Starts (I - 1)) < Line'Last
-                   and then Result.Starts (I) =
-                     Point_End (Line, Result.Starts (I - 1)) + 2));
-         pragma Loop_Invariant
-           (Point_End (Line, Result.Starts (Result.Count)) < Line'Last);
+                (if I < Result.Count then
+                    Result.Starts (I + 1) =
+                      Point_End (Line, Result.Starts (I)) + 2));
          pragma Loop_Invariant
            (Next = Point_End (Line, Result.Starts (Result.Count)) + 2);
          pragma Loop_Variant (Increases => Result.Count);

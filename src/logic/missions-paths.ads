@@ -177,11 +177,12 @@ package Missions.Paths with SPARK_Mode is
        (for all I in 1 .. Cut_At'Result.Count =>
           Cut_At'Result.Starts (I) >= First
           and then Is_Point (Line, Cut_At'Result.Starts (I))
+          and then (if I = 1 then Cut_At'Result.Starts (I) = First)
           and then
-            (if I = 1 then Cut_At'Result.Starts (I) = First
-             else Point_End (Line, Cut_At'Result.Starts (I - 1)) < Line'Last
-               and then Cut_At'Result.Starts (I) =
-                 Point_End (Line, Cut_At'Result.Starts (I - 1)) + 2))
+            (if I < Cut_At'Result.Count then
+                Point_End (Line, Cut_At'Result.Starts (I)) < Line'Last
+                and then Cut_At'Result.Starts (I + 1) =
+                  Point_End (Line, Cut_At'Result.Starts (I)) + 2))
        and then
          (case Cut_At'Result.Count is
              when 0 =>

@@ -194,6 +194,11 @@ package body Missions.Runs with SPARK_Mode is
          / Wide (R.Turns));
       if Ordered /= 0
         and then abs (Wide (Ahead) * Sine (Angle) / Million) > Side_Way
+        and then abs Angle >
+          (if R.Turns_Made = 2 then 4_000_000
+           elsif R.Way_Weight < Learnt_Way then 3_000_000
+           elsif R.Turns_Made = 1 then 1_000_000
+           else 0)
       then
          Give (R, Turn, Ordered, Next);
          return;
@@ -215,6 +220,7 @@ package body Missions.Runs with SPARK_Mode is
       if R.Movement = Turn
         and then R.Sure
         and then R.Trusted
+        and then R.Turned ** 2 <= 9 * R.Turn_Weight
         and then not R.Upset
       then
          R.Mean.Heading := Normal
@@ -342,6 +348,7 @@ package body Missions.Runs with SPARK_Mode is
             null;
 
          when Turn =>
+            R.Turns_Made := Natural'Min (2, R.Turns_Made + 1);
             if R.Turned = 0 then
                R.From := R.Mean;
             end if;
@@ -352,6 +359,7 @@ package body Missions.Runs with SPARK_Mode is
             end if;
 
          when Drive =>
+            R.Turns_Made := 0;
             R.From.X := R.Mean.X;
             R.From.Y := R.Mean.Y;
             if R.Turned = 0 then

@@ -247,12 +247,14 @@ private
       Turned      : Degrees := 0;
       Driven      : Drive_Length := 0;
       Learnable   : Boolean := False;
+      Turns_Made  : Natural range 0 .. 2 := 0;
+      --  since the last drive
 
       --  What is learnt
       Turns       : Gain   := 12_000;
-      Turn_Weight : Weight := 100;
+      Turn_Weight : Weight := 4;
       Drives      : Gain   := 13_500;
-      Way_Weight  : Weight := 400;
+      Way_Weight  : Weight := 25;
       Pulled      : Pull   := 0;
       Pull_Weight : Weight := 400;
       Trusted     : Boolean := False;

@@ -43,7 +43,8 @@ package body Mission_Tasks with SPARK_Mode is
      (M : in out Mission; Wanted : Path; Has_Begun : out Boolean)
    with
      Pre  => M.Order.Owed,
-     Post => not M.Order.Owed;
+     Post => not M.Order.Owed
+       and then (if Has_Begun then Missions.Arenas.Is_Usable (M.Map));
    --  Answers the order: the mission to Wanted begins, or is not possible now
 
    procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report);
@@ -51,8 +52,8 @@ package body Mission_Tasks with SPARK_Mode is
 
    procedure Drive (M : in out Mission)
    with
-     Pre  => not M.Order.Owed,
-     Post => not M.Order.Owed;
+     Pre  => not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map),
+     Post => not M.Order.Owed and then Has_Ended (M.Run);
    --  Until the mission has ended
 
    procedure Get_Ground (G : out Missions.Grounds.Ground) is
@@ -121,7 +122,8 @@ package body Mission_Tasks with SPARK_Mode is
       Due      : Missions.Microseconds;
    begin
       loop
-         pragma Loop_Invariant (not M.Order.Owed);
+         pragma Loop_Invariant
+           (not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map));
          Get_Ground (Ground);
          Robot.Line.Get_Rights (M.Order.Number, Is_Over, By_Hand);
          Missions.Grounds.Look (M.Begun, Ground, Is_Over, By_Hand, Ends, Why);

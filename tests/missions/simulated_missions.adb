@@ -369,8 +369,11 @@ package body Simulated_Missions is
       loop
          See (The_Run, Newest);
          Step (The_Run, Microseconds (Now), Next);
-         Current_Leg := Leg (The_Run);
-         Observe;
+         loop
+            Observe;
+            exit when Current_Leg = Leg (The_Run);
+            Current_Leg := Current_Leg + 1;
+         end loop;
          if Has_Ended (The_Run) and then R.Time = 0.0 then
             R.Time := Milliseconds (Float (Now - Began) / 1_000.0);
             Note ("ended: " & Ended_By (The_Run)'Image);
