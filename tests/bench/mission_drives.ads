@@ -1,0 +1,21 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The load beside missions that the analysis of the deadlines takes for
+--  granted.
+
+with Rigs;
+
+package Mission_Drives is
+
+   procedure Prepare (R : in out Rigs.Rig);
+   --  All that a mission needs, of a monitor that is connected
+
+   procedure Drive (R : in out Rigs.Rig; For_Time : Duration);
+   --  Missions through random points, one after the other; questions of the
+   --  monitor meanwhile, one of them for another mission, of as many points as
+   --  there may be. Every third mission is ended by hand. The last one ends
+   --  after For_Time. Raises Failed where one ends otherwise
+
+   procedure Measure_Tasks;
+   --  For Task_Times, with two busy loops
+
+end Mission_Drives;
