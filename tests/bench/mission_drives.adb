@@ -11,6 +11,7 @@ with Expectations;    use Expectations;
 with Instants;        use Instants;
 with Monitor_Clients; use Monitor_Clients;
 with Plain_Numbers;   use Plain_Numbers;
+with Reports;
 with Rigs;            use Rigs;
 with Service_Starts;
 with Task_Times;
@@ -58,11 +59,12 @@ package body Mission_Drives is
       end loop;
    end Prepare;
 
-   procedure Drive (R : in out Rig; For_Time : Duration) is
-      Start  : constant Instant := Now;
-      Number : Natural := 0;
-      Ends   : Natural := 0;
-      --  that are expected, of this monitor
+   procedure Drive
+     (R : in out Rig; For_Time : Duration; Count : out Tally)
+   is
+      Start : constant Instant := Now;
+      Ends  : Natural := R.Monitor.Count_Of ("MEND");
+      --  with that of the mission under way
 
       function Answer_To (Question : String) return Message_Label;
 
@@ -71,9 +73,10 @@ package body Mission_Drives is
       procedure Ask_For_Another;
       --  Rejected while one is under way; where that has just ended, not
 
-      procedure Expect_End (Wanted : String);
+      procedure Drive_One (By_Hand : Boolean; As_Meant : out Boolean);
 
-      procedure Drive_One (By_Hand : Boolean);
+      function Last_End return Unbounded_String;
+      --  What the monitor has been told last
 
       function Answer_To (Question : String) return Message_Label is
          Item : constant Message := R.Monitor.Ask (Question, Within => 5.0);
@@ -96,24 +99,16 @@ package body Mission_Drives is
          end if;
       end Ask_For_Another;
 
-      procedure Expect_End (Wanted : String) is
-         Place : Natural := R.Monitor.Count;
-      begin
-         while R.Monitor.Element (Place).Label /= "MEND" loop
-            Place := Place - 1;
-         end loop;
-         Check
-           (R.Monitor.Element (Place).Data = Wanted,
-            "a mission ends with "
-            & To_String (R.Monitor.Element (Place).Data));
-      end Expect_End;
-
-      procedure Drive_One (By_Hand : Boolean) is
+      procedure Drive_One (By_Hand : Boolean; As_Meant : out Boolean) is
          Begun : constant Instant := Now;
+         Own   : constant Positive := Ends + 1;
          Turn  : Natural := 0;
       begin
-         Ask (Random_Path (Points => 3), "AACK");
-         Ends := Ends + 1;
+         As_Meant := Answer_To (Random_Path (Points => 3)) = "AACK";
+         if not As_Meant then
+            return;
+         end if;
+         Ends := Own;
          while R.Monitor.Count_Of ("MEND") < Ends loop
             Turn := Turn + 1;
             if By_Hand and then Now - Begun > 1.0 then
@@ -127,28 +122,39 @@ package body Mission_Drives is
             end if;
             Check (Now - Begun < 120.0, "a mission does not end");
          end loop;
-         if By_Hand then
-            Expect_End ("aborted;order by hand");
-         elsif Ends = Number then
-            Expect_End ("done");
-         else
-            --  the end that came last is that of another
-            Number := Ends;
-         end if;
+         As_Meant := Ends > Own
+           or else Last_End =
+             (if By_Hand then "aborted;order by hand" else "done");
       end Drive_One;
 
+      function Last_End return Unbounded_String is
+         Place : Natural := R.Monitor.Count;
+      begin
+         while R.Monitor.Element (Place).Label /= "MEND" loop
+            Place := Place - 1;
+         end loop;
+         return R.Monitor.Element (Place).Data;
+      end Last_End;
+
+      As_Meant : Boolean;
    begin
+      Count := (others => <>);
       Reset (Source, 1919);
       loop
-         Number := Number + 1;
-         Drive_One (By_Hand => Number mod 3 = 0);
+         Count.Missions := Count.Missions + 1;
+         Drive_One (By_Hand => Count.Missions mod 3 = 0,
+                    As_Meant => As_Meant);
+         if not As_Meant then
+            Count.Otherwise := Count.Otherwise + 1;
+         end if;
          exit when Now - Start >= For_Time;
       end loop;
    end Drive;
 
    procedure Measure_Tasks is
-      R    : Rig;
-      Load : Busy_Loops.Load;
+      R     : Rig;
+      Load  : Busy_Loops.Load;
+      Count : Tally;
    begin
       Assemble
         (R, Camera => True, Emulator_Options => "--baud 9600",
@@ -158,8 +164,17 @@ package body Mission_Drives is
       Prepare (R);
       Load.Start;
       Task_Times.Start (R.Supervisor.Pid);
-      Drive (R, Duration (Bench_Settings.Short_Seconds));
+      Drive (R, Duration (Bench_Settings.Short_Seconds), Count);
       Task_Times.Stop;
+      Report (Count);
    end Measure_Tasks;
+
+   procedure Report (Count : Tally) is
+   begin
+      Reports.Put_Number ("missions", Float (Count.Missions), "");
+      Reports.Put_Number
+        ("missions that did not end as meant", Float (Count.Otherwise), "",
+         Wanted => (1 => (Reports.Value, 0.0, False)));
+   end Report;
 
 end Mission_Drives;

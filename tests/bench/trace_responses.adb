@@ -63,8 +63,6 @@ package body Trace_Responses is
       --  the image that is searched
       Seen          : Nanoseconds := Never;
       --  the one that th_mission has been woken for
-      Asked         : Nanoseconds := Never;
-      --  the one that its request under way follows from
    end record;
    --  The way of an image to the order of a mission
 
@@ -283,20 +281,21 @@ package body Trace_Responses is
       then
          --  not the line's owner
          S.Seen := S.Taken;
-      elsif Who.Name = "th_mission" and then Item.Phase = 'B'
-        and then Who.Depth = 1
-      then
-         S.Asked :=
-           (if Who.Looking = Mission_Seen and then not Who.Waited
-            then S.Seen else Never);
-      elsif Who.Name = "th_mission" and then Item.Phase = 'E' then
-         S.Asked := Never;
-      elsif Who.Name = "th_line" and then S.Asked /= Never
-        and then (N = "robot M" or else N = "robot T")
-      then
-         Add
-           (Orders, Duration ((Item.Time - S.Asked) / 1_000) / 1_000_000);
-         S.Asked := Never;
+      elsif N = "robot M" or else N = "robot T" then
+         --  of a mission that has just seen the image: the line's owner is
+         --  more urgent, so that it may not wait yet
+         for Thread of States loop
+            if Thread.Name = "th_mission" and then Thread.Depth > 0
+              and then Thread.Looking = Mission_Seen
+              and then not Thread.Waited
+              and then S.Seen /= Never
+            then
+               Add
+                 (Orders,
+                  Duration ((Item.Time - S.Seen) / 1_000) / 1_000_000);
+               S.Seen := Never;
+            end if;
+         end loop;
       end if;
    end Follow;
 
@@ -373,6 +372,7 @@ package body Trace_Responses is
       Start  : Instant;
       Number : Natural := 0;
       Unused : Message;
+      Count  : Mission_Drives.Tally;
    begin
       Assemble
         (R, Camera => True,
@@ -391,7 +391,9 @@ package body Trace_Responses is
       Load.Start;
       Own_Process.Prefer_Real_Time (True);
       if Missions then
-         Mission_Drives.Drive (R, Duration (Bench_Settings.Short_Seconds));
+         Mission_Drives.Drive
+           (R, Duration (Bench_Settings.Short_Seconds), Count);
+         Mission_Drives.Report (Count);
       end if;
       Start := Now;
       while not Missions
