@@ -46,6 +46,9 @@
    when nothing can happen any more */
 #define Wait_For_Work(event)  Await_Event (event, end_for_work:)
 
+/* The same up to a time, which may always have come */
+#define Wait_Until(event)  event = 0
+
 /* What the code does at a place is said there, where it is neither an event
    nor an inline that says it, and `steps` compares the order with the code's:
 

@@ -1,29 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
-   The owner of the robot's line and its requests, for orders.pml and
-   periodic.pml: Robot.Line, Robot.Session, Robot.Exchange, Th_Line. */
+   The owner of the robot's line and its requests, for orders.pml,
+   periodic.pml and mission.pml (which says MISSION): Robot.Line, Robot.Session, Robot.Exchange, Th_Line. */
 
 #define MAX_FAILURES  2   /* in a row, and the line is lost; the code's 4
                              and the figure itself are proved by contract */
 #define LEAVE_TRIES   1   /* the code's 3: one less than MAX_FAILURES */
 
 /* Robot.Line.Client, in the order of the code */
-#define CLIENTS                       11
+#define CLIENTS                       12
 #define Robot_Clients_Safe_State       0   /* instance */
 #define Stop_Order                     1
 #define Robot_Clients_Reload           2   /* instance */
 #define Robot_Clients_Move             3   /* instance */
-#define Robot_Clients_Battery          4   /* instance */
-#define Robot_Clients_Open             5   /* instance */
-#define Robot_Clients_Start            6   /* instance */
-#define Robot_Clients_Start_Watchdog   7   /* instance */
-#define Robot_Clients_Reset            8   /* instance */
-#define Robot_Clients_Query            9   /* instance */
-#define Robot_Clients_Keep_Alive      10   /* instance */
+#define Robot_Clients_Mission          4   /* instance */
+#define Robot_Clients_Battery          5   /* instance */
+#define Robot_Clients_Open             6   /* instance */
+#define Robot_Clients_Start            7   /* instance */
+#define Robot_Clients_Start_Watchdog   8   /* instance */
+#define Robot_Clients_Reset            9   /* instance */
+#define Robot_Clients_Query           10   /* instance */
+#define Robot_Clients_Keep_Alive      11   /* instance */
 
 mtype:request = { Open_Line, Close_Line, Start, Start_Watchdog, Reset,
                   Drive, Stop, Reload, Query, Keep_Alive };
                   /* Query: ping, battery, state; Reset: power off too */
-mtype:verdict = { Carry_Out, Overtaken, Out_Of_Date };
+mtype:verdict = { Carry_Out, Overtaken, Out_Of_Date, Late };
 mtype:outcome = { Done, Refused, Failed };
 mtype:mode    = { Not_Started, Started, Started_With_Watchdog };
 mtype:reply   = { Accepted, Denied, Silence };
@@ -42,6 +43,11 @@ typedef Robot_Line_Line_Type {
    mtype:due  Reload_Due = Far;  /* Near: in the quiet time around it */
    bool Open;
    mtype:mode Mode = Not_Started;
+#ifdef MISSION
+   byte Last_Hand;
+   byte Last_Mission;            /* that has made a request */
+   bool Too_Old;                 /* the mission's request, by now */
+#endif
    bool New_Epoch [CLIENTS]      /* a start since this client has looked */
 };
 PROTECTED (Robot_Line_Line);
@@ -58,7 +64,9 @@ chan Stops = [STOPS] of { byte };
 #define In_Turn(c) \
    (L.Number [c] == 0 || Is_Old (c) \
     || (Changes_Session (L.Kind [c]) \
-        -> L.Completed + 1 == L.Rank [c] : L.After [c] <= L.Changed))
+        -> L.Completed + 1 == L.Rank [c] \
+        : L.After [c] <= \
+             (c == Robot_Clients_Mission -> L.Completed : L.Changed)))
 #define Quiet \
    (L.Mode == Started_With_Watchdog && L.Reload_Due == Near)
 
@@ -112,7 +120,45 @@ bool Stop_Due   = false;  /* a stop of the monitor in command waits */
 bool Nobody     = false;  /* the session's end has been carried out */
 bool Reloaded   = false;  /* since the reload became due last */
 
+#ifdef MISSION
+/* Any session begins with a robot that has been started */
+bool State_Open;
+mtype:mode State_Mode = Not_Started;
+
+byte Hand   = 0;      /* the last order by hand that has been dispatched */
+byte Drove  = 0;      /* the last mission with a movement on the line */
+bool Drives = false;  /* that movement is the last that the robot got */
+
+inline Wrote (what) {
+   if
+   :: from == Robot_Clients_Mission && (what == Drive || what == Stop) ->
+      /* never after an order of the hand has been dispatched */
+      assert (number > Hand);
+      Drove = number;
+      Drives = (what == Drive)
+   :: from == Robot_Clients_Move && what == Drive ->
+      /* nor does a movement of the hand from before the mission go out when
+         the mission drives */
+      assert (number > Drove);
+      Drives = false
+   :: what == Stop && from != Robot_Clients_Mission -> Drives = false
+   :: else
+   fi
+}
+
+/* When an order of the hand has been carried out, nothing is left of what the
+   mission ordered */
+inline Carried_Out () {
+   assert (!(Drives && verdict == Carry_Out && result == Done
+             && number == L.Last_Hand && from != Robot_Clients_Mission
+             && number != 0))
+}
+#endif
+
 inline Write (what) {
+#ifdef MISSION
+   Wrote (what);
+#endif
    if
    :: what == Drive ->
       assert (State_Mode != Not_Started);
@@ -257,6 +303,15 @@ inline Choose (who) {
    verdict = (Is_Old (who) -> Out_Of_Date :
              (who == Robot_Clients_Move && number < L.Last_Stop &&
               number != 0 -> Overtaken : Carry_Out));
+#ifdef MISSION
+   verdict = (who == Robot_Clients_Move && verdict == Carry_Out
+              && number < L.Last_Mission -> Overtaken : verdict);
+   verdict = (who == Robot_Clients_Mission && verdict == Carry_Out
+              && number < L.Last_Hand -> Overtaken : verdict);
+   verdict = (who == Robot_Clients_Mission && verdict == Carry_Out
+              && L.Too_Old && kind != Stop -> Late : verdict);
+   L.Too_Old = false;
+#endif
 #ifdef MUTANT_OLD_ORDER_CARRIED_OUT
    verdict = (verdict == Out_Of_Date -> Carry_Out : verdict);
 #endif
@@ -324,6 +379,12 @@ inline Take_Job () {
       :: len (Stops) == 0 && !L.Pending [Robot_Clients_Reload] &&
          May (Robot_Clients_Move) ->
          Choose (Robot_Clients_Move)
+#ifdef MISSION
+      :: len (Stops) == 0 && !L.Pending [Robot_Clients_Reload] &&
+         !May (Robot_Clients_Move) && May (Robot_Clients_Mission) &&
+         (!Quiet || L.Kind [Robot_Clients_Mission] == Stop) ->
+         Choose (Robot_Clients_Mission)
+#endif
 #else
       :: len (Stops) == 0 && May (Robot_Clients_Move) ->
          Choose (Robot_Clients_Move)
@@ -398,16 +459,19 @@ inline Finish_Job () {
 #ifndef MUTANT_MORE_REQUESTS_FORGOTTEN
    Wake_For_More ();
 #endif
+#ifdef MISSION
+   Carried_Out ();
+#endif
    /* where the robot has not been started, it has been stopped */
    assert (State_Mode != Not_Started || !Stop_Owed)
 }
 
 active proctype Th_Line ()
 {
-#ifdef BEGINS_STARTED
+#if defined (BEGINS_STARTED)
    bool State_Open = true;
    mtype:mode State_Mode = Started;
-#else
+#elif !defined (MISSION)
    bool State_Open;
    mtype:mode State_Mode = Not_Started;
 #endif
@@ -432,9 +496,15 @@ wait:
       :: found && verdict != Carry_Out -> result = Refused
       fi;
       found = false
+#ifndef MISSION
    };
 #ifdef EVENTS_AT_ONCE
    atomic {
+#endif
+#else
+      ;
+#endif
+#ifdef EVENTS_AT_ONCE
       d_step { Finish_Job () }
       if
       :: !started -> goto tell
@@ -456,6 +526,13 @@ tell:
    fi;
 #endif
    atomic {
+#ifdef MISSION
+      if
+      :: number > 0 && from != Robot_Clients_Mission ->
+         Monitor_Outbox_Answer (number)
+      :: else
+      fi;
+#endif
       if
       :: from == Stop_Order
 #ifdef MUTANT_FINISHED_NOT_TOLD

@@ -103,7 +103,6 @@ inline Answer (number, item) {
    Set_Event (Monitor_Outbox_Work);
    Set_Event (Monitor_Outbox_Room);
 #endif
-   /*: Box.Answer | Box.Answer_Nothing */
    d_step {
       if
       :: number >= Box.Head && number - Box.Head < Box.Count ->
@@ -145,6 +144,7 @@ end_wait:
 end_stuck:
       0;                  /* as an opening may that waits for its camera */
 #endif
+      /*: Box.Answer | Box.Answer_Nothing */
       Answer (number, Ready_Text);
       number = 0
    od
@@ -154,6 +154,14 @@ bool Free = true;         /* the session: see session.pml */
 EVENT (Monitor_Session_Receive_Begins);
 EVENT (Monitor_Session_Receive_Ended);
 EVENT (Monitor_Session_Watch_Begins);
+
+inline Ask_For_Mission () {
+   /*: Place.Put in mission */
+   if
+   :: /*: Set_Event (Missions.Requests.Arrived) in mission */ skip
+   :: skip
+   fi
+}
 
 active proctype Th_Receive_From_Mon ()
 {
@@ -193,23 +201,40 @@ reserved:
          fi;
          if
          :: !open
-         :: open -> Answer (number, Ready_Nothing)      /* Log_Message */
-         :: open -> Owed++; Answer (number, Ready_Text) /* Malformed */
+         :: open ->                                     /* Log_Message */
+            /*: Box.Answer_Nothing */
+            Answer (number, Ready_Nothing)
+         :: atomic {                        /* Malformed, or one mission too many */
+               open -> Owed++;
+               if
+               :: Ask_For_Mission ()
+               :: skip
+               fi
+            };
+            /*: Box.Answer */
+            Answer (number, Ready_Text)
          :: atomic {                                    /* Dispatch */
                open -> Owed++;
                assert (len (Dispatched) < CAPACITY);
                Dispatched ! number;
                if
+               :: Ask_For_Mission ()
                :: /*: Queue.Queue.Put in vision */
                   if
                   :: /*: Port.Put [port] in vision,
                          Set_Event (Order_Ports.Arrived [port]) in vision */ skip
                   :: skip
                   fi
-               :: /*: Port.Put [port] in orders,
-                      Set_Event (Order_Ports.Arrived [port]) in orders */ skip
-               :: /*: Line.Line.Put_Stop in orders,
-                      Set_Event (Line.Work) in orders */ skip
+               :: if
+                  :: /*: Line.Line.Note_Hand in mission */ skip
+                  :: skip
+                  fi;
+                  if
+                  :: /*: Port.Put [port] in orders,
+                         Set_Event (Order_Ports.Arrived [port]) in orders */ skip
+                  :: /*: Line.Line.Put_Stop in orders,
+                         Set_Event (Line.Work) in orders */ skip
+                  fi
                fi
             }
          fi;
@@ -340,11 +365,12 @@ active proctype Unasked_Source ()
    bool begun;
    /*: is Monitor.Outbox.Put_Notice, Monitor.Outbox.Put_Robot_Lost,
        Monitor.Outbox.Put_Battery, Monitor.Outbox.Put_Image,
-       Monitor.Outbox.Put_Position */
+       Monitor.Outbox.Put_Position, Monitor.Outbox.Put_Progress,
+       Monitor.Outbox.Put_End */
 end_wait:
    do
    :: /*: Box.Put_Notice | Box.Put_Lost | Box.Put_Battery | Box.Put_Image
-          | Box.Put_Position */
+          | Box.Put_Position | Box.Put_Progress | Box.Put_End */
       atomic {
          left > 0 && Box.Open -> left--;
          Box.Unasked = true;

@@ -337,6 +337,7 @@ active proctype Th_Capture_Img ()
    /*: whole */
 wait:
    Wait_For_Work (Vision_Camera_Events_Images_Begin);
+   /*: Sightings.Store.Clear in mission */
    do
    :: /*: Box.Get_Generation */
       Made_Is_Now = true;           /* before the mode */
@@ -345,6 +346,7 @@ wait:
          if
          :: VS.Stage == Closed || VS.Stage == Opening ->
             Made_Is_Now = false;
+            /*: Sightings.Store.Clear in mission */
             goto wait
          :: SILENT && Is_Open -> fails = true
          :: !SILENT && VS.Stage == Streaming -> looks = true
@@ -370,6 +372,10 @@ wait:
          :: found ->                /* it is made */
             atomic {
                found = false;
+               if
+               :: /*: Vision.Sightings.Put in mission */ skip
+               :: skip
+               fi;
                if
                :: /*: Outbox.Put_Image in outbox */ May_Be_Sent ()
                :: skip

@@ -200,7 +200,7 @@ package Schedule with SPARK_Mode is
    Camera_Ceiling  : constant Priority := Stop_Priority;
    Vision_Ceiling  : constant Priority := Lost_Priority;
    Frame_Ceiling   : constant Priority := Lost_Priority;
-   Sighting_Ceiling : constant Priority := Mission_Priority;
+   Sight_Ceiling   : constant Priority := Mission_Priority;
    Session_Ceiling : constant Priority := Stop_Priority;
    Journal_Ceiling : constant Priority := Priority'Last;
    --  the last-chance handler of a failed task also logs

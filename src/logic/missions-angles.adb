@@ -32,8 +32,9 @@ package body Missions.Angles with SPARK_Mode is
    with Pre => Angle >= 0;
    --  The angle in the first quarter with the same sine
 
-   function Quarter_Direction (X, Y : Wide) return Quarter
-   with Pre => X in 0 .. 2 * Million and then Y in 0 .. 2 * Million;
+   subtype Short is Wide range 0 .. 2 * Million;
+
+   function Quarter_Direction (X, Y : Short) return Quarter;
 
    function Along (X, Y : Micrometres; Towards : Bearing) return Micrometres
    is
@@ -70,7 +71,7 @@ package body Missions.Angles with SPARK_Mode is
       end if;
    end Direction;
 
-   function Quarter_Direction (X, Y : Wide) return Quarter is
+   function Quarter_Direction (X, Y : Short) return Quarter is
 
       --  How far a direction of whole degrees is to the right of the vector,
       --  and how far the vector leads in this direction

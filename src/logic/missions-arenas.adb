@@ -6,8 +6,8 @@ package body Missions.Arenas with SPARK_Mode is
 
    use Vision.Shapes;
 
-   --  What the grid costs. The map is x = Width * u, y = Height * v. The
-   --  gradient of u is
+   --  What the rounding of the corners costs. The map is x = Width * u,
+   --  y = Height * v. The gradient of u is
    --
    --     (1 - u) * tB tC grad DAP / w - u * tA tD grad BCP / w
    --
@@ -18,22 +18,32 @@ package body Missions.Arenas with SPARK_Mode is
    --     p = max (tB tC |DA|, tA tD |BC|) / Least / 2
    --
    --  with |DA| for the sum of both differences of coordinates, and v by at
-   --  most q, likewise. The rounding of a point is such a shift. So is that of
-   --  the corners: to the first order, it changes u by what is at most p at
-   --  the corners and bilinear between them, and by g * u (1 - u), where g is
-   --  the sum of the changes of v at the corners, with alternating signs: at
-   --  most 4 q. In all 2 p + q, and v by 2 q + p. So a place moves by no more
-   --  than Longest * (p + q) * 2.24. The second order is smaller by the ratio
-   --  of a thirty-second of a pixel to a side.
+   --  most q, likewise. Such shifts of the corners change u, to the first
+   --  order, by what is at most p at the corners and bilinear between them,
+   --  and by g * u (1 - u), where g is the sum of the changes of v at the
+   --  corners, with alternating signs: at most 4 q. In all p + q, and so it is
+   --  for v. A place moves by no more than Longest * (p + q) * 1.42: 0.57 mm.
+   --  The second order is smaller by the ratio of a thirty-second of a pixel
+   --  to a side.
 
    Loss_Limit : constant := 800;
    --  Micrometres: of 2 * Longest * (p + q)
 
-   function Nearest (Side : Micrometres; N : Numerator; D : Denominator)
-     return Wide
+   function Divided (N : Wide; D : Divisor) return Wide
    with
-     Pre  => Side in 300_000 .. Largest_Side and then D > 0,
-     Post => 2 * abs (Nearest'Result * D - Wide (Side) * N) <= D;
+     Post => (if N >= 0 then Divided'Result in 0 .. N
+                and then N - Divided'Result * D in 0 .. D - 1
+              else Divided'Result in N .. 0
+                and then N - Divided'Result * D in -D + 1 .. 0);
+
+   procedure Find
+     (Side : Micrometres; N : Numerator; D : Divisor;
+      Q : out Micrometres; Near : out Boolean)
+   with
+     Pre  => Side in 300_000 .. Largest_Side and then Side rem 10_000 = 0,
+     Post => (if Near then
+                Q in -Side .. 2 * Side
+                and then Is_Quotient (Q, Side, N, D));
    --  Side * N / D
 
    function Rounded (Value : Micro_Pixels) return Wide is
@@ -45,16 +55,17 @@ package body Missions.Arenas with SPARK_Mode is
      ((if Value >= 0 then Wide (Value) + 50 else Wide (Value) - 50) / 100);
    --  Millionths of a centimetre, in micrometres
 
-   subtype Length is Wide range 0 .. 2 ** 17;
+   subtype Length is Wide range 0 .. 2 ** 33;
 
    function Way (P, Q : Grid_Point) return Length is
-     (abs (P.X - Q.X) + abs (P.Y - Q.Y));
+     (Unit_Size * (abs (P.X - Q.X) + abs (P.Y - Q.Y)));
+   --  In millionths
 
    function Is_Long (P, Q : Grid_Point) return Boolean is
      (Times (P.X - Q.X, P.X - Q.X) + Times (P.Y - Q.Y, P.Y - Q.Y)
       >= Min_Side * Min_Side);
 
-   subtype Steepness is Wide range 0 .. 2 ** 83;
+   subtype Steepness is Wide range 0 .. 2 ** 97;
 
    function Steep (By : Weight; Side : Length) return Steepness is
      (By * Side);
@@ -62,17 +73,60 @@ package body Missions.Arenas with SPARK_Mode is
    function Steeper (P, Q : Steepness) return Steepness is
      (if P < Q then Q else P);
 
-   subtype Scaled_Steepness is Wide range 0 .. 2 ** 107;
+   subtype Scaled_Steepness is Wide range 0 .. 2 ** 121;
 
    function Scaled (Side : Micrometres; By : Steepness)
      return Scaled_Steepness is (Wide (Side) * By)
    with Pre => Side in 300_000 .. Largest_Side;
 
-   function Product_Of (A, B : Twice_Area) return Weight is (A * B)
-   with Pre => A >= 0 and then B >= 0;
+   subtype Corner_Area is Twice_Area range 1 .. 2 ** 32;
+   --  Of a triangle in the image, clockwise: not more than the image
+
+   function Product_Of (A, B : Corner_Area) return Weight is (A * B);
+
+   function To_Point (P : Grid_Point) return Vision.Shapes.Point is
+     ((Micro_Pixels (P.X * Unit_Size), Micro_Pixels (P.Y * Unit_Size)))
+   with Post => Is_In_Image (To_Point'Result);
 
    function Is_Fine (M : Map) return Boolean;
-   --  Its sides are long enough, and its grid costs less than 1 mm
+   --  Its sides are long enough, for the rounding of the corners too
+
+   -------------
+   -- Divided --
+   -------------
+
+   function Divided (N : Wide; D : Divisor) return Wide is
+      Q : constant Wide := N / D;
+      R : constant Wide := N rem D;
+   begin
+      pragma Assert (N = Q * D + R);
+      return Q;
+   end Divided;
+
+   ----------
+   -- Find --
+   ----------
+
+   procedure Find
+     (Side : Micrometres; N : Numerator; D : Divisor;
+      Q : out Micrometres; Near : out Boolean)
+   is
+      Product     : constant Wide := Wide (Side / 10_000) * N;
+      Centimetres : constant Wide := Divided (Product, D);
+      Part        : constant Wide :=
+        Divided (10_000 * (Product - Centimetres * D), D);
+   begin
+      pragma Assert (Part in -9_999 .. 9_999);
+      Q := 0;
+      Near := Centimetres in -2_000 .. 2_000
+        and then 10_000 * Centimetres + Part in
+          Wide (-Side) .. Wide (2 * Side);
+      if Near then
+         Q := Micrometres (10_000 * Centimetres + Part);
+         pragma Assert (Wide (Q / 10_000) = Centimetres);
+         pragma Assert (Wide (Q rem 10_000) = Part);
+      end if;
+   end Find;
 
    -------------
    -- Is_Fine --
@@ -87,8 +141,8 @@ package body Missions.Arenas with SPARK_Mode is
       Longest : constant Micrometres :=
         Micrometres'Max (Width (M), Height (M));
       Least   : constant Denominator :=
-        Wide'Min (Wide'Min (Whole (M, A), Whole (M, B)),
-                  Wide'Min (Whole (M, C), Whole (M, D)));
+        Wide'Min (Wide'Min (Whole (M, To_Point (A)), Whole (M, To_Point (B))),
+                  Wide'Min (Whole (M, To_Point (C)), Whole (M, To_Point (D))));
       P       : constant Steepness := Steeper
         (Steep (M.Left, Way (D, A)), Steep (M.Right, Way (B, C)));
       Q       : constant Steepness := Steeper
@@ -110,23 +164,20 @@ package body Missions.Arenas with SPARK_Mode is
       Where : out Place;
       Known : out Boolean)
    is
-      G    : Grid_Point;
       W    : Denominator;
-      X, Y : Wide;
+      X, Y : Micrometres;
    begin
       Where := (0, 0);
       Known := False;
-      if Is_On_Grid (P) then
-         G := To_Grid (P);
-         W := Whole (M, G);
-         if W > 0 then
-            X := Nearest (Width (M), X_Part (M, G), W);
-            Y := Nearest (Height (M), Y_Part (M, G), W);
-            if X in Wide (-Width (M)) .. Wide (2 * Width (M))
-              and then Y in Wide (-Height (M)) .. Wide (2 * Height (M))
-            then
-               Where := (Micrometres (X), Micrometres (Y));
-               Known := True;
+      if Is_In_Image (P) then
+         W := Whole (M, P);
+         if W in Divisor then
+            Find (Width (M), X_Part (M, P), W, X, Known);
+            if Known then
+               Find (Height (M), Y_Part (M, P), W, Y, Known);
+               if Known then
+                  Where := (X, Y);
+               end if;
             end if;
          end if;
       end if;
@@ -167,7 +218,7 @@ package body Missions.Arenas with SPARK_Mode is
       T_A, T_B, T_C, T_D : Twice_Area;
    begin
       M := (Size => Size, others => <>);
-      if (for all P of Corners => Is_On_Grid (P)) then
+      if (for all P of Corners => Is_In_Image (P)) then
          A := To_Grid (Corners (Top_Left));
          B := To_Grid (Corners (Top_Right));
          C := To_Grid (Corners (Bottom_Right));
@@ -176,7 +227,9 @@ package body Missions.Arenas with SPARK_Mode is
          T_B := Twice (A, B, C);
          T_C := Twice (B, C, D);
          T_D := Twice (C, D, A);
-         if T_A > 0 and then T_B > 0 and then T_C > 0 and then T_D > 0 then
+         if T_A in Corner_Area and then T_B in Corner_Area
+           and then T_C in Corner_Area and then T_D in Corner_Area
+         then
             M.Corners := (A, B, C, D);
             M.Left := Product_Of (T_B, T_C);
             M.Right := Product_Of (T_A, T_D);
@@ -187,26 +240,6 @@ package body Missions.Arenas with SPARK_Mode is
       end if;
       Usable := M.Usable;
    end Make;
-
-   -------------
-   -- Nearest --
-   -------------
-
-   function Nearest (Side : Micrometres; N : Numerator; D : Denominator)
-     return Wide
-   is
-      Value : constant Wide := Wide (Side) * N;
-      Q     : constant Wide := Value / D;
-      Rest  : constant Wide := Value rem D;
-   begin
-      if 2 * Rest > D then
-         return Q + 1;
-      elsif 2 * Rest < -D then
-         return Q - 1;
-      else
-         return Q;
-      end if;
-   end Nearest;
 
    -------------
    -- Targets --

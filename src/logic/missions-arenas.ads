@@ -9,14 +9,14 @@ package Missions.Arenas with SPARK_Mode, Pure is
 
    pragma Annotate (GNATprove, Terminating, Missions.Arenas);
 
-   --  Coordinates of the image are rounded to sixteenths of a pixel. From
-   --  there the map is exact: a quotient of integers, rounded to micrometres.
+   --  The corners are rounded to sixteenths of a pixel when the map is made.
+   --  Nothing else is: a place is a quotient of integers, in micrometres.
 
-   type Wide is range -2 ** 126 .. 2 ** 126;
+   type Wide is range -(2 ** 127 - 1) .. 2 ** 127 - 1;
    --  For the products: GNAT has 128 bits on processors with 64
 
-   subtype Sixteenths is Wide range -32 .. 65_503;
-   --  Of a pixel: images of up to 4,094 pixels a side, and 2 before them
+   subtype Sixteenths is Wide range -8 .. 65_527;
+   --  Of a pixel: all of an image of 4,096 pixels a side
 
    type Grid_Point is record
       X, Y : Sixteenths := 0;
@@ -25,19 +25,22 @@ package Missions.Arenas with SPARK_Mode, Pure is
    Largest_Side : constant := Arena_Side'Last * 10_000;
    --  Micrometres
 
-   subtype Twice_Area is Wide range -2 ** 33 .. 2 ** 33;
-   subtype Weight is Wide range 0 .. 2 ** 66;
-   subtype Numerator is Wide range -2 ** 99 .. 2 ** 99;
-   subtype Denominator is Wide range -2 ** 100 .. 2 ** 100;
+   subtype Weight is Wide range 0 .. 2 ** 64;
+   subtype Numerator is Wide range -2 ** 113 .. 2 ** 113;
+   subtype Denominator is Wide range -2 ** 114 .. 2 ** 114;
+
+   subtype Divisor is Denominator range 1 .. 2 ** 112;
+   --  In an arena, no denominator is outside: they are linear, and those of
+   --  its corners are Unit_Size times three areas of at most 2 ** 32
 
    Unit_Size : constant := 62_500;
    --  A sixteenth, in millionths
 
-   function Is_On_Grid (P : Vision.Shapes.Point) return Boolean;
+   function Is_In_Image (P : Vision.Shapes.Point) return Boolean;
 
    function To_Grid (P : Vision.Shapes.Point) return Grid_Point
    with
-     Pre  => Is_On_Grid (P),
+     Pre  => Is_In_Image (P),
      Post => 2 * abs (To_Grid'Result.X * Unit_Size - Wide (P.X)) <= Unit_Size
        and then
          2 * abs (To_Grid'Result.Y * Unit_Size - Wide (P.Y)) <= Unit_Size;
@@ -47,7 +50,8 @@ package Missions.Arenas with SPARK_Mode, Pure is
 
    function Is_Usable (M : Map) return Boolean;
    --  The corners form a convex quadrilateral, not mirrored, with sides of at
-   --  least Min_Side, and its rounding to the grid costs less than 1 mm
+   --  least Min_Side, and the rounding of the corners moves no place in the
+   --  arena by more than 0.6 mm
 
    Min_Side : constant := 100 * 16;
 
@@ -62,11 +66,14 @@ package Missions.Arenas with SPARK_Mode, Pure is
    --  y likewise. Both forms of w are linear, and equal because they are at
    --  the corners. So it is a projective map, and there is only one.
 
-   function X_Part (M : Map; P : Grid_Point) return Numerator;
+   function X_Part (M : Map; P : Vision.Shapes.Point) return Numerator
+   with Pre => Is_In_Image (P);
    --  tB tC DAP
-   function Y_Part (M : Map; P : Grid_Point) return Numerator;
+   function Y_Part (M : Map; P : Vision.Shapes.Point) return Numerator
+   with Pre => Is_In_Image (P);
    --  tA tB CDP
-   function Whole (M : Map; P : Grid_Point) return Denominator;
+   function Whole (M : Map; P : Vision.Shapes.Point) return Denominator
+   with Pre => Is_In_Image (P);
    --  w
 
    function Width (M : Map) return Micrometres
@@ -78,13 +85,24 @@ package Missions.Arenas with SPARK_Mode, Pure is
      (Where.X in -Width (M) .. 2 * Width (M)
       and then Where.Y in -Height (M) .. 2 * Height (M));
 
+   subtype Quotient is Micrometres range -Largest_Side .. 2 * Largest_Side;
+
+   function Rest
+     (Q : Quotient; Side : Micrometres; N : Numerator; D : Divisor)
+      return Wide
+   is (Wide (Side / 10_000) * N - Wide (Q / 10_000) * D)
+   with Pre => Side in 0 .. Largest_Side;
+   --  What whole centimetres leave
+
    function Is_Quotient
-     (Q : Micrometres; Side : Micrometres; N : Numerator; D : Denominator)
+     (Q : Quotient; Side : Micrometres; N : Numerator; D : Divisor)
       return Boolean
-   is (D > 0 and then 2 * abs (Wide (Q) * D - Wide (Side) * N) <= D)
-   with Pre => Q in -Largest_Side .. 2 * Largest_Side
-     and then Side in 0 .. Largest_Side;
-   --  Q is Side * N / D within half a micrometre
+   is (abs Rest (Q, Side, N, D) < D
+       and then
+         abs (10_000 * Rest (Q, Side, N, D) - Wide (Q rem 10_000) * D) < D)
+   with Pre => Side in 0 .. Largest_Side;
+   --  With Side in whole centimetres: abs (Side * N - Q * D) < D, in two steps
+   --  for 128 bits. So Q is less than a micrometre from Side * N / D
 
    procedure Make
      (Corners : Vision.Shapes.Arena_Corners;
@@ -105,15 +123,17 @@ package Missions.Arenas with SPARK_Mode, Pure is
      Pre  => Is_Usable (M),
      Post =>
        (if Known then
-          Is_On_Grid (P)
+          Is_In_Image (P)
+          and then Whole (M, P) in Divisor
           and then Is_Near (M, Where)
-          and then Is_Quotient (Where.X, Width (M), X_Part (M, To_Grid (P)),
-                                Whole (M, To_Grid (P)))
-          and then Is_Quotient (Where.Y, Height (M), Y_Part (M, To_Grid (P)),
-                                Whole (M, To_Grid (P))));
-   --  Known: in the arena or around it, at most its own size away. In the
-   --  arena, Where is wrong by less than 1 mm for the corners as confirmed:
-   --  see Loss_Limit in the body
+          and then Is_Quotient (Where.X, Width (M), X_Part (M, P),
+                                Whole (M, P))
+          and then Is_Quotient (Where.Y, Height (M), Y_Part (M, P),
+                                Whole (M, P)));
+   --  Known: in the arena or around it, at most its own size away. Proved:
+   --  nothing overflows, and less than a micrometre is lost. What the corners
+   --  lost by their rounding is derived in the body (Loss_Limit), and tested
+   --  against a map in floating point
 
    procedure Locate
      (M     : Map;
@@ -142,7 +162,7 @@ package Missions.Arenas with SPARK_Mode, Pure is
 
 private
 
-   function Is_On_Grid (P : Vision.Shapes.Point) return Boolean is
+   function Is_In_Image (P : Vision.Shapes.Point) return Boolean is
      (Wide (P.X) in
         Sixteenths'First * Unit_Size .. Sixteenths'Last * Unit_Size
       and then Wide (P.Y) in
@@ -166,31 +186,46 @@ private
    function Height (M : Map) return Micrometres is
      (Micrometres (M.Size.Height) * 10_000);
 
+   subtype Twice_Area is Wide range -2 ** 33 .. 2 ** 33;
+   subtype Fine_Area is Wide range -2 ** 49 .. 2 ** 49;
+   --  Sixteenths by millionths
+
    subtype Product is Wide range -2 ** 32 .. 2 ** 32;
 
    function Times (A, B : Wide) return Product is (A * B)
    with Pre => A in -2 ** 16 .. 2 ** 16 and then B in -2 ** 16 .. 2 ** 16;
 
+   subtype Fine_Product is Wide range -2 ** 48 .. 2 ** 48;
+
+   function Times_Fine (A, B : Wide) return Fine_Product is (A * B)
+   with Pre => A in -2 ** 16 .. 2 ** 16 and then B in -2 ** 32 .. 2 ** 32;
+
    function Twice (P, Q, R : Grid_Point) return Twice_Area is
      (Times (Q.X - P.X, R.Y - P.Y) - Times (Q.Y - P.Y, R.X - P.X));
    --  The area of the triangle, positive if it is clockwise in the image
 
-   function Weighted (By : Weight; Area : Twice_Area) return Numerator is
+   function Twice (P, Q : Grid_Point; R : Vision.Shapes.Point)
+     return Fine_Area
+   is (Times_Fine (Q.X - P.X, Wide (R.Y) - P.Y * Unit_Size)
+       - Times_Fine (Q.Y - P.Y, Wide (R.X) - P.X * Unit_Size))
+   with Pre => Is_In_Image (R);
+
+   function Weighted (By : Weight; Area : Fine_Area) return Numerator is
      (By * Area);
 
-   function X_Part (M : Map; P : Grid_Point) return Numerator is
+   function X_Part (M : Map; P : Vision.Shapes.Point) return Numerator is
      (Weighted
         (M.Left,
          Twice (M.Corners (Vision.Shapes.Bottom_Left),
                 M.Corners (Vision.Shapes.Top_Left), P)));
 
-   function Y_Part (M : Map; P : Grid_Point) return Numerator is
+   function Y_Part (M : Map; P : Vision.Shapes.Point) return Numerator is
      (Weighted
         (M.Below,
          Twice (M.Corners (Vision.Shapes.Bottom_Right),
                 M.Corners (Vision.Shapes.Bottom_Left), P)));
 
-   function Whole (M : Map; P : Grid_Point) return Denominator is
+   function Whole (M : Map; P : Vision.Shapes.Point) return Denominator is
      (X_Part (M, P)
       + Weighted
           (M.Right,

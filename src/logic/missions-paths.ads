@@ -211,6 +211,16 @@ package Missions.Paths with SPARK_Mode is
      Post => (if Is_Path'Result then Cut_At (Line, First).Count > 0);
    --  Line (First .. Line'Last) is 1 to Max_Points points, or a single one
 
+   function Are_Points (Line : String; C : Cut; P : Path) return Boolean is
+     (P.Count = C.Count
+      and then
+        (for all I in 1 .. C.Count =>
+           C.Starts (I) >= Line'First
+           and then Is_Point (Line, C.Starts (I))
+           and then P.Points (I) = Point_At (Line, C.Starts (I))))
+   with Pre => Line'Last < Integer'Last;
+   --  P has the points of Line that begin at those of C
+
    procedure Parse
      (Line    : String;
       First   : Positive;
@@ -225,12 +235,8 @@ package Missions.Paths with SPARK_Mode is
        and then
          (if Valid then
              P.Count in Point_Number
-             and then P.Count = Cut_At (Line, First).Count
              and then (if Single then P.Count = 1)
-             and then
-               (for all I in 1 .. P.Count =>
-                  P.Points (I) =
-                    Point_At (Line, Cut_At (Line, First).Starts (I)))
+             and then Are_Points (Line, Cut_At (Line, First), P)
           else P.Count = 0);
    --  The points in Line (First .. Line'Last)
 

@@ -36,14 +36,18 @@ package body Missions.Runs with SPARK_Mode is
 
    --  Orders
 
-   Backward_Way : constant := 60_000;
-   --  at most, where forward would take half a turn
    Side_Way     : constant := 2_500;
    --  no turn is made to pass the target by less
 
    Learning_Way : constant := 40_000;
    --  Nothing is learnt from shorter drives
-   Surprise     : constant := 6_000_000;
+   Long_Way     : constant := 100_000;
+   --  nor are surprises believed
+   Surprise     : constant := 4_000_000;
+   --  and as much more as 5 mm are at the end of the drive
+
+   Good_Part    : constant := 20_000_000;
+   --  of a turn
 
    --  Functions
 
@@ -73,9 +77,9 @@ package body Missions.Runs with SPARK_Mode is
 
    function There (Images : Image_Count) return Micrometres is
      (case Images is
-         when 0 .. 2           => 7_000,
-         when 3                => 8_000,
-         when 4 .. Max_Images  => 9_000);
+         when 0 .. 1          => 6_000,
+         when 2               => 8_000,
+         when 3 .. Max_Images => 9_000);
    --  So near to the target, it is reached: the more images, the better it is
    --  known
 
@@ -114,17 +118,20 @@ package body Missions.Runs with SPARK_Mode is
 
    ---------------
 
+   procedure Learn_Lag (R : in out Run; Turned : Microdegrees);
+   --  The last turn was so much in all
+
    procedure Add_Image (R : in out Run) is
       Where : constant Near_Pose := R.Newest;
       Turn  : constant Bearing   :=
         Difference (R.Mean.Heading, Where.Heading);
+      Is_Same : constant Boolean :=
+        Way (R.Mean, Where) <= Same_Place and then abs Turn <= Same_Heading;
    begin
-      if R.Count = 0
-        or else Way (R.Mean, Where) > Same_Place
-        or else abs Turn > Same_Heading
-      then
-         R.Count := 1;
-         R.Mean  := Where;
+      if R.Count = 0 or else not Is_Same then
+         R.Confirmed := R.Count = 0 and then R.Expected and then Is_Same;
+         R.Count     := 1;
+         R.Mean      := Where;
       else
          R.Count  := Natural'Min (R.Count + 1, Max_Images);
          R.Mean.X := R.Mean.X + (Where.X - R.Mean.X) / Near (R.Count);
@@ -141,8 +148,8 @@ package body Missions.Runs with SPARK_Mode is
       Ahead   : constant Micrometres :=
         Micrometres'Max (0, Way (Here, Goal));
       Is_Back : constant Boolean     :=
-        Ahead < Backward_Way
-        and then abs Difference (Here.Heading, Towards) > Half_Turn / 2;
+        abs Difference (Here.Heading, Towards) > Half_Turn / 2;
+      --  backward, where that means less turning
       Front   : constant Bearing     :=
         (if Is_Back then Normal (Towards + Half_Turn) else Towards);
 
@@ -193,7 +200,9 @@ package body Missions.Runs with SPARK_Mode is
         ((Wide (Angle) / 100 + (if Angle < 0 then -Half else Half))
          / Wide (R.Turns));
       if Ordered /= 0
-        and then abs (Wide (Ahead) * Sine (Angle) / Million) > Side_Way
+        and then
+          (abs Angle > Half_Turn / 4
+           or else abs (Wide (Ahead) * Sine (Angle) / Million) > Side_Way)
         and then abs Angle >
           (if R.Turns_Made = 2 then 4_000_000
            elsif R.Way_Weight < Learnt_Way then 3_000_000
@@ -216,23 +225,49 @@ package body Missions.Runs with SPARK_Mode is
    end Aim;
 
    procedure Arrive (R : in out Run; Now : Microseconds) is
+      Turned : constant Microdegrees :=
+        Microdegrees (R.Amount) * Microdegrees (R.Turns) * 100;
    begin
+      R.Expected  := False;
+      R.Confirmed := False;
+      R.Turn_Time := (if Now > R.Given then Now - R.Given else 0);
       if R.Movement = Turn
         and then R.Sure
-        and then R.Trusted
-        and then R.Turned ** 2 <= 9 * R.Turn_Weight
         and then not R.Upset
+        and then R.Distrust = 0
+        and then R.Turned ** 2 <= 9 * R.Turn_Weight
       then
-         R.Mean.Heading := Normal
-           (R.Mean.Heading
-            + Microdegrees (R.Amount) * Microdegrees (R.Turns) * 100);
-         R.Phase := Aiming;
-      else
-         R.Phase     := Looking;
-         R.Rest_From := Now;
-         R.Count     := 0;
-         R.Learnable :=
-           R.Learnable and then R.Sure and then R.Movement /= Halt;
+         R.Mean.Heading := Normal (R.Mean.Heading + Turned);
+         R.Phase        := Aiming;
+         Learn_Lag (R, Turned);
+         return;
+      end if;
+
+      R.Phase     := Looking;
+      R.Rest_From := After (Now, R.Lag);
+      R.Count     := 0;
+      R.Learnable :=
+        R.Learnable and then R.Sure and then R.Movement /= Halt;
+      if R.Movement = Drive
+        and then R.Learnable
+        and then R.Way_Weight >= Learnt_Way
+      then
+         declare
+            Length : constant Some_Length :=
+              True_Length (R.Amount, R.Drives);
+            Half   : constant Microdegrees := Swing (Length, R.Pulled);
+            Chord  : constant Bearing      := Normal (R.Mean.Heading + Half);
+         begin
+            R.Mean :=
+              (X       => Near_Of
+                 (R.Mean.X
+                  + Micrometres (Wide (Length) * Cosine (Chord) / Million)),
+               Y       => Near_Of
+                 (R.Mean.Y
+                  + Micrometres (Wide (Length) * Sine (Chord) / Million)),
+               Heading => Normal (Chord + Half));
+            R.Expected := True;
+         end;
       end if;
    end Arrive;
 
@@ -262,9 +297,12 @@ package body Missions.Runs with SPARK_Mode is
       Left : Micrometres := Way (R.Mean, Target (R));
    begin
       if R.Phase = Looking then
-         if R.Count < Many_Images
-           and then Left > There (R.Count)
-           and then Left <= There (R.Count) + Unsure_Way
+         if Left > There (R.Count)
+           and then
+             (R.Count < Enough_Images
+              or else
+                (R.Count < Many_Images
+                 and then Left <= There (R.Count) + Unsure_Way))
          then
             return;
          end if;
@@ -328,15 +366,19 @@ package body Missions.Runs with SPARK_Mode is
       Amount   : Drive_Length;
       Next     : in out Action) is
    begin
-      Next :=
-        (Kind    => Order,
-         Request =>
-           (case Movement is
-               when Halt  => (Kind => Robot.Session.Stop, others => <>),
-               when Turn  =>
-                 (Robot.Session.Drive, (Robot.Protocol.Turn, Amount)),
-               when Drive =>
-                 (Robot.Session.Drive, (Robot.Protocol.Move, Amount))));
+      Next.Kind := Order;
+      case Movement is
+         when Halt  =>
+            Next.Request := (Kind => Robot.Session.Stop, others => <>);
+
+         when Turn  =>
+            Next.Request :=
+              (Robot.Session.Drive, (Robot.Protocol.Turn, Amount));
+
+         when Drive =>
+            Next.Request :=
+              (Robot.Session.Drive, (Robot.Protocol.Move, Amount));
+      end case;
       R.Awaited  := Order;
       R.Movement := Movement;
       R.Amount   := Amount;
@@ -348,7 +390,8 @@ package body Missions.Runs with SPARK_Mode is
             null;
 
          when Turn =>
-            R.Turns_Made := Natural'Min (2, R.Turns_Made + 1);
+            R.Turns_Made  := Natural'Min (2, R.Turns_Made + 1);
+            R.Part_Turned := 0;
             if R.Turned = 0 then
                R.From := R.Mean;
             end if;
@@ -398,6 +441,7 @@ package body Missions.Runs with SPARK_Mode is
       --  the heading at the beginning of the drive
       Error    : Bearing;
       Pulled   : Wide;
+      Seen_Gain : Wide;
    begin
       if R.Driven = 0 then
          if R.Turned /= 0 then
@@ -407,16 +451,28 @@ package body Missions.Runs with SPARK_Mode is
               (R.Turns, R.Turn_Weight,
                Wide (Expected + Error) / (Wide (R.Turned) * 100),
                Wide (R.Turned) ** 2, 90_000);
-            R.Trusted := R.Turn_Weight >= Learnt_Turn;
+            if R.Turn_Weight >= Learnt_Turn and then R.Distrust > 0 then
+               R.Distrust := R.Distrust - 1;
+            end if;
+            if R.Turns_Made = 1 then
+               Learn_Lag (R, Expected + Error);
+            end if;
          end if;
          return;
       elsif Length < Learning_Way then
          return;
       end if;
 
+      Seen_Gain := Wide'Min (30_000, Wide (Length) * 10 / abs Wide (R.Driven));
+      if Length >= Long_Way and then R.Way_Weight >= Learnt_Way then
+         R.Way_Doubt := Integer'Min
+           (50,
+            Integer'Max
+              (R.Way_Doubt * 15 / 16,
+               Integer (abs (Seen_Gain - Wide (R.Drives))) * 150 / R.Drives));
+      end if;
       Learn_Gain
-        (R.Drives, R.Way_Weight, Wide (Length) * 10 / abs Wide (R.Driven),
-         Wide (R.Driven) ** 2, 360_000);
+        (R.Drives, R.Way_Weight, Seen_Gain, Wide (R.Driven) ** 2, 360_000);
 
       Before :=
         (if R.Turned = 0 then R.From.Heading
@@ -429,8 +485,11 @@ package body Missions.Runs with SPARK_Mode is
             Wide (Expected + Error) / (Wide (R.Turned) * 100),
             Wide (R.Turned) ** 2 / 4 + 1, 90_000);
       end if;
-      if abs Error > Surprise then
-         R.Trusted := False;
+      if Length >= Long_Way
+        and then abs Error >
+          Surprise + 5_000 * 57_000_000 / Microdegrees (Length)
+      then
+         R.Distrust := 4;
       end if;
 
       Pulled := Wide (Difference (Before, R.Mean.Heading)) * 1_000
@@ -449,6 +508,22 @@ package body Missions.Runs with SPARK_Mode is
            (Wide'Min (360_000, Wide (R.Pull_Weight) + Amount));
       end;
    end Learn;
+
+   procedure Learn_Lag (R : in out Run; Turned : Microdegrees) is
+      Shown : constant Wide :=
+        Wide (abs R.Part_Turned)
+        * Wide (Microseconds'Min (R.Turn_Time, 10 ** 8))
+        / Wide'Max (1, Wide (abs Turned));
+      --  the time of the turn that was seen
+      Lag   : constant Microseconds :=
+        (if Shown in 0 .. Wide (R.Part_Time)
+         then Microseconds'Min (R.Part_Time - Microseconds (Shown), Max_Age)
+         else 0);
+   begin
+      if R.Part_Turned /= 0 then
+         R.Lag := (if R.Lag = 0 then Lag else (R.Lag + Lag) / 2);
+      end if;
+   end Learn_Lag;
 
    function Next_Look (R : Run; Now : Microseconds) return Microseconds is
      (if R.Ended or else R.Phase = Aiming then Now
@@ -494,6 +569,20 @@ package body Missions.Runs with SPARK_Mode is
       if R.Phase = Looking and then What.Taken >= R.Rest_From then
          Add_Image (R);
       elsif R.Phase = Moving and then R.Movement = Turn then
+         if R.Part_Turned = 0 and then What.Taken > R.Given and then R.Sure
+         then
+            declare
+               Part : constant Bearing :=
+                 Difference (R.Mean.Heading, R.Newest.Heading);
+            begin
+               if abs Part in Good_Part .. 4 * Good_Part
+                 and then (Part > 0) = (R.Amount > 0)
+               then
+                  R.Part_Turned := Part;
+                  R.Part_Time   := What.Taken - R.Given;
+               end if;
+            end;
+         end if;
          if Way (R.Mean, R.Newest) > Upset_Way then
             R.Upset := True;
          else
@@ -538,7 +627,8 @@ package body Missions.Runs with SPARK_Mode is
             end if;
          elsif not R.Halted then
             Give (R, Halt, 0, Next);
-         elsif (R.Phase = Aiming or else R.Count >= Enough_Images)
+         elsif (R.Phase = Aiming or else R.Count >= Enough_Images
+                or else R.Confirmed)
            and then R.Seen_At <= Now
            and then Now - R.Seen_At <= Max_Age
          then
@@ -593,7 +683,7 @@ package body Missions.Runs with SPARK_Mode is
                   R.Ask_At   := After (Now, Duration_Of (R));
                   if R.Movement = Halt then
                      R.Halted := True;
-                     Arrive (R, Now);
+                     R.Phase  := Looking;
                   end if;
 
                when Robot.Session.Timed_Out =>
@@ -601,7 +691,7 @@ package body Missions.Runs with SPARK_Mode is
                   R.Sure   := False;
                   R.Ask_At := Now;
                   if R.Movement = Halt then
-                     Arrive (R, Now);
+                     R.Phase := Looking;
                   end if;
 
                when Robot.Session.Refused =>

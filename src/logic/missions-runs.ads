@@ -239,8 +239,18 @@ private
       Rest_From   : Microseconds := 0;
       Count       : Image_Count := 0;
       Mean        : Near_Pose;
+      Expected    : Boolean := False;
+      --  Count = 0: the mean is where it should be
+      Confirmed   : Boolean := False;
+      --  and the first image showed it there
       Upset       : Boolean := False;
       --  in a turn, an image showed it elsewhere
+
+      --  The first image in a turn that shows a good part of it: how much,
+      --  when after the order; and when the turn had ended
+      Part_Turned : Bearing := 0;
+      Part_Time   : Microseconds := 0;
+      Turn_Time   : Microseconds := 0;
 
       --  Since the last look
       From        : Near_Pose;
@@ -252,17 +262,21 @@ private
 
       --  What is learnt
       Turns       : Gain   := 12_000;
-      Turn_Weight : Weight := 4;
+      Turn_Weight : Weight := 10;
       Drives      : Gain   := 13_500;
       Way_Weight  : Weight := 25;
+      Way_Doubt   : Natural range 0 .. 50 := 0;
+      --  percent: by how much drives have differed from it
       Pulled      : Pull   := 0;
-      Pull_Weight : Weight := 400;
-      Trusted     : Boolean := False;
-      --  a turn need not be looked at
+      Pull_Weight : Weight := 1_600;
+      Distrust    : Natural range 0 .. 4 := 1;
+      --  so many turns are still to be looked at
+      Lag         : Microseconds := 0;
+      --  of what an image shows, behind when it came
    end record;
 
-   Learnt_Way  : constant Weight := 60 ** 2;
-   Learnt_Turn : constant Weight := 25 ** 2;
+   Learnt_Way      : constant Weight := 60 ** 2;
+   Learnt_Turn     : constant Weight := 25 ** 2;
 
    function Has_Ended (R : Run) return Boolean is (R.Ended);
 
@@ -281,13 +295,33 @@ private
 
    function Position (R : Run) return Pose is (Pose_Of (R.Mean));
 
+   function Longest (R : Run) return Gain is
+     (if R.Way_Weight < 60 ** 2 then Gain'Last
+      else Integer'Min
+        (Gain'Last,
+         R.Drives
+         + R.Drives
+           * Integer'Max
+               (R.Way_Doubt,
+                (if R.Way_Weight < 80 ** 2 then 18
+                 elsif R.Way_Weight < 120 ** 2 then 14
+                 elsif R.Way_Weight < 200 ** 2 then 9
+                 elsif R.Way_Weight < 350 ** 2 then 5
+                 else 3)) / 100));
+
    function Doubts (R : Run) return Missions.Guards.Doubts is
-     ((Longest =>
-         (if R.Way_Weight < Learnt_Way then Gain'Last
-          else Integer'Min (R.Drives + R.Drives / 40, Gain'Last)),
-       Likely  => (if R.Pull_Weight < Learnt_Way then 0 else R.Pulled),
-       Either  => (if R.Pull_Weight < Learnt_Way then 30_000 else 4_000),
-       Heading => 1_500_000));
+     ((Longest => Longest (R),
+       Likely  => R.Pulled,
+       Either  =>
+         (if R.Pull_Weight < 60 ** 2 then 30_000
+          elsif R.Pull_Weight < 150 ** 2 then 15_000
+          elsif R.Pull_Weight < 300 ** 2 then 8_000
+          else 4_000),
+       Heading =>
+         (if R.Turned = 0 or else R.Turned ** 2 <= R.Turn_Weight
+          then 1_500_000
+          elsif R.Turned ** 2 <= 4 * R.Turn_Weight then 2_500_000
+          else 4_000_000)));
 
    function Leg_End (R : Run) return Microseconds is (R.Leg_End);
 

@@ -77,10 +77,13 @@ package Order_Meanings with SPARK_Mode is
 
    function Is_By_Hand (Kind : Message_Kind) return Boolean is
      (Kind in Robot_Order
-      and then Kind not in Ping_Robot | Reload_Watchdog
+      and then Kind not in Open_Robot | Start_Robot | Start_Robot_Watchdog
+        | Ping_Robot | Reload_Watchdog
         | Monitor.Protocol.Get_Battery | Get_State);
-   --  It moves or stops the robot or changes its session, and so ends a
-   --  mission. Questions do not
+   --  It moves or stops the robot, and so ends a mission, which sends nothing
+   --  more. An opened line and a started robot stay as they are when they are
+   --  opened and started again; a new start ends the mission, too, but with a
+   --  stop of its own
 
    type Ranks is record
       Last   : Orders.Ticket := 0;

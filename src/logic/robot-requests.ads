@@ -37,8 +37,8 @@ package Robot.Requests with SPARK_Mode is
 
    type Verdict_Kind is
      (Carry_Out,
-      Overtaken,    --  a movement cancelled by a later stop; an order of a
-      --  mission that a later order by hand has ended
+      Overtaken,    --  a movement cancelled by a later stop or mission; an
+      --  order of a mission that a later order by hand has ended
       Out_Of_Date,  --  its session has ended
       Late);        --  an order of a mission that has waited too long
 
@@ -101,12 +101,20 @@ package Robot.Requests with SPARK_Mode is
      (Request_Of (R, From).Kind = Robot.Session.Stop)
    with Pre => Is_Pending (R, From);
 
+   function Last_Mission (R : Requests) return Orders.Ticket is
+     (R.Slots (Mission).Order.Number);
+   --  The last mission that has made a request
+
    function Verdict_On (R : Requests; From : Client; Is_Late : Boolean)
      return Verdict_Kind
-   is (if From = Stop_Order or else Order_Of (R, From).Number = 0
+   is (if From = Stop_Order
+         or else (Order_Of (R, From).Number = 0 and then From /= Mission)
        then Carry_Out
        elsif Order_Of (R, From).Number < R.First_Order then Out_Of_Date
-       elsif From = Move and then Order_Of (R, From).Number < R.Last_Stop
+       elsif From = Move
+         and then
+           (Order_Of (R, From).Number < R.Last_Stop
+            or else Order_Of (R, From).Number < Last_Mission (R))
        then Overtaken
        elsif From = Mission and then Order_Of (R, From).Number < R.Last_Hand
        then Overtaken
@@ -268,10 +276,19 @@ package Robot.Requests with SPARK_Mode is
              Found
              and then
                (Next.From in Safe_State | Stop_Order
-                or else (Next.From = Reload and then R'Old.Was_Stop)));
+                or else (Next.From = Reload and then R'Old.Was_Stop)))
+       and then
+         (if Found
+            and then Next.From = Mission
+            and then Next.Verdict = Carry_Out
+          then Next.Order.Number >= R.First_Order
+            and then Next.Order.Number >= R.Last_Hand
+            and then
+              (if Is_Late then Next.Request.Kind = Robot.Session.Stop));
    --  Removes the request with the highest priority of those that may start. A
    --  stop precedes all but the end of the session, and but a reload after
-   --  another stop
+   --  another stop. Nothing is done for a mission that a later order by hand
+   --  has ended
 
    procedure Finish (R : in out Requests; Done : Job)
    with

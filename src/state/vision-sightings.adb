@@ -8,7 +8,7 @@ package body Vision.Sightings with SPARK_Mode is
 
    package Searched is new Event;
 
-   protected Store with Priority => Schedule.Sighting_Ceiling is
+   protected Store with Priority => Schedule.Sight_Ceiling is
       procedure Clear;
       procedure Put
         (Came    : Ada.Real_Time.Time;

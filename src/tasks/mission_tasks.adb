@@ -39,13 +39,13 @@ package body Mission_Tasks with SPARK_Mode is
 
    procedure Get_Ground (G : out Missions.Grounds.Ground);
 
-   procedure Begin_Mission
-     (M : in out Mission; Wanted : Path; Has_Begun : out Boolean)
+   procedure Carry_Out (M : in out Mission; Wanted : Path)
    with
      Pre  => M.Order.Owed,
-     Post => not M.Order.Owed
-       and then (if Has_Begun then Missions.Arenas.Is_Usable (M.Map));
-   --  Answers the order: the mission to Wanted begins, or is not possible now
+     Post => not M.Order.Owed;
+   --  Answers the order, and drives to Wanted where that is possible. Before
+   --  the monitor learns of a refusal or of the end, there is room for the
+   --  next mission
 
    procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report);
    --  At each new leg, and once a second
@@ -64,37 +64,46 @@ package body Mission_Tasks with SPARK_Mode is
       G.Now := Clock;
    end Get_Ground;
 
-   procedure Begin_Mission
-     (M : in out Mission; Wanted : Path; Has_Begun : out Boolean)
-   is
-      Size    : constant Arena_Size := Settings.Command_Line.Chosen.Arena_Size;
-      Untold  : Boolean;
-      Is_Over : Boolean;
-      Ignored : Boolean;
-      Targets : Place_Array;
-      Why     : Refusal;
+   procedure Carry_Out (M : in out Mission; Wanted : Path) is
+      Size     : constant Arena_Size :=
+        Settings.Command_Line.Chosen.Arena_Size;
+      Untold   : Boolean;
+      Is_Over  : Boolean;
+      Ignored  : Boolean;
+      Targets  : Place_Array;
+      Possible : Boolean;
+      Why      : Refusal;
    begin
-      Has_Begun := False;
       Monitor.Outbox.Get_End_Waits (Untold);
       Robot.Line.Get_Rights (M.Order.Number, Is_Over, Ignored);
       if Untold or else Is_Over or else Wanted.Count = 0 then
          --  a later session is not told why
+         Missions.Requests.Release;
          Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Refused);
          return;
       end if;
       Get_Ground (M.Begun);
       Missions.Grounds.Check
-        (M.Begun, Wanted, Size, M.Map, Targets, Has_Begun, Why);
-      if Has_Begun then
-         Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Acknowledged);
-         Missions.Runs.Start
-           (M.Run, Size, Targets, Wanted.Count, Missions.Grounds.Lead);
-         Journal.Put (Options.Info, "mission begins");
-      else
+        (M.Begun, Wanted, Size, M.Map, Targets, Possible, Why);
+      if not Possible then
+         Missions.Requests.Release;
          Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Not_Done);
          Monitor.Outbox.Put_Notice (Monitor.Notices.Notice_Of (Why));
+         return;
       end if;
-   end Begin_Mission;
+      Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Acknowledged);
+      Missions.Runs.Start
+        (M.Run, Size, Targets, Wanted.Count, Missions.Grounds.Lead);
+      Journal.Put (Options.Info, "mission begins");
+      Vision.Sightings.Watch (True);
+      Drive (M);
+      Vision.Sightings.Watch (False);
+      Missions.Requests.Release;
+      Monitor.Outbox.Put_End (M.Order.Number, Ended_By (M.Run));
+      Journal.Put
+        (Options.Info,
+         "mission ended: " & Missions.Texts.Text_Of (Ended_By (M.Run)));
+   end Carry_Out;
 
    procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report) is
    begin
@@ -110,7 +119,7 @@ package body Mission_Tasks with SPARK_Mode is
 
    procedure Drive (M : in out Mission) is
       Base     : constant Time := M.Begun.Now;
-      Ground   : Missions.Grounds.Ground := M.Begun;
+      Ground   : Missions.Grounds.Ground;
       Told     : Report;
       Is_Over  : Boolean;
       By_Hand  : Boolean;
@@ -152,30 +161,14 @@ package body Mission_Tasks with SPARK_Mode is
    end Drive;
 
    task body Th_Mission is
-      Current   : Mission;
-      Wanted    : Path;
-      Has_Begun : Boolean;
+      Current : Mission;
+      Wanted  : Path;
    begin
       Process.Threads.Name_Task (Schedule.Th_Mission);
       loop
          pragma Loop_Invariant (not Current.Order.Owed);
          Missions.Requests.Wait (Current.Order, Wanted);
-         Begin_Mission (Current, Wanted, Has_Begun);
-         if Has_Begun then
-            Vision.Sightings.Watch (True);
-            Drive (Current);
-            Vision.Sightings.Watch (False);
-            --  before the monitor learns it, and asks for the next
-            Missions.Requests.Release;
-            Monitor.Outbox.Put_End
-              (Current.Order.Number, Ended_By (Current.Run));
-            Journal.Put
-              (Options.Info,
-               "mission ended: "
-               & Missions.Texts.Text_Of (Ended_By (Current.Run)));
-         else
-            Missions.Requests.Release;
-         end if;
+         Carry_Out (Current, Wanted);
       end loop;
    end Th_Mission;
 

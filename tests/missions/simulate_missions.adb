@@ -29,7 +29,13 @@ procedure Simulate_Missions is
       F := Ideal;
       if Kind /= "ideal" then
          Make_Faults (Source, F);
-         if Kind = "changing" then
+         if Kind = "nolost" then
+            F.Lose_Every := 0;
+         elsif Kind = "still" then
+            F.Place_Noise := 0.0; F.Heading_Noise := 0.0;
+         elsif Kind = "nodelay" then
+            F.Image_Delay := 0.0;
+         elsif Kind = "changing" then
             F.Changing := 10;
          end if;
       end if;

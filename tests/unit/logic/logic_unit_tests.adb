@@ -11,6 +11,8 @@ with Image_Cycle_Tests;
 with Image_Grid_Tests;
 with Line_Health_Tests;
 with Mailboxes_Tests;
+with Mission_Arenas_Tests;
+with Mission_Grounds_Tests;
 with Missions_Paths_Tests;
 with Missions_Texts_Tests;
 with Monitor_Link_Tests;
@@ -52,6 +54,8 @@ begin
    Unit_Runs.Add (new Missions_Paths_Tests.Test_Case);
    Unit_Runs.Add (new Missions_Texts_Tests.Test_Case);
    Unit_Runs.Add (new Order_Meanings_Tests.Test_Case);
+   Unit_Runs.Add (new Mission_Arenas_Tests.Test_Case);
+   Unit_Runs.Add (new Mission_Grounds_Tests.Test_Case);
    Unit_Runs.Add (new Monitor_Link_Tests.Test_Case);
    Unit_Runs.Add (new Robot_Session_Tests.Test_Case);
    Unit_Runs.Add (new Send_Order_Tests.Test_Case);

@@ -21,6 +21,7 @@ package body Order_Meanings_Tests is
      (R : in out Ranks; Kind : Message_Kind; Rank, After : Ticket);
 
    procedure Test_Frames (T : in out Any_Test);
+   procedure Test_Hand (T : in out Any_Test);
    procedure Test_Ranks (T : in out Any_Test);
 
    procedure Check_Frame (Line, Expected : String) is
@@ -55,6 +56,7 @@ package body Order_Meanings_Tests is
       use AUnit.Test_Cases.Registration;
    begin
       Register_Routine (T, Test_Frames'Access, "the robot's frames");
+      Register_Routine (T, Test_Hand'Access, "orders by hand");
       Register_Routine (T, Test_Ranks'Access, "the ranks");
    end Register_Tests;
 
@@ -81,6 +83,20 @@ package body Order_Meanings_Tests is
       Check_Frame ("RGST", "b");
    end Test_Frames;
 
+   procedure Test_Hand (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      for Kind in Order_Kind loop
+         Assert
+           (Is_By_Hand (Kind) =
+              (Kind in Open_Robot | Close_Robot | Start_Robot
+                 | Start_Robot_Watchdog | Reset_Robot | Power_Off_Robot
+                 | Go_Forward | Go_Backward | Go_Left | Go_Right
+                 | Move_Robot | Turn_Robot | Stop_Robot | Abort_Mission),
+            Kind'Image);
+      end loop;
+   end Test_Hand;
+
    procedure Test_Ranks (T : in out Any_Test) is
       pragma Unreferenced (T);
       R : Ranks;
@@ -90,7 +106,9 @@ package body Order_Meanings_Tests is
       Check_Rank (R, Stop_Robot, 0, 0);
       Check_Rank (R, Abort_Mission, 0, 0);
       Check_Rank (R, Open_Camera, 0, 0);
-      Check_Rank (R, Go_To_Pixels, 0, 0);
+      Check_Rank (R, Go_To_Pixels, 0, 2);
+      --  a mission follows all orders before it
+
       Check_Rank (R, Start_Robot, 3, 1);
       Check_Rank (R, Go_Left, 4, 3);
       Check_Rank (R, Power_Off_Robot, 5, 3);

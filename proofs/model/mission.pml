@@ -1,0 +1,534 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later
+   A mission beside the hand: the one place of the missions, th_mission as a
+   client of the robot's line, orders of the hand, the loss of robot and
+   camera, the end of the session and the next one. */
+
+#include "common.pml"
+
+#ifndef COMMANDS
+#define COMMANDS  3      /* in the first session */
+#endif
+#ifndef LATER
+#define LATER     1      /* in the second one; 0: there is none */
+#endif
+#ifndef STEPS
+#define STEPS     2      /* requests of a mission before its stop, at most */
+#endif
+#define CAPACITY  2      /* that may wait for their answers */
+#define STOPS     (CAPACITY + 1)
+#define STOP_TRIES  2    /* the code's 3 */
+
+#define NUMBERS   (COMMANDS + LATER + 1)
+#define Limit     (In_First -> COMMANDS : LATER)
+bool In_First = true;   /* session */
+
+/* Monitor.Outbox, as far as missions need it: see outbox.pml */
+bool Monitor_Outbox_Open = false;
+byte First         = 1;      /* number of the session's first command */
+byte Next          = 1;      /* of the next command */
+byte Waiting       = 0;      /* commands without answer, in the session */
+bool Unanswered [NUMBERS] = false;
+byte End_Waits     = 0;      /* the MEND that waits to be sent: its mission */
+
+/* Ghosts */
+byte Ends_Owed     = 0;      /* the mission acknowledged, its MEND not sent */
+
+inline Answer (its_number) {
+   d_step {
+      if
+      :: its_number >= First ->
+         /* no command is answered twice */
+         assert (Unanswered [its_number]);
+         Unanswered [its_number] = false;
+         Waiting--
+      :: else
+      fi
+   }
+}
+
+inline Monitor_Outbox_Answer (its_number) {
+   /*: Monitor.Outbox.Answer in outbox */
+   Answer (its_number)
+}
+
+#define MISSION
+
+#define EVENTS_AT_ONCE         /* as separate steps: see orders.pml */
+inline Tell_Of_Start () { skip }
+inline Tell_Of () { skip }
+#define Whole_Line
+#include "line.pml"
+
+/* Checked in parts: orders of the hand are stops and movements; with
+   -DCHANGES, stops and what changes the robot's session; with -DASKS movements
+   and questions, which are no orders of the hand */
+
+#define Task_Ports_Open_Robot  0   /* instance */
+#define Task_Ports_Move        1   /* instance */
+#define Task_Ports_Query       2   /* instance */
+
+typedef Order_Ports_Port_Type {
+   chan Items = [CAPACITY] of { byte, mtype:request, byte, byte }
+};
+Order_Ports_Port_Type Order_Ports_Port [3];
+EVENTS (Order_Ports_Arrived, 3);
+
+#define Port(p)  Order_Ports_Port [p].Items
+
+inline Take (p) {
+   /*: Port.Take [p] */
+   if
+   :: len (Port (p)) > 0 -> Port (p) ? number, kind, rank, after
+   :: else -> goto wait
+   fi;
+   if
+   :: len (Port (p)) > 0 -> Set_Event (Order_Ports_Arrived [p])
+   :: else
+   fi
+}
+
+/* As in orders.pml */
+inline Serve (p, client) {
+   atomic {
+      Wait_For_Work (Order_Ports_Arrived [p]);
+      Take (p)
+   };
+   atomic {
+      Put (client, kind, number, rank, after);
+      Wait (client);
+      number = 0; kind = 0; rank = 0; after = 0;
+      goto wait
+   }
+}
+
+#define ORDER  byte number, rank, after; mtype:request kind
+
+#ifdef CHANGES
+active proctype Th_Open_Com_Robot ()
+{
+   ORDER;
+wait:
+   Serve (Task_Ports_Open_Robot, Robot_Clients_Open)
+}
+
+#else
+active proctype Th_Move ()
+{
+   ORDER;
+wait:
+   Serve (Task_Ports_Move, Robot_Clients_Move)
+}
+
+#endif
+#ifdef ASKS
+active proctype Th_Query ()
+{
+   ORDER;
+wait:
+   Serve (Task_Ports_Query, Robot_Clients_Query)
+}
+
+#endif
+/* Missions.Requests: the one place of a mission, that waits or is under way */
+
+typedef Missions_Requests_Place_Type {
+   byte Mission;         /* that waits or is under way, 0: none */
+   bool Waits;           /* th_mission has not taken it */
+   byte After            /* all orders up to this rank go before it */
+};
+PROTECTED (Missions_Requests_Place);
+EVENT (Missions_Requests_Arrived);
+EVENT (Vision_Sightings_Searched);
+#define MR         Missions_Requests_Place
+#define Is_Started  (L.Mode != Not_Started)
+
+typedef Vision_Sightings_Store_Type { bool Watched };
+PROTECTED (Vision_Sightings_Store);
+
+/* Images come at any time, or no more. As a time ends the wait for the next,
+   too, they make no difference: with -DIMAGES only */
+#ifdef IMAGES
+active proctype Th_Capture_Img ()
+{
+   bool awaited;
+end_wait:
+   do
+   :: /*: Sightings.Store.Clear */
+      Vision_Sightings_Store.Watched;
+      do
+      :: /*: Sightings.Store.Put */
+         awaited = Vision_Sightings_Store.Watched;
+         if
+         :: awaited -> Set_Event (Vision_Sightings_Searched)
+         :: else -> skip
+         fi
+      :: !Vision_Sightings_Store.Watched -> break
+      od;
+      /*: Sightings.Store.Clear */
+      awaited = false
+   od
+}
+#endif
+
+/* By hand, or the session is over: it sends no more */
+#define Overridden(m)  (m < L.Last_Hand || m < L.Session)
+
+/* Robot.Clients.Mission.Ask_For_Mission. Whether the request waits too long is
+   free */
+inline Ask (what) {
+   /*: Line.Line.Put_For_Mission */
+   Put_It (Robot_Clients_Mission, what, number, 0, MR.After);
+   L.Last_Mission = number;
+   if
+   :: L.Too_Old = true
+   :: L.Too_Old = false
+   fi;
+   Wait (Robot_Clients_Mission);
+   /*: Line.Line.Collect */
+   skip
+}
+
+inline Release () {
+   /*: Place.Release */
+   MR.Mission = 0;
+   MR.After = 0
+}
+
+active proctype Th_Mission ()
+{
+   byte number, left;
+   bool ended;
+   mtype:request what;
+   /*: whole */
+wait:
+   atomic {
+      Wait_For_Work (Missions_Requests_Arrived);
+      /*: Place.Take */
+      if
+      :: !MR.Waits -> goto wait
+      :: else -> MR.Waits = false; number = MR.Mission
+      fi;
+      /*: Box.Get_End_Waits, Line.Line.Get_Rights */
+      if
+      :: End_Waits != 0 || number < L.Session -> goto refuse
+      :: else
+      fi
+   };
+   /* what stands against it: the robot; or the camera, its positions, the
+      arena, the points, at any time */
+   /*: Line.Line.Get_Status, State.Store.Get, Sightings.Store.Get */
+   atomic {
+      if
+      :: L.Mode == Not_Started -> goto deny
+      :: L.Mode != Not_Started -> goto deny
+      :: L.Mode != Not_Started
+      fi
+   };
+   atomic {
+      if
+      :: number >= First ->
+         assert (Ends_Owed == 0);
+         Ends_Owed = number
+      :: else
+      fi;
+      Monitor_Outbox_Answer (number);
+      /*: Sightings.Store.Watch */
+      Vision_Sightings_Store.Watched = true;
+      left = STEPS
+   };
+look:
+   /* it goes on while nobody and nothing ends it */
+   /*: Line.Line.Get_Status, State.Store.Get, Sightings.Store.Get,
+       Line.Line.Get_Rights */
+   atomic {
+      if
+      :: !ended && Overridden (number) -> goto leave
+      :: ended -> goto leave
+      :: ended && left > 0 -> left--              /* the stop once more */
+      :: !ended && !Overridden (number) ->
+         ended = true; what = Stop; left = STOP_TRIES - 1
+      :: !ended && !Overridden (number) && Is_Started && left > 0 ->
+         what = Drive; left--
+#ifdef IMAGES
+      :: !ended && !Overridden (number) && Is_Started && left > 0 ->
+         what = 0; left--
+#endif
+      fi
+   };
+   atomic {
+      if
+      :: /*: Monitor.Outbox.Put_Progress in outbox */ skip
+      :: skip
+      fi;
+      if
+      :: what != 0 -> Ask (what)
+      :: else
+      fi;
+      Wait_Until (Vision_Sightings_Searched);
+      goto look
+   };
+leave:
+   atomic {
+      /* the last thing that it sent was a stop */
+      assert (!Drives || Overridden (number));
+      /*: Sightings.Store.Watch */
+      Vision_Sightings_Store.Watched = false;
+      ended = false; left = 0; what = 0;
+      Release ()
+   };
+   /*: Monitor.Outbox.Put_End in outbox */
+   atomic {
+      if
+      :: number >= First && Monitor_Outbox_Open ->
+         assert (End_Waits == 0);
+         End_Waits = number
+      :: else
+      fi;
+      number = 0;
+      goto wait
+   };
+refuse:
+   Release ();
+   atomic {
+      Monitor_Outbox_Answer (number);
+      number = 0;
+      goto wait
+   };
+deny:
+   Release ();
+   atomic {
+      Monitor_Outbox_Answer (number);
+      number = 0;
+      /*: Monitor.Outbox.Put_Notice in outbox */
+      goto wait
+   }
+}
+
+/* Sends the MEND, when its turn comes */
+
+active proctype Th_Send_To_Mon ()
+{
+end_wait:
+   do
+   :: atomic {
+         End_Waits != 0 && Monitor_Outbox_Open ->
+         /* the one MEND of the mission acknowledged, in its session */
+         assert (End_Waits >= First && End_Waits == Ends_Owed);
+         Ends_Owed = 0;
+         End_Waits = 0
+      }
+   od
+}
+
+inline Clear (p) {
+   /*: Port.Clear [p] */
+   do
+   :: Port (p) ? _, _, _, _
+   :: len (Port (p)) == 0 -> break
+   od
+}
+
+bool Free = true;         /* the session: see session.pml */
+EVENT (Monitor_Session_Receive_Begins);
+EVENT (Monitor_Session_Receive_Ended);
+EVENT (Monitor_Session_Watch_Begins);
+
+mtype:command = { Mission_Asked, Stop_Asked, Act_Asked, Other_Asked };
+
+/* What an order of the hand asks for, and a robot order that is none: a line
+   that is open stays so when it is opened */
+#ifdef CHANGES
+#define ACT    kind = Close_Line; port = Task_Ports_Open_Robot
+#define OTHER  kind = Open_Line; port = Task_Ports_Open_Robot
+#else
+#define ACT    kind = Drive; port = Task_Ports_Move
+#define OTHER  kind = Query; port = Task_Ports_Query
+#endif
+
+inline Note_Hand () {
+   /*: Line.Line.Note_Hand */
+   L.Last_Hand = number
+}
+
+inline Passed_On () {
+   Hand = (command != Other_Asked -> number : Hand)
+}
+
+active proctype Th_Receive_From_Mon ()
+{
+   byte number, rank, after, sent, port;
+   mtype:command command;
+   mtype:request kind;
+   do
+   :: Wait_For_Work (Monitor_Session_Receive_Begins);
+end_receive:
+      do
+      :: atomic { !Monitor_Outbox_Open -> break }
+      :: atomic {
+            Monitor_Outbox_Open && sent < Limit && Waiting < CAPACITY ->
+            sent++;
+            number = Next;
+            Next++;
+            Unanswered [number] = true;
+            Waiting++;
+            if
+            :: command = Mission_Asked
+            :: command = Act_Asked; ACT
+#ifndef ASKS
+            :: command = Stop_Asked
+#endif
+#if defined (ASKS) || defined (CHANGES)
+            :: command = Other_Asked; OTHER
+#endif
+            fi
+         };
+         if
+         :: atomic {
+               command == Mission_Asked ->
+               /*: Place.Put */
+               if
+               :: MR.Mission != 0 ->
+                  /* never one that has been refused, or its end sent */
+                  assert (MR.Mission < First || Unanswered [MR.Mission]
+                          || Ends_Owed == MR.Mission);
+                  Answer (number);
+                  goto handled
+               :: else ->
+                  MR.Mission = number;
+                  MR.Waits = true;
+                  MR.After = rank
+               fi
+            };
+            atomic { Set_Event (Missions_Requests_Arrived); goto handled }
+         :: atomic { command == Other_Asked -> goto pass_on }
+         :: atomic {
+               command == Stop_Asked || command == Act_Asked ->
+               Note_Hand ()
+            }
+         fi;
+pass_on: atomic {
+            if
+            :: command == Stop_Asked -> Put_Stop (number)
+            :: else ->
+               /*: Port.Put [port] */
+               rank++;
+               Port (port) ! number, kind, rank, after;
+               if
+               :: Changes_Session (kind) -> after = rank
+               :: else
+               fi;
+               Set_Event (Order_Ports_Arrived [port])
+            fi;
+            Passed_On ();
+handled:    number = 0; command = 0; kind = 0; port = 0
+         }
+      od;
+      atomic { rank = 0; after = 0; sent = 0 };
+      Set_Event (Monitor_Session_Receive_Ended)
+   od
+}
+
+active proctype Th_Server ()
+{
+   byte session;
+   (Is_Awaited (Monitor_Session_Watch_Begins)
+    && Is_Awaited (Monitor_Session_Receive_Begins)
+    && Is_Awaited (Robot_Line_Work)
+    && Is_Awaited (Missions_Requests_Arrived)
+#ifdef CHANGES
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Open_Robot])
+#else
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Move])
+#endif
+#ifdef ASKS
+    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Query])
+#endif
+   );
+end_server:
+   do
+   :: session >= 1 + (LATER > 0) -> break
+   :: /* Begin_Active, Admit: see session.pml */
+      /*: Box.Open_Session */
+      d_step {
+         session < 1 + (LATER > 0) && Free ->
+         Free = false;
+         In_First = (session == 0);
+         session++;
+         Monitor_Outbox_Open = true;
+         /* as if opened and started before */
+         State_Open = true;
+         State_Mode = Started;
+         L.Open = true;
+         L.Mode = Started;
+         Nobody = false
+      }
+      /* one after the other in session.pml */
+      atomic {
+         Set_Event (Monitor_Session_Receive_Begins);
+         Set_Event (Monitor_Session_Watch_Begins)
+      }
+   od
+}
+
+active proctype Th_Com_Mon_Perdue ()
+{
+   do
+   :: Wait_For_Work (Monitor_Session_Watch_Begins);
+      /* Wait_Loss: at any time, or never: then all is answered and told */
+      if
+#ifndef ASKS
+      :: true
+#endif
+      :: true ->
+         Waiting == 0 && MR.Mission == 0 && Ends_Owed == 0;
+end_stays:
+         false
+      fi;
+      /* Bring_Back */
+      /*: Box.Close_Session */
+      d_step {
+         Monitor_Outbox_Open = false;
+         First = Next;
+         Waiting = 0;
+         End_Waits = 0;
+         Ends_Owed = 0;
+         k = 1;
+         do
+         :: k < NUMBERS -> Unanswered [k] = false; k++
+         :: else -> break
+         od;
+         k = 0
+      }
+      /*: Line.Line.Begin_Session */
+      d_step {
+         L.Session = First;
+         do :: Stops ? _ :: len (Stops) == 0 -> break od;
+         L.Last_Stop = 0;
+         L.Last_Hand = 0;
+         L.Last_Mission = 0;        /* older than all that come now */
+         L.Completed = 0;
+         L.Changed = 0
+      }
+      Set_Event (Robot_Line_Work);
+      Put (Robot_Clients_Safe_State, Close_Line, 0, 0, 0);
+      atomic { Wait (Robot_Clients_Safe_State) };
+      /*: Line.Line.Collect */
+      Nobody = true;
+      Wait_Event (Monitor_Session_Receive_Ended);
+      /* nobody puts an order meanwhile: one step */
+      atomic {
+         Clear (Task_Ports_Open_Robot);
+         Clear (Task_Ports_Move);
+         Clear (Task_Ports_Query)
+      };
+      assert (!Stop_Owed);
+      Free = true
+   od
+}
+
+/* every mission acknowledged is told its end, or the session ends */
+ltl every_mission_ends
+   { [] (Ends_Owed != 0 -> <> (Ends_Owed == 0)) }
+/* the place of the mission becomes free again */
+ltl place_free_again
+   { [] (MR.Mission != 0 -> <> (MR.Mission == 0)) }

@@ -1,0 +1,609 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Places in the arena, against a projective map in floating point.
+
+with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
+with Ada.Numerics.Long_Long_Elementary_Functions;
+
+with AUnit.Assertions;          use AUnit.Assertions;
+
+with Missions.Angles;
+with Missions.Arenas;           use Missions.Arenas;
+with Missions.Guards;
+with Vision.Shapes;             use Vision.Shapes;
+
+package body Mission_Arenas_Tests is
+
+   use Missions;
+   use Ada.Numerics.Long_Long_Elementary_Functions;
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   subtype Real is Long_Long_Float;
+
+   --  The reference: x = (h1 X + h2 Y + h3) / (h7 X + h8 Y + 1) and y
+   --  likewise, the eight numbers from as many linear equations
+
+   type Vector is array (1 .. 8) of Real;
+   type Matrix is array (1 .. 8, 1 .. 9) of Real;
+
+   function Solution (Equations : Matrix) return Vector;
+   --  By elimination, with the largest pivot
+
+   function Fitted
+     (Corners : Arena_Corners; Size : Arena_Size) return Vector;
+   --  From millionths of a pixel; in micrometres
+
+   function X_Of (H : Vector; P : Vision.Shapes.Point) return Real is
+     ((H (1) * Real (P.X) + H (2) * Real (P.Y) + H (3))
+      / (H (7) * Real (P.X) + H (8) * Real (P.Y) + 1.0));
+
+   function Y_Of (H : Vector; P : Vision.Shapes.Point) return Real is
+     ((H (4) * Real (P.X) + H (5) * Real (P.Y) + H (6))
+      / (H (7) * Real (P.X) + H (8) * Real (P.Y) + 1.0));
+
+   function Seen
+     (Corners : Arena_Corners; Size : Arena_Size; X, Y : Real)
+      return Vision.Shapes.Point;
+   --  Where a place (micrometres) is in the image
+
+   function Pixels (X, Y : Real) return Vision.Shapes.Point is
+     ((Micro_Pixels (X * 1.0E6), Micro_Pixels (Y * 1.0E6)));
+
+   function Rectangle (Left, Top, Right, Bottom : Real)
+     return Arena_Corners
+   is (Top_Left     => Pixels (Left, Top),
+       Top_Right    => Pixels (Right, Top),
+       Bottom_Right => Pixels (Right, Bottom),
+       Bottom_Left  => Pixels (Left, Bottom));
+
+   Usual : constant Arena_Corners :=
+     (Top_Left     => Pixels (71.3, 40.9),
+      Top_Right    => Pixels (561.7, 33.2),
+      Bottom_Right => Pixels (611.1, 452.6),
+      Bottom_Left  => Pixels (20.4, 441.0));
+   --  Of an image of 640 x 480 pixels
+
+   function Is_Usable
+     (Corners : Arena_Corners; Size : Arena_Size := (80, 60)) return Boolean;
+
+   procedure Check_Corners (Corners : Arena_Corners; Size : Arena_Size);
+   --  They are those of the rectangle, exactly
+
+   procedure Test_Corners (T : in out Any_Test);
+   procedure Test_Forms (T : in out Any_Test);
+   procedure Test_Loss (T : in out Any_Test);
+   procedure Test_Outside (T : in out Any_Test);
+   procedure Test_Poses (T : in out Any_Test);
+   procedure Test_Refused (T : in out Any_Test);
+   procedure Test_Targets (T : in out Any_Test);
+
+   -------------------
+   -- Check_Corners --
+   -------------------
+
+   procedure Check_Corners (Corners : Arena_Corners; Size : Arena_Size) is
+      M             : Map;
+      Usable, Known : Boolean;
+      Where         : Place;
+   begin
+      Make (Corners, Size, M, Usable);
+      Assert (Usable, "usable");
+      for C in Corner loop
+         Locate (M, Corners (C), Where, Known);
+         Assert (Known, C'Image & " is known");
+         Assert
+           (Where =
+              (X => (if C in Top_Left | Bottom_Left then 0 else Width (M)),
+               Y => (if C in Bottom_Left | Bottom_Right then 0
+                     else Height (M))),
+            C'Image & Where.X'Image & Where.Y'Image);
+      end loop;
+   end Check_Corners;
+
+   ------------
+   -- Fitted --
+   ------------
+
+   function Fitted
+     (Corners : Arena_Corners; Size : Arena_Size) return Vector
+   is
+      E   : Matrix   := (others => (others => 0.0));
+      Row : Positive := 1;
+   begin
+      for C in Corner loop
+         declare
+            Px : constant Real := Real (Corners (C).X);
+            Py : constant Real := Real (Corners (C).Y);
+            X  : constant Real :=
+              (if C in Top_Left | Bottom_Left then 0.0
+               else Real (Size.Width) * 1.0E4);
+            Y  : constant Real :=
+              (if C in Bottom_Left | Bottom_Right then 0.0
+               else Real (Size.Height) * 1.0E4);
+            procedure Fill (First : Positive; Value : Real);
+            procedure Fill (First : Positive; Value : Real) is
+            begin
+               E (Row, First) := Px;
+               E (Row, First + 1) := Py;
+               E (Row, First + 2) := 1.0;
+               E (Row, 7) := -Px * Value;
+               E (Row, 8) := -Py * Value;
+               E (Row, 9) := Value;
+               Row := Row + 1;
+            end Fill;
+         begin
+            Fill (1, X);
+            Fill (4, Y);
+         end;
+      end loop;
+      return Solution (E);
+   end Fitted;
+
+   ---------------
+   -- Is_Usable --
+   ---------------
+
+   function Is_Usable
+     (Corners : Arena_Corners; Size : Arena_Size := (80, 60)) return Boolean
+   is
+      M      : Map;
+      Usable : Boolean;
+   begin
+      Make (Corners, Size, M, Usable);
+      return Usable;
+   end Is_Usable;
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Missions.Arenas"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Corners'Access, "the corners, exactly");
+      Register_Routine (T, Test_Forms'Access, "both forms of the divisor");
+      Register_Routine
+        (T, Test_Loss'Access, "less than 1 mm from a map in floating point");
+      Register_Routine (T, Test_Outside'Access, "points outside the arena");
+      Register_Routine (T, Test_Poses'Access, "headings");
+      Register_Routine (T, Test_Refused'Access, "arenas that are refused");
+      Register_Routine (T, Test_Targets'Access, "the points of a path");
+   end Register_Tests;
+
+   ----------
+   -- Seen --
+   ----------
+
+   function Seen
+     (Corners : Arena_Corners; Size : Arena_Size; X, Y : Real)
+      return Vision.Shapes.Point
+   is
+      H : constant Vector := Fitted (Corners, Size);
+
+      --  x (h7 X + h8 Y + 1) = h1 X + h2 Y + h3, and y likewise
+
+      A : constant Real := H (1) - X * H (7);
+      B : constant Real := H (2) - X * H (8);
+      C : constant Real := H (4) - Y * H (7);
+      D : constant Real := H (5) - Y * H (8);
+      E : constant Real := X - H (3);
+      F : constant Real := Y - H (6);
+      W : constant Real := A * D - B * C;
+   begin
+      return
+        (Micro_Pixels ((E * D - B * F) / W),
+         Micro_Pixels ((A * F - E * C) / W));
+   end Seen;
+
+   --------------
+   -- Solution --
+   --------------
+
+   function Solution (Equations : Matrix) return Vector is
+      E      : Matrix := Equations;
+      Result : Vector;
+   begin
+      for K in 1 .. 8 loop
+         declare
+            Best : Positive := K;
+            Held : Real;
+         begin
+            for Row in K + 1 .. 8 loop
+               if abs E (Row, K) > abs E (Best, K) then
+                  Best := Row;
+               end if;
+            end loop;
+            for Column in 1 .. 9 loop
+               Held := E (K, Column);
+               E (K, Column) := E (Best, Column);
+               E (Best, Column) := Held;
+            end loop;
+            for Row in 1 .. 8 loop
+               if Row /= K then
+                  Held := E (Row, K) / E (K, K);
+                  for Column in K .. 9 loop
+                     E (Row, Column) := E (Row, Column) - Held * E (K, Column);
+                  end loop;
+               end if;
+            end loop;
+         end;
+      end loop;
+      for K in Result'Range loop
+         Result (K) := E (K, 9) / E (K, K);
+      end loop;
+      return Result;
+   end Solution;
+
+   ------------------
+   -- Test_Corners --
+   ------------------
+
+   procedure Test_Corners (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Check_Corners (Usual, (80, 60));
+      Check_Corners (Rectangle (0.0, 0.0, 4_095.0, 4_095.0), (1_000, 1_000));
+      Check_Corners (Rectangle (-0.5, -0.5, 4_095.4, 4_095.4), (1_000, 30));
+      declare
+         M                     : Map;
+         Usable, Known         : Boolean;
+         Where                 : Place;
+         A : constant Vision.Shapes.Point := Usual (Top_Left);
+         B : constant Vision.Shapes.Point := Usual (Top_Right);
+         C : constant Vision.Shapes.Point := Usual (Bottom_Right);
+         D : constant Vision.Shapes.Point := Usual (Bottom_Left);
+         Ax : constant Real := Real (A.X) / 1.0E6;
+         Ay : constant Real := Real (A.Y) / 1.0E6;
+         Bx : constant Real := Real (B.X) / 1.0E6;
+         By : constant Real := Real (B.Y) / 1.0E6;
+         Cx : constant Real := Real (C.X) / 1.0E6 - Ax;
+         Cy : constant Real := Real (C.Y) / 1.0E6 - Ay;
+         Dx : constant Real := Real (D.X) / 1.0E6 - Bx;
+         Dy : constant Real := Real (D.Y) / 1.0E6 - By;
+         K  : constant Real :=
+           ((Bx - Ax) * Dy - (By - Ay) * Dx) / (Cx * Dy - Cy * Dx);
+      begin
+         Make (Usual, (80, 60), M, Usable);
+         Locate (M, Pixels (Ax + K * Cx, Ay + K * Cy), Where, Known);
+         Assert (Usable and then Known
+                 and then abs (Where.X - 400_000) < 150
+                 and then abs (Where.Y - 300_000) < 150,
+                 "where the diagonals meet");
+      end;
+   end Test_Corners;
+
+   ----------------
+   -- Test_Forms --
+   ----------------
+
+   --  X_Part and Y_Part of an arena turned by half are what is left of the
+   --  divisor
+
+   procedure Test_Forms (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      M, Turned : Map;
+      Usable    : Boolean;
+   begin
+      Make (Usual, (80, 60), M, Usable);
+      Assert (Usable, "usable");
+      Make ((Top_Left     => Usual (Bottom_Right),
+             Top_Right    => Usual (Bottom_Left),
+             Bottom_Right => Usual (Top_Left),
+             Bottom_Left  => Usual (Top_Right)), (80, 60), Turned, Usable);
+      Assert (Usable, "usable, turned");
+      for X in Wide range 0 .. 64 loop
+         for Y in Wide range 0 .. 48 loop
+            declare
+               P : constant Vision.Shapes.Point :=
+                 (Micro_Pixels (X) * 9_999_999, Micro_Pixels (Y) * 9_999_999);
+            begin
+               Assert (Whole (M, P) = Y_Part (M, P) + Y_Part (Turned, P),
+                       "by y");
+               Assert (Whole (M, P) = X_Part (M, P) + X_Part (Turned, P),
+                       "by x");
+            end;
+         end loop;
+      end loop;
+   end Test_Forms;
+
+   ---------------
+   -- Test_Loss --
+   ---------------
+
+   procedure Test_Loss (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Arenas : constant := 3_000;
+
+      Chance   : Generator;
+      Tried    : Natural := 0;
+      Used     : Natural := 0;
+      Greatest : Real    := 0.0;
+
+      function Between (Low, High : Real) return Real is
+        (Low + (High - Low) * Real (Random (Chance)));
+   begin
+      Reset (Chance, 19);
+      while Used < Arenas loop
+         Tried := Tried + 1;
+         declare
+            --  From tiny and distorted ones, of which most are refused, to
+            --  those that fill large images
+
+            Scale   : constant Real := 2.0 ** Integer (Between (-1.4, 3.4));
+            Spread  : constant Real := Scale * Between (0.0, 200.0);
+            Corners : constant Arena_Corners :=
+              (Top_Left     => Pixels (Between (0.0, Spread),
+                                       Between (0.0, Spread)),
+               Top_Right    => Pixels (Scale * 500.0 - Between (0.0, Spread),
+                                       Between (0.0, Spread)),
+               Bottom_Right => Pixels (Scale * 500.0 - Between (0.0, Spread),
+                                       Scale * 400.0 - Between (0.0, Spread)),
+               Bottom_Left  => Pixels (Between (0.0, Spread),
+                                       Scale * 400.0 - Between (0.0, Spread)));
+            Size    : constant Arena_Size :=
+              (Integer (Between (30.0, 60.0 + 60.0 * Scale)),
+               Integer (Between (30.0, 60.0 + 60.0 * Scale)));
+            H       : constant Vector := Fitted (Corners, Size);
+
+            M             : Map;
+            Usable, Known : Boolean;
+            Where         : Place;
+            P             : Vision.Shapes.Point;
+            X, Y, Loss    : Real;
+         begin
+            Make (Corners, Size, M, Usable);
+            if Usable then
+               Used := Used + 1;
+               for Point in 1 .. 20 loop
+                  P := Seen (Corners, Size,
+                             Between (0.0, Real (Width (M))),
+                             Between (0.0, Real (Height (M))));
+                  X := X_Of (H, P);
+                  Y := Y_Of (H, P);
+                  Locate (M, P, Where, Known);
+                  Assert (Known, "known");
+                  Loss := Sqrt ((X - Real (Where.X)) ** 2
+                                + (Y - Real (Where.Y)) ** 2);
+                  Greatest := Real'Max (Greatest, Loss);
+               end loop;
+            end if;
+         end;
+      end loop;
+      Assert (Greatest < 1_000.0, "less than 1 mm, not" & Greatest'Image);
+      Assert (Greatest > 100.0, "arenas near the limit are among them, not"
+              & Greatest'Image);
+      Assert (Tried > Arenas + Arenas / 10, "and some were refused");
+   end Test_Loss;
+
+   ------------------
+   -- Test_Outside --
+   ------------------
+
+   procedure Test_Outside (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Inner  : constant Arena_Corners :=
+        Rectangle (200.0, 150.0, 440.0, 330.0);
+      M      : Map;
+      Where  : Place;
+      Usable : Boolean;
+      Known  : Boolean;
+   begin
+      Make (Inner, (80, 60), M, Usable);
+      Assert (Usable, "usable");
+      Locate (M, Pixels (197.0, 336.0), Where, Known);
+      Assert (Known and then Where = (-10_000, -20_000), "left and below");
+      Locate (M, Pixels (455.0, 144.0), Where, Known);
+      Assert (Known and then Where = (850_000, 620_000), "right and above");
+      Locate (M, Pixels (-0.5, 200.0), Where, Known);
+      Assert (Known, "less than its width away");
+      Locate (M, Pixels (690.0, 200.0), Where, Known);
+      Assert (not Known, "more than its width away");
+      for Far of Vector'(-0.51, 4_095.5, -1.0, 4_096.0, 1.0E6, -1.0E6,
+                         1.0E7, -1.0E7)
+      loop
+         Locate (M, Pixels (Far, 200.0), Where, Known);
+         Assert (not Known, "far in x");
+         Locate (M, Pixels (200.0, Far), Where, Known);
+         Assert (not Known, "far in y");
+      end loop;
+
+      --  Beyond the horizon of a steep view
+
+      Make ((Top_Left     => Pixels (600.0, 600.0),
+             Top_Right    => Pixels (1_000.0, 600.0),
+             Bottom_Right => Pixels (1_280.0, 940.0),
+             Bottom_Left  => Pixels (320.0, 940.0)), (80, 60), M, Usable);
+      Assert (Usable, "usable, steep");
+      for Y in 0 .. 400 loop
+         Locate (M, Pixels (800.0, Real (Y)), Where, Known);
+         Assert (not Known, "beyond the horizon, and near it");
+      end loop;
+      Locate (M, Pixels (800.0, 599.0), Where, Known);
+      Assert (Known and then Where.X = 400_000
+              and then Where.Y in 600_001 .. 620_000, "just outside");
+   end Test_Outside;
+
+   ----------------
+   -- Test_Poses --
+   ----------------
+
+   procedure Test_Poses (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Size   : constant Arena_Size := (80, 60);
+      M      : Map;
+      Usable : Boolean;
+      Known  : Boolean;
+      Where  : Pose;
+      R      : Vision.Shapes.Robot;
+   begin
+      Make (Usual, Size, M, Usable);
+      Assert (Usable, "usable");
+      for Degree in -179 .. 180 loop
+         for At_X in 1 .. 7 loop
+            --  The points are 17 pixels apart, each rounded
+
+            declare
+               X     : constant Real := Real (At_X) * 100_000.0;
+               Y     : constant Real := 50_000.0 + X * 0.7;
+               Angle : constant Real := Real (Degree) + 0.37 * Real (At_X);
+            begin
+               R.Centre := Seen (Usual, Size, X, Y);
+               R.Direction :=
+                 Seen (Usual, Size,
+                       X + 30_000.0 * Cos (Angle, 360.0),
+                       Y + 30_000.0 * Sin (Angle, 360.0));
+               Locate (M, R, Where, Known);
+               Assert (Known, "known");
+               Assert (abs (Real (Where.At_Place.X) - X) < 1_000.0
+                       and then abs (Real (Where.At_Place.Y) - Y) < 1_000.0,
+                       "its centre");
+               Assert (abs Angles.Normal
+                         (Where.Heading
+                          - Microdegrees (Angle * 1.0E6)) < 300_000,
+                       "the heading" & Degree'Image & " is"
+                       & Where.Heading'Image);
+            end;
+         end loop;
+      end loop;
+
+      R.Direction := R.Centre;
+      Locate (M, R, Where, Known);
+      Assert (not Known, "no direction");
+      R.Direction := Pixels (5_000.0, 0.0);
+      Locate (M, R, Where, Known);
+      Assert (not Known, "a direction far outside");
+      R.Direction := R.Centre;
+      R.Centre := Pixels (5_000.0, 0.0);
+      Locate (M, R, Where, Known);
+      Assert (not Known, "a centre far outside");
+   end Test_Poses;
+
+   ------------------
+   -- Test_Refused --
+   ------------------
+
+   procedure Test_Refused (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Is_Usable (Usual), "the usual one");
+      Assert (not Is_Usable (No_Arena), "none");
+      Assert
+        (not Is_Usable ((Top_Left     => Usual (Top_Right),
+                         Top_Right    => Usual (Top_Left),
+                         Bottom_Right => Usual (Bottom_Left),
+                         Bottom_Left  => Usual (Bottom_Right))), "mirrored");
+      Assert
+        (not Is_Usable ((Top_Left     => Usual (Top_Left),
+                         Top_Right    => Usual (Bottom_Right),
+                         Bottom_Right => Usual (Top_Right),
+                         Bottom_Left  => Usual (Bottom_Left))), "crossed");
+      for C in Corner loop
+         declare
+            Dented  : Arena_Corners := Rectangle (0.0, 0.0, 600.0, 450.0);
+            Folded  : Arena_Corners := Usual;
+            Outside : Arena_Corners := Usual;
+         begin
+            Dented (C) := Pixels (300.0, 225.0);
+            Assert (not Is_Usable (Dented), "on the diagonal");
+            Folded (C) := Folded (Corner'Val ((Corner'Pos (C) + 1) mod 4));
+            Assert (not Is_Usable (Folded), "two corners are one");
+            Outside (C) := Pixels (300.0, -0.6);
+            Assert (not Is_Usable (Outside), "outside the image, up");
+            Outside (C) := Pixels (9.9E6, 300.0);
+            Assert (not Is_Usable (Outside), "outside the image, far");
+         end;
+      end loop;
+
+      --  Sides of 100 pixels, if they are not too coarse for 1 mm
+
+      Assert (Is_Usable (Rectangle (10.0, 10.0, 110.0, 110.0), (60, 60)),
+              "100 pixels of 60 cm");
+      Assert (not Is_Usable (Rectangle (10.0, 10.0, 109.9, 110.0), (30, 60)),
+              "less than 100 pixels, x");
+      Assert (not Is_Usable (Rectangle (10.0, 10.0, 110.0, 109.9), (60, 30)),
+              "less than 100 pixels, y");
+      Assert (not Is_Usable (Rectangle (10.0, 10.0, 110.0, 110.0), (80, 60)),
+              "100 pixels of 80 cm");
+      Assert (not Is_Usable (Usual, (800, 600)), "8 m in a small image");
+      Assert (Is_Usable (Rectangle (0.0, 0.0, 3_000.0, 2_250.0), (800, 600)),
+              "8 m in a large image");
+   end Test_Refused;
+
+   ------------------
+   -- Test_Targets --
+   ------------------
+
+   procedure Test_Targets (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Size   : constant Arena_Size := (80, 60);
+      M      : Map;
+      Places : Place_Array;
+      P      : Path;
+      Usable : Boolean;
+      Inside : Boolean;
+
+      procedure Check
+        (X, Y : Millionths; Expected : Boolean; What : String);
+      --  As the second of two points
+
+      procedure Check
+        (X, Y : Millionths; Expected : Boolean; What : String) is
+      begin
+         P.Points (2) := (X, Y);
+         Targets (P, M, Size, Places, Inside);
+         Assert (Inside = Expected, What);
+      end Check;
+   begin
+      --  No map yet: only centimetres
+
+      P.Measure := Centimetres;
+      P.Count := 2;
+      P.Points (1) := (8_000_000, 8_000_000);
+      Check (72_000_000, 52_000_000, True, "the corners less the margin");
+      Assert (Places (1) = (80_000, 80_000)
+              and then Places (2) = (720_000, 520_000), "where they are");
+      Check (12_345_678, 23_456_749, True, "parts of a micrometre");
+      Assert (Places (2) = (123_457, 234_567), "rounded");
+      Check (72_000_050, 52_000_000, False, "too far right");
+      Check (72_000_000, 52_000_050, False, "too far up");
+      Check (7_999_949, 52_000_000, False, "too far left");
+      Check (72_000_000, 7_999_949, False, "too far down");
+      Check (-8_000_000, 52_000_000, False, "negative");
+      Check (Millionths'Last, Millionths'First, False, "furthest");
+      Check (Millionths'First, Millionths'Last, False, "furthest, the others");
+
+      Make (Usual, Size, M, Usable);
+      Assert (Usable, "usable");
+      P.Measure := Pixels;
+      P.Points (1) := (320_000_000, 240_000_000);
+      Check (400_000_000, 300_000_000, True, "pixels inside");
+      for K in 1 .. 2 loop
+         declare
+            Where : Place;
+            Known : Boolean;
+         begin
+            Locate (M, (Micro_Pixels (P.Points (K).X),
+                        Micro_Pixels (P.Points (K).Y)), Where, Known);
+            Assert (Known and then Places (K) = Where
+                    and then Guards.Is_Target (Where, Size), "where it is");
+         end;
+      end loop;
+      Check (71_300_000, 40_900_000, False, "at the border");
+      Check (0, 0, False, "outside the arena");
+      Check (Millionths'Last, Millionths'First, False, "outside the image");
+      P.Points (1) := (71_300_000, 40_900_000);
+      Check (400_000_000, 300_000_000, False, "the first is outside");
+      P.Points (1) := (320_000_000, 240_000_000);
+      P.Count := 1;
+      Check (0, 0, True, "the second is not counted");
+
+      P.Count := 64;
+      P.Points := (others => (320_000_000, 240_000_000));
+      Targets (P, M, Size, Places, Inside);
+      Assert (Inside and then (for all W of Places => W = Places (1)),
+              "64 points");
+      P.Points (64) := (0, 0);
+      Targets (P, M, Size, Places, Inside);
+      Assert (not Inside, "the last of 64");
+   end Test_Targets;
+
+end Mission_Arenas_Tests;

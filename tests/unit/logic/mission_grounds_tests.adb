@@ -1,0 +1,227 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with Ada.Real_Time;     use Ada.Real_Time;
+
+with AUnit.Assertions;  use AUnit.Assertions;
+
+with Missions;          use Missions;
+with Missions.Arenas;
+with Missions.Grounds;  use Missions.Grounds;
+with Missions.Runs;
+with Robot.Session;
+with Vision.Mode;
+with Vision.Shapes;     use Vision.Shapes;
+
+package body Mission_Grounds_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Start : constant Time := Time_First + Seconds (1_000_000);
+
+   Arena : constant Arena_Corners :=
+     (Top_Left     => (80_000_000, 60_000_000),
+      Top_Right    => (560_000_000, 60_000_000),
+      Bottom_Right => (560_000_000, 420_000_000),
+      Bottom_Left  => (80_000_000, 420_000_000));
+   --  Six pixels a centimetre, for 80 x 60 cm
+
+   Good : constant Ground :=
+     (Line => (Open => True, Mode => Robot.Session.Started, others => <>),
+      View =>
+        (Mode  => (Vision.Mode.Streaming, True, True), Arena => Arena),
+      Seen =>
+        (Number => 7,
+         Came   => Start - Milliseconds (40),
+         Seen   => True,
+         Robot  => (Centre    => (320_000_000, 240_000_000),
+                    Direction => (338_000_000, 240_000_000),
+                    others    => <>),
+         others => <>),
+      Now  => Start);
+
+   Two_Points : constant Path :=
+     (Measure => Pixels,
+      Count   => 2,
+      Points  => (1      => (320_000_000, 180_000_000),
+                  2      => (200_000_000, 240_000_000),
+                  others => <>));
+
+   procedure Expect_Refused (G : Ground; P : Path; Reason : Refusal);
+
+   procedure Expect_End
+     (G                : Ground;
+      Reason           : Abort_Reason;
+      Is_Over, By_Hand : Boolean := False);
+
+   procedure Test_Begins (T : in out Any_Test);
+   procedure Test_Refused (T : in out Any_Test);
+   procedure Test_Ends (T : in out Any_Test);
+   procedure Test_Times (T : in out Any_Test);
+   procedure Test_Seen (T : in out Any_Test);
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Missions.Grounds"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Begins'Access, "a mission that may begin");
+      Register_Routine (T, Test_Refused'Access, "each reason against it");
+      Register_Routine (T, Test_Ends'Access, "each reason that ends it");
+      Register_Routine (T, Test_Times'Access, "its times, over many hours");
+      Register_Routine (T, Test_Seen'Access, "the robot in the arena");
+   end Register_Tests;
+
+   procedure Expect_Refused (G : Ground; P : Path; Reason : Refusal) is
+      Map       : Missions.Arenas.Map;
+      Targets   : Place_Array;
+      May_Begin : Boolean;
+      Why       : Refusal;
+   begin
+      Check (G, P, (80, 60), Map, Targets, May_Begin, Why);
+      Assert (not May_Begin, "not refused, but " & Reason'Image);
+      Assert (Why = Reason, Why'Image & " and not " & Reason'Image);
+   end Expect_Refused;
+
+   procedure Expect_End
+     (G                : Ground;
+      Reason           : Abort_Reason;
+      Is_Over, By_Hand : Boolean := False)
+   is
+      Ends : Boolean;
+      Why  : Abort_Reason;
+   begin
+      Look (Good, G, Is_Over, By_Hand, Ends, Why);
+      Assert (Ends, "goes on, but " & Reason'Image);
+      Assert (Why = Reason, Why'Image & " and not " & Reason'Image);
+   end Expect_End;
+
+   procedure Test_Begins (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Map       : Missions.Arenas.Map;
+      Targets   : Place_Array;
+      May_Begin : Boolean;
+      Why       : Refusal;
+   begin
+      Check (Good, Two_Points, (80, 60), Map, Targets, May_Begin, Why);
+      Assert (May_Begin, "refused: " & Why'Image);
+      Assert (Targets (1) = (400_000, 400_000),
+              "the first point at" & Targets (1).X'Image
+              & Targets (1).Y'Image);
+      Assert (Targets (2) = (200_000, 300_000),
+              "the second point at" & Targets (2).X'Image
+              & Targets (2).Y'Image);
+
+      Check
+        (Good,
+         (Centimetres, 1, (1 => (12_500_000, 50_000_000), others => <>)),
+         (80, 60), Map, Targets, May_Begin, Why);
+      Assert (May_Begin, "refused: " & Why'Image);
+      Assert (Targets (1) = (125_000, 500_000),
+              "centimetres at" & Targets (1).X'Image & Targets (1).Y'Image);
+   end Test_Begins;
+
+   procedure Test_Refused (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      G : Ground := Good;
+      P : Path   := Two_Points;
+   begin
+      P.Points (2) := (85_000_000, 240_000_000);
+      Expect_Refused (G, P, Point_Outside);
+      G.Seen.Came := Start - Milliseconds (301);
+      Expect_Refused (G, P, Robot_Not_Seen);
+      G := Good;
+      G.Seen.Seen := False;
+      Expect_Refused (G, P, Robot_Not_Seen);
+      --  the reasons in their order
+
+      for C in Corner loop
+         G.View.Arena (C) := (Arena (C).X / 6, Arena (C).Y / 6);
+      end loop;
+      Expect_Refused (G, P, Arena_Too_Small);
+      G.View.Mode.Confirmed := False;
+      Expect_Refused (G, P, Arena_Not_Confirmed);
+      G.View.Mode := (Vision.Mode.Deciding, True, True);
+      Expect_Refused (G, P, Arena_Not_Confirmed);
+      G.View.Mode.Position_On := False;
+      Expect_Refused (G, P, Positions_Off);
+      G.View.Mode := (Vision.Mode.Closed, False, False);
+      Expect_Refused (G, P, Camera_Closed);
+      G.Line := (others => <>);
+      Expect_Refused (G, P, Robot_Not_Started);
+   end Test_Refused;
+
+   procedure Test_Ends (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      G    : Ground := Good;
+      Ends : Boolean;
+      Why  : Abort_Reason;
+   begin
+      G.Seen := (others => <>);
+      G.Now := Start + Seconds (100);
+      --  what images show is judged by Missions.Runs
+      Look (Good, G, False, False, Ends, Why);
+      Assert (not Ends, "ends by " & Why'Image);
+
+      G.View.Arena (Top_Left).X := 81_000_000;
+      Expect_End (G, Camera_Ended);
+      G.View := Good.View;
+      G.View.Mode.Stage := Vision.Mode.Searching;
+      Expect_End (G, Camera_Ended);
+      G.View := Good.View;
+      G.View.Mode.Position_On := False;
+      Expect_End (G, Camera_Ended);
+      G.View.Mode := (Vision.Mode.Closed, False, False);
+      Expect_End (G, Camera_Ended);
+
+      G.Line.Reloads_Refused := 1;
+      Expect_End (G, Watchdog_Trouble);
+      G.Line.Epoch := 1;
+      Expect_End (G, Robot_Stopped);
+      G.Line := (others => <>);
+      Expect_End (G, Robot_Stopped);
+      Expect_End (G, By_Hand, By_Hand => True);
+      Expect_End (G, Session_Over, Is_Over => True, By_Hand => True);
+      Expect_End (Good, Session_Over, Is_Over => True);
+   end Test_Ends;
+
+   procedure Test_Times (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Hours : constant Time := Start + Seconds (50_000) + Milliseconds (3);
+   begin
+      Assert (Since (Start, Start) = Lead, "the beginning");
+      Assert (Since (Start, Start - Milliseconds (40)) = Lead - 40_000,
+              "an image before it");
+      Assert (Since (Start, Start - Seconds (2)) = 0, "long before");
+      Assert (Since (Start, Time_First) = 0, "no image");
+      Assert (Since (Start, Hours) = Lead + 50_000_003_000, "hours after");
+
+      Assert (Next_Time (Start, Hours, Since (Start, Hours) + 5_000)
+              = Hours + Milliseconds (5), "due before the period ends");
+      Assert (Next_Time (Start, Hours, Since (Start, Hours) + 500_000)
+              = Hours + Milliseconds (20), "due after it");
+      Assert (Next_Time (Start, Hours, Since (Start, Hours) + 10 ** 12)
+              = Hours + Milliseconds (20), "due in days");
+      Assert (Next_Time (Start, Hours, 0) = Hours, "overdue");
+   end Test_Times;
+
+   procedure Test_Seen (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Map    : Missions.Arenas.Map;
+      Usable : Boolean;
+      G      : Ground := Good;
+      Seen   : Missions.Runs.Sighting;
+   begin
+      Missions.Arenas.Make (Arena, (80, 60), Map, Usable);
+      Assert (Usable, "the arena is not usable");
+      Seen := Seen_From (Start, Map, G);
+      Assert (Seen.Seen and then Seen.Number = 7, "not seen");
+      Assert (Seen.Taken = Lead - 40_000, "at" & Seen.Taken'Image);
+      Assert (Seen.Where.At_Place = (400_000, 300_000), "elsewhere");
+      Assert (abs Seen.Where.Heading < 1_000, "it heads elsewhere");
+      G.Seen.Seen := False;
+      Seen := Seen_From (Start, Map, G);
+      Assert (not Seen.Seen and then Seen.Number = 7, "seen");
+   end Test_Seen;
+
+end Mission_Grounds_Tests;
