@@ -157,7 +157,7 @@ package body Mission_Drives is
       Count : Tally;
    begin
       Assemble
-        (R, Camera => True, Emulator_Options => "--baud 9600",
+        (R, Camera => True, Emulator_Options => Emulator_Options,
          Supervisor_Options => Service_Starts.Options,
          Launcher => Service_Starts.Launcher,
          Program => Service_Starts.Program);

@@ -6,6 +6,9 @@ with Rigs;
 
 package Mission_Drives is
 
+   Emulator_Options : constant String := "--baud 9600 --camera-fps 30";
+   --  As the analysis has line and camera
+
    procedure Prepare (R : in out Rigs.Rig);
    --  All that a mission needs, of a monitor that is connected
 

@@ -376,6 +376,8 @@ package body Trace_Responses is
    begin
       Assemble
         (R, Camera => True,
+         Emulator_Options =>
+           (if Missions then Mission_Drives.Emulator_Options else ""),
          Supervisor_Options => "--trace " & Path & " "
            & (if Bench_Settings.As_Service then Service_Starts.Options
               elsif Apart then "--cpu" & Last_Processor'Image else ""),
