@@ -25,7 +25,6 @@ package body Simulated_Missions is
    subtype Microseconds is Missions.Microseconds;
    subtype Time_Point is Robot_Core.Time_Point;
 
-   Start_Time    : constant := 1_000_000;
    Sample        : constant := 4_000;
    --  of the robot's way
    Byte_Time     : constant := 1_042;     --  at 9600 baud
@@ -125,7 +124,12 @@ package body Simulated_Missions is
       F      : Faults;
       Seed   : Integer;
       R      : out Result;
-      Traced : Boolean := False)
+      Traced : Boolean := False;
+      Image  : access procedure (Time : Robot_Motion.Time_Point) := null;
+      Place  : access procedure
+        (Time   : Robot_Motion.Time_Point;
+         Where  : Robot_Motion.Pose;
+         Moving : Boolean) := null)
    is
       Source       : Generator;
       The_Robot    : Robot_Core.Robot;
@@ -242,6 +246,9 @@ package body Simulated_Missions is
            (R.Blind,
             Milliseconds
               (Float (Now - Micro'Max (Moves_Since, Last_Image)) / 1_000.0));
+         if Place /= null then
+            Place (Now, P, Moves);
+         end if;
       end Observe;
 
       procedure Plan_Image is
@@ -334,6 +341,9 @@ package body Simulated_Missions is
                      + Missions.Microdegrees
                          (Noise (F.Heading_Noise) * 1.0E6))));
             Last_Image := Now;
+            if Image /= null then
+               Image (Now);
+            end if;
             Plan_Image;
          end loop;
          Move_To (Time);
@@ -403,6 +413,7 @@ package body Simulated_Missions is
          end if;
       end loop;
 
+      Wait_Until (Now + After_The_End);
       R.Ended := Ended_By (The_Run);
       R.Worst_Pass := 0.0;
       for P of Passes loop

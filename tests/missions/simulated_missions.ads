@@ -29,6 +29,10 @@ package Simulated_Missions is
 
    Ideal : constant Faults := (others => <>);
 
+   Start_Time    : constant Robot_Motion.Time_Point := 1_000_000;
+   --  of each mission
+   After_The_End : constant Robot_Motion.Time_Point := 300_000;
+
    type Mission is record
       Start   : Robot_Motion.Pose;
       Count   : Missions.Point_Number := 1;
@@ -70,7 +74,13 @@ package Simulated_Missions is
       F      : Faults;
       Seed   : Integer;
       R      : out Result;
-      Traced : Boolean := False);
-   --  Traced: prints what happens
+      Traced : Boolean := False;
+      Image  : access procedure (Time : Robot_Motion.Time_Point) := null;
+      Place  : access procedure
+        (Time   : Robot_Motion.Time_Point;
+         Where  : Robot_Motion.Pose;
+         Moving : Boolean) := null);
+   --  Traced: prints what happens. Image: one has come; Place: where the
+   --  robot is, every few milliseconds, from the beginning to After_The_End
 
 end Simulated_Missions;

@@ -16,6 +16,7 @@ with GNAT.OS_Lib;
 with Camera_Tests;
 with Expectations;
 with Mission_Tests;
+with Mission_Trial_Tests;
 with Monitor_Tests;
 with Never_Tests;
 with Option_Readers;
@@ -86,6 +87,7 @@ begin
    Process_Tests.Add_To (Suite);
    Security_Tests.Add_To (Suite);
    Trace_Tests.Add_To (Suite);
+   Mission_Trial_Tests.Add_To (Suite);
    Never_Tests.Add_To (Suite);
 
    Standstills.Watch (Lines => True);

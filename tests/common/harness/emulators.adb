@@ -164,23 +164,28 @@ package body Emulators is
       Object.Process.Put_Line ("journal");
       loop
          declare
-            Line     : constant String := Next_Line (Object);
-            Interval : constant String := Value (Line, "interval");
+            Line : constant String := Next_Line (Object);
          begin
             exit when Line = "end";
-            Result.Append
-              ((First    => Seconds (Value (Line, "first")),
-                Last     => Seconds (Value (Line, "last")),
-                Command  => To_Unbounded_String (Value (Line, "command")),
-                Answer   => To_Unbounded_String (Value (Line, "answer")),
-                Accepted => Value (Line, "reload") = "accepted",
-                Interval =>
-                  (if Interval = "" then 0.0
-                   else Duration'Value (Interval) / 1000)));
+            Result.Append (Note_Of (Line));
          end;
       end loop;
       return Result;
    end Journal;
+
+   function Note_Of (Line : String) return Note is
+      Interval : constant String := Value (Line, "interval");
+   begin
+      return
+        (First    => Seconds (Value (Line, "first")),
+         Last     => Seconds (Value (Line, "last")),
+         Command  => To_Unbounded_String (Value (Line, "command")),
+         Answer   => To_Unbounded_String (Value (Line, "answer")),
+         Accepted => Value (Line, "reload") = "accepted",
+         Interval =>
+           (if Interval = "" then 0.0
+            else Duration'Value (Interval) / 1000));
+   end Note_Of;
 
    function Wire_Text
      (Object : in out Emulator; Prefixes : String := "MT") return String

@@ -53,6 +53,9 @@ package Emulators is
    package Note_Vectors is new Ada.Containers.Vectors (Positive, Note);
    subtype Notes is Note_Vectors.Vector;
 
+   function Note_Of (Line : String) return Note;
+   --  A line of the journal
+
    procedure Clear_Journal (Object : in out Emulator);
 
    function Journal (Object : in out Emulator) return Notes;

@@ -1,0 +1,261 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""Random missions, simulated and real, judged by where the robot truly was.
+
+usage: script/bench missions [--simulated N] [--real N] [--seed N] [--out FILE]
+                             [--check]
+       script/bench missions --docs FILE
+       script/bench missions --docs --check
+
+Prints a table: bin/destijl_missions carries them out and judges each. Every
+other one has all faults at once. Simulated ones (1000) are the controller with
+the emulator's core, in simulated time; real ones (50) the supervisor with the
+emulator and rendered images, in real time, two at once. --out keeps all
+results in FILE; --check fails where a goal is missed. --docs writes the table
+of docs/missions.md from the results in FILE, and keeps what it needs of them
+in tests/bench/results; with --check it fails if the page has others."""
+
+import argparse
+import json
+import os
+import platform
+import re
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = ROOT / "bin" / "destijl_missions"
+PAGE = ROOT / "docs" / "missions.md"
+KEPT = ROOT / "tests" / "bench" / "results" / "missions.json"
+
+SLOWEST = 1.5
+#  Times that of an exact robot
+
+AT_ONCE = 2
+#  Real ones
+
+Mission = dict[str, Any]
+Row = dict[str, Any]
+
+HEADS = {
+    "name": "missions",
+    "count": "number",
+    "done": "done",
+    "aborted": "aborted, as they say",
+    "wrong": "not as they say",
+    "pass": "largest distance of a point, mm",
+    "clearance": "least room at a wall, mm",
+    "blind": "longest drive without a new position, ms",
+    "median": "time to an exact robot's, median",
+    "slowest": "largest",
+    "slow": f"above {SLOWEST}",
+}
+
+
+class Wrong(Exception):
+    """What results, page or missions lack."""
+
+
+def started(*options: str) -> subprocess.Popen[str]:
+    return subprocess.Popen([PROGRAM, *options], stdout=subprocess.PIPE, text=True)
+
+
+def run(simulated: int, real: int, seed: int) -> list[Mission]:
+    """First the simulated ones, which need the processor."""
+    missions: list[Mission] = []
+
+    def await_end(processes: list[subprocess.Popen[str]]) -> None:
+        texts = [process.communicate()[0] for process in processes]
+        for process, text in zip(processes, texts, strict=True):
+            if process.returncode != 0:
+                raise Wrong(f"{PROGRAM.name} has ended with {process.returncode}")
+            missions.extend(json.loads(line) for line in text.splitlines())
+
+    of_seed = ("--seed", str(seed))
+    if simulated > 0:
+        await_end([started("--simulated", str(simulated), *of_seed)])
+    shares = [(real + AT_ONCE - 1 - first) // AT_ONCE for first in range(AT_ONCE)]
+    await_end(
+        [
+            started(
+                *("--real", str(share), *of_seed),
+                *("--first", str(first), "--step", str(AT_ONCE)),
+            )
+            for first, share in enumerate(shares, 1)
+            if share > 0
+        ]
+    )
+    if len(missions) != simulated + real:
+        raise Wrong(f"{len(missions)} missions instead of {simulated + real}")
+    return missions
+
+
+def ratio(mission: Mission) -> float:
+    return float(mission["time"] / mission["exact"])
+
+
+def row(name: str, missions: list[Mission]) -> Row:
+    """Figures are of those that are done."""
+    done = [m for m in missions if m.get("end") == "done"]
+    judged = [m for m in missions if "end" in m]
+    ratios = [ratio(mission) for mission in done]
+    wrong = sum(m["wrong"] != "" for m in missions)
+    return {
+        "name": name,
+        "count": len(missions),
+        "done": len(done),
+        "aborted": sum(m["wrong"] == "" and m["end"] != "done" for m in missions),
+        "wrong": wrong,
+        "pass": max((m["pass"] or 1e3 for m in done), default=None),
+        "clearance": min((m["clearance"] for m in judged), default=None),
+        "blind": max((m["blind"] for m in judged), default=None),
+        "median": round(statistics.median(ratios), 3) if ratios else None,
+        "slowest": round(max(ratios), 3) if ratios else None,
+        "slow": sum(ratio > SLOWEST for ratio in ratios),
+    }
+
+
+def rows(missions: list[Mission]) -> list[Row]:
+    return [
+        row(f"{kind}, {'all faults' if faults else 'ideal'}", chosen)
+        for kind in ("simulated", "real")
+        for faults in (False, True)
+        if (
+            chosen := [
+                m for m in missions if m["kind"] == kind and m["faults"] is faults
+            ]
+        )
+    ]
+
+
+def shown(key: str, value: Any) -> str:
+    if value is None:
+        return ""
+    if key in ("median", "slowest"):
+        return f"{value:.2f}"
+    return f"{value:,}" if isinstance(value, int) else str(value)
+
+
+def table(made: list[Row]) -> str:
+    lines = ["| " + " | ".join(HEADS.values()) + " |", "|---" * len(HEADS) + "|"]
+    for line in made:
+        cells = [shown(key, line[key]) for key in HEADS]
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def missed(missions: list[Mission]) -> list[str]:
+    """A line for each mission that misses a goal."""
+    lines = []
+    for mission in missions:
+        what = mission["wrong"]
+        if what == "" and mission["end"] != "done":
+            what = f"aborted: {mission['end']}"
+        elif what == "" and ratio(mission) > SLOWEST:
+            what = f"{ratio(mission):.2f} times as long as an exact robot"
+        if what != "":
+            lines.append(f"{mission['kind']} {mission['number']}: {what}")
+    return lines
+
+
+def processor() -> str:
+    for line in Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.partition(":")[2].strip()
+    return platform.machine()
+
+
+def facts(seed: int) -> dict[str, Any]:
+    return {
+        "machine": f"{processor()}, {os.cpu_count()} processors",
+        "kernel": platform.release(),
+        "sources": os.environ.get("DESTIJL_COMMIT", "unknown"),
+        "begun": time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime()),
+        "seed": seed,
+    }
+
+
+def block(kept: dict[str, Any]) -> str:
+    about = (
+        f"Seed {kept['seed']}, sources {kept['sources']}, {kept['begun']}, "
+        f"{kept['machine']}, Linux {kept['kernel']}."
+    )
+    text = f"{about}\n\n{table(kept['rows'])}\n"
+    if kept["missed"]:
+        text += "\nGoals missed:\n\n" + "".join(f"- {m}\n" for m in kept["missed"])
+    return text
+
+
+def written(page: str, kept: dict[str, Any]) -> str:
+    pattern = re.compile(
+        r"^(<!-- table: missions -->\n)(?:(?!<!--).*\n)*?(<!-- end -->\n)", re.M
+    )
+    found = len(pattern.findall(page))
+    if found != 1:
+        raise Wrong(f"{PAGE.name}: {found} tables missions, not 1")
+    return pattern.sub(lambda m: f"{m[1]}\n{block(kept)}\n{m[2]}", page)
+
+
+def document(source: Path) -> None:
+    results = json.loads(source.read_text(encoding="utf-8"))
+    missions = results.pop("missions")
+    kept = {**results, "rows": rows(missions), "missed": missed(missions)}
+    page = written(PAGE.read_text(encoding="utf-8"), kept)
+    KEPT.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+    PAGE.write_text(page, encoding="utf-8")
+    print(f"written: {PAGE}")
+
+
+def check_document() -> None:
+    kept = json.loads(KEPT.read_text(encoding="utf-8"))
+    for line in kept["rows"]:
+        for key in HEADS:
+            if key not in line:
+                raise Wrong(f"{KEPT.name} lacks {line['name']}: {key}")
+    page = PAGE.read_text(encoding="utf-8")
+    if written(page, kept) != page:
+        raise Wrong(f"{PAGE.name} has other figures than the results")
+
+
+def main(arguments: list[str]) -> None:
+    if arguments == ["--docs", "--check"]:
+        check_document()
+        return
+    if arguments[:1] == ["--docs"]:
+        if len(arguments) != 2:
+            raise Wrong("--docs needs the results of --out")
+        document(Path(arguments[1]))
+        return
+    parser = argparse.ArgumentParser(
+        prog="script/bench missions",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        usage=argparse.SUPPRESS,
+    )
+    parser.add_argument("--simulated", type=int, default=1000, help="(1000)")
+    parser.add_argument("--real", type=int, default=50, help="(50)")
+    parser.add_argument("--seed", type=int, default=1, help="others (1)")
+    parser.add_argument("--out", type=Path, help="file for all results, as JSON")
+    parser.add_argument("--check", action="store_true", help="fail if a goal is missed")
+    chosen = parser.parse_args(arguments)
+    about = facts(chosen.seed)
+    missions = run(chosen.simulated, chosen.real, chosen.seed)
+    if chosen.out is not None:
+        lines = ",\n".join(json.dumps(mission) for mission in missions)
+        text = json.dumps(about)[:-1] + f', "missions": [\n{lines}]}}\n'
+        chosen.out.write_text(text, encoding="utf-8")
+    print(table(rows(missions)))
+    complaints = missed(missions)
+    print("\n".join(complaints))
+    if chosen.check and complaints:
+        raise Wrong(f"{len(complaints)} missions miss a goal")
+
+
+if __name__ == "__main__":
+    try:
+        main(sys.argv[1:])
+    except (Wrong, KeyError, OSError, ValueError) as problem:
+        sys.exit(f"missions: {problem}")

@@ -1,0 +1,181 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Carries out random missions, real and simulated, and prints one line of
+--  JSON for each.
+
+with Ada.Exceptions;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;           use Ada.Text_IO;
+with GNAT.OS_Lib;
+
+with Child_Processes;
+with Emulators;
+with Expectations;
+with Judged_Simulations;
+with Mission_Judges;
+with Mission_Lines;         use Mission_Lines;
+with Mission_Pictures;
+with Mission_Plans;         use Mission_Plans;
+with Option_Readers;        use Option_Readers;
+with Own_Process;
+with Plain_Numbers;         use Plain_Numbers;
+with Programs;
+with Real_Missions;
+
+procedure Destijl_Missions is
+
+   Simulated : Natural  := 0;
+   Real      : Natural  := 0;
+   First     : Positive := 1;
+   Step      : Positive := 1;
+   Seed      : Natural  := 1;
+   Traced    : Boolean  := False;
+
+   Picture, Journal, Pose, Order : Unbounded_String;
+
+   Status : Integer := 0;
+
+   procedure Draw;
+   --  Status 1 where it is not as it should be
+
+   procedure Read_Command_Line;
+
+   procedure Print_Usage (To : File_Type);
+
+   procedure Run_Real (P : Plan);
+
+   procedure Run_Simulated (P : Plan);
+
+   procedure Say (Text : String);
+
+   procedure Print_Usage (To : File_Type) is
+   begin
+      Put_Line (To, "usage: destijl_missions [OPTION]...");
+      Put_Line (To, "   --simulated N   missions in simulated time (0)");
+      Put_Line (To, "   --real N        missions of the supervisor (0)");
+      Put_Line (To, "   --picture FILE  draws one instead: SVG");
+      Put_Line (To, "   --journal FILE  ... what the emulator has printed");
+      Put_Line (To, "   --pose X,Y,A    ... where it stood: cm, degrees");
+      Put_Line (To, "   --order MPCM:X;Y;...");
+      Put_Line (To, "   --seed N        others (1)");
+      Put_Line (To, "   --trace         tells what happens, if simulated");
+      Put_Line (To, "   --first N       the first one's number (1)");
+      Put_Line (To, "   --step N        to the next one's number (1)");
+      Put_Line (To, "   --supervisor PATH, --emulator PATH");
+      Put_Line (To, "                   instead of those beside this one");
+   end Print_Usage;
+
+   procedure Read_Command_Line is
+   begin
+      while Next loop
+         if Name = "--simulated" then
+            Simulated := Number (0);
+         elsif Name = "--real" then
+            Real := Number (0);
+         elsif Name = "--seed" then
+            Seed := Number (0);
+         elsif Name = "--picture" then
+            Picture := To_Unbounded_String (Value);
+         elsif Name = "--journal" then
+            Journal := To_Unbounded_String (Value);
+         elsif Name = "--pose" then
+            Pose := To_Unbounded_String (Value);
+         elsif Name = "--order" then
+            Order := To_Unbounded_String (Value);
+         elsif Name = "--trace" then
+            Traced := True;
+         elsif Name = "--first" then
+            First := Number;
+         elsif Name = "--step" then
+            Step := Number;
+         elsif Programs.Read_Option then
+            null;
+         elsif Name = "--help" then
+            Print_Usage (Standard_Output);
+            GNAT.OS_Lib.OS_Exit (0);
+         else
+            Refuse;
+         end if;
+      end loop;
+   end Read_Command_Line;
+
+   procedure Draw is
+      P     : constant Plan := Read (To_String (Pose), To_String (Order));
+      Notes : Emulators.Notes;
+      V     : Mission_Judges.Verdict;
+   begin
+      Mission_Pictures.Read_Journal (To_String (Journal), Notes);
+      if Notes.Is_Empty then
+         raise Bad_Plan with "no journal in " & To_String (Journal);
+      end if;
+      Mission_Pictures.Draw (P, Notes, To_String (Picture), V);
+      Put_Line
+        (Image (V.Passed) & " of " & Image (P.Count) & " points passed, "
+         & Rounded (Float (V.Pass), 1) & " mm from them at most, by "
+         & Image (V.Orders) & " orders in " & Rounded (Float (V.Time), 1)
+         & " s; exact turns and drives would take "
+         & Rounded (Float (V.Exact), 1) & " s");
+      if V.Wrong /= "" then
+         Put_Line (To_String (V.Wrong));
+         Status := 1;
+      end if;
+   end Draw;
+
+   procedure Run_Real (P : Plan) is
+      V : Mission_Judges.Verdict;
+   begin
+      Real_Missions.Run (P, V);
+      Say (Line ("real", P, V));
+   exception
+      when Problem : Expectations.Failed =>
+         Say (Line ("real", P, Ada.Exceptions.Exception_Message (Problem)));
+   end Run_Real;
+
+   procedure Run_Simulated (P : Plan) is
+      V : Mission_Judges.Verdict;
+   begin
+      Judged_Simulations.Run (P, V, Traced);
+      Say (Line ("simulated", P, V));
+   end Run_Simulated;
+
+   procedure Say (Text : String) is
+   begin
+      Put_Line (Text);
+      Flush;
+   end Say;
+
+begin
+   Own_Process.Ignore_Broken_Pipes;
+   Read_Command_Line;
+   if Picture /= "" then
+      Draw;
+   end if;
+   for K in 0 .. Simulated - 1 loop
+      Run_Simulated (Random (Seed, First + K * Step));
+   end loop;
+   for K in 0 .. Real - 1 loop
+      Run_Real (Random (Seed, First + K * Step));
+   end loop;
+   Programs.Remove_Temporary_Folder;
+   GNAT.OS_Lib.OS_Exit (Status);
+
+exception
+   when Problem : Bad_Usage =>
+      Put_Line
+        (Standard_Error,
+         "destijl_missions: " & Ada.Exceptions.Exception_Message (Problem));
+      Print_Usage (Standard_Error);
+      GNAT.OS_Lib.OS_Exit (2);
+   when Problem : Bad_Plan =>
+      Put_Line
+        (Standard_Error,
+         "destijl_missions: " & Ada.Exceptions.Exception_Message (Problem));
+      GNAT.OS_Lib.OS_Exit (2);
+   when Problem : others =>
+      Child_Processes.Stop_All;
+      Put_Line
+        (Standard_Error,
+         "destijl_missions: "
+         & Ada.Exceptions.Exception_Information (Problem));
+      Programs.Remove_Temporary_Folder;
+      GNAT.OS_Lib.OS_Exit (1);
+end Destijl_Missions;

@@ -1,0 +1,20 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Missions of the real supervisor, with the emulator and its camera in real
+--  time, driven by the monitor's protocol.
+
+with Mission_Judges; use Mission_Judges;
+with Mission_Plans;  use Mission_Plans;
+with Robot_Motion;
+
+package Real_Missions is
+
+   procedure Run
+     (P   : Plan;
+      V   : out Verdict;
+      See : access procedure (Where : Robot_Motion.Pose) := null);
+   --  From nothing: starts the programs, robot, camera and positions, asks for
+   --  the mission and waits for its end. See gets where the robot truly was,
+   --  each millisecond. Raises Failed where a mission cannot even begin, or
+   --  the truth is not certain.
+
+end Real_Missions;

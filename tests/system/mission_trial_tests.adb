@@ -1,0 +1,67 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Random missions, judged.
+
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Expectations;          use Expectations;
+with Mission_Judges;        use Mission_Judges;
+with Mission_Plans;         use Mission_Plans;
+with Plain_Numbers;         use Plain_Numbers;
+with Real_Missions;
+with Scenarios;             use Scenarios;
+
+package body Mission_Trial_Tests is
+
+   Seed : constant := 1;
+   --  The same missions each time, those of script/bench missions
+
+   procedure Ideal;
+   procedure With_Faults;
+
+   procedure Try (Number : Positive);
+   --  Raises Failed unless it is done and reaches the goals
+
+   procedure Try (Number : Positive) is
+      V : Verdict;
+   begin
+      Real_Missions.Run (Random (Seed, Number), V);
+      Note
+        ("mission " & Image (Number) & ": " & Rounded (Float (V.Pass), 1)
+         & " mm from a point at most, "
+         & Rounded (Float (Ratio (V))) & " times an exact robot's time, "
+         & Rounded (Float (V.Blind) * 1_000.0, 0)
+         & " ms without a new position");
+      Check
+        (V.Wrong = "",
+         "mission " & Image (Number) & ": " & To_String (V.Wrong));
+      Check
+        (V.Done,
+         "mission " & Image (Number) & " is aborted: "
+         & To_String (V.Reason));
+      Check
+        (Ratio (V) <= Slowest,
+         "mission " & Image (Number) & " takes "
+         & Rounded (Float (Ratio (V))) & " times an exact robot's time");
+   end Try;
+
+   procedure Ideal is
+   begin
+      Measures_Time;
+      Try (1);
+      Try (3);
+   end Ideal;
+
+   procedure With_Faults is
+   begin
+      Measures_Time;
+      Try (2);
+      Try (4);
+   end With_Faults;
+
+   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   begin
+      Add (Suite, "Mission_Trial_Ideal", Ideal'Access);
+      Add (Suite, "Mission_Trial_With_Faults", With_Faults'Access);
+   end Add_To;
+
+end Mission_Trial_Tests;
