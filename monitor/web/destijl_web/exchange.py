@@ -19,7 +19,8 @@ CAMERA = frozenset(("COPN", "CCLS", "CASA", "CACO", "CAIN", "CPCO", "CPST"))
 WITH_NUMBER = frozenset(("RMOV", "RTRN"))
 MISSIONS = {"MGTO": 1, "MPTH": 64, "MGCM": 1, "MPCM": 64}
 #  With the points that each may have, in pixels of the image or, CM, in
-#  centimetres of the arena
+#  centimetres of the arena; sent in tenths: a line of the supervisor has 1024
+#  characters
 
 LABELS = ROBOT | CAMERA | MISSIONS.keys()
 UNANSWERED = frozenset(("CACO", "CAIN"))
@@ -47,7 +48,7 @@ class Command:
         if self.value is not None:
             text += f":{self.value}"
         elif self.points:
-            text += ":" + ";".join(f"{x:.3f};{y:.3f}" for x, y in self.points)
+            text += ":" + ";".join(f"{x:.1f};{y:.1f}" for x, y in self.points)
         return text.encode("ascii") + b"\n"
 
 

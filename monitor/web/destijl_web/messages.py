@@ -16,8 +16,8 @@ LARGEST = 2**53
 LARGEST_VALUE = 1_000_000
 #  Of a distance or an angle; the supervisor clamps it
 
-LARGEST_COORDINATE = 1_000_000
-#  Of a mission's point; the supervisor reads seven digits
+LARGEST_COORDINATE = 9_999
+#  Of a mission's point: a line with 64 of them is still read
 
 LONGEST_NAME = 30
 

@@ -80,8 +80,5 @@ def test_overdue_from_its_turn_on() -> None:
 def test_lines() -> None:
     assert Command("RGFW").line() == b"RGFW\n"
     assert Command("RTRN", -90).line() == b"RTRN:-90\n"
-    points = ((1.0, 2.0), (-0.25, 1e6))
-    assert (
-        Command("MPTH", points=points).line()
-        == b"MPTH:1.000;2.000;-0.250;1000000.000\n"
-    )
+    points = ((1.0, 2.0), (-0.25, 9999.0))
+    assert Command("MPTH", points=points).line() == b"MPTH:1.0;2.0;-0.2;9999.0\n"

@@ -20,8 +20,8 @@ from destijl_web.messages import Malformed, Name, Order, Ping, Seen, Wheel
             Order(1, "MGTO", None, ((320.0, 240.5),)),
         ),
         (
-            '{"type":"order","id":1,"label":"MPCM","points":[[-1,2],[1e6,-1e6]]}',
-            Order(1, "MPCM", None, ((-1.0, 2.0), (1e6, -1e6))),
+            '{"type":"order","id":1,"label":"MPCM","points":[[-1,2],[9999,-9999.0]]}',
+            Order(1, "MPCM", None, ((-1.0, 2.0), (9999.0, -9999.0))),
         ),
         ('{"type":"wheel","do":"take"}', Wheel("take", None)),
         ('{"type":"wheel","do":"give","to":3}', Wheel("give", 3)),
@@ -70,7 +70,7 @@ def test_read(text: str, message: messages.Message) -> None:
         '{"type":"order","id":1,"label":"MPTH","points":[[1,true]]}',
         '{"type":"order","id":1,"label":"MPTH","points":[[1,null]]}',
         '{"type":"order","id":1,"label":"MPTH","points":[[1,1e999]]}',
-        '{"type":"order","id":1,"label":"MPTH","points":[[1,-1000001]]}',
+        '{"type":"order","id":1,"label":"MPTH","points":[[1,-9999.1]]}',
         '{"type":"order","id":1,"label":"MPTH","points":['
         + ",".join(["[1,2]"] * 65)
         + "]}",

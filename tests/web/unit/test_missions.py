@@ -9,8 +9,8 @@ import pytest
 from destijl_web import messages
 from helpers import Json, Page, World, run, world
 
-PATH = [[100, 120], [300.5, 120], [300.5, 240.25]]
-SENT = "MPTH:100.000;120.000;300.500;120.000;300.500;240.250"
+PATH = [[100, 120], [300.5, 120], [300.5, 240]]
+SENT = "MPTH:100.0;120.0;300.5;120.0;300.5;240.0"
 
 
 async def begun(w: World) -> tuple[Page, Page]:
@@ -28,10 +28,10 @@ def mission(leg: int, distance: int | None) -> Json:
 @pytest.mark.parametrize(
     ("label", "points", "unit", "line"),
     [
-        ("MGTO", [[320, 240]], "px", "MGTO:320.000;240.000"),
+        ("MGTO", [[320, 240]], "px", "MGTO:320.0;240.0"),
         ("MPTH", PATH, "px", SENT),
-        ("MGCM", [[12.5, 30]], "cm", "MGCM:12.500;30.000"),
-        ("MPCM", [[0.1, 0.2], [60, 30]], "cm", "MPCM:0.100;0.200;60.000;30.000"),
+        ("MGCM", [[12.5, 30]], "cm", "MGCM:12.5;30.0"),
+        ("MPCM", [[0.1, 0.2], [60, 30]], "cm", "MPCM:0.1;0.2;60.0;30.0"),
     ],
 )
 def test_taken(label: str, points: list[list[float]], unit: str, line: str) -> None:
@@ -60,9 +60,10 @@ def test_the_longest_path_fits() -> None:
     async def test() -> None:
         async with world() as w:
             driver = await w.driver()
-            points = [[1919.125, -1079.125]] * 64
+            points = [[9999, 1079.9]] * 64
             assert (await driver.order("MPTH", points=points))["answer"] == "AACK"
-            await w.supervisor.heard("MPTH:" + ";".join(["1919.125;-1079.125"] * 64))
+            await w.supervisor.heard("MPTH:" + ";".join(["9999.0;1079.9"] * 64))
+            assert max(map(len, w.supervisor.lines)) < 1024
 
     run(test())
 
