@@ -172,7 +172,6 @@ export class Missions {
     const line = this.stroke?.long ? this.stroke.line : [];
     picture.plan = this.mission;
     picture.path = [...this.points, ...line];
-    picture.overlay.dataset.path = this.points.flat().join(";");
     picture.draw();
     at("path").setAttribute("aria-pressed", String(this.path));
     at("path-tools").hidden = !this.path;
@@ -186,8 +185,7 @@ export class Missions {
     const focused = box.contains(document.activeElement);
     box.hidden = mission === null;
     if (focused && box.hidden) at("path").focus();
-    const plan = mission?.unit === "px" ? mission.points.flat().join(";") : "";
-    Object.assign(box.dataset, { plan, leg: mission?.leg ?? "", distance: mission?.distance ?? "" });
+    Object.assign(box.dataset, { leg: mission?.leg ?? "", distance: mission?.distance ?? "" });
     if (mission === null) return;
     const { leg, of } = mission;
     at("mission-text").textContent = mission.distance === null

@@ -110,7 +110,10 @@ export class Picture {
     // Overlapping segments would be visible at their joints
     context.lineCap = "butt";
     context.lineJoin = "round";
-    if (this.plan?.unit === "px") this.drawPlan(context, place, unit);
+    const plan = this.plan?.unit === "px" ? this.plan.points : [];
+    overlay.dataset.plan = plan.flat().join(";");
+    overlay.dataset.path = this.path.flat().join(";");
+    if (plan.length > 0) this.drawPlan(context, place, unit);
     if (this.trail) this.drawTrail(context, place, unit);
     const { last } = this;
     if (last?.id >= 0) this.drawRobot(context, place, unit, scale, last);
