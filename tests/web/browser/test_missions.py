@@ -75,7 +75,7 @@ def offset(page: Page, point: Point) -> tuple[int, int]:
 
 
 def pointer(page: Page, point: Point) -> ActionChains:
-    return ActionChains(page.driver).move_to_element_with_offset(
+    return ActionChains(page.driver, duration=10).move_to_element_with_offset(
         page.element("picture"), *offset(page, point)
     )
 
