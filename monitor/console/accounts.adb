@@ -90,6 +90,9 @@ package body Accounts is
    procedure Take_Image
      (Line : String; Given : Command; Asked : Boolean; Ended_At : Time);
 
+   procedure Take_Mission (Line : String; Ended_At : Time);
+   --  Its progress or its end
+
    procedure Take_Position (Line : String; Ended_At : Time);
 
    procedure Decode (Text : String; OK : out Boolean) is
@@ -314,6 +317,8 @@ package body Accounts is
          Put_Answer (Line, Given, Ended_At);
       elsif Label = Position_Label and then Marked then
          Take_Position (Line, Ended_At);
+      elsif Label in Progress_Label | End_Label and then Marked then
+         Take_Mission (Line, Ended_At);
       elsif Label = Log_Label and then Marked then
          Put (Ended_At, "*", Line (Line'First + 5 .. Line'Last));
       elsif Line = "ATIM" then
@@ -392,6 +397,25 @@ package body Accounts is
       Show_Status;
       Exchange.See (Words.Image);
    end Take_Image;
+
+   procedure Take_Mission (Line : String; Ended_At : Time) is
+      Data   : constant String := Line (Line'First + 5 .. Line'Last);
+      First  : constant Natural := Index (Data, ";");
+      Second : constant Natural := Index (Data, ";", Ada.Strings.Backward);
+   begin
+      if Head (Line, 4) = End_Label then
+         Put (Ended_At, "*", "mission " & Data);
+         Exchange.See_End (Data);
+      elsif First < Second then
+         Put
+           (Ended_At, "*",
+            "mission: leg " & Data (Data'First .. First - 1) & " of "
+            & Data (First + 1 .. Second - 1) & ", "
+            & Data (Second + 1 .. Data'Last) & " mm to go");
+      else
+         Surprise (Ended_At, "no progress: " & Data);
+      end if;
+   end Take_Mission;
 
    procedure Take_Position (Line : String; Ended_At : Time) is
       P  : Position;

@@ -15,11 +15,15 @@ with Terminals;
 
 package body Connections is
 
+   use type Words.Message_Class;
+
    Max_Line : constant := 6 * 2 ** 20;
    --  Characters: base64 of an image of more than 4 MB
 
    Tick : constant Duration := 0.02;
    --  Polling period for unanswered commands
+
+   Longest_Mission : constant Duration := 600.0;
 
    Farewell : constant Duration := 1.0;
    --  Until the supervisor has read all and closes its side
@@ -54,12 +58,14 @@ package body Connections is
 
    procedure Await (Class : Words.Message_Class; Come : out Boolean) is
    begin
-      Exchange.Watch (Class);
+      if Class /= Words.Mission then
+         Exchange.Watch (Class);
+      end if;
       select
          Exchange.Seen (Class);
          Come := True;
       or
-         delay Limit;
+         delay (if Class = Words.Mission then Longest_Mission else Limit);
          Come := False;
       end select;
    end Await;
@@ -100,6 +106,8 @@ package body Connections is
    end Finish;
 
    function Last_Answer return String is (To_String (Exchange.Last_Answer));
+
+   function Last_End return String is (To_String (Exchange.Last_End));
 
    procedure Lose (Reason : String) is
       Waiting : constant Natural := Exchange.Unanswered;
@@ -196,6 +204,9 @@ package body Connections is
          return;
       end if;
 
+      if Known.Kind in Mission_Order then
+         Exchange.Watch (Words.Mission);
+      end if;
       Write_Line (Line);
    exception
       when Error : Socket_Error =>

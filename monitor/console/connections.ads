@@ -26,7 +26,11 @@ package Connections is
    --  Until every command is answered or overdue
 
    procedure Await (Class : Words.Message_Class; Come : out Boolean);
-   --  The next such message, with the time limit of an answer
+   --  The next such message, with the time limit of an answer. The end of a
+   --  mission: the one since it was asked for, within ten minutes
+
+   function Last_End return String;
+   --  The text of the last mission's end
 
    function Last_Answer return String;
    --  The last command's answer; only its label if it is long; empty if none

@@ -21,6 +21,8 @@ with Words;
 
 procedure Destijl_Monitor is
 
+   use type Words.Message_Class;
+
    Retry : constant Duration := 0.2;
    --  Between the attempts of "try"
 
@@ -78,7 +80,12 @@ procedure Destijl_Monitor is
                Fail
                  (Where & "no "
                   & Words.Name (Given.Awaited) & " within "
-                  & Numerals.Seconds (Values.Timeout) & " s");
+                  & (if Given.Awaited = Words.Mission then "10 min"
+                     else Numerals.Seconds (Values.Timeout) & " s"));
+            elsif Given.Awaited = Words.Mission
+              and then Connections.Last_End /= "done"
+            then
+               Fail (Where & "mission " & Connections.Last_End);
             end if;
 
          when Words.Expect =>

@@ -68,6 +68,8 @@ package body Exchanges is
 
       function Last_Answer return Unbounded_String is (Answer);
 
+      function Last_End return Unbounded_String is (Ended);
+
       procedure Match
         (Line     : String;
          Begun_At : Time;
@@ -124,6 +126,12 @@ package body Exchanges is
       begin
          Flags (Class) := True;
       end See;
+
+      procedure See_End (Text : String) is
+      begin
+         Ended := To_Unbounded_String (Text);
+         Flags (Words.Mission) := True;
+      end See_End;
 
       entry Seen (for Class in Words.Message_Class) when Flags (Class) is
       begin

@@ -69,6 +69,12 @@ package Exchanges is
       entry Seen (Words.Message_Class);
       --  Open when such a message has been received since Watch
 
+      procedure See_End (Text : String);
+      --  A mission has ended: its text
+
+      function Last_End return Unbounded_String;
+      --  That of the last mission; empty if none
+
       procedure Claim_End (First : out Boolean);
       --  First is True for one caller only: the one that ends the program
 
@@ -87,6 +93,7 @@ package Exchanges is
       Missed  : Natural          := 0;
       Served  : Natural          := 0;
       Answer  : Unbounded_String;
+      Ended   : Unbounded_String;
       Flags   : Seen_Flags       := (others => False);
       Ending  : Boolean          := False;
       Silent  : Boolean          := False;

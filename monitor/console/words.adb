@@ -30,6 +30,7 @@ package body Words is
       (+"left", Go_Left, +"turn until stopped"),
       (+"right", Go_Right, +"turn until stopped"),
       (+"stop", Stop_Robot, +"stop the movement"),
+      (+"abort", Abort_Mission, +"stop the mission and the robot"),
       (+"move", Move_Robot, +"N millimetres, backward if negative"),
       (+"turn", Turn_Robot, +"N degrees, to the right if negative"),
       (+"power off", Power_Off_Robot, +"switch the robot off"),
@@ -42,6 +43,10 @@ package body Words is
       (+"reject", Reject_Arena, +"it is wrong: forget it"),
       (+"position on", Start_Position, +"follow the robot's position"),
       (+"position off", Stop_Position, +"follow it no longer"),
+      (+"go px", Go_To_Pixels, +"to a point of the image, in pixels"),
+      (+"follow px", Follow_Pixels, +"1 to 64 such points"),
+      (+"go", Go_To_Centimetres, +"to a point of the arena, in cm"),
+      (+"follow", Follow_Centimetres, +"1 to 64 such points"),
       (+"say", Log_Message, +"TEXT for the supervisor's log"));
 
    function Trimmed (Text : String) return String is
@@ -72,6 +77,16 @@ package body Words is
    function Sending (Text : String) return Action is
      (Kind => Send, Text => +Text, others => <>);
 
+   function Mission_Line (Kind : Mission_Order; Points : String)
+     return String
+   is (Label (Kind) & Separator
+       & Ada.Strings.Fixed.Translate
+           (Spaced (Points), Ada.Strings.Maps.To_Mapping (" ", ";")));
+   --  Blanks between the coordinates will do
+
+   function Is_Understood (Line : String) return Boolean;
+   --  The supervisor takes it
+
    function Wrong (Text : String) return Action is
      (Kind => Mistake, Text => +Text, others => <>);
 
@@ -89,6 +104,13 @@ package body Words is
    function Is_As_Expected (Answer : String; Wanted : String) return Boolean
    is (Answer = Wanted or else Head (Answer, 4) = Wanted);
 
+   function Is_Understood (Line : String) return Boolean is
+      M : Message;
+   begin
+      Parse (Line, M);
+      return M.Kind /= Malformed;
+   end Is_Understood;
+
    procedure List (Put_Line : not null access procedure (Line : String)) is
 
       procedure Put_Entry (Word, Meaning : String);
@@ -100,6 +122,8 @@ package body Words is
 
       function Data (Kind : Known_Kind) return String is
         (if Takes_Number (Kind) then " N"
+         elsif Kind in Mission_Order then
+           (if Is_Single (Kind) then " X;Y" else " X;Y;...")
          elsif Takes_Text (Kind) then " TEXT"
          else "");
 
@@ -113,7 +137,8 @@ package body Words is
       Put_Entry ("save [FILE]", "save the latest image");
       Put_Entry ("wait S", "S seconds, decimals allowed");
       Put_Entry ("wait WHAT", "for the next image, position, battery, or");
-      Put_Entry ("", "robot (a position with a robot in it)");
+      Put_Entry ("", "robot (a position with a robot in it); wait mission:");
+      Put_Entry ("", "for its end, fail if it was aborted");
       Put_Entry ("expect ANSWER", "fail unless it was the last: AACK, RBLV:2");
       Put_Entry ("try N COMMAND", "up to N times, 200 ms apart, until it is");
       Put_Entry ("", "acknowledged");
@@ -143,6 +168,24 @@ package body Words is
                     (Label (P.Sends) & Separator & Numerals.Image (Number))
                   else Wrong
                     (To_String (P.Words) & " wants a whole number"));
+            end if;
+
+         elsif P.Sends in Mission_Order then
+            if Head (Spaced (Lower), Length (P.Words) + 1) = P.Words & " "
+            then
+               declare
+                  Text : constant String := Spaced (Line);
+                  Sent : constant String := Mission_Line
+                    (P.Sends,
+                     Text (Text'First + Length (P.Words) + 1 .. Text'Last));
+               begin
+                  return
+                    (if Is_Understood (Sent) then Sending (Sent)
+                     else Wrong
+                       (To_String (P.Words) & " wants "
+                        & (if Is_Single (P.Sends) then "X;Y"
+                           else "1 to 64 points X;Y;...")));
+               end;
             end if;
 
          elsif Spaced (Lower) = P.Words then
@@ -211,7 +254,8 @@ package body Words is
       return
         (if OK then (Kind => Pause, Seconds => Seconds, others => <>)
          else Wrong
-           ("wait wants seconds, image, position, robot or battery"));
+           ("wait wants seconds, image, position, robot, battery or "
+            & "mission"));
    end Wait_Action;
 
    function Word_Action (Line : String) return Action is

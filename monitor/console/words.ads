@@ -6,8 +6,9 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 package Words is
 
-   type Message_Class is (Image, Position, Robot, Battery);
+   type Message_Class is (Image, Position, Robot, Battery, Mission);
    --  Messages that can be awaited. Robot: a position with a robot in it.
+   --  Mission: the end of the mission that was asked for last.
 
    type Action_Kind is
      (Nothing,       --  an empty line, a comment

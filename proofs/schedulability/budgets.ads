@@ -33,6 +33,7 @@ package Budgets with SPARK_Mode is
                            --  wait for the gap after the last message
       Send_Answer,         --  th_sendToMon: an answer
       Send_Battery,        --  th_sendToMon: a battery level
+      Send_Mission,        --  th_sendToMon: a mission's progress or end
       Send_Position,       --  th_sendToMon: a position
       Send_Image,          --  th_sendToMon: an image
       Battery_Due,         --  th_batteryLevel: asks for the level
@@ -49,6 +50,11 @@ package Budgets with SPARK_Mode is
       Query_Done,          --  th_query: waits for its next order
       Ping_Due,            --  th_keepAlive: asks, where the line is idle
       Ping_Done,           --  th_keepAlive: when the next is due
+      Mission_Begin,       --  th_mission: whether it may begin; the answer
+      Mission_Due,         --  th_mission: at its time, one look at what is
+                           --  known, up to its request
+      Mission_Seen,        --  th_mission: a position: the same
+      Mission_Told,        --  th_mission: the request has been carried out
       Camera_Order,        --  th_cameraControl: asks for the camera, or
                            --  answers at once
       Camera_Answer,       --  th_cameraControl: answers when it is open
@@ -109,6 +115,7 @@ package Budgets with SPARK_Mode is
                                           --  to wait, the wake-up included
       Send_Answer     => (140, 105),      --  each 139 of 4817, 105 of 350
       Send_Battery    => (140, 105),      --  as an answer
+      Send_Mission    => (140, 105),      --  as an answer
       Send_Position   => (220, 105),      --  each 216 of 600; as an answer
       Send_Image      => (280, 355),      --  bench 276, 353 of 1495
       Battery_Due     => (150, 65),       --  asking, bench 65 of 136
@@ -125,6 +132,10 @@ package Budgets with SPARK_Mode is
       Query_Done      => (150, 70),
       Ping_Due        => (150, 55),       --  asking, bench 52 of 359
       Ping_Done       => (150, 55),
+      Mission_Begin   => (300, 300),
+      Mission_Due     => (200, 200),
+      Mission_Seen    => (200, 200),
+      Mission_Told    => (200, 200),
       Camera_Order    => (165, 40),       --  each 162 of 311, 39 of 36
       Camera_Answer   => (165, 40),
       Capture         => (6_600, 9_500),  --  bench 6593 of 3155, 9414 of 663
@@ -149,9 +160,9 @@ package Budgets with SPARK_Mode is
      (Outbox_Operation,    --  all but Take: none copies an image
       Outbox_Take,
       Line_Operation,      --  Robot.Line
-      Port_Operation,      --  Order_Ports, Vision.Queue
+      Port_Operation,      --  Order_Ports, Vision.Queue, Missions.Requests
       Vision_Operation,    --  Vision.State, Vision.Camera_Requests,
-                           --  Vision.Frame_Store
+                           --  Vision.Frame_Store, Vision.Sightings
       Session_Operation,
       Journal_Operation);
 
@@ -179,11 +190,16 @@ package Budgets with SPARK_Mode is
    Command_Interval : constant Positive_Span := 50_000;
    --  between two commands of the monitor: 20 a second. script/bench sends
    --  25, of which 17 go to the robot
+   Question_Interval : constant Positive_Span := 100_000;
+   --  the same while a mission is under way
    Session_Interval : constant Positive_Span := 1_000_000;
-   --  between two beginnings, two ends of a session
+   --  between two beginnings, two ends of a session; of a mission, by order
    Arena_Interval   : constant Positive_Span := 1_000_000;
    Camera_Interval  : constant Positive_Span := 33_333;
    --  30 images a second are asked of a camera
+   Mission_Pause    : constant Positive_Span := 20_000;
+   --  after the robot's answer to a mission, which was a question whether it
+   --  still moves, until the next
    Tick_Interval    : constant Positive_Span := 1_000;
    --  of the kernel: timer ticks, network and serial interrupts together
 
@@ -210,6 +226,8 @@ package Budgets with SPARK_Mode is
    Short_Frame    : constant := 3;   --  one letter
    Stop_Frame     : constant := 5;   --  M=0
    Longest_Frame  : constant := 10;  --  M=-32768
+   Mission_Frame  : constant := 9;
+   --  M=-5000
    Probe_Frames   : constant := 5;
    --  a letter and what the answer to V is longer than the usual one
 

@@ -50,7 +50,12 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          when Camera_Answer | Send_Answer => "answer",
          when Send_Look       => "gap",
          when Send_Battery    => "battery",
+         when Send_Mission    => "mission",
          when Send_Position   => "position",
+         when Mission_Begin   => "begin",
+         when Mission_Due     => "due",
+         when Mission_Seen    => "position",
+         when Mission_Told    => "done",
          when Send_Image      => "image",
          when others          => "");
 
@@ -67,7 +72,8 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          when F13_Level       => "F13 level due to its message, no hold",
          when F13_Processor   => "F13 the same without line and gap *",
          when F15_Image       => "F15 image due to image ready",
-         when F15_Jitter      => "F15 jitter of the image sent *");
+         when F15_Jitter      => "F15 jitter of the image sent *",
+         when Mission_Order   => "mission: image to its order's first byte");
 
    procedure Print_Calls;
    --  For proofs/schedulability/calls: each activity's task, whether it stays
@@ -103,7 +109,12 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       Good    : out Boolean);
    --  What is promised amid newcomers without end. Good: so are those
 
-   procedure Print_Limits (On : Machine);
+   procedure Analyse_Missions
+     (Title : String; On : Machine; Demanded : Boolean; Good : out Boolean);
+   --  What is promised while missions are under way. Demanded: a mission's
+   --  order in time, too
+
+   procedure Print_Limits (On : Machine; Under : Load := Load_Here);
    --  How far each assumption may be wrong before a deadline is missed
 
    function Milliseconds (Value : Microseconds) return String is
@@ -128,6 +139,32 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
    end Print_Calls;
 
    procedure Print_Table (Item : Analysis) is
+
+      procedure Put_Row (A : Activity_Name);
+
+      procedure Put_Row (A : Activity_Name) is
+         R        : Activity renames Item.Set (Row (A));
+         B        : Bound renames Item.Bounds (A);
+         Deadline : constant Span := Item.Deadlines (A);
+      begin
+         Put_Line
+           (Head (Head (Task_Name (A), 18) & Part (A), 27)
+            & Column (Trim (Urgency'Image (R.Priority), Both), 4)
+            & Column (Trim (Processor_Number'Image (R.Processor), Both), 4)
+            & Column (Milliseconds (R.Period), 10)
+            & Column
+                ((if Deadline = 0 then "-" else Milliseconds (Deadline)),
+                 10)
+            & Column (Milliseconds (R.Budget), 9)
+            & Column (Milliseconds (R.Blocking), 9)
+            & Column
+                ((if B.Exists then Milliseconds (B.Local) else "none"), 9)
+            & (if Deadline = 0 then ""
+               elsif not B.Exists or else B.Local > Deadline
+               then Column ("MISSED", 10)
+               else Column (Milliseconds (Deadline - B.Local), 10)));
+      end Put_Row;
+
    begin
       Put_Line
         (Head ("task", 27) & "prio cpu" & Column ("period", 10)
@@ -135,28 +172,9 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          & Column ("blocking", 9) & Column ("response", 9)
          & Column ("margin", 10));
       for A in Activity_Name loop
-         declare
-            R        : Activity renames Item.Set (Row (A));
-            B        : Bound renames Item.Bounds (A);
-            Deadline : constant Span := Item.Deadlines (A);
-         begin
-            Put_Line
-              (Head (Head (Task_Name (A), 18) & Part (A), 27)
-               & Column (Trim (Urgency'Image (R.Priority), Both), 4)
-               & Column (Trim (Processor_Number'Image (R.Processor), Both), 4)
-               & Column (Milliseconds (R.Period), 10)
-               & Column
-                   ((if Deadline = 0 then "-" else Milliseconds (Deadline)),
-                    10)
-               & Column (Milliseconds (R.Budget), 9)
-               & Column (Milliseconds (R.Blocking), 9)
-               & Column
-                   ((if B.Exists then Milliseconds (B.Local) else "none"), 9)
-               & (if Deadline = 0 then ""
-                  elsif not B.Exists or else B.Local > Deadline
-                  then Column ("MISSED", 10)
-                  else Column (Milliseconds (Deadline - B.Local), 10)));
-         end;
+         if Item.Set (Row (A)).Budget > 0 or else A = Environment then
+            Put_Row (A);
+         end if;
       end loop;
    end Print_Table;
 
@@ -167,6 +185,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
             when Stop_Order  => "stop",
             when Reload      => "reload",
             when Movement    => "movement",
+            when Mission     => "mission",
             when Battery     => "battery",
             when Other_Order => "other order",
             when Ping        => "ping",
@@ -176,36 +195,45 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
         (Head ("robot's line, by urgency", 27) & Column ("length", 18)
          & Column ("begun", 10) & Column ("ended", 9));
       for C in Line_Client range Line_Client'First .. Ping loop
-         Put_Line
-           (Head (Client_Name (C), 27)
-            & Column (Milliseconds (Item.Line_Length (C)), 18)
-            & (if Item.Line (C).Exists
-               then Column (Milliseconds (Item.Line (C).Start), 10)
-                 & Column (Milliseconds (Item.Line (C).Finish), 9)
-               else Column ("none", 10)));
+         if Item.Line_Length (C) > 0 then
+            Put_Line
+              (Head (Client_Name (C), 27)
+               & Column (Milliseconds (Item.Line_Length (C)), 18)
+               & (if Item.Line (C).Exists
+                  then Column (Milliseconds (Item.Line (C).Start), 10)
+                    & Column (Milliseconds (Item.Line (C).Finish), 9)
+                  else Column ("none", 10)));
+         end if;
       end loop;
    end Print_Line;
 
    procedure Print_Requirements (Item : Analysis) is
+
+      procedure Put_Row (R : Requirement_Name);
+
+      procedure Put_Row (R : Requirement_Name) is
+         This : Requirement renames Item.Requirements (R);
+      begin
+         Put_Line
+           (Head (Meaning (R), 44)
+            & Column
+                ((if This.Known then Milliseconds (This.Bound)
+                  else "none"), 10)
+            & Column (Milliseconds (This.Limit), 10)
+            & (if Met (This)
+               then Column (Milliseconds (This.Limit - This.Bound), 10)
+               elsif Always (R) then Column ("MISSED", 10)
+               else Column ("not all", 10)));
+      end Put_Row;
+
    begin
       Put_Line
         (Head ("from the cause to the effect", 44) & Column ("bound", 10)
          & Column ("demanded", 10) & Column ("margin", 10));
       for R in Requirement_Name loop
-         declare
-            This : Requirement renames Item.Requirements (R);
-         begin
-            Put_Line
-              (Head (Meaning (R), 44)
-               & Column
-                   ((if This.Known then Milliseconds (This.Bound)
-                     else "none"), 10)
-               & Column (Milliseconds (This.Limit), 10)
-               & (if Met (This)
-                  then Column (Milliseconds (This.Limit - This.Bound), 10)
-                  elsif Always (R) then Column ("MISSED", 10)
-                  else Column ("not all", 10)));
-         end;
+         if Item.Requirements (R).Limit > 0 then
+            Put_Row (R);
+         end if;
       end loop;
    end Print_Requirements;
 
@@ -338,7 +366,31 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          & " per cent of the budgets");
    end Analyse_Flood;
 
-   procedure Print_Limits (On : Machine) is
+   procedure Analyse_Missions
+     (Title : String; On : Machine; Demanded : Boolean; Good : out Boolean)
+   is
+      Under  : constant Load := (Mission => True, others => <>);
+      Result : Analysis;
+   begin
+      Analyse (Of_The_Table, Real_Time_Apart, On, Under, Result);
+      Good := Deadlines_Met (Result)
+        and then
+          (not Demanded or else Met (Result.Requirements (Mission_Order)));
+      New_Line;
+      Put_Line ("== beside missions, " & Title);
+      Print_Table (Result);
+      Print_Loads (Result);
+      New_Line;
+      Print_Line (Result);
+      New_Line;
+      Print_Requirements (Result);
+      Put_Line
+        ("verdict: " & (if Good then "" else "NOT ") & "every deadline is met"
+         & (if Demanded then "" else ", but for a mission's order"));
+      Print_Limits (On, Under);
+   end Analyse_Missions;
+
+   procedure Print_Limits (On : Machine; Under : Load := Load_Here) is
 
       generic
          Step, Last : Microseconds;
@@ -355,7 +407,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          while Value <= Last loop
             declare
                M : Machine := On;
-               L : Load;
+               L : Load := Under;
             begin
                Choose (Value, M, L);
                Analyse (Of_The_Table, Real_Time_Apart, M, L, Result);
@@ -424,8 +476,8 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
                 & Column (Milliseconds (Turnaround_All), 20));
    end Print_Limits;
 
-   Good_Here, Good_On_Pi, Flood_Here, Flood_On_Pi, Unused : Boolean;
-   Good : Boolean;
+   Good_Here, Good_On_Pi, Flood_Here, Flood_On_Pi, Missions_Here,
+   Missions_On_Pi, Good, Unused : Boolean;
 
 begin
    if Argument_Count = 1 and then Argument (1) = "--all" then
@@ -459,6 +511,8 @@ begin
       & ", image work on cpu 2 to 4",
       Of_The_Table, Real_Time_Apart, Pi, Load_Here, True, Good_On_Pi);
    Print_Limits (Pi);
+   Analyse_Missions ("this machine", Here, True, Missions_Here);
+   Analyse_Missions ("Cortex-A53", Pi, False, Missions_On_Pi);
    Analyse_Flood ("this machine", Here, (others => True), Flood_Here);
    Analyse_Flood
      ("Cortex-A53", Pi, (F13_Level => False, others => True), Flood_On_Pi);
@@ -487,6 +541,7 @@ begin
       & (if Ceilings_Hold (Of_The_Table) then "none below a caller"
          else "BELOW a caller's priority"));
    Good := Good_Here and then Good_On_Pi
+     and then Missions_Here and then Missions_On_Pi
      and then Flood_Here and then Flood_On_Pi
      and then Ceilings_Hold (Of_The_Table);
    Put_Line

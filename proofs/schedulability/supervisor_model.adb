@@ -26,11 +26,18 @@ package body Supervisor_Model with SPARK_Mode is
    Reload_Quiet   : constant Integer := Schedule.Reload_Quiet / One;
    Answer_Timeout : constant Integer := Schedule.Answer_Timeout / One;
    Newcomer_Interval : constant Integer := Schedule.Newcomer_Interval / One;
+   Mission_Period : constant Integer := Schedule.Mission_Period / One;
+   Mission_Limit  : constant Integer := Schedule.Mission_Order_Limit / One;
 
    Image_Period   : constant := 100_000;  --  F15
    Hold_Interval  : constant := 50_000;
    --  th_hold has to do with each hold once, and at its end: a hold begins
    --  after a message, and with a command or the message after
+
+   Oldest_Image   : constant Span :=
+     Camera_Interval + Span (Vision.Image_Grid.Reserve (Image_Period));
+   --  How long ago an image has come, at most, when it is taken: it is the one
+   --  before the newest where that is kept in reserve
 
    --  A command of the monitor is for one of these, so that for everybody
    --  else they are one stream, of the longest and a command apart
@@ -45,6 +52,14 @@ package body Supervisor_Model with SPARK_Mode is
      Done_Name in Move_Done | Open_Done | Start_Done | Watchdog_Done
        | Reset_Done | Query_Done;
    --  th_line has carried it out and answered, and lets the task go on
+
+   subtype Mission_Name is Activity_Name range Mission_Begin .. Mission_Told;
+
+   subtype Mission_Look is Mission_Name range Mission_Due .. Mission_Seen;
+
+   subtype Mission_Under_Way is Activity_Name
+   with Static_Predicate =>
+     Mission_Under_Way in Send_Mission | Mission_Due .. Mission_Told;
 
    function Task_Of (Name : Task_Activity) return Schedule.Task_Name;
 
@@ -61,7 +76,16 @@ package body Supervisor_Model with SPARK_Mode is
      (Capped (Microseconds (Length) * To_Span (Byte_Time)))
    with Pre => Length <= 1_000;
 
-   function Period_Of (Name : Activity_Name) return Positive_Span;
+   function Line_Interval return Positive_Span is
+     (Positive_Span'Max (1, Frame_Time (2 * Short_Frame)));
+   --  From one exchange to the next: no sooner than the line has carried a
+   --  command and an answer
+
+   function Commands_Apart (Under : Load) return Positive_Span is
+     (if Under.Mission then Question_Interval else Command_Interval);
+
+   function Period_Of (Name : Activity_Name; Under : Load)
+     return Positive_Span;
 
    function Processor_Of
      (Name : Activity_Name; Where : Placement; On : Machine)
@@ -135,6 +159,7 @@ package body Supervisor_Model with SPARK_Mode is
      (Set     : in out Activity_Set;
       Bounds  : Row_Bounds;
       Line    : Line_Bounds;
+      Under   : Load;
       Changed : out Boolean);
 
    function Budget_Of (Name : Activity_Name; On : Machine) return Span is
@@ -160,6 +185,7 @@ package body Supervisor_Model with SPARK_Mode is
       Owner  : Owner_Bounds;
       Line   : Line_Bounds;
       On     : Machine;
+      Under  : Load;
       Result : out Requirement_Array);
 
    function Task_Of (Name : Task_Activity) return Schedule.Task_Name is
@@ -180,6 +206,7 @@ package body Supervisor_Model with SPARK_Mode is
          when Reset_Order | Reset_Done   => Schedule.Th_Reset_Robot,
          when Query_Order | Query_Done   => Schedule.Th_Query,
          when Ping_Due | Ping_Done       => Schedule.Th_Keep_Alive,
+         when Mission_Name    => Schedule.Th_Mission,
          when Camera_Order | Camera_Answer => Schedule.Th_Camera_Control,
          when Capture         => Schedule.Th_Capture_Img,
          when Arena           => Schedule.Th_Arene,
@@ -216,26 +243,33 @@ package body Supervisor_Model with SPARK_Mode is
            (if Calls (A, O) > 0
             then Priority_Of (A, Choice) <= Ceiling_Of (O))));
 
-   function Period_Of (Name : Activity_Name) return Positive_Span is
+   function Period_Of (Name : Activity_Name; Under : Load)
+     return Positive_Span
+   is
      (case Name is
          when Kernel => Tick_Interval,
-         when Stop | Newcomer | Environment | Line_Open
-            | Open_Order .. Reset_Done | Camera_Order | Camera_Answer =>
+         when Newcomer =>
+           (if Under.Flood then To_Period (Newcomer_Interval)
+            else Session_Interval),
+         when Stop | Environment | Line_Open
+            | Open_Order .. Reset_Done | Mission_Begin | Camera_Order
+            | Camera_Answer =>
             Session_Interval,
-         when Line_Request | Line_Answer =>
-            --  no sooner than the line has carried a command and an answer
-            Positive_Span'Max (1, Frame_Time (2 * Short_Frame)),
+         when Line_Request | Line_Answer => Line_Interval,
          when Reload_Due | Reload_Done => To_Period (Reload_Period),
          when Line_Outcome | Move_Order | Move_Done | Receive | Send_Answer
-            | Query_Order | Query_Done => Command_Interval,
+            | Query_Order | Query_Done => Commands_Apart (Under),
          when Loss => To_Period (Link_Period),
          when Hold => Hold_Interval,
          when Send_Look => Answer_Gap,
          when Send_Battery | Battery_Due | Battery_Done =>
             To_Period (Battery_Period),
-         when Send_Position | Send_Image | Capture =>
+         when Mission_Due => To_Period (Mission_Period),
+         when Mission_Told => Mission_Pause + Line_Interval,
+         when Send_Position | Send_Image | Capture | Mission_Seen
+            | Send_Mission =>
             --  where the grid makes up for what it has lost
-            --  (Vision.Image_Grid)
+            --  (Vision.Image_Grid). A leg ends with a position
             Positive_Span (Vision.Image_Grid.Shortest (Image_Period)),
          when Ping_Due | Ping_Done => To_Period (Ping_Period),
          when Arena => Arena_Interval,
@@ -258,9 +292,11 @@ package body Supervisor_Model with SPARK_Mode is
      (case Which is
          when Outbox_Operation =>
            (case Name is
-               when Line_Outcome | Battery_Done | Loss | Newcomer => 1,
+               when Line_Outcome | Battery_Done | Loss | Newcomer
+                  | Mission_Look => 1,
                when Line_Answer | Receive | Camera_Order | Camera_Answer => 2,
                when Capture | Arena => 3,
+               when Mission_Begin => 4,
                when Hold => 9,
                when others => 0),
          when Outbox_Take =>
@@ -271,16 +307,18 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Line_Operation =>
            (case Name is
-               when Line_Request | Line_Answer | Receive | Order_Name
-                  | Ping_Done => 1,
-               when Line_Open | Loss | Battery_Due | Battery_Done
+               when Line_Request | Line_Answer | Order_Name | Ping_Done
+                  | Mission_Told => 1,
+               when Line_Open | Receive | Loss | Battery_Due | Battery_Done
                   | Ping_Due => 2,
-               when Stop | Reload_Due | Reload_Done => 3,
+               when Stop | Reload_Due | Reload_Done | Mission_Look => 3,
+               when Mission_Begin => 5,
+               --  with the first look
                when others => 0),
          when Port_Operation =>
            (case Name is
-               when Order_Name => 1,
-               when Receive | Camera_Answer => 2,
+               when Order_Name | Mission_Look => 1,
+               when Receive | Mission_Begin | Camera_Answer => 2,
                when Camera_Order | Arena => 3,
                --  its own order, and the next one's way to its task
                when Loss => 8,
@@ -288,10 +326,11 @@ package body Supervisor_Model with SPARK_Mode is
          when Vision_Operation =>
            (case Name is
                when Stop => 1,
-               when Camera_Order | Camera_Answer => 3,
+               when Mission_Look | Camera_Order | Camera_Answer => 3,
                when Loss => 4,
                when Arena => 5,
-               when Capture | Camera => 8,
+               when Mission_Begin => 6,
+               when Camera | Capture => 8,
                --  with a look that finds no image; with the end of a camera
                when others => 0),
          when Session_Operation =>
@@ -301,6 +340,8 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Journal_Operation =>
            (case Name is
+               when Mission_Look => 1,
+               when Mission_Begin => 2,
                when Line_Answer .. Line_Open | Receive | Loss => 3,
                --  the longest line
                when Stop => 5,
@@ -379,7 +420,7 @@ package body Supervisor_Model with SPARK_Mode is
       begin
          Whole.Processor := Item.Processor;
          Whole.Priority := Urgency'Max (Whole.Priority, Item.Priority);
-         Whole.Period := Command_Interval;
+         Whole.Period := Commands_Apart (Under);
          Whole.Budget := Span'Max (Whole.Budget, Item.Budget);
          Whole.Suspension := Span'Max (Whole.Suspension, Item.Suspension);
          Whole.Deferral := Span'Max (Whole.Deferral, Item.Deferral);
@@ -397,11 +438,11 @@ package body Supervisor_Model with SPARK_Mode is
          Set (Row (A)) :=
            (Processor => Processor_Of (A, Where, On),
             Priority  => Priority_Of (A, Choice),
-            Period    =>
-              (if A = Newcomer and then Under.Flood
-               then To_Period (Newcomer_Interval) else Period_Of (A)),
+            Period    => Period_Of (A, Under),
             Jitter    => 0,
-            Budget    => Budget_Of (A, On),
+            Budget    =>
+              (if A in Mission_Under_Way and then not Under.Mission then 0
+               else Budget_Of (A, On)),
             Suspension => 0,
             Deferral  => 0,
             Tail      =>
@@ -497,7 +538,7 @@ package body Supervisor_Model with SPARK_Mode is
    begin
       Pre_Emptive_Bound (Set, Which, Result);
       if Which /= Row (Line_Outcome) then
-         Paced (Row (Line_Outcome)).Period := Period_Of (Line_Answer);
+         Paced (Row (Line_Outcome)).Period := Line_Interval;
          Paced (Row (Line_Outcome)).Jitter := 0;
          Paced (Row (Line_Outcome)).Deferral := 0;
          Pre_Emptive_Bound (Paced, Which, Other);
@@ -545,10 +586,42 @@ package body Supervisor_Model with SPARK_Mode is
 
       type Client_Times is array (Line_Client) of Span;
 
+      Drive  : Span;   --  the longest stop or movement
+      Order  : Span;   --  the longest of the monitor's orders
+      Query  : Span;   --  the longest of those that do not end a mission
+      Alone  : Bound;
+      Behind : Bound;
+      Beside : Bound;
+      Silence : constant Span :=
+        (if Under.Silent
+         then Capped (Frame_Time (Longest_Frame) + To_Span (Answer_Timeout)
+                      + Own (Owner.Outcome))
+         else 0);
+      Resumed : constant Span :=
+        (if Under.Silent
+         then Capped (Silence + Exchange (Probe_Frames, Owner.Answer))
+         else 0);
+      --  a stop does not wait for the probe
+      Quiet   : constant Span :=
+        (if Under.Silent then 0 else To_Span (Reload_Quiet));
+      --  the exchange that is not answered may be a movement: begun even
+      --  when the reload is nearly due
+
       procedure Bound_One
         (Who : Line_Client; Lengths : Client_Times; Result : out Bound);
       --  Of Who, where each client's transactions have these lengths; 0 for
       --  one that does not occur
+
+      procedure Bound_Mission (Result : out Bound);
+      --  From its request on: only one waits
+
+      procedure Keep_Later (Item : Bound; Result : in out Bound);
+      --  Result holds in this case, too
+
+      function Asked_Apart return Positive_Span is
+        (Positive_Span'Min
+           (Horizon / 2, Positive_Span (Mission_Pause + Length (Mission))));
+      --  From one request of a mission to the next, on the average
 
       procedure Bound_One
         (Who : Line_Client; Lengths : Client_Times; Result : out Bound)
@@ -566,13 +639,19 @@ package body Supervisor_Model with SPARK_Mode is
                      when Battery    => To_Period (Battery_Period),
                      when Ping       => To_Period (Ping_Period),
                      when Unanswered => Horizon,
-                     when others     => Command_Interval),
+                     when Mission    =>
+                       (if Who = Mission then Horizon else Asked_Apart),
+                     when others     => Commands_Apart (Under)),
                Jitter    =>
                  (case C is
                      when Safe_State  => Latest (Bounds (Loss)),
                      when Stop_Order  => Latest (Bounds (Receive)),
                      when Reload      => Latest (Bounds (Reload_Due)),
                      when Movement    => Latest (Bounds (Move_Order)),
+                     when Mission     =>
+                       (if Who = Mission then 0 else 2 * Asked_Apart),
+                     --  a small turn, a question, a drive and a question
+                     --  follow each other at once; then come two images
                      when Battery     => Latest (Bounds (Battery_Due)),
                      when Other_Order => Latest_Order (Bounds),
                      when Ping        => Latest (Bounds (Ping_Due)),
@@ -586,28 +665,54 @@ package body Supervisor_Model with SPARK_Mode is
          Transaction_Bound (Clients, Index (Who), Result);
       end Bound_One;
 
-      Drive  : Span;   --  the longest stop or movement
-      Order  : Span;   --  the longest of the monitor's orders
-      Alone  : Bound;
-      Behind : Bound;
-      Silence : constant Span :=
-        (if Under.Silent
-         then Capped (Frame_Time (Longest_Frame) + To_Span (Answer_Timeout)
-                      + Own (Owner.Outcome))
-         else 0);
-      Resumed : constant Span :=
-        (if Under.Silent
-         then Capped (Silence + Exchange (Probe_Frames, Owner.Answer))
-         else 0);
-      --  a stop does not wait for the probe
-      Quiet   : constant Span :=
-        (if Under.Silent then 0 else To_Span (Reload_Quiet));
-      --  the exchange that is not answered may be a movement: begun even
-      --  when the reload is nearly due
+      procedure Bound_Mission (Result : out Bound) is
+         --  One that comes in the quiet zone waits for the reload, and until
+         --  the next is known; and for what had begun before
+         Zone  : Span;
+         Until_Known : constant Microseconds :=
+           Latest (Bounds (Reload_Due)) + Length (Reload)
+           + (if Bounds (Reload_Done).Exists then Bounds (Reload_Done).Local
+              else Horizon);
+      begin
+         Bound_One
+           (Mission,
+            (Reload      => Length (Reload),
+             Mission     => Length (Mission),
+             Battery     => Length (Battery),
+             Other_Order => Query,
+             Ping        => Length (Ping),
+             others      => 0),
+            Result);
+         Zone := Capped
+           (Span'Max (To_Span (Reload_Quiet), Span'Max (Query, Length (Ping)))
+            + Until_Known);
+         Result.Start := Span'Min
+           (Span'Max (Result.Start, Zone), To_Span (Mission_Limit));
+         Result.Finish := Capped (Result.Start + Length (Mission));
+         Result.Local := Result.Finish;
+      end Bound_Mission;
+
+      procedure Keep_Later (Item : Bound; Result : in out Bound) is
+      begin
+         if Item.Exists and then Result.Exists then
+            Result :=
+              (Exists   => True,
+               Start    => Span'Max (Item.Start, Result.Start),
+               Finish   => Span'Max (Item.Finish, Result.Finish),
+               Local    => Span'Max (Item.Local, Result.Local),
+               Releases => 0);
+         else
+            Result := (others => <>);
+         end if;
+      end Keep_Later;
+
    begin
       Length :=
         (Safe_State | Stop_Order => Exchange (Stop_Frame, Owner.Answer),
          Movement                => Exchange (Longest_Frame, Owner.Outcome),
+         Mission                 =>
+           (if Under.Mission then Exchange (Mission_Frame, Owner.Answer)
+            else 0),
          Other_Order             => Capped
            (Exchange (Stop_Frame, Owner.Answer)
             + Exchange (Short_Frame, Owner.Outcome)),
@@ -616,11 +721,19 @@ package body Supervisor_Model with SPARK_Mode is
          Unanswered              => 0);
       Drive := Span'Max (Length (Stop_Order), Length (Movement));
       Order := Span'Max (Drive, Length (Other_Order));
+      Query := Exchange (Short_Frame, Owner.Outcome);
 
       --  The monitor's orders are one stream: where one is analysed, or has
       --  the line, the next is no nearer than Command_Interval. So the
       --  stream appears once in each set, at its most urgent; where others
       --  may be in progress they appear below as well.
+      --
+      --  An order by hand ends the mission, and what that has asked for is
+      --  not sent any more. So for what is more urgent than a mission one of
+      --  its requests may be in progress, and for a mission itself only
+      --  questions. What is less urgent waits for all its requests, for
+      --  questions, and for one order by hand (here as urgent as Safe_State,
+      --  and as rare).
 
       Line := (others => <>);
 
@@ -630,6 +743,7 @@ package body Supervisor_Model with SPARK_Mode is
           Stop_Order  => 0,
           Reload      => Length (Reload),
           Movement    => 0,
+          Mission     => Length (Mission),
           Battery     => Length (Battery),
           Other_Order => Order,
           Ping        => Length (Ping),
@@ -641,39 +755,49 @@ package body Supervisor_Model with SPARK_Mode is
          (Safe_State | Movement | Other_Order => 0,
           Stop_Order  => Drive,
           Reload      => Length (Reload),
+          Mission     => Length (Mission),
           Battery     => Length (Battery),
           Ping        => Length (Ping),
           Unanswered  => Silence),
          Line (Stop_Order));
 
-      --  The reload waits for an order begun before it is due, and for
-      --  stops; or before these also for one exchange that had begun when
-      --  the quiet zone did
+      --  The reload waits for an order begun before it is due, which may be
+      --  a mission's stop, and for stops; or before these also for one
+      --  exchange that had begun when the quiet zone did
       Bound_One
         (Reload,
-         (Safe_State | Movement | Battery | Other_Order => 0,
+         (Safe_State | Movement | Mission | Battery | Other_Order => 0,
           Stop_Order  => Length (Stop_Order),
           Reload      => Length (Reload),
-          Ping        => Capped (Length (Ping) + Drive - Length (Stop_Order)),
+          Ping        => Capped
+            (Span'Max (Length (Ping), Length (Mission))
+             + Drive - Length (Stop_Order)),
           Unanswered  => Resumed),
          Behind);
       Bound_One
         (Reload,
-         (Safe_State | Movement | Battery | Other_Order | Ping => 0,
+         (Safe_State | Movement | Mission | Battery | Other_Order | Ping => 0,
           Stop_Order  => Drive,
           Reload      => Length (Reload),
           Unanswered  => Resumed),
          Alone);
-      if Alone.Exists and then Behind.Exists then
+      Bound_One
+        (Reload,
+         (Safe_State | Movement | Battery | Other_Order | Ping => 0,
+          Stop_Order  => Length (Stop_Order),
+          Reload      => Length (Reload),
+          Mission     => Span'Min (Length (Stop_Order), Length (Mission)),
+          Unanswered  => Resumed),
+         Beside);
+      if Behind.Exists then
          Line (Reload) :=
            (Exists => True,
-            Start  => Span'Max
-              (Alone.Start, Span'Max (Behind.Start, Quiet) - Quiet),
-            Finish => Span'Max
-              (Alone.Finish, Span'Max (Behind.Finish, Quiet) - Quiet),
-            Local  => Span'Max
-              (Alone.Local, Span'Max (Behind.Local, Quiet) - Quiet),
+            Start  => Span'Max (Behind.Start, Quiet) - Quiet,
+            Finish => Span'Max (Behind.Finish, Quiet) - Quiet,
+            Local  => Span'Max (Behind.Local, Quiet) - Quiet,
             Releases => 0);
+         Keep_Later (Alone, Line (Reload));
+         Keep_Later (Beside, Line (Reload));
       end if;
 
       Bound_One
@@ -681,16 +805,21 @@ package body Supervisor_Model with SPARK_Mode is
          (Safe_State | Stop_Order | Other_Order => 0,
           Reload      => Length (Reload),
           Movement    => Drive,
+          Mission     => Length (Mission),
           Battery     => Length (Battery),
           Ping        => Length (Ping),
           Unanswered  => Resumed),
          Line (Movement));
 
+      Bound_Mission (Line (Mission));
+
       Bound_One
         (Battery,
-         (Safe_State | Movement => 0,
-          Stop_Order  => Drive,
+         (Safe_State  => (if Under.Mission then Drive else 0),
+          Stop_Order  => (if Under.Mission then 0 else Drive),
           Reload      => Length (Reload),
+          Movement    => 0,
+          Mission     => Length (Mission),
           Battery     => Length (Battery),
           Other_Order => Length (Other_Order),
           Ping        => Length (Ping),
@@ -699,19 +828,23 @@ package body Supervisor_Model with SPARK_Mode is
 
       Bound_One
         (Other_Order,
-         (Safe_State | Stop_Order | Movement => 0,
+         (Safe_State  => (if Under.Mission then Order else 0),
+          Stop_Order | Movement => 0,
           Reload      => Length (Reload),
+          Mission     => Length (Mission),
           Battery     => Length (Battery),
-          Other_Order => Order,
+          Other_Order => (if Under.Mission then Query else Order),
           Ping        => Length (Ping),
           Unanswered  => Resumed),
          Line (Other_Order));
 
       Bound_One
         (Ping,
-         (Safe_State | Movement | Other_Order => 0,
-          Stop_Order  => Order,
+         (Safe_State  => (if Under.Mission then Order else 0),
+          Stop_Order  => (if Under.Mission then Query else Order),
           Reload      => Length (Reload),
+          Movement | Other_Order => 0,
+          Mission     => Length (Mission),
           Battery     => Length (Battery),
           Ping        => Length (Ping),
           Unanswered  => Resumed),
@@ -722,13 +855,14 @@ package body Supervisor_Model with SPARK_Mode is
      (Set     : in out Activity_Set;
       Bounds  : Row_Bounds;
       Line    : Line_Bounds;
+      Under   : Load;
       Changed : out Boolean)
    is
       All_Answered : constant Boolean :=
         Line (Movement).Exists and then Line (Other_Order).Exists;
       --  Otherwise answers come as fast as the line works, however late
 
-      Line_Period : constant Positive_Span := Period_Of (Line_Answer);
+      Line_Period : constant Positive_Span := Line_Interval;
       Line_Jitter : constant Span := Latest (Bounds (Line_Answer));
       Line_End    : constant Span := Latest (Bounds (Line_Outcome));
 
@@ -779,8 +913,8 @@ package body Supervisor_Model with SPARK_Mode is
               (Row (A), Set (Row (A)).Period,
                (case A is
                    when Reload_Done  =>
-                      Latest_Answered (Line (Reload), Period_Of (A)),
-                   when Order_Name | Camera_Order =>
+                      Latest_Answered (Line (Reload), Period_Of (A, Under)),
+                   when Order_Name | Mission_Begin | Camera_Order =>
                       Latest (Bounds (Receive)),
                    when Move_Done    => Latest (Line (Movement)),
                    when Line_Open | Open_Done | Start_Done | Watchdog_Done
@@ -788,13 +922,16 @@ package body Supervisor_Model with SPARK_Mode is
                       Latest (Line (Other_Order)),
                    when Line_Outcome => Latest_Answer (Line),
                    when Battery_Done =>
-                      Latest_Answered (Line (Battery), Period_Of (A)),
+                      Latest_Answered (Line (Battery), Period_Of (A, Under)),
                    when Ping_Done    =>
-                      Latest_Answered (Line (Ping), Period_Of (A)),
+                      Latest_Answered (Line (Ping), Period_Of (A, Under)),
                    when Send_Answer  => Span'Max
                      (Latest (Bounds (Receive)), Latest_Answer (Line)),
+                   when Mission_Told =>
+                      2 * Period_Of (A, Under),
                    when Send_Battery => Latest (Bounds (Battery_Done)),
-                   when Send_Position | Send_Image =>
+                   when Send_Mission => Latest (Bounds (Mission_Seen)),
+                   when Send_Position | Send_Image | Mission_Seen =>
                       Latest (Bounds (Capture)),
                    when others       => 0));
          end if;
@@ -810,10 +947,10 @@ package body Supervisor_Model with SPARK_Mode is
       Change_Deferral (Orders_Row, Orders);
       Change_Deferral (Done_Row, Dones);
 
-      Change (Orders_Row, Command_Interval, Latest (Bounds (Receive)));
+      Change (Orders_Row, Commands_Apart (Under), Latest (Bounds (Receive)));
       if All_Answered then
          Change
-           (Done_Row, Command_Interval,
+           (Done_Row, Commands_Apart (Under),
             Span'Max (Latest (Line (Movement)), Latest (Line (Other_Order))));
       else
          Change (Done_Row, Line_Period, Line_Jitter);
@@ -871,6 +1008,7 @@ package body Supervisor_Model with SPARK_Mode is
       Owner  : Owner_Bounds;
       Line   : Line_Bounds;
       On     : Machine;
+      Under  : Load;
       Result : out Requirement_Array)
    is
       Spread : constant Span :=
@@ -907,7 +1045,10 @@ package body Supervisor_Model with SPARK_Mode is
            (Limit => To_Period (Battery_Period), others => <>),
          F13_Processor   => Before (Schedule.Th_Battery_Level),
          F15_Image       => (Limit => Image_Period, others => <>),
-         F15_Jitter      => Before (Schedule.Th_Capture_Img));
+         F15_Jitter      => Before (Schedule.Th_Capture_Img),
+         Mission_Order   =>
+           (if Under.Mission then Before (Schedule.Th_Mission)
+            else (others => <>)));
 
       --  th_server has just seen to another; then to the connection, then
       --  to its first line where a token is asked for
@@ -961,9 +1102,19 @@ package body Supervisor_Model with SPARK_Mode is
          Line (Safe_State).Start + Request.Local + Frame_Time (Stop_Frame),
          Line (Safe_State).Exists and then Request.Exists);
 
+      --  the mission: the image that has come is due, searched, looked at
+
+      Conclude
+        (Mission_Order,
+         Oldest_Image + Bounds (Mission_Seen).Finish + Line (Mission).Start
+         + Request.Local,
+         Under.Mission
+         and then Bounds (Mission_Seen).Exists and then Line (Mission).Exists
+         and then Request.Exists);
+
       --  the battery: to its request, and from the answer on. An answer
-      --  may go before the level, and an image before that, each with its
-      --  pause after it. All but the hold
+      --  may go before the level, and news of a mission, and an image before
+      --  that, each with its pause after it. All but the hold
 
       Bound_Chain
         (Set,
@@ -978,7 +1129,8 @@ package body Supervisor_Model with SPARK_Mode is
       Conclude
         (F13_Level,
          Line (Battery).Finish + Ended.Finish
-         + Answer_Gap + Told.Finish + Message_Gap + Told.Finish,
+         + Answer_Gap + Told.Finish
+         + (if Under.Mission then 2 else 1) * (Message_Gap + Told.Finish),
          Line (Battery).Exists and then Ended.Exists and then Told.Exists);
 
       --  the image: in time for the next one; and how far its sending may
@@ -1061,7 +1213,8 @@ package body Supervisor_Model with SPARK_Mode is
          Bound_Line
            (Result.Bounds, Result.Owner, Under, Result.Line_Length,
             Result.Line);
-         Set_Jitters (Result.Set, Result.Bounds, Result.Line, Changed);
+         Set_Jitters
+           (Result.Set, Result.Bounds, Result.Line, Under, Changed);
          Result.Settled := not Changed;
          exit when Result.Settled;
       end loop;
@@ -1075,7 +1228,9 @@ package body Supervisor_Model with SPARK_Mode is
                when Newcomer        => To_Period (Newcomer_Interval),
                when Stop            => 100_000,
                when Reload_Due      => 50_000,     --  F11
-               when others          => Period_Of (A));
+               when Mission_Under_Way => 0,
+               --  one look at a time: late, it only comes later
+               when others          => Period_Of (A, Under));
       end loop;
       In_Session := Result.Set;
       In_Session (Row (Stop)).Budget := 0;
@@ -1083,7 +1238,7 @@ package body Supervisor_Model with SPARK_Mode is
          In_Session (Row (Newcomer)).Budget := 0;
       end if;
       Judge
-        (In_Session, Result.Bounds, Result.Owner, Result.Line, On,
+        (In_Session, Result.Bounds, Result.Owner, Result.Line, On, Under,
          Result.Requirements);
       if not Result.Settled then
          for R of Result.Requirements loop
@@ -1109,7 +1264,8 @@ package body Supervisor_Model with SPARK_Mode is
 
    function All_Met (Result : Analysis) return Boolean is
      (Deadlines_Met (Result)
-      and then (for all R of Result.Requirements => Met (R)));
+      and then
+        (for all R of Result.Requirements => R.Limit = 0 or else Met (R)));
 
    function Load_Of
      (Result : Analysis; Processor : Processor_Number) return Microseconds

@@ -38,12 +38,16 @@ package Supervisor_Model with SPARK_Mode is
       --  one exchange stays without an answer, until its time-out
       Flood      : Boolean := False;
       --  newcomers all the time, as many as th_server sees to
+      Mission    : Boolean := False;
+      --  missions are under way: the monitor's commands are questions,
+      --  Question_Interval apart, and once a second an order by hand, which
+      --  ends the mission
    end record
    with Predicate => Turnaround <= 1_000_000 and then Latency <= 1_000_000;
 
    type Line_Client is
-     (Safe_State, Stop_Order, Reload, Movement, Battery, Other_Order, Ping,
-      Unanswered);
+     (Safe_State, Stop_Order, Reload, Movement, Mission, Battery, Other_Order,
+      Ping, Unanswered);
    --  Of the robot's line, by falling urgency; then an exchange that is not
    --  answered, with the probe that brings the line into step again
 
@@ -59,11 +63,13 @@ package Supervisor_Model with SPARK_Mode is
       F13_Level,
       F13_Processor,
       F15_Image,
-      F15_Jitter);
+      F15_Jitter,
+      Mission_Order);
 
    type Requirement is record
       Bound : Microseconds := 0;
       Limit : Microseconds := 0;
+      --  0: nothing is demanded under this load
       Known : Boolean := False;
       --  a bound exists
    end record;

@@ -27,6 +27,7 @@ package Schedule with SPARK_Mode is
    Reset_Priority          : constant Priority := 20;
    Query_Priority          : constant Priority := 20;
    Keep_Alive_Priority     : constant Priority := 20;
+   Mission_Priority        : constant Priority := 20;
    Camera_Control_Priority : constant Priority := 20;
    Capture_Priority        : constant Priority := 19;
    Arena_Priority          : constant Priority := 18;
@@ -43,6 +44,8 @@ package Schedule with SPARK_Mode is
    --  a lost line must be detected
    Link_Period       : constant Time_Span := Milliseconds (250);
    --  sampling period of the monitor's connection
+   Mission_Period    : constant Time_Span := Milliseconds (20);
+   --  of th_mission while a mission is under way, beside each position
 
    --  The tasks, one row each, the highest priority first.
 
@@ -63,6 +66,7 @@ package Schedule with SPARK_Mode is
       Th_Reset_Robot,
       Th_Query,
       Th_Keep_Alive,
+      Th_Mission,
       Th_Camera_Control,
       Th_Capture_Img,
       Th_Arene,
@@ -152,6 +156,12 @@ package Schedule with SPARK_Mode is
         ("th_keepAlive     ", Keep_Alive_Priority, 20, True,
          Keep_Alive_Period, Unbounded),
       --  pings an idle line
+      Th_Mission =>
+        ("th_mission       ", Mission_Priority, No_Thread, True,
+         On_Event, Milliseconds (100)),
+      --  from an image to the order that follows from it. Below the user's
+      --  orders and the reload, above the images: while a mission is under
+      --  way it looks at each position, and every Mission_Period
       Th_Camera_Control =>
         ("th_cameraControl ", Camera_Control_Priority, 20, True,
          On_Event, Unbounded),
@@ -186,9 +196,11 @@ package Schedule with SPARK_Mode is
    Line_Ceiling    : constant Priority := Stop_Priority;
    Order_Ceiling   : constant Priority := Move_Priority;
    Turn_Ceiling    : constant Priority := Receive_Priority;
+   Mission_Ceiling : constant Priority := Receive_Priority;
    Camera_Ceiling  : constant Priority := Stop_Priority;
    Vision_Ceiling  : constant Priority := Lost_Priority;
    Frame_Ceiling   : constant Priority := Lost_Priority;
+   Sighting_Ceiling : constant Priority := Mission_Priority;
    Session_Ceiling : constant Priority := Stop_Priority;
    Journal_Ceiling : constant Priority := Priority'Last;
    --  the last-chance handler of a failed task also logs
@@ -212,6 +224,13 @@ package Schedule with SPARK_Mode is
    Reload_Quiet_Suspect : constant Time_Span := Milliseconds (110);
    --  the same if the last exchange failed: the next may take the whole answer
    --  time-out
+
+   Mission_Order_Limit : constant Time_Span := Milliseconds (50);
+   --  an order of a mission that has waited this long for the line is not
+   --  sent: the robot is elsewhere by then
+
+   Progress_Interval : constant Time_Span := Milliseconds (1000);
+   --  between two reports on the progress of a mission, or a new leg
 
    Camera_Silence_Tenths : constant := 25;  --  of a second
    Camera_Silence    : constant Time_Span :=

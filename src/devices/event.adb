@@ -28,4 +28,21 @@ package body Event with SPARK_Mode is
       end loop;
    end Wait;
 
+   procedure Wait_Until (At_Time : Time; Was_Set : out Boolean) is
+      Now : Time;
+   begin
+      loop
+         Now := Clock;
+         Event_Counters.Take_Within
+           (Counter,
+            (if At_Time > Now then At_Time - Now else Time_Span_Zero),
+            Times_Set);
+         Now := Clock;
+         exit when Times_Set > 0 or else Now >= At_Time;
+         --  a signal, as above
+         delay until Now + Milliseconds (1);
+      end loop;
+      Was_Set := Times_Set > 0;
+   end Wait_Until;
+
 end Event;

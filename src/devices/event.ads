@@ -4,6 +4,8 @@
 --  more urgent task for as long as the tasks between them run. An event
 --  counter of the kernel has no such mutex.
 
+with Ada.Real_Time;
+
 generic
 package Event with SPARK_Mode is
 
@@ -13,5 +15,9 @@ package Event with SPARK_Mode is
    procedure Wait;
    --  Until the event has been set since the last Wait. GNATprove refuses a
    --  second task that waits, and a wait inside a protected action
+
+   procedure Wait_Until (At_Time : Ada.Real_Time.Time; Was_Set : out Boolean);
+   --  The same, but At_Time ends the wait, too (not Was_Set). An event that
+   --  has been set is taken even after At_Time
 
 end Event;

@@ -1,10 +1,12 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
+with Ada.Real_Time; use Ada.Real_Time;
 with Console;
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
 with Linux;        use Linux;
 with Process;
+with System;
 
 package body Event_Counters with
   SPARK_Mode    => Off,
@@ -38,5 +40,25 @@ is
          then Natural (Unsigned_64'Min (Value, Unsigned_64 (Natural'Last)))
          else 0);
    end Take;
+
+   procedure Take_Within
+     (From : Counter; Limit : Time_Span; Number : out Natural)
+   is
+      Left    : constant Time_Span :=
+        (if Limit > Time_Span_Zero then Limit else Time_Span_Zero);
+      Whole   : constant Integer := Left / Seconds (1);
+      Rest    : constant Time_Span := Left - Seconds (Whole);
+      Wait    : constant Time_Spec :=
+        (long (Whole), long (Rest / Nanoseconds (1)));
+      Entries : Poll_Entry := (int (From), Poll_In, 0);
+   begin
+      if Precise_Poll
+        (Entries'Address, 1, Wait'Address, System.Null_Address) = 1
+      then
+         Take (From, Number);
+      else
+         Number := 0;
+      end if;
+   end Take_Within;
 
 end Event_Counters;

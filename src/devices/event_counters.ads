@@ -2,6 +2,8 @@
 --  The kernel's event counters (eventfd): neither to set nor to take one
 --  holds a lock that another task could wait for.
 
+with Ada.Real_Time;
+
 package Event_Counters with
   SPARK_Mode,
   Abstract_State =>
@@ -24,6 +26,13 @@ is
    with Global => (In_Out => Kernel);
    --  Waits until the counter is not zero, sets it to zero, and says what it
    --  was. Number is 0 where a signal has interrupted the wait
+
+   procedure Take_Within
+     (From : Counter; Limit : Ada.Real_Time.Time_Span; Number : out Natural)
+   with Global => (In_Out => Kernel);
+   --  The same, but waits no longer than Limit, and not at all if it is not
+   --  positive: then, too, Number is 0 where the counter is. For one task
+   --  only
 
 private
 

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Admission.Networks;
+with Missions;
 
 package body Command_Lines with SPARK_Mode is
 
@@ -42,6 +43,7 @@ package body Command_Lines with SPARK_Mode is
          when Quality     => "--jpeg-quality",
          when Marker      => "--marker",
          when Drawing     => "--draw",
+         when Arena_Size  => "--arena-size",
          when Message_Gap => "--message-gap",
          when Log_Level   => "--log-level",
          when Cpu         => "--cpu",
@@ -64,10 +66,18 @@ package body Command_Lines with SPARK_Mode is
    procedure Read_Network (R : in out Reading; Value : String);
    --  Adds a network whose monitors are admitted
 
-   procedure Read_Size (R : in out Reading; Value : String)
+   procedure Read_Size
+     (R             : in out Reading;
+      Value         : String;
+      First         : Natural;
+      Last          : Natural;
+      Width, Height : out Natural)
    with
-     Pre => Value'First > 0 and then Value'Last < Integer'Last;
-   --  The size of the images
+     Pre  => First <= Last
+       and then Value'First > 0
+       and then Value'Last < Integer'Last,
+     Post => Width in First .. Last and then Height in First .. Last;
+   --  WIDTHxHEIGHT, each in First .. Last; else R is Wrong
 
    procedure Read_Text
      (R : in out Reading; Value : String; Result : out Texts.Text);
@@ -161,10 +171,17 @@ package body Command_Lines with SPARK_Mode is
       end if;
    end Read_Number;
 
-   procedure Read_Size (R : in out Reading; Value : String) is
-      Cross  : Natural := 0;
-      Number : Natural;
+   procedure Read_Size
+     (R             : in out Reading;
+      Value         : String;
+      First         : Natural;
+      Last          : Natural;
+      Width, Height : out Natural)
+   is
+      Cross : Natural := 0;
    begin
+      Width := First;
+      Height := First;
       for I in Value'Range loop
          if Value (I) = 'x' then
             Cross := I;
@@ -178,16 +195,10 @@ package body Command_Lines with SPARK_Mode is
          return;
       end if;
       Read_Number
-        (R, Value (Value'First .. Cross - 1),
-         Options.Pixel_Count'First, Options.Pixel_Count'Last,
-         Number);
-      R.Chosen.Width := Number;
+        (R, Value (Value'First .. Cross - 1), First, Last, Width);
       if R.Request /= Wrong then
          Read_Number
-           (R, Value (Cross + 1 .. Value'Last),
-            Options.Pixel_Count'First, Options.Pixel_Count'Last,
-            Number);
-         R.Chosen.Height := Number;
+           (R, Value (Cross + 1 .. Value'Last), First, Last, Height);
       end if;
    end Read_Size;
 
@@ -271,6 +282,7 @@ package body Command_Lines with SPARK_Mode is
 
    procedure Take_Value (R : in out Reading; Value : String) is
       Number : Natural;
+      Second : Natural;
       Text   : Texts.Text;
    begin
       case R.Awaited is
@@ -296,7 +308,11 @@ package body Command_Lines with SPARK_Mode is
             Read_Text (R, Value, Text);
             R.Chosen.Camera := Text;
          when Frame_Size =>
-            Read_Size (R, Value);
+            Read_Size
+              (R, Value, Options.Pixel_Count'First, Options.Pixel_Count'Last,
+               Number, Second);
+            R.Chosen.Width := Number;
+            R.Chosen.Height := Second;
          when Frame_Rate =>
             Read_Number
               (R, Value, Options.Rate'First, Options.Rate'Last,
@@ -326,6 +342,11 @@ package body Command_Lines with SPARK_Mode is
             else
                Fail (R, "--draw: ", Value, " is not all, arena or none");
             end if;
+         when Arena_Size =>
+            Read_Size
+              (R, Value, Missions.Arena_Side'First, Missions.Arena_Side'Last,
+               Number, Second);
+            R.Chosen.Arena_Size := (Width => Number, Height => Second);
          when Message_Gap =>
             Read_Number
               (R, Value, Options.Milliseconds'First,

@@ -16,7 +16,8 @@ package Command_Lines with SPARK_Mode is
 
    type Option_Kind is
      (None, Port, Bind, Allow, Token, Serial, Camera, Frame_Size, Frame_Rate,
-      Quality, Marker, Drawing, Message_Gap, Log_Level, Cpu, Trace);
+      Quality, Marker, Drawing, Arena_Size, Message_Gap, Log_Level, Cpu,
+      Trace);
 
    type Reading is record
       Request : Request_Kind := Run;
@@ -66,6 +67,8 @@ package Command_Lines with SPARK_Mode is
      & "  --jpeg-quality N     1 .. 100 (80)" & LF
      & "  --marker KIND        aruco or triangle (aruco)" & LF
      & "  --draw WHAT          over the images: all, arena or none (all)" & LF
+     & "  --arena-size WxH     size of the arena in cm, for missions (80x60)"
+     & LF
      & "  --message-gap MS     before an unsolicited message, 0 .. 1000 (20);"
      & LF
      & "                       before an answer 4 at most" & LF

@@ -2,15 +2,32 @@
 --  The run of a mission: from what the camera has seen and what the robot has
 --  been told, the next order or none.
 
+with Missions.Angles;
+with Missions.Guards;
+with Robot.Protocol;
 with Robot.Session;
 
 package Missions.Runs with SPARK_Mode is
 
+   pragma Annotate (GNATprove, Terminating, Missions.Runs);
+
+   use type Missions.Angles.Wide;
+   use type Robot.Protocol.Command_Kind;
+   use type Robot.Session.Outcome_Kind;
+   use type Robot.Session.Request_Kind;
+
+   Max_Age     : constant Microseconds := 300_000;
+   --  of the position behind an order, and of the newest image
+   Max_Missing : constant := 3;
+   --  images in a row without the robot
+   Max_Orders  : constant := 40;
+   --  in a leg
+
    type Sighting is record
       Number : Natural      := 0;
-      --  of the image: counts up
+      --  of the image: another one for each
       Taken  : Microseconds := 0;
-      --  when the image was taken
+      --  when it came from the camera. What it shows may be older
       Seen   : Boolean      := False;
       --  exactly one robot is in it
       Where  : Pose;
@@ -19,7 +36,7 @@ package Missions.Runs with SPARK_Mode is
    type Action_Kind is
      (Nothing,       --  wait for the next image, or Next_Look
       Ask,           --  ask the robot whether it moves
-      Order,         --  a movement
+      Order,         --  a movement or, before the first one, a stop
       Stop,          --  the mission has ended: the robot must stop
       Leave);        --  the mission has ended, nothing more is to be done
 
@@ -30,43 +47,251 @@ package Missions.Runs with SPARK_Mode is
    end record;
 
    type Run is private;
+   --  Times are those of one clock, whose zero may be any moment
+
+   function Has_Ended (R : Run) return Boolean;
+
+   function Ended_By (R : Run) return Ending
+   with Pre => Has_Ended (R);
+
+   function Leg (R : Run) return Point_Number;
+   --  The target that is driven to
+
+   function Legs (R : Run) return Point_Number;
+
+   function Distance (R : Run) return Micrometres;
+   --  To it, as last seen
+
+   --  Used in the contracts
+
+   function Size (R : Run) return Arena_Size with Ghost;
+
+   function Position_Time (R : Run) return Microseconds with Ghost;
+   --  When the newest image that shows the robot came
+
+   function Position (R : Run) return Pose with Ghost;
+   --  Where the robot is believed to be while it rests
+
+   function Doubts (R : Run) return Missions.Guards.Doubts;
+   --  What is not known of its next drive
+
+   function Leg_End (R : Run) return Microseconds with Ghost;
+   --  When the leg's time is over
+
+   function Orders_Left (R : Run) return Natural with Ghost;
+   --  Of the whole mission
+
+   function Is_Permitted (R : Run; Request : Robot.Session.Request)
+     return Boolean
+   is (Request.Kind = Robot.Session.Stop
+       or else
+         (Request.Kind = Robot.Session.Drive
+          and then
+            (if Request.Command.Kind = Robot.Protocol.Move then
+                Request.Command.Value in Missions.Guards.Drive_Length
+                and then Missions.Guards.Is_Permitted
+                  (Position (R), Request.Command.Value, Doubts (R),
+                   Size (R)))))
+   with Ghost;
+   --  A turn, whose place is that of the robot, or a drive that the guards
+   --  permit
+
+   function Is_Kept (R, Before : Run) return Boolean is
+     (Orders_Left (R) <= Orders_Left (Before)
+      and then
+        (if Has_Ended (Before) then
+            Has_Ended (R) and then Ended_By (R) = Ended_By (Before)))
+   with Ghost;
+   --  No operation gives more orders, or goes on after the end
 
    procedure Start
      (R       : out Run;
       Size    : Arena_Size;
       Targets : Place_Array;
       Count   : Point_Number;
-      Now     : Microseconds);
+      Now     : Microseconds)
+   with
+     Post => not Has_Ended (R)
+       and then Runs.Size (R) = Size
+       and then Leg (R) = 1
+       and then Legs (R) = Count;
 
-   procedure See (R : in out Run; What : Sighting);
+   procedure See (R : in out Run; What : Sighting)
+   with Post => Is_Kept (R, R'Old);
    --  The newest image; the same one again has no effect
 
-   procedure Step (R : in out Run; Now : Microseconds; Next : out Action);
+   procedure Step (R : in out Run; Now : Microseconds; Next : out Action)
+   with
+     Post => Is_Kept (R, R'Old)
+       and then (if Has_Ended (R) then Next.Kind in Stop | Leave
+                 else Next.Kind not in Stop | Leave)
+       and then
+         (case Next.Kind is
+             when Ask             =>
+               Next.Request.Kind = Robot.Session.Get_Moving,
+             when Stop            =>
+               Next.Request.Kind = Robot.Session.Stop,
+             when Order           =>
+               Orders_Left (R) < Orders_Left (R'Old)
+               and then Now < Leg_End (R)
+               and then Is_Permitted (R, Next.Request)
+               and then
+                 (if Next.Request.Kind = Robot.Session.Drive then
+                     Position_Time (R) <= Now
+                     and then Now - Position_Time (R) <= Max_Age),
+             when Nothing | Leave => True);
    --  What is to be done now
 
    procedure Tell
-     (R : in out Run; Result : Robot.Session.Outcome; Now : Microseconds);
+     (R : in out Run; Result : Robot.Session.Outcome; Now : Microseconds)
+   with Post => Is_Kept (R, R'Old);
    --  What has become of the last action (Ask, Order, Stop)
 
-   procedure End_By (R : in out Run; Why : Abort_Reason);
+   procedure End_By (R : in out Run; Why : Abort_Reason)
+   with
+     Post => Is_Kept (R, R'Old)
+       and then Has_Ended (R)
+       and then (if not Has_Ended (R'Old) then Ended_By (R) = Why);
    --  From outside. No effect once it has ended. By_Hand and Session_Over:
    --  the next step is Leave, others: Stop, then Leave
-
-   function Has_Ended (R : Run) return Boolean;
-   function Ended_By (R : Run) return Ending;
-   function Leg (R : Run) return Point_Number;
-   --  The target that is driven to
-   function Legs (R : Run) return Point_Number;
-   function Distance (R : Run) return Micrometres;
-   --  To it, as last seen
 
    function Next_Look (R : Run; Now : Microseconds) return Microseconds;
    --  Step is due then even if no image comes
 
-   function Is_Allowed (Where : Place; Size : Arena_Size) return Boolean;
-   --  A target may be there: inside the arena less Target_Margin
-
 private
-   type Run is null record;
-   function Has_Ended (R : Run) return Boolean is (True);
+
+   use Missions.Guards;
+
+   subtype Near is Micrometres range -20_000_000 .. 20_000_000;
+   --  Where the robot can be seen
+
+   type Near_Pose is record
+      X, Y    : Near    := 0;
+      Heading : Bearing := 0;
+   end record;
+
+   Max_Images : constant := 8;
+   subtype Image_Count is Natural range 0 .. Max_Images;
+
+   type Movement_Kind is (Halt, Turn, Drive);
+
+   type Phase_Kind is
+     (Looking,  --  the robot rests, or will within an image: wait for images
+      Aiming,   --  the robot rests where it is believed to be
+      Moving);  --  an order is under way
+
+   subtype Awaited_Kind is Action_Kind
+   with Static_Predicate => Awaited_Kind in Nothing .. Stop;
+
+   subtype Degrees is Integer range -400 .. 400;
+
+   subtype Weight is Integer range 0 .. 1_000_000;
+   --  Of what is known: the square of the degrees or millimetres that it was
+   --  learnt from
+
+   Stop_Tries    : constant := 3;
+   Refusal_Limit : constant := 3;
+
+   type Run is record
+      Size        : Arena_Size;
+      Targets     : Place_Array;
+      Legs        : Point_Number := 1;
+      Leg         : Point_Number := 1;
+
+      Ended       : Boolean := False;
+      Why         : Ending  := Completed;
+      Stops       : Natural range 0 .. Stop_Tries := 0;
+      --  still to be asked for, once it has ended
+
+      --  Limits
+      Leg_End     : Microseconds := 0;
+      Orders      : Natural range 0 .. Max_Orders := Max_Orders;
+      --  left in the leg
+      Refusals    : Natural range 0 .. Refusal_Limit := 0;
+      --  in a row
+      Missing     : Natural range 0 .. Max_Missing := 0;
+      Anchor      : Near_Pose;
+      Anchored    : Microseconds := 0;
+      --  where and when it was far from where it had been
+
+      --  The newest image, and the newest with the robot
+      Number      : Natural := 0;
+      Some_Image  : Boolean := False;
+      Came        : Microseconds := 0;
+      Seen        : Boolean := False;
+      Seen_At     : Microseconds := 0;
+      Newest      : Near_Pose;
+
+      --  What is done
+      Halted      : Boolean       := False;
+      --  the robot has been stopped before the first order
+      Phase       : Phase_Kind    := Looking;
+      Awaited     : Awaited_Kind  := Nothing;
+      Movement    : Movement_Kind := Halt;
+      Amount      : Integer range -5_000 .. 5_000 := 0;
+      --  degrees or millimetres of the last order
+      Sure        : Boolean := False;
+      --  it was taken
+      Given       : Microseconds := 0;
+      Ask_At      : Microseconds := 0;
+
+      --  Where the robot rests: the mean of Count images
+      Rest_From   : Microseconds := 0;
+      Count       : Image_Count := 0;
+      Mean        : Near_Pose;
+      Upset       : Boolean := False;
+      --  in a turn, an image showed it elsewhere
+
+      --  Since the last look
+      From        : Near_Pose;
+      Turned      : Degrees := 0;
+      Driven      : Drive_Length := 0;
+      Learnable   : Boolean := False;
+      Turns_Made  : Natural range 0 .. 2 := 0;
+      --  since the last drive
+
+      --  What is learnt
+      Turns       : Gain   := 12_000;
+      Turn_Weight : Weight := 4;
+      Drives      : Gain   := 13_500;
+      Way_Weight  : Weight := 25;
+      Pulled      : Pull   := 0;
+      Pull_Weight : Weight := 400;
+      Trusted     : Boolean := False;
+      --  a turn need not be looked at
+   end record;
+
+   Learnt_Way  : constant Weight := 60 ** 2;
+   Learnt_Turn : constant Weight := 25 ** 2;
+
+   function Has_Ended (R : Run) return Boolean is (R.Ended);
+
+   function Ended_By (R : Run) return Ending is (R.Why);
+
+   function Leg (R : Run) return Point_Number is (R.Leg);
+
+   function Legs (R : Run) return Point_Number is (R.Legs);
+
+   function Size (R : Run) return Arena_Size is (R.Size);
+
+   function Position_Time (R : Run) return Microseconds is (R.Seen_At);
+
+   function Pose_Of (P : Near_Pose) return Pose is
+     ((At_Place => (P.X, P.Y), Heading => P.Heading));
+
+   function Position (R : Run) return Pose is (Pose_Of (R.Mean));
+
+   function Doubts (R : Run) return Missions.Guards.Doubts is
+     ((Longest =>
+         (if R.Way_Weight < Learnt_Way then Gain'Last
+          else Integer'Min (R.Drives + R.Drives / 40, Gain'Last)),
+       Likely  => (if R.Pull_Weight < Learnt_Way then 0 else R.Pulled),
+       Either  => (if R.Pull_Weight < Learnt_Way then 30_000 else 4_000),
+       Heading => 1_500_000));
+
+   function Leg_End (R : Run) return Microseconds is (R.Leg_End);
+
+   function Orders_Left (R : Run) return Natural is
+     (R.Orders + (Max_Points - R.Leg) * Max_Orders);
+
 end Missions.Runs;

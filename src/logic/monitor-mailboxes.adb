@@ -11,6 +11,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
        and then B.Busy = B'Old.Busy
        and then B.Answers = B'Old.Answers
        and then B.Arena = B'Old.Arena
+       and then B.First = B'Old.First
        and then B.Made = B'Old.Made
        and then B.Last = B'Old.Last
        and then B.Imaged = B'Old.Imaged;
@@ -22,6 +23,9 @@ package body Monitor.Mailboxes with SPARK_Mode is
       and then B.Arena = Before.Arena
       and then B.Lost = Before.Lost
       and then B.Told = Before.Told
+      and then B.First = Before.First
+      and then B.Progress = Before.Progress
+      and then B.Ended = Before.Ended
       and then B.Battery = Before.Battery
       and then B.Level = Before.Level
       and then B.Position = Before.Position
@@ -60,7 +64,8 @@ package body Monitor.Mailboxes with SPARK_Mode is
      Pre  => Item.State /= Awaited,
      Post => Next_Number (B) = Next_Number (B'Old)
        and then Commands (B) <= Commands (B'Old)
-       and then B.Arena = B'Old.Arena;
+       and then B.Arena = B'Old.Arena
+       and then B.Ended = B'Old.Ended;
 
    procedure Begin_Hold
      (B           : in out Mailbox;
@@ -108,8 +113,8 @@ package body Monitor.Mailboxes with SPARK_Mode is
             Append ((1 => Monitor.Protocol.Separator));
             Append (Monitor.Notices.Text_Of (From.Told));
             Append ((1 => Monitor.Protocol.Line_Feed));
-         when Position =>
-            Line := From.Position;
+         when Mission | Position =>
+            Line := From.Line;
          when others   =>
             Append
               (Monitor.Protocol.Wire_Text (From.Answer).Data
@@ -121,6 +126,8 @@ package body Monitor.Mailboxes with SPARK_Mode is
    begin
       B.Lost := False;
       Monitor.Notice_Queues.Clear (B.Told);
+      B.Progress.Length := 0;
+      B.Ended.Length := 0;
       B.Battery := False;
       B.Position.Length := 0;
       B.Image := False;
@@ -146,6 +153,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
    procedure Open_Session (B : in out Mailbox) is
    begin
       B.Open := True;
+      B.First := Next_Number (B);
       B.Last := Nothing;
       B.Imaged := False;
       Drop_Unsolicited (B);
@@ -196,6 +204,21 @@ package body Monitor.Mailboxes with SPARK_Mode is
          Begin_Hold (B, False, Now, Begun);
       end if;
    end Put_Battery;
+
+   procedure Put_End
+     (B      : in out Mailbox;
+      Number : Orders.Ticket;
+      Line   : Short_Line;
+      Now    : Time;
+      Begun  : out Boolean) is
+   begin
+      Begun := False;
+      if Is_Current (B, Number) then
+         B.Ended := Line;
+         B.Progress.Length := 0;
+         Begin_Hold (B, False, Now, Begun);
+      end if;
+   end Put_End;
 
    procedure Put_Image
      (B     : in out Mailbox;
@@ -252,6 +275,20 @@ package body Monitor.Mailboxes with SPARK_Mode is
          Begin_Hold (B, False, Now, Begun);
       end if;
    end Put_Position;
+
+   procedure Put_Progress
+     (B      : in out Mailbox;
+      Number : Orders.Ticket;
+      Line   : Short_Line;
+      Now    : Time;
+      Begun  : out Boolean) is
+   begin
+      Begun := False;
+      if Is_Current (B, Number) and then B.Ended.Length = 0 then
+         B.Progress := Line;
+         Begin_Hold (B, False, Now, Begun);
+      end if;
+   end Put_Progress;
 
    procedure Reserve
      (B      : in out Mailbox;
@@ -317,11 +354,19 @@ package body Monitor.Mailboxes with SPARK_Mode is
          when Text       =>
             Next.Told := Monitor.Notice_Queues.Element_At (B.Told, 1);
             Monitor.Notice_Queues.Remove_First (B.Told);
+         when Mission    =>
+            if B.Ended.Length > 0 then
+               Next.Line := B.Ended;
+               B.Ended.Length := 0;
+            else
+               Next.Line := B.Progress;
+               B.Progress.Length := 0;
+            end if;
          when Battery    =>
             Next.Answer := B.Level;
             B.Battery := False;
          when Position   =>
-            Next.Position := B.Position;
+            Next.Line := B.Position;
             B.Position.Length := 0;
             B.Imaged := False;
          when Image      =>

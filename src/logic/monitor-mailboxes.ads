@@ -45,6 +45,11 @@ package Monitor.Mailboxes with SPARK_Mode is
       --  the image that answers an arena request waits
       Lost     : Boolean := False;
       Told     : Monitor.Notice_Queues.Queue;
+      First    : Orders.Ticket := 0;
+      --  no command of this session has a lower number
+      Progress : Short_Line;
+      Ended    : Short_Line;
+      --  progress and end of a mission
       Battery  : Boolean := False;
       Level    : Answer_Kind := Battery_Unknown;
       Position : Short_Line;
@@ -69,8 +74,8 @@ package Monitor.Mailboxes with SPARK_Mode is
       --  of Answer without an image, Robot_Lost and Battery
       Told     : Monitor.Notices.Notice := Monitor.Notices.Notice'First;
       --  of Text
-      Position : Short_Line;
-      --  of Position
+      Line     : Short_Line;
+      --  of Mission and Position
    end record;
    --  The message to send next
 
@@ -85,7 +90,7 @@ package Monitor.Mailboxes with SPARK_Mode is
              and then Line.Data (6 .. Line.Length - 1) =
                Monitor.Notices.Text_Of (From.Told)
              and then Line.Data (Line.Length) = Monitor.Protocol.Line_Feed,
-           when Position => Line = From.Position,
+           when Mission | Position => Line = From.Line,
            when others   =>
              Line.Length = Monitor.Protocol.Wire_Text (From.Answer).Length
              and then Line.Data (1 .. Line.Length) =
@@ -114,6 +119,13 @@ package Monitor.Mailboxes with SPARK_Mode is
    with Pre => Commands (B) > 0;
    --  The next answer to be sent, which may not be available yet
 
+   function Mission_Waits (B : Mailbox) return Boolean is
+     (B.Ended.Length > 0 or else B.Progress.Length > 0);
+
+   function Is_Current (B : Mailbox; Number : Orders.Ticket) return Boolean is
+     (B.Open and then Number >= B.First);
+   --  The command is one of this session
+
    function Waits (B : Mailbox) return Waiting is
      ((Open     => B.Open,
        Commands => Commands (B) > 0,
@@ -121,6 +133,7 @@ package Monitor.Mailboxes with SPARK_Mode is
        Messages => (Robot_Lost                  => B.Lost,
                     Text                        =>
                       Monitor.Notice_Queues.Length (B.Told) > 0,
+                    Mission                     => Mission_Waits (B),
                     Monitor.Send_Order.Battery  => B.Battery,
                     Monitor.Send_Order.Position => B.Position.Length > 0,
                     Monitor.Send_Order.Image    => B.Image),
@@ -143,7 +156,8 @@ package Monitor.Mailboxes with SPARK_Mode is
        and then Is_Quiet (B)
        and then B.Last = Nothing
        and then not B.Imaged
-       and then B.Answers = B'Old.Answers;
+       and then B.Answers = B'Old.Answers
+       and then B.First = Next_Number (B);
    --  A monitor has been admitted
 
    procedure Close_Session (B : in out Mailbox; Next : out Orders.Ticket)
@@ -175,6 +189,7 @@ package Monitor.Mailboxes with SPARK_Mode is
           elsif Commands (B'Old) = Orders.Capacity then Full
           else Reserved)
        and then B.Open = B'Old.Open
+       and then B.Ended = B'Old.Ended
        and then
          (if Result = Reserved then
              Commands (B) = Commands (B'Old) + 1
@@ -188,14 +203,16 @@ package Monitor.Mailboxes with SPARK_Mode is
    with
      Post => Next_Number (B) = Next_Number (B'Old)
        and then Commands (B) <= Commands (B'Old)
-       and then B.Arena = B'Old.Arena;
+       and then B.Arena = B'Old.Arena
+       and then B.Ended = B'Old.Ended;
    --  The answer to a command; no effect if its session has ended
 
    procedure Put_No_Answer (B : in out Mailbox; Number : Orders.Ticket)
    with
      Post => Next_Number (B) = Next_Number (B'Old)
        and then Commands (B) <= Commands (B'Old)
-       and then B.Arena = B'Old.Arena;
+       and then B.Arena = B'Old.Arena
+       and then B.Ended = B'Old.Ended;
    --  The command needs no answer, but later ones may wait for it
 
    procedure Put_Arena
@@ -208,7 +225,8 @@ package Monitor.Mailboxes with SPARK_Mode is
          (not Holds (B'Old, Number) or else not B'Old.Arena)
        and then Kept =
          (Holds (B'Old, Number) and then not B'Old.Arena)
-       and then B.Arena = (B'Old.Arena or else Kept);
+       and then B.Arena = (B'Old.Arena or else Kept)
+       and then B.Ended = B'Old.Ended;
    --  The image that answers an arena request. Not accepted while the one
    --  before waits; not kept if its session has ended
 
@@ -216,7 +234,8 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    procedure Put_Lost (B : in out Mailbox; Now : Time; Begun : out Boolean)
    with Post => B.Lost = (B'Old.Lost or else B.Open)
-     and then B.Open = B'Old.Open;
+     and then B.Open = B'Old.Open
+     and then B.Ended = B'Old.Ended;
    --  The robot is lost (F9)
 
    procedure Put_Notice
@@ -225,8 +244,36 @@ package Monitor.Mailboxes with SPARK_Mode is
       Now   : Time;
       Begun : out Boolean)
    with Post => B.Open = B'Old.Open
+     and then B.Ended = B'Old.Ended
      and then (if B.Open then Monitor.Notice_Queues.Length (B.Told) > 0);
    --  If there is no room, the oldest is dropped
+
+   procedure Put_Progress
+     (B      : in out Mailbox;
+      Number : Orders.Ticket;
+      Line   : Short_Line;
+      Now    : Time;
+      Begun  : out Boolean)
+   with Post => B.Open = B'Old.Open
+     and then B.Ended = B'Old.Ended
+     and then B.Progress =
+       (if Is_Current (B, Number) and then B.Ended.Length = 0 then Line
+        else B'Old.Progress);
+   --  Of the mission that was asked for by the command Number
+
+   procedure Put_End
+     (B      : in out Mailbox;
+      Number : Orders.Ticket;
+      Line   : Short_Line;
+      Now    : Time;
+      Begun  : out Boolean)
+   with Post => B.Open = B'Old.Open
+     and then
+       (if Is_Current (B, Number) then
+           B.Ended = Line and then B.Progress.Length = 0
+        else B.Ended = B'Old.Ended and then B.Progress = B'Old.Progress);
+   --  The same for its end, which stays until it is taken or the session ends.
+   --  Progress that still waits is dropped
 
    procedure Put_Battery
      (B     : in out Mailbox;
@@ -234,6 +281,7 @@ package Monitor.Mailboxes with SPARK_Mode is
       Now   : Time;
       Begun : out Boolean)
    with Post => B.Open = B'Old.Open
+     and then B.Ended = B'Old.Ended
      and then (if B.Open then B.Battery and then B.Level = Level);
 
    procedure Put_Position
@@ -243,6 +291,7 @@ package Monitor.Mailboxes with SPARK_Mode is
       Now   : Time;
       Begun : out Boolean)
    with Post => B.Open = B'Old.Open
+     and then B.Ended = B'Old.Ended
      and then B.Made = B'Old.Made
      and then B.Position =
        (if B.Open and then Made = B.Made then Line else B'Old.Position);
@@ -254,6 +303,7 @@ package Monitor.Mailboxes with SPARK_Mode is
       Kept  : out Boolean;
       Begun : out Boolean)
    with Post => B.Open = B'Old.Open
+     and then B.Ended = B'Old.Ended
      and then B.Made = B'Old.Made
      and then Kept = (B.Open and then Made = B.Made)
      and then B.Image = (B'Old.Image or else Kept);
@@ -261,6 +311,7 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    procedure Stop_Images (B : in out Mailbox)
    with Post => B.Made = B'Old.Made + 1
+     and then B.Ended = B'Old.Ended
      and then not B.Image
      and then B.Position.Length = 0;
    --  Begins a new generation and drops the waiting image of the older one
@@ -290,6 +341,7 @@ package Monitor.Mailboxes with SPARK_Mode is
        and then B.Busy = (Next.Kind /= Nothing)
        and then Next.Unsent = B.Busy
        and then B.Open = B'Old.Open
+       and then (if Next.Kind /= Mission then B.Ended = B'Old.Ended)
        and then
          (case Next.Kind is
              when Nothing    => not Next.Is_Image,
@@ -308,12 +360,20 @@ package Monitor.Mailboxes with SPARK_Mode is
              when Text       =>
                Next.Told = Monitor.Notice_Queues.Element_At (B'Old.Told, 1)
                and then not Next.Is_Image,
+             when Mission    =>
+               Next.Line =
+                 (if B'Old.Ended.Length > 0 then B'Old.Ended
+                  else B'Old.Progress)
+               and then not Next.Is_Image
+               and then B.Ended.Length = 0
+               and then (if B'Old.Ended.Length = 0 then
+                            B.Progress.Length = 0),
              when Battery    =>
                Next.Answer = B'Old.Level
                and then not Next.Is_Image
                and then not B.Battery,
              when Position   =>
-               Next.Position = B'Old.Position
+               Next.Line = B'Old.Position
                and then not Next.Is_Image
                and then B.Position.Length = 0,
              when Image      => Next.Is_Image and then not B.Image);
@@ -334,7 +394,8 @@ package Monitor.Mailboxes with SPARK_Mode is
        (B'Old.Released
         or else (B.Hold.On
                  and then Now >= Monitor.Message_Holds.Ending (B.Hold)))
-       and then B.Hold.On = B'Old.Hold.On;
+       and then B.Hold.On = B'Old.Hold.On
+       and then B.Ended = B'Old.Ended;
    --  Ends the hold if its time has come
 
 end Monitor.Mailboxes;

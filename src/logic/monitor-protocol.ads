@@ -3,6 +3,7 @@
 --  positions.
 
 with Decimals;
+with Missions.Paths;
 with Robot.Protocol;
 
 package Monitor.Protocol with SPARK_Mode is
@@ -29,6 +30,7 @@ package Monitor.Protocol with SPARK_Mode is
       Go_Left,
       Go_Right,
       Stop_Robot,
+      Abort_Mission,
       Move_Robot,
       Turn_Robot,
       Power_Off_Robot,
@@ -41,13 +43,29 @@ package Monitor.Protocol with SPARK_Mode is
       Reject_Arena,
       Start_Position,
       Stop_Position,
+      Go_To_Pixels,
+      Follow_Pixels,
+      Go_To_Centimetres,
+      Follow_Centimetres,
       Log_Message,
       Malformed);
 
    subtype Known_Kind is Message_Kind range Open_Robot .. Log_Message;
 
-   subtype Order_Kind is Message_Kind range Open_Robot .. Stop_Position;
+   subtype Order_Kind is Message_Kind range Open_Robot .. Follow_Centimetres;
    --  Those carried out by a task.
+
+   subtype Mission_Order is
+     Order_Kind range Go_To_Pixels .. Follow_Centimetres;
+   --  Their data is a path.
+
+   function Measure (Kind : Mission_Order) return Missions.Unit is
+     (if Kind in Go_To_Pixels | Follow_Pixels then Missions.Pixels
+      else Missions.Centimetres);
+
+   function Is_Single (Kind : Mission_Order) return Boolean is
+     (Kind in Go_To_Pixels | Go_To_Centimetres);
+   --  The path is one point.
 
    function Takes_Number (Kind : Message_Kind) return Boolean is
      (Kind in Move_Robot | Turn_Robot);
@@ -81,6 +99,7 @@ package Monitor.Protocol with SPARK_Mode is
          when Go_Left              => "RGLF",
          when Go_Right             => "RGRI",
          when Stop_Robot           => "RSTP",
+         when Abort_Mission        => "MABT",
          when Move_Robot           => "RMOV",
          when Turn_Robot           => "RTRN",
          when Power_Off_Robot      => "RPOF",
@@ -93,6 +112,10 @@ package Monitor.Protocol with SPARK_Mode is
          when Reject_Arena         => "CAIN",
          when Start_Position       => "CPCO",
          when Stop_Position        => "CPST",
+         when Go_To_Pixels         => "MGTO",
+         when Follow_Pixels        => "MPTH",
+         when Go_To_Centimetres    => "MGCM",
+         when Follow_Centimetres   => "MPCM",
          when Log_Message          => "MSSG");
 
    Separator : constant Character := ':';
@@ -100,7 +123,7 @@ package Monitor.Protocol with SPARK_Mode is
 
    Text_Offset : constant := 5;
    --  The text of a Log_Message is Line (Line'First + Text_Offset ..
-   --  Line'Last); it may be empty.
+   --  Line'Last); it may be empty. The path of a mission begins there, too.
 
    --  Used in the contract of Parse
 
@@ -168,8 +191,17 @@ package Monitor.Protocol with SPARK_Mode is
    with Pre => Line'Last < Integer'Last;
    --  The label, the separator and a number.
 
+   function Is_Mission (Line : String; Kind : Mission_Order) return Boolean
+   is (Begins_With (Line, Label (Kind))
+       and then Has_Data (Line)
+       and then Missions.Paths.Is_Path
+         (Line, Line'First + Text_Offset, Is_Single (Kind)))
+   with Pre => Line'Last < Integer'Last;
+   --  The label, the separator and a path.
+
    function Is_Line_Of (Line : String; Kind : Known_Kind) return Boolean is
      (if Takes_Number (Kind) then Is_Order (Line, Label (Kind))
+      elsif Kind in Mission_Order then Is_Mission (Line, Kind)
       elsif Takes_Text (Kind) then
          Begins_With (Line, Label (Kind)) and then Has_Data (Line)
       else Is_Bare (Line, Label (Kind)))
@@ -186,7 +218,8 @@ package Monitor.Protocol with SPARK_Mode is
           else 0);
    --  The message in Line, which has no line end. Every line has a meaning, at
    --  least Malformed: an empty line, a label in lower case, data for a
-   --  command that takes none, a missing or non-decimal number.
+   --  command that takes none, a missing or non-decimal number, a path with a
+   --  point too many.
 
    --  Lines from the monitor
 
@@ -338,6 +371,8 @@ package Monitor.Protocol with SPARK_Mode is
    Position_Label : constant Label_Text := "CPOS";
    Battery_Label  : constant Label_Text := "RBLV";
    State_Label    : constant Label_Text := "RCST";
+   Progress_Label : constant Label_Text := "MPRG";
+   End_Label      : constant Label_Text := "MEND";
    Log_Label      : constant Label_Text := "MSSG";
 
    --  Positions

@@ -11,6 +11,7 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
       Answer,        --  to a command
       Robot_Lost,    --  the unsolicited ones, most urgent first
       Text,
+      Mission,       --  its end, else its progress
       Battery,
       Position,
       Image);        --  alternates with Position: they belong together
@@ -49,6 +50,7 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
    function First_Unsolicited (W : Waiting) return Unsolicited is
      (if W.Messages (Robot_Lost) then Robot_Lost
       elsif W.Messages (Text) then Text
+      elsif W.Messages (Mission) then Mission
       elsif W.Messages (Battery) then Battery
       elsif W.Messages (Position)
         and then (W.Imaged or else not W.Messages (Image))

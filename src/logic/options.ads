@@ -2,6 +2,7 @@
 --  The options of the command line, with their defaults.
 
 with Admission.Networks;
+with Missions;
 with Monitor.Send_Order;
 with Texts;
 
@@ -49,6 +50,8 @@ package Options with SPARK_Mode is
       Quality     : Percentage   := 80;          --  of the JPEG
       Marker      : Marker_Kind  := Aruco;
       Drawing     : Drawing_Kind := All_Of_It;
+      Arena_Size  : Missions.Arena_Size;
+      --  of the ground, in centimetres
       Message_Gap : Milliseconds := 20;          --  PROTOCOL.md
       Log_Level   : Level        := Info;
       Cpu         : Processor_Choice := No_Processor;

@@ -13,7 +13,8 @@ package body Order_Meanings with SPARK_Mode is
          end if;
       else
          Order.Rank := 0;
-         Order.After := 0;
+         Order.After :=
+           (if Order.Message.Kind in Mission_Order then R.Last else 0);
       end if;
    end Give_Rank;
 

@@ -19,7 +19,8 @@ package Order_Meanings with SPARK_Mode is
    subtype Vision_Order is Message_Kind range Open_Camera .. Stop_Position;
 
    subtype Arena_Order is Vision_Order range Ask_Arena .. Reject_Arena;
-   --  Carried out by th_arene; the other vision orders by th_cameraControl
+   --  Carried out by th_arene; the other vision orders by th_cameraControl,
+   --  and those of Monitor.Protocol.Mission_Order by th_mission
 
    --  The task that carries it out
 
@@ -32,7 +33,7 @@ package Order_Meanings with SPARK_Mode is
          when Reset_Robot | Power_Off_Robot      => Robot.Requests.Reset,
          when Go_Forward .. Go_Right | Move_Robot | Turn_Robot =>
             Robot.Requests.Move,
-         when Stop_Robot                         => Robot.Requests.Stop_Order,
+         when Stop_Robot | Abort_Mission         => Robot.Requests.Stop_Order,
          when Ping_Robot | Reload_Watchdog
             | Monitor.Protocol.Get_Battery | Get_State =>
             Robot.Requests.Query);
@@ -52,7 +53,7 @@ package Order_Meanings with SPARK_Mode is
          when Monitor.Protocol.Get_Battery =>
             (Robot.Session.Get_Battery, others => <>),
          when Get_State            => (Get_Moving, others => <>),
-         when Stop_Robot           => (Stop, others => <>),
+         when Stop_Robot | Abort_Mission => (Stop, others => <>),
          when Go_Forward           => (Drive, Robot.Protocol.Forward),
          when Go_Backward          => (Drive, Robot.Protocol.Backward),
          when Go_Left              => (Drive, Robot.Protocol.Left),
@@ -66,12 +67,20 @@ package Order_Meanings with SPARK_Mode is
    --  The place among the robot's orders
 
    function Has_Rank (Kind : Message_Kind) return Boolean is
-     (Kind in Robot_Order and then Kind /= Stop_Robot);
+     (Kind in Robot_Order
+      and then Kind not in Stop_Robot | Abort_Mission);
    --  A stop overtakes all others
 
    function Changes_Session (M : Message) return Boolean is
      (M.Kind in Robot_Order
       and then Changes_Session (Request_Of (M).Kind));
+
+   function Is_By_Hand (Kind : Message_Kind) return Boolean is
+     (Kind in Robot_Order
+      and then Kind not in Ping_Robot | Reload_Watchdog
+        | Monitor.Protocol.Get_Battery | Get_State);
+   --  It moves or stops the robot or changes its session, and so ends a
+   --  mission. Questions do not
 
    type Ranks is record
       Last   : Orders.Ticket := 0;
@@ -95,7 +104,9 @@ package Order_Meanings with SPARK_Mode is
                 else R'Old.Change)
           else R = R'Old
             and then Order.Rank = 0
-            and then Order.After = 0);
+            and then Order.After =
+              (if Order.Message.Kind in Mission_Order then R.Last else 0));
+   --  A mission's orders to the robot follow all earlier ones
 
    --  The answer to the monitor
 

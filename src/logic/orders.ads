@@ -22,7 +22,8 @@ package Orders with SPARK_Mode is
       --  counts robot orders other than stops from 1 in each session
       After   : Ticket := 0;
       --  the rank of the last earlier order that changes the robot's session
-      --  (opens, closes, starts, resets): it is carried out first
+      --  (opens, closes, starts, resets): it is carried out first. Of a
+      --  mission: of the last earlier order with a rank
       Owed    : Boolean := False;
       --  its answer is still due, or later commands wait for it: the task that
       --  holds the order answers it or passes it on, once

@@ -19,6 +19,11 @@ package body Robot.Line_Status with SPARK_Mode is
          S.Known.Started_At := Now;
          S.Reload_Due := Now + Schedule.Reload_Period;
       end if;
+      if Is_Refused_Reload (Done, Result) then
+         S.Known.Reloads_Refused :=
+           (if S.Known.Reloads_Refused = Natural'Last then 0
+            else S.Known.Reloads_Refused + 1);
+      end if;
    end Note;
 
 end Robot.Line_Status;

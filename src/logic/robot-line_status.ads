@@ -15,6 +15,7 @@ package Robot.Line_Status with SPARK_Mode is
    use type Robot.Requests.Verdict_Kind;
    use type Robot.Session.Mode_Kind;
    use type Robot.Session.Outcome_Kind;
+   use type Robot.Session.Request_Kind;
 
    type Status is record
       Open       : Boolean := False;
@@ -25,6 +26,8 @@ package Robot.Line_Status with SPARK_Mode is
       --  when the robot acknowledged the last start
       Used_At    : Time := Time_First;
       --  end of the last exchange
+      Reloads_Refused : Natural := 0;
+      --  by the robot, in all
    end record;
 
    type State is record
@@ -56,6 +59,13 @@ package Robot.Line_Status with SPARK_Mode is
        and then Result.Kind = Robot.Session.Done);
    --  The robot has started
 
+   function Is_Refused_Reload
+     (Done : Robot.Requests.Job; Result : Robot.Session.Outcome)
+     return Boolean
+   is (Done.Verdict = Robot.Requests.Carry_Out
+       and then Done.Request.Kind = Robot.Session.Reload
+       and then Result.Kind = Robot.Session.Refused);
+
    procedure Note
      (S       : in out State;
       Done    : Robot.Requests.Job;
@@ -66,7 +76,10 @@ package Robot.Line_Status with SPARK_Mode is
      Post => S.Known.Open = Session.Line_Open
        and then S.Known.Mode = Session.Mode
        and then S.Suspect = (Robot.Health.Failures (Session.Health) > 0)
-       and then (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result);
+       and then (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result)
+       and then
+         (S.Known.Reloads_Refused /= S'Old.Known.Reloads_Refused) =
+           Is_Refused_Reload (Done, Result);
    --  Request Done has just ended with Result; Session is its new state
 
 end Robot.Line_Status;

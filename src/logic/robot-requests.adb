@@ -20,6 +20,7 @@ package body Robot.Requests with SPARK_Mode is
    begin
       R.First_Order := First;
       R.Last_Stop := 0;
+      R.Last_Hand := 0;
       R.Completed := 0;
       R.Last_Change := 0;
       Order_Queues.Clear (R.Stops);
@@ -34,6 +35,11 @@ package body Robot.Requests with SPARK_Mode is
          end if;
       end if;
    end Finish;
+
+   procedure Note_Hand (R : in out Requests; Number : Orders.Ticket) is
+   begin
+      R.Last_Hand := Number;
+   end Note_Hand;
 
    procedure Put
      (R       : in out Requests;
@@ -54,10 +60,11 @@ package body Robot.Requests with SPARK_Mode is
    procedure Prove_Transitivity (R : Requests; From, Best : Client) is null;
 
    procedure Take
-     (R     : in out Requests;
-      Quiet : Boolean;
-      Next  : in out Job;
-      Found : out Boolean)
+     (R       : in out Requests;
+      Quiet   : Boolean;
+      Is_Late : Boolean;
+      Next    : in out Job;
+      Found   : out Boolean)
    is
       From : Client := Keep_Alive;
    begin
@@ -82,7 +89,9 @@ package body Robot.Requests with SPARK_Mode is
               (for all D in Client'First .. C =>
                  (if May_Go (R, D, Quiet) then not Is_Before (R, D, From))));
       end loop;
-      pragma Assert (not Waits_For_Quiet (Stop_Order));
+      pragma Assert
+        (if Is_Pending (R, Stop_Order) then
+            not Waits_For_Quiet (R, Stop_Order));
       pragma Assert
         (if Is_Pending (R, Stop_Order) then Is_In_Turn (R, Stop_Order));
       pragma Assert
@@ -90,7 +99,7 @@ package body Robot.Requests with SPARK_Mode is
             May_Go (R, Stop_Order, Quiet)
             or else (R.Was_Stop and then May_Go (R, Reload, Quiet)));
       if Found then
-         Next := Job_Of (R, From);
+         Next := Job_Of (R, From, Is_Late);
          R.Was_Stop := From = Stop_Order;
          if From = Stop_Order then
             Order_Queues.Remove_First (R.Stops);

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Requests that wait for the robot's line, and the choice of the next. By
---  priority: end of a session, stop, reload of the watchdog, movement, then
---  the rest in the order of the commands.
+--  priority: end of a session, stop, reload of the watchdog, movement, order
+--  of a mission, then the rest in the order of the commands.
 
 with Order_Queues;
 with Orders;
@@ -13,12 +13,14 @@ package Robot.Requests with SPARK_Mode is
 
    use type Orders.Order;
    use type Orders.Ticket;
+   use type Robot.Session.Request_Kind;
 
    type Client is
      (Safe_State,   --  the end of a session: stop and close
       Stop_Order,   --  a monitor's stop: queued directly, by no task
       Reload,
       Move,
+      Mission,      --  an order of the mission that is under way
       Battery,
       Open,
       Start,
@@ -35,8 +37,10 @@ package Robot.Requests with SPARK_Mode is
 
    type Verdict_Kind is
      (Carry_Out,
-      Overtaken,    --  a movement cancelled by a later stop
-      Out_Of_Date); --  its session has ended
+      Overtaken,    --  a movement cancelled by a later stop; an order of a
+      --  mission that a later order by hand has ended
+      Out_Of_Date,  --  its session has ended
+      Late);        --  an order of a mission that has waited too long
 
    type Job is record
       From    : Client := Keep_Alive;
@@ -49,7 +53,8 @@ package Robot.Requests with SPARK_Mode is
       Pending : Boolean := False;
       Request : Robot.Session.Request;
       Order   : Orders.Order;
-      --  the monitor's order behind the request; number 0: none
+      --  the monitor's order behind the request; number 0: none. Of Mission:
+      --  the order that asked for the mission, never owed
    end record;
 
    type Slot_Array is array (Client) of Slot;
@@ -63,6 +68,8 @@ package Robot.Requests with SPARK_Mode is
       --  of the session: orders with a lower number are out of date
       Last_Stop   : Orders.Ticket := 0;
       --  number of the last stop of the session, 0: none
+      Last_Hand   : Orders.Ticket := 0;
+      --  number of the last order by hand (Order_Meanings.Is_By_Hand), 0: none
       Completed   : Orders.Ticket := 0;
       --  ranked orders of the session that have been carried out
       Last_Change : Orders.Ticket := 0;
@@ -90,30 +97,44 @@ package Robot.Requests with SPARK_Mode is
 
    --  Requests that may start
 
-   function Verdict_On (R : Requests; From : Client) return Verdict_Kind is
-     (if From = Stop_Order or else Order_Of (R, From).Number = 0
-      then Carry_Out
-      elsif Order_Of (R, From).Number < R.First_Order then Out_Of_Date
-      elsif From = Move and then Order_Of (R, From).Number < R.Last_Stop
-      then Overtaken
-      else Carry_Out)
+   function Stops (R : Requests; From : Client) return Boolean is
+     (Request_Of (R, From).Kind = Robot.Session.Stop)
    with Pre => Is_Pending (R, From);
+
+   function Verdict_On (R : Requests; From : Client; Is_Late : Boolean)
+     return Verdict_Kind
+   is (if From = Stop_Order or else Order_Of (R, From).Number = 0
+       then Carry_Out
+       elsif Order_Of (R, From).Number < R.First_Order then Out_Of_Date
+       elsif From = Move and then Order_Of (R, From).Number < R.Last_Stop
+       then Overtaken
+       elsif From = Mission and then Order_Of (R, From).Number < R.Last_Hand
+       then Overtaken
+       elsif From = Mission and then Is_Late and then not Stops (R, From)
+       then Late
+       else Carry_Out)
+   with Pre => Is_Pending (R, From);
+   --  Is_Late: the request of Mission has waited for too long. A stop is
+   --  never late
 
    function Is_In_Turn (R : Requests; From : Client) return Boolean is
      (From = Stop_Order
       or else Order_Of (R, From).Number = 0
-      or else Verdict_On (R, From) = Out_Of_Date
+      or else Order_Of (R, From).Number < R.First_Order
       or else
-        (if Robot.Session.Changes_Session (Request_Of (R, From).Kind)
+        (if From = Mission then Order_Of (R, From).After <= R.Completed
+         elsif Robot.Session.Changes_Session (Request_Of (R, From).Kind)
          then R.Completed + 1 = Order_Of (R, From).Rank
          else Order_Of (R, From).After <= R.Last_Change))
    with Pre => Is_Pending (R, From);
    --  An order that changes the session is in turn when all orders before it
-   --  are done; any other order when the last session change before it is
-   --  done; a stop always
+   --  are done, and so is one of a mission; any other order when the last
+   --  session change before it is done; a stop always
 
-   function Waits_For_Quiet (From : Client) return Boolean is
-     (From in Battery .. Keep_Alive);
+   function Waits_For_Quiet (R : Requests; From : Client) return Boolean is
+     (From in Battery .. Keep_Alive
+      or else (From = Mission and then not Stops (R, From)))
+   with Pre => Is_Pending (R, From);
    --  Not started shortly before a reload of the watchdog is due
 
    function May_Go (R : Requests; From : Client; Quiet : Boolean)
@@ -125,7 +146,7 @@ package Robot.Requests with SPARK_Mode is
        and then
          (if From = Stop_Order and then R.Was_Stop then
              not Is_Pending (R, Reload))
-       and then (if Quiet then not Waits_For_Quiet (From)));
+       and then (if Quiet then not Waits_For_Quiet (R, From)));
    --  Between two stops a waiting reload has priority: an endless sequence of
    --  stops does not block the reloads
 
@@ -149,6 +170,7 @@ package Robot.Requests with SPARK_Mode is
    function Is_Same_Past (R, Before : Requests) return Boolean is
      (R.First_Order = Before.First_Order
       and then R.Last_Stop = Before.Last_Stop
+      and then R.Last_Hand = Before.Last_Hand
       and then R.Completed = Before.Completed
       and then R.Last_Change = Before.Last_Change)
    with Ghost;
@@ -157,6 +179,7 @@ package Robot.Requests with SPARK_Mode is
    with
      Post => R.First_Order = First
        and then R.Last_Stop = 0
+       and then R.Last_Hand = 0
        and then R.Completed = 0
        and then R.Last_Change = 0
        and then Order_Queues.Length (R.Stops) = 0
@@ -180,6 +203,7 @@ package Robot.Requests with SPARK_Mode is
    with
      Post => R.First_Order = R'Old.First_Order
        and then R.Last_Stop = Order.Number
+       and then R.Last_Hand = R'Old.Last_Hand
        and then R.Completed = R'Old.Completed
        and then R.Last_Change = R'Old.Last_Change
        and then R.Slots = R'Old.Slots
@@ -193,25 +217,39 @@ package Robot.Requests with SPARK_Mode is
               (R.Stops, Order_Queues.Length (R.Stops)) = Order);
    --  Appends a monitor's stop. It cancels older movements that still wait
 
-   function Job_Of (R : Requests; From : Client) return Job is
-     ((From    => From,
-       Request => Request_Of (R, From),
-       Order   => Order_Of (R, From),
-       Verdict => Verdict_On (R, From)))
+   procedure Note_Hand (R : in out Requests; Number : Orders.Ticket)
+   with
+     Post => R.Last_Hand = Number
+       and then R.First_Order = R'Old.First_Order
+       and then R.Last_Stop = R'Old.Last_Stop
+       and then R.Completed = R'Old.Completed
+       and then R.Last_Change = R'Old.Last_Change
+       and then R.Slots = R'Old.Slots
+       and then Order_Queues.Is_Same (R.Stops, R'Old.Stops);
+   --  Order Number is one by hand: what an older mission has asked for, or
+   --  will ask for, is not carried out any more
+
+   function Job_Of (R : Requests; From : Client; Is_Late : Boolean)
+     return Job
+   is ((From    => From,
+        Request => Request_Of (R, From),
+        Order   => Order_Of (R, From),
+        Verdict => Verdict_On (R, From, Is_Late)))
    with Pre => Is_Pending (R, From);
 
    procedure Take
-     (R     : in out Requests;
-      Quiet : Boolean;
-      Next  : in out Job;
-      Found : out Boolean)
+     (R       : in out Requests;
+      Quiet   : Boolean;
+      Is_Late : Boolean;
+      Next    : in out Job;
+      Found   : out Boolean)
    with
      Post => Found = (for some C in Client => May_Go (R'Old, C, Quiet))
        and then Is_Same_Past (R, R'Old)
        and then
          (if Found then
              May_Go (R'Old, Next.From, Quiet)
-             and then Next = Job_Of (R'Old, Next.From)
+             and then Next = Job_Of (R'Old, Next.From, Is_Late)
              and then (for all C in Client =>
                          (if May_Go (R'Old, C, Quiet) then
                              not Is_Before (R'Old, C, Next.From)))
@@ -239,6 +277,7 @@ package Robot.Requests with SPARK_Mode is
    with
      Post => R.First_Order = R'Old.First_Order
        and then R.Last_Stop = R'Old.Last_Stop
+       and then R.Last_Hand = R'Old.Last_Hand
        and then
          (if Done.Order.Number >= R.First_Order and then Done.Order.Rank > 0
           then R.Completed = R'Old.Completed + 1

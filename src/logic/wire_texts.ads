@@ -29,6 +29,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
             when Go_Left                      => "RGLF",
             when Go_Right                     => "RGRI",
             when Stop_Robot                   => "RSTP",
+            when Abort_Mission                => "MABT",
             when Move_Robot                   => "RMOV",
             when Turn_Robot                   => "RTRN",
             when Power_Off_Robot              => "RPOF",
@@ -41,6 +42,10 @@ package Wire_Texts with SPARK_Mode, Ghost is
             when Reject_Arena                 => "CAIN",
             when Start_Position               => "CPCO",
             when Stop_Position                => "CPST",
+            when Go_To_Pixels                 => "MGTO",
+            when Follow_Pixels                => "MPTH",
+            when Go_To_Centimetres            => "MGCM",
+            when Follow_Centimetres           => "MPCM",
             when Log_Message                  => "MSSG"));
 
    procedure Prove_Label (Kind : Known_Kind)
@@ -59,7 +64,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
           when Power_Off_Robot              => Letter = 'z',
           when Monitor.Protocol.Get_Battery => Letter = 'v',
           when Get_State                    => Letter = 'b',
-          when Close_Robot | Stop_Robot     =>
+          when Close_Robot | Stop_Robot | Abort_Mission =>
             Letter = 'M' and then Value = 0,
           when Go_Forward                   =>
             Letter = 'M' and then Value = 32_767,

@@ -18,11 +18,13 @@ with Settings;
 with Texts;
 with Trace;
 
+with Mission_Tasks;
 with Monitor.Tasks;
 with Robot.Tasks;
 with Support_Tasks;
 with Vision.Tasks;
-pragma Unreferenced (Monitor.Tasks, Robot.Tasks, Vision.Tasks);
+pragma Unreferenced
+  (Mission_Tasks, Monitor.Tasks, Robot.Tasks, Vision.Tasks);
 
 package body Supervisor with SPARK_Mode is
 

@@ -53,6 +53,17 @@ package body Monitor.Outbox with SPARK_Mode is
       procedure Put_Lost (Now : Time; Begun : out Boolean);
       procedure Put_Notice
         (Told : Monitor.Notices.Notice; Now : Time; Begun : out Boolean);
+      procedure Put_Progress
+        (Number : Orders.Ticket;
+         Line   : Monitor.Mailboxes.Short_Line;
+         Now    : Time;
+         Begun  : out Boolean);
+      procedure Put_End
+        (Number : Orders.Ticket;
+         Line   : Monitor.Mailboxes.Short_Line;
+         Now    : Time;
+         Begun  : out Boolean);
+      procedure Get_End_Waits (Waits : out Boolean);
       procedure Put_Battery
         (Kind  : Monitor.Protocol.Answer_Kind;
          Now   : Time;
@@ -153,6 +164,29 @@ package body Monitor.Outbox with SPARK_Mode is
       begin
          Monitor.Mailboxes.Put_Notice (Mail, Told, Now, Begun);
       end Put_Notice;
+
+      procedure Put_Progress
+        (Number : Orders.Ticket;
+         Line   : Monitor.Mailboxes.Short_Line;
+         Now    : Time;
+         Begun  : out Boolean) is
+      begin
+         Monitor.Mailboxes.Put_Progress (Mail, Number, Line, Now, Begun);
+      end Put_Progress;
+
+      procedure Put_End
+        (Number : Orders.Ticket;
+         Line   : Monitor.Mailboxes.Short_Line;
+         Now    : Time;
+         Begun  : out Boolean) is
+      begin
+         Monitor.Mailboxes.Put_End (Mail, Number, Line, Now, Begun);
+      end Put_End;
+
+      procedure Get_End_Waits (Waits : out Boolean) is
+      begin
+         Waits := Mail.Ended.Length > 0;
+      end Get_End_Waits;
 
       procedure Put_Battery
         (Kind  : Monitor.Protocol.Answer_Kind;
@@ -297,6 +331,11 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake_Sender;
    end End_Hold;
 
+   procedure Get_End_Waits (Waits : out Boolean) is
+   begin
+      Box.Get_End_Waits (Waits);
+   end Get_End_Waits;
+
    procedure Get_Generation (Current : out Monitor.Mailboxes.Generation) is
    begin
       Box.Get_Generation (Current);
@@ -326,6 +365,16 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake (Begun);
    end Put_Battery;
 
+   procedure Put_End (Number : Orders.Ticket; Why : Missions.Ending) is
+      Now   : constant Time := Clock;
+      Line  : Monitor.Mailboxes.Short_Line;
+      Begun : Boolean;
+   begin
+      Missions.Texts.Format_End (Why, Line.Data, Line.Length);
+      Box.Put_End (Number, Line, Now, Begun);
+      Wake (Begun);
+   end Put_End;
+
    procedure Put_Image
      (Message : in out Message_Access; Made : Monitor.Mailboxes.Generation)
    is
@@ -353,6 +402,21 @@ package body Monitor.Outbox with SPARK_Mode is
       Box.Put_Position (Line, Made, Now, Begun);
       Wake (Begun);
    end Put_Position;
+
+   procedure Put_Progress
+     (Number       : Orders.Ticket;
+      Leg, Of_Legs : Missions.Point_Number;
+      Distance     : Missions.Texts.Millimetres)
+   is
+      Now   : constant Time := Clock;
+      Line  : Monitor.Mailboxes.Short_Line;
+      Begun : Boolean;
+   begin
+      Missions.Texts.Format_Progress
+        (Leg, Of_Legs, Distance, Line.Data, Line.Length);
+      Box.Put_Progress (Number, Line, Now, Begun);
+      Wake (Begun);
+   end Put_Progress;
 
    procedure Put_Robot_Lost is
       Now   : constant Time := Clock;

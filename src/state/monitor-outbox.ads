@@ -3,6 +3,7 @@
 --  Monitor.Mailboxes decides what is sent when.
 
 with Ada.Real_Time;
+with Missions.Texts;
 with Monitor.Image_Messages;
 with Monitor.Mailboxes;
 with Monitor.Notices;
@@ -73,6 +74,23 @@ package Monitor.Outbox with SPARK_Mode is
    procedure Put_Notice (Told : Monitor.Notices.Notice)
    with Annotate => (GNATprove, Terminating);
    --  MSSG. Up to eight wait; then the oldest is dropped
+
+   procedure Put_Progress
+     (Number       : Orders.Ticket;
+      Leg, Of_Legs : Missions.Point_Number;
+      Distance     : Missions.Texts.Millimetres)
+   with Annotate => (GNATprove, Terminating);
+   --  MPRG: progress of the mission that was asked for by the command Number;
+   --  dropped if its session has ended. Replaces progress that still waits
+
+   procedure Put_End (Number : Orders.Ticket; Why : Missions.Ending)
+   with Annotate => (GNATprove, Terminating);
+   --  MEND: the same for its end. Drops progress that still waits. Waits until
+   --  it is sent or the session ends; there must be none that still waits
+
+   procedure Get_End_Waits (Waits : out Boolean)
+   with Annotate => (GNATprove, Terminating);
+   --  The end of a mission has not been sent yet
 
    procedure Put_Battery (Kind : Monitor.Protocol.Answer_Kind)
    with Annotate => (GNATprove, Terminating);

@@ -9,6 +9,7 @@ package body Robot.Clients with SPARK_Mode is
          when Robot.Requests.Stop_Order     => null;
          when Robot.Requests.Reload         => Reload.Signal;
          when Robot.Requests.Move           => Move.Signal;
+         when Robot.Requests.Mission        => Mission.Signal;
          when Robot.Requests.Battery        => Battery.Signal;
          when Robot.Requests.Open           => Open.Signal;
          when Robot.Requests.Start          => Start.Signal;

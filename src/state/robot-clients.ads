@@ -13,6 +13,8 @@ package Robot.Clients with SPARK_Mode is
      (Robot.Requests.Reload, Schedule.Th_Reload_WD);
    package Move is new Robot.Line.Clients
      (Robot.Requests.Move, Schedule.Th_Move);
+   package Mission is new Robot.Line.Clients
+     (Robot.Requests.Mission, Schedule.Th_Mission);
    package Battery is new Robot.Line.Clients
      (Robot.Requests.Battery, Schedule.Th_Battery_Level);
    package Open is new Robot.Line.Clients

@@ -40,6 +40,16 @@ package body Robot.Line.Clients with SPARK_Mode is
       end if;
    end Ask;
 
+   procedure Ask_For_Mission
+     (Request : Robot.Session.Request;
+      Order   : Orders.Order;
+      Result  : out Robot.Session.Outcome) is
+   begin
+      Robot.Line.Put_For_Mission (Request, Order);
+      Wait;
+      Robot.Line.Collect (Who, Result);
+   end Ask_For_Mission;
+
    procedure Signal is
    begin
       Trace.Release (Its_Task);

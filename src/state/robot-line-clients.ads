@@ -30,6 +30,15 @@ package Robot.Line.Clients with SPARK_Mode is
    --  The same, unless the run of the robot that Run is of has ended: then no
    --  request is made, and the result is Not_Open
 
+   procedure Ask_For_Mission
+     (Request : Robot.Session.Request;
+      Order   : Orders.Order;
+      Result  : out Robot.Session.Outcome)
+   with Pre => not Order.Owed;
+   --  The same for the mission that Order has asked for. Refused without an
+   --  exchange where its session has ended or an order by hand has ended the
+   --  mission; Timed_Out where it has waited too long
+
    procedure Signal with Annotate => (GNATprove, Terminating);
    --  The request has been carried out
 

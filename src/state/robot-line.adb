@@ -26,6 +26,9 @@ package body Robot.Line with SPARK_Mode is
          Run     : Robot.Line_Status.Status;
          Same    : out Boolean);
       procedure Put_Stop (Order : Orders.Order);
+      procedure Put_For_Mission
+        (Request : Robot.Session.Request; Order : Orders.Order; Now : Time);
+      procedure Note_Hand (Number : Orders.Ticket);
       procedure Set_Reload_Due (At_Time : Time);
       procedure Take
         (Now : Time; Next : in out Robot.Requests.Job; Found : out Boolean);
@@ -38,10 +41,14 @@ package body Robot.Line with SPARK_Mode is
       procedure Collect
         (From : Robot.Requests.Client; Result : out Robot.Session.Outcome);
       procedure Get_Status (Current : out Robot.Line_Status.Status);
+      procedure Get_Rights
+        (Number : Orders.Ticket; Is_Over, By_Hand : out Boolean);
    private
       Waiting : Robot.Requests.Requests;
       Results : Result_Array;
       State   : Robot.Line_Status.State;
+      Asked   : Time := Time_First;
+      --  when the mission made its last request
    end Line;
 
    protected body Line is
@@ -76,6 +83,19 @@ package body Robot.Line with SPARK_Mode is
          Robot.Requests.Put_Stop (Waiting, Order);
       end Put_Stop;
 
+      procedure Put_For_Mission
+        (Request : Robot.Session.Request; Order : Orders.Order; Now : Time) is
+      begin
+         Robot.Requests.Put
+           (Waiting, Robot.Requests.Mission, Request, Order);
+         Asked := Now;
+      end Put_For_Mission;
+
+      procedure Note_Hand (Number : Orders.Ticket) is
+      begin
+         Robot.Requests.Note_Hand (Waiting, Number);
+      end Note_Hand;
+
       procedure Set_Reload_Due (At_Time : Time) is
       begin
          State.Reload_Due := At_Time;
@@ -85,7 +105,11 @@ package body Robot.Line with SPARK_Mode is
         (Now : Time; Next : in out Robot.Requests.Job; Found : out Boolean) is
       begin
          Robot.Requests.Take
-           (Waiting, Robot.Line_Status.Is_Quiet (State, Now), Next, Found);
+           (R       => Waiting,
+            Quiet   => Robot.Line_Status.Is_Quiet (State, Now),
+            Is_Late => Now > Asked + Schedule.Mission_Order_Limit,
+            Next    => Next,
+            Found   => Found);
       end Take;
 
       procedure Finish
@@ -111,6 +135,13 @@ package body Robot.Line with SPARK_Mode is
       begin
          Current := State.Known;
       end Get_Status;
+
+      procedure Get_Rights
+        (Number : Orders.Ticket; Is_Over, By_Hand : out Boolean) is
+      begin
+         Is_Over := Number < Waiting.First_Order;
+         By_Hand := Number < Waiting.Last_Hand;
+      end Get_Rights;
 
    end Line;
 
@@ -167,6 +198,20 @@ package body Robot.Line with SPARK_Mode is
       Wake (Order.Number);
    end Put_Stop;
 
+   procedure Put_For_Mission
+     (Request : Robot.Session.Request; Order : Orders.Order)
+   is
+      Now : constant Time := Clock;
+   begin
+      Line.Put_For_Mission (Request, Order, Now);
+      Wake;
+   end Put_For_Mission;
+
+   procedure Note_Hand (Number : Orders.Ticket) is
+   begin
+      Line.Note_Hand (Number);
+   end Note_Hand;
+
    procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time) is
    begin
       Line.Set_Reload_Due (At_Time);
@@ -186,7 +231,8 @@ package body Robot.Line with SPARK_Mode is
          Trace.Idle (Schedule.Th_Line);
       end loop;
       Trace.Start (Schedule.Th_Line, Next.Order.Number);
-      Next.Order.Owed := Next.Order.Number /= 0;
+      Next.Order.Owed := Next.Order.Number /= 0
+        and then Next.From /= Robot.Requests.Mission;
    end Take;
 
    procedure Finish
@@ -214,5 +260,11 @@ package body Robot.Line with SPARK_Mode is
    begin
       Line.Get_Status (Current);
    end Get_Status;
+
+   procedure Get_Rights
+     (Number : Orders.Ticket; Is_Over, By_Hand : out Boolean) is
+   begin
+      Line.Get_Rights (Number, Is_Over, By_Hand);
+   end Get_Rights;
 
 end Robot.Line;

@@ -11,6 +11,7 @@ with Robot.Session;
 package Robot.Line with SPARK_Mode is
 
    use type Orders.Ticket;
+   use type Robot.Requests.Client;
 
    procedure Begin_Session (First : Orders.Ticket)
    with Annotate => (GNATprove, Terminating);
@@ -47,6 +48,18 @@ package Robot.Line with SPARK_Mode is
      Annotate => (GNATprove, Terminating);
    --  A monitor's stop. It cancels older movements that still wait
 
+   procedure Put_For_Mission
+     (Request : Robot.Session.Request; Order : Orders.Order)
+   with
+     Pre => not Order.Owed,
+     Annotate => (GNATprove, Terminating);
+   --  A request of the mission that Order has asked for
+
+   procedure Note_Hand (Number : Orders.Ticket)
+   with Annotate => (GNATprove, Terminating);
+   --  Order Number is one by hand, and about to be passed on: missions that
+   --  are older ask the robot for nothing any more
+
    procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
    --  Shortly before this time only a stop or a movement may start
@@ -54,7 +67,9 @@ package Robot.Line with SPARK_Mode is
    procedure Take (Next : in out Robot.Requests.Job)
    with
      Pre  => not Next.Order.Owed,
-     Post => Next.Order.Owed = (Next.Order.Number /= 0);
+     Post => Next.Order.Owed =
+       (Next.Order.Number /= 0
+        and then Next.From /= Robot.Requests.Mission);
    --  The most urgent request; waits for one. For the owner of the line only
 
    procedure Finish
@@ -72,5 +87,11 @@ package Robot.Line with SPARK_Mode is
 
    procedure Get_Status (Current : out Robot.Line_Status.Status)
    with Annotate => (GNATprove, Terminating);
+
+   procedure Get_Rights
+     (Number : Orders.Ticket; Is_Over, By_Hand : out Boolean)
+   with Annotate => (GNATprove, Terminating);
+   --  Is_Over: the session of order Number has ended. By_Hand: an order by
+   --  hand has come after it
 
 end Robot.Line;

@@ -24,6 +24,10 @@ package body Task_Ports with SPARK_Mode is
 
    procedure Dispatch (Item : in out Orders.Order) is
    begin
+      if Is_By_Hand (Item.Message.Kind) then
+         --  before it is passed on: then no order of the mission follows it
+         Robot.Line.Note_Hand (Item.Number);
+      end if;
       if Item.Message.Kind in Vision_Order then
          Vision.Queue.Put (Item);
          if Item.Owed then

@@ -5,6 +5,8 @@ with Admission.Authentication;
 with Admission.Newcomers;
 with Console;
 with Journal;
+with Missions.Paths;
+with Missions.Requests;
 with Monitor.Image_Messages;
 with Monitor.Link;
 with Monitor.Mailboxes;
@@ -51,6 +53,16 @@ package body Monitor.Tasks with SPARK_Mode is
      Post => not Order.Owed;
    --  One line of the monitor: its message becomes Order, which is answered
    --  here or goes to its task. Not Open: the session has ended
+
+   procedure Ask_For_Mission (Line : String; Order : in out Orders.Order)
+   with
+     Pre  => Line'First = 1
+       and then Line'Last in Text_Offset .. Max_Line
+       and then Order.Owed
+       and then Order.Message.Kind in Mission_Order,
+     Post => not Order.Owed;
+   --  Passes the path in Line on to th_mission, or rejects the order if a
+   --  mission is under way
 
    procedure Send
      (Next  : in out Monitor.Mailboxes.Item;
@@ -120,6 +132,22 @@ package body Monitor.Tasks with SPARK_Mode is
       end loop;
    end Th_Server;
 
+   procedure Ask_For_Mission (Line : String; Order : in out Orders.Order) is
+      Kind  : constant Mission_Order := Order.Message.Kind;
+      Path  : Missions.Path;
+      Valid : Boolean;
+   begin
+      Missions.Paths.Parse
+        (Line, Line'First + Text_Offset, Measure (Kind), Is_Single (Kind),
+         Path, Valid);
+      if Valid then
+         Missions.Requests.Put (Order, Path);
+      end if;
+      if Order.Owed then
+         Monitor.Outbox.Answer (Order, Refused);
+      end if;
+   end Ask_For_Mission;
+
    procedure Handle
      (Line  : String;
       Ranks : in out Order_Meanings.Ranks;
@@ -142,7 +170,9 @@ package body Monitor.Tasks with SPARK_Mode is
          Trace.Received (Order.Message.Kind, Order.Number);
          Order_Meanings.Give_Rank (Ranks, Order);
          case Order.Message.Kind is
-            when Order_Kind  =>
+            when Mission_Order =>
+               Ask_For_Mission (Line, Order);
+            when Open_Robot .. Stop_Position =>
                Task_Ports.Dispatch (Order);
             when Log_Message =>
                Monitor.Outbox.Answer_Nothing (Order);

@@ -87,7 +87,11 @@ package body Robot.Tasks with SPARK_Mode is
          if Job.Verdict = Robot.Requests.Carry_Out then
             Robot.Exchange.Carry_Out (State, Job.Request, Result);
          else
-            Result := (Kind => Refused, others => <>);
+            Result :=
+              (Kind   =>
+                 (if Job.Verdict = Robot.Requests.Late then Timed_Out
+                  else Refused),
+               others => <>);
          end if;
          Ended := Clock;
          Robot.Line.Finish (Job, State, Result, Ended);

@@ -25,6 +25,7 @@ with Vision.Image_Grid;
 with Vision.Library;
 with Vision.Mode;
 with Vision.Shapes;
+with Vision.Sightings;
 with Vision.State;
 
 package body Vision.Tasks with SPARK_Mode is
@@ -246,6 +247,7 @@ package body Vision.Tasks with SPARK_Mode is
       Process.Threads.Name_Task (Schedule.Th_Capture_Img);
       loop
          Vision.Camera_Events.Wait_Opened;
+         Vision.Sightings.Clear;
          Cycle := (others => <>);
          Next := Clock;
          Known_At := Next;
@@ -287,6 +289,8 @@ package body Vision.Tasks with SPARK_Mode is
                         Gap_Between (Known_At, Came), Cycle.Known,
                         Robots, Count);
                      Known_At := Came;
+                     --  before anything is drawn: a mission waits for it
+                     Vision.Sightings.Put (Came, Robots, Count);
                   end if;
                   if Vision.Image_Cycle.Draws_Arena
                     (Seen.Mode, Chosen.Drawing)
@@ -330,6 +334,7 @@ package body Vision.Tasks with SPARK_Mode is
                delay until Next;
             end if;
          end loop;
+         Vision.Sightings.Clear;
       end loop;
    end Th_Capture_Img;
 

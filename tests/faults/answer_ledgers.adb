@@ -23,7 +23,8 @@ package body Answer_Ledgers is
          when Silent  => False);
 
    function Is_Unasked (Label : String) return Boolean is
-     (Label in "CIMG" | "CPOS" | "RBLV" | "MSSG" | "ATIM");
+     (Label in
+        "CIMG" | "CPOS" | "RBLV" | "MSSG" | "MPRG" | "MEND" | "ATIM");
 
    procedure Pass_Over (L : in out Ledger);
    --  What may go without an answer

@@ -19,7 +19,8 @@ package body Network_Faults is
 
    Commands : constant Arguments := Words
      ("ROPN RCLS RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP RMOV RTRN"
-      & " RPOF RGBT RGST COPN CCLS CASA CACO CAIN CPCO CPST MSSG");
+      & " RPOF RGBT RGST COPN CCLS CASA CACO CAIN CPCO CPST MSSG"
+      & " MABT MGTO MPTH MGCM MPCM");
    --  All that the monitor can say
 
    --  The monitor disconnects
@@ -296,6 +297,13 @@ package body Network_Faults is
             W.Say (Name & ":" & Nines, Usual);
             W.Say (Name & ":-" & Nines, Usual);
             W.Say (Name & ":--1", Refused);
+            W.Say (Name & ":x" & Text (W.Source, 20), Refused);
+         elsif Name in "MGTO" | "MPTH" | "MGCM" | "MPCM" then
+            W.Say (Name, Refused);
+            W.Say (Name & ":", Refused);
+            W.Say (Name & ":" & Nines & "99;1", Refused);
+            W.Say (Name & ":-9999999.5;-1", Usual);
+            W.Say (Name & ":--1;1", Refused);
             W.Say (Name & ":x" & Text (W.Source, 20), Refused);
          elsif Name = "MSSG" then
             W.Say (Name, Refused);

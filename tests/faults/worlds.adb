@@ -28,7 +28,8 @@ package body Worlds is
    All_Words : constant Child_Processes.Arguments := Child_Processes.Words
      ("RPIN RGST RGBT RLDW RPIN RGST nope MSSG:text"
       & " RGFW RGBW RGLF RGRI RSTP RMOV:40 RTRN:-40 RMOV:0 RSTP RGFW"
-      & " ROPN RCLS RSOW RSWW RRST COPN CCLS CASA CACO CAIN CPCO CPST");
+      & " ROPN RCLS RSOW RSWW RRST COPN CCLS CASA CACO CAIN CPCO CPST"
+      & " MGTO:320;240 MPCM:20;20;60;40 MABT");
 
    procedure Forget_Session (W : in out World);
    --  It has ended: evaluates its ledger

@@ -2,6 +2,7 @@
 --  What must never happen, for any input.
 
 with Ada.Numerics.Discrete_Random;
+with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Child_Processes;       use Child_Processes;
@@ -77,6 +78,19 @@ package body Never_Tests is
       Refuse ("RTRN:");
       Refuse ("RTRN:-");
       Refuse ("RTRN:" & (1 .. 300 => 'z'));
+      for Name of Words ("MGTO MPTH MGCM MPCM") loop
+         Refuse (Name);
+         for Data of Words
+           (": :1 :1; :1;2; :1;2;3 ;1;2 :x;1 :+1;2 :1,5;2 :12345678;2"
+            & " :1;.5 :1;2.1234567 :;;; :1;;2 :" & (1 .. 300 => '9'))
+         loop
+            Refuse (Name & Data);
+         end loop;
+      end loop;
+      Refuse ("MGTO:1;2;3;4");
+      Refuse ("MGCM:1;2;3;4");
+      Refuse ("MPCM:0" & (1 .. 64 => ';') & "1");
+      Refuse ("MPCM:" & 64 * "1;2;" & "1;2");
       Refuse ("RMOV:1" & ASCII.NUL & "2");
       Refuse ((1 => ASCII.NUL));
       Refuse ("RG" & ASCII.NUL & "W");
@@ -100,8 +114,8 @@ package body Never_Tests is
    begin
       Assemble (R, Camera => True);
       for Name of Words
-        ("ROPN RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP RPOF RGBT"
-         & " RGST RCLS COPN CPCO CPST CCLS")
+        ("ROPN RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP MABT RPOF"
+         & " RGBT RGST RCLS COPN CPCO CPST CCLS")
       loop
          for Data of Words
            (": :1 :-99999999999999999999999 :x;y :%s%n%n :::: :"
@@ -190,6 +204,7 @@ package body Never_Tests is
       R        : Rig;
       All_Words : constant Arguments := Words
         ("ROPN RCLS RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP"
+         & " MABT MGTO:320;240 MPCM:20;20;60;40"
          & " RMOV:40 RTRN:-40 RGST COPN CCLS CPCO CPST nope");
       State    : Natural := 4242;
       Asked    : Natural;

@@ -15,6 +15,7 @@ with GNAT.OS_Lib;
 
 with Camera_Tests;
 with Expectations;
+with Mission_Tests;
 with Monitor_Tests;
 with Never_Tests;
 with Option_Readers;
@@ -81,6 +82,7 @@ begin
    Robot_Tests.Add_To (Suite);
    Camera_Tests.Add_To (Suite);
    Source_Tests.Add_To (Suite);
+   Mission_Tests.Add_To (Suite);
    Process_Tests.Add_To (Suite);
    Security_Tests.Add_To (Suite);
    Trace_Tests.Add_To (Suite);

@@ -20,7 +20,7 @@ with Trace_Files;           use Trace_Files;
 
 package body Trace_Tests is
 
-   Tasks : constant := 21;
+   Tasks : constant := 22;
 
    Writing_Time : constant Duration := 4.0;
    --  of all that a test leaves in the trace, on a shared machine, with the
@@ -204,6 +204,10 @@ package body Trace_Tests is
       R.Monitor.Expect ("AUTH:" & Token, "ACER");
       R.Monitor.Expect ("RPIN", "AACK");
       delay 1.3;
+      R.Monitor.Expect ("MGCM:45;33", "AACK");
+      Check
+        (To_String (R.Monitor.Next_Of ("MEND", Within => 20.0).Data) = "done",
+         "the mission has not been done");
       R.Monitor.Expect ("CCLS", "AACK");
       R.Monitor.Expect ("RRST", "AACK");
       R.Monitor.Expect ("RSOW", "AACK");

@@ -4,6 +4,7 @@
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Expectations;      use Expectations;
 with Input_Readers;     use Input_Readers;
+with Missions.Paths;
 with Monitor.Protocol;  use Monitor.Protocol;
 with Texts;
 
@@ -15,6 +16,57 @@ package body Monitor_Targets is
 
    function Meaning (Line : String) return Message;
    --  That, said in another way than Parse does
+
+   function Are_Points (Text : String; Most : Positive) return Boolean;
+   --  1 to Most points. Said in another way than Missions.Paths does
+
+   function Are_Points (Text : String; Most : Positive) return Boolean is
+      type Place is (Sign, Whole, Point, Part);
+      --  what has come last of a coordinate
+
+      Last   : Place := Sign;
+      Signed : Boolean := False;
+      Wholes : Natural := 0;
+      Parts  : Natural := 0;
+      Fields : Natural := 0;
+   begin
+      for C of String'(Text & ';') loop
+         case C is
+            when '0' .. '9' =>
+               if Last in Point | Part then
+                  Last := Part;
+                  Parts := Parts + 1;
+               else
+                  Last := Whole;
+                  Wholes := Wholes + 1;
+               end if;
+            when '-' =>
+               if Signed or else Last /= Sign then
+                  return False;
+               end if;
+               Signed := True;
+            when '.' =>
+               if Last /= Whole then
+                  return False;
+               end if;
+               Last := Point;
+            when ';' =>
+               if Last not in Whole | Part or else Wholes > 7
+                 or else Parts > 6
+               then
+                  return False;
+               end if;
+               Fields := Fields + 1;
+               Last := Sign;
+               Signed := False;
+               Wholes := 0;
+               Parts := 0;
+            when others =>
+               return False;
+         end case;
+      end loop;
+      return Fields mod 2 = 0 and then Fields <= 2 * Most;
+   end Are_Points;
 
    function Meaning (Line : String) return Message is
       Colon  : constant Natural := Index (Line, ":");
@@ -53,6 +105,13 @@ package body Monitor_Targets is
             Value :=
               (if Text (Text'First) = '-' then -Integer'Min (Value, 32_768)
                else Integer'Min (Value, 32_767));
+         when Mission_Order =>
+            if not Are_Points
+              (Text, (if Kind in Go_To_Pixels | Go_To_Centimetres then 1
+                      else 64))
+            then
+               Kind := Malformed;
+            end if;
          when others =>
             if Text /= "" then
                Kind := Malformed;
@@ -65,6 +124,8 @@ package body Monitor_Targets is
       Shifted : String (Integer'Last - Line'Length .. Integer'Last - 1);
       Here    : Message;
       There   : Message;
+      Path    : Missions.Path;
+      Valid   : Boolean;
       Text    : Texts.Text;
    begin
       Shifted := Line;
@@ -72,6 +133,12 @@ package body Monitor_Targets is
       Parse (Shifted, There);
       Check (Here = Meaning (Line), "a line has another meaning");
       Check (Here = There, "a line's meaning depends on its index");
+      if Here.Kind in Mission_Order then
+         Missions.Paths.Parse
+           (Line, Line'First + Text_Offset, Measure (Here.Kind),
+            Is_Single (Here.Kind), Path, Valid);
+         Check (Valid, "a mission has no path");
+      end if;
       Texts.Set (Text, "received ");
       Texts.Append (Text, Line);
       if Here.Kind = Log_Message then

@@ -6,12 +6,15 @@ with Ada.Strings.Fixed;
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Command_Lines;    use Command_Lines;
+with Missions;
 with Options;          use Options;
 with Texts;
 
 package body Command_Lines_Tests is
 
    use type Texts.Text;
+
+   use type Missions.Arena_Size;
 
    subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
@@ -101,7 +104,7 @@ package body Command_Lines_Tests is
         ("--port 7 --bind 127.0.0.1 --allow 10.0.0.0/8 --allow 127.0.0.1"
          & " --token /etc/token --serial /dev/pts/3 --camera a.mp4"
          & " --frame-size 320x240 --fps 25 --jpeg-quality 55"
-         & " --marker triangle --draw none --message-gap 9"
+         & " --marker triangle --draw none --arena-size 120x90 --message-gap 9"
          & " --log-level debug --cpu 3"
          & " --trace /tmp/trace.json");
    begin
@@ -124,6 +127,7 @@ package body Command_Lines_Tests is
             Quality     => 55,
             Marker      => Triangle,
             Drawing     => Nothing,
+            Arena_Size  => (Width => 120, Height => 90),
             Message_Gap => 9,
             Log_Level   => Debug,
             Cpu         => 3,
@@ -172,6 +176,19 @@ package body Command_Lines_Tests is
         ("--frame-size 1024", "--frame-size: '1024' is not WIDTHxHEIGHT");
       Expect_Wrong
         ("--frame-size x", "--frame-size: '' is not a number in 16 .. 4096");
+      Assert
+        (Read ("").Chosen.Arena_Size = (80, 60), "the arena's default");
+      Assert
+        (Read ("--arena-size 30x1000").Chosen.Arena_Size = (30, 1_000),
+         "the arena's limits");
+      Expect_Wrong
+        ("--arena-size 29x60",
+         "--arena-size: '29' is not a number in 30 .. 1000");
+      Expect_Wrong
+        ("--arena-size 80x1001",
+         "--arena-size: '1001' is not a number in 30 .. 1000");
+      Expect_Wrong
+        ("--arena-size 80", "--arena-size: '80' is not WIDTHxHEIGHT");
       Expect_Wrong
         ("--cpu 1024", "--cpu: '1024' is not a number in 0 .. 1023");
       Expect_Wrong

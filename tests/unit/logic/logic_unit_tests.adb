@@ -11,6 +11,8 @@ with Image_Cycle_Tests;
 with Image_Grid_Tests;
 with Line_Health_Tests;
 with Mailboxes_Tests;
+with Missions_Paths_Tests;
+with Missions_Texts_Tests;
 with Monitor_Link_Tests;
 with Monitor_Protocol_Tests;
 with Networks_Tests;
@@ -47,6 +49,8 @@ begin
    Unit_Runs.Add (new Monitor_Protocol_Tests.Test_Case);
    Unit_Runs.Add (new Line_Health_Tests.Test_Case);
    Unit_Runs.Add (new Mailboxes_Tests.Test_Case);
+   Unit_Runs.Add (new Missions_Paths_Tests.Test_Case);
+   Unit_Runs.Add (new Missions_Texts_Tests.Test_Case);
    Unit_Runs.Add (new Order_Meanings_Tests.Test_Case);
    Unit_Runs.Add (new Monitor_Link_Tests.Test_Case);
    Unit_Runs.Add (new Robot_Session_Tests.Test_Case);

@@ -49,10 +49,15 @@ package body Mailboxes_Tests is
    function Place return Ticket;
    --  Of the next command.
 
+   function To_Line (Text : String) return Short_Line;
+   --  With a line feed.
+
    procedure Answer (Number : Ticket; Kind : Answer_Kind := Acknowledged);
    procedure Put_Battery;
    procedure Put_Image;
    procedure Put_Position (Text : String);
+   procedure Put_Progress (Number : Ticket; Text : String);
+   procedure Put_End (Number : Ticket; Text : String);
 
    procedure Test_Order (T : in out Any_Test);
    procedure Test_Newest (T : in out Any_Test);
@@ -61,6 +66,8 @@ package body Mailboxes_Tests is
    procedure Test_Hold_Of_Each (T : in out Any_Test);
    procedure Test_Hold_Of_All (T : in out Any_Test);
    procedure Test_Gap (T : in out Any_Test);
+   procedure Test_Mission (T : in out Any_Test);
+   procedure Test_Old_Mission (T : in out Any_Test);
    procedure Test_Stale (T : in out Any_Test);
    procedure Test_Full (T : in out Any_Test);
 
@@ -134,6 +141,12 @@ package body Mailboxes_Tests is
       Put_Battery (B, Battery_Full, Now, Begun);
    end Put_Battery;
 
+   procedure Put_End (Number : Ticket; Text : String) is
+      Begun : Boolean;
+   begin
+      Put_End (B, Number, To_Line (Text), Now, Begun);
+   end Put_End;
+
    procedure Put_Image is
       Kept, Begun : Boolean;
    begin
@@ -142,13 +155,16 @@ package body Mailboxes_Tests is
    end Put_Image;
 
    procedure Put_Position (Text : String) is
-      Line  : Short_Line;
       Begun : Boolean;
    begin
-      Line.Length := Text'Length + 1;
-      Line.Data (1 .. Line.Length) := Text & Monitor.Protocol.Line_Feed;
-      Put_Position (B, Line, B.Made, Now, Begun);
+      Put_Position (B, To_Line (Text), B.Made, Now, Begun);
    end Put_Position;
+
+   procedure Put_Progress (Number : Ticket; Text : String) is
+      Begun : Boolean;
+   begin
+      Put_Progress (B, Number, To_Line (Text), Now, Begun);
+   end Put_Progress;
 
    overriding procedure Register_Tests (T : in out Test_Case) is
       use AUnit.Test_Cases.Registration;
@@ -162,6 +178,9 @@ package body Mailboxes_Tests is
       Register_Routine
         (T, Test_Hold_Of_All'Access, "commands without end hold no longer");
       Register_Routine (T, Test_Gap'Access, "the gap and the turns");
+      Register_Routine (T, Test_Mission'Access, "progress and end");
+      Register_Routine
+        (T, Test_Old_Mission'Access, "a mission of another session");
       Register_Routine (T, Test_Stale'Access, "numbers out of date");
       Register_Routine (T, Test_Full'Access, "room for 256");
    end Register_Tests;
@@ -298,6 +317,47 @@ package body Mailboxes_Tests is
       Check (Monitor.Send_Order.Answer, "AACK");
    end Test_Hold_Of_Each;
 
+   procedure Test_Mission (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Number, Stop : Ticket;
+   begin
+      Begin_Anew;
+      Number := Place;
+      Answer (Number);
+      Check (Monitor.Send_Order.Answer, "AACK");
+      Put_Progress (Number, "MPRG:1;2;300");
+      Put_Progress (Number, "MPRG:1;2;200");
+      Put_Battery;
+      Check (Mission, "MPRG:1;2;200");
+      Check (Battery, "RBLV:2");
+      Check (Nothing);
+
+      --  the end drops progress, and images do not drop the end
+
+      Put_Progress (Number, "MPRG:2;2;100");
+      Put_End (Number, "MEND:done");
+      Put_Progress (Number, "MPRG:2;2;90");
+      Put_Position ("CPOS:one");
+      Put_Image;
+      Stop_Images (B);
+      Put_Image;
+      Check (Mission, "MEND:done");
+      Check (Image);
+      Check (Nothing);
+
+      --  held back by the command that ends it
+
+      Stop := Place;
+      Put_End (Number, "MEND:aborted;order by hand");
+      Check_Hold (True);
+      Check (Nothing);
+      Answer (Stop);
+      Check (Monitor.Send_Order.Answer, "AACK");
+      Check_Gap (20);
+      Check (Mission, "MEND:aborted;order by hand");
+      Check (Nothing);
+   end Test_Mission;
+
    procedure Test_Newest (T : in out Any_Test) is
       pragma Unreferenced (T);
       Begun : Boolean;
@@ -315,6 +375,29 @@ package body Mailboxes_Tests is
       Stop_Images (B);
       Check (Nothing);
    end Test_Newest;
+
+   procedure Test_Old_Mission (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Old, Next : Ticket;
+   begin
+      Begin_Anew;
+      Old := Place;
+      Answer (Old);
+      Put_Progress (Old, "MPRG:1;1;300");
+      Put_End (Old, "MEND:done");
+      Close_Session (B, Next);
+      Put_End (Old, "MEND:done");
+      Open_Session (B);
+      Put_Progress (Old, "MPRG:1;1;300");
+      Put_End (Old, "MEND:done");
+      Check (Nothing);
+      Next := Place;
+      Answer (Next);
+      Put_End (Next, "MEND:done");
+      Put_End (Old, "MEND:aborted;monitor lost");
+      Check (Monitor.Send_Order.Answer, "AACK");
+      Check (Mission, "MEND:done");
+   end Test_Old_Mission;
 
    procedure Test_Order (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -354,5 +437,13 @@ package body Mailboxes_Tests is
       Answer (Next);
       Check (Monitor.Send_Order.Answer, "AACK");
    end Test_Stale;
+
+   function To_Line (Text : String) return Short_Line is
+      Line : Short_Line;
+   begin
+      Line.Length := Text'Length + 1;
+      Line.Data (1 .. Line.Length) := Text & Monitor.Protocol.Line_Feed;
+      return Line;
+   end To_Line;
 
 end Mailboxes_Tests;

@@ -6,6 +6,7 @@ with Ada.Strings.Fixed;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
+with Missions;
 with Monitor.Protocol; use Monitor.Protocol;
 
 package body Monitor_Protocol_Tests is
@@ -51,6 +52,7 @@ package body Monitor_Protocol_Tests is
    procedure Test_Every_Number (T : in out Any_Test);
    procedure Test_Bad_Numbers (T : in out Any_Test);
    procedure Test_Log (T : in out Any_Test);
+   procedure Test_Missions (T : in out Any_Test);
    procedure Test_Parse_Slices (T : in out Any_Test);
    procedure Test_Parse_Chaos (T : in out Any_Test);
    procedure Test_Line_Ends (T : in out Any_Test);
@@ -163,6 +165,7 @@ package body Monitor_Protocol_Tests is
                         "every number from -70,000 to 70,000");
       Register_Routine (T, Test_Bad_Numbers'Access, "no numbers");
       Register_Routine (T, Test_Log'Access, "log messages");
+      Register_Routine (T, Test_Missions'Access, "missions");
       Register_Routine (T, Test_Parse_Slices'Access, "lines in a buffer");
       Register_Routine (T, Test_Parse_Chaos'Access, "chaos");
       Register_Routine (T, Test_Line_Ends'Access, "ends of lines");
@@ -296,7 +299,9 @@ package body Monitor_Protocol_Tests is
       pragma Unreferenced (T);
    begin
       for K in Known_Kind loop
-         if not Takes_Number (K) and then not Takes_Text (K) then
+         if not Takes_Number (K) and then not Takes_Text (K)
+           and then K not in Mission_Order
+         then
             Assert (Parsed (Label (K)) = (K, 0), Label (K));
 
             --  The existing monitor writes the separator nevertheless
@@ -402,6 +407,7 @@ package body Monitor_Protocol_Tests is
       Check ("RGLF", Go_Left);
       Check ("RGRI", Go_Right);
       Check ("RSTP", Stop_Robot);
+      Check ("MABT", Abort_Mission);
       Check ("RMOV", Move_Robot);
       Check ("RTRN", Turn_Robot);
       Check ("RPOF", Power_Off_Robot);
@@ -414,12 +420,18 @@ package body Monitor_Protocol_Tests is
       Check ("CAIN", Reject_Arena);
       Check ("CPCO", Start_Position);
       Check ("CPST", Stop_Position);
+      Check ("MGTO", Go_To_Pixels);
+      Check ("MPTH", Follow_Pixels);
+      Check ("MGCM", Go_To_Centimetres);
+      Check ("MPCM", Follow_Centimetres);
       Check ("MSSG", Log_Message);
       Assert (Count = Known_Kind'Pos (Known_Kind'Last) + 1, "all of them");
       Check_Unsolicited (Image_Label, "CIMG");
       Check_Unsolicited (Position_Label, "CPOS");
       Check_Unsolicited (Battery_Label, "RBLV");
       Check_Unsolicited (State_Label, "RCST");
+      Check_Unsolicited (Progress_Label, "MPRG");
+      Check_Unsolicited (End_Label, "MEND");
       Check_Unsolicited (Log_Label, "MSSG");
    end Test_Labels;
 
@@ -504,6 +516,40 @@ package body Monitor_Protocol_Tests is
       Assert (Is_Too_Long (R), "it was not");
    end Test_Long_Lines;
 
+   procedure Test_Missions (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      type Units is array (Mission_Order) of Missions.Unit;
+
+      Expected : constant Units :=
+        (Go_To_Pixels | Follow_Pixels => Missions.Pixels,
+         others                       => Missions.Centimetres);
+
+      use type Missions.Unit;
+   begin
+      for K in Mission_Order loop
+         Assert (Is_Answered (K), "answered");
+         Assert (Measure (K) = Expected (K), "the unit of " & Label (K));
+         Assert (Is_Single (K) = (Label (K) in "MGTO" | "MGCM"), "single");
+         Assert (Parsed (Label (K) & ":320.5;-12") = (K, 0), "a point");
+         Assert
+           (Parsed (Label (K) & ":1;2;3;4").Kind =
+              (if Is_Single (K) then Malformed else K), "two points");
+         Check_Malformed (Label (K));
+         Check_Malformed (Label (K) & ":");
+         Check_Malformed (Label (K) & ":1");
+         Check_Malformed (Label (K) & ":1;");
+         Check_Malformed (Label (K) & ":1;2;");
+         Check_Malformed (Label (K) & ":1;2;3");
+         Check_Malformed (Label (K) & ": 1;2");
+         Check_Malformed (Label (K) & " 1;2");
+         Check_Malformed (Label (K) & ":+1;2");
+         Check_Malformed (Label (K) & ":1;2" & CR);
+         Check_Malformed (Label (K) & ":12345678;2");
+         Check_Malformed (Label (K) & ":1.1234567;2");
+      end loop;
+   end Test_Missions;
+
    procedure Test_Not_Found (T : in out Any_Test) is
       pragma Unreferenced (T);
    begin
@@ -571,7 +617,9 @@ package body Monitor_Protocol_Tests is
             end if;
          end loop;
          if Round mod 3 = 0 and then Size >= 5 then
-            Line (1 .. 4) := Label (Known_Kind'Val (Round mod 25));
+            Line (1 .. 4) := Label
+              (Known_Kind'Val
+                 (Round / 3 mod (Known_Kind'Pos (Log_Message) + 1)));
             Line (5) := ':';
          end if;
          Parse (Line (1 .. Size), M);

@@ -73,6 +73,7 @@ package body Order_Meanings_Tests is
       Check_Frame ("RGLF", "T=32767");
       Check_Frame ("RGRI", "T=-32768");
       Check_Frame ("RSTP", "M=0");
+      Check_Frame ("MABT", "M=0");
       Check_Frame ("RMOV:120", "M=120");
       Check_Frame ("RTRN:-90", "T=-90");
       Check_Frame ("RPOF", "z");
@@ -87,7 +88,9 @@ package body Order_Meanings_Tests is
       Check_Rank (R, Open_Robot, 1, 0);
       Check_Rank (R, Ping_Robot, 2, 1);
       Check_Rank (R, Stop_Robot, 0, 0);
+      Check_Rank (R, Abort_Mission, 0, 0);
       Check_Rank (R, Open_Camera, 0, 0);
+      Check_Rank (R, Go_To_Pixels, 0, 0);
       Check_Rank (R, Start_Robot, 3, 1);
       Check_Rank (R, Go_Left, 4, 3);
       Check_Rank (R, Power_Off_Robot, 5, 3);

@@ -55,6 +55,7 @@ package body Send_Order_Tests is
       W.Ready := False;
       Send (W, Robot_Lost);
       Send (W, Text);
+      Send (W, Mission);
       Send (W, Battery);
       Send (W, Image);
       Send (W, Position);
@@ -70,6 +71,7 @@ package body Send_Order_Tests is
    begin
       Send (W, Robot_Lost);
       Send (W, Text);
+      Send (W, Mission);
       --  a monitor so slow that there are always new ones of both
       for Round in 1 .. 3 loop
          W.Messages (Battery) := True;

@@ -34,6 +34,8 @@ package body Supervisor_Model_Tests is
    procedure Test_Here (T : in out Any_Test);
    procedure Test_Cortex (T : in out Any_Test);
    procedure Test_Flood (T : in out Any_Test);
+   procedure Test_Missions (T : in out Any_Test);
+   procedure Test_Late_Mission (T : in out Any_Test);
    procedure Test_Orders (T : in out Any_Test);
    procedure Test_Report (T : in out Any_Test);
    procedure Test_No_Bound (T : in out Any_Test);
@@ -80,6 +82,7 @@ package body Supervisor_Model_Tests is
       pragma Unreferenced (T);
       Found : Natural := 0;
    begin
+      Check_Tasks ("mission_tasks.ads", Found);
       Check_Tasks ("monitor-tasks.ads", Found);
       Check_Tasks ("robot-tasks.ads", Found);
       Check_Tasks ("vision-tasks.ads", Found);
@@ -152,6 +155,73 @@ package body Supervisor_Model_Tests is
            > 2 * Amid.Bounds (Newcomer).Finish,
          "newcomers do not wait");
    end Test_Flood;
+
+   procedure Test_Missions (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Beside  : constant Load := (Mission => True, others => <>);
+      Without : Analysis;
+      Result  : Analysis;
+
+      procedure Check_Longer (Name : Requirement_Name);
+      --  It waits for what a mission has in progress
+
+      procedure Check_Longer (Name : Requirement_Name) is
+      begin
+         Assert
+           (Result.Requirements (Name).Bound
+            > Without.Requirements (Name).Bound,
+            Name'Image & " does not feel a mission");
+      end Check_Longer;
+
+   begin
+      Analyse
+        (Of_The_Table, Real_Time_Apart, (others => <>), Usual, Without);
+      Analyse
+        (Of_The_Table, Real_Time_Apart, (others => <>), Beside, Result);
+      Assert (All_Met (Result), "a deadline is missed");
+      Assert
+        (Result.Requirements (Mission_Order).Limit = 100_000,
+         "an image and its order have another deadline");
+      Assert
+        (Without.Requirements (Mission_Order).Limit = 0,
+         "orders of missions without missions");
+      Check_Longer (F12_At_Robot);
+      Check_Longer (F11_Reload);
+      Check_Longer (F13_Level);
+
+      Analyse
+        (Of_The_Table, Real_Time_Apart,
+         (Percent => 100 * Cortex_A53_Factor, Second | Many => True), Beside,
+         Result);
+      Assert (Deadlines_Met (Result), "a deadline is missed on the A53");
+      Assert
+        (not Met (Result.Requirements (Mission_Order)),
+         "the order is in time on the A53: claim it");
+   end Test_Missions;
+
+   procedure Test_Late_Mission (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Limit  : constant := 50_000;
+      --  Schedule.Mission_Order_Limit
+      Result : Analysis;
+   begin
+      Analyse
+        (Of_The_Table, Real_Time_Apart, (others => <>),
+         (Mission => True, others => <>), Result);
+      Assert
+        (Result.Line (Mission).Start in 20_000 .. Limit - 1,
+         "the quiet zone before a reload is not waited for");
+      Analyse
+        (Of_The_Table, Real_Time_Apart, (others => <>),
+         (Mission => True, Turnaround => 40_000, others => <>), Result);
+      Assert
+        (Result.Line (Mission).Start = Limit,
+         "an order that is sent has waited"
+         & Result.Line (Mission).Start'Image);
+      Assert
+        (not Met (Result.Requirements (Mission_Order)),
+         "a slow robot is not seen");
+   end Test_Late_Mission;
 
    procedure Test_Orders (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -282,6 +352,10 @@ package body Supervisor_Model_Tests is
       Register_Routine (T, Test_Cortex'Access, "on a Cortex-A53 too");
       Register_Routine
         (T, Test_Flood'Access, "a flood of newcomers is borne");
+      Register_Routine
+        (T, Test_Missions'Access, "an order follows its image in time");
+      Register_Routine
+        (T, Test_Late_Mission'Access, "an order that is late is not sent");
       Register_Routine
         (T, Test_Orders'Access, "the monitor's orders come one at a time");
       Register_Routine

@@ -2,6 +2,7 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
+with Ada.Real_Time;
 with Event;
 with Instants;         use Instants;
 
@@ -14,6 +15,7 @@ package body Event_Tests is
 
    procedure Test_Kept (T : in out Any_Test);
    procedure Test_Turns (T : in out Any_Test);
+   procedure Test_Until (T : in out Any_Test);
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Event"));
@@ -25,6 +27,8 @@ package body Event_Tests is
         (T, Test_Kept'Access, "several sets count as one, then it blocks");
       Register_Routine
         (T, Test_Turns'Access, "two tasks wake each other, none is lost");
+      Register_Routine
+        (T, Test_Until'Access, "a wait ends with the event or at its time");
    end Register_Tests;
 
    procedure Test_Kept (T : in out Any_Test) is
@@ -79,5 +83,46 @@ package body Event_Tests is
       Assert (Wrong = 0, "the partner was ahead or behind" & Wrong'Image
               & " times");
    end Test_Turns;
+
+   procedure Test_Until (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      use Ada.Real_Time;
+      Pause   : constant Time_Span := Milliseconds (30);
+      Begun   : Time;
+      Was_Set : Boolean;
+   begin
+      Begun := Clock;
+      Answered.Wait_Until (Begun + Pause, Was_Set);
+      Assert (not Was_Set, "set by nobody");
+      Assert (Clock - Begun >= Pause, "the wait ended too soon");
+
+      Answered.Set;
+      Begun := Clock;
+      Answered.Wait_Until (Begun + Seconds (5), Was_Set);
+      Assert (Was_Set and then Clock - Begun < Seconds (1),
+              "a set before the wait does not end it");
+
+      declare
+         task Setter;
+
+         task body Setter is
+         begin
+            delay until Begun + Pause;
+            Answered.Set;
+         end Setter;
+      begin
+         Answered.Wait_Until (Begun + Seconds (5), Was_Set);
+      end;
+      Assert (Was_Set and then Clock - Begun < Seconds (1),
+              "a set during the wait does not end it");
+
+      --  with a time that is over it only looks
+
+      Answered.Wait_Until (Time_First, Was_Set);
+      Assert (not Was_Set, "one set, taken twice");
+      Answered.Set;
+      Answered.Wait_Until (Time_First, Was_Set);
+      Assert (Was_Set, "not taken as the time is over");
+   end Test_Until;
 
 end Event_Tests;

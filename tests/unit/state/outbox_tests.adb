@@ -5,6 +5,7 @@ with Ada.Real_Time;          use Ada.Real_Time;
 
 with AUnit.Assertions;       use AUnit.Assertions;
 
+with Missions;
 with Monitor.Image_Messages; use Monitor.Image_Messages;
 with Monitor.Mailboxes;
 with Monitor.Outbox;
@@ -35,6 +36,7 @@ package body Outbox_Tests is
    procedure Test_Images (T : in out Any_Test);
    procedure Test_Arena (T : in out Any_Test);
    procedure Test_Answers (T : in out Any_Test);
+   procedure Test_Mission (T : in out Any_Test);
 
    procedure Begin_Anew is
       Next : Ticket;
@@ -82,6 +84,7 @@ package body Outbox_Tests is
       Register_Routine (T, Test_Images'Access, "images go round");
       Register_Routine (T, Test_Arena'Access, "an answer that is an image");
       Register_Routine (T, Test_Answers'Access, "answers, and who waits");
+      Register_Routine (T, Test_Mission'Access, "a mission's messages");
    end Register_Tests;
 
    procedure Test_Answers (T : in out Any_Test) is
@@ -147,5 +150,61 @@ package body Outbox_Tests is
       Monitor.Outbox.Put_Image (Made_Here, Made);
       Check (Nothing);
    end Test_Images;
+
+   procedure Test_Mission (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check_Line (Text : String);
+      --  The next message
+
+      procedure Check_Waits (Expected : Boolean);
+      --  An end waits
+
+      procedure Check_Line (Text : String) is
+         Next : Monitor.Mailboxes.Item;
+         Line : Monitor.Mailboxes.Short_Line;
+         Gap  : Monitor.Send_Order.Milliseconds;
+      begin
+         Monitor.Outbox.Wait;
+         Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap);
+         Assert (Next.Kind = Mission, Next.Kind'Image & " taken");
+         Monitor.Mailboxes.Compose (Next, Line);
+         Assert
+           (Line.Data (1 .. Line.Length) = Text & Monitor.Protocol.Line_Feed,
+            Line.Data (1 .. Line.Length));
+      end Check_Line;
+
+      procedure Check_Waits (Expected : Boolean) is
+         Waits : Boolean;
+      begin
+         Monitor.Outbox.Get_End_Waits (Waits);
+         Assert (Waits = Expected, "an end waits: " & Waits'Image);
+      end Check_Waits;
+
+      Item : Order;
+   begin
+      Begin_Anew;
+      Monitor.Outbox.Reserve (Item);
+      Monitor.Outbox.Answer (Item, Acknowledged);
+      Check (Monitor.Send_Order.Answer);
+      Monitor.Outbox.Put_Progress (Item.Number, 2, 5, 310);
+      Check_Line ("MPRG:2;5;310");
+      Check_Waits (False);
+      Monitor.Outbox.Put_Progress (Item.Number, 5, 5, 12);
+      Monitor.Outbox.Put_End (Item.Number, Missions.Completed);
+      Check_Waits (True);
+      Check_Line ("MEND:done");
+      Check_Waits (False);
+      Check (Nothing);
+
+      --  not sent before the session ended
+
+      Monitor.Outbox.Put_End (Item.Number, Missions.No_Image);
+      Begin_Anew;
+      Check_Waits (False);
+      Monitor.Outbox.Put_End (Item.Number, Missions.No_Image);
+      Check_Waits (False);
+      Check (Nothing);
+   end Test_Mission;
 
 end Outbox_Tests;

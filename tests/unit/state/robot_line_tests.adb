@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The line's requests: urgency, void movements, places kept.
+--  The line's requests: urgency, void movements, places kept, missions.
 
 with AUnit.Assertions; use AUnit.Assertions;
 
@@ -10,6 +10,7 @@ with Robot.Line;
 with Robot.Line_Status;
 with Robot.Requests;   use Robot.Requests;
 with Robot.Session;
+with Schedule;
 
 package body Robot_Line_Tests is
 
@@ -21,6 +22,12 @@ package body Robot_Line_Tests is
       Number      : Ticket;
       Rank, After : Ticket := 0);
    --  The monitor's order, by way of From.
+
+   procedure Ask_For_Mission
+     (Kind   : Robot.Session.Request_Kind;
+      Number : Ticket;
+      After  : Ticket := 0);
+   --  What the mission asks for that the monitor's order Number began.
 
    procedure Stop (Number : Ticket; After : Ticket := 0);
 
@@ -39,6 +46,10 @@ package body Robot_Line_Tests is
    procedure Test_Out_Of_Date (T : in out Any_Test);
    procedure Test_Many_Stops (T : in out Any_Test);
    procedure Test_Of_A_Run (T : in out Any_Test);
+   procedure Test_Hand (T : in out Any_Test);
+   procedure Test_Late (T : in out Any_Test);
+   procedure Test_Mission_In_Turn (T : in out Any_Test);
+   procedure Test_Rights (T : in out Any_Test);
 
    procedure Ask
      (From        : Client;
@@ -58,6 +69,16 @@ package body Robot_Line_Tests is
         (From, Robot.Session.Request'(Kind => Kind, others => <>));
    end Ask;
 
+   procedure Ask_For_Mission
+     (Kind   : Robot.Session.Request_Kind;
+      Number : Ticket;
+      After  : Ticket := 0) is
+   begin
+      Robot.Line.Put_For_Mission
+        ((Kind => Kind, others => <>),
+         (Number => Number, After => After, others => <>));
+   end Ask_For_Mission;
+
    procedure Check
      (From    : Client;
       Verdict : Verdict_Kind := Carry_Out;
@@ -69,6 +90,8 @@ package body Robot_Line_Tests is
       Assert (Next.From = From,
               From'Image & " expected, not " & Next.From'Image);
       Assert (Next.Verdict = Verdict, From'Image & Next.Verdict'Image);
+      Assert (not (Next.Order.Owed and then From = Mission),
+              "a mission's order is answered when it begins, not here");
       Robot.Line.Finish
         (Next, (Line_Open => True, Mode => Mode, others => <>),
          (others => <>), Ada.Real_Time.Clock);
@@ -91,6 +114,14 @@ package body Robot_Line_Tests is
                         "stops without end do not starve the reload");
       Register_Routine (T, Test_Of_A_Run'Access,
                         "no reload of a run that has ended");
+      Register_Routine (T, Test_Hand'Access,
+                        "an order by hand voids those of older missions");
+      Register_Routine (T, Test_Late'Access,
+                        "a mission's order that waited too long is not sent");
+      Register_Routine (T, Test_Mission_In_Turn'Access,
+                        "a mission's order waits for the orders before it");
+      Register_Routine (T, Test_Rights'Access,
+                        "what ends a mission: another session, a hand");
    end Register_Tests;
 
    procedure Stop (Number : Ticket; After : Ticket := 0) is
@@ -116,6 +147,87 @@ package body Robot_Line_Tests is
       Check (Stop_Order);
       Check (Move, Out_Of_Date);
    end Test_Many_Stops;
+
+   procedure Test_Hand (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Robot.Line.Begin_Session (600);
+      Ask_For_Mission (Robot.Session.Drive, 600);
+      Robot.Line.Note_Hand (601);
+      Check (Mission, Overtaken);
+      --  nor is what it asks for later, a stop included
+
+      Ask_For_Mission (Robot.Session.Get_Moving, 600);
+      Check (Mission, Overtaken);
+      Ask_For_Mission (Robot.Session.Stop, 600);
+      Check (Mission, Overtaken);
+
+      Ask_For_Mission (Robot.Session.Drive, 602);
+      Check (Mission);
+
+      Ask_For_Mission (Robot.Session.Stop, 602);
+      Robot.Line.Begin_Session (603);
+      Check (Mission, Out_Of_Date);
+   end Test_Hand;
+
+   procedure Test_Late (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Pass_Limit;
+
+      procedure Pass_Limit is
+         use Ada.Real_Time;
+      begin
+         delay until Clock + Schedule.Mission_Order_Limit + Milliseconds (5);
+      end Pass_Limit;
+
+   begin
+      Robot.Line.Begin_Session (700);
+      Ask_For_Mission (Robot.Session.Drive, 700);
+      Pass_Limit;
+      Check (Mission, Late);
+      Ask_For_Mission (Robot.Session.Stop, 700);
+      Pass_Limit;
+      Check (Mission);
+      Ask_For_Mission (Robot.Session.Drive, 700);
+      Check (Mission);
+   end Test_Late;
+
+   procedure Test_Mission_In_Turn (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Robot.Line.Begin_Session (800);
+      Ask_For_Mission (Robot.Session.Stop, 802, After => 2);
+      Ask (Reset, Reset_Robot, 801, 2, 1);
+      Ask (Open, Open_Robot, 800, 1, 0);
+      Check (Open);
+      Check (Reset);
+      Check (Mission);
+   end Test_Mission_In_Turn;
+
+   procedure Test_Rights (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      procedure Check_Rights (Over, Hand : Boolean);
+      --  Of the mission of order 901.
+
+      procedure Check_Rights (Over, Hand : Boolean) is
+         Is_Over, By_Hand : Boolean;
+      begin
+         Robot.Line.Get_Rights (901, Is_Over, By_Hand);
+         Assert (Is_Over = Over, "over: " & Is_Over'Image);
+         Assert (By_Hand = Hand, "by hand: " & By_Hand'Image);
+      end Check_Rights;
+
+   begin
+      Robot.Line.Begin_Session (900);
+      Robot.Line.Note_Hand (900);
+      Check_Rights (False, False);
+      Robot.Line.Note_Hand (902);
+      Check_Rights (False, True);
+      Robot.Line.Begin_Session (903);
+      Check_Rights (True, False);
+   end Test_Rights;
 
    procedure Test_Of_A_Run (T : in out Any_Test) is
       pragma Unreferenced (T);
@@ -205,6 +317,7 @@ package body Robot_Line_Tests is
       Ask (Keep_Alive, Robot.Session.Keep_Alive);
       Ask (Query, Ping_Robot, 11, 2, 0);
       Ask (Battery, Robot.Session.Get_Battery);
+      Ask_For_Mission (Robot.Session.Drive, 14);
       Ask (Move, Go_Forward, 13, 3, 0);
       Ask (Reload, Robot.Session.Reload);
       Stop (12);
@@ -213,6 +326,7 @@ package body Robot_Line_Tests is
       Check (Stop_Order);
       Check (Reload);
       Check (Move);
+      Check (Mission);
       Check (Battery);
       Check (Query);
       Check (Keep_Alive);

@@ -1,0 +1,33 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Angles and vectors, in integers.
+
+package Missions.Angles with SPARK_Mode, Pure is
+
+   pragma Annotate (GNATprove, Terminating, Missions.Angles);
+
+   Million : constant := 1_000_000;
+
+   type Wide is range -2 ** 63 .. 2 ** 63 - 1;
+   --  For products
+
+   subtype Part is Wide range -Million .. Million;
+   --  Millionths
+
+   function Normal (Angle : Microdegrees) return Bearing is
+     ((Angle + Half_Turn) mod Full_Turn - Half_Turn)
+   with Pre => Angle <= Microdegrees'Last - Half_Turn;
+
+   function Sine (Angle : Bearing) return Part;
+   --  Interpolated between whole degrees: wrong by at most 40
+
+   function Cosine (Angle : Bearing) return Part;
+
+   function Direction (X, Y : Micrometres) return Bearing;
+   --  Of the vector, within a thousandth of a degree of the angle with that
+   --  sine and cosine; 0 of no vector
+
+   function Along (X, Y : Micrometres; Towards : Bearing) return Micrometres;
+   --  The vector's component in that direction; in its own direction, its
+   --  length. Limited to the range of the result
+
+end Missions.Angles;

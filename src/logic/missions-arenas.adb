@@ -1,0 +1,255 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with Missions.Angles;
+
+package body Missions.Arenas with SPARK_Mode is
+
+   use Vision.Shapes;
+
+   --  What the grid costs. The map is x = Width * u, y = Height * v. The
+   --  gradient of u is
+   --
+   --     (1 - u) * tB tC grad DAP / w - u * tA tD grad BCP / w
+   --
+   --  In the arena 0 <= u <= 1, and w is not less than Least, its lowest value
+   --  at a corner. So a shift of half a sixteenth in both coordinates changes
+   --  u by at most
+   --
+   --     p = max (tB tC |DA|, tA tD |BC|) / Least / 2
+   --
+   --  with |DA| for the sum of both differences of coordinates, and v by at
+   --  most q, likewise. The rounding of a point is such a shift. So is that of
+   --  the corners: to the first order, it changes u by what is at most p at
+   --  the corners and bilinear between them, and by g * u (1 - u), where g is
+   --  the sum of the changes of v at the corners, with alternating signs: at
+   --  most 4 q. In all 2 p + q, and v by 2 q + p. So a place moves by no more
+   --  than Longest * (p + q) * 2.24. The second order is smaller by the ratio
+   --  of a thirty-second of a pixel to a side.
+
+   Loss_Limit : constant := 800;
+   --  Micrometres: of 2 * Longest * (p + q)
+
+   function Nearest (Side : Micrometres; N : Numerator; D : Denominator)
+     return Wide
+   with
+     Pre  => Side in 300_000 .. Largest_Side and then D > 0,
+     Post => 2 * abs (Nearest'Result * D - Wide (Side) * N) <= D;
+   --  Side * N / D
+
+   function Rounded (Value : Micro_Pixels) return Wide is
+     ((if Value >= 0 then Wide (Value) + Unit_Size / 2
+       else Wide (Value) - Unit_Size / 2) / Unit_Size);
+   --  In sixteenths
+
+   function Rounded (Value : Millionths) return Wide is
+     ((if Value >= 0 then Wide (Value) + 50 else Wide (Value) - 50) / 100);
+   --  Millionths of a centimetre, in micrometres
+
+   subtype Length is Wide range 0 .. 2 ** 17;
+
+   function Way (P, Q : Grid_Point) return Length is
+     (abs (P.X - Q.X) + abs (P.Y - Q.Y));
+
+   function Is_Long (P, Q : Grid_Point) return Boolean is
+     (Times (P.X - Q.X, P.X - Q.X) + Times (P.Y - Q.Y, P.Y - Q.Y)
+      >= Min_Side * Min_Side);
+
+   subtype Steepness is Wide range 0 .. 2 ** 83;
+
+   function Steep (By : Weight; Side : Length) return Steepness is
+     (By * Side);
+
+   function Steeper (P, Q : Steepness) return Steepness is
+     (if P < Q then Q else P);
+
+   subtype Scaled_Steepness is Wide range 0 .. 2 ** 107;
+
+   function Scaled (Side : Micrometres; By : Steepness)
+     return Scaled_Steepness is (Wide (Side) * By)
+   with Pre => Side in 300_000 .. Largest_Side;
+
+   function Product_Of (A, B : Twice_Area) return Weight is (A * B)
+   with Pre => A >= 0 and then B >= 0;
+
+   function Is_Fine (M : Map) return Boolean;
+   --  Its sides are long enough, and its grid costs less than 1 mm
+
+   -------------
+   -- Is_Fine --
+   -------------
+
+   function Is_Fine (M : Map) return Boolean is
+      A : Grid_Point renames M.Corners (Top_Left);
+      B : Grid_Point renames M.Corners (Top_Right);
+      C : Grid_Point renames M.Corners (Bottom_Right);
+      D : Grid_Point renames M.Corners (Bottom_Left);
+
+      Longest : constant Micrometres :=
+        Micrometres'Max (Width (M), Height (M));
+      Least   : constant Denominator :=
+        Wide'Min (Wide'Min (Whole (M, A), Whole (M, B)),
+                  Wide'Min (Whole (M, C), Whole (M, D)));
+      P       : constant Steepness := Steeper
+        (Steep (M.Left, Way (D, A)), Steep (M.Right, Way (B, C)));
+      Q       : constant Steepness := Steeper
+        (Steep (M.Below, Way (C, D)), Steep (M.Above, Way (A, B)));
+   begin
+      return Is_Long (A, B) and then Is_Long (B, C)
+        and then Is_Long (C, D) and then Is_Long (D, A)
+        and then Scaled (Longest, P) + Scaled (Longest, Q)
+          <= Loss_Limit * Least;
+   end Is_Fine;
+
+   ------------
+   -- Locate --
+   ------------
+
+   procedure Locate
+     (M     : Map;
+      P     : Vision.Shapes.Point;
+      Where : out Place;
+      Known : out Boolean)
+   is
+      G    : Grid_Point;
+      W    : Denominator;
+      X, Y : Wide;
+   begin
+      Where := (0, 0);
+      Known := False;
+      if Is_On_Grid (P) then
+         G := To_Grid (P);
+         W := Whole (M, G);
+         if W > 0 then
+            X := Nearest (Width (M), X_Part (M, G), W);
+            Y := Nearest (Height (M), Y_Part (M, G), W);
+            if X in Wide (-Width (M)) .. Wide (2 * Width (M))
+              and then Y in Wide (-Height (M)) .. Wide (2 * Height (M))
+            then
+               Where := (Micrometres (X), Micrometres (Y));
+               Known := True;
+            end if;
+         end if;
+      end if;
+   end Locate;
+
+   procedure Locate
+     (M     : Map;
+      R     : Vision.Shapes.Robot;
+      Where : out Pose;
+      Known : out Boolean)
+   is
+      Ahead : Place;
+   begin
+      Where := (others => <>);
+      Locate (M, R.Centre, Where.At_Place, Known);
+      if Known then
+         Locate (M, R.Direction, Ahead, Known);
+         Known := Known and then Ahead /= Where.At_Place;
+         if Known then
+            Where.Heading :=
+              Angles.Direction
+                (Ahead.X - Where.At_Place.X, Ahead.Y - Where.At_Place.Y);
+         end if;
+      end if;
+   end Locate;
+
+   ----------
+   -- Make --
+   ----------
+
+   procedure Make
+     (Corners : Vision.Shapes.Arena_Corners;
+      Size    : Arena_Size;
+      M       : out Map;
+      Usable  : out Boolean)
+   is
+      A, B, C, D         : Grid_Point;
+      T_A, T_B, T_C, T_D : Twice_Area;
+   begin
+      M := (Size => Size, others => <>);
+      if (for all P of Corners => Is_On_Grid (P)) then
+         A := To_Grid (Corners (Top_Left));
+         B := To_Grid (Corners (Top_Right));
+         C := To_Grid (Corners (Bottom_Right));
+         D := To_Grid (Corners (Bottom_Left));
+         T_A := Twice (D, A, B);
+         T_B := Twice (A, B, C);
+         T_C := Twice (B, C, D);
+         T_D := Twice (C, D, A);
+         if T_A > 0 and then T_B > 0 and then T_C > 0 and then T_D > 0 then
+            M.Corners := (A, B, C, D);
+            M.Left := Product_Of (T_B, T_C);
+            M.Right := Product_Of (T_A, T_D);
+            M.Below := Product_Of (T_A, T_B);
+            M.Above := Product_Of (T_C, T_D);
+            M.Usable := Is_Fine (M);
+         end if;
+      end if;
+      Usable := M.Usable;
+   end Make;
+
+   -------------
+   -- Nearest --
+   -------------
+
+   function Nearest (Side : Micrometres; N : Numerator; D : Denominator)
+     return Wide
+   is
+      Value : constant Wide := Wide (Side) * N;
+      Q     : constant Wide := Value / D;
+      Rest  : constant Wide := Value rem D;
+   begin
+      if 2 * Rest > D then
+         return Q + 1;
+      elsif 2 * Rest < -D then
+         return Q - 1;
+      else
+         return Q;
+      end if;
+   end Nearest;
+
+   -------------
+   -- Targets --
+   -------------
+
+   procedure Targets
+     (P      : Path;
+      M      : Map;
+      Size   : Arena_Size;
+      Places : out Place_Array;
+      Inside : out Boolean)
+   is
+      X, Y : Wide;
+   begin
+      Places := (others => <>);
+      Inside := True;
+      for K in 1 .. P.Count loop
+         pragma Loop_Invariant
+           (for all L in 1 .. K - 1 => Guards.Is_Target (Places (L), Size));
+         if P.Measure = Pixels then
+            Locate
+              (M,
+               (Vision.Shapes.Micro_Pixels (P.Points (K).X),
+                Vision.Shapes.Micro_Pixels (P.Points (K).Y)),
+               Places (K), Inside);
+         else
+            X := Rounded (P.Points (K).X);
+            Y := Rounded (P.Points (K).Y);
+            Inside := X in 0 .. Largest_Side and then Y in 0 .. Largest_Side;
+            if Inside then
+               Places (K) := (Micrometres (X), Micrometres (Y));
+            end if;
+         end if;
+         Inside := Inside and then Guards.Is_Target (Places (K), Size);
+         exit when not Inside;
+      end loop;
+   end Targets;
+
+   -------------
+   -- To_Grid --
+   -------------
+
+   function To_Grid (P : Vision.Shapes.Point) return Grid_Point is
+     (X => Rounded (P.X), Y => Rounded (P.Y));
+
+end Missions.Arenas;

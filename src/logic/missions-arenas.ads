@@ -1,0 +1,200 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  From the image to the arena: the projective map (homography) that takes the
+--  four corners confirmed by the user to those of a rectangle, in integers.
+
+with Missions.Guards;
+with Vision.Shapes;
+
+package Missions.Arenas with SPARK_Mode, Pure is
+
+   pragma Annotate (GNATprove, Terminating, Missions.Arenas);
+
+   --  Coordinates of the image are rounded to sixteenths of a pixel. From
+   --  there the map is exact: a quotient of integers, rounded to micrometres.
+
+   type Wide is range -2 ** 126 .. 2 ** 126;
+   --  For the products: GNAT has 128 bits on processors with 64
+
+   subtype Sixteenths is Wide range -32 .. 65_503;
+   --  Of a pixel: images of up to 4,094 pixels a side, and 2 before them
+
+   type Grid_Point is record
+      X, Y : Sixteenths := 0;
+   end record;
+
+   Largest_Side : constant := Arena_Side'Last * 10_000;
+   --  Micrometres
+
+   subtype Twice_Area is Wide range -2 ** 33 .. 2 ** 33;
+   subtype Weight is Wide range 0 .. 2 ** 66;
+   subtype Numerator is Wide range -2 ** 99 .. 2 ** 99;
+   subtype Denominator is Wide range -2 ** 100 .. 2 ** 100;
+
+   Unit_Size : constant := 62_500;
+   --  A sixteenth, in millionths
+
+   function Is_On_Grid (P : Vision.Shapes.Point) return Boolean;
+
+   function To_Grid (P : Vision.Shapes.Point) return Grid_Point
+   with
+     Pre  => Is_On_Grid (P),
+     Post => 2 * abs (To_Grid'Result.X * Unit_Size - Wide (P.X)) <= Unit_Size
+       and then
+         2 * abs (To_Grid'Result.Y * Unit_Size - Wide (P.Y)) <= Unit_Size;
+   --  Wrong by at most a thirty-second of a pixel
+
+   type Map is private;
+
+   function Is_Usable (M : Map) return Boolean;
+   --  The corners form a convex quadrilateral, not mirrored, with sides of at
+   --  least Min_Side, and its rounding to the grid costs less than 1 mm
+
+   Min_Side : constant := 100 * 16;
+
+   --  With the corners A (top left), B, C, D clockwise, and with tA, tB, tC,
+   --  tD for twice the area of the triangle of a corner and its neighbours,
+   --  and DAP for twice that of D, A and P, positive for P inside:
+   --
+   --     x = Width  * tB tC DAP / w        w = tB tC DAP + tA tD BCP
+   --     y = Height * tA tB CDP / w          = tA tB CDP + tC tD ABP
+   --
+   --  x is 0 on the left side, DA, where DAP is, and Width on the right one;
+   --  y likewise. Both forms of w are linear, and equal because they are at
+   --  the corners. So it is a projective map, and there is only one.
+
+   function X_Part (M : Map; P : Grid_Point) return Numerator;
+   --  tB tC DAP
+   function Y_Part (M : Map; P : Grid_Point) return Numerator;
+   --  tA tB CDP
+   function Whole (M : Map; P : Grid_Point) return Denominator;
+   --  w
+
+   function Width (M : Map) return Micrometres
+   with Post => Width'Result in 300_000 .. Largest_Side;
+   function Height (M : Map) return Micrometres
+   with Post => Height'Result in 300_000 .. Largest_Side;
+
+   function Is_Near (M : Map; Where : Place) return Boolean is
+     (Where.X in -Width (M) .. 2 * Width (M)
+      and then Where.Y in -Height (M) .. 2 * Height (M));
+
+   function Is_Quotient
+     (Q : Micrometres; Side : Micrometres; N : Numerator; D : Denominator)
+      return Boolean
+   is (D > 0 and then 2 * abs (Wide (Q) * D - Wide (Side) * N) <= D)
+   with Pre => Q in -Largest_Side .. 2 * Largest_Side
+     and then Side in 0 .. Largest_Side;
+   --  Q is Side * N / D within half a micrometre
+
+   procedure Make
+     (Corners : Vision.Shapes.Arena_Corners;
+      Size    : Arena_Size;
+      M       : out Map;
+      Usable  : out Boolean)
+   with
+     Post => Usable = Is_Usable (M)
+       and then Width (M) = Micrometres (Size.Width) * 10_000
+       and then Height (M) = Micrometres (Size.Height) * 10_000;
+
+   procedure Locate
+     (M     : Map;
+      P     : Vision.Shapes.Point;
+      Where : out Place;
+      Known : out Boolean)
+   with
+     Pre  => Is_Usable (M),
+     Post =>
+       (if Known then
+          Is_On_Grid (P)
+          and then Is_Near (M, Where)
+          and then Is_Quotient (Where.X, Width (M), X_Part (M, To_Grid (P)),
+                                Whole (M, To_Grid (P)))
+          and then Is_Quotient (Where.Y, Height (M), Y_Part (M, To_Grid (P)),
+                                Whole (M, To_Grid (P))));
+   --  Known: in the arena or around it, at most its own size away. In the
+   --  arena, Where is wrong by less than 1 mm for the corners as confirmed:
+   --  see Loss_Limit in the body
+
+   procedure Locate
+     (M     : Map;
+      R     : Vision.Shapes.Robot;
+      Where : out Pose;
+      Known : out Boolean)
+   with
+     Pre  => Is_Usable (M),
+     Post => (if Known then Is_Near (M, Where.At_Place));
+   --  Its centre; it heads for the point in its direction
+
+   procedure Targets
+     (P      : Path;
+      M      : Map;
+      Size   : Arena_Size;
+      Places : out Place_Array;
+      Inside : out Boolean)
+   with
+     Pre  => P.Measure = Centimetres or else Is_Usable (M),
+     Post =>
+       (if Inside then
+          (for all K in 1 .. P.Count =>
+             Guards.Is_Target (Places (K), Size)));
+   --  Not Inside: a point is outside the arena less its margin. Centimetres
+   --  need no map
+
+private
+
+   function Is_On_Grid (P : Vision.Shapes.Point) return Boolean is
+     (Wide (P.X) in
+        Sixteenths'First * Unit_Size .. Sixteenths'Last * Unit_Size
+      and then Wide (P.Y) in
+        Sixteenths'First * Unit_Size .. Sixteenths'Last * Unit_Size);
+
+   type Grid_Corners is array (Vision.Shapes.Corner) of Grid_Point;
+
+   type Map is record
+      Corners                   : Grid_Corners;
+      Left, Right, Below, Above : Weight  := 0;
+      --  tB tC, tA tD, tA tB, tC tD
+      Size                      : Arena_Size;
+      Usable                    : Boolean := False;
+   end record;
+
+   function Is_Usable (M : Map) return Boolean is (M.Usable);
+
+   function Width (M : Map) return Micrometres is
+     (Micrometres (M.Size.Width) * 10_000);
+
+   function Height (M : Map) return Micrometres is
+     (Micrometres (M.Size.Height) * 10_000);
+
+   subtype Product is Wide range -2 ** 32 .. 2 ** 32;
+
+   function Times (A, B : Wide) return Product is (A * B)
+   with Pre => A in -2 ** 16 .. 2 ** 16 and then B in -2 ** 16 .. 2 ** 16;
+
+   function Twice (P, Q, R : Grid_Point) return Twice_Area is
+     (Times (Q.X - P.X, R.Y - P.Y) - Times (Q.Y - P.Y, R.X - P.X));
+   --  The area of the triangle, positive if it is clockwise in the image
+
+   function Weighted (By : Weight; Area : Twice_Area) return Numerator is
+     (By * Area);
+
+   function X_Part (M : Map; P : Grid_Point) return Numerator is
+     (Weighted
+        (M.Left,
+         Twice (M.Corners (Vision.Shapes.Bottom_Left),
+                M.Corners (Vision.Shapes.Top_Left), P)));
+
+   function Y_Part (M : Map; P : Grid_Point) return Numerator is
+     (Weighted
+        (M.Below,
+         Twice (M.Corners (Vision.Shapes.Bottom_Right),
+                M.Corners (Vision.Shapes.Bottom_Left), P)));
+
+   function Whole (M : Map; P : Grid_Point) return Denominator is
+     (X_Part (M, P)
+      + Weighted
+          (M.Right,
+           Twice (M.Corners (Vision.Shapes.Top_Right),
+                  M.Corners (Vision.Shapes.Bottom_Right), P)));
+
+end Missions.Arenas;

@@ -1,0 +1,114 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The ground of a mission: the state of robot, camera and monitor without
+--  which it may not begin, and with whose end it ends.
+
+with Ada.Real_Time; use Ada.Real_Time;
+with Missions.Arenas;
+with Missions.Runs;
+with Robot.Line_Status;
+with Robot.Session;
+with Vision.Mode;
+with Vision.Mode_Changes;
+with Vision.Robot_Sightings;
+with Vision.Shapes;
+
+package Missions.Grounds with SPARK_Mode is
+
+   pragma Annotate (GNATprove, Terminating, Missions.Grounds);
+
+   use type Robot.Session.Mode_Kind;
+   use type Vision.Mode.Stage_Kind;
+   use type Vision.Shapes.Arena_Corners;
+
+   type Ground is record
+      Line : Robot.Line_Status.Status;
+      View : Vision.Mode_Changes.View;
+      Seen : Vision.Robot_Sightings.Sighting;
+      Now  : Time := Time_First;
+   end record;
+   --  What is known at the time Now
+
+   Position_Limit : constant Time_Span := Milliseconds (300);
+   --  The robot may be elsewhere after this
+
+   function Has_Position (G : Ground) return Boolean is
+     (G.Seen.Seen and then G.Now <= G.Seen.Came + Position_Limit);
+
+   procedure Check
+     (G         : Ground;
+      P         : Path;
+      Size      : Arena_Size;
+      Map       : out Missions.Arenas.Map;
+      Targets   : out Place_Array;
+      May_Begin : out Boolean;
+      Why       : out Refusal)
+   with
+     Pre  => P.Count in Point_Number,
+     Post =>
+       (if May_Begin then
+           G.Line.Mode /= Robot.Session.Not_Started
+           and then Vision.Mode.Images_Flow (G.View.Mode)
+           and then G.View.Mode.Position_On
+           and then G.View.Mode.Confirmed
+           and then Has_Position (G)
+           and then Missions.Arenas.Is_Usable (Map)
+        else
+          (case Why is
+              when Robot_Not_Started   =>
+                G.Line.Mode = Robot.Session.Not_Started,
+              when Camera_Closed       =>
+                not Vision.Mode.Is_Open (G.View.Mode),
+              when Positions_Off       => not G.View.Mode.Position_On,
+              when Arena_Not_Confirmed =>
+                not G.View.Mode.Confirmed
+                or else not Vision.Mode.Images_Flow (G.View.Mode),
+              when Robot_Not_Seen      => not Has_Position (G),
+              when Arena_Too_Small | Point_Outside => True));
+   --  Whether a mission to P may begin on G, or why not. Map is that of the
+   --  arena, and Targets (1 .. P.Count) the places of the points
+
+   function Stands (Begun, G : Ground) return Boolean is
+     (G.View.Mode.Stage = Vision.Mode.Streaming
+      and then G.View.Mode.Position_On
+      and then G.View.Mode.Confirmed
+      and then G.View.Arena = Begun.View.Arena);
+   --  Camera, positions and arena are still those of Begun
+
+   procedure Look
+     (Begun            : Ground;
+      G                : Ground;
+      Is_Over, By_Hand : Boolean;
+      Ends             : out Boolean;
+      Why              : out Abort_Reason)
+   with
+     Post => Ends =
+         (Is_Over
+          or else By_Hand
+          or else not Robot.Line_Status.Same_Run (G.Line, Begun.Line)
+          or else G.Line.Reloads_Refused /= Begun.Line.Reloads_Refused
+          or else not Stands (Begun, G))
+       and then (if Is_Over then Why = Session_Over
+                 elsif By_Hand then Why = Missions.By_Hand);
+   --  Whether the mission that has begun on Begun must end, by G. Is_Over: its
+   --  session has ended. By_Hand: an order by hand has come after it
+
+   --  Times and places as Missions.Runs has them
+
+   Lead : constant := 1_000_000;
+   --  The time at which a mission begins: the image that it begins with is
+   --  older
+
+   function Since (Begun, At_Time : Time) return Microseconds;
+   --  Lead at Begun, and 0 where At_Time is more than that before it
+
+   function Next_Time
+     (Begun, Now : Time; Due : Microseconds) return Time;
+   --  When th_mission looks next, if no image comes: Schedule.Mission_Period
+   --  after Now, or at Due if that is earlier
+
+   function Seen_From (Begun : Time; Map : Missions.Arenas.Map; G : Ground)
+     return Missions.Runs.Sighting
+   with Pre => Missions.Arenas.Is_Usable (Map);
+   --  The newest sighting of G
+
+end Missions.Grounds;

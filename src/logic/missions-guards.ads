@@ -1,0 +1,68 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Where the robot may be sent: the room that it needs at the border of the
+--  arena, and whether a drive stays inside whatever is not known of it.
+
+with Missions.Angles;
+
+package Missions.Guards with SPARK_Mode, Pure is
+
+   pragma Annotate (GNATprove, Terminating, Missions.Guards);
+
+   use type Missions.Angles.Wide;
+
+   Robot_Radius  : constant Micrometres := 62_000;
+   Braking       : constant Micrometres := 8_000;
+   --  What it may be beyond where it is believed
+   Margin        : constant Micrometres := Robot_Radius + Braking;
+   Target_Margin : constant Micrometres := 80_000;
+   --  Of its centre from the border
+
+   subtype Drive_Length is Integer range -5_000 .. 5_000;
+   --  Millimetres, negative backward
+
+   subtype Gain is Integer range 6_000 .. 17_000;
+   --  What the robot does of what is ordered, ten thousandths
+
+   subtype Pull is Integer range -40_000 .. 40_000;
+   --  How the robot turns in driving: microdegrees to the left in each
+   --  millimetre forward
+
+   type Doubts is record
+      Longest : Gain         := Gain'Last;
+      Likely  : Pull         := 0;
+      Either  : Pull         := 30_000;
+      --  so much more or less
+      Heading : Microdegrees range 0 .. 10_000_000 := 1_500_000;
+   end record;
+   --  What the robot may do of a drive
+
+   function Is_Target (Where : Place; Size : Arena_Size) return Boolean is
+     (Where.X in Target_Margin
+        .. Micrometres (Size.Width) * 10_000 - Target_Margin
+      and then Where.Y in Target_Margin
+        .. Micrometres (Size.Height) * 10_000 - Target_Margin);
+   --  Inside the arena less its margin
+
+   function Is_Permitted
+     (From  : Pose;
+      Move  : Drive_Length;
+      Doubt : Doubts;
+      Size  : Arena_Size) return Boolean;
+   --  Wherever the robot comes, it is inside the arena less Margin, or not
+   --  further out than it was
+
+   --  Lengths and turns as they will be
+
+   function True_Length (Move : Drive_Length; By : Gain) return Micrometres
+   is (Micrometres (Move * By / 10));
+
+   subtype Some_Length is Micrometres range -8_500_000 .. 8_500_000;
+
+   function Swing (Length : Some_Length; By : Pull) return Microdegrees
+   is (Microdegrees
+         (Missions.Angles.Wide (Length) * Missions.Angles.Wide (By) / 2_000))
+   with Post => Swing'Result in -170_000_000 .. 170_000_000;
+   --  By how much the chord of a drive is to the left of the heading at its
+   --  beginning: half of what the robot turns
+
+end Missions.Guards;

@@ -1,0 +1,623 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+package body Missions.Runs with SPARK_Mode is
+
+   use Missions.Angles;
+
+   --  Limits: microseconds, micrometres, microdegrees
+
+   Still_Time    : constant := 2_000_000;
+   --  without progress, which is so much:
+   Progress_Way  : constant := 10_000;
+   Progress_Turn : constant := 5_000_000;
+
+   Leg_Time                 : constant := 15_000_000;
+   Leg_Time_Per_Millimetre  : constant := 20_000;
+
+   --  The robot as it is meant to be
+
+   Time_Per_Millimetre : constant := 5_000;   --  200 mm/s
+   Time_Per_Degree     : constant := 11_112;  --  90 degrees/s
+
+   Ask_Period : constant := 20_000;
+
+   --  Looks
+
+   Same_Place   : constant := 9_000;
+   Same_Heading : constant := 3_000_000;
+   Upset_Way    : constant := 15_000;
+   --  from the mean, in a turn
+
+   Enough_Images : constant := 2;
+   Many_Images   : constant := 4;
+
+   Unsure_Way : constant := 3_000;
+   --  so near to the limit of what counts as there, more images decide
+
+   --  Orders
+
+   Backward_Way : constant := 60_000;
+   --  at most, where forward would take half a turn
+   Side_Way     : constant := 2_500;
+   --  no turn is made to pass the target by less
+
+   Learning_Way : constant := 40_000;
+   --  Nothing is learnt from shorter drives
+   Surprise     : constant := 6_000_000;
+
+   --  Functions
+
+   function After (Time, Span : Microseconds) return Microseconds is
+     (if Time <= Microseconds'Last - Span then Time + Span
+      else Microseconds'Last);
+
+   function Near_Of (Where : Micrometres) return Near is
+     (Micrometres'Max (Near'First, Micrometres'Min (Near'Last, Where)));
+
+   function Target (R : Run) return Near_Pose is
+     ((X       => Near_Of (R.Targets (R.Leg).X),
+       Y       => Near_Of (R.Targets (R.Leg).Y),
+       Heading => 0));
+
+   function Difference (From, To : Bearing) return Bearing is
+     (Normal (To - From));
+
+   function Way (From, To : Near_Pose) return Micrometres is
+     (Along (To.X - From.X, To.Y - From.Y,
+             Direction (To.X - From.X, To.Y - From.Y)));
+
+   function Duration_Of (R : Run) return Microseconds is
+     (Microseconds (abs R.Amount)
+      * (if R.Movement = Turn then Time_Per_Degree else Time_Per_Millimetre));
+   --  Of the order under way, of a robot as it is meant to be
+
+   function There (Images : Image_Count) return Micrometres is
+     (case Images is
+         when 0 .. 2           => 7_000,
+         when 3                => 8_000,
+         when 4 .. Max_Images  => 9_000);
+   --  So near to the target, it is reached: the more images, the better it is
+   --  known
+
+   --  Operations
+
+   procedure Finish (R : in out Run; Why : Ending)
+   with
+     Pre  => not R.Ended,
+     Post => R.Ended
+       and then R.Why = Why
+       and then Orders_Left (R) = Orders_Left (R'Old);
+
+   procedure Begin_Leg (R : in out Run; Now : Microseconds);
+   --  Its limits
+
+   procedure Check_Limits (R : in out Run; Now : Microseconds);
+
+   procedure Add_Image (R : in out Run);
+
+   procedure Arrive (R : in out Run; Now : Microseconds);
+   --  The robot does not move any more
+
+   procedure Learn (R : in out Run);
+
+   procedure Decide
+     (R : in out Run; Now : Microseconds; Next : in out Action);
+
+   procedure Aim (R : in out Run; Goal : Near_Pose; Next : in out Action);
+   --  A turn or a drive towards the goal; Nothing: none is permitted
+
+   procedure Give
+     (R        : in out Run;
+      Movement : Movement_Kind;
+      Amount   : Drive_Length;
+      Next     : in out Action);
+
+   ---------------
+
+   procedure Add_Image (R : in out Run) is
+      Where : constant Near_Pose := R.Newest;
+      Turn  : constant Bearing   :=
+        Difference (R.Mean.Heading, Where.Heading);
+   begin
+      if R.Count = 0
+        or else Way (R.Mean, Where) > Same_Place
+        or else abs Turn > Same_Heading
+      then
+         R.Count := 1;
+         R.Mean  := Where;
+      else
+         R.Count  := Natural'Min (R.Count + 1, Max_Images);
+         R.Mean.X := R.Mean.X + (Where.X - R.Mean.X) / Near (R.Count);
+         R.Mean.Y := R.Mean.Y + (Where.Y - R.Mean.Y) / Near (R.Count);
+         R.Mean.Heading :=
+           Normal (R.Mean.Heading + Turn / Microdegrees (R.Count));
+      end if;
+   end Add_Image;
+
+   procedure Aim (R : in out Run; Goal : Near_Pose; Next : in out Action) is
+      Here    : constant Near_Pose   := R.Mean;
+      Towards : constant Bearing     :=
+        Direction (Goal.X - Here.X, Goal.Y - Here.Y);
+      Ahead   : constant Micrometres :=
+        Micrometres'Max (0, Way (Here, Goal));
+      Is_Back : constant Boolean     :=
+        Ahead < Backward_Way
+        and then abs Difference (Here.Heading, Towards) > Half_Turn / 2;
+      Front   : constant Bearing     :=
+        (if Is_Back then Normal (Towards + Half_Turn) else Towards);
+
+      subtype Forward_Length is Drive_Length range 0 .. Drive_Length'Last;
+
+      function Signed (Length : Forward_Length) return Drive_Length is
+        (if Is_Back then -Length else Length);
+
+      function Course (Length : Forward_Length) return Bearing is
+        (Normal
+           (Front
+            - Swing (True_Length (Signed (Length), R.Drives), R.Pulled)));
+
+      function Is_Good
+        (Length : Forward_Length; Heading : Bearing) return Boolean
+      is (Missions.Guards.Is_Permitted
+            (((Here.X, Here.Y), Heading), Signed (Length), Doubts (R),
+             R.Size));
+
+      procedure Shorten (Length : in out Forward_Length)
+      with Pre => Length > 0, Post => Length < Length'Old;
+
+      procedure Shorten (Length : in out Forward_Length) is
+      begin
+         Length := Length - Integer'Max (1, Length / 16);
+      end Shorten;
+
+      Wanted  : constant Wide :=
+        (Wide (Ahead) * 10 + Wide (R.Drives) / 2) / Wide (R.Drives);
+      Length  : Forward_Length :=
+        Forward_Length
+          (Wide'Max (1, Wide'Min (Wide (Forward_Length'Last), Wanted)));
+      Angle   : Bearing;
+      Half    : Wide;
+      Ordered : Degrees;
+   begin
+      while Length > 0 and then not Is_Good (Length, Course (Length)) loop
+         pragma Loop_Variant (Decreases => Length);
+         Shorten (Length);
+      end loop;
+      if Length = 0 then
+         return;
+      end if;
+
+      Angle   := Difference (Here.Heading, Course (Length));
+      Half    := Wide (R.Turns) / 2;
+      Ordered := Degrees
+        ((Wide (Angle) / 100 + (if Angle < 0 then -Half else Half))
+         / Wide (R.Turns));
+      if Ordered /= 0
+        and then abs (Wide (Ahead) * Sine (Angle) / Million) > Side_Way
+        and then abs Angle >
+          (if R.Turns_Made = 2 then 4_000_000
+           elsif R.Way_Weight < Learnt_Way then 3_000_000
+           elsif R.Turns_Made = 1 then 1_000_000
+           else 0)
+      then
+         Give (R, Turn, Ordered, Next);
+         return;
+      end if;
+
+      while Length > 0 and then not Is_Good (Length, Here.Heading) loop
+         pragma Loop_Variant (Decreases => Length);
+         Shorten (Length);
+      end loop;
+      if Length > 0 then
+         Give (R, Drive, Signed (Length), Next);
+      elsif Ordered /= 0 then
+         Give (R, Turn, Ordered, Next);
+      end if;
+   end Aim;
+
+   procedure Arrive (R : in out Run; Now : Microseconds) is
+   begin
+      if R.Movement = Turn
+        and then R.Sure
+        and then R.Trusted
+        and then R.Turned ** 2 <= 9 * R.Turn_Weight
+        and then not R.Upset
+      then
+         R.Mean.Heading := Normal
+           (R.Mean.Heading
+            + Microdegrees (R.Amount) * Microdegrees (R.Turns) * 100);
+         R.Phase := Aiming;
+      else
+         R.Phase     := Looking;
+         R.Rest_From := Now;
+         R.Count     := 0;
+         R.Learnable :=
+           R.Learnable and then R.Sure and then R.Movement /= Halt;
+      end if;
+   end Arrive;
+
+   procedure Begin_Leg (R : in out Run; Now : Microseconds) is
+      Far : constant Micrometres := Micrometres'Max (0, Distance (R));
+   begin
+      R.Leg_End := After
+        (Now, Leg_Time + Leg_Time_Per_Millimetre * Microseconds (Far / 1_000));
+      R.Orders   := Max_Orders;
+      R.Anchored := Now;
+   end Begin_Leg;
+
+   procedure Check_Limits (R : in out Run; Now : Microseconds) is
+   begin
+      if Now > After (R.Came, Max_Age) then
+         Finish (R, No_Image);
+      elsif Now >= R.Leg_End then
+         Finish (R, Leg_Too_Long);
+      elsif Now > After (R.Anchored, Still_Time) then
+         Finish (R, No_Progress);
+      end if;
+   end Check_Limits;
+
+   procedure Decide
+     (R : in out Run; Now : Microseconds; Next : in out Action)
+   is
+      Left : Micrometres := Way (R.Mean, Target (R));
+   begin
+      if R.Phase = Looking then
+         if R.Count < Many_Images
+           and then Left > There (R.Count)
+           and then Left <= There (R.Count) + Unsure_Way
+         then
+            return;
+         end if;
+
+         if R.Learnable then
+            Learn (R);
+         end if;
+         R.Turned    := 0;
+         R.Driven    := 0;
+         R.Learnable := True;
+         R.Phase     := Aiming;
+         while Left <= There (R.Count) loop
+            if R.Leg = R.Legs then
+               Finish (R, Completed);
+               return;
+            end if;
+            R.Leg := R.Leg + 1;
+            Begin_Leg (R, Now);
+            Left := Way (R.Mean, Target (R));
+         end loop;
+      end if;
+
+      if R.Orders = 0 then
+         Finish (R, Leg_Too_Long);
+         return;
+      end if;
+
+      Aim (R, Target (R), Next);
+      if Next.Kind = Nothing then
+         Aim (R,
+              (X       => Near (R.Size.Width) * 5_000,
+               Y       => Near (R.Size.Height) * 5_000,
+               Heading => 0),
+              Next);
+      end if;
+      if Next.Kind = Nothing then
+         Finish (R, No_Way);
+      end if;
+   end Decide;
+
+   function Distance (R : Run) return Micrometres is
+     (Way (R.Newest, Target (R)));
+
+   procedure End_By (R : in out Run; Why : Abort_Reason) is
+   begin
+      if not R.Ended then
+         Finish (R, Why);
+      end if;
+   end End_By;
+
+   procedure Finish (R : in out Run; Why : Ending) is
+   begin
+      R.Ended := True;
+      R.Why   := Why;
+      R.Stops := (if Why in By_Hand | Session_Over then 0 else Stop_Tries);
+   end Finish;
+
+   procedure Give
+     (R        : in out Run;
+      Movement : Movement_Kind;
+      Amount   : Drive_Length;
+      Next     : in out Action) is
+   begin
+      Next :=
+        (Kind    => Order,
+         Request =>
+           (case Movement is
+               when Halt  => (Kind => Robot.Session.Stop, others => <>),
+               when Turn  =>
+                 (Robot.Session.Drive, (Robot.Protocol.Turn, Amount)),
+               when Drive =>
+                 (Robot.Session.Drive, (Robot.Protocol.Move, Amount))));
+      R.Awaited  := Order;
+      R.Movement := Movement;
+      R.Amount   := Amount;
+      R.Phase    := Moving;
+      R.Upset    := False;
+      R.Orders   := R.Orders - 1;
+      case Movement is
+         when Halt =>
+            null;
+
+         when Turn =>
+            R.Turns_Made := Natural'Min (2, R.Turns_Made + 1);
+            if R.Turned = 0 then
+               R.From := R.Mean;
+            end if;
+            if abs (R.Turned + Amount) <= Degrees'Last then
+               R.Turned := R.Turned + Amount;
+            else
+               R.Learnable := False;
+            end if;
+
+         when Drive =>
+            R.Turns_Made := 0;
+            R.From.X := R.Mean.X;
+            R.From.Y := R.Mean.Y;
+            if R.Turned = 0 then
+               R.From.Heading := R.Mean.Heading;
+            end if;
+            R.Driven := Amount;
+      end case;
+   end Give;
+
+   procedure Learn (R : in out Run) is
+
+      procedure Learn_Gain
+        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Wide;
+         Most : Weight);
+
+      procedure Learn_Gain
+        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Wide;
+         Most : Weight)
+      is
+         Sensible : constant Wide :=
+           Wide'Max (Wide (Gain'First), Wide'Min (Wide (Gain'Last), Seen));
+      begin
+         G := Gain
+           (Wide (G) + (Sensible - Wide (G)) * Amount / (Wide (W) + Amount));
+         W := Weight (Wide'Min (Wide (Most), Wide (W) + Amount));
+      end Learn_Gain;
+
+      Expected : constant Microdegrees :=
+        Microdegrees (R.Turned) * Microdegrees (R.Turns) * 100;
+      Length   : constant Micrometres := Way (R.From, R.Mean);
+      Chord    : constant Bearing :=
+        Normal
+          (Direction (R.Mean.X - R.From.X, R.Mean.Y - R.From.Y)
+           + (if R.Driven < 0 then Half_Turn else 0));
+      Before   : Bearing;
+      --  the heading at the beginning of the drive
+      Error    : Bearing;
+      Pulled   : Wide;
+   begin
+      if R.Driven = 0 then
+         if R.Turned /= 0 then
+            Error := Normal
+              (R.Mean.Heading - R.From.Heading - Normal (Expected));
+            Learn_Gain
+              (R.Turns, R.Turn_Weight,
+               Wide (Expected + Error) / (Wide (R.Turned) * 100),
+               Wide (R.Turned) ** 2, 90_000);
+            R.Trusted := R.Turn_Weight >= Learnt_Turn;
+         end if;
+         return;
+      elsif Length < Learning_Way then
+         return;
+      end if;
+
+      Learn_Gain
+        (R.Drives, R.Way_Weight, Wide (Length) * 10 / abs Wide (R.Driven),
+         Wide (R.Driven) ** 2, 360_000);
+
+      Before :=
+        (if R.Turned = 0 then R.From.Heading
+         else Normal (Chord + Difference (R.Mean.Heading, Chord)));
+      Error :=
+        Normal (Before - R.From.Heading - Normal (Expected));
+      if R.Turned /= 0 then
+         Learn_Gain
+           (R.Turns, R.Turn_Weight,
+            Wide (Expected + Error) / (Wide (R.Turned) * 100),
+            Wide (R.Turned) ** 2 / 4 + 1, 90_000);
+      end if;
+      if abs Error > Surprise then
+         R.Trusted := False;
+      end if;
+
+      Pulled := Wide (Difference (Before, R.Mean.Heading)) * 1_000
+        / Wide (if R.Driven < 0 then -Length else Length);
+      Pulled := Wide'Max (Wide (Pull'First),
+                          Wide'Min (Wide (Pull'Last), Pulled));
+      declare
+         Amount : constant Wide :=
+           Wide (R.Driven) ** 2 / (if R.Turned = 0 then 1 else 4);
+      begin
+         R.Pulled := Pull
+           (Wide (R.Pulled)
+            + (Pulled - Wide (R.Pulled)) * Amount
+              / (Wide (R.Pull_Weight) + Amount));
+         R.Pull_Weight := Weight
+           (Wide'Min (360_000, Wide (R.Pull_Weight) + Amount));
+      end;
+   end Learn;
+
+   function Next_Look (R : Run; Now : Microseconds) return Microseconds is
+     (if R.Ended or else R.Phase = Aiming then Now
+      elsif R.Phase = Moving then
+         Microseconds'Max
+           (Now, Microseconds'Min (R.Ask_At, After (Now, Max_Age)))
+      else After (Now, Ask_Period));
+
+   procedure See (R : in out Run; What : Sighting) is
+   begin
+      if R.Some_Image and then What.Number = R.Number then
+         return;
+      end if;
+
+      R.Some_Image := True;
+      R.Number     := What.Number;
+      R.Came       := What.Taken;
+      if not What.Seen
+        or else What.Where.At_Place.X not in Near
+        or else What.Where.At_Place.Y not in Near
+      then
+         R.Missing := Natural'Min (R.Missing + 1, Max_Missing);
+         if R.Missing = Max_Missing and then not R.Ended then
+            Finish (R, No_Position);
+         end if;
+         return;
+      end if;
+
+      R.Missing := 0;
+      R.Seen    := True;
+      R.Seen_At := What.Taken;
+      R.Newest  :=
+        (What.Where.At_Place.X, What.Where.At_Place.Y, What.Where.Heading);
+
+      if Way (R.Anchor, R.Newest) > Progress_Way
+        or else abs Difference (R.Anchor.Heading, R.Newest.Heading)
+                > Progress_Turn
+      then
+         R.Anchor   := R.Newest;
+         R.Anchored := What.Taken;
+      end if;
+
+      if R.Phase = Looking and then What.Taken >= R.Rest_From then
+         Add_Image (R);
+      elsif R.Phase = Moving and then R.Movement = Turn then
+         if Way (R.Mean, R.Newest) > Upset_Way then
+            R.Upset := True;
+         else
+            R.Count  := Natural'Min (R.Count + 1, Max_Images);
+            R.Mean.X := R.Mean.X + (R.Newest.X - R.Mean.X) / Near (R.Count);
+            R.Mean.Y := R.Mean.Y + (R.Newest.Y - R.Mean.Y) / Near (R.Count);
+         end if;
+      end if;
+   end See;
+
+   procedure Start
+     (R       : out Run;
+      Size    : Arena_Size;
+      Targets : Place_Array;
+      Count   : Point_Number;
+      Now     : Microseconds) is
+   begin
+      R :=
+        (Size    => Size,
+         Targets => Targets,
+         Legs    => Count,
+         Came    => Now,
+         Ask_At  => Now,
+         others  => <>);
+      R.Phase := Looking;
+      Begin_Leg (R, Now);
+   end Start;
+
+   procedure Step (R : in out Run; Now : Microseconds; Next : out Action) is
+   begin
+      Next := (others => <>);
+      if not R.Ended then
+         Check_Limits (R, Now);
+      end if;
+
+      if not R.Ended and then R.Awaited = Nothing then
+         if R.Phase = Moving then
+            if Now >= R.Ask_At then
+               Next :=
+                 (Ask, (Kind => Robot.Session.Get_Moving, others => <>));
+               R.Awaited := Ask;
+            end if;
+         elsif not R.Halted then
+            Give (R, Halt, 0, Next);
+         elsif (R.Phase = Aiming or else R.Count >= Enough_Images)
+           and then R.Seen_At <= Now
+           and then Now - R.Seen_At <= Max_Age
+         then
+            Decide (R, Now, Next);
+         end if;
+      end if;
+
+      if R.Ended then
+         if R.Stops > 0 then
+            Next := (Stop, (Kind => Robot.Session.Stop, others => <>));
+            R.Stops   := R.Stops - 1;
+            R.Awaited := Stop;
+         else
+            Next := (Kind => Leave, others => <>);
+         end if;
+      end if;
+   end Step;
+
+   procedure Tell
+     (R : in out Run; Result : Robot.Session.Outcome; Now : Microseconds)
+   is
+      What : constant Awaited_Kind := R.Awaited;
+   begin
+      R.Awaited := Nothing;
+      case What is
+         when Nothing =>
+            null;
+
+         when Stop =>
+            if Result.Kind /= Robot.Session.Timed_Out then
+               R.Stops := 0;
+            end if;
+
+         when Ask =>
+            if Result.Kind = Robot.Session.Done and then Result.Value = 0 then
+               Arrive (R, Now);
+            else
+               if Result.Kind = Robot.Session.Done and then not R.Sure then
+                  R.Sure   := True;
+                  R.Ask_At := After (R.Given, Duration_Of (R));
+               end if;
+               R.Ask_At := Microseconds'Max
+                 (R.Ask_At, After (Now, Ask_Period));
+            end if;
+
+         when Order =>
+            R.Given := Now;
+            case Result.Kind is
+               when Robot.Session.Done =>
+                  R.Refusals := 0;
+                  R.Sure     := True;
+                  R.Ask_At   := After (Now, Duration_Of (R));
+                  if R.Movement = Halt then
+                     R.Halted := True;
+                     Arrive (R, Now);
+                  end if;
+
+               when Robot.Session.Timed_Out =>
+                  --  It may have been taken: whether the robot moves tells
+                  R.Sure   := False;
+                  R.Ask_At := Now;
+                  if R.Movement = Halt then
+                     Arrive (R, Now);
+                  end if;
+
+               when Robot.Session.Refused =>
+                  R.Refusals := R.Refusals + 1;
+                  R.Sure     := False;
+                  Arrive (R, Now);
+                  if R.Refusals = Refusal_Limit and then not R.Ended then
+                     Finish (R, Orders_Refused);
+                  end if;
+
+               when Robot.Session.Not_Open | Robot.Session.Not_Opened =>
+                  if not R.Ended then
+                     Finish (R, Robot_Stopped);
+                  end if;
+            end case;
+      end case;
+   end Tell;
+
+end Missions.Runs;

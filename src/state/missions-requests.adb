@@ -1,0 +1,86 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with Event;
+with Schedule;
+with Trace;
+
+package body Missions.Requests with SPARK_Mode is
+
+   package Arrived is new Event;
+
+   protected Place with Priority => Schedule.Mission_Ceiling is
+      procedure Put (Item : Orders.Order; What : Path; Taken : out Boolean);
+      procedure Take
+        (Item : in out Orders.Order; What : out Path; Found : out Boolean);
+      procedure Release;
+   private
+      Waits   : Boolean := False;
+      --  Wanted has not been taken
+      Used    : Boolean := False;
+      --  a mission waits or is under way
+      Wanted  : Orders.Order;
+      Points  : Path;
+   end Place;
+
+   protected body Place is
+
+      procedure Put (Item : Orders.Order; What : Path; Taken : out Boolean) is
+      begin
+         Taken := not Used;
+         if Taken then
+            Used := True;
+            Waits := True;
+            Wanted := Item;
+            Points := What;
+         end if;
+      end Put;
+
+      procedure Take
+        (Item : in out Orders.Order; What : out Path; Found : out Boolean) is
+      begin
+         Found := Waits;
+         What := Points;
+         if Found then
+            Waits := False;
+            Item := Wanted;
+         end if;
+      end Take;
+
+      procedure Release is
+      begin
+         Used := False;
+      end Release;
+
+   end Place;
+
+   procedure Put (Order : in out Orders.Order; What : Path) is
+      Taken : Boolean;
+   begin
+      Place.Put (Order, What, Taken);
+      if Taken then
+         Order.Owed := False;
+         Trace.Release (Schedule.Th_Mission, Order.Number);
+         Arrived.Set;
+      end if;
+   end Put;
+
+   procedure Wait (Order : in out Orders.Order; What : out Path) is
+      Found : Boolean;
+   begin
+      Trace.Done (Schedule.Th_Mission);
+      loop
+         Arrived.Wait;
+         Place.Take (Order, What, Found);
+         exit when Found;
+         Trace.Idle (Schedule.Th_Mission);
+      end loop;
+      Trace.Start (Schedule.Th_Mission, Order.Number);
+      Order.Owed := True;
+   end Wait;
+
+   procedure Release is
+   begin
+      Place.Release;
+   end Release;
+
+end Missions.Requests;

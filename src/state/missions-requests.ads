@@ -1,0 +1,26 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The mission that the monitor has asked for, from th_receiveFromMon to
+--  th_mission. There is one at a time.
+
+with Orders;
+
+package Missions.Requests with SPARK_Mode is
+
+   procedure Put (Order : in out Orders.Order; What : Path)
+   with
+     Pre => Order.Owed,
+     Annotate => (GNATprove, Terminating);
+   --  A mission for th_mission, which answers Order then. Order stays Owed if
+   --  another mission waits or is under way. For th_receiveFromMon
+
+   procedure Wait (Order : in out Orders.Order; What : out Path)
+   with
+     Pre  => not Order.Owed,
+     Post => Order.Owed;
+   --  The next mission; waits for it. It is under way until Release. For
+   --  th_mission only: its job lasts until the next call
+
+   procedure Release with Annotate => (GNATprove, Terminating);
+   --  No mission is under way any more. For th_mission only
+
+end Missions.Requests;

@@ -1,0 +1,182 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with Ada.Real_Time;    use Ada.Real_Time;
+with Journal;
+with Missions;         use Missions;
+with Missions.Arenas;
+with Missions.Grounds;
+with Missions.Requests;
+with Missions.Runs;    use Missions.Runs;
+with Missions.Texts;
+with Monitor.Notices;
+with Monitor.Outbox;
+with Monitor.Protocol;
+with Options;
+with Orders;
+with Process.Threads;
+with Robot.Clients;
+with Robot.Line;
+with Robot.Session;
+with Settings;
+with Vision.Sightings;
+with Vision.State;
+
+package body Mission_Tasks with SPARK_Mode is
+
+   type Mission is record
+      Order : Orders.Order;
+      --  that has asked for it: answered, its number is the mission's
+      Begun : Missions.Grounds.Ground;
+      Map   : Missions.Arenas.Map;
+      Run   : Missions.Runs.Run;
+   end record;
+
+   type Report is record
+      Leg     : Point_Count := 0;
+      At_Time : Time := Time_First;
+   end record;
+   --  What the monitor has been told last, and when; Leg 0: nothing yet
+
+   procedure Get_Ground (G : out Missions.Grounds.Ground);
+
+   procedure Begin_Mission
+     (M : in out Mission; Wanted : Path; Has_Begun : out Boolean)
+   with
+     Pre  => M.Order.Owed,
+     Post => not M.Order.Owed
+       and then (if Has_Begun then Missions.Arenas.Is_Usable (M.Map));
+   --  Answers the order: the mission to Wanted begins, or is not possible now
+
+   procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report);
+   --  At each new leg, and once a second
+
+   procedure Drive (M : in out Mission)
+   with
+     Pre  => not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map),
+     Post => not M.Order.Owed and then Has_Ended (M.Run);
+   --  Until the mission has ended
+
+   procedure Get_Ground (G : out Missions.Grounds.Ground) is
+   begin
+      Robot.Line.Get_Status (G.Line);
+      Vision.State.Store.Get (G.View);
+      Vision.Sightings.Get (G.Seen);
+      G.Now := Clock;
+   end Get_Ground;
+
+   procedure Begin_Mission
+     (M : in out Mission; Wanted : Path; Has_Begun : out Boolean)
+   is
+      Size    : constant Arena_Size := Settings.Command_Line.Chosen.Arena_Size;
+      Untold  : Boolean;
+      Is_Over : Boolean;
+      Ignored : Boolean;
+      Targets : Place_Array;
+      Why     : Refusal;
+   begin
+      Has_Begun := False;
+      Monitor.Outbox.Get_End_Waits (Untold);
+      Robot.Line.Get_Rights (M.Order.Number, Is_Over, Ignored);
+      if Untold or else Is_Over or else Wanted.Count = 0 then
+         --  a later session is not told why
+         Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Refused);
+         return;
+      end if;
+      Get_Ground (M.Begun);
+      Missions.Grounds.Check
+        (M.Begun, Wanted, Size, M.Map, Targets, Has_Begun, Why);
+      if Has_Begun then
+         Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Acknowledged);
+         Missions.Runs.Start
+           (M.Run, Size, Targets, Wanted.Count, Missions.Grounds.Lead);
+         Journal.Put (Options.Info, "mission begins");
+      else
+         Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Not_Done);
+         Monitor.Outbox.Put_Notice (Monitor.Notices.Notice_Of (Why));
+      end if;
+   end Begin_Mission;
+
+   procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report) is
+   begin
+      if Leg (M.Run) /= Last.Leg
+        or else Now >= Last.At_Time + Schedule.Progress_Interval
+      then
+         Last := (Leg (M.Run), Now);
+         Monitor.Outbox.Put_Progress
+           (M.Order.Number, Leg (M.Run), Legs (M.Run),
+            Natural (Micrometres'Max (0, Distance (M.Run)) / 1_000));
+      end if;
+   end Tell_Progress;
+
+   procedure Drive (M : in out Mission) is
+      Base     : constant Time := M.Begun.Now;
+      Ground   : Missions.Grounds.Ground := M.Begun;
+      Told     : Report;
+      Is_Over  : Boolean;
+      By_Hand  : Boolean;
+      Ends     : Boolean;
+      Why      : Abort_Reason;
+      Next     : Action;
+      Result   : Robot.Session.Outcome;
+      Now      : Missions.Microseconds;
+      Due      : Missions.Microseconds;
+   begin
+      loop
+         pragma Loop_Invariant
+           (not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map));
+         Get_Ground (Ground);
+         Robot.Line.Get_Rights (M.Order.Number, Is_Over, By_Hand);
+         Missions.Grounds.Look (M.Begun, Ground, Is_Over, By_Hand, Ends, Why);
+         if Ends then
+            End_By (M.Run, Why);
+         end if;
+         See
+           (M.Run, Missions.Grounds.Seen_From (Base, M.Map, Ground));
+         Now := Missions.Grounds.Since (Base, Ground.Now);
+         Step (M.Run, Now, Next);
+         exit when Next.Kind = Leave;
+         if not Has_Ended (M.Run) then
+            Tell_Progress (M, Ground.Now, Told);
+         end if;
+         if Next.Kind in Ask | Order | Stop then
+            Robot.Clients.Mission.Ask_For_Mission
+              (Next.Request, M.Order, Result);
+            Ground.Now := Clock;
+            Now := Missions.Grounds.Since (Base, Ground.Now);
+            Tell (M.Run, Result, Now);
+         end if;
+         Due := Next_Look (M.Run, Now);
+         Vision.Sightings.Wait_Until
+           (Missions.Grounds.Next_Time (Base, Ground.Now, Due));
+      end loop;
+   end Drive;
+
+   task body Th_Mission is
+      Current   : Mission;
+      Wanted    : Path;
+      Has_Begun : Boolean;
+   begin
+      Process.Threads.Name_Task (Schedule.Th_Mission);
+      loop
+         pragma Loop_Invariant (not Current.Order.Owed);
+         Missions.Requests.Wait (Current.Order, Wanted);
+         Begin_Mission (Current, Wanted, Has_Begun);
+         if Has_Begun then
+            Vision.Sightings.Watch (True);
+            Drive (Current);
+            Vision.Sightings.Watch (False);
+            --  before the monitor learns it, and asks for the next
+            Missions.Requests.Release;
+            Monitor.Outbox.Put_End
+              (Current.Order.Number, Ended_By (Current.Run));
+            Journal.Put
+              (Options.Info,
+               "mission ended: "
+               & Missions.Texts.Text_Of (Ended_By (Current.Run)));
+         else
+            Missions.Requests.Release;
+         end if;
+      end loop;
+   end Th_Mission;
+
+end Mission_Tasks;

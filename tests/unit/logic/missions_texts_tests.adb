@@ -1,0 +1,122 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The lines on a mission: progress, every end, every refusal.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Missions.Texts;   use Missions;
+with Monitor.Notices;  use Monitor.Notices;
+with Monitor.Protocol; use Monitor.Protocol;
+
+package body Missions_Texts_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   function Progress
+     (Leg, Of_Legs : Point_Number; Distance : Texts.Millimetres)
+     return String;
+
+   function End_Line (Why : Ending) return String;
+
+   procedure Test_Progress (T : in out Any_Test);
+   procedure Test_Ends (T : in out Any_Test);
+   procedure Test_Refusals (T : in out Any_Test);
+
+   function End_Line (Why : Ending) return String is
+      Line : Position_Text;
+      Last : Natural;
+   begin
+      Texts.Format_End (Why, Line, Last);
+      return Line (1 .. Last);
+   end End_Line;
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Missions.Texts"));
+
+   function Progress
+     (Leg, Of_Legs : Point_Number; Distance : Texts.Millimetres)
+     return String
+   is
+      Line : Position_Text;
+      Last : Natural;
+   begin
+      Texts.Format_Progress (Leg, Of_Legs, Distance, Line, Last);
+      return Line (1 .. Last);
+   end Progress;
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Progress'Access, "progress");
+      Register_Routine (T, Test_Ends'Access, "ends");
+      Register_Routine (T, Test_Refusals'Access, "refusals");
+   end Register_Tests;
+
+   procedure Test_Ends (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      Count : Natural := 0;
+
+      procedure Check (Why : Ending; Expected : String);
+
+      procedure Check (Why : Ending; Expected : String) is
+      begin
+         Count := Count + 1;
+         Assert
+           (End_Line (Why) = "MEND:" & Expected & Line_Feed, Expected);
+      end Check;
+
+   begin
+      Check (Completed, "done");
+      Check (By_Hand, "aborted;order by hand");
+      Check (Session_Over, "aborted;monitor lost");
+      Check (Robot_Stopped, "aborted;robot lost or no longer started");
+      Check (Watchdog_Trouble, "aborted;watchdog reload refused");
+      Check
+        (Missions.Camera_Ended,
+         "aborted;camera, positions or arena given up");
+      Check (No_Position, "aborted;robot not seen in 3 images");
+      Check (No_Image, "aborted;no image for 300 ms");
+      Check (No_Progress, "aborted;no progress for 2 s");
+      Check (Leg_Too_Long, "aborted;leg takes longer than its time");
+      Check (Orders_Refused, "aborted;robot refuses its orders");
+      Check (No_Way, "aborted;no permitted way");
+      Assert (Count = Ending'Pos (Ending'Last) + 1, "all of them");
+   end Test_Ends;
+
+   procedure Test_Progress (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Assert (Progress (1, 1, 0) = "MPRG:1;1;0" & Line_Feed, "the least");
+      Assert (Progress (3, 12, 457) = "MPRG:3;12;457" & Line_Feed, "some");
+      Assert (Progress (64, 64, Texts.Millimetres'Last)
+              = "MPRG:64;64;9999999" & Line_Feed, "the largest");
+   end Test_Progress;
+
+   procedure Test_Refusals (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      Count : Natural := 0;
+
+      procedure Check (Why : Refusal; Reason : String);
+
+      procedure Check (Why : Refusal; Reason : String) is
+      begin
+         Count := Count + 1;
+         Assert
+           (Text_Of (Notice_Of (Why)) = "mission not possible: " & Reason,
+            Reason);
+      end Check;
+
+   begin
+      Check (Robot_Not_Started, "robot not started");
+      Check (Camera_Closed, "camera closed");
+      Check (Positions_Off, "positions off");
+      Check (Arena_Not_Confirmed, "arena not confirmed");
+      Check (Arena_Too_Small, "arena too small in the image");
+      Check (Robot_Not_Seen, "robot not seen, or more than one");
+      Check
+        (Point_Outside, "a point is outside the arena less its margin");
+      Assert (Count = Refusal'Pos (Refusal'Last) + 1, "all of them");
+   end Test_Refusals;
+
+end Missions_Texts_Tests;

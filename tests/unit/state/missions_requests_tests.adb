@@ -1,0 +1,81 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Missions;         use Missions;
+with Missions.Requests;
+with Monitor.Protocol;
+with Orders;           use Orders;
+
+package body Missions_Requests_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   procedure Put (Number : Ticket; Points : Point_Count; Taken : Boolean);
+   --  Asks for a mission, which is Taken or stays with the caller
+
+   procedure Test_One (T : in out Any_Test);
+   procedure Test_Wait (T : in out Any_Test);
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Missions.Requests"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_One'Access,
+                        "none beside one that waits or is under way");
+      Register_Routine (T, Test_Wait'Access, "a mission wakes its task");
+   end Register_Tests;
+
+   procedure Put (Number : Ticket; Points : Point_Count; Taken : Boolean) is
+      Order : Orders.Order :=
+        (Number  => Number,
+         Message => (Monitor.Protocol.Follow_Pixels, 0),
+         Owed    => True,
+         others  => <>);
+   begin
+      Missions.Requests.Put
+        (Order, (Count => Points, others => <>));
+      Assert (Order.Owed /= Taken, "taken:" & Number'Image);
+   end Put;
+
+   procedure Test_One (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Order : Orders.Order;
+      What  : Path;
+   begin
+      Put (3, 5, Taken => True);
+      Put (4, 1, Taken => False);
+      Missions.Requests.Wait (Order, What);
+      Assert (Order.Owed and then Order.Number = 3, "another order");
+      Assert (What.Count = 5, "another path");
+      Put (5, 1, Taken => False);
+      Missions.Requests.Release;
+      Put (6, 2, Taken => True);
+      Order.Owed := False;
+      Missions.Requests.Wait (Order, What);
+      Assert (Order.Number = 6 and then What.Count = 2, "the second mission");
+      Missions.Requests.Release;
+   end Test_One;
+
+   procedure Test_Wait (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Order : Orders.Order;
+      What  : Path;
+
+      task Monitor_Side;
+
+      task body Monitor_Side is
+      begin
+         delay 0.02;
+         Put (9, 64, Taken => True);
+      end Monitor_Side;
+
+   begin
+      Missions.Requests.Wait (Order, What);
+      Assert (Order.Number = 9 and then What.Count = 64, "not that mission");
+      Missions.Requests.Release;
+   end Test_Wait;
+
+end Missions_Requests_Tests;

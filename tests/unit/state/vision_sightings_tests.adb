@@ -1,0 +1,91 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Ada.Real_Time;    use Ada.Real_Time;
+with Vision.Shapes;    use Vision.Shapes;
+with Vision.Sightings; use Vision.Sightings;
+
+package body Vision_Sightings_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   Two : constant Robot_Array :=
+     (1 => (Id => 7, Centre => (1, 2), Direction => (3, 4), Angle => 5),
+      2 => (Id => 8, others => <>),
+      others => <>);
+
+   procedure Check
+     (Number : Natural; Seen : Boolean; Missing : Natural; What : String);
+
+   procedure Test_Seen (T : in out Any_Test);
+   procedure Test_Wake (T : in out Any_Test);
+
+   procedure Check
+     (Number : Natural; Seen : Boolean; Missing : Natural; What : String)
+   is
+      Now : Sighting;
+   begin
+      Get (Now);
+      Assert (Now.Number = Number, What & ": number" & Now.Number'Image);
+      Assert (Now.Seen = Seen, What & ": seen " & Now.Seen'Image);
+      Assert (Now.Missing = Missing, What & ": missing" & Now.Missing'Image);
+      if Seen then
+         Assert (Now.Robot = Two (1), What & ": another robot");
+      end if;
+   end Check;
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Vision.Sightings"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Seen'Access,
+                        "exactly one robot is a sighting, others are counted");
+      Register_Routine (T, Test_Wake'Access,
+                        "wakes the task that watches, and only that");
+   end Register_Tests;
+
+   procedure Test_Seen (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Came : constant Time := Clock;
+      Now  : Sighting;
+   begin
+      Clear;
+      Check (0, False, 0, "nothing yet");
+      Put (Came, Two, 1);
+      Check (1, True, 0, "one robot");
+      Get (Now);
+      Assert (Now.Came = Came, "time of the image");
+      Put (Came, Two, 0);
+      Check (2, False, 1, "none");
+      Put (Came, Two, 2);
+      Check (3, False, 2, "two");
+      Put (Came, Two, 1);
+      Check (4, True, 0, "one again");
+      Clear;
+      Check (0, False, 0, "closed");
+   end Test_Seen;
+
+   procedure Test_Wake (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Pause : constant Time_Span := Milliseconds (30);
+      Begun : Time;
+   begin
+      Clear;
+      Put (Clock, Two, 1);
+      Begun := Clock;
+      Wait_Until (Begun + Pause);
+      Assert (Clock - Begun >= Pause, "woken, but nobody watches");
+
+      Watch (True);
+      Put (Clock, Two, 1);
+      Begun := Clock;
+      Wait_Until (Begun + Seconds (5));
+      Assert (Clock - Begun < Seconds (1), "not woken by an image");
+      Watch (False);
+      Clear;
+   end Test_Wake;
+
+end Vision_Sightings_Tests;
