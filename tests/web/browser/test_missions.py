@@ -33,10 +33,13 @@ FIRST = (25, 20)
 
 
 def confirm_arena(page: Page) -> None:
+    await_(lambda: not page.visible("start-progress"), "nothing is in the way")
     page.click("arena-search")
     page.shows("arena", "found")
     page.click("arena-confirm")
     page.shows("arena", "confirmed")
+    before = page.images()
+    await_(lambda: page.images() > before + 3, "images go on")
 
 
 @pytest.fixture
@@ -118,7 +121,6 @@ def test_click(stand: Stand, visitors: Visitors, size: tuple[int, int]) -> None:
     confirm_arena(page)
     place = (55, 40)
     (pixel,) = pixels(stand, page, place)
-    await_(lambda: not page.visible("start-progress"), "nothing is in the way")
     click(page, pixel)
     (sent,) = plan(page)
     scale = page.run(
@@ -350,7 +352,6 @@ def test_phone(stand: Stand, visitors: Visitors) -> None:
     confirm_arena(page)
     place = (50.0, 35.0)
     (pixel,) = pixels(stand, page, place)
-    await_(lambda: not page.visible("start-progress"), "nothing is in the way")
 
     def finger(point: Point) -> Point:
         x, y = page.middle("picture")
@@ -401,7 +402,6 @@ def test_replay(
     page = visitors.open(stand.address)
     page.start()
     confirm_arena(page)
-    await_(lambda: not page.visible("start-progress"), "nothing is in the way")
     click(page, (400, 240))
     sent = plan(page)
     page.logged(code="mission_done", within=ARRIVED)
