@@ -121,14 +121,14 @@ export class Picture {
     this.drawPoints(context, this.path.map((point) => place(...point)), unit, 1);
   }
 
-  // The way through the points that are left, from the robot on
+  // The way that is left, from the robot on; dashed: the plan of what is done
   drawPlan(context, place, unit) {
     const { leg, points } = this.plan;
     const places = points.map((point) => place(...point));
-    this.drawLine(context, places, unit, false);
     const { last } = this;
-    if (last?.id >= 0)
-      this.drawLine(context, [place(last.x, last.y), places[leg - 1]], unit, true);
+    const robot = last?.id >= 0 ? [place(last.x, last.y)] : [];
+    this.drawLine(context, places.slice(0, leg), unit, true);
+    this.drawLine(context, [...robot, ...places.slice(leg - 1)], unit, false);
     this.drawPoints(context, places, unit, leg);
   }
 

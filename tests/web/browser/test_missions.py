@@ -4,10 +4,12 @@ over it, and stops for everybody."""
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import pytest
 from conftest import Pictures, Visitors
@@ -106,6 +108,26 @@ def is_near(stand: Stand, place: Point) -> bool:
     return math.dist(stand.emulator.pose[:2], place) < NEAR
 
 
+@contextlib.contextmanager
+def passes(stand: Stand, places: list[Point]) -> Iterator[list[Point]]:
+    """Those of the places, in their order, that the robot has not passed yet."""
+    left = list(places)
+    ended = threading.Event()
+
+    def watch() -> None:
+        while left and not ended.wait(0.02):
+            if is_near(stand, left[0]):
+                left.pop(0)
+
+    thread = threading.Thread(target=watch, daemon=True)
+    thread.start()
+    try:
+        yield left
+    finally:
+        ended.set()
+        thread.join()
+
+
 def arrives(stand: Stand, page: Page, place: Point) -> None:
     page.logged(code="mission_done", within=ARRIVED)
     assert not page.visible("mission")
@@ -141,36 +163,34 @@ def test_click(stand: Stand, visitors: Visitors, size: tuple[int, int]) -> None:
 def test_path_by_clicks(
     stand: Stand, pilot: Page, visitors: Visitors, pictures: Pictures
 ) -> None:
-    """Three points in their order; who watches sees them, too."""
-    places = [(60.0, 20.0), (60.0, 42.0), (25.0, 42.0)]
+    """Four points in their order; who watches sees them, too."""
+    places = [(60.0, 20.0), (60.0, 42.0), (25.0, 42.0), (42.0, 30.0)]
     there = pixels(stand, pilot, *places)
     other = visitors.open(stand.address, 1)
     other.shows("wheel", "other")
     pilot.click("path")
     for point in (*there, (320.0, 240.0)):
         click(pilot, point)
-    assert len(points(pilot.data("path", "overlay"))) == 4
+    assert len(points(pilot.data("path", "overlay"))) == 5
     pilot.click("path-undo")
     drawn = points(pilot.data("path", "overlay"))
-    assert len(drawn) == 3
+    assert len(drawn) == 4
     assert not stand.emulator.moving, "nothing is sent yet"
     pilot.click("path-go")
     assert plan(pilot) == plan(other) == drawn
     assert not pilot.visible("path-tools")
     legs: list[int] = []
-    left = list(places)
-    end = time.monotonic() + 2 * ARRIVED
-    while pilot.visible("mission") and time.monotonic() < end:
-        leg = int(pilot.data("leg", "mission") or 0)
-        if leg and leg not in legs:
-            legs.append(leg)
-            if leg == 3:
-                stand.moves()
-                time.sleep(1)
-                pictures.take(pilot, "web-mission")
-        if left and is_near(stand, left[0]):
-            left.pop(0)
-    assert legs == [1, 2, 3]
+    with passes(stand, places) as left:
+        end = time.monotonic() + 2 * ARRIVED
+        while pilot.visible("mission") and time.monotonic() < end:
+            leg = int(pilot.data("leg", "mission") or 0)
+            if leg and leg not in legs:
+                legs.append(leg)
+                if leg == 3:
+                    stand.moves()
+                    time.sleep(1)
+                    pictures.take(pilot, "web-mission")
+    assert legs == [1, 2, 3, 4], pilot.log()
     arrives(stand, pilot, places[-1])
     assert left == [], "it passes each of them"
     is_over(other)
