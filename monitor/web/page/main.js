@@ -98,6 +98,8 @@ async function wish(label, value, quiet = () => false) {
   const { answer } = result;
   // The loss of the connection has been reported
   if (answer === "LOST" || (quiet() && answer !== "ATIM")) return result;
+  // Why a mission is not possible comes as an event
+  if (answer === "ANAK" && Array.isArray(value)) return result;
   if (!journal.succeeded(answer))
     journal.alarm(() => t("order_answer", {
       order: journal.orderWords(label, value), answer: journal.refusal(label, answer),
