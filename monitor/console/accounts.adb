@@ -136,7 +136,7 @@ package body Accounts is
    function Meaning (Line : String) return String is
      (if Line = "AACK" then "done"
       elsif Line = "ANAK" then "not open, not found or failed"
-      elsif Line = "ACRJ" then "refused by the robot"
+      elsif Line = "ACRJ" then "refused"
       elsif Line = "ATIM" then "the robot does not answer"
       elsif Line = "ACER" then "not understood"
       elsif Line = "RCST:0" then "standing"

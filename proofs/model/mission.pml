@@ -188,6 +188,12 @@ inline Ask (what) {
    skip
 }
 
+#ifdef MUTANT_END_TO_NEXT_SESSION
+#define Goes_Out(m)  Monitor_Outbox_Open
+#else
+#define Goes_Out(m)  (m >= First && Monitor_Outbox_Open)
+#endif
+
 inline Release () {
    /*: Place.Release */
    MR.Mission = 0;
@@ -210,7 +216,11 @@ wait:
       fi;
       /*: Box.Get_End_Waits, Line.Line.Get_Rights */
       if
+#ifdef MUTANT_UNTOLD_END_IGNORED
+      :: number < L.Session -> goto refuse
+#else
       :: End_Waits != 0 || number < L.Session -> goto refuse
+#endif
       :: else
       fi
    };
@@ -247,6 +257,9 @@ look:
       :: ended && left > 0 -> left--              /* the stop once more */
       :: !ended && !Overridden (number) ->
          ended = true; what = Stop; left = STOP_TRIES - 1
+#ifdef MUTANT_END_WITHOUT_STOP
+      :: !ended && !Overridden (number) -> goto leave
+#endif
       :: !ended && !Overridden (number) && Is_Started && left > 0 ->
          what = Drive; left--
 #ifdef IMAGES
@@ -274,23 +287,35 @@ leave:
       /*: Sightings.Store.Watch */
       Vision_Sightings_Store.Watched = false;
       ended = false; left = 0; what = 0;
+#if !defined (MUTANT_RELEASED_AFTER_END) && !defined (MUTANT_NOT_RELEASED)
       Release ()
+#endif
    };
    /*: Monitor.Outbox.Put_End in outbox */
    atomic {
       if
-      :: number >= First && Monitor_Outbox_Open ->
+      :: Goes_Out (number) ->
          assert (End_Waits == 0);
          End_Waits = number
       :: else
       fi;
+#ifndef MUTANT_RELEASED_AFTER_END
       number = 0;
       goto wait
+#endif
    };
+#ifdef MUTANT_RELEASED_AFTER_END
+   atomic { Release (); number = 0; goto wait };
+#endif
 refuse:
+#ifdef MUTANT_REFUSED_BEFORE_RELEASE
+   Monitor_Outbox_Answer (number);
    Release ();
+#else
+   Release ();
+   Monitor_Outbox_Answer (number);
+#endif
    atomic {
-      Monitor_Outbox_Answer (number);
       number = 0;
       goto wait
    };
@@ -347,12 +372,19 @@ mtype:command = { Mission_Asked, Stop_Asked, Act_Asked, Other_Asked };
 
 inline Note_Hand () {
    /*: Line.Line.Note_Hand */
+#ifndef MUTANT_HAND_NOT_NOTED
    L.Last_Hand = number
+#else
+   skip
+#endif
 }
 
-inline Passed_On () {
-   Hand = (command != Other_Asked -> number : Hand)
-}
+/* With the mutant, whatever the order is */
+#ifdef MUTANT_OPENING_IS_BY_HAND
+#define By_Hand  (command != Mission_Asked)
+#else
+#define By_Hand  (command == Stop_Asked || command == Act_Asked)
+#endif
 
 active proctype Th_Receive_From_Mon ()
 {
@@ -399,12 +431,20 @@ end_receive:
                   MR.After = rank
                fi
             };
-            atomic { Set_Event (Missions_Requests_Arrived); goto handled }
-         :: atomic { command == Other_Asked -> goto pass_on }
-         :: atomic {
-               command == Stop_Asked || command == Act_Asked ->
-               Note_Hand ()
+            atomic {
+#ifndef MUTANT_REQUEST_WITHOUT_EVENT
+               Set_Event (Missions_Requests_Arrived);
+#endif
+               goto handled
             }
+         :: atomic {
+               command != Mission_Asked && !By_Hand -> goto pass_on
+            }
+#ifdef MUTANT_HAND_NOTED_LATE
+         :: By_Hand
+#else
+         :: atomic { By_Hand -> Note_Hand () }
+#endif
          fi;
 pass_on: atomic {
             if
@@ -419,7 +459,16 @@ pass_on: atomic {
                fi;
                Set_Event (Order_Ports_Arrived [port])
             fi;
-            Passed_On ();
+            Hand = (By_Hand -> number : Hand)
+#ifdef MUTANT_HAND_NOTED_LATE
+         };
+         atomic {
+            if
+            :: By_Hand -> Note_Hand ()
+            :: else
+            fi
+#endif
+            ;
 handled:    number = 0; command = 0; kind = 0; port = 0
          }
       od;

@@ -676,12 +676,12 @@ package body Supervisor_Model with SPARK_Mode is
       begin
          Bound_One
            (Mission,
-            (Reload      => Length (Reload),
+            (Safe_State | Stop_Order | Movement | Unanswered => 0,
+             Reload      => Length (Reload),
              Mission     => Length (Mission),
              Battery     => Length (Battery),
              Other_Order => Query,
-             Ping        => Length (Ping),
-             others      => 0),
+             Ping        => Length (Ping)),
             Result);
          Zone := Capped
            (Span'Max (To_Span (Reload_Quiet), Span'Max (Query, Length (Ping)))

@@ -58,6 +58,11 @@ package body Missions.Runs with SPARK_Mode is
    function Near_Of (Where : Micrometres) return Near is
      (Micrometres'Max (Near'First, Micrometres'Min (Near'Last, Where)));
 
+   function Mean_Of (Mean, Newest : Near; Count : Image_Count) return Near is
+     (Near_Of (Mean + (Newest - Mean) / Micrometres (Count)))
+   with Pre => Count > 0;
+   --  Count includes the newest
+
    function Target (R : Run) return Near_Pose is
      ((X       => Near_Of (R.Targets (R.Leg).X),
        Y       => Near_Of (R.Targets (R.Leg).Y),
@@ -83,6 +88,29 @@ package body Missions.Runs with SPARK_Mode is
    --  So near to the target, it is reached: the more images, the better it is
    --  known
 
+   --  Used in the contracts
+
+   function Is_Same (R, Before : Run) return Boolean is
+     (R.Ended = Before.Ended
+      and then R.Why = Before.Why
+      and then R.Leg = Before.Leg
+      and then R.Orders = Before.Orders
+      and then R.Leg_End = Before.Leg_End
+      and then R.Seen_At = Before.Seen_At
+      and then R.Size = Before.Size)
+   with Ghost;
+   --  Neither further nor ended
+
+   function Is_Good_Order (R, Before : Run; Next : Action) return Boolean is
+     (Next.Kind = Order
+      and then Next.Request.Kind = Robot.Session.Drive
+      and then Is_Permitted (R, Next.Request)
+      and then not R.Ended
+      and then Orders_Left (R) < Orders_Left (Before)
+      and then R.Leg_End = Before.Leg_End
+      and then R.Seen_At = Before.Seen_At)
+   with Ghost;
+
    --  Operations
 
    procedure Finish (R : in out Run; Why : Ending)
@@ -90,36 +118,93 @@ package body Missions.Runs with SPARK_Mode is
      Pre  => not R.Ended,
      Post => R.Ended
        and then R.Why = Why
-       and then Orders_Left (R) = Orders_Left (R'Old);
+       and then R.Leg = R.Leg'Old
+       and then R.Orders = R.Orders'Old;
 
-   procedure Begin_Leg (R : in out Run; Now : Microseconds);
-   --  Its limits
+   procedure Limit_Leg (R : in out Run; Now : Microseconds)
+   with
+     Post => R.Orders = Max_Orders
+       and then R.Ended = R.Ended'Old
+       and then R.Leg = R.Leg'Old
+       and then R.Legs = R.Legs'Old
+       and then R.Size = R.Size'Old
+       and then R.Seen_At = R.Seen_At'Old;
+   --  It begins now
 
-   procedure Check_Limits (R : in out Run; Now : Microseconds);
+   procedure Check_Limits (R : in out Run; Now : Microseconds)
+   with
+     Pre  => not R.Ended,
+     Post => R.Leg = R.Leg'Old
+       and then R.Orders = R.Orders'Old
+       and then R.Seen_At = R.Seen_At'Old
+       and then (if not R.Ended then Now < R.Leg_End);
 
-   procedure Add_Image (R : in out Run);
+   procedure Add_Image (R : in out Run)
+   with Post => Is_Same (R, R'Old);
+   --  The newest one, of the robot at rest
 
-   procedure Arrive (R : in out Run; Now : Microseconds);
+   procedure Arrive (R : in out Run; Now : Microseconds)
+   with Post => Is_Same (R, R'Old);
    --  The robot does not move any more
 
-   procedure Learn (R : in out Run);
+   procedure Learn (R : in out Run)
+   with Post => Is_Same (R, R'Old);
+   --  From what was ordered since the last look, and what is seen now
+
+   procedure Learn_Lag (R : in out Run; Turned : Microdegrees)
+   with Post => Is_Same (R, R'Old);
+   --  The last turn was so much in all
 
    procedure Decide
-     (R : in out Run; Now : Microseconds; Next : in out Action);
+     (R : in out Run; Now : Microseconds; Next : out Action)
+   with
+     Pre  => not R.Ended
+       and then Now < R.Leg_End
+       and then R.Orders > 0
+       and then R.Seen_At <= Now
+       and then Now - R.Seen_At <= Max_Age,
+     Post => Is_Kept (R, R'Old)
+       and then R.Seen_At = R.Seen_At'Old
+       and then
+         (case Next.Kind is
+             when Nothing => True,
+             when Order   => not R.Ended
+               and then Next.Request.Kind = Robot.Session.Drive
+               and then Is_Permitted (R, Next.Request)
+               and then Orders_Left (R) < Orders_Left (R'Old)
+               and then Now < R.Leg_End,
+             when others  => False);
+   --  The robot rests where it is believed to be
 
-   procedure Aim (R : in out Run; Goal : Near_Pose; Next : in out Action);
+   procedure Aim (R : in out Run; Goal : Near_Pose; Next : out Action)
+   with
+     Pre  => not R.Ended and then R.Orders > 0,
+     Post =>
+       (if Next.Kind = Nothing then Is_Same (R, R'Old)
+        else Is_Good_Order (R, R'Old, Next));
    --  A turn or a drive towards the goal; Nothing: none is permitted
 
    procedure Give
      (R        : in out Run;
       Movement : Movement_Kind;
       Amount   : Drive_Length;
-      Next     : in out Action);
-
-   ---------------
-
-   procedure Learn_Lag (R : in out Run; Turned : Microdegrees);
-   --  The last turn was so much in all
+      Next     : out Action)
+   with
+     Pre  => not R.Ended
+       and then R.Orders > 0
+       and then
+         (if Movement = Drive then
+             Missions.Guards.Is_Permitted
+               (Position (R), Amount, Doubts (R), R.Size)),
+     Post => Next.Kind = Order
+       and then Next.Request.Kind =
+         (if Movement = Halt then Robot.Session.Stop
+          else Robot.Session.Drive)
+       and then Is_Permitted (R, Next.Request)
+       and then not R.Ended
+       and then Orders_Left (R) < Orders_Left (R'Old)
+       and then R.Leg_End = R.Leg_End'Old
+       and then R.Seen_At = R.Seen_At'Old;
 
    procedure Add_Image (R : in out Run) is
       Where : constant Near_Pose := R.Newest;
@@ -134,14 +219,14 @@ package body Missions.Runs with SPARK_Mode is
          R.Mean      := Where;
       else
          R.Count  := Natural'Min (R.Count + 1, Max_Images);
-         R.Mean.X := R.Mean.X + (Where.X - R.Mean.X) / Near (R.Count);
-         R.Mean.Y := R.Mean.Y + (Where.Y - R.Mean.Y) / Near (R.Count);
+         R.Mean.X := Mean_Of (R.Mean.X, Where.X, R.Count);
+         R.Mean.Y := Mean_Of (R.Mean.Y, Where.Y, R.Count);
          R.Mean.Heading :=
            Normal (R.Mean.Heading + Turn / Microdegrees (R.Count));
       end if;
    end Add_Image;
 
-   procedure Aim (R : in out Run; Goal : Near_Pose; Next : in out Action) is
+   procedure Aim (R : in out Run; Goal : Near_Pose; Next : out Action) is
       Here    : constant Near_Pose   := R.Mean;
       Towards : constant Bearing     :=
         Direction (Goal.X - Here.X, Goal.Y - Here.Y);
@@ -186,6 +271,7 @@ package body Missions.Runs with SPARK_Mode is
       Half    : Wide;
       Ordered : Degrees;
    begin
+      Next := (others => <>);
       while Length > 0 and then not Is_Good (Length, Course (Length)) loop
          pragma Loop_Variant (Decreases => Length);
          Shorten (Length);
@@ -271,14 +357,14 @@ package body Missions.Runs with SPARK_Mode is
       end if;
    end Arrive;
 
-   procedure Begin_Leg (R : in out Run; Now : Microseconds) is
+   procedure Limit_Leg (R : in out Run; Now : Microseconds) is
       Far : constant Micrometres := Micrometres'Max (0, Distance (R));
    begin
       R.Leg_End := After
         (Now, Leg_Time + Leg_Time_Per_Millimetre * Microseconds (Far / 1_000));
       R.Orders   := Max_Orders;
       R.Anchored := Now;
-   end Begin_Leg;
+   end Limit_Leg;
 
    procedure Check_Limits (R : in out Run; Now : Microseconds) is
    begin
@@ -292,10 +378,11 @@ package body Missions.Runs with SPARK_Mode is
    end Check_Limits;
 
    procedure Decide
-     (R : in out Run; Now : Microseconds; Next : in out Action)
+     (R : in out Run; Now : Microseconds; Next : out Action)
    is
       Left : Micrometres := Way (R.Mean, Target (R));
    begin
+      Next := (others => <>);
       if R.Phase = Looking then
          if Left > There (R.Count)
            and then
@@ -315,19 +402,24 @@ package body Missions.Runs with SPARK_Mode is
          R.Learnable := True;
          R.Phase     := Aiming;
          while Left <= There (R.Count) loop
+            pragma Loop_Invariant
+              (Is_Kept (R, R'Loop_Entry)
+               and then not R.Ended
+               and then R.Orders > 0
+               and then R.Seen_At = R.Seen_At'Loop_Entry);
+            pragma Loop_Variant (Increases => R.Leg);
             if R.Leg = R.Legs then
                Finish (R, Completed);
                return;
             end if;
             R.Leg := R.Leg + 1;
-            Begin_Leg (R, Now);
+            Limit_Leg (R, Now);
             Left := Way (R.Mean, Target (R));
          end loop;
-      end if;
-
-      if R.Orders = 0 then
-         Finish (R, Leg_Too_Long);
-         return;
+         if Now >= R.Leg_End then
+            Finish (R, Leg_Too_Long);
+            return;
+         end if;
       end if;
 
       Aim (R, Target (R), Next);
@@ -364,20 +456,19 @@ package body Missions.Runs with SPARK_Mode is
      (R        : in out Run;
       Movement : Movement_Kind;
       Amount   : Drive_Length;
-      Next     : in out Action) is
+      Next     : out Action) is
    begin
-      Next.Kind := Order;
       case Movement is
          when Halt  =>
-            Next.Request := (Kind => Robot.Session.Stop, others => <>);
+            Next := (Order, (Kind => Robot.Session.Stop, others => <>));
 
          when Turn  =>
-            Next.Request :=
-              (Robot.Session.Drive, (Robot.Protocol.Turn, Amount));
+            Next :=
+              (Order, (Robot.Session.Drive, (Robot.Protocol.Turn, Amount)));
 
          when Drive =>
-            Next.Request :=
-              (Robot.Session.Drive, (Robot.Protocol.Move, Amount));
+            Next :=
+              (Order, (Robot.Session.Drive, (Robot.Protocol.Move, Amount)));
       end case;
       R.Awaited  := Order;
       R.Movement := Movement;
@@ -587,8 +678,8 @@ package body Missions.Runs with SPARK_Mode is
             R.Upset := True;
          else
             R.Count  := Natural'Min (R.Count + 1, Max_Images);
-            R.Mean.X := R.Mean.X + (R.Newest.X - R.Mean.X) / Near (R.Count);
-            R.Mean.Y := R.Mean.Y + (R.Newest.Y - R.Mean.Y) / Near (R.Count);
+            R.Mean.X := Mean_Of (R.Mean.X, R.Newest.X, R.Count);
+            R.Mean.Y := Mean_Of (R.Mean.Y, R.Newest.Y, R.Count);
          end if;
       end if;
    end See;
@@ -608,7 +699,7 @@ package body Missions.Runs with SPARK_Mode is
          Ask_At  => Now,
          others  => <>);
       R.Phase := Looking;
-      Begin_Leg (R, Now);
+      Limit_Leg (R, Now);
    end Start;
 
    procedure Step (R : in out Run; Now : Microseconds; Next : out Action) is
@@ -625,6 +716,8 @@ package body Missions.Runs with SPARK_Mode is
                  (Ask, (Kind => Robot.Session.Get_Moving, others => <>));
                R.Awaited := Ask;
             end if;
+         elsif R.Orders = 0 then
+            Finish (R, Leg_Too_Long);
          elsif not R.Halted then
             Give (R, Halt, 0, Next);
          elsif (R.Phase = Aiming or else R.Count >= Enough_Images
@@ -695,7 +788,7 @@ package body Missions.Runs with SPARK_Mode is
                   end if;
 
                when Robot.Session.Refused =>
-                  R.Refusals := R.Refusals + 1;
+                  R.Refusals := Natural'Min (R.Refusals + 1, Refusal_Limit);
                   R.Sure     := False;
                   Arrive (R, Now);
                   if R.Refusals = Refusal_Limit and then not R.Ended then

@@ -84,7 +84,7 @@ begin
       end if;
       if Ratio (R) > 1.5 then
          Slow := Slow + 1;
-         if Slow < 10 then
+         if Slow < 1_000 then
             Put_Line
               (K'Image & ":" & M.Count'Image & " points, ratio"
                & Ratio (R)'Image & ", exact" & R.Exact'Image);

@@ -13,6 +13,7 @@ with Line_Health_Tests;
 with Mailboxes_Tests;
 with Mission_Arenas_Tests;
 with Mission_Grounds_Tests;
+with Mission_Runs_Tests;
 with Missions_Paths_Tests;
 with Missions_Texts_Tests;
 with Monitor_Link_Tests;
@@ -56,6 +57,7 @@ begin
    Unit_Runs.Add (new Order_Meanings_Tests.Test_Case);
    Unit_Runs.Add (new Mission_Arenas_Tests.Test_Case);
    Unit_Runs.Add (new Mission_Grounds_Tests.Test_Case);
+   Unit_Runs.Add (new Mission_Runs_Tests.Test_Case);
    Unit_Runs.Add (new Monitor_Link_Tests.Test_Case);
    Unit_Runs.Add (new Robot_Session_Tests.Test_Case);
    Unit_Runs.Add (new Send_Order_Tests.Test_Case);

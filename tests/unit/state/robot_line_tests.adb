@@ -317,7 +317,7 @@ package body Robot_Line_Tests is
       Ask (Keep_Alive, Robot.Session.Keep_Alive);
       Ask (Query, Ping_Robot, 11, 2, 0);
       Ask (Battery, Robot.Session.Get_Battery);
-      Ask_For_Mission (Robot.Session.Drive, 14);
+      Ask_For_Mission (Robot.Session.Drive, 10);
       Ask (Move, Go_Forward, 13, 3, 0);
       Ask (Reload, Robot.Session.Reload);
       Stop (12);

@@ -1,0 +1,301 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with Ada.Numerics.Elementary_Functions;
+use Ada.Numerics.Elementary_Functions;
+
+with AUnit.Assertions;    use AUnit.Assertions;
+with GNAT.Random_Numbers;
+
+with Missions;            use Missions;
+with Missions.Angles;     use Missions.Angles;
+with Missions.Guards;     use Missions.Guards;
+with Missions.Runs;       use Missions.Runs;
+with Robot.Protocol;
+with Robot.Session;
+with Simulated_Missions;  use Simulated_Missions;
+
+package body Mission_Runs_Tests is
+
+   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+
+   use type Robot.Protocol.Command_Kind;
+   use type Robot.Session.Request_Kind;
+
+   Size    : constant Arena_Size := (80, 60);
+   Period  : constant := 100_000;
+   --  of the images, microseconds
+   Corner  : constant Place := (100_000, 100_000);
+   Points  : constant Place_Array :=
+     (1 => (700_000, 500_000), others => Corner);
+
+   procedure Test_Angles (T : in out Any_Test);
+   procedure Test_Guards (T : in out Any_Test);
+   procedure Test_Ideal (T : in out Any_Test);
+   procedure Test_Faults (T : in out Any_Test);
+   procedure Test_Ends (T : in out Any_Test);
+   procedure Test_Old_Position (T : in out Any_Test);
+
+   procedure Check_Missions (First_Seed : Integer; Faulty : Boolean);
+   --  A hundred
+
+   type Answer is (Taken, Refused, Unanswered, Closed);
+   --  What becomes of all requests
+
+   procedure Run_Until_End
+     (Image_Every : Positive;
+      Seen        : Boolean;
+      Given       : Answer;
+      Moves       : Boolean;
+      Why         : Ending;
+      Within      : Microseconds);
+   --  The robot stands, whatever it is told. Of so many images one comes
+
+   overriding function Name (T : Test_Case) return AUnit.Message_String is
+     (AUnit.Format ("Missions.Runs"));
+
+   overriding procedure Register_Tests (T : in out Test_Case) is
+      use AUnit.Test_Cases.Registration;
+   begin
+      Register_Routine (T, Test_Angles'Access, "angles all around");
+      Register_Routine (T, Test_Guards'Access, "what the guards permit");
+      Register_Routine (T, Test_Ideal'Access, "a hundred missions");
+      Register_Routine
+        (T, Test_Faults'Access, "a hundred missions of faulty robots");
+      Register_Routine (T, Test_Ends'Access, "why missions end");
+      Register_Routine
+        (T, Test_Old_Position'Access, "no order from an old position");
+   end Register_Tests;
+
+   procedure Check_Missions (First_Seed : Integer; Faulty : Boolean) is
+      Short  : constant Milliseconds := (if Faulty then 9_000.0 else 3_000.0);
+      --  Missions that take an exact robot less time may take longer than 1.5
+      --  times as long: looking takes time, and learning what the robot does
+      Source : GNAT.Random_Numbers.Generator;
+      M      : Mission;
+      F      : Faults := Ideal;
+      R      : Result;
+   begin
+      for Seed in First_Seed .. First_Seed + 99 loop
+         GNAT.Random_Numbers.Reset (Source, Seed);
+         Make_Mission (Source, Point_Number (2 + Seed mod 11), M);
+         if Faulty then
+            Make_Faults (Source, F);
+         end if;
+         Simulate (M, F, Seed, R);
+         Assert (R.Ended = Completed, Seed'Image & ": " & R.Ended'Image);
+         Assert (R.Worst_Pass <= 15.0,
+                 Seed'Image & ": passed by" & R.Worst_Pass'Image & " mm");
+         Assert (R.Room > 0.0, Seed'Image & ": at the border");
+         Assert (R.Blind <= 400.0, Seed'Image & ": without images");
+         Assert (R.Exact < Short or else Ratio (R) <= 1.5,
+                 Seed'Image & ":" & R.Time'Image & " ms instead of"
+                 & R.Exact'Image);
+      end loop;
+   end Check_Missions;
+
+   procedure Run_Until_End
+     (Image_Every : Positive;
+      Seen        : Boolean;
+      Given       : Answer;
+      Moves       : Boolean;
+      Why         : Ending;
+      Within      : Microseconds)
+   is
+      R     : Missions.Runs.Run;
+      Next  : Action;
+      Stops : Natural := 0;
+      Now   : Microseconds := 0;
+      Last  : Microseconds := 0;
+      Image : Natural := 0;
+   begin
+      Start (R, Size, Points, 1, 0);
+      loop
+         if Now >= Last + Period then
+            Last  := Now;
+            Image := Image + 1;
+            if Image mod Image_Every = 0 then
+               See (R, (Image, Now, Seen, (Corner, 0)));
+            end if;
+         end if;
+         Step (R, Now, Next);
+         case Next.Kind is
+            when Nothing           => null;
+            when Ask | Order       =>
+               Assert (not Has_Ended (R), "goes on after the end");
+               Tell
+                 (R,
+                  (Kind  =>
+                     (case Given is
+                         when Taken      => Robot.Session.Done,
+                         when Refused    => Robot.Session.Refused,
+                         when Unanswered => Robot.Session.Timed_Out,
+                         when Closed     => Robot.Session.Not_Open),
+                   Value =>
+                     (if Next.Kind = Ask and then Moves then 1 else 0),
+                   others => <>),
+                  Now);
+               if Given = Unanswered then
+                  Now := Now + 80_000;
+               end if;
+            when Stop              =>
+               Stops := Stops + 1;
+               Tell (R,
+                     (Kind   => (if Stops < 3 then Robot.Session.Timed_Out
+                                 else Robot.Session.Done),
+                      others => <>),
+                     Now);
+            when Leave             => exit;
+         end case;
+         Now := Now + 10_000;
+         Assert (Now < 60_000_000, "does not end: " & Why'Image);
+      end loop;
+      Assert (Ended_By (R) = Why,
+              Why'Image & " expected: " & Ended_By (R)'Image);
+      Assert (Stops = 3, "stops until one is answered:" & Stops'Image);
+      Assert (Now <= Within, Why'Image & " after" & Now'Image);
+   end Run_Until_End;
+
+   procedure Test_Angles (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Length : constant array (1 .. 4) of Float :=
+        (50.0, 40_000.0, 900_000.0, 9.0E8);
+      X, Y   : Micrometres;
+      Back   : Bearing;
+   begin
+      for K in Microdegrees range -1_800 .. 1_800 loop
+         declare
+            Angle : constant Bearing := K * 100_000;
+            Rad   : constant Float :=
+              Float (K) / 1_800.0 * 3.141_592_65;
+         begin
+            Assert (abs (Float (Sine (Angle)) - 1.0E6 * Sin (Rad)) < 45.0
+                    and then
+                    abs (Float (Cosine (Angle)) - 1.0E6 * Cos (Rad)) < 45.0,
+                    "sine or cosine of" & Angle'Image);
+            for L of Length loop
+               X := Micrometres (L * Cos (Rad));
+               Y := Micrometres (L * Sin (Rad));
+               Back := Direction (X, Y);
+               Assert
+                 (abs Normal (Back - Angle) <
+                    (if L > 1_000.0 then 3_000 else 1_500_000),
+                  "direction" & X'Image & Y'Image & ":" & Back'Image);
+               Assert
+                 (abs (Float (Along (X, Y, Back)) - L) < 2.0 + L / 1.0E4,
+                  "length" & X'Image & Y'Image);
+            end loop;
+         end;
+      end loop;
+      Assert (Direction (0, 0) = 0, "no vector");
+      Assert (Normal (270_000_000) = -90_000_000, "normal");
+   end Test_Angles;
+
+   procedure Test_Ends (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      R    : Missions.Runs.Run;
+      Next : Action;
+   begin
+      Run_Until_End (100, True, Taken, False, No_Image, 350_000);
+      Run_Until_End (1, False, Taken, False, No_Position, 350_000);
+      Run_Until_End (1, True, Taken, True, No_Progress, 2_400_000);
+      Run_Until_End (1, True, Unanswered, True, No_Progress, 2_400_000);
+      Run_Until_End (1, True, Refused, False, Orders_Refused, 500_000);
+      Run_Until_End (1, True, Closed, False, Robot_Stopped, 100_000);
+
+      for Why in Abort_Reason loop
+         Start (R, Size, Points, 1, 0);
+         End_By (R, Why);
+         End_By (R, No_Image);
+         Assert (Has_Ended (R) and then Ended_By (R) = Why, "another end");
+         Step (R, 10, Next);
+         Assert
+           (Next.Kind =
+              (if Why in By_Hand | Session_Over then Leave else Stop),
+            "after " & Why'Image);
+      end loop;
+   end Test_Ends;
+
+   procedure Test_Faults (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Check_Missions (1_000, Faulty => True);
+   end Test_Faults;
+
+   procedure Test_Guards (T : in out Any_Test) is
+      pragma Unreferenced (T);
+
+      Known : constant Missions.Guards.Doubts := (10_000, 0, 0, 0);
+
+      function Permitted
+        (X, Y    : Integer;
+         Degrees : Integer;
+         Move    : Drive_Length;
+         D       : Missions.Guards.Doubts) return Boolean
+      is (Is_Permitted
+            (((Micrometres (X) * 1_000, Micrometres (Y) * 1_000),
+              Bearing (Degrees) * 1_000_000), Move, D, Size));
+   begin
+      Assert (Is_Target ((80_000, 520_000), Size), "at the margin");
+      Assert (not Is_Target ((79_999, 520_000), Size), "left of it");
+      Assert (not Is_Target ((80_000, 520_001), Size), "above it");
+
+      Assert (Permitted (400, 300, 0, 330, Known), "to the margin");
+      Assert (not Permitted (400, 300, 0, 331, Known), "beyond it");
+      Assert (Permitted (400, 300, 0, -330, Known), "backward");
+      Assert (not Permitted (400, 300, 0, -331, Known), "and beyond");
+      Assert (Permitted (400, 300, -90, 230, Known), "down");
+      Assert (not Permitted (400, 300, -90, 231, Known), "below");
+
+      Assert (Permitted (50, 300, 0, 100, Known), "inward from outside");
+      Assert (not Permitted (50, 300, 180, 1, Known), "further out");
+
+      Assert
+        (not Permitted (400, 300, 0, 330, (10_100, 0, 0, 0)), "a longer way");
+      Assert
+        (not Permitted (200, 75, 0, 300, (10_000, 0, 10_000, 0)),
+         "pulled to the border");
+      Assert
+        (not Permitted (200, 75, 4, 300, (10_000, -40_000, 0, 0)),
+         "in an arc to the border");
+      Assert
+        (not Permitted (200, 75, 0, 300, (10_000, 0, 0, 1_500_000)),
+         "in a direction not quite known");
+      Assert (Permitted (200, 75, 0, 300, Known), "along the border");
+   end Test_Guards;
+
+   procedure Test_Ideal (T : in out Any_Test) is
+      pragma Unreferenced (T);
+   begin
+      Check_Missions (2_000, Faulty => False);
+   end Test_Ideal;
+
+   procedure Test_Old_Position (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      R    : Missions.Runs.Run;
+      Next : Action;
+      Now  : Microseconds := 0;
+   begin
+      --  Two images with the robot, then two without it: in time for
+      --  everything, but the robot was seen too long ago
+
+      Start (R, Size, Points, 1, Now);
+      Step (R, Now, Next);
+      Assert (Next.Kind = Order
+              and then Next.Request.Kind = Robot.Session.Stop,
+              "the robot is stopped first");
+      Tell (R, (others => <>), Now);
+      for K in 1 .. 4 loop
+         Now := Now + Period;
+         See (R, (K, Now, K < 3, (Corner, 0)));
+      end loop;
+      Step (R, Now + 150_000, Next);
+      Assert (not Has_Ended (R) and then Next.Kind = Nothing, "an order");
+
+      See (R, (5, Now + 160_000, True, (Corner, 0)));
+      Step (R, Now + 160_000, Next);
+      Assert (Next.Kind = Order
+              and then Next.Request.Command.Kind = Robot.Protocol.Turn,
+              "seen again, no turn to the target");
+   end Test_Old_Position;
+
+end Mission_Runs_Tests;
