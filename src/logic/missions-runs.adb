@@ -538,6 +538,9 @@ package body Missions.Runs with SPARK_Mode is
          if R.Turned /= 0 then
             Error := Normal
               (R.Mean.Heading - R.From.Heading - Normal (Expected));
+            if R.Turn_Weight >= Learnt_Turn and then abs Error > Surprise then
+               R.Distrust := Distrusted;
+            end if;
             Learn_Gain
               (R.Turns, R.Turn_Weight,
                Wide (Expected + Error) / (Wide (R.Turned) * 100),
@@ -560,7 +563,7 @@ package body Missions.Runs with SPARK_Mode is
            (50,
             Integer'Max
               (R.Way_Doubt * 15 / 16,
-               Integer (abs (Seen_Gain - Wide (R.Drives))) * 150 / R.Drives));
+               Integer (abs (Seen_Gain - Wide (R.Drives))) * 250 / R.Drives));
       end if;
       Learn_Gain
         (R.Drives, R.Way_Weight, Seen_Gain, Wide (R.Driven) ** 2, 360_000);
@@ -580,7 +583,7 @@ package body Missions.Runs with SPARK_Mode is
         and then abs Error >
           Surprise + 5_000 * 57_000_000 / Microdegrees (Length)
       then
-         R.Distrust := 4;
+         R.Distrust := Distrusted;
       end if;
 
       Pulled := Wide (Difference (Before, R.Mean.Heading)) * 1_000
