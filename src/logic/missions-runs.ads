@@ -190,6 +190,7 @@ private
    --  learnt from
 
    Stop_Tries    : constant := 3;
+   Distrusted    : constant := 5;
    Refusal_Limit : constant := 3;
 
    type Run is record
@@ -269,14 +270,16 @@ private
       --  percent: by how much drives have differed from it
       Pulled      : Pull   := 0;
       Pull_Weight : Weight := 1_600;
-      Distrust    : Natural range 0 .. 4 := 1;
+      Distrust    : Natural range 0 .. Distrusted := 1;
       --  so many turns are still to be looked at
       Lag         : Microseconds := 0;
       --  of what an image shows, behind when it came
    end record;
 
-   Learnt_Way      : constant Weight := 60 ** 2;
-   Learnt_Turn     : constant Weight := 25 ** 2;
+   Learnt_Way  : constant Weight := 60 ** 2;
+   Learnt_Turn : constant Weight := 25 ** 2;
+   Most_Way    : constant Weight := 600 ** 2;
+   Most_Turn   : constant Weight := 300 ** 2;
 
    function Has_Ended (R : Run) return Boolean is (R.Ended);
 

@@ -20,6 +20,7 @@ with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Real_Missions;
+with Robot_Motion;
 
 procedure Destijl_Missions is
 
@@ -31,6 +32,8 @@ procedure Destijl_Missions is
    Traced    : Boolean  := False;
 
    Picture, Journal, Pose, Order : Unbounded_String;
+
+   Wheels : Robot_Motion.Wheel_Errors;
 
    Status : Integer := 0;
 
@@ -56,6 +59,8 @@ procedure Destijl_Missions is
       Put_Line (To, "   --journal FILE  ... what the emulator has printed");
       Put_Line (To, "   --pose X,Y,A    ... where it stood: cm, degrees");
       Put_Line (To, "   --order MPCM:X;Y;...");
+      Put_Line (To, "   --speed N --turn-speed N --overshoot N --pull N");
+      Put_Line (To, "                   ... its wheels, as the emulator has");
       Put_Line (To, "   --seed N        others (1)");
       Put_Line (To, "   --trace         tells what happens, if simulated");
       Put_Line (To, "   --first N       the first one's number (1)");
@@ -83,6 +88,14 @@ procedure Destijl_Missions is
             Order := To_Unbounded_String (Value);
          elsif Name = "--trace" then
             Traced := True;
+         elsif Name = "--speed" then
+            Wheels.Speed := Number;
+         elsif Name = "--turn-speed" then
+            Wheels.Turn_Speed := Number;
+         elsif Name = "--overshoot" then
+            Wheels.Overshoot := Number (0);
+         elsif Name = "--pull" then
+            Wheels.Pull := Number (Integer'First);
          elsif Name = "--first" then
             First := Number;
          elsif Name = "--step" then
@@ -99,10 +112,11 @@ procedure Destijl_Missions is
    end Read_Command_Line;
 
    procedure Draw is
-      P     : constant Plan := Read (To_String (Pose), To_String (Order));
+      P     : Plan := Read (To_String (Pose), To_String (Order));
       Notes : Emulators.Notes;
       V     : Mission_Judges.Verdict;
    begin
+      P.Wheels := Wheels;
       Mission_Pictures.Read_Journal (To_String (Journal), Notes);
       if Notes.Is_Empty then
          raise Bad_Plan with "no journal in " & To_String (Journal);

@@ -1,6 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Simulates missions: bin/simulate_missions MISSIONS FIRST LAST ideal|faults
---  [SEED]. Through FIRST to LAST points each, as many of each count.
+--  Simulates missions: bin/simulate_missions MISSIONS FIRST LAST KIND [SEED
+--  [K]]. Through FIRST to LAST points each, as many of each count, by robots
+--  that are ideal, have faults, see late (150 ms, of these faults) or are
+--  changing (their speeds, by 10 percent at each order, of these faults). K:
+--  prints what happens in that one.
 
 with Ada.Command_Line;       use Ada.Command_Line;
 with Ada.Text_IO;            use Ada.Text_IO;
@@ -29,12 +32,8 @@ procedure Simulate_Missions is
       F := Ideal;
       if Kind /= "ideal" then
          Make_Faults (Source, F);
-         if Kind = "nolost" then
-            F.Lose_Every := 0;
-         elsif Kind = "still" then
-            F.Place_Noise := 0.0; F.Heading_Noise := 0.0;
-         elsif Kind = "nodelay" then
-            F.Image_Delay := 0.0;
+         if Kind = "late" then
+            F.Image_Delay := 150.0;
          elsif Kind = "changing" then
             F.Changing := 10;
          end if;
