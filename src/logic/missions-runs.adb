@@ -63,6 +63,12 @@ package body Missions.Runs with SPARK_Mode is
    with Pre => Count > 0;
    --  Count includes the newest
 
+   function Within (Number, Low, High : Wide) return Wide is
+     (Wide'Max (Low, Wide'Min (High, Number)))
+   with
+     Pre  => Low <= High,
+     Post => Within'Result in Low .. High;
+
    function Target (R : Run) return Near_Pose is
      ((X       => Near_Of (R.Targets (R.Leg).X),
        Y       => Near_Of (R.Targets (R.Leg).Y),
@@ -283,8 +289,10 @@ package body Missions.Runs with SPARK_Mode is
       Angle   := Difference (Here.Heading, Course (Length));
       Half    := Wide (R.Turns) / 2;
       Ordered := Degrees
-        ((Wide (Angle) / 100 + (if Angle < 0 then -Half else Half))
-         / Wide (R.Turns));
+        (Within
+           ((Wide (Angle) / 100 + (if Angle < 0 then -Half else Half))
+            / Wide (R.Turns),
+            Wide (Degrees'First), Wide (Degrees'Last)));
       if Ordered /= 0
         and then
           (abs Angle > Half_Turn / 4
@@ -505,20 +513,36 @@ package body Missions.Runs with SPARK_Mode is
 
    procedure Learn (R : in out Run) is
 
-      procedure Learn_Gain
-        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Wide;
-         Most : Weight);
+      subtype Square is Wide range 1 .. 25_000_000;
+
+      function Mean_Of
+        (Known : Wide; W : Weight; Seen : Wide; Amount : Square) return Wide
+      is (Known + (Seen - Known) * Amount / (Wide (W) + Amount))
+      with Pre => abs Known <= 100_000 and then abs Seen <= 100_000;
+
+      procedure Add (W : in out Weight; Amount : Square; Most : Weight);
 
       procedure Learn_Gain
-        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Wide;
+        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Square;
+         Most : Weight);
+
+      procedure Add (W : in out Weight; Amount : Square; Most : Weight) is
+      begin
+         W := Weight (Wide'Min (Wide (Most), Wide (W) + Amount));
+      end Add;
+
+      procedure Learn_Gain
+        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Square;
          Most : Weight)
       is
-         Sensible : constant Wide :=
-           Wide'Max (Wide (Gain'First), Wide'Min (Wide (Gain'Last), Seen));
+         Lowest  : constant Wide := Wide (Gain'First);
+         Highest : constant Wide := Wide (Gain'Last);
       begin
          G := Gain
-           (Wide (G) + (Sensible - Wide (G)) * Amount / (Wide (W) + Amount));
-         W := Weight (Wide'Min (Wide (Most), Wide (W) + Amount));
+           (Within
+              (Mean_Of (Wide (G), W, Within (Seen, Lowest, Highest), Amount),
+               Lowest, Highest));
+         Add (W, Amount, Most);
       end Learn_Gain;
 
       Expected : constant Microdegrees :=
@@ -528,11 +552,12 @@ package body Missions.Runs with SPARK_Mode is
         Normal
           (Direction (R.Mean.X - R.From.X, R.Mean.Y - R.From.Y)
            + (if R.Driven < 0 then Half_Turn else 0));
-      Before   : Bearing;
+      Before    : Bearing;
       --  the heading at the beginning of the drive
-      Error    : Bearing;
-      Pulled   : Wide;
+      Error     : Bearing;
       Seen_Gain : Wide;
+      Pulled    : Wide;
+      Amount    : Square;
    begin
       if R.Driven = 0 then
          if R.Turned /= 0 then
@@ -544,7 +569,7 @@ package body Missions.Runs with SPARK_Mode is
             Learn_Gain
               (R.Turns, R.Turn_Weight,
                Wide (Expected + Error) / (Wide (R.Turned) * 100),
-               Wide (R.Turned) ** 2, 90_000);
+               Wide (R.Turned) ** 2, Most_Turn);
             if R.Turn_Weight >= Learnt_Turn and then R.Distrust > 0 then
                R.Distrust := R.Distrust - 1;
             end if;
@@ -566,7 +591,7 @@ package body Missions.Runs with SPARK_Mode is
                Integer (abs (Seen_Gain - Wide (R.Drives))) * 250 / R.Drives));
       end if;
       Learn_Gain
-        (R.Drives, R.Way_Weight, Seen_Gain, Wide (R.Driven) ** 2, 360_000);
+        (R.Drives, R.Way_Weight, Seen_Gain, Wide (R.Driven) ** 2, Most_Way);
 
       Before :=
         (if R.Turned = 0 then R.From.Heading
@@ -577,7 +602,7 @@ package body Missions.Runs with SPARK_Mode is
          Learn_Gain
            (R.Turns, R.Turn_Weight,
             Wide (Expected + Error) / (Wide (R.Turned) * 100),
-            Wide (R.Turned) ** 2 / 4 + 1, 90_000);
+            Wide (R.Turned) ** 2 / 4 + 1, Most_Turn);
       end if;
       if Length >= Long_Way
         and then abs Error >
@@ -586,21 +611,16 @@ package body Missions.Runs with SPARK_Mode is
          R.Distrust := Distrusted;
       end if;
 
-      Pulled := Wide (Difference (Before, R.Mean.Heading)) * 1_000
-        / Wide (if R.Driven < 0 then -Length else Length);
-      Pulled := Wide'Max (Wide (Pull'First),
-                          Wide'Min (Wide (Pull'Last), Pulled));
-      declare
-         Amount : constant Wide :=
-           Wide (R.Driven) ** 2 / (if R.Turned = 0 then 1 else 4);
-      begin
-         R.Pulled := Pull
-           (Wide (R.Pulled)
-            + (Pulled - Wide (R.Pulled)) * Amount
-              / (Wide (R.Pull_Weight) + Amount));
-         R.Pull_Weight := Weight
-           (Wide'Min (360_000, Wide (R.Pull_Weight) + Amount));
-      end;
+      Amount := Wide (R.Driven) ** 2 / (if R.Turned = 0 then 1 else 4) + 1;
+      Pulled := Within
+        (Wide (Difference (Before, R.Mean.Heading)) * 1_000
+         / Wide (if R.Driven < 0 then -Length else Length),
+         Wide (Pull'First), Wide (Pull'Last));
+      R.Pulled := Pull
+        (Within
+           (Mean_Of (Wide (R.Pulled), R.Pull_Weight, Pulled, Amount),
+            Wide (Pull'First), Wide (Pull'Last)));
+      Add (R.Pull_Weight, Amount, Most_Way);
    end Learn;
 
    procedure Learn_Lag (R : in out Run; Turned : Microdegrees) is

@@ -276,8 +276,10 @@ private
       --  of what an image shows, behind when it came
    end record;
 
-   Learnt_Way      : constant Weight := 60 ** 2;
-   Learnt_Turn     : constant Weight := 25 ** 2;
+   Learnt_Way  : constant Weight := 60 ** 2;
+   Learnt_Turn : constant Weight := 25 ** 2;
+   Most_Way    : constant Weight := 600 ** 2;
+   Most_Turn   : constant Weight := 300 ** 2;
 
    function Has_Ended (R : Run) return Boolean is (R.Ended);
 
