@@ -532,7 +532,9 @@ package body Missions.Runs with SPARK_Mode is
       function Mean_Of
         (Known : Wide; W : Weight; Seen : Wide; Amount : Square) return Wide
       is (Known + (Seen - Known) * Amount / (Wide (W) + Amount))
-      with Pre => abs Known <= 100_000 and then abs Seen <= 100_000;
+      with
+        Pre => Known in -100_000 .. 100_000
+          and then Seen in -100_000 .. 100_000;
 
       procedure Add (W : in out Weight; Amount : Square; Most : Weight);
 
