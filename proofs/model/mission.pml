@@ -14,6 +14,11 @@
 #ifndef STEPS
 #define STEPS     2      /* requests of a mission before its stop, at most */
 #endif
+#ifdef ASKS
+#define IS_LOST   0      /* the monitor, at any time; else it stays */
+#else
+#define IS_LOST   1
+#endif
 #define CAPACITY  2      /* that may wait for their answers */
 #define STOPS     (CAPACITY + 1)
 #define STOP_TRIES  2    /* the code's 3 */
@@ -188,8 +193,10 @@ inline Ask (what) {
    skip
 }
 
-#ifdef MUTANT_END_TO_NEXT_SESSION
+#if defined (MUTANT_END_TO_NEXT_SESSION)
 #define Goes_Out(m)  Monitor_Outbox_Open
+#elif defined (MUTANT_END_NOT_TOLD)     /* of a robot that is lost */
+#define Goes_Out(m)  (m >= First && Monitor_Outbox_Open && Is_Started)
 #else
 #define Goes_Out(m)  (m >= First && Monitor_Outbox_Open)
 #endif
@@ -198,6 +205,17 @@ inline Release () {
    /*: Place.Release */
    MR.Mission = 0;
    MR.After = 0
+}
+
+/* There is room for the next before the monitor is told */
+inline Refuse () {
+#ifdef MUTANT_REFUSED_BEFORE_RELEASE
+   Monitor_Outbox_Answer (number);
+   Release ()
+#else
+   Release ();
+   Monitor_Outbox_Answer (number)
+#endif
 }
 
 active proctype Th_Mission ()
@@ -308,21 +326,11 @@ leave:
    atomic { Release (); number = 0; goto wait };
 #endif
 refuse:
-#ifdef MUTANT_REFUSED_BEFORE_RELEASE
-   Monitor_Outbox_Answer (number);
-   Release ();
-#else
-   Release ();
-   Monitor_Outbox_Answer (number);
-#endif
-   atomic {
-      number = 0;
-      goto wait
-   };
+   Refuse ();
+   atomic { number = 0; goto wait };
 deny:
-   Release ();
+   Refuse ();
    atomic {
-      Monitor_Outbox_Answer (number);
       number = 0;
       /*: Monitor.Outbox.Put_Notice in outbox */
       goto wait
@@ -525,9 +533,7 @@ active proctype Th_Com_Mon_Perdue ()
    :: Wait_For_Work (Monitor_Session_Watch_Begins);
       /* Wait_Loss: at any time, or never: then all is answered and told */
       if
-#ifndef ASKS
-      :: true
-#endif
+      :: IS_LOST == 1
       :: true ->
          Waiting == 0 && MR.Mission == 0 && Ends_Owed == 0;
 end_stays:

@@ -389,7 +389,7 @@ package body Supervisor_Model with SPARK_Mode is
       --  The longest section in the object on another processor than Here
 
       procedure Join (Name : Activity_Name; Stream : Row_Index)
-      with Global => (In_Out => Set);
+      with Global => (Input => Under, In_Out => Set);
       --  Name is part of the stream
 
       function Longest_At

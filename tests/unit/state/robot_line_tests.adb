@@ -203,6 +203,12 @@ package body Robot_Line_Tests is
       Check (Open);
       Check (Reset);
       Check (Mission);
+      --  a movement from before it does not go out any more
+
+      Ask (Move, Go_Forward, 801, 3, 0);
+      Check (Move, Overtaken);
+      Ask (Move, Go_Forward, 803, 4, 0);
+      Check (Move);
    end Test_Mission_In_Turn;
 
    procedure Test_Rights (T : in out Any_Test) is
