@@ -70,10 +70,6 @@ package body Accounts is
    function Image_Name return String;
    --  image_NNNN.jpg
 
-   function Progress_Words (Line : String) return String
-   with Pre => Line'First = 1;
-   --  Of a mission's progress
-
    procedure Put (At_Time : Time; Mark : String; Text : String);
    --  A line, unless --quiet
 
@@ -140,7 +136,7 @@ package body Accounts is
    function Meaning (Line : String) return String is
      (if Line = "AACK" then "done"
       elsif Line = "ANAK" then "not open, not found or failed"
-      elsif Line = "ACRJ" then "refused by the robot"
+      elsif Line = "ACRJ" then "refused"
       elsif Line = "ATIM" then "the robot does not answer"
       elsif Line = "ACER" then "not understood"
       elsif Line = "RCST:0" then "standing"
@@ -148,18 +144,6 @@ package body Accounts is
       elsif Head (Line, 4) = Battery_Label then
          "battery " & Level_Words (Line)
       else "?");
-
-   function Progress_Words (Line : String) return String is
-      First  : constant Natural := Index (Line, ";");
-      Second : constant Natural :=
-        (if First = 0 then 0 else Index (Line, ";", First + 1));
-   begin
-      return
-        (if Second = 0 then Line (6 .. Line'Last)
-         else "leg " & Line (6 .. First - 1)
-              & " of " & Line (First + 1 .. Second - 1)
-              & ", " & Line (Second + 1 .. Line'Last) & " mm to go");
-   end Progress_Words;
 
    procedure Put (At_Time : Time; Mark : String; Text : String) is
    begin
@@ -333,16 +317,8 @@ package body Accounts is
          Put_Answer (Line, Given, Ended_At);
       elsif Label = Position_Label and then Marked then
          Take_Position (Line, Ended_At);
-<<<<<<< HEAD
-      elsif Label = Progress_Label and then Marked then
-         Put (Ended_At, "*", "mission: " & Progress_Words (Line));
-      elsif Label = End_Label and then Marked then
-         Put (Ended_At, "*", "mission: " & Line (6 .. Line'Last));
-         Exchange.See (Words.Mission);
-=======
       elsif Label in Progress_Label | End_Label and then Marked then
          Take_Mission (Line, Ended_At);
->>>>>>> m-core
       elsif Label = Log_Label and then Marked then
          Put (Ended_At, "*", Line (Line'First + 5 .. Line'Last));
       elsif Line = "ATIM" then

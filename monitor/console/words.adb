@@ -136,15 +136,9 @@ package body Words is
       Put_Entry ("ABCD[:DATA]", "send that line as it stands");
       Put_Entry ("save [FILE]", "save the latest image");
       Put_Entry ("wait S", "S seconds, decimals allowed");
-<<<<<<< HEAD
-      Put_Entry ("wait WHAT", "for the next image, position, battery,");
-      Put_Entry ("", "robot (a position with a robot in it), or");
-      Put_Entry ("", "mission (its end)");
-=======
       Put_Entry ("wait WHAT", "for the next image, position, battery, or");
       Put_Entry ("", "robot (a position with a robot in it); wait mission:");
       Put_Entry ("", "for its end, fail if it was aborted");
->>>>>>> m-core
       Put_Entry ("expect ANSWER", "fail unless it was the last: AACK, RBLV:2");
       Put_Entry ("try N COMMAND", "up to N times, 200 ms apart, until it is");
       Put_Entry ("", "acknowledged");
@@ -260,12 +254,8 @@ package body Words is
       return
         (if OK then (Kind => Pause, Seconds => Seconds, others => <>)
          else Wrong
-<<<<<<< HEAD
-           ("wait wants seconds, image, position, robot, battery or mission"));
-=======
            ("wait wants seconds, image, position, robot, battery or "
             & "mission"));
->>>>>>> m-core
    end Wait_Action;
 
    function Word_Action (Line : String) return Action is

@@ -8,11 +8,7 @@ package Words is
 
    type Message_Class is (Image, Position, Robot, Battery, Mission);
    --  Messages that can be awaited. Robot: a position with a robot in it.
-<<<<<<< HEAD
-   --  Mission: its end.
-=======
    --  Mission: the end of the mission that was asked for last.
->>>>>>> m-core
 
    type Action_Kind is
      (Nothing,       --  an empty line, a comment

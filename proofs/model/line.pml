@@ -70,6 +70,12 @@ chan Stops = [STOPS] of { byte };
 #define Quiet \
    (L.Mode == Started_With_Watchdog && L.Reload_Due == Near)
 
+#ifdef MUTANT_STOP_TOO_LATE
+#define Can_Be_Late(kind)  true
+#else
+#define Can_Be_Late(kind)  (kind != Stop)
+#endif
+
 hidden byte k;
 
 inline Put_It (who, what, its_number, its_rank, its_after) {
@@ -304,12 +310,16 @@ inline Choose (who) {
              (who == Robot_Clients_Move && number < L.Last_Stop &&
               number != 0 -> Overtaken : Carry_Out));
 #ifdef MISSION
+#ifndef MUTANT_OLD_MOVEMENT_CARRIED_OUT
    verdict = (who == Robot_Clients_Move && verdict == Carry_Out
               && number < L.Last_Mission -> Overtaken : verdict);
+#endif
+#ifndef MUTANT_MISSION_NOT_OVERTAKEN
    verdict = (who == Robot_Clients_Mission && verdict == Carry_Out
               && number < L.Last_Hand -> Overtaken : verdict);
+#endif
    verdict = (who == Robot_Clients_Mission && verdict == Carry_Out
-              && L.Too_Old && kind != Stop -> Late : verdict);
+              && L.Too_Old && Can_Be_Late (kind) -> Late : verdict);
    L.Too_Old = false;
 #endif
 #ifdef MUTANT_OLD_ORDER_CARRIED_OUT

@@ -14,6 +14,11 @@
 #ifndef STEPS
 #define STEPS     2      /* requests of a mission before its stop, at most */
 #endif
+#ifdef ASKS
+#define IS_LOST   0      /* the monitor, at any time; else it stays */
+#else
+#define IS_LOST   1
+#endif
 #define CAPACITY  2      /* that may wait for their answers */
 #define STOPS     (CAPACITY + 1)
 #define STOP_TRIES  2    /* the code's 3 */
@@ -188,10 +193,29 @@ inline Ask (what) {
    skip
 }
 
+#if defined (MUTANT_END_TO_NEXT_SESSION)
+#define Goes_Out(m)  Monitor_Outbox_Open
+#elif defined (MUTANT_END_NOT_TOLD)     /* of a robot that is lost */
+#define Goes_Out(m)  (m >= First && Monitor_Outbox_Open && Is_Started)
+#else
+#define Goes_Out(m)  (m >= First && Monitor_Outbox_Open)
+#endif
+
 inline Release () {
    /*: Place.Release */
    MR.Mission = 0;
    MR.After = 0
+}
+
+/* There is room for the next before the monitor is told */
+inline Refuse () {
+#ifdef MUTANT_REFUSED_BEFORE_RELEASE
+   Monitor_Outbox_Answer (number);
+   Release ()
+#else
+   Release ();
+   Monitor_Outbox_Answer (number)
+#endif
 }
 
 active proctype Th_Mission ()
@@ -210,7 +234,11 @@ wait:
       fi;
       /*: Box.Get_End_Waits, Line.Line.Get_Rights */
       if
+#ifdef MUTANT_UNTOLD_END_IGNORED
+      :: number < L.Session -> goto refuse
+#else
       :: End_Waits != 0 || number < L.Session -> goto refuse
+#endif
       :: else
       fi
    };
@@ -247,6 +275,9 @@ look:
       :: ended && left > 0 -> left--              /* the stop once more */
       :: !ended && !Overridden (number) ->
          ended = true; what = Stop; left = STOP_TRIES - 1
+#ifdef MUTANT_END_WITHOUT_STOP
+      :: !ended && !Overridden (number) -> goto leave
+#endif
       :: !ended && !Overridden (number) && Is_Started && left > 0 ->
          what = Drive; left--
 #ifdef IMAGES
@@ -274,30 +305,32 @@ leave:
       /*: Sightings.Store.Watch */
       Vision_Sightings_Store.Watched = false;
       ended = false; left = 0; what = 0;
+#if !defined (MUTANT_RELEASED_AFTER_END) && !defined (MUTANT_NOT_RELEASED)
       Release ()
+#endif
    };
    /*: Monitor.Outbox.Put_End in outbox */
    atomic {
       if
-      :: number >= First && Monitor_Outbox_Open ->
+      :: Goes_Out (number) ->
          assert (End_Waits == 0);
          End_Waits = number
       :: else
       fi;
+#ifndef MUTANT_RELEASED_AFTER_END
       number = 0;
       goto wait
+#endif
    };
+#ifdef MUTANT_RELEASED_AFTER_END
+   atomic { Release (); number = 0; goto wait };
+#endif
 refuse:
-   Release ();
-   atomic {
-      Monitor_Outbox_Answer (number);
-      number = 0;
-      goto wait
-   };
+   Refuse ();
+   atomic { number = 0; goto wait };
 deny:
-   Release ();
+   Refuse ();
    atomic {
-      Monitor_Outbox_Answer (number);
       number = 0;
       /*: Monitor.Outbox.Put_Notice in outbox */
       goto wait
@@ -347,12 +380,19 @@ mtype:command = { Mission_Asked, Stop_Asked, Act_Asked, Other_Asked };
 
 inline Note_Hand () {
    /*: Line.Line.Note_Hand */
+#ifndef MUTANT_HAND_NOT_NOTED
    L.Last_Hand = number
+#else
+   skip
+#endif
 }
 
-inline Passed_On () {
-   Hand = (command != Other_Asked -> number : Hand)
-}
+/* With the mutant, whatever the order is */
+#ifdef MUTANT_OPENING_IS_BY_HAND
+#define By_Hand  (command != Mission_Asked)
+#else
+#define By_Hand  (command == Stop_Asked || command == Act_Asked)
+#endif
 
 active proctype Th_Receive_From_Mon ()
 {
@@ -399,12 +439,20 @@ end_receive:
                   MR.After = rank
                fi
             };
-            atomic { Set_Event (Missions_Requests_Arrived); goto handled }
-         :: atomic { command == Other_Asked -> goto pass_on }
-         :: atomic {
-               command == Stop_Asked || command == Act_Asked ->
-               Note_Hand ()
+            atomic {
+#ifndef MUTANT_REQUEST_WITHOUT_EVENT
+               Set_Event (Missions_Requests_Arrived);
+#endif
+               goto handled
             }
+         :: atomic {
+               command != Mission_Asked && !By_Hand -> goto pass_on
+            }
+#ifdef MUTANT_HAND_NOTED_LATE
+         :: By_Hand
+#else
+         :: atomic { By_Hand -> Note_Hand () }
+#endif
          fi;
 pass_on: atomic {
             if
@@ -419,7 +467,16 @@ pass_on: atomic {
                fi;
                Set_Event (Order_Ports_Arrived [port])
             fi;
-            Passed_On ();
+            Hand = (By_Hand -> number : Hand)
+#ifdef MUTANT_HAND_NOTED_LATE
+         };
+         atomic {
+            if
+            :: By_Hand -> Note_Hand ()
+            :: else
+            fi
+#endif
+            ;
 handled:    number = 0; command = 0; kind = 0; port = 0
          }
       od;
@@ -476,9 +533,7 @@ active proctype Th_Com_Mon_Perdue ()
    :: Wait_For_Work (Monitor_Session_Watch_Begins);
       /* Wait_Loss: at any time, or never: then all is answered and told */
       if
-#ifndef ASKS
-      :: true
-#endif
+      :: IS_LOST == 1
       :: true ->
          Waiting == 0 && MR.Mission == 0 && Ends_Owed == 0;
 end_stays:

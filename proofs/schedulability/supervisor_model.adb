@@ -265,7 +265,8 @@ package body Supervisor_Model with SPARK_Mode is
          when Send_Battery | Battery_Due | Battery_Done =>
             To_Period (Battery_Period),
          when Mission_Due => To_Period (Mission_Period),
-         when Mission_Told => Mission_Pause + Line_Interval,
+         when Mission_Told =>
+            Positive_Span'Max (1, Capped (Mission_Pause + Line_Interval)),
          when Send_Position | Send_Image | Capture | Mission_Seen
             | Send_Mission =>
             --  where the grid makes up for what it has lost
@@ -388,7 +389,7 @@ package body Supervisor_Model with SPARK_Mode is
       --  The longest section in the object on another processor than Here
 
       procedure Join (Name : Activity_Name; Stream : Row_Index)
-      with Global => (In_Out => Set);
+      with Global => (Input => Under, In_Out => Set);
       --  Name is part of the stream
 
       function Longest_At
@@ -608,19 +609,23 @@ package body Supervisor_Model with SPARK_Mode is
       --  when the reload is nearly due
 
       procedure Bound_One
-        (Who : Line_Client; Lengths : Client_Times; Result : out Bound);
+        (Who : Line_Client; Lengths : Client_Times; Result : out Bound)
+      with Global => (Bounds, Under, Length);
       --  Of Who, where each client's transactions have these lengths; 0 for
       --  one that does not occur
 
-      procedure Bound_Mission (Result : out Bound);
+      procedure Bound_Mission (Result : out Bound)
+      with Global => (Bounds, Under, Length, Query);
       --  From its request on: only one waits
 
-      procedure Keep_Later (Item : Bound; Result : in out Bound);
+      procedure Keep_Later (Item : Bound; Result : in out Bound)
+      with Global => null;
       --  Result holds in this case, too
 
       function Asked_Apart return Positive_Span is
-        (Positive_Span'Min
-           (Horizon / 2, Positive_Span (Mission_Pause + Length (Mission))));
+        (Positive_Span'Max
+           (1, Span'Min (Horizon / 2,
+                         Capped (Mission_Pause + Length (Mission)))));
       --  From one request of a mission to the next, on the average
 
       procedure Bound_One
@@ -676,12 +681,12 @@ package body Supervisor_Model with SPARK_Mode is
       begin
          Bound_One
            (Mission,
-            (Reload      => Length (Reload),
+            (Safe_State | Stop_Order | Movement | Unanswered => 0,
+             Reload      => Length (Reload),
              Mission     => Length (Mission),
              Battery     => Length (Battery),
              Other_Order => Query,
-             Ping        => Length (Ping),
-             others      => 0),
+             Ping        => Length (Ping)),
             Result);
          Zone := Capped
            (Span'Max (To_Span (Reload_Quiet), Span'Max (Query, Length (Ping)))
@@ -928,7 +933,7 @@ package body Supervisor_Model with SPARK_Mode is
                    when Send_Answer  => Span'Max
                      (Latest (Bounds (Receive)), Latest_Answer (Line)),
                    when Mission_Told =>
-                      2 * Period_Of (A, Under),
+                      Capped (2 * Period_Of (A, Under)),
                    when Send_Battery => Latest (Bounds (Battery_Done)),
                    when Send_Mission => Latest (Bounds (Mission_Seen)),
                    when Send_Position | Send_Image | Mission_Seen =>

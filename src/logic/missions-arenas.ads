@@ -48,6 +48,8 @@ package Missions.Arenas with SPARK_Mode, Pure is
 
    type Map is private;
 
+   function Corner_Of (M : Map; C : Vision.Shapes.Corner) return Grid_Point;
+
    function Is_Usable (M : Map) return Boolean;
    --  The corners form a convex quadrilateral, not mirrored, with sides of at
    --  least Min_Side, and the rounding of the corners moves no place in the
@@ -111,6 +113,11 @@ package Missions.Arenas with SPARK_Mode, Pure is
       Usable  : out Boolean)
    with
      Post => Usable = Is_Usable (M)
+       and then
+         (if Usable then
+            (for all C in Vision.Shapes.Corner =>
+               Is_In_Image (Corners (C))
+               and then Corner_Of (M, C) = To_Grid (Corners (C))))
        and then Width (M) = Micrometres (Size.Width) * 10_000
        and then Height (M) = Micrometres (Size.Height) * 10_000;
 
@@ -177,6 +184,9 @@ private
       Size                      : Arena_Size;
       Usable                    : Boolean := False;
    end record;
+
+   function Corner_Of (M : Map; C : Vision.Shapes.Corner) return Grid_Point is
+     (M.Corners (C));
 
    function Is_Usable (M : Map) return Boolean is (M.Usable);
 

@@ -9,6 +9,7 @@ with Bench_Settings;
 with Busy_Loops;
 with Emulators;
 with Instants;              use Instants;
+with Mission_Drives;
 with Monitor_Clients;       use Monitor_Clients;
 with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
@@ -302,13 +303,14 @@ package body Full_Load is
    procedure Report_Tasks is
    begin
       Reports.Begin_Section
-        ("tasks", "what one activity of a task takes under that load, and"
-         & " for single commands");
+        ("tasks", "what one activity of a task takes under that load, for"
+         & " single commands, and beside missions");
       Measure
         (Baud    => 9_600,
          Tasks   => True,
          Seconds => Bench_Settings.Short_Seconds);
       Single_Commands.Measure_Tasks;
+      Mission_Drives.Measure_Tasks;
       Task_Times.Print;
       Reports.End_Section;
    end Report_Tasks;

@@ -12,6 +12,7 @@ with Busy_Loops;
 with Expectations;          use Expectations;
 with Instants;              use Instants;
 with Libc;
+with Mission_Drives;
 with Monitor_Clients;       use Monitor_Clients;
 with Own_Process;
 with Programs;
@@ -21,6 +22,7 @@ with Rigs;                  use Rigs;
 with Service_Starts;
 with Supervisor_Model;      use Supervisor_Model;
 with Trace_Files;           use Trace_Files;
+with Vision.Image_Grid;
 
 package body Trace_Responses is
 
@@ -50,22 +52,52 @@ package body Trace_Responses is
       --  the beginning of the wait under way
       Sending  : Activity_Name := Send_Answer;
       --  what th_sendToMon has sent in this job
+      Looking  : Activity_Name := Mission_Begin;
+      --  what th_mission has begun this job with
    end record;
+
+   type Sight is record
+      Newest, Older : Nanoseconds := Never;
+      --  images that came and were not taken, by their arrivals
+      Taken         : Nanoseconds := Never;
+      --  the image that is searched
+      Seen          : Nanoseconds := Never;
+      --  the one that th_mission has been woken for
+   end record;
+   --  The way of an image to the order of a mission
 
    Last_Processor : constant Natural :=
      Natural (System.Multiprocessors.Number_Of_CPUs) - 1;
 
    Apart : constant Boolean := Last_Processor > 0;
 
+   Image_Period : constant := 100_000;
+   --  microseconds, without --fps
+
    Command_Pause : constant Duration := 0.05;
    --  Budgets.Command_Interval
 
    type State_Array is array (Thread_Number) of Thread_State;
 
-   procedure Make (Path : String);
+   procedure Make (Path : String; Missions : Boolean);
    --  A trace
 
-   procedure Take_Bounds (Apart : Boolean; Result : in out Response_Array);
+   procedure Take_Bounds
+     (Apart, Missions : Boolean;
+      Result          : in out Response_Array;
+      Orders          : in out Response);
+
+   procedure Add (Item : in out Response; Time : Duration);
+
+   procedure Take_Image (S : in out Sight; Time : Nanoseconds);
+   --  As Vision.Frame_Delivery does
+
+   procedure Follow
+     (S      : in out Sight;
+      States : State_Array;
+      Item   : Event;
+      Orders : in out Response);
+   --  Before the event is noted in States
 
    procedure Begin_Job (S : in out Thread_State; Item : Event);
 
@@ -100,6 +132,9 @@ package body Trace_Responses is
          --  the camera is opened; the end of all is waited for
          return Environment;
       end if;
+      if S.Name = "th_mission" then
+         return (if S.Waited then Mission_Told else S.Looking);
+      end if;
       --  the first of the task's activities, or its second after a wait
       for Name in Activity_Name loop
          if Task_Name (Name) = S.Name then
@@ -127,12 +162,17 @@ package body Trace_Responses is
         Duration ((At_End - S.Begun) / 1_000) / 1_000_000;
    begin
       if Found (S) and then Name /= Environment then
-         Result (Name).Times.Add (Time);
-         if Result (Name).Bound > 0.0 and then Time > Result (Name).Bound then
-            Result (Name).Above := Result (Name).Above + 1;
-         end if;
+         Add (Result (Name), Time);
       end if;
       S.Begun := Never;
+   end Add;
+
+   procedure Add (Item : in out Response; Time : Duration) is
+   begin
+      Item.Times.Add (Time);
+      if Item.Bound > 0.0 and then Time > Item.Bound then
+         Item.Above := Item.Above + 1;
+      end if;
    end Add;
 
    procedure Begin_Job (S : in out Thread_State; Item : Event) is
@@ -140,6 +180,10 @@ package body Trace_Responses is
    begin
       S.Waited := False;
       S.Sending := Send_Answer;
+      S.Looking :=
+        (if Item.Command > 0 then Mission_Begin
+         elsif S.Due /= Never then Mission_Due
+         else Mission_Seen);
       if S.Due /= Never then
          S.Begun := S.Due;
          S.Due := Never;
@@ -154,7 +198,7 @@ package body Trace_Responses is
          if Place > 0 then
             S.Begun := S.Waiting (Place).Time;
             S.Waiting.Delete (Place);
-            if S.Name = "th_line" then
+            if S.Name = "th_line" or else S.Name = "th_mission" then
                S.Begun := Nanoseconds'Max (S.Begun, S.Ready);
             end if;
          else
@@ -174,6 +218,11 @@ package body Trace_Responses is
      (Task_Name (Name)
       & (case Name is
             when Line_Request  => ", request",
+            when Mission_Begin => ", begin",
+            when Mission_Due   => ", due",
+            when Mission_Seen  => ", position",
+            when Mission_Told  => ", done",
+            when Send_Mission  => ", mission",
             when Line_Answer   => ", answer",
             when Reload_Due | Battery_Due | Ping_Due    => ", due",
             when Reload_Done | Battery_Done | Ping_Done | Move_Done
@@ -187,16 +236,83 @@ package body Trace_Responses is
             when Send_Image    => ", image",
             when others        => ""));
 
+   procedure Take_Image (S : in out Sight; Time : Nanoseconds) is
+      function Age (Arrival : Nanoseconds)
+        return Vision.Image_Grid.Microseconds
+      is (Vision.Image_Grid.Microseconds
+            (Nanoseconds'Min
+               (Nanoseconds (Vision.Image_Grid.Microseconds'Last),
+                Nanoseconds'Max (0, (Time - Arrival) / 1_000))));
+   begin
+      if S.Older /= Never and then S.Newest /= Never
+        and then Vision.Image_Grid.Sends_Older
+          (Newest_Age => Age (S.Newest),
+           Older_Age  => Age (S.Older),
+           Period     => Image_Period)
+      then
+         S.Taken := S.Older;
+      else
+         S.Taken := S.Newest;
+         S.Newest := Never;
+      end if;
+      S.Older := Never;
+   end Take_Image;
+
+   procedure Follow
+     (S      : in out Sight;
+      States : State_Array;
+      Item   : Event;
+      Orders : in out Response)
+   is
+      Who : Thread_State renames States (Item.Thread);
+      N   : constant String := Name (Item);
+   begin
+      if Who.Name = "th_camera" and then Item.Phase = 'E'
+        and then Who.Depth = 2
+      then
+         S.Older := S.Newest;
+         S.Newest := Item.Time;
+      elsif Who.Name = "th_captureImg" and then Item.Phase = 'B'
+        and then Who.Depth = 0
+      then
+         Take_Image (S, Item.Time);
+      elsif Who.Name = "th_mission" and then N = "release"
+        and then Who.Depth < 2
+      then
+         --  not the line's owner
+         S.Seen := S.Taken;
+      elsif N = "robot M" or else N = "robot T" then
+         --  of a mission that has just seen the image: the line's owner is
+         --  more urgent, so that it may not wait yet
+         for Thread of States loop
+            if Thread.Name = "th_mission" and then Thread.Depth > 0
+              and then Thread.Looking = Mission_Seen
+              and then not Thread.Waited
+              and then S.Seen /= Never
+            then
+               Add
+                 (Orders,
+                  Duration ((Item.Time - S.Seen) / 1_000) / 1_000_000);
+               S.Seen := Never;
+            end if;
+         end loop;
+      end if;
+   end Follow;
+
    procedure Read
-     (Path   : String;
-      Apart  : Boolean;
-      Result : out Response_Array)
+     (Path     : String;
+      Apart    : Boolean;
+      Missions : Boolean;
+      Result   : out Response_Array;
+      Orders   : out Response)
    is
       T      : Trace;
       States : State_Array;
+      Image  : Sight;
    begin
       Result := (others => <>);
-      Take_Bounds (Apart, Result);
+      Orders := (others => <>);
+      Take_Bounds (Apart, Missions, Result, Orders);
       Trace_Files.Read (Path, T);
       for Number in Thread_Number loop
          States (Number).Name := T.Threads (Number).Name;
@@ -206,6 +322,7 @@ package body Trace_Responses is
             S : Thread_State renames States (Item.Thread);
             N : constant String := Name (Item);
          begin
+            Follow (Image, States, Item, Orders);
             case Item.Phase is
                when 'B' =>
                   S.Depth := S.Depth + 1;
@@ -237,6 +354,8 @@ package body Trace_Responses is
                      S.Ready := Item.Time;
                   elsif N = "out RBLV" then
                      S.Sending := Send_Battery;
+                  elsif N = "out MPRG" or else N = "out MEND" then
+                     S.Sending := Send_Mission;
                   elsif N = "out CPOS" then
                      S.Sending := Send_Position;
                   elsif N = "out CIMG" then
@@ -247,27 +366,40 @@ package body Trace_Responses is
       end loop;
    end Read;
 
-   procedure Make (Path : String) is
+   procedure Make (Path : String; Missions : Boolean) is
       R      : Rig;
       Load   : Busy_Loops.Load;
       Start  : Instant;
       Number : Natural := 0;
       Unused : Message;
+      Count  : Mission_Drives.Tally;
    begin
       Assemble
         (R, Camera => True,
+         Emulator_Options =>
+           (if Missions then Mission_Drives.Emulator_Options else ""),
          Supervisor_Options => "--trace " & Path & " "
            & (if Bench_Settings.As_Service then Service_Starts.Options
               elsif Apart then "--cpu" & Last_Processor'Image else ""),
          Launcher => Service_Starts.Launcher,
          Program => Service_Starts.Program);
       Service_Starts.Look_At (R.Supervisor);
-      Start_Robot (R, Watchdog => True);
-      Open_Camera (R, Positions => True);
+      if Missions then
+         Mission_Drives.Prepare (R);
+      else
+         Start_Robot (R, Watchdog => True);
+         Open_Camera (R, Positions => True);
+      end if;
       Load.Start;
       Own_Process.Prefer_Real_Time (True);
+      if Missions then
+         Mission_Drives.Drive
+           (R, Duration (Bench_Settings.Short_Seconds), Count);
+         Mission_Drives.Report (Count);
+      end if;
       Start := Now;
-      while Now - Start < Duration (Bench_Settings.Short_Seconds) loop
+      while not Missions
+        and then Now - Start < Duration (Bench_Settings.Short_Seconds) loop
          Number := Number + 1;
          Unused := R.Monitor.Ask
            ((case Number mod 4 is
@@ -290,34 +422,66 @@ package body Trace_Responses is
    end Make;
 
    procedure Report (Path : String) is
+
+      procedure Put (Name : String; Item : Response);
+
+      procedure Put_Sum (What : String; Set : Response_Array);
+
+      procedure Put (Name : String; Item : Response) is
+      begin
+         if Item.Times.Count > 0 then
+            Reports.Put
+              (Name, Item.Times,
+               (if Item.Bound = 0.0 then Reports.No_Goals
+                else (1 => (Reports.Max, 1.0E6 * Float (Item.Bound),
+                            False))));
+         end if;
+      end Put;
+
+      procedure Put_Sum (What : String; Set : Response_Array) is
+         Number : Natural := 0;
+         Above  : Natural := 0;
+      begin
+         for Item of Set loop
+            if Item.Bound > 0.0 then
+               Number := Number + Item.Times.Count;
+               Above := Above + Item.Above;
+            end if;
+         end loop;
+         Reports.Put_Number (What, Float (Number), "");
+         Reports.Put_Number
+           (What & " above their bounds", Float (Above), "",
+            Wanted => (1 => (Reports.Value, 0.0, False)));
+      end Put_Sum;
+
       Own    : constant String := Programs.Temporary_Folder & "/trace.json";
       Result : Response_Array;
-      Number : Natural := 0;
-      Above  : Natural := 0;
+      Beside : Response_Array;
+      Orders : Response;
    begin
       Reports.Begin_Section
         ("responses", "what each task takes from its release to its end");
       if Path = "" then
-         Make (Own);
+         Make (Own, Missions => False);
       end if;
-      Read ((if Path = "" then Own else Path), Apart, Result);
+      Read
+        ((if Path = "" then Own else Path), Apart, False, Result, Orders);
       for Name in Activity_Name loop
-         if Result (Name).Times.Count > 0 then
-            Reports.Put
-              (Name_Of (Name), Result (Name).Times,
-               (if Result (Name).Bound = 0.0 then Reports.No_Goals
-                else (1 => (Reports.Max, 1.0E6 * Float (Result (Name).Bound),
-                            False))));
-         end if;
-         if Result (Name).Bound > 0.0 then
-            Number := Number + Result (Name).Times.Count;
-            Above := Above + Result (Name).Above;
-         end if;
+         Put (Name_Of (Name), Result (Name));
       end loop;
-      Reports.Put_Number ("responses", Float (Number), "");
-      Reports.Put_Number
-        ("responses above their bounds", Float (Above), "",
-         Wanted => (1 => (Reports.Value, 0.0, False)));
+      Put_Sum ("responses", Result);
+      if Path = "" then
+         Make (Own, Missions => True);
+      end if;
+      Read ((if Path = "" then Own else Path), Apart, True, Beside, Orders);
+      if Orders.Times.Count > 0 then
+         for Name in Mission_Begin .. Mission_Told loop
+            Put (Name_Of (Name), Beside (Name));
+         end loop;
+         Put (Name_Of (Send_Mission), Beside (Send_Mission));
+         Put ("image to its order's first byte", Orders);
+         Put_Sum ("responses beside missions", Beside);
+      end if;
       Reports.Put_Note
         ("the bounds are those of proofs/schedulability for this machine");
       Reports.End_Section;
@@ -341,7 +505,11 @@ package body Trace_Responses is
       end if;
    end Resume;
 
-   procedure Take_Bounds (Apart : Boolean; Result : in out Response_Array) is
+   procedure Take_Bounds
+     (Apart, Missions : Boolean;
+      Result          : in out Response_Array;
+      Orders          : in out Response)
+   is
       Known : Analysis;
 
       procedure Take (Name : Activity_Name; From : Bound);
@@ -356,12 +524,16 @@ package body Trace_Responses is
    begin
       Analyse
         (Of_The_Table, (if Apart then Real_Time_Apart else One_Processor),
-         (others => <>), (others => <>), Known);
+         (others => <>), (Mission => Missions, others => <>), Known);
       for Name in Activity_Name loop
          Take (Name, Known.Bounds (Name));
       end loop;
       Take (Line_Request, Known.Owner.Request);
       Take (Line_Answer, Known.Owner.Outcome);
+      if Known.Requirements (Mission_Order).Known then
+         Orders.Bound :=
+           Duration (Known.Requirements (Mission_Order).Bound) / 1_000_000;
+      end if;
    end Take_Bounds;
 
 end Trace_Responses;

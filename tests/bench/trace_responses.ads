@@ -28,11 +28,15 @@ package Trace_Responses is
    type Response_Array is array (Budgets.Activity_Name) of Response;
 
    procedure Read
-     (Path   : String;
-      Apart  : Boolean;
-      Result : out Response_Array);
-   --  Apart: the supervisor ran with --cpu. Raises Trace_Files.Bad_Trace
-   --  where Path is no trace
+     (Path     : String;
+      Apart    : Boolean;
+      Missions : Boolean;
+      Result   : out Response_Array;
+      Orders   : out Response);
+   --  Apart: the supervisor ran with --cpu. Missions: the bounds are those
+   --  beside missions. Orders: of missions, from the arrival of the image to
+   --  the frame of the order. Raises Trace_Files.Bad_Trace where Path is no
+   --  trace
 
    function Name_Of (Name : Budgets.Activity_Name) return String;
    --  Of its task, and what part of its work it is
@@ -40,8 +44,8 @@ package Trace_Responses is
    procedure Report (Path : String);
    --  Of the trace in the file Path; where it is empty, of one that is made
    --  first, under the load that the analysis takes for granted: 20 commands
-   --  a second, images with positions, and two busy loops. The supervisor
-   --  runs with --cpu, where there is more than one processor, and so must
-   --  have that of the file
+   --  a second, images with positions, and two busy loops; and another beside
+   --  missions. The supervisor runs with --cpu, where there is more than one
+   --  processor, and so must have that of the file
 
 end Trace_Responses;

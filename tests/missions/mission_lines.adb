@@ -31,7 +31,10 @@ package body Mission_Lines is
       return """" & To_String (Result) & """";
    end Quoted;
 
-   function Line (Kind : String; P : Plan; V : Verdict) return String is
+   function Line
+     (Kind : String; P : Plan; V : Verdict; Repeated : Natural := 0)
+      return String
+   is
      (Beginning (Kind, P)
       & ", ""end"": "
       & Quoted (if V.Done then "done" else To_String (V.Reason))
@@ -43,6 +46,7 @@ package body Mission_Lines is
       & ", ""clearance"": " & Rounded (Float (V.Clearance), 1)
       & ", ""blind"": " & Rounded (Float (V.Blind) * 1_000.0, 0)
       & ", ""orders"": " & Image (V.Orders)
+      & ", ""repeated"": " & Image (Repeated)
       & ", ""wrong"": " & Quoted (To_String (V.Wrong)) & "}");
 
    function Line (Kind : String; P : Plan; Failure : String) return String is

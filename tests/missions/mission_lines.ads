@@ -6,7 +6,9 @@ with Mission_Plans;  use Mission_Plans;
 
 package Mission_Lines is
 
-   function Line (Kind : String; P : Plan; V : Verdict) return String;
+   function Line
+     (Kind : String; P : Plan; V : Verdict; Repeated : Natural := 0)
+      return String;
 
    function Line (Kind : String; P : Plan; Failure : String) return String;
    --  One that could not be judged

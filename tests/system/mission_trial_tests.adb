@@ -13,7 +13,8 @@ with Scenarios;             use Scenarios;
 package body Mission_Trial_Tests is
 
    Seed : constant := 1;
-   --  The same missions each time, those of script/bench missions
+   --  The same missions each time, some of script/bench missions: not the
+   --  shortest, whose time depends on when an image comes
 
    procedure Ideal;
    procedure With_Faults;
@@ -54,8 +55,8 @@ package body Mission_Trial_Tests is
    procedure With_Faults is
    begin
       Measures_Time;
-      Try (2);
       Try (4);
+      Try (6);
    end With_Faults;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is

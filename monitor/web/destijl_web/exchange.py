@@ -11,15 +11,27 @@ from dataclasses import dataclass
 
 STARTS = frozenset(("ROPN", "RCLS", "RSOW", "RSWW", "RRST", "RPOF"))
 DRIVES = frozenset(("RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN"))
-ROBOT = STARTS | DRIVES | {"RPIN", "RGBT", "RGST"}
+STOPS = frozenset(("RSTP", "MABT"))
+#  The second one, from a mission's user: the same order to the supervisor
+
+ROBOT = STARTS | DRIVES | STOPS | {"RPIN", "RGBT", "RGST"}
 CAMERA = frozenset(("COPN", "CCLS", "CASA", "CACO", "CAIN", "CPCO", "CPST"))
 WITH_NUMBER = frozenset(("RMOV", "RTRN"))
+MISSIONS = {"MGTO": 1, "MPTH": 64, "MGCM": 1, "MPCM": 64}
+#  With the points that each may have, in pixels of the image or, CM, in
+#  centimetres of the arena; sent in tenths: a line of the supervisor has 1024
+#  characters
+
+LABELS = ROBOT | CAMERA | MISSIONS.keys()
 UNANSWERED = frozenset(("CACO", "CAIN"))
 
 ROBOT_LIMIT = 5.0
 CAMERA_LIMIT = 15.0
 #  Seconds for an answer, from the command's turn. A camera opened by its URL
 #  takes up to 5 s.
+
+
+Point = tuple[float, float]
 
 
 @dataclass(eq=False)
@@ -29,9 +41,14 @@ class Command:
     done: Callable[[str, float], None] | None = None
     #  Called with the answer and the milliseconds it took
     sent_at: float = 0.0
+    points: tuple[Point, ...] = ()
 
     def line(self) -> bytes:
-        text = self.label if self.value is None else f"{self.label}:{self.value}"
+        text = self.label
+        if self.value is not None:
+            text += f":{self.value}"
+        elif self.points:
+            text += ":" + ";".join(f"{x:.1f};{y:.1f}" for x, y in self.points)
         return text.encode("ascii") + b"\n"
 
 
@@ -52,7 +69,7 @@ class Exchange:
         """How many of the last commands are stops."""
         count = 0
         for command in reversed(self._waiting):
-            if command.label != "RSTP":
+            if command.label not in STOPS:
                 break
             count += 1
         return count

@@ -15,7 +15,7 @@ from typing import Any
 from aiohttp import WSCloseCode
 
 from . import messages
-from .exchange import Command
+from .exchange import STOPS, Command
 from .fan_out import FanOut
 from .recording import Recording
 from .state import State
@@ -53,9 +53,12 @@ MAX_IMAGE = 6 * 2**20
 _POSITION = re.compile(
     rb"CPOS:(-?[0-9]{1,9})" + rb";(-?[0-9]{1,9}(?:\.[0-9]{1,9})?)" * 5
 )
+_PROGRESS = re.compile(rb"MPRG:([0-9]{1,2});([0-9]{1,2});([0-9]{1,7})")
 _LEVELS = {b"RBLV:-1": -1, b"RBLV:0": 0, b"RBLV:1": 1, b"RBLV:2": 2}
 _NOT_RUNNING = "robot no longer runs"
 _CAMERA_CLOSED = "camera closed: "
+_NO_MISSION = "mission not possible: "
+_BY_HAND = "order by hand"
 
 _log = logging.getLogger(__name__)
 
@@ -205,7 +208,7 @@ class Hub:
     #  Orders
 
     def _take_order(self, viewer: Viewer, order: messages.Order) -> None:
-        is_stop = order.label == "RSTP"
+        is_stop = order.label in STOPS
         refusal = None
         if not is_stop and not self._drives(viewer):
             refusal = "NOWHEEL"
@@ -231,10 +234,12 @@ class Hub:
             args: dict[str, Any] = {"name": name, "label": order.label}
             if order.value is not None:
                 args["value"] = order.value
+            elif order.points:
+                args["value"] = len(order.points)
             level = "info" if is_good(answer) else "warning"
             self._tell("order", level, **args, answer=answer, ms=ms)
 
-        self._send(Command(order.label, order.value, done), name)
+        self._send(Command(order.label, order.value, done, points=order.points), name)
         if is_stop and not self._drives(viewer):
             now = self._loop.time()
             if now - viewer.stop_told_at > STOP_TOLD:
@@ -243,7 +248,8 @@ class Hub:
 
     def _send(self, command: Command, name: str) -> None:
         self.link.send(command)
-        self._note("order", label=command.label, value=command.value, name=name)
+        value = command.value if not command.points else len(command.points)
+        self._note("order", label=command.label, value=value, name=name)
 
     def _stop(self) -> None:
         """By the gateway itself, if the robot may be moving."""
@@ -353,6 +359,9 @@ class Hub:
             self._camera_told = False
         elif command.label == "CCLS" and answer == "AACK":
             self._forget_image()
+        elif command.points and answer == "AACK":
+            unit = "cm" if command.label.endswith("CM") else "px"
+            self.state.mission_began(unit, command.points)
         self._note("answer", label=command.label, answer=answer, ms=round(took, 2))
         if command.done is not None:
             command.done(answer, took)
@@ -365,6 +374,10 @@ class Hub:
             self._take_position(line)
         elif line.startswith(b"RBLV:"):
             self._take_battery(line)
+        elif line.startswith(b"MPRG:"):
+            self._take_progress(line)
+        elif line.startswith(b"MEND:"):
+            self._take_end(line)
         elif line == b"ATIM":
             self.state.robot_lost()
             self._tell("robot_lost", "error")
@@ -420,6 +433,26 @@ class Hub:
             self.fan_out.add(viewer)
         self._note("position", time=now_ms(), **fields)
 
+    def _take_progress(self, line: bytes) -> None:
+        found = _PROGRESS.fullmatch(line)
+        mission = self.state["mission"]
+        if found is None or mission is None:
+            return
+        leg, of, distance = (int(text) for text in found.groups())
+        if 1 <= leg <= of == mission["of"]:
+            self.state.mission_went_on(leg, distance)
+
+    def _take_end(self, line: bytes) -> None:
+        if self.state["mission"] is None:
+            return
+        if line == b"MEND:done":
+            self._tell("mission_done")
+        else:
+            reason = printable(line[5:]).removeprefix("aborted;")
+            level = "info" if reason == _BY_HAND else "warning"
+            self._tell("mission_aborted", level, reason=reason)
+        self.state.mission_ended()
+
     def _take_battery(self, line: bytes) -> None:
         level = _LEVELS.get(line)
         if level is None:
@@ -445,6 +478,10 @@ class Hub:
         elif text.startswith(_CAMERA_CLOSED):
             self.state.camera_closed()
             self._forget_image()
+        elif text.startswith(_NO_MISSION):
+            reason = text.removeprefix(_NO_MISSION)
+            self._tell("mission_refused", "warning", reason=reason)
+            return
         self._tell("message", "warning", text=text)
 
     #  To all viewers

@@ -5,7 +5,7 @@ import json
 from dataclasses import dataclass
 from typing import Any, NoReturn
 
-from .exchange import CAMERA, ROBOT, WITH_NUMBER
+from .exchange import LABELS, MISSIONS, WITH_NUMBER, Point
 
 MAX_SIZE = 4096
 #  Bytes
@@ -15,6 +15,9 @@ LARGEST = 2**53
 
 LARGEST_VALUE = 1_000_000
 #  Of a distance or an angle; the supervisor clamps it
+
+LARGEST_COORDINATE = 9_999
+#  Of a mission's point: a line with 64 of them is still read
 
 LONGEST_NAME = 30
 
@@ -39,6 +42,7 @@ class Order:
     number: int
     label: str
     value: int | None
+    points: tuple[Point, ...] = ()
 
 
 @dataclass
@@ -82,14 +86,37 @@ def read(text: str) -> Message:
 
 def _order(data: dict[str, Any]) -> Order:
     label = data.get("label")
-    if not isinstance(label, str) or label not in ROBOT | CAMERA:
+    if not isinstance(label, str) or label not in LABELS:
         raise Malformed("unknown label")
     value = None
     if label in WITH_NUMBER:
         value = _integer(data, "value", LARGEST_VALUE)
     elif data.get("value") is not None:
         raise Malformed(f"{label} has no value")
-    return Order(_integer(data, "id", LARGEST), label, value)
+    points = data.get("points")
+    if label in MISSIONS:
+        if not isinstance(points, list) or not 1 <= len(points) <= MISSIONS[label]:
+            raise Malformed("not so many points")
+    elif points is not None:
+        raise Malformed(f"{label} has no points")
+    return Order(
+        _integer(data, "id", LARGEST),
+        label,
+        value,
+        tuple(_point(point) for point in points or ()),
+    )
+
+
+def _point(pair: object) -> Point:
+    if isinstance(pair, list) and len(pair) == 2:
+        x, y = pair
+        if _is_coordinate(x) and _is_coordinate(y):
+            return float(x), float(y)
+    raise Malformed("not a point")
+
+
+def _is_coordinate(value: Any) -> bool:
+    return type(value) in (int, float) and abs(value) <= LARGEST_COORDINATE
 
 
 def _wheel(data: dict[str, Any]) -> Wheel:

@@ -1,7 +1,10 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
 """The state shown to every viewer: links, robot, camera, who drives."""
 
+from collections.abc import Sequence
 from typing import Any
+
+from .exchange import Point
 
 Fields = dict[str, Any]
 
@@ -12,6 +15,7 @@ _NEW_SESSION: Fields = {
     "positions": False,
     "arena": "none",
     "battery": -1,
+    "mission": None,
 }
 #  The state at the beginning of a session with the supervisor
 
@@ -79,6 +83,25 @@ class State:
                 self.set(arena="confirmed" if label == "CACO" else "none")
         elif label in ("CPCO", "CPST") and done:
             self.set(positions=label == "CPCO")
+
+    def mission_began(self, unit: str, points: Sequence[Point]) -> None:
+        self.set(
+            mission={
+                "unit": unit,
+                "points": [list(point) for point in points],
+                "leg": 1,
+                "of": len(points),
+                "distance": None,
+            }
+        )
+
+    def mission_went_on(self, leg: int, distance: int) -> None:
+        """Distance in mm to the leg's point."""
+        if self["mission"] is not None:
+            self.set(mission={**self["mission"], "leg": leg, "distance": distance})
+
+    def mission_ended(self) -> None:
+        self.set(mission=None)
 
     def camera_closed(self) -> None:
         self.set(camera=False, positions=False, arena="none")

@@ -9,7 +9,7 @@ import logging
 import socket
 from typing import Protocol
 
-from .exchange import Command, Exchange
+from .exchange import STOPS, Command, Exchange
 
 MAX_LINE = 8 * 2**20
 #  Bytes: base64 of an image of 6 MB
@@ -25,6 +25,8 @@ TOO_MANY = 200
 #  sent, and only a few in succession
 
 ENOUGH_STOPS = 4
+
+_UNSOLICITED = (b"CIMG:", b"CPOS:", b"RBLV:", b"MSSG:", b"MPRG:", b"MEND:")
 
 _TCP_USER_TIMEOUT = 18
 #  Linux only
@@ -215,7 +217,7 @@ class _Session(asyncio.Protocol):
             self._position_wanted = command.label == "CPCO"
         elif command.label == "CCLS":
             self._position_wanted = False
-        if command.label == "RSTP" and self.exchange.stops_at_end() >= ENOUGH_STOPS:
+        if command.label in STOPS and self.exchange.stops_at_end() >= ENOUGH_STOPS:
             _join(self.exchange.last(), command)
             return
         settled = self.exchange.sent(command, now)
@@ -266,7 +268,7 @@ class _Session(asyncio.Protocol):
                 self._listener.settled(command, answer, took, line)
         if settled:
             return
-        if line == b"ATIM" or line[:5] in (b"CIMG:", b"CPOS:", b"RBLV:", b"MSSG:"):
+        if line == b"ATIM" or line[:5] in _UNSOLICITED:
             self._listener.unasked(line)
         else:
             self._surprises += 1

@@ -14,16 +14,21 @@ let said;
 
 const URGENT = new Set(["supervisor_lost", "supervisor_refused", "robot_lost",
   "wheel_lost", "wheel_seized", "stopped_by", "stopped_silent", "camera_silent",
-  "recording_failed"]);
+  "recording_failed", "mission_refused", "mission_aborted"]);
 
 // Orders that are routine once done
 const QUIET = new Set(["RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN",
-  "RPIN", "RGBT", "RGST", "CPCO", "CPST", "CACO", "CAIN"]);
+  "RPIN", "RGBT", "RGST", "CPCO", "CPST", "CACO", "CAIN", "MABT"]);
 
-export const orderWords = (label, value) => t(label, { value });
+const MISSIONS = new Set(["MGTO", "MPTH", "MGCM", "MPCM"]);
 
-export function answerWords(answer) {
+// Value: an integer, or a mission's points, or their number
+export const orderWords = (label, value) =>
+  t(label, { value: Array.isArray(value) ? value.length : value });
+
+export function answerWords(answer, order = "") {
   if (!answer) return t("sent");
+  if (MISSIONS.has(order) && has("mission_" + answer)) return t("mission_" + answer);
   const [label, n] = answer.split(":");
   if (label === "RBLV") return t("RBLV", { n: Number(n) < 0 ? t("battery_unknown") : t("battery_" + n) });
   if (label === "RCST") return t("RCST_" + n);
@@ -35,23 +40,29 @@ export const succeeded = (answer) => ["AACK", "CIMG"].includes(answer) ||
 
 // Advice after a refusal
 export function remedy(label, answer) {
-  const key = ["do_" + label + "_" + answer, "do_" + answer].find(has);
+  const kind = MISSIONS.has(label) ? "mission" : label === "MABT" ? "RSTP" : label;
+  const key = ["do_" + kind + "_" + answer, "do_" + answer].find(has);
   return key ? t(key) : "";
 }
 
 export const refusal = (label, answer) =>
-  `${answerWords(answer)}. ${remedy(label, answer)}`.trim();
+  `${answerWords(answer, label)}. ${remedy(label, answer)}`.trim();
 
 function words({ code, args = {} }) {
   if (code === "order") {
     const done = succeeded(args.answer);
     const sentence = t(typeof args.ms === "number" ? "ev_order_ms" : "ev_order", {
       name: args.name, order: orderWords(args.label, args.value),
-      answer: answerWords(args.answer), ms: Math.round(args.ms),
+      answer: answerWords(args.answer, args.label), ms: Math.round(args.ms),
     });
     return done || !args.answer ? sentence : `${sentence}. ${remedy(args.label, args.answer)}`;
   }
   if (code === "unanswered") return t("ev_unanswered", { order: orderWords(args.label, "") });
+  if (code.startsWith("mission_") && args.reason) {
+    // The supervisor's reasons are English
+    const key = "reason_" + args.reason.replace(/\W+/g, "_");
+    return t("ev_" + code, { reason: has(key) ? t(key) : args.reason });
+  }
   if (!has("ev_" + code)) return t("ev_unknown", { code, args: JSON.stringify(args) });
   return t("ev_" + code, args);
 }
@@ -103,12 +114,14 @@ export function renew() {
 }
 
 // me: the name of this viewer; mine: the event is about an order of this page,
-// and was reported then
+// or its consequence, and was reported then
 export function happened(event, me, mine) {
   put(event);
   if (event.code === "order") {
     if (mine || (succeeded(event.args.answer) && QUIET.has(event.args.label))) return;
     news(() => words(event));
+  } else if (event.code === "mission_aborted" && event.level === "info") {
+    if (!mine) news(() => words(event));
   } else if (["wheel_lost", "stopped_silent"].includes(event.code) && event.args.name === me) {
     alarm(() => t("wheel_lost_you"));
   } else if (event.level === "error" || URGENT.has(event.code)) {

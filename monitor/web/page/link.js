@@ -162,12 +162,14 @@ export class Link {
     }
   }
 
-  // Resolves to { answer, ms, total }: ms measured by the gateway, total here
+  // Value: an integer, or a mission's points. Resolves to { answer, ms, total }:
+  // ms measured by the gateway, total here
   order(label, value) {
     this.lastOrder += 1;
     const id = this.lastOrder;
     const message = { type: "order", id, label };
-    if (value !== undefined) message.value = value;
+    if (Array.isArray(value)) message.points = value;
+    else if (value !== undefined) message.value = value;
     const sent = performance.now();
     return new Promise((resolve) => {
       if (!this.usable || !this.send(message)) {

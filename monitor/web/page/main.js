@@ -4,6 +4,7 @@
 import { Driving } from "./driving.js";
 import * as journal from "./journal.js";
 import { Link } from "./link.js";
+import { Missions, readPoints } from "./missions.js";
 import { Picture } from "./picture.js";
 import { Battery, Latency, makePlot } from "./plots.js";
 import { Recordings } from "./recordings.js";
@@ -29,7 +30,7 @@ const LEVEL = { closed: "off", open: "warn", started: "ok", lost: "bad",
 const state = {
   supervisor: "connecting", robot: "closed", watchdog: false, camera: false,
   positions: false, arena: "none", battery: -1, driver: null, asking: [],
-  viewers: [], recording: null,
+  viewers: [], recording: null, mission: null,
 };
 let me = null;
 let role = "viewer";
@@ -97,13 +98,15 @@ async function wish(label, value, quiet = () => false) {
   const { answer } = result;
   // The loss of the connection has been reported
   if (answer === "LOST" || (quiet() && answer !== "ATIM")) return result;
+  // Why a mission is not possible comes as an event
+  if (answer === "ANAK" && Array.isArray(value)) return result;
   if (!journal.succeeded(answer))
     journal.alarm(() => t("order_answer", {
       order: journal.orderWords(label, value), answer: journal.refusal(label, answer),
     }));
   else if (!DRIVING.has(label))
     journal.news(() => t("order_answer", {
-      order: journal.orderWords(label, value), answer: journal.answerWords(answer),
+      order: journal.orderWords(label, value), answer: journal.answerWords(answer, label),
     }));
   return result;
 }
@@ -195,7 +198,8 @@ function receive(message) {
     case "event":
       // Another viewer has stopped the robot: the driver must press again
       if (message.code === "stopped_by" && mine()) driving.letGo();
-      journal.happened(message, nameOf(me), message.code === "order" && mine() ||
+      journal.happened(message, nameOf(me),
+        ["order", "mission_aborted"].includes(message.code) && mine() ||
         message.code === "stopped_by" && mine() && message.args.name === nameOf(me));
       if (message.code === "order" && !mine() && DRIVING.has(message.args.label) &&
           message.args.answer === "AACK") {
@@ -253,6 +257,12 @@ function changed() {
 // ------------------------------------------------------------------- images
 
 const picture = new Picture(at("picture"), at("overlay"));
+const missions = new Missions(picture, {
+  order: wish,
+  mayDrive: () => link.usable && mine(),
+  whyNot,
+  say: (key) => journal.alarm(() => t(key)),
+});
 let waiting;                       // the newest image that is not drawn yet
 let unseen = 0;                    // images since the last that was drawn
 let drawing = false;
@@ -533,8 +543,10 @@ function show() {
   showWheel();
   showStart();
   showPeople();
-  for (const one of document.querySelectorAll("[data-order], [data-single], #move, #turn, #arena-search"))
+  for (const one of document.querySelectorAll("[data-order], [data-single], #move, #turn, #points, #path, #arena-search"))
     usable(one, drives);
+  if (!drives) missions.leave();
+  missions.set(link.usable ? state.mission : null);
   at("arena-question").hidden = state.arena !== "found" || !drives;
   usable(at("arena-search"), drives && state.camera && state.arena !== "found" && !searching);
   tile("robot", LEVEL[state.robot], t("robot_" + state.robot));
@@ -656,6 +668,26 @@ function listen() {
   on("arena-reject", () => wish("CAIN"));
   amount("move", "RMOV");
   amount("turn", "RTRN");
+  missions.listen();
+  on("path", () => missions.toggle());
+  at("mission-end").addEventListener("click", () => {
+    if (link.usable) wish("MABT");
+    else stopped();
+  });
+  at("points-form").addEventListener("submit", (event) => {
+    event.preventDefault();
+    const points = readPoints(at("points-value").value);
+    if (at("points").getAttribute("aria-disabled") === "true") {
+      whyNot();
+    } else if (points === undefined) {
+      at("points-value").setAttribute("aria-invalid", "true");
+      journal.alarm(() => t("points_wrong"));
+      at("points-value").focus();
+    } else {
+      at("points-value").removeAttribute("aria-invalid");
+      wish(points.length === 1 ? "MGCM" : "MPCM", points);
+    }
+  });
   const dialog = at("unguarded");
   for (const [id, label] of [["unguarded-yes", "RSOW"], ["unguarded-with", "RSWW"], ["unguarded-cancel", ""]])
     at(id).onclick = () => {
@@ -728,6 +760,7 @@ startWords();
 onLanguage(() => {
   journal.renew();
   starter.show();
+  missions.words();
   battery.draw();
   latency.draw();
   show();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A picture of the arena with a canvas of the screen's resolution over it: the
-// robot's position, heading and fading trail.
+// robot's position, heading and fading trail; a mission's points, and those of
+// a path that is being drawn.
 
 const TRAIL = 15000;               // ms until the trail has faded
 const JUMP = 0.15;                 // of the width: no line is drawn so far
 const CASING = "rgb(255 255 255 / 0.9)";
 const INK = "#0b4ea2";
+const NEXT = "#ffd500";
 const TRAIL_INK = [255, 213, 0];
 
 export class Picture {
@@ -15,6 +17,8 @@ export class Picture {
     this.points = [];              // { at, x, y, dx, dy, id, angle }, oldest first
     this.now = 0;
     this.trail = true;
+    this.plan = null;              // a mission, as in the gateway's state
+    this.path = [];                // [x, y], not sent yet
     this.density = 1;
     const watcher = new ResizeObserver(([entry]) => {
       const exact = entry.devicePixelContentBoxSize?.[0];
@@ -73,6 +77,23 @@ export class Picture {
     this.draw();
   }
 
+  // Pixels of the image per CSS pixel
+  get pixelSize() {
+    const { picture } = this;
+    const box = picture.getBoundingClientRect();
+    return 1 / Math.min(box.width / picture.width, box.height / picture.height);
+  }
+
+  // [x, y] of the image at this place of the window; undefined beside it
+  pixel(clientX, clientY) {
+    const { picture, pixelSize } = this;
+    const box = picture.getBoundingClientRect();
+    const x = picture.width / 2 + (clientX - (box.left + box.right) / 2) * pixelSize;
+    const y = picture.height / 2 + (clientY - (box.top + box.bottom) / 2) * pixelSize;
+    if (x < 0 || y < 0 || x > picture.width || y > picture.height) return undefined;
+    return [Number(x.toFixed(1)), Number(y.toFixed(1))];
+  }
+
   get last() { return this.points[this.points.length - 1]; }
 
   draw() {
@@ -80,7 +101,6 @@ export class Picture {
     const context = overlay.getContext("2d");
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, overlay.width, overlay.height);
-    if (this.points.length === 0) return;
     const scale = Math.min(overlay.width / picture.width, overlay.height / picture.height);
     const left = (overlay.width - picture.width * scale) / 2;
     const top = (overlay.height - picture.height * scale) / 2;
@@ -90,9 +110,52 @@ export class Picture {
     // Overlapping segments would be visible at their joints
     context.lineCap = "butt";
     context.lineJoin = "round";
+    const plan = this.plan?.unit === "px" ? this.plan.points : [];
+    overlay.dataset.plan = plan.flat().join(";");
+    overlay.dataset.path = this.path.flat().join(";");
+    if (plan.length > 0) this.drawPlan(context, place, unit);
     if (this.trail) this.drawTrail(context, place, unit);
-    const last = this.last;
-    if (last.id >= 0) this.drawRobot(context, place, unit, scale, last);
+    const { last } = this;
+    if (last?.id >= 0) this.drawRobot(context, place, unit, scale, last);
+    this.drawLine(context, this.path.map((point) => place(...point)), unit, true);
+    this.drawPoints(context, this.path.map((point) => place(...point)), unit, 1);
+  }
+
+  // The way that is left, from the robot on; dashed: the plan of what is done
+  drawPlan(context, place, unit) {
+    const { leg, points } = this.plan;
+    const places = points.map((point) => place(...point));
+    const { last } = this;
+    const robot = last?.id >= 0 ? [place(last.x, last.y)] : [];
+    this.drawLine(context, places.slice(0, leg), unit, true);
+    this.drawLine(context, [...robot, ...places.slice(leg - 1)], unit, false);
+    this.drawPoints(context, places, unit, leg);
+  }
+
+  drawLine(context, places, unit, dashed) {
+    if (places.length < 2) return;
+    context.setLineDash(dashed ? [9 * unit, 6 * unit] : []);
+    for (const [width, colour] of [[5, CASING], [2.5, INK]]) {
+      context.lineWidth = width * unit;
+      context.strokeStyle = colour;
+      context.beginPath();
+      for (const one of places) context.lineTo(...one);
+      context.stroke();
+    }
+    context.setLineDash([]);
+  }
+
+  // Point number leg is the next one; those before it are done
+  drawPoints(context, places, unit, leg) {
+    for (const [n, one] of places.entries()) {
+      const dot = new Path2D();
+      dot.arc(...one, (n === leg - 1 ? 8 : 6) * unit, 0, 2 * Math.PI);
+      context.fillStyle = n < leg - 1 ? "#fff" : n === leg - 1 ? NEXT : INK;
+      context.fill(dot);
+      context.lineWidth = 2.5 * unit;
+      context.strokeStyle = n < leg ? INK : "#fff";
+      context.stroke(dot);
+    }
   }
 
   drawTrail(context, place, unit) {

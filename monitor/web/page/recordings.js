@@ -147,6 +147,7 @@ class Replay {
     this.positions = all.filter(({ type }) => type === "position")
       .map((position) => ({ ...position, at: position.t }));
     this.events = all.filter(({ type }) => type === "event");
+    this.missions = all.filter(({ mission }) => mission !== undefined);
     // A recording need not repeat orders as events
     if (!this.events.some(({ code }) => code === "order")) {
       const answers = all.filter(({ type }) => type === "answer");
@@ -189,6 +190,7 @@ class Replay {
     this.say();
     const last = until(this.positions, this.moment);
     const first = until(this.positions, this.moment - TRAIL) + 1;
+    this.picture.plan = this.missions[until(this.missions, this.moment)]?.mission ?? null;
     this.picture.set(this.positions.slice(first, last + 1), this.moment);
     this.tell();
     this.draw();

@@ -9,6 +9,7 @@ with Ada.Text_IO;    use Ada.Text_IO;
 with GNAT.OS_Lib;
 
 with Journal;
+with Missions.Requests;
 with Monitor.Image_Messages;
 with Monitor.Mailboxes;
 with Monitor.Outbox;
@@ -27,6 +28,9 @@ with Task_Ports;
 with Texts;
 with Trace;
 with Vision.Camera_Requests;
+with Vision.Robot_Sightings;
+with Vision.Shapes;
+with Vision.Sightings;
 with Vision.State;
 
 procedure Operation_Times with Priority => Schedule.Query_Priority is
@@ -89,6 +93,10 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
    View   : Vision.State.View;
    Stage  : Monitor.Session_Stages.State;
    Wanted : Boolean;
+   Path   : Missions.Path :=
+     (Missions.Centimetres, Missions.Max_Points, others => <>);
+   Robots : constant Vision.Shapes.Robot_Array := (others => <>);
+   Seen   : Vision.Robot_Sightings.Sighting;
    Text   : Texts.Text;
 
 begin
@@ -198,6 +206,30 @@ begin
       Stop;
    end loop;
    Report ("Order_Ports.Wait");
+
+   for I in Sample_Index loop
+      Order.Owed := True;
+      Start;
+      Missions.Requests.Put (Order, Path);
+      Stop;
+      Missions.Requests.Wait (Order, Path);
+      Missions.Requests.Release;
+   end loop;
+   Report ("Missions.Requests.Put");
+
+   for I in Sample_Index loop
+      Start;
+      Vision.Sightings.Put (Time_First, Robots, 1);
+      Stop;
+   end loop;
+   Report ("Vision.Sightings.Put");
+
+   for I in Sample_Index loop
+      Start;
+      Vision.Sightings.Get (Seen);
+      Stop;
+   end loop;
+   Report ("Vision.Sightings.Get");
 
    for I in Sample_Index loop
       Start;

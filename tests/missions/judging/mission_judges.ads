@@ -61,6 +61,10 @@ package Mission_Judges is
      (Long_Float (V.Time) / Long_Float (V.Exact))
      with Pre => V.Exact > 0.0;
 
+   function Is_Good (V : Verdict) return Boolean is
+     (V.Done and then V.Wrong = "" and then Ratio (V) <= Slowest);
+   --  It reaches all goals
+
    procedure Conclude
      (J      : Judge;
       P      : Plan;

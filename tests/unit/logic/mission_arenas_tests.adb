@@ -49,6 +49,17 @@ package body Mission_Arenas_Tests is
    function Pixels (X, Y : Real) return Vision.Shapes.Point is
      ((Micro_Pixels (X * 1.0E6), Micro_Pixels (Y * 1.0E6)));
 
+   function On_Grid (P : Vision.Shapes.Point) return Vision.Shapes.Point is
+     ((Micro_Pixels (To_Grid (P).X * Unit_Size),
+       Micro_Pixels (To_Grid (P).Y * Unit_Size)));
+
+   function On_Grid (Corners : Arena_Corners) return Arena_Corners is
+     ((Top_Left     => On_Grid (Corners (Top_Left)),
+       Top_Right    => On_Grid (Corners (Top_Right)),
+       Bottom_Right => On_Grid (Corners (Bottom_Right)),
+       Bottom_Left  => On_Grid (Corners (Bottom_Left))));
+   --  As the map has them
+
    function Rectangle (Left, Top, Right, Bottom : Real)
      return Arena_Corners
    is (Top_Left     => Pixels (Left, Top),
@@ -67,7 +78,7 @@ package body Mission_Arenas_Tests is
      (Corners : Arena_Corners; Size : Arena_Size := (80, 60)) return Boolean;
 
    procedure Check_Corners (Corners : Arena_Corners; Size : Arena_Size);
-   --  They are those of the rectangle, exactly
+   --  As rounded, they are those of the rectangle, exactly
 
    procedure Test_Corners (T : in out Any_Test);
    procedure Test_Forms (T : in out Any_Test);
@@ -89,7 +100,7 @@ package body Mission_Arenas_Tests is
       Make (Corners, Size, M, Usable);
       Assert (Usable, "usable");
       for C in Corner loop
-         Locate (M, Corners (C), Where, Known);
+         Locate (M, On_Grid (Corners (C)), Where, Known);
          Assert (Known, C'Image & " is known");
          Assert
            (Where =
@@ -162,7 +173,7 @@ package body Mission_Arenas_Tests is
       Register_Routine (T, Test_Corners'Access, "the corners, exactly");
       Register_Routine (T, Test_Forms'Access, "both forms of the divisor");
       Register_Routine
-        (T, Test_Loss'Access, "less than 1 mm from a map in floating point");
+        (T, Test_Loss'Access, "less than 0.6 mm from a map in floating point");
       Register_Routine (T, Test_Outside'Access, "points outside the arena");
       Register_Routine (T, Test_Poses'Access, "headings");
       Register_Routine (T, Test_Refused'Access, "arenas that are refused");
@@ -317,6 +328,7 @@ package body Mission_Arenas_Tests is
       Tried    : Natural := 0;
       Used     : Natural := 0;
       Greatest : Real    := 0.0;
+      Inexact  : Real    := 0.0;
 
       function Between (Low, High : Real) return Real is
         (Low + (High - Low) * Real (Random (Chance)));
@@ -343,6 +355,8 @@ package body Mission_Arenas_Tests is
               (Integer (Between (30.0, 60.0 + 60.0 * Scale)),
                Integer (Between (30.0, 60.0 + 60.0 * Scale)));
             H       : constant Vector := Fitted (Corners, Size);
+            Exact   : Vector;
+            --  Of the corners as rounded
 
             M             : Map;
             Usable, Known : Boolean;
@@ -353,6 +367,7 @@ package body Mission_Arenas_Tests is
             Make (Corners, Size, M, Usable);
             if Usable then
                Used := Used + 1;
+               Exact := Fitted (On_Grid (Corners), Size);
                for Point in 1 .. 20 loop
                   P := Seen (Corners, Size,
                              Between (0.0, Real (Width (M))),
@@ -364,11 +379,17 @@ package body Mission_Arenas_Tests is
                   Loss := Sqrt ((X - Real (Where.X)) ** 2
                                 + (Y - Real (Where.Y)) ** 2);
                   Greatest := Real'Max (Greatest, Loss);
+                  Inexact := Real'Max
+                    (Inexact,
+                     Real'Max (abs (X_Of (Exact, P) - Real (Where.X)),
+                               abs (Y_Of (Exact, P) - Real (Where.Y))));
                end loop;
             end if;
          end;
       end loop;
-      Assert (Greatest < 1_000.0, "less than 1 mm, not" & Greatest'Image);
+      Assert (Greatest < 600.0, "less than 0.6 mm, not" & Greatest'Image);
+      Assert (Inexact < 1.01, "less than 1 micrometre by rounding places, not"
+              & Inexact'Image);
       Assert (Greatest > 100.0, "arenas near the limit are among them, not"
               & Greatest'Image);
       Assert (Tried > Arenas + Arenas / 10, "and some were refused");
@@ -439,7 +460,7 @@ package body Mission_Arenas_Tests is
       Assert (Usable, "usable");
       for Degree in -179 .. 180 loop
          for At_X in 1 .. 7 loop
-            --  The points are 17 pixels apart, each rounded
+            --  The points are 17 pixels apart
 
             declare
                X     : constant Real := Real (At_X) * 100_000.0;
@@ -458,7 +479,7 @@ package body Mission_Arenas_Tests is
                        "its centre");
                Assert (abs Angles.Normal
                          (Where.Heading
-                          - Microdegrees (Angle * 1.0E6)) < 300_000,
+                          - Microdegrees (Angle * 1.0E6)) < 30_000,
                        "the heading" & Degree'Image & " is"
                        & Where.Heading'Image);
             end;

@@ -89,8 +89,7 @@ package body Order_Meanings_Tests is
       for Kind in Order_Kind loop
          Assert
            (Is_By_Hand (Kind) =
-              (Kind in Open_Robot | Close_Robot | Start_Robot
-                 | Start_Robot_Watchdog | Reset_Robot | Power_Off_Robot
+              (Kind in Close_Robot | Reset_Robot | Power_Off_Robot
                  | Go_Forward | Go_Backward | Go_Left | Go_Right
                  | Move_Robot | Turn_Robot | Stop_Robot | Abort_Mission),
             Kind'Image);

@@ -137,7 +137,7 @@ package body Trace_Json_Tests is
         (Open, (Kind => Idle, Who => Th_Console, At_Time => 1_000,
                 others => <>),
          "," & LF & "{""name"":""idle"",""ph"":""i"",""s"":""t"","
-         & """pid"":1,""tid"":21,""ts"":0.000}");
+         & """pid"":1,""tid"":22,""ts"":0.000}");
       Expect
         (Open, (Kind => Take_Up, Who => Th_Stop, At_Time => 2_000,
                 others => <>),

@@ -203,6 +203,12 @@ package body Robot_Line_Tests is
       Check (Open);
       Check (Reset);
       Check (Mission);
+      --  a movement from before it does not go out any more
+
+      Ask (Move, Go_Forward, 801, 3, 0);
+      Check (Move, Overtaken);
+      Ask (Move, Go_Forward, 803, 4, 0);
+      Check (Move);
    end Test_Mission_In_Turn;
 
    procedure Test_Rights (T : in out Any_Test) is
@@ -317,7 +323,7 @@ package body Robot_Line_Tests is
       Ask (Keep_Alive, Robot.Session.Keep_Alive);
       Ask (Query, Ping_Robot, 11, 2, 0);
       Ask (Battery, Robot.Session.Get_Battery);
-      Ask_For_Mission (Robot.Session.Drive, 14);
+      Ask_For_Mission (Robot.Session.Drive, 10);
       Ask (Move, Go_Forward, 13, 3, 0);
       Ask (Reload, Robot.Session.Reload);
       Stop (12);

@@ -40,6 +40,8 @@ def test_loss_of_the_robot_answers_its_commands_only() -> None:
     assert match(sent("CASA"), b"ATIM") == []
     assert match(sent("COPN", "RGFW"), b"ATIM") == []
     assert match(sent("RGFW"), b"ATIM") == ["RGFW"]
+    assert match(sent("MABT"), b"ATIM") == ["MABT"]
+    assert match(sent("MGTO"), b"ATIM") == []
 
 
 def test_images_answer_the_search_only() -> None:
@@ -78,3 +80,5 @@ def test_overdue_from_its_turn_on() -> None:
 def test_lines() -> None:
     assert Command("RGFW").line() == b"RGFW\n"
     assert Command("RTRN", -90).line() == b"RTRN:-90\n"
+    points = ((1.0, 2.0), (-0.25, 9999.0))
+    assert Command("MPTH", points=points).line() == b"MPTH:1.0;2.0;-0.2;9999.0\n"

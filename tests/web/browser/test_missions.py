@@ -1,0 +1,447 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""Missions: the robot goes where the picture is clicked, or along a path drawn
+over it, and stops for everybody."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import re
+import threading
+import time
+from collections.abc import Callable, Iterator
+
+import pytest
+from conftest import Pictures, Visitors
+from selenium.webdriver import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from stand import Page, Stand, await_
+from test_page import judge
+
+Point = tuple[float, float]
+
+NEAR = 1.5
+#  Centimetres between a point and where the robot is to pass
+
+ARRIVED = 30.0
+#  Seconds for any way here
+
+NOTICED = 0.5
+#  Seconds until a stop is with the robot
+
+FIRST = (25, 20)
+#  Where the robot is at first: centimetres
+
+
+def confirm_arena(page: Page) -> None:
+    await_(lambda: not page.visible("start-progress"), "nothing is in the way")
+    page.click("arena-search")
+    page.shows("arena", "found")
+    page.click("arena-confirm")
+    page.shows("arena", "confirmed")
+    before = page.images()
+    await_(lambda: page.images() > before + 3, "images go on")
+
+
+@pytest.fixture
+def pilot(driver: Page) -> Page:
+    """A driver who may send the robot on missions."""
+    confirm_arena(driver)
+    return driver
+
+
+def shown_at(page: Page) -> Point:
+    return float(page.data("x", "overlay")), float(page.data("y", "overlay"))
+
+
+def pixels(stand: Stand, page: Page, *places: Point) -> list[Point]:
+    """Where in the image a robot at these places (cm) is seen; then it is where
+    it was at first."""
+    result = []
+    for x, y in (*places, FIRST):
+        stand.emulator.ask(f"pose {x} {y} 0")
+        time.sleep(0.5)
+        result.append(shown_at(page))
+    return result[:-1]
+
+
+def offset(page: Page, point: Point) -> tuple[int, int]:
+    """Of a pixel of the image from the middle of the picture, as it is shown."""
+    wide, high, width, height = page.run(
+        "const p = document.getElementById('picture'), r = p.getBoundingClientRect();"
+        "return [r.width, r.height, p.width, p.height]"
+    )
+    scale = min(wide / width, high / height)
+    return (
+        round((point[0] - width / 2) * scale),
+        round((point[1] - height / 2) * scale),
+    )
+
+
+def pointer(page: Page, point: Point) -> ActionChains:
+    return ActionChains(page.driver, duration=10).move_to_element_with_offset(
+        page.element("picture"), *offset(page, point)
+    )
+
+
+def click(page: Page, point: Point) -> None:
+    pointer(page, point).click().perform()
+
+
+def points(text: str) -> list[Point]:
+    numbers = [float(number) for number in text.split(";") if number]
+    return list(zip(numbers[::2], numbers[1::2], strict=True))
+
+
+def plan(page: Page) -> list[Point]:
+    """That of the mission under way."""
+    await_(lambda: page.visible("mission"), "a mission")
+    return points(page.data("plan", "overlay"))
+
+
+def is_over(page: Page) -> None:
+    await_(lambda: not page.visible("mission"), "the mission is over")
+
+
+def is_near(stand: Stand, place: Point) -> bool:
+    return math.dist(stand.emulator.pose[:2], place) < NEAR
+
+
+@contextlib.contextmanager
+def passes(stand: Stand, places: list[Point]) -> Iterator[list[Point]]:
+    """Those of the places, in their order, that the robot has not passed yet."""
+    left = list(places)
+    ended = threading.Event()
+
+    def watch() -> None:
+        while left and not ended.wait(0.02):
+            if is_near(stand, left[0]):
+                left.pop(0)
+
+    thread = threading.Thread(target=watch, daemon=True)
+    thread.start()
+    try:
+        yield left
+    finally:
+        ended.set()
+        thread.join()
+
+
+def arrives(stand: Stand, page: Page, place: Point) -> None:
+    page.logged(code="mission_done", within=ARRIVED)
+    assert not page.visible("mission")
+    stand.stands()
+    assert is_near(stand, place), stand.emulator.pose
+
+
+@pytest.mark.parametrize("size", [(1280, 900), (1920, 1080), (700, 500)])
+def test_click(stand: Stand, visitors: Visitors, size: tuple[int, int]) -> None:
+    """The robot goes there, however large the picture is."""
+    page = visitors.open(stand.address, size=size)
+    page.start()
+    confirm_arena(page)
+    place = (55, 40)
+    (pixel,) = pixels(stand, page, place)
+    click(page, pixel)
+    (sent,) = plan(page)
+    scale = page.run(
+        "const p = document.getElementById('picture'), r = p.getBoundingClientRect();"
+        "return Math.min(r.width / p.width, r.height / p.height)"
+    )
+    assert math.dist(sent, pixel) < 1 / scale + 0.2, (sent, pixel)
+    stand.moves()
+    said = await_(
+        lambda: re.search(r"Point 1 of 1: (\d+) cm left", page.text("mission-text")),
+        "how far it is",
+    )
+    assert 0 < int(said[1]) < 40
+    arrives(stand, page, place)
+    assert "under way" in page.logged(label="MGTO", answer="AACK")["text"]
+
+
+def test_path_by_clicks(
+    stand: Stand, pilot: Page, visitors: Visitors, pictures: Pictures
+) -> None:
+    """Four points in their order; who watches sees them, too."""
+    places = [(60.0, 20.0), (60.0, 42.0), (25.0, 42.0), (42.0, 30.0)]
+    there = pixels(stand, pilot, *places)
+    other = visitors.open(stand.address, 1)
+    other.shows("wheel", "other")
+    pilot.click("path")
+    for point in (*there, (320.0, 240.0)):
+        click(pilot, point)
+    assert len(points(pilot.data("path", "overlay"))) == 5
+    pilot.click("path-undo")
+    drawn = points(pilot.data("path", "overlay"))
+    assert len(drawn) == 4
+    assert not stand.emulator.moving, "nothing is sent yet"
+    pilot.click("path-go")
+    assert plan(pilot) == plan(other) == drawn
+    assert not pilot.visible("path-tools")
+    legs: list[int] = []
+    with passes(stand, places) as left:
+        end = time.monotonic() + 2 * ARRIVED
+        while pilot.visible("mission") and time.monotonic() < end:
+            leg = int(pilot.data("leg", "mission") or 0)
+            if leg and leg not in legs:
+                legs.append(leg)
+                if leg == 3:
+                    stand.moves()
+                    time.sleep(1)
+                    pictures.take(pilot, "web-mission")
+    assert legs == [1, 2, 3, 4], pilot.log()
+    arrives(stand, pilot, places[-1])
+    assert left == [], "it passes each of them"
+    is_over(other)
+
+
+def test_path_by_dragging(stand: Stand, pilot: Page) -> None:
+    """A line drawn over the picture is few points; the robot goes to its end."""
+    places = [(45.0, 20.0), (45.0, 40.0)]
+    there = [shown_at(pilot), *pixels(stand, pilot, *places)]
+    chain = pointer(pilot, there[0]).click_and_hold()
+    before = offset(pilot, there[0])
+    for begin, end in ((there[0], there[1]), (there[1], there[2])):
+        for step in range(1, 11):
+            to = offset(
+                pilot,
+                (
+                    begin[0] + (end[0] - begin[0]) * step / 10,
+                    begin[1] + (end[1] - begin[1]) * step / 10,
+                ),
+            )
+            chain.move_by_offset(to[0] - before[0], to[1] - before[1])
+            before = to
+    chain.release().perform()
+    drawn = points(pilot.data("path", "overlay"))
+    assert 3 <= len(drawn) <= 6
+    for want in there:
+        assert min(math.dist(want, point) for point in drawn) < 4, (there, drawn)
+    time.sleep(0.3)
+    assert not stand.emulator.moving, "nothing is sent yet"
+    pilot.click("path-go")
+    assert plan(pilot) == drawn
+    arrives(stand, pilot, places[-1])
+
+
+def test_a_wild_line_is_64_points(stand: Stand, pilot: Page) -> None:
+    """As many as the supervisor takes, and no more can be added."""
+    chain = pointer(pilot, (200, 150)).click_and_hold()
+    for step in range(150):
+        chain.move_by_offset(*[(8, 20), (0, -20), (-8, 20), (0, -20)][step % 4])
+    chain.release().perform()
+    drawn = len(points(pilot.data("path", "overlay")))
+    assert 2 <= drawn <= 64
+    for _ in range(66 - drawn):
+        click(pilot, (300, 200))
+    assert len(points(pilot.data("path", "overlay"))) == 64
+    await_(lambda: "64" in pilot.text("alert"), "why not")
+    pilot.click("path-clear")
+    assert pilot.data("path", "overlay") == ""
+    pilot.click("path-go")
+    await_(lambda: "Click points" in pilot.text("alert"), "what to do")
+
+
+def test_centimetres_by_keyboard(stand: Stand, pilot: Page) -> None:
+    """Without pointing: the points are typed."""
+    pilot.run("document.querySelector('details.more').open = true")
+    field = pilot.element("points-value")
+    field.send_keys("40 30; 55", Keys.ENTER)
+    await_(lambda: "two numbers" in pilot.text("alert"), "what is wrong")
+    assert field.get_attribute("aria-invalid") == "true"
+    field.send_keys(" 35,5", Keys.ENTER)
+    await_(lambda: pilot.data("leg", "mission") == "2", "the second", ARRIVED)
+    assert is_near(stand, (40, 30))
+    arrives(stand, pilot, (55, 35.5))
+
+
+def under_way(stand: Stand, page: Page) -> None:
+    """A mission of ten seconds and more."""
+    page.run("document.querySelector('details.more').open = true")
+    field = page.element("points-value")
+    field.clear()
+    field.send_keys("60 20; 60 40; 20 40; 20 20", Keys.ENTER)
+    await_(lambda: page.visible("mission"), "a mission")
+    stand.moves()
+    page.run("document.activeElement.blur()")
+
+
+@pytest.mark.parametrize("how", ["space", "stop", "end", "other", "wheel"])
+def test_stopped(stand: Stand, visitors: Visitors, pilot: Page, how: str) -> None:
+    """By key, by buttons, by who only watches, with the wheel that is given back."""
+    other = visitors.open(stand.address, 1)
+    other.shows("wheel", "other")
+    under_way(stand, pilot)
+    if how == "space":
+        pilot.press(" ")
+    elif how == "wheel":
+        pilot.click("wheel-release")
+    elif how == "other":
+        other.click("mission-end")
+    else:
+        pilot.click({"stop": "stop", "end": "mission-end"}[how])
+    stand.stands(within=NOTICED)
+    for page in (pilot, other):
+        assert "by hand" in page.logged(code="mission_aborted")["text"]
+        is_over(page)
+    time.sleep(1)
+    assert not stand.emulator.moving, "it moves again"
+
+
+def test_driven_by_hand(stand: Stand, pilot: Page) -> None:
+    """The driver's key counts at once; then the robot does what the key says."""
+    under_way(stand, pilot)
+    pilot.hold("a")
+    pilot.logged(code="mission_aborted")
+    before = stand.emulator.pose
+    time.sleep(0.5)
+    after = stand.emulator.pose
+    assert stand.emulator.moving
+    assert math.dist(before[:2], after[:2]) < 0.2 and before[2] != after[2]
+    pilot.release("a")
+    stand.stands(within=NOTICED)
+
+
+def test_stopped_with_the_page(stand: Stand, pilot: Page) -> None:
+    under_way(stand, pilot)
+    pilot.close()
+    stand.stands(within=NOTICED)
+    time.sleep(1)
+    assert not stand.emulator.moving, "it moves again"
+
+
+def test_refused(stand: Stand, driver: Page) -> None:
+    """What is missing is said in words, with what to do."""
+    await_(lambda: not driver.visible("start-progress"), "nothing is in the way")
+    click(driver, (320, 240))
+    line = driver.logged(code="mission_refused")
+    assert "arena is not confirmed" in line["text"]
+    await_(lambda: "not confirmed" in driver.text("alert"), "it is said")
+    confirm_arena(driver)
+    click(driver, (3, 3))
+    await_(lambda: "too near" in driver.text("alert"), "it is said")
+    driver.run("document.querySelector('details.more').open = true")
+    driver.click("order-CPST")
+    driver.shows("positions", "false")
+    click(driver, (320, 240))
+    await_(lambda: "positions are off" in driver.text("alert"), "it is said")
+    assert not driver.visible("mission")
+    assert not stand.emulator.moving
+
+
+def test_one_at_a_time(stand: Stand, pilot: Page) -> None:
+    """A second mission is refused and does not disturb the first."""
+    under_way(stand, pilot)
+    click(pilot, (320, 240))
+    await_(lambda: "under way. End it" in pilot.text("alert"), "it is said")
+    assert pilot.logged(label="MGTO")["answer"] == "ACRJ"
+    assert pilot.visible("mission")
+    pilot.click("mission-end")
+    stand.stands(within=NOTICED)
+
+
+def test_who_watches_sends_nothing(
+    stand: Stand, pilot: Page, visitors: Visitors
+) -> None:
+    other = visitors.open(stand.address, 1)
+    other.shows("wheel", "other")
+    await_(lambda: other.images() > 0, "an image")
+    click(other, (320, 240))
+    await_(lambda: "Ask for the wheel" in other.text("news"), "why not")
+    other.click("path")
+    assert not other.visible("path-tools")
+    time.sleep(0.3)
+    assert not pilot.visible("mission")
+
+
+def test_reload(stand: Stand, pilot: Page) -> None:
+    """A page that comes anew shows no mission that its going has ended."""
+    under_way(stand, pilot)
+    pilot.driver.refresh()
+    stand.stands(within=1.0)
+    pilot.shows("wheel", "me")
+    assert not pilot.visible("mission")
+    assert pilot.logged(code="mission_aborted")
+
+
+def test_phone(stand: Stand, visitors: Visitors) -> None:
+    """A finger goes where it taps; in path mode it draws and does not scroll."""
+    page = visitors.open(stand.address, size=(360, 740), touch=True)
+    page.start()
+    confirm_arena(page)
+    place = (50.0, 35.0)
+    (pixel,) = pixels(stand, page, place)
+
+    def finger(point: Point) -> Point:
+        x, y = page.middle("picture")
+        dx, dy = offset(page, point)
+        return x + dx, y + dy
+
+    page.touch("touchStart", *finger(pixel))
+    page.touch("touchEnd")
+    assert len(plan(page)) == 1
+    arrives(stand, page, place)
+    page.click("path")
+    wide = page.run("return document.documentElement.scrollWidth")
+    assert wide <= 360
+    page.touch("touchStart", *finger((200, 100)))
+    for down in range(110, 210, 10):
+        page.touch("touchMove", *finger((200, down)))
+    page.touch("touchEnd")
+    assert 2 <= len(points(page.data("path", "overlay"))) <= 3
+    assert page.run("return scrollY") == 0
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_axe(stand: Stand, visitors: Visitors, axe: str, dark: bool) -> None:
+    page = visitors.open(stand.address, dark=dark)
+    page.start()
+    confirm_arena(page)
+    other = visitors.open(stand.address, 1, languages="fr", size=(360, 740), dark=dark)
+    other.shows("wheel", "other")
+    page.click("path")
+    click(page, (320, 240))
+    judge(page, axe, "a path")
+    page.shows("link", "open")
+    if page.data("wheel") != "me":
+        page.click("wheel-take")
+        page.shows("wheel", "me")
+    under_way(stand, page)
+    await_(lambda: other.visible("mission"), "a mission")
+    judge(other, axe, "a mission, in French, on a phone")
+
+
+def test_replay(
+    stands: Callable[..., Stand],
+    visitors: Visitors,
+    tmp_path_factory: pytest.TempPathFactory,
+) -> None:
+    """The plan is in the recording, and drawn over its pictures."""
+    stand = stands("--record", tmp_path_factory.mktemp("recordings"))
+    page = visitors.open(stand.address)
+    page.start()
+    confirm_arena(page)
+    click(page, (400, 240))
+    sent = plan(page)
+    page.logged(code="mission_done", within=ARRIVED)
+    time.sleep(1.5)
+    page.click("recordings-refresh")
+    (replay,) = await_(
+        lambda: page.driver.find_elements(By.CSS_SELECTOR, "#recordings-list button"),
+        "the recording",
+    )
+    page.click_element(replay)
+    await_(lambda: page.data("index", "replay-picture"), "the first picture")
+    page.click("replay-play")
+
+    def planned(part: float) -> list[Point]:
+        page.run(
+            "const s = document.getElementById('replay-slider');"
+            "s.value = arguments[0] * s.max; s.dispatchEvent(new Event('input'))",
+            part,
+        )
+        return points(page.data("plan", "replay-overlay"))
+
+    assert planned(0.0) == planned(1.0) == []
+    assert sent in [planned(part / 20) for part in range(21)]
