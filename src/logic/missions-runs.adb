@@ -69,6 +69,14 @@ package body Missions.Runs with SPARK_Mode is
      Pre  => Low <= High,
      Post => Within'Result in Low .. High;
 
+   subtype Some_Turn is Microdegrees range -9_000_000_000 .. 9_000_000_000;
+
+   function True_Turn (Ordered : Drive_Length; By : Gain) return Some_Turn is
+     (Microdegrees
+        (Within
+           (Wide (Ordered) * Wide (By) * 100,
+            Wide (Some_Turn'First), Wide (Some_Turn'Last))));
+
    function Target (R : Run) return Near_Pose is
      ((X       => Near_Of (R.Targets (R.Leg).X),
        Y       => Near_Of (R.Targets (R.Leg).Y),
@@ -125,7 +133,8 @@ package body Missions.Runs with SPARK_Mode is
      Post => R.Ended
        and then R.Why = Why
        and then R.Leg = R.Leg'Old
-       and then R.Orders = R.Orders'Old;
+       and then R.Orders = R.Orders'Old
+       and then R.Seen_At = R.Seen_At'Old;
 
    procedure Limit_Leg (R : in out Run; Now : Microseconds)
    with
@@ -319,8 +328,7 @@ package body Missions.Runs with SPARK_Mode is
    end Aim;
 
    procedure Arrive (R : in out Run; Now : Microseconds) is
-      Turned : constant Microdegrees :=
-        Microdegrees (R.Amount) * Microdegrees (R.Turns) * 100;
+      Turned : constant Some_Turn := True_Turn (R.Amount, R.Turns);
    begin
       R.Expected  := False;
       R.Confirmed := False;
@@ -416,7 +424,7 @@ package body Missions.Runs with SPARK_Mode is
                and then R.Orders > 0
                and then R.Seen_At = R.Seen_At'Loop_Entry);
             pragma Loop_Variant (Increases => R.Leg);
-            if R.Leg = R.Legs then
+            if R.Leg >= R.Legs then
                Finish (R, Completed);
                return;
             end if;
@@ -515,10 +523,18 @@ package body Missions.Runs with SPARK_Mode is
 
       subtype Square is Wide range 1 .. 25_000_000;
 
+      function Square_Of (Amount : Drive_Length) return Square is
+        (Within (Wide (Amount) * Wide (Amount), Square'First, Square'Last));
+
+      function Quarter_Of (Number : Square) return Square is
+        (Wide'Max (1, Number / 4));
+
       function Mean_Of
         (Known : Wide; W : Weight; Seen : Wide; Amount : Square) return Wide
       is (Known + (Seen - Known) * Amount / (Wide (W) + Amount))
-      with Pre => abs Known <= 100_000 and then abs Seen <= 100_000;
+      with
+        Pre => Known in -100_000 .. 100_000
+          and then Seen in -100_000 .. 100_000;
 
       procedure Add (W : in out Weight; Amount : Square; Most : Weight);
 
@@ -545,8 +561,7 @@ package body Missions.Runs with SPARK_Mode is
          Add (W, Amount, Most);
       end Learn_Gain;
 
-      Expected : constant Microdegrees :=
-        Microdegrees (R.Turned) * Microdegrees (R.Turns) * 100;
+      Expected : constant Some_Turn := True_Turn (R.Turned, R.Turns);
       Length   : constant Micrometres := Way (R.From, R.Mean);
       Chord    : constant Bearing :=
         Normal
@@ -569,7 +584,7 @@ package body Missions.Runs with SPARK_Mode is
             Learn_Gain
               (R.Turns, R.Turn_Weight,
                Wide (Expected + Error) / (Wide (R.Turned) * 100),
-               Wide (R.Turned) ** 2, Most_Turn);
+               Square_Of (R.Turned), Most_Turn);
             if R.Turn_Weight >= Learnt_Turn and then R.Distrust > 0 then
                R.Distrust := R.Distrust - 1;
             end if;
@@ -582,7 +597,8 @@ package body Missions.Runs with SPARK_Mode is
          return;
       end if;
 
-      Seen_Gain := Wide'Min (30_000, Wide (Length) * 10 / abs Wide (R.Driven));
+      Seen_Gain := Within
+        (Wide (Length) * 10 / abs Wide (R.Driven), 0, 30_000);
       if Length >= Long_Way and then R.Way_Weight >= Learnt_Way then
          R.Way_Doubt := Integer'Min
            (50,
@@ -591,7 +607,7 @@ package body Missions.Runs with SPARK_Mode is
                Integer (abs (Seen_Gain - Wide (R.Drives))) * 250 / R.Drives));
       end if;
       Learn_Gain
-        (R.Drives, R.Way_Weight, Seen_Gain, Wide (R.Driven) ** 2, Most_Way);
+        (R.Drives, R.Way_Weight, Seen_Gain, Square_Of (R.Driven), Most_Way);
 
       Before :=
         (if R.Turned = 0 then R.From.Heading
@@ -602,7 +618,7 @@ package body Missions.Runs with SPARK_Mode is
          Learn_Gain
            (R.Turns, R.Turn_Weight,
             Wide (Expected + Error) / (Wide (R.Turned) * 100),
-            Wide (R.Turned) ** 2 / 4 + 1, Most_Turn);
+            Quarter_Of (Square_Of (R.Turned)), Most_Turn);
       end if;
       if Length >= Long_Way
         and then abs Error >
@@ -611,7 +627,9 @@ package body Missions.Runs with SPARK_Mode is
          R.Distrust := Distrusted;
       end if;
 
-      Amount := Wide (R.Driven) ** 2 / (if R.Turned = 0 then 1 else 4) + 1;
+      Amount :=
+        (if R.Turned = 0 then Square_Of (R.Driven)
+         else Quarter_Of (Square_Of (R.Driven)));
       Pulled := Within
         (Wide (Difference (Before, R.Mean.Heading)) * 1_000
          / Wide (if R.Driven < 0 then -Length else Length),
