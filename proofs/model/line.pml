@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
    The owner of the robot's line and its requests, for orders.pml,
-   periodic.pml and mission.pml (which says MISSION): Robot.Line, Robot.Session, Robot.Exchange, Th_Line. */
+   periodic.pml and mission.pml (which says MISSION): Robot.Line,
+   Robot.Session, Robot.Exchange, Th_Line. */
 
 #define MAX_FAILURES  2   /* in a row, and the line is lost; the code's 4
                              and the figure itself are proved by contract */
