@@ -159,9 +159,10 @@ package Schedule with SPARK_Mode is
       Th_Mission =>
         ("th_mission       ", Mission_Priority, No_Thread, True,
          On_Event, Milliseconds (100)),
-      --  from an image to the order that follows from it. Below the user's
-      --  orders and the reload, above the images: while a mission is under
-      --  way it looks at each position, and every Mission_Period
+      --  from an image to the first byte of the order that follows from it.
+      --  Below the user's orders and the reload, above the images: while a
+      --  mission is under way it looks at each position, and every
+      --  Mission_Period
       Th_Camera_Control =>
         ("th_cameraControl ", Camera_Control_Priority, 20, True,
          On_Event, Unbounded),

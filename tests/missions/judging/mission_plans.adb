@@ -130,7 +130,7 @@ package body Mission_Plans is
         (X     => Any_X,
          Y     => Any_Y,
          Angle => Micro (Whole (Source, 0, 359)) * 1_000_000);
-      Result.Count := Whole (Source, 2, 12);
+      Result.Count := Whole (Source, 5, 12);
       for K in 1 .. Result.Count loop
          Result.Points (K) := (Any_X, Any_Y);
       end loop;

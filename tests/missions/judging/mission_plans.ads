@@ -40,7 +40,7 @@ package Mission_Plans is
 
    function Random (Seed : Natural; Number : Positive) return Plan
      with Post => Random'Result.Number = Number
-                  and then Random'Result.Count in 2 .. 12
+                  and then Random'Result.Count in 5 .. 12
                   and then Random'Result.Faulty = (Number mod 2 = 0);
    --  The same for the same Seed and Number; whole tenths of millimetres.
    --  Where Faulty: each error of the wheels is anything the emulator offers
