@@ -13,9 +13,6 @@ package body Vision.Robot_Sightings with SPARK_Mode is
       S.Seen := Count = 1;
       if S.Seen then
          S.Robot := Robots (1);
-         S.Missing := 0;
-      elsif S.Missing < Natural'Last then
-         S.Missing := S.Missing + 1;
       end if;
    end Note;
 

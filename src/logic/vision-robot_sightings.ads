@@ -11,16 +11,14 @@ package Vision.Robot_Sightings with SPARK_Mode is
    use type Vision.Shapes.Robot;
 
    type Sighting is record
-      Number  : Natural := 0;
+      Number : Natural := 0;
       --  counts the images that have been searched for robots; 0: none, as
       --  the camera has been opened since
-      Came    : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      Came   : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
       --  when the image came from the camera
-      Seen    : Boolean := False;
+      Seen   : Boolean := False;
       --  exactly one robot is in it: Robot
-      Robot   : Vision.Shapes.Robot;
-      Missing : Natural := 0;
-      --  so many images in a row, this one included, do not have exactly one
+      Robot  : Vision.Shapes.Robot;
    end record;
 
    procedure Note
@@ -32,11 +30,7 @@ package Vision.Robot_Sightings with SPARK_Mode is
      Post => S.Number =
          (if S'Old.Number = Natural'Last then 1 else S'Old.Number + 1)
        and then S.Seen = (Count = 1)
-       and then (if S.Seen then S.Robot = Robots (1))
-       and then S.Missing =
-         (if S.Seen then 0
-          elsif S'Old.Missing = Natural'Last then Natural'Last
-          else S'Old.Missing + 1);
+       and then (if S.Seen then S.Robot = Robots (1));
    --  The image that came at Came has been searched: it has Robots (1 ..
    --  Count)
 
