@@ -3,16 +3,18 @@
 
 usage: script/bench missions [--simulated N] [--real N] [--seed N] [--out FILE]
                              [--check]
-       script/bench missions --docs FILE
+       script/bench missions --docs FILE FOLDER
        script/bench missions --docs --check
 
 Prints a table: bin/destijl_missions carries them out and judges each. Every
 other one has all faults at once. Simulated ones (1000) are the controller with
 the emulator's core, in simulated time; real ones (50) the supervisor with the
 emulator and rendered images, in real time, two at once. --out keeps all
-results in FILE; --check fails where a goal is missed. --docs writes the table
-of docs/missions.md from the results in FILE, and keeps what it needs of them
-in tests/bench/results; with --check it fails if the page has others."""
+results in FILE; --check fails where a goal is missed. --docs writes the tables
+of docs/missions.md from the results in FILE, and from those that
+script/bench --out FOLDER responses  has left in FOLDER, and keeps what it
+needs of them in tests/bench/results; with --check it fails if the page has
+others."""
 
 import argparse
 import json
@@ -53,6 +55,18 @@ HEADS = {
     "median": "time to an exact robot's, median",
     "slowest": "largest",
     "slow": f"above {SLOWEST}",
+}
+
+
+#  The way of an image to the order of a mission, as script/bench calls it
+WAY = "image to its order's first byte"
+
+WAY_HEADS = {
+    "n": "number",
+    "median": "median, ms",
+    "p99": "p99, ms",
+    "max": "longest, ms",
+    "bound": "bound, ms",
 }
 
 
@@ -180,31 +194,73 @@ def facts(seed: int) -> dict[str, Any]:
     }
 
 
-def block(kept: dict[str, Any]) -> str:
-    about = (
-        f"Seed {kept['seed']}, sources {kept['sources']}, {kept['begun']}, "
-        f"{kept['machine']}, Linux {kept['kernel']}."
+def about(kept: dict[str, Any]) -> str:
+    return (
+        f"Sources {kept['sources']}, {kept['begun']}, {kept['machine']}, "
+        f"Linux {kept['kernel']}."
     )
-    text = f"{about}\n\n{table(kept['rows'])}\n"
+
+
+def block(kept: dict[str, Any]) -> str:
+    text = f"Seed {kept['seed']}. {about(kept)}\n\n{table(kept['rows'])}\n"
     if kept["missed"]:
         text += "\nGoals missed:\n\n" + "".join(f"- {m}\n" for m in kept["missed"])
     return text
 
 
-def written(page: str, kept: dict[str, Any]) -> str:
+def way_of(folder: Path) -> dict[str, Any]:
+    results = json.loads((folder / "bench.json").read_text(encoding="utf-8"))
+    found = [
+        line
+        for section in results["sections"]
+        for line in section["rows"]
+        if line.get("name") == WAY
+    ]
+    if len(found) != 1:
+        raise Wrong(f"{folder}: {len(found)} rows {WAY}, not 1")
+    figures = {key: found[0][key] for key in WAY_HEADS if key != "bound"}
+    figures["bound"] = found[0]["goals"]["max"]["at most"]
+    facts = {key: results[key] for key in ("sources", "begun", "machine", "kernel")}
+    return {**facts, "figures": figures}
+
+
+def way_block(way: dict[str, Any]) -> str:
+    cells = [
+        f"{way['figures'][key]:,}" if key == "n" else f"{way['figures'][key] / 1e3:.1f}"
+        for key in WAY_HEADS
+    ]
+    lines = [
+        "| " + " | ".join(WAY_HEADS.values()) + " |",
+        "|---" * len(WAY_HEADS) + "|",
+        "| " + " | ".join(cells) + " |",
+    ]
+    return about(way) + "\n\n" + "\n".join(lines) + "\n"
+
+
+def with_table(page: str, name: str, text: str) -> str:
     pattern = re.compile(
-        r"^(<!-- table: missions -->\n)(?:(?!<!--).*\n)*?(<!-- end -->\n)", re.M
+        rf"^(<!-- table: {name} -->\n)(?:(?!<!--).*\n)*?(<!-- end -->\n)", re.M
     )
     found = len(pattern.findall(page))
     if found != 1:
-        raise Wrong(f"{PAGE.name}: {found} tables missions, not 1")
-    return pattern.sub(lambda m: f"{m[1]}\n{block(kept)}\n{m[2]}", page)
+        raise Wrong(f"{PAGE.name}: {found} tables {name}, not 1")
+    return pattern.sub(lambda m: f"{m[1]}\n{text}\n{m[2]}", page)
 
 
-def document(source: Path) -> None:
+def written(page: str, kept: dict[str, Any]) -> str:
+    page = with_table(page, "missions", block(kept))
+    return with_table(page, "orders", way_block(kept["way"]))
+
+
+def document(source: Path, responses: Path) -> None:
     results = json.loads(source.read_text(encoding="utf-8"))
     missions = results.pop("missions")
-    kept = {**results, "rows": rows(missions), "missed": missed(missions)}
+    kept = {
+        **results,
+        "rows": rows(missions),
+        "missed": missed(missions),
+        "way": way_of(responses),
+    }
     page = written(PAGE.read_text(encoding="utf-8"), kept)
     KEPT.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
     PAGE.write_text(page, encoding="utf-8")
@@ -227,9 +283,9 @@ def main(arguments: list[str]) -> None:
         check_document()
         return
     if arguments[:1] == ["--docs"]:
-        if len(arguments) != 2:
-            raise Wrong("--docs needs the results of --out")
-        document(Path(arguments[1]))
+        if len(arguments) != 3:
+            raise Wrong("--docs needs the results of --out and of responses")
+        document(Path(arguments[1]), Path(arguments[2]))
         return
     parser = argparse.ArgumentParser(
         prog="script/bench missions",
@@ -243,11 +299,11 @@ def main(arguments: list[str]) -> None:
     parser.add_argument("--out", type=Path, help="file for all results, as JSON")
     parser.add_argument("--check", action="store_true", help="fail if a goal is missed")
     chosen = parser.parse_args(arguments)
-    about = facts(chosen.seed)
+    now = facts(chosen.seed)
     missions = run(chosen.simulated, chosen.real, chosen.seed)
     if chosen.out is not None:
         lines = ",\n".join(json.dumps(mission) for mission in missions)
-        text = json.dumps(about)[:-1] + f', "missions": [\n{lines}]}}\n'
+        text = json.dumps(now)[:-1] + f', "missions": [\n{lines}]}}\n'
         chosen.out.write_text(text, encoding="utf-8")
     print(table(rows(missions)))
     complaints = missed(missions)
