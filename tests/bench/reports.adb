@@ -12,6 +12,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 
 with Expectations;          use Expectations;
+with Json_Texts;            use Json_Texts;
 with Plain_Numbers;         use Plain_Numbers;
 with Svg_Files;             use Svg_Files;
 
@@ -65,9 +66,6 @@ package body Reports is
    function Micro (Value : Duration) return Float is
      (Float (Value) * 1.0E6);
 
-   function Quoted (Text : String) return String;
-   --  As JSON has it
-
    procedure Next (List : in out Unbounded_String; Item : String);
    --  One more of a list of JSON
 
@@ -95,18 +93,6 @@ package body Reports is
 
    procedure Plot_Curves (Drawing : in out Svg_File);
    procedure Plot_Bars (Drawing : in out Svg_File);
-
-   function Quoted (Text : String) return String is
-      Result : Unbounded_String;
-   begin
-      for C of Text loop
-         if C in '"' | '\' then
-            Append (Result, '\');
-         end if;
-         Append (Result, (if C < ' ' then ' ' else C));
-      end loop;
-      return """" & To_String (Result) & """";
-   end Quoted;
 
    procedure Next (List : in out Unbounded_String; Item : String) is
    begin

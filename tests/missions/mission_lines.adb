@@ -3,12 +3,10 @@
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
+with Json_Texts;            use Json_Texts;
 with Plain_Numbers;         use Plain_Numbers;
 
 package body Mission_Lines is
-
-   function Quoted (Text : String) return String;
-   --  As JSON has it
 
    function Beginning (Kind : String; P : Plan) return String is
      ("{""kind"": " & Quoted (Kind) & ", ""number"": " & Image (P.Number)
@@ -18,18 +16,6 @@ package body Mission_Lines is
       & ", ""overshoot"": " & Image (P.Wheels.Overshoot)
       & ", ""pull"": " & Image (P.Wheels.Pull)
       & ", ""points"": " & Image (P.Count));
-
-   function Quoted (Text : String) return String is
-      Result : Unbounded_String;
-   begin
-      for C of Text loop
-         if C in '"' | '\' then
-            Append (Result, '\');
-         end if;
-         Append (Result, (if C < ' ' then ' ' else C));
-      end loop;
-      return """" & To_String (Result) & """";
-   end Quoted;
 
    function Line
      (Kind : String; P : Plan; V : Verdict; Repeated : Natural := 0)
