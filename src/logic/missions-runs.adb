@@ -657,8 +657,13 @@ package body Missions.Runs with SPARK_Mode is
       end if;
    end Learn_Lag;
 
+   function Has_Position (R : Run; Now : Microseconds) return Boolean is
+     (R.Seen_At <= Now and then Now - R.Seen_At <= Max_Age);
+   --  An order may follow from it
+
    function Next_Look (R : Run; Now : Microseconds) return Microseconds is
-     (if R.Ended or else R.Phase = Aiming then Now
+     (if R.Ended or else (R.Phase = Aiming and then Has_Position (R, Now))
+      then Now
       elsif R.Phase = Moving then
          Microseconds'Max
            (Now, Microseconds'Min (R.Ask_At, After (Now, Max_Age)))
@@ -763,8 +768,7 @@ package body Missions.Runs with SPARK_Mode is
             Give (R, Halt, 0, Next);
          elsif (R.Phase = Aiming or else R.Count >= Enough_Images
                 or else R.Confirmed)
-           and then R.Seen_At <= Now
-           and then Now - R.Seen_At <= Max_Age
+           and then Has_Position (R, Now)
          then
             Decide (R, Now, Next);
          end if;

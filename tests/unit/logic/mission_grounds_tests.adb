@@ -35,8 +35,7 @@ package body Mission_Grounds_Tests is
          Seen   => True,
          Robot  => (Centre    => (320_000_000, 240_000_000),
                     Direction => (338_000_000, 240_000_000),
-                    others    => <>),
-         others => <>),
+                    others    => <>)),
       Now  => Start);
 
    Two_Points : constant Path :=

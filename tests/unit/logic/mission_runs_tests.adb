@@ -34,6 +34,7 @@ package body Mission_Runs_Tests is
    procedure Test_Faults (T : in out Any_Test);
    procedure Test_Ends (T : in out Any_Test);
    procedure Test_Old_Position (T : in out Any_Test);
+   procedure Test_Wait_For_Position (T : in out Any_Test);
 
    procedure Check_Missions (First_Seed : Integer; Faulty : Boolean);
    --  A hundred
@@ -64,6 +65,8 @@ package body Mission_Runs_Tests is
       Register_Routine (T, Test_Ends'Access, "why missions end");
       Register_Routine
         (T, Test_Old_Position'Access, "no order from an old position");
+      Register_Routine
+        (T, Test_Wait_For_Position'Access, "waits for a new position");
    end Register_Tests;
 
    procedure Check_Missions (First_Seed : Integer; Faulty : Boolean) is
@@ -297,5 +300,79 @@ package body Mission_Runs_Tests is
               and then Next.Request.Command.Kind = Robot.Protocol.Turn,
               "seen again, no turn to the target");
    end Test_Old_Position;
+
+   procedure Test_Wait_For_Position (T : in out Any_Test) is
+      pragma Unreferenced (T);
+      Here   : constant Place := (200_000, 300_000);
+      Aside  : constant Place_Array :=
+        (1 => (499_000, 317_500), others => (0, 0));
+      --  about 300 mm away, 3.3 degrees to the left of x
+      R      : Missions.Runs.Run;
+      Next   : Action;
+      Now    : Microseconds := 0;
+      Images : Natural := 0;
+
+      procedure See (After : Microseconds; Seen : Boolean; Heading : Bearing);
+
+      procedure Turns;
+      --  Asserts that a turn is ordered, and that it is taken
+
+      procedure Rests;
+      --  The robot is asked whether it moves, and does not
+
+      procedure See (After : Microseconds; Seen : Boolean; Heading : Bearing)
+      is
+      begin
+         Now := Now + After;
+         Images := Images + 1;
+         See (R, (Images, Now, Seen, (Here, Heading)));
+      end See;
+
+      procedure Turns is
+      begin
+         Step (R, Now, Next);
+         Assert (Next.Kind = Order
+                 and then Next.Request.Command.Kind = Robot.Protocol.Turn,
+                 "no turn");
+         Tell (R, (others => <>), Now);
+      end Turns;
+
+      procedure Rests is
+      begin
+         Step (R, Now, Next);
+         Assert (Next.Kind = Ask, "does it move?");
+         Tell (R, (others => <>), Now);
+      end Rests;
+
+   begin
+      --  The first turn is looked at. The second need not be, but ends while
+      --  the robot is hidden
+
+      Start (R, Size, Aside, 1, Now);
+      Step (R, Now, Next);
+      Tell (R, (others => <>), Now);
+      See (Period, True, -45_000_000);
+      See (Period, True, -45_000_000);
+      Turns;
+      See (250_000, True, -25_000_000);
+      Now := Now + 250_000;
+      Rests;
+      See (Period, True, -5_000_000);
+      See (Period, True, -5_000_000);
+      Turns;
+      See (Period, False, 0);
+      See (Period, False, 0);
+      Now := Now + 110_000;
+      Rests;
+      Step (R, Now, Next);
+      Assert (not Has_Ended (R) and then Next.Kind = Nothing, "an order");
+      Assert (Next_Look (R, Now) >= Now + 10_000, "looks all the time");
+
+      See (10_000, True, 3_000_000);
+      Step (R, Now, Next);
+      Assert (Next.Kind = Order
+              and then Next.Request.Command.Kind = Robot.Protocol.Move,
+              "seen again, no drive");
+   end Test_Wait_For_Position;
 
 end Mission_Runs_Tests;
