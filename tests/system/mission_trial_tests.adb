@@ -58,7 +58,7 @@ package body Mission_Trial_Tests is
    begin
       Measures_Time;
       Try (18);
-      Try (26);
+      Try (30);
    end With_Faults;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
