@@ -567,6 +567,11 @@ class Page:
         )
         element.click()
 
+    def refresh_recordings(self) -> None:
+        """What is in the list then is new: no row that is about to go."""
+        self.run("document.getElementById('recordings-list').replaceChildren()")
+        self.click("recordings-refresh")
+
     def middle(self, name: str) -> tuple[float, float]:
         """Of an element, brought into the window, where it is now."""
         x, y = self.run(

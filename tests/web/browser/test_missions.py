@@ -426,7 +426,7 @@ def test_replay(
     sent = plan(page)
     page.logged(code="mission_done", within=ARRIVED)
     time.sleep(1.5)
-    page.click("recordings-refresh")
+    page.refresh_recordings()
     (replay,) = await_(
         lambda: page.driver.find_elements(By.CSS_SELECTOR, "#recordings-list button"),
         "the recording",

@@ -313,7 +313,7 @@ def test_recording(
     stand.stands(within=5)
     time.sleep(1)
     (recording,) = [path.name for path in folder.iterdir()]
-    page.click("recordings-refresh")
+    page.refresh_recordings()
     row = f"[data-recording='{recording}']"
     await_(lambda: page.driver.find_elements(By.CSS_SELECTOR, row), "the recording")
     page.click_element(page.driver.find_element(By.CSS_SELECTOR, f"{row} button"))
