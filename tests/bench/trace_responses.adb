@@ -266,6 +266,12 @@ package body Trace_Responses is
    is
       Who : Thread_State renames States (Item.Thread);
       N   : constant String := Name (Item);
+
+      function Is_Under_Way (Thread : String) return Boolean is
+        (for some Other of States =>
+           Other.Name = Thread and then Other.Depth = 1);
+      --  In a job, and not in a wait of it
+
    begin
       if Who.Name = "th_camera" and then Item.Phase = 'E'
         and then Who.Depth = 2
@@ -277,16 +283,21 @@ package body Trace_Responses is
       then
          Take_Image (S, Item.Time);
       elsif Who.Name = "th_mission" and then N = "release"
-        and then Who.Depth < 2
+        and then Is_Under_Way ("th_captureImg")
+        and then not Is_Under_Way ("th_line")
       then
-         --  not the line's owner
-         S.Seen := S.Taken;
+         --  by the search. An image that comes while the robot is asked does
+         --  not count: what is ordered then follows from the answer
+         S.Seen := (if Who.Depth = 0 then S.Taken else Never);
+      elsif Who.Name = "th_mission" and then Item.Phase = 'E'
+        and then Who.Depth = 1
+      then
+         S.Seen := Never;
       elsif N = "robot M" or else N = "robot T" then
          --  of a mission that has just seen the image: the line's owner is
          --  more urgent, so that it may not wait yet
          for Thread of States loop
             if Thread.Name = "th_mission" and then Thread.Depth > 0
-              and then Thread.Looking = Mission_Seen
               and then not Thread.Waited
               and then S.Seen /= Never
             then
