@@ -73,7 +73,8 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          when F13_Processor   => "F13 the same without line and gap *",
          when F15_Image       => "F15 image due to image ready",
          when F15_Jitter      => "F15 jitter of the image sent *",
-         when Mission_Order   => "mission: image to its order's first byte");
+         when Mission_Order    => "mission: image to its order's first byte",
+         when Mission_At_Robot => "mission: image to its order's last byte");
 
    procedure Print_Calls;
    --  For proofs/schedulability/calls: each activity's task, whether it stays
@@ -375,7 +376,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       Analyse (Of_The_Table, Real_Time_Apart, On, Under, Result);
       Good := Deadlines_Met (Result)
         and then
-          (not Demanded or else Met (Result.Requirements (Mission_Order)));
+          (not Demanded or else Met (Result.Requirements (Mission_At_Robot)));
       New_Line;
       Put_Line ("== beside missions, " & Title);
       Print_Table (Result);

@@ -34,10 +34,9 @@ package body Supervisor_Model with SPARK_Mode is
    --  th_hold has to do with each hold once, and at its end: a hold begins
    --  after a message, and with a command or the message after
 
-   Oldest_Image   : constant Span :=
-     Camera_Interval + Span (Vision.Image_Grid.Reserve (Image_Period));
-   --  How long ago an image has come, at most, when it is taken: it is the one
-   --  before the newest where that is kept in reserve
+   pragma Compile_Time_Error
+     (2 * Camera_Interval > Image_Period,
+      "not always the newest image is taken: see Vision.Image_Grid");
 
    --  A command of the monitor is for one of these, so that for everybody
    --  else they are one stream, of the longest and a command apart
@@ -1020,6 +1019,7 @@ package body Supervisor_Model with SPARK_Mode is
         Capped ((Capture_High - Capture_Low) * On.Percent / 100);
       Request : constant Bound := Owner.Request;
       Asked, Told, Ended : Bound;
+      Ordered : Microseconds;
 
       procedure Conclude
         (Name : Requirement_Name; Value : Microseconds; Known : Boolean)
@@ -1051,7 +1051,7 @@ package body Supervisor_Model with SPARK_Mode is
          F13_Processor   => Before (Schedule.Th_Battery_Level),
          F15_Image       => (Limit => Image_Period, others => <>),
          F15_Jitter      => Before (Schedule.Th_Capture_Img),
-         Mission_Order   =>
+         Mission_Order | Mission_At_Robot =>
            (if Under.Mission then Before (Schedule.Th_Mission)
             else (others => <>)));
 
@@ -1107,15 +1107,21 @@ package body Supervisor_Model with SPARK_Mode is
          Line (Safe_State).Start + Request.Local + Frame_Time (Stop_Frame),
          Line (Safe_State).Exists and then Request.Exists);
 
-      --  the mission: the image that has come is due, searched, looked at
+      --  the mission: the image, the newest one, is due, searched, looked at
 
-      Conclude
-        (Mission_Order,
-         Oldest_Image + Bounds (Mission_Seen).Finish + Line (Mission).Start
-         + Request.Local,
-         Under.Mission
-         and then Bounds (Mission_Seen).Exists and then Line (Mission).Exists
-         and then Request.Exists);
+      Ordered :=
+        Camera_Interval + Bounds (Mission_Seen).Finish + Line (Mission).Start
+        + Request.Local;
+      for Name in Mission_Order .. Mission_At_Robot loop
+         Conclude
+           (Name,
+            (if Name = Mission_Order then Ordered
+             else Ordered + Frame_Time (Longest_Frame)),
+            Under.Mission
+            and then Bounds (Mission_Seen).Exists
+            and then Line (Mission).Exists
+            and then Request.Exists);
+      end loop;
 
       --  the battery: to its request, and from the answer on. An answer
       --  may go before the level, and news of a mission, and an image before

@@ -64,7 +64,8 @@ package Supervisor_Model with SPARK_Mode is
       F13_Processor,
       F15_Image,
       F15_Jitter,
-      Mission_Order);
+      Mission_Order,
+      Mission_At_Robot);
 
    type Requirement is record
       Bound : Microseconds := 0;

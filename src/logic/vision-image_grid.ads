@@ -48,8 +48,11 @@ package Vision.Image_Grid with SPARK_Mode, Pure is
      (Newest_Age, Older_Age : Microseconds; Period : Period_Time)
       return Boolean
    is (Newest_Age < Reserve (Period)
-       and then Older_Age <= Period + Reserve (Period));
-   --  Of two images waiting at an instant of the grid, given their ages
+       and then Older_Age <= Period + Reserve (Period)
+       and then Older_Age > Newest_Age + Period / 2);
+   --  Of two images waiting at an instant of the grid, given their ages. Of a
+   --  source that is more than twice as fast as the grid, the next image comes
+   --  in time, and the newest is sent
 
    type State is private;
 

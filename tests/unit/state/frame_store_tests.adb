@@ -263,11 +263,19 @@ package body Frame_Store_Tests is
       --  of three the oldest is left out in any case
 
       Put (Begun + Milliseconds (400), Slot);
-      Put (Begun + Milliseconds (450), Second);
+      Put (Begun + Milliseconds (448), Second);
       Put (Begun + Milliseconds (499), Third);
       Claim_Due (Begun + Milliseconds (500), Slot, At_Time, Reserve);
       Assert (Slot = Second and then Reserve, "the second of three");
       Check_Newest (Third);
+
+      --  the third has just come, but a fourth will come in time
+
+      Put (Begun + Milliseconds (549), Second);
+      Put (Begun + Milliseconds (599), Third);
+      Claim_Due (Begun + Milliseconds (600), Slot, At_Time, Reserve);
+      Assert (Slot = Third and then not Reserve, "of a fast source");
+      Check_None;
    end Test_Reserve;
 
    procedure Test_Wait (T : in out Any_Test) is
