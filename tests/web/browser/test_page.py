@@ -10,7 +10,7 @@ import json
 import threading
 import time
 from collections.abc import Callable
-from http.server import BaseHTTPRequestHandler, HTTPServer
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
@@ -169,7 +169,8 @@ def test_foreign_page(page: Page, visitors: Visitors) -> None:
     """That of another address gets no connection, in the same browser."""
     visitors.excuse("WebSocket connection to")
     page.shows("link", "open")
-    server = HTTPServer(("127.0.0.1", 0), Foreign)
+    #  with threads: a connection that Chromium opens in advance stays silent
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Foreign)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     try:
         foreign = visitors.open(f"http://127.0.0.1:{server.server_port}")
