@@ -48,8 +48,10 @@ package body Mission_Runs_Tests is
       Given       : Answer;
       Moves       : Boolean;
       Why         : Ending;
-      Within      : Microseconds);
-   --  The robot stands, whatever it is told. Of so many images one comes
+      Within      : Microseconds;
+      Pushed      : Boolean := False);
+   --  The robot stands, whatever it is told, or is pushed to and fro each
+   --  second. Of so many images one comes
 
    overriding function Name (T : Test_Case) return AUnit.Message_String is
      (AUnit.Format ("Missions.Runs"));
@@ -102,8 +104,10 @@ package body Mission_Runs_Tests is
       Given       : Answer;
       Moves       : Boolean;
       Why         : Ending;
-      Within      : Microseconds)
+      Within      : Microseconds;
+      Pushed      : Boolean := False)
    is
+      Aside : constant Place := (Corner.X + 20_000, Corner.Y);
       R     : Missions.Runs.Run;
       Next  : Action;
       Stops : Natural := 0;
@@ -117,7 +121,12 @@ package body Mission_Runs_Tests is
             Last  := Now;
             Image := Image + 1;
             if Image mod Image_Every = 0 then
-               See (R, (Image, Now, Seen, (Corner, 0)));
+               See
+                 (R,
+                  (Image, Now, Seen,
+                   ((if Pushed and then Now / 1_000_000 mod 2 = 1 then Aside
+                     else Corner),
+                    0)));
             end if;
          end if;
          Step (R, Now, Next);
@@ -204,6 +213,10 @@ package body Mission_Runs_Tests is
       Run_Until_End (1, True, Unanswered, True, No_Progress, 2_400_000);
       Run_Until_End (1, True, Refused, False, Orders_Refused, 500_000);
       Run_Until_End (1, True, Closed, False, Robot_Stopped, 100_000);
+      for Moves in Boolean loop
+         Run_Until_End
+           (1, True, Taken, Moves, Leg_Too_Long, 34_000_000, Pushed => True);
+      end loop;
 
       for Why in Abort_Reason loop
          Start (R, Size, Points, 1, 0);
