@@ -7,21 +7,27 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdarg>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 
+#include <dlfcn.h>
 #include <errno.h>
 #include <pthread.h>
 #include <sched.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+#include <opencv2/videoio/registry.hpp>
 
 namespace vision {
 
@@ -42,6 +48,7 @@ struct Source {
   bool waiting = false;  // RAW holds an image that has not been grabbed
   Kept still;            // as scaled
   std::string name;
+  std::string shown;     // the name for messages, without secrets
   int backend = cv::CAP_FFMPEG;
   cv::Size limit;
   long period = 0;         // nanoseconds between the images of a file
@@ -149,15 +156,180 @@ void ask_for_jpeg(Source &from, int fps) {
   }
 }
 
+// What may be secret in a URL as dots: up to the last @, so also in a password
+// that should have been encoded, and from the question mark on.
+std::string without_secrets(const std::string &name) {
+  std::string shown;
+  std::size_t done = 0;
+  for (std::size_t at = 0; (at = name.find("://", done)) != std::string::npos;
+       done = std::min(name.find_first_of(" \t\"'", at), name.size())) {
+    at += 3;
+    shown += name.substr(done, at - done);
+    std::string url = name.substr(at, name.find_first_of(" \t\"'", at) - at);
+    const std::size_t host = url.rfind('@');
+    if (host != std::string::npos)
+      url.replace(0, host, "...");
+    const std::size_t query = url.find('?');
+    if (query != std::string::npos)
+      url.replace(query + 1, std::string::npos, "...");
+    shown += url;
+  }
+  return shown + name.substr(done);
+}
+
+double seconds() {
+  timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return double(now.tv_sec) + double(now.tv_nsec) * 1e-9;
+}
+
+// A function that OpenCV's video part calls or could call: to build against
+// its libraries would be a dependency for the sake of a message. Null if it
+// has none.
+template <typename Function> Function *of_opencv(const char *name) {
+  static void *const videoio = [] {
+    Dl_info info{};
+    dladdr(reinterpret_cast<void *>(cv::videoio_registry::hasBackend), &info);
+    return dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+  }();
+  return reinterpret_cast<Function *>(
+      videoio == nullptr ? nullptr : dlsym(videoio, name));
+}
+
+// Why the source that this thread opens does not open; empty if unknown.
+thread_local std::string cause;
+
+// Takes the cause from another program or library, or from the network.
+void take_cause(std::string text) {
+  for (char &letter : text)
+    if (letter < ' ' || letter > '~')
+      letter = ' ';
+  text.erase(text.find_last_not_of(' ') + 1);
+  if (!text.empty())
+    cause = without_secrets(text).substr(0, 70);
+}
+
+bool hears_ffmpeg = false;
+thread_local bool is_opening = false;
+
+// Is called by FFmpeg with each line of its log. The last warning, from the
+// last colon on, is the cause: "Connection to tcp://... failed: Connection
+// refused", "HTTP error 404 Not Found". Of what is no stream it says only that
+// it ends too soon, or nothing.
+void hear_ffmpeg(void *, int level, const char *format, va_list arguments) {
+  constexpr int warning = 24, trace = 56;  // AV_LOG_...
+  static const std::string type = "header='Content-Type: ";
+  if (!is_opening || (level > warning && level != trace))
+    return;
+  char line[300];
+  std::vsnprintf(line, sizeof line, format, arguments);
+  const std::string text = line;
+  if (level <= warning && text.rfind("Stream ends ", 0) != 0) {
+    const std::size_t colon = text.rfind(": ");
+    take_cause(colon == std::string::npos ? text : text.substr(colon + 2));
+  } else if (strncasecmp(line, type.c_str(), type.size()) == 0) {
+    const std::string value = text.substr(type.size());
+    take_cause("HTTP 200 with " + value.substr(0, value.find_first_of(";'")) +
+               ", no stream of images");
+  }
+}
+
+// Opens a file or URL.
+bool start_ffmpeg(Source &from) {
+  is_opening = true;
+  const double begin = seconds();
+  const bool is_open = from.capture.open(
+      from.name, cv::CAP_FFMPEG,
+      {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open_limit,
+       cv::CAP_PROP_READ_TIMEOUT_MSEC, read_limit});
+  is_opening = false;
+  if (cause.empty() && hears_ffmpeg && from.kind == Kind::live)
+    cause = seconds() - begin >= open_limit * 1e-3 ? "no answer"
+                                                   : "no stream of images";
+  return is_open;
+}
+
+// Debian's package of a GStreamer element, by how its name begins.
+const struct {
+  const char *element, *package;
+} packages[] = {
+    {"app", "plugins-base"},          {"avdec_", "libav"},
+    {"decodebin", "plugins-base"},    {"h26", "plugins-bad"},
+    {"jpegparse", "plugins-bad"},     {"jpeg", "plugins-good"},
+    {"libcamera", "libcamera"},       {"multipart", "plugins-good"},
+    {"rtp", "plugins-good"},          {"rtsp", "plugins-good"},
+    {"udp", "plugins-good"},          {"uridecodebin", "plugins-base"},
+    {"v4l2", "plugins-good"},         {"videoconvert", "plugins-base"},
+    {"videorate", "plugins-base"},    {"videoscale", "plugins-base"},
+    {"videotestsrc", "plugins-base"}, {"x264enc", "plugins-ugly"}};
+
+struct G_Error {  // as in GLib
+  unsigned domain;
+  int code;
+  char *message;
+};
+
+// Whether GStreamer can make the pipeline. OpenCV would go on without an
+// element that is missing, and could then wait for ever.
+bool can_be_made(const std::string &pipeline) {
+  G_Error *error = nullptr;
+  const auto prepare =
+      of_opencv<int(int *, char ***, G_Error **)>("gst_init_check");
+  const auto make =
+      of_opencv<void *(const char *, G_Error **)>("gst_parse_launch");
+  const auto release = of_opencv<void(void *)>("gst_object_unref");
+  const auto forget = of_opencv<void(G_Error *)>("g_error_free");
+  if (prepare == nullptr || make == nullptr || release == nullptr ||
+      forget == nullptr || !prepare(nullptr, nullptr, nullptr))
+    return true;  // OpenCV loads it later, or not at all
+  if (void *const made = make(pipeline.c_str(), &error))
+    release(made);
+  if (error == nullptr)
+    return true;
+  std::string text = error->message;
+  forget(error);
+  const std::string missing = "no element \"";
+  if (text.rfind(missing, 0) == 0)
+    for (const auto &each : packages)
+      if (text.compare(missing.size(), std::strlen(each.element),
+                       each.element) == 0) {
+        text += std::string(", see gstreamer1.0-") + each.package;
+        break;
+      }
+  take_cause(text);
+  return false;
+}
+
+// In nanoseconds: of the start of a pipeline, and of its first image, which an
+// rtspsrc holds back for 2 s; then as of a URL.
+constexpr std::uint64_t pipeline_limit = 5000000000;
+std::uint64_t sample_limit = pipeline_limit;
+
+bool start_gstreamer(Source &from) {
+  if (!cv::videoio_registry::hasBackend(cv::CAP_GSTREAMER)) {
+    cause = "this OpenCV has no GStreamer";
+    return false;
+  }
+  if (!can_be_made(from.name))
+    return false;
+  if (from.name.find("appsink") == std::string::npos) {
+    cause = "a pipeline must end with appsink";
+    return false;
+  }
+  sample_limit = pipeline_limit;
+  return from.capture.open(from.name, cv::CAP_GSTREAMER);
+}
+
 bool start(Source &from, int fps) {
   const Time_Sharing while_threads_start;
   bool is_open;
+  cause.clear();
   if (is_number(from.name))
     is_open = from.capture.open(std::stoi(from.name), from.backend);
   else if (from.backend == cv::CAP_FFMPEG)
-    is_open = from.capture.open(from.name, cv::CAP_FFMPEG,
-                                {cv::CAP_PROP_OPEN_TIMEOUT_MSEC, open_limit,
-                                 cv::CAP_PROP_READ_TIMEOUT_MSEC, read_limit});
+    is_open = start_ffmpeg(from);
+  else if (from.backend == cv::CAP_GSTREAMER)
+    is_open = start_gstreamer(from);
   else
     is_open = from.capture.open(from.name, from.backend);
   if (is_open)
@@ -191,12 +363,6 @@ void pace(Source &from, double rate) {
   clock_gettime(CLOCK_MONOTONIC, &from.next);
 }
 
-double seconds() {
-  timespec now;
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return double(now.tv_sec) + double(now.tv_nsec) * 1e-9;
-}
-
 // Waits until the next image of a file is due. After a delay the pace
 // restarts; late images are not made up for.
 void wait(Source &from) {
@@ -228,7 +394,7 @@ vision_status open_still(Source &from) {
   cv::Mat image = read_still(from.name);
   if (!convert(image, from.still, from.limit))
     return fail(VISION_NO_CAMERA, "%s: no image that can be read",
-                from.name.c_str());
+                from.shown.c_str());
   from.kind = Kind::still;
   pace(from, still_rate);
   return VISION_OK;
@@ -306,13 +472,34 @@ void describe(const Source &from, char *text, std::size_t capacity) {
     std::snprintf(text + length, capacity - length, ", %.4g a second", rate);
 }
 
+// A V4L2 device gives OpenCV no reason.
+const char *device_cause(const std::string &name) {
+  const std::string path = is_number(name) ? "/dev/video" + name : name;
+  return access(path.c_str(), R_OK | W_OK) != 0 && errno == EACCES
+             ? "your user must be in the group video"
+             : "no camera there, or another program uses it";
+}
+
+// The name is shortened, not the cause: the supervisor takes 120 characters
+// (Vision.Library.Reason_Text).
+vision_status not_opened(const Source &from) {
+  const std::string text =
+      ": cannot be opened" + (cause.empty() ? "" : ": " + cause);
+  const std::size_t room = 120 - text.size();
+  return fail(VISION_NO_CAMERA, "%s%s",
+              (from.shown.size() <= room
+                   ? from.shown
+                   : from.shown.substr(0, room - 3) + "...")
+                  .c_str(),
+              text.c_str());
+}
+
 vision_status open_stream(Source &from, int fps) {
-  if (!start(from, fps))
-    return fail(VISION_NO_CAMERA, "%s: cannot be opened%s",
-                from.name.c_str(),
-                from.backend == cv::CAP_V4L2
-                    ? ": no camera there, or another program uses it"
-                    : "");
+  if (!start(from, fps)) {
+    if (from.backend == cv::CAP_V4L2)
+      cause = device_cause(from.name);
+    return not_opened(from);
+  }
   bool is_there = read(from);
   if (!is_there && from.is_jpeg && from.backend == cv::CAP_V4L2) {
     // granted, but not delivered: OpenCV accepts any data that it does not
@@ -324,7 +511,7 @@ vision_status open_stream(Source &from, int fps) {
                read(from);
   }
   if (!is_there)
-    return fail(VISION_NO_CAMERA, "%s: gives no image", from.name.c_str());
+    return fail(VISION_NO_CAMERA, "%s: gives no image", from.shown.c_str());
   if (from.kind == Kind::video) {
     const double rate = from.capture.get(cv::CAP_PROP_FPS);
     pace(from, rate >= 1.0 && rate <= 240.0 ? rate : still_rate);
@@ -345,6 +532,61 @@ using vision::Source;
 
 extern "C" {
 
+// OpenCV calls this instead of FFmpeg's function, because this library comes
+// first: before it opens anything, with a log of its own that prints.
+void av_log_set_callback(decltype(vision::hear_ffmpeg) *log) {
+  static const auto set_log =
+      vision::of_opencv<void(decltype(log))>("av_log_set_callback");
+  const char *const level = std::getenv("OPENCV_FFMPEG_LOGLEVEL");
+  const bool is_users = level != nullptr && std::strcmp(level, "-8") != 0;
+  vision::hears_ffmpeg = set_log != nullptr && log != nullptr && !is_users;
+  if (set_log != nullptr)
+    set_log(vision::hears_ffmpeg ? vision::hear_ffmpeg : log);
+}
+
+// The same of GStreamer: OpenCV lets it wait for ever, from 4.7 on for 30 s.
+int gst_element_get_state(void *element, int *state, int *pending,
+                          std::uint64_t limit) {
+  constexpr int failure = 0, incomplete = 2, null = 1;  // as in GStreamer
+  static const auto get_state =
+      vision::of_opencv<decltype(gst_element_get_state)>(
+          "gst_element_get_state");
+  static const auto set_state =
+      vision::of_opencv<int(void *, int)>("gst_element_set_state");
+  const int result = get_state(element, state, pending,
+                               std::min(limit, vision::pipeline_limit));
+  if (result != incomplete || limit <= vision::pipeline_limit)
+    return result;
+  set_state(element, null);  // OpenCV releases it, which it may not otherwise
+  vision::cause = "no image in time";
+  return failure;
+}
+
+void *gst_app_sink_try_pull_sample(void *sink, std::uint64_t limit) {
+  static const auto pull =
+      vision::of_opencv<decltype(gst_app_sink_try_pull_sample)>(
+          "gst_app_sink_try_pull_sample");
+  void *const sample = pull(sink, std::min(limit, vision::sample_limit));
+  if (sample != nullptr)
+    vision::sample_limit = vision::read_limit * std::uint64_t{1000000};
+  return sample;
+}
+
+void *gst_app_sink_pull_sample(void *sink) {
+  return gst_app_sink_try_pull_sample(sink, vision::sample_limit);
+}
+
+// Where OpenCV reads an error.
+void gst_message_parse_error(void *message, vision::G_Error **error,
+                             char **details) {
+  static const auto parse =
+      vision::of_opencv<decltype(gst_message_parse_error)>(
+          "gst_message_parse_error");
+  parse(message, error, details);
+  if (error != nullptr && *error != nullptr)
+    vision::take_cause((*error)->message);
+}
+
 vision_status vision_open(const char *source, int width, int height,
                           int fps) {
   vision_close();
@@ -356,12 +598,13 @@ vision_status vision_open(const char *source, int width, int height,
     vision::frame(0);  // OpenCV's own settings
     Source &here = vision::source();
     here.name = source;
+    here.shown = vision::without_secrets(here.name);
     here.limit = {width, height};
     bool image_file = false;
     vision::classify(here, image_file);
     if (here.kind == Kind::none)
       return fail(VISION_NO_CAMERA, "%s: no such file, device or URL",
-                  source);
+                  here.shown.c_str());
     return image_file ? vision::open_still(here)
                       : vision::open_stream(here, fps);
   });
@@ -388,7 +631,7 @@ vision_status vision_grab(int slot) {
       return VISION_OK;
     }
     if (!vision::read(from))
-      return fail(VISION_NO_IMAGE, "%s: no image came", from.name.c_str());
+      return fail(VISION_NO_IMAGE, "%s: no image came", from.shown.c_str());
     // read before it is due: restarting a file takes time
     if (from.kind == Kind::video)
       vision::wait(from);
@@ -401,7 +644,7 @@ vision_status vision_grab(int slot) {
     }
     if (!vision::convert(from.raw, to->image, from.limit))
       return fail(VISION_NO_IMAGE, "%s: an image of an unusable kind came",
-                  from.name.c_str());
+                  from.shown.c_str());
     to->content = Frame::Content::pixels;
     return VISION_OK;
   });

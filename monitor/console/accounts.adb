@@ -55,35 +55,31 @@ package body Accounts is
    Rate           : Long_Float := 0.0;
    --  Images a second, smoothed over the last few
 
-   function Stamp (At_Time : Time) return String;
-   --  Since the start of the connection, in seconds; nine characters
-
-   function Meaning (Line : String) return String;
-   --  Of an answer
-
-   function Level_Words (Line : String) return String;
-   --  Of a battery line
+   function Stamp (At_Time : Time) return String is
+      --  Since the start of the connection, in seconds; nine characters
+      Text : constant String :=
+        Numerals.Seconds (To_Duration (At_Time - Settings_Start));
+   begin
+      return Tail (Text, Integer'Max (9, Text'Length));
+   end Stamp;
 
    function Number_Words (Micros : Micro; Decimals : Positive) return String
    is (Numerals.Image (Long_Float (Micros) / 1.0E6, Decimals));
 
-   function Image_Name return String;
-   --  image_NNNN.jpg
-
-   procedure Put (At_Time : Time; Mark : String; Text : String);
-   --  A line, unless --quiet
-
-   procedure Put_Answer (Line : String; Given : Command; Ended_At : Time);
-
-   procedure Show_Status;
-
-   procedure Surprise (At_Time : Time; Text : String);
-
-   procedure Decode (Text : String; OK : out Boolean);
-   --  To Image
-
-   procedure Write_Image (Name : String; OK : out Boolean);
-   --  Guard is held
+   procedure Write_Image (Name : String; OK : out Boolean) is
+      --  Guard is held
+      use GNAT.OS_Lib;
+      File : constant File_Descriptor := Create_File (Name, Binary);
+   begin
+      OK := File /= Invalid_FD;
+      if OK then
+         OK := Write (File, Image'Address, Image_Length) = Image_Length;
+         Close (File);
+      end if;
+      if not OK then
+         Terminals.Put_Error ("cannot write " & Name);
+      end if;
+   end Write_Image;
 
    procedure Take_Battery (Line : String; Ended_At : Time);
 
@@ -96,6 +92,7 @@ package body Accounts is
    procedure Take_Position (Line : String; Ended_At : Time);
 
    procedure Decode (Text : String; OK : out Boolean) is
+      --  To Image
       Step   : constant := 512;
       --  Small pieces: the run-time cost of the decoder's contracts grows
       --  faster than the length
@@ -119,6 +116,7 @@ package body Accounts is
    end Decode;
 
    function Image_Name return String is
+      --  image_NNNN.jpg
       Digits_Text : constant String := Numerals.Image (Image_Number);
    begin
       return "image_"
@@ -132,6 +130,7 @@ package body Accounts is
       elsif Line = "RBLV:2" then "full"
       elsif Line = "RBLV:-1" then "unknown"
       else Line);
+   --  Of a battery line
 
    function Meaning (Line : String) return String is
      (if Line = "AACK" then "done"
@@ -144,8 +143,10 @@ package body Accounts is
       elsif Head (Line, 4) = Battery_Label then
          "battery " & Level_Words (Line)
       else "?");
+   --  Of an answer
 
    procedure Put (At_Time : Time; Mark : String; Text : String) is
+      --  A line, unless --quiet
    begin
       if not Settings_Quiet then
          Terminals.Put_Line (Stamp (At_Time) & " " & Mark & " " & Text);
@@ -174,8 +175,6 @@ package body Accounts is
    end Put_Sent;
 
    procedure Put_Summary is
-
-      procedure Row (Name, Value : String);
 
       function In_Milliseconds (Of_Set : Durations.Set) return String is
         ("median " & Numerals.Milliseconds (Durations.Quantile (Of_Set, 0.5))
@@ -270,13 +269,6 @@ package body Accounts is
          & ", " & Numerals.Image (Rate, 1) & "/s"
          & " | " & To_String (Position_Words));
    end Show_Status;
-
-   function Stamp (At_Time : Time) return String is
-      Text : constant String :=
-        Numerals.Seconds (To_Duration (At_Time - Settings_Start));
-   begin
-      return Tail (Text, Integer'Max (9, Text'Length));
-   end Stamp;
 
    procedure Start
      (Connected_At : Time;
@@ -457,19 +449,5 @@ package body Accounts is
    begin
       Surprise (Ended_At, "a line too long to be read");
    end Take_Too_Long;
-
-   procedure Write_Image (Name : String; OK : out Boolean) is
-      use GNAT.OS_Lib;
-      File : constant File_Descriptor := Create_File (Name, Binary);
-   begin
-      OK := File /= Invalid_FD;
-      if OK then
-         OK := Write (File, Image'Address, Image_Length) = Image_Length;
-         Close (File);
-      end if;
-      if not OK then
-         Terminals.Put_Error ("cannot write " & Name);
-      end if;
-   end Write_Image;
 
 end Accounts;

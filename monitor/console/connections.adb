@@ -39,14 +39,53 @@ package body Connections is
    Too_Long : Boolean := False;
    Begun_At : Time    := Time_First;
 
-   procedure Take (Data : Stream_Element_Array; Now : Time);
-   --  Bytes of lines
+   procedure Take (Data : Stream_Element_Array; Now : Time) is
+      --  Bytes of lines
+      C : Character;
+   begin
+      for Octet of Data loop
+         C := Character'Val (Octet);
+         if C = Monitor.Protocol.Line_Feed then
+            if Length > 0 and then Line (Length) = ASCII.CR then
+               Length := Length - 1;
+            end if;
+            if Too_Long then
+               Accounts.Take_Too_Long (Now);
+            else
+               Accounts.Take
+                 (Line (1 .. Length),
+                  (if Length = 0 then Now else Begun_At), Now);
+            end if;
+            Length := 0;
+            Too_Long := False;
+         elsif Length = Max_Line then
+            Too_Long := True;
+         else
+            if Length = 0 then
+               Begun_At := Now;
+            end if;
+            Length := Length + 1;
+            Line (Length) := C;
+         end if;
+      end loop;
+   end Take;
 
-   procedure Lose (Reason : String);
-   --  The connection is lost, unless it is being closed
-
-   procedure Write_Line (Line : String);
-   --  Sends it to the supervisor, with its end
+   procedure Write_Line (Line : String) is
+      --  Sends it to the supervisor, with its end
+      Text  : constant String := Line & Monitor.Protocol.Line_Feed;
+      Data  : Stream_Element_Array (1 .. Text'Length);
+      First : Stream_Element_Offset := 1;
+      Last  : Stream_Element_Offset;
+   begin
+      for I in Text'Range loop
+         Data (Stream_Element_Offset (I - Text'First + 1)) :=
+           Character'Pos (Text (I));
+      end loop;
+      while First <= Data'Last loop
+         Send_Socket (Socket, Data (First .. Data'Last), Last);
+         First := Last + 1;
+      end loop;
+   end Write_Line;
 
    task Reader is
       entry Start;
@@ -110,6 +149,7 @@ package body Connections is
    function Last_End return String is (To_String (Exchange.Last_End));
 
    procedure Lose (Reason : String) is
+      --  The connection is lost, unless it is being closed
       Waiting : constant Natural := Exchange.Unanswered;
    begin
       Exchange.End_Reading;
@@ -129,23 +169,28 @@ package body Connections is
       First_Line : String;
       Failed     : out Boolean)
    is
-      Status : Selector_Status;
+      Status : Selector_Status := Expired;
+      Reason : Unbounded_String :=
+        To_Unbounded_String ("no answer within 5 s");
    begin
-      Create_Socket (Socket);
-      Connect_Socket
-        (Socket,
-         (Family => Family_Inet,
-          Addr   =>
-            (if Is_IPv4_Address (Host) then Inet_Addr (Host)
-             else Addresses (Get_Host_By_Name (Host))),
-          Port   => Port_Type (Port)),
-         Timeout => 5.0,
-         Status  => Status);
+      for Found of Get_Address_Info (Host, Numerals.Image (Port)) loop
+         begin
+            Create_Socket (Socket, Found.Addr.Family);
+            Connect_Socket
+              (Socket, Found.Addr, Timeout => 5.0, Status => Status);
+         exception
+            when Error : Socket_Error =>
+               Status := Aborted;
+               Reason := To_Unbounded_String
+                 (Ada.Exceptions.Exception_Message (Error));
+         end;
+         exit when Status = Completed;
+      end loop;
       Failed := Status /= Completed;
       if Failed then
          Terminals.Put_Error
            ("cannot connect to " & Host & " port " & Numerals.Image (Port)
-            & ": no answer within 5 s");
+            & ": " & To_String (Reason));
       else
          Set_Socket_Option
            (Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
@@ -220,36 +265,6 @@ package body Connections is
       Timekeeper.Start;
    end Start;
 
-   procedure Take (Data : Stream_Element_Array; Now : Time) is
-      C : Character;
-   begin
-      for Octet of Data loop
-         C := Character'Val (Octet);
-         if C = Monitor.Protocol.Line_Feed then
-            if Length > 0 and then Line (Length) = ASCII.CR then
-               Length := Length - 1;
-            end if;
-            if Too_Long then
-               Accounts.Take_Too_Long (Now);
-            else
-               Accounts.Take
-                 (Line (1 .. Length),
-                  (if Length = 0 then Now else Begun_At), Now);
-            end if;
-            Length := 0;
-            Too_Long := False;
-         elsif Length = Max_Line then
-            Too_Long := True;
-         else
-            if Length = 0 then
-               Begun_At := Now;
-            end if;
-            Length := Length + 1;
-            Line (Length) := C;
-         end if;
-      end loop;
-   end Take;
-
    task body Timekeeper is
       Found : Boolean;
       Given : Command;
@@ -270,21 +285,5 @@ package body Connections is
          end if;
       end loop;
    end Timekeeper;
-
-   procedure Write_Line (Line : String) is
-      Text  : constant String := Line & Monitor.Protocol.Line_Feed;
-      Data  : Stream_Element_Array (1 .. Text'Length);
-      First : Stream_Element_Offset := 1;
-      Last  : Stream_Element_Offset;
-   begin
-      for I in Text'Range loop
-         Data (Stream_Element_Offset (I - Text'First + 1)) :=
-           Character'Pos (Text (I));
-      end loop;
-      while First <= Data'Last loop
-         Send_Socket (Socket, Data (First .. Data'Last), Last);
-         First := Last + 1;
-      end loop;
-   end Write_Line;
 
 end Connections;

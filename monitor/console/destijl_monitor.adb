@@ -32,33 +32,58 @@ procedure Destijl_Monitor is
 
    Input : Line_Inputs.Source;
 
-   procedure Put_Error_Line (Line : String);
-   --  Without the program's name
+   function First_Line (Token_File : String) return String is
+      --  The line that shows the token; empty if Token_File is empty. Ends the
+      --  program if the file contains no token
+      File  : Ada.Text_IO.File_Type;
+      Text  : String (1 .. 256);
+      Last  : Natural;
+      Token : Admission.Authentication.Token;
+      Good  : Boolean;
+   begin
+      if Token_File = "" then
+         return "";
+      end if;
+      Ada.Text_IO.Open (File, Ada.Text_IO.In_File, Token_File);
+      Ada.Text_IO.Get_Line (File, Text, Last);
+      Ada.Text_IO.Close (File);
+      Admission.Authentication.Read_Token (Text (1 .. Last), Token, Good);
+      if not Good then
+         Terminals.Put_Error (Token_File & " has no token in its first line");
+         OS_Exit (2);
+      end if;
+      return Admission.Authentication.Label & Token.Data (1 .. Token.Length);
+   exception
+      when Error : Ada.Text_IO.Name_Error | Ada.Text_IO.Use_Error
+         | Ada.Text_IO.End_Error =>
+         Terminals.Put_Error
+           ("cannot read the token: "
+            & Ada.Exceptions.Exception_Message (Error));
+         OS_Exit (2);
+   end First_Line;
 
-   procedure Read_Command_Line;
-   --  Ends the program if there is nothing more to do
+   procedure Send (Given : Words.Action) is
+   begin
+      for Attempt in 1 .. Given.Attempts loop
+         Connections.Send (To_String (Given.Text));
+         if Scripted or else Given.Attempts > 1 then
+            Connections.Await_Answers;
+         end if;
+         exit when Words.Is_Acknowledged (Connections.Last_Answer);
+         if Attempt < Given.Attempts then
+            delay Retry;
+         end if;
+      end loop;
+   end Send;
 
-   procedure Check_Script;
-   --  Ends the program if a line of the script is invalid: before the robot
-   --  moves, not in between
-
-   procedure Make_Folder;
-
-   function First_Line (Token_File : String) return String;
-   --  The line that shows the token; empty if Token_File is empty. Ends the
-   --  program if the file contains no token
-
-   procedure Connect;
-
-   procedure Run;
-   --  Processes the input, to its end
-
-   procedure Carry_Out (Given : Words.Action; Where : String);
-
-   procedure Send (Given : Words.Action);
-
-   procedure Fail (Text : String; Status : Positive := 1);
-   --  Reports the mistake, and ends a script
+   procedure Fail (Text : String; Status : Positive := 1) is
+      --  Reports the mistake, and ends a script
+   begin
+      Terminals.Put_Error (Text);
+      if Scripted then
+         Connections.Finish (Status);
+      end if;
+   end Fail;
 
    procedure Carry_Out (Given : Words.Action; Where : String) is
       Text : constant String := To_String (Given.Text);
@@ -116,6 +141,8 @@ procedure Destijl_Monitor is
    end Carry_Out;
 
    procedure Check_Script is
+      --  Ends the program if a line of the script is invalid: before the robot
+      --  moves, not in between
       Line   : Unbounded_String;
       Ended  : Boolean;
       OK     : Boolean;
@@ -175,42 +202,6 @@ procedure Destijl_Monitor is
       Connections.Start (Values.Timeout);
    end Connect;
 
-   procedure Fail (Text : String; Status : Positive := 1) is
-   begin
-      Terminals.Put_Error (Text);
-      if Scripted then
-         Connections.Finish (Status);
-      end if;
-   end Fail;
-
-   function First_Line (Token_File : String) return String is
-      File  : Ada.Text_IO.File_Type;
-      Text  : String (1 .. 256);
-      Last  : Natural;
-      Token : Admission.Authentication.Token;
-      Good  : Boolean;
-   begin
-      if Token_File = "" then
-         return "";
-      end if;
-      Ada.Text_IO.Open (File, Ada.Text_IO.In_File, Token_File);
-      Ada.Text_IO.Get_Line (File, Text, Last);
-      Ada.Text_IO.Close (File);
-      Admission.Authentication.Read_Token (Text (1 .. Last), Token, Good);
-      if not Good then
-         Terminals.Put_Error (Token_File & " has no token in its first line");
-         OS_Exit (2);
-      end if;
-      return Admission.Authentication.Label & Token.Data (1 .. Token.Length);
-   exception
-      when Error : Ada.Text_IO.Name_Error | Ada.Text_IO.Use_Error
-         | Ada.Text_IO.End_Error =>
-         Terminals.Put_Error
-           ("cannot read the token: "
-            & Ada.Exceptions.Exception_Message (Error));
-         OS_Exit (2);
-   end First_Line;
-
    procedure Make_Folder is
    begin
       if Values.Images /= "" then
@@ -224,6 +215,7 @@ procedure Destijl_Monitor is
    end Make_Folder;
 
    procedure Put_Error_Line (Line : String) is
+      --  Without the program's name
       Text    : constant String  := Line & ASCII.LF;
       Ignored : constant Integer :=
         Write (Standerr, Text'Address, Text'Length);
@@ -232,6 +224,7 @@ procedure Destijl_Monitor is
    end Put_Error_Line;
 
    procedure Read_Command_Line is
+      --  Ends the program if there is nothing more to do
       What   : Invocation.Outcome;
       Reason : Unbounded_String;
    begin
@@ -253,6 +246,7 @@ procedure Destijl_Monitor is
    end Read_Command_Line;
 
    procedure Run is
+      --  Processes the input, to its end
       Line   : Unbounded_String;
       Ended  : Boolean;
       Number : Natural := 0;
@@ -273,20 +267,6 @@ procedure Destijl_Monitor is
       Connections.Await_Answers;
       Connections.Finish (0);
    end Run;
-
-   procedure Send (Given : Words.Action) is
-   begin
-      for Attempt in 1 .. Given.Attempts loop
-         Connections.Send (To_String (Given.Text));
-         if Scripted or else Given.Attempts > 1 then
-            Connections.Await_Answers;
-         end if;
-         exit when Words.Is_Acknowledged (Connections.Last_Answer);
-         if Attempt < Given.Attempts then
-            delay Retry;
-         end if;
-      end loop;
-   end Send;
 
    task Interrupter is
       entry Start;

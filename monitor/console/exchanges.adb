@@ -11,14 +11,11 @@ package body Exchanges is
    --  Of an answer. Of a longer one, an image, only the label is kept.
 
    function Can_Answer
-     (Line : String; Begun_At : Time; Given : Command) return Boolean;
-   --  Battery levels, images and the loss of the robot are also sent
-   --  unsolicited: they only answer the commands that request them. An image
-   --  begun before the arena order is no answer.
-
-   function Can_Answer
      (Line : String; Begun_At : Time; Given : Command) return Boolean
    is
+      --  Battery levels, images and the loss of the robot are also sent
+      --  unsolicited: they only answer the commands that request them. An
+      --  image begun before the arena order is no answer.
       Label : constant String :=
         Line (Line'First .. Integer'Min (Line'First + 3, Line'Last));
    begin

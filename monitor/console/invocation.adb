@@ -13,7 +13,7 @@ package body Invocation is
    procedure Put_Usage (Put_Line : not null access procedure (Line : String))
    is
    begin
-      Put_Line ("usage: destijl_monitor [OPTION ...]");
+      Put_Line ("Usage: destijl_monitor [OPTION ...]");
       Put_Line ("A monitor for the console: sends commands to the");
       Put_Line ("supervisor and shows what comes back.");
       Put_Line ("  --host HOST      where the supervisor runs (127.0.0.1)");
@@ -40,10 +40,8 @@ package body Invocation is
       Number : Integer;
       OK     : Boolean  := True;
 
-      procedure Take (Name, Given : String);
-      --  An option that has a value
-
       procedure Take (Name, Given : String) is
+         --  An option that has a value
       begin
          if Given = "" then
             OK := False;

@@ -37,16 +37,41 @@ package body Terminals is
 
    Mutex : Mutexes.Mutex;
 
-   function Is_Terminal (File : File_Descriptor) return Boolean;
+   function Is_Terminal (File : File_Descriptor) return Boolean is
+      use type Interfaces.C.int;
 
-   function Shown (Line : String) return String;
-   --  Line without control characters
+      function C_Isatty (File : Interfaces.C.int) return Interfaces.C.int
+      with Import, Convention => C, External_Name => "isatty";
+   begin
+      return C_Isatty (Interfaces.C.int (File)) = 1;
+   end Is_Terminal;
 
-   procedure Put (File : File_Descriptor; Line : String);
-   --  A permanent line
+   function Shown (Line : String) return String is
+      --  Line without control characters
+      Result : String := Line;
+   begin
+      for C of Result loop
+         if C < ' ' or else C = ASCII.DEL then
+            C := '?';
+         end if;
+      end loop;
+      return Result;
+   end Shown;
 
-   procedure Write_Out (File : File_Descriptor; Data : String);
-   --  Writes all of it, if possible in one call
+   procedure Write_Out (File : File_Descriptor; Data : String) is
+      --  Writes all of it, if possible in one call
+      First   : Positive := Data'First;
+      Written : Integer;
+   begin
+      while First <= Data'Last loop
+         Written := Write (File, Data (First)'Address, Data'Last - First + 1);
+         exit when Written <= 0;
+         First := First + Written;
+      end loop;
+      if File = Standout and then First <= Data'Last then
+         Heard := False;
+      end if;
+   end Write_Out;
 
    procedure Finish is
    begin
@@ -65,15 +90,6 @@ package body Terminals is
    function Input_Is_Terminal return Boolean is (Is_Terminal (Standin));
 
    function Is_Heard return Boolean is (Heard);
-
-   function Is_Terminal (File : File_Descriptor) return Boolean is
-      use type Interfaces.C.int;
-
-      function C_Isatty (File : Interfaces.C.int) return Interfaces.C.int
-      with Import, Convention => C, External_Name => "isatty";
-   begin
-      return C_Isatty (Interfaces.C.int (File)) = 1;
-   end Is_Terminal;
 
    procedure Line_Typed is
    begin
@@ -94,6 +110,7 @@ package body Terminals is
       and then Ada.Environment_Variables.Value ("TERM", "dumb") /= "dumb");
 
    procedure Put (File : File_Descriptor; Line : String) is
+      --  A permanent line
    begin
       Mutex.Seize;
       if Kept = Plain or else not Is_Terminal (File) then
@@ -144,17 +161,6 @@ package body Terminals is
       Mutex.Release;
    end Set_Status;
 
-   function Shown (Line : String) return String is
-      Result : String := Line;
-   begin
-      for C of Result loop
-         if C < ' ' or else C = ASCII.DEL then
-            C := '?';
-         end if;
-      end loop;
-      return Result;
-   end Shown;
-
    procedure Start (Interactive : Boolean) is
    begin
       Kept :=
@@ -165,19 +171,5 @@ package body Terminals is
          Write_Out (Standout, ASCII.LF & Prompt);
       end if;
    end Start;
-
-   procedure Write_Out (File : File_Descriptor; Data : String) is
-      First   : Positive := Data'First;
-      Written : Integer;
-   begin
-      while First <= Data'Last loop
-         Written := Write (File, Data (First)'Address, Data'Last - First + 1);
-         exit when Written <= 0;
-         First := First + Written;
-      end loop;
-      if File = Standout and then First <= Data'Last then
-         Heard := False;
-      end if;
-   end Write_Out;
 
 end Terminals;

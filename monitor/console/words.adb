@@ -84,15 +84,9 @@ package body Words is
            (Spaced (Points), Ada.Strings.Maps.To_Mapping (" ", ";")));
    --  Blanks between the coordinates will do
 
-   function Is_Understood (Line : String) return Boolean;
-   --  The supervisor takes it
-
    function Wrong (Text : String) return Action is
      (Kind => Mistake, Text => +Text, others => <>);
 
-   function Phrase_Action (Line : String) return Action;
-   function Try_Action (Line : String) return Action;
-   function Wait_Action (Line : String) return Action;
    function Word_Action (Line : String) return Action;
    --  Line is trimmed; Phrase_Action returns Nothing if it is no phrase.
    --  Try_Action and Wait_Action get the line without its first word.
@@ -105,6 +99,7 @@ package body Words is
    is (Answer = Wanted or else Head (Answer, 4) = Wanted);
 
    function Is_Understood (Line : String) return Boolean is
+      --  The supervisor takes it
       M : Message;
    begin
       Parse (Line, M);
@@ -112,8 +107,6 @@ package body Words is
    end Is_Understood;
 
    procedure List (Put_Line : not null access procedure (Line : String)) is
-
-      procedure Put_Entry (Word, Meaning : String);
 
       procedure Put_Entry (Word, Meaning : String) is
       begin

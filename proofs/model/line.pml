@@ -232,7 +232,6 @@ inline Carry_Out_Request () {
    blind = false;
    result = Done;
    if
-   :: kind == Open_Line && State_Open
    :: kind == Open_Line && !State_Open ->
       if
       :: State_Open = true; Exchange (Reset)
@@ -244,7 +243,6 @@ inline Carry_Out_Request () {
    :: kind == Drive && State_Open && State_Mode == Not_Started ->
       result = Refused
    :: kind == Reload && State_Open && State_Mode != Started_With_Watchdog
-   :: kind == Keep_Alive && State_Open && State_Mode == Not_Started
    :: else ->
       if
 #ifndef MUTANT_NO_STOP_ON_LEAVING
@@ -284,6 +282,14 @@ inline Carry_Out_Request () {
                :: reply == Silence -> result = Failed
                :: else
                fi
+            fi
+         :: reply == Denied && (kind == Drive || kind == Stop) &&
+            State_Mode != Not_Started ->
+            Exchange (Stop);                     /* does it run? */
+            if
+            :: reply == Denied -> State_Mode = Not_Started; result = Refused
+            :: reply == Silence -> result = Failed
+            :: else -> result = (kind == Stop -> Done : Refused)
             fi
          :: else -> result = (reply == Accepted -> Done : Refused)
          fi

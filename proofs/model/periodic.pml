@@ -244,7 +244,22 @@ active proctype Th_Keep_Alive ()
    bool goes_on;
    /*: whole */
    do
-   :: Begin_Run (Robot_Events_For_Keep_Alive, Robot_Clients_Keep_Alive);
+   :: atomic {
+         Wait_Until (Robot_Events_For_Keep_Alive);
+         /*: Line.Line.Get_Status */
+         L.New_Epoch [Robot_Clients_Keep_Alive] = false;
+         goes_on = Same_Run (Robot_Clients_Keep_Alive)
+      };
+      if
+      :: L.Open && L.Mode == Not_Started ->
+         Put (Robot_Clients_Keep_Alive, Keep_Alive, 0, 0, 0);
+         atomic {
+            Wait (Robot_Clients_Keep_Alive);
+            /*: Line.Line.Collect */
+            skip
+         }
+      :: true                      /* closed, or the robot is off */
+      fi;
       do
       :: goes_on ->
          /*: delay */

@@ -24,7 +24,7 @@ package body Supervisor_Model with SPARK_Mode is
    Link_Period    : constant Integer := Schedule.Link_Period / One;
    Byte_Time      : constant Integer := Schedule.Byte_Time / One;
    Reload_Quiet   : constant Integer := Schedule.Reload_Quiet / One;
-   Answer_Timeout : constant Integer := Schedule.Answer_Timeout / One;
+   Answer_Timeout : constant Integer := Schedule.Answer_Timeout_Ms * 1_000;
    Newcomer_Interval : constant Integer := Schedule.Newcomer_Interval / One;
    Mission_Period : constant Integer := Schedule.Mission_Period / One;
    Mission_Limit  : constant Integer := Schedule.Mission_Order_Limit / One;
@@ -307,10 +307,10 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Line_Operation =>
            (case Name is
-               when Line_Request | Line_Answer | Order_Name | Ping_Done
-                  | Mission_Told => 1,
+               when Line_Request | Line_Answer | Order_Name | Mission_Told =>
+                 1,
                when Line_Open | Receive | Loss | Battery_Due | Battery_Done
-                  | Ping_Due => 2,
+                  | Ping_Due | Ping_Done => 2,
                when Stop | Reload_Due | Reload_Done | Mission_Look => 3,
                when Mission_Begin => 5,
                --  with the first look

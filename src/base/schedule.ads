@@ -37,11 +37,19 @@ package Schedule with SPARK_Mode is
 
    --  Periods.
 
-   Reload_Period     : constant Time_Span := Milliseconds (1000);  --  F11
+   Reload_Ms         : constant := 1000;  --  F11
+   Reload_Period     : constant Time_Span := Milliseconds (Reload_Ms);
+   First_Retry_Ms    : constant := 1100;
+   Next_Retry_Ms     : constant := 1200;
+   --  the same after a reload without an answer, and after the following ones:
+   --  Robot.Reload_Times
    Battery_Period    : constant Time_Span := Milliseconds (500);   --  F13
    Keep_Alive_Period : constant Time_Span := Milliseconds (100);
    --  four failures of 100 ms + 87 ms each take less than the 1 s within which
    --  a lost line must be detected
+   Idle_Ping_Period  : constant Time_Span := Milliseconds (30_000);
+   --  of an open line while the robot is not started: the robot switches
+   --  itself off after two minutes without a command
    Link_Period       : constant Time_Span := Milliseconds (250);
    --  sampling period of the monitor's connection
    Mission_Period    : constant Time_Span := Milliseconds (20);
@@ -215,16 +223,18 @@ package Schedule with SPARK_Mode is
    Hold_Limit        : constant Time_Span := Milliseconds (950);
    --  PROTOCOL rule 7: the existing monitor waits 1 s for an answer
 
-   Answer_Timeout    : constant Time_Span := Milliseconds (80);
-   --  of the robot, from the end of the command (PROTOCOL.md)
+   Answer_Timeout_Ms : constant := 80;
+   --  default of --answer-timeout: of the robot, from the end of the command.
+   --  As long as an order may wait for an exchange without an answer
+   --  (proofs/schedulability)
    Byte_Time         : constant Time_Span := Microseconds (1042);
    --  10 bits at 9600 baud
 
    Reload_Quiet      : constant Time_Span := Milliseconds (20);
    --  before a reload is due, only a stop or a movement may start
-   Reload_Quiet_Suspect : constant Time_Span := Milliseconds (110);
-   --  the same if the last exchange failed: the next may take the whole answer
-   --  time-out
+   Reload_Quiet_Suspect : constant Time_Span := Milliseconds (30);
+   --  the same if the last exchange failed, beside the answer time-out, the
+   --  whole of which the next may take
 
    Mission_Order_Limit : constant Time_Span := Milliseconds (50);
    --  an order of a mission that has waited this long for the line is not
@@ -259,8 +269,11 @@ package Schedule with SPARK_Mode is
    --  at most so many of these were pending before the turn; and at most so
    --  many rejections get a log line each
    Block_Time        : constant Time_Span := Milliseconds (900);
-   --  for sources that flood. Less than the second after which the kernel of a
-   --  monitor at such an address retries
+   --  for sources that flood, from when the last was found to. Less than the
+   --  second after which the kernel of a monitor at such an address retries
+   Release_Interval  : constant Time_Span := Milliseconds (100);
+   --  then, from one to the next: one at a time, as a queue filled by several
+   --  hides all but the first until that one's connections are served
    Refusal_Pause     : constant Time_Span := Milliseconds (1000);
    --  without a rejection: then each rejection is logged again
    Token_Limit       : constant Time_Span := Milliseconds (2000);

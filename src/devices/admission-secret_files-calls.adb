@@ -1,9 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
 with Linux;        use Linux;
-with System;
 
 package body Admission.Secret_Files.Calls with
   SPARK_Mode    => Off,
@@ -11,27 +9,13 @@ package body Admission.Secret_Files.Calls with
 is
    --  Off: addresses are passed to C
 
-   Read_Only    : constant int := 8#2004400#;
-   --  O_RDONLY, O_CLOEXEC, O_NONBLOCK, O_NOCTTY
    Of_The_File  : constant int := 16#1000#;         --  AT_EMPTY_PATH
    Wanted       : constant unsigned := 16#000B#;
    --  STATX_TYPE, STATX_MODE, STATX_UID
 
-   --  The kernel's struct statx (linux/stat.h), the same on all platforms
-   type File_Status is array (1 .. 64) of Unsigned_32 with Convention => C;
-   --  Words 6: the owner, 8: the mode, in the lower half (little-endian)
-
-   function Open_File (Path : char_array; Flags : int) return int
-   with Import, Convention => C_Variadic_2, External_Name => "open";
-
-   function Status_Of
-     (Folder : int; Path : char_array; Flags : int; Mask : unsigned;
-      Status : System.Address) return int
-   with Import, Convention => C, External_Name => "statx";
-
    procedure Open (Path : String; Result : out Outcome) is
    begin
-      Result := Outcome_Of (Ssize (Open_File (To_C (Path), Read_Only)));
+      Result := Outcome_Of (Ssize (Open_File (To_C (Path), To_Read_Only)));
    end Open;
 
    procedure Get_Status

@@ -9,9 +9,6 @@ package body Console.Calls with
 is
    --  Off: addresses are passed to C
 
-   function Open (Path : char_array; Flags : int) return int
-   with Import, Convention => C_Variadic_2, External_Name => "open";
-
    procedure Write (To : Stream; Text : String; Result : out Outcome) is
    begin
       Result := Outcome_Of
@@ -25,7 +22,7 @@ is
 
 begin
    loop
-      Found := Open (To_C ("/dev/null"), 2);  --  O_RDWR
+      Found := Open_File (To_C ("/dev/null"), 2);  --  O_RDWR
       exit when Found not in 0 .. 2;
    end loop;
    if Found > 2 then

@@ -3,6 +3,7 @@
 --  Linux kernel's interface. For the bodies in this folder only.
 
 with GNAT.OS_Lib;
+with Interfaces;
 with Interfaces.C; use Interfaces.C;
 with System;
 
@@ -49,6 +50,23 @@ package Linux with SPARK_Mode => Off is
    procedure Close (Descriptor : int)
    with Import, Convention => C, External_Name => "close";
    --  No result: nothing can be done about a failure
+
+   function Open_File (Path : char_array; Flags : int) return int
+   with Import, Convention => C_Variadic_2, External_Name => "open";
+
+   To_Read_Only : constant int := 8#2004400#;
+   --  O_RDONLY, O_CLOEXEC, O_NONBLOCK, O_NOCTTY
+
+   --  The kernel's struct statx (linux/stat.h), the same on all platforms
+   type File_Status is array (1 .. 64) of Interfaces.Unsigned_32
+     with Convention => C;
+   --  Words 6: the owner, 8: the mode, in the lower half (little-endian),
+   --  9 and 10: the inode, 35 and 36: the device's major and minor number
+
+   function Status_Of
+     (Folder : int; Path : char_array; Flags : int; Mask : unsigned;
+      Status : System.Address) return int
+   with Import, Convention => C, External_Name => "statx";
 
    function Event_Counter (Initial : unsigned; Flags : int) return int
    with Import, Convention => C, External_Name => "eventfd";

@@ -37,10 +37,13 @@ is
    end Add_One;
 
    procedure Attach
-     (To : Socket; Filter : Admission.Packet_Filters.Program)
+     (To     : Socket;
+      Filter : Admission.Packet_Filters.Program;
+      Done   : out Boolean)
    is
-      procedure Set_Option
+      function Set_Option
         (S : Socket; Level, Name : int; Value : System.Address; Size : int)
+         return int
       with Import, Convention => C, External_Name => "setsockopt";
       --  struct sock_fprog (linux/filter.h)
       type Description is record
@@ -51,7 +54,8 @@ is
         (unsigned_short (Filter.Length), Filter.Steps'Address);
    begin
       --  SOL_SOCKET, SO_ATTACH_FILTER
-      Set_Option (To, 1, 26, Described'Address, Described'Size / 8);
+      Done := Set_Option
+        (To, 1, 26, Described'Address, Described'Size / 8) = 0;
    end Attach;
 
    procedure Clear (Counter : int) is
@@ -84,6 +88,7 @@ is
       Reason  : out Texts.Text)
    is
       Made         : Socket_Type := No_Socket;
+      Is_Address   : Boolean := False;
       Non_Blocking : Request_Type := (Non_Blocking_IO, True);
    begin
       Server := Nobody;
@@ -92,6 +97,7 @@ is
       declare
          Host : constant Inet_Addr_Type := Inet_Addr (Texts.Image (Address));
       begin
+         Is_Address := True;
          Create_Socket (Made, Host.Family, Socket_Stream);
          Set_Socket_Option (Made, Socket_Level, (Reuse_Address, True));
          Bind_Socket (Made, Network_Socket_Address (Host, Port_Type (Port)));
@@ -103,7 +109,11 @@ is
       Server := Socket (To_C (Made));
    exception
       when E : others =>
-         Texts.Set (Reason, Ada.Exceptions.Exception_Message (E));
+         Texts.Set
+           (Reason,
+            (if Is_Address then Ada.Exceptions.Exception_Message (E)
+             else "no address such as 0.0.0.0, 192.168.1.5 or ::1 (names are "
+               & "not looked up)"));
          Linux.Close (int (To_C (Made)));
    end Listen;
 

@@ -36,7 +36,9 @@ is
    --  Nobody, with the Error (errno), if there is none
 
    procedure Attach
-     (To : Socket; Filter : Admission.Packet_Filters.Program)
+     (To     : Socket;
+      Filter : Admission.Packet_Filters.Program;
+      Done   : out Boolean)
    with
      Global => (In_Out => Kernel),
      Pre    => Admission.Packet_Filters.Is_Sound (Filter);

@@ -69,15 +69,18 @@ is
       Waiting (Where) := Nobody;
    end Admit;
 
-   procedure Block (Sources : Admission.Blocklists.List) is
+   procedure Block
+     (Sources : Admission.Blocklists.List; Done : out Boolean)
+   is
       To     : constant Socket := Listener;
       Filter : Admission.Packet_Filters.Program;
    begin
       if Sources.Count = 0 then
          Streams.Set_Number (To, Streams.Level_Socket, Detach_Filter, 0);
+         Done := True;
       else
          Admission.Packet_Filters.Build (Sources, Filter);
-         Listener_Calls.Attach (To, Filter);
+         Listener_Calls.Attach (To, Filter, Done);
       end if;
    end Block;
 

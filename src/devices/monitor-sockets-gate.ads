@@ -74,11 +74,12 @@ is
    --  Length and limit of the kernel's queue; Length is 0 if the kernel does
    --  not tell
 
-   procedure Block (Sources : Admission.Blocklists.List)
+   procedure Block
+     (Sources : Admission.Blocklists.List; Done : out Boolean)
    with Global => (In_Out => Newcomers);
    --  From now on the kernel ignores new connections from Sources, and from no
-   --  others. The peers retry after 1 s, then 2 s. A kernel without filters
-   --  accepts all
+   --  others. The peers retry after 1 s, then 2 s. Not Done: a kernel without
+   --  filters, or that allows them with CAP_NET_ADMIN only, accepts all
 
    procedure Wake_Server with Global => (In_Out => Newcomers);
 

@@ -1,17 +1,13 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Console;
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
+with Linux;
 with System;
 
 package body Process.Privileges with SPARK_Mode => Off is
 
    Ipc_Lock : constant := 14;  --  CAP_IPC_LOCK
-   Sys_Nice : constant := 23;  --  CAP_SYS_NICE
-
-   function Effective_User return unsigned
-   with Import, Convention => C, External_Name => "geteuid";
 
    type Word_Array is array (Positive range <>) of Unsigned_32
      with Convention => C;
@@ -26,54 +22,82 @@ package body Process.Privileges with SPARK_Mode => Off is
    procedure Get_Limit (Resource : int; Limit : System.Address)
    with Import, Convention => C, External_Name => "getrlimit";
 
-   function Get_Policy (Thread : int) return int
-   with Import, Convention => C, External_Name => "sched_getscheduler";
    First_In_First_Out : constant int := 1;  --  SCHED_FIFO
 
-   function Seen_By_Run_Time return int
-   with Import, Convention => C, External_Name => "__gnat_has_cap_sys_nice";
+   function Get_Policy (Thread : int) return int
+   with Import, Convention => C, External_Name => "sched_getscheduler";
 
-   function Has (Capability : Natural) return Boolean;
+   procedure Get_Priority (Thread : int; Priority : System.Address)
+   with Import, Convention => C, External_Name => "sched_getparam";
 
-   procedure Get (Held : out Kind) is
+   function Set_Policy
+     (Thread, Policy : int; Priority : System.Address) return int
+   with Import, Convention => C, External_Name => "sched_setscheduler";
+
+   Ceilings_Act : Boolean := False;
+
+   function Effective_User return unsigned
+   with Export, Convention => C, External_Name => "__wrap_geteuid";
+   --  Called by the run time in place of the C library's, before anything is
+   --  elaborated here (Destijl_Switches.Privilege_Switches). 0, as for root,
+   --  if this thread can have the highest priority, which is tried
+
+   function Effective_User return unsigned is
+      Policy  : constant int := Get_Policy (0);
+      Before  : int;
+      Highest : constant int := int (System.Any_Priority'Last) + 1;
+      --  Linux counts from 1
    begin
-      Held := Kind_Of
-        (Is_Root  => Effective_User = 0,
-         Is_Seen  => Seen_By_Run_Time /= 0,
-         Is_Fifo  => Get_Policy (0) = First_In_First_Out,
-         Has_Nice => Has (Sys_Nice));
+      Get_Priority (0, Before'Address);
+      Ceilings_Act :=
+        Set_Policy (0, First_In_First_Out, Highest'Address) = 0
+        and then Set_Policy (0, Policy, Before'Address) = 0;
+      return (if Ceilings_Act then 0 else 1);
+   end Effective_User;
+
+   function Create
+     (Thread, Attributes, Main, Argument : System.Address) return int
+   with Import, Convention => C, External_Name => "__real_pthread_create";
+
+   function Create_Or_Leave
+     (Thread, Attributes, Main, Argument : System.Address) return int
+   with Export, Convention => C, External_Name => "__wrap_pthread_create";
+   --  Called by the run time for each task. If there can be no more threads,
+   --  the run time would wait for ever
+
+   function Create_Or_Leave
+     (Thread, Attributes, Main, Argument : System.Address) return int
+   is
+      Message : constant String :=
+        "destijl: the system gives it fewer threads than it has tasks (the "
+        & "limit of its user, ulimit -u, or of its container)" & ASCII.LF;
+      Ignored : Linux.Ssize;
+   begin
+      if Create (Thread, Attributes, Main, Argument) /= 0 then
+         Ignored := Linux.Write (2, Message'Address, Message'Length);
+         Leave (Cannot_Start);
+      end if;
+      return 0;
+   end Create_Or_Leave;
+
+   procedure Get (Real_Time : out Boolean) is
+   begin
+      Real_Time := Ceilings_Act;
    end Get;
 
    procedure Get_May_Lock (May_Lock : out Boolean) is
-      Limit : Limit_Pair := (others => 0);  --  soft, hard
-   begin
-      Get_Limit (Locked_Memory, Limit'Address);
-      May_Lock := Has (Ipc_Lock) or else Limit (1) = unsigned_long'Last;
-   end Get_May_Lock;
-
-   function Has (Capability : Natural) return Boolean is
       Header : Word_Array := (16#2008_0522#, 0);
       --  version 3, this process. The kernel may write there, and qemu
       --  refuses what is not writable
       Data   : Word_Array (1 .. 6) := (others => 0);
       --  effective, permitted, inheritable: the first 32, then the others
+      Limit  : Limit_Pair := (others => 0);  --  soft, hard
    begin
       Get_Capabilities (Header'Address, Data'Address);
-      return (Data (1) and Shift_Left (1, Capability)) /= 0;
-   end Has;
+      Get_Limit (Locked_Memory, Limit'Address);
+      May_Lock :=
+        (Data (1) and Shift_Left (1, Ipc_Lock)) /= 0
+        or else Limit (1) = unsigned_long'Last;
+   end Get_May_Lock;
 
-   At_Start : Kind;
-
-begin
-   Get (At_Start);
-   if At_Start = Cannot_Run then
-      --  Every protected action would raise Program_Error: no task may run,
-      --  so this is the last moment
-      Console.Put_Log
-        ("destijl: cannot run as root without CAP_SYS_NICE, or with that of "
-         & "a user namespace (as in a container by default): run as an "
-         & "ordinary user, or grant the capability (docker run --cap-add "
-         & "SYS_NICE)");
-      Leave (Cannot_Start);
-   end if;
 end Process.Privileges;

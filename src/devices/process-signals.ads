@@ -6,8 +6,11 @@ package Process.Signals with SPARK_Mode is
    pragma Elaborate_Body;
 
    type Kind is
-     (Stop_Request,     --  SIGINT, SIGTERM, SIGHUP
-      Failure);         --  Report_Failure
+     (Stop_Request,
+      --  any that would end or stop the process otherwise, such as SIGTERM,
+      --  SIGQUIT or SIGTSTP. SIGHUP stays ignored if it was (nohup)
+      Failure);
+      --  Report_Failure
 
    procedure Wait (Signal : out Kind)
    with Global => (In_Out => System_State);

@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with GNAT.Serial_Communications; use GNAT.Serial_Communications;
+with Interfaces;                 use Interfaces;
 with Interfaces.C;               use Interfaces.C;
 with Linux;                      use Linux;
 with System;
@@ -16,6 +17,15 @@ is
 
    function Is_Terminal_Device (Fd : int) return int
    with Import, Convention => C, External_Name => "isatty";
+
+   function Control (Fd : int; Request : unsigned_long) return int
+   with Import, Convention => C_Variadic_2, External_Name => "ioctl";
+
+   Exclusive     : constant := 16#540C#;  --  TIOCEXCL
+   Not_Exclusive : constant := 16#540D#;  --  TIOCNXCL
+
+   function Advise (Fd, Operation : int) return int
+   with Import, Convention => C, External_Name => "flock";
 
    procedure Tc_Flush (Fd, Queue : int)
    with Import, Convention => C, External_Name => "tcflush";
@@ -35,6 +45,43 @@ is
       Is_Terminal := Is_Terminal_Device (int (Descriptor)) = 1;
    end Get_Terminal;
 
+   procedure Lock (Descriptor : Outcome; Result : out Outcome) is
+      Ignored : int;
+   begin
+      --  LOCK_EX, LOCK_NB
+      Result := Outcome_Of (Ssize (Advise (int (Descriptor), 6)));
+      if Result >= 0 then
+         Ignored := Control (int (Descriptor), Exclusive);
+      end if;
+   end Lock;
+
+   procedure Get_Start
+     (Path : String; Data : in out String; Last : out Natural)
+   is
+      File : constant int := Open_File (To_C (Path), To_Read_Only);
+      Got  : Ssize;
+   begin
+      Last := 0;
+      while Last < Data'Last loop
+         Got := Linux.Read
+           (File, Data (Last + 1)'Address, size_t (Data'Last - Last));
+         exit when Got <= 0;
+         Last := Last + Natural (Got);
+      end loop;
+      Linux.Close (File);
+   end Get_Start;
+
+   procedure Get_Place (Path : String; Place : out Lock_Tables.File_Place) is
+      Current_Folder : constant int      := -100;    --  AT_FDCWD
+      Wanted         : constant unsigned := 16#100#; --  STATX_INO
+      Status         : File_Status := (others => 0);
+      Ignored        : int;
+   begin
+      Ignored := Status_Of
+        (Current_Folder, To_C (Path), 0, Wanted, Status'Address);
+      Place := (Status (35), Status (36), Natural (Status (9) mod 2 ** 31));
+   end Get_Place;
+
    procedure Configure (Descriptor : Outcome; Result : out Outcome) is
       Port : Serial_Port;
    begin
@@ -53,6 +100,12 @@ is
       --  F_SETFL, O_NONBLOCK
       Result := Outcome_Of (Ssize (Fcntl (int (Descriptor), 4, 8#4000#)));
    end Set_Non_Blocking;
+
+   procedure Unlock (Descriptor : Outcome) is
+      Ignored : int;
+   begin
+      Ignored := Control (int (Descriptor), Not_Exclusive);
+   end Unlock;
 
    procedure Close (Descriptor : Outcome) is
    begin

@@ -2,6 +2,8 @@
 --  The calls of the serial device: each returns what the system says, and
 --  decides nothing.
 
+with Lock_Tables;
+
 private package Robot.Serial_Line.Calls with
   SPARK_Mode,
   Abstract_State =>
@@ -16,6 +18,8 @@ is
 
    Interrupted : constant Outcome := -4;   --  EINTR
    No_Data     : constant Outcome := -11;  --  EAGAIN
+   Not_Permitted : constant Outcome := -13;  --  EACCES
+   Busy        : constant Outcome := -16;  --  EBUSY
 
    No_Descriptor : constant Outcome := -1;
    --  Calls with it fail
@@ -30,6 +34,24 @@ is
    with Global => (In_Out => Port);
    --  Whether it is a serial line
 
+   procedure Lock (Descriptor : Outcome; Result : out Outcome)
+   with Global => (In_Out => Port);
+   --  An advisory lock, which binds programs of root, too, and then the
+   --  kernel's (TIOCEXCL), which keeps the programs of others out. Result:
+   --  No_Data if another program has it
+
+   procedure Get_Start
+     (Path : String; Data : in out String; Last : out Natural)
+   with
+     Global => (In_Out => Port),
+     Pre    => Data'First = 1,
+     Post   => Last <= Data'Last;
+   --  What the file at Path begins with: Data (1 .. Last)
+
+   procedure Get_Place (Path : String; Place : out Lock_Tables.File_Place)
+   with Global => (In_Out => Port);
+   --  Of the file at Path
+
    procedure Configure (Descriptor : Outcome; Result : out Outcome)
    with Global => (In_Out => Port);
    --  9600 baud, 8N1, raw, no echo. Read and Write wait
@@ -37,6 +59,10 @@ is
    procedure Set_Non_Blocking (Descriptor : Outcome; Result : out Outcome)
    with Global => (In_Out => Port);
    --  From here on neither Read nor Write waits
+
+   procedure Unlock (Descriptor : Outcome) with Global => (In_Out => Port);
+   --  Takes the kernel's lock back, which a pseudo-terminal would keep. The
+   --  other ends with Close
 
    procedure Close (Descriptor : Outcome) with Global => (In_Out => Port);
 

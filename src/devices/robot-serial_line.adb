@@ -2,6 +2,7 @@
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Error_Texts;
+with Lock_Tables;
 with Robot.Serial_Line.Calls;
 
 package body Robot.Serial_Line with
@@ -15,6 +16,45 @@ is
    function Next_Wait (Now, Until_Time : Time) return Calls.Nanoseconds;
    --  Up to Until_Time, or for a part of that. 0 if it has passed
 
+   procedure Explain
+     (Path : Texts.Text; Error : Calls.Outcome; Reason : out Texts.Text)
+   with Pre => Error < 0;
+   --  Why the device cannot be opened, after a call has failed with Error
+
+   procedure Explain
+     (Path : Texts.Text; Error : Calls.Outcome; Reason : out Texts.Text)
+   is
+      Table : String (1 .. 8_192) := (others => ' ');
+      Name  : String (1 .. 16) := (others => ' ');
+      Last  : Natural;
+      File  : Lock_Tables.File_Place;
+      Owner : Texts.Text;
+   begin
+      if Error /= Calls.Busy and then Error /= Calls.No_Data then
+         Error_Texts.Describe (-Error, Reason);
+         if Error = Calls.Not_Permitted then
+            Texts.Append
+              (Reason, ": your user must be in the group dialout");
+         end if;
+         return;
+      end if;
+      Calls.Get_Place (Texts.Image (Path), File);
+      Calls.Get_Start ("/proc/locks", Table, Last);
+      Lock_Tables.Find (Table (1 .. Last), File, Owner);
+      Texts.Set (Reason, "in use by ");
+      if Owner.Length = 0 then
+         Texts.Append (Reason, "another program");
+      else
+         Calls.Get_Start
+           ("/proc/" & Texts.Image (Owner) & "/comm", Name, Last);
+         --  without the line feed behind it
+         Texts.Append (Reason, Name (1 .. Integer'Max (0, Last - 1)));
+         Texts.Append (Reason, " (process ");
+         Texts.Append (Reason, Texts.Image (Owner));
+         Texts.Append (Reason, ")");
+      end if;
+   end Explain;
+
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    is
@@ -26,16 +66,22 @@ is
       Success := False;
       Calls.Open (Texts.Image (Path), Opened);
       if Opened < 0 then
-         Error_Texts.Describe (-Opened, Reason);
+         Explain (Path, Opened, Reason);
          return;
       end if;
-      Descriptor := Opened;
       Calls.Get_Terminal (Opened, Is_Terminal);
       if not Is_Terminal then
          Texts.Set (Reason, "not a serial line");
-         Close;
+         Calls.Close (Opened);
          return;
       end if;
+      Calls.Lock (Opened, Result);
+      if Result < 0 then
+         Explain (Path, Result, Reason);
+         Calls.Close (Opened);
+         return;
+      end if;
+      Descriptor := Opened;
       Calls.Configure (Opened, Result);
       if Result >= 0 then
          --  after Configure, which makes it wait
@@ -56,6 +102,7 @@ is
    begin
       if Old /= Calls.No_Descriptor then
          Descriptor := Calls.No_Descriptor;
+         Calls.Unlock (Old);
          Calls.Close (Old);
       end if;
    end Close;

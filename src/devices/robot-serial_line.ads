@@ -21,8 +21,8 @@ is
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
    with Global => (In_Out => Device);
-   --  Opens and configures the device, and discards its input so far. Reason
-   --  explains a failure
+   --  Opens and configures the device, for this process alone, and discards
+   --  its input so far. Reason explains a failure
 
    procedure Close with Global => (In_Out => Device);
    --  No effect if it is not open

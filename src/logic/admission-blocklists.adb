@@ -56,4 +56,10 @@ package body Admission.Blocklists with SPARK_Mode is
       H.Count := Arrival_Count'Max (H.Count, H.Last);
    end Note;
 
+   procedure Remove_Oldest (L : in out List) is
+   begin
+      L.Items (1 .. L.Count - 1) := L.Items (2 .. L.Count);
+      L.Count := L.Count - 1;
+   end Remove_Oldest;
+
 end Admission.Blocklists;

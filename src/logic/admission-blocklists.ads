@@ -63,6 +63,13 @@ package Admission.Blocklists with SPARK_Mode is
                    Count_Of (H, L.Items (I)) >= Threshold);
    --  Adds the sources that flood, while the list has room
 
+   procedure Remove_Oldest (L : in out List)
+   with
+     Pre  => L.Count > 0,
+     Post => L.Count = L.Count'Old - 1
+       and then (for all I in 1 .. L.Count =>
+                   L.Items (I) = L.Items'Old (I + 1));
+
 private
 
    type Arrival_Array is array (Arrival_Place) of Admission.Networks.Source;

@@ -13,7 +13,12 @@ package body Command_Lines with SPARK_Mode is
 
    procedure Fail (R : in out Reading; Message : String)
    with
-     Post => R.Request = Wrong;
+     Post => R.Request = Wrong and then R.Chosen.Bind = R.Chosen.Bind'Old;
+
+   procedure Fail_Without_Value (R : in out Reading)
+   with
+     Post => R.Request = Wrong and then R.Chosen.Bind = R.Chosen.Bind'Old;
+   --  The option's value is missing
 
    procedure Take_Name (R : in out Reading; Name : String)
    with
@@ -37,6 +42,7 @@ package body Command_Lines with SPARK_Mode is
          when Allow       => "--allow",
          when Token       => "--token",
          when Serial      => "--serial",
+         when Answer_Timeout => "--answer-timeout",
          when Camera      => "--camera",
          when Frame_Size  => "--frame-size",
          when Frame_Rate  => "--fps",
@@ -100,11 +106,23 @@ package body Command_Lines with SPARK_Mode is
       Texts.Append (R.Reason, After);
    end Fail;
 
+   procedure Fail_Without_Value (R : in out Reading) is
+   begin
+      Fail (R, "a value is missing after ");
+      Texts.Append (R.Reason, Name_Of (R.Awaited));
+   end Fail_Without_Value;
+
    procedure Finish (R : in out Reading) is
    begin
       if R.Request not in Settled_Kind and then R.Awaited /= None then
-         Fail (R, "a value is missing after ");
-         Texts.Append (R.Reason, Name_Of (R.Awaited));
+         Fail_Without_Value (R);
+      end if;
+      if R.Chosen.Bind.Length = 0 then
+         --  who may drive the robot over a network is said, not assumed
+         Texts.Set
+           (R.Chosen.Bind,
+            (if Options.Is_Guarded (R.Chosen) then "0.0.0.0"
+             else "127.0.0.1"));
       end if;
    end Finish;
 
@@ -207,7 +225,7 @@ package body Command_Lines with SPARK_Mode is
    begin
       Texts.Set (Result, Value);
       if Value = "" then
-         Finish (R);
+         Fail_Without_Value (R);
       end if;
    end Read_Text;
 
@@ -230,7 +248,7 @@ package body Command_Lines with SPARK_Mode is
 
       if R.Awaited /= None then
          if Is_Name then
-            Finish (R);
+            Fail_Without_Value (R);
          else
             Take_Value (R, Argument);
          end if;
@@ -304,6 +322,11 @@ package body Command_Lines with SPARK_Mode is
          when Serial =>
             Read_Text (R, Value, Text);
             R.Chosen.Serial := Text;
+         when Answer_Timeout =>
+            Read_Number
+              (R, Value, Options.Answer_Milliseconds'First,
+               Options.Answer_Milliseconds'Last, Number);
+            R.Chosen.Answer_Timeout := Number;
          when Camera =>
             Read_Text (R, Value, Text);
             R.Chosen.Camera := Text;

@@ -9,15 +9,17 @@ with Texts;
 
 package Command_Lines with SPARK_Mode is
 
+   use type Texts.Text;
+
    type Request_Kind is (Run, Check, Show_Version, Show_Help, Wrong);
 
    subtype Settled_Kind is Request_Kind range Show_Version .. Wrong;
    --  Final: the rest of the command line does not change it
 
    type Option_Kind is
-     (None, Port, Bind, Allow, Token, Serial, Camera, Frame_Size, Frame_Rate,
-      Quality, Marker, Drawing, Arena_Size, Message_Gap, Log_Level, Cpu,
-      Trace);
+     (None, Port, Bind, Allow, Token, Serial, Answer_Timeout, Camera,
+      Frame_Size, Frame_Rate, Quality, Marker, Drawing, Arena_Size,
+      Message_Gap, Log_Level, Cpu, Trace);
 
    type Reading is record
       Request : Request_Kind := Run;
@@ -44,14 +46,21 @@ package Command_Lines with SPARK_Mode is
 
    procedure Finish (R : in out Reading)
    with
-     Post => (if R.Request not in Settled_Kind then R.Awaited = None);
-   --  There are no more arguments
+     Post => (if R.Request not in Settled_Kind then R.Awaited = None)
+       and then (if R.Chosen.Bind.Length'Old > 0 then
+                    R.Chosen.Bind = R.Chosen.Bind'Old
+                 elsif not Options.Is_Guarded (R.Chosen) then
+                    Texts.Image (R.Chosen.Bind) = "127.0.0.1");
+   --  There are no more arguments. The server listens for this machine alone
+   --  unless an address, networks or a token have been given
 
    Usage : constant String :=
      "Usage: destijl [OPTION ...]" & LF
      & "Supervises a De Stijl robot for one monitor at a time." & LF & LF
      & "  --port N             port of the monitor (5544; 0: a free one)" & LF
-     & "  --bind ADDRESS       address to listen on (0.0.0.0)" & LF
+     & "  --bind ADDRESS       address to listen on (127.0.0.1, this machine;"
+     & LF
+     & "                       with --allow or --token 0.0.0.0, all)" & LF
      & "  --allow ADDRESS/LEN  admit monitors of this network only; up to 8"
      & LF
      & "                       times, for the monitors of any of them" & LF
@@ -59,6 +68,9 @@ package Command_Lines with SPARK_Mode is
      & LF
      & "                       and the token in the first line of FILE" & LF
      & "  --serial PATH        serial line of the robot (/dev/ttyS0)" & LF
+     & "  --answer-timeout MS  of the robot, 20 .. 300 (80, for a wire; by"
+     & LF
+     & "                       radio 150)" & LF
      & "  --camera SOURCE      number, device, image or video file, URL or"
      & LF
      & "                       GStreamer pipeline (0)" & LF

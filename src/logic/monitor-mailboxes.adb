@@ -235,11 +235,19 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end if;
    end Put_Image;
 
-   procedure Put_Lost (B : in out Mailbox; Now : Time; Begun : out Boolean) is
+   procedure Put_Lost
+     (B     : in out Mailbox;
+      Empty : Boolean;
+      Now   : Time;
+      Begun : out Boolean) is
    begin
       Begun := False;
       if B.Open then
          B.Lost := True;
+         if Empty then
+            Monitor.Notice_Queues.Put_Over_Oldest
+              (B.Told, Monitor.Notices.Robot_Lost_Empty);
+         end if;
          Begin_Hold (B, False, Now, Begun);
       end if;
    end Put_Lost;

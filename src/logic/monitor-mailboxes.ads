@@ -232,11 +232,15 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    --  Unsolicited messages; without a session none is kept
 
-   procedure Put_Lost (B : in out Mailbox; Now : Time; Begun : out Boolean)
+   procedure Put_Lost
+     (B     : in out Mailbox;
+      Empty : Boolean;
+      Now   : Time;
+      Begun : out Boolean)
    with Post => B.Lost = (B'Old.Lost or else B.Open)
      and then B.Open = B'Old.Open
      and then B.Ended = B'Old.Ended;
-   --  The robot is lost (F9)
+   --  The robot is lost (F9). Empty: its battery was, which the user is told
 
    procedure Put_Notice
      (B     : in out Mailbox;

@@ -14,7 +14,10 @@ package body Monitor.Notices with SPARK_Mode is
    function Text_Of (Item : Notice) return String is
      (case Item is
          when Robot_Not_Running =>
-            "robot no longer runs (watchdog or reset): start again",
+            "robot no longer runs (watchdog or reset): reset and "
+            & "start again",
+         when Robot_Lost_Empty  =>
+            "robot lost: its battery was empty, it may be off: charge it",
          when Camera_Silent     =>
             "camera closed: it has delivered nothing for " & Silence & " s",
          when Camera_Ended      =>

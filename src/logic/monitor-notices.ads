@@ -9,6 +9,7 @@ package Monitor.Notices with SPARK_Mode is
 
    type Notice is
      (Robot_Not_Running,
+      Robot_Lost_Empty,        --  its battery
       Camera_Silent,
       Camera_Ended,
       Needs_Started_Robot,     --  why a mission is not possible

@@ -278,6 +278,37 @@ package body Monitor.Protocol with SPARK_Mode is
       Line (1 .. Last) := R.Data (1 .. Last);
    end Get_Line;
 
+   procedure Judge
+     (R       : Line_Reader;
+      Data    : String;
+      Verdict : out Beginning;
+      Line    : in out String;
+      Last    : out Natural)
+   is
+      Ahead    : Line_Reader := R;
+      Complete : Boolean     := False;
+      Read     : Message;
+   begin
+      for C of Data loop
+         Accept_Character (Ahead, C, Complete);
+         exit when Complete;
+      end loop;
+      Get_Line (Ahead, Line, Last);
+      if Complete then
+         Parse (Line (1 .. Last), Read);
+         Verdict :=
+           (if Read.Kind in Known_Kind
+              or else (Last > 4 and then May_Begin (Ahead, Token_Label))
+            then Known else Unknown);
+      elsif May_Begin (Ahead, Token_Label)
+        or else (for some K in Known_Kind => May_Begin (Ahead, Label (K)))
+      then
+         Verdict := Undecided;
+      else
+         Verdict := Unknown;
+      end if;
+   end Judge;
+
    procedure Keep (R : in out Line_Reader; C : Character) is
    begin
       if R.Length < Max_Line then

@@ -118,6 +118,9 @@ package Monitor.Protocol with SPARK_Mode is
          when Follow_Centimetres   => "MPCM",
          when Log_Message          => "MSSG");
 
+   Token_Label : constant Label_Text := "AUTH";
+   --  Of the line with a token, which is read before the session begins.
+
    Separator : constant Character := ':';
    --  Between a label and its data.
 
@@ -256,6 +259,28 @@ package Monitor.Protocol with SPARK_Mode is
       + (if C in Carriage_Return | Line_Feed then 0 else 1))
    with Ghost;
    --  Length after C: a carriage return is held until the next character.
+
+   function May_Begin (R : Line_Reader; Start : Label_Text) return Boolean;
+   --  The line so far is the beginning of Start and a separator, or begins
+   --  with them.
+
+   type Beginning is (Undecided, Known, Unknown);
+   --  Whether a client has begun with a line of this protocol.
+
+   procedure Judge
+     (R       : Line_Reader;
+      Data    : String;
+      Verdict : out Beginning;
+      Line    : in out String;
+      Last    : out Natural)
+   with
+     Pre  => Data'Last < Integer'Last
+       and then Line'First = 1
+       and then Line'Last >= Max_Line,
+     Post => Last <= Max_Line;
+   --  Of its first line, the beginning of which R has, and then Data: Unknown
+   --  as soon as it cannot become a message, or the token. Line (1 .. Last) is
+   --  as much of it as has come.
 
    procedure Clear (R : out Line_Reader)
    with
@@ -624,6 +649,10 @@ private
    function Is_Complete (R : Line_Reader) return Boolean is (R.Finished);
 
    function Is_Held (R : Line_Reader) return Boolean is (R.Held);
+
+   function May_Begin (R : Line_Reader; Start : Label_Text) return Boolean is
+     ((for all I in 1 .. Integer'Min (R.Length, 4) => R.Data (I) = Start (I))
+      and then (R.Length < 5 or else R.Data (5) = Separator));
 
    function Item (R : Line_Reader; I : Positive) return Character is
      (R.Data (I));

@@ -4,6 +4,7 @@
 with Admission.Networks;
 with Missions;
 with Monitor.Send_Order;
+with Schedule;
 with Texts;
 
 package Options with SPARK_Mode is
@@ -23,6 +24,10 @@ package Options with SPARK_Mode is
    subtype Percentage is Positive range 1 .. 100;
    subtype Milliseconds is Monitor.Send_Order.Milliseconds;
 
+   subtype Answer_Milliseconds is Positive range 20 .. 300;
+   --  The shortest answer takes 10 ms; with 300 ms four failures in a row
+   --  still take less than 2 s
+
    subtype Processor is Natural range 0 .. 1_023;
 
    No_Processor   : constant := -1;
@@ -37,12 +42,16 @@ package Options with SPARK_Mode is
 
    type Values is record
       Port        : Port_Number  := 5_544;
-      Bind        : Texts.Text   := Texts.To_Text ("0.0.0.0");
+      Bind        : Texts.Text;
+      --  the address to listen on; Command_Lines.Finish chooses it if it is
+      --  not given
       Allowed     : Admission.Networks.List;
       --  networks whose monitors are admitted; empty: all
       Token_File  : Texts.Text;
       --  file with the token that monitors must send; empty: none
       Serial      : Texts.Text   := Texts.To_Text ("/dev/ttyS0");
+      Answer_Timeout : Answer_Milliseconds := Schedule.Answer_Timeout_Ms;
+      --  of the robot, from the end of a command
       Camera      : Texts.Text   := Texts.To_Text ("0");
       Width       : Pixel_Count  := 640;
       Height      : Pixel_Count  := 480;
@@ -60,5 +69,24 @@ package Options with SPARK_Mode is
       Trace_File  : Texts.Text;
       --  for the trace; empty: no trace
    end record;
+
+   function Is_Guarded (Chosen : Values) return Boolean is
+     (Chosen.Allowed.Count > 0 or else Chosen.Token_File.Length > 0);
+   --  Not everybody who reaches the server is admitted
+
+   function Is_Local (Address : String) return Boolean is
+     (Address = "::1"
+      or else
+        (Address'Length > 4
+         and then Address (Address'First .. Address'First + 3) = "127."))
+   with Pre => Address'First = 1;
+   --  Only this machine reaches it
+
+   function Admitted (Chosen : Values) return String is
+     ((if Is_Local (Texts.Image (Chosen.Bind)) then "this machine alone"
+       elsif Chosen.Allowed.Count > 0 then "the networks of --allow"
+       else "every machine that reaches it")
+      & (if Chosen.Token_File.Length > 0 then ", with the token" else ""));
+   --  Who may connect, for the log
 
 end Options;

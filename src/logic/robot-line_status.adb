@@ -7,17 +7,18 @@ package body Robot.Line_Status with SPARK_Mode is
       Done    : Robot.Requests.Job;
       Session : Robot.Session.State;
       Result  : Robot.Session.Outcome;
-      Now     : Time) is
+      Now     : Time;
+      Counted : Time) is
    begin
-      S.Suspect := Robot.Health.Failures (Session.Health) > 0;
+      S.Known.Failures := Robot.Health.Failures (Session.Health);
       S.Known.Open := Session.Line_Open;
       S.Known.Mode := Session.Mode;
       S.Known.Used_At := Now;
+      S.Known.Counts_From := Counted;
       if Starts (Done, Result) then
          S.Known.Epoch :=
            (if S.Known.Epoch = Natural'Last then 0 else S.Known.Epoch + 1);
-         S.Known.Started_At := Now;
-         S.Reload_Due := Now + Schedule.Reload_Period;
+         S.Reload_Due := Counted + Schedule.Reload_Period;
       end if;
       if Is_Refused_Reload (Done, Result) then
          S.Known.Reloads_Refused :=

@@ -22,19 +22,20 @@ package Robot.Line_Status with SPARK_Mode is
       Mode       : Robot.Session.Mode_Kind := Robot.Session.Not_Started;
       Epoch      : Natural := 0;
       --  changes at each start
-      Started_At : Time := Time_First;
-      --  when the robot acknowledged the last start
+      Counts_From : Time := Time_First;
+      --  when the last start or reload was sent: the robot's watchdog counts
+      --  from there
       Used_At    : Time := Time_First;
       --  end of the last exchange
       Reloads_Refused : Natural := 0;
       --  by the robot, in all
+      Failures   : Robot.Health.Failure_Count := 0;
+      --  failed exchanges in a row
    end record;
 
    type State is record
       Known      : Status;
       Reload_Due : Time := Time_First;
-      Suspect    : Boolean := False;
-      --  the last exchange failed
    end record;
 
    function Same_Run (Now, Before : Status) return Boolean is
@@ -42,10 +43,13 @@ package Robot.Line_Status with SPARK_Mode is
       and then Now.Epoch = Before.Epoch);
    --  The robot has run since Before without a restart
 
-   function Is_Quiet (S : State; Now : Time) return Boolean is
+   function Is_Quiet
+     (S : State; Now : Time; Answer_Timeout : Time_Span) return Boolean
+   is
      (S.Known.Mode = Robot.Session.Started_With_Watchdog
       and then Now >= S.Reload_Due -
-        (if S.Suspect then Schedule.Reload_Quiet_Suspect
+        (if S.Known.Failures > 0 then
+            Answer_Timeout + Schedule.Reload_Quiet_Suspect
          else Schedule.Reload_Quiet)
       and then Now < S.Reload_Due + Schedule.Reload_Quiet);
    --  A reload is due: only a stop or a movement may start
@@ -71,15 +75,17 @@ package Robot.Line_Status with SPARK_Mode is
       Done    : Robot.Requests.Job;
       Session : Robot.Session.State;
       Result  : Robot.Session.Outcome;
-      Now     : Time)
+      Now     : Time;
+      Counted : Time)
    with
      Post => S.Known.Open = Session.Line_Open
        and then S.Known.Mode = Session.Mode
-       and then S.Suspect = (Robot.Health.Failures (Session.Health) > 0)
+       and then S.Known.Failures = Robot.Health.Failures (Session.Health)
        and then (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result)
        and then
          (S.Known.Reloads_Refused /= S'Old.Known.Reloads_Refused) =
            Is_Refused_Reload (Done, Result);
-   --  Request Done has just ended with Result; Session is its new state
+   --  Request Done has just ended with Result; Session is its new state.
+   --  Counted: when the last start or reload was sent
 
 end Robot.Line_Status;

@@ -20,6 +20,7 @@ package body Robot.Session with SPARK_Mode is
        and then P.Phase = Phase
        and then P.Wanted = Command
        and then P.Tries = P'Old.Tries
+       and then P.Off_Sent = P'Old.Off_Sent
        and then P.Result = P'Old.Result
        and then P.Stopped = (P'Old.Stopped or else Sends_Stop (Next))
        and then
@@ -71,10 +72,12 @@ package body Robot.Session with SPARK_Mode is
        and then (Next.Kind = Open_Device) = (P.Request.Kind = Open_Line)
        and then Steps_Left (S, P) <=
          (case P.Request.Kind is
-             when Reload     => 11,
-             when Open_Line  => 6,
-             when Close_Line => 1,
-             when others     => 5);
+             when Reload       => 11,
+             when Drive | Stop => 8,
+             when Open_Line    => 6,
+             when Close_Line   => 1,
+             when Power_Off    => 7,
+             when others       => 5);
    --  The command of the request, after the stop if one was due
 
    procedure Answered
@@ -169,7 +172,6 @@ package body Robot.Session with SPARK_Mode is
       elsif (R.Kind = Reload and then S.Mode /= Started_With_Watchdog)
         or else
           (R.Kind = Reload_By_Hand and then S.Mode = Started_With_Watchdog)
-        or else (R.Kind = Keep_Alive and then S.Mode = Not_Started)
       then
          Finish (P, Done, Next);
       elsif R.Kind in Close_Line | Reset | Power_Off
@@ -210,13 +212,17 @@ package body Robot.Session with SPARK_Mode is
             end if;
 
          when Testing_Run =>
-            if Accepted then
-               P.Result.Note := Missed_Window;
-            else
+            if not Accepted then
                P.Result.Note := Not_Running;
                S.Mode := Not_Started;
+            elsif P.Request.Kind = Reload then
+               P.Result.Note := Missed_Window;
             end if;
-            Finish (P, Refused, Next);
+            Finish
+              (P,
+               (if Accepted and then P.Request.Kind = Stop then Done
+                else Refused),
+               Next);
 
          when Acting =>
             if Accepted then
@@ -235,6 +241,11 @@ package body Robot.Session with SPARK_Mode is
             elsif P.Request.Kind = Reload then
                Begin_Exchange
                  (S, P, Asking_Motion, (Wire.Busy, 0), Next);
+            elsif P.Request.Kind in Drive | Stop
+              and then S.Mode /= Not_Started
+            then
+               --  it may have been damaged on its way
+               Begin_Exchange (S, P, Testing_Run, Wire.Stop, Next);
             else
                if P.Request.Kind = Reset then
                   --  refused only if the robot is not running
@@ -252,6 +263,7 @@ package body Robot.Session with SPARK_Mode is
    is
       Pending : constant Wire.Command_Kind :=
         (if P.In_Probe then P.Probing else P.Wanted.Kind);
+      Probed  : constant Boolean := P.In_Probe;
    begin
       Robot.Health.Failure (S.Health, Pending);
       P.In_Probe := False;
@@ -269,11 +281,27 @@ package body Robot.Session with SPARK_Mode is
          else
             Act (S, P, Next);
          end if;
+      elsif P.Phase = Acting and then P.Request.Kind = Power_Off
+        and then Probed = P.Off_Sent
+      then
+         if Probed then
+            --  it is off
+            S := (Line_Open => True,
+                  Mode      => Not_Started,
+                  Health    => Robot.Health.Opened);
+            Finish (P, Done, Next);
+         else
+            --  it may have switched off before it had answered
+            P.Off_Sent := True;
+            Begin_Exchange (S, P, Acting, Command_For (P.Request), Next);
+         end if;
       elsif P.Phase = Clearing then
          --  the line stays open: the robot may be switched off
          Finish (P, Done, Next);
       elsif P.Phase in Asking_Motion | Testing_Run then
-         P.Result.Note := Missed_Window;
+         if P.Request.Kind = Reload then
+            P.Result.Note := Missed_Window;
+         end if;
          Finish (P, Timed_Out, Next);
       else
          Finish (P, Timed_Out, Next);

@@ -38,7 +38,7 @@ package Robot.Session with SPARK_Mode is
       Stop,             --  always sent while the line is open
       Reload,           --  the periodic reload of the watchdog
       Reload_By_Hand,   --  by the monitor: no effect during periodic ones
-      Keep_Alive);      --  a ping that detects a lost line
+      Keep_Alive);      --  a ping: is the line lost? Keeps the robot on
 
    subtype Movement is Robot.Protocol.Command
    with Dynamic_Predicate => Movement.Kind in Robot.Protocol.With_Argument;
@@ -79,7 +79,8 @@ package Robot.Session with SPARK_Mode is
    type Note_Kind is
      (Nothing,
       Missed_Window,    --  a reload was refused, the robot still runs
-      Not_Running,      --  a reload was refused: the robot has stopped running
+      Not_Running,      --  a reload, or a movement or stop, and then a stop
+                        --  was refused: the robot has stopped running
       Robot_Lost);      --  the fourth failure in a row: the line is closed
 
    type Outcome is record
@@ -152,7 +153,7 @@ package Robot.Session with SPARK_Mode is
    with Ghost;
    --  P belongs to S: the invariant of a request, valid between its steps
 
-   Max_Steps : constant := 17;
+   Max_Steps : constant := 19;
 
    function Steps_Left (S : State; P : Progress) return Natural with Ghost;
    --  Upper bound of the remaining steps; 0 once the outcome is final
@@ -253,7 +254,8 @@ private
       Leaving,       --  the stop before leaving "started"
       Acting,        --  the command of the request itself
       Asking_Motion, --  after a refused reload: does it move?
-      Testing_Run,   --  it does not: does it still accept a stop?
+      Testing_Run,   --  it does not, or has refused a movement or a stop: does
+                     --  it still accept a stop?
       Closing,       --  the device
       Losing,        --  the last stop on a lost line
       Ended);
@@ -276,6 +278,8 @@ private
       Stopped  : Boolean                     := False;
       --  a stop has been sent, in step or not
       Tries    : Try_Count                   := 0;
+      Off_Sent : Boolean                     := False;
+      --  Power_Off has been sent, and was not answered
       Result   : Outcome;
    end record;
 
@@ -351,7 +355,7 @@ private
                       P.Request.Kind = Reload
                       and then P.Wanted.Kind = Robot.Protocol.Busy,
                     when Testing_Run   =>
-                      P.Request.Kind = Reload
+                      P.Request.Kind in Reload | Drive | Stop
                       and then P.Wanted = Robot.Protocol.Stop)));
 
    function Exchanges_Left (S : State; P : Progress) return Natural is
@@ -370,9 +374,13 @@ private
          when Clearing | Testing_Run => 2 + Exchanges_Left (S, P),
          when Asking_Motion          => 5 + Exchanges_Left (S, P),
          when Acting                 =>
-           (if P.Request.Kind = Reload then 8 else 2)
+           (case P.Request.Kind is
+               when Reload       => 8,
+               when Drive | Stop => 5,
+               when Power_Off    => (if P.Off_Sent then 2 else 4),
+               when others       => 2)
            + Exchanges_Left (S, P),
          when Leaving                =>
-           5 + 3 * (Leave_Tries - P.Tries) + Exchanges_Left (S, P));
+           7 + 3 * (Leave_Tries - P.Tries) + Exchanges_Left (S, P));
 
 end Robot.Session;

@@ -12,7 +12,6 @@ with Vision.Library;
 
 package body Checks with SPARK_Mode is
 
-   use type Process.Privileges.Kind;
    use type Vision.Library.Status;
 
    procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean);
@@ -41,7 +40,6 @@ package body Checks with SPARK_Mode is
    end Report;
 
    procedure Run (Chosen : Options.Values; All_Well : out Boolean) is
-      Held   : Process.Privileges.Kind;
       Good   : Boolean;
       Reason : Texts.Text;
       Bound  : Options.Port_Number;
@@ -51,13 +49,13 @@ package body Checks with SPARK_Mode is
       Token  : Admission.Authentication.Token;
    begin
       All_Well := True;
-      Process.Privileges.Get (Held);
-      Good := Held = Process.Privileges.Real_Time;
+      Process.Privileges.Get (Good);
       Report
         (Good,
-         "real-time priorities: " & Process.Privileges.Image (Held)
+         "real-time priorities: " & Process.Privileges.Image (Good)
          & (if Good then ""
-            else ": run as root, or once "
+            else ": run as root with CAP_SYS_NICE (in a container --cap-add "
+              & "SYS_NICE), or once "
               & "'sudo setcap cap_sys_nice,cap_ipc_lock+ep bin/destijl'"),
          All_Well);
 
@@ -68,8 +66,7 @@ package body Checks with SPARK_Mode is
          "serial line " & Texts.Image (Chosen.Serial)
          & (if Good then ": opens"
             else ": " & Texts.Image (Reason)
-              & " (name it with --serial; your user must be in the group "
-              & "dialout)"),
+              & " (name another with --serial)"),
          All_Well);
 
       Vision.Library.Open
@@ -87,12 +84,11 @@ package body Checks with SPARK_Mode is
       Good := Result = Vision.Library.Done;
       Report
         (Good,
-         "camera " & Texts.Image (Chosen.Camera)
+         "camera"
          & (if Good then ": delivers images"
               & (if Last > 0 then ", " & Why (1 .. Last) else "")
-            else ": " & Why (1 .. Last)
-              & " (name it with --camera; your user must be in the group "
-              & "video)"),
+            --  with its name, without secrets
+            else " " & Why (1 .. Last) & " (name another with --camera)"),
          All_Well);
 
       Admission.Newcomers.Load_Token (Chosen.Token_File, Token, Good, Reason);

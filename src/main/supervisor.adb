@@ -28,7 +28,7 @@ pragma Unreferenced
 
 package body Supervisor with SPARK_Mode is
 
-   use type Process.Privileges.Kind;
+   use type Command_Lines.Request_Kind;
 
    procedure Keep_On_Processor
      (Cpu : Options.Processor_Choice; Claim : out Texts.Text);
@@ -40,11 +40,6 @@ package body Supervisor with SPARK_Mode is
 
    procedure Keep_Trace;
    --  Saves the trace to its file repeatedly, until th_stop has failed
-
-   procedure Tell (Line : String)
-   with No_Return, Pre => Line'Length < Console.Max_Line;
-   --  On standard output. Ends the process, with failure if the line cannot be
-   --  written
 
    procedure Serve (Chosen : Options.Values);
    --  Runs the tasks; returns when the caller must end the process
@@ -105,23 +100,12 @@ package body Supervisor with SPARK_Mode is
       Command_Line : Command_Lines.Reading renames Settings.Command_Line;
       All_Well     : Boolean;
    begin
-      case Command_Line.Request is
-         when Command_Lines.Wrong =>
-            Console.Put_Log
-              ("destijl: " & Texts.Image (Command_Line.Reason));
-            Console.Put_Log (Command_Lines.Usage);
-            Process.Leave (Process.Bad_Usage);
-         when Command_Lines.Show_Help =>
-            Tell (Command_Lines.Usage);
-         when Command_Lines.Show_Version =>
-            Tell (Command_Lines.Version);
-         when Command_Lines.Check =>
-            Checks.Run (Command_Line.Chosen, All_Well);
-            Process.Leave
-              (if All_Well then Process.Success else Process.Cannot_Start);
-         when Command_Lines.Run =>
-            Serve (Command_Line.Chosen);
-      end case;
+      if Command_Line.Request = Command_Lines.Check then
+         Checks.Run (Command_Line.Chosen, All_Well);
+         Process.Leave
+           (if All_Well then Process.Success else Process.Cannot_Start);
+      end if;
+      Serve (Command_Line.Chosen);
       --  again: orders may have been sent since the failure's stop
       Robot.Serial_Line.Stop_Blindly;
       Support_Tasks.Finish_Trace;
@@ -129,10 +113,10 @@ package body Supervisor with SPARK_Mode is
    end Run;
 
    procedure Serve (Chosen : Options.Values) is
-      Claim  : Texts.Text;
-      Held   : Process.Privileges.Kind;
-      Locked : Boolean;
-      Now    : Time;
+      Claim     : Texts.Text;
+      Real_Time : Boolean;
+      Locked    : Boolean;
+      Now       : Time;
    begin
       Open_Trace (Chosen.Trace_File);
       Keep_On_Processor (Chosen.Cpu, Claim);
@@ -140,14 +124,14 @@ package body Supervisor with SPARK_Mode is
       Journal.Set_Level (Chosen.Log_Level);
       Monitor.Session.Allow_Server;
       Monitor.Session.Wait_Listening;
-      Process.Privileges.Get (Held);
+      Process.Privileges.Get (Real_Time);
       Journal.Put
         (Options.Info,
-         "real-time priorities: " & Process.Privileges.Image (Held)
+         "real-time priorities: " & Process.Privileges.Image (Real_Time)
          & (if Locked then "; memory: locked"
             else "; memory: not locked (CAP_IPC_LOCK, LimitMEMLOCK=infinity)")
          & "; deadlines: "
-         & (if Held /= Process.Privileges.Real_Time then
+         & (if not Real_Time then
                "none guaranteed (destijl --check tells how to get them)"
             elsif Locked then Texts.Image (Claim)
             else "none guaranteed"));
@@ -161,16 +145,5 @@ package body Supervisor with SPARK_Mode is
       Now := Clock;
       delay until Now + Schedule.Console_Limit;
    end Serve;
-
-   procedure Tell (Line : String) is
-      Written : Boolean;
-   begin
-      Console.Put (Line, Written);
-      if not Written then
-         Console.Put_Log ("destijl: standard output does not take it");
-      end if;
-      Process.Leave
-        (if Written then Process.Success else Process.Cannot_Start);
-   end Tell;
 
 end Supervisor;

@@ -50,7 +50,8 @@ package body Monitor.Outbox with SPARK_Mode is
         (Number   : Orders.Ticket;
          Message  : in out Message_Access;
          Accepted : out Boolean);
-      procedure Put_Lost (Now : Time; Begun : out Boolean);
+      procedure Put_Lost
+        (Empty : Boolean; Now : Time; Begun : out Boolean);
       procedure Put_Notice
         (Told : Monitor.Notices.Notice; Now : Time; Begun : out Boolean);
       procedure Put_Progress
@@ -154,9 +155,10 @@ package body Monitor.Outbox with SPARK_Mode is
          end if;
       end Answer_With_Image;
 
-      procedure Put_Lost (Now : Time; Begun : out Boolean) is
+      procedure Put_Lost
+        (Empty : Boolean; Now : Time; Begun : out Boolean) is
       begin
-         Monitor.Mailboxes.Put_Lost (Mail, Now, Begun);
+         Monitor.Mailboxes.Put_Lost (Mail, Empty, Now, Begun);
       end Put_Lost;
 
       procedure Put_Notice
@@ -418,11 +420,11 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake (Begun);
    end Put_Progress;
 
-   procedure Put_Robot_Lost is
+   procedure Put_Robot_Lost (Empty : Boolean) is
       Now   : constant Time := Clock;
       Begun : Boolean;
    begin
-      Box.Put_Lost (Now, Begun);
+      Box.Put_Lost (Empty, Now, Begun);
       Wake (Begun);
    end Put_Robot_Lost;
 

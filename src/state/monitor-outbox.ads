@@ -68,8 +68,9 @@ package Monitor.Outbox with SPARK_Mode is
    -- Unsolicited messages --
    --------------------------
 
-   procedure Put_Robot_Lost with Annotate => (GNATprove, Terminating);
-   --  ATIM, unsolicited (F9)
+   procedure Put_Robot_Lost (Empty : Boolean)
+   with Annotate => (GNATprove, Terminating);
+   --  ATIM, unsolicited (F9), and MSSG if its battery was Empty
 
    procedure Put_Notice (Told : Monitor.Notices.Notice)
    with Annotate => (GNATprove, Terminating);

@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
+with Ada.Real_Time; use Ada.Real_Time;
 with Event;
 with Schedule;
 with Trace;
@@ -30,10 +31,18 @@ package body Robot.Events with SPARK_Mode is
    end Wait_Battery;
 
    procedure Wait_Keep_Alive is
+      Until_Ping : Time;
+      Was_Set    : Boolean;
    begin
       Trace.Done (Schedule.Th_Keep_Alive);
-      For_Keep_Alive.Wait;
-      Trace.Start (Schedule.Th_Keep_Alive);
+      Until_Ping := Clock;
+      Until_Ping := Until_Ping + Schedule.Idle_Ping_Period;
+      For_Keep_Alive.Wait_Until (Until_Ping, Was_Set);
+      if Was_Set then
+         Trace.Start (Schedule.Th_Keep_Alive);
+      else
+         Trace.Start (Schedule.Th_Keep_Alive, Until_Ping);
+      end if;
    end Wait_Keep_Alive;
 
    procedure Wait_Reload is

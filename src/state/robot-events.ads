@@ -9,7 +9,7 @@ package Robot.Events with SPARK_Mode is
    procedure Wait_Battery;
    --  For th_batteryLevel only
    procedure Wait_Keep_Alive;
-   --  For th_keepAlive only
+   --  Until a start, or for an Idle_Ping_Period. For th_keepAlive only
    procedure Wait_Reload;
    --  After a start with watchdog. For th_reloadWD only
 

@@ -5,6 +5,7 @@ with Ada.Real_Time; use Ada.Real_Time;
 with Event;
 with Order_Meanings;
 with Schedule;
+with Settings;
 with Trace;
 
 package body Robot.Line with SPARK_Mode is
@@ -31,12 +32,15 @@ package body Robot.Line with SPARK_Mode is
       procedure Note_Hand (Number : Orders.Ticket);
       procedure Set_Reload_Due (At_Time : Time);
       procedure Take
-        (Now : Time; Next : in out Robot.Requests.Job; Found : out Boolean);
+        (Now            : Time;
+         Answer_Timeout : Time_Span;
+         Next           : in out Robot.Requests.Job;
+         Found          : out Boolean);
       procedure Finish
         (Done   : Robot.Requests.Job;
          State  : Robot.Session.State;
          Result : Robot.Session.Outcome;
-         Now    : Time;
+         Now, Counted : Time;
          More   : out Boolean);
       procedure Collect
         (From : Robot.Requests.Client; Result : out Robot.Session.Outcome);
@@ -102,11 +106,15 @@ package body Robot.Line with SPARK_Mode is
       end Set_Reload_Due;
 
       procedure Take
-        (Now : Time; Next : in out Robot.Requests.Job; Found : out Boolean) is
+        (Now            : Time;
+         Answer_Timeout : Time_Span;
+         Next           : in out Robot.Requests.Job;
+         Found          : out Boolean) is
       begin
          Robot.Requests.Take
            (R       => Waiting,
-            Quiet   => Robot.Line_Status.Is_Quiet (State, Now),
+            Quiet   => Robot.Line_Status.Is_Quiet
+              (State, Now, Answer_Timeout),
             Is_Late => Now > Asked + Schedule.Mission_Order_Limit,
             Next    => Next,
             Found   => Found);
@@ -116,11 +124,12 @@ package body Robot.Line with SPARK_Mode is
         (Done   : Robot.Requests.Job;
          State  : Robot.Session.State;
          Result : Robot.Session.Outcome;
-         Now    : Time;
+         Now, Counted : Time;
          More   : out Boolean) is
       begin
          Results (Done.From) := Result;
-         Robot.Line_Status.Note (Line.State, Done, State, Result, Now);
+         Robot.Line_Status.Note
+           (Line.State, Done, State, Result, Now, Counted);
          Robot.Requests.Finish (Waiting, Done);
          More := Robot.Requests.Is_Ready (Waiting);
       end Finish;
@@ -219,14 +228,16 @@ package body Robot.Line with SPARK_Mode is
    end Set_Reload_Due;
 
    procedure Take (Next : in out Robot.Requests.Job) is
-      Found : Boolean;
-      Now   : Time;
+      Answer_Timeout : constant Time_Span :=
+        Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout);
+      Found          : Boolean;
+      Now            : Time;
    begin
       Trace.Done (Schedule.Th_Line);
       loop
          Work.Wait;
          Now := Clock;
-         Line.Take (Now, Next, Found);
+         Line.Take (Now, Answer_Timeout, Next, Found);
          exit when Found;
          Trace.Idle (Schedule.Th_Line);
       end loop;
@@ -239,11 +250,12 @@ package body Robot.Line with SPARK_Mode is
      (Done    : Robot.Requests.Job;
       State   : Robot.Session.State;
       Result  : Robot.Session.Outcome;
-      At_Time : Ada.Real_Time.Time)
+      At_Time : Ada.Real_Time.Time;
+      Counted : Ada.Real_Time.Time)
    is
       More : Boolean;
    begin
-      Line.Finish (Done, State, Result, At_Time, More);
+      Line.Finish (Done, State, Result, At_Time, Counted, More);
       if More then
          --  the next Take returns at once
          Work.Set;

@@ -173,10 +173,12 @@ package body Admission.Newcomers with SPARK_Mode is
       Now    : constant Time := Clock;
       Length : Natural;
       Limit  : Natural;
+      Done   : Boolean;
    begin
-      Changed := D.Blocked.Count > 0 and then Now >= D.Unblocking;
+      Changed := D.Blocked.Count > 0 and then Now >= D.Release;
       if Changed then
-         D.Blocked := (others => <>);
+         Admission.Blocklists.Remove_Oldest (D.Blocked);
+         D.Release := Now + Schedule.Release_Interval;
       else
          Monitor.Sockets.Gate.Get_Queue (Length, Limit);
          --  a quarter: more come before th_server looks again
@@ -184,11 +186,18 @@ package body Admission.Newcomers with SPARK_Mode is
             Admission.Blocklists.Extend (D.Blocked, D.Arrivals, Changed);
          end if;
          if Changed then
-            D.Unblocking := Now + Schedule.Block_Time;
+            D.Release := Now + Schedule.Block_Time;
          end if;
       end if;
       if Changed then
-         Monitor.Sockets.Gate.Block (D.Blocked);
+         Monitor.Sockets.Gate.Block (D.Blocked, Done);
+         if not Done and then not D.Unfiltered then
+            D.Unfiltered := True;
+            Journal.Put
+              (Options.Warning,
+               "a flood of connections, and this kernel gives no filter "
+               & "against it (CAP_NET_ADMIN)");
+         end if;
       end if;
    end Defend;
 
@@ -224,7 +233,7 @@ package body Admission.Newcomers with SPARK_Mode is
          End_By (G.Pause);
       end if;
       if G.Floods.Blocked.Count > 0 then
-         End_By (G.Floods.Unblocking);
+         End_By (G.Floods.Release);
       end if;
       if G.Refusals.Unwritten > 0 then
          End_By (G.Refusals.Last + Schedule.Refusal_Pause);

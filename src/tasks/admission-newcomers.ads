@@ -85,8 +85,10 @@ private
       Arrivals   : Admission.Blocklists.History;
       --  since the kernel's queue was last empty
       Blocked    : Admission.Blocklists.List;
-      Unblocking : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
-      --  when the block of the sources ends
+      Release    : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      --  when the oldest of them is released
+      Unfiltered : Boolean := False;
+      --  the kernel has refused it, as the log says
    end record;
 
    type Gate is record

@@ -54,6 +54,11 @@ package body Monitor.Tasks with SPARK_Mode is
    --  One line of the monitor: its message becomes Order, which is answered
    --  here or goes to its task. Not Open: the session has ended
 
+   procedure Tell_Stranger (Line : String)
+   with
+     Pre => Line'First = 1 and then Line'Last <= Max_Line;
+   --  Into the log: a client has begun with Line
+
    procedure Ask_For_Mission (Line : String; Order : in out Orders.Order)
    with
      Pre  => Line'First = 1
@@ -106,16 +111,18 @@ package body Monitor.Tasks with SPARK_Mode is
          Texts.Set (Line, "destijl: cannot listen on ");
          Bound := Chosen.Port;
       end if;
-      Texts.Append (Line, Chosen.Bind.Data (1 .. Chosen.Bind.Length));
+      Texts.Append (Line, Texts.Image (Chosen.Bind));
       Texts.Append (Line, ":");
       Texts.Append (Line, Bound);
       if Success then
+         Texts.Append (Line, ", for ");
+         Texts.Append (Line, Options.Admitted (Chosen));
          Journal.Put (Options.Info, Line);
          Monitor.Session.Server_Listens;
       else
          Texts.Append (Line, ": ");
-         Texts.Append (Line, Reason.Data (1 .. Reason.Length));
-         Console.Put_Log (Line.Data (1 .. Line.Length));
+         Texts.Append (Line, Texts.Image (Reason));
+         Console.Put_Log (Texts.Image (Line));
          Process.Leave (Process.Cannot_Start);
       end if;
    end Start_Server;
@@ -189,6 +196,16 @@ package body Monitor.Tasks with SPARK_Mode is
       end if;
    end Handle;
 
+   procedure Tell_Stranger (Line : String) is
+      Text : Texts.Text;
+   begin
+      Texts.Set
+        (Text, "closing the connection of a client that is no monitor; it "
+         & "begins with: ");
+      Admission.Authentication.Append_Shown (Text, Line);
+      Journal.Put (Options.Warning, Text);
+   end Tell_Stranger;
+
    task body Th_Receive_From_Mon is
       Incoming : String (1 .. 4096) := (others => ' ');
       Line     : String (1 .. Max_Line) := (others => ' ');
@@ -197,6 +214,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Reader   : Line_Reader;
       Complete : Boolean;
       Open     : Boolean;
+      Begun    : Beginning;
       Ranks    : Order_Meanings.Ranks;
       Order    : Orders.Order;
    begin
@@ -205,11 +223,22 @@ package body Monitor.Tasks with SPARK_Mode is
          pragma Loop_Invariant (not Order.Owed);
          Monitor.Session.Wait_Receive;
          Clear (Reader);
+         --  the right token was a line of this protocol
+         Begun :=
+           (if Settings.Command_Line.Chosen.Token_File.Length > 0 then Known
+            else Undecided);
          Ranks := (others => <>);
          loop
             pragma Loop_Invariant (not Order.Owed);
             Monitor.Sockets.Connection.Receive (Incoming, Length, Open);
             Trace.Take_Up (Schedule.Th_Receive_From_Mon);
+            if Begun = Undecided and then Open then
+               Judge (Reader, Incoming (1 .. Length), Begun, Line, Last);
+               if Begun = Unknown then
+                  Tell_Stranger (Line (1 .. Last));
+                  exit;
+               end if;
+            end if;
             for I in 1 .. Length loop
                pragma Loop_Invariant (not Order.Owed);
                exit when not Open;

@@ -17,6 +17,7 @@ package body Robot.Exchange with SPARK_Mode is
    use type Interfaces.Unsigned_64;
    use type Robot.Serial_Line.Line_Record;
    use type Robot.Session.Mode_Kind;
+   use type Robot.Session.Request_Kind;
    use type Robot.Session.Step_Kind;
 
    procedure Open_Device (Success : out Boolean);
@@ -101,7 +102,8 @@ package body Robot.Exchange with SPARK_Mode is
       Robot.Serial_Line.Discard_Input;
       Clear (Receiving);
       Deadline := Clock;
-      Deadline := Deadline + Schedule.Answer_Timeout
+      Deadline := Deadline
+        + Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout)
         + Out_Frame.Length * Schedule.Byte_Time;
       Robot.Serial_Line.Write (Out_Frame, Ok);
       Trace.Ordered (Schedule.Th_Line, Item.Kind);
@@ -139,19 +141,30 @@ package body Robot.Exchange with SPARK_Mode is
    procedure Carry_Out
      (State   : in out Robot.Session.State;
       Request : Robot.Session.Request;
-      Result  : out Robot.Session.Outcome)
+      Result  : out Robot.Session.Outcome;
+      Counted : in out Time)
    is
       Progress : Robot.Session.Progress;
       Step     : Robot.Session.Step;
       Last     : Robot.Session.Step_Result;
    begin
-      Robot.Session.Start_Request (State, Request, Progress, Step);
+      Robot.Session.Start_Request
+        (State,
+         (if Request.Kind = Robot.Session.Open_Line and then State.Line_Open
+          then (Kind => Robot.Session.Ping, others => <>)
+          else Request),
+         Progress, Step);
       while Step.Kind /= Robot.Session.Finish loop
          pragma Loop_Invariant (Robot.Session.Is_Under_Way (State, Progress));
          pragma Loop_Invariant
            (Robot.Session.Is_Allowed (State, Progress, Step));
          pragma Loop_Variant
            (Decreases => Robot.Session.Steps_Left (State, Progress));
+         if Robot.Session.Is_Sent (Step)
+           and then Step.Command.Kind in Start | Start_Watchdog | Reload
+         then
+            Counted := Clock;
+         end if;
          Take_Step (State, Progress, Step, Last);
          Trace.Resume (Schedule.Th_Line);
          Robot.Session.Continue_Request (State, Progress, Last, Step);

@@ -14,6 +14,7 @@ with Robot.Events;
 with Robot.Exchange;
 with Robot.Line;
 with Robot.Line_Status; use Robot.Line_Status;
+with Robot.Reload_Times; use Robot.Reload_Times;
 with Robot.Requests;
 with Robot.Session;     use Robot.Session;
 with Task_Ports;
@@ -24,8 +25,13 @@ package body Robot.Tasks with SPARK_Mode is
    use type Robot.Requests.Client;
    use type Robot.Requests.Verdict_Kind;
 
-   procedure Tell_Of (Note : Note_Kind);
-   --  What the monitor and the log learn of Note
+   Max_Idle_Failures : constant := 2;
+   --  A robot that is not started and has left so many pings without an answer
+   --  is off, and is asked no more: its line stays open
+
+   procedure Tell_Of (Note : Note_Kind; Empty : Boolean);
+   --  What the monitor and the log learn of Note. Empty: the robot's battery,
+   --  when last asked
 
    procedure Tell_Of_Start (Mode : Mode_Kind);
    --  The robot has begun to run: sets the periodic tasks going
@@ -34,7 +40,7 @@ package body Robot.Tasks with SPARK_Mode is
    --  Next on its grid, in the future: periods that could not be kept are
    --  left out, not caught up with
 
-   procedure Tell_Of (Note : Note_Kind) is
+   procedure Tell_Of (Note : Note_Kind; Empty : Boolean) is
    begin
       case Note is
          when Nothing =>
@@ -51,8 +57,11 @@ package body Robot.Tasks with SPARK_Mode is
          when Robot_Lost =>
             Journal.Put
               (Options.Warning,
-               "robot lost: four failures in a row, its line is closed");
-            Monitor.Outbox.Put_Robot_Lost;
+               (if Empty then
+                   Monitor.Notices.Text_Of (Monitor.Notices.Robot_Lost_Empty)
+                else "robot lost: four failures in a row, its line is "
+                  & "closed"));
+            Monitor.Outbox.Put_Robot_Lost (Empty);
       end case;
    end Tell_Of;
 
@@ -74,10 +83,12 @@ package body Robot.Tasks with SPARK_Mode is
    end Skip_Past;
 
    task body Th_Line is
-      State  : Robot.Session.State;
-      Job    : Robot.Requests.Job;
-      Result : Outcome;
-      Ended  : Time;
+      State   : Robot.Session.State;
+      Job     : Robot.Requests.Job;
+      Result  : Outcome;
+      Ended   : Time;
+      Counted : Time := Time_First;
+      Empty   : Boolean := False;
    begin
       Process.Threads.Name_Task (Schedule.Th_Line);
       loop
@@ -85,7 +96,7 @@ package body Robot.Tasks with SPARK_Mode is
            (Is_Consistent (State) and then not Job.Order.Owed);
          Robot.Line.Take (Job);
          if Job.Verdict = Robot.Requests.Carry_Out then
-            Robot.Exchange.Carry_Out (State, Job.Request, Result);
+            Robot.Exchange.Carry_Out (State, Job.Request, Result, Counted);
          else
             Result :=
               (Kind   =>
@@ -94,7 +105,7 @@ package body Robot.Tasks with SPARK_Mode is
                others => <>);
          end if;
          Ended := Clock;
-         Robot.Line.Finish (Job, State, Result, Ended);
+         Robot.Line.Finish (Job, State, Result, Ended, Counted);
          if Robot.Line_Status.Starts (Job, Result) then
             Tell_Of_Start (State.Mode);
          end if;
@@ -106,7 +117,11 @@ package body Robot.Tasks with SPARK_Mode is
          if Job.From /= Robot.Requests.Stop_Order then
             Robot.Clients.Signal (Job.From);
          end if;
-         Tell_Of (Result.Note);
+         Tell_Of (Result.Note, Empty);
+         Empty := State.Line_Open
+           and then
+             (if Job.Request.Kind = Get_Battery and then Result.Kind = Done
+              then Result.Value = 0 else Empty);
       end loop;
    end Th_Line;
 
@@ -144,17 +159,19 @@ package body Robot.Tasks with SPARK_Mode is
    end Th_Start_Robot_WD;
 
    task body Th_Reload_WD is
-      Begun  : Status;
-      Now    : Status;
-      Next   : Time;
-      Result : Outcome;
+      Begun      : Status;
+      Now        : Status;
+      Next       : Time;
+      Result     : Outcome;
+      Unanswered : Unanswered_Count;
    begin
       Process.Threads.Name_Task (Schedule.Th_Reload_WD);
       loop
          Robot.Events.Wait_Reload;
          Robot.Line.Get_Status (Begun);
          Now := Begun;
-         Next := Begun.Started_At + Schedule.Reload_Period;
+         Unanswered := 0;
+         Next := Begun.Counts_From + Schedule.Reload_Period;
          while Same_Run (Now, Begun)
            and then Now.Mode = Started_With_Watchdog
          loop
@@ -166,11 +183,15 @@ package body Robot.Tasks with SPARK_Mode is
             Robot.Clients.Reload.Ask
               (Begun, (Kind => Reload, others => <>), Result);
             Robot.Line.Get_Status (Now);
-            if Result.Kind = Refused then
-               --  the robot has begun to count anew
-               Next := Now.Used_At;
+            if Now.Counts_From > Next + Schedule.Reload_Quiet then
+               --  the line was not free
+               Next := Now.Counts_From;
             end if;
-            Next := Next + Schedule.Reload_Period;
+            Unanswered :=
+              (if Result.Kind = Timed_Out then
+                  Unanswered_Count'Min (Unanswered, 1) + 1
+               else 0);
+            Next := Next + Milliseconds (Interval_After (Unanswered));
             Skip_Past (Next, Schedule.Reload_Period);
          end loop;
       end loop;
@@ -209,7 +230,7 @@ package body Robot.Tasks with SPARK_Mode is
          Robot.Events.Wait_Battery;
          Robot.Line.Get_Status (Begun);
          Now := Begun;
-         Next := Begun.Started_At + Schedule.Battery_Offset;
+         Next := Begun.Counts_From + Schedule.Battery_Offset;
          while Same_Run (Now, Begun) loop
             Trace.Done (Schedule.Th_Battery_Level);
             delay until Next;
@@ -252,8 +273,15 @@ package body Robot.Tasks with SPARK_Mode is
       loop
          Robot.Events.Wait_Keep_Alive;
          Robot.Line.Get_Status (Begun);
+         if Begun.Mode = Not_Started
+           and then Begun.Open
+           and then Begun.Failures < Max_Idle_Failures
+         then
+            Robot.Clients.Keep_Alive.Ask
+              ((Kind => Keep_Alive, others => <>), Ignored);
+         end if;
          Now := Begun;
-         Next := Begun.Started_At + Schedule.Keep_Alive_Period;
+         Next := Begun.Counts_From + Schedule.Keep_Alive_Period;
          while Same_Run (Now, Begun) loop
             Trace.Done (Schedule.Th_Keep_Alive);
             delay until Next;

@@ -30,20 +30,6 @@ package body Both_Ends is
    States : array (Place) of State;
    Lines  : array (Place) of Pseudo_Terminals.Line;
 
-   function Master (Where : Place) return int;
-   --  The robot's end of the line, -1 where none is open
-
-   procedure Write (File : int; Text : String);
-
-   procedure Hear (Where : Place);
-   --  What has come at the robot's end
-
-   procedure Receive (Where : Place);
-   --  What has come at the monitor's end
-
-   procedure Look (Until_Time : Instant);
-   --  Waits for something at any end, and takes it
-
    function Answer_To (Command : String) return String is
      (case Command (Command'First) is
          when 'v'    => "2",
@@ -81,6 +67,7 @@ package body Both_Ends is
    function Master (Where : Place) return int is
      (if Pseudo_Terminals.Is_Open (Lines (Where))
       then Pseudo_Terminals.Robot_End (Lines (Where)) else -1);
+   --  The robot's end of the line, -1 where none is open
 
    procedure Connect (Where : Place; Port : Positive; By_Lines : Boolean) is
       use GNAT.Sockets;
@@ -134,6 +121,7 @@ package body Both_Ends is
    end Set_Unanswered;
 
    procedure Hear (Where : Place) is
+      --  What has come at the robot's end
       S    : State renames States (Where);
       Data : String (1 .. 256);
       Last : long;
@@ -165,6 +153,7 @@ package body Both_Ends is
    end Hear;
 
    procedure Receive (Where : Place) is
+      --  What has come at the monitor's end
       S    : State renames States (Where);
       Data : String (1 .. 65_536);
       Last : long;
@@ -210,6 +199,7 @@ package body Both_Ends is
    end Receive;
 
    procedure Look (Until_Time : Instant) is
+      --  Waits for something at any end, and takes it
       Files : Libc.Poll_Array (1 .. 2 * (Place'Pos (Place'Last) + 1)) :=
         (others => (-1, Libc.Poll_In, 0));
    begin
@@ -291,13 +281,8 @@ package body Both_Ends is
 
       Patience : constant Duration := 1.0;
 
-      function Seen_At return Instant;
-      --  When the order came to the robot; Never before
-
-      function Answer return Event;
-      --  What came to the monitor; its times are Never before
-
       function Seen_At return Instant is
+         --  When the order came to the robot; Never before
       begin
          for Item of S.Frames loop
             if Item.Text = Frame then
@@ -308,6 +293,7 @@ package body Both_Ends is
       end Seen_At;
 
       function Answer return Event is
+         --  What came to the monitor; its times are Never before
       begin
          for Item of S.Messages loop
             if not S.By_Lines

@@ -119,47 +119,8 @@ package body Deadline_Times is
    Source  : Generator;
    Watched : Boolean := False;
 
-   procedure Take_Bounds (Result : in out Subject_Deadlines);
-
-   procedure Drive
-     (R        : in out Rig;
-      End_Time : Instant;
-      Spans    : in out Span_Vectors.Vector;
-      Sent     : in out Sending_Vectors.Vector;
-      Found    : in out Arrival_Vectors.Vector;
-      Sound    : out Boolean;
-      Count    : in out Tally);
-   --  A session, from its connection to its loss. Found: what came to the
-   --  monitor from when on all was under way. Sound: the robot was not lost,
-   --  which ends it
-
-   procedure Lose (R : in out Rig; Number : Natural);
-
-   procedure Look_At_Line
-     (Journal : Emulators.Notes;
-      Sent    : Sending_Vectors.Vector;
-      Lost    : Instant;
-      Sound   : Boolean;
-      Spans   : in out Span_Vectors.Vector;
-      Start   : out Instant;
-      Count   : in out Tally);
-   --  Start: when the robot's answer to the start had come
-
-   procedure Look_At_Messages
-     (Found : Arrival_Vectors.Vector;
-      Start : Instant;
-      Spans : in out Span_Vectors.Vector;
-      Count : in out Tally);
-
-   procedure Note
-     (Spans : Span_Vectors.Vector;
-      Times : in out Subject_Times;
-      Kept  : in out Subject_Deadlines);
-
    procedure Take_Bounds (Result : in out Subject_Deadlines) is
       Known : Analysis;
-
-      procedure Take (Which : Subject; Name : Requirement_Name);
 
       procedure Take (Which : Subject; Name : Requirement_Name) is
          Item : Requirement renames Known.Requirements (Name);
@@ -206,14 +167,15 @@ package body Deadline_Times is
       Sound    : out Boolean;
       Count    : in out Tally)
    is
+      --  A session, from its connection to its loss. Found: what came to the
+      --  monitor from when on all was under way. Sound: the robot was not
+      --  lost, which ends it
       Begun  : constant Instant := Now;
       Due    : Instant;
       Unused : Message;
       Missed : Natural;
       First  : Positive;
       Number : Natural := 0;
-
-      procedure Ask (Command, Wire, Wanted : String);
 
       procedure Ask (Command, Wire, Wanted : String) is
          Time : Instant;
@@ -244,7 +206,7 @@ package body Deadline_Times is
    begin
       Sound := True;
       Connect (R);
-      R.Monitor.Send_Line ("what");
+      R.Monitor.Send_Line ("RPIN");
       Spans.Append
         ((First_Answer, Begun, R.Monitor.Next_Answer (Patience).Time));
       Start_Robot (R, Watchdog => True);
@@ -299,6 +261,7 @@ package body Deadline_Times is
       Start   : out Instant;
       Count   : in out Tally)
    is
+      --  Start: when the robot's answer to the start had come
       Place   : Positive := 1;
       --  in Sent
       Free    : Instant  := Never;
@@ -406,11 +369,6 @@ package body Deadline_Times is
       Times : in out Subject_Times;
       Kept  : in out Subject_Deadlines)
    is
-      procedure Compare
-        (Item  : Span;
-         Limit : Duration;
-         Above : in out Natural;
-         Ran   : in out Natural);
 
       procedure Compare
         (Item  : Span;
@@ -450,10 +408,6 @@ package body Deadline_Times is
       End_Time  : Instant;
       Taken     : Duration;
       Said      : Instant := Now;
-
-      procedure Run_Session;
-
-      procedure Put (Name : String; Value : Natural; Most : Integer := -1);
 
       procedure Put (Name : String; Value : Natural; Most : Integer := -1) is
       begin

@@ -13,7 +13,6 @@ with Bench_Settings;
 with Both_Ends;
 with Child_Processes;
 with Deadline_Times;
-with Expectations;
 with Full_Load;
 with Libc;
 with Machines;
@@ -43,15 +42,6 @@ procedure Destijl_Bench is
 
    function Attempts return Positive is
      (if Bench_Settings.Only_Checked then 3 else 1);
-
-   procedure Read_Command_Line;
-
-   procedure Print_Usage (To : File_Type);
-
-   procedure Run (Which : Section);
-
-   procedure Run_Next;
-   --  From the beginning, also if the attempt before has failed
 
    procedure Print_Usage (To : File_Type) is
    begin
@@ -136,15 +126,6 @@ procedure Destijl_Bench is
       end case;
    end Run;
 
-   Next_One : Section := Section'First;
-
-   procedure Run_Next is
-   begin
-      Own_Process.Prefer_Real_Time (False);
-      Both_Ends.Close_All;
-      Run (Next_One);
-   end Run_Next;
-
 begin
    Own_Process.Ignore_Broken_Pipes;
    Read_Command_Line;
@@ -153,8 +134,9 @@ begin
    Machines.Report;
    for Which in Section loop
       if Wanted (Which) then
-         Next_One := Which;
-         Expectations.Measure_Calmly (Run_Next'Access);
+         Own_Process.Prefer_Real_Time (False);
+         Both_Ends.Close_All;
+         Run (Which);
          if Which = Responses and then Bench_Settings.As_Service then
             --  once, for it may take hours; a short check again where the
             --  machine stood still

@@ -25,14 +25,9 @@ package body Full_Load is
    procedure Measure
      (Baud    : Natural;
       Tasks   : Boolean  := False;
-      Seconds : Positive := Bench_Settings.Seconds);
-   --  Tasks: the processor time of the tasks instead of the delays
-
-   procedure Measure
-     (Baud    : Natural;
-      Tasks   : Boolean  := False;
       Seconds : Positive := Bench_Settings.Seconds)
    is
+      --  Tasks: the processor time of the tasks instead of the delays
       use Ada.Numerics.Float_Random;
 
       Answer_Bytes : constant := 3;
@@ -71,17 +66,8 @@ package body Full_Load is
       Sent      : array (1 .. 4 * 100 * Seconds) of Sending;
       Sent_Last : Natural := 0;
 
-      procedure Ask_And_Note (Command : String; Wire : String);
-      --  Sends and waits for the answer; of an own answer notes the time
-
-      procedure Pause;
-      --  Between two commands: 15 to 45 ms
-
-      procedure Evaluate_Orders;
-      procedure Evaluate_Robot_Answers;
-      procedure Evaluate_Periods;
-
       procedure Ask_And_Note (Command : String; Wire : String) is
+         --  Sends and waits for the answer; of an own answer notes the time
          Item : Message;
          Time : Instant;
       begin
@@ -99,6 +85,7 @@ package body Full_Load is
       end Ask_And_Note;
 
       procedure Pause is
+         --  Between two commands: 15 to 45 ms
       begin
          delay 0.015 + 0.03 * Duration (Random (Source));
       end Pause;
@@ -154,9 +141,6 @@ package body Full_Load is
          Battery, Image, Place : Instant := Never;
 
          procedure Add
-           (To : in out Samples.Set; Item : Message; Last : in out Instant);
-
-         procedure Add
            (To : in out Samples.Set; Item : Message; Last : in out Instant)
          is
          begin
@@ -192,8 +176,6 @@ package body Full_Load is
       is (Duration'Max
            (abs (Set.Quantile (Share) - Middle),
             abs (Set.Quantile (1.0 - Share) - Middle)));
-
-      procedure Put_Off (Name : String; Most, Off : Duration);
 
       procedure Put_Off (Name : String; Most, Off : Duration) is
       begin

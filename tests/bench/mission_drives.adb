@@ -29,10 +29,8 @@ package body Mission_Drives is
      (Image (10 + Natural (Random (Source) * Float (Side - 20))) & ".25");
    --  Centimetres, not too near to the edges
 
-   function Random_Path (Points : Positive) return String;
-   --  The order of a mission
-
    function Random_Path (Points : Positive) return String is
+      --  The order of a mission
       Text : Unbounded_String := To_Unbounded_String ("MPCM");
    begin
       for Number in 1 .. Points loop
@@ -66,17 +64,15 @@ package body Mission_Drives is
       Ends  : Natural := R.Monitor.Count_Of ("MEND");
       --  with that of the mission under way
 
-      function Answer_To (Question : String) return Message_Label;
-
-      procedure Ask (Question : String; Wanted : Message_Label);
-
-      procedure Ask_For_Another;
-      --  Rejected while one is under way; where that has just ended, not
-
-      procedure Drive_One (By_Hand : Boolean; As_Meant : out Boolean);
-
-      function Last_End return Unbounded_String;
-      --  What the monitor has been told last
+      function Last_End return Unbounded_String is
+         --  What the monitor has been told last
+         Place : Natural := R.Monitor.Count;
+      begin
+         while R.Monitor.Element (Place).Label /= "MEND" loop
+            Place := Place - 1;
+         end loop;
+         return R.Monitor.Element (Place).Data;
+      end Last_End;
 
       function Answer_To (Question : String) return Message_Label is
          Item : constant Message := R.Monitor.Ask (Question, Within => 5.0);
@@ -92,6 +88,7 @@ package body Mission_Drives is
       end Ask;
 
       procedure Ask_For_Another is
+         --  Rejected while one is under way; where that has just ended, not
       begin
          if Answer_To (Random_Path (Most_Points)) = "AACK" then
             Ends := Ends + 1;
@@ -126,15 +123,6 @@ package body Mission_Drives is
            or else Last_End =
              (if By_Hand then "aborted;order by hand" else "done");
       end Drive_One;
-
-      function Last_End return Unbounded_String is
-         Place : Natural := R.Monitor.Count;
-      begin
-         while R.Monitor.Element (Place).Label /= "MEND" loop
-            Place := Place - 1;
-         end loop;
-         return R.Monitor.Element (Place).Data;
-      end Last_End;
 
       As_Meant : Boolean;
    begin

@@ -66,32 +66,12 @@ package body Order_Times is
    Amount : Natural := 0;
 
    function Measurable (Under : Condition) return Boolean is
-     (Under not in Service | Loaded_Service or else Libc.Geteuid = 0);
+     (Under not in Service | Loaded_Service
+      or else (Libc.Geteuid = 0 and then Own_Process.Real_Time_Allowed));
 
    function Is_Taken (Through : Passage; Under : Condition) return Boolean is
      (Through = Ours
       or else (Through = Traced) = (Under = Beside_Traced));
-
-   procedure Measure_All;
-
-   procedure Measure (Under : Condition);
-   --  Loaded: images with positions, two busy loops. With_Gap: images alone,
-   --  and the default gap between messages. Otherwise no camera
-
-   procedure One (Through : Passage; Result : out Exchange);
-
-   function Said (Events : Event_Vectors.Vector) return String;
-   --  Their texts
-
-   procedure Recover (Which : Passage);
-   --  From a robot that counts as lost: the machine was busy elsewhere
-
-   procedure Measure_Stops;
-   --  Ours must be there
-
-   procedure Compare (Name : String; Which : Distributions);
-   --  Against the goal of orders and answers, under each condition that has
-   --  been measured
 
    procedure One (Through : Passage; Result : out Exchange) is
       --  a different one each time
@@ -109,6 +89,7 @@ package body Order_Times is
    end One;
 
    function Said (Events : Event_Vectors.Vector) return String is
+      --  Their texts
       Result : Unbounded_String;
    begin
       for Item of Events loop
@@ -118,6 +99,7 @@ package body Order_Times is
    end Said;
 
    procedure Recover (Which : Passage) is
+      --  From a robot that counts as lost: the machine was busy elsewhere
    begin
       --  what is late comes meanwhile
       Serve (0.2);
@@ -130,11 +112,10 @@ package body Order_Times is
    end Recover;
 
    procedure Measure_Stops is
+      --  Ours must be there
       Count  : constant Positive :=
         Integer'Max (20, Bench_Settings.Sample_Count / 10);
       Missed : Natural := 0;
-
-      procedure Stop_One;
 
       procedure Stop_One is
          Unused, Begun, Time : Instant;
@@ -173,6 +154,8 @@ package body Order_Times is
    end Measure_Stops;
 
    procedure Measure (Under : Condition) is
+      --  Loaded: images with positions, two busy loops. With_Gap: images
+      --  alone, and the default gap between messages. Otherwise no camera
       Bare        : array (Bare_Passage) of Child;
       Driving     : array (Supervisor_Passage) of Supervisors.Supervisor;
       Camera      : Emulators.Emulator;
@@ -181,8 +164,6 @@ package body Order_Times is
 
       With_Load   : constant Boolean := Under in Loaded | Loaded_Service;
       With_Camera : constant Boolean := With_Load or else Under = With_Gap;
-
-      procedure Measure_Block (Which : Passage);
 
       procedure Measure_Block (Which : Passage) is
       begin
@@ -292,9 +273,9 @@ package body Order_Times is
    end Measure_All;
 
    procedure Compare (Name : String; Which : Distributions) is
+      --  Against the goal of orders and answers, under each condition that has
+      --  been measured
       use Reports;
-
-      procedure Compare_One (Title : String; Under : Condition);
 
       procedure Compare_One (Title : String; Under : Condition) is
          Both : Distribution renames Which (Under);

@@ -48,16 +48,9 @@ package body Period_Times is
 
    function Late
      (Events : Event_Vectors.Vector; Text : String; Period : Time_Span)
-      return Samples.Set;
-   --  How much later than on the grid of the earliest each has come
-
-   function Cyclictest_Latencies (From : Child) return Samples.Set;
-   --  Of its histogram, to the microsecond
-
-   function Late
-     (Events : Event_Vectors.Vector; Text : String; Period : Time_Span)
       return Samples.Set
    is
+      --  How much later than on the grid of the earliest each has come
       Length : constant Duration := To_Duration (Period);
       First  : Instant := Never;
       Past   : Duration;
@@ -77,6 +70,7 @@ package body Period_Times is
    end Late;
 
    function Cyclictest_Latencies (From : Child) return Samples.Set is
+      --  Of its histogram, to the microsecond
       Result : Samples.Set;
    begin
       for Number in 1 .. From.Count (Output) loop
@@ -113,10 +107,8 @@ package body Period_Times is
         and then Own_Process.Real_Time_Allowed;
       Ours       : Samples.Set;
 
-      procedure Compare (Name : String; Of_Subject : Subject);
-      --  Ours with cyclictest
-
       procedure Compare (Name : String; Of_Subject : Subject) is
+         --  Ours with cyclictest
          Floor : Samples.Set;
       begin
          if not Compared then

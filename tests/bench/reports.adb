@@ -2,10 +2,7 @@
 --  What the benchmark says.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
-with Ada.Containers.Vectors;
 with Ada.Directories;
-with Ada.Numerics.Elementary_Functions;
-use Ada.Numerics.Elementary_Functions;
 with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -14,7 +11,6 @@ with Ada.Text_IO;           use Ada.Text_IO;
 with Expectations;          use Expectations;
 with Json_Texts;            use Json_Texts;
 with Plain_Numbers;         use Plain_Numbers;
-with Svg_Files;             use Svg_Files;
 
 package body Reports is
 
@@ -32,24 +28,6 @@ package body Reports is
    Name_Width : constant := 56;
    Width      : constant := 11;
 
-   type Curve is record
-      Name  : Unbounded_String;
-      Set   : Samples.Set;
-      Floor : Boolean := False;
-      Again : Boolean := False;
-      --  a second floor of the same times
-   end record;
-
-   package Curve_Vectors is new Ada.Containers.Vectors (Positive, Curve);
-
-   type Bar is record
-      Name         : Unbounded_String;
-      Unit         : Unbounded_String;
-      Value, Floor : Float := 0.0;
-   end record;
-
-   package Bar_Vectors is new Ada.Containers.Vectors (Positive, Bar);
-
    Place    : Unbounded_String;
    Facts    : Unbounded_String;  --  JSON
    Sections : Unbounded_String;  --  JSON
@@ -58,43 +36,23 @@ package body Reports is
    Known    : array (Figure) of Float;  --  of that row
    Section  : Unbounded_String;
    Title    : Unbounded_String;
-   Curves   : Curve_Vectors.Vector;
-   Bars     : Bar_Vectors.Vector;
 
    function Column (Text : String) return String is (Tail (Text, Width));
 
    function Micro (Value : Duration) return Float is
      (Float (Value) * 1.0E6);
 
-   procedure Next (List : in out Unbounded_String; Item : String);
-   --  One more of a list of JSON
-
    function Key (Of_What : Figure) return String is
      (To_Lower (Of_What'Image));
 
-   procedure Begin_Row (Name, Unit : String);
-
-   procedure Note (Name : String; Value : Float);
-   --  One more member of the row
-
-   procedure Note (Of_What : Figure; Value : Float);
-   --  The same, for a goal to be compared with
-
-   procedure Note_Times (Set : Samples.Set);
-   procedure Note_Floor (Set : Samples.Set);
-
-   procedure End_Row (Wanted : Goals);
-   --  Says which goals are met
-
-   procedure Put_Times (Name : String; Set : Samples.Set);
-
-   procedure Write_Sections;
-   --  The JSON, as far as it goes
-
-   procedure Plot_Curves (Drawing : in out Svg_File);
-   procedure Plot_Bars (Drawing : in out Svg_File);
+   procedure Note (Name : String; Value : Float) is
+      --  One more member of the row
+   begin
+      Append (Row, ", """ & Name & """: " & Rounded (Value, 3));
+   end Note;
 
    procedure Next (List : in out Unbounded_String; Item : String) is
+      --  One more of a list of JSON
    begin
       if Length (List) > 0 then
          Append (List, "," & ASCII.LF);
@@ -121,8 +79,6 @@ package body Reports is
       Section := To_Unbounded_String (Name);
       Reports.Title := To_Unbounded_String (Title);
       Rows := Null_Unbounded_String;
-      Curves.Clear;
-      Bars.Clear;
       New_Line;
       Put_Line (Name & ": " & Title);
       Put (Head ("   times in us", Name_Width) & Column ("n"));
@@ -138,12 +94,8 @@ package body Reports is
         ("{""name"": " & Quoted (Name) & ", ""unit"": " & Quoted (Unit));
    end Begin_Row;
 
-   procedure Note (Name : String; Value : Float) is
-   begin
-      Append (Row, ", """ & Name & """: " & Rounded (Value, 3));
-   end Note;
-
    procedure Note (Of_What : Figure; Value : Float) is
+      --  The same, for a goal to be compared with
    begin
       Note (Key (Of_What), Value);
       Known (Of_What) := Value;
@@ -171,6 +123,7 @@ package body Reports is
    end Note_Floor;
 
    procedure End_Row (Wanted : Goals) is
+      --  Says which goals are met
       List : Unbounded_String;
       Met  : Boolean;
    begin
@@ -209,11 +162,7 @@ package body Reports is
      (Name   : String;
       Ours   : Samples.Set;
       Floor  : Samples.Set;
-      Wanted : Goals := No_Goals)
-   is
-      use type Samples.Set;
-      Again  : constant Boolean :=
-        (for some Item of Curves => not Item.Floor and then Item.Set = Ours);
+      Wanted : Goals := No_Goals) is
    begin
       Check (Ours.Count > 0, Name & ": nothing measured");
       Begin_Row (Name, "us");
@@ -227,11 +176,6 @@ package body Reports is
       Put_Times ("this supervisor", Ours);
       Put_Times ("floor", Floor);
       End_Row (Wanted);
-      if not Again then
-         Curves.Append ((To_Unbounded_String (Name), Ours, others => False));
-      end if;
-      Curves.Append
-        ((To_Unbounded_String (Name & ", floor"), Floor, True, Again));
    end Compare;
 
    procedure Put
@@ -243,14 +187,11 @@ package body Reports is
       Put_Line (Name);
       Put_Times ("this supervisor", Ours);
       End_Row (Wanted);
-      Curves.Append ((To_Unbounded_String (Name), Ours, others => False));
    end Put;
 
    procedure Put_Deadline
      (Name : String; Ours : Samples.Set; Kept : Deadline)
    is
-      procedure Put_Excess
-        (Key, Excess : String; Limit : Duration; Count, Ran : Natural);
 
       procedure Put_Excess
         (Key, Excess : String; Limit : Duration; Count, Ran : Natural) is
@@ -285,7 +226,6 @@ package body Reports is
       else
          End_Row ((1 => (P999, Micro (Kept.Limit), False)));
       end if;
-      Curves.Append ((To_Unbounded_String (Name), Ours, others => False));
    end Put_Deadline;
 
    procedure Put_Number
@@ -310,20 +250,12 @@ package body Reports is
          & Column (Rounded (Value)) & " " & Unit
          & (if Floor >= 0.0 then ", floor " & Rounded (Floor) else ""));
       End_Row (Wanted);
-      Bars.Append
-        ((To_Unbounded_String (Name), To_Unbounded_String (Unit),
-          Value, Float'Max (Floor, 0.0)));
    end Put_Number;
 
    procedure Adopt (Row : String; Wanted : Goals := No_Goals) is
 
-      function Member (Key : String) return String;
-      --  Its value, without quotation marks
-
-      function Number (Key : String) return Float is
-        (Float'Value (Member (Key)));
-
       function Member (Key : String) return String is
+         --  Its value, without quotation marks
          Place : constant Natural := Index (Row, """" & Key & """:");
          First : constant Positive := Place + Key'Length + 3;
          Last  : Natural := First;
@@ -338,6 +270,9 @@ package body Reports is
          end loop;
          return Row (First .. Last);
       end Member;
+
+      function Number (Key : String) return Float is
+        (Float'Value (Member (Key)));
 
       Name  : constant String := Member ("size") & " " & Member ("name");
       Floor : constant Float :=
@@ -365,9 +300,6 @@ package body Reports is
             & ", the floor's median " & Rounded (Floor));
       end if;
       End_Row (Wanted);
-      Bars.Append
-        ((To_Unbounded_String (Name), To_Unbounded_String ("us"),
-          Known (Median), Float'Max (Floor, 0.0)));
    end Adopt;
 
    procedure Put_Note (Text : String) is
@@ -376,161 +308,8 @@ package body Reports is
       Next (Rows, "{""note"": " & Quoted (Text) & "}");
    end Put_Note;
 
-   procedure Plot_Curves (Drawing : in out Svg_File) is
-
-      --  Across: the time, logarithmic. Up: the share of samples that took
-      --  no longer, each step a tenth of those that are left
-
-      Left    : constant := 60.0;
-      Right   : constant := 640.0;
-      Top     : constant := 40.0;
-      Bottom  : constant := 360.0;
-      Decades : constant := 3.3;  --  up to 99.95 %
-      Steps   : constant := 120;
-
-      Low, High : Float;
-
-      function X (Value : Duration) return Float is
-        (Left + (Right - Left)
-         * (Log (Float'Max (Micro (Value), 0.1), 10.0) - Low)
-         / (High - Low));
-
-      function Y (Share : Float) return Float is
-        (Bottom - (Bottom - Top)
-         * Float'Min (1.0, -Log (Float'Max (1.0 - Share, 1.0E-6), 10.0)
-                      / Decades));
-
-      Grid   : constant array (1 .. 5) of Float :=
-        (0.0, 0.5, 0.9, 0.99, 0.999);
-      Wanted : Samples.Share_Array (1 .. Steps);
-      Kind   : Natural := 0;
-   begin
-      Low := 9.0;
-      High := 0.0;
-      for Item of Curves loop
-         Low := Float'Min
-           (Low, Float'Floor
-              (Log (Float'Max (Micro (Item.Set.Quantile (0.0)), 0.1), 10.0)));
-         High := Float'Max
-           (High, Float'Ceiling
-              (Log (Float'Max (Micro (Item.Set.Quantile (1.0)), 1.0), 10.0)));
-      end loop;
-      High := Float'Max (High, Low + 1.0);
-
-      for Share of Grid loop
-         Put_Stroke (Drawing, Left, Y (Share), Right, Y (Share), "g");
-         Put_Text
-           (Drawing, Left - 5.0, Y (Share) + 4.0,
-            Rounded (Share * 100.0, 1) & " %", Last);
-      end loop;
-      for Decade in Integer (Low) .. Integer (High) loop
-         declare
-            Value : constant Float := 10.0 ** Decade;
-            Along : constant Float := X (Duration (Value / 1.0E6));
-         begin
-            Put_Stroke (Drawing, Along, Top, Along, Bottom, "g");
-            Put_Text
-              (Drawing, Along, Bottom + 18.0,
-               (if Value < 1000.0 then Decimal (Value) & " us"
-                else Decimal (Value / 1000.0) & " ms"),
-               Middle);
-         end;
-      end loop;
-
-      for S in Wanted'Range loop
-         Wanted (S) := 1.0
-           - 10.0 ** (-Decades * Float (S - 1) / Float (Steps - 1));
-      end loop;
-      for I in Curves.First_Index .. Curves.Last_Index loop
-         if not Curves (I).Floor then
-            Kind := Kind + 1;
-         end if;
-         declare
-            Item   : constant Curve := Curves (I);
-            Values : constant Samples.Value_Array :=
-              Item.Set.Quantiles (Wanted);
-            Class  : constant String :=
-              "c c" & Image ((Kind - 1) mod 6)
-              & (if Item.Again then " again"
-                 elsif Item.Floor then " floor" else "");
-            Height : constant Float := 400.0 + 18.0 * Float (I - 1);
-         begin
-            Begin_Curve (Drawing, Class);
-            for S in Wanted'Range loop
-               Go_On (Drawing, X (Values (S)), Y (Wanted (S)));
-            end loop;
-            End_Curve (Drawing);
-            Put_Stroke (Drawing, 60.0, Height, 100.0, Height, Class);
-            Put_Text
-              (Drawing, 108.0, Height + 4.0, To_String (Item.Name));
-         end;
-      end loop;
-   end Plot_Curves;
-
-   procedure Plot_Bars (Drawing : in out Svg_File) is
-      Left   : constant := 300.0;
-      Most   : constant := 260.0;
-      Height : Float := 400.0 + 18.0 * Float (Curves.Length);
-   begin
-      if Curves.Is_Empty then
-         Height := 50.0;
-      end if;
-      for Item of Bars loop
-         declare
-            --  each with its own scale, for units differ
-            Whole : constant Float :=
-              Float'Max (Float'Max (Item.Value, Item.Floor), 1.0E-6);
-         begin
-            Put_Text (Drawing, 10.0, Height + 11.0, To_String (Item.Name));
-            Put_Box
-              (Drawing, Left, Height, Most * Item.Value / Whole, 12.0, "ours");
-            if Item.Floor > 0.0 then
-               Put_Box
-                 (Drawing, Left, Height + 12.0, Most * Item.Floor / Whole,
-                  4.0, "below");
-            end if;
-            Put_Text
-              (Drawing, Left + 265.0, Height + 11.0,
-               Rounded (Item.Value) & " " & To_String (Item.Unit));
-         end;
-         Height := Height + 22.0;
-      end loop;
-   end Plot_Bars;
-
-   procedure End_Section is
-      Drawing : Svg_File;
-      Width   : constant := 700.0;
-      Height  : constant Float :=
-        60.0 + 22.0 * Float (Bars.Length)
-        + (if Curves.Is_Empty then 0.0
-           else 350.0 + 18.0 * Float (Curves.Length));
-   begin
-      Next
-        (Sections,
-         "{""name"": " & Quoted (To_String (Section)) & ", ""title"": "
-         & Quoted (To_String (Title)) & ", ""rows"": [" & ASCII.LF
-         & To_String (Rows) & "]}");
-      Create
-        (Drawing, Folder & "/" & To_String (Section) & ".svg",
-         To_String (Title), Width, Height,
-         "text{font:12px sans-serif}.h{font-size:15px}"
-         & ".page{fill:white}.g{stroke:#ddd;stroke-width:1.5}"
-         & ".c{fill:none;stroke-width:1.5}"
-         & ".floor{stroke-dasharray:5 4}.again{stroke-dasharray:2 3}"
-         & ".c0{stroke:#0072b2}.c1{stroke:#d55e00}.c2{stroke:#009e73}"
-         & ".c3{stroke:#cc79a7}.c4{stroke:#e69f00}.c5{stroke:#000000}"
-         & ".ours{fill:#0072b2}.below{fill:#999999}");
-      Put_Box (Drawing, 0.0, 0.0, Width, Height, "page");
-      Put_Text (Drawing, 10.0, 22.0, To_String (Title), Class => "h");
-      if not Curves.Is_Empty then
-         Plot_Curves (Drawing);
-      end if;
-      Plot_Bars (Drawing);
-      Close (Drawing);
-      Write_Sections;
-   end End_Section;
-
    procedure Write_Sections is
+      --  The JSON, as far as it goes
       File : File_Type;
    begin
       Create (File, Out_File, Folder & "/bench.json");
@@ -541,11 +320,21 @@ package body Reports is
       Close (File);
    end Write_Sections;
 
+   procedure End_Section is
+   begin
+      Next
+        (Sections,
+         "{""name"": " & Quoted (To_String (Section)) & ", ""title"": "
+         & Quoted (To_String (Title)) & ", ""rows"": [" & ASCII.LF
+         & To_String (Rows) & "]}");
+      Write_Sections;
+   end End_Section;
+
    procedure Close is
    begin
       Write_Sections;
       New_Line;
-      Put_Line ("results and plots: " & Folder);
+      Put_Line ("results: " & Folder & "/bench.json");
    end Close;
 
 end Reports;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The output of the benchmark: a table per section on the terminal, one JSON
---  file for all, and an SVG plot for each.
+--  The output of the benchmark: a table per section on the terminal, and one
+--  JSON file for all.
 
 with Samples;
 
@@ -90,7 +90,7 @@ package Reports is
    --  A line of explanation under the table
 
    procedure Close;
-   --  Prints the paths of the files. The JSON is written at the end of each
+   --  Prints the path of the file. The JSON is written at the end of each
    --  section
 
 end Reports;

@@ -32,28 +32,13 @@ package body Scale_Limits is
    Text : Monitor.Image_Messages.Message_Buffer := (others => ' ');
    --  too large for a stack
 
-   procedure Take_Picture (Size : String; Path : String);
-   --  Of the emulated arena with its robot
-
-   function Keeps
-     (Picture, Size : String; Positions : Boolean; Rate : Positive)
-      return Boolean;
-   --  No period without its image, for a while
-
-   function Highest_Rate
-     (Picture, Size : String; Positions : Boolean) return Natural;
-
    function Recording return String is
      (" --trace " & Programs.Temporary_Folder & "/scale.json");
 
-   procedure Report_Rates;
-
    --  Without and with a recording, in turns
 
-   procedure Report_Processor_Use (Positions : Boolean);
-   procedure Report_Commands;
-
    procedure Take_Picture (Size : String; Path : String) is
+      --  Of the emulated arena with its robot
       Camera : Emulators.Emulator;
    begin
       Camera.Start (Camera => True, Options => "--frame-size " & Size);
@@ -64,6 +49,7 @@ package body Scale_Limits is
      (Picture, Size : String; Positions : Boolean; Rate : Positive)
       return Boolean
    is
+      --  No period without its image, for a while
       Supervisor : Supervisors.Supervisor;
       Camera     : Paced_Cameras.Camera;
       Span       : constant Duration :=
@@ -123,8 +109,6 @@ package body Scale_Limits is
 
    procedure Report_Rates is
 
-      procedure Report_Size (Size : String);
-
       procedure Report_Size (Size : String) is
          Picture : constant String :=
            Programs.Temporary_Folder & "/" & Size & ".jpg";
@@ -163,24 +147,12 @@ package body Scale_Limits is
 
       Camera : Emulators.Emulator;
 
-      procedure Look (Supervisor : Supervisors.Supervisor; Result : out Times);
-      --  What each thread has used
-
-      function Encoding_Time return Duration;
-      --  Of an image like those that have come, in base64: what
-      --  th_captureImg does that is not OpenCV's
-
-      procedure Measure (Recorded, Told : Boolean; Share : in out Float);
-      --  Adds half of the share of a core that it uses without OpenCV.
-      --  Recorded: with --trace. Told: what goes to OpenCV, and all of it
-
       procedure Look (Supervisor : Supervisors.Supervisor; Result : out Times)
       is
+         --  What each thread has used
          use Ada.Directories;
          Folder : constant String :=
            "/proc/" & Image (Integer (Supervisor.Pid)) & "/task";
-
-         procedure Add (Which : Directory_Entry_Type);
 
          procedure Add (Which : Directory_Entry_Type) is
             Thread : constant String := Folder & "/" & Simple_Name (Which);
@@ -209,6 +181,8 @@ package body Scale_Limits is
       end Look;
 
       function Encoding_Time return Duration is
+         --  Of an image like those that have come, in base64: what
+         --  th_captureImg does that is not OpenCV's
          Rounds : constant := 200;
          Last   : Natural;
          Size   : Natural := 0;
@@ -229,6 +203,8 @@ package body Scale_Limits is
       end Encoding_Time;
 
       procedure Measure (Recorded, Told : Boolean; Share : in out Float) is
+         --  Adds half of the share of a core that it uses without OpenCV.
+         --  Recorded: with --trace. Told: what goes to OpenCV, and all of it
          Supervisor : Supervisors.Supervisor;
          Before     : Times;
          After      : Times;
@@ -303,14 +279,10 @@ package body Scale_Limits is
 
    procedure Report_Commands is
 
-      procedure Count (Name, Command, Answer : String);
-
       procedure Count (Name, Command, Answer : String) is
          Turns  : constant := 4;
          Plain  : Float := 0.0;
          Traced : Float := 0.0;
-
-         function Rate (Options : String) return Float;
 
          function Rate (Options : String) return Float is
             Supervisor : Supervisors.Supervisor;

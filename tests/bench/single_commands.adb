@@ -17,26 +17,6 @@ package body Single_Commands is
    Pause : constant Duration := 0.02;
    --  between two commands: no task has anything left to do
 
-   procedure Ask (R : in out Rig; Command : String; Answer : String);
-
-   procedure Ask_One_Exchange (R : in out Rig; Command : String);
-   --  One for which the supervisor asks the robot once
-
-   procedure Ask_For_Image (R : in out Rig; Command : String);
-   --  Whose answer is one
-
-   procedure Tell (R : in out Rig; Command : String);
-   --  That has no answer
-
-   procedure Ask_Robot (R : in out Rig);
-   procedure Ask_Camera (R : in out Rig);
-   procedure Turn_Away (R : in out Rig);
-   procedure Lose_Monitor (R : in out Rig);
-   procedure Stop_Driving (R : in out Rig);
-   --  The orderly stop
-
-   procedure Measure_Once;
-
    procedure Ask (R : in out Rig; Command : String; Answer : String) is
    begin
       R.Monitor.Expect (Command, Answer, Within => 10.0);
@@ -44,6 +24,7 @@ package body Single_Commands is
    end Ask;
 
    procedure Ask_One_Exchange (R : in out Rig; Command : String) is
+      --  One for which the supervisor asks the robot once
    begin
       Task_Times.Begin_Exchange;
       Ask (R, Command, "AACK");
@@ -51,6 +32,7 @@ package body Single_Commands is
    end Ask_One_Exchange;
 
    procedure Ask_For_Image (R : in out Rig; Command : String) is
+      --  Whose answer is one
       Item : Message;
    begin
       R.Monitor.Skip_To_Now;
@@ -62,6 +44,7 @@ package body Single_Commands is
    end Ask_For_Image;
 
    procedure Tell (R : in out Rig; Command : String) is
+      --  That has no answer
    begin
       R.Monitor.Send_Line (Command);
       delay Pause;
@@ -140,6 +123,7 @@ package body Single_Commands is
    end Lose_Monitor;
 
    procedure Stop_Driving (R : in out Rig) is
+      --  The orderly stop
    begin
       Move_Forward (R);
       R.Supervisor.Send_Signal (Libc.Sigterm);

@@ -23,27 +23,13 @@ with Supervisors;
 
 package body Start_Times is
 
-   procedure Time_Start
-     (Program : String; Options : String; Set : in out Samples.Set);
-   --  To the line that says that it listens
-
-   function Megabytes
-     (Process : Interfaces.C.int; Keys : String) return Float;
-   --  The sum of these of the kernel's account of its memory
-
-   function Picture return String;
-   --  An image of the arena in a file
-
    function Recording return String is
      ("--trace " & Programs.Temporary_Folder & "/start.json");
-
-   procedure Report_Memory;
-   procedure Report_Loading;
-   procedure Report_Readiness;
 
    procedure Time_Start
      (Program : String; Options : String; Set : in out Samples.Set)
    is
+      --  To the line that says that it listens
       Process : Child;
       Begun   : constant Instant := Now;
       Line    : Natural;
@@ -58,6 +44,7 @@ package body Start_Times is
    function Megabytes
      (Process : Interfaces.C.int; Keys : String) return Float
    is
+      --  The sum of these of the kernel's account of its memory
       Path   : constant String :=
         "/proc/" & Image (Integer (Process)) & "/smaps_rollup";
       Result : Float := 0.0;
@@ -75,6 +62,7 @@ package body Start_Times is
    end Megabytes;
 
    function Picture return String is
+      --  An image of the arena in a file
       Path   : constant String := Programs.Temporary_Folder & "/start.jpg";
       Camera : Emulators.Emulator;
    begin
@@ -138,19 +126,6 @@ package body Start_Times is
 
       Amount : Natural := 0;
 
-      procedure Order (Where : Place; Taken : in out Samples.Set);
-
-      function First_Answer (Where : Place) return Natural;
-      --  Its place among the messages, 0 where there is none
-
-      procedure Measure
-        (Through : Place; Opening : Place; Taken : in out Sets);
-      --  Orders through one place, first alone, then while the camera is
-      --  opened at another
-
-      procedure Measure_Ours;
-      procedure Measure_Floor;
-
       procedure Order (Where : Place; Taken : in out Samples.Set) is
          Value : constant String :=
            Image (1 + Amount mod 9_000);
@@ -170,6 +145,7 @@ package body Start_Times is
       end Order;
 
       function First_Answer (Where : Place) return Natural is
+         --  Its place among the messages, 0 where there is none
          All_Of_Them : constant Event_Vectors.Vector := Messages (Where);
       begin
          for Number in 1 .. All_Of_Them.Last_Index loop
@@ -185,6 +161,8 @@ package body Start_Times is
       procedure Measure
         (Through : Place; Opening : Place; Taken : in out Sets)
       is
+         --  Orders through one place, first alone, then while the camera is
+         --  opened at another
          Begun    : Instant;
          Answered : Natural;
       begin
@@ -269,9 +247,9 @@ package body Start_Times is
          loop
             Connect (Ours, Supervisor.Port, By_Lines => True);
             Forget (Ours);
-            Send (Ours, "what" & ASCII.LF);
-            Await_Message (Ours, "ACER " & Gone);
-            exit when Messages (Ours).Last_Element.Text = "ACER";
+            Send (Ours, "RPIN" & ASCII.LF);
+            Await_Message (Ours, "ANAK " & Gone);
+            exit when Messages (Ours).Last_Element.Text = "ANAK";
             --  too early: the first counts as connected still
          end loop;
          Ready.Add (Messages (Ours).Last_Element.Ended - Begun);

@@ -57,10 +57,6 @@ package body Task_Times is
 
    Kept : constant := 15;  --  characters, of a longer name
 
-   procedure Look (Item : in out Thread);
-
-   procedure End_Run (Item : in out Thread);
-
    function Budget_Of (Name : Activity_Name) return Duration is
      (Duration (Processor_Time (Name)) / 1_000_000);
 
@@ -155,8 +151,6 @@ package body Task_Times is
       Folder : constant String :=
         "/proc/" & Trim (int'Image (Process), Both) & "/task";
 
-      procedure Add (Which : Directory_Entry_Type);
-
       procedure Add (Which : Directory_Entry_Type) is
          Place : constant String := Folder & "/" & Simple_Name (Which);
          File  : File_Type;
@@ -213,8 +207,6 @@ package body Task_Times is
    procedure Print is
       Number : Natural := 0;
       Above  : Natural := 0;
-
-      procedure Put (Name : String; Set : Samples.Set; Budget : Duration);
 
       procedure Put (Name : String; Set : Samples.Set; Budget : Duration) is
       begin

@@ -79,39 +79,60 @@ package body Trace_Responses is
 
    type State_Array is array (Thread_Number) of Thread_State;
 
-   procedure Make (Path : String; Missions : Boolean);
-   --  A trace
-
    procedure Take_Bounds
      (Apart, Missions : Boolean;
       Result          : in out Response_Array;
-      Orders          : in out Response);
+      Orders          : in out Response)
+   is
+      Known : Analysis;
 
-   procedure Add (Item : in out Response; Time : Duration);
+      procedure Take (Name : Activity_Name; From : Bound) is
+      begin
+         if From.Exists then
+            Result (Name).Bound := Duration (From.Local) / 1_000_000;
+         end if;
+      end Take;
 
-   procedure Take_Image (S : in out Sight; Time : Nanoseconds);
-   --  As Vision.Frame_Delivery does
+   begin
+      Analyse
+        (Of_The_Table, (if Apart then Real_Time_Apart else One_Processor),
+         (others => <>), (Mission => Missions, others => <>), Known);
+      for Name in Activity_Name loop
+         Take (Name, Known.Bounds (Name));
+      end loop;
+      Take (Line_Request, Known.Owner.Request);
+      Take (Line_Answer, Known.Owner.Outcome);
+      if Known.Requirements (Mission_Order).Known then
+         Orders.Bound :=
+           Duration (Known.Requirements (Mission_Order).Bound) / 1_000_000;
+      end if;
+   end Take_Bounds;
 
-   procedure Follow
-     (S      : in out Sight;
-      States : State_Array;
-      Item   : Event;
-      Orders : in out Response);
-   --  Before the event is noted in States
+   procedure Add (Item : in out Response; Time : Duration) is
+   begin
+      Item.Times.Add (Time);
+      if Item.Bound > 0.0 and then Time > Item.Bound then
+         Item.Above := Item.Above + 1;
+      end if;
+   end Add;
 
-   procedure Begin_Job (S : in out Thread_State; Item : Event);
-
-   procedure Resume (S : in out Thread_State; Item : Event);
-
-   procedure Add
-     (S      : in out Thread_State;
-      At_End : Nanoseconds;
-      Last   : Boolean;
-      Result : in out Response_Array);
-   --  The activity under way has ended; Last: and its job
-
-   function Activity_Of (S : Thread_State; Last : Boolean)
-     return Activity_Name;
+   procedure Resume (S : in out Thread_State; Item : Event) is
+   begin
+      S.Waited := True;
+      if S.Due /= Never then
+         S.Begun := Nanoseconds'Max (S.Due, S.Stopped);
+         S.Due := Never;
+      elsif S.Name /= "th_line"
+        and then not S.Waiting.Is_Empty
+        and then S.Waiting.Last_Element.Command = 0
+      then
+         S.Begun := Nanoseconds'Max
+           (S.Waiting.Last_Element.Time, S.Stopped);
+         S.Waiting.Delete_Last;
+      else
+         S.Begun := Item.Time;
+      end if;
+   end Resume;
 
    function Found (S : Thread_State) return Boolean is
      (S.Begun /= Never);
@@ -157,6 +178,7 @@ package body Trace_Responses is
       Last   : Boolean;
       Result : in out Response_Array)
    is
+      --  The activity under way has ended; Last: and its job
       Name : constant Activity_Name := Activity_Of (S, Last);
       Time : constant Duration :=
         Duration ((At_End - S.Begun) / 1_000) / 1_000_000;
@@ -165,14 +187,6 @@ package body Trace_Responses is
          Add (Result (Name), Time);
       end if;
       S.Begun := Never;
-   end Add;
-
-   procedure Add (Item : in out Response; Time : Duration) is
-   begin
-      Item.Times.Add (Time);
-      if Item.Bound > 0.0 and then Time > Item.Bound then
-         Item.Above := Item.Above + 1;
-      end if;
    end Add;
 
    procedure Begin_Job (S : in out Thread_State; Item : Event) is
@@ -237,6 +251,7 @@ package body Trace_Responses is
             when others        => ""));
 
    procedure Take_Image (S : in out Sight; Time : Nanoseconds) is
+      --  As Vision.Frame_Delivery does
       function Age (Arrival : Nanoseconds)
         return Vision.Image_Grid.Microseconds
       is (Vision.Image_Grid.Microseconds
@@ -264,6 +279,7 @@ package body Trace_Responses is
       Item   : Event;
       Orders : in out Response)
    is
+      --  Before the event is noted in States
       Who : Thread_State renames States (Item.Thread);
       N   : constant String := Name (Item);
 
@@ -378,6 +394,7 @@ package body Trace_Responses is
    end Read;
 
    procedure Make (Path : String; Missions : Boolean) is
+      --  A trace
       R      : Rig;
       Load   : Busy_Loops.Load;
       Start  : Instant;
@@ -433,10 +450,6 @@ package body Trace_Responses is
    end Make;
 
    procedure Report (Path : String) is
-
-      procedure Put (Name : String; Item : Response);
-
-      procedure Put_Sum (What : String; Set : Response_Array);
 
       procedure Put (Name : String; Item : Response) is
       begin
@@ -497,54 +510,5 @@ package body Trace_Responses is
         ("the bounds are those of proofs/schedulability for this machine");
       Reports.End_Section;
    end Report;
-
-   procedure Resume (S : in out Thread_State; Item : Event) is
-   begin
-      S.Waited := True;
-      if S.Due /= Never then
-         S.Begun := Nanoseconds'Max (S.Due, S.Stopped);
-         S.Due := Never;
-      elsif S.Name /= "th_line"
-        and then not S.Waiting.Is_Empty
-        and then S.Waiting.Last_Element.Command = 0
-      then
-         S.Begun := Nanoseconds'Max
-           (S.Waiting.Last_Element.Time, S.Stopped);
-         S.Waiting.Delete_Last;
-      else
-         S.Begun := Item.Time;
-      end if;
-   end Resume;
-
-   procedure Take_Bounds
-     (Apart, Missions : Boolean;
-      Result          : in out Response_Array;
-      Orders          : in out Response)
-   is
-      Known : Analysis;
-
-      procedure Take (Name : Activity_Name; From : Bound);
-
-      procedure Take (Name : Activity_Name; From : Bound) is
-      begin
-         if From.Exists then
-            Result (Name).Bound := Duration (From.Local) / 1_000_000;
-         end if;
-      end Take;
-
-   begin
-      Analyse
-        (Of_The_Table, (if Apart then Real_Time_Apart else One_Processor),
-         (others => <>), (Mission => Missions, others => <>), Known);
-      for Name in Activity_Name loop
-         Take (Name, Known.Bounds (Name));
-      end loop;
-      Take (Line_Request, Known.Owner.Request);
-      Take (Line_Answer, Known.Owner.Outcome);
-      if Known.Requirements (Mission_Order).Known then
-         Orders.Bound :=
-           Duration (Known.Requirements (Mission_Order).Bound) / 1_000_000;
-      end if;
-   end Take_Bounds;
 
 end Trace_Responses;

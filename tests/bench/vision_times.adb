@@ -18,12 +18,6 @@ package body Vision_Times is
    function Results return String is
      (Programs.Temporary_Folder & "/image_times.json");
 
-   procedure Measure;
-
-   function Goals_Of (Row : String) return Reports.Goals;
-
-   procedure Report (Section, Title : String);
-
    procedure Measure is
       Program : Child;
       Limit   : constant Duration := 1_800.0;

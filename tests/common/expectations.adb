@@ -1,10 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What a test expects.
 
-with Ada.Exceptions; use Ada.Exceptions;
-with Ada.Text_IO;    use Ada.Text_IO;
+with Ada.Text_IO; use Ada.Text_IO;
 
-with Instants;     use Instants;
+with Instants;    use Instants;
 
 package body Expectations is
 
@@ -13,23 +12,35 @@ package body Expectations is
    --  of the limit; one task sets both and looks at them
 
    Measurements_Left_Out : Boolean := False;
+   Last_Was_Time         : Boolean := False;
 
    procedure Check (Condition : Boolean; Message : String) is
    begin
       if not Condition then
+         Last_Was_Time := False;
          raise Failed with Message;
       end if;
    end Check;
+
+   procedure Check_In_Time (Condition : Boolean; Message : String) is
+   begin
+      if not Condition then
+         Last_Was_Time := True;
+         raise Failed with Message;
+      end if;
+   end Check_In_Time;
 
    procedure Check_Within
      (Taken : Duration; Limit : Duration; What : String)
    is
    begin
-      Check
+      Check_In_Time
         (Taken <= Limit,
          What & " took " & Milliseconds (Taken)
          & ", allowed are " & Milliseconds (Limit));
    end Check_Within;
+
+   function Time_Ran_Out return Boolean is (Last_Was_Time);
 
    procedure Leave_Out_Measurements is
    begin
@@ -42,24 +53,6 @@ package body Expectations is
          Skip ("it measures time");
       end if;
    end Measures_Time;
-
-   procedure Measure_Calmly (Measure : not null access procedure) is
-      Attempts : constant := 3;
-   begin
-      Measures_Time;
-      for Attempt in 1 .. Attempts loop
-         begin
-            Measure.all;
-            return;
-         exception
-            when Occurrence : Failed =>
-               if Attempt = Attempts then
-                  raise;
-               end if;
-               Note ("measured again: " & Exception_Message (Occurrence));
-         end;
-      end loop;
-   end Measure_Calmly;
 
    procedure Limit_Time (Span : Duration) is
    begin

@@ -13,22 +13,21 @@ package Expectations is
    procedure Check (Condition : Boolean; Message : String);
    --  Raises Failed with Message unless Condition
 
+   procedure Check_In_Time (Condition : Boolean; Message : String);
+   --  The same where time has run out unless Condition
+
    procedure Check_Within
      (Taken : Duration; Limit : Duration; What : String);
    --  Raises Failed unless Taken <= Limit
+
+   function Time_Ran_Out return Boolean;
+   --  Whether Failed was last raised for a limit of time
 
    procedure Leave_Out_Measurements;
    --  From now on tests that measure time are skipped
 
    procedure Measures_Time;
-   --  The test measures time: raises Skipped if such tests are skipped. Called
-   --  by Measure_Calmly, and by tests that compare a time with a goal without
-   --  it.
-
-   procedure Measure_Calmly (Measure : not null access procedure);
-   --  Runs Measure; repeats it on failure, three times at most. The last
-   --  failure is raised, the others are logged. For times and periods only: a
-   --  permanent defect is found, a rare one may be missed.
+   --  Raises Skipped if such tests are skipped
 
    procedure Limit_Time (Span : Duration);
    --  From now on Check_Time raises Failed once Span has passed

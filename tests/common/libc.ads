@@ -128,6 +128,20 @@ package Libc is
      (Master : int; Name : System.Address; Size : size_t) return int
    with Import, Convention => C, External_Name => "ptsname_r";
 
+   function Ioctl (File : int; Request : unsigned_long;
+                   Value : System.Address) return int
+   with Import, Convention => C_Variadic_2, External_Name => "ioctl";
+
+   Tiocnxcl  : constant unsigned_long := 16#540D#;
+   Tiocgexcl : constant unsigned_long := 16#8004_5440#;
+
+   Lock_Ex : constant int := 2;
+   Lock_Nb : constant int := 4;
+   Lock_Un : constant int := 8;
+
+   function Flock (File, Operation : int) return int
+   with Import, Convention => C, External_Name => "flock";
+
    type Terminal_Attributes is array (1 .. 256) of unsigned_char
    with Alignment => 8;
    --  A termios, whose size only the C library knows: smaller than this

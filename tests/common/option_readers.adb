@@ -15,12 +15,10 @@ package body Option_Readers is
    Taken : Boolean := True;
    --  the value, if one is behind "="
 
-   function Sign return Natural;
-   --  Where "=" is in an option, 0 without
-
    function Sign return Natural is
      (if Index (Argument (Place), "--") = 1
       then Index (Argument (Place), "=") else 0);
+   --  Where "=" is in an option, 0 without
 
    function Next return Boolean is
    begin

@@ -18,11 +18,11 @@ package body Own_Process is
    end Prefer_Real_Time;
 
    function Real_Time_Allowed return Boolean is
-      Lowest : aliased Libc.Sched_Param := (Priority => 1);
-      None   : aliased Libc.Sched_Param := (Priority => 0);
+      Highest : aliased Libc.Sched_Param := (Priority => 99);
+      None    : aliased Libc.Sched_Param := (Priority => 0);
    begin
       return
-        Libc.Sched_Setscheduler (0, Libc.Sched_Fifo, Lowest'Access) = 0
+        Libc.Sched_Setscheduler (0, Libc.Sched_Fifo, Highest'Access) = 0
         and then Libc.Sched_Setscheduler
           (0, Libc.Sched_Other, None'Access) = 0;
    end Real_Time_Allowed;

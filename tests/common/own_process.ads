@@ -14,7 +14,8 @@ package Own_Process is
    --  exclude its own wake-up latency; or an ordinary one again
 
    function Real_Time_Allowed return Boolean;
-   --  To this process; afterwards the calling thread has ordinary priority
+   --  The highest priority, to this process; afterwards the calling thread has
+   --  an ordinary one
 
    procedure Wake_On_Time;
    --  No timer slack for the calling thread, even at ordinary priority

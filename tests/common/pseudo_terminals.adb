@@ -1,20 +1,39 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  A serial line in software: a pseudo-terminal and its link.
 
+with GNAT.Sockets;
+
 with Libc; use Libc;
 
 package body Pseudo_Terminals is
 
-   procedure Close (File : in out int);
-   --  It is Closed afterwards
+   procedure Make_Raw (Terminal : int; Done : out Boolean) is
+      --  8 bits, no echo, nothing translated, 9600 baud for who asks
+      Value   : Terminal_Attributes := (others => 0);
+      Ignored : int;
+   begin
+      Done := Tcgetattr (Terminal, Value'Address) = 0;
+      if Done then
+         Cfmakeraw (Value'Address);
+         Ignored := Cfsetspeed (Value'Address, B9600);
+         Done := Tcsetattr (Terminal, Tcsanow, Value'Address) = 0;
+      end if;
+   end Make_Raw;
 
-   procedure Make_Raw (Terminal : int; Done : out Boolean);
-   --  8 bits, no echo, nothing translated, 9600 baud for who asks
-
-   function Target_Of (Path : String) return String;
-   --  Of the symbolic link at Path; "" where there is none
+   function Target_Of (Path : String) return String is
+      --  Of the symbolic link at Path; "" where there is none
+      Data   : char_array (1 .. 4_096) := (others => nul);
+      Length : constant long :=
+        Readlink (To_C (Path), Data'Address, Data'Length);
+   begin
+      if Length <= 0 then
+         return "";
+      end if;
+      return To_Ada (Data (1 .. size_t (Length)), Trim_Nul => False);
+   end Target_Of;
 
    procedure Close (File : in out int) is
+      --  It is Closed afterwards
       Ignored : int;
    begin
       if File /= Closed then
@@ -24,21 +43,93 @@ package body Pseudo_Terminals is
    end Close;
 
    procedure Close (L : in out Line) is
+      Ignored : int;
    begin
       Close (L.Slave);
       Close (L.Master);
+      if L.Socket /= Closed then
+         Close (L.Socket);
+         Ignored := Unlink (To_C (Device (L)));
+      end if;
       L.Length := 0;
    end Close;
 
+   procedure Free (L : Line) is
+      Is_Exclusive : int := 0;
+      Ignored      : int;
+   begin
+      if L.Slave /= Closed
+        and then Ioctl (L.Slave, Tiocgexcl, Is_Exclusive'Address) = 0
+        and then Is_Exclusive /= 0
+        --  whoever has it for itself has locked it, too
+        and then Flock (L.Slave, Lock_Ex + Lock_Nb) = 0
+      then
+         Ignored := Ioctl (L.Slave, Tiocnxcl, System.Null_Address);
+         Ignored := Flock (L.Slave, Lock_Un);
+      end if;
+   end Free;
+
    function Device (L : Line) return String is (L.Name (1 .. L.Length));
 
-   function Is_Open (L : Line) return Boolean is (L.Master /= Closed);
+   function Is_Open (L : Line) return Boolean is
+     (L.Master /= Closed or else L.Socket /= Closed);
+
+   Everyone : constant := 8#666#;
+   --  A supervisor that runs as an ordinary user must be able to open what an
+   --  emulator run by root offers
+
+   procedure Set_Name (L : in out Line; Name : String) is
+      Ignored : int;
+   begin
+      L.Length := Name'Length;
+      L.Name (1 .. L.Length) := Name;
+      Ignored := Chmod (To_C (Name), Everyone);
+   end Set_Name;
+
+   procedure Listen (L : in out Line; Path : String; Done : out Boolean) is
+      use GNAT.Sockets;
+      Socket  : Socket_Type;
+      Request : Request_Type := (Non_Blocking_IO, True);
+   begin
+      Create_Socket (Socket, Family_Unix, Socket_Stream);
+      L.Socket := int (To_C (Socket));
+      Control_Socket (Socket, Request);
+      Bind_Socket (Socket, Unix_Socket_Address (Path));
+      Listen_Socket (Socket);
+      Set_Name (L, Path);
+      Done := True;
+   exception
+      when Socket_Error =>
+         Close (L.Socket);
+         Done := False;
+   end Listen;
+
+   procedure Read
+     (L : in out Line; Data : System.Address; Length : in out long)
+   is
+      use GNAT.Sockets;
+      Client  : Socket_Type;
+      Unused  : Sock_Addr_Type;
+      Request : Request_Type := (Non_Blocking_IO, True);
+   begin
+      if L.Master /= Closed then
+         Length := Read (L.Master, Data, size_t (Length));
+         if L.Socket /= Closed and then Length <= 0 then
+            Close (L.Master);
+         end if;
+      else
+         Length := 0;
+         Accept_Socket (To_Ada (Integer (L.Socket)), Client, Unused);
+         Control_Socket (Client, Request);
+         L.Master := int (To_C (Client));
+      end if;
+   exception
+      when Socket_Error =>
+         null;  --  it has gone again
+   end Read;
 
    procedure Open (L : in out Line; Done : out Boolean) is
-      Everyone : constant := 8#666#;
-
-      Name    : char_array (1 .. Max_Name) := (others => nul);
-      Ignored : int;
+      Name : char_array (1 .. Max_Name) := (others => nul);
    begin
       Done := False;
       L.Master :=
@@ -55,33 +146,11 @@ package body Pseudo_Terminals is
       end if;
 
       if Done then
-         declare
-            Text : constant String := To_Ada (Name);
-         begin
-            L.Length := Text'Length;
-            L.Name (1 .. L.Length) := Text;
-         end;
-
-         --  A supervisor that runs as an ordinary user must be able to open
-         --  what an emulator run by root offers
-
-         Ignored := Chmod (Name, Everyone);
+         Set_Name (L, To_Ada (Name));
       else
          Close (L);
       end if;
    end Open;
-
-   procedure Make_Raw (Terminal : int; Done : out Boolean) is
-      Value   : Terminal_Attributes := (others => 0);
-      Ignored : int;
-   begin
-      Done := Tcgetattr (Terminal, Value'Address) = 0;
-      if Done then
-         Cfmakeraw (Value'Address);
-         Ignored := Cfsetspeed (Value'Address, B9600);
-         Done := Tcsetattr (Terminal, Tcsanow, Value'Address) = 0;
-      end if;
-   end Make_Raw;
 
    function Place_Link (Path, Target : String) return String is
       Own     : constant String := Path & ".new";
@@ -119,19 +188,9 @@ package body Pseudo_Terminals is
       end if;
    end Remove_Link;
 
-   function Robot_End (L : Line) return int is (L.Master);
+   function Robot_End (L : Line) return int is
+     (if L.Master /= Closed then L.Master else L.Socket);
 
    function Device_End (L : Line) return int is (L.Slave);
-
-   function Target_Of (Path : String) return String is
-      Data   : char_array (1 .. 4_096) := (others => nul);
-      Length : constant long :=
-        Readlink (To_C (Path), Data'Address, Data'Length);
-   begin
-      if Length <= 0 then
-         return "";
-      end if;
-      return To_Ada (Data (1 .. size_t (Length)), Trim_Nul => False);
-   end Target_Of;
 
 end Pseudo_Terminals;

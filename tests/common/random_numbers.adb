@@ -5,10 +5,8 @@ with Interfaces; use Interfaces;
 
 package body Random_Numbers is
 
-   procedure Step (Source : in out Generator; Value : out Unsigned_64);
-   --  A counter with an odd step, its bits mixed
-
    procedure Step (Source : in out Generator; Value : out Unsigned_64) is
+      --  A counter with an odd step, its bits mixed
    begin
       Source.State := Source.State + 16#9E37_79B9_7F4A_7C15#;
       Value := Source.State;

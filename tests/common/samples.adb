@@ -44,27 +44,17 @@ package body Samples is
       return (if Object.Values.Is_Empty then 0.0 else Sum / Object.Count);
    end Mean;
 
-   function Quantiles (Object : Set; Shares : Share_Array)
-     return Value_Array
-   is
-      Sorted : Vectors.Vector := Object.Values;
-      Result : Value_Array (Shares'Range) := (others => 0.0);
-      Place  : Natural;
-   begin
-      if not Sorted.Is_Empty then
-         Sorting.Sort (Sorted);
-         for I in Shares'Range loop
-            Place := Natural
-              (Float'Ceiling (Shares (I) * Float (Object.Count)));
-            Result (I) := Sorted
-              (Integer'Max (1, Integer'Min (Place, Object.Count)));
-         end loop;
-      end if;
-      return Result;
-   end Quantiles;
-
    function Quantile (Object : Set; Share : Float) return Duration is
-     (Object.Quantiles ((1 => Share)) (1));
+      Sorted : Vectors.Vector := Object.Values;
+      Place  : constant Natural :=
+        Natural (Float'Ceiling (Share * Float (Object.Count)));
+   begin
+      if Sorted.Is_Empty then
+         return 0.0;
+      end if;
+      Sorting.Sort (Sorted);
+      return Sorted (Integer'Max (1, Integer'Min (Place, Object.Count)));
+   end Quantile;
 
    function From_Least (Object : Set) return Set is
       Least  : constant Duration := Object.Quantile (0.0);

@@ -27,13 +27,6 @@ package Samples is
    --  The smallest value that at least Share of the samples do not exceed; 0
    --  without samples
 
-   type Share_Array is array (Positive range <>) of Float;
-   type Value_Array is array (Positive range <>) of Duration;
-
-   function Quantiles (Object : Set; Shares : Share_Array)
-     return Value_Array;
-   --  The same for several
-
    function From_Least (Object : Set) return Set;
    --  Replaces each by its difference from the smallest
 

@@ -127,14 +127,66 @@ package body Arena_Camera is
    --  Each viewer's own
 
    function Scene_Now (Time : Instant; Seed : Natural; S : Settings)
-     return Arena_Scenes.Scene;
-   --  What there is to be seen
+     return Arena_Scenes.Scene
+   is
+      --  What there is to be seen
+      Robot : Robot_Core.Robot;
+      Pose  : Robot_Motion.Pose;
+   begin
+      Robot_Bench.Look
+        (Robot, Time, Ago => Instant (S.Late) * 1_000_000);
+      Pose := Robot_Core.Pose (Robot);
+      return
+        (Width  => int (S.Width),
+         Height => int (S.Height),
+         Arena  => 1,
+         Fill   => 0.85,
+         Turn   => 0.0,
+         Noise  => double (S.Noise),
+         Blur   => 0.0,
+         Uneven => 0.0,
+         Seed   => unsigned (Seed),
+         Robots => 1,
+         Robot  =>
+           (1      =>
+              (Marker  => Marker_Kind'Pos (S.Marker),
+               Id      => int (S.Marker_Id),
+               X       => double (Pose.X) / 10_000.0,
+               Y       => double (Pose.Y) / 10_000.0,
+               Heading => double (Pose.Angle) / 1_000_000.0),
+            others => (0, 0, 0.0, 0.0, 0.0)));
+   end Scene_Now;
 
-   procedure Displace (Scene : in out Arena_Scenes.Scene; By : double);
-   --  Its robot, by pixels of this standard deviation
+   function Truth (S : Shot) return String is
+      --  A line of /pose
 
-   function Truth (S : Shot) return String;
-   --  A line of /pose
+      function Decimal (Value : double) return String is
+         Text : String (1 .. 32);
+      begin
+         Ada.Long_Float_Text_IO.Put
+           (Text, Long_Float (Value), Aft => 6, Exp => 0);
+         return Ada.Strings.Fixed.Trim (Text, Ada.Strings.Left);
+      end Decimal;
+
+      Robot          : Arena_Scenes.Robot_In_Scene renames S.Scene.Robot (1);
+      Cx, Cy, Dx, Dy : double;
+      Status         : int;
+      Angle          : double;
+   begin
+      Arena_Scenes.Find_Robot (S.Scene, 0, Cx, Cy, Dx, Dy, Status);
+      if Status = 0 and then (Cx /= Dx or else Cy /= Dy) then
+         Angle := double (Ada.Numerics.Long_Elementary_Functions.Arctan
+           (Long_Float (Cy - Dy), Long_Float (Cx - Dx), Cycle => 360.0));
+      else
+         Angle := 0.0;
+      end if;
+      return Decimal (Robot.X) & ' ' & Decimal (Robot.Y)
+        & ' ' & Decimal (Robot.Heading)
+        & ' ' & Decimal (Cx) & ' ' & Decimal (Cy)
+        & ' ' & Decimal (Dx) & ' ' & Decimal (Dy)
+        & ' ' & Decimal (Angle)
+        & S.Number'Image & ' ' & Journals.Image (S.Time);
+   end Truth;
 
    procedure Spoil
      (Data   : in out Image;
@@ -145,14 +197,9 @@ package body Arena_Camera is
    --  Makes of a good image one of the kinds of bad ones, as its number has
    --  it. Bare: to be sent without the header of its part.
 
-   procedure Configure (Socket : Socket_Type);
-   --  A viewer that takes nothing for long is given up, and little of what
-   --  it has not taken waits in the kernel
-
-   procedure Serve_Viewer (Who : Viewer_Number; Socket : Socket_Type);
-   --  One connection from beginning to end. Socket_Error where it breaks.
-
    procedure Configure (Socket : Socket_Type) is
+      --  A viewer that takes nothing for long is given up, and little of what
+      --  it has not taken waits in the kernel
    begin
       Set_Socket_Option
         (Socket, Socket_Level, (Receive_Timeout, Timeout => 5.0));
@@ -164,6 +211,7 @@ package body Arena_Camera is
    end Configure;
 
    procedure Displace (Scene : in out Arena_Scenes.Scene; By : double) is
+      --  Its robot, by pixels of this standard deviation
       Width  : constant double :=
         double (Robot_Motion.Arena_Width) / 10_000.0;
       Height : constant double :=
@@ -276,60 +324,37 @@ package body Arena_Camera is
             & Ada.Exceptions.Exception_Information (Failure));
    end Painter;
 
-   function Scene_Now (Time : Instant; Seed : Natural; S : Settings)
-     return Arena_Scenes.Scene
-   is
-      Robot : Robot_Core.Robot;
-      Pose  : Robot_Motion.Pose;
-   begin
-      Robot_Bench.Look
-        (Robot, Time, Ago => Instant (S.Late) * 1_000_000);
-      Pose := Robot_Core.Pose (Robot);
-      return
-        (Width  => int (S.Width),
-         Height => int (S.Height),
-         Arena  => 1,
-         Fill   => 0.85,
-         Turn   => 0.0,
-         Noise  => double (S.Noise),
-         Blur   => 0.0,
-         Uneven => 0.0,
-         Seed   => unsigned (Seed),
-         Robots => 1,
-         Robot  =>
-           (1      =>
-              (Marker  => Marker_Kind'Pos (S.Marker),
-               Id      => int (S.Marker_Id),
-               X       => double (Pose.X) / 10_000.0,
-               Y       => double (Pose.Y) / 10_000.0,
-               Heading => double (Pose.Angle) / 1_000_000.0),
-            others => (0, 0, 0.0, 0.0, 0.0)));
-   end Scene_Now;
-
    procedure Serve_Viewer (Who : Viewer_Number; Socket : Socket_Type) is
+      --  One connection from beginning to end. Socket_Error where it breaks.
 
       NL : constant String := (ASCII.CR, ASCII.LF);
 
-      procedure Send (Data : Stream_Element_Array);
-      --  All of it, or Socket_Error
+      procedure Send (Data : Stream_Element_Array) is
+         --  All of it, or Socket_Error
+         First : Stream_Element_Offset := Data'First;
+         Last  : Stream_Element_Offset;
+      begin
+         while First <= Data'Last loop
+            Send_Socket (Socket, Data (First .. Data'Last), Last);
+            if Last < First then
+               raise Socket_Error with "nothing taken";
+            end if;
+            First := Last + 1;
+         end loop;
+      end Send;
 
-      procedure Send (Text : String);
-
-      procedure Reply (Status, Kind, Content : String);
-
-      procedure Read_Path (Path : out Unbounded_String);
-      --  Of a GET request; "" where it is anything else
-
-      function Is_Gone return Boolean;
-      --  The viewer has closed
-
-      procedure Next_Image (Length : out Image_Length; Bare : out Boolean);
-      --  Waits for it. 0: the camera is off, or the viewer has gone.
-
-      procedure Make_Wait;
-      --  As long as opening the camera takes, unless the viewer goes
+      procedure Send (Text : String) is
+         Data : Stream_Element_Array (1 .. Text'Length);
+      begin
+         for K in Data'Range loop
+            Data (K) := Character'Pos
+              (Text (Text'First + Natural (K) - 1));
+         end loop;
+         Send (Data);
+      end Send;
 
       function Is_Gone return Boolean is
+         --  The viewer has closed
          Files : Libc.Poll_Array (1 .. 1) :=
            (1 => (int (To_C (Socket)), Libc.Poll_Hang_Up, 0));
       begin
@@ -338,6 +363,7 @@ package body Arena_Camera is
       end Is_Gone;
 
       procedure Make_Wait is
+         --  As long as opening the camera takes, unless the viewer goes
          Step : constant Duration := 0.05;
          Left : Duration := Duration (Studio.Opening) / 1_000;
       begin
@@ -348,6 +374,7 @@ package body Arena_Camera is
       end Make_Wait;
 
       procedure Next_Image (Length : out Image_Length; Bare : out Boolean) is
+         --  Waits for it. 0: the camera is off, or the viewer has gone.
       begin
          loop
             select
@@ -365,6 +392,7 @@ package body Arena_Camera is
       end Next_Image;
 
       procedure Read_Path (Path : out Unbounded_String) is
+         --  Of a GET request; "" where it is anything else
          Data   : Stream_Element_Array (1 .. 4_096);
          Text   : String (1 .. 4_096);
          Filled : Natural := 0;
@@ -403,31 +431,6 @@ package body Arena_Camera is
                & "Connection: close" & NL & NL
                & Content);
       end Reply;
-
-      procedure Send (Data : Stream_Element_Array) is
-         First : Stream_Element_Offset := Data'First;
-         Last  : Stream_Element_Offset;
-      begin
-         while First <= Data'Last loop
-            Send_Socket (Socket, Data (First .. Data'Last), Last);
-            if Last < First then
-               raise Socket_Error with "nothing taken";
-            end if;
-            First := Last + 1;
-         end loop;
-      end Send;
-
-      procedure Send (Text : String) is
-         Data : Stream_Element_Array (1 .. Text'Length);
-      begin
-         for K in Data'Range loop
-            Data (K) := Character'Pos
-              (Text (Text'First + Natural (K) - 1));
-         end loop;
-         Send (Data);
-      end Send;
-
-      procedure Send_Image (Length : Image_Length);
 
       procedure Send_Image (Length : Image_Length) is
          Data : Stream_Element_Array (1 .. Length)
@@ -644,10 +647,8 @@ package body Arena_Camera is
    is
       State : Interfaces.Unsigned_32 := Interfaces.Unsigned_32 (Number);
 
-      procedure Draw (Below : Image_Length; Value : out Image_Length);
-      --  The next number of a linear congruential sequence
-
       procedure Draw (Below : Image_Length; Value : out Image_Length) is
+         --  The next number of a linear congruential sequence
          use type Interfaces.Unsigned_32;
       begin
          State := State * 1_664_525 + 1_013_904_223;
@@ -655,8 +656,6 @@ package body Arena_Camera is
            (Interfaces.Shift_Right (State, 8)
             mod Interfaces.Unsigned_32 (Below));
       end Draw;
-
-      procedure Set_Random (Place : Image_Index);
 
       procedure Set_Random (Place : Image_Index) is
          Value : Image_Length;
@@ -695,38 +694,6 @@ package body Arena_Camera is
             Length := 1;
       end case;
    end Spoil;
-
-   function Truth (S : Shot) return String is
-
-      function Decimal (Value : double) return String;
-
-      function Decimal (Value : double) return String is
-         Text : String (1 .. 32);
-      begin
-         Ada.Long_Float_Text_IO.Put
-           (Text, Long_Float (Value), Aft => 6, Exp => 0);
-         return Ada.Strings.Fixed.Trim (Text, Ada.Strings.Left);
-      end Decimal;
-
-      Robot          : Arena_Scenes.Robot_In_Scene renames S.Scene.Robot (1);
-      Cx, Cy, Dx, Dy : double;
-      Status         : int;
-      Angle          : double;
-   begin
-      Arena_Scenes.Find_Robot (S.Scene, 0, Cx, Cy, Dx, Dy, Status);
-      if Status = 0 and then (Cx /= Dx or else Cy /= Dy) then
-         Angle := double (Ada.Numerics.Long_Elementary_Functions.Arctan
-           (Long_Float (Cy - Dy), Long_Float (Cx - Dx), Cycle => 360.0));
-      else
-         Angle := 0.0;
-      end if;
-      return Decimal (Robot.X) & ' ' & Decimal (Robot.Y)
-        & ' ' & Decimal (Robot.Heading)
-        & ' ' & Decimal (Cx) & ' ' & Decimal (Cy)
-        & ' ' & Decimal (Dx) & ' ' & Decimal (Dy)
-        & ' ' & Decimal (Angle)
-        & S.Number'Image & ' ' & Journals.Image (S.Time);
-   end Truth;
 
    task body Viewer is
       Number : Viewer_Number;

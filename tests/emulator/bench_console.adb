@@ -35,27 +35,137 @@ package body Bench_Console is
       entry Start;
    end Reader;
 
-   procedure Obey (Line : String);
-   --  One command and its answer
+   procedure Obey_Camera (Name, Rest : String) is
+      --  A command to the camera that takes a value
+      use Arena_Camera;
+   begin
+      if Name = "size" then
+         declare
+            Width  : Frame_Width;
+            Height : Frame_Height;
+         begin
+            Size (Rest, Width, Height);
+            Set_Size (Width, Height);
+         end;
+      elsif Name = "fps" then
+         Set_Rate (Whole (Rest, Frame_Rate'First, Frame_Rate'Last));
+      elsif Name = "opening" then
+         Set_Opening (Whole (Rest, 0, Opening_Time'Last));
+      elsif Name = "delay" then
+         Set_Late (Whole (Rest, Delay_Time'First, Delay_Time'Last));
+      elsif Name = "position-noise" then
+         Set_Displaced (Whole (Rest, Displacement'First, Displacement'Last));
+      else
+         raise Bad_Value with
+           "on, off, stall, garbage, size, fps, opening, delay,"
+           & " position-noise or mend is expected";
+      end if;
+   end Obey_Camera;
 
-   procedure Obey
-     (Name, Rest : String; Answer : in out Unbounded_String);
-   --  The same; Bad_Value says what is wrong. Answer: if not "ok".
+   procedure Print_Journal is
+      Note   : Journals.Note;
+      Number : Journals.Note_Number := 0;
+      Found  : Journals.Note_Number;
+   begin
+      loop
+         Bench.Next_Note (Number, Note, Found);
+         exit when Found = 0;
+         Say (Journals.Image (Note));
+         Number := Found;
+      end loop;
+   end Print_Journal;
 
-   procedure Obey_Camera (Name, Rest : String);
-   --  A command to the camera that takes a value
+   procedure Print_Help is
+   begin
+      Say ("silent on|off        no answer at all");
+      Say ("lose N               the next N commands do not arrive");
+      Say ("lose-every N         every Nth does not; 0: all do");
+      Say ("drop N               the next N answers are lost");
+      Say ("drop-every N         every Nth is lost; 0: none");
+      Say ("corrupt N            ... have a wrong checksum");
+      Say ("garbage N            ... are random bytes instead");
+      Say ("truncate N [KEEP]    ... lack their carriage return, or are");
+      Say ("                     cut after KEEP bytes");
+      Say ("flip N [BIT]         ... have one bit flipped: the first that");
+      Say ("                     one, each its next");
+      Say ("wrong N              ... answer another question");
+      Say ("pile N               ... are held, and come with the last");
+      Say ("endless on|off       the next answer does not end");
+      Say ("delay MS             every answer is late");
+      Say ("radio-losses N       N percent of the packets are lost, each");
+      Say ("                     direction (--radio)");
+      Say ("mend                 none of these any more");
+      Say ("radio-retries N      percent of attempts repeated (--radio)");
+      Say ("unasked BYTES        sends them now; \r, \n, \\, \xHH");
+      Say ("hangup               the device goes away");
+      Say ("return               and comes back, as a new one");
+      Say ("device               its path");
+      Say ("battery LEVEL        0, 1, 2, or critical: silent, off in 4 s");
+      Say ("charge on|off        the charger's plug");
+      Say ("pose X Y HEADING     puts the robot there: cm, degrees");
+      Say ("speed N              percent straight on, 70 to 130; this and");
+      Say ("                     the next three from the next order on");
+      Say ("turn-speed N         percent of turns, 70 to 130");
+      Say ("overshoot N          turns go on by N percent, 0 to 20");
+      Say ("pull N               degrees to the left per metre, -30 to 30");
+      Say ("reset-robot          switches it off and on");
+      Say ("starve               its watchdog, if on, disables it");
+      Say ("camera on|off|stall  off: closed; stall: no image comes");
+      Say ("camera garbage       what comes is no image");
+      Say ("camera size WxH      1x1 to 4096x2304, from the next image on");
+      Say ("camera fps N         1 to 240");
+      Say ("camera opening MS    it takes so long to open");
+      Say ("camera delay MS      images show the robot so long ago");
+      Say ("camera position-noise PX");
+      Say ("                     each displaces the robot, 0 to 10");
+      Say ("camera mend          on, and all of these as at first");
+      Say ("status               one line");
+      Say ("journal              every command since it was cleared");
+      Say ("journal clear");
+      Say ("quit                 as SIGTERM does");
+   end Print_Help;
 
-   procedure Print_Journal;
-   procedure Print_Help;
-   function Status return String;
+   function Status return String is
+      use type Robot_Core.State_Kind;
 
-   procedure Must_Be (Outcome : String);
-   --  Bad_Value unless it is ""
+      R : Robot_Core.Robot;
+      P : Robot_Motion.Pose;
 
-   procedure No_More (Rest : String);
-   --  Bad_Value unless it is ""
+      function Plain (Value : Natural) return String is
+        (Trim (Value'Image, Ada.Strings.Left));
+
+      function Switch (Value : Boolean) return String is
+        (if Value then "on" else "off");
+   begin
+      Look (R, Now);
+      P := Robot_Core.Pose (R);
+      return "state=" & Journals.Image (Robot_Core.State (R))
+        & " x=" & Image (P.X, 10_000)
+        & " y=" & Image (P.Y, 10_000)
+        & " heading=" & Image (P.Angle, 1_000_000)
+        & " moving="
+        & (if Robot_Core.State (R) = Robot_Core.Movement then "1" else "0")
+        & " watchdog=" & Switch (Robot_Core.Watchdog_On (R))
+        & " missed=" & Plain (Robot_Core.Missed (R))
+        & " missed_total=" & Plain (Robot_Core.Missed_Total (R))
+        & " disabled_count=" & Plain (Robot_Core.Disabled_Count (R))
+        & " battery="
+        & (case Robot_Core.Battery (R) is
+              when Robot_Core.Critical => "critical",
+              when Robot_Core.Empty    => "0",
+              when Robot_Core.Low      => "1",
+              when Robot_Core.Full     => "2")
+        & " commands=" & Plain (Robot_Core.Commands (R))
+        & " stops=" & Plain (Robot_Core.Stops (R))
+        & " spoilt=" & Plain (Bench.Spoilt)
+        & " charging=" & Switch (Robot_Core.Charging (R))
+        & " device=" & Serial_Side.Device
+        & " viewers=" & Plain (Arena_Camera.Viewers)
+        & " frames=" & Plain (Arena_Camera.Frames);
+   end Status;
 
    procedure Must_Be (Outcome : String) is
+      --  Bad_Value unless it is ""
    begin
       if Outcome /= "" then
          raise Bad_Value with Outcome;
@@ -63,31 +173,17 @@ package body Bench_Console is
    end Must_Be;
 
    procedure No_More (Rest : String) is
+      --  Bad_Value unless it is ""
    begin
       if Rest /= "" then
          raise Bad_Value with "takes no value";
       end if;
    end No_More;
 
-   procedure Obey (Line : String) is
-      Text   : constant String := Trim (Line, Blanks, Blanks);
-      Stop   : constant Natural := Index (Text & " ", Blanks);
-      Name   : constant String := Text (Text'First .. Stop - 1);
-      Answer : Unbounded_String := To_Unbounded_String ("ok");
-   begin
-      Obey (Name, Trim (Text (Stop .. Text'Last), Blanks, Blanks), Answer);
-      if Answer /= "" then
-         Say (To_String (Answer));
-      end if;
-   exception
-      when Problem : Bad_Value =>
-         Say ("error: " & (if Name = "" then "" else Name & ": ")
-              & Ada.Exceptions.Exception_Message (Problem));
-   end Obey;
-
    procedure Obey
      (Name, Rest : String; Answer : in out Unbounded_String)
    is
+      --  The same; Bad_Value says what is wrong. Answer: if not "ok".
       Stop : constant Natural := Index (Rest & " ", Blanks);
 
       function Count return Answer_Faults.Remaining is
@@ -105,8 +201,6 @@ package body Bench_Console is
 
       Wheels : Robot_Motion.Wheel_Errors := Bench.Wheels;
 
-      procedure Say_Device;
-
       procedure Say_Device is
       begin
          Answer := To_Unbounded_String ("ok device " & Serial_Side.Device);
@@ -119,6 +213,10 @@ package body Bench_Console is
          Bench.Set_Fault (Drop, Count);
       elsif Name = "drop-every" then
          Bench.Set_Every (Interval (Rest));
+      elsif Name = "lose" then
+         Bench.Set_Fault (Lose, Count);
+      elsif Name = "lose-every" then
+         Bench.Set_Lose_Every (Interval (Rest));
       elsif Name = "corrupt" then
          Bench.Set_Fault (Corrupt, Count);
       elsif Name = "garbage" then
@@ -145,6 +243,11 @@ package body Bench_Console is
          Bench.Set_Delay
            (Instant (Whole (Rest, 0, Settings.Largest_Delay))
             * 1_000_000);
+
+      elsif Name = "radio-losses" then
+         Bench.Set_Losses (Whole (Rest, 0, 100));
+      elsif Name = "radio-retries" then
+         Bench.Set_Retries (Whole (Rest, 0, 100));
 
       elsif Name = "unasked" then
          if Rest = "" then
@@ -251,89 +354,22 @@ package body Bench_Console is
       end if;
    end Obey;
 
-   procedure Obey_Camera (Name, Rest : String) is
-      use Arena_Camera;
+   procedure Obey (Line : String) is
+      --  One command and its answer
+      Text   : constant String := Trim (Line, Blanks, Blanks);
+      Stop   : constant Natural := Index (Text & " ", Blanks);
+      Name   : constant String := Text (Text'First .. Stop - 1);
+      Answer : Unbounded_String := To_Unbounded_String ("ok");
    begin
-      if Name = "size" then
-         declare
-            Width  : Frame_Width;
-            Height : Frame_Height;
-         begin
-            Size (Rest, Width, Height);
-            Set_Size (Width, Height);
-         end;
-      elsif Name = "fps" then
-         Set_Rate (Whole (Rest, Frame_Rate'First, Frame_Rate'Last));
-      elsif Name = "opening" then
-         Set_Opening (Whole (Rest, 0, Opening_Time'Last));
-      elsif Name = "delay" then
-         Set_Late (Whole (Rest, Delay_Time'First, Delay_Time'Last));
-      elsif Name = "position-noise" then
-         Set_Displaced (Whole (Rest, Displacement'First, Displacement'Last));
-      else
-         raise Bad_Value with
-           "on, off, stall, garbage, size, fps, opening, delay,"
-           & " position-noise or mend is expected";
+      Obey (Name, Trim (Text (Stop .. Text'Last), Blanks, Blanks), Answer);
+      if Answer /= "" then
+         Say (To_String (Answer));
       end if;
-   end Obey_Camera;
-
-   procedure Print_Help is
-   begin
-      Say ("silent on|off        no answer at all");
-      Say ("drop N               the next N answers are lost");
-      Say ("drop-every N         every Nth is lost; 0: none");
-      Say ("corrupt N            ... have a wrong checksum");
-      Say ("garbage N            ... are random bytes instead");
-      Say ("truncate N [KEEP]    ... lack their carriage return, or are");
-      Say ("                     cut after KEEP bytes");
-      Say ("flip N [BIT]         ... have one bit flipped: the first that");
-      Say ("                     one, each its next");
-      Say ("wrong N              ... answer another question");
-      Say ("pile N               ... are held, and come with the last");
-      Say ("endless on|off       the next answer does not end");
-      Say ("delay MS             every answer is late");
-      Say ("mend                 none of these any more");
-      Say ("unasked BYTES        sends them now; \r, \n, \\, \xHH");
-      Say ("hangup               the device goes away");
-      Say ("return               and comes back, as a new one");
-      Say ("device               its path");
-      Say ("battery LEVEL        0, 1, 2, or critical: off after 4 s");
-      Say ("charge on|off        the charger's plug");
-      Say ("pose X Y HEADING     puts the robot there: cm, degrees");
-      Say ("speed N              percent straight on, 70 to 130; this and");
-      Say ("                     the next three from the next order on");
-      Say ("turn-speed N         percent of turns, 70 to 130");
-      Say ("overshoot N          turns go on by N percent, 0 to 20");
-      Say ("pull N               degrees to the left per metre, -30 to 30");
-      Say ("reset-robot          switches it off and on");
-      Say ("starve               its watchdog, if on, disables it");
-      Say ("camera on|off|stall  off: closed; stall: no image comes");
-      Say ("camera garbage       what comes is no image");
-      Say ("camera size WxH      1x1 to 4096x2304, from the next image on");
-      Say ("camera fps N         1 to 240");
-      Say ("camera opening MS    it takes so long to open");
-      Say ("camera delay MS      images show the robot so long ago");
-      Say ("camera position-noise PX");
-      Say ("                     each displaces the robot, 0 to 10");
-      Say ("camera mend          on, and all of these as at first");
-      Say ("status               one line");
-      Say ("journal              every command since it was cleared");
-      Say ("journal clear");
-      Say ("quit                 as SIGTERM does");
-   end Print_Help;
-
-   procedure Print_Journal is
-      Note   : Journals.Note;
-      Number : Journals.Note_Number := 0;
-      Found  : Journals.Note_Number;
-   begin
-      loop
-         Bench.Next_Note (Number, Note, Found);
-         exit when Found = 0;
-         Say (Journals.Image (Note));
-         Number := Found;
-      end loop;
-   end Print_Journal;
+   exception
+      when Problem : Bad_Value =>
+         Say ("error: " & (if Name = "" then "" else Name & ": ")
+              & Ada.Exceptions.Exception_Message (Problem));
+   end Obey;
 
    task body Reader is
       Room  : constant := 4_096;
@@ -391,44 +427,5 @@ package body Bench_Console is
    begin
       Reader.Start;
    end Start;
-
-   function Status return String is
-      use type Robot_Core.State_Kind;
-
-      R : Robot_Core.Robot;
-      P : Robot_Motion.Pose;
-
-      function Plain (Value : Natural) return String is
-        (Trim (Value'Image, Ada.Strings.Left));
-
-      function Switch (Value : Boolean) return String is
-        (if Value then "on" else "off");
-   begin
-      Look (R, Now);
-      P := Robot_Core.Pose (R);
-      return "state=" & Journals.Image (Robot_Core.State (R))
-        & " x=" & Image (P.X, 10_000)
-        & " y=" & Image (P.Y, 10_000)
-        & " heading=" & Image (P.Angle, 1_000_000)
-        & " moving="
-        & (if Robot_Core.State (R) = Robot_Core.Movement then "1" else "0")
-        & " watchdog=" & Switch (Robot_Core.Watchdog_On (R))
-        & " missed=" & Plain (Robot_Core.Missed (R))
-        & " missed_total=" & Plain (Robot_Core.Missed_Total (R))
-        & " disabled_count=" & Plain (Robot_Core.Disabled_Count (R))
-        & " battery="
-        & (case Robot_Core.Battery (R) is
-              when Robot_Core.Critical => "critical",
-              when Robot_Core.Empty    => "0",
-              when Robot_Core.Low      => "1",
-              when Robot_Core.Full     => "2")
-        & " commands=" & Plain (Robot_Core.Commands (R))
-        & " stops=" & Plain (Robot_Core.Stops (R))
-        & " spoilt=" & Plain (Bench.Spoilt)
-        & " charging=" & Switch (Robot_Core.Charging (R))
-        & " device=" & Serial_Side.Device
-        & " viewers=" & Plain (Arena_Camera.Viewers)
-        & " frames=" & Plain (Arena_Camera.Frames);
-   end Status;
 
 end Bench_Console;

@@ -11,6 +11,7 @@ with GNAT.OS_Lib;
 with Arena_Camera;
 with Bench_Console;
 with Instants;              use Instants;
+with Interfaces;
 with Own_Process;
 with Project_Version;
 with Robot_Bench;           use Robot_Bench;
@@ -25,16 +26,11 @@ procedure Destijl_Emulator is
    Problem : Unbounded_String;
    Port    : Natural;
 
-   procedure Tell (Text : String);
-   --  Ends the process, with status 1 where nobody can read Text
-
-   procedure Give_Up (Reason : String; Status : Integer);
-   --  Ends the process with Status, whether Reason can be written or not
-
    --  An exception that left the main procedure would not end the process:
    --  it would wait for the tasks, for ever.
 
    procedure Tell (Text : String) is
+      --  Ends the process, with status 1 where nobody can read Text
    begin
       Ada.Text_IO.Put_Line (Text);
       Ada.Text_IO.Flush;
@@ -45,6 +41,7 @@ procedure Destijl_Emulator is
    end Tell;
 
    procedure Give_Up (Reason : String; Status : Integer) is
+      --  Ends the process with Status, whether Reason can be written or not
    begin
       Ada.Text_IO.Put_Line
         (Ada.Text_IO.Standard_Error, "destijl_emulator: " & Reason);
@@ -77,12 +74,20 @@ begin
    Bench.Set_Battery (V.Battery);
    Bench.Set_Charging (V.Charging);
    Bench.Set_Silent (V.Silent);
+   if V.Stay_On then
+      Bench.Stay_On;
+   end if;
    Bench.Set_Fault (Drop, V.Drop);
    Bench.Set_Every (V.Every);
+   Bench.Set_Fault (Lose, V.Lose);
+   Bench.Set_Lose_Every (V.Lose_Every);
    Bench.Set_Fault (Corrupt, V.Corrupt);
    Bench.Set_Fault (Garbage, V.Garbage);
    Bench.Set_Fault (Truncate, V.Truncate);
    Bench.Set_Delay (Instant (V.Late) * 1_000_000);
+
+   Bench.Set_Losses (V.Chances.Losses);
+   Bench.Set_Retries (V.Chances.Retries);
 
    --  The camera first: where it fails there is no link to take back
 
@@ -96,7 +101,9 @@ begin
       end if;
    end if;
 
-   Serial_Side.Start (V.Baud, To_String (V.Link), Problem);
+   Serial_Side.Start
+     (V.Baud, To_String (V.Link), V.Socket, V.Radio,
+      Interfaces.Unsigned_32 (V.Seed), Problem);
    if Problem /= "" then
       Give_Up (To_String (Problem), 1);
    end if;

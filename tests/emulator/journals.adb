@@ -11,15 +11,26 @@ package body Journals is
    Hexadecimal : constant array (Robot_Core.Octet range 0 .. 15) of Character
      := "0123456789ABCDEF";
 
-   function Text (Data : Robot_Core.Octets) return String;
-   --  Escaped
+   function Text (Data : Robot_Core.Octets) return String is
+      --  Escaped
+      Result : String (1 .. 4 * Data'Length);
+      Last   : Natural := 0;
+   begin
+      for Byte of Data loop
+         if Byte in 33 .. 126 and then Byte /= Character'Pos ('\') then
+            Last := Last + 1;
+            Result (Last) := Character'Val (Byte);
+         else
+            Result (Last + 1 .. Last + 4) :=
+              "\x" & Hexadecimal (Byte / 16) & Hexadecimal (Byte mod 16);
+            Last := Last + 4;
+         end if;
+      end loop;
+      return Result (1 .. Last);
+   end Text;
 
    function Milliseconds (Time : Instant) return String;
    --  With three decimals
-
-   function Decimals
-     (Value : Instant; Unit, Digit_Count : Positive) return String;
-   --  Value in multiples of 10 ** Digit_Count * Unit nanoseconds
 
    procedure Add (J : in out Journal; N : Note) is
    begin
@@ -37,6 +48,7 @@ package body Journals is
    function Decimals
      (Value : Instant; Unit, Digit_Count : Positive) return String
    is
+      --  Value in multiples of 10 ** Digit_Count * Unit nanoseconds
       Scale : constant Instant := 10 ** Digit_Count;
       Units : constant Instant :=
         abs Value / Instant (Unit);
@@ -91,6 +103,7 @@ package body Journals is
         & " before=" & Image (E.Before) & " after=" & Image (E.After)
         & " answer=" & Answer
         & (if E.Kind = Robot_Core.Reload
+             and then N.Effect /= Answer_Faults.Lost
            then " reload=" & (if Taken then "accepted" else "refused")
                 & " interval=" & Milliseconds (N.Interval)
                 & " ticks=" & Ticks (Ticks'First + 1 .. Ticks'Last)
@@ -110,22 +123,5 @@ package body Journals is
 
    function Milliseconds (Time : Instant) return String is
      (Decimals (Time, Unit => 1_000, Digit_Count => 3));
-
-   function Text (Data : Robot_Core.Octets) return String is
-      Result : String (1 .. 4 * Data'Length);
-      Last   : Natural := 0;
-   begin
-      for Byte of Data loop
-         if Byte in 33 .. 126 and then Byte /= Character'Pos ('\') then
-            Last := Last + 1;
-            Result (Last) := Character'Val (Byte);
-         else
-            Result (Last + 1 .. Last + 4) :=
-              "\x" & Hexadecimal (Byte / 16) & Hexadecimal (Byte mod 16);
-            Last := Last + 4;
-         end if;
-      end loop;
-      return Result (1 .. Last);
-   end Text;
 
 end Journals;

@@ -46,9 +46,11 @@ package Journals is
    --                    ASCII, and blanks and backslashes, as \xHH
    --  checksum=ok|bad
    --  before=STATE after=STATE
-   --  answer=TEXT       as the robot gave it, - where it is off
-   --  reload=accepted|refused interval=MS ticks=N   of a `w` only
-   --  fault=NAME        where the answer was spoilt
+   --  answer=TEXT       as the robot gave it, - where it gave none
+   --  reload=accepted|refused interval=MS ticks=N   of a `w` only that the
+   --                    robot received
+   --  fault=NAME        where the answer was spoilt; lost: the command, the
+   --                    robot received nothing
    --  late=MS           where it was held back
 
    function Image (Time : Instant) return String;

@@ -11,9 +11,47 @@ package body Readings is
 
    subtype Digit is Character range '0' .. '9';
 
-   function Scaled (Text : String; Decimals : Natural) return Micro;
-   --  A decimal number times 10 ** Decimals; more decimals are cut off.
-   --  Bad_Value where it is none or above a million.
+   function Scaled (Text : String; Decimals : Natural) return Micro is
+      --  A decimal number times 10 ** Decimals; more decimals are cut off.
+      --  Bad_Value where it is none or above a million.
+      Limit    : constant := 1_000_000;
+
+      Value    : Micro := 0;
+      Left     : Integer := -1;
+      --  Decimals still to come; negative before the point
+      Seen     : Boolean := False;
+      Negative : constant Boolean :=
+        Text'Length > 0 and then Text (Text'First) = '-';
+   begin
+      for K in Text'Range loop
+         if K = Text'First and then Negative then
+            null;
+         elsif Text (K) = '.' and then Left < 0 then
+            Left := Decimals;
+         elsif Text (K) in Digit and then Value <= Limit * 10 ** 6 then
+            Seen := True;
+            if Left /= 0 then
+               Value := Value * 10
+                 + Character'Pos (Text (K)) - Character'Pos ('0');
+               Left := Integer'Max (Left - 1, -1);
+            end if;
+         else
+            Seen := False;
+            exit;
+         end if;
+      end loop;
+
+      if Seen then
+         if Left < 0 then
+            Left := Decimals;
+         end if;
+         Value := Value * 10 ** Left;
+      end if;
+      if not Seen or else Value > Limit * 10 ** Decimals then
+         raise Bad_Value with "'" & Text & "' is not a number";
+      end if;
+      return (if Negative then -Value else Value);
+   end Scaled;
 
    function Plain (Value : Integer) return String is
      (Ada.Strings.Fixed.Trim (Value'Image, Ada.Strings.Left));
@@ -37,8 +75,6 @@ package body Readings is
       Result : Robot_Core.Octets (1 .. Data_Length'Last);
       Last   : Natural := 0;
       Next   : Positive := Text'First;
-
-      procedure Put (Byte : Robot_Core.Octet);
 
       procedure Put (Byte : Robot_Core.Octet) is
       begin
@@ -130,46 +166,6 @@ package body Readings is
       end if;
       return (In_X, In_Y, Degrees mod Full_Turn);
    end Pose;
-
-   function Scaled (Text : String; Decimals : Natural) return Micro is
-      Limit    : constant := 1_000_000;
-
-      Value    : Micro := 0;
-      Left     : Integer := -1;
-      --  Decimals still to come; negative before the point
-      Seen     : Boolean := False;
-      Negative : constant Boolean :=
-        Text'Length > 0 and then Text (Text'First) = '-';
-   begin
-      for K in Text'Range loop
-         if K = Text'First and then Negative then
-            null;
-         elsif Text (K) = '.' and then Left < 0 then
-            Left := Decimals;
-         elsif Text (K) in Digit and then Value <= Limit * 10 ** 6 then
-            Seen := True;
-            if Left /= 0 then
-               Value := Value * 10
-                 + Character'Pos (Text (K)) - Character'Pos ('0');
-               Left := Integer'Max (Left - 1, -1);
-            end if;
-         else
-            Seen := False;
-            exit;
-         end if;
-      end loop;
-
-      if Seen then
-         if Left < 0 then
-            Left := Decimals;
-         end if;
-         Value := Value * 10 ** Left;
-      end if;
-      if not Seen or else Value > Limit * 10 ** Decimals then
-         raise Bad_Value with "'" & Text & "' is not a number";
-      end if;
-      return (if Negative then -Value else Value);
-   end Scaled;
 
    procedure Size
      (Text   : String;

@@ -19,6 +19,8 @@ package body Robot_Bench is
          end if;
       end Babble;
 
+      function Chances return Radio_Links.Chances is (Radios);
+
       procedure Clear_Journal is
       begin
          Journals.Clear (Heard);
@@ -39,9 +41,15 @@ package body Robot_Bench is
          if not In_Frame then
             In_Frame := True;
             First    := Started;
+            Answer_Faults.Take_Command (Faults, Losing);
          end if;
 
          Advance_To (The_Robot, Robot_Time (Ended));
+         if Losing then
+            Miss (Byte, Started, Ended);
+            In_Frame := In_Missed;
+            return;
+         end if;
          Receive (The_Robot, Byte, Complete, Note.Exchange);
          if not Complete then
             return;
@@ -82,6 +90,10 @@ package body Robot_Bench is
       procedure Let_Time_Pass is
       begin
          Advance_To (The_Robot, Robot_Time (Now));
+         if Stays_On and then State (The_Robot) = Off then
+            Switch_On (The_Robot, Boot_Time);
+            Robot_Pasts.Add (Past, The_Robot);
+         end if;
       end Let_Time_Pass;
 
       procedure Look (Robot : out Robot_Core.Robot) is
@@ -100,7 +112,33 @@ package body Robot_Bench is
          Faults    := (Seed => Faults.Seed, Turn => Faults.Turn, others => <>);
          Held_Back := 0;
          Babbling  := False;
+         Radios.Losses := 0;
       end Mend;
+
+      procedure Miss (Byte : Octet; Started, Ended : Instant) is
+         Complete : Boolean;
+         Note     : Journals.Note;
+      begin
+         if not In_Missed then
+            Missed := Started;
+         end if;
+         Receive (Nobody, Byte, Complete, Note.Exchange);
+         In_Missed := not Complete;
+         if Complete then
+            Note.Exchange.Before := State (The_Robot);
+            Note.Exchange.After  := State (The_Robot);
+            Note.First  := Missed;
+            Note.Last   := Ended;
+            Note.Effect := Answer_Faults.Lost;
+            Spoilings   := Spoilings + 1;
+            Journals.Add (Heard, Note);
+         end if;
+      end Miss;
+
+      procedure Miss_Answers is
+      begin
+         Spoilings := Spoilings + 1;
+      end Miss_Answers;
 
       procedure Next_Note
         (After : Journals.Note_Number;
@@ -155,10 +193,18 @@ package body Robot_Bench is
          Faults.Passed := 0;
       end Set_Every;
 
+      procedure Set_Lose_Every (Value : Answer_Faults.Interval) is
+      begin
+         Faults.Lose_Every  := Value;
+         Faults.Lose_Passed := 0;
+      end Set_Lose_Every;
+
       procedure Set_Fault
         (Kind : Fault_Kind; Value : Answer_Faults.Remaining) is
       begin
          case Kind is
+            when Lose =>
+               Faults.Lose := Value;
             when Drop =>
                Faults.Drop := Value;
             when Corrupt =>
@@ -179,10 +225,25 @@ package body Robot_Bench is
          Faults.Keep := Value;
       end Set_Kept_Bytes;
 
+      procedure Set_Losses (Value : Radio_Links.Percent) is
+      begin
+         Radios.Losses := Value;
+      end Set_Losses;
+
+      procedure Set_Retries (Value : Radio_Links.Percent) is
+      begin
+         Radios.Retries := Value;
+      end Set_Retries;
+
       procedure Set_Pile (Value : Answer_Faults.Pile_Size) is
       begin
          Faults.Pile := Value;
       end Set_Pile;
+
+      procedure Stay_On is
+      begin
+         Stays_On := True;
+      end Stay_On;
 
       procedure Set_Silent (Value : Boolean) is
       begin

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The one robot, shared by the tasks: its serial line sends it bytes, the
---  console injects faults into its answers, the camera observes it. Also
+--  console injects faults into its line, the camera observes it. Also
 --  records the exchanges.
 --
 --  The robot's state is that of its last event. A reader takes a copy and
@@ -9,6 +9,7 @@
 with Answer_Faults;
 with Instants;  use Instants;
 with Journals;
+with Radio_Links;
 with Robot_Core;
 with Robot_Motion;
 with Robot_Pasts;
@@ -22,7 +23,7 @@ package Robot_Bench is
    is (if Time <= Origin then 0
        else Robot_Core.Time_Point (Instant'(Time - Origin) / 1_000));
 
-   type Fault_Kind is (Drop, Corrupt, Garbage, Truncate, Flip, Wrong);
+   type Fault_Kind is (Lose, Drop, Corrupt, Garbage, Truncate, Flip, Wrong);
 
    protected Bench is
 
@@ -41,11 +42,21 @@ package Robot_Bench is
       --  A byte was on the line from Started to Ended. Wire is the reply, to
       --  be sent Late after Ended.
 
+      procedure Miss
+        (Byte : Robot_Core.Octet; Started, Ended : Instant);
+      --  The same of one that is lost on its way
+
+      procedure Miss_Answers;
+      --  A packet with answers is lost on its way
+
       procedure Babble
         (Byte : out Robot_Core.Octet; Present : out Boolean);
       --  The next byte of an endless answer, if there is one
 
       procedure Let_Time_Pass;
+
+      procedure Stay_On;
+      --  From now on somebody switches it on as soon as it is off
 
       procedure Mend;
       --  Removes all of the following faults
@@ -55,10 +66,16 @@ package Robot_Bench is
       procedure Set_Fault
         (Kind : Fault_Kind; Value : Answer_Faults.Remaining);
       procedure Set_Every (Value : Answer_Faults.Interval);
+      procedure Set_Lose_Every (Value : Answer_Faults.Interval);
       procedure Set_Pile (Value : Answer_Faults.Pile_Size);
       procedure Set_Kept_Bytes (Value : Robot_Core.Answer_Length);
       procedure Set_Bit (Value : Answer_Faults.Bit_Number);
       procedure Set_Delay (Value : Instant);
+      procedure Set_Losses (Value : Radio_Links.Percent);
+
+      procedure Set_Retries (Value : Radio_Links.Percent);
+      function Chances return Radio_Links.Chances;
+      --  Of the radios, if there are any
 
       procedure Set_Battery (Level : Robot_Core.Battery_Level);
       procedure Set_Charging (Plugged : Boolean);
@@ -81,7 +98,7 @@ package Robot_Bench is
       --  of them.
 
       function Spoilt return Natural;
-      --  Number of answers that were changed or delayed
+      --  Number of commands lost, and of answers lost, changed or delayed
 
       procedure Next_Note
         (After : Journals.Note_Number;
@@ -92,12 +109,19 @@ package Robot_Bench is
       The_Robot : Robot_Core.Robot;
       Past      : Robot_Pasts.Past;
       Boot_Time : Robot_Core.Tick_Count := Robot_Core.Boot_Ticks;
+      Stays_On  : Boolean := False;
       Faults    : Answer_Faults.Plan;
       Held_Back : Instant := 0;
+      Radios    : Radio_Links.Chances;
       Babbling  : Boolean := False;
       Spoilings : Natural := 0;
       Heard     : Journals.Journal;
       In_Frame  : Boolean := False;
+      Losing    : Boolean := False;  --  this frame
+      In_Missed : Boolean := False;  --  a lost frame
+      Missed    : Instant := 0;      --  its start
+      Nobody    : Robot_Core.Robot;
+      --  Receives the lost frames: it is off, and only tells them apart
       First     : Instant := 0;   --  start of the frame
       Reloaded  : Instant := 0;   --  last reload, or start
    end Bench;

@@ -13,9 +13,12 @@ with Libc;             use Libc;
 with Own_Process;
 with Polls;
 with Pseudo_Terminals; use Pseudo_Terminals;
+with Radio_Links;      use Radio_Links;
 with Robot_Bench;
 
 package body Serial_Side is
+
+   use type Interfaces.Unsigned_32;
 
    type Request_Kind is (Send, Hang, Return_Line, Finish);
 
@@ -48,19 +51,21 @@ package body Serial_Side is
    Bell : constant int := Eventfd (0, O_Nonblock + O_Cloexec);
    --  Rung when a request is there
 
-   function Ask (R : Request) return String;
-   --  Leaves the request, wakes the task and waits for the outcome
-
    task Carrier is
       entry Start
-        (Baud : Baud_Rate; Link : String; Problem : out Unbounded_String);
+        (Baud    : Baud_Rate;
+         Link    : String;
+         Socket  : Boolean;
+         Radio   : Boolean;
+         Seed    : Interfaces.Unsigned_32;
+         Problem : out Unbounded_String);
    end Carrier;
 
    --  Bytes on their way
 
    type Timed_Byte is record
       Byte    : Robot_Core.Octet := 0;
-      Started : Instant := 0;
+      Started : Instant := 0;  --  on the first wire
       Ended   : Instant := 0;
    end record;
 
@@ -78,29 +83,46 @@ package body Serial_Side is
       --  End of the last byte
    end record;
 
-   procedure Add
-     (Q : in out Queue; Byte : Robot_Core.Octet; From, Time : Instant);
-   --  A byte that may start at From takes Time; dropped where Q is full
+   type Way is record
+      First  : Queue;
+      Radios : Link;
+      Second : Queue;
+   end record;
+   --  In one direction. Without radios the first wire is the only one.
 
-   procedure Remove_Head (Q : in out Queue);
+   procedure Remove_Head (Q : in out Queue) is
+   begin
+      Q.Head  := (Q.Head + 1) mod Room;
+      Q.Count := Q.Count - 1;
+   end Remove_Head;
 
    function Is_Due (Q : Queue; Time : Instant) return Boolean is
      (Q.Count > 0 and then Q.Data (Q.Head).Ended <= Time);
 
    procedure Add
-     (Q : in out Queue; Byte : Robot_Core.Octet; From, Time : Instant)
+     (Q          : in out Queue;
+      Byte       : Robot_Core.Octet;
+      From, Time : Instant;
+      Sent       : Instant := Never)
    is
+      --  A byte that may start at From takes Time; dropped where Q is full.
+      --  Sent: when it started on the first wire, if this is the second
       Started : constant Instant := Instant'Max (From, Q.Until_When);
    begin
       if Q.Count < Room then
          Q.Until_When := Started + Time;
          Q.Data ((Q.Head + Q.Count) mod Room) :=
-           (Byte, Started, Q.Until_When);
+           (Byte, (if Sent = Never then Started else Sent), Q.Until_When);
          Q.Count := Q.Count + 1;
       end if;
    end Add;
 
+   function Gathering (W : Way) return Timed_Byte is
+     (W.First.Data ((W.First.Head + W.Radios.Length) mod Room));
+   --  The next byte for the radio
+
    function Ask (R : Request) return String is
+      --  Leaves the request, wakes the task and waits for the outcome
       One     : constant Interfaces.Unsigned_64 := 1;
       Ignored : long;
       Text    : Unbounded_String;
@@ -113,28 +135,23 @@ package body Serial_Side is
 
    task body Carrier is
 
-      Idle_Wait : constant Instant := 1_000_000_000;
+      Idle_Wait : constant Instant := 200_000_000;
       --  The robot is made to grow older at least this often
 
       Above_Tasks : constant := 50;
       --  A priority above every task of a supervisor on the same machine, as
       --  the robot's own processor would be
 
+      Noted : constant Duration := 0.02;
+      --  How late a byte is told to be
+
       The_Line  : Line;
       Link_Path : Unbounded_String;
+      Is_Socket : Boolean := False;
       Byte_Time : Instant := 0;
-      To_Robot  : Queue;
-      To_Client : Queue;
-
-      procedure Open_Line (Problem : out Unbounded_String);
-      procedure Close_Line;
-      procedure Publish;
-      procedure Serve_Requests;
-      procedure Deliver;
-      procedure Babble;
-      procedure Transmit;
-      procedure Collect;
-      procedure Wait;
+      Has_Radio : Boolean := False;
+      To_Robot  : Way;
+      To_Client : Way;
 
       procedure Babble is
          Shortest : constant Instant := 200_000;
@@ -143,72 +160,133 @@ package body Serial_Side is
          Byte    : Robot_Core.Octet;
          Present : Boolean;
       begin
-         if To_Client.Count = 0 then
+         if (if Has_Radio then To_Client.First.Until_When <= Now
+             else To_Client.First.Count = 0)
+         then
             Robot_Bench.Bench.Babble (Byte, Present);
             if Present then
-               Add (To_Client, Byte, From => Now,
+               Add (To_Client.First, Byte, From => Now,
                     Time => Instant'Max (Byte_Time, Shortest));
             end if;
          end if;
       end Babble;
 
+      procedure Carry (W : in out Way; Commands : Boolean) is
+         --  Packets that are complete, to the second wire
+         Due     : constant Instant := Now;
+         Each    : constant Time := Time (Byte_Time);
+         Length  : Packet_Length;
+         Arrival : Time;
+         Lost    : Boolean;
+         B       : Timed_Byte;
+      begin
+         loop
+            if W.First.Count > W.Radios.Length
+              and then Gathering (W).Ended <= Due
+              and then Joins (W.Radios, Time (Gathering (W).Ended), Each)
+            then
+               Gather (W.Radios, Time (Gathering (W).Ended));
+            elsif W.Radios.Length > 0
+              and then Closing (W.Radios, Each) <= Time (Due)
+            then
+               Length := W.Radios.Length;
+               Send (W.Radios, Robot_Bench.Bench.Chances,
+                     Closing (W.Radios, Each), Arrival, Lost);
+               if Lost and then not Commands then
+                  Robot_Bench.Bench.Miss_Answers;
+               end if;
+               for K in 1 .. Length loop
+                  B := W.First.Data (W.First.Head);
+                  Remove_Head (W.First);
+                  if not Lost then
+                     Add (W.Second, B.Byte, From => Instant (Arrival),
+                          Time => Byte_Time, Sent => B.Started);
+                  elsif Commands then
+                     Robot_Bench.Bench.Miss (B.Byte, B.Started, B.Ended);
+                  end if;
+               end loop;
+            else
+               exit;
+            end if;
+         end loop;
+      end Carry;
+
+      procedure Clear (W : in out Way) is
+      begin
+         W.First  := (others => <>);
+         W.Second := (others => <>);
+         W.Radios := (Seed => W.Radios.Seed, others => <>);
+      end Clear;
+
       procedure Close_Line is
       begin
          if Is_Open (The_Line) then
-            if Link_Path /= "" then
+            if Link_Path /= "" and then not Is_Socket then
                Remove_Link (To_String (Link_Path), Device (The_Line));
             end if;
             Close (The_Line);
          end if;
-         To_Robot  := (others => <>);
-         To_Client := (others => <>);
+         Clear (To_Robot);
+         Clear (To_Client);
       end Close_Line;
 
       procedure Collect is
          Time   : Instant;
          Data   : Robot_Core.Octets (1 .. Room);
-         Length : long;
+         Length : long := long (Room - To_Robot.First.Count);
       begin
-         Length := Read
-           (Robot_End (The_Line), Data'Address,
-            size_t (Room - To_Robot.Count));
+         Read (The_Line, Data'Address, Length);
          --  The poll said so: there is something, and room for it
          Time := Now;
          for K in 1 .. Integer (long'Max (Length, 0)) loop
-            Add (To_Robot, Data (K), From => Time, Time => Byte_Time);
+            Add (To_Robot.First, Data (K), From => Time, Time => Byte_Time);
          end loop;
       end Collect;
 
-      procedure Deliver is
+      procedure Deliver (Q : in out Queue) is
          Wire : Answer_Faults.Wire_Bytes;
          Late : Instant;
       begin
-         while Is_Due (To_Robot, Now) loop
+         while Is_Due (Q, Now) loop
             declare
-               B : constant Timed_Byte := To_Robot.Data (To_Robot.Head);
+               B : constant Timed_Byte := Q.Data (Q.Head);
             begin
-               Remove_Head (To_Robot);
+               Remove_Head (Q);
                Robot_Bench.Bench.Hear
                  (B.Byte, B.Started, B.Ended, Wire, Late);
                for K in 1 .. Wire.Length loop
-                  Add (To_Client, Wire.Data (K), From => B.Ended + Late,
+                  Add (To_Client.First, Wire.Data (K), From => B.Ended + Late,
                        Time => Byte_Time);
                end loop;
             end;
          end loop;
       end Deliver;
 
+      function Next_Event (W : Way) return Instant is
+        (Instant'Min
+           (Instant'Min
+              ((if W.First.Count > W.Radios.Length
+                then Gathering (W).Ended else Instant'Last),
+               (if W.Radios.Length > 0
+                then Instant (Closing (W.Radios, Time (Byte_Time)))
+                else Instant'Last)),
+            (if W.Second.Count > 0
+             then W.Second.Data (W.Second.Head).Ended else Instant'Last)));
+
       procedure Open_Line (Problem : out Unbounded_String) is
          Done : Boolean;
       begin
-         Open (The_Line, Done);
+         if Is_Socket then
+            Listen (The_Line, To_String (Link_Path), Done);
+         else
+            Open (The_Line, Done);
+         end if;
          if not Done then
-            Problem := To_Unbounded_String
-              ("no pseudo-terminal: " & Last_Error);
+            Problem := To_Unbounded_String ("no line: " & Last_Error);
             return;
          end if;
          Problem := Null_Unbounded_String;
-         if Link_Path /= "" then
+         if Link_Path /= "" and then not Is_Socket then
             declare
                Failure : constant String := Place_Link
                  (To_String (Link_Path), Device (The_Line));
@@ -244,7 +322,7 @@ package body Serial_Side is
             when Send =>
                if Is_Open (The_Line) then
                   for K in R.Data'Range loop
-                     Add (To_Client, R.Data (K), From => Now,
+                     Add (To_Client.First, R.Data (K), From => Now,
                           Time => Byte_Time);
                   end loop;
                else
@@ -273,15 +351,17 @@ package body Serial_Side is
          Desk.Answer (Problem);
       end Serve_Requests;
 
-      procedure Transmit is
+      procedure Transmit (Q : in out Queue) is
          Data    : Robot_Core.Octets (1 .. Room);
          Last    : Natural := 0;
+         Late    : Duration := 0.0;
          Ignored : long;
       begin
-         while Is_Due (To_Client, Now) loop
+         while Is_Due (Q, Now) loop
+            Late := Duration'Max (Late, Now - Q.Data (Q.Head).Ended);
             Last := Last + 1;
-            Data (Last) := To_Client.Data (To_Client.Head).Byte;
-            Remove_Head (To_Client);
+            Data (Last) := Q.Data (Q.Head).Byte;
+            Remove_Head (Q);
          end loop;
 
          --  What a full terminal does not take is lost, as on a line that
@@ -291,29 +371,30 @@ package body Serial_Side is
             Ignored := Write
               (Robot_End (The_Line), Data'Address, size_t (Last));
          end if;
+         if Late > Noted then
+            Ada.Text_IO.Put_Line
+              (Ada.Text_IO.Standard_Error,
+               "late by " & Milliseconds (Late));
+         end if;
       end Transmit;
 
       procedure Wait is
          Files   : Poll_Array (1 .. 2);
          Time    : constant Instant := Now;
-         Wake_Up : Instant := Time + Idle_Wait;
+         Wake_Up : constant Instant := Instant'Min
+           (Time + Idle_Wait,
+            Instant'Min (Next_Event (To_Robot), Next_Event (To_Client)));
          Rung    : Interfaces.Unsigned_64 := 0;
          Ignored : long;
       begin
          Files (1) := (Bell, Poll_In, 0);
-         if Is_Open (The_Line) and then To_Robot.Count < Room then
+         if Is_Open (The_Line) and then To_Robot.First.Count < Room then
             Files (2) := (Robot_End (The_Line), Poll_In, 0);
          end if;
-         if To_Robot.Count > 0 then
-            Wake_Up := Instant'Min
-              (Wake_Up, To_Robot.Data (To_Robot.Head).Ended);
-         end if;
-         if To_Client.Count > 0 then
-            Wake_Up := Instant'Min
-              (Wake_Up, To_Client.Data (To_Client.Head).Ended);
-         end if;
-
          Polls.Wait (Files, Wake_Up - Time);
+         if Files (1).Returned = 0 and then Files (2).Returned = 0 then
+            Free (The_Line);
+         end if;
          if Files (2).Returned /= 0 then
             Collect;
          end if;
@@ -325,9 +406,18 @@ package body Serial_Side is
 
    begin
       accept Start
-        (Baud : Baud_Rate; Link : String; Problem : out Unbounded_String)
+        (Baud    : Baud_Rate;
+         Link    : String;
+         Socket  : Boolean;
+         Radio   : Boolean;
+         Seed    : Interfaces.Unsigned_32;
+         Problem : out Unbounded_String)
       do
          Link_Path := To_Unbounded_String (Link);
+         Is_Socket := Socket;
+         Has_Radio := Radio;
+         To_Robot.Radios.Seed  := 2 * Seed;
+         To_Client.Radios.Seed := 2 * Seed + 1;
          if Baud > 0 then
             Byte_Time := 10 * 1_000_000_000 / Instant (Baud);
          end if;
@@ -338,9 +428,17 @@ package body Serial_Side is
       Own_Process.Wake_On_Time;
       Own_Process.Prefer_Real_Time (True, Above_Tasks);
       loop
-         Deliver;
-         Babble;
-         Transmit;
+         if Has_Radio then
+            Carry (To_Robot, Commands => True);
+            Deliver (To_Robot.Second);
+            Babble;
+            Carry (To_Client, Commands => False);
+            Transmit (To_Client.Second);
+         else
+            Deliver (To_Robot.First);
+            Babble;
+            Transmit (To_Client.First);
+         end if;
          Wait;
          Robot_Bench.Bench.Let_Time_Pass;
       end loop;
@@ -400,19 +498,18 @@ package body Serial_Side is
    function Put_Back return String is
      (Ask ((Length => 0, Kind => Return_Line, Data => (others => 0))));
 
-   procedure Remove_Head (Q : in out Queue) is
-   begin
-      Q.Head  := (Q.Head + 1) mod Room;
-      Q.Count := Q.Count - 1;
-   end Remove_Head;
-
    function Send_Unasked (Data : Robot_Core.Octets) return String is
      (Ask ((Length => Data'Length, Kind => Send, Data => Data)));
 
    procedure Start
-     (Baud : Baud_Rate; Link : String; Problem : out Unbounded_String) is
+     (Baud    : Baud_Rate;
+      Link    : String;
+      Socket  : Boolean;
+      Radio   : Boolean;
+      Seed    : Interfaces.Unsigned_32;
+      Problem : out Unbounded_String) is
    begin
-      Carrier.Start (Baud, Link, Problem);
+      Carrier.Start (Baud, Link, Socket, Radio, Seed, Problem);
    end Start;
 
    procedure Stop is

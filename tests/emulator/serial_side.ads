@@ -6,9 +6,13 @@
 --  robot receives a byte at the end of its time, and a client reads a byte of
 --  an answer at the end of its time. Times are absolute: a delayed byte does
 --  not delay the next one.
+--
+--  With radios there are two wires in each direction, and Radio_Links between
+--  them.
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
+with Interfaces;
 with Robot_Core;
 
 package Serial_Side is
@@ -17,9 +21,16 @@ package Serial_Side is
    --  0: bytes take no time
 
    procedure Start
-     (Baud : Baud_Rate; Link : String; Problem : out Unbounded_String);
-   --  Creates the device, and the link unless it is "", and starts. Call once.
-   --  Problem is the reason of a failure; "" if none.
+     (Baud    : Baud_Rate;
+      Link    : String;
+      Socket  : Boolean;
+      Radio   : Boolean;
+      Seed    : Interfaces.Unsigned_32;
+      Problem : out Unbounded_String);
+   --  Creates the device, and the link unless it is "", or a socket at Link,
+   --  and starts. Seed: of the radios. A byte that it sends over 20 ms late is
+   --  told on standard error: "late by N ms". Call once. Problem is the
+   --  reason of a failure; "" if none.
 
    procedure Stop;
    --  Hangs up and removes the link. After Start only.

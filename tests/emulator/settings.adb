@@ -12,9 +12,29 @@ package body Settings is
    procedure Set (V : in out Values);
    --  The option that Option_Readers is at, which takes a value
 
-   procedure Set_Pose (V : in out Values; Text : String);
+   procedure Set_Pose (V : in out Values; Text : String) is
+      First  : constant Natural := Index (Text, ",");
+      Second : constant Natural :=
+        (if First > 0 then Index (Text, ",", First + 1) else 0);
+   begin
+      if Second = 0 then
+         raise Bad_Value with "X,Y,HEADING is expected";
+      end if;
+      V.Pose := Pose
+        (Text (Text'First .. First - 1), Text (First + 1 .. Second - 1),
+         Text (Second + 1 .. Text'Last));
+   end Set_Pose;
 
-   procedure Set_Marker (V : in out Values; Text : String);
+   procedure Set_Marker (V : in out Values; Text : String) is
+   begin
+      if Text = "aruco" then
+         V.Camera.Marker := Arena_Camera.Aruco;
+      elsif Text = "triangle" then
+         V.Camera.Marker := Arena_Camera.Triangle;
+      else
+         raise Bad_Value with "aruco or triangle is expected";
+      end if;
+   end Set_Marker;
 
    procedure Read_Command_Line
      (V : out Values; W : out Wish; Reason : out Unbounded_String) is
@@ -26,13 +46,18 @@ package body Settings is
       while Next loop
          if Name = "--silent" then
             V.Silent := True;
+         elsif Name = "--stay-on" then
+            V.Stay_On := True;
          elsif Name = "--charging" then
             V.Charging := True;
+         elsif Name = "--radio" then
+            V.Radio := True;
          elsif Name = "--help" then
             W := Show_Help;
          elsif Name = "--version" then
             W := Show_Version;
          else
+            V.Radio := V.Radio or else Index (Name, "--radio") = 1;
             Set (V);
          end if;
       end loop;
@@ -50,7 +75,8 @@ package body Settings is
    procedure Set (V : in out Values) is
       subtype Remaining is Answer_Faults.Remaining;
    begin
-      if Name = "--link" then
+      if Name = "--link" or else Name = "--socket" then
+         V.Socket := Name = "--socket";
          V.Link := To_Unbounded_String (Value);
          if V.Link = "" then
             raise Bad_Value with "a path is expected";
@@ -76,6 +102,12 @@ package body Settings is
          V.Wheels.Overshoot := Number
            (Robot_Motion.Overshoot_Percent'First,
             Robot_Motion.Overshoot_Percent'Last);
+      elsif Name = "--radio-retries" then
+         V.Chances.Retries := Number (0, 100);
+      elsif Name = "--radio-losses" then
+         V.Chances.Losses := Number (0, 100);
+      elsif Name = "--radio-seed" then
+         V.Seed := Number (0);
       elsif Name = "--pull" then
          V.Wheels.Pull := Number
            (Robot_Motion.Pull_Angle'First, Robot_Motion.Pull_Angle'Last);
@@ -107,6 +139,10 @@ package body Settings is
          V.Drop := Number (Remaining'First, Remaining'Last);
       elsif Name = "--drop-every" then
          V.Every := Interval (Value);
+      elsif Name = "--lose" then
+         V.Lose := Number (Remaining'First, Remaining'Last);
+      elsif Name = "--lose-every" then
+         V.Lose_Every := Interval (Value);
       elsif Name = "--corrupt" then
          V.Corrupt := Number (Remaining'First, Remaining'Last);
       elsif Name = "--garbage" then
@@ -119,29 +155,5 @@ package body Settings is
          Refuse;
       end if;
    end Set;
-
-   procedure Set_Pose (V : in out Values; Text : String) is
-      First  : constant Natural := Index (Text, ",");
-      Second : constant Natural :=
-        (if First > 0 then Index (Text, ",", First + 1) else 0);
-   begin
-      if Second = 0 then
-         raise Bad_Value with "X,Y,HEADING is expected";
-      end if;
-      V.Pose := Pose
-        (Text (Text'First .. First - 1), Text (First + 1 .. Second - 1),
-         Text (Second + 1 .. Text'Last));
-   end Set_Pose;
-
-   procedure Set_Marker (V : in out Values; Text : String) is
-   begin
-      if Text = "aruco" then
-         V.Camera.Marker := Arena_Camera.Aruco;
-      elsif Text = "triangle" then
-         V.Camera.Marker := Arena_Camera.Triangle;
-      else
-         raise Bad_Value with "aruco or triangle is expected";
-      end if;
-   end Set_Marker;
 
 end Settings;

@@ -5,6 +5,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Answer_Faults;
 with Arena_Camera;
+with Radio_Links;
 with Robot_Core;
 with Robot_Motion;
 with Serial_Side;
@@ -16,6 +17,7 @@ package Settings is
 
    type Values is record
       Link        : Unbounded_String;  --  "": none
+      Socket      : Boolean := False;  --  at Link, no pseudo-terminal
       Baud        : Serial_Side.Baud_Rate := 9_600;
       Boot        : Robot_Core.Tick_Count := Robot_Core.Boot_Ticks;
       Battery     : Robot_Core.Battery_Level := Robot_Core.Full;
@@ -24,12 +26,19 @@ package Settings is
       Wheels      : Robot_Motion.Wheel_Errors;
 
       Silent      : Boolean := False;
+      Stay_On     : Boolean := False;
       Drop        : Natural := 0;      --  answers
       Every       : Answer_Faults.Interval := 0;
+      Lose        : Natural := 0;      --  commands
+      Lose_Every  : Answer_Faults.Interval := 0;
       Corrupt     : Natural := 0;
       Garbage     : Natural := 0;
       Truncate    : Natural := 0;
       Late        : Natural := 0;      --  milliseconds
+
+      Radio       : Boolean := False;
+      Chances     : Radio_Links.Chances;
+      Seed        : Natural := 1;      --  of the radios
 
       With_Camera : Boolean := False;
       Camera_Port : Natural := 0;      --  0: any free one
@@ -50,11 +59,12 @@ private
    NL : constant Character := ASCII.LF;
 
    Usage : constant String :=
-     "usage: destijl_emulator [OPTION]..." & NL & NL
+     "Usage: destijl_emulator [OPTION]..." & NL & NL
      & "The robot, on a pseudo-terminal whose path is the first line"
      & " printed." & NL
      & "Commands are read from standard input; 'help' lists them." & NL & NL
      & "  --link PATH          a symbolic link to the pseudo-terminal" & NL
+     & "  --socket PATH        instead of it a socket, for tests" & NL
      & "  --baud N             pace of the bytes (9600; 0: no pacing)" & NL
      & "  --boot-ms N          start-up time of the robot (1600)" & NL
      & "  --battery LEVEL      0, 1, 2 (2), or critical" & NL
@@ -70,6 +80,16 @@ private
      & "  --pull N             degrees to the left per metre, -30 to 30 (0)"
      & NL
      & NL
+     & "A pair of radios between the line and the robot (XBee, transparent):"
+     & NL
+     & "  --radio              a wire, packets in the air, a second wire;"
+     & NL
+     & "                       so with each of these:" & NL
+     & "  --radio-retries N    percent of attempts repeated, 30 ms each (2)"
+     & NL
+     & "  --radio-losses N     percent of packets lost, each direction (0)"
+     & NL
+     & "  --radio-seed N       of their random numbers (1)" & NL & NL
      & "The arena camera, if there is to be one:" & NL
      & "  --camera-port N      serves it on 127.0.0.1 (0: a free port)" & NL
      & "  --camera-fps N       images a second (25)" & NL
@@ -83,6 +103,9 @@ private
      & "  --marker-id N        of an ArUco marker, 0 to 999 (1)" & NL & NL
      & "Faults from the start:" & NL
      & "  --silent             answers nothing" & NL
+     & "  --stay-on            is switched on again whenever it is off" & NL
+     & "  --lose N             does not receive the first N commands" & NL
+     & "  --lose-every N       nor every Nth: 0 (none), or 2 to 1000" & NL
      & "  --drop N             loses the first N answers" & NL
      & "  --drop-every N       loses every Nth: 0 (none), or 2 to 1000" & NL
      & "  --corrupt N          spoils the checksum of the first N" & NL

@@ -26,14 +26,16 @@ package body Answer_Ledgers is
      (Label in
         "CIMG" | "CPOS" | "RBLV" | "MSSG" | "MPRG" | "MEND" | "ATIM");
 
-   procedure Pass_Over (L : in out Ledger);
-   --  What may go without an answer
-
-   function Certain (L : Ledger) return Natural;
-   --  Commands that are answered for certain
-
-   function Image (Text : Unbounded_String) return String;
-   --  Printing characters only
+   function Certain (L : Ledger) return Natural is
+      --  Commands that are answered for certain
+   begin
+      for Number in 0 .. Natural (L.Sent.Length) loop
+         if L.Costs (Number) /= Impossible then
+            return Number;
+         end if;
+      end loop;
+      return Natural (L.Sent.Length);
+   end Certain;
 
    function Kind_Of (Command : String) return Answer_Kind is
       Name : constant String := Head (Command, 4);
@@ -47,6 +49,7 @@ package body Answer_Ledgers is
    end Kind_Of;
 
    function Image (Text : Unbounded_String) return String is
+      --  Printing characters only
       Plain : String := Slice (Text, 1, Natural'Min (Shown, Length (Text)));
    begin
       for C of Plain loop
@@ -63,6 +66,7 @@ package body Answer_Ledgers is
    end Clear;
 
    procedure Pass_Over (L : in out Ledger) is
+      --  What may go without an answer
    begin
       for Number in 1 .. Natural (L.Sent.Length) loop
          if L.Sent (Number).Kind in Perhaps | Silent then
@@ -125,16 +129,6 @@ package body Answer_Ledgers is
                else ", the next was " & First_Waiting (L)));
       end if;
    end Put_Message;
-
-   function Certain (L : Ledger) return Natural is
-   begin
-      for Number in 0 .. Natural (L.Sent.Length) loop
-         if L.Costs (Number) /= Impossible then
-            return Number;
-         end if;
-      end loop;
-      return Natural (L.Sent.Length);
-   end Certain;
 
    function Is_Broken (L : Ledger) return Boolean is (L.Broken);
 

@@ -371,86 +371,41 @@ package body Camera_Faults is
    end Inject;
 
    procedure Register is
-
-      function Name (Text : String) return Unbounded_String
-        renames To_Unbounded_String;
-
    begin
-      Add (new Not_There'
-             (Group  => Faults.Camera,
-              Name   => Name ("camera cannot be opened"),
-              others => <>));
-      Add (new No_Such_Device'
-             (Group  => Faults.Camera,
-              Name   => Name ("no such camera"),
-              Camera => No_Camera,
-              others => <>));
-      Add (new Stops'
-             (Group  => Faults.Camera,
-              Name   => Name ("camera stops delivering"),
-              Camera => Camera_Streaming,
-              Cost   => 4.0,
-              others => <>));
-      Add (new Garbage'
-             (Group  => Faults.Camera,
-              Name   => Name ("camera delivers garbage"),
-              Camera => Camera_Streaming,
-              Cost   => 2.5,
-              others => <>));
-      Add (new Other_Size'
-             (Group  => Faults.Camera,
-              Name   => Name ("images change their size"),
-              Camera => Camera_Streaming,
-              Cost   => 2.5,
-              others => <>));
-      Add (new Other_Size'
-             (Group      => Faults.Camera,
-              Name       => Name ("images of 1x1"),
-              Camera     => Camera_Streaming,
-              Width      => 1,
-              Height     => 1,
-              Fit_Width  => Asked_Height,
-              Fit_Height => Asked_Height,
-              others     => <>));
-      Add (new Other_Size'
-             (Group      => Faults.Camera,
-              Name       => Name ("images of 3840x2160"),
-              Camera     => Camera_Streaming,
-              Width      => 3_840,
-              Height     => 2_160,
-              Fit_Width  => Asked_Width,
-              Fit_Height => 180,
-              Cost       => 3.0,
-              Heavy      => True,
-              others     => <>));
-      Add (new Other_Rate'
-             (Group  => Faults.Camera,
-              Name   => Name ("camera slower than asked"),
-              Camera => Camera_Streaming,
-              Rate   => 1,
-              Cost   => 3.5,
-              others => <>));
-      Add (new Other_Rate'
-             (Group  => Faults.Camera,
-              Name   => Name ("camera faster than asked"),
-              Camera => Camera_Streaming,
-              Rate   => 100,
-              Cost   => 2.0,
-              others => <>));
-      Add (new Opens_Late'
-             (Group  => Faults.Camera,
-              Name   => Name ("camera opens only after 10 s"),
-              Ends   => Session_May_End,
-              Cost   => 4.0,
-              others => <>));
-      Add (new Opens_Late'
-             (Group  => Faults.Camera,
-              Name   => Name ("camera opens only after 2 s"),
-              Ends   => Session_May_End,
-              After  => 2_000,
-              Opens  => True,
-              Cost   => 3.0,
-              others => <>));
+      Add (Faults.Camera, "camera cannot be opened", new Not_There);
+      Add (Faults.Camera, "no such camera", new No_Such_Device,
+           Camera => No_Camera);
+      Add (Faults.Camera, "camera stops delivering", new Stops,
+           Cost => 4.0, Camera => Camera_Streaming);
+      Add (Faults.Camera, "camera delivers garbage", new Garbage,
+           Cost => 2.5, Camera => Camera_Streaming);
+      Add (Faults.Camera, "images change their size", new Other_Size,
+           Cost => 2.5, Camera => Camera_Streaming);
+      Add (Faults.Camera, "images of 1x1",
+           new Other_Size'(Width      => 1,
+                           Height     => 1,
+                           Fit_Width  => Asked_Height,
+                           Fit_Height => Asked_Height,
+                           others     => <>),
+           Camera => Camera_Streaming);
+      Add (Faults.Camera, "images of 3840x2160",
+           new Other_Size'(Width      => 3_840,
+                           Height     => 2_160,
+                           Fit_Width  => Asked_Width,
+                           Fit_Height => 180,
+                           others     => <>),
+           Cost => 3.0, Camera => Camera_Streaming, Heavy => True);
+      Add (Faults.Camera, "camera slower than asked",
+           new Other_Rate'(Rate => 1, others => <>), Cost => 3.5,
+           Camera => Camera_Streaming);
+      Add (Faults.Camera, "camera faster than asked",
+           new Other_Rate'(Rate => 100, others => <>), Cost => 2.0,
+           Camera => Camera_Streaming);
+      Add (Faults.Camera, "camera opens only after 10 s",
+           new Opens_Late, Cost => 4.0, Ends => Session_May_End);
+      Add (Faults.Camera, "camera opens only after 2 s",
+           new Opens_Late'(After => 2_000, Opens => True, others => <>),
+           Cost => 3.0, Ends => Session_May_End);
    end Register;
 
 end Camera_Faults;

@@ -31,10 +31,6 @@ procedure Destijl_Faults is
    Is_Job   : Boolean := False;
    Is_List  : Boolean := False;
 
-   procedure Read_Options;
-
-   procedure Print_Help;
-
    procedure Print_Help is
    begin
       Put_Line ("bin/destijl_faults [OPTION ...]");

@@ -14,7 +14,6 @@ with Fault_List;
 with Faults;                use Faults;
 with Host_Time;
 with Instants;              use Instants;
-with Line_Watch;
 with Monitor_Clients;       use Monitor_Clients;
 with Option_Readers;        use Option_Readers;
 with Own_Process;
@@ -22,7 +21,7 @@ with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Random_Numbers;        use Random_Numbers;
 with Soak_Records;
-with Tolerances;
+with Standstills;
 with Trials;
 with Worlds;
 
@@ -39,7 +38,6 @@ procedure Destijl_Soak is
 
    Minutes  : Positive := 30;
    Seed     : Natural  := 0;
-   Svg_Path : Unbounded_String;
    Csv_Path : Unbounded_String;
 
    Source     : Generator;
@@ -53,31 +51,11 @@ procedure Destijl_Soak is
    --  The robot's answer may take so long; with that much time stolen by the
    --  host it may be late without an error of the supervisor
 
-   procedure Print_Usage (To : File_Type);
-
-   procedure Read_Command_Line;
-
-   procedure Choose_Faults;
-
-   procedure Complain (Text : String);
-
-   procedure Stay_Calm (For_Time : Duration);
-   --  A session with all features, which is measured
-
-   procedure Inject_Fault (Number : Positive; Repetition : Positive);
-
-   procedure Warm_Up;
-   --  Resources allocated with the first images, and the first of each size,
-   --  are not counted as growth
-
-   procedure Soak (Good : out Boolean);
-
    procedure Print_Usage (To : File_Type) is
    begin
       Put_Line (To, "usage: destijl_soak [OPTION ...]");
       Put_Line (To, "   --minutes N   how long (30)");
       Put_Line (To, "   --seed N      of everything random (from the clock)");
-      Put_Line (To, "   --svg FILE    draw curves");
       Put_Line (To, "   --csv FILE    write a line for each second");
       Put_Line (To, "   --supervisor PATH, --emulator PATH");
       Put_Line (To, "                 instead of those beside this one");
@@ -93,8 +71,6 @@ procedure Destijl_Soak is
             Minutes := Number (Shortest, Longest);
          elsif Name = "--seed" then
             Seed := Number (Low => 0);
-         elsif Name = "--svg" then
-            Svg_Path := To_Unbounded_String (Value);
          elsif Name = "--csv" then
             Csv_Path := To_Unbounded_String (Value);
          elsif Programs.Read_Option then
@@ -117,6 +93,7 @@ procedure Destijl_Soak is
             P : Worlds.Plan;
          begin
             Element (Number).Prepare (P);
+            P.Terminal := False;
             if P = (others => <>)
               and then Element (Number).Ends /= Supervisor_Ends
               and then Element (Number).Cost <= Longest_Fault
@@ -135,24 +112,20 @@ procedure Destijl_Soak is
    end Complain;
 
    procedure Stay_Calm (For_Time : Duration) is
+      --  A session with all features, which is measured
       Monitor : Client;
       Amount  : Natural := 0;
       First   : Positive;
       Last    : Instant := Never;
       Start   : Instant;
       Unused  : Message;
-      Begun   : constant Instant := Now;
-
       Taken   : constant Duration := Host_Time.Taken;
 
       function Is_Explained return Boolean is
-        (Line_Watch.Worst (Begun, Now) >= Tolerances.Late_Line
+        (Duration'Max (Standstills.Longest, Standstills.Longest_Line)
+           >= Standstills.Too_Long
          or else Host_Time.Taken - Taken >= Answer_Time_Out);
       --  Caused by the kernel, or by the host of this machine
-
-      procedure Ask (Command : String; Own : Boolean);
-
-      procedure Note_Images;
 
       procedure Ask (Command : String; Own : Boolean) is
          Item : Message;
@@ -190,7 +163,7 @@ procedure Destijl_Soak is
       end Note_Images;
 
    begin
-      Line_Watch.Start;
+      Standstills.Forget;
       Monitor.Connect (Trials.Port);
       Monitor.Expect ("ROPN", "AACK");
       Monitor.Expect ("RSWW", "AACK");
@@ -252,6 +225,8 @@ procedure Destijl_Soak is
    end Inject_Fault;
 
    procedure Warm_Up is
+      --  Resources allocated with the first images, and the first of each
+      --  size, are not counted as growth
    begin
       Stay_Calm (5.0);
       for Number of Eligible loop
@@ -300,13 +275,6 @@ procedure Destijl_Soak is
       if Csv_Path /= "" then
          Soak_Records.Write_Csv (To_String (Csv_Path));
       end if;
-      if Svg_Path /= "" then
-         Soak_Records.Draw_Svg
-           (To_String (Svg_Path),
-            "Supervisor," & Minutes'Image & " minutes with"
-            & Soak_Records.Faults'Image
-            & " random faults (strokes on the upper axis)");
-      end if;
       Good := Figures and then Violations = 0;
       Put_Line
         ((if Good then "in the end as in the beginning, "
@@ -325,6 +293,7 @@ begin
    Flush;
    Start (Source, Seed, "soak");
    Choose_Faults;
+   Standstills.Watch (Lines => True);
    Soak (Good);
    Programs.Remove_Temporary_Folder;
    GNAT.OS_Lib.OS_Exit (if Good then 0 else 1);

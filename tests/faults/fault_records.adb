@@ -26,14 +26,6 @@ package body Fault_Records is
    Gap : constant String := ": ";
    --  between an injection and its result
 
-   function Fingerprint (Path : String) return String;
-
-   function Head (Seed : Natural) return String is
-     ("seed" & Seed'Image
-      & " " & Fingerprint (Programs.Supervisor)
-      & " " & Fingerprint (Programs.Vision_Library)
-      & " " & Fingerprint (Programs.Emulator));
-
    function Fingerprint (Path : String) return String is
       Source  : Stream_IO.File_Type;
       Context : GNAT.SHA256.Context := GNAT.SHA256.Initial_Context;
@@ -49,6 +41,12 @@ package body Fault_Records is
       Stream_IO.Close (Source);
       return GNAT.SHA256.Digest (Context);
    end Fingerprint;
+
+   function Head (Seed : Natural) return String is
+     ("seed" & Seed'Image
+      & " " & Fingerprint (Programs.Supervisor)
+      & " " & Fingerprint (Programs.Vision_Library)
+      & " " & Fingerprint (Programs.Emulator));
 
    procedure Open (Path : String; Seed : Natural) is
       Place : Natural;

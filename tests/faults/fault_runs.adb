@@ -5,6 +5,7 @@ with Ada.Containers.Vectors;
 with Ada.Strings;         use Ada.Strings;
 with Ada.Strings.Fixed;   use Ada.Strings.Fixed;
 with Ada.Text_IO;         use Ada.Text_IO;
+with GNAT.OS_Lib;
 
 with Child_Processes;     use Child_Processes;
 with Fault_Records;
@@ -14,6 +15,7 @@ with Instants;            use Instants;
 with Network_Links;
 with Programs;
 with Random_Numbers;
+with Standstills;
 with Trials;              use Trials;
 
 package body Fault_Runs is
@@ -47,15 +49,9 @@ package body Fault_Runs is
      (Name (Item.First, Item.Second) & "," & Item.Repetition'Image);
    --  In the record of a run
 
-   function Worlds_Key (Item : Injection) return String;
-   --  Injections with the same key share a world
-
    function Goes_Before (Left, Right : Injection) return Boolean;
 
    package Sorting is new Injection_Vectors.Generic_Sorting (Goes_Before);
-
-   procedure Add_Pairs
-     (Queue : in out Injection_Vectors.Vector; S : Scope);
 
    function Is_Wanted (S : Scope; Item : Injection) return Boolean is
      ((S.Only = Null_Unbounded_String
@@ -66,16 +62,8 @@ package body Fault_Runs is
 
    type Counts is array (Positive range <>) of Natural;
 
-   procedure Draw_Pair
-     (Source        : in out Random_Numbers.Generator;
-      Fault         : Positive;
-      Used          : Counts;
-      Limit         : Positive;
-      First, Second : out Natural);
-   --  Fault and a second one, if possible in fewer pairs than Limit; 0 if it
-   --  can be combined with none
-
    function Worlds_Key (Item : Injection) return String is
+      --  Injections with the same key share a world
       P : Plan;
    begin
       Element (Item.First).Prepare (P);
@@ -85,7 +73,7 @@ package body Fault_Runs is
       return To_String
         (P.Launcher & P.Program & P.Options & P.Emulator_Options & P.Camera)
         & P.Through_Link'Image & P.Fresh'Image & P.Receive_Buffer'Image
-        & P.Log_Is_Read'Image;
+        & P.Log_Is_Read'Image & P.Terminal'Image;
    end Worlds_Key;
 
    function Goes_Before (Left, Right : Injection) return Boolean is
@@ -108,6 +96,8 @@ package body Fault_Runs is
       Limit         : Positive;
       First, Second : out Natural)
    is
+      --  Fault and a second one, if possible in fewer pairs than Limit; 0 if
+      --  it can be combined with none
       Attempts : constant := 2_000;
       Fair     : constant := 1_000;
       --  so long the other one must be short of pairs, too
@@ -180,17 +170,6 @@ package body Fault_Runs is
       Done     : Natural := 0;
       Shown    : Instant := Now;
 
-      procedure Begin_Job (J : in out Job);
-
-      procedure Give (J : in out Job);
-      --  The next injection, if there is one for it
-
-      procedure Look (J : in out Job);
-      --  Takes what it says
-
-      procedure Report (J : Job; Text : String);
-      --  A violation, and how to repeat it
-
       procedure Begin_Job (J : in out Job) is
          Options : Arguments;
       begin
@@ -205,6 +184,7 @@ package body Fault_Runs is
       end Begin_Job;
 
       procedure Give (J : in out Job) is
+         --  The next injection, if there is one for it
          Heavy : Natural := 0;
          --  under way
       begin
@@ -228,6 +208,7 @@ package body Fault_Runs is
       end Give;
 
       procedure Report (J : Job; Text : String) is
+         --  A violation, and how to repeat it
       begin
          Put_Line ("VIOLATION: " & Name (J.Item.First, J.Item.Second));
          Put (Text);
@@ -238,10 +219,8 @@ package body Fault_Runs is
          Flush;
       end Report;
 
-      procedure Count (Item : Injection; Result : String);
-      --  Result: as a job prints it
-
       procedure Count (Item : Injection; Result : String) is
+         --  Result: as a job prints it
          Parts : constant Arguments := Words (Result);
          Word  : constant String := Parts.Element (1);
       begin
@@ -259,8 +238,6 @@ package body Fault_Runs is
             Fault_Tables.Count (Item.First, Item.Second, Word = "violated");
          end if;
       end Count;
-
-      procedure Finish_One (J : in out Job; Result, Text : String);
 
       procedure Finish_One (J : in out Job; Result, Text : String) is
          Word : constant String := Words (Result).Element (1);
@@ -287,6 +264,7 @@ package body Fault_Runs is
       end Finish_One;
 
       procedure Look (J : in out Job) is
+         --  Takes what it says
          Word : constant Natural := J.Seen + 1;
          Last : Natural;
          Text : Unbounded_String;
@@ -397,6 +375,7 @@ package body Fault_Runs is
    procedure Work (Seed : Natural) is
       Outcome : Result;
    begin
+      Standstills.Watch (Lines => True);
       while not End_Of_File loop
          declare
             Parts : constant Arguments := Words (Get_Line);
@@ -427,6 +406,8 @@ package body Fault_Runs is
          end;
       end loop;
       Trials.Finish;
+      Programs.Remove_Temporary_Folder;
+      GNAT.OS_Lib.OS_Exit (0);
    end Work;
 
 end Fault_Runs;

@@ -30,9 +30,6 @@ package body Fault_Tables is
          when Machine => "machine");
 
    procedure Groups_Of
-     (First, Second : Positive; Earlier, Later : out Group_Kind);
-
-   procedure Groups_Of
      (First, Second : Positive; Earlier, Later : out Group_Kind)
    is
       A : constant Group_Kind := Element (First).Group;
@@ -78,8 +75,6 @@ package body Fault_Tables is
    procedure Print (Path : String := "") is
       File : File_Type;
 
-      procedure Put_Row (Row : Tally; Group, Name : String);
-
       procedure Put_Row (Row : Tally; Group, Name : String) is
          Line : constant String :=
            "| " & Group & " | " & Name
@@ -95,8 +90,6 @@ package body Fault_Tables is
             Put_Line (File, Line);
          end if;
       end Put_Row;
-
-      procedure Put_Head (Line : String);
 
       procedure Put_Head (Line : String) is
       begin

@@ -10,8 +10,25 @@ package body Faults is
 
    List : Fault_Vectors.Vector;
 
-   procedure Add (F : not null Fault_Access) is
+   procedure Add
+     (Group  : Group_Kind;
+      Name   : String;
+      F      : not null Fault_Access;
+      Cost   : Duration    := 1.0;
+      Ends   : Consequence := Nothing;
+      Robot  : Robot_Need  := Any_Robot;
+      Camera : Camera_Need := Any_Camera;
+      Heavy  : Boolean     := False;
+      Alone  : Boolean     := False) is
    begin
+      F.Group := Group;
+      F.Name := To_Unbounded_String (Name);
+      F.Cost := Cost;
+      F.Ends := Ends;
+      F.Robot := Robot;
+      F.Camera := Camera;
+      F.Heavy := Heavy;
+      F.Alone := Alone;
       List.Append (F);
    end Add;
 

@@ -49,7 +49,16 @@ package Faults is
 
    type Fault_Access is access all Fault'Class;
 
-   procedure Add (F : not null Fault_Access);
+   procedure Add
+     (Group  : Group_Kind;
+      Name   : String;
+      F      : not null Fault_Access;
+      Cost   : Duration    := 1.0;
+      Ends   : Consequence := Nothing;
+      Robot  : Robot_Need  := Any_Robot;
+      Camera : Camera_Need := Any_Camera;
+      Heavy  : Boolean     := False;
+      Alone  : Boolean     := False);
 
    function Count return Natural;
 

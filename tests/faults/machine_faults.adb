@@ -3,10 +3,8 @@
 
 with Ada.Directories;       use Ada.Directories;
 with Ada.Strings;           use Ada.Strings;
-with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
-with GNAT.OS_Lib;
 with Interfaces.C;          use Interfaces.C;
 with System.Multiprocessors;
 
@@ -15,6 +13,7 @@ with Expectations;          use Expectations;
 with Faults;                use Faults;
 with Libc;
 with Monitor_Clients;
+with Own_Process;
 with Process_Facts;
 with Programs;
 with Random_Numbers;        use Random_Numbers;
@@ -89,7 +88,7 @@ package body Machine_Faults is
 
    --  Privileges
 
-   type Privilege_Kind is (Root, User, User_With_Nice);
+   type Privilege_Kind is (Root, User, User_With_Nice, Root_Without_Nice);
 
    type Started_As is new Fault with record
       Kind : Privilege_Kind := Root;
@@ -97,11 +96,6 @@ package body Machine_Faults is
 
    overriding procedure Prepare (F : Started_As; P : in out Plan);
    overriding procedure Inject (F : in out Started_As; W : in out World);
-
-   type Root_Without_Nice is new Fault with null record;
-
-   overriding procedure Inject
-     (F : in out Root_Without_Nice; W : in out World);
 
    function Is_Root return Boolean is (Libc.Geteuid = 0);
 
@@ -120,11 +114,8 @@ package body Machine_Faults is
 
    procedure Set_Shift (Seconds : Long_Long_Integer);
 
-   function Clock_Library return String is
-     (Compose (Containing_Directory (Programs.Supervisor),
-               "libclock_shift.so"));
-
-   procedure Need_Tool (Name : String);
+   Clock_Library : constant String := "libclock_shift.so";
+   --  Beside the running program
 
    Pipe_File : int := -1;
 
@@ -188,17 +179,6 @@ package body Machine_Faults is
          "the clock cannot be set");
       Unused := Libc.Close (Place);
    end Set_Shift;
-
-   procedure Need_Tool (Name : String) is
-      use type GNAT.OS_Lib.String_Access;
-      Tool : GNAT.OS_Lib.String_Access :=
-        GNAT.OS_Lib.Locate_Exec_On_Path (Name);
-   begin
-      if Tool = null then
-         Skip ("there is no " & Name & " here");
-      end if;
-      GNAT.OS_Lib.Free (Tool);
-   end Need_Tool;
 
    overriding procedure Inject (F : in out Stopping; W : in out World) is
    begin
@@ -338,8 +318,10 @@ package body Machine_Faults is
       if not Exists (Clock_File) then
          Set_Shift (0);
       end if;
-      P.Launcher := To_Unbounded_String
-        ("env LD_PRELOAD=" & Clock_Library & " CLOCK_SHIFT=" & Clock_File);
+      if Exists (Programs.Beside (Clock_Library)) then
+         P.Launcher := To_Unbounded_String
+           (Programs.Preload (Clock_Library) & " CLOCK_SHIFT=" & Clock_File);
+      end if;
    end Prepare;
 
    overriding procedure Inject (F : in out Set_Clock; W : in out World) is
@@ -347,7 +329,7 @@ package body Machine_Faults is
       Hour : constant := 3_600;
       Year : constant := 365 * 24 * Hour;
    begin
-      if not Exists (Clock_Library) then
+      if not Exists (Programs.Beside (Clock_Library)) then
          Skip ("there is no " & Clock_Library);
       end if;
       Check
@@ -452,6 +434,13 @@ package body Machine_Faults is
       W.Reachable := True;
    end Lift;
 
+   function Can_Be_Had (Kind : Privilege_Kind) return Boolean is
+     (case Kind is
+         when User                  => True,
+         when Root_Without_Nice     => Is_Root,
+         when Root | User_With_Nice =>
+            Is_Root and then Own_Process.Real_Time_Allowed);
+
    overriding procedure Prepare (F : Started_As; P : in out Plan) is
       Give_Line : constant String :=
         "for word; do" & ASCII.LF
@@ -464,17 +453,20 @@ package body Machine_Faults is
         "exec setpriv --reuid=65534 --regid=65534 --clear-groups ";
    begin
       P.Fresh := True;
-      if F.Kind /= Root and then Is_Root then
+      if F.Kind /= Root and then Is_Root and then Can_Be_Had (F.Kind) then
          P.Program := To_Unbounded_String (Programs.Copied_Supervisor);
          P.Launcher :=
            (case F.Kind is
-               when User_With_Nice =>
+               when User_With_Nice    =>
                   Script
                     ("user_with_nice",
                      Give_Line & As_User
                      & "--inh-caps=-all,+sys_nice --ambient-caps=+sys_nice"
                      & " --bounding-set=-all,+sys_nice ""$@"""),
-               when others         =>
+               when Root_Without_Nice =>
+                  To_Unbounded_String
+                    ("setpriv --bounding-set=-sys_nice --inh-caps=-sys_nice"),
+               when others            =>
                   Script
                     ("user",
                      Give_Line & As_User & "--inh-caps=-all ""$@"""));
@@ -483,144 +475,59 @@ package body Machine_Faults is
 
    overriding procedure Inject (F : in out Started_As; W : in out World) is
    begin
-      if not Is_Root and then F.Kind /= User then
-         Skip ("only root can change its privileges");
+      if not Can_Be_Had (F.Kind) then
+         Skip ("only root can change its privileges, to those it has");
       end if;
-      Need_Tool ("setpriv");
       if W.The_Plan.Log_Is_Read then
          W.Supervisor.Expect_Log
            ((case F.Kind is
-                when Root | User_With_Nice =>
+                when Root | User_With_Nice    =>
                    "real-time priorities: yes (FIFO), ceilings act",
-                when User                  =>
+                when User | Root_Without_Nice =>
                    "real-time priorities: none, ceilings do not act"),
             Within => 2.0);
       end if;
       W.Talk (Span (W.Source, 0.2, 1.0));
    end Inject;
 
-   overriding procedure Inject
-     (F : in out Root_Without_Nice; W : in out World)
-   is
-      pragma Unreferenced (F);
-      Refused : Supervisors.Supervisor;
-      Status  : Integer;
-   begin
-      if not Is_Root then
-         Skip ("only root can change its privileges");
-      end if;
-      Need_Tool ("setpriv");
-      Refused.Run
-        ("--port 0 --bind 127.0.0.1",
-         Launcher =>
-           "setpriv --bounding-set=-sys_nice --inh-caps=-sys_nice");
-      W.Talk (Span (W.Source, 0.0, 0.3));
-      Status := Refused.Exit_Status (Within => 2.0 + Noise);
-      Check (Status = 1, "exit status" & Status'Image & " instead of 1");
-      Refused.Expect_Log ("CAP_SYS_NICE", Within => 1.0);
-      Check
-        (Index (Refused.Log_Text, "listening") = 0, "it says that it listens");
-   end Inject;
-
    procedure Register is
-
-      function Named (Name : String) return Unbounded_String
-        renames To_Unbounded_String;
-
    begin
-      Add (new Stopping'
-             (Group  => Machine,
-              Name   => Named ("SIGTERM"),
-              Ends   => Supervisor_Ends,
-              Cost   => 3.0,
-              Signal => Libc.Sigterm,
-              others => <>));
-      Add (new Stopping'
-             (Group  => Machine,
-              Name   => Named ("SIGINT"),
-              Ends   => Supervisor_Ends,
-              Cost   => 3.0,
-              Signal => Libc.Sigint,
-              others => <>));
-      Add (new Stopping'
-             (Group  => Machine,
-              Name   => Named ("SIGHUP"),
-              Ends   => Supervisor_Ends,
-              Cost   => 3.0,
-              Signal => Libc.Sighup,
-              others => <>));
-      Add (new Broken_Pipes'
-             (Group  => Machine,
-              Name   => Named ("SIGPIPE"),
-              others => <>));
-      Add (new Killing'
-             (Group  => Machine,
-              Name   => Named ("SIGKILL while moving, with watchdog"),
-              Ends   => Supervisor_Ends,
-              Robot  => Robot_Moving,
-              Cost   => 8.0,
-              Alone  => True,
-              others => <>));
-      Add (new Bad_Error'
-             (Group  => Machine,
-              Name   => Named ("standard error closed"),
-              Kind   => Closed,
-              others => <>));
-      Add (new Bad_Error'
-             (Group  => Machine,
-              Name   => Named ("input, output and error closed"),
-              Kind   => All_Closed,
-              others => <>));
-      Add (new Full_Pipe'
-             (Group  => Machine,
-              Name   => Named ("full pipe behind standard error"),
-              others => <>));
-      Add (new Bad_Error'
-             (Group  => Machine,
-              Name   => Named ("full device behind standard error"),
-              Kind   => Full_Device,
-              others => <>));
-      Add (new Bad_Error'
-             (Group  => Machine,
-              Name   => Named ("full disk behind standard error"),
-              Kind   => Full_Disk,
-              others => <>));
-      Add (new Set_Clock'
-             (Group  => Machine,
-              Name   => Named ("wall clock set back and forth"),
-              others => <>));
-      Add (new Busy'
-             (Group  => Machine,
-              Name   => Named ("all processors busy"),
-              others => <>));
-      Add (new No_Descriptors'
-             (Group  => Machine,
-              Name   => Named ("out of descriptors"),
-              others => <>));
-      Add (new Started_As'
-             (Group  => Machine,
-              Name   => Named ("started as root"),
-              Kind   => Root,
-              Cost   => 3.0,
-              others => <>));
-      Add (new Started_As'
-             (Group  => Machine,
-              Name   => Named ("started as an ordinary user"),
-              Kind   => User,
-              Cost   => 3.0,
-              Alone  => True,
-              others => <>));
-      Add (new Started_As'
-             (Group  => Machine,
-              Name   => Named ("started with cap_sys_nice only"),
-              Kind   => User_With_Nice,
-              Cost   => 3.0,
-              Alone  => True,
-              others => <>));
-      Add (new Root_Without_Nice'
-             (Group  => Machine,
-              Name   => Named ("started as root without cap_sys_nice"),
-              others => <>));
+      Add (Machine, "SIGTERM",
+           new Stopping'(Signal => Libc.Sigterm, others => <>), Cost => 3.0,
+           Ends => Supervisor_Ends);
+      Add (Machine, "SIGINT",
+           new Stopping'(Signal => Libc.Sigint, others => <>), Cost => 3.0,
+           Ends => Supervisor_Ends);
+      Add (Machine, "SIGHUP",
+           new Stopping'(Signal => Libc.Sighup, others => <>), Cost => 3.0,
+           Ends => Supervisor_Ends);
+      Add (Machine, "SIGPIPE", new Broken_Pipes);
+      Add (Machine, "SIGKILL while moving, with watchdog", new Killing,
+           Cost => 8.0, Ends => Supervisor_Ends, Robot => Robot_Moving,
+           Alone => True);
+      Add (Machine, "standard error closed",
+           new Bad_Error'(Kind => Closed, others => <>));
+      Add (Machine, "input, output and error closed",
+           new Bad_Error'(Kind => All_Closed, others => <>));
+      Add (Machine, "full pipe behind standard error", new Full_Pipe);
+      Add (Machine, "full device behind standard error",
+           new Bad_Error'(Kind => Full_Device, others => <>));
+      Add (Machine, "full disk behind standard error",
+           new Bad_Error'(Kind => Full_Disk, others => <>));
+      Add (Machine, "wall clock set back and forth", new Set_Clock);
+      Add (Machine, "all processors busy", new Busy);
+      Add (Machine, "out of descriptors", new No_Descriptors);
+      Add (Machine, "started as root",
+           new Started_As'(Kind => Root, others => <>), Cost => 3.0);
+      Add (Machine, "started as an ordinary user",
+           new Started_As'(Kind => User, others => <>), Cost => 3.0,
+           Alone => True);
+      Add (Machine, "started with cap_sys_nice only",
+           new Started_As'(Kind => User_With_Nice, others => <>), Cost => 3.0,
+           Alone => True);
+      Add (Machine, "started as root without cap_sys_nice",
+           new Started_As'(Kind => Root_Without_Nice, others => <>),
+           Cost => 3.0);
    end Register;
 
 end Machine_Faults;

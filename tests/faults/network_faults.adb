@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Faults of the network and its users.
 
-with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
-
 with Answer_Ledgers;        use Answer_Ledgers;
 with Child_Processes;       use Child_Processes;
 with Expectations;          use Expectations;
@@ -59,12 +57,6 @@ package body Network_Faults is
    end record;
 
    overriding procedure Inject (F : in out Sending; W : in out World);
-
-   procedure Send_Slowly (W : in out World);
-   procedure Send_Endless_Line (W : in out World);
-   procedure Send_Nul_Bytes (W : in out World);
-   procedure Send_Invalid_Text (W : in out World);
-   procedure Send_Odd_Data (W : in out World);
 
    --  Other clients
 
@@ -466,100 +458,43 @@ package body Network_Faults is
    end Inject;
 
    procedure Register is
-      function Named (Text : String) return Unbounded_String
-        renames To_Unbounded_String;
    begin
-      Add (new Departure'
-             (Name     => Named ("orderly close"),
-              Ends     => Session_Ends,
-              How      => Orderly,
-              others   => <>));
-      Add (new Departure'
-             (Name     => Named ("reset"),
-              Ends     => Session_Ends,
-              How      => Abortive,
-              others   => <>));
-      Add (new Departure'
-             (Name     => Named ("half a line, then close"),
-              Ends     => Session_Ends,
-              How      => Orderly,
-              Mid_Line => True,
-              others   => <>));
-      Add (new Departure'
-             (Name     => Named ("half a line, then reset"),
-              Ends     => Session_Ends,
-              How      => Abortive,
-              Mid_Line => True,
-              others   => <>));
-      Add (new Cut_Cable'
-             (Name     => Named ("vanishing without a packet"),
-              Ends     => Session_Ends,
-              Cost     => 6.0,
-              others   => <>));
-      Add (new Stall'
-             (Name     => Named ("stall of 1 s"),
-              Camera   => Camera_Streaming,
-              Cost     => 1.0,
-              Length   => 1.0,
-              others   => <>));
-      Add (new Stall'
-             (Name     => Named ("stall of 5 s"),
-              Camera   => Camera_Streaming,
-              Cost     => 5.0,
-              Length   => 5.0,
-              others   => <>));
-      Add (new Stall'
-             (Name     => Named ("stall of 14 s"),
-              Camera   => Camera_Streaming,
-              Cost     => 14.0,
-              Length   => 14.0,
-              others   => <>));
-      Add (new Stall'
-             (Name     => Named ("stall of 20 s"),
-              Ends     => Session_Ends,
-              Camera   => Camera_Streaming,
-              Cost     => 20.0,
-              Length   => 20.0,
-              others   => <>));
-      Add (new Sending'
-             (Name     => Named ("byte by byte"),
-              Kind     => Byte_By_Byte,
-              others   => <>));
-      Add (new Sending'
-             (Name     => Named ("a line of 1 MB without end"),
-              Kind     => Endless_Line,
-              others   => <>));
-      Add (new Sending'
-             (Name     => Named ("NUL bytes"),
-              Kind     => Nul_Bytes,
-              others   => <>));
-      Add (new Sending'
-             (Name     => Named ("invalid UTF-8"),
-              Kind     => Invalid_Text,
-              others   => <>));
-      Add (new Sending'
-             (Name     => Named ("every command with odd data"),
-              Cost     => 3.0,
-              Kind     => Odd_Data,
-              others   => <>));
-      Add (new Crowd_Of_Clients'
-             (Name     => Named ("1,000 connections at once"),
-              Cost     => 10.0,
-              others   => <>));
-      Add (new Flood_Of_Clients'
-             (Name     => Named ("flood of connections"),
-              Cost     => 5.0,
-              others   => <>));
-      Add (new Scan'
-             (Name     => Named ("port scan"),
-              Cost     => 2.0,
-              others   => <>));
-      Add (new Half_Open_Scan'
-             (Name     => Named ("half-open port scan"),
-              others   => <>));
-      Add (new Second_Monitor'
-             (Name     => Named ("second monitor talks over the first"),
-              others   => <>));
+      Add (Network, "orderly close",
+           new Departure'(How => Orderly, others => <>), Ends => Session_Ends);
+      Add (Network, "reset", new Departure'(How => Abortive, others => <>),
+           Ends => Session_Ends);
+      Add (Network, "half a line, then close",
+           new Departure'(How => Orderly, Mid_Line => True, others => <>),
+           Ends => Session_Ends);
+      Add (Network, "half a line, then reset",
+           new Departure'(How => Abortive, Mid_Line => True, others => <>),
+           Ends => Session_Ends);
+      Add (Network, "vanishing without a packet", new Cut_Cable, Cost => 6.0,
+           Ends => Session_Ends);
+      Add (Network, "stall of 1 s", new Stall'(Length => 1.0, others => <>),
+           Cost => 1.0, Camera => Camera_Streaming);
+      Add (Network, "stall of 5 s", new Stall'(Length => 5.0, others => <>),
+           Cost => 5.0, Camera => Camera_Streaming);
+      Add (Network, "stall of 14 s", new Stall'(Length => 14.0, others => <>),
+           Cost => 14.0, Camera => Camera_Streaming);
+      Add (Network, "stall of 20 s", new Stall'(Length => 20.0, others => <>),
+           Cost => 20.0, Ends => Session_Ends, Camera => Camera_Streaming);
+      Add (Network, "byte by byte",
+           new Sending'(Kind => Byte_By_Byte, others => <>));
+      Add (Network, "a line of 1 MB without end",
+           new Sending'(Kind => Endless_Line, others => <>));
+      Add (Network, "NUL bytes",
+           new Sending'(Kind => Nul_Bytes, others => <>));
+      Add (Network, "invalid UTF-8",
+           new Sending'(Kind => Invalid_Text, others => <>));
+      Add (Network, "every command with odd data",
+           new Sending'(Kind => Odd_Data, others => <>), Cost => 3.0);
+      Add (Network, "1,000 connections at once", new Crowd_Of_Clients,
+           Cost => 10.0);
+      Add (Network, "flood of connections", new Flood_Of_Clients, Cost => 5.0);
+      Add (Network, "port scan", new Scan, Cost => 2.0);
+      Add (Network, "half-open port scan", new Half_Open_Scan);
+      Add (Network, "second monitor talks over the first", new Second_Monitor);
    end Register;
 
 end Network_Faults;

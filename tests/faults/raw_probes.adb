@@ -12,14 +12,8 @@ with Random_Numbers; use Random_Numbers;
 
 package body Raw_Probes is
 
-   procedure Begin_Connection
-     (Socket : out Socket_Type; Place : Sock_Addr_Type; Waits : Boolean);
-   --  Waits: until it is established or refused
-
-   procedure Set_Abortive (Socket : Socket_Type);
-   --  Its close will be a reset
-
    procedure Set_Abortive (Socket : Socket_Type) is
+      --  Its close will be a reset
    begin
       Set_Socket_Option (Socket, Socket_Level, (Linger, True, 0));
    end Set_Abortive;
@@ -27,6 +21,7 @@ package body Raw_Probes is
    procedure Begin_Connection
      (Socket : out Socket_Type; Place : Sock_Addr_Type; Waits : Boolean)
    is
+      --  Waits: until it is established or refused
       At_Once : Request_Type := (Non_Blocking_IO, not Waits);
    begin
       Create_Socket (Socket);
@@ -105,18 +100,14 @@ package body Raw_Probes is
       Packet : Stream_Element_Array (1 .. Size);
       Last   : Stream_Element_Offset;
 
-      procedure Put (First : Stream_Element_Offset; Value : Unsigned_16);
-
       procedure Put (First : Stream_Element_Offset; Value : Unsigned_16) is
       begin
          Packet (First) := Stream_Element (Shift_Right (Value, 8));
          Packet (First + 1) := Stream_Element (Value and 16#FF#);
       end Put;
 
-      function Checksum return Unsigned_16;
-      --  Of the segment and its pseudo-header (RFC 9293, 3.1)
-
       function Checksum return Unsigned_16 is
+         --  Of the segment and its pseudo-header (RFC 9293, 3.1)
          Protocol : constant := 6;
          Sum      : Unsigned_32 := Protocol + Size;
       begin
@@ -174,8 +165,6 @@ package body Raw_Probes is
       Bytes    : Stream_Element_Array (1 .. 512);
       Last     : Stream_Element_Offset;
 
-      procedure Speak (Socket : Socket_Type);
-
       procedure Speak (Socket : Socket_Type) is
          Line_End : constant Stream_Element_Array :=
            (1 => Character'Pos (ASCII.LF));
@@ -186,8 +175,6 @@ package body Raw_Probes is
             --  its end is about to be seen
             null;
       end Speak;
-
-      procedure Look (Number : Positive);
 
       procedure Look (Number : Positive) is
          Over : Boolean := False;

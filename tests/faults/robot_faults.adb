@@ -39,16 +39,29 @@ package body Robot_Faults is
    function Any_Question (W : in out World) return Question is
      (Whole (W.Source, Question'First, Question'Last));
 
-   procedure Expect_Right (W : in out World);
-   --  One of them is answered correctly
+   procedure Expect_Right (W : in out World) is
+      --  One of them is answered correctly
+      Q : constant Question := Any_Question (W);
+   begin
+      Expect (W, Questions (Q), Right_Answer (Q));
+   end Expect_Right;
 
-   procedure Expect_Nothing (W : in out World; Q : Question);
-   --  It has no valid answer
+   procedure Expect_Nothing (W : in out World; Q : Question) is
+      --  It has no valid answer
+   begin
+      Expect (W, Questions (Q), "ATIM");
+   end Expect_Nothing;
 
    type Robot_Fault is abstract new Fault with null record;
 
    overriding procedure Lift (F : in out Robot_Fault; W : in out World);
    --  The robot answers correctly again
+
+   --  A socket cannot be hung up, and takes no noise while it is closed
+
+   type Terminal_Fault is abstract new Robot_Fault with null record;
+
+   overriding procedure Prepare (F : Terminal_Fault; P : in out Plan);
 
    --  Corrupted answers, a few or many
 
@@ -90,13 +103,13 @@ package body Robot_Faults is
 
    --  Unsolicited answers
 
-   type Unasked is new Robot_Fault with null record;
+   type Unasked is new Terminal_Fault with null record;
 
    overriding procedure Inject (F : in out Unasked; W : in out World);
 
    --  The adapter is pulled out and put back
 
-   type Unplugged is new Robot_Fault with record
+   type Unplugged is new Terminal_Fault with record
       Away : Boolean := False;
    end record;
 
@@ -113,17 +126,6 @@ package body Robot_Faults is
 
    overriding procedure Inject (F : in out Robot_Stops; W : in out World);
    overriding procedure Lift (F : in out Robot_Stops; W : in out World);
-
-   procedure Expect_Right (W : in out World) is
-      Q : constant Question := Any_Question (W);
-   begin
-      Expect (W, Questions (Q), Right_Answer (Q));
-   end Expect_Right;
-
-   procedure Expect_Nothing (W : in out World; Q : Question) is
-   begin
-      Expect (W, Questions (Q), "ATIM");
-   end Expect_Nothing;
 
    overriding procedure Lift (F : in out Robot_Fault; W : in out World) is
       pragma Unreferenced (F);
@@ -350,6 +352,12 @@ package body Robot_Faults is
       end if;
    end Inject;
 
+   overriding procedure Prepare (F : Terminal_Fault; P : in out Plan) is
+      pragma Unreferenced (F);
+   begin
+      P.Terminal := True;
+   end Prepare;
+
    overriding procedure Inject (F : in out Unasked; W : in out World) is
       pragma Unreferenced (F);
 
@@ -359,10 +367,8 @@ package body Robot_Faults is
 
       Longest : constant := 60;
 
-      function Noise_Text return String;
-      --  Bytes at random
-
       function Noise_Text return String is
+         --  Bytes at random
          Digit  : constant String := "0123456789ABCDEF";
          Result : Unbounded_String;
       begin
@@ -402,8 +408,6 @@ package body Robot_Faults is
    end Inject;
 
    overriding procedure Inject (F : in out Unplugged; W : in out World) is
-      procedure Put_Back;
-
       procedure Put_Back is
       begin
          W.Emulator.Tell ("return");
@@ -467,7 +471,7 @@ package body Robot_Faults is
          return;
       end if;
 
-      if F.Why = Disabled or else Chance (W.Source, 2) then
+      if F.Why in Disabled | Empty or else Chance (W.Source, 2) then
          Start_With_Watchdog (W);
       end if;
       Watchdog := W.Robot in Started_With_Watchdog | Moving_With_Watchdog;
@@ -482,12 +486,19 @@ package body Robot_Faults is
             W.Emulator.Await_Status ("state", "idle", Within => 1.0);
          when Empty =>
             W.Emulator.Tell ("battery 0");
-            if W.Robot > Line_Closed then
-               Expect (W, "RGBT", "RBLV:0");
-            end if;
+            Expect (W, "RGBT", "RBLV:0");
             W.Robot_Ready := False;
             B := Situation (W);
             W.Emulator.Tell ("battery critical");
+            Expect_Loss (W, B);
+            W.Supervisor.Expect_Log
+              ("its battery was empty", Within => Noise, After => B.Log);
+            W.Robot := Line_Closed;
+            if Chance (W.Source, 4) then
+               --  at last it switches itself off
+               W.Emulator.Await_Status ("state", "off", Within => 6.0);
+            end if;
+            return;
          when Charging =>
             W.Emulator.Tell ("charge on");
             W.Emulator.Await_Status
@@ -503,24 +514,15 @@ package body Robot_Faults is
       Expect_Truth (W);
       Expect (W, "RGFW", "ACRJ");
 
-      case F.Why is
-         when Disabled | Switched_Off_And_On =>
-            Expect (W, "RRST", "AACK");
-            Expect (W, "RSWW", "AACK");
-            Expect (W, "RGFW", "AACK");
-            W.Emulator.Await_Status ("moving", "1", Within => Noise);
-         when Charging =>
-            Expect (W, "RRST", "ACRJ AACK");
-            Expect (W, "RSOW", "ACRJ");
-         when Empty =>
-            Expect (W, "RSOW", "ACRJ");
-            if Chance (W.Source, 4) then
-               --  at last it switches itself off
-               B := Situation (W);
-               W.Emulator.Await_Status ("state", "off", Within => 6.0);
-               Expect (W, "RPIN", "ATIM ANAK");
-            end if;
-      end case;
+      if F.Why = Charging then
+         Expect (W, "RRST", "ACRJ AACK");
+         Expect (W, "RSOW", "ACRJ");
+      else
+         Expect (W, "RRST", "AACK");
+         Expect (W, "RSWW", "AACK");
+         Expect (W, "RGFW", "AACK");
+         W.Emulator.Await_Status ("moving", "1", Within => Noise);
+      end if;
    end Inject;
 
    overriding procedure Lift (F : in out Unplugged; W : in out World) is
@@ -545,71 +547,41 @@ package body Robot_Faults is
 
    procedure Register is
 
-      procedure Add_Spoilt (Name : String; How : Spoiling; Cost : Duration);
-
-      procedure Add_Silence
-        (Name, Command, Mended : String; Late_By : Duration := 0.0);
-
-      procedure Add_Stop (Name : String; Why : Reason; Cost : Duration);
-
       procedure Add_Spoilt (Name : String; How : Spoiling; Cost : Duration)
       is
       begin
-         Add (new Spoilt_Answers'
-                (Group  => Robot,
-                 Name   => To_Unbounded_String (Name),
-                 How    => How,
-                 Cost   => Cost,
-                 others => <>));
+         Add (Robot, Name, new Spoilt_Answers'(How => How, others => <>),
+              Cost);
       end Add_Spoilt;
 
       procedure Add_Silence
         (Name, Command, Mended : String; Late_By : Duration := 0.0) is
       begin
-         Add (new No_Answers'
-                (Group   => Robot,
-                 Name    => To_Unbounded_String (Name),
-                 Command => To_Unbounded_String (Command),
-                 Mended  => To_Unbounded_String (Mended),
-                 Late_By => Late_By,
-                 Cost    => 1.0,
-                 others  => <>));
+         Add (Robot, Name,
+              new No_Answers'(Command => To_Unbounded_String (Command),
+                              Mended  => To_Unbounded_String (Mended),
+                              Late_By => Late_By,
+                              others  => <>));
       end Add_Silence;
 
       procedure Add_Stop (Name : String; Why : Reason; Cost : Duration) is
       begin
-         Add (new Robot_Stops'
-                (Group  => Robot,
-                 Name   => To_Unbounded_String (Name),
-                 Why    => Why,
-                 Cost   => Cost,
-                 others => <>));
+         Add (Robot, Name, new Robot_Stops'(Why => Why, others => <>), Cost);
       end Add_Stop;
 
    begin
       Add_Silence ("robot silent", "silent on", "silent off");
       Add_Silence ("answers 90 ms late", "delay 90", "delay 0", 0.1);
       Add_Silence ("answers 200 ms late", "delay 200", "delay 0", 0.25);
-      Add (new Pile'
-             (Group  => Robot,
-              Name   => To_Unbounded_String ("answers come together"),
-              others => <>));
+      Add (Robot, "answers come together", new Pile);
       Add_Spoilt ("answers lost", Dropped, 2.0);
       Add_Spoilt ("each bit of an answer flipped", Flipped, 3.0);
       Add_Spoilt ("answers cut short", Cut, 2.0);
       Add_Spoilt ("random bytes for answers", Garbage, 1.5);
       Add_Silence ("answer without an end", "endless on", "endless off");
-      Add (new Unasked'
-             (Group  => Robot,
-              Name   => To_Unbounded_String ("answers nobody asked for"),
-              Cost   => 2.0,
-              others => <>));
+      Add (Robot, "answers nobody asked for", new Unasked, Cost => 2.0);
       Add_Spoilt ("answers of another kind", Wrong_Kind, 2.0);
-      Add (new Unplugged'
-             (Group  => Robot,
-              Name   => To_Unbounded_String ("device pulled and put back"),
-              Cost   => 1.5,
-              others => <>));
+      Add (Robot, "device pulled and put back", new Unplugged, Cost => 1.5);
       Add_Stop ("robot disabled by its watchdog", Disabled, 2.0);
       Add_Stop
         ("robot reset by its watchdog", Switched_Off_And_On, 2.0);

@@ -11,7 +11,6 @@ with Host_Time;
 with Plain_Numbers;       use Plain_Numbers;
 with Process_Facts;
 with Samples;
-with Svg_Charts;
 
 package body Soak_Records is
 
@@ -29,9 +28,6 @@ package body Soak_Records is
    Most_Stolen   : constant Float := 1.0;
    --  Stolen percent of the processors in a judged second: two steps of 10 ms
    --  on two processors
-
-   Window : constant Duration := 30.0;
-   --  of the curves' percentiles
 
    type Second is record
       Time        : Duration := 0.0;
@@ -60,10 +56,8 @@ package body Soak_Records is
    Seconds : Second_Vectors.Vector;
    Answers : Event_Vectors.Vector;
    Images  : Event_Vectors.Vector;
-   Begun   : Event_Vectors.Vector;
-   --  faults
    Names   : Name_Vectors.Vector;
-   --  theirs
+   --  of faults
 
    protected State is
       procedure Set_Calm (Value : Boolean);
@@ -81,17 +75,6 @@ package body Soak_Records is
       entry Start_With (Process : Interfaces.C.int);
       entry Stop;
    end Sampler;
-
-   function Is_Quiet (Time : Duration) return Boolean;
-   --  The host stole little time in the second of Time and in the one before,
-   --  whose work may have been delayed to this one
-
-   function Between
-     (From : Event_Vectors.Vector; First, Last : Duration;
-      Only_Quiet : Boolean := False) return Samples.Set;
-
-   function Rate (Intervals : Samples.Set) return Float;
-   --  A second
 
    function Last_Time return Duration is
      (if Seconds.Is_Empty then 0.0 else Seconds.Last_Element.Time);
@@ -187,7 +170,6 @@ package body Soak_Records is
    begin
       Names.Append (Name);
       State.Count_Fault;
-      Begun.Append ((Now - Start, 0.0));
    end Count_Fault;
 
    procedure Add_Answer (Time : Instant; Latency : Duration) is
@@ -207,6 +189,8 @@ package body Soak_Records is
    function Faults return Natural is (State.Faults);
 
    function Is_Quiet (Time : Duration) return Boolean is
+      --  The host stole little time in the second of Time and in the one
+      --  before, whose work may have been delayed to this one
       Number : constant Positive := 1 + Natural (Float'Floor (Float (Time)));
    begin
       return
@@ -232,6 +216,7 @@ package body Soak_Records is
    end Between;
 
    function Rate (Intervals : Samples.Set) return Float is
+      --  A second
       Mean : constant Float := Float (Intervals.Mean);
    begin
       return (if Mean > 0.0 then 1.0 / Mean else 0.0);
@@ -252,10 +237,6 @@ package body Soak_Records is
          Images      : Natural := 0;
          Rate        : Float := 0.0;
       end record;
-
-      function Figures_Of (First, Last : Duration) return Figures;
-
-      procedure Line (Name, First, Last, Limit : String; Met : Boolean);
 
       function Figures_Of (First, Last : Duration) return Figures is
          Result      : Figures;
@@ -357,7 +338,7 @@ package body Soak_Records is
       Put_Line
         (File,
          "second,calm,faults,stolen_percent,memory_kb,descriptors,threads,"
-         & "images,answers,median_ms,maximum_ms,fault_begun");
+         & "images,answers,median_ms,p99_ms,maximum_ms,fault_begun");
       for Item of Seconds loop
          declare
             Latencies : constant Samples.Set :=
@@ -374,8 +355,9 @@ package body Soak_Records is
                & Image (Item.Descriptors) & "," & Image (Item.Threads) & ","
                & Image (Frames) & "," & Image (Latencies.Count)
                & ","
-               & (if Latencies.Count = 0 then ","
+               & (if Latencies.Count = 0 then ",,"
                   else In_Ms (Latencies.Quantile (0.5)) & ","
+                    & In_Ms (Latencies.Quantile (0.99)) & ","
                     & In_Ms (Latencies.Quantile (1.0)))
                & ","
                & (if Item.Faults > Before
@@ -385,100 +367,5 @@ package body Soak_Records is
       end loop;
       Close (File);
    end Write_Csv;
-
-   procedure Draw_Svg (Path : String; Title : String) is
-      use Svg_Charts;
-
-      function In_Minutes (Time : Duration) return Float is
-        (Float (Time) / 60.0);
-
-      C : Chart;
-      Memory, Descriptors, Threads  : Points;
-      Median, Tail, Worst, Pictures : Points;
-      Stolen                        : Points;
-      Most_Memory  : Natural := 1;
-      Most_Numbers : Natural := 1;
-      Highest      : Float := 0.001;
-      Lowest       : Float := Float'Last;
-      Time         : Duration := 0.0;
-
-      procedure Add_Window;
-      --  The half minute from Time on, where it has been calm for a while
-
-      procedure Mark_Faults;
-
-      procedure Add_Window is
-         Enough    : constant := 10;
-         Latencies : constant Samples.Set :=
-           Between (Answers, Time, Time + Window, Only_Quiet => True);
-         Intervals : constant Samples.Set :=
-           Between (Images, Time, Time + Window, Only_Quiet => True);
-         X         : constant Float := In_Minutes (Time + Window / 2);
-      begin
-         if Latencies.Count >= Enough then
-            Median.Append
-              ((X, 1000.0 * Float (Latencies.Quantile (0.5))));
-            Tail.Append ((X, 1000.0 * Float (Latencies.Quantile (0.99))));
-            Worst.Append ((X, 1000.0 * Float (Latencies.Quantile (1.0))));
-            Highest := Float'Max (Highest, Worst.Last_Element.Y);
-            Lowest := Float'Min (Lowest, Median.Last_Element.Y);
-         end if;
-         if Intervals.Count >= Enough then
-            Pictures.Append ((X, Rate (Intervals)));
-         end if;
-      end Add_Window;
-
-      procedure Mark_Faults is
-      begin
-         for Item of Begun loop
-            Mark (C, In_Minutes (Item.Time));
-         end loop;
-      end Mark_Faults;
-
-   begin
-      for Item of Seconds loop
-         Memory.Append
-           ((In_Minutes (Item.Time), Float (Item.Memory) / 1024.0));
-         Descriptors.Append
-           ((In_Minutes (Item.Time), Float (Item.Descriptors)));
-         Threads.Append ((In_Minutes (Item.Time), Float (Item.Threads)));
-         Stolen.Append ((In_Minutes (Item.Time), Item.Stolen));
-         Most_Memory := Natural'Max (Most_Memory, Item.Memory);
-         Most_Numbers := Natural'Max
-           (Most_Numbers, Natural'Max (Item.Descriptors, Item.Threads));
-      end loop;
-      while Time + Window <= Last_Time loop
-         Add_Window;
-         Time := Time + Window;
-      end loop;
-      if Lowest > Highest then
-         Lowest := Highest / 10.0;
-      end if;
-
-      Svg_Charts.Start
-        (C, Path, Title, In_Minutes (Last_Time), "minutes", Panels => 5);
-      Begin_Panel
-        (C, "resident memory, MB", 0.0, Float (Most_Memory) / 1024.0);
-      Draw (C, Memory, "each second", Blue);
-      Mark_Faults;
-      Begin_Panel
-        (C, "descriptors and threads, each second", 0.0,
-         Float (Most_Numbers));
-      Draw (C, Threads, "threads", Orange, Stepped => True);
-      Draw (C, Descriptors, "descriptors", Blue, Stepped => True);
-      Begin_Panel
-        (C, "answer to a command, ms, per half minute", Lowest, Highest,
-         Logarithmic);
-      Draw (C, Worst, "maximum", Orange);
-      Draw (C, Tail, "p99", Green);
-      Draw (C, Median, "median", Blue);
-      Begin_Panel (C, "images a second, per half minute", 0.0, 12.0);
-      Draw (C, Pictures, "mean", Blue);
-      Begin_Panel
-        (C, "taken by the host, % (seconds with more than 1 are not judged)",
-         0.0, 100.0);
-      Draw (C, Stolen, "each second", Orange);
-      Finish (C);
-   end Draw_Svg;
 
 end Soak_Records;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The measurements of a soak test: the supervisor each second, answers and
---  images in calm periods; tables, verdict and curves.
+--  images in calm periods; table and verdict.
 
 with Interfaces.C;
 
@@ -33,8 +33,6 @@ package Soak_Records is
    --  The table, first tenth against last tenth, and its violations
 
    procedure Write_Csv (Path : String);
-   --  One line per second
-
-   procedure Draw_Svg (Path : String; Title : String);
+   --  One line per second, which tests/bench/plots.py draws
 
 end Soak_Records;

@@ -9,7 +9,6 @@ with Expectations;      use Expectations;
 with Faults;            use Faults;
 with Instants;          use Instants;
 with Host_Time;
-with Line_Watch;
 with Process_Facts;
 with Random_Numbers;    use Random_Numbers;
 with Standstills;
@@ -39,46 +38,15 @@ package body Trials is
       Repetition : Positive;
       Outcome    : out Result);
 
-   function Is_In_Need (First : Positive; Second : Natural) return Plan;
-   --  Of this world
-
-   procedure Pick_Situation
-     (First  : Positive;
-      Second : Natural;
-      Robot  : out Robot_Situation;
-      Camera : out Camera_Situation);
-   --  At random, as the faults allow
-
-   procedure Inject_All
-     (First   : Positive;
-      Second  : Natural;
-      Outcome : in out Result);
-
-   procedure Expect_Invariants (First : Positive; Second : Natural);
-
-   procedure Expect_End;
-   --  The supervisor ends as it should; then there is a new one
-
-   procedure Expect_Session_Goes_On;
-
-   procedure Expect_New_Session;
-
-   procedure Lift (Number : Positive);
-
-   procedure Give_Up;
-   --  After faults that leave the world in an unknown state
-
-   function Tail (Text : String) return String;
-   --  Its last lines, indented
-
    function Name (First : Positive; Second : Natural) return String is
      (To_String (Element (First).Name)
       & (if Second = 0 then ""
          else " + " & To_String (Element (Second).Name)));
 
    function Is_In_Need (First : Positive; Second : Natural) return Plan is
+      --  Of this world
    begin
-      return P : Plan do
+      return P : Plan := (Terminal => Is_Kept, others => <>) do
          Element (First).Prepare (P);
          if Second > 0 then
             Element (Second).Prepare (P);
@@ -92,6 +60,7 @@ package body Trials is
       Robot  : out Robot_Situation;
       Camera : out Camera_Situation)
    is
+      --  At random, as the faults allow
       Other     : constant Positive := (if Second = 0 then First else Second);
       The_Robot : constant Robot_Need := Robot_Need'Max
         (Element (First).Robot, Element (Other).Robot);
@@ -145,8 +114,6 @@ package body Trials is
    is
       W : World renames The_World;
 
-      procedure Inject (Number : Positive);
-
       procedure Inject (Number : Positive) is
       begin
          Element (Number).Inject (W);
@@ -182,6 +149,7 @@ package body Trials is
    end Inject_All;
 
    procedure Expect_End is
+      --  The supervisor ends as it should; then there is a new one
       W      : World renames The_World;
       Status : Integer;
    begin
@@ -313,6 +281,7 @@ package body Trials is
    end Expect_Invariants;
 
    function Tail (Text : String) return String is
+      --  Its last lines, indented
       Lines  : constant := 40;
       Longest : constant := 160;
       Count  : Natural := 0;
@@ -348,7 +317,6 @@ package body Trials is
       Repetition : Positive;
       Outcome    : out Result)
    is
-      Begun       : Instant;
       Taken       : Duration;
       Late        : Boolean;
       Stopped     : Boolean;
@@ -357,13 +325,12 @@ package body Trials is
       Excused     : Unbounded_String;
       --  what was violated in those that were made again
    begin
-      Line_Watch.Start;
       loop
-         Begun := Now;
+         Standstills.Forget;
          Taken := Host_Time.Taken;
          Run_Once (First, Second, Seed, Repetition, Outcome);
          Late := The_World.Explained_By = A_Late_Line
-           and then Line_Watch.Worst (Begun, Now) >= Late_Line;
+           and then The_World.Line_Was_Late;
          Stopped := The_World.Explained_By in A_Late_Line | A_Stopped_Machine
            and then Host_Time.Taken - Taken >= Host_Grant;
          exit when Outcome.Ends_As /= Violated
@@ -385,6 +352,7 @@ package body Trials is
    end Run;
 
    procedure Give_Up is
+      --  After faults that leave the world in an unknown state
       W : World renames The_World;
    begin
       if not Is_Kept or else not W.Is_Built
@@ -479,10 +447,9 @@ package body Trials is
    end Run_Once;
 
    procedure Build is
-      Usual : Plan;
    begin
       Is_Kept := True;
-      The_World.Build (Usual);
+      The_World.Build ((Terminal => True, others => <>));
    end Build;
 
    function Process return Interfaces.C.int is
@@ -492,7 +459,6 @@ package body Trials is
 
    procedure Finish is
    begin
-      Line_Watch.Stop;
       The_World.Destroy;
       The_Link.Remove;
    end Finish;

@@ -7,9 +7,9 @@ with GNAT.Sockets;
 
 with Child_Processes;
 with Expectations;        use Expectations;
-with Line_Watch;
 with Process_Facts;
 with Random_Numbers;      use Random_Numbers;
+with Standstills;
 with Tolerances;          use Tolerances;
 
 package body Worlds is
@@ -37,26 +37,12 @@ package body Worlds is
    procedure Note_Facts (W : in out World);
    --  Once they no longer change
 
-   function Free_Port return Positive;
-
-   function Closed (W : World) return Boolean;
-   --  By the supervisor
-
-   function Log_Says (W : World; Text : String) return Natural;
+   function Log_Says (W : World; Text : String) return Natural is
+     (W.Supervisor.Count_Of (Text, After => W.Session_Log));
    --  How often, in this session
-
-   procedure Take
-     (W     : in out World;
-      Item  : out Monitor_Clients.Message;
-      Found : out Boolean);
-   --  The next message, for the ledger and for Item. If there is none and the
-   --  connection is closed, the session has ended.
 
    Robot_Silent : exception;
    --  An answer ATIM where another was expected
-
-   procedure Try_Order (W : in out World; Command, Answer : String);
-   --  As Order, but with Robot_Silent
 
    function Free_Port return Positive is
       use GNAT.Sockets;
@@ -95,10 +81,11 @@ package body Worlds is
          The_Link.Make;
       end if;
       W.Emulator.Start
-        (Camera  => True,
-         Options => "--camera-fps " & Images_A_Second
+        (Camera   => True,
+         Options  => "--camera-fps " & Images_A_Second
            & " --frame-size " & Images
-           & " " & To_String (P.Emulator_Options));
+           & " " & To_String (P.Emulator_Options),
+         Terminal => P.Terminal);
       W.Start_Supervisor;
    end Build;
 
@@ -222,6 +209,7 @@ package body Worlds is
    end Destroy;
 
    function Closed (W : World) return Boolean is
+      --  By the supervisor
       use type Monitor_Clients.Closing;
    begin
       return W.Monitor.Closed_By_Peer (0.0) /= Monitor_Clients.Open;
@@ -247,6 +235,7 @@ package body Worlds is
             W.Present := True;
             W.Nobody_Since := Never;
             --  a rejected client gets a message, an admitted one an answer
+            W.Say ("MSSG:hello", Silent);
             W.Say ("nope", Refused);
             while W.Present and then not Is_Complete (W.Ledger)
               and then not Is_Broken (W.Ledger)
@@ -287,6 +276,8 @@ package body Worlds is
       Item  : out Monitor_Clients.Message;
       Found : out Boolean)
    is
+      --  The next message, for the ledger and for Item. If there is none and
+      --  the connection is closed, the session has ended.
       Was_Closed : Boolean;
    begin
       Item := (others => <>);
@@ -367,6 +358,7 @@ package body Worlds is
    end Expect_Answers;
 
    procedure Try_Order (W : in out World; Command, Answer : String) is
+      --  As Order, but with Robot_Silent
       Second_Look : constant Duration := 0.3;
       --  The first ATIM may have been the unsolicited one
       Deadline    : Instant := Now + Answer_Limit;
@@ -507,9 +499,6 @@ package body Worlds is
       end loop;
    end Talk;
 
-   function Log_Says (W : World; Text : String) return Natural is
-     (W.Supervisor.Count_Of (Text, After => W.Session_Log));
-
    procedure Forget_Session (W : in out World) is
       Deadline : constant Instant := Now + Settle_Limit;
    begin
@@ -609,9 +598,8 @@ package body Worlds is
             W.Violate
               (Robot_Stands,
                "it still moves, " & Milliseconds (Now - Since)
-               & " after nobody is in command; a byte took "
-               & Milliseconds (Line_Watch.Worst (Since, Now))
-               & " through a pseudo-terminal meanwhile");
+               & " after nobody is in command; the machine stood still for "
+               & Milliseconds (Standstills.Within (Since, Now)));
             W.Nobody_Since := Never;
             return;
          end if;
@@ -624,7 +612,7 @@ package body Worlds is
             Stop := Never;
             Moved := True;
             if Item.First
-              > Limit + 2 * Line_Watch.Worst (Since, Item.First)
+              > Limit + Standstills.Within (Since, Item.First)
             then
                W.Violate
                  (Robot_Stands,
@@ -646,17 +634,15 @@ package body Worlds is
             Append
               (W.Remarks,
                "   it stood " & Milliseconds (Stop - Since)
-               & " after nobody is in command; a byte took "
-               & Milliseconds (Line_Watch.Worst (Since, Stop))
-               & " through a pseudo-terminal meanwhile; at the robot:"
+               & " after nobody is in command; the machine stood still for "
+               & Milliseconds (Standstills.Within (Since, Stop))
+               & "; at the robot:"
                & ASCII.LF & W.Wire_Tail);
          end if;
          W.Figures.Slowest_Stop :=
            Duration'Max (W.Figures.Slowest_Stop, Stop - Since);
       end if;
-      if Late and then Stop > Limit + 2 * Line_Watch.Worst (Since, Stop)
-      then
-         --  twice: its way, and that of an answer which it had to wait for
+      if Late and then Stop > Limit + Standstills.Within (Since, Stop) then
          W.Violate
            (Robot_Stands,
             "it stood only " & Milliseconds (Stop - Since)
@@ -684,6 +670,12 @@ package body Worlds is
       when Failed =>
          return "";
    end Wire_Tail;
+
+   function Line_Was_Late (W : World) return Boolean is
+     (Duration'Max
+        (Standstills.Longest,
+         (if W.The_Plan.Terminal then Standstills.Longest_Line else 0.0))
+      >= Standstills.Too_Long);
 
    procedure Violate (W : in out World; Which : Invariant; Text : String) is
    begin

@@ -28,6 +28,8 @@ package Worlds is
       Emulator_Options : Unbounded_String;
       Camera           : Unbounded_String;
       --  instead of the emulated one's
+      Terminal         : Boolean := False;
+      --  the robot's line is a pseudo-terminal, not a socket
       Through_Link     : Boolean := False;
       --  the monitor is at the far end of a cable (Network_Links)
       Fresh            : Boolean := False;
@@ -53,9 +55,10 @@ package Worlds is
       Nothing_Leaks);
 
    type Explanation is (A_Late_Line, A_Stopped_Machine, Nothing_Else);
-   --  Possible causes of a violation other than the supervisor: a delayed
-   --  pseudo-terminal (Line_Watch), or processor time stolen by the host
-   --  (Host_Time); neither for violations such as two answers to one command
+   --  Possible causes of a violation other than the supervisor: a processor
+   --  or a pseudo-terminal that stood still (Standstills), or processor time
+   --  stolen by the host (Host_Time); neither for violations such as two
+   --  answers to one command
 
    --  Additional figures
 
@@ -227,6 +230,9 @@ package Worlds is
    --  detects a later movement
 
    --  Findings
+
+   function Line_Was_Late (W : World) return Boolean;
+   --  Or what serves it; since Standstills.Forget
 
    procedure Violate (W : in out World; Which : Invariant; Text : String);
 

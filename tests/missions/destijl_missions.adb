@@ -39,20 +39,11 @@ procedure Destijl_Missions is
 
    Status : Integer := 0;
 
-   procedure Draw;
-   --  Status 1 where it is not as it should be
-
-   procedure Read_Command_Line;
-
-   procedure Print_Usage (To : File_Type);
-
-   procedure Run_Real (P : Plan);
-   --  Again where it misses a goal and the machine stood still meanwhile, as
-   --  the system tests do
-
-   procedure Run_Simulated (P : Plan);
-
-   procedure Say (Text : String);
+   procedure Say (Text : String) is
+   begin
+      Put_Line (Text);
+      Flush;
+   end Say;
 
    procedure Print_Usage (To : File_Type) is
    begin
@@ -116,6 +107,7 @@ procedure Destijl_Missions is
    end Read_Command_Line;
 
    procedure Draw is
+      --  Status 1 where it is not as it should be
       P     : Plan := Read (To_String (Pose), To_String (Order));
       Notes : Emulators.Notes;
       V     : Mission_Judges.Verdict;
@@ -139,6 +131,8 @@ procedure Destijl_Missions is
    end Draw;
 
    procedure Run_Real (P : Plan) is
+      --  Again where it misses a goal and the machine stood still meanwhile,
+      --  as the system tests do
       Most_Repeated : constant := 11;
       Calm          : constant Duration := 60.0;
       Host_Before   : Duration;
@@ -181,12 +175,6 @@ procedure Destijl_Missions is
       Judged_Simulations.Run (P, V, Traced);
       Say (Line ("simulated", P, V));
    end Run_Simulated;
-
-   procedure Say (Text : String) is
-   begin
-      Put_Line (Text);
-      Flush;
-   end Say;
 
 begin
    Own_Process.Ignore_Broken_Pipes;

@@ -26,13 +26,6 @@ package body Judged_Simulations is
       R : Simulated_Missions.Result;
       J : Judge;
 
-      procedure Sight (Time : Robot_Motion.Time_Point);
-
-      procedure See
-        (Time   : Robot_Motion.Time_Point;
-         Where  : Robot_Motion.Pose;
-         Moving : Boolean);
-
       procedure See
         (Time   : Robot_Motion.Time_Point;
          Where  : Robot_Motion.Pose;

@@ -5,9 +5,9 @@ with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 with Ada.Text_IO;       use Ada.Text_IO;
 
 with Instants;          use Instants;
+with Plain_Numbers;
 with Robot_Motion;
 with Robot_Truths;
-with Svg_Files;         use Svg_Files;
 
 package body Mission_Pictures is
 
@@ -24,10 +24,12 @@ package body Mission_Pictures is
 
    After_The_End : constant Duration := 1.0;
 
-   function Across (X : Micro) return Float is (Edge + Float (X) / Pixel);
+   function Image (Value : Float) return String is
+     (Plain_Numbers.Rounded (Value, 1));
 
-   function Down (Y : Micro) return Float is
-     (Edge + Height - Float (Y) / Pixel);
+   function Place (X, Y : Micro; Aside : Float := 0.0) return String is
+     (Image (Edge + Float (X) / Pixel - Aside) & " "
+      & Image (Edge + Height - Float (Y) / Pixel - Aside));
 
    procedure Draw
      (P     : Plan;
@@ -35,14 +37,11 @@ package body Mission_Pictures is
       Path  : String;
       V     : out Verdict)
    is
-      Drawing : Svg_File;
-      J       : Judge;
-      Begun   : constant Instant := Notes.First_Element.First;
-      Shown   : Robot_Motion.Pose := P.Start;
-      Ended   : Duration := 0.0;
-
-      procedure See
-        (Time : Instant; Where : Robot_Motion.Pose; Driving : Boolean);
+      File  : File_Type;
+      J     : Judge;
+      Begun : constant Instant := Notes.First_Element.First;
+      Shown : Robot_Motion.Pose := P.Start;
+      Ended : Duration := 0.0;
 
       procedure See
         (Time : Instant; Where : Robot_Motion.Pose; Driving : Boolean)
@@ -52,7 +51,7 @@ package body Mission_Pictures is
       begin
          See_Pose (J, Time - Begun, Where, Driving);
          if abs (Where.X - Shown.X) + abs (Where.Y - Shown.Y) >= Step then
-            Go_On (Drawing, Across (Where.X), Down (Where.Y));
+            Put_Line (File, Place (Where.X, Where.Y));
             Shown := Where;
          end if;
          if Driving then
@@ -60,45 +59,53 @@ package body Mission_Pictures is
          end if;
       end See;
 
+      Box : constant String :=
+        Image (Width + 2.0 * Edge) & " " & Image (Height + 2.0 * Edge);
    begin
-      Create
-        (Drawing, Path, "A mission: its planned path, and the robot's trail",
-         Width + 2.0 * Edge, Height + 2.0 * Edge,
-         ".page{fill:white}.wall{fill:none;stroke:#111;stroke-width:6}"
-         & ".plan{fill:none;stroke:#f2c500;stroke-width:9;"
-         & "stroke-linejoin:round}"
-         & ".trail{fill:none;stroke:#0a3d91;stroke-width:2}"
-         & ".point{fill:#c8102e}text{font:13px sans-serif;fill:#111}");
-      Put_Box
-        (Drawing, 0.0, 0.0, Width + 2.0 * Edge, Height + 2.0 * Edge, "page");
-      Put_Box (Drawing, Edge - 3.0, Edge - 3.0, Width + 6.0, Height + 6.0,
-               "wall");
+      Create (File, Out_File, Path);
+      Put_Line
+        (File,
+         "<svg xmlns=""http://www.w3.org/2000/svg"" viewBox=""0 0 " & Box
+         & """ style=""background:white"" role=""img"">");
+      Put_Line (File, "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->");
+      Put_Line
+        (File,
+         "<title>A mission: its planned path, and the robot's trail</title>"
+         & "<g fill=""none"">");
+      Put_Line
+        (File,
+         "<path stroke=""#111"" stroke-width=""6"" d=""M"
+         & Place (-3_000, Micro (Robot_Motion.Arena_Height) + 3_000)
+         & "h" & Image (Width + 6.0) & "v" & Image (Height + 6.0)
+         & "h" & Image (-Width - 6.0) & "z""/>");
 
-      Begin_Curve (Drawing, "plan");
-      Go_On (Drawing, Across (P.Start.X), Down (P.Start.Y));
+      Put (File, "<path stroke=""#f2c500"" stroke-width=""9"""
+           & " stroke-linejoin=""round"" d=""M");
+      Put_Line (File, Place (P.Start.X, P.Start.Y));
       for K in 1 .. P.Count loop
-         Go_On (Drawing, Across (P.Points (K).X), Down (P.Points (K).Y));
+         Put_Line (File, Place (P.Points (K).X, P.Points (K).Y));
       end loop;
-      End_Curve (Drawing);
 
       Start (J, P);
-      Begin_Curve (Drawing, "trail");
-      Go_On (Drawing, Across (P.Start.X), Down (P.Start.Y));
+      Put (File, """/><path stroke=""#0a3d91"" stroke-width=""2"" d=""M");
+      Put_Line (File, Place (P.Start.X, P.Start.Y));
       Robot_Truths.Replay
         (Notes, P.Start, P.Wheels, Begun,
          Notes.Last_Element.Last + After_The_End, See'Access);
-      End_Curve (Drawing);
 
+      Put_Line (File, """/></g><path fill=""#c8102e"" d=""");
       for K in 1 .. P.Count loop
-         Put_Box
-           (Drawing, Across (P.Points (K).X) - 4.0,
-            Down (P.Points (K).Y) - 4.0, 8.0, 8.0, "point");
+         Put_Line (File, "M" & Place (P.Points (K).X, P.Points (K).Y, 4.0)
+                   & "h8v8h-8z");
       end loop;
       Conclude (J, P, "done", Ended, Robot_Truths.Movements (Notes), V);
-      Put_Text
-        (Drawing, Edge + 8.0, Height + Edge - 10.0,
-         "planned: yellow; points: red; where the robot truly was: blue");
-      Close (Drawing);
+      Put_Line
+        (File,
+         """/><text font-family=""sans-serif"" font-size=""13"" x="""
+         & Image (Edge + 8.0) & """ y=""" & Image (Height + Edge - 10.0)
+         & """>planned: yellow; points: red; where the robot truly was: blue"
+         & "</text></svg>");
+      Close (File);
    end Draw;
 
    procedure Read_Journal (Path : String; Notes : out Emulators.Notes) is

@@ -22,8 +22,6 @@ procedure Simulate_Missions is
    Seed   : constant Natural :=
      (if Argument_Count > 4 then Natural'Value (Argument (5)) else 1);
 
-   procedure Prepare (K : Natural; M : out Mission; F : out Faults);
-
    procedure Prepare (K : Natural; M : out Mission; F : out Faults) is
       Source : Generator;
    begin

@@ -44,10 +44,8 @@ package body Simulated_Missions is
          (Float'Floor
             (Random (Source) * Float (High - Low + 1) * 0.999_999)));
 
-   function Exact_Time (M : Mission; F : Faults) return Float;
-   --  Seconds
-
    function Exact_Time (M : Mission; F : Faults) return Float is
+      --  Seconds
       Drive_Speed : constant Float :=
         Float (Robot_Motion.Wheel_Speed) * 10.0 * Float (F.Wheels.Speed);
       --  micrometres a second
@@ -154,20 +152,41 @@ package body Simulated_Missions is
       function Moves return Boolean is
         (Robot_Core.State (The_Robot) = Robot_Core.Movement);
 
-      procedure Note (Text : String);
+      procedure Observe is
+         --  The robot's place
+         P : constant Robot_Motion.Pose := Robot_Core.Pose (The_Robot);
+         T : constant Missions.Place := M.Targets (Current_Leg);
+         use Robot_Motion;
+      begin
+         Passes (Current_Leg) := Float'Min
+           (Passes (Current_Leg),
+            ((Float (P.X) - Float (T.X)) / 1_000.0) ** 2
+            + ((Float (P.Y) - Float (T.Y)) / 1_000.0) ** 2);
+         R.Room := Millimetres'Min
+           (R.Room,
+            Millimetres
+              (Float (Micro'Min
+                 (Micro'Min (P.X - X_Position'First, X_Position'Last - P.X),
+                  Micro'Min (P.Y - Y_Position'First, Y_Position'Last - P.Y)))
+               / 1_000.0));
+         if not Moves then
+            Moves_Since := Now;
+         end if;
+         R.Blind := Milliseconds'Max
+           (R.Blind,
+            Milliseconds
+              (Float (Now - Micro'Max (Moves_Since, Last_Image)) / 1_000.0));
+         if Place /= null then
+            Place (Now, P, Moves);
+         end if;
+      end Observe;
 
-      procedure Observe;
-      --  The robot's place
-
-      procedure Move_To (Time : Time_Point);
       procedure Wait_Until (Time : Time_Point);
-      procedure Plan_Image;
 
       procedure Talk
         (Command : Robot.Protocol.Command;
          Reply   : out Robot_Core.Answer;
          Is_Lost : out Boolean);
-      procedure Carry_Out (Request : Robot.Session.Request);
 
       procedure Carry_Out (Request : Robot.Session.Request) is
          Command : constant Robot.Protocol.Command :=
@@ -222,34 +241,6 @@ package body Simulated_Missions is
             end;
          end if;
       end Note;
-
-      procedure Observe is
-         P : constant Robot_Motion.Pose := Robot_Core.Pose (The_Robot);
-         T : constant Missions.Place := M.Targets (Current_Leg);
-         use Robot_Motion;
-      begin
-         Passes (Current_Leg) := Float'Min
-           (Passes (Current_Leg),
-            ((Float (P.X) - Float (T.X)) / 1_000.0) ** 2
-            + ((Float (P.Y) - Float (T.Y)) / 1_000.0) ** 2);
-         R.Room := Millimetres'Min
-           (R.Room,
-            Millimetres
-              (Float (Micro'Min
-                 (Micro'Min (P.X - X_Position'First, X_Position'Last - P.X),
-                  Micro'Min (P.Y - Y_Position'First, Y_Position'Last - P.Y)))
-               / 1_000.0));
-         if not Moves then
-            Moves_Since := Now;
-         end if;
-         R.Blind := Milliseconds'Max
-           (R.Blind,
-            Milliseconds
-              (Float (Now - Micro'Max (Moves_Since, Last_Image)) / 1_000.0));
-         if Place /= null then
-            Place (Now, P, Moves);
-         end if;
-      end Observe;
 
       procedure Plan_Image is
       begin

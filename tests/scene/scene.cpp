@@ -7,14 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <cstdio>
+#include <cstdlib>
 #include <vector>
+
+#include <jpeglib.h>
 
 #include <opencv2/core.hpp>
 #include <opencv2/core/version.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 
 #if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
 #include <opencv2/objdetect/aruco_detector.hpp>
@@ -314,7 +315,6 @@ struct Studio {
   Grain grain;
   Marker_Bits markers;
   cv::Mat grey, colour;
-  std::vector<uchar> encoded;
 };
 
 Studio &studio() {
@@ -339,6 +339,36 @@ void draw(const scene_description &scene, cv::Mat &bgr) {
   if (scene.noise > 0.0)
     here.grain.add(here.grey, scene.noise, scene.seed);
   cv::cvtColor(here.grey, bgr, cv::COLOR_GRAY2BGR);
+}
+
+// Length, or -1. Not by OpenCV: its imgcodecs would load a hundred libraries
+// at each start of an emulator.
+int encode(const cv::Mat &bgr, int quality, unsigned char *buffer,
+           int capacity) {
+  jpeg_compress_struct object;
+  jpeg_error_mgr errors;
+  object.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&object);
+  unsigned char *place = buffer;
+  unsigned long length = static_cast<unsigned long>(capacity);
+  jpeg_mem_dest(&object, &place, &length);
+  object.image_width = JDIMENSION(bgr.cols);
+  object.image_height = JDIMENSION(bgr.rows);
+  object.input_components = 3;
+  object.in_color_space = JCS_EXT_BGR;
+  jpeg_set_defaults(&object);
+  jpeg_set_quality(&object, quality, TRUE);
+  jpeg_start_compress(&object, TRUE);
+  while (object.next_scanline < object.image_height) {
+    JSAMPROW row = const_cast<uchar *>(bgr.ptr(int(object.next_scanline)));
+    jpeg_write_scanlines(&object, &row, 1);
+  }
+  jpeg_finish_compress(&object);
+  jpeg_destroy_compress(&object);
+  if (place == buffer)
+    return int(length);
+  std::free(place);  // libjpeg's own: the caller's is too small
+  return -1;
 }
 
 }  // namespace
@@ -408,51 +438,7 @@ int scene_jpeg(const scene_description *scene, int quality,
       return -1;
     Studio &here = studio();
     draw(*scene, here.colour);
-    if (!cv::imencode(".jpg", here.colour, here.encoded,
-                      {cv::IMWRITE_JPEG_QUALITY, quality}) ||
-        here.encoded.size() > std::size_t(capacity))
-      return -1;
-    std::memcpy(buffer, here.encoded.data(), here.encoded.size());
-    return int(here.encoded.size());
-  } catch (...) {
-    return -1;
-  }
-}
-
-int scene_decode_grey(const unsigned char *jpeg, int length, int width,
-                      int height, unsigned char *grey) {
-  try {
-    if (jpeg == nullptr || grey == nullptr || length < 1)
-      return -1;
-    const cv::Mat bytes(1, length, CV_8UC1, const_cast<unsigned char *>(jpeg));
-    const cv::Mat image = cv::imdecode(bytes, cv::IMREAD_GRAYSCALE);
-    if (image.size() != cv::Size(width, height))
-      return -1;
-    std::memcpy(grey, image.data, image.total());
-    return 0;
-  } catch (...) {
-    return -1;
-  }
-}
-
-int scene_video(const scene_description *scene, int frames, int fps,
-                const char *path) {
-  try {
-    if (!valid(scene) || frames < 1 || fps < 1 || path == nullptr)
-      return -1;
-    Studio &here = studio();
-    cv::VideoWriter writer(path, cv::CAP_OPENCV_MJPEG,
-                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), fps,
-                           cv::Size(scene->width, scene->height));
-    if (!writer.isOpened())
-      return -1;
-    scene_description moving = *scene;
-    for (int k = 0; k < frames; ++k) {
-      draw(moving, here.colour);
-      writer.write(here.colour);
-      ++moving.seed;
-    }
-    return 0;
+    return encode(here.colour, quality, buffer, capacity);
   } catch (...) {
     return -1;
   }

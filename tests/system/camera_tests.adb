@@ -7,12 +7,15 @@ with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Interfaces.C;          use Interfaces.C;
 
+with Child_Processes;       use Child_Processes;
+with Dialogues;             use Dialogues;
 with Emulators;
 with Expectations;          use Expectations;
 with Images;
 with Instants;              use Instants;
 with Libc;
 with Monitor_Clients;       use Monitor_Clients;
+with Plain_Numbers;         use Plain_Numbers;
 with Process_Facts;
 with Programs;
 with Rigs;                  use Rigs;
@@ -21,88 +24,104 @@ with Scenarios;             use Scenarios;
 
 package body Camera_Tests is
 
-   procedure Open_And_Close;
-   procedure Open_Fails;
-   procedure Loaded_When_Opened;
-   procedure Library_Missing;
-   procedure Open_Takes_Long;
-   procedure Not_Open_Is_Anak;
-   procedure Image_Period;
-   procedure Image_Size;
-   procedure Own_Jpeg;
-   procedure Changing_Size;
-   procedure Damaged_Images;
-   procedure Other_Image_Rate;
-   procedure Still_Image;
-   procedure No_Image_After_Close;
-   procedure Camera_Stalls;
-   procedure Camera_Goes;
-   procedure Arena_Confirmed;
-   procedure Arena_Rejected;
-   procedure Drawn_As_Asked;
-   procedure Arena_Searched_Again;
-   procedure Arena_Of_Stalled_Camera;
-   procedure Arena_Not_Found;
-   procedure Arena_Decision_Without_Search;
-   procedure Positions_True;
-   procedure Positions_Every_Image;
-   procedure Position_Not_Found;
-   procedure Position_Of_Triangle;
-   procedure Position_Of_Late_Image;
-   procedure Position_Stopped;
-   procedure Loop_Closes;
-
    type Position is record
       Id             : Integer := 0;
       Angle          : Float := 0.0;
       Cx, Cy, Dx, Dy : Float := 0.0;
    end record;
 
-   function Parsed (Item : Message) return Position;
-   --  Of a CPOS message; raises Failed where it is malformed
-
-   procedure Check_Period
-     (R         : in out Rig;
-      Label     : String;
-      Count     : Positive;
-      Period    : Duration;
-      Tolerance : Duration;
-      Longest   : Duration);
-   --  Between Count + 1 messages: Period within Tolerance in the mean, none
-   --  longer than Longest
-
    function Parsed (Item : Message) return Position is
+      --  Of a CPOS message; raises Failed where it is malformed
       Text   : constant String := To_String (Item.Data);
-      First  : Positive := Text'First;
-      Last   : Natural;
-      Fields : array (1 .. 6) of Float;
-      Id     : Integer := 0;
+      Parts  : constant Arguments := Words (Text, ';');
+      Fields : array (1 .. 5) of Float;
    begin
+      Check (Natural (Parts.Length) = 6 and then Count (Text, ";") = 5,
+             "not six fields in " & Text);
       for Number in Fields'Range loop
-         Last := Index (Text & ";", ";", First) - 1;
          declare
-            Field : constant String := Text (First .. Last);
-            Point : constant Natural := Index (Field, ".");
+            Field : constant String := Parts (Number + 1);
          begin
-            if Number = 1 then
-               Id := Integer'Value (Field);
-               Check (Point = 0, "the identifier of " & Text);
-            else
-               Fields (Number) := Float'Value (Field);
-               Check
-                 (Point > 0 and then Field'Last - Point = 6,
-                  "not six decimals in " & Text);
-            end if;
+            Check (Index (Field, ".") = Field'Last - 6,
+                   "not six decimals in " & Text);
+            Fields (Number) := Float'Value (Field);
          end;
-         First := Last + 2;
       end loop;
-      Check (First > Text'Last, "too much in " & Text);
-      return (Id, Fields (2), Fields (3), Fields (4), Fields (5),
-              Fields (6));
+      return (Integer'Value (Parts (1)), Fields (1), Fields (2), Fields (3),
+              Fields (4), Fields (5));
    exception
       when Constraint_Error =>
          raise Failed with "malformed CPOS:" & Text;
    end Parsed;
+
+   function Next_Position (R : in out Rig) return Position is
+     (Parsed (R.Monitor.Next_Of ("CPOS", Within => 2.0)));
+
+   function Expect_Seen (R : in out Rig; Id : Natural; Truth : Emulators.Truth)
+     return Position
+   is
+      --  The robot in the next position, as exactly as F18 has it
+      Seen : constant Position := Next_Position (R);
+      Turn : constant Float := abs (Seen.Angle - Truth.Angle);
+   begin
+      Check
+        (Seen.Id = Id
+         and then abs (Seen.Cx - Truth.Cx) <= 2.0
+         and then abs (Seen.Cy - Truth.Cy) <= 2.0
+         and then abs (Seen.Dx - Truth.Dx) <= 2.0
+         and then abs (Seen.Dy - Truth.Dy) <= 2.0
+         and then Float'Min (Turn, 360.0 - Turn) <= 1.0
+         and then Seen.Angle > -180.0 and then Seen.Angle <= 180.0,
+         "seen" & Seen.Id'Image & Seen.Angle'Image & Seen.Cx'Image
+         & Seen.Cy'Image & ", true are" & Truth.Angle'Image
+         & Truth.Cx'Image & Truth.Cy'Image);
+      return Seen;
+   end Expect_Seen;
+
+   procedure Expect_Seen
+     (R : in out Rig; Id : Natural; Truth : Emulators.Truth)
+   is
+      Unused : constant Position := Expect_Seen (R, Id, Truth);
+   begin
+      null;
+   end Expect_Seen;
+
+   function Facts_After (R : in out Rig; Count : Positive) return Images.Facts
+   is
+      --  Of so many images on: the first ones may have been under way
+   begin
+      R.Monitor.Skip_To_Now;
+      R.Monitor.Await ("CIMG", Count);
+      return Images.Seen (R.Monitor.Last_Image);
+   end Facts_After;
+
+   procedure Expect_Size (R : in out Rig; Width, Height, After : Positive) is
+      Facts : constant Images.Facts := Facts_After (R, After);
+   begin
+      Check
+        (Facts.Width = Width and then Facts.Height = Height,
+         "image of" & Facts.Width'Image & " x" & Facts.Height'Image);
+   end Expect_Size;
+
+   procedure Expect_Drawn (R : in out Rig; Drawn : Boolean; What : String) is
+   begin
+      Check
+        ((Facts_After (R, Count => 5).Coloured >= Images.Drawn) = Drawn,
+         What & (if Drawn then " is not drawn" else " is drawn"));
+   end Expect_Drawn;
+
+   procedure Find_Arena (R : in out Rig) is
+      --  And wait for the decision on it
+      Item : constant Message := R.Monitor.Ask ("CASA", Within => 5.0);
+   begin
+      Check (Item.Label = "CIMG", "search answered " & Item.Label);
+      --  an image and a position may have been under way
+      R.Monitor.Expect_Silence ("AACK", For_Time => 0.3);
+      R.Monitor.Expect_Silence ("CIMG CPOS AACK", For_Time => 0.5);
+      Check
+        (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
+         "the arena is not drawn in the image of the search");
+   end Find_Arena;
 
    procedure Check_Period
      (R         : in out Rig;
@@ -112,51 +131,41 @@ package body Camera_Tests is
       Tolerance : Duration;
       Longest   : Duration)
    is
-      procedure Measure;
-
-      procedure Measure is
-         Periods : Samples.Set;
-         First   : Instant;
-         Last    : Instant;
-         Item    : Message;
-      begin
-         R.Monitor.Skip_To_Now;
-         Item := R.Monitor.Next_Of (Label, Within => 3.0);
-         First := Item.Time;
-         Last := First;
-         for Number in 1 .. Count loop
-            Item := R.Monitor.Next_Of (Label, Within => 3.0);
-            Periods.Add (Item.Time - Last);
-            Last := Item.Time;
-         end loop;
-         Note (Label & ": mean period " & Milliseconds ((Last - First) / Count)
-               & ", shortest " & Milliseconds (Periods.Quantile (0.0))
-               & ", longest " & Milliseconds (Periods.Quantile (1.0)));
-         Check_Within
-           (abs ((Last - First) / Count - Period), Tolerance,
-            "the period of " & Label & " off");
-         Check_Within
-           (Periods.Quantile (1.0), Longest, "the longest of " & Label);
-      end Measure;
-
+      --  Between Count + 1 messages: Period within Tolerance in the mean, none
+      --  longer than Longest
+      Periods : Samples.Set;
+      First   : Instant;
+      Last    : Instant;
+      Item    : Message;
    begin
-      Measure_Calmly (Measure'Access);
+      Measures_Time;
+      R.Monitor.Skip_To_Now;
+      Item := R.Monitor.Next_Of (Label, Within => 3.0);
+      First := Item.Time;
+      Last := First;
+      for Number in 1 .. Count loop
+         Item := R.Monitor.Next_Of (Label, Within => 3.0);
+         Periods.Add (Item.Time - Last);
+         Last := Item.Time;
+      end loop;
+      Note (Label & ": mean period " & Milliseconds ((Last - First) / Count)
+            & ", shortest " & Milliseconds (Periods.Quantile (0.0))
+            & ", longest " & Milliseconds (Periods.Quantile (1.0)));
+      Check_Within
+        (abs ((Last - First) / Count - Period), Tolerance,
+         "the period of " & Label & " off");
+      Check_Within
+        (Periods.Quantile (1.0), Longest, "the longest of " & Label);
    end Check_Period;
 
    procedure Open_And_Close is
       R           : Rig;
-      Item        : Message;
-      Descriptors : Natural := 0;
-      Threads     : Natural := 0;
+      Descriptors : Natural;
+      Threads     : Natural;
    begin
       Assemble (R, Camera => True);
       for Attempt in 1 .. 12 loop
-         R.Monitor.Expect ("COPN", "AACK", Within => 10.0);
-         R.Monitor.Expect ("COPN", "AACK");
-         Item := R.Monitor.Next_Of ("CIMG", Within => 3.0);
-         Check (Item.Size > 1_000, "a small image");
-         R.Monitor.Expect ("CCLS", "AACK");
-         R.Monitor.Expect ("CCLS", "AACK");
+         Play (R, "COPN AACK, COPN AACK, comes CIMG, CCLS AACK, CCLS AACK");
          if Attempt = 2 then
             Descriptors := Process_Facts.Descriptors (R.Supervisor.Pid);
             Threads := Process_Facts.Threads (R.Supervisor.Pid);
@@ -173,32 +182,24 @@ package body Camera_Tests is
 
    procedure Open_Fails is
 
-      procedure Refuse (Source : String);
-
       procedure Refuse (Source : String) is
          R : Rig;
       begin
          R.Supervisor.Start ("--camera " & Source);
          Connect (R);
-         R.Monitor.Expect ("COPN", "ANAK", Within => 10.0);
-         R.Monitor.Expect ("CPCO", "ANAK");
-         R.Monitor.Expect ("COPN", "ANAK", Within => 10.0);
-         R.Monitor.Expect_Silence ("CIMG", For_Time => 0.2);
+         Play (R, "COPN ANAK, CPCO ANAK, COPN ANAK, silence 0.2 CIMG");
       end Refuse;
 
       E : Emulators.Emulator;
    begin
       Refuse ("/no/such/camera.avi");
       Refuse ("/dev/null");
-      Refuse (Programs.Supervisor);
+      Refuse (Programs.Copied_Supervisor);
       Refuse ("http://127.0.0.1:1/stream.mjpg");
       E.Start (Camera => True);
-      declare
-         Url : constant String := E.Camera_Url;
-      begin
-         --  answers, but with text
-         Refuse (Url (1 .. Index (Url, "/", Backward)) & "pose");
-      end;
+      --  answers, but with text
+      Refuse
+        (E.Camera_Url (1 .. Index (E.Camera_Url, "/", Backward)) & "pose");
    end Open_Fails;
 
    procedure Loaded_When_Opened is
@@ -209,10 +210,7 @@ package body Camera_Tests is
       Size  : Natural;
    begin
       Assemble (R, Camera => True);
-      Start_Robot (R, Watchdog => True);
-      R.Monitor.Expect ("RGFW", "AACK");
-      R.Monitor.Expect ("CPCO", "ANAK");
-      R.Monitor.Expect ("CCLS", "AACK");
+      Play (R, "ROPN AACK, RSWW AACK, RGFW AACK, CPCO ANAK, CCLS AACK");
       Size := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
       Note ("without the camera" & Size'Image & " kB");
       Check (Size < Small, "large without the camera:" & Size'Image & " kB");
@@ -224,33 +222,31 @@ package body Camera_Tests is
       Check
         (Process_Facts.Has_Mapped
            (R.Supervisor.Pid, Programs.Vision_Library), "not loaded");
-      Check
-        (R.Emulator.Status ("moving") = "1"
-         and then R.Emulator.Status ("disabled_count") = "0",
-         "the robot has stopped meanwhile");
+      Play (R, "status moving 1, status disabled_count 0");
    end Loaded_When_Opened;
 
    procedure Library_Missing is
-      --  The robot works nevertheless
-      Folder : constant String := Programs.Temporary_Folder & "/bare";
-      Copy   : constant String := Folder & "/destijl";
-      R      : Rig;
+      --  The robot works nevertheless, and it is looked for each time
+      use Ada.Directories;
+      Folder  : constant String := Programs.Temporary_Folder & "/bare";
+      Copy    : constant String := Folder & "/destijl";
+      Library : constant String :=
+        Folder & "/" & Simple_Name (Programs.Vision_Library);
+      R       : Rig;
    begin
-      Ada.Directories.Create_Directory (Folder);
-      Ada.Directories.Copy_File (Programs.Supervisor, Copy);
+      Create_Path (Folder);
+      if Exists (Library) then
+         --  of an attempt before
+         Delete_File (Library);
+      end if;
+      Copy_File (Programs.Supervisor, Copy);
       Check (Libc.Chmod (To_C (Copy), 8#755#) = 0, "the copy cannot be run");
       Assemble (R, Camera => True, Program => Copy);
-      R.Monitor.Expect ("COPN", "ANAK");
-      R.Supervisor.Expect_Log
-        ("libdestijl_vision.so: cannot open", Within => 2.0);
-      Start_Robot (R);
-      R.Monitor.Expect ("RGFW", "AACK");
-      R.Emulator.Await_Status ("moving", "1", Within => 1.0);
-      R.Monitor.Expect ("CCLS", "AACK");
-
-      --  It is looked for each time
-      Ada.Directories.Copy_File
-        (Programs.Vision_Library, Folder & "/libdestijl_vision.so");
+      Play
+        (R, "COPN ANAK, log libdestijl_vision.so: cannot open,"
+         & " ROPN AACK, RSOW AACK, RGFW AACK, status moving 1, CCLS AACK,"
+         & " COPN ANAK");
+      Copy_File (Programs.Vision_Library, Library);
       Open_Camera (R);
    end Library_Missing;
 
@@ -275,7 +271,7 @@ package body Camera_Tests is
       Item := R.Monitor.Next_Answer (Within => 10.0);
       Note ("refused after " & Milliseconds (Item.Time - Time));
       Check (Item.Label = "ANAK", "COPN was answered " & Item.Label);
-      Check (R.Monitor.Next_Answer.Label = "AACK", "the stop");
+      Check_Label (R.Monitor.Next_Answer, "AACK", "the stop");
 
       --  The monitor disconnects while the camera is being opened
       R.Monitor.Send_Line ("COPN");
@@ -297,23 +293,13 @@ package body Camera_Tests is
       delay 0.3;
       Time := Now;
       R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check
-        (R.Supervisor.Exit_Status (Within => 3.0) = 0, "exit status");
+      Check (R.Supervisor.Exit_Status (Within => 3.0) = 0, "exit status");
       Note ("ended after " & Milliseconds (Now - Time));
    end Open_Takes_Long;
 
-   procedure Not_Open_Is_Anak is
-      R : Rig;
-   begin
-      Assemble (R, Camera => True);
-      R.Monitor.Expect ("CPCO", "ANAK");
-      R.Monitor.Expect ("CASA", "ANAK");
-      R.Monitor.Expect ("CPST", "AACK");
-      R.Monitor.Expect ("CCLS", "AACK");
-      Open_Camera (R);
-      R.Monitor.Expect ("CCLS", "AACK");
-      R.Monitor.Expect ("CASA", "ANAK");
-   end Not_Open_Is_Anak;
+   procedure Not_Open_Is_Anak is new Script
+     ("CPCO ANAK, CASA ANAK, CPST AACK, CCLS AACK, " & With_Images
+      & ", CCLS AACK, CASA ANAK", Camera => True);
 
    procedure Image_Period is
       --  F15: 10.0 images a second within 1 %, jitter 20 ms at p99
@@ -326,48 +312,36 @@ package body Camera_Tests is
         (R, "CIMG", Count => 60,
          Period => 0.1, Tolerance => 0.003, Longest => 0.2);
       Check (R.Monitor.Broken_Images = 0, "a broken image");
-      Check
-        (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
-         "something is drawn without being asked for");
+      Expect_Drawn (R, False, "what nobody has asked for");
    end Image_Period;
 
-   procedure Image_Size is
-      R     : Rig;
-      Facts : Images.Facts;
+   procedure Other_Rate_And_Size is
+      R : Rig;
    begin
       Assemble
         (R, Camera => True,
-         Supervisor_Options => "--frame-size 320x240 --jpeg-quality 40");
+         Supervisor_Options =>
+           "--fps 4 --frame-size 320x240 --jpeg-quality 40");
       Open_Camera (R);
-      Facts := Images.Seen (R.Monitor.Last_Image);
-      Check
-        (Facts.Width = 320 and then Facts.Height = 240,
-         "image of" & Facts.Width'Image & " x" & Facts.Height'Image);
+      Expect_Size (R, 320, 240, After => 1);
       Check (R.Monitor.Last_Image'Length < 40_000, "a large image");
-   end Image_Size;
+      Check_Period
+        (R, "CIMG", Count => 8,
+         Period => 0.25, Tolerance => 0.02, Longest => 0.5);
+   end Other_Rate_And_Size;
 
    procedure Own_Jpeg is
       --  The camera's JPEG is passed on unchanged, unless something is drawn
       Path : constant String := Programs.Temporary_Folder & "/own.jpg";
       R    : Rig;
 
-      procedure Expect_Own (Own : Boolean; What : String);
-
       procedure Expect_Own (Own : Boolean; What : String) is
-         Item : Message;
       begin
-         R.Monitor.Skip_To_Now;
-         for Number in 1 .. 3 loop
-            Item := R.Monitor.Next_Of ("CIMG", Within => 3.0);
-         end loop;
-         Check (Item.Size > 1_000, "a small image");
+         Expect_Drawn (R, not Own, What);
          Check
            (Images.Is_File (R.Monitor.Last_Image, Path) = Own,
             What & (if Own then ": not" else ": still")
             & " the camera's own image");
-         Check
-           ((Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn)
-              /= Own, What & ": drawn");
       end Expect_Own;
 
    begin
@@ -383,10 +357,8 @@ package body Camera_Tests is
       Expect_Own (False, "with positions");
       R.Monitor.Expect ("CPST", "AACK");
       Expect_Own (True, "without positions again");
-      R.Monitor.Send_Line ("CASA");
-      Check (R.Monitor.Next_Of ("CIMG", Within => 5.0).Size > 0, "arena");
+      Find_Arena (R);
       R.Monitor.Send_Line ("CACO");
-      delay 0.3;
       Expect_Own (False, "with the arena");
    end Own_Jpeg;
 
@@ -394,35 +366,20 @@ package body Camera_Tests is
       --  In mid-stream, there and back
       R : Rig;
 
-      procedure Expect_Size (Width, Height : Positive);
-
-      procedure Expect_Size (Width, Height : Positive) is
-         Facts : Images.Facts;
-         Item  : Message;
+      procedure Change (Size : String; Width, Height : Positive) is
       begin
-         R.Monitor.Skip_To_Now;
-         for Number in 1 .. 6 loop
-            Item := R.Monitor.Next_Of ("CIMG", Within => 3.0);
-         end loop;
-         Check (Item.Number > 0, "no image");
-         Facts := Images.Seen (R.Monitor.Last_Image);
-         Check
-           (Facts.Width = Width and then Facts.Height = Height,
-            "image of" & Facts.Width'Image & " x" & Facts.Height'Image);
-      end Expect_Size;
+         R.Emulator.Tell ("camera size " & Size);
+         Expect_Size (R, Width, Height, After => 6);
+      end Change;
 
    begin
       Assemble (R, Camera => True);
       Open_Camera (R);
-      Expect_Size (640, 480);
-      R.Emulator.Tell ("camera size 320x180");
-      Expect_Size (640, 360);
-      R.Emulator.Tell ("camera size 1x1");
-      Expect_Size (480, 480);
-      R.Emulator.Tell ("camera size 1920x1080");
-      Expect_Size (640, 360);
-      R.Emulator.Tell ("camera size 640x480");
-      Expect_Size (640, 480);
+      Expect_Size (R, 640, 480, After => 1);
+      Change ("320x180", 640, 360);
+      Change ("1x1", 480, 480);
+      Change ("1920x1080", 640, 360);
+      Change ("640x480", 640, 480);
       Check (R.Monitor.Broken_Images = 0, "a broken image");
    end Changing_Size;
 
@@ -434,55 +391,28 @@ package body Camera_Tests is
       Assemble (R, Camera => True);
       Open_Camera (R);
       for Attempt in 1 .. 4 loop
-         R.Emulator.Tell ("camera garbage");
-         delay 0.5;
-         R.Emulator.Tell ("camera mend");
-         R.Monitor.Skip_To_Now;
-         Check
-           (R.Monitor.Next_Of ("CIMG", Within => 3.0).Size > 1_000,
-            "no image after damaged ones");
-         Check
-           (Images.Seen (R.Monitor.Last_Image).Width > 0,
-            "an image that cannot be shown");
+         Play (R, "tell camera garbage, wait 0.5, tell camera mend");
+         Expect_Size (R, 640, 480, After => 1);
       end loop;
       Check (R.Monitor.Broken_Images = 0, "a broken image");
       R.Monitor.Expect ("CCLS", "AACK");
    end Damaged_Images;
-
-   procedure Other_Image_Rate is
-      R : Rig;
-   begin
-      Assemble (R, Camera => True, Supervisor_Options => "--fps 4");
-      Open_Camera (R);
-      Check_Period
-        (R, "CIMG", Count => 8,
-         Period => 0.25, Tolerance => 0.02, Longest => 0.5);
-   end Other_Image_Rate;
 
    procedure Still_Image is
       --  A file as camera
       E    : Emulators.Emulator;
       R    : Rig;
       Path : constant String := Programs.Temporary_Folder & "/arena.jpg";
-      Item : Message;
-      Seen : Position;
-      True_Pose : Emulators.Truth;
    begin
       E.Start (Camera => True, Options => "--pose 30,40,60 --marker-id 7");
       E.Save_Snapshot (Path);
-      True_Pose := E.Pose;
       R.Supervisor.Start ("--camera " & Path);
       Connect (R);
       Open_Camera (R, Positions => True);
       Check_Period
         (R, "CIMG", Count => 20,
          Period => 0.1, Tolerance => 0.01, Longest => 0.3);
-      Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
-      Seen := Parsed (Item);
-      Check
-        (Seen.Id = 7 and then abs (Seen.Cx - True_Pose.Cx) <= 2.0
-         and then abs (Seen.Cy - True_Pose.Cy) <= 2.0,
-         "the robot of the file is seen at " & To_String (Item.Data));
+      Expect_Seen (R, 7, E.Pose);
       R.Monitor.Expect ("CCLS", "AACK");
       Open_Camera (R);
    end Still_Image;
@@ -499,290 +429,118 @@ package body Camera_Tests is
       end loop;
    end No_Image_After_Close;
 
-   procedure Camera_Stalls is
-      R    : Rig;
-      Item : Message;
-      Mark : Natural;
-   begin
-      Assemble (R, Camera => True);
-      Open_Camera (R);
-      Mark := R.Supervisor.Log_Length;
-      R.Monitor.Skip_To_Now;
-      R.Emulator.Tell ("camera stall");
-      Item := R.Monitor.Next_Of ("MSSG", Within => 8.0);
-      Note ("told: " & To_String (Item.Data));
-      R.Monitor.Expect_Silence ("CIMG MSSG", For_Time => 0.7);
-      Check
-        (R.Supervisor.Log_Length > Mark, "nothing of it in the log");
-      R.Monitor.Expect ("CPCO", "ANAK");
-      R.Monitor.Expect ("RPIN", "ANAK");
-      R.Emulator.Tell ("camera on");
-      Open_Camera (R, Positions => True);
-      R.Monitor.Expect ("CCLS", "AACK");
-   end Camera_Stalls;
+   procedure Camera_Stalls is new Script
+     (With_Images & ", tell camera stall, within 8.0 "
+      & "MSSG:camera closed: it , log camera closed: it ,"
+      & " silence 0.7 CIMG MSSG, CPCO ANAK, RPIN ANAK, tell camera on, "
+      & With_Positions & ", CCLS AACK", Camera => True);
 
-   procedure Camera_Goes is
-      --  Its stream is closed; a new one refused at first
-      R    : Rig;
-      Item : Message;
-   begin
-      Assemble (R, Camera => True);
-      Open_Camera (R, Positions => True);
-      R.Monitor.Skip_To_Now;
-      R.Emulator.Tell ("camera off");
-      Item := R.Monitor.Next_Of ("MSSG", Within => 8.0);
-      Check (Length (Item.Data) > 0, "told nothing");
-      R.Monitor.Expect_Silence ("CIMG CPOS", For_Time => 0.5);
-      R.Monitor.Expect ("COPN", "ANAK", Within => 10.0);
-      R.Emulator.Tell ("camera on");
-      Open_Camera (R);
-   end Camera_Goes;
+   procedure Camera_Goes is new Script
+     (With_Positions & ", tell camera off, within 8.0 "
+      & "MSSG:camera closed: it delivers no images any more,"
+      & " silence 0.5 CIMG CPOS, COPN ANAK, tell camera on, "
+      & With_Images, Camera => True);
+   --  Its stream is closed; a new one refused at first
 
-   procedure Arena_Confirmed is
-      R    : Rig;
-      Item : Message;
-   begin
-      Assemble (R, Camera => True);
-      Open_Camera (R);
-      R.Monitor.Skip_To_Now;
-      R.Monitor.Send_Line ("CASA");
-      --  One image may have been in transit; after it exactly one
-      delay 1.5;
-      declare
-         Number : Natural := 0;
-         Last   : Message;
-      begin
-         loop
-            Item := R.Monitor.Next (Within => 0.0);
-            exit when Item.Number = 0;
-            Number := Number + 1;
-            Last := Item;
-         end loop;
-         Check
-           (Number in 1 .. 2,
-            Number'Image & " messages between search and decision");
-         Check (Last.Label = "CIMG", "search answered " & Last.Label);
-         Check
-           (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
-            "the arena is not drawn in the image of the search");
-      end;
-      R.Monitor.Expect_Silence ("CIMG CPOS AACK", For_Time => 0.5);
-      R.Monitor.Send_Line ("CACO");
-      for Number in 1 .. 5 loop
-         Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
-      end loop;
-      Check
-        (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
-         "the confirmed arena is not drawn");
-
-      --  and discarded with the camera
-      R.Monitor.Expect ("CCLS", "AACK");
-   end Arena_Confirmed;
-
-   procedure Arena_Rejected is
-      R    : Rig;
-      Item : Message;
-   begin
-      Assemble (R, Camera => True);
-      Open_Camera (R);
-      Item := R.Monitor.Ask ("CASA", Within => 5.0);
-      Check (Item.Label = "CIMG", "search answered " & Item.Label);
-      delay 0.5;
-      R.Monitor.Skip_To_Now;
-      R.Monitor.Expect_Silence ("CIMG AACK", For_Time => 0.5);
-      R.Monitor.Send_Line ("CAIN");
-      for Number in 1 .. 5 loop
-         Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
-      end loop;
-      Check
-        (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
-         "the rejected arena is drawn");
-   end Arena_Rejected;
-
-   procedure Drawn_As_Asked is
-
-      procedure Confirm (R : in out Rig);
-      --  The arena, which is drawn when it is to be confirmed
-
-      function Coloured (R : in out Rig) return Natural;
-      --  Pixels of the image after the next, all of which has been made since
-
-      procedure Confirm (R : in out Rig) is
-         Item : constant Message := R.Monitor.Ask ("CASA", Within => 5.0);
-      begin
-         Check (Item.Label = "CIMG", "search answered " & Item.Label);
-         Check
-           (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
-            "the arena to be confirmed is not drawn");
-         R.Monitor.Send_Line ("CACO");
-      end Confirm;
-
-      function Coloured (R : in out Rig) return Natural is
-         Item : Message;
-      begin
-         R.Monitor.Skip_To_Now;
-         for Number in 1 .. 2 loop
-            Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
-            Check (Parsed (Item).Id = 1, "seen " & To_String (Item.Data));
-            Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
-         end loop;
-         return Images.Seen (R.Monitor.Last_Image).Coloured;
-      end Coloured;
-
-   begin
-      for Choice in 1 .. 2 loop
-         declare
-            R      : Rig;
-            Before : Natural;
-            After  : Natural;
-         begin
-            Assemble
-              (R, Camera => True,
-               Supervisor_Options =>
-                 (if Choice = 1 then "--draw arena" else "--draw none"));
-            Open_Camera (R, Positions => True);
-            Before := Coloured (R);
-            Check (Before < Images.Drawn / 4, "the robot is drawn");
-            Confirm (R);
-            After := Coloured (R);
-            Check
-              ((if Choice = 1 then After >= Images.Drawn
-                else After < Images.Drawn / 4),
-               "confirmed, coloured are" & After'Image);
-         end;
-      end loop;
-   end Drawn_As_Asked;
-
-   procedure Arena_Searched_Again is
-      --  After a confirmed one, and while one waits for the decision;
-      --  positions stay true inside the arena
-      R    : Rig;
-      Item : Message;
-      Seen : Position;
-      True_Pose : Emulators.Truth;
+   procedure Arena_Decided is
+      --  Rejected, then confirmed, searched again, and discarded with the
+      --  camera; positions stay true inside it
+      R : Rig;
    begin
       Assemble (R, Camera => True, Emulator_Options => "--pose 20,15,30");
       Open_Camera (R);
-      for Attempt in 1 .. 3 loop
-         R.Monitor.Send_Line ("CASA");
-         delay 0.6;
-         R.Monitor.Skip_To_Now;
-         Item := R.Monitor.Ask ("CASA", Within => 5.0);
-         Check (Item.Label = "CIMG", "search answered " & Item.Label);
-         R.Monitor.Expect_Silence ("CIMG", For_Time => 0.4);
+      Find_Arena (R);
+      R.Monitor.Send_Line ("CAIN");
+      Expect_Drawn (R, False, "the rejected arena");
+      for Attempt in 1 .. 2 loop
+         Find_Arena (R);
+         --  again while one waits for the decision
+         Find_Arena (R);
          R.Monitor.Send_Line ("CACO");
-         Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
+         Expect_Drawn (R, True, "the confirmed arena");
       end loop;
       R.Monitor.Expect ("CPCO", "AACK");
-      Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
-      Seen := Parsed (Item);
-      True_Pose := R.Emulator.Pose;
-      Check
-        (Seen.Id = 1 and then abs (Seen.Cx - True_Pose.Cx) <= 2.0
-         and then abs (Seen.Cy - True_Pose.Cy) <= 2.0,
-         "inside the arena the robot is seen at " & To_String (Item.Data));
-   end Arena_Searched_Again;
+      Expect_Seen (R, 1, R.Emulator.Pose);
+      Play (R, "CCLS AACK, " & With_Images);
+      Expect_Drawn (R, False, "the discarded arena");
+   end Arena_Decided;
 
-   procedure Arena_Of_Stalled_Camera is
-      --  The search is answered nevertheless: by the last image, or ANAK
-      R    : Rig;
-      Item : Message;
+   procedure Drawn_As_Asked is
+
+      procedure Expect (Choice : String; Arena : Boolean) is
+         R        : Rig;
+         Coloured : Natural;
+      begin
+         Assemble
+           (R, Camera => True, Supervisor_Options => "--draw " & Choice);
+         Open_Camera (R, Positions => True);
+         Coloured := Facts_After (R, 2).Coloured;
+         Check (Coloured < Images.Drawn / 4, "the robot is drawn");
+         Find_Arena (R);
+         R.Monitor.Send_Line ("CACO");
+         Coloured := Facts_After (R, 2).Coloured;
+         Check
+           ((if Arena then Coloured >= Images.Drawn
+             else Coloured < Images.Drawn / 4),
+            Choice & ": confirmed, coloured are" & Coloured'Image);
+         Check (Next_Position (R).Id = 1, "the robot is not seen");
+      end Expect;
+
    begin
-      Assemble (R, Camera => True);
-      Open_Camera (R);
-      R.Emulator.Tell ("camera stall");
-      delay 0.5;
-      R.Monitor.Skip_To_Now;
-      R.Monitor.Send_Line ("CASA");
-      R.Monitor.Send_Line ("nope");
-      Item := R.Monitor.Next_Answer (Within => 8.0, Command => "CASA");
-      Check
-        (Item.Label in "ANAK" | "CIMG", "CASA was answered " & Item.Label);
-      Check (R.Monitor.Next_Answer.Label = "ACER", "no answer after it");
-      R.Monitor.Send_Line ("CAIN");
-      R.Emulator.Tell ("camera on");
-      delay 3.0;
-      R.Monitor.Expect ("CCLS", "AACK");
-      Open_Camera (R);
-   end Arena_Of_Stalled_Camera;
+      Expect ("arena", Arena => True);
+      Expect ("none", Arena => False);
+   end Drawn_As_Asked;
 
-   procedure Arena_Not_Found is
+   procedure Arena_Of_Stalled_Camera is new Script
+     (With_Images & ", tell camera stall, wait 0.5, send CASA, send nope,"
+      & " answer ANAK, answer ACER, log camera closed, tell camera on,"
+      & " CCLS AACK, " & With_Images, Camera => True);
+   --  The search waits for an image, until the camera counts as failed
+
+   procedure Nothing_Found is
+      --  Neither the arena nor a robot
       R    : Rig;
       Path : constant String := Programs.Temporary_Folder & "/empty.jpg";
-      Item : Message;
    begin
       Images.Write_Empty (Path);
       R.Supervisor.Start ("--camera " & Path);
       Connect (R);
-      Open_Camera (R);
-      R.Monitor.Expect ("CASA", "ANAK", Within => 5.0);
       --  no decision: the images continue
-      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
-      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
-      Check (Item.Number > 0, "no image");
-   end Arena_Not_Found;
+      Play (R, With_Images & ", CASA ANAK, comes CIMG, comes CIMG, CPCO AACK");
+      for Number in 1 .. 5 loop
+         declare
+            Seen : constant Position := Next_Position (R);
+         begin
+            Check
+              (Seen.Id = -1 and then Seen.Cx = -1.0 and then Seen.Cy = -1.0,
+               "no robot is seen at" & Seen.Cx'Image & Seen.Cy'Image);
+         end;
+      end loop;
+      R.Monitor.Await ("CIMG");
+   end Nothing_Found;
 
-   procedure Arena_Decision_Without_Search is
-      R    : Rig;
-      Item : Message;
+   procedure Decision_Alone is
+      --  Without a search
+      R : Rig;
    begin
       Assemble (R, Camera => True);
-      R.Monitor.Send_Line ("CACO");
-      R.Monitor.Send_Line ("CAIN");
-      Open_Camera (R);
-      R.Monitor.Send_Line ("CACO");
-      R.Monitor.Send_Line ("CAIN");
-      R.Monitor.Skip_To_Now;
-      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
-      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
-      Check
-        (Item.Number > 0
-         and then Images.Seen (R.Monitor.Last_Image).Coloured
-                  < Images.Drawn,
-         "an arena that was never found is drawn");
+      Play
+        (R, "send CACO, send CAIN, " & With_Images & ", send CACO, send CAIN");
+      Expect_Drawn (R, False, "an arena that was never found");
       R.Monitor.Expect ("what", "ACER");
-   end Arena_Decision_Without_Search;
+   end Decision_Alone;
 
    procedure Positions_True is
-      R : Rig;
-      Worst_Distance : Float := 0.0;
-      Worst_Angle    : Float := 0.0;
+      R    : Rig;
+      Seen : Position;
 
-      procedure Try (X, Y : Integer; Heading : Integer);
-
-      procedure Try (X, Y : Integer; Heading : Integer) is
-         Truth : Emulators.Truth;
-         Item  : Message;
-         Seen  : Position;
-         Off   : Float;
-         Turn  : Float;
-
-         function Image (Value : Integer) return String is
-           (Trim (Integer'Image (Value), Both));
+      procedure Try (X, Y, Heading : Integer) is
       begin
          R.Emulator.Tell
            ("pose " & Image (X) & " " & Image (Y) & " " & Image (Heading));
-         Truth := R.Emulator.Pose;
          delay 0.3;
          R.Monitor.Skip_To_Now;
-         Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
-         Seen := Parsed (Item);
-         Off := Float'Max
-           (abs (Seen.Cx - Truth.Cx), abs (Seen.Cy - Truth.Cy));
-         Off := Float'Max (Off, abs (Seen.Dx - Truth.Dx));
-         Off := Float'Max (Off, abs (Seen.Dy - Truth.Dy));
-         Turn := abs (Seen.Angle - Truth.Angle);
-         if Turn > 180.0 then
-            Turn := 360.0 - Turn;
-         end if;
-         Worst_Distance := Float'Max (Worst_Distance, Off);
-         Worst_Angle := Float'Max (Worst_Angle, Turn);
-         Check
-           (Seen.Id = 42 and then Off <= 2.0 and then Turn <= 1.0
-            and then Seen.Angle > -180.0 and then Seen.Angle <= 180.0,
-            "seen " & To_String (Item.Data) & ", true are"
-            & Truth.Angle'Image & Truth.Cx'Image & Truth.Cy'Image
-            & Truth.Dx'Image & Truth.Dy'Image);
+         Seen := Expect_Seen (R, 42, R.Emulator.Pose);
       end Try;
 
    begin
@@ -795,23 +553,11 @@ package body Camera_Tests is
               Heading => Step * 30);
       end loop;
       Try (40, 30, 45);
-      Try (40, 30, 90);
       Try (40, 30, 180);
-      Note ("worst: " & Worst_Distance'Image & " px,"
-            & Worst_Angle'Image & " degrees");
-
-      --  "an upright marker is at 90"
-      R.Emulator.Tell ("pose 40 30 90");
-      delay 0.3;
-      R.Monitor.Skip_To_Now;
-      declare
-         Seen : constant Position :=
-           Parsed (R.Monitor.Next_Of ("CPOS", Within => 2.0));
-      begin
-         Check
-           (abs (Seen.Angle - 90.0) <= 1.0,
-            "an upright marker is at" & Seen.Angle'Image);
-      end;
+      Try (40, 30, 90);
+      Check
+        (abs (Seen.Angle - 90.0) <= 1.0,
+         "an upright marker is at" & Seen.Angle'Image);
    end Positions_True;
 
    procedure Positions_Every_Image is
@@ -833,27 +579,6 @@ package body Camera_Tests is
          "the robot is not drawn");
    end Positions_Every_Image;
 
-   procedure Position_Not_Found is
-      R    : Rig;
-      Path : constant String := Programs.Temporary_Folder & "/empty.jpg";
-      Item : Message;
-      Seen : Position;
-   begin
-      Images.Write_Empty (Path);
-      R.Supervisor.Start ("--camera " & Path);
-      Connect (R);
-      Open_Camera (R, Positions => True);
-      for Number in 1 .. 5 loop
-         Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
-         Seen := Parsed (Item);
-         Check
-           (Seen.Id = -1 and then Seen.Cx = -1.0 and then Seen.Cy = -1.0,
-            "no robot is CPOS:" & To_String (Item.Data));
-      end loop;
-      Item := R.Monitor.Next_Of ("CIMG", Within => 2.0);
-      Check (Item.Number > 0, "no image");
-   end Position_Not_Found;
-
    procedure Position_Of_Late_Image is
       --  The camera is a second late: half of it, and another second, are the
       --  margins of a machine with other work
@@ -862,12 +587,9 @@ package body Camera_Tests is
       There     : Emulators.Truth;
       Displaced : Float := 0.0;
 
-      function Is_At (Place : Emulators.Truth) return Boolean;
-      --  By the newest position
-
       function Is_At (Place : Emulators.Truth) return Boolean is
-         Seen : constant Position :=
-           Parsed (R.Monitor.Next_Of ("CPOS", Within => 2.0));
+         --  By the newest position
+         Seen : constant Position := Next_Position (R);
       begin
          Displaced := Float'Max (Displaced, abs (Seen.Cx - Place.Cx));
          return abs (Seen.Cx - Place.Cx) <= 12.0
@@ -896,28 +618,14 @@ package body Camera_Tests is
    end Position_Of_Late_Image;
 
    procedure Position_Of_Triangle is
-      R     : Rig;
-      Truth : Emulators.Truth;
-      Item  : Message;
-      Seen  : Position;
-      Turn  : Float;
+      R : Rig;
    begin
       Assemble
         (R, Camera => True,
          Emulator_Options => "--marker triangle --pose 50,20,120",
          Supervisor_Options => "--marker triangle");
       Open_Camera (R, Positions => True);
-      Truth := R.Emulator.Pose;
-      Item := R.Monitor.Next_Of ("CPOS", Within => 2.0);
-      Seen := Parsed (Item);
-      Turn := abs (Seen.Angle - Truth.Angle);
-      Check
-        (Seen.Id = 0
-         and then abs (Seen.Cx - Truth.Cx) <= 2.0
-         and then abs (Seen.Cy - Truth.Cy) <= 2.0
-         and then (Turn <= 1.0 or else Turn >= 359.0),
-         "seen " & To_String (Item.Data) & ", true are"
-         & Truth.Angle'Image & Truth.Cx'Image & Truth.Cy'Image);
+      Expect_Seen (R, 0, R.Emulator.Pose);
    end Position_Of_Triangle;
 
    procedure Position_Stopped is
@@ -953,54 +661,46 @@ package body Camera_Tests is
       Assemble (R, Camera => True, Emulator_Options => "--pose 20,30,0");
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
-      Before := Parsed (R.Monitor.Next_Of ("CPOS", Within => 2.0));
-      R.Monitor.Expect ("RMOV:200", "AACK");
-      R.Emulator.Await_Status ("moving", "0", Within => 10.0);
-      delay 0.3;
+      Before := Next_Position (R);
+      Play (R, "RMOV:200 AACK, status moving 0, wait 0.3");
       R.Monitor.Skip_To_Now;
-      After := Parsed (R.Monitor.Next_Of ("CPOS", Within => 2.0));
+      After := Next_Position (R);
       Note ("20 cm are" & Float'Image (After.Cx - Before.Cx) & " px");
       Check (After.Cx - Before.Cx > 60.0, "the robot has not moved");
       Check (abs (After.Cy - Before.Cy) < 3.0, "not straight on");
    end Loop_Closes;
 
-   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   procedure Register is
    begin
-      Add (Suite, "F14_F16_Open_And_Close", Open_And_Close'Access);
-      Add (Suite, "F14_Open_Fails", Open_Fails'Access);
-      Add
-        (Suite, "F14_Library_Loaded_When_Opened", Loaded_When_Opened'Access);
-      Add (Suite, "F14_Library_Missing", Library_Missing'Access);
-      Add (Suite, "F14_Open_Takes_Long", Open_Takes_Long'Access);
-      Add (Suite, "F14_Not_Open_Is_ANAK", Not_Open_Is_Anak'Access);
-      Add (Suite, "F15_Image_Period", Image_Period'Access);
-      Add (Suite, "F15_Image_Size_And_Quality", Image_Size'Access);
-      Add (Suite, "F15_Own_JPEG_Of_The_Camera", Own_Jpeg'Access);
-      Add (Suite, "F15_Image_Size_Changes", Changing_Size'Access);
-      Add (Suite, "F15_Damaged_Images", Damaged_Images'Access);
-      Add (Suite, "F15_Other_Image_Rate", Other_Image_Rate'Access);
-      Add (Suite, "F14_Still_Image_As_Camera", Still_Image'Access);
-      Add (Suite, "F16_No_Image_After_Close", No_Image_After_Close'Access);
-      Add (Suite, "F15_Camera_Stops_Delivering", Camera_Stalls'Access);
-      Add (Suite, "F15_Camera_Goes_Away", Camera_Goes'Access);
-      Add (Suite, "F17_Arena_Confirmed", Arena_Confirmed'Access);
-      Add (Suite, "F17_Arena_Rejected", Arena_Rejected'Access);
-      Add (Suite, "F17_F18_Drawn_As_Asked", Drawn_As_Asked'Access);
-      Add (Suite, "F17_Arena_Searched_Again", Arena_Searched_Again'Access);
-      Add (Suite, "F17_Arena_Of_Stalled_Camera",
+      Add ("F14_F16_Open_And_Close", Open_And_Close'Access);
+      Add ("F14_Open_Fails", Open_Fails'Access);
+      Add ("F14_Library_Loaded_When_Opened", Loaded_When_Opened'Access);
+      Add ("F14_Library_Missing", Library_Missing'Access);
+      Add ("F14_Open_Takes_Long", Open_Takes_Long'Access);
+      Add ("F14_Not_Open_Is_ANAK", Not_Open_Is_Anak'Access);
+      Add ("F15_Image_Period", Image_Period'Access, Alone => True);
+      Add ("F15_Other_Rate_Size_And_Quality",
+           Other_Rate_And_Size'Access);
+      Add ("F15_Own_JPEG_Of_The_Camera", Own_Jpeg'Access);
+      Add ("F15_Image_Size_Changes", Changing_Size'Access);
+      Add ("F15_Damaged_Images", Damaged_Images'Access);
+      Add ("F14_Still_Image_As_Camera", Still_Image'Access);
+      Add ("F16_No_Image_After_Close", No_Image_After_Close'Access);
+      Add ("F15_Camera_Stops_Delivering", Camera_Stalls'Access);
+      Add ("F15_Camera_Goes_Away", Camera_Goes'Access);
+      Add ("F17_Arena_Confirmed_Or_Rejected", Arena_Decided'Access);
+      Add ("F17_F18_Drawn_As_Asked", Drawn_As_Asked'Access);
+      Add ("F17_Arena_Of_Stalled_Camera",
            Arena_Of_Stalled_Camera'Access);
-      Add (Suite, "F17_Arena_Not_Found", Arena_Not_Found'Access);
-      Add (Suite, "F17_Decision_Without_Search",
-           Arena_Decision_Without_Search'Access);
-      Add (Suite, "F18_Positions_True", Positions_True'Access);
-      Add (Suite, "F18_Positions_In_Every_Image",
-           Positions_Every_Image'Access);
-      Add (Suite, "F18_Position_Not_Found", Position_Not_Found'Access);
-      Add (Suite, "F18_Position_Of_Triangle", Position_Of_Triangle'Access);
-      Add (Suite, "F18_Position_Of_Late_Image",
-           Position_Of_Late_Image'Access);
-      Add (Suite, "F19_Position_Stopped", Position_Stopped'Access);
-      Add (Suite, "F12_F18_Loop_Closes", Loop_Closes'Access);
-   end Add_To;
+      Add ("F17_F18_Neither_Arena_Nor_Robot", Nothing_Found'Access);
+      Add ("F17_Decision_Without_Search", Decision_Alone'Access);
+      Add ("F18_Positions_True", Positions_True'Access);
+      Add ("F18_Positions_In_Every_Image", Positions_Every_Image'Access,
+           Alone => True);
+      Add ("F18_Position_Of_Triangle", Position_Of_Triangle'Access);
+      Add ("F18_Position_Of_Late_Image", Position_Of_Late_Image'Access);
+      Add ("F19_Position_Stopped", Position_Stopped'Access);
+      Add ("F12_F18_Loop_Closes", Loop_Closes'Access);
+   end Register;
 
 end Camera_Tests;

@@ -16,13 +16,8 @@ package body Mission_Trial_Tests is
    --  The same missions each time, some of script/bench missions: those that
    --  take the least time of the first thirty
 
-   procedure Ideal;
-   procedure With_Faults;
-
-   procedure Try (Number : Positive);
-   --  Raises Failed unless it is done and reaches the goals
-
    procedure Try (Number : Positive) is
+      --  Raises Failed unless it is done and reaches the goals
       V : Verdict;
    begin
       Real_Missions.Run (Random (Seed, Number), V);
@@ -35,6 +30,10 @@ package body Mission_Trial_Tests is
       Check
         (V.Wrong = "",
          "mission " & Image (Number) & ": " & To_String (V.Wrong));
+      Check_In_Time
+        (Index (V.Reason, "no image for") = 0,
+         "mission " & Image (Number) & " is aborted: "
+         & To_String (V.Reason));
       Check
         (V.Done,
          "mission " & Image (Number) & " is aborted: "
@@ -61,10 +60,10 @@ package body Mission_Trial_Tests is
       Try (30);
    end With_Faults;
 
-   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   procedure Register is
    begin
-      Add (Suite, "Mission_Trial_Ideal", Ideal'Access);
-      Add (Suite, "Mission_Trial_With_Faults", With_Faults'Access);
-   end Add_To;
+      Add ("Mission_Trial_Ideal", Ideal'Access);
+      Add ("Mission_Trial_With_Faults", With_Faults'Access);
+   end Register;
 
 end Mission_Trial_Tests;

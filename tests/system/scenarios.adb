@@ -1,148 +1,95 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  System tests as AUnit test cases.
+--  System tests, each in a process of its own.
 
-with Ada.Containers.Indefinite_Vectors;
+with Ada.Command_Line;
+with Ada.Containers.Vectors;
 with Ada.Exceptions;        use Ada.Exceptions;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 with AUnit.Assertions;
+with AUnit.Options;
+with AUnit.Test_Results;
+with AUnit.Test_Suites;
+with GNAT.OS_Lib;
 
-with Child_Processes;
+with Child_Processes;       use Child_Processes;
 with Expectations;
-with Host_Time;
 with Instants;              use Instants;
+with Network_Links;
+with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Standstills;
 
 package body Scenarios is
 
-   package Text_Vectors is
-     new Ada.Containers.Indefinite_Vectors (Positive, String);
-
    type Scenario_Access is access Scenario;
 
-   Longest_Test    : constant Duration := 240.0;
-   --  some last a minute
-   Most_Attempts   : constant := 12;
-   Most_Not_Judged : constant := 8;
+   package Scenario_Vectors is
+     new Ada.Containers.Vectors (Positive, Scenario_Access);
 
-   Time_Left      : Duration := 1_800.0;
-   --  for what is run again, and for waiting before
-   Filters        : Text_Vectors.Vector;
-   Inverted       : Boolean := False;
-   Not_Judged     : Unbounded_String;
-   Count_Unjudged : Natural := 0;
-   Count_Run      : Natural := 0;
-   Count_Failed   : Natural := 0;
-   Count_Skipped  : Natural := 0;
-   Count_Repeated : Natural := 0;
+   --  How the process of a test ends
+
+   Passed_Status  : constant := 0;
+   Failed_Status  : constant := 1;
+   Late_Status    : constant := 4;
+   Skipped_Status : constant := 77;
+
+   Skipping : constant String := "   skipped: ";
+
+   Longest_Test  : constant Duration := 240.0;
+   --  Some last a minute
+   Most_Attempts : constant := 3;
+
+   Known    : Scenario_Vectors.Vector;
+   Filters  : Arguments;
+   Inverted : Boolean := False;
+   Status   : Integer := Failed_Status;
 
    overriding function Name
      (Test : Scenario) return AUnit.Message_String
    is (AUnit.Format (Test.Title.all));
 
-   overriding procedure Run_Test (Test : in out Scenario) is
-      Start       : Instant := Now;
-      Host_Before : Duration := Host_Time.Taken;
-
-      procedure Say (Line : String);
-      procedure Report (Result : String);
-
-      function Stood_Still return String;
-      --  How, since Start; empty if too little to matter
-
-      procedure Say (Line : String) is
-      begin
-         Put_Line (Line);
-         Flush;
-      exception
-         when Device_Error =>
-            --  as in system_tests | head: no test could tell its result
-            Programs.Give_Up ("nobody reads what the tests have to say");
-      end Say;
-
-      procedure Report (Result : String) is
-      begin
-         Say (Result & ", " & Milliseconds (Now - Start));
-      end Report;
-
-      function Stood_Still return String is
-         In_One_Piece : constant Duration := Standstills.Longest;
-         Of_A_Byte    : constant Duration := Standstills.Longest_Line;
-         Of_Host      : constant Duration := Host_Time.Taken - Host_Before;
-      begin
-         return
-           (if In_One_Piece >= Standstills.Too_Long
-              or else Of_A_Byte >= Standstills.Too_Long
-              or else Of_Host >= Standstills.Too_Much
-            then "stood still for " & Milliseconds (In_One_Piece)
-                 & ", a byte of a pseudo-terminal for "
-                 & Milliseconds (Of_A_Byte)
-                 & ", its host took " & Milliseconds (Of_Host)
-            else "");
-      end Stood_Still;
-
+   procedure Say (Line : String) is
    begin
-      Count_Run := Count_Run + 1;
-      Say (Test.Title.all);
-      for Attempt in 1 .. Most_Attempts loop
-         Child_Processes.Forget_Last_Lines;
-         Expectations.Limit_Time (Longest_Test);
-         Start := Now;
-         Standstills.Forget;
-         Host_Before := Host_Time.Taken;
-         begin
-            Test.Action.all;
-            Report ("   ok");
-            return;
-         exception
-            when Occurrence : Expectations.Skipped =>
-               Count_Skipped := Count_Skipped + 1;
-               Report ("   skipped: " & Exception_Message (Occurrence));
-               return;
-            when Occurrence : others =>
-               declare
-                  Cause   : constant String := Stood_Still;
-                  Excused : constant Boolean :=
-                    Cause /= "" and then not Child_Processes.Any_Has_Failed;
-                  Again   : constant Boolean :=
-                    Excused and then Attempt < Most_Attempts
-                    and then Time_Left > 0.0;
-                  Open    : constant Boolean :=
-                    Excused and then not Again
-                    and then Count_Unjudged < Most_Not_Judged;
-               begin
-                  Report ((if Again then "   again: "
-                           elsif Open then "   not judged: "
-                           else "   FAILED: ")
-                          & Exception_Message (Occurrence));
-                  if Cause /= "" then
-                     Say ("      the machine " & Cause);
-                  end if;
-                  Child_Processes.Print_Last_Lines;
-                  if Again then
-                     Count_Repeated := Count_Repeated + 1;
-                     Standstills.Await_Calm
-                       (Limit => Duration'Min (Time_Left, 10.0 * Attempt));
-                     Time_Left := Time_Left - (Now - Start);
-                  elsif Open then
-                     Count_Unjudged := Count_Unjudged + 1;
-                     Append (Not_Judged, " " & Test.Title.all);
-                     return;
-                  else
-                     Count_Failed := Count_Failed + 1;
-                     if Exception_Identity (Occurrence)
-                       = Expectations.Failed'Identity
-                     then
-                        AUnit.Assertions.Assert
-                          (False, Exception_Message (Occurrence));
-                     end if;
-                     raise;
-                  end if;
-               end;
-         end;
-      end loop;
+      Put_Line (Line);
+      Flush;
+   exception
+      when Device_Error =>
+         --  as in system_tests | head: no test could tell its result
+         Programs.Give_Up ("nobody reads what the tests have to say");
+   end Say;
+
+   overriding procedure Run_Test (Test : in out Scenario) is
+   begin
+      Expectations.Limit_Time (Longest_Test);
+      Standstills.Watch (Real_Time => False);
+      Test.Action.all;
+      Status := Passed_Status;
+      Say ("   ok");
+   exception
+      when Occurrence : Expectations.Skipped =>
+         Status := Skipped_Status;
+         Say (Skipping & Exception_Message (Occurrence));
+      when Occurrence : others =>
+         Say ("   FAILED: " & Exception_Message (Occurrence));
+         Child_Processes.Print_Last_Lines;
+         if Exception_Identity (Occurrence) /= Expectations.Failed'Identity
+         then
+            raise;
+         end if;
+         if Expectations.Time_Ran_Out
+           and then not Child_Processes.Any_Has_Failed
+           and then (Child_Processes.Any_Was_Late
+                     or else Standstills.Longest >= Standstills.Too_Long)
+         then
+            Status := Late_Status;
+            Say ("      late meanwhile: a processor by "
+                 & Milliseconds (Standstills.Longest)
+                 & (if Child_Processes.Any_Was_Late
+                    then ", its own line" else ""));
+         end if;
+         AUnit.Assertions.Assert (False, Exception_Message (Occurrence));
    end Run_Test;
 
    procedure Add_Filter (Text : String) is
@@ -156,28 +103,192 @@ package body Scenarios is
    end Invert_Filters;
 
    procedure Add
-     (Suite : AUnit.Test_Suites.Access_Test_Suite;
-      Name  : String;
-      Run   : not null Routine)
+     (Name : String; Run : not null Routine; Alone : Boolean := False)
    is
-      Test : Scenario_Access;
+      Test : constant Scenario_Access := new Scenario;
    begin
-      if Filters.Is_Empty
-        or else (for some Text of Filters => Index (Name, Text) > 0)
-                /= Inverted
-      then
-         Test := new Scenario;
-         Test.Title := new String'(Name);
-         Test.Action := Run;
-         Suite.Add_Test (Test);
-      end if;
+      Test.Title := new String'(Name);
+      Test.Action := Run;
+      Test.Alone := Alone;
+      Known.Append (Test);
    end Add;
 
-   function Run_Count return Natural is (Count_Run);
-   function Failed_Count return Natural is (Count_Failed);
-   function Skipped_Count return Natural is (Count_Skipped);
-   function Not_Judged_Count return Natural is (Count_Unjudged);
-   function Not_Judged_Names return String is (To_String (Not_Judged));
-   function Repeated_Count return Natural is (Count_Repeated);
+   procedure Run_One (Title : String) is
+      Suite   : constant AUnit.Test_Suites.Access_Test_Suite :=
+        AUnit.Test_Suites.New_Suite;
+      Result  : AUnit.Test_Results.Result;
+      Outcome : AUnit.Status;
+   begin
+      for Test of Known loop
+         if Test.Title.all = Title then
+            Suite.Add_Test (Test);
+         end if;
+      end loop;
+      AUnit.Test_Suites.Run
+        (Suite, AUnit.Options.Default_Options, Result, Outcome);
+      Programs.Remove_Temporary_Folder;
+      GNAT.OS_Lib.OS_Exit (Status);
+   end Run_One;
+
+   --  The run of all
+
+   type Attempt is record
+      Test   : Positive;
+      Number : Positive := 1;
+   end record;
+
+   package Attempt_Vectors is new Ada.Containers.Vectors (Positive, Attempt);
+
+   type Duration_Of_Test is record
+      Test  : Positive;
+      Taken : Duration;
+   end record;
+
+   function Longer (Left, Right : Duration_Of_Test) return Boolean is
+     (Left.Taken > Right.Taken);
+
+   package Duration_Vectors is
+     new Ada.Containers.Vectors (Positive, Duration_Of_Test);
+   package Sorting is new Duration_Vectors.Generic_Sorting (Longer);
+
+   procedure Run (Jobs : Positive; Program : String; All_Passed : out Boolean)
+   is
+
+      type Job is limited record
+         Process : Child;
+         Busy    : Boolean := False;
+         Since   : Instant := Never;
+         What    : Attempt;
+      end record;
+
+      All_Jobs : array (1 .. Jobs) of Job;
+      Together, Apart : Attempt_Vectors.Vector;
+      Durations       : Duration_Vectors.Vector;
+      Passed, Failed, Skipped, Repeated : Natural := 0;
+      Failures                          : Unbounded_String;
+
+      function Title (What : Attempt) return String is
+        (Known (What.Test).Title.all);
+
+      procedure Start (J : in out Job; From : in out Attempt_Vectors.Vector) is
+         Options : Arguments;
+      begin
+         for Number in 1 .. Ada.Command_Line.Argument_Count loop
+            Options.Append (Ada.Command_Line.Argument (Number));
+         end loop;
+         J.What := From.First_Element;
+         From.Delete_First;
+         Options.Append ("--one");
+         Options.Append (Title (J.What));
+         J.Process.Start (Program, Options, Title (J.What));
+         J.Since := Now;
+         J.Busy := True;
+      end Start;
+
+      procedure Finish (J : in out Job) is
+         Taken  : constant Duration := Now - J.Since;
+         Hangs  : constant Boolean := J.Process.Is_Running;
+         Result : Integer := Failed_Status;
+         Reason : Unbounded_String;
+      begin
+         J.Busy := False;
+         if Hangs then
+            J.Process.Stop;
+            Network_Links.Remove_Left (J.Process.Pid);
+            Programs.Remove_Left (J.Process.Pid);
+         else
+            Result := J.Process.Exit_Status (Within => 1.0);
+         end if;
+         Durations.Append ((J.What.Test, Taken));
+         Say (Title (J.What) & ", " & Milliseconds (Taken));
+         for From in Stream loop
+            for Number in 1 .. J.Process.Count (From) loop
+               declare
+                  Text : constant String :=
+                    To_String (J.Process.Element (From, Number).Text);
+               begin
+                  Say (Text);
+                  if Index (Text, Skipping) = 1 then
+                     Reason := To_Unbounded_String
+                       (Text (Skipping'Length + 1 .. Text'Last));
+                  end if;
+               end;
+            end loop;
+         end loop;
+         if Hangs then
+            Say ("   FAILED: it has not ended");
+         end if;
+         if Result = Late_Status and then J.What.Number < Most_Attempts then
+            Repeated := Repeated + 1;
+            Say ("REPEATED " & Title (J.What)
+                 & ": a limit of time missed, line or processor late");
+            Apart.Append ((J.What.Test, J.What.Number + 1));
+         elsif Result = Passed_Status then
+            Passed := Passed + 1;
+         elsif Result = Skipped_Status then
+            Skipped := Skipped + 1;
+            Say ("SKIPPED " & Title (J.What) & ": " & To_String (Reason));
+         else
+            Failed := Failed + 1;
+            Append (Failures, ASCII.LF & "   " & Title (J.What));
+         end if;
+      end Finish;
+
+      function Is_Busy return Boolean is
+        (for some J of All_Jobs => J.Busy);
+
+   begin
+      for Text of Filters loop
+         if not (for some Test of Known => Index (Test.Title.all, Text) > 0)
+         then
+            Programs.Give_Up ("no test has " & Text & " in its name");
+         end if;
+      end loop;
+      for Test in 1 .. Known.Last_Index loop
+         if Filters.Is_Empty
+           or else (for some Text of Filters =>
+                      Index (Known (Test).Title.all, Text) > 0) /= Inverted
+         then
+            if Known (Test).Alone then
+               Apart.Append ((Test, 1));
+            else
+               Together.Append ((Test, 1));
+            end if;
+         end if;
+      end loop;
+
+      loop
+         for J of All_Jobs loop
+            if J.Busy
+              and then (not J.Process.Is_Running
+                        or else Now - J.Since > Longest_Test + 10.0)
+            then
+               Finish (J);
+            end if;
+            if not J.Busy then
+               if not Together.Is_Empty then
+                  Start (J, Together);
+               elsif not Is_Busy and then not Apart.Is_Empty then
+                  Start (J, Apart);
+               end if;
+            end if;
+         end loop;
+         exit when not Is_Busy;
+         delay 0.01;
+      end loop;
+
+      Sorting.Sort (Durations);
+      for Number in 1 .. Integer'Min (10, Durations.Last_Index) loop
+         --  as pytest has it
+         Say (Rounded (Float (Durations (Number).Taken)) & "s call  "
+              & Known (Durations (Number).Test).Title.all);
+      end loop;
+      if Failed > 0 then
+         Say ("failed:" & To_String (Failures));
+      end if;
+      Say (Image (Skipped) & " skipped, " & Image (Repeated) & " repeated");
+      Say (Image (Passed) & " passed, " & Image (Failed) & " failed");
+      All_Passed := Failed = 0 and then Passed > 0;
+   end Run;
 
 end Scenarios;

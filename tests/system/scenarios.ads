@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  System tests as AUnit test cases: each is one procedure with a name.
+--  System tests as AUnit test cases: each is one procedure with a name, and is
+--  run by a process of its own.
 
 with AUnit;
 with AUnit.Simple_Test_Cases;
-with AUnit.Test_Suites;
 
 package Scenarios is
 
@@ -15,39 +15,28 @@ package Scenarios is
      (Test : Scenario) return AUnit.Message_String;
 
    overriding procedure Run_Test (Test : in out Scenario);
-   --  Where Test fails and the machine stood still meanwhile, a processor or a
-   --  byte through a pseudo-terminal for 20 ms or more in one piece
-   --  (Standstills), or for 50 ms of processor time that its host took
-   --  (Host_Time), it says so, waits for a calm moment, and runs it again: the
-   --  robot has 80 ms to answer, and a test cannot tell who was late. Up to
-   --  twelve times, and for half an hour of all tests together; then Test is
-   --  not judged, which is neither passed nor failed. Of more than eight tests
-   --  that is not taken: the next one fails. Never run again: what fails on a
-   --  machine that ran, and where a program has ended after an internal
-   --  failure or by a fault.
+
+   procedure Add
+     (Name : String; Run : not null Routine; Alone : Boolean := False);
+   --  A test. Alone: it runs when no other does
 
    procedure Add_Filter (Text : String);
-   --  Only scenarios whose name contains one of these are added from now on
+   --  Only tests whose name contains one of these are run
 
    procedure Invert_Filters;
    --  Only those whose name contains none of them
 
-   procedure Add
-     (Suite : AUnit.Test_Suites.Access_Test_Suite;
-      Name  : String;
-      Run   : not null Routine);
+   procedure Run_One (Title : String) with No_Return;
+   --  Runs this test, prints its report and ends the process as a Run expects
 
-   function Run_Count return Natural;
-   function Failed_Count return Natural;
-   function Skipped_Count return Natural;
-
-   function Not_Judged_Count return Natural;
-
-   function Not_Judged_Names return String;
-   --  Each after a blank
-
-   function Repeated_Count return Natural;
-   --  How often a test was run again
+   procedure Run (Jobs : Positive; Program : String; All_Passed : out Boolean);
+   --  Runs the tests: each in a process of Program, with the options of this
+   --  one and --one TITLE, so many at a time; then those that run alone. Ends
+   --  with the number of tests passed and failed.
+   --
+   --  A test is repeated, alone, if it missed a limit of time while its own
+   --  line (Child_Processes.Any_Was_Late) or a processor (Standstills) was
+   --  late: three attempts, then it has failed. Every repeat is reported.
 
 private
 
@@ -56,6 +45,7 @@ private
    type Scenario is new AUnit.Simple_Test_Cases.Test_Case with record
       Title  : Name_Access;
       Action : Routine;
+      Alone  : Boolean;
    end record;
 
 end Scenarios;

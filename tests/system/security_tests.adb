@@ -1,12 +1,10 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Admission: addresses, tokens, and that no token gets into the log.
 
-with Ada.Directories;
-with Ada.Streams.Stream_IO; use Ada.Streams;
-with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
+with GNAT.Sockets;
 with Interfaces.C;          use Interfaces.C;
 
 with Child_Processes;       use Child_Processes;
@@ -30,8 +28,6 @@ package body Security_Tests is
    LF : constant Character := ASCII.LF;
    CR : constant Character := ASCII.CR;
 
-   Token : constant String := "correct-horse-battery";
-
    Good_Line : constant String := "AUTH:" & Token & LF;
 
    Token_Time : constant Duration := 2.0;
@@ -51,70 +47,112 @@ package body Security_Tests is
    Not_Allowed       : constant String := "this address is not allowed";
    Not_Alone         : constant String := "another monitor is connected";
 
-   function Median_Answer (R : in out Rig) return Duration;
-   --  From an order to its answer
+   function Median_Answer (R : in out Rig) return Duration is
+      --  From an order to its answer
+      Rounds  : constant := 100;
+      Between : constant Duration := 0.02;
+      Taken   : Samples.Set;
+      Start   : Instant;
+      Late    : Natural := 0;
+   begin
+      for Round in 1 .. Rounds loop
+         Start := Now;
+         if R.Monitor.Ask ("RGFW").Label = "ATIM" then
+            Late := Late + 1;
+         end if;
+         Taken.Add (Now - Start);
+         delay Between;
+      end loop;
+      --  on a loaded machine the emulated robot is sometimes late
+      Check (Late < Rounds / 4, Late'Image & " orders without an answer");
+      return Taken.Quantile (0.5);
+   end Median_Answer;
 
-   function Time_To_Admission
-     (S : Supervisor; M : in out Client; Own : String) return Duration;
-   --  Of M with the right token from its address Own. Time stolen by the host
-   --  of the machine is subtracted
+   procedure Expect_Admission
+     (S : Supervisor; M : in out Client; Own : String; Within : Duration)
+   is
+      --  Of M with the right token from its address Own. Where it is that of
+      --  a crowd, its line may come after it was displaced, as the kernel may
+      --  drop packets: it connects again. Time stolen by the host of the
+      --  machine is subtracted
+      Patience : constant Duration := 20.0;
+      Start    : constant Instant  := Now;
+      Host     : constant Duration := Host_Time.Taken;
+      Taken    : Duration;
+      Item     : Message;
+   begin
+      loop
+         M.Connect (S.Port, Source => Own);
+         M.Send (Good_Line & "RPIN" & LF);
+         Item := M.Next (Patience);
+         exit when Item.Label /= "MSSG" or else Own /= Floods.Address (1)
+           or else Now - Start > Within;
+      end loop;
+      Taken := Now - Start - (Host_Time.Taken - Host);
+      Check
+        (Item.Label = "ANAK",
+         "from " & Own & " after " & Milliseconds (Taken) & " "
+         & Item.Label & ":" & To_String (Item.Data));
+      Note ("admitted from " & Own & " after " & Milliseconds (Taken));
+      Check_Within (Taken, Within, "its admission");
+   end Expect_Admission;
 
    type Client_Array is array (Positive range <>) of Client;
-
-   procedure Allowed_Addresses;
-   procedure Allowed_While_In_Command;
-   procedure Allowed_And_IPv6;
-   procedure Allowed_Wrongly;
-   procedure Token_Right;
-   procedure Token_With_Commands;
-   procedure Token_In_Pieces;
-   procedure Token_Wrong;
-   procedure Token_Late;
-   procedure Eight_Silent;
-   procedure Disturbs_Nobody;
-   procedure Flood_Of_Newcomers;
-   procedure Crowd_Keeps_Nobody_Out;
-   procedure Flood_Without_End;
-   procedure Lines_Bit_By_Bit;
-   procedure Waits_For_The_End;
-   procedure Bad_Token_Files;
-   procedure Unreadable_Token_File;
-   procedure Secret_Not_Logged;
-   procedure Line_Without_Token_Option;
-   procedure Console_Monitor;
-
-   function Token_File
-     (Text : String := Token & LF;
-      Mode : unsigned := 8#600#;
-      Name : String := "token") return String;
-   --  Its path
 
    procedure Expect_Refused
      (M      : in out Client;
       Reason : String;
-      After  : Duration := 0.0;
-      Within : Duration := At_Once);
-   --  It gets the message and is closed, between After and Within
+      Within : Duration := At_Once)
+   is
+      --  It gets the message and is closed
+      Item : constant Message := M.Next_Of ("MSSG", Within);
+   begin
+      Check (Item.Data = "refused: " & Reason, To_String (Item.Data));
+      Check
+        (M.Closed_By_Peer (At_Once) /= Monitor_Clients.Open,
+         "refused, and still connected");
+      Check (M.Count = 1, "more than a refusal");
+   end Expect_Refused;
 
-   procedure Expect_Admitted (M : in out Client);
+   procedure Expect_Refused_In_Time (M : in out Client; Since : Instant) is
+      --  As its first line has not come
+      Taken : Duration;
+   begin
+      Expect_Refused (M, Not_Authenticated, Within => 2.0 * Token_Time);
+      Taken := Now - Since;
+      Check (Taken >= Token_Time - 0.2,
+             "refused after " & Milliseconds (Taken) & " already");
+      Check_Within (Taken, Token_Time + At_Once, "to be refused");
+   end Expect_Refused_In_Time;
+
+   procedure Expect_Admitted (M : in out Client) is
+   begin
+      M.Expect ("RPIN", "ANAK");
+   end Expect_Admitted;
 
    procedure Expect_Warnings
-     (S : Supervisor; Pattern : String; Count : Natural);
-   --  So many lines of the log, all of them warnings
-
-   procedure Expect_Start_Refused
-     (Options  : String;
-      Status   : Integer;
-      Reason   : String;
-      Launcher : String := "";
-      Program  : String := "");
+     (S : Supervisor; Pattern : String; Count : Natural)
+   is
+      --  So many lines of the log, all of them warnings
+      Deadline : constant Instant := Now + 2.0;
+   begin
+      while S.Count_Of (Pattern) < Count and then Now < Deadline loop
+         delay 0.01;
+      end loop;
+      delay 0.05;
+      Check (S.Count_Of (Pattern) = Count,
+             "not" & Count'Image & " lines of " & Pattern & ": "
+             & S.Log_Text);
+      for Line of Words (S.Log_Text, ASCII.LF) loop
+         --  "[0.123] warning: ..."
+         Check (Index (Line, Pattern) = 0 or else Index (Line, "warning:") > 0,
+                "not a warning: " & Line);
+      end loop;
+   end Expect_Warnings;
 
    procedure Allowed_Addresses is
       S       : Supervisor;
       Refused : Natural := 0;
-
-      procedure Admit (Source : String);
-      procedure Refuse (Source : String);
 
       procedure Admit (Source : String) is
          Mark : constant Natural := S.Log_Length;
@@ -159,36 +197,50 @@ package body Security_Tests is
 
    procedure Allowed_And_IPv6 is
 
-      procedure Connect
-        (S : Supervisor; M : in out Client; Address : String);
-      --  Or skips the test where this machine has no IPv6
-
-      procedure Connect
-        (S : Supervisor; M : in out Client; Address : String) is
+      function Has_IPv6 return Boolean is
+         use GNAT.Sockets;
+         Socket : Socket_Type;
       begin
-         M.Connect (S.Port, Address => Address);
+         Create_Socket (Socket, Family_Inet6);
+         begin
+            Bind_Socket
+              (Socket, Network_Socket_Address (Inet_Addr ("::1"), Any_Port));
+         exception
+            when Socket_Error =>
+               Close_Socket (Socket);
+               return False;
+         end;
+         Close_Socket (Socket);
+         return True;
       exception
-         when Failed =>
-            Skip ("no " & Address & " here");
-      end Connect;
+         when Socket_Error =>
+            return False;
+      end Has_IPv6;
 
       Open, Closed : Supervisor;
       M            : Client;
+      Tool         : Child;
    begin
-      begin
-         Open.Start (Bind => "::");
-      exception
-         when Failed =>
-            Skip ("no IPv6 here");
-      end;
-      Connect (Open, M, "::1");
+      if not Has_IPv6 then
+         Skip ("this machine has no IPv6");
+      end if;
+      Open.Start (Bind => "::");
+      Tool.Start
+        (Programs.Monitor,
+         Words ("--host ::1 --script - --port" & Positive'Image (Open.Port)),
+         "console monitor");
+      Tool.Put_Line ("RCLS");
+      Tool.Close_Input;
+      Check
+        (Tool.Exit_Status (Within => 10.0) = 0, "not by the console monitor");
+      M.Connect (Open.Port, Address => "::1");
       Expect_Admitted (M);
 
       --  all of IPv4, also through an IPv6 socket
       Closed.Start ("--allow 0.0.0.0/0", Bind => "::");
-      Connect (Closed, M, "::1");
+      M.Connect (Closed.Port, Address => "::1");
       Expect_Refused (M, Not_Allowed);
-      Connect (Closed, M, "127.0.0.1");
+      M.Connect (Closed.Port);
       Expect_Admitted (M);
    end Allowed_And_IPv6;
 
@@ -215,11 +267,11 @@ package body Security_Tests is
       S     : Supervisor;
       M     : Client;
    begin
-      Expect_Start_Refused ("--allow 127.0.0.1/8", 2, "bits set beyond");
-      Expect_Start_Refused ("--allow 127.0.0.1/33", 2, "0 .. 32");
-      Expect_Start_Refused ("--allow localhost", 2, "no IPv4 network");
-      Expect_Start_Refused ("--allow ::1", 2, "no IPv4 network");
-      Expect_Start_Refused
+      Expect_Console ("--allow 127.0.0.1/8", 2, "bits set beyond");
+      Expect_Console ("--allow 127.0.0.1/33", 2, "0 .. 32");
+      Expect_Console ("--allow localhost", 2, "no IPv4 network");
+      Expect_Console ("--allow ::1", 2, "no IPv4 network");
+      Expect_Console
         (Eight & " --allow 127.0.0.1 --allow 127.0.0.2", 2,
          "more than 8 networks");
       S.Start (Eight & " --allow 127.0.0.1");
@@ -231,54 +283,45 @@ package body Security_Tests is
       No_Token  : constant String := "its first line is no token";
       Not_Alone : constant String := "others than its owner";
 
-      procedure Refuse (Path : String; Reason : String);
-      procedure Report (Path : String; Reason : String);
-      --  The same for --check, which also tries the camera, so it is slow
-
-      procedure Refuse (Path : String; Reason : String) is
+      procedure Refuse
+        (Path : String; Reason : String; Checked : Boolean := False) is
+         --  Checked: also by --check, which tries the camera, so it is slow
       begin
-         Expect_Start_Refused
+         Expect_Console
            ("--port 0 --token " & Path, 1, Path & ": " & Reason);
+         if Checked then
+            Expect_Console
+              ("--check --port 0 --token " & Path, 1,
+               "not ok  token file " & Path & ": " & Reason);
+         end if;
       end Refuse;
 
-      procedure Report (Path : String; Reason : String) is
-      begin
-         Expect_Start_Refused
-           ("--check --port 0 --token " & Path, 1,
-            "not ok  token file " & Path & ": " & Reason);
-      end Report;
-
-      S : Supervisor;
    begin
-      Refuse (Programs.Temporary_Folder & "/no_such_file", "No such file");
+      Refuse (Programs.Temporary_Folder & "/no_such_file", "No such file",
+              Checked => True);
       Refuse (Programs.Temporary_Folder, "Is a directory");
       Refuse (Token_File (Mode => 8#660#), Not_Alone);
       Refuse (Token_File (Mode => 8#620#), Not_Alone);
-      Refuse (Token_File (Mode => 8#604#), Not_Alone);
+      Refuse (Token_File (Mode => 8#604#), Not_Alone, Checked => True);
       Refuse (Token_File (Mode => 8#602#), Not_Alone);
-      Refuse (Token_File (""), No_Token);
+      Refuse (Token_File (""), No_Token, Checked => True);
       Refuse (Token_File ("1234567" & LF), No_Token);
       Refuse (Token_File ((1 .. 5_000 => 'x')), No_Token);
       Refuse (Token_File (Token & CR & LF), No_Token);
-      Report (Programs.Temporary_Folder & "/no_such_file", "No such file");
-      Report (Token_File (Mode => 8#604#), Not_Alone);
-      Report (Token_File (""), No_Token);
-      S.Run ("--port 0 --check --token " & Token_File (Mode => 8#400#));
-      Check (S.Exit_Status (Within => 15.0) in 0 | 1, "--check");
-      delay 0.05;
-      Check
-        (Index (S.Output_Text, "ok      token file " & Token_File) > 0,
-         "a good token file is not reported: " & S.Output_Text);
-      Check
-        (Index (S.Output_Text & S.Log_Text, Token) = 0,
-         "the token is on the console");
+      declare
+         Path : constant String := Token_File (Mode => 8#400#);
+         Text : constant String := Console
+           ("--check --port 0 --camera /no/such --token " & Path, 1);
+      begin
+         Check (Index (Text, "ok      token file " & Path) > 0,
+                "a good token file is not reported: " & Text);
+         Check (Index (Text, Token) = 0, "the token is on the console");
+      end;
    end Bad_Token_Files;
 
    procedure Console_Monitor is
       R    : Rig;
       Tool : Child;
-
-      function Status (Path : String) return Integer;
 
       function Status (Path : String) return Integer is
       begin
@@ -311,34 +354,22 @@ package body Security_Tests is
 
    procedure Crowd_Keeps_Nobody_Out is
       --  With as many connections in front as the kernel's queue holds
-
-      procedure Measure;
-
-      procedure Measure is
-         S     : Supervisor;
-         Slow  : Floods.Flood;
-         Crowd : Floods.Crowd (1_100);
-         M     : Client;
-         Taken : Duration;
-      begin
-         S.Start ("--token " & Token_File);
-         Slow.Start (S.Port, Floods.Slow);
-         delay 0.1;
-         Crowd.Come (S.Port, Floods.Address (1));
-         Taken := Time_To_Admission (S, M, Another_Address);
-         Note ("admitted after " & Milliseconds (Taken));
-         Check_Within (Taken, Admission_Time, "its admission");
-         M.Close;
-         Crowd.Go;
-         Crowd.Come (S.Port, Floods.Address (1));
-         Slow.Stop;
-         Taken := Time_To_Admission (S, M, Floods.Address (1));
-         Note ("from the crowd's own address after " & Milliseconds (Taken));
-         Check_Within (Taken, Same_Address_Time, "its admission");
-      end Measure;
-
+      S     : Supervisor;
+      Slow  : Floods.Flood;
+      Crowd : Floods.Crowd (1_100);
+      M     : Client;
    begin
-      Measure_Calmly (Measure'Access);
+      Measures_Time;
+      S.Start ("--token " & Token_File);
+      Slow.Start (S.Port, Floods.Slow);
+      delay 0.1;
+      Crowd.Come (S.Port, Floods.Address (1));
+      Expect_Admission (S, M, Another_Address, Admission_Time);
+      M.Close;
+      Crowd.Go;
+      Crowd.Come (S.Port, Floods.Address (1));
+      Slow.Stop;
+      Expect_Admission (S, M, Floods.Address (1), Same_Address_Time);
    end Crowd_Keeps_Nobody_Out;
 
    procedure Disturbs_Nobody is
@@ -407,101 +438,13 @@ package body Security_Tests is
       Good.Send (Good_Line);
       Good.Expect ("RPIN", "ANAK", Within => At_Once);
       Note ("admitted after " & Milliseconds (Now - Start));
-      Check (Now - Start < Token_Time / 2, "no room was made");
+      Check_Within (Now - Start, Token_Time / 2, "to make room");
       for M of Silent (2 .. 8) loop
          Expect_Refused (M, Not_Authenticated, Within => Token_Time);
       end loop;
       Expect_Refused (Last, Not_Authenticated, Within => Token_Time);
       Expect_Warnings (S, Not_Authenticated, 9);
    end Eight_Silent;
-
-   procedure Expect_Admitted (M : in out Client) is
-   begin
-      M.Expect ("RPIN", "ANAK");
-   end Expect_Admitted;
-
-   procedure Expect_Refused
-     (M      : in out Client;
-      Reason : String;
-      After  : Duration := 0.0;
-      Within : Duration := At_Once)
-   is
-      Start : constant Instant := Now;
-      Item  : constant Message := M.Next (Within);
-      Taken : constant Duration := Now - Start;
-   begin
-      Check
-        (Item.Number > 0, "not refused within " & Milliseconds (Within));
-      Check
-        (Item.Label = "MSSG" and then Item.Data = "refused: " & Reason,
-         "instead of a refusal: " & Item.Label & ":"
-         & To_String (Item.Data));
-      Check
-        (Taken >= After, "refused after " & Milliseconds (Taken) & " already");
-      Check
-        (M.Closed_By_Peer (At_Once) /= Monitor_Clients.Open,
-         "refused, and still connected");
-      Check (M.Count = 1, "more than a refusal");
-   end Expect_Refused;
-
-   procedure Expect_Start_Refused
-     (Options  : String;
-      Status   : Integer;
-      Reason   : String;
-      Launcher : String := "";
-      Program  : String := "")
-   is
-      S    : Supervisor;
-      Seen : Integer;
-   begin
-      S.Run (Options, Launcher, Program);
-      Seen := S.Exit_Status (Within => 15.0);
-      delay 0.05;
-      declare
-         Text : constant String := S.Log_Text & S.Output_Text;
-      begin
-         Check
-           (Seen = Status,
-            Options & ": exit status" & Seen'Image & ": " & Text);
-         Check
-           (Index (Text, Reason) > 0,
-            Options & ": not said why (" & Reason & "): " & Text);
-         Check
-           (Index (Text, "listening on") = 0, "it says that it listens");
-      end;
-   end Expect_Start_Refused;
-
-   procedure Expect_Warnings
-     (S : Supervisor; Pattern : String; Count : Natural)
-   is
-      Deadline : constant Instant := Now + 2.0;
-   begin
-      while S.Count_Of (Pattern) < Count and then Now < Deadline loop
-         delay 0.01;
-      end loop;
-      delay 0.05;
-      Check
-        (S.Count_Of (Pattern) = Count,
-         "not" & Count'Image & " lines with """ & Pattern & """: "
-         & S.Log_Text);
-      --  its lines are "[0.123] warning: ..."
-      declare
-         Log   : constant String := S.Log_Text;
-         Place : Natural := Index (Log, Pattern);
-      begin
-         while Place > 0 loop
-            Check
-              (Index
-                 (Log
-                    (Index (Log (1 .. Place), "[", Going => Backward)
-                     .. Place),
-                  "warning: ") > 0,
-               "not a warning in: " & Log);
-            Place := Index
-              (Log (Place + 1 .. Log'Last), Pattern);
-         end loop;
-      end;
-   end Expect_Warnings;
 
    procedure Flood_Of_Newcomers is
       --  New connections have priority over the orders of the monitor in
@@ -546,8 +489,7 @@ package body Security_Tests is
       Check
         (Served >= Per_Turn * Natural ((Now - Start) / Interval) / 20,
          "hardly any newcomer is seen to");
-      Check
-        (Amid <= 2 * Quiet + Grant, "orders wait for newcomers");
+      Check_Within (Amid, 2 * Quiet + Grant, "an order amid the flood");
       --  the end of a session is handled nevertheless
       R.Monitor.Close;
       R.Supervisor.Expect_Log ("session closed", Within => At_Once);
@@ -557,49 +499,42 @@ package body Security_Tests is
    procedure Flood_Without_End is
       --  Clients that reconnect as fast as possible fill the kernel's queue,
       --  but block neither the monitor in command nor the next one
-
-      procedure Measure;
-
-      procedure Measure is
-         R     : Rig;
-         Flood : Floods.Flood;
-         Next  : Client;
-         Quiet : Duration;
-         Amid  : Duration;
-         Taken : Duration;
-      begin
-         Assemble
-           (R, Supervisor_Options => "--token " & Token_File,
-            Connected => False);
-         Connect (R);
-         R.Monitor.Send (Good_Line);
-         Move_Forward (R);
-         Quiet := Median_Answer (R);
-         Flood.Start (R.Supervisor.Port, Floods.Restless);
-         delay 0.1;
-         Amid := Median_Answer (R);
-         Note
-           ("order to answer " & Milliseconds (Quiet) & ", amid the flood "
-            & Milliseconds (Amid));
-         R.Monitor.Close;
-         for Attempt in 1 .. 3 loop
-            Taken := Time_To_Admission
-              (R.Supervisor, Next, Another_Address);
-            Note ("admitted after " & Milliseconds (Taken));
-            Check_Within (Taken, Admission_Time, "its admission");
-            Next.Close;
-         end loop;
-         Flood.Stop;
-         Taken := Time_To_Admission
-           (R.Supervisor, Next, Floods.Address (1));
-         Note
-           ("from the flood's own address after " & Milliseconds (Taken));
-         Check_Within (Taken, Same_Address_Time, "its admission");
-         Check (Amid <= 2 * Quiet + 0.005, "orders wait for newcomers");
-      end Measure;
-
+      R     : Rig;
+      Flood : Floods.Flood;
+      Next  : Client;
+      Quiet : Duration;
+      Amid  : Duration;
    begin
-      Measure_Calmly (Measure'Access);
+      Measures_Time;
+      Assemble
+        (R, Supervisor_Options => "--token " & Token_File,
+         Connected => False);
+      Connect (R);
+      R.Monitor.Send (Good_Line);
+      Move_Forward (R);
+      Quiet := Median_Answer (R);
+      Flood.Start (R.Supervisor.Port, Floods.Restless);
+      if not Floods.Can_Be_Filtered then
+         R.Supervisor.Expect_Log ("(CAP_NET_ADMIN)", Within => 5.0);
+         Skip ("the kernel allows no packet filter here (CAP_NET_ADMIN)");
+      end if;
+      delay 0.1;
+      Amid := Median_Answer (R);
+      Note
+        ("order to answer " & Milliseconds (Quiet) & ", amid the flood "
+         & Milliseconds (Amid));
+      R.Monitor.Close;
+      for Attempt in 1 .. 8 loop
+         Expect_Admission
+           (R.Supervisor, Next, Another_Address, Admission_Time);
+         Next.Close;
+         --  not always at the same time after a source was released
+         delay 0.17;
+      end loop;
+      Flood.Stop;
+      Expect_Admission
+        (R.Supervisor, Next, Floods.Address (1), Same_Address_Time);
+      Check_Within (Amid, 2 * Quiet + 0.005, "an order amid the flood");
    end Flood_Without_End;
 
    procedure Lines_Bit_By_Bit is
@@ -607,62 +542,45 @@ package body Security_Tests is
       --  sends its line at once
       Between : constant Duration := 0.05;
       --  seven pieces, each of which takes 10 ms
-
-      procedure Measure;
-
-      procedure Measure is
-         S      : Supervisor;
-         M      : Client;
-         Slow   : Client_Array (1 .. 7);
-         Start  : Instant := Never;
-         Unused : Boolean;
-      begin
-         S.Start ("--token " & Token_File);
-         M.Connect (S.Port);
-         delay 0.1;
-         for Other of Slow loop
-            Other.Connect (S.Port, Real_Time => False);
-         end loop;
-         delay 0.2;
-         for Piece in 1 .. 25 loop
-            for Other of Slow loop
-               Unused := Other.Try_Send ("A");
-            end loop;
-            if Piece = 3 then
-               Start := Now;
-               M.Send (Good_Line & "RPIN" & LF);
-            end if;
-            delay Between;
-            exit when M.Count > 0;
-         end loop;
-         Check (M.Next (At_Once).Label = "ANAK", "not admitted");
-         Note ("admitted after " & Milliseconds (Now - Start));
-         Check_Within (Now - Start, 0.3, "its admission");
-      end Measure;
-
+      S      : Supervisor;
+      M      : Client;
+      Slow   : Client_Array (1 .. 7);
+      Start  : Instant := Never;
+      Unused : Boolean;
    begin
-      Measure_Calmly (Measure'Access);
+      Measures_Time;
+      S.Start ("--token " & Token_File);
+      M.Connect (S.Port);
+      delay 0.1;
+      for Other of Slow loop
+         Other.Connect (S.Port, Real_Time => False);
+      end loop;
+      delay 0.2;
+      for Piece in 1 .. 25 loop
+         for Other of Slow loop
+            Unused := Other.Try_Send ("A");
+         end loop;
+         if Piece = 3 then
+            Start := Now;
+            M.Send (Good_Line & "RPIN" & LF);
+         end if;
+         delay Between;
+         exit when M.Count > 0;
+      end loop;
+      Check (M.Next (At_Once).Label = "ANAK", "not admitted");
+      Note ("admitted after " & Milliseconds (Now - Start));
+      Check_Within (Now - Start, 0.3, "its admission");
    end Lines_Bit_By_Bit;
 
-   function Median_Answer (R : in out Rig) return Duration is
-      Rounds  : constant := 100;
-      Between : constant Duration := 0.02;
-      Taken   : Samples.Set;
-      Start   : Instant;
-      Late    : Natural := 0;
+   procedure Expect_Secret (S : in out Supervisor) is
+      --  Ends it, and looks for the token in all that it has said
    begin
-      for Round in 1 .. Rounds loop
-         Start := Now;
-         if R.Monitor.Ask ("RGFW").Label = "ATIM" then
-            Late := Late + 1;
-         end if;
-         Taken.Add (Now - Start);
-         delay Between;
-      end loop;
-      --  on a loaded machine the emulated robot is sometimes late
-      Check (Late < Rounds / 4, Late'Image & " orders without an answer");
-      return Taken.Quantile (0.5);
-   end Median_Answer;
+      S.Send_Signal (Libc.Sigterm);
+      Check (S.Exit_Status (Within => 3.0) = 0, "no orderly stop");
+      Check
+        (Index (S.Log_Text & S.Output_Text, Token) = 0,
+         "the token is in the log: " & S.Log_Text);
+   end Expect_Secret;
 
    procedure Line_Without_Token_Option is
       --  A monitor with a token at a supervisor without
@@ -675,97 +593,46 @@ package body Security_Tests is
       Expect_Admitted (M);
       S.Expect_Log ("not understood: AUTH:...", Within => 2.0);
       S.Expect_Log ("received AUTH:...", Within => 2.0);
-      Check
-        (Index (S.Log_Text, Token) = 0, "the token is in: " & S.Log_Text);
+      Expect_Secret (S);
    end Line_Without_Token_Option;
 
    procedure Secret_Not_Logged is
+      --  Of one who knows it; of others see Token_Wrong
       S : Supervisor;
       M : Client;
 
-      procedure Try (Text : String; Admitted : Boolean);
-
-      procedure Try (Text : String; Admitted : Boolean) is
-         Seen : constant Natural := S.Count_Of ("session closed");
-         Last : Message;
-         pragma Unreferenced (Last);
+      procedure Try (Text : String) is
+         Mark   : constant Natural := S.Log_Length;
+         Unused : Message;
       begin
          M.Connect (S.Port);
          M.Send (Text & "RPIN" & LF);
-         if Admitted then
-            Last := M.Next_Of ("ANAK", Within => 3.0);
-            M.Close;
-            while S.Count_Of ("session closed") = Seen loop
-               delay 0.01;
-            end loop;
-         else
-            Expect_Refused (M, Not_Authenticated);
-         end if;
+         Unused := M.Next_Of ("ANAK", Within => 3.0);
+         M.Close;
+         S.Expect_Log ("session closed", Within => 3.0, After => Mark);
       end Try;
 
    begin
       S.Start ("--log-level debug --token " & Token_File);
-      Try (Good_Line, True);
-      Try (Good_Line & Good_Line, True);
-      Try (Good_Line & "what" & LF & Good_Line & Good_Line, True);
-      Try (Good_Line & "x" & Good_Line, True);
-      Try (Good_Line & "MSSG:" & Good_Line, True);
-      Try (Good_Line & "RMOV:AUTH:" & Token & "AUTH:" & Token & LF, True);
-      Try ("AUTH:" & Token & "x" & LF, False);
-      Try ("AUTH:x" & Token & LF, False);
-      Try ("AUTH: " & Token & LF, False);
-      Try ("auth:" & Token & LF, False);
-      Try (Token & LF, False);
-      Try ("RPIN" & LF & Good_Line, False);
-      S.Send_Signal (Libc.Sigterm);
-      Check (S.Exit_Status (Within => 3.0) = 0, "no orderly stop");
-      delay 0.05;
+      Try (Good_Line);
+      Try (Good_Line & Good_Line);
+      Try (Good_Line & "what" & LF & Good_Line & Good_Line);
+      Try (Good_Line & "x" & Good_Line);
+      Try (Good_Line & "MSSG:" & Good_Line);
+      Try (Good_Line & "RMOV:AUTH:" & Token & "AUTH:" & Token & LF);
+      Expect_Secret (S);
       Check
         (S.Says ("not understood: AUTH:..."),
          "the log does not say that the line came: " & S.Log_Text);
-      Check
-        (Index (S.Log_Text & S.Output_Text, Token) = 0,
-         "the token is in the log: " & S.Log_Text);
-      Expect_Warnings (S, Not_Authenticated, 6);
    end Secret_Not_Logged;
-
-   function Time_To_Admission
-     (S : Supervisor; M : in out Client; Own : String) return Duration
-   is
-      Patience : constant Duration := 20.0;
-      Start    : constant Instant  := Now;
-      Host     : constant Duration := Host_Time.Taken;
-   begin
-      M.Connect (S.Port, Source => Own);
-      M.Send (Good_Line & "RPIN" & LF);
-      Check (M.Next (Patience).Label = "ANAK", "not admitted");
-      return Now - Start - (Host_Time.Taken - Host);
-   end Time_To_Admission;
-
-   function Token_File
-     (Text : String := Token & LF;
-      Mode : unsigned := 8#600#;
-      Name : String := "token") return String
-   is
-      Path : constant String := Programs.Temporary_Folder & "/" & Name;
-      File : Stream_IO.File_Type;
-   begin
-      Stream_IO.Create (File, Stream_IO.Out_File, Path);
-      String'Write (Stream_IO.Stream (File), Text);
-      Stream_IO.Close (File);
-      Check (Libc.Chmod (To_C (Path), Mode) = 0, "chmod of " & Path);
-      return Path;
-   end Token_File;
 
    procedure Token_In_Pieces is
       S : Supervisor;
 
-      procedure Try (Text : String; Size : Positive);
-      --  In pieces of Size
-
       procedure Try (Text : String; Size : Positive) is
+         --  In pieces of Size
          M    : Client;
-         Seen : constant Natural := S.Count_Of ("session closed");
+         Mark : constant Natural := S.Log_Length;
          Next : Positive := Text'First;
       begin
          M.Connect (S.Port);
@@ -778,9 +645,7 @@ package body Security_Tests is
          Expect_Admitted (M);
          Check (M.Count = 2, "an answer too many");
          M.Close;
-         while S.Count_Of ("session closed") = Seen loop
-            delay 0.01;
-         end loop;
+         S.Expect_Log ("session closed", Within => 3.0, After => Mark);
       end Try;
 
    begin
@@ -802,9 +667,7 @@ package body Security_Tests is
    begin
       S.Start ("--token " & Token_File);
       Silent.Connect (S.Port);
-      Expect_Refused
-        (Silent, Not_Authenticated, After => Token_Time - 0.2,
-         Within => Token_Time + At_Once);
+      Expect_Refused_In_Time (Silent, Since => Now);
 
       --  each has its own time limit, not prolonged by any piece of a line or
       --  other event
@@ -819,18 +682,12 @@ package body Security_Tests is
          end if;
          delay 0.15;
       end loop;
-      Expect_Refused
-        (Slow, Not_Authenticated, Within => 2.0 * Token_Time);
-      Check
-        (Now - Start in Token_Time - 0.2 .. Token_Time + At_Once,
-         "refused after " & Milliseconds (Now - Start));
+      Expect_Refused_In_Time (Slow, Since => Start);
       Expect_Admitted (Good);
       Expect_Warnings (S, Not_Authenticated, 2);
    end Token_Late;
 
    procedure Token_Right is
-
-      procedure Try (Of_Token : String; Ending : String);
 
       procedure Try (Of_Token : String; Ending : String) is
          S           : Supervisor;
@@ -880,8 +737,6 @@ package body Security_Tests is
       S     : Supervisor;
       Count : Natural := 0;
 
-      procedure Refuse (Text : String);
-
       procedure Refuse (Text : String) is
          M : Client;
       begin
@@ -893,7 +748,7 @@ package body Security_Tests is
 
       Gone : Client;
    begin
-      S.Start ("--token " & Token_File);
+      S.Start ("--log-level debug --token " & Token_File);
       Refuse ("RPIN" & LF);
       Refuse ((1 => LF));
       Refuse ("AUTH" & LF);
@@ -901,6 +756,8 @@ package body Security_Tests is
       Refuse ("AUTH:correct-horse-batterz" & LF);
       Refuse ("AUTH:Correct-horse-battery" & LF);
       Refuse ("AUTH:" & Token & "x" & LF);
+      Refuse ("AUTH:x" & Token & LF);
+      Refuse (Token & LF);
       Refuse ("AUTH:" & Token & " " & LF);
       Refuse ("AUTH:correct-horse-batter" & LF);
       Refuse ("AUTH: " & Token & LF);
@@ -920,28 +777,32 @@ package body Security_Tests is
       Gone.Connect (S.Port);
       Gone.Send (Good_Line);
       Expect_Admitted (Gone);
+      Expect_Secret (S);
    end Token_Wrong;
 
-   procedure Unreadable_Token_File is
-      Path    : constant String := Token_File (Mode => 0);
-      Options : constant String := "--port 0 --token " & Path;
-      Reason  : constant String := Path & ": Permission denied";
-      Copy    : constant String := Programs.Temporary_Folder & "/unable";
+   procedure Unreadable_Files is
+      --  The token's, and what would be the robot's line
+      Path   : constant String  := Token_File (Mode => 0);
+      Reason : constant String  := Path & ": Permission denied";
+      Root   : constant Boolean := Libc.Geteuid = 0;
+
+      procedure Expect (Options, Text : String) is
+      begin
+         Expect_Console
+           ("--port 0 " & Options & Path, 1, Text,
+            Launcher => (if Root then Programs.As_User else ""),
+            Program  => (if Root then Programs.Copied_Supervisor else ""));
+      end Expect;
+
    begin
-      if Libc.Geteuid /= 0 then
-         Expect_Start_Refused (Options, 1, Reason);
-      elsif GNAT.OS_Lib.Locate_Exec_On_Path ("setpriv") = null then
+      if Root and then GNAT.OS_Lib.Locate_Exec_On_Path ("setpriv") = null then
          Skip ("root reads everything, and there is no setpriv");
-      else
-         Ada.Directories.Copy_File (Programs.Supervisor, Copy);
-         Check (Libc.Chmod (To_C (Copy), 8#755#) = 0, "chmod of " & Copy);
-         Expect_Start_Refused
-           (Options, 1, Reason,
-            Launcher => "setpriv --reuid=65534 --regid=65534 --clear-groups"
-              & " --inh-caps=-all",
-            Program  => Copy);
       end if;
-   end Unreadable_Token_File;
+      Expect ("--token ", Reason);
+      Expect
+        ("--check --serial ",
+         Reason & ": your user must be in the group dialout");
+   end Unreadable_Files;
 
    procedure Waits_For_The_End is
       --  While a session is being closed no client is rejected for it, and
@@ -976,42 +837,120 @@ package body Security_Tests is
         (R.Supervisor.Time_Of ("session closed")
          <= R.Supervisor.Time_Of ("second monitor refused"),
          "refused before the end");
-      Expect_Refused
-        (Silent, Not_Authenticated, Within => Token_Time + At_Once);
-      Check
-        (Now - Start in Token_Time - 0.2 .. Token_Time + At_Once,
-         "the silent one refused after " & Milliseconds (Now - Start));
+      Expect_Refused_In_Time (Silent, Since => Start);
       Expect_Admitted (Next);
    end Waits_For_The_End;
 
-   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   procedure Expect_Stranger_Closed (R : in out Rig; Bytes : String) is
+      --  A connection that begins with Bytes, followed by orders: closed at
+      --  once and unanswered, the orders not carried out, a line in the log
+      Orders : constant String := LF & LF & "ROPN" & LF & "RSOW" & LF
+        & "RGFW" & LF;
+      Lines  : constant Natural := R.Supervisor.Count_Of ("is no monitor");
    begin
-      Add (Suite, "Security_Allowed_Addresses", Allowed_Addresses'Access);
-      Add (Suite, "Security_Allowed_While_In_Command",
+      R.Monitor.Connect (R.Supervisor.Port);
+      R.Monitor.Send (Bytes);
+      if R.Monitor.Try_Send (Orders) then
+         null;  --  it may have been closed before
+      end if;
+      Check
+        (R.Monitor.Closed_By_Peer (At_Once) /= Monitor_Clients.Open,
+         "still connected: " & Bytes);
+      Check (R.Monitor.Count = 0, "an answer to " & Bytes);
+      Expect_Warnings (R.Supervisor, "is no monitor", Lines + 1);
+   end Expect_Stranger_Closed;
+
+   procedure Strangers is
+      --  A web page can send any bytes to a port of its browser's machine
+      R    : Rig;
+      Line : constant String := CR & LF;
+      Nul  : constant Character := ASCII.NUL;
+   begin
+      Assemble (R, Connected => False);
+      Expect_Stranger_Closed
+        (R, "POST / HTTP/1.1" & Line & "Host: robot" & Line);
+      Expect_Stranger_Closed (R, "GET / HTTP/1.1" & LF);
+      Expect_Stranger_Closed (R, "get /ROPN http/1.0" & CR & "a: b" & CR);
+      Expect_Stranger_Closed (R, "ROPN / HTTP/1.1" & Line);
+      Expect_Stranger_Closed (R, "PRI * HTTP/2.0" & Line & Line);
+      Expect_Stranger_Closed
+        (R, ASCII.SYN & ASCII.ETX & ASCII.SOH & Nul & "E" & ASCII.SOH);
+      Expect_Stranger_Closed (R, "SSH-2.0-OpenSSH_9.2" & Line);
+      Expect_Stranger_Closed (R, "OPTIONS rtsp://a/ RTSP/1.0" & Line);
+      Expect_Stranger_Closed (R, "*1" & Line & "$4" & Line & "PING" & Line);
+      Expect_Stranger_Closed (R, Nul & Nul & Nul & Nul);
+      Expect_Stranger_Closed (R, "ropn" & LF);
+      Expect_Stranger_Closed (R, "" & LF);
+      Expect_Stranger_Closed (R, 2_000 * 'A');
+      Check (R.Emulator.Wire_Text ("?rpvMTuWDs") = "", "the robot got orders");
+      --  a monitor's mistakes are answered
+      Connect (R);
+      R.Monitor.Expect ("RPIN", "ANAK");
+      R.Monitor.Expect ("POST / HTTP/1.1", "ACER");
+      R.Monitor.Expect ("ROPN", "AACK");
+      --  also when it has begun in pieces
+      Connect (R);
+      for Part of String'("RPIN") loop
+         R.Monitor.Send ((1 => Part));
+         delay 0.01;
+      end loop;
+      R.Monitor.Send ("" & CR);
+      delay 0.01;
+      R.Monitor.Send ("" & LF);
+      Check_Label (R.Monitor.Next_Answer, "ANAK", "RPIN in pieces");
+   end Strangers;
+
+   procedure Who_May_Connect is
+      --  This machine, unless an address, networks or a token are given
+      procedure Expect (Options, Says : String) is
+         S : Supervisor;
+      begin
+         S.Run ("--port 0 --serial /nonexistent " & Options);
+         S.Expect_Log (Says, Within => 3.0);
+      end Expect;
+   begin
+      Expect ("", "listening on 127.0.0.1:");
+      Expect ("", ", for this machine alone");
+      Expect ("--token " & Token_File, "listening on 0.0.0.0:");
+      Expect
+        ("--token " & Token_File,
+         ", for every machine that reaches it, with the token");
+      Expect ("--allow 127.0.0.0/8", "listening on 0.0.0.0:");
+      Expect ("--allow 127.0.0.0/8", ", for the networks of --allow");
+      Expect ("--bind 0.0.0.0", ", for every machine that reaches it");
+      Expect ("--bind ::1", ", for this machine alone");
+   end Who_May_Connect;
+
+   procedure Register is
+   begin
+      Add ("Security_Allowed_Addresses", Allowed_Addresses'Access);
+      Add ("Security_Allowed_While_In_Command",
            Allowed_While_In_Command'Access);
-      Add (Suite, "Security_Allowed_And_IPv6", Allowed_And_IPv6'Access);
-      Add (Suite, "Security_Allowed_Wrongly", Allowed_Wrongly'Access);
-      Add (Suite, "Security_Token_Right", Token_Right'Access);
-      Add (Suite, "Security_Token_With_Commands",
-           Token_With_Commands'Access);
-      Add (Suite, "Security_Token_In_Pieces", Token_In_Pieces'Access);
-      Add (Suite, "Security_Token_Wrong", Token_Wrong'Access);
-      Add (Suite, "Security_Token_Late", Token_Late'Access);
-      Add (Suite, "Security_Eight_Silent", Eight_Silent'Access);
-      Add (Suite, "Security_Disturbs_Nobody", Disturbs_Nobody'Access);
-      Add (Suite, "Security_Flood_Of_Newcomers", Flood_Of_Newcomers'Access);
-      Add (Suite, "Security_Crowd_Keeps_Nobody_Out",
+      Add ("Security_Allowed_And_IPv6", Allowed_And_IPv6'Access);
+      Add ("Security_Allowed_Wrongly", Allowed_Wrongly'Access);
+      Add ("Security_Token_Right", Token_Right'Access);
+      Add ("Security_Token_With_Commands", Token_With_Commands'Access);
+      Add ("Security_Token_In_Pieces", Token_In_Pieces'Access);
+      Add ("Security_Token_Wrong", Token_Wrong'Access);
+      Add ("Security_Token_Late", Token_Late'Access);
+      Add ("Security_Eight_Silent", Eight_Silent'Access);
+      Add ("Security_Disturbs_Nobody", Disturbs_Nobody'Access);
+      Add ("Security_Flood_Of_Newcomers", Flood_Of_Newcomers'Access);
+      Add ("Security_Crowd_Keeps_Nobody_Out",
            Crowd_Keeps_Nobody_Out'Access);
-      Add (Suite, "Security_Flood_Without_End", Flood_Without_End'Access);
-      Add (Suite, "Security_Lines_Bit_By_Bit", Lines_Bit_By_Bit'Access);
-      Add (Suite, "Security_Waits_For_The_End", Waits_For_The_End'Access);
-      Add (Suite, "Security_Bad_Token_Files", Bad_Token_Files'Access);
-      Add (Suite, "Security_Unreadable_Token_File",
-           Unreadable_Token_File'Access);
-      Add (Suite, "Security_Secret_Not_Logged", Secret_Not_Logged'Access);
-      Add (Suite, "Security_Line_Without_Token_Option",
+      Add ("Security_Flood_Without_End", Flood_Without_End'Access,
+           Alone => True);
+      Add ("Security_Lines_Bit_By_Bit", Lines_Bit_By_Bit'Access);
+      Add ("Security_Waits_For_The_End", Waits_For_The_End'Access);
+      Add ("Security_Bad_Token_Files", Bad_Token_Files'Access);
+      Add ("Security_Unreadable_Files",
+           Unreadable_Files'Access);
+      Add ("Security_Secret_Not_Logged", Secret_Not_Logged'Access);
+      Add ("Security_Line_Without_Token_Option",
            Line_Without_Token_Option'Access);
-      Add (Suite, "Security_Console_Monitor", Console_Monitor'Access);
-   end Add_To;
+      Add ("Security_Console_Monitor", Console_Monitor'Access);
+      Add ("Security_Strangers", Strangers'Access);
+      Add ("Security_Who_May_Connect", Who_May_Connect'Access);
+   end Register;
 
 end Security_Tests;

@@ -22,15 +22,6 @@ with Supervisors;
 
 package body Source_Tests is
 
-   procedure Sources;
-   procedure V4l2_Motion_Jpeg;
-   procedure V4l2_Pixels;
-   procedure V4l2_Other_Size;
-   procedure V4l2_Other_Rate;
-   procedure V4l2_Unplugged;
-   procedure V4l2_Broken_Jpeg;
-   procedure V4l2_Busy;
-
    --  Cameras of every rate, side by side: each with a supervisor and a
    --  monitor of its own
 
@@ -40,61 +31,13 @@ package body Source_Tests is
       Monitor    : Monitor_Clients.Client;
    end record;
 
-   procedure Begin_Watch
-     (W : in out Watch; Image : String; Rate : Float; Jitter : Duration);
-   --  Image: the path of one of 160x120
-
-   procedure Judge
-     (W        : Watch;
-      From, To : Instant;
-      Name     : String;
-      Rate     : Float;
-      Jitter   : Duration;
-      All_Sent : Boolean);
-   --  What came between the two: Rate is that of the source, or a lower mean;
-   --  All_Sent: every image is to come
-
-   function Small_Image return String;
-   --  The path of one; made at the first use
-
    --  V4L2 cameras: tests/system/v4l2_camera stands for the kernel's
 
    function V4l2_Settings return String is
      (Programs.Temporary_Folder & "/v4l2_camera");
 
-   procedure Set_Camera
-     (Image  : String;
-      Format : String  := "MJPG";
-      Size   : String  := "640 480";
-      Rate   : String  := "30 1";
-      Broken : Natural := 0;
-      State  : String  := "on");
-   --  What there is to be opened from now on
-
-   function Launcher return String;
-   --  Of a supervisor that finds that camera
-
-   procedure Picture
-     (Path : String; True_Pose : out Emulators.Truth;
-      Size : String := "640x480");
-   --  The arena as a JPEG, and where the robot is in it
-
-   procedure Start (R : in out Rig; Source : String := "0");
-   --  A supervisor with that camera, and a monitor
-
-   procedure Expect_Check (Granted : String);
-   --  --check names what the camera grants
-
-   procedure Expect_Picture (R : in out Rig; X, Y : Float);
-   --  Images of 640x480, grey, with the robot at X, Y
-
-   procedure Expect_Own_Jpeg
-     (R : in out Rig; Path : String; Count : Positive);
-   --  So many images with the very bytes of the file
-
-   procedure Expect_Rate (R : in out Rig; Rate : Float);
-
    function Small_Image return String is
+      --  The path of one; made at the first use
       Path : constant String := Programs.Temporary_Folder & "/small.jpg";
       E    : Emulators.Emulator;
    begin
@@ -107,6 +50,7 @@ package body Source_Tests is
 
    procedure Begin_Watch
      (W : in out Watch; Image : String; Rate : Float; Jitter : Duration) is
+      --  Image: the path of one of 160x120
    begin
       W.Camera.Start (Image, Rate, Jitter);
       W.Supervisor.Start
@@ -123,6 +67,8 @@ package body Source_Tests is
       Jitter   : Duration;
       All_Sent : Boolean)
    is
+      --  What came between the two: Rate is that of the source, or a lower
+      --  mean; All_Sent: every image is to come
       Wanted   : constant Float := Float'Min (10.0, Rate);
       Longest  : constant Duration := Duration (1.0 / Rate) + 2.0 * Jitter;
       --  Between two images of the source
@@ -158,7 +104,7 @@ package body Source_Tests is
             Number := Mark.Number;
          end if;
       end loop;
-      Check
+      Check_In_Time
         (Ages.Count > 10,
          Name & ":" & Natural'Image (Ages.Count) & " images, the last of"
          & W.Monitor.Count'Image & " messages "
@@ -175,11 +121,11 @@ package body Source_Tests is
          & " (99 %), " & Milliseconds (Ages.Quantile (1.0)) & " (longest)");
 
       --  the first and the last may each come earlier or later
-      Check
+      Check_In_Time
         (abs (Mean - Wanted) <= 0.01 * Wanted
            + Wanted * Float (2.0 * Jitter) / Float (Duration'(Last - First)),
          Name & ": " & Rounded (Mean) & " images a second");
-      Check
+      Check_In_Time
         (not All_Sent or else Left_Out = 0,
          Name & ":" & Left_Out'Image & " left out");
       --  a busy machine takes its time over one or the other
@@ -220,67 +166,60 @@ package body Source_Tests is
       Stage : constant Duration := 4.0;
       Step  : constant Duration := 0.2;
       Path  : constant String := Small_Image;
-
-      procedure Measure;
-
-      procedure Measure is
-         Watches : array (Each'Range) of Watch;
-         Begun   : Instant;
-         Part    : Instant;
-      begin
-         for K in Each'Range loop
-            Begin_Watch (Watches (K), Path, Each (K).Rate, Each (K).Jitter);
-         end loop;
-         delay 3.0;
-         Begun := Now;
-         for Light in Dim'Range loop
-            Part := Now;
-            for K in Each'Range loop
-               if Each (K).What = Changes then
-                  Watches (K).Camera.Set_Rate (Dim (Light));
-               end if;
-            end loop;
-            while Now - Part < Stage loop
-               delay Step;
-               for K in Each'Range loop
-                  if Each (K).What = Drifts then
-                     Watches (K).Camera.Set_Rate
-                       (10.1 - 0.2 * Float (Duration'(Now - Begun))
-                          / Float (Stage * Dim'Length));
-                  end if;
-               end loop;
-            end loop;
-            for K in Each'Range loop
-               if Each (K).What = Changes then
-                  Judge
-                    (Watches (K), Part + 1.0, Now,
-                     "changed to " & Rounded (Dim (Light)), Dim (Light), 0.0,
-                     All_Sent => Dim (Light) < 10.0);
-               end if;
-            end loop;
-         end loop;
-         for K in Each'Range loop
-            case Each (K).What is
-               when Steady =>
-                  Judge
-                    (Watches (K), Begun, Now,
-                     Rounded (Each (K).Rate) & " +-"
-                     & Milliseconds (Each (K).Jitter),
-                     Each (K).Rate, Each (K).Jitter,
-                     All_Sent => Each (K).Rate < 10.0);
-               when Drifts =>
-                  --  half of the time ten, then down to 9.9
-                  Judge
-                    (Watches (K), Begun, Now, "drifting", 9.975, 0.0,
-                     All_Sent => False);
-               when Changes =>
-                  null;
-            end case;
-         end loop;
-      end Measure;
-
+      Watches : array (Each'Range) of Watch;
+      Begun   : Instant;
+      Part    : Instant;
    begin
-      Measure_Calmly (Measure'Access);
+      Measures_Time;
+      for K in Each'Range loop
+         Begin_Watch (Watches (K), Path, Each (K).Rate, Each (K).Jitter);
+      end loop;
+      delay 3.0;
+      Begun := Now;
+      for Light in Dim'Range loop
+         Part := Now;
+         for K in Each'Range loop
+            if Each (K).What = Changes then
+               Watches (K).Camera.Set_Rate (Dim (Light));
+            end if;
+         end loop;
+         while Now - Part < Stage loop
+            delay Step;
+            for K in Each'Range loop
+               if Each (K).What = Drifts then
+                  Watches (K).Camera.Set_Rate
+                    (10.1 - 0.2 * Float (Duration'(Now - Begun))
+                       / Float (Stage * Dim'Length));
+               end if;
+            end loop;
+         end loop;
+         for K in Each'Range loop
+            if Each (K).What = Changes then
+               Judge
+                 (Watches (K), Part + 1.0, Now,
+                  "changed to " & Rounded (Dim (Light)), Dim (Light), 0.0,
+                  All_Sent => Dim (Light) < 10.0);
+            end if;
+         end loop;
+      end loop;
+      for K in Each'Range loop
+         case Each (K).What is
+            when Steady =>
+               Judge
+                 (Watches (K), Begun, Now,
+                  Rounded (Each (K).Rate) & " +-"
+                  & Milliseconds (Each (K).Jitter),
+                  Each (K).Rate, Each (K).Jitter,
+                  All_Sent => Each (K).Rate < 10.0);
+            when Drifts =>
+               --  half of the time ten, then down to 9.9
+               Judge
+                 (Watches (K), Begun, Now, "drifting", 9.975, 0.0,
+                  All_Sent => False);
+            when Changes =>
+               null;
+         end case;
+      end loop;
    end Sources;
 
    procedure Set_Camera
@@ -291,6 +230,7 @@ package body Source_Tests is
       Broken : Natural := 0;
       State  : String  := "on")
    is
+      --  What there is to be opened from now on
       File    : File_Type;
       Renamed : Boolean;
    begin
@@ -308,16 +248,15 @@ package body Source_Tests is
    end Set_Camera;
 
    function Launcher return String is
-      Library : constant String := Programs.Beside ("libv4l2_camera.so");
-   begin
-      Check (Ada.Directories.Exists (Library), Library & " is missing");
-      return "env LD_PRELOAD=" & Library & " V4L2_CAMERA=" & V4l2_Settings;
-   end Launcher;
+     (Programs.Preload ("libv4l2_camera.so")
+      & " V4L2_CAMERA=" & V4l2_Settings);
+   --  Of a supervisor that finds that camera
 
    procedure Picture
      (Path : String; True_Pose : out Emulators.Truth;
       Size : String := "640x480")
    is
+      --  The arena as a JPEG, and where the robot is in it
       E : Emulators.Emulator;
    begin
       E.Start
@@ -328,22 +267,25 @@ package body Source_Tests is
    end Picture;
 
    procedure Start (R : in out Rig; Source : String := "0") is
+      --  A supervisor with that camera, and a monitor
    begin
       R.Supervisor.Start ("--camera " & Source, Launcher => Launcher);
       Connect (R);
    end Start;
 
    procedure Expect_Check (Granted : String) is
+      --  --check names what the camera grants
       S : Supervisors.Supervisor;
    begin
       S.Run ("--check --port 0 --camera 0", Launcher => Launcher);
       Check (S.Exit_Status (Within => 15.0) in 0 | 1, "--check");
       Check
-        (Index (S.Output_Text, "camera 0: delivers images, " & Granted) > 0,
+        (Index (S.Output_Text, "camera: delivers images, " & Granted) > 0,
          "--check says " & S.Output_Text);
    end Expect_Check;
 
    procedure Expect_Picture (R : in out Rig; X, Y : Float) is
+      --  Images of 640x480, grey, with the robot at X, Y
       Unused : Message;
       Seen   : Images.Facts;
       Found  : Boolean;
@@ -368,6 +310,7 @@ package body Source_Tests is
 
    procedure Expect_Own_Jpeg (R : in out Rig; Path : String; Count : Positive)
    is
+      --  So many images with the very bytes of the file
       Unused : Message;
    begin
       R.Monitor.Skip_To_Now;
@@ -380,28 +323,21 @@ package body Source_Tests is
    end Expect_Own_Jpeg;
 
    procedure Expect_Rate (R : in out Rig; Rate : Float) is
-
-      procedure Measure;
-
-      procedure Measure is
-         Count : constant := 15;
-         First : Instant;
-         Last  : Instant;
-         Mean  : Float;
-      begin
-         R.Monitor.Skip_To_Now;
-         First := R.Monitor.Next_Of ("CIMG", Within => 3.0).Time;
-         for Number in 1 .. Count loop
-            Last := R.Monitor.Next_Of ("CIMG", Within => 3.0).Time;
-         end loop;
-         Mean := Float (Count) / Float (Duration'(Last - First));
-         Check
-           (abs (Mean - Rate) <= 0.05 * Rate,
-            Rounded (Mean) & " images a second instead of " & Rounded (Rate));
-      end Measure;
-
+      Count : constant := 15;
+      First : Instant;
+      Last  : Instant;
+      Mean  : Float;
    begin
-      Measure_Calmly (Measure'Access);
+      Measures_Time;
+      R.Monitor.Skip_To_Now;
+      First := R.Monitor.Next_Of ("CIMG", Within => 3.0).Time;
+      for Number in 1 .. Count loop
+         Last := R.Monitor.Next_Of ("CIMG", Within => 3.0).Time;
+      end loop;
+      Mean := Float (Count) / Float (Duration'(Last - First));
+      Check_In_Time
+        (abs (Mean - Rate) <= 0.05 * Rate,
+         Rounded (Mean) & " images a second instead of " & Rounded (Rate));
    end Expect_Rate;
 
    procedure V4l2_Motion_Jpeg is
@@ -548,16 +484,16 @@ package body Source_Tests is
       Expect_Own_Jpeg (R, Path, Count => 3);
    end V4l2_Busy;
 
-   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   procedure Register is
    begin
-      Add (Suite, "F15_Cameras_Of_Every_Rate", Sources'Access);
-      Add (Suite, "F14_V4L2_Motion_JPEG", V4l2_Motion_Jpeg'Access);
-      Add (Suite, "F14_V4L2_Pixels", V4l2_Pixels'Access);
-      Add (Suite, "F14_V4L2_Other_Size", V4l2_Other_Size'Access);
-      Add (Suite, "F15_V4L2_Other_Rate", V4l2_Other_Rate'Access);
-      Add (Suite, "F15_V4L2_Unplugged", V4l2_Unplugged'Access);
-      Add (Suite, "F15_V4L2_Broken_JPEG", V4l2_Broken_Jpeg'Access);
-      Add (Suite, "F14_V4L2_Busy", V4l2_Busy'Access);
-   end Add_To;
+      Add ("F15_Cameras_Of_Every_Rate", Sources'Access);
+      Add ("F14_V4L2_Motion_JPEG", V4l2_Motion_Jpeg'Access);
+      Add ("F14_V4L2_Pixels", V4l2_Pixels'Access);
+      Add ("F14_V4L2_Other_Size", V4l2_Other_Size'Access);
+      Add ("F15_V4L2_Other_Rate", V4l2_Other_Rate'Access);
+      Add ("F15_V4L2_Unplugged", V4l2_Unplugged'Access);
+      Add ("F15_V4L2_Broken_JPEG", V4l2_Broken_Jpeg'Access);
+      Add ("F14_V4L2_Busy", V4l2_Busy'Access);
+   end Register;
 
 end Source_Tests;

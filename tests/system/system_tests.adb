@@ -1,17 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Runs the system tests. Arguments without dashes are parts of the names of
 --  the tests to run, or with --but of those to leave out; --untimed skips
---  those that measure time. --supervisor, --emulator and --monitor name other
---  programs than those beside this one.
+--  those that measure time; --jobs N: how many at a time. --supervisor,
+--  --emulator and --monitor name other programs than those beside this one;
+--  --terminals: no preloaded line. It runs itself with --one NAME for a test.
 
 with Ada.Exceptions;
-with Ada.Strings.Fixed; use Ada.Strings.Fixed;
-with Ada.Text_IO;       use Ada.Text_IO;
-with AUnit.Options;
-with AUnit.Reporter.Text;
-with AUnit.Test_Results;
-with AUnit.Test_Suites;
+with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
+with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
+with System.Multiprocessors;
 
 with Camera_Tests;
 with Expectations;
@@ -21,45 +19,25 @@ with Monitor_Tests;
 with Never_Tests;
 with Option_Readers;
 with Own_Process;
-with Plain_Numbers; use Plain_Numbers;
 with Process_Tests;
 with Programs;
+with Radio_Tests;
 with Robot_Tests;
 with Scenarios;
 with Security_Tests;
 with Server_Tests;
 with Source_Tests;
-with Standstills;
 with Trace_Tests;
 
 procedure System_Tests is
 
-   use type AUnit.Status;
-
-   Time_Limit : constant Duration := 3_000.0;
-   --  The whole run takes an eighth of this; up to half an hour more where
-   --  tests are run again because the machine stood still
-
-   task Guard is
-      entry Done;
-   end Guard;
-   --  Even if something hangs, the run ends and leaves nothing behind
-
-   task body Guard is
-   begin
-      select
-         accept Done;
-      or
-         delay Time_Limit;
-         Programs.Give_Up ("the run has not ended within its time");
-      end select;
-   end Guard;
-
-   Suite    : constant AUnit.Test_Suites.Access_Test_Suite :=
-     AUnit.Test_Suites.New_Suite;
-   Result   : AUnit.Test_Results.Result;
-   Reporter : AUnit.Reporter.Text.Text_Reporter;
-   Outcome  : AUnit.Status;
+   Jobs : Positive :=
+     (if Own_Process.Real_Time_Allowed then 3 else 2)
+     * Positive (System.Multiprocessors.Number_Of_CPUs);
+   --  Most tests wait most of the time, but what waits without priority is
+   --  disturbed by the others
+   One  : Unbounded_String;
+   Done : Boolean;
 
 begin
    Own_Process.Ignore_Broken_Pipes;
@@ -71,6 +49,10 @@ begin
          Scenarios.Invert_Filters;
       elsif Option_Readers.Name = "--untimed" then
          Expectations.Leave_Out_Measurements;
+      elsif Option_Readers.Name = "--jobs" then
+         Jobs := Option_Readers.Number (1, 64);
+      elsif Option_Readers.Name = "--one" then
+         One := To_Unbounded_String (Option_Readers.Value);
       elsif Index (Option_Readers.Name, "-") = 1 then
          Option_Readers.Refuse;
       else
@@ -78,50 +60,25 @@ begin
       end if;
    end loop;
 
-   Server_Tests.Add_To (Suite);
-   Monitor_Tests.Add_To (Suite);
-   Robot_Tests.Add_To (Suite);
-   Camera_Tests.Add_To (Suite);
-   Source_Tests.Add_To (Suite);
-   Mission_Tests.Add_To (Suite);
-   Process_Tests.Add_To (Suite);
-   Security_Tests.Add_To (Suite);
-   Trace_Tests.Add_To (Suite);
-   Mission_Trial_Tests.Add_To (Suite);
-   Never_Tests.Add_To (Suite);
+   --  the longest first
+   Mission_Trial_Tests.Register;
+   Monitor_Tests.Register;
+   Never_Tests.Register;
+   Security_Tests.Register;
+   Process_Tests.Register;
+   Server_Tests.Register;
+   Robot_Tests.Register;
+   Radio_Tests.Register;
+   Camera_Tests.Register;
+   Source_Tests.Register;
+   Mission_Tests.Register;
+   Trace_Tests.Register;
 
-   Standstills.Watch (Lines => True);
-   AUnit.Test_Suites.Run
-     (Suite, AUnit.Options.Default_Options, Result, Outcome);
-   New_Line;
-   AUnit.Reporter.Text.Report
-     (Reporter, Result, AUnit.Options.Default_Options);
-
-   Guard.Done;
-   Programs.Remove_Temporary_Folder;
-   if Scenarios.Repeated_Count > 0 then
-      Put_Line
-        (Image (Scenarios.Repeated_Count)
-         & " run again because the machine stood still");
+   if One /= "" then
+      Scenarios.Run_One (To_String (One));
    end if;
-   if Scenarios.Not_Judged_Count > 0 then
-      Put_Line
-        (Image (Scenarios.Not_Judged_Count)
-         & " not judged, as the machine stood still each time:"
-         & Scenarios.Not_Judged_Names);
-   end if;
-   if Scenarios.Skipped_Count > 0 then
-      Put_Line (Image (Scenarios.Skipped_Count) & " skipped");
-   end if;
-   Put_Line
-     (Image (Scenarios.Run_Count - Scenarios.Failed_Count
-             - Scenarios.Skipped_Count - Scenarios.Not_Judged_Count)
-      & " passed, " & Image (Scenarios.Failed_Count) & " failed");
-   GNAT.OS_Lib.OS_Exit
-     (if Outcome = AUnit.Success
-        and then Scenarios.Failed_Count = 0
-        and then Scenarios.Run_Count > Scenarios.Skipped_Count
-      then 0 else 1);
+   Scenarios.Run (Jobs, Programs.Beside ("system_tests"), Done);
+   GNAT.OS_Lib.OS_Exit (if Done then 0 else 1);
 
 exception
    when Occurrence : Option_Readers.Bad_Usage =>

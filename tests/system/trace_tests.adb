@@ -8,14 +8,13 @@ with Ada.Text_IO;
 with Interfaces.C;          use Interfaces.C;
 
 with Expectations;          use Expectations;
-with Instants;              use Instants;
 with Libc;
 with Monitor_Clients;       use Monitor_Clients;
 with Process_Facts;
 with Programs;
 with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
-with Supervisors;
+with Supervisors;           use Supervisors;
 with Trace_Files;           use Trace_Files;
 
 package body Trace_Tests is
@@ -29,26 +28,8 @@ package body Trace_Tests is
    function Trace_Path return String is
      (Programs.Temporary_Folder & "/trace.json");
 
-   procedure Whole_Session;
-   procedure After_A_Failure;
-   procedure Nothing_Happened;
-   procedure Unusable_Files;
-   procedure Full_Disk;
-
-   procedure Stop_And_Read (R : in out Rig; T : out Trace);
-   --  Ends the supervisor in good order
-
-   procedure Check_Form (T : Trace);
-   --  What must hold of every trace: jobs and waits nested, begun and ended;
-   --  times that do not go back in any task
-
-   procedure Check_Way (T : Trace; Label, Carrier, Order : String);
-   --  One command of the monitor from its receipt by way of task Carrier
-   --  and the robot's answer to the monitor's
-
-   function Text_Of (Path : String) return String;
-
    procedure Stop_And_Read (R : in out Rig; T : out Trace) is
+      --  Ends the supervisor in good order
    begin
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Check
@@ -58,6 +39,8 @@ package body Trace_Tests is
    end Stop_And_Read;
 
    procedure Check_Form (T : Trace) is
+      --  What must hold of every trace: jobs and waits nested, begun and
+      --  ended; times that do not go back in any task
       Depth : array (Thread_Number) of Natural := (others => 0);
       Last  : array (Thread_Number) of Nanoseconds := (others => 0);
       Known : Natural := 0;
@@ -96,6 +79,8 @@ package body Trace_Tests is
    end Check_Form;
 
    procedure Check_Way (T : Trace; Label, Carrier, Order : String) is
+      --  One command of the monitor from its receipt by way of task Carrier
+      --  and the robot's answer to the monitor's
       Place   : Natural := 0;
       Command : Natural := 0;
       Since   : Nanoseconds := 0;
@@ -104,15 +89,9 @@ package body Trace_Tests is
         (Who     : String;
          What    : String;
          Phase   : Character;
-         Numbered : Boolean := True);
-      --  The next such event
-
-      procedure Follow
-        (Who     : String;
-         What    : String;
-         Phase   : Character;
          Numbered : Boolean := True)
       is
+         --  The next such event
          Thread : constant Thread_Number := Thread_Of (T, Who);
       begin
          loop
@@ -168,25 +147,10 @@ package body Trace_Tests is
    end Text_Of;
 
    procedure Whole_Session is
-      Token : constant String := "correct-horse-battery";
       R     : Rig;
       Other : Client;
       T     : Trace;
       Jobs  : array (Thread_Number) of Natural := (others => 0);
-
-      function Token_File return String;
-
-      function Token_File return String is
-         use Ada.Text_IO;
-         Path : constant String := Programs.Temporary_Folder & "/token";
-         File : File_Type;
-      begin
-         Create (File, Out_File, Path);
-         Put_Line (File, Token);
-         Close (File);
-         Check (Libc.Chmod (To_C (Path), 8#600#) = 0, "chmod");
-         return Path;
-      end Token_File;
 
    begin
       Assemble
@@ -242,11 +206,6 @@ package body Trace_Tests is
    procedure After_A_Failure is
       T : Trace;
 
-      procedure Fail (Who : String);
-      --  While the robot moves
-
-      function Count_Of (Who, What : String) return Natural;
-
       function Count_Of (Who, What : String) return Natural is
          Result : Natural := 0;
       begin
@@ -260,6 +219,7 @@ package body Trace_Tests is
       end Count_Of;
 
       procedure Fail (Who : String) is
+         --  While the robot moves
          R : Rig;
       begin
          Assemble (R, Supervisor_Options => "--trace " & Trace_Path);
@@ -297,68 +257,30 @@ package body Trace_Tests is
    end Nothing_Happened;
 
    procedure Unusable_Files is
-
-      function Comes
-        (S : Supervisors.Supervisor; Text : String) return Boolean;
-      --  On its console, perhaps a moment after its end
-
-      function Comes
-        (S : Supervisors.Supervisor; Text : String) return Boolean
-      is
-         Limit : constant Instant := Now + 2.0;
-      begin
-         while Index (S.Log_Text & S.Output_Text, Text) = 0 loop
-            if Now > Limit then
-               return False;
-            end if;
-            delay 0.01;
-         end loop;
-         return True;
-      end Comes;
-
-      procedure Refuse (Path, Reason : String);
-      --  At the start, and by --check, which looks at the camera, too: it
-      --  takes its time
+      Path : constant String := Trace_Path & ".new";
 
       procedure Refuse (Path, Reason : String) is
-
-         procedure Run (Options, Said : String);
-
-         procedure Run (Options, Said : String) is
-            S : Supervisors.Supervisor;
-         begin
-            S.Run (Options & "--port 0 --trace " & Path);
-            Check (S.Exit_Status (Within => 15.0) = 1, "taken: " & Path);
-            Check
-              (Comes (S, Said & " " & Path & ": " & Reason),
-               "not said why: " & S.Log_Text & S.Output_Text);
-            Check
-              (Index (S.Log_Text, "listening on") = 0, "it listens: " & Path);
-         end Run;
-
       begin
-         Run ("", "destijl: cannot use the trace file");
-         Run ("--check ", "not ok  trace file");
+         Expect_Console
+           ("--port 0 --trace " & Path, 1,
+            "destijl: cannot use the trace file " & Path & ": " & Reason);
+         Expect_Console
+           ("--check --port 0 --trace " & Path, 1,
+            "not ok  trace file " & Path & ": " & Reason);
       end Refuse;
 
-      S : Supervisors.Supervisor;
    begin
       Refuse (Programs.Temporary_Folder & "/none/trace", "No such file");
       Refuse (Programs.Temporary_Folder, "Is a directory");
       Refuse ("/dev/stdout", "Illegal seek");  --  a pipe, here
-      S.Run ("--check --port 0 --trace " & Trace_Path & ".new");
-      Check (S.Exit_Status (Within => 15.0) in 0 | 1, "--check");
+      Expect_Console
+        ("--check --port 0 --camera /no/such --trace " & Path, 1,
+         "ok      trace file " & Path);
       Check
-        (Comes (S, "ok      trace file " & Trace_Path),
-         "a good trace file is not reported: " & S.Output_Text);
-      Check
-        (not Ada.Directories.Exists (Trace_Path & ".new"),
-         "--check has left its file");
+        (not Ada.Directories.Exists (Path), "--check has left its file");
    end Unusable_Files;
 
    procedure Full_Disk is
-
-      procedure Fill (Path, Launcher, Reason : String);
 
       procedure Fill (Path, Launcher, Reason : String) is
          R : Rig;
@@ -381,13 +303,13 @@ package body Trace_Tests is
       Fill (Trace_Path, "prlimit --fsize=4096", "File too large");
    end Full_Disk;
 
-   procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
+   procedure Register is
    begin
-      Add (Suite, "Trace_Whole_Session", Whole_Session'Access);
-      Add (Suite, "Trace_After_A_Failure", After_A_Failure'Access);
-      Add (Suite, "Trace_Nothing_Happened", Nothing_Happened'Access);
-      Add (Suite, "Trace_Unusable_Files", Unusable_Files'Access);
-      Add (Suite, "Trace_Full_Disk", Full_Disk'Access);
-   end Add_To;
+      Add ("Trace_Whole_Session", Whole_Session'Access);
+      Add ("Trace_After_A_Failure", After_A_Failure'Access);
+      Add ("Trace_Nothing_Happened", Nothing_Happened'Access);
+      Add ("Trace_Unusable_Files", Unusable_Files'Access);
+      Add ("Trace_Full_Disk", Full_Disk'Access);
+   end Register;
 
 end Trace_Tests;

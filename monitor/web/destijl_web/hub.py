@@ -65,13 +65,19 @@ _log = logging.getLogger(__name__)
 
 class Hub:
     def __init__(
-        self, host: str, port: int, token: str | None, record: Path | None
+        self,
+        host: str,
+        port: int,
+        token: str | None,
+        record: Path | None,
+        record_limit: int,
     ) -> None:
         self.state = State()
         self.viewers: dict[int, Viewer] = {}
         self.fan_out = FanOut()
         self.link = Link(host, port, token, self)
         self._record = record
+        self._record_limit = record_limit
         self._recording: Recording | None = None
         self._loop = asyncio.get_running_loop()
         self._last_number = 0
@@ -121,6 +127,8 @@ class Hub:
         if self.viewers.pop(viewer.number, None) is None:
             return
         self._forget_wish(viewer)
+        if self.state["offered"] == viewer.number:
+            self.state.set(offered=None)
         if self.state["driver"] == viewer.number:
             self._free_wheel("wheel_lost", viewer)
         self._tell_viewers()
@@ -279,6 +287,14 @@ class Hub:
             ):
                 self.state.set(asking=[*self.state["asking"], viewer.number])
                 self._tell("wheel_asked", name=viewer.name)
+            elif wish.what == "take" and self.state["offered"] == viewer.number:
+                self._hand_over(driver, viewer)
+        elif wish.what == "withdraw":
+            self._forget_wish(viewer)
+            if driver is viewer or self.state["offered"] == viewer.number:
+                self.state.set(offered=None)
+                if driver is not viewer:
+                    self._tell("wheel_unwanted", name=viewer.name)
         elif wish.what == "seize":
             if viewer.role == "teacher" and driver is not None and driver is not viewer:
                 self._stop()
@@ -292,26 +308,33 @@ class Hub:
             other = self.viewers.get(wish.to or 0)
             if wish.what == "release":
                 self._free_wheel("wheel_released", viewer)
+            elif wish.what == "offer":
+                if other is not None and other is not viewer:
+                    self.state.set(offered=other.number)
+                    self._tell(
+                        "wheel_offered", **{"from": viewer.name, "name": other.name}
+                    )
             elif other is not None and other.number in self.state["asking"]:
                 if wish.what == "give":
-                    self._stop()
-                    self._give_wheel(other)
-                    self._tell(
-                        "wheel_given", **{"from": viewer.name, "name": other.name}
-                    )
+                    self._hand_over(viewer, other)
                 else:
                     self._forget_wish(other)
                     self._tell("wheel_declined", name=other.name)
+
+    def _hand_over(self, driver: Viewer, viewer: Viewer) -> None:
+        self._stop()
+        self._give_wheel(viewer)
+        self._tell("wheel_given", **{"from": driver.name, "name": viewer.name})
 
     def _give_wheel(self, viewer: Viewer) -> None:
         self._stopped_silent = False
         viewer.pinged_at = self._loop.time()
         self._forget_wish(viewer)
-        self.state.set(driver=viewer.number)
+        self.state.set(driver=viewer.number, offered=None)
 
     def _free_wheel(self, code: str, viewer: Viewer) -> None:
         self._stop()
-        self.state.set(driver=None)
+        self.state.set(driver=None, offered=None)
         self._tell(
             code, "info" if code == "wheel_released" else "warning", name=viewer.name
         )
@@ -475,14 +498,16 @@ class Hub:
     def _take_text(self, text: str) -> None:
         if text.startswith(_NOT_RUNNING):
             self.state.robot_stopped_running()
+            self._tell("robot_not_running", "error")
         elif text.startswith(_CAMERA_CLOSED):
-            self.state.camera_closed()
+            self.state.camera_closed(failed=True)
             self._forget_image()
+            self._tell("camera_failed", "error")
         elif text.startswith(_NO_MISSION):
             reason = text.removeprefix(_NO_MISSION)
             self._tell("mission_refused", "warning", reason=reason)
-            return
-        self._tell("message", "warning", text=text)
+        else:
+            self._tell("message", "warning", text=text)
 
     #  To all viewers
 
@@ -527,7 +552,9 @@ class Hub:
     def _begin_recording(self) -> None:
         if self._record is None:
             return
-        self._recording = Recording(self._record, self._recording_failed)
+        self._recording = Recording(
+            self._record, self._record_limit, self._recording_failed
+        )
         self.state.set(recording=self._recording.name)
         self._note("state", **self.state.all())
 

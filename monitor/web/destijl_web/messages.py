@@ -121,9 +121,9 @@ def _is_coordinate(value: Any) -> bool:
 
 def _wheel(data: dict[str, Any]) -> Wheel:
     what = data.get("do")
-    if what in ("give", "decline"):
+    if what in ("give", "decline", "offer"):
         return Wheel(what, _integer(data, "to", LARGEST))
-    if what in ("take", "ask", "release", "seize"):
+    if what in ("take", "ask", "release", "seize", "withdraw"):
         return Wheel(what, None)
     raise Malformed("unknown wish for the wheel")
 

@@ -23,6 +23,8 @@ Shows the arena in browsers and lets one of them drive the robot.
                           to the supervisor
   --viewers-token FILE    the token of all others
   --record FOLDER         record every session in a new folder of FOLDER
+  --record-limit MB       of all recordings in FOLDER (10000): above it,
+                          the oldest without a name are deleted
   --origin URL            a further address under which browsers reach
                           it, as https://robot.example; up to 8 times
   --version, --help
@@ -55,6 +57,7 @@ class Options:
     token: str | None = None
     viewers_token: str | None = None
     record: Path | None = None
+    record_limit: int = 10_000 * 10**6
     origins: tuple[str, ...] = ()
 
 
@@ -140,6 +143,12 @@ def _take_record(values: Options, given: str) -> None:
         raise Usage(f'bad value of --record: "{given}" is not a folder')
 
 
+def _take_record_limit(values: Options, given: str) -> None:
+    if re.fullmatch("[1-9][0-9]{0,8}", given) is None:
+        raise Usage(f'bad value of --record-limit: "{given}" is not a number of MB')
+    values.record_limit = int(given) * 10**6
+
+
 def _take_origin(values: Options, given: str) -> None:
     if len(values.origins) == MAX_ORIGINS:
         raise Usage(f"--origin: no more than {MAX_ORIGINS} times")
@@ -159,6 +168,7 @@ _TAKERS = {
     "--token": _take_token,
     "--viewers-token": _take_viewers_token,
     "--record": _take_record,
+    "--record-limit": _take_record_limit,
     "--origin": _take_origin,
 }
 

@@ -11,6 +11,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from .recordings import make_room
+
 MAX_WAITING = 64 * 2**20
 #  Bytes waiting for the disk; above, the recording fails
 
@@ -26,12 +28,14 @@ _Item = tuple[dict[str, Any], bytes | None]
 
 class Recording:
     def __init__(
-        self, folder: Path, failed: Callable[["Recording", str], None]
+        self, folder: Path, limit: int, failed: Callable[["Recording", str], None]
     ) -> None:
-        """Failed is called in the thread, once at most."""
+        """Limit: bytes of all recordings in the folder. Failed is called in the
+        thread, once at most."""
         self._begun = time.monotonic()
         self.name = _new_name()
         self._folder = folder / self.name
+        self._limit = limit
         self._failed = failed
         self._queue: queue.SimpleQueue[_Item | None] = queue.SimpleQueue()
         self._waiting = 0
@@ -79,33 +83,31 @@ class Recording:
     def _write(self) -> None:
         self._folder.mkdir()
         offset = 0
-        flushed = time.monotonic()
         with (
             open(self._folder / "events.jsonl", "x", encoding="utf-8") as lines,
             open(self._folder / "images.mjpeg", "xb") as images,
         ):
-            while True:
-                try:
-                    item = self._queue.get(timeout=FLUSH_PERIOD)
-                except queue.Empty:
-                    images.flush()
-                    lines.flush()
-                    continue
-                if item is None:
-                    return
-                fields, image = item
-                if image is not None:
-                    images.write(image)
-                    fields |= {"offset": offset, "length": len(image)}
-                    offset += len(image)
-                lines.write(json.dumps(fields, separators=(",", ":")) + "\n")
-                with self._lock:
-                    self._waiting -= _PER_LINE + (len(image) if image else 0)
-                if time.monotonic() - flushed > FLUSH_PERIOD:
-                    #  images first: a line refers to stored images
-                    images.flush()
-                    lines.flush()
-                    flushed = time.monotonic()
+            while make_room(self._folder, self._limit):
+                end = time.monotonic() + FLUSH_PERIOD
+                while (left := end - time.monotonic()) > 0:
+                    try:
+                        item = self._queue.get(timeout=left)
+                    except queue.Empty:
+                        break
+                    if item is None:
+                        return
+                    fields, image = item
+                    if image is not None:
+                        images.write(image)
+                        fields |= {"offset": offset, "length": len(image)}
+                        offset += len(image)
+                    lines.write(json.dumps(fields, separators=(",", ":")) + "\n")
+                    with self._lock:
+                        self._waiting -= _PER_LINE + (len(image) if image else 0)
+                #  images first: a line refers to stored images
+                images.flush()
+                lines.flush()
+            self._end("the limit of its folder is reached: --record-limit")
 
 
 def _new_name() -> str:

@@ -1,6 +1,7 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""Stored recordings: listed, and served."""
+"""Stored recordings: listed, served, named, deleted."""
 
+import contextlib
 import json
 import os
 import re
@@ -13,6 +14,11 @@ _NAME = re.compile(r"[0-9]{8}T[0-9]{6}\.[0-9]{3}Z")
 
 _TAIL = 65536
 #  Bytes at the end in which the last complete line is searched
+
+_TITLE = "title.txt"
+_FILES = ("events.jsonl", "images.mjpeg", _TITLE)
+MAX_TITLE = 60
+#  Characters
 
 _PIECE = 2**20
 _IMAGE = b'"type":"image"'
@@ -35,20 +41,37 @@ class Recordings:
         for entry in os.scandir(self._folder):
             if _NAME.fullmatch(entry.name) and entry.is_dir(follow_symlinks=False):
                 try:
-                    found.append(self._summary(entry.name))
+                    title = {"title": _title(Path(entry))}
+                    found.append(self._summary(entry.name) | title)
                 except OSError:
                     continue
         return sorted(found, key=lambda one: str(one["name"]), reverse=True)
 
     def file(self, name: str, which: str) -> Path | None:
         """The file events.jsonl or images.mjpeg."""
-        if _NAME.fullmatch(name) is None:
-            return None
+        folder = self._kept(name)
+        path = folder / which if folder else None
+        return path if path and path.is_file() and not path.is_symlink() else None
+
+    def entitle(self, name: str, title: str) -> bool:
+        """False: there is no such recording."""
+        folder = self._kept(name)
+        if folder is None or (folder / _TITLE).is_symlink():
+            return False
+        (folder / _TITLE).write_text(title, encoding="utf-8")
+        return True
+
+    def delete(self, name: str) -> bool:
+        """False: there is no such recording."""
+        folder = self._kept(name)
+        if folder is not None:
+            _delete(folder)
+        return folder is not None
+
+    def _kept(self, name: str) -> Path | None:
         folder = self._folder / name
-        path = folder / which
-        if folder.is_symlink() or path.is_symlink() or not path.is_file():
-            return None
-        return path
+        is_kept = _NAME.fullmatch(name) and folder.is_dir() and not folder.is_symlink()
+        return folder if is_kept else None
 
     def _summary(self, name: str) -> dict[str, Any]:
         events = self._folder / name / "events.jsonl"
@@ -69,6 +92,47 @@ class Recordings:
             )
             self._known[name] = known
         return known[1]
+
+
+def make_room(writing: Path, limit: int) -> bool:
+    """Deletes the oldest recordings without a title beside the one that is being
+    written, until all are limit bytes at most. False: they are still more."""
+    others = sorted(
+        path
+        for path in writing.parent.iterdir()
+        if _NAME.fullmatch(path.name) and not path.is_symlink() and path.is_dir()
+    )
+    total = sum(map(_bytes, others))
+    for path in others:
+        if total <= limit:
+            break
+        if path != writing and not _title(path):
+            total -= _bytes(path)
+            _delete(path)
+    return total <= limit
+
+
+def _bytes(folder: Path) -> int:
+    total = 0
+    for name in _FILES:
+        with contextlib.suppress(OSError):
+            total += (folder / name).stat().st_size
+    return total
+
+
+def _title(folder: Path) -> str:
+    path = folder / _TITLE
+    if path.is_symlink() or not path.is_file():
+        return ""
+    text = path.read_bytes()[: 4 * MAX_TITLE].decode("utf-8", "replace").strip()
+    return text if text.isprintable() else ""
+
+
+def _delete(folder: Path) -> None:
+    for name in _FILES:
+        (folder / name).unlink(missing_ok=True)
+    with contextlib.suppress(OSError):  # somebody's own file is in it
+        folder.rmdir()
 
 
 def csv_pieces(events: Path) -> Iterator[str]:

@@ -21,7 +21,7 @@ from .hub import MAX_VIEWERS, Hub
 from .logins import Logins
 from .options import Options, is_loopback
 from .origins import Origins, address_to_open
-from .recordings import Recordings, csv_pieces
+from .recordings import MAX_TITLE, Recordings, csv_pieces
 from .viewer import Viewer
 
 PAGE = Path(__file__).resolve().parent.parent / "page"
@@ -115,6 +115,7 @@ class Service:
             options.supervisor_port,
             options.token,
             options.record,
+            options.record_limit,
         )
         self.port = 0
         self.address = ""
@@ -199,6 +200,8 @@ class _Gateway:
                 web.post("/login", self._login),
                 web.get("/ws", self._socket),
                 web.get("/recordings", self._list),
+                web.delete("/recordings/{name}", self._delete),
+                web.put("/recordings/{name}/title", self._entitle),
                 web.get("/recordings/{name}/positions.csv", self._positions),
                 web.get(
                     "/recordings/{name}/{file:events\\.jsonl|images\\.mjpeg}",
@@ -392,6 +395,34 @@ class _Gateway:
         if self._recordings is None:
             raise web.HTTPNotFound(text="nothing is recorded: see --record\n")
         return self._recordings
+
+    def _changed(self, request: web.Request) -> Recordings:
+        """By a page of our own, and who may take the wheel."""
+        if not self._is_own(request):
+            raise web.HTTPForbidden(text="this page is not destijl_web's\n")
+        kept = self._kept(request)
+        if self._role(request) == "viewer":
+            raise web.HTTPForbidden(text="this is for the teacher\n")
+        return kept
+
+    async def _delete(self, request: web.Request) -> web.StreamResponse:
+        kept = self._changed(request)
+        name = request.match_info["name"]
+        if name == self._hub.state["recording"]:
+            raise web.HTTPConflict(text="it is being written\n")
+        if not await asyncio.to_thread(kept.delete, name):
+            raise web.HTTPNotFound(text="no such recording\n")
+        return web.Response(status=204)
+
+    async def _entitle(self, request: web.Request) -> web.StreamResponse:
+        kept = self._changed(request)
+        title = (await request.text()).strip()
+        if len(title) > MAX_TITLE or not title.isprintable():
+            raise web.HTTPBadRequest(text="not a name\n")
+        name = request.match_info["name"]
+        if not await asyncio.to_thread(kept.entitle, name, title):
+            raise web.HTTPNotFound(text="no such recording\n")
+        return web.Response(status=204)
 
     async def _list(self, request: web.Request) -> web.StreamResponse:
         kept = self._kept(request)

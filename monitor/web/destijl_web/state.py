@@ -12,12 +12,17 @@ _NEW_SESSION: Fields = {
     "robot": "closed",
     "watchdog": False,
     "camera": False,
+    "camera_failed": False,
     "positions": False,
     "arena": "none",
     "battery": -1,
     "mission": None,
 }
 #  The state at the beginning of a session with the supervisor
+
+
+_ASKING = ("RSOW", "RSWW", "RRST", "RPIN", "RGBT", "RGST")
+#  Whoever does not answer these may be switched off
 
 
 class State:
@@ -27,6 +32,7 @@ class State:
             **_NEW_SESSION,
             "driver": None,
             "asking": [],
+            "offered": None,
             "viewers": [],
             "recording": None,
         }
@@ -56,6 +62,11 @@ class State:
     def answered(self, label: str, answer: str) -> None:
         """A command was answered, or sent if it has no answer."""
         done = answer == "AACK"
+        if self["robot"] in ("open", "off") and label in _ASKING:
+            if answer == "ATIM":
+                self.set(robot="off")
+            elif answer != "ANAK":
+                self.set(robot="open")
         if label == "ROPN":
             if done and self["robot"] in ("closed", "lost"):
                 self.set(robot="open", watchdog=False)
@@ -65,13 +76,17 @@ class State:
         elif label in ("RSOW", "RSWW"):
             if done:
                 self.set(robot="started", watchdog=label == "RSWW")
-        elif label in ("RRST", "RPOF"):
+        elif label == "RRST":
             #  a reset is refused only if the robot is not running
-            if done or (label == "RRST" and answer == "ACRJ"):
+            if answer in ("AACK", "ACRJ"):
                 self.set(robot="open", watchdog=False)
+        elif label == "RPOF":
+            if done:
+                self.set(robot="off", watchdog=False)
         elif label == "COPN":
             if done and not self["camera"]:
-                self.set(camera=True, positions=False, arena="none")
+                self.camera_closed()
+                self.set(camera=True)
         elif label == "CCLS":
             if done:
                 self.camera_closed()
@@ -103,8 +118,8 @@ class State:
     def mission_ended(self) -> None:
         self.set(mission=None)
 
-    def camera_closed(self) -> None:
-        self.set(camera=False, positions=False, arena="none")
+    def camera_closed(self, failed: bool = False) -> None:
+        self.set(camera=False, camera_failed=failed, positions=False, arena="none")
 
     def robot_lost(self) -> None:
         self.set(robot="lost", watchdog=False)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Driving and stopping: keys, the pad, and all events that end a movement. A
+// Driving and stopping: keys, the pad, gamepads, and all events that end a movement. A
 // held key or button drives; when the last one is released the robot stops.
 
 const KEYS = {
@@ -12,25 +12,39 @@ const STEPS = {
   RGFW: ["RMOV", 50], RGBW: ["RMOV", -50], RGLF: ["RTRN", 15], RGRI: ["RTRN", -15],
 };
 
+// Of a gamepad: the buttons of its cross, and how far its stick is to be moved
+const CROSS = { 12: "RGFW", 13: "RGBW", 14: "RGLF", 15: "RGRI" };
+const STICK = 0.5;
+
+function gamepadOrder({ axes: [x = 0, y = 0], buttons }) {
+  const pressed = Object.keys(CROSS).find((n) => buttons[n]?.pressed);
+  if (pressed) return CROSS[pressed];
+  if (Math.max(Math.abs(x), Math.abs(y)) < STICK) return "";
+  if (Math.abs(y) >= Math.abs(x)) return y < 0 ? "RGFW" : "RGBW";
+  return x < 0 ? "RGLF" : "RGRI";
+}
+
 const TEXT = new Set(["text", "search", "password", "email", "url", "tel"]);
 
-const writes = (element) => element?.tagName === "TEXTAREA" ||
+export const writes = (element) => element?.tagName === "TEXTAREA" ||
   element?.isContentEditable ||
   (element?.tagName === "INPUT" && TEXT.has(element.type));
 
 // Elements that use arrows and letters themselves
-const takesKeys = (element) => writes(element) ||
+export const takesKeys = (element) => writes(element) ||
   element?.tagName === "SELECT" ||
   (element?.tagName === "INPUT" && ["number", "range"].includes(element.type));
 
 export class Driving {
-  // page: order (label, value, quiet), mayDrive (), whyNot (), hint (), stopped ()
+  // page: order (label, value, quiet), mayDrive (), whyNot (), hint (),
+  // mission (), stopped ()
   constructor(page) {
     this.page = page;
     this.letters = true;           // they drive as the arrows do
     this.held = new Map();         // what is held: its order, the oldest first
     this.moving = false;           // a movement was ordered and no stop since
     this.refused = false;          // the last movement was
+    this.gamepad = { order: "", stops: false };
   }
 
   get current() { return [...this.held.values()].pop() ?? ""; }
@@ -97,6 +111,10 @@ export class Driving {
   listen() {
     addEventListener("keydown", (event) => this.keyDown(event), true);
     addEventListener("keyup", (event) => this.keyUp(event), true);
+    addEventListener("gamepadconnected", () => {
+      cancelAnimationFrame(this.looking);
+      this.lookAtGamepads();
+    });
     for (const button of document.querySelectorAll("[data-order]"))
       this.listenToPad(button);
   }
@@ -104,7 +122,12 @@ export class Driving {
   keyDown(event) {
     if (event.isComposing) return;
     if (event.code === "Space" || event.key === " ") {
-      if (writes(event.target)) return;
+      // A blank of a text is written, too, and stops only the writer's own robot
+      if (writes(event.target)) {
+        if (!event.repeat && this.page.mayDrive() && (this.moving || this.page.mission()))
+          this.page.stopped();
+        return;
+      }
       event.preventDefault();
       event.stopPropagation();
       if (!event.repeat) this.page.stopped();
@@ -130,6 +153,19 @@ export class Driving {
     }
     event.preventDefault();
     if (!event.repeat) this.press("key " + event.code, label);
+  }
+
+  // No event tells what is pressed. Only changes count, as with keys
+  lookAtGamepads() {
+    const there = navigator.getGamepads().filter(Boolean);
+    const order = there.map(gamepadOrder).find(Boolean) ?? "";
+    const stops = there.some(({ buttons }) => buttons.slice(0, 12).some((one) => one.pressed));
+    const before = this.gamepad;
+    this.gamepad = { order, stops };
+    if (stops && !before.stops) this.page.stopped();
+    else if (order && order !== before.order) this.press("gamepad", order);
+    else if (!order) this.release("gamepad");
+    if (there.length > 0) this.looking = requestAnimationFrame(() => this.lookAtGamepads());
   }
 
   keyUp(event) {

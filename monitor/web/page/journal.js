@@ -12,9 +12,12 @@ const list = document.getElementById("log");
 const entries = [];
 let said;
 
-const URGENT = new Set(["supervisor_lost", "supervisor_refused", "robot_lost",
-  "wheel_lost", "wheel_seized", "stopped_by", "stopped_silent", "camera_silent",
-  "recording_failed", "mission_refused", "mission_aborted"]);
+const URGENT = new Set(["supervisor_lost", "supervisor_refused", "robot_not_running",
+  "wheel_lost", "wheel_seized", "stopped_by", "stopped_silent",
+  "recording_failed", "mission_refused"]);
+
+// Shown otherwise, as long as it is so
+const STANDING = new Set(["robot_lost", "camera_silent", "camera_failed", "mission_aborted"]);
 
 // Orders that are routine once done
 const QUIET = new Set(["RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN",
@@ -48,7 +51,7 @@ export function remedy(label, answer) {
 export const refusal = (label, answer) =>
   `${answerWords(answer, label)}. ${remedy(label, answer)}`.trim();
 
-function words({ code, args = {} }) {
+export function words({ code, args = {} }) {
   if (code === "order") {
     const done = succeeded(args.answer);
     const sentence = t(typeof args.ms === "number" ? "ev_order_ms" : "ev_order", {
@@ -120,8 +123,8 @@ export function happened(event, me, mine) {
   if (event.code === "order") {
     if (mine || (succeeded(event.args.answer) && QUIET.has(event.args.label))) return;
     news(() => words(event));
-  } else if (event.code === "mission_aborted" && event.level === "info") {
-    if (!mine) news(() => words(event));
+  } else if (STANDING.has(event.code)) {
+    // Not said in passing
   } else if (["wheel_lost", "stopped_silent"].includes(event.code) && event.args.name === me) {
     alarm(() => t("wheel_lost_you"));
   } else if (event.level === "error" || URGENT.has(event.code)) {

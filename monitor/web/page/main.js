@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page: shows the gateway's messages, sends the user's orders.
 
-import { Driving } from "./driving.js";
+import { Driving, writes } from "./driving.js";
 import * as journal from "./journal.js";
 import { Link } from "./link.js";
 import { Missions, readPoints } from "./missions.js";
@@ -24,12 +24,12 @@ const LOGIN_AFTER = 3;             // failures; then the token may be the reason
 const ROBOT_ORDERS = ["RSWW", "RSOW", "RRST", "ROPN", "RCLS", "RPIN", "RGST", "RGBT", "RPOF"];
 const CAMERA_ORDERS = ["COPN", "CCLS", "CPCO", "CPST", "CASA", "CACO", "CAIN"];
 const DRIVING = new Set(["RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN"]);
-const LEVEL = { closed: "off", open: "warn", started: "ok", lost: "bad",
+const LEVEL = { closed: "off", open: "warn", started: "ok", off: "bad", lost: "bad",
   connecting: "warn", connected: "ok", refused: "bad" };
 
 const state = {
   supervisor: "connecting", robot: "closed", watchdog: false, camera: false,
-  positions: false, arena: "none", battery: -1, driver: null, asking: [],
+  positions: false, arena: "none", battery: -1, driver: null, asking: [], offered: null,
   viewers: [], recording: null, mission: null,
 };
 let me = null;
@@ -39,9 +39,12 @@ let welcomedAt = 0;
 let wheelBack = false;             // ours before the connection went: wanted back
 let searching = false;
 let lastImage = 0;
+let aborted;                       // the event of the last mission's end
 const imageTimes = [];
 
 const mine = () => me !== null && state.driver === me;
+// Whether this page has asked for the wheel, and may take it now
+const waitingFor = () => state.driver === null && state.asking.includes(me);
 const viewer = (id) => state.viewers.find((one) => one.id === id);
 const nameOf = (id) => viewer(id)?.name ?? "?";
 
@@ -80,6 +83,7 @@ function takeBack() {
 
 async function order(label, value) {
   if (label === "CASA") searching = true;
+  if (DRIVING.has(label)) missions.withdraw();
   const result = await link.order(label, value);
   if (label === "CASA") {
     searching = false;
@@ -95,11 +99,15 @@ async function order(label, value) {
 // An order of the user: reports a refusal, with advice, unless quiet applies
 async function wish(label, value, quiet = () => false) {
   const result = await order(label, value);
-  const { answer } = result;
   // The loss of the connection has been reported
-  if (answer === "LOST" || (quiet() && answer !== "ATIM")) return result;
+  if (result.answer !== "LOST" && (!quiet() || result.answer === "ATIM"))
+    report(label, value, result.answer);
+  return result;
+}
+
+function report(label, value, answer) {
   // Why a mission is not possible comes as an event
-  if (answer === "ANAK" && Array.isArray(value)) return result;
+  if (answer === "ANAK" && Array.isArray(value)) return;
   if (!journal.succeeded(answer))
     journal.alarm(() => t("order_answer", {
       order: journal.orderWords(label, value), answer: journal.refusal(label, answer),
@@ -108,7 +116,6 @@ async function wish(label, value, quiet = () => false) {
     journal.news(() => t("order_answer", {
       order: journal.orderWords(label, value), answer: journal.answerWords(answer, label),
     }));
-  return result;
 }
 
 function whyNot() {
@@ -129,7 +136,10 @@ function hint() {
   whyNot();
 }
 
-const driving = new Driving({ order: wish, mayDrive: () => link.usable && mine(), whyNot, hint, stopped });
+const driving = new Driving({
+  order: wish, mayDrive: () => link.usable && mine(), whyNot, hint,
+  mission: () => state.mission !== null, stopped,
+});
 
 // The user wants to stop the robot: whoever drives, in any state
 async function stopped() {
@@ -197,10 +207,13 @@ function receive(message) {
       break;
     case "event":
       // Another viewer has stopped the robot: the driver must press again
-      if (message.code === "stopped_by" && mine()) driving.letGo();
-      journal.happened(message, nameOf(me),
-        ["order", "mission_aborted"].includes(message.code) && mine() ||
-        message.code === "stopped_by" && mine() && message.args.name === nameOf(me));
+      if (message.code === "stopped_by" && mine()) {
+        driving.letGo();
+        missions.withdraw();
+      }
+      journal.happened(message, nameOf(me), mine() && (message.code === "order" ||
+        message.code === "stopped_by" && message.args.name === nameOf(me)));
+      takeEnd(message);
       if (message.code === "order" && !mine() && DRIVING.has(message.args.label) &&
           message.args.answer === "AACK") {
         latency.add(message.args.ms);
@@ -210,7 +223,16 @@ function receive(message) {
   }
 }
 
+// A mission's end is of interest until another begins, or somebody drives
+function takeEnd(event) {
+  const { label, answer } = event.args;
+  if (event.code === "mission_aborted" && !missions.wanted) aborted = event;
+  else if (DRIVING.has(label) && label !== "RSTP" && answer === "AACK") aborted = undefined;
+  showAlarms();
+}
+
 function welcome(message) {
+  aborted = undefined;
   me = message.you;
   role = message.role;
   recorded = message.recordings;
@@ -239,6 +261,9 @@ function takeState({ type, ...fields }) {
     driving.moving = false;
     remembered.set(false);
   }
+  if (before.driver !== me && mine()) journal.news(() => t("wheel_now"));
+  if (before.driver !== null && waitingFor()) journal.alarm(() => t("wheel_free"));
+  if (!before.mission && state.mission || state.robot === "closed") aborted = undefined;
   if (!state.positions || !state.camera) picture.clear();
   changed();
 }
@@ -258,7 +283,8 @@ function changed() {
 
 const picture = new Picture(at("picture"), at("overlay"));
 const missions = new Missions(picture, {
-  order: wish,
+  order,
+  report,
   mayDrive: () => link.usable && mine(),
   whyNot,
   say: (key) => journal.alarm(() => t(key)),
@@ -460,10 +486,20 @@ function giveButton(id) {
   return made;
 }
 
+// Pressed again, the offer is withdrawn
+function offerButton(id) {
+  const offered = state.offered === id;
+  const made = smallButton(t("wheel_offer"), t("wheel_offer_label", { name: nameOf(id) }),
+    "offer " + id, () => offered ? wheel("withdraw") : wheel("offer", id));
+  made.setAttribute("aria-pressed", String(offered));
+  made.dataset.offer = id;
+  return made;
+}
+
 let listed;                        // what the lists were made of
 
 function showPeople() {
-  const made = JSON.stringify([state.viewers, state.asking, state.driver, me, root.lang]);
+  const made = JSON.stringify([state.viewers, state.asking, state.offered, state.driver, me, root.lang]);
   if (made === listed) return;
   listed = made;
   at("people-count").textContent = t("people_count", { n: state.viewers.length });
@@ -482,21 +518,36 @@ function showPeople() {
       tag.textContent = t(word);
       item.append(" ", tag);
     }
+    if (mine() && id !== me && !state.asking.includes(id)) item.append(offerButton(id));
     return item;
   }));
-  const drives = mine();
-  at("asking").hidden = !drives || state.asking.length === 0;
-  fill(at("asking"), !drives ? [] : state.asking.map((id) => {
-    const item = document.createElement("li");
-    item.dataset.viewer = id;
-    const who = document.createElement("span");
-    who.textContent = t("wheel_asks", { name: nameOf(id) });
+  const questions = mine() ? state.asking.map((id) => {
     const decline = smallButton(t("wheel_decline"), t("wheel_decline_label", { name: nameOf(id) }),
       "decline " + id, () => wheel("decline", id));
     decline.dataset.decline = id;
-    item.append(who, giveButton(id), decline);
-    return item;
-  }));
+    return question(id, t("wheel_asks", { name: nameOf(id) }), giveButton(id), decline);
+  }) : [];
+  if (state.offered === me && me !== null) questions.push(offer());
+  at("asking").hidden = questions.length === 0;
+  fill(at("asking"), questions);
+}
+
+function question(id, text, ...buttons) {
+  const item = document.createElement("li");
+  item.dataset.viewer = id;
+  const words = document.createElement("span");
+  words.textContent = text;
+  item.append(words, ...buttons);
+  return item;
+}
+
+// To this page, by who drives
+function offer() {
+  const take = smallButton(t("wheel_take"), t("wheel_take"), "take", () => wheel("take"));
+  take.dataset.take = "";
+  const decline = smallButton(t("wheel_decline"), t("wheel_decline"), "unwanted", () => wheel("withdraw"));
+  decline.dataset.decline = "";
+  return question(state.driver, t("wheel_offers", { name: nameOf(state.driver) }), take, decline);
 }
 
 function showWheel() {
@@ -509,7 +560,8 @@ function showWheel() {
     : t("wheel_other", { name: nameOf(state.driver) }));
   const wanted = {
     "wheel-take": there && free,
-    "wheel-ask": there && !free && !drives,
+    "wheel-ask": there && !free && !drives && !asked,
+    "wheel-withdraw": there && !free && !drives && asked,
     "wheel-seize": there && !free && !drives && role === "teacher",
     "wheel-release": there && drives,
   };
@@ -520,8 +572,6 @@ function showWheel() {
     const next = Object.keys(wanted).find((id) => wanted[id]);
     if (next) at(next).focus();
   }
-  write("wheel-ask", t(asked ? "wheel_asked" : "wheel_ask"));
-  usable(at("wheel-ask"), !asked);
 }
 
 function showStart() {
@@ -534,12 +584,43 @@ function showStart() {
   at("start").classList.toggle("running", all && !starter.running);
 }
 
+// What is wrong now, and what to do
+function showAlarms() {
+  const { robot } = state;
+  const now = !link.usable ? [] : [
+    ["robot_lost", robot === "lost"], ["robot_off", robot === "off"],
+    ["camera", state.camera_failed], ["mission", aborted],
+    ...[0, 1].map((level) => ["battery_" + level,
+      state.battery === level && ["open", "started"].includes(robot)]),
+  ].filter(([, is]) => is).map(([key]) =>
+    [key, key === "mission" ? journal.words(aborted) : t("alarm_" + key)]);
+  const made = JSON.stringify(now);
+  if (made === at("alarms").dataset.made) return;
+  at("alarms").dataset.made = made;
+  at("alarms").hidden = now.length === 0;
+  at("alarms").replaceChildren(...now.map(([key, text]) => {
+    const line = document.createElement("p");
+    line.dataset.alarm = key;
+    line.textContent = text;
+    return line;
+  }));
+}
+
+// The way to the first mission
+function showNext(drives) {
+  const step = !drives || state.robot !== "started" || !state.camera || state.mission ? ""
+    : state.arena !== "confirmed" ? "next_" + state.arena
+    : missions.path ? "next_path" : "next_confirmed";
+  at("next").hidden = step === "";
+  write("next", step && t(step));
+}
+
 function show() {
   const drives = link.usable && mine();
   root.dataset.robot = state.robot;
   root.dataset.arena = state.arena;
   for (const key of ["watchdog", "camera", "positions"]) root.dataset[key] = String(state[key]);
-  document.title = (mine() ? t("wheel_you") + " · " : "") + t("title");
+  document.title = (mine() ? t("wheel_you") + " · " : waitingFor() ? t("wheel_free") + " · " : "") + t("title");
   showWheel();
   showStart();
   showPeople();
@@ -562,7 +643,9 @@ function show() {
   tileImages();
   describePicture();
   showPictureNote();
-  recordings.set(recorded, state.recording);
+  showAlarms();
+  showNext(drives);
+  recordings.set(recorded, state.recording, role !== "viewer");
 }
 
 // ----------------------------------------------------------------- controls
@@ -613,9 +696,27 @@ function amount(form, label) {
       field.focus();
     } else {
       field.removeAttribute("aria-invalid");
+      // In the field, the arrow keys would not drive
+      at(form).focus();
       driving.order(label, Number(field.value));
     }
   });
+}
+
+function line(text, name = "") {
+  const item = document.createElement("li");
+  item.textContent = text;
+  item.className = name;
+  return item;
+}
+
+// How the typed points are read, before they are sent
+function showPoints() {
+  const { points, bad, wrong } = readPoints(at("points-value").value);
+  const cm = (value) => number(value, Number.isInteger(value) ? 0 : 1);
+  at("points-list").replaceChildren(
+    ...points.map(([x, y]) => line(t("points_place", { x: cm(x), y: cm(y) }))),
+    ...(bad ? [line(t(wrong, { bad }), "bad")] : []));
 }
 
 function makeOrders() {
@@ -654,6 +755,7 @@ function listen() {
   on("start", startAll);
   on("wheel-take", () => wheel("take"));
   on("wheel-ask", () => wheel("ask"));
+  on("wheel-withdraw", () => wheel("withdraw"));
   on("wheel-seize", () => wheel("seize"));
   on("wheel-release", () => {
     driving.letGo();
@@ -669,24 +771,32 @@ function listen() {
   amount("move", "RMOV");
   amount("turn", "RTRN");
   missions.listen();
-  on("path", () => missions.toggle());
+  on("path", () => {
+    missions.toggle();
+    show();
+  });
   at("mission-end").addEventListener("click", () => {
+    missions.withdraw();
     if (link.usable) wish("MABT");
     else stopped();
   });
   at("points-form").addEventListener("submit", (event) => {
     event.preventDefault();
-    const points = readPoints(at("points-value").value);
+    const { points, bad, wrong } = readPoints(at("points-value").value);
     if (at("points").getAttribute("aria-disabled") === "true") {
       whyNot();
-    } else if (points === undefined) {
+    } else if (wrong) {
       at("points-value").setAttribute("aria-invalid", "true");
-      journal.alarm(() => t("points_wrong"));
+      journal.alarm(() => t(wrong, { bad }));
       at("points-value").focus();
     } else {
-      at("points-value").removeAttribute("aria-invalid");
-      wish(points.length === 1 ? "MGCM" : "MPCM", points);
+      at("points").focus();
+      missions.send(points.length === 1 ? "MGCM" : "MPCM", points);
     }
+  });
+  at("points-value").addEventListener("input", () => {
+    at("points-value").removeAttribute("aria-invalid");
+    showPoints();
   });
   const dialog = at("unguarded");
   for (const [id, label] of [["unguarded-yes", "RSOW"], ["unguarded-with", "RSWW"], ["unguarded-cancel", ""]])
@@ -694,6 +804,14 @@ function listen() {
       dialog.close();
       if (label) wish(label);
     };
+  at("projector").onclick = () => {
+    location.hash = location.hash === "#projector" ? "" : "#projector";
+  };
+  addEventListener("hashchange", showView);
+  const showHelp = () => { if (!document.querySelector("dialog[open]")) at("help").showModal(); };
+  at("help-open").onclick = showHelp;
+  at("help-close").onclick = () => at("help").close();
+  addEventListener("keydown", (event) => { if (event.key === "?" && !writes(event.target)) showHelp(); });
   const letters = at("letters");
   const setLetters = (yes) => {
     driving.letters = yes;
@@ -745,6 +863,13 @@ function leave() {
   link.ping();
 }
 
+// The picture and the state alone, for a projector
+function showView() {
+  const alone = location.hash === "#projector";
+  root.classList.toggle("projector", alone);
+  at("projector").setAttribute("aria-pressed", String(alone));
+}
+
 function everySecond() {
   if (document.hidden) return;
   if (mine() && link.usable) remembered.set(true);
@@ -761,11 +886,13 @@ onLanguage(() => {
   journal.renew();
   starter.show();
   missions.words();
+  showPoints();
   battery.draw();
   latency.draw();
   show();
 });
 listen();
+showView();
 show();
 setInterval(everySecond, 500);
 setInterval(() => { if (!document.hidden) battery.draw(); }, 10000);

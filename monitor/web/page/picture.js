@@ -8,6 +8,7 @@ const JUMP = 0.15;                 // of the width: no line is drawn so far
 const CASING = "rgb(255 255 255 / 0.9)";
 const INK = "#0b4ea2";
 const NEXT = "#ffd500";
+const BAD = "#c8102e";
 const TRAIL_INK = [255, 213, 0];
 
 export class Picture {
@@ -19,6 +20,7 @@ export class Picture {
     this.trail = true;
     this.plan = null;              // a mission, as in the gateway's state
     this.path = [];                // [x, y], not sent yet
+    this.bad = [];                 // a point that was refused
     this.density = 1;
     const watcher = new ResizeObserver(([entry]) => {
       const exact = entry.devicePixelContentBoxSize?.[0];
@@ -113,12 +115,28 @@ export class Picture {
     const plan = this.plan?.unit === "px" ? this.plan.points : [];
     overlay.dataset.plan = plan.flat().join(";");
     overlay.dataset.path = this.path.flat().join(";");
+    overlay.dataset.bad = this.bad.flat().join(";");
     if (plan.length > 0) this.drawPlan(context, place, unit);
     if (this.trail) this.drawTrail(context, place, unit);
     const { last } = this;
     if (last?.id >= 0) this.drawRobot(context, place, unit, scale, last);
     this.drawLine(context, this.path.map((point) => place(...point)), unit, true);
     this.drawPoints(context, this.path.map((point) => place(...point)), unit, 1);
+    for (const point of this.bad) this.drawCross(context, place(...point), unit);
+  }
+
+  drawCross(context, [x, y], unit) {
+    const arm = 10 * unit;
+    const cross = new Path2D();
+    for (const [dx, dy] of [[arm, arm], [arm, -arm]]) {
+      cross.moveTo(x - dx, y - dy);
+      cross.lineTo(x + dx, y + dy);
+    }
+    for (const [width, colour] of [[8, CASING], [4, BAD]]) {
+      context.lineWidth = width * unit;
+      context.strokeStyle = colour;
+      context.stroke(cross);
+    }
   }
 
   // The way that is left, from the robot on; dashed: the plan of what is done

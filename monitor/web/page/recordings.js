@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of recordings, and the replay of one: its events are loaded
+// The list of recordings, their names and deletion, and the replay of one: its events are loaded
 // completely, its images in parts of the file.
 
 import { entry } from "./journal.js";
@@ -9,6 +9,7 @@ import { day, number, onLanguage, t } from "./words.js";
 const PIECE = 1 << 20;             // bytes of images fetched at once
 const PIECES = 6;                  // kept
 const TRAIL = 15000;               // ms
+const TITLE = 60;                  // characters of a name
 const EVENTS = 6;                  // said below the picture
 
 const at = (id) => document.getElementById(id);
@@ -252,11 +253,20 @@ export class Recordings {
     this.list = [];
     this.writing = null;
     at("recordings-refresh").onclick = () => this.read();
+    at("delete-no").onclick = () => at("delete").close();
+    at("delete-yes").onclick = () => {
+      at("delete").close();
+      const { name } = this.doomed;
+      if (this.replay?.name === name) this.replay.close();
+      this.change(`/recordings/${name}`, { method: "DELETE" });
+    };
     onLanguage(() => this.show());
   }
 
-  // there: the gateway records; writing: the active recording
-  set(there, writing) {
+  // there: the gateway records; writing: the active recording; may: name and
+  // delete them
+  set(there, writing, may) {
+    this.may = may;
     at("recordings").hidden = !there;
     if (there && (this.there !== there || this.writing !== writing)) this.read();
     this.there = there;
@@ -272,6 +282,16 @@ export class Recordings {
       this.failure = error.message;
     }
     this.show();
+  }
+
+  async change(url, options) {
+    try {
+      await get(url, options);
+      await this.read();
+    } catch (error) {
+      at("recordings-note").textContent = t("rec_change_failed", { reason: error.message });
+    }
+    at("recordings-refresh").focus();
   }
 
   show() {
@@ -297,15 +317,15 @@ export class Recordings {
       now.textContent = t("rec_now");
       row.firstElementChild.append(" ", now);
     }
-    const replay = document.createElement("button");
-    replay.type = "button";
-    replay.className = "small";
-    replay.textContent = t("rec_replay");
-    replay.setAttribute("aria-label", t("rec_replay_label", { begun }));
-    replay.onclick = () => {
+    if (one.title) {
+      const title = document.createElement("strong");
+      title.textContent = one.title;
+      row.firstElementChild.prepend(title, " ");
+    }
+    const replay = this.button("replay", begun, () => {
       this.replay ??= new Replay();
       this.replay.open(one);
-    };
+    });
     const positions = document.createElement("a");
     positions.href = address(one.name, "positions.csv");
     positions.download = one.name + ".csv";
@@ -314,7 +334,42 @@ export class Recordings {
     const cell = document.createElement("td");
     cell.className = "actions";
     cell.append(replay, positions);
+    if (this.may) cell.append(this.button("name", begun, () => this.ask(one, row.firstElementChild)));
+    if (this.may && one.name !== this.writing)
+      cell.append(this.button("delete", begun, () => {
+        this.doomed = one;
+        at("delete-text").textContent = t("rec_delete_text", { what: one.title || begun });
+        at("delete").showModal();
+      }));
     row.append(cell);
     return row;
+  }
+
+  button(what, begun, action) {
+    const made = document.createElement("button");
+    made.type = "button";
+    made.className = "small";
+    made.dataset.do = what;
+    made.textContent = t("rec_" + what);
+    made.setAttribute("aria-label", t(`rec_${what}_label`, { begun }));
+    made.onclick = action;
+    return made;
+  }
+
+  // A field for the name, in the cell of the recording's row
+  ask(one, cell) {
+    const form = document.createElement("form");
+    const field = document.createElement("input");
+    field.type = "text";
+    field.maxLength = TITLE;
+    field.value = one.title;
+    field.setAttribute("aria-label", t("rec_name_label", { begun: day(one.start) }));
+    form.append(field);
+    form.onsubmit = (event) => {
+      event.preventDefault();
+      this.change(`/recordings/${one.name}/title`, { method: "PUT", body: field.value });
+    };
+    cell.replaceChildren(form);
+    field.focus();
   }
 }

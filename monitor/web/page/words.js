@@ -34,9 +34,12 @@ export const language = () => current;
 
 export const has = (key) => key in languages[current];
 
+// Some texts are others for fingers: their keys end so
+const fingers = matchMedia("(pointer: coarse)").matches ? "_touch" : "";
+
 // The text of key, with {name} replaced by args.name
 export function t(key, args = {}) {
-  const words = languages[current][key] ?? en[key] ?? key;
+  const words = languages[current][key + fingers] ?? languages[current][key] ?? en[key] ?? key;
   return words.replace(/\{(\w+)\}/g, (whole, name) =>
     args[name] === undefined ? whole : String(args[name]));
 }

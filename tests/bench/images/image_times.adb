@@ -68,15 +68,10 @@ procedure Image_Times is
    procedure Report
      (Section, Name, Size : String;
       Item                : in out Samples.Set;
-      Floor               : in out Samples.Set);
-   --  A line of the table, and one of JSON; Floor may be empty. Both are
-   --  empty afterwards
-
-   procedure Report
-     (Section, Name, Size : String;
-      Item                : in out Samples.Set;
       Floor               : in out Samples.Set)
    is
+      --  A line of the table, and one of JSON; Floor may be empty. Both are
+      --  empty afterwards
       function Column (Text : String; Width : Positive) return String is
         (Tail (Text, Width));
 
@@ -119,16 +114,13 @@ procedure Image_Times is
 
    Began : Time;
 
-   procedure Start;
-   procedure Stop (S : in out Samples.Set);
-   --  The time since Start is one more figure; Start again
-
    procedure Start is
    begin
       Began := Clock;
    end Start;
 
    procedure Stop (S : in out Samples.Set) is
+      --  The time since Start is one more figure; Start again
       Now : constant Time := Clock;
    begin
       S.Add (To_Duration (Now - Began));
@@ -148,17 +140,8 @@ procedure Image_Times is
       (0, 3, 15.7, 50.0, 200.0), (0, 500, 66.1, 12.4, 290.0));
 
    function Scene (Width, Height : Positive; Robots : Natural; K : Natural)
-     return Scenes.Description;
-   --  The robots have moved on a little from image to image, 10 cm/s
-
-   procedure Draw (Item : Scenes.Description);
-   --  Onto the canvas
-
-   procedure Show (Width, Height : Positive);
-   --  The canvas in slot 0
-
-   function Scene (Width, Height : Positive; Robots : Natural; K : Natural)
      return Scenes.Description is
+      --  The robots have moved on a little from image to image, 10 cm/s
    begin
       return Item : Scenes.Description := Scenes.Default do
          Item.Width := int (Width);
@@ -177,12 +160,14 @@ procedure Image_Times is
    end Scene;
 
    procedure Draw (Item : Scenes.Description) is
+      --  Onto the canvas
       Drawn : aliased constant Scenes.Description := Item;
    begin
       Check (Scenes.Draw (Drawn'Access, Canvas'Address) = 0, "drawing");
    end Draw;
 
    procedure Show (Width, Height : Positive) is
+      --  The canvas in slot 0
    begin
       Check
         (C_Load (0, Canvas'Address, int (Width), int (Height)) = 0,
@@ -198,10 +183,6 @@ procedure Image_Times is
       Whole, Passing, Through, None);
 
    Times, Floors : array (Stage) of Samples.Set;
-
-   procedure Measure_Stages (Width, Height : Positive);
-   procedure Measure_Searches
-     (Width, Height : Positive; Robots : Natural; Prefix : String);
 
    procedure Measure_Stages (Width, Height : Positive) is
       Size   : constant String :=
@@ -332,9 +313,6 @@ procedure Image_Times is
       Row : constant := 10;
       type Search is (In_Arena, By_Following, In_Whole);
 
-      procedure Everywhere (Where : Search);
-      procedure Follow_On;
-
       procedure Everywhere (Where : Search) is
       begin
          Start;
@@ -404,9 +382,6 @@ procedure Image_Times is
    type Disturbance is (Plain, Small, Blurred, Noisy, Dark);
 
    procedure Measure_Peer
-     (Width, Height : Positive; Kind : Disturbance);
-
-   procedure Measure_Peer
      (Width, Height : Positive; Kind : Disturbance)
    is
       Size  : constant String :=
@@ -420,9 +395,6 @@ procedure Image_Times is
       Result : Status;
       Ids   : Identifiers;
       Right, Right_Peer : Natural := 0;
-
-      procedure Search;
-      procedure Search_Peer;
 
       procedure Search is
       begin
@@ -484,8 +456,6 @@ procedure Image_Times is
             & Share (Right) & ",""floor"":" & Share (Right_Peer) & "}");
       end if;
    end Measure_Peer;
-
-   procedure Put_Usage;
 
    procedure Put_Usage is
    begin

@@ -19,6 +19,8 @@ with Monitor.Session;
 with Monitor.Session_Stages;
 with Options;
 with Orders;
+with Process.Privileges;
+pragma Unreferenced (Process.Privileges);  --  it has the wrapped geteuid
 with Robot.Line;
 with Robot.Line_Status;
 with Robot.Requests;
@@ -52,10 +54,6 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
      new Monitor.Image_Messages.Message;
    Sent  : Monitor.Image_Messages.Message_Access :=
      new Monitor.Image_Messages.Message;
-
-   procedure Start;
-   procedure Stop;
-   procedure Report (Name : String);
 
    procedure Start is
    begin

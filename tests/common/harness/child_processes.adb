@@ -71,6 +71,7 @@ package body Child_Processes is
 
    Last_Lines : Arguments;
    Failed_One : Boolean := False;
+   Late_One   : Boolean := False;
 
    protected body Running is
 
@@ -160,23 +161,20 @@ package body Child_Processes is
          List.Close;
    end Collector;
 
-   function Words (Text : String) return Arguments is
+   function Words
+     (Text : String; Separator : Character := ' ') return Arguments
+   is
       Result : Arguments;
       First  : Positive := Text'First;
       Last   : Natural;
    begin
       while First <= Text'Last loop
-         if Text (First) = ' ' then
-            First := First + 1;
-         else
-            Last := Index (Text (First .. Text'Last), " ");
-            if Last = 0 then
-               Last := Text'Last + 1;
-            end if;
+         Last := Index (Text & Separator, (1 => Separator), First) - 1;
+         if Last >= First then
             --  Head makes its first index 1
-            Result.Append (Head (Text (First .. Last - 1), Last - First));
-            First := Last;
+            Result.Append (Head (Text (First .. Last), Last - First + 1));
          end if;
+         First := Last + 2;
       end loop;
       return Result;
    end Words;
@@ -367,11 +365,10 @@ package body Child_Processes is
       Deadline : constant Instant := Now + Within;
    begin
       while Object.Is_Running loop
-         if Now >= Deadline then
-            raise Failed with
-              To_String (Object.Inner.Name) & " has not ended within "
-              & Milliseconds (Within);
-         end if;
+         Check_In_Time
+           (Now < Deadline,
+            To_String (Object.Inner.Name) & " has not ended within "
+            & Milliseconds (Within));
          delay 0.001;
       end loop;
       --  Its last output is still being read; with a limit, as a grandchild
@@ -422,6 +419,8 @@ package body Child_Processes is
          --  the signals: SIGILL, SIGABRT, SIGBUS, SIGFPE, SIGSEGV
          Failed_One := True;
       end if;
+      Late_One := Late_One
+        or else Object.Awaited (Errors, "late by ", Within => 0.0) > 0;
       for From in Stream loop
          if Object.Count (From) > 0 then
             Last_Lines.Append
@@ -467,9 +466,12 @@ package body Child_Processes is
 
    function Any_Has_Failed return Boolean is (Failed_One);
 
+   function Any_Was_Late return Boolean is (Late_One);
+
    procedure Forget_Last_Lines is
    begin
       Last_Lines.Clear;
+      Late_One := False;
       Failed_One := False;
    end Forget_Last_Lines;
 

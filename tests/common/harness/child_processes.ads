@@ -15,8 +15,9 @@ package Child_Processes is
      (Positive, String);
    subtype Arguments is String_Vectors.Vector;
 
-   function Words (Text : String) return Arguments;
-   --  The parts of Text, separated by blanks
+   function Words
+     (Text : String; Separator : Character := ' ') return Arguments;
+   --  The parts of Text that are not empty
 
    type Stream is (Output, Errors);
    --  Standard output and standard error of the program
@@ -89,6 +90,9 @@ package Child_Processes is
    function Any_Has_Failed return Boolean;
    --  Whether one of these has ended by an internal failure (exit status 3) or
    --  a fatal signal
+
+   function Any_Was_Late return Boolean;
+   --  Whether an emulator among these has said that its line was
 
    procedure Forget_Last_Lines;
 

@@ -18,23 +18,8 @@ package body Emulators is
    Made : Natural := 0;
    --  for names of links
 
-   function Next_Line (Object : in out Emulator) return String;
-   --  Of its output; raises Failed when it stays silent
-
-   function Value (Line : String; Key : String) return String;
-   --  Of a line of key=value words; "" where it has no such key
-
-   function Seconds (Text : String) return Instant;
-   --  Seconds with six decimals
-
-   function Fetched (Object : Emulator; Path : String)
-      return Stream_Element_Array;
-   --  The body of the camera's answer
-
-   function Port (Object : Emulator) return Port_Type;
-   --  Of its camera
-
    function Next_Line (Object : in out Emulator) return String is
+      --  Of its output; raises Failed when it stays silent
    begin
       Check
         (Object.Process.Awaited
@@ -46,6 +31,7 @@ package body Emulators is
    end Next_Line;
 
    function Value (Line : String; Key : String) return String is
+      --  Of a line of key=value words; "" where it has no such key
       Text  : constant String := " " & Line & " ";
       Place : constant Natural := Index (Text, " " & Key & "=");
       First : Positive;
@@ -58,6 +44,7 @@ package body Emulators is
    end Value;
 
    function Seconds (Text : String) return Instant is
+      --  Seconds with six decimals
       Point : constant Natural := Index (Text, ".");
    begin
       return Instant'Value (Text (Text'First .. Point - 1)) * 1_000_000_000
@@ -65,7 +52,10 @@ package body Emulators is
    end Seconds;
 
    procedure Start
-     (Object : in out Emulator; Camera : Boolean; Options : String := "")
+     (Object   : in out Emulator;
+      Camera   : Boolean;
+      Options  : String  := "";
+      Terminal : Boolean := True)
    is
       use type Arguments;
       Address : constant String := "camera ";
@@ -77,7 +67,11 @@ package body Emulators is
          & Trim (Natural'Image (Made), Both));
       Object.Process.Start
         (Programs.Emulator,
-         Words ("--boot-ms 100 --link " & To_String (Object.Link)
+         Words
+           ("--boot-ms 100 "
+            & (if Terminal or else not Programs.With_Sockets then "--link "
+               else "--socket ")
+            & To_String (Object.Link)
            & (if Camera then " --camera-port 0" else ""))
          & Words (Options),
          "emulator",
@@ -144,7 +138,7 @@ package body Emulators is
             Seen : constant String := Object.Status (Key);
          begin
             exit when Seen = Value;
-            Check
+            Check_In_Time
               (not Late,
                "the robot's " & Key & " is " & Seen & " instead of "
                & Value);
@@ -230,17 +224,16 @@ package body Emulators is
                return Item;
             end if;
          end loop;
-         if Late then
-            raise Failed with
-              "no " & Command & " on the wire within "
-              & Milliseconds (Within) & ", but: "
-              & Object.Wire_Text ("MTWurwpvbz");
-         end if;
+         Check_In_Time
+           (not Late,
+            "no " & Command & " on the wire within " & Milliseconds (Within)
+            & ", but: " & Object.Wire_Text ("MTWurwpvbz"));
          delay 0.005;
       end loop;
    end Await_On_Wire;
 
    function Port (Object : Emulator) return Port_Type is
+      --  Of its camera
       Url   : constant String := To_String (Object.Url);
       First : constant Positive := Index (Url, ":", Backward) + 1;
    begin
@@ -250,6 +243,7 @@ package body Emulators is
    function Fetched (Object : Emulator; Path : String)
       return Stream_Element_Array
    is
+      --  The body of the camera's answer
       Room    : constant := 1_000_000;
       Buffer  : Stream_Element_Array (1 .. Room);
       Request : constant String :=

@@ -14,8 +14,13 @@ package Emulators is
    --  Killed at the end of its scope
 
    procedure Start
-     (Object : in out Emulator; Camera : Boolean; Options : String := "");
-   --  With a robot that is ready at once, unless Options say otherwise. A real
+     (Object   : in out Emulator;
+      Camera   : Boolean;
+      Options  : String  := "";
+      Terminal : Boolean := True);
+   --  With a robot that is ready at once, unless Options say otherwise; its
+   --  line is a socket, or where it is to be opened as others do, hung up or
+   --  full of noise, a pseudo-terminal (Pseudo_Terminals). A real
    --  robot and a real camera do not compete for the processor: if permitted,
    --  the emulator has priority over ordinary load.
 

@@ -3,8 +3,11 @@
 
 with Ada.Streams;    use Ada.Streams;
 with Ada.Unchecked_Deallocation;
+with GNAT.OS_Lib;
 with GNAT.Sockets;   use GNAT.Sockets;
+with Interfaces;     use Interfaces;
 with Interfaces.C;   use Interfaces.C;
+with System;
 
 with Libc;
 with Polls;
@@ -20,24 +23,66 @@ package body Floods is
    function Server (Port : Positive) return Sock_Addr_Type is
      (Family_Inet, Inet_Addr ("127.0.0.1"), Port_Type (Port));
 
-   procedure Begin_Connection
-     (Socket : out Socket_Type; Own, Place : Sock_Addr_Type);
-   --  From the address Own; does not wait for it
-
-   procedure Disconnect (Socket : in out Socket_Type);
-   --  By a reset: nothing of it is left that could run short
-
-   procedure Say (Socket : Socket_Type; Text : String);
-   --  Where it is connected
+   procedure Say (Socket : Socket_Type; Text : String) is
+      --  Where it is connected
+      Data : Stream_Element_Array (1 .. Text'Length);
+      Last : Stream_Element_Offset;
+   begin
+      for I in Text'Range loop
+         Data (Stream_Element_Offset (I - Text'First + 1)) :=
+           Character'Pos (Text (I));
+      end loop;
+      Send_Socket (Socket, Data, Last);
+   exception
+      when Socket_Error =>
+         --  not yet, or no longer
+         null;
+   end Say;
 
    procedure Free is new Ada.Unchecked_Deallocation (Sender, Sender_Access);
 
    function Address (Number : Positive) return String is
      ("127.0.1." & Character'Val (48 + Number));
 
+   function Can_Be_Filtered return Boolean is
+      function Set_Option
+        (Socket, Level, Name : int; Value : System.Address; Size : int)
+         return int
+      with Import, Convention => C, External_Name => "setsockopt";
+
+      --  struct sock_filter, struct sock_fprog (linux/filter.h)
+      type Step is record
+         Code     : Unsigned_16;
+         If_True  : Unsigned_8;
+         If_False : Unsigned_8;
+         Operand  : Unsigned_32;
+      end record with Convention => C;
+      type Program is record
+         Length : Unsigned_16;
+         Steps  : System.Address;
+      end record with Convention => C;
+
+      EPERM    : constant := 1;
+      Pass_All : aliased Step    := (16#06#, 0, 0, Unsigned_32'Last);
+      Filter   : constant Program := (1, Pass_All'Address);
+      Socket   : Socket_Type;
+      Allowed  : Boolean;
+   begin
+      Create_Socket (Socket);
+      --  SOL_SOCKET, SO_ATTACH_FILTER
+      Allowed := Set_Option
+        (int (To_C (Socket)), 1, 26, Filter'Address, Filter'Size / 8) = 0;
+      if not Allowed and then GNAT.OS_Lib.Errno /= EPERM then
+         raise Socket_Error with "no packet filter: " & Libc.Last_Error;
+      end if;
+      Close_Socket (Socket);
+      return Allowed;
+   end Can_Be_Filtered;
+
    procedure Begin_Connection
      (Socket : out Socket_Type; Own, Place : Sock_Addr_Type)
    is
+      --  From the address Own; does not wait for it
       At_Once : Request_Type := (Non_Blocking_IO, True);
    begin
       Create_Socket (Socket);
@@ -65,6 +110,7 @@ package body Floods is
    end Come;
 
    procedure Disconnect (Socket : in out Socket_Type) is
+      --  By a reset: nothing of it is left that could run short
    begin
       if Socket /= No_Socket then
          Set_Socket_Option (Socket, Socket_Level, (Linger, True, 0));
@@ -98,21 +144,6 @@ package body Floods is
 
    end Progress;
 
-   procedure Say (Socket : Socket_Type; Text : String) is
-      Data : Stream_Element_Array (1 .. Text'Length);
-      Last : Stream_Element_Offset;
-   begin
-      for I in Text'Range loop
-         Data (Stream_Element_Offset (I - Text'First + 1)) :=
-           Character'Pos (Text (I));
-      end loop;
-      Send_Socket (Socket, Data, Last);
-   exception
-      when Socket_Error =>
-         --  not yet, or no longer
-         null;
-   end Say;
-
    task body Sender is
       Own     : constant Sock_Addr_Type :=
         (Family_Inet, Inet_Addr (Address (Number)), 0);
@@ -121,8 +152,6 @@ package body Floods is
         (others => No_Socket);
       Files   : Libc.Poll_Array (1 .. Connections (How));
 
-      procedure Connect (Index : Positive);
-
       procedure Connect (Index : Positive) is
       begin
          Begin_Connection (Sockets (Index), Own, Place);
@@ -130,10 +159,8 @@ package body Floods is
            (int (To_C (Sockets (Index))), Libc.Poll_In, 0);
       end Connect;
 
-      procedure Connect_Again;
-      --  Those that have been told something
-
       procedure Connect_Again is
+         --  Those that have been told something
       begin
          for Index in Files'Range loop
             if Files (Index).Returned /= 0 then

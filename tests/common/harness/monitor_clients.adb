@@ -91,12 +91,8 @@ package body Monitor_Clients is
      (Receiver, Receiver_Access);
    procedure Free is new Ada.Unchecked_Deallocation (Parts, Parts_Access);
 
-   procedure Let_Go (Object : in out Client; Abortive : Boolean);
-
-   function Is_Jpeg_Text (Text : Unbounded_String) return Boolean;
-   --  Base64 alphabet, whole groups of four, a JPEG's first bytes
-
    function Is_Jpeg_Text (Text : Unbounded_String) return Boolean is
+      --  Base64 alphabet, whole groups of four, a JPEG's first bytes
       Size : constant Natural := Length (Text);
    begin
       if Size < 16 or else Size mod 4 /= 0 or else Slice (Text, 1, 3) /= "/9j"
@@ -220,10 +216,6 @@ package body Monitor_Clients is
       Group  : Positive := 1;
       Late   : Duration := 0.0;
       Chance : Ada.Numerics.Float_Random.Generator;
-
-      procedure Be_Late;
-
-      procedure Take (Text : Unbounded_String; Time : Instant);
 
       procedure Be_Late is
          Start : constant Instant := Now;
@@ -364,7 +356,8 @@ package body Monitor_Clients is
         (Object.Inner.Socket,
          Network_Socket_Address (Server, Port_Type (Port)),
          Timeout => 5.0, Status => Status);
-      Check (Status = Completed, "no connection to port" & Port'Image);
+      Check_In_Time
+        (Status = Completed, "no connection to port" & Port'Image);
       Set_Socket_Option
         (Object.Inner.Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
       Object.Inner.Reader := new Receiver
@@ -457,17 +450,30 @@ package body Monitor_Clients is
    begin
       loop
          Item := Object.Next (Duration'Max (0.0, Deadline - Now));
-         if Item.Number = 0 then
-            raise Failed with "no " & Labels & " within "
-              & Milliseconds (Within)
-              & (if Object.Inner.Box.State = Open then ""
-                 else ", the connection is closed");
-         end if;
+         Check
+           (Item.Number > 0 or else Object.Inner.Box.State = Open,
+            "no " & Labels & ", the connection is closed");
+         Check_In_Time
+           (Item.Number > 0,
+            "no " & Labels & " within " & Milliseconds (Within));
          if Index (Labels, Item.Label) > 0 then
             return Item;
          end if;
       end loop;
    end Next_Of;
+
+   procedure Await
+     (Object : in out Client;
+      Labels : String;
+      Count  : Positive := 1;
+      Within : Duration := 3.0)
+   is
+      Unused : Message;
+   begin
+      for Number in 1 .. Count loop
+         Unused := Object.Next_Of (Labels, Within);
+      end loop;
+   end Await;
 
    function Next_Answer
      (Object  : in out Client;
@@ -496,6 +502,15 @@ package body Monitor_Clients is
       return Object.Next_Answer (Within, Command);
    end Ask;
 
+   procedure Check_Label (Item : Message; Labels : String; What : String) is
+      Right : constant Boolean := Index (Labels, Item.Label) > 0;
+      Text  : constant String :=
+        What & ": " & Item.Label & " instead of " & Labels;
+   begin
+      Check_In_Time (Right or else Item.Label not in "ATIM" | "    ", Text);
+      Check (Right, Text);
+   end Check_Label;
+
    procedure Expect
      (Object  : in out Client;
       Command : String;
@@ -508,6 +523,10 @@ package body Monitor_Clients is
         & (if Length (Item.Data) = 0 then "" else ":")
         & To_String (Item.Data);
    begin
+      --  a robot's answer has a limit of time, too
+      Check_In_Time
+        (Item.Label /= "ATIM" or else Answer = "ATIM",
+         Command & " was answered " & Text);
       Check
         ((if Answer'Length = 4 then Item.Label = Answer else Text = Answer),
          Command & " was answered " & Text & " instead of " & Answer);

@@ -70,6 +70,13 @@ package Monitor_Clients is
    --  The next message with one of Labels, such as "AACK ANAK"; earlier ones
    --  are skipped. Raises Failed if it does not come.
 
+   procedure Await
+     (Object : in out Client;
+      Labels : String;
+      Count  : Positive := 1;
+      Within : Duration := 3.0);
+   --  Takes the next Count of them; raises Failed if one does not come in time
+
    function Next_Answer
      (Object  : in out Client;
       Within  : Duration := 3.0;
@@ -81,6 +88,10 @@ package Monitor_Clients is
      (Object : in out Client; Command : String; Within : Duration := 3.0)
       return Message;
    --  Sends Command and takes its answer. Unsolicited messages are skipped.
+
+   procedure Check_Label (Item : Message; Labels : String; What : String);
+   --  Raises Failed unless Item has one of Labels. Where none has come, or
+   --  ATIM for a robot's answer, a limit of time was missed.
 
    procedure Expect
      (Object  : in out Client;

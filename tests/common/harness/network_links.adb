@@ -34,19 +34,8 @@ package body Network_Links is
    --  nets of four addresses, from 10.213.0.0 on, one by process number
    Place  : constant Natural := Natural (Libc.Getpid) mod Places;
 
-   function Address (Host : Positive) return String;
-   --  1 and 2 of this process's net
-
-   procedure Run (Command : String);
-   --  Raises Failed unless it succeeds
-
-   procedure Run_There (Command : String);
-   --  The same at the monitor's end. Not by ip -n, which mounts a /sys of
-   --  its own and fails where / is no mount point
-
-   function Succeeds (Command : String) return Boolean;
-
    function Address (Host : Positive) return String is
+      --  1 and 2 of this process's net
       function Plain (Value : Natural) return String is
         (Trim (Value'Image, Both));
    begin
@@ -68,11 +57,14 @@ package body Network_Links is
    end Succeeds;
 
    procedure Run (Command : String) is
+      --  Raises Failed unless it succeeds
    begin
       Check (Succeeds (Command), "failed: " & Command);
    end Run;
 
    procedure Run_There (Command : String) is
+      --  The same at the monitor's end. Not by ip -n, which mounts a /sys of
+      --  its own and fails where / is no mount point
       Done : Boolean;
    begin
       Enter (Name);

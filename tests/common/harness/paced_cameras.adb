@@ -55,15 +55,6 @@ package body Paced_Cameras is
    procedure Free is new Ada.Unchecked_Deallocation (Parts, Parts_Access);
    procedure Free is new Ada.Unchecked_Deallocation (Server, Server_Access);
 
-   function Octets (Text : String) return Stream_Element_Array;
-
-   function Padded (Value : Long_Long_Integer; Length : Positive)
-     return String;
-   --  With zeroes in front
-
-   function Value_Of (Letter : Character) return Natural;
-   --  Of base64
-
    function Octets (Text : String) return Stream_Element_Array is
       Result : Stream_Element_Array (1 .. Text'Length);
    begin
@@ -76,6 +67,7 @@ package body Paced_Cameras is
    function Padded (Value : Long_Long_Integer; Length : Positive)
      return String
    is
+      --  With zeroes in front
       Image  : constant String := Value'Image;
       Digit  : constant String := Image (Image'First + 1 .. Image'Last);
       Zeroes : constant String (1 .. Length - Digit'Length) :=
@@ -92,6 +84,7 @@ package body Paced_Cameras is
          when '+'        => 62,
          when '/'        => 63,
          when others     => raise Failed with "no base64");
+   --  Of base64
 
    function Mark_Of (Text : String) return Mark is
       First  : constant Positive := Text'First + Before_Mark / 3 * 4;
@@ -138,10 +131,8 @@ package body Paced_Cameras is
       Number  : Natural := 0;
       Chance  : Generator;
 
-      procedure Send (Data : Stream_Element_Array);
-      --  All of it
-
       procedure Send (Data : Stream_Element_Array) is
+         --  All of it
          First : Stream_Element_Offset := Data'First;
       begin
          while First <= Data'Last loop
@@ -238,8 +229,6 @@ package body Paced_Cameras is
    end Set_Rate;
 
    procedure Stop (Object : in out Camera) is
-
-      procedure End_Of (Socket : Socket_Type);
 
       procedure End_Of (Socket : Socket_Type) is
       begin

@@ -16,17 +16,32 @@ package body Process_Facts is
    function Folder (Process : int) return String is
      ("/proc/" & Trim (Process'Image, Both));
 
-   function Status_Number (Process : int; Key : String) return Natural;
-   --  The first number after Key in the process's status
-
-   function Field (Path : String; Key : String) return String;
-   --  What stands after "Key:" in the file, "" where there is none
-
-   procedure For_Each_Entry
-     (Path : String; Action : not null access procedure (Name : String));
-   --  Of a folder whose entries may vanish meanwhile
+   function Field (Path : String; Key : String) return String is
+      --  What stands after "Key:" in the file, "" where there is none
+      File   : File_Type;
+      Result : Unbounded_String;
+   begin
+      Open (File, In_File, Path);
+      while not End_Of_File (File) loop
+         declare
+            Line : constant String := Get_Line (File);
+         begin
+            if Index (Line, Key & ":") = Line'First then
+               Result := To_Unbounded_String
+                 (Trim (Line (Line'First + Key'Length + 1 .. Line'Last),
+                        To_Set (" " & ASCII.HT), To_Set (" ")));
+            end if;
+         end;
+      end loop;
+      Close (File);
+      return To_String (Result);
+   exception
+      when Name_Error | Use_Error =>
+         return "";
+   end Field;
 
    function Status_Number (Process : int; Key : String) return Natural is
+      --  The first number after Key in the process's status
       Text : constant String := Field (Folder (Process) & "/status", Key);
       Last : Natural := Text'First - 1;
    begin
@@ -62,32 +77,10 @@ package body Process_Facts is
          return "";
    end File_Line;
 
-   function Field (Path : String; Key : String) return String is
-      File   : File_Type;
-      Result : Unbounded_String;
-   begin
-      Open (File, In_File, Path);
-      while not End_Of_File (File) loop
-         declare
-            Line : constant String := Get_Line (File);
-         begin
-            if Index (Line, Key & ":") = Line'First then
-               Result := To_Unbounded_String
-                 (Trim (Line (Line'First + Key'Length + 1 .. Line'Last),
-                        To_Set (" " & ASCII.HT), To_Set (" ")));
-            end if;
-         end;
-      end loop;
-      Close (File);
-      return To_String (Result);
-   exception
-      when Name_Error | Use_Error =>
-         return "";
-   end Field;
-
    procedure For_Each_Entry
      (Path : String; Action : not null access procedure (Name : String))
    is
+      --  Of a folder whose entries may vanish meanwhile
       use GNAT.Directory_Operations;
       --  Ada.Directories leaves out what it cannot find, such as sockets
       Folder : Dir_Type;
@@ -119,8 +112,6 @@ package body Process_Facts is
 
    function Descriptors (Process : int) return Natural is
       Result : Natural := 0;
-
-      procedure Count (Name : String);
 
       procedure Count (Name : String) is
       begin
@@ -162,8 +153,6 @@ package body Process_Facts is
       Taken  : array (0 .. Most) of Boolean := (others => False);
       Result : Natural := 0;
 
-      procedure Take (Name : String);
-
       procedure Take (Name : String) is
          Number : constant Natural := Natural'Value (Name);
       begin
@@ -185,8 +174,6 @@ package body Process_Facts is
                   .. Natural'Min (Name'Last, Name'First + 14)));
       Result : int := 0;
 
-      procedure Compare (Thread : String);
-
       procedure Compare (Thread : String) is
       begin
          if To_Lower
@@ -204,8 +191,6 @@ package body Process_Facts is
    function Thread_Names (Process : int) return String is
       Result : Unbounded_String;
 
-      procedure Add (Thread : String);
-
       procedure Add (Thread : String) is
       begin
          Append
@@ -220,8 +205,6 @@ package body Process_Facts is
 
    function Thread_Waits (Process : int) return String is
       Result : Unbounded_String;
-
-      procedure Add (Thread : String);
 
       procedure Add (Thread : String) is
          Place : constant String := Folder (Process) & "/task/" & Thread;

@@ -26,17 +26,15 @@ package body Programs is
    Paths  : array (Program) of Unbounded_String;
    Folder : Unbounded_String;
 
+   Terminals : Boolean := False;
+
    function Folder_Of (Process : int) return String is
      ("/tmp/destijl_tests." & Trim (Libc.Geteuid'Image, Both) & "."
       & Trim (Process'Image, Both));
    --  What a killed process of another user has left, cannot be removed
 
-   procedure Remove (Path : String);
-
-   function Path (Which : Program; Name : String) return String;
-   --  As set, or Name in the folder of the running program
-
    function Path (Which : Program; Name : String) return String is
+      --  As set, or Name in the folder of the running program
    begin
       if Paths (Which) = "" then
          Paths (Which) := To_Unbounded_String (Beside (Name));
@@ -68,9 +66,36 @@ package body Programs is
      (Compose
         (Containing_Directory (Supervisor), "libdestijl_vision.so"));
 
+   function With_Sockets return Boolean is (not Terminals);
+
+   function Copied (Path : String) return String is
+      --  In the temporary folder, where every user can run or load it, and
+      --  whose path has no blank
+      To_Be_Run : constant := 8#755#;
+      Copy      : constant String :=
+        Compose (Temporary_Folder, Simple_Name (Path));
+      Unused    : int;
+   begin
+      if not Exists (Copy) then
+         Copy_File (Path, Copy);
+         Unused := Libc.Chmod (To_C (Copy), To_Be_Run);
+      end if;
+      return Copy;
+   end Copied;
+
+   function Preload (Library : String := "") return String is
+     (if Terminals and then Library = "" then ""
+      else "env LD_PRELOAD="
+           & (if Terminals then "" else Copied (Beside ("libsocket_line.so")))
+           & (if Library = "" then "" else ":" & Copied (Beside (Library))));
+
    function Read_Option return Boolean is
       Name : constant String := Option_Readers.Name;
    begin
+      if Name = "--terminals" then
+         Terminals := True;
+         return True;
+      end if;
       for Which in Program loop
          if Name = To_String (Options (Which)) then
             Paths (Which) :=
@@ -97,20 +122,10 @@ package body Programs is
    end Temporary_Folder;
 
    function Copied_Supervisor return String is
-      To_Be_Run : constant := 8#755#;
-      Copy      : constant String := Compose (Temporary_Folder, "destijl");
-      Unused    : int;
+      Unused : constant String :=
+        (if Exists (Vision_Library) then Copied (Vision_Library) else "");
    begin
-      if not Exists (Copy) then
-         Copy_File (Supervisor, Copy);
-         if Exists (Vision_Library) then
-            Copy_File
-              (Vision_Library,
-               Compose (Temporary_Folder, Simple_Name (Vision_Library)));
-         end if;
-         Unused := Libc.Chmod (To_C (Copy), To_Be_Run);
-      end if;
-      return Copy;
+      return Copied (Supervisor);
    end Copied_Supervisor;
 
    procedure Remove (Path : String) is

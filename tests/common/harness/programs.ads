@@ -16,9 +16,17 @@ package Programs is
    function Vision_Library return String;
    --  The library that the supervisor loads when it first opens the camera
 
+   function With_Sockets return Boolean;
+   --  Whether emulators have a socket for a line. Not after --terminals, for
+   --  supervisors of another processor
+
+   function Preload (Library : String := "") return String;
+   --  Runs a program, which follows, with libsocket_line.so if With_Sockets,
+   --  and with this library from beside the running program
+
    function Read_Option return Boolean;
    --  If the current option of Option_Readers is --supervisor, --emulator or
-   --  --monitor: its value becomes the path of that program
+   --  --monitor: its value becomes the path of that program; --terminals
 
    function Temporary_Folder return String;
    --  A folder for this run, made at first use, accessible to all users
@@ -26,6 +34,10 @@ package Programs is
    function Copied_Supervisor return String;
    --  A copy in the temporary folder, with its library, that every user can
    --  run
+
+   As_User : constant String :=
+     "setpriv --reuid=65534 --regid=65534 --clear-groups --inh-caps=-all";
+   --  Runs what follows as an ordinary user
 
    function As_Service (Capabilities : String := "+sys_nice") return String
    is ("setpriv --reuid=65534 --regid=65534 --clear-groups"

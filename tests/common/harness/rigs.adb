@@ -13,9 +13,10 @@ package body Rigs is
       Launcher           : String  := "";
       Program            : String  := "";
       Bind               : String  := "127.0.0.1";
-      Connected          : Boolean := True) is
+      Connected          : Boolean := True;
+      Terminal           : Boolean := False) is
    begin
-      R.Emulator.Start (Camera, Emulator_Options);
+      R.Emulator.Start (Camera, Emulator_Options, Terminal);
       R.Supervisor.Start
         ("--serial " & R.Emulator.Device
          & (if Camera then " --camera " & R.Emulator.Camera_Url else "")

@@ -22,7 +22,8 @@ package Rigs is
       Launcher           : String  := "";
       Program            : String  := "";
       Bind               : String  := "127.0.0.1";
-      Connected          : Boolean := True);
+      Connected          : Boolean := True;
+      Terminal           : Boolean := False);
    --  Camera: with the arena's camera. If Bind is not 127.0.0.1, the caller
    --  connects the monitor.
 

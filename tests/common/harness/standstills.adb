@@ -41,7 +41,8 @@ package body Standstills is
 
    Of_Processors, Of_Lines : Stall_Record;
 
-   task type Watcher (Processor : CPU; Turn : Positive);
+   task type Watcher
+     (Processor : CPU; Turn : Positive; Real_Time : Boolean);
 
    type Watcher_Access is access Watcher;
 
@@ -101,7 +102,9 @@ package body Standstills is
          when Dispatching_Domains.Dispatching_Domain_Error =>
             null;  --  it may not run there: it stays where it is
       end;
-      Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
+      if Real_Time then
+         Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
+      end if;
       loop
          Before := Now;
          delay Span;
@@ -137,7 +140,11 @@ package body Standstills is
       end if;
    end Line_Watcher;
 
-   procedure Watch (Turn : Positive := 5; Lines : Boolean := False) is
+   procedure Watch
+     (Turn      : Positive := 5;
+      Lines     : Boolean  := False;
+      Real_Time : Boolean  := True)
+   is
       Unused  : Watcher_Access;
       Unused2 : Line_Watcher_Access;
    begin
@@ -145,7 +152,7 @@ package body Standstills is
          Unused2 := new Line_Watcher (Turn);
       end if;
       for Processor in 1 .. Number_Of_CPUs loop
-         Unused := new Watcher (Processor, Turn);
+         Unused := new Watcher (Processor, Turn, Real_Time);
       end loop;
    end Watch;
 

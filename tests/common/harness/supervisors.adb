@@ -2,11 +2,15 @@
 --  The supervisor under test.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
+with Ada.Directories;
+with Ada.Streams.Stream_IO;
 with Ada.Strings;             use Ada.Strings;
 with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 
 with Expectations;            use Expectations;
+with Libc;
+with Plain_Numbers;           use Plain_Numbers;
 with Programs;
 
 package body Supervisors is
@@ -17,20 +21,14 @@ package body Supervisors is
      (Object   : in out Supervisor;
       Options  : Arguments;
       Launcher : String;
-      Program  : String);
-
-   function Text_Of (Object : Supervisor; From : Stream) return String;
-
-   procedure Start_Process
-     (Object   : in out Supervisor;
-      Options  : Arguments;
-      Launcher : String;
       Program  : String)
    is
       use type Arguments;
       Path : constant String :=
         (if Program = "" then Programs.Supervisor else Program);
-      All_Words : Arguments := Words (Launcher) & Path & Options;
+      All_Words : Arguments := Words
+        ((if Index (Launcher, "LD_PRELOAD") > 0 then ""
+          else Programs.Preload & " ") & Launcher) & Path & Options;
       First     : constant String := All_Words.First_Element;
    begin
       Object.Port := 0;
@@ -54,7 +52,7 @@ package body Supervisors is
          Words ("--port 0 --bind " & Bind) & Words (Options),
          Launcher, Program);
       Number := Object.Process.Awaited (Errors, Listening, Within);
-      Check (Number > 0, "the supervisor does not listen");
+      Check_In_Time (Number > 0, "the supervisor does not listen");
       declare
          Line  : constant String :=
            To_String (Object.Process.Element (Errors, Number).Text);
@@ -82,15 +80,74 @@ package body Supervisors is
       Start_Process (Object, Words (Options), Launcher, Program);
    end Run;
 
+   function Console
+     (Options  : String;
+      Status   : Integer;
+      Launcher : String := "";
+      Program  : String := "") return String
+   is
+      S    : Supervisor;
+      Seen : Integer;
+   begin
+      S.Run (Options, Launcher, Program);
+      Seen := S.Exit_Status
+        (Within => (if Index (Options, "--check") > 0 then 15.0 else 3.0));
+      return Text : constant String := S.Output_Text & S.Log_Text do
+         Check (Seen = Status,
+                Options & ": exit status" & Seen'Image & ": " & Text);
+         Check (Index (Text, Listening) = 0, Options & ": it listens");
+      end return;
+   end Console;
+
+   procedure Expect_Console
+     (Options  : String;
+      Status   : Integer;
+      Text     : String;
+      Launcher : String := "";
+      Program  : String := "")
+   is
+      Said : constant String := Console (Options, Status, Launcher, Program);
+   begin
+      Check (Index (Said, Text) > 0,
+             Options & ": not """ & Text & """, but " & Said);
+   end Expect_Console;
+
+   function Token_File
+     (Text : String   := Token & ASCII.LF;
+      Mode : unsigned := 8#600#;
+      Name : String   := "token") return String
+   is
+      use Ada.Streams.Stream_IO;
+      Path : constant String := Programs.Temporary_Folder & "/" & Name;
+      File : File_Type;
+   begin
+      if Ada.Directories.Exists (Path) then
+         --  perhaps one that nobody may write
+         Ada.Directories.Delete_File (Path);
+      end if;
+      Create (File, Out_File, Path);
+      String'Write (Ada.Streams.Stream_IO.Stream (File), Text);
+      Close (File);
+      Check (Libc.Chmod (To_C (Path), Mode) = 0, "chmod of " & Path);
+      return Path;
+   end Token_File;
+
+   function Own_Address return String is
+      Process : constant Natural := Natural (Libc.Getpid);
+   begin
+      return "127." & Image (64 + Process / 65_536) & "."
+        & Image (Process / 256 mod 256) & "." & Image (Process mod 256);
+   end Own_Address;
+
    function Port (Object : Supervisor) return Positive is (Object.Port);
 
-   function Pid (Object : Supervisor) return Interfaces.C.int is
+   function Pid (Object : Supervisor) return int is
      (Object.Process.Pid);
 
    function Is_Running (Object : in out Supervisor) return Boolean is
      (Object.Process.Is_Running);
 
-   procedure Send_Signal (Object : Supervisor; Signal : Interfaces.C.int) is
+   procedure Send_Signal (Object : Supervisor; Signal : int) is
    begin
       Object.Process.Send_Signal (Signal);
    end Send_Signal;
@@ -115,7 +172,7 @@ package body Supervisors is
       Within  : Duration;
       After   : Natural := 0) is
    begin
-      Check
+      Check_In_Time
         (Object.Says (Pattern, Within, After),
          "the supervisor's log lacks """ & Pattern & """ within "
          & Milliseconds (Within));

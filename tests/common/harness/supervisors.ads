@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The supervisor under test, as a separate process, and its log.
 
-with Interfaces.C;
+with Interfaces.C;    use Interfaces.C;
 
 with Child_Processes; use Child_Processes;
 with Instants;        use Instants;
@@ -29,13 +29,41 @@ package Supervisors is
       Program  : String := "");
    --  The same with only these options, and without waiting
 
+   function Console
+     (Options  : String;
+      Status   : Integer;
+      Launcher : String := "";
+      Program  : String := "") return String;
+   --  All that one with only these options says. Raises Failed unless it ends
+   --  by itself with Status, in the time that F1 allows or --check takes, and
+   --  has not listened
+
+   procedure Expect_Console
+     (Options  : String;
+      Status   : Integer;
+      Text     : String;
+      Launcher : String := "";
+      Program  : String := "");
+   --  The same; raises Failed unless Text is part of it
+
+   Token : constant String := "correct-horse-battery";
+
+   function Token_File
+     (Text : String   := Token & ASCII.LF;
+      Mode : unsigned := 8#600#;
+      Name : String   := "token") return String;
+   --  The path of a file for --token, made anew
+
+   function Own_Address return String;
+   --  One of 127.0.0.0/8 that no other running test uses: all ports are free
+
    function Port (Object : Supervisor) return Positive;
 
-   function Pid (Object : Supervisor) return Interfaces.C.int;
+   function Pid (Object : Supervisor) return int;
 
    function Is_Running (Object : in out Supervisor) return Boolean;
 
-   procedure Send_Signal (Object : Supervisor; Signal : Interfaces.C.int);
+   procedure Send_Signal (Object : Supervisor; Signal : int);
 
    function Exit_Status
      (Object : in out Supervisor; Within : Duration) return Integer;

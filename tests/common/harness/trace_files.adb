@@ -12,38 +12,11 @@ package body Trace_Files is
 
    procedure Free is new Ada.Unchecked_Deallocation (String, Text_Access);
 
-   procedure Parse (Text : String; Result : in out Trace);
-
    procedure Parse (Text : String; Result : in out Trace) is
 
       Next : Positive := Text'First;
 
       procedure Fail (Why : String) with No_Return;
-
-      procedure Skip_Space;
-
-      function Is_Next (C : Character) return Boolean;
-      --  Behind space
-
-      procedure Take (C : Character);
-
-      procedure Skip_Digits;
-
-      procedure Skip_String (First : out Positive; Last : out Natural);
-      --  What is between its quotes
-
-      procedure Skip_Number;
-
-      procedure Skip_Word (Word : String);
-
-      procedure Skip_Value;
-
-      function String_Value return String;
-
-      function Natural_Value return Natural;
-
-      function Time_Value return Nanoseconds;
-      --  Of microseconds with up to three decimals
 
       generic
          with procedure Member (Name : String);
@@ -69,6 +42,7 @@ package body Trace_Files is
       end Skip_Space;
 
       function Is_Next (C : Character) return Boolean is
+         --  Behind space
       begin
          Skip_Space;
          return Next <= Text'Last and then Text (Next) = C;
@@ -94,6 +68,7 @@ package body Trace_Files is
       end Skip_Digits;
 
       procedure Skip_String (First : out Positive; Last : out Natural) is
+         --  What is between its quotes
       begin
          Take ('"');
          First := Next;
@@ -194,10 +169,8 @@ package body Trace_Files is
          First : Positive;
          Last  : Natural;
 
-         procedure Skip_List (Named : Boolean; Closing : Character);
-         --  The members of an object or the elements of an array
-
          procedure Skip_List (Named : Boolean; Closing : Character) is
+            --  The members of an object or the elements of an array
          begin
             Next := Next + 1;
             if not Is_Next (Closing) then
@@ -251,6 +224,7 @@ package body Trace_Files is
       end Natural_Value;
 
       function Time_Value return Nanoseconds is
+         --  Of microseconds with up to three decimals
          First  : Positive;
          Result : Nanoseconds := 0;
          Places : Natural := 0;
@@ -273,16 +247,11 @@ package body Trace_Files is
          return Result * 10 ** (3 - Places);
       end Time_Value;
 
-      procedure Parse_Event;
-
       procedure Parse_Event is
          Item  : Event;
          Named : Unbounded_String;
          Order : Natural := 0;
          Timed : Boolean := False;
-
-         procedure Argument (Name : String);
-         procedure Member (Name : String);
 
          procedure Argument (Name : String) is
          begin
@@ -354,9 +323,6 @@ package body Trace_Files is
       end Parse_Event;
 
       procedure Parse_Events is new Parse_Array (Parse_Event);
-
-      procedure Data_Member (Name : String);
-      procedure Member (Name : String);
 
       procedure Data_Member (Name : String) is
       begin

@@ -9,8 +9,10 @@ package body Answer_Faults with SPARK_Mode is
 
    Carriage_Return : constant Octet := 16#0D#;
 
-   procedure Draw (Seed : in out Unsigned_32; Value : out Octet);
-   --  The next byte of a linear congruential sequence
+   procedure Count
+     (Every : Interval; Passed : in out Passed_Count; Has_Turn : out Boolean)
+   with Post => (if Every = 0 then not Has_Turn);
+   --  Has_Turn: this one is to be lost as Every has it
 
    procedure Make_Garbage (Seed : in out Unsigned_32; Wire : out Wire_Bytes)
      with Post => Wire.Length > 0;
@@ -53,15 +55,13 @@ package body Answer_Faults with SPARK_Mode is
       Effect : out Effect_Kind)
    is
       Has_Turn : Boolean := False;
-      --  To be lost as Every has it
    begin
       Wire := (others => <>);
       Wire.Length := Reply.Length;
       Wire.Data (Reply.Data'Range) := Reply.Data;
       Effect := None;
-      if P.Every > 0 and then Reply.Length >= 2 then
-         P.Passed := (P.Passed + 1) mod P.Every;
-         Has_Turn := P.Passed = 0;
+      if Reply.Length >= 2 then
+         Count (P.Every, P.Passed, Has_Turn);
       end if;
 
       if Reply.Length < 2 then
@@ -168,6 +168,17 @@ package body Answer_Faults with SPARK_Mode is
       end case;
    end Choose;
 
+   procedure Count
+     (Every : Interval; Passed : in out Passed_Count; Has_Turn : out Boolean)
+   is
+   begin
+      Has_Turn := False;
+      if Every > 0 then
+         Passed   := (Passed + 1) mod Every;
+         Has_Turn := Passed = 0;
+      end if;
+   end Count;
+
    procedure Draw (Seed : in out Unsigned_32; Value : out Octet) is
    begin
       Seed  := Seed * 1_664_525 + 1_013_904_223;
@@ -216,5 +227,12 @@ package body Answer_Faults with SPARK_Mode is
         (Character'Pos ('3'), Character'Pos ('.'), Character'Pos ('5'),
          16#28#, Carriage_Return);
    end Set_Version;
+
+   procedure Take_Command (P : in out Plan; Lost : out Boolean) is
+   begin
+      Count (P.Lose_Every, P.Lose_Passed, Lost);
+      Lost   := Lost or else P.Lose > 0;
+      P.Lose := Natural'Max (P.Lose, 1) - 1;
+   end Take_Command;
 
 end Answer_Faults;

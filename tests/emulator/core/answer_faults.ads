@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Faults of an answer on the wire, on request. The robot itself has received
---  and carried out the command.
+--  Faults of an answer on the wire, on request: the robot itself has received
+--  and carried out the command. And commands that are lost before the robot.
 
 with Interfaces;
 with Robot_Core;
@@ -14,14 +14,18 @@ package Answer_Faults with SPARK_Mode, Pure is
 
    type Effect_Kind is
      (None, Silent, Endless, Dropped, Held, Together, Garbage, Truncated,
-      Corrupt, Flipped, Wrong_Kind);
+      Corrupt, Flipped, Wrong_Kind, Lost);
+   --  Lost: the command
 
    subtype Remaining is Natural range 0 .. 1_000_000;
-   --  Number of answers still to be affected
+   --  Number of answers, or of commands, still to be affected
 
    subtype Interval is Natural range 0 .. 1_000
      with Static_Predicate => Interval in 0 | 2 .. 1_000;
-   --  Answers from a lost one to the next; 0: none is lost
+   --  Answers, or commands, from a lost one to the next; 0: none is lost
+
+   subtype Passed_Count is Natural range 0 .. 999;
+   --  Answers, or commands, since the last that was lost at an Interval
 
    subtype Bit_Number is Natural range 0 .. 1_000_000;
    --  Counts the bits of an answer, from bit 0 of its first byte, cyclically
@@ -56,8 +60,12 @@ package Answer_Faults with SPARK_Mode, Pure is
       --  The next to be flipped. Each answer has its turn and moves it on.
       Turn     : Interfaces.Unsigned_8 := 0;
       --  Which wrong kind is next
-      Passed   : Natural range 0 .. 999 := 0;
-      --  Answers since the last that Every had lost
+      Passed   : Passed_Count := 0;
+      --  Of Every
+      Lose        : Remaining    := 0;  --  commands: not received
+      Lose_Every  : Interval     := 0;  --  each of this number is not
+      Lose_Passed : Passed_Count := 0;
+      --  Of Lose_Every
       Seed     : Interfaces.Unsigned_32 := 1;
       Kept     : Wire_Bytes;
       --  Answers held
@@ -126,6 +134,7 @@ package Answer_Faults with SPARK_Mode, Pure is
    with
      Post =>
        (case Effect is
+           when Lost                    => False,
            when None | Corrupt          => Wire.Length = Reply.Length,
            when Silent | Dropped | Held => Wire.Length = 0,
            when Endless                 => Wire.Length = Reply.Length - 1,
@@ -140,6 +149,18 @@ package Answer_Faults with SPARK_Mode, Pure is
              Is_Of_Another_Kind (To, Wire));
    --  The bytes sent instead of Reply, the answer to To. An empty reply stays
    --  empty and uses no fault. Garbage is never a valid frame.
+
+   procedure Take_Command (P : in out Plan; Lost : out Boolean)
+   with
+     Post =>
+       P.Lose = Natural'Max (P.Lose'Old, 1) - 1
+       and then (if P.Lose'Old > 0 then Lost
+                 elsif P.Lose_Every = 0 then not Lost);
+   --  A command begins. Lost: the robot does not receive it.
+
+   procedure Draw
+     (Seed : in out Interfaces.Unsigned_32; Value : out Robot_Core.Octet);
+   --  The next byte of a linear congruential sequence
 
    procedure Babble (P : in out Plan; Byte : out Robot_Core.Octet)
      with Post => Byte /= 16#0D#;

@@ -54,7 +54,8 @@ package body Robot_Core with SPARK_Mode is
    --  matter. Found: there was a digit.
 
    procedure Obey (R : in out Robot; Result : in out Exchange)
-     with Pre  => R.State /= Off and then Result.Before = R.State,
+     with Pre  => R.State not in Off | Low_Battery
+                  and then Result.Before = R.State,
           Post => Result.Reply.Length /= 0
                   and then Result.Before = Result.Before'Old;
 
@@ -143,7 +144,7 @@ package body Robot_Core with SPARK_Mode is
       end if;
 
       case Character'Val (Command.Data (1)) is
-         when 'p' =>
+         when 'p' | 't' | 'a' =>
             Kind := Ping;
          when 'r' =>
             Kind := Reset;
@@ -244,16 +245,14 @@ package body Robot_Core with SPARK_Mode is
 
    procedure Follow_Power (R : in out Robot) is
    begin
-      if R.State = Off then
+      if R.State in Off | Low_Battery then
          return;
       elsif R.Plugged then
          if R.State /= In_Charge then
             Enter (R, In_Charge);
          end if;
       elsif R.Level = Critical then
-         if R.State /= Low_Battery then
-            Enter (R, Low_Battery);
-         end if;
+         Enter (R, Low_Battery);
       elsif R.State = In_Charge then
          Enter (R, Idle);
       end if;
@@ -448,7 +447,7 @@ package body Robot_Core with SPARK_Mode is
       R.Input.Length := 0;
       Add_One (R.Frames_Sum);
       Decode (Result.Command, Result.Kind, Result.Amount);
-      if R.State /= Off then
+      if R.State not in Off | Low_Battery then
          Obey (R, Result);
       end if;
       Result.After := R.State;

@@ -8,13 +8,11 @@
 --  What PROTOCOL.md leaves open is decided here:
 --
 --  *  Low battery: a critically empty battery stops the motors and turns
---     the watchdog off. Ping, battery, busy, version and power off are
---     answered, everything else refused, and 4 s later the robot switches
---     itself off (that delay is the firmware's). A charger saves it.
---     Levels 0 to 2 are only reported; a level of 0 is not yet critical.
+--     the watchdog off. Nothing is answered any more, and 4 s later the robot
+--     switches itself off, charger or not. Levels 0 to 2 are only reported;
+--     a level of 0 is not yet critical.
 --  *  In charge ends, when the charger is unplugged, in idle.
---  *  The firmware also answers O to two test letters, `t` and `a`; the
---     protocol does not have them, so here they are unknown.
+--  *  `t` and `a`, letters of the firmware's own tests, are pings.
 --  *  Half a frame stays in the receiver until its carriage return comes,
 --     even if the line was hung up meanwhile: the robot's radio cannot know.
 --  *  A robot that is off still has its frames told apart (the emulator's
@@ -158,7 +156,8 @@ package Robot_Core with SPARK_Mode, Pure is
        (if Complete
         then Result.Before = State (R'Old)
              and then Result.After = State (R)
-             and then (Result.Reply.Length = 0) = (Result.Before = Off)
+             and then (Result.Reply.Length = 0) =
+               (Result.Before in Off | Low_Battery)
         else State (R) = State (R'Old));
    --  A byte has arrived. Complete: it ended a frame, Result tells the rest.
 

@@ -17,14 +17,8 @@ package body Admission_Targets is
    use type Admission.Networks.Network;
    use type Admission.Networks.Verdict;
 
-   procedure Take_Part (R : in out Reader; Last : out Natural);
-   --  Takes all up to a NUL and the NUL: the input up to Last, and what has
-   --  been taken before
-
-   function Image (N : Admission.Networks.Network) return String;
-   --  ADDRESS/LEN
-
    function Image (N : Admission.Networks.Network) return String is
+      --  ADDRESS/LEN
       function Number (Value : Integer) return String is
         (Trim (Integer'Image (Value), Both));
 
@@ -36,6 +30,8 @@ package body Admission_Targets is
    end Image;
 
    procedure Take_Part (R : in out Reader; Last : out Natural) is
+      --  Takes all up to a NUL and the NUL: the input up to Last, and what has
+      --  been taken before
       C : Character;
    begin
       Last := R.Used;
@@ -52,8 +48,6 @@ package body Admission_Targets is
       First  : Positive := 1;
       Last   : Natural;
       L      : Admission.Networks.List;
-
-      procedure Read (Line : String);
 
       procedure Read (Line : String) is
          Plain : constant String (1 .. Line'Length) := Line;
@@ -77,10 +71,8 @@ package body Admission_Targets is
          end if;
       end Read;
 
-      procedure Meet;
-      --  A peer
-
       procedure Meet is
+         --  A peer
          P       : Admission.Networks.Peer_Address;
          A       : Unsigned_32 := 0;
          Mapped  : Boolean;
@@ -128,13 +120,8 @@ package body Admission_Targets is
       T     : Admission.Authentication.Token;
       Good  : Boolean;
 
-      procedure Show (Line : String);
-      --  In the log nothing of Line stands behind the first label
-
-      procedure Greet (Sent : String);
-      --  A newcomer that says so
-
       procedure Show (Line : String) is
+         --  In the log nothing of Line stands behind the first label
          Label : constant Natural :=
            Index (Line, Admission.Authentication.Label);
          Log   : Texts.Text;
@@ -152,6 +139,7 @@ package body Admission_Targets is
       end Show;
 
       procedure Greet (Sent : String) is
+         --  A newcomer that says so
          Line     : constant String :=
            Admission.Authentication.Label & T.Data (1 .. T.Length);
          Newcomer : Admission.Authentication.Reader;

@@ -14,7 +14,22 @@ package body Logic_Targets is
 
    Chosen : Target_Kind := Lines;
 
-   procedure Run (Data : Bytes.Byte_Array);
+   procedure Run (Data : Bytes.Byte_Array) is
+   begin
+      case Chosen is
+         when Lines     => Monitor_Targets.Lines (Data);
+         when Positions => Monitor_Targets.Positions (Data);
+         when Frames    => Robot_Targets.Frames (Data);
+         when Commands  => Robot_Targets.Commands (Data);
+         when Sessions  => Robot_Targets.Sessions (Data);
+         when Networks  => Admission_Targets.Network_Lists (Data);
+         when Tokens    => Admission_Targets.Tokens (Data);
+         when Arguments => Text_Targets.Arguments (Data);
+         when Base64    => Text_Targets.Base64_Texts (Data);
+         when Decimals  => Text_Targets.Decimal_Numbers (Data);
+         when Texts     => Text_Targets.Bounded_Texts (Data);
+      end case;
+   end Run;
 
    procedure Crash
    with Import, Convention => C, External_Name => "fuzz_crash", No_Return;
@@ -35,22 +50,5 @@ package body Logic_Targets is
            (Standard_Error, Ada.Exceptions.Exception_Information (Occurrence));
          Crash;
    end Give;
-
-   procedure Run (Data : Bytes.Byte_Array) is
-   begin
-      case Chosen is
-         when Lines     => Monitor_Targets.Lines (Data);
-         when Positions => Monitor_Targets.Positions (Data);
-         when Frames    => Robot_Targets.Frames (Data);
-         when Commands  => Robot_Targets.Commands (Data);
-         when Sessions  => Robot_Targets.Sessions (Data);
-         when Networks  => Admission_Targets.Network_Lists (Data);
-         when Tokens    => Admission_Targets.Tokens (Data);
-         when Arguments => Text_Targets.Arguments (Data);
-         when Base64    => Text_Targets.Base64_Texts (Data);
-         when Decimals  => Text_Targets.Decimal_Numbers (Data);
-         when Texts     => Text_Targets.Bounded_Texts (Data);
-      end case;
-   end Run;
 
 end Logic_Targets;

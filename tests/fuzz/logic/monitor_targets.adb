@@ -10,17 +10,8 @@ with Texts;
 
 package body Monitor_Targets is
 
-   procedure Parse_Anywhere (Line : String);
-   --  Line means the same wherever its first index is, and what the table of
-   --  the wire format says
-
-   function Meaning (Line : String) return Message;
-   --  That, said in another way than Parse does
-
-   function Are_Points (Text : String; Most : Positive) return Boolean;
-   --  1 to Most points. Said in another way than Missions.Paths does
-
    function Are_Points (Text : String; Most : Positive) return Boolean is
+      --  1 to Most points. Said in another way than Missions.Paths does
       type Place is (Sign, Whole, Point, Part);
       --  what has come last of a coordinate
 
@@ -69,6 +60,7 @@ package body Monitor_Targets is
    end Are_Points;
 
    function Meaning (Line : String) return Message is
+      --  That, said in another way than Parse does
       Colon  : constant Natural := Index (Line, ":");
       Start  : constant String :=
         (if Colon = 0 then Line else Line (Line'First .. Colon - 1));
@@ -121,6 +113,8 @@ package body Monitor_Targets is
    end Meaning;
 
    procedure Parse_Anywhere (Line : String) is
+      --  Line means the same wherever its first index is, and what the table
+      --  of the wire format says
       Shifted : String (Integer'Last - Line'Length .. Integer'Last - 1);
       Here    : Message;
       There   : Message;
@@ -202,11 +196,6 @@ package body Monitor_Targets is
       Buffer : Position_Text;
       Length : Natural;
 
-      procedure Write;
-      --  P comes back from what is written of it
-
-      procedure Take (M : out Micro);
-
       procedure Take (M : out Micro) is
          High : Integer;
          Low  : Integer;
@@ -218,6 +207,7 @@ package body Monitor_Targets is
       end Take;
 
       procedure Write is
+         --  P comes back from what is written of it
       begin
          Format_Position (P, Buffer, Length);
          Parse_Position (Buffer, Length - 1, Again, OK);

@@ -12,10 +12,8 @@ package body Robot_Targets is
    use type Robot.Session.Mode_Kind;
    use type Robot.Session.Step_Kind;
 
-   procedure Read_Frame (F : Frame);
-   --  Against each command, with and without its terminator
-
    procedure Read_Frame (F : Frame) is
+      --  Against each command, with and without its terminator
       Ended  : Frame := F;
       Answer : Reply;
       Same   : Reply;
@@ -107,10 +105,8 @@ package body Robot_Targets is
       Steps   : Natural;
       F       : Frame;
 
-      procedure Answer;
-      --  What the robot says to Next: a byte tells how many bytes arrive
-
       procedure Answer is
+         --  What the robot says to Next: a byte tells how many bytes arrive
          Receiving : Receiver;
          B         : Byte;
          Complete  : Boolean := False;

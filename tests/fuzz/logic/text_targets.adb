@@ -21,8 +21,6 @@ package body Text_Targets is
       First   : Positive := 1;
       Reading : Command_Lines.Reading;
 
-      procedure Give (Argument : String);
-
       procedure Give (Argument : String) is
          Text : constant String (1 .. Argument'Length) := Argument;
       begin
@@ -151,8 +149,6 @@ package body Text_Targets is
       Model : String (1 .. 2 * Texts.Max_Length) := (others => ' ');
       Count : Natural range 0 .. Model'Last := 0;
       --  the text as it would be without a bound, its beginning
-
-      procedure Add (Value : String);
 
       procedure Add (Value : String) is
          Part : constant Natural :=

@@ -70,8 +70,6 @@ package body Mission_Judges is
    is
       Aborted : constant String := "aborted;";
 
-      procedure Blame (If_So : Boolean; What : String);
-
       procedure Blame (If_So : Boolean; What : String) is
       begin
          if If_So then

@@ -16,8 +16,13 @@ package body Mission_Plans is
    Tenth : constant := 100;
    --  of a millimetre, in micrometres
 
-   function Centimetres (Value : Micro) return String;
-   --  With two decimals
+   function Centimetres (Value : Micro) return String is
+      --  With two decimals
+      Part : constant Natural := Natural (Value / Tenth mod 100);
+   begin
+      return Plain_Numbers.Image (Natural (Value / (100 * Tenth)))
+        & (if Part < 10 then ".0" else ".") & Plain_Numbers.Image (Part);
+   end Centimetres;
 
    function Order (P : Plan) return String is
       Text : Unbounded_String := To_Unbounded_String ("MPCM:");
@@ -29,13 +34,6 @@ package body Mission_Plans is
       end loop;
       return To_String (Text);
    end Order;
-
-   function Centimetres (Value : Micro) return String is
-      Part : constant Natural := Natural (Value / Tenth mod 100);
-   begin
-      return Plain_Numbers.Image (Natural (Value / (100 * Tenth)))
-        & (if Part < 10 then ".0" else ".") & Plain_Numbers.Image (Part);
-   end Centimetres;
 
    function Exact_Time (P : Plan) return Duration is
       Speed     : constant Long_Float :=
@@ -74,11 +72,9 @@ package body Mission_Plans is
       Result : Plan;
       First  : Positive;
 
-      function Next (Text : String; Mark : Character) return Micro;
-      --  The number from First to Mark or the end, in millionths of the unit;
-      --  First goes behind
-
       function Next (Text : String; Mark : Character) return Micro is
+         --  The number from First to Mark or the end, in millionths of the
+         --  unit; First goes behind
          Stop : constant Natural := Index (Text & Mark, (1 => Mark), First);
          Last : constant Natural := Stop - 1;
       begin

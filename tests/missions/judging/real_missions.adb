@@ -19,14 +19,6 @@ package body Real_Missions is
    Patience : constant Duration := 20.0;
    --  For each point: longer than the supervisor's limit
 
-   function Options (P : Plan) return String;
-   --  Of the emulator
-
-   procedure Begin_Session (R : in out Rigs.Rig; P : Plan);
-
-   procedure Compare (Truth : Emulators.Truth; Replayed : Robot_Motion.Pose);
-   --  Raises Failed unless they are the same
-
    procedure Begin_Session (R : in out Rigs.Rig; P : Plan) is
       Unused : Message;
    begin
@@ -48,6 +40,7 @@ package body Real_Missions is
 
    procedure Compare (Truth : Emulators.Truth; Replayed : Robot_Motion.Pose)
    is
+      --  Raises Failed unless they are the same
       Most : constant := 0.02;
       --  Centimetres, degrees
 
@@ -66,6 +59,7 @@ package body Real_Missions is
    end Compare;
 
    function Options (P : Plan) return String is
+      --  Of the emulator
 
       function Decimals (Value, Unit : Micro) return String is
         (Rounded (Float (Value) / Float (Unit), 2));
@@ -95,9 +89,6 @@ package body Real_Missions is
       Next   : Positive;
       Last   : Robot_Motion.Pose;
       Drives : Boolean := False;
-
-      procedure See_Pose
-        (Time : Instant; Where : Robot_Motion.Pose; Driving : Boolean);
 
       procedure See_Pose
         (Time : Instant; Where : Robot_Motion.Pose; Driving : Boolean) is

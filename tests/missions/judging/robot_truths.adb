@@ -15,13 +15,8 @@ package body Robot_Truths is
    function Letter (Item : Note) return Character is
      (if Length (Item.Command) = 0 then ' ' else Element (Item.Command, 1));
 
-   function Value (Item : Note) return Amount;
-   --  Of a movement
-
-   procedure Obey
-     (M : in out Motion; Item : Note; Wheels : Wheel_Errors);
-
    function Value (Item : Note) return Amount is
+      --  Of a movement
       Text : constant String := To_String (Item.Command);
    begin
       return Integer'Max
@@ -54,10 +49,8 @@ package body Robot_Truths is
       M     : Motion;
       Clock : Instant := From;
 
-      procedure Pass (Till : Instant);
-      --  Lets time pass
-
       procedure Pass (Till : Instant) is
+         --  Lets time pass
          Left : Micro := Micro (Till / 1_000) - Micro (Clock / 1_000);
       begin
          while Left > 0 loop

@@ -10,25 +10,21 @@ with Schedule;
 with Violators;
 
 procedure Ceiling_Violation with Priority => Schedule.Main_Priority is
-   Held   : Kind;
+   Acting : Boolean;
    Raised : Boolean;
    Inside : Integer;
    Good   : Boolean;
 begin
-   Get (Held);
+   Get (Acting);
    Violators.Await (Raised, Inside);
    Put_Line
-     ("said: " & Image (Held) & "; seen: "
+     ("said: " & Image (Acting) & "; seen: "
       & (if Raised then "Program_Error" else "no exception")
       & ", priority inside" & Inside'Image);
    Flush;
    --  GNAT's priorities are Linux's less one
    Good :=
-     (case Held is
-         when Real_Time     =>
-            Raised and then Inside = Schedule.Stop_Priority + 1,
-         when Ordinary_User =>
-            not Raised and then Inside <= Schedule.Line_Priority + 1,
-         when Cannot_Run    => False);
+     (if Acting then Raised and then Inside = Schedule.Stop_Priority + 1
+      else not Raised and then Inside <= Schedule.Line_Priority + 1);
    GNAT.OS_Lib.OS_Exit (if Good then 0 else 1);
 end Ceiling_Violation;

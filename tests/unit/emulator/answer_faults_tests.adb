@@ -5,12 +5,11 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Answer_Faults;    use Answer_Faults;
 with Robot_Core;       use Robot_Core;
+with Unit_Runs; use Unit_Runs;
 
 package body Answer_Faults_Tests is
 
    use type Octet;
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    CR : constant Octet := 16#0D#;
 
@@ -31,24 +30,6 @@ package body Answer_Faults_Tests is
 
    function Sent return Octets is (Wire.Data (1 .. Wire.Length));
 
-   function Is_Good_Frame (Data : Octets) return Boolean;
-
-   procedure Test_None (T : in out Any_Test);
-   procedure Test_Silent (T : in out Any_Test);
-   procedure Test_Drop (T : in out Any_Test);
-   procedure Test_Every (T : in out Any_Test);
-   procedure Test_Corrupt (T : in out Any_Test);
-   procedure Test_Truncate (T : in out Any_Test);
-   procedure Test_Garbage (T : in out Any_Test);
-   procedure Test_Cut (T : in out Any_Test);
-   procedure Test_Flip (T : in out Any_Test);
-   procedure Test_Wrong_Kind (T : in out Any_Test);
-   procedure Test_Pile (T : in out Any_Test);
-   procedure Test_Pile_Is_Full (T : in out Any_Test);
-   procedure Test_Endless (T : in out Any_Test);
-   procedure Test_Order (T : in out Any_Test);
-   procedure Test_No_Answer (T : in out Any_Test);
-
    function Is_Good_Frame (Data : Octets) return Boolean is
    begin
       for K in Data'Range loop
@@ -60,11 +41,7 @@ package body Answer_Faults_Tests is
       return False;
    end Is_Good_Frame;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Answer_Faults"));
-
-   procedure Test_Corrupt (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Corrupt is
       Close : constant Answer :=
         (Length => 3, Data => (16#0C#, 16#0C#, CR, others => 0));
    begin
@@ -83,8 +60,7 @@ package body Answer_Faults_Tests is
       Assert (Effect = None and then Is_Good_Frame (Sent), "third is good");
    end Test_Corrupt;
 
-   procedure Test_Cut (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Cut is
    begin
       P := (Truncate => 3, Keep => 1, others => <>);
       Apply (P, Get_Version, Version, Wire, Effect);
@@ -99,8 +75,7 @@ package body Answer_Faults_Tests is
               "never the whole answer");
    end Test_Cut;
 
-   procedure Test_Drop (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Drop is
    begin
       P := (Drop => 3, others => <>);
       for K in 1 .. 3 loop
@@ -111,8 +86,7 @@ package body Answer_Faults_Tests is
       Assert (Effect = None and then Sent = Ack.Data (1 .. 3), "sent");
    end Test_Drop;
 
-   procedure Test_Endless (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Endless is
       Byte  : Octet;
       Count : Natural := 0;
    begin
@@ -132,8 +106,7 @@ package body Answer_Faults_Tests is
       Assert (Count in 4_000 .. 6_000, "not at random");
    end Test_Endless;
 
-   procedure Test_Every (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Every is
       Nothing : constant Answer := (others => <>);
    begin
       for Every of Intervals'(2, 3, 10, 1_000) loop
@@ -166,8 +139,7 @@ package body Answer_Faults_Tests is
       end loop;
    end Test_Every;
 
-   procedure Test_Flip (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Flip is
       Other : Natural;
       Value : Octet;
    begin
@@ -207,8 +179,7 @@ package body Answer_Faults_Tests is
       Assert (P.Bit = 0, "the last of all");
    end Test_Flip;
 
-   procedure Test_Garbage (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Garbage is
       Ended, Open : Natural := 0;
    begin
       P := (Garbage => 10_000, others => <>);
@@ -227,8 +198,26 @@ package body Answer_Faults_Tests is
       Assert (Effect = None, "over");
    end Test_Garbage;
 
-   procedure Test_No_Answer (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Lost_Command is
+      Lost : Boolean;
+   begin
+      P := (Lose => 2, others => <>);
+      for K in 1 .. 5 loop
+         Take_Command (P, Lost);
+         Assert (Lost = (K <= 2), "the next 2:" & K'Image);
+      end loop;
+      for Every of Intervals'(2, 3, 1_000) loop
+         P := (Lose_Every => Every, Every => 2, others => <>);
+         for K in 1 .. 3_000 loop
+            Take_Command (P, Lost);
+            Assert (Lost = (K mod Every = 0), "every:" & K'Image);
+            Apply (P, Ping, Ack, Wire, Effect);
+            Assert ((Effect = Dropped) = (K mod 2 = 0), "answers as well");
+         end loop;
+      end loop;
+   end Test_Lost_Command;
+
+   procedure Test_No_Answer is
       Nothing : constant Answer := (others => <>);
    begin
       P := (Silent => False, Drop => 1, Garbage => 1, Truncate => 1,
@@ -241,16 +230,14 @@ package body Answer_Faults_Tests is
               and then P.Corrupt = 1, "used up");
    end Test_No_Answer;
 
-   procedure Test_None (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_None is
    begin
       P := (others => <>);
       Apply (P, Ping, Ack, Wire, Effect);
       Assert (Effect = None and then Sent = Ack.Data (1 .. 3), "changed");
    end Test_None;
 
-   procedure Test_Order (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Order is
    begin
       P := (Drop => 1, Garbage => 1, Truncate => 1, Corrupt => 1,
             others => <>);
@@ -266,8 +253,7 @@ package body Answer_Faults_Tests is
       Assert (Effect = None, "fifth");
    end Test_Order;
 
-   procedure Test_Silent (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Silent is
    begin
       P := (Silent => True, Drop => 1, others => <>);
       for K in 1 .. 10 loop
@@ -277,8 +263,7 @@ package body Answer_Faults_Tests is
       Assert (P.Drop = 1, "silence uses up nothing");
    end Test_Silent;
 
-   procedure Test_Truncate (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Truncate is
    begin
       P := (Truncate => 1, others => <>);
       Apply (P, Ping, Ack, Wire, Effect);
@@ -287,8 +272,7 @@ package body Answer_Faults_Tests is
       Assert (Effect = None, "over");
    end Test_Truncate;
 
-   procedure Test_Pile (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Pile is
    begin
       P := (Pile => 3, others => <>);
       Apply (P, Ping, Ack, Wire, Effect);
@@ -314,8 +298,7 @@ package body Answer_Faults_Tests is
       Assert (Sent = Ack.Data (1 .. 3), "alone");
    end Test_Pile;
 
-   procedure Test_Pile_Is_Full (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Pile_Is_Full is
       Longest : constant Answer := (Length => 8, Data => (others => 65));
    begin
       P := (Pile => Max_Pile, others => <>);
@@ -333,13 +316,10 @@ package body Answer_Faults_Tests is
               "the newest, from the one on for which there was no room");
    end Test_Pile_Is_Full;
 
-   procedure Test_Wrong_Kind (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Expect (To : Command_Kind; Texts : String);
-      --  In turn, one character each; V for the version
+   procedure Test_Wrong_Kind is
 
       procedure Expect (To : Command_Kind; Texts : String) is
+         --  In turn, one character each; V for the version
       begin
          P := (Wrong => 2 * Texts'Length, others => <>);
          for K in 1 .. 2 loop
@@ -368,24 +348,24 @@ package body Answer_Faults_Tests is
       Expect (Unknown, "1V");
    end Test_Wrong_Kind;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_None'Access, "none");
-      Register_Routine (T, Test_Silent'Access, "silent");
-      Register_Routine (T, Test_Drop'Access, "drop");
-      Register_Routine (T, Test_Every'Access, "drop every");
-      Register_Routine (T, Test_Corrupt'Access, "corrupt");
-      Register_Routine (T, Test_Truncate'Access, "truncate");
-      Register_Routine (T, Test_Garbage'Access, "garbage");
-      Register_Routine (T, Test_Cut'Access, "cut anywhere");
-      Register_Routine (T, Test_Flip'Access, "every bit flipped");
-      Register_Routine (T, Test_Wrong_Kind'Access, "wrong kind");
-      Register_Routine (T, Test_Pile'Access, "piled up");
-      Register_Routine (T, Test_Pile_Is_Full'Access, "a pile too high");
-      Register_Routine (T, Test_Endless'Access, "endless");
-      Register_Routine (T, Test_Order'Access, "several at once");
-      Register_Routine (T, Test_No_Answer'Access, "no answer");
-   end Register_Tests;
+      Add_Test ("none", Test_None'Access);
+      Add_Test ("silent", Test_Silent'Access);
+      Add_Test ("drop", Test_Drop'Access);
+      Add_Test ("drop every", Test_Every'Access);
+      Add_Test ("lost commands", Test_Lost_Command'Access);
+      Add_Test ("corrupt", Test_Corrupt'Access);
+      Add_Test ("truncate", Test_Truncate'Access);
+      Add_Test ("garbage", Test_Garbage'Access);
+      Add_Test ("cut anywhere", Test_Cut'Access);
+      Add_Test ("every bit flipped", Test_Flip'Access);
+      Add_Test ("wrong kind", Test_Wrong_Kind'Access);
+      Add_Test ("piled up", Test_Pile'Access);
+      Add_Test ("a pile too high", Test_Pile_Is_Full'Access);
+      Add_Test ("endless", Test_Endless'Access);
+      Add_Test ("several at once", Test_Order'Access);
+      Add_Test ("no answer", Test_No_Answer'Access);
+   end Add_Tests;
 
 end Answer_Faults_Tests;

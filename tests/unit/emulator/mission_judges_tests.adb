@@ -10,40 +10,14 @@ with Mission_Judges;        use Mission_Judges;
 with Mission_Plans;         use Mission_Plans;
 with Robot_Motion;
 with Robot_Truths;
+with Unit_Runs; use Unit_Runs;
 
 package body Mission_Judges_Tests is
 
    use type Robot_Motion.Micro;
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    Two : constant Plan := Read ("10,10,0", "MPCM:30;10;30.00;30.0");
    --  200 mm, a quarter to the left, 200 mm
-
-   procedure Test_Plans (T : in out Any_Test);
-   procedure Test_Bad_Plans (T : in out Any_Test);
-   procedure Test_Random_Plans (T : in out Any_Test);
-   procedure Test_Replay (T : in out Any_Test);
-   procedure Test_Passes (T : in out Any_Test);
-   procedure Test_Order_Of_Points (T : in out Any_Test);
-   procedure Test_Walls (T : in out Any_Test);
-   procedure Test_Blind (T : in out Any_Test);
-   procedure Test_Ends (T : in out Any_Test);
-
-   procedure Drive
-     (J              : in out Judge;
-      Time           : in out Duration;
-      X1, Y1, X2, Y2 : Micro;
-      Positions      : Boolean := True);
-   --  A straight line in millimetres, one a millisecond; a position each time
-
-   procedure Judge_It
-     (J : Judge; V : out Verdict; Said : String := "done");
-
-   procedure Expect (V : Verdict; Wrong : String);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Mission_Judges"));
 
    procedure Drive
      (J              : in out Judge;
@@ -51,6 +25,8 @@ package body Mission_Judges_Tests is
       X1, Y1, X2, Y2 : Micro;
       Positions      : Boolean := True)
    is
+      --  A straight line in millimetres, one a millisecond; a position each
+      --  time
       Steps : constant Micro :=
         Micro'Max (1, Micro'Max (abs (X2 - X1), abs (Y2 - Y1)));
    begin
@@ -82,10 +58,7 @@ package body Mission_Judges_Tests is
       Conclude (J, Two, Said, 4.5, 3, V);
    end Judge_It;
 
-   procedure Test_Bad_Plans (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Refuse (Pose, Order : String);
+   procedure Test_Bad_Plans is
 
       procedure Refuse (Pose, Order : String) is
          P : Plan;
@@ -104,8 +77,7 @@ package body Mission_Judges_Tests is
       Refuse ("10,10,0", "MPCM:3000;10");
    end Test_Bad_Plans;
 
-   procedure Test_Blind (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Blind is
       J    : Judge;
       V    : Verdict;
       Time : Duration := 0.0;
@@ -132,8 +104,7 @@ package body Mission_Judges_Tests is
       Assert (V.Blind in 0.44 .. 0.46, "blind for" & V.Blind'Image);
    end Test_Blind;
 
-   procedure Test_Ends (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ends is
       J    : Judge;
       V    : Verdict;
       Time : Duration := 0.0;
@@ -156,8 +127,7 @@ package body Mission_Judges_Tests is
       Assert (V.Passed = 1, "passed" & V.Passed'Image);
    end Test_Ends;
 
-   procedure Test_Order_Of_Points (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Order_Of_Points is
       J    : Judge;
       V    : Verdict;
       Time : Duration := 0.0;
@@ -171,8 +141,7 @@ package body Mission_Judges_Tests is
       Expect (V, "");
    end Test_Order_Of_Points;
 
-   procedure Test_Passes (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Passes is
       J    : Judge;
       V    : Verdict;
       Time : Duration := 0.0;
@@ -197,8 +166,7 @@ package body Mission_Judges_Tests is
       Assert (abs (V.Pass - 16.0) < 0.001, "passed at" & V.Pass'Image);
    end Test_Passes;
 
-   procedure Test_Plans (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Plans is
    begin
       Assert (Order (Two) = "MPCM:30.00;10.00;30.00;30.00", Order (Two));
       Assert
@@ -214,8 +182,7 @@ package body Mission_Judges_Tests is
          "a point where it stands");
    end Test_Plans;
 
-   procedure Test_Random_Plans (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Random_Plans is
       use type Robot_Motion.Wheel_Errors;
       P : Plan;
    begin
@@ -240,17 +207,11 @@ package body Mission_Judges_Tests is
       end loop;
    end Test_Random_Plans;
 
-   procedure Test_Replay (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Replay is
 
       Second : constant Instant := 1_000_000_000;
       Notes  : Emulators.Notes;
       Seen   : Natural := 0;
-
-      procedure Put (Time : Instant; Command, Answer : String);
-
-      procedure See
-        (Time : Instant; Where : Robot_Motion.Pose; Driving : Boolean);
 
       procedure Put (Time : Instant; Command, Answer : String) is
       begin
@@ -265,7 +226,6 @@ package body Mission_Judges_Tests is
       procedure See
         (Time : Instant; Where : Robot_Motion.Pose; Driving : Boolean)
       is
-         procedure Is_At (X, Y, Angle : Micro; Moves : Boolean);
 
          procedure Is_At (X, Y, Angle : Micro; Moves : Boolean) is
          begin
@@ -307,8 +267,7 @@ package body Mission_Judges_Tests is
          "movements:" & Robot_Truths.Movements (Notes)'Image);
    end Test_Replay;
 
-   procedure Test_Walls (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Walls is
       J    : Judge;
       V    : Verdict;
       Time : Duration := 0.0;
@@ -324,19 +283,17 @@ package body Mission_Judges_Tests is
       Expect (V, "has touched a wall");
    end Test_Walls;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_Plans'Access, "plans");
-      Register_Routine (T, Test_Bad_Plans'Access, "bad plans");
-      Register_Routine (T, Test_Random_Plans'Access, "random plans");
-      Register_Routine (T, Test_Replay'Access, "a journal's truth");
-      Register_Routine (T, Test_Passes'Access, "distances of the points");
-      Register_Routine
-        (T, Test_Order_Of_Points'Access, "the points' order");
-      Register_Routine (T, Test_Walls'Access, "walls");
-      Register_Routine (T, Test_Blind'Access, "without a position");
-      Register_Routine (T, Test_Ends'Access, "ends");
-   end Register_Tests;
+      Add_Test ("plans", Test_Plans'Access);
+      Add_Test ("bad plans", Test_Bad_Plans'Access);
+      Add_Test ("random plans", Test_Random_Plans'Access);
+      Add_Test ("a journal's truth", Test_Replay'Access);
+      Add_Test ("distances of the points", Test_Passes'Access);
+      Add_Test ("the points' order", Test_Order_Of_Points'Access);
+      Add_Test ("walls", Test_Walls'Access);
+      Add_Test ("without a position", Test_Blind'Access);
+      Add_Test ("ends", Test_Ends'Access);
+   end Add_Tests;
 
 end Mission_Judges_Tests;

@@ -8,57 +8,16 @@ with Interfaces;
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Robot_Motion;     use Robot_Motion;
+with Unit_Runs; use Unit_Runs;
 
 package body Robot_Motion_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Pass (M : in out Motion; Time : Micro);
-   --  Any time, in steps
-
-   procedure Pass_To_End (M : in out Motion; Time : Micro);
-   --  Its order ends after exactly that time
-
-   procedure Expect
-     (M : Motion; X, Y, Angle : Micro; Tolerance : Micro := 0);
-
-   function Placed (X, Y, Angle : Micro) return Motion;
 
    type Values is array (1 .. 3) of Micro;
    type Pulls is array (Positive range <>) of Pull_Angle;
 
-   procedure Test_Sine (T : in out Any_Test);
-   procedure Test_Straight (T : in out Any_Test);
-   procedure Test_Every_Direction (T : in out Any_Test);
-   procedure Test_Turns (T : in out Any_Test);
-   procedure Test_Halt (T : in out Any_Test);
-   procedure Test_Walls (T : in out Any_Test);
-   procedure Test_Wall_Keeps_Busy (T : in out Any_Test);
-   procedure Test_Endless (T : in out Any_Test);
-   procedure Test_Steps_Do_Not_Matter (T : in out Any_Test);
-   procedure Test_Square (T : in out Any_Test);
-   procedure Test_Extremes (T : in out Any_Test);
-   procedure Test_Ideal_As_Ever (T : in out Any_Test);
-   procedure Test_Speed (T : in out Any_Test);
-   procedure Test_Turn_Speed (T : in out Any_Test);
-   procedure Test_Overshoot (T : in out Any_Test);
-   procedure Test_Arcs (T : in out Any_Test);
-   procedure Test_Back_Along_An_Arc (T : in out Any_Test);
-   procedure Test_Arcs_At_Walls (T : in out Any_Test);
-   procedure Test_Arc_Touches_A_Wall (T : in out Any_Test);
-   procedure Test_Extremes_With_Errors (T : in out Any_Test);
-
    type Exact_Pose is record
       X, Y, Angle : Long_Float;  --  micrometres, degrees
    end record;
-
-   function On_Arc
-     (From : Pose; Pull : Pull_Angle; Length : Long_Float)
-      return Exact_Pose;
-   --  By the circle's centre; Length in micrometres, negative backward
-
-   procedure Expect_Near (M : Motion; Exact : Exact_Pose; What : String);
-   --  Within the 40 micrometres of Pose_Of's description
 
    procedure Expect
      (M : Motion; X, Y, Angle : Micro; Tolerance : Micro := 0)
@@ -73,6 +32,7 @@ package body Robot_Motion_Tests is
    end Expect;
 
    procedure Expect_Near (M : Motion; Exact : Exact_Pose; What : String) is
+      --  Within the 40 micrometres of Pose_Of's description
       P       : constant Pose := Pose_Of (M);
       Degrees : constant Long_Float :=
         abs (Long_Float (P.Angle) / 1.0e6 - Exact.Angle);
@@ -84,13 +44,11 @@ package body Robot_Motion_Tests is
               & ", not" & Exact.X'Image & Exact.Y'Image & Exact.Angle'Image);
    end Expect_Near;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Robot_Motion"));
-
    function On_Arc
      (From : Pose; Pull : Pull_Angle; Length : Long_Float)
       return Exact_Pose
    is
+      --  By the circle's centre; Length in micrometres, negative backward
       use Ada.Numerics.Long_Elementary_Functions;
       Radius : constant Long_Float :=
         1.0e6 * 180.0 / (Ada.Numerics.Pi * Long_Float (Pull));
@@ -110,6 +68,7 @@ package body Robot_Motion_Tests is
    end On_Arc;
 
    procedure Pass (M : in out Motion; Time : Micro) is
+      --  Any time, in steps
       Left : Micro := Time;
    begin
       while Left > 0 loop
@@ -119,6 +78,7 @@ package body Robot_Motion_Tests is
    end Pass;
 
    procedure Pass_To_End (M : in out Motion; Time : Micro) is
+      --  Its order ends after exactly that time
    begin
       Pass (M, Time - 1);
       Assert (Is_Moving (M), "too early");
@@ -133,8 +93,7 @@ package body Robot_Motion_Tests is
       return M;
    end Placed;
 
-   procedure Test_Arc_Touches_A_Wall (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Arc_Touches_A_Wall is
       Left : constant Wheel_Errors := (Pull => 30, others => <>);
       M    : Motion;
       P    : Pose;
@@ -169,8 +128,7 @@ package body Robot_Motion_Tests is
       Assert (Pose_Of (M).Y > 62_100, "caught at the wall");
    end Test_Arc_Touches_A_Wall;
 
-   procedure Test_Arcs (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Arcs is
       M       : Motion;
       Start   : Pose;
       Heading : Micro;
@@ -216,8 +174,7 @@ package body Robot_Motion_Tests is
       end loop;
    end Test_Arcs;
 
-   procedure Test_Arcs_At_Walls (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Arcs_At_Walls is
       M      : Motion;
       Start  : Pose;
       P      : Pose;
@@ -260,8 +217,7 @@ package body Robot_Motion_Tests is
       end loop;
    end Test_Arcs_At_Walls;
 
-   procedure Test_Back_Along_An_Arc (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Back_Along_An_Arc is
       M : Motion;
    begin
       for Degree in 0 .. 359 loop
@@ -278,8 +234,7 @@ package body Robot_Motion_Tests is
       end loop;
    end Test_Back_Along_An_Arc;
 
-   procedure Test_Endless (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Endless is
       M : Motion;
    begin
       Turn (M, Endless_Forward);
@@ -295,8 +250,7 @@ package body Robot_Motion_Tests is
       Expect (M, 400_000, 300_000, 315_000_000);
    end Test_Endless;
 
-   procedure Test_Every_Direction (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Every_Direction is
       use Ada.Numerics.Long_Elementary_Functions;
       M : Motion;
    begin
@@ -318,8 +272,7 @@ package body Robot_Motion_Tests is
       end loop;
    end Test_Every_Direction;
 
-   procedure Test_Extremes (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Extremes is
       M : Motion;
    begin
       --  The longest finite orders take their time and end where they must
@@ -339,8 +292,7 @@ package body Robot_Motion_Tests is
       Expect (M, 738_000, 300_000, 0);
    end Test_Extremes;
 
-   procedure Test_Extremes_With_Errors (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Extremes_With_Errors is
       Most : constant Wheel_Errors := (130, 130, 20, 30);
       M    : Motion;
    begin
@@ -356,8 +308,7 @@ package body Robot_Motion_Tests is
       Assert (Pose_Of (M).X = 62_000, "not at the wall");
    end Test_Extremes_With_Errors;
 
-   procedure Test_Halt (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Halt is
       M : Motion;
    begin
       Go (M, 500);
@@ -376,16 +327,13 @@ package body Robot_Motion_Tests is
       Assert (not Is_Moving (M), "moving by 0");
    end Test_Halt;
 
-   procedure Test_Ideal_As_Ever (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ideal_As_Ever is
       use Interfaces;
 
       Seed : Unsigned_32 := 1;
       Sum  : Unsigned_64 := 0;
       M    : Motion;
       P    : Pose;
-
-      function Draw (Below : Unsigned_32) return Unsigned_32;
 
       function Draw (Below : Unsigned_32) return Unsigned_32 is
       begin
@@ -425,8 +373,7 @@ package body Robot_Motion_Tests is
       Assert (Sum = 17_283_344_166_477_718_937, "other poses:" & Sum'Image);
    end Test_Ideal_As_Ever;
 
-   procedure Test_Overshoot (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Overshoot is
       M : Motion;
    begin
       for Part in Overshoot_Percent loop
@@ -463,8 +410,7 @@ package body Robot_Motion_Tests is
       Expect (M, 400_000, 400_000, 90_000_000);
    end Test_Overshoot;
 
-   procedure Test_Sine (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Sine is
       use Ada.Numerics.Long_Elementary_Functions;
       Angle : Micro := 0;
    begin
@@ -487,8 +433,7 @@ package body Robot_Motion_Tests is
       end loop;
    end Test_Sine;
 
-   procedure Test_Speed (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Speed is
       M : Motion;
    begin
       for Speed in Speed_Percent loop
@@ -516,8 +461,7 @@ package body Robot_Motion_Tests is
       Expect (M, 560_000, 538_000, 90_000_000);
    end Test_Speed;
 
-   procedure Test_Square (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Square is
       M : Motion := Placed (300_000, 200_000, 0);
    begin
       for Round in 1 .. 100 loop
@@ -531,8 +475,7 @@ package body Robot_Motion_Tests is
       Expect (M, 300_000, 200_000, 0);
    end Test_Square;
 
-   procedure Test_Steps_Do_Not_Matter (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Steps_Do_Not_Matter is
       A, B : Motion := Placed (300_000, 200_000, 33_300_000);
       P    : Pose;
    begin
@@ -546,8 +489,7 @@ package body Robot_Motion_Tests is
       Expect (B, P.X, P.Y, P.Angle);
    end Test_Steps_Do_Not_Matter;
 
-   procedure Test_Straight (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Straight is
       M : Motion;
    begin
       Expect (M, 400_000, 300_000, 0);
@@ -560,8 +502,7 @@ package body Robot_Motion_Tests is
       Expect (M, 200_000, 300_000, 0);
    end Test_Straight;
 
-   procedure Test_Turn_Speed (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Turn_Speed is
       M : Motion;
    begin
       for Speed in Speed_Percent loop
@@ -588,8 +529,7 @@ package body Robot_Motion_Tests is
       end loop;
    end Test_Turn_Speed;
 
-   procedure Test_Turns (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Turns is
       M : Motion;
    begin
       Turn (M, 90);
@@ -609,8 +549,7 @@ package body Robot_Motion_Tests is
       Expect (M, 400_000, 300_000, 6_000_000);
    end Test_Turns;
 
-   procedure Test_Walls (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Walls is
       M : Motion;
    begin
       Go (M, Endless_Forward);
@@ -659,8 +598,7 @@ package body Robot_Motion_Tests is
       end loop;
    end Test_Walls;
 
-   procedure Test_Wall_Keeps_Busy (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Wall_Keeps_Busy is
       M : Motion := Placed (738_000, 300_000, 0);
    begin
       --  The wheels slip: the order takes as long as on free ground
@@ -673,34 +611,28 @@ package body Robot_Motion_Tests is
       Expect (M, 738_000, 300_000, 0);
    end Test_Wall_Keeps_Busy;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_Sine'Access, "sine and cosine");
-      Register_Routine (T, Test_Straight'Access, "straight on");
-      Register_Routine (T, Test_Every_Direction'Access, "every direction");
-      Register_Routine (T, Test_Turns'Access, "turns");
-      Register_Routine (T, Test_Halt'Access, "halt");
-      Register_Routine (T, Test_Walls'Access, "walls");
-      Register_Routine (T, Test_Wall_Keeps_Busy'Access, "busy at a wall");
-      Register_Routine (T, Test_Endless'Access, "endless turns");
-      Register_Routine
-        (T, Test_Steps_Do_Not_Matter'Access, "small steps or large");
-      Register_Routine (T, Test_Square'Access, "100 squares");
-      Register_Routine (T, Test_Extremes'Access, "longest orders");
-      Register_Routine
-        (T, Test_Ideal_As_Ever'Access, "ideal wheels as ever");
-      Register_Routine (T, Test_Speed'Access, "speeds");
-      Register_Routine (T, Test_Turn_Speed'Access, "speeds of turns");
-      Register_Routine (T, Test_Overshoot'Access, "overshoot");
-      Register_Routine (T, Test_Arcs'Access, "arcs");
-      Register_Routine
-        (T, Test_Back_Along_An_Arc'Access, "back along an arc");
-      Register_Routine (T, Test_Arcs_At_Walls'Access, "arcs at walls");
-      Register_Routine
-        (T, Test_Arc_Touches_A_Wall'Access, "an arc that touches a wall");
-      Register_Routine
-        (T, Test_Extremes_With_Errors'Access, "longest of the fastest");
-   end Register_Tests;
+      Add_Test ("sine and cosine", Test_Sine'Access);
+      Add_Test ("straight on", Test_Straight'Access);
+      Add_Test ("every direction", Test_Every_Direction'Access);
+      Add_Test ("turns", Test_Turns'Access);
+      Add_Test ("halt", Test_Halt'Access);
+      Add_Test ("walls", Test_Walls'Access);
+      Add_Test ("busy at a wall", Test_Wall_Keeps_Busy'Access);
+      Add_Test ("endless turns", Test_Endless'Access);
+      Add_Test ("small steps or large", Test_Steps_Do_Not_Matter'Access);
+      Add_Test ("100 squares", Test_Square'Access);
+      Add_Test ("longest orders", Test_Extremes'Access);
+      Add_Test ("ideal wheels as ever", Test_Ideal_As_Ever'Access);
+      Add_Test ("speeds", Test_Speed'Access);
+      Add_Test ("speeds of turns", Test_Turn_Speed'Access);
+      Add_Test ("overshoot", Test_Overshoot'Access);
+      Add_Test ("arcs", Test_Arcs'Access);
+      Add_Test ("back along an arc", Test_Back_Along_An_Arc'Access);
+      Add_Test ("arcs at walls", Test_Arcs_At_Walls'Access);
+      Add_Test ("an arc that touches a wall", Test_Arc_Touches_A_Wall'Access);
+      Add_Test ("longest of the fastest", Test_Extremes_With_Errors'Access);
+   end Add_Tests;
 
 end Robot_Motion_Tests;

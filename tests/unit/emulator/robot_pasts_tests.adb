@@ -6,20 +6,11 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Robot_Core;       use Robot_Core;
 with Robot_Motion;     use Robot_Motion;
 with Robot_Pasts;      use Robot_Pasts;
+with Unit_Runs; use Unit_Runs;
 
 package body Robot_Pasts_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    subtype Time_Point is Robot_Core.Time_Point;
-
-   procedure Test_Every_Millisecond (T : in out Any_Test);
-   procedure Test_Oldest (T : in out Any_Test);
-
-   procedure Send (R : in out Robot; Text : String);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Robot_Pasts"));
 
    procedure Send (R : in out Robot; Text : String) is
       Data     : Octets (1 .. Text'Length);
@@ -35,8 +26,7 @@ package body Robot_Pasts_Tests is
       Assert (Complete, "no frame");
    end Send;
 
-   procedure Test_Every_Millisecond (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Every_Millisecond is
 
       type Poses is array (0 .. 9_000) of Robot_Motion.Pose;
       type States is array (Poses'Range) of State_Kind;
@@ -80,8 +70,7 @@ package body Robot_Pasts_Tests is
       end loop;
    end Test_Every_Millisecond;
 
-   procedure Test_Oldest (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Oldest is
       R : Robot;
       P : Past;
    begin
@@ -107,12 +96,10 @@ package body Robot_Pasts_Tests is
       end loop;
    end Test_Oldest;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine
-        (T, Test_Every_Millisecond'Access, "every millisecond");
-      Register_Routine (T, Test_Oldest'Access, "the oldest");
-   end Register_Tests;
+      Add_Test ("every millisecond", Test_Every_Millisecond'Access);
+      Add_Test ("the oldest", Test_Oldest'Access);
+   end Add_Tests;
 
 end Robot_Pasts_Tests;

@@ -5,29 +5,11 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Answer_Ledgers;   use Answer_Ledgers;
 with Instants;         use Instants;
+with Unit_Runs; use Unit_Runs;
 
 package body Answer_Ledgers_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    L : Ledger;
-
-   procedure Ask (Command : String);
-
-   procedure Hear (Label : String);
-   --  A message arrives now
-
-   procedure Test_Once (T : in out Any_Test);
-   procedure Test_Twice (T : in out Any_Test);
-   procedure Test_Missing (T : in out Any_Test);
-   procedure Test_Wrong_Kind (T : in out Any_Test);
-   procedure Test_Too_Early (T : in out Any_Test);
-   procedure Test_Unasked (T : in out Any_Test);
-   procedure Test_Battery (T : in out Any_Test);
-   procedure Test_Arena (T : in out Any_Test);
-   procedure Test_Loss_Of_Robot (T : in out Any_Test);
-   procedure Test_Silent (T : in out Any_Test);
-   procedure Test_Perhaps (T : in out Any_Test);
 
    procedure Ask (Command : String) is
    begin
@@ -35,15 +17,12 @@ package body Answer_Ledgers_Tests is
    end Ask;
 
    procedure Hear (Label : String) is
+      --  A message arrives now
    begin
       Put_Message (L, (Label => Label, Time => Now, others => <>));
    end Hear;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Answer_Ledgers"));
-
-   procedure Test_Once (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Once is
    begin
       Clear (L);
       Assert (Is_Complete (L), "nothing asked");
@@ -57,8 +36,7 @@ package body Answer_Ledgers_Tests is
       Assert (Is_Complete (L) and then Waiting (L) = 0, "none waits");
    end Test_Once;
 
-   procedure Test_Twice (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Twice is
    begin
       Clear (L);
       Ask ("RPIN");
@@ -69,8 +47,7 @@ package body Answer_Ledgers_Tests is
       Assert (Complaint (L) /= "", "a reason");
    end Test_Twice;
 
-   procedure Test_Missing (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Missing is
    begin
       Clear (L);
       Ask ("RGST");
@@ -82,8 +59,7 @@ package body Answer_Ledgers_Tests is
         (not Is_Complete (L) and then not Is_Broken (L), "one is missing");
    end Test_Missing;
 
-   procedure Test_Wrong_Kind (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Wrong_Kind is
    begin
       Clear (L);
       Ask ("RPIN");
@@ -96,8 +72,7 @@ package body Answer_Ledgers_Tests is
       Assert (Is_Broken (L), "must be refused");
    end Test_Wrong_Kind;
 
-   procedure Test_Too_Early (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Too_Early is
       Before : constant Instant := Now;
    begin
       Clear (L);
@@ -107,8 +82,7 @@ package body Answer_Ledgers_Tests is
       Assert (Is_Broken (L), "an answer before its command");
    end Test_Too_Early;
 
-   procedure Test_Unasked (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Unasked is
    begin
       Clear (L);
       Ask ("RPIN");
@@ -122,8 +96,7 @@ package body Answer_Ledgers_Tests is
       Assert (Is_Complete (L), "answered once");
    end Test_Unasked;
 
-   procedure Test_Battery (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Battery is
    begin
       --  the unsolicited level comes first, the answer is a refusal
       Clear (L);
@@ -144,8 +117,7 @@ package body Answer_Ledgers_Tests is
       Assert (not Is_Complete (L), "one is missing");
    end Test_Battery;
 
-   procedure Test_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Arena is
    begin
       Clear (L);
       Hear ("CIMG");
@@ -159,8 +131,7 @@ package body Answer_Ledgers_Tests is
       Assert (Is_Complete (L), "no arena");
    end Test_Arena;
 
-   procedure Test_Loss_Of_Robot (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Loss_Of_Robot is
    begin
       Clear (L);
       Ask ("RPIN");
@@ -176,8 +147,7 @@ package body Answer_Ledgers_Tests is
         (Is_Complete (L) and then Unasked_Losses (L) = 1, "still one");
    end Test_Loss_Of_Robot;
 
-   procedure Test_Silent (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Silent is
    begin
       Clear (L);
       Ask ("CACO");
@@ -192,8 +162,7 @@ package body Answer_Ledgers_Tests is
       Assert (Is_Broken (L), "an answer where none is due");
    end Test_Silent;
 
-   procedure Test_Perhaps (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Perhaps is
    begin
       for Answered in Boolean loop
          Clear (L);
@@ -209,20 +178,19 @@ package body Answer_Ledgers_Tests is
       end loop;
    end Test_Perhaps;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_Once'Access, "once");
-      Register_Routine (T, Test_Twice'Access, "twice");
-      Register_Routine (T, Test_Missing'Access, "missing");
-      Register_Routine (T, Test_Wrong_Kind'Access, "of the wrong kind");
-      Register_Routine (T, Test_Too_Early'Access, "too early");
-      Register_Routine (T, Test_Unasked'Access, "unasked messages");
-      Register_Routine (T, Test_Battery'Access, "battery");
-      Register_Routine (T, Test_Arena'Access, "arena");
-      Register_Routine (T, Test_Loss_Of_Robot'Access, "loss of the robot");
-      Register_Routine (T, Test_Silent'Access, "no answer due");
-      Register_Routine (T, Test_Perhaps'Access, "perhaps answered");
-   end Register_Tests;
+      Add_Test ("once", Test_Once'Access);
+      Add_Test ("twice", Test_Twice'Access);
+      Add_Test ("missing", Test_Missing'Access);
+      Add_Test ("of the wrong kind", Test_Wrong_Kind'Access);
+      Add_Test ("too early", Test_Too_Early'Access);
+      Add_Test ("unasked messages", Test_Unasked'Access);
+      Add_Test ("battery", Test_Battery'Access);
+      Add_Test ("arena", Test_Arena'Access);
+      Add_Test ("loss of the robot", Test_Loss_Of_Robot'Access);
+      Add_Test ("no answer due", Test_Silent'Access);
+      Add_Test ("perhaps answered", Test_Perhaps'Access);
+   end Add_Tests;
 
 end Answer_Ledgers_Tests;

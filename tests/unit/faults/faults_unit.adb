@@ -3,10 +3,10 @@
 --  are its arguments.
 
 with Answer_Ledgers_Tests;
-with Unit_Runs;
+with Unit_Runs; use Unit_Runs;
 
 procedure Faults_Unit is
 begin
-   Unit_Runs.Add (new Answer_Ledgers_Tests.Test_Case);
-   Unit_Runs.Run;
+   Add ("Answer_Ledgers", Answer_Ledgers_Tests.Add_Tests'Access);
+   Run;
 end Faults_Unit;

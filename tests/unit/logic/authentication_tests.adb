@@ -5,40 +5,29 @@ with AUnit.Assertions;         use AUnit.Assertions;
 
 with Admission.Authentication; use Admission.Authentication;
 with Texts;
+with Unit_Runs; use Unit_Runs;
 
 package body Authentication_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    LF : constant Character := Line_Feed;
    CR : constant Character := Carriage_Return;
 
    Usual : constant String := "correct-horse-battery";
 
-   function To_Token (Text : String) return Token;
-   --  A good one
-
-   procedure Expect_Token (Text : String; Good : Boolean);
-   --  Of a file
-
-   procedure Expect
-     (Text : String; Outcome : Verdict; Of_Token : String := Usual);
-   --  After all of Text, or where it is decided before
-
-   procedure Expect_Shown (Line : String; Shown : String);
-
-   procedure Test_Files (T : in out Any_Test);
-   procedure Test_Modes (T : in out Any_Test);
-   procedure Test_Right (T : in out Any_Test);
-   procedure Test_Wrong (T : in out Any_Test);
-   procedure Test_Every_Place (T : in out Any_Test);
-   procedure Test_Too_Long (T : in out Any_Test);
-   procedure Test_Decided_Once (T : in out Any_Test);
-   procedure Test_Shown (T : in out Any_Test);
+   function To_Token (Text : String) return Token is
+      --  A good one
+      Result : Token;
+      Good   : Boolean;
+   begin
+      Read_Token (Text, Result, Good);
+      Assert (Good, "no token: " & Text);
+      return Result;
+   end To_Token;
 
    procedure Expect
      (Text : String; Outcome : Verdict; Of_Token : String := Usual)
    is
+      --  After all of Text, or where it is decided before
       Known : constant Token := To_Token (Of_Token);
       R     : Reader;
    begin
@@ -60,6 +49,7 @@ package body Authentication_Tests is
    end Expect_Shown;
 
    procedure Expect_Token (Text : String; Good : Boolean) is
+      --  Of a file
       Known : Token;
       Read  : Boolean;
    begin
@@ -68,26 +58,7 @@ package body Authentication_Tests is
       Assert ((Known.Length > 0) = Good, "its length: " & Text);
    end Expect_Token;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Admission.Authentication"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Files'Access, "the file of a token");
-      Register_Routine (T, Test_Modes'Access, "who may read it");
-      Register_Routine (T, Test_Right'Access, "the right line");
-      Register_Routine (T, Test_Wrong'Access, "wrong lines");
-      Register_Routine
-        (T, Test_Every_Place'Access, "a difference at every place");
-      Register_Routine (T, Test_Too_Long'Access, "a line without end");
-      Register_Routine
-        (T, Test_Decided_Once'Access, "a reader used again");
-      Register_Routine (T, Test_Shown'Access, "what the log shows");
-   end Register_Tests;
-
-   procedure Test_Decided_Once (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Decided_Once is
       Known : constant Token := To_Token (Usual);
       R     : Reader;
    begin
@@ -101,10 +72,7 @@ package body Authentication_Tests is
       Assert (Decision (R) = Wrong, "nothing is left of the line before");
    end Test_Decided_Once;
 
-   procedure Test_Every_Place (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Try (Of_Token : String);
+   procedure Test_Every_Place is
 
       procedure Try (Of_Token : String) is
          Line : constant String := "AUTH:" & Of_Token;
@@ -137,8 +105,7 @@ package body Authentication_Tests is
       Try ((1 .. Max_Token - 1 => '!', Max_Token => '~'));
    end Test_Every_Place;
 
-   procedure Test_Files (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Files is
       Known : Token;
       Good  : Boolean;
    begin
@@ -167,8 +134,7 @@ package body Authentication_Tests is
       Expect_Token ((1 .. Max_Token + 1 => 'x'), False);
    end Test_Files;
 
-   procedure Test_Modes (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Modes is
    begin
       Assert (Is_Kept_Secret (8#100600#, 1000), "rw-------");
       Assert (Is_Kept_Secret (8#100400#, 1000), "r--------");
@@ -184,8 +150,7 @@ package body Authentication_Tests is
       Assert (not Is_Kept_Secret (8#100444#, Root), "root's, others read");
    end Test_Modes;
 
-   procedure Test_Right (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Right is
    begin
       Expect ("AUTH:" & Usual, Undecided);
       Expect ("AUTH:" & Usual & CR, Undecided);
@@ -194,8 +159,7 @@ package body Authentication_Tests is
       Expect ("", Undecided);
    end Test_Right;
 
-   procedure Test_Shown (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Shown is
       Whole : constant String := "--MSSG:AUTH:secret";
       Full  : Texts.Text := Texts.To_Text ((1 .. 500 => '.'));
    begin
@@ -219,8 +183,7 @@ package body Authentication_Tests is
          "cut at its end: " & Texts.Image (Full));
    end Test_Shown;
 
-   procedure Test_Too_Long (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Too_Long is
       Longest : constant String := (1 .. Max_Token => 'x');
    begin
       Expect ("AUTH:" & Longest & "xx", Wrong);
@@ -233,8 +196,7 @@ package body Authentication_Tests is
       Expect ("AUTH:" & Longest & CR & 'x', Wrong, Longest);
    end Test_Too_Long;
 
-   procedure Test_Wrong (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Wrong is
    begin
       Expect ((1 => LF), Wrong);
       Expect (CR & LF, Wrong);
@@ -253,13 +215,16 @@ package body Authentication_Tests is
       Expect (Usual & LF, Wrong);
    end Test_Wrong;
 
-   function To_Token (Text : String) return Token is
-      Result : Token;
-      Good   : Boolean;
+   procedure Add_Tests is
    begin
-      Read_Token (Text, Result, Good);
-      Assert (Good, "no token: " & Text);
-      return Result;
-   end To_Token;
+      Add_Test ("the file of a token", Test_Files'Access);
+      Add_Test ("who may read it", Test_Modes'Access);
+      Add_Test ("the right line", Test_Right'Access);
+      Add_Test ("wrong lines", Test_Wrong'Access);
+      Add_Test ("a difference at every place", Test_Every_Place'Access);
+      Add_Test ("a line without end", Test_Too_Long'Access);
+      Add_Test ("a reader used again", Test_Decided_Once'Access);
+      Add_Test ("what the log shows", Test_Shown'Access);
+   end Add_Tests;
 
 end Authentication_Tests;

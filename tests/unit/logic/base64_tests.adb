@@ -7,44 +7,39 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Base64;
 with Bytes;            use Bytes;
+with Unit_Runs; use Unit_Runs;
 
 package body Base64_Tests is
 
    use type Byte;
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    Max : constant := 400;
 
    package Random_Bytes is new Ada.Numerics.Discrete_Random (Byte);
 
-   function To_Bytes (S : String) return Byte_Array;
-   --  The characters' codes, from index 1 on.
+   function To_Bytes (S : String) return Byte_Array is
+      --  The characters' codes, from index 1 on.
+      Result : Byte_Array (1 .. S'Length);
+   begin
+      for I in Result'Range loop
+         Result (I) := Character'Pos (S (S'First + I - 1));
+      end loop;
+      return Result;
+   end To_Bytes;
 
-   function Encoded (Input : Byte_Array) return String;
-   --  What Encode writes.
-
-   procedure Check_Decode (Text : String; Expected : String);
-   --  Text decodes to Expected.
-
-   procedure Check_Refused (Text : String);
-   --  Text is no encoding, and Output is left alone as far as Length says.
-
-   procedure Check_Round_Trip (Input : Byte_Array);
-   --  Decoding the encoding gives Input.
-
-   procedure Test_Vectors (T : in out Any_Test);
-   procedure Test_Alphabet (T : in out Any_Test);
-   procedure Test_Place (T : in out Any_Test);
-   procedure Test_Lengths (T : in out Any_Test);
-   procedure Test_Two_Bytes (T : in out Any_Test);
-   procedure Test_Random (T : in out Any_Test);
-   procedure Test_Image (T : in out Any_Test);
-   procedure Test_Refused (T : in out Any_Test);
-   procedure Test_Two_Characters (T : in out Any_Test);
-   procedure Test_Chaos (T : in out Any_Test);
+   function Encoded (Input : Byte_Array) return String is
+      --  What Encode writes.
+      Output : String (1 .. Base64.Encoded_Length (Input'Length));
+      Last   : Natural;
+   begin
+      Output := (others => '#');
+      Base64.Encode (Input, Input'Length, Output, 1, Last);
+      Assert (Last = Output'Last, "length of the encoding");
+      return Output;
+   end Encoded;
 
    procedure Check_Decode (Text : String; Expected : String) is
+      --  Text decodes to Expected.
       Output : Byte_Array (1 .. Max) := (others => 255);
       Length : Natural;
       OK     : Boolean;
@@ -58,6 +53,7 @@ package body Base64_Tests is
    end Check_Decode;
 
    procedure Check_Refused (Text : String) is
+      --  Text is no encoding, and Output is left alone as far as Length says.
       Output : Byte_Array (1 .. Max) := (others => 0);
       Length : Natural;
       OK     : Boolean;
@@ -67,6 +63,7 @@ package body Base64_Tests is
    end Check_Refused;
 
    procedure Check_Round_Trip (Input : Byte_Array) is
+      --  Decoding the encoding gives Input.
       Text   : constant String := Encoded (Input);
       Output : Byte_Array (1 .. Input'Length + 2) := (others => 0);
       Length : Natural;
@@ -78,37 +75,7 @@ package body Base64_Tests is
               "round trip of" & Integer'Image (Input'Length) & " bytes");
    end Check_Round_Trip;
 
-   function Encoded (Input : Byte_Array) return String is
-      Output : String (1 .. Base64.Encoded_Length (Input'Length));
-      Last   : Natural;
-   begin
-      Output := (others => '#');
-      Base64.Encode (Input, Input'Length, Output, 1, Last);
-      Assert (Last = Output'Last, "length of the encoding");
-      return Output;
-   end Encoded;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Base64"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Vectors'Access, "RFC 4648 vectors");
-      Register_Routine (T, Test_Alphabet'Access, "whole alphabet");
-      Register_Routine (T, Test_Place'Access, "place in the output");
-      Register_Routine (T, Test_Lengths'Access, "every short length");
-      Register_Routine (T, Test_Two_Bytes'Access, "every two bytes");
-      Register_Routine (T, Test_Random'Access, "random round trips");
-      Register_Routine (T, Test_Image'Access, "as long as an image");
-      Register_Routine (T, Test_Refused'Access, "refused texts");
-      Register_Routine (T, Test_Two_Characters'Access,
-                        "every first two characters");
-      Register_Routine (T, Test_Chaos'Access, "chaos");
-   end Register_Tests;
-
-   procedure Test_Alphabet (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Alphabet is
       Text   : constant String :=
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
         & "0123456789+/";
@@ -125,8 +92,7 @@ package body Base64_Tests is
       Assert (Encoded (Output) = Text, "encoded again");
    end Test_Alphabet;
 
-   procedure Test_Chaos (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Chaos is
       G      : Random_Bytes.Generator;
       Text   : String (1 .. 40);
       Output : Byte_Array (1 .. 30) := (others => 0);
@@ -158,8 +124,7 @@ package body Base64_Tests is
       Assert (Good > 0, "some are accepted");
    end Test_Chaos;
 
-   procedure Test_Image (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Image is
       G     : Random_Bytes.Generator;
       Input : Byte_Array (1 .. 60_000);
    begin
@@ -172,8 +137,7 @@ package body Base64_Tests is
       Check_Round_Trip (Input (1 .. 59_998));
    end Test_Image;
 
-   procedure Test_Lengths (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Lengths is
       Input : Byte_Array (1 .. 300);
    begin
       Assert (Base64.Encoded_Length (0) = 0
@@ -190,8 +154,7 @@ package body Base64_Tests is
       end loop;
    end Test_Lengths;
 
-   procedure Test_Place (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Place is
       Output : String (11 .. 40) := (others => '.');
       Last   : Natural;
    begin
@@ -208,8 +171,7 @@ package body Base64_Tests is
       Assert (Output = ".....Zm9vYmE=.............Zm9v", "rest as it was");
    end Test_Place;
 
-   procedure Test_Random (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Random is
       G     : Random_Bytes.Generator;
       Input : Byte_Array (1 .. 256);
    begin
@@ -222,8 +184,7 @@ package body Base64_Tests is
       end loop;
    end Test_Random;
 
-   procedure Test_Refused (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Refused is
    begin
       --  No multiple of four
 
@@ -259,8 +220,7 @@ package body Base64_Tests is
       Check_Refused ("Zm9vZh==");
    end Test_Refused;
 
-   procedure Test_Two_Bytes (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Two_Bytes is
    begin
       for A in Byte loop
          for B in Byte loop
@@ -270,8 +230,7 @@ package body Base64_Tests is
       end loop;
    end Test_Two_Bytes;
 
-   procedure Test_Two_Characters (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Two_Characters is
       Output : Byte_Array (1 .. 3) := (others => 0);
       Length : Natural;
       OK     : Boolean;
@@ -291,13 +250,10 @@ package body Base64_Tests is
       Assert (Count = 256, "as many texts as bytes");
    end Test_Two_Characters;
 
-   procedure Test_Vectors (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check (Plain, Text : String);
-      --  RFC 4648, section 10, both ways.
+   procedure Test_Vectors is
 
       procedure Check (Plain, Text : String) is
+         --  RFC 4648, section 10, both ways.
       begin
          Assert (Encoded (To_Bytes (Plain)) = Text, "encode " & Plain);
          Check_Decode (Text, Plain);
@@ -315,13 +271,18 @@ package body Base64_Tests is
               "how every JPEG begins");
    end Test_Vectors;
 
-   function To_Bytes (S : String) return Byte_Array is
-      Result : Byte_Array (1 .. S'Length);
+   procedure Add_Tests is
    begin
-      for I in Result'Range loop
-         Result (I) := Character'Pos (S (S'First + I - 1));
-      end loop;
-      return Result;
-   end To_Bytes;
+      Add_Test ("RFC 4648 vectors", Test_Vectors'Access);
+      Add_Test ("whole alphabet", Test_Alphabet'Access);
+      Add_Test ("place in the output", Test_Place'Access);
+      Add_Test ("every short length", Test_Lengths'Access);
+      Add_Test ("every two bytes", Test_Two_Bytes'Access);
+      Add_Test ("random round trips", Test_Random'Access);
+      Add_Test ("as long as an image", Test_Image'Access);
+      Add_Test ("refused texts", Test_Refused'Access);
+      Add_Test ("every first two characters", Test_Two_Characters'Access);
+      Add_Test ("chaos", Test_Chaos'Access);
+   end Add_Tests;
 
 end Base64_Tests;

@@ -6,33 +6,14 @@ with AUnit.Assertions;     use AUnit.Assertions;
 with Admission.Blocklists; use Admission.Blocklists;
 with Admission.Networks;
 with Interfaces;           use Interfaces;
+with Unit_Runs; use Unit_Runs;
 
 package body Blocklists_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Monitor : constant Admission.Networks.Source :=
      Admission.Networks.IPv4_Sources + 1;
 
-   procedure Test_One (T : in out Any_Test);
-   procedure Test_Many (T : in out Any_Test);
-   procedure Test_Too_Many (T : in out Any_Test);
-   procedure Test_Forgets (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Admission.Blocklists"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_One'Access, "one floods");
-      Register_Routine (T, Test_Many'Access, "as many as there is room for");
-      Register_Routine (T, Test_Too_Many'Access, "too many to tell apart");
-      Register_Routine (T, Test_Forgets'Access, "what is long ago");
-   end Register_Tests;
-
-   procedure Test_Forgets (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Forgets is
       H     : History;
       L     : List;
       Grown : Boolean;
@@ -56,8 +37,7 @@ package body Blocklists_Tests is
       Assert (not Grown and then L.Count = 1, "nobody has come since");
    end Test_Forgets;
 
-   procedure Test_Many (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Many is
       H     : History;
       L     : List;
       Grown : Boolean;
@@ -80,8 +60,7 @@ package body Blocklists_Tests is
       Assert (not Grown and then not Contains (L, 100), "no more room");
    end Test_Many;
 
-   procedure Test_One (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_One is
       H     : History;
       L     : List;
       Grown : Boolean;
@@ -103,8 +82,29 @@ package body Blocklists_Tests is
       Assert (not Grown and then L.Count = 1, "twice in the list");
    end Test_One;
 
-   procedure Test_Too_Many (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Released is
+      --  The oldest first; the others stay, in their order
+      H     : History;
+      L     : List := (Items => (7, 8, 9, others => 0), Count => 3);
+      Grown : Boolean;
+   begin
+      Remove_Oldest (L);
+      Assert
+        (L.Count = 2 and then L.Items (1 .. 2) = (8, 9), "somebody else");
+      for Number in 1 .. Threshold loop
+         Note (H, 7);
+      end loop;
+      Extend (L, H, Grown);
+      Assert
+        (Grown and then L.Items (1 .. L.Count) = (8, 9, 7),
+         "who floods again is the last to be released");
+      for Number in 1 .. 3 loop
+         Remove_Oldest (L);
+      end loop;
+      Assert (L.Count = 0, "some are left");
+   end Test_Released;
+
+   procedure Test_Too_Many is
       --  Then no source is blocked: it could be the monitor
       H     : History;
       L     : List;
@@ -116,5 +116,14 @@ package body Blocklists_Tests is
       Extend (L, H, Grown);
       Assert (not Grown and then L.Count = 0, "somebody is blocked");
    end Test_Too_Many;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("one floods", Test_One'Access);
+      Add_Test ("as many as there is room for", Test_Many'Access);
+      Add_Test ("too many to tell apart", Test_Too_Many'Access);
+      Add_Test ("what is long ago", Test_Forgets'Access);
+      Add_Test ("one after the other is released", Test_Released'Access);
+   end Add_Tests;
 
 end Blocklists_Tests;

@@ -9,6 +9,7 @@ with Command_Lines;    use Command_Lines;
 with Missions;
 with Options;          use Options;
 with Texts;
+with Unit_Runs; use Unit_Runs;
 
 package body Command_Lines_Tests is
 
@@ -16,36 +17,13 @@ package body Command_Lines_Tests is
 
    use type Missions.Arena_Size;
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
+   type Words is array (Positive range <>) of Texts.Text;
 
-   function Read (Line : String) return Reading;
-   --  The arguments are separated by single spaces
-
-   procedure Expect_Wrong (Line : String; Reason : String);
-   --  Reason is what stands on standard error
-
-   procedure Test_Defaults (T : in out Any_Test);
-   procedure Test_Every_Option (T : in out Any_Test);
-   procedure Test_Equals (T : in out Any_Test);
-   procedure Test_Limits (T : in out Any_Test);
-   procedure Test_Networks (T : in out Any_Test);
-   procedure Test_Requests (T : in out Any_Test);
-   procedure Test_Wrong (T : in out Any_Test);
-   procedure Test_Long (T : in out Any_Test);
-
-   procedure Expect_Wrong (Line : String; Reason : String) is
-      R : constant Reading := Read (Line);
-   begin
-      Assert (R.Request = Wrong, "taken: " & Line);
-      Assert
-        (Texts.Image (R.Reason) = Reason,
-         Line & ": " & Texts.Image (R.Reason));
-   end Expect_Wrong;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Command_Lines"));
+   function To_Text (Value : String) return Texts.Text
+     renames Texts.To_Text;
 
    function Read (Line : String) return Reading is
+      --  The arguments are separated by single spaces
       Result : Reading;
       First  : Positive := Line'First;
       Last   : Natural;
@@ -63,27 +41,35 @@ package body Command_Lines_Tests is
       return Result;
    end Read;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Expect_Wrong (Line : String; Reason : String) is
+      --  Reason is what stands on standard error
+      R : constant Reading := Read (Line);
    begin
-      Register_Routine (T, Test_Defaults'Access, "nothing given");
-      Register_Routine (T, Test_Every_Option'Access, "every option");
-      Register_Routine (T, Test_Equals'Access, "name=value");
-      Register_Routine (T, Test_Limits'Access, "limits of the numbers");
-      Register_Routine (T, Test_Networks'Access, "networks");
-      Register_Routine (T, Test_Requests'Access, "requests");
-      Register_Routine (T, Test_Wrong'Access, "bad usage");
-      Register_Routine (T, Test_Long'Access, "an endless argument");
-   end Register_Tests;
+      Assert (R.Request = Wrong, "taken: " & Line);
+      Assert
+        (Texts.Image (R.Reason) = Reason,
+         Line & ": " & Texts.Image (R.Reason));
+   end Expect_Wrong;
 
-   procedure Test_Defaults (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Defaults is
+      Plain : Reading;
    begin
-      Assert (Read ("") = Reading'(others => <>), "not the defaults");
+      Texts.Set (Plain.Chosen.Bind, "127.0.0.1");
+      Assert (Read ("") = Plain, "not the defaults");
+      for Line of Words'
+        (To_Text ("--token /a"), To_Text ("--allow 10.0.0.0/8"))
+      loop
+         Assert
+           (Texts.Image (Read (Texts.Image (Line)).Chosen.Bind) = "0.0.0.0",
+            "listens for this machine: " & Texts.Image (Line));
+         Assert
+           (Texts.Image
+              (Read (Texts.Image (Line) & " --bind ::1").Chosen.Bind) = "::1",
+            "not the address that was given");
+      end loop;
    end Test_Defaults;
 
-   procedure Test_Equals (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Equals is
    begin
       Assert (Read ("--port=0").Chosen.Port = 0, "port");
       Assert
@@ -98,11 +84,11 @@ package body Command_Lines_Tests is
       Expect_Wrong ("--=1", "unknown option '--'");
    end Test_Equals;
 
-   procedure Test_Every_Option (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Every_Option is
       R : constant Reading := Read
         ("--port 7 --bind 127.0.0.1 --allow 10.0.0.0/8 --allow 127.0.0.1"
-         & " --token /etc/token --serial /dev/pts/3 --camera a.mp4"
+         & " --token /etc/token --serial /dev/pts/3 --answer-timeout 150"
+         & " --camera a.mp4"
          & " --frame-size 320x240 --fps 25 --jpeg-quality 55"
          & " --marker triangle --draw none --arena-size 120x90 --message-gap 9"
          & " --log-level debug --cpu 3"
@@ -120,6 +106,7 @@ package body Command_Lines_Tests is
                Count => 2),
             Token_File  => Texts.To_Text ("/etc/token"),
             Serial      => Texts.To_Text ("/dev/pts/3"),
+            Answer_Timeout => 150,
             Camera      => Texts.To_Text ("a.mp4"),
             Width       => 320,
             Height      => 240,
@@ -151,8 +138,7 @@ package body Command_Lines_Tests is
       Assert (Read ("--draw arena").Chosen.Drawing = Options.Arena, "arena");
    end Test_Every_Option;
 
-   procedure Test_Limits (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Limits is
    begin
       Assert (Read ("--port 65535").Chosen.Port = 65_535, "highest port");
       Assert (Read ("--port 000000080").Chosen.Port = 80, "zeros in front");
@@ -195,8 +181,7 @@ package body Command_Lines_Tests is
         ("--cpu Auto", "--cpu: 'Auto' is not a number in 0 .. 1023");
    end Test_Limits;
 
-   procedure Test_Long (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Long is
       R : Reading;
    begin
       Take (R, "--serial");
@@ -211,8 +196,7 @@ package body Command_Lines_Tests is
       Assert (R.Request = Wrong, "a name as long as can be");
    end Test_Long;
 
-   procedure Test_Networks (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Networks is
       Eight : constant String :=
         "--allow 10.0.0.1 --allow 10.0.0.2 --allow 10.0.0.3"
         & " --allow 10.0.0.4 --allow 10.0.0.5 --allow 10.0.0.6"
@@ -239,8 +223,7 @@ package body Command_Lines_Tests is
       Expect_Wrong ("--token=", "a value is missing after --token");
    end Test_Networks;
 
-   procedure Test_Requests (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Requests is
    begin
       Assert (Read ("--help").Request = Show_Help, "--help");
       Assert (Read ("-h").Request = Show_Help, "-h");
@@ -255,8 +238,7 @@ package body Command_Lines_Tests is
          "what follows a mistake counts no more");
    end Test_Requests;
 
-   procedure Test_Wrong (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Wrong is
    begin
       Expect_Wrong ("--nonsense", "unknown option '--nonsense'");
       Expect_Wrong ("--ports 7", "unknown option '--ports'");
@@ -277,5 +259,17 @@ package body Command_Lines_Tests is
       Expect_Wrong
         ("--log-level loud", "--log-level: 'loud' is no level of the log");
    end Test_Wrong;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("nothing given", Test_Defaults'Access);
+      Add_Test ("every option", Test_Every_Option'Access);
+      Add_Test ("name=value", Test_Equals'Access);
+      Add_Test ("limits of the numbers", Test_Limits'Access);
+      Add_Test ("networks", Test_Networks'Access);
+      Add_Test ("requests", Test_Requests'Access);
+      Add_Test ("bad usage", Test_Wrong'Access);
+      Add_Test ("an endless argument", Test_Long'Access);
+   end Add_Tests;
 
 end Command_Lines_Tests;

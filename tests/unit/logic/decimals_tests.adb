@@ -7,10 +7,9 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Bytes;            use Bytes;
 with Decimals;
+with Unit_Runs; use Unit_Runs;
 
 package body Decimals_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    package Texts is new Decimals (Character, String);
 
@@ -23,15 +22,8 @@ package body Decimals_Tests is
      (if Image (N)'Length >= Width then Image (N)
       else Ada.Strings.Fixed.Tail (Image (N), Width, '0'));
 
-   procedure Check_Append (N : Texts.Number; Width : Texts.Digit_Count);
-   --  Against the language's own image.
-
-   procedure Test_Append (T : in out Any_Test);
-   procedure Test_Edges (T : in out Any_Test);
-   procedure Test_Octets (T : in out Any_Test);
-   procedure Test_Saturated (T : in out Any_Test);
-
    procedure Check_Append (N : Texts.Number; Width : Texts.Digit_Count) is
+      --  Against the language's own image.
       Text : String (1 .. 12) := (others => '.');
       Last : Natural := 2;
    begin
@@ -45,28 +37,14 @@ package body Decimals_Tests is
               "saturated value of" & N'Image);
    end Check_Append;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Decimals"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Append'Access, "0 to 100,000 and back");
-      Register_Routine (T, Test_Edges'Access, "edges of every width");
-      Register_Routine (T, Test_Octets'Access, "octets");
-      Register_Routine (T, Test_Saturated'Access, "any count of digits");
-   end Register_Tests;
-
-   procedure Test_Append (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Append is
    begin
       for N in 0 .. 100_000 loop
          Check_Append (N, 1);
       end loop;
    end Test_Append;
 
-   procedure Test_Edges (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Edges is
    begin
       for Width in Texts.Digit_Count loop
          for Count in Texts.Digit_Count loop
@@ -79,8 +57,7 @@ package body Decimals_Tests is
       end loop;
    end Test_Edges;
 
-   procedure Test_Octets (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Octets is
       Data : Byte_Array (1 .. 20) := (others => 7);
       Last : Natural := 4;
    begin
@@ -95,13 +72,10 @@ package body Decimals_Tests is
       end loop;
    end Test_Octets;
 
-   procedure Test_Saturated (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check (Text : String; Expected : Texts.Number);
-      --  Text, in the midst of other characters.
+   procedure Test_Saturated is
 
       procedure Check (Text : String; Expected : Texts.Number) is
+         --  Text, in the midst of other characters.
          Line : constant String := "9x" & Text & "x9";
       begin
          Assert (Texts.Saturated_Value (Line, 3, Line'Last - 2) = Expected,
@@ -126,5 +100,13 @@ package body Decimals_Tests is
       Check (Nines, 99_999_999);
       Check (Zeros & "1" & Zeros & "5", 99_999_999);
    end Test_Saturated;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("0 to 100,000 and back", Test_Append'Access);
+      Add_Test ("edges of every width", Test_Edges'Access);
+      Add_Test ("octets", Test_Octets'Access);
+      Add_Test ("any count of digits", Test_Saturated'Access);
+   end Add_Tests;
 
 end Decimals_Tests;

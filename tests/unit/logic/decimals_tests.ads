@@ -1,14 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Decimal numbers: every count of digits, saturation, leading zeros.
 
-with AUnit.Test_Cases;
-
 package Decimals_Tests is
 
-   type Test_Case is new AUnit.Test_Cases.Test_Case with null record;
-
-   overriding procedure Register_Tests (T : in out Test_Case);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String;
+   procedure Add_Tests;
 
 end Decimals_Tests;

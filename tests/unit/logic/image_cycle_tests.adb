@@ -10,13 +10,12 @@ with Vision.Image_Cycle; use Vision.Image_Cycle;
 with Vision.Image_Grid;
 with Vision.Mode;
 with Vision.Shapes;
+with Unit_Runs; use Unit_Runs;
 
 package body Image_Cycle_Tests is
 
    use type Monitor.Protocol.Position;
    use type Vision.Image_Grid.Microseconds;
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Period : constant := 100_000;
 
@@ -35,25 +34,7 @@ package body Image_Cycle_Tests is
                  Angle     => 50),
       others => <>);
 
-   procedure Test_Work (T : in out Any_Test);
-   procedure Test_Grid (T : in out Any_Test);
-   procedure Test_Known (T : in out Any_Test);
-   procedure Test_Position (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Vision.Image_Cycle"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Work'Access, "what is done and drawn");
-      Register_Routine (T, Test_Grid'Access, "an image that was waited for");
-      Register_Routine (T, Test_Known'Access, "which robots are still known");
-      Register_Routine (T, Test_Position'Access, "what the monitor is told");
-   end Register_Tests;
-
-   procedure Test_Grid (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Grid is
       S      : State;
       Length : Vision.Image_Grid.Microseconds;
    begin
@@ -68,8 +49,7 @@ package body Image_Cycle_Tests is
       Assert (not S.Waited, "and nothing is waited for any more");
    end Test_Grid;
 
-   procedure Test_Known (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Known is
       Arena : constant Vision.Shapes.Arena_Corners := (others => (1, 2));
       S     : State;
    begin
@@ -84,8 +64,7 @@ package body Image_Cycle_Tests is
       Assert (Vision.Following.Count (S.Known) = 0, "not when nobody looked");
    end Test_Known;
 
-   procedure Test_Position (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Position is
    begin
       Assert (Position_Of (Robots, 0) = Monitor.Protocol.Not_Found, "none");
       Assert
@@ -94,8 +73,7 @@ package body Image_Cycle_Tests is
          "the first");
    end Test_Position;
 
-   procedure Test_Work (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Work is
    begin
       Assert (Work_Of (Closed, True) = Leave, "no camera");
       Assert (Work_Of (Streaming, True) = Report_Silence, "a silent one");
@@ -115,5 +93,13 @@ package body Image_Cycle_Tests is
             "robots: " & Drawing'Image);
       end loop;
    end Test_Work;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("what is done and drawn", Test_Work'Access);
+      Add_Test ("an image that was waited for", Test_Grid'Access);
+      Add_Test ("which robots are still known", Test_Known'Access);
+      Add_Test ("what the monitor is told", Test_Position'Access);
+   end Add_Tests;
 
 end Image_Cycle_Tests;

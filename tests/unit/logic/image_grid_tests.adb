@@ -8,10 +8,9 @@ with AUnit.Assertions;          use AUnit.Assertions;
 
 with Vision.Frame_Slots;
 with Vision.Image_Grid;         use Vision.Image_Grid;
+with Unit_Runs; use Unit_Runs;
 
 package body Image_Grid_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    package Times is new Ada.Containers.Vectors (Positive, Long_Float);
    package Sorting is new Times.Generic_Sorting;
@@ -46,40 +45,17 @@ package body Image_Grid_Tests is
       Oldest    : Long_Float := 0.0;
    end record;
 
-   procedure Run (From : Source; Phase : Long_Float; Result : out Figures);
-   --  Sends what From delivers, which begins Phase after the grid, as
-   --  th_captureImg does, a task that wakes up to 1 ms late
-
    Phases : constant array (1 .. 7) of Long_Float :=
      (0.0, 0.3, 1.0, 20.0, 50.0, 70.0, 99.0);
-
-   procedure Test_Fast (T : in out Any_Test);
-   procedure Test_Slow (T : in out Any_Test);
-   procedure Test_Jitter (T : in out Any_Test);
-   procedure Test_Drift (T : in out Any_Test);
-   procedure Test_Step (T : in out Any_Test);
 
    function Image (F : Figures) return String is
      (F.Mean_Rate'Image & " a second, off by" & F.Off_99'Image & ", oldest"
       & F.Oldest'Image & "," & F.Sent'Image & " sent," & F.Left_Out'Image
       & " left out");
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Vision.Image_Grid"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Fast'Access,
-                        "ten a second from ten or more");
-      Register_Routine (T, Test_Slow'Access,
-                        "every image of a slower source, as it comes");
-      Register_Routine (T, Test_Jitter'Access, "jitter of 30 ms");
-      Register_Routine (T, Test_Drift'Access, "a clock that drifts");
-      Register_Routine (T, Test_Step'Access, "a step makes up for little");
-   end Register_Tests;
-
    procedure Run (From : Source; Phase : Long_Float; Result : out Figures) is
+      --  Sends what From delivers, which begins Phase after the grid, as
+      --  th_captureImg does, a task that wakes up to 1 ms late
 
       type Arrival is record
          Time   : Long_Float := 0.0;
@@ -111,13 +87,8 @@ package body Image_Grid_Tests is
       function Age (Item : Arrival) return Microseconds is
         (Microseconds (1_000.0 * Long_Float'Max (0.0, Now - Item.Time)));
 
-      procedure Prepare;
-      --  When the next image is to come
-
-      procedure Come;
-      --  It comes
-
       procedure Prepare is
+         --  When the next image is to come
       begin
          Coming :=
            (Time   => Long_Float'Max
@@ -130,6 +101,7 @@ package body Image_Grid_Tests is
       end Prepare;
 
       procedure Come is
+         --  It comes
       begin
          Vision.Frame_Slots.Claim_Empty (Uses, Slot);
          In_Slot (Slot) := Coming;
@@ -194,8 +166,7 @@ package body Image_Grid_Tests is
         Between (Positive (0.99 * Long_Float (Between.Last_Index)));
    end Run;
 
-   procedure Test_Fast (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Fast is
       Rates  : constant array (Positive range <>) of Long_Float :=
         (10.0, 10.001, 10.1, 10.3, 10.7, 11.0, 12.0, 15.0, 25.0, 29.97,
          30.0, 60.0);
@@ -215,8 +186,7 @@ package body Image_Grid_Tests is
       end loop;
    end Test_Fast;
 
-   procedure Test_Slow (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Slow is
       Rates  : constant array (Positive range <>) of Long_Float :=
         (1.0, 5.0, 7.5, 9.0, 9.9, 9.99);
       Result : Figures;
@@ -235,8 +205,7 @@ package body Image_Grid_Tests is
       end loop;
    end Test_Slow;
 
-   procedure Test_Jitter (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Jitter is
       Jitter : constant := 30.0;
       Rates  : constant array (Positive range <>) of Long_Float :=
         (5.0, 7.5, 9.9, 10.0, 10.1, 12.0, 15.0, 25.0, 29.97, 30.0, 60.0);
@@ -258,8 +227,7 @@ package body Image_Grid_Tests is
       end loop;
    end Test_Jitter;
 
-   procedure Test_Drift (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Drift is
       Result : Figures;
    begin
       for Phase of Phases loop
@@ -276,8 +244,7 @@ package body Image_Grid_Tests is
       end loop;
    end Test_Drift;
 
-   procedure Test_Step (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Step is
       Grid   : Vision.Image_Grid.State := Initial;
       Length : Microseconds;
    begin
@@ -315,5 +282,15 @@ package body Image_Grid_Tests is
       Assert (Lost (Grid) = Most_Lost (Period) - 10_000,
               "the rest is not forgotten");
    end Test_Step;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("ten a second from ten or more", Test_Fast'Access);
+      Add_Test ("every image of a slower source, as it comes",
+                Test_Slow'Access);
+      Add_Test ("jitter of 30 ms", Test_Jitter'Access);
+      Add_Test ("a clock that drifts", Test_Drift'Access);
+      Add_Test ("a step makes up for little", Test_Step'Access);
+   end Add_Tests;
 
 end Image_Grid_Tests;

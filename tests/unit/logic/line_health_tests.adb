@@ -6,24 +6,14 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Bytes;
 with Robot.Health;     use Robot.Health;
 with Robot.Protocol;   use Robot.Protocol;
+with Unit_Runs; use Unit_Runs;
 
 package body Line_Health_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Explore (H : State; Depth : Natural);
-   --  All that can happen next: every command, every probe, fail or not.
-
    Visited : Natural := 0;
 
-   procedure Test_Initial (T : in out Any_Test);
-   procedure Test_Fourth (T : in out Any_Test);
-   procedure Test_Reset (T : in out Any_Test);
-   procedure Test_Probe_Order (T : in out Any_Test);
-   procedure Test_Explore (T : in out Any_Test);
-   procedure Test_Late_Answers (T : in out Any_Test);
-
    procedure Explore (H : State; Depth : Natural) is
+      --  All that can happen next: every command, every probe, fail or not.
       Next : State;
    begin
       Visited := Visited + 1;
@@ -59,25 +49,7 @@ package body Line_Health_Tests is
       Explore (Next, Depth - 1);
    end Explore;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Robot.Health"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Initial'Access, "a line just opened");
-      Register_Routine (T, Test_Fourth'Access,
-                        "F8: lost at the fourth failure, not the third");
-      Register_Routine (T, Test_Reset'Access,
-                        "F8: any success resets the count");
-      Register_Routine (T, Test_Probe_Order'Access, "order of the probes");
-      Register_Routine (T, Test_Explore'Access, "everything, eight deep");
-      Register_Routine (T, Test_Late_Answers'Access,
-                        "a late answer never passes for the next");
-   end Register_Tests;
-
-   procedure Test_Explore (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Explore is
    begin
       Visited := 0;
       Explore (Initial, 8);
@@ -85,8 +57,7 @@ package body Line_Health_Tests is
       Assert (Visited > 10_000, "states visited");
    end Test_Explore;
 
-   procedure Test_Fourth (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Fourth is
    begin
       for First in Command_Kind loop
          declare
@@ -104,8 +75,7 @@ package body Line_Health_Tests is
       end loop;
    end Test_Fourth;
 
-   procedure Test_Initial (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Initial is
       H : State;
    begin
       Assert (H = Initial and then In_Step (H) and then not Lost (H),
@@ -125,14 +95,11 @@ package body Line_Health_Tests is
               "a failure counts");
    end Test_Initial;
 
-   procedure Test_Late_Answers (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Late_Answers is
       use type Bytes.Byte;
 
-      function Answer_Frame (Text : String) return Frame;
-      --  Text with its checksum and terminator.
-
       function Answer_Frame (Text : String) return Frame is
+         --  Text with its checksum and terminator.
          F : Frame;
       begin
          for C of Text loop
@@ -201,8 +168,7 @@ package body Line_Health_Tests is
       end loop;
    end Test_Late_Answers;
 
-   procedure Test_Probe_Order (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Probe_Order is
       H : State;
    begin
       Failure (H, Move);
@@ -223,8 +189,7 @@ package body Line_Health_Tests is
       Assert (Probe (H) = Unknown_Letter, "no digit after a digit");
    end Test_Probe_Order;
 
-   procedure Test_Reset (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Reset is
       H : State;
    begin
       for Round in 1 .. 10 loop
@@ -236,5 +201,17 @@ package body Line_Health_Tests is
          Assert (Failures (H) = 0 and then In_Step (H), "none");
       end loop;
    end Test_Reset;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("a line just opened", Test_Initial'Access);
+      Add_Test ("F8: lost at the fourth failure, not the third",
+                Test_Fourth'Access);
+      Add_Test ("F8: any success resets the count", Test_Reset'Access);
+      Add_Test ("order of the probes", Test_Probe_Order'Access);
+      Add_Test ("everything, eight deep", Test_Explore'Access);
+      Add_Test ("a late answer never passes for the next",
+                Test_Late_Answers'Access);
+   end Add_Tests;
 
 end Line_Health_Tests;

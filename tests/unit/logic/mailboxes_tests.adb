@@ -12,6 +12,7 @@ with Monitor.Protocol;
 with Monitor.Send_Order; use Monitor.Send_Order;
 with Orders;             use Orders;
 with Schedule;
+with Unit_Runs; use Unit_Runs;
 
 package body Mailboxes_Tests is
 
@@ -22,54 +23,20 @@ package body Mailboxes_Tests is
    function Ms (Count : Integer) return Ada.Real_Time.Time_Span
    renames Ada.Real_Time.Milliseconds;
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    Between : constant := 20;
 
    B   : Mailbox;
    Now : Time;
    --  Of the test
 
-   procedure Begin_Anew;
-   --  A session with nothing in it.
-
-   procedure Pass (Span : Ada.Real_Time.Time_Span);
-   --  The time passes.
-
-   procedure Check
-     (Kind : Choice; Text : String := ""; Kept : Natural := Between);
-   --  What is taken next, Kept ms after the one before; Text without its
-   --  line feed, empty for an image.
-
-   procedure Check_Gap (Expected : Natural);
-
-   procedure Check_Hold (Held : Boolean);
-   --  Held: unsolicited messages are held back.
-
-   function Place return Ticket;
-   --  Of the next command.
-
-   function To_Line (Text : String) return Short_Line;
-   --  With a line feed.
-
-   procedure Answer (Number : Ticket; Kind : Answer_Kind := Acknowledged);
-   procedure Put_Battery;
-   procedure Put_Image;
-   procedure Put_Position (Text : String);
-   procedure Put_Progress (Number : Ticket; Text : String);
-   procedure Put_End (Number : Ticket; Text : String);
-
-   procedure Test_Order (T : in out Any_Test);
-   procedure Test_Newest (T : in out Any_Test);
-   procedure Test_Arena (T : in out Any_Test);
-   procedure Test_Hold (T : in out Any_Test);
-   procedure Test_Hold_Of_Each (T : in out Any_Test);
-   procedure Test_Hold_Of_All (T : in out Any_Test);
-   procedure Test_Gap (T : in out Any_Test);
-   procedure Test_Mission (T : in out Any_Test);
-   procedure Test_Old_Mission (T : in out Any_Test);
-   procedure Test_Stale (T : in out Any_Test);
-   procedure Test_Full (T : in out Any_Test);
+   function To_Line (Text : String) return Short_Line is
+      --  With a line feed.
+      Line : Short_Line;
+   begin
+      Line.Length := Text'Length + 1;
+      Line.Data (1 .. Line.Length) := Text & Monitor.Protocol.Line_Feed;
+      return Line;
+   end To_Line;
 
    procedure Answer (Number : Ticket; Kind : Answer_Kind := Acknowledged) is
    begin
@@ -77,6 +44,7 @@ package body Mailboxes_Tests is
    end Answer;
 
    procedure Begin_Anew is
+      --  A session with nothing in it.
       Next : Ticket;
    begin
       Now := Ada.Real_Time.Clock;
@@ -88,6 +56,8 @@ package body Mailboxes_Tests is
    procedure Check
      (Kind : Choice; Text : String := ""; Kept : Natural := Between)
    is
+      --  What is taken next, Kept ms after the one before; Text without its
+      --  line feed, empty for an image.
       Next : Item;
       Line : Short_Line;
       Gap  : Monitor.Send_Order.Milliseconds;
@@ -112,20 +82,20 @@ package body Mailboxes_Tests is
    end Check_Gap;
 
    procedure Check_Hold (Held : Boolean) is
+      --  Held: unsolicited messages are held back.
    begin
       Assert (Is_Held (B) = Held, "held back: " & Is_Held (B)'Image);
    end Check_Hold;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Monitor.Mailboxes"));
-
    procedure Pass (Span : Ada.Real_Time.Time_Span) is
+      --  The time passes.
    begin
       Now := Now + Span;
       End_Hold (B, Now);
    end Pass;
 
    function Place return Ticket is
+      --  Of the next command.
       Number : Ticket;
       Result : Monitor.Mailboxes.Place;
       Begun  : Boolean;
@@ -166,27 +136,7 @@ package body Mailboxes_Tests is
       Put_Progress (B, Number, To_Line (Text), Now, Begun);
    end Put_Progress;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Order'Access, "answers in order");
-      Register_Routine (T, Test_Newest'Access, "the newest image wins");
-      Register_Routine (T, Test_Arena'Access, "an answer that is an image");
-      Register_Routine (T, Test_Hold'Access, "rule 7: the hold");
-      Register_Routine
-        (T, Test_Hold_Of_Each'Access, "each command has its hold");
-      Register_Routine
-        (T, Test_Hold_Of_All'Access, "commands without end hold no longer");
-      Register_Routine (T, Test_Gap'Access, "the gap and the turns");
-      Register_Routine (T, Test_Mission'Access, "progress and end");
-      Register_Routine
-        (T, Test_Old_Mission'Access, "a mission of another session");
-      Register_Routine (T, Test_Stale'Access, "numbers out of date");
-      Register_Routine (T, Test_Full'Access, "room for 256");
-   end Register_Tests;
-
-   procedure Test_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Arena is
       First, Second  : Ticket;
       Accepted, Kept : Boolean;
    begin
@@ -205,8 +155,7 @@ package body Mailboxes_Tests is
       Check (Nothing);
    end Test_Arena;
 
-   procedure Test_Full (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Full is
       First  : Ticket;
       Number : Ticket;
       Result : Monitor.Mailboxes.Place;
@@ -225,8 +174,7 @@ package body Mailboxes_Tests is
       Assert (Place = First + Capacity, "room again");
    end Test_Full;
 
-   procedure Test_Gap (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Gap is
    begin
       Begin_Anew;
       Put_Position ("CPOS:one");
@@ -249,8 +197,7 @@ package body Mailboxes_Tests is
       Check (Nothing);
    end Test_Gap;
 
-   procedure Test_Hold (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Hold is
       First, Second : Ticket;
    begin
       Begin_Anew;
@@ -271,8 +218,7 @@ package body Mailboxes_Tests is
       Check (Image);
    end Test_Hold;
 
-   procedure Test_Hold_Of_All (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Hold_Of_All is
       --  A command each 10 ms, answered at once, leaves no gap of 20 ms
       Turns : Natural := 0;
    begin
@@ -293,8 +239,7 @@ package body Mailboxes_Tests is
       Check (Battery, "RBLV:2", Kept => 10);
    end Test_Hold_Of_All;
 
-   procedure Test_Hold_Of_Each (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Hold_Of_Each is
       --  However long unsolicited messages have waited for a slow monitor
       Number : Ticket;
    begin
@@ -317,8 +262,7 @@ package body Mailboxes_Tests is
       Check (Monitor.Send_Order.Answer, "AACK");
    end Test_Hold_Of_Each;
 
-   procedure Test_Mission (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Mission is
       Number, Stop : Ticket;
    begin
       Begin_Anew;
@@ -358,17 +302,20 @@ package body Mailboxes_Tests is
       Check (Nothing);
    end Test_Mission;
 
-   procedure Test_Newest (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Newest is
       Begun : Boolean;
    begin
       Begin_Anew;
       Put_Image;
       Put_Image;
       Put_Notice (B, Monitor.Notices.Camera_Ended, Now, Begun);
-      Put_Lost (B, Now, Begun);
+      Put_Lost (B, True, Now, Begun);
       Check (Robot_Lost, "ATIM");
       Check (Text, "MSSG:camera closed: it delivers no images any more");
+      Check (Text, "MSSG:robot lost: its battery was empty, it may be off: "
+                   & "charge it");
+      Put_Lost (B, False, Now, Begun);
+      Check (Robot_Lost, "ATIM");
       Check (Image);
       Check (Nothing);
       Put_Image;
@@ -376,8 +323,7 @@ package body Mailboxes_Tests is
       Check (Nothing);
    end Test_Newest;
 
-   procedure Test_Old_Mission (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Old_Mission is
       Old, Next : Ticket;
    begin
       Begin_Anew;
@@ -399,8 +345,7 @@ package body Mailboxes_Tests is
       Check (Mission, "MEND:done");
    end Test_Old_Mission;
 
-   procedure Test_Order (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Order is
       First, Second, Third : Ticket;
    begin
       Begin_Anew;
@@ -418,8 +363,7 @@ package body Mailboxes_Tests is
       Check (Image);
    end Test_Order;
 
-   procedure Test_Stale (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Stale is
       Old, Next   : Ticket;
       Kept, Begun : Boolean;
       Made        : constant Generation := B.Made;
@@ -438,12 +382,20 @@ package body Mailboxes_Tests is
       Check (Monitor.Send_Order.Answer, "AACK");
    end Test_Stale;
 
-   function To_Line (Text : String) return Short_Line is
-      Line : Short_Line;
+   procedure Add_Tests is
    begin
-      Line.Length := Text'Length + 1;
-      Line.Data (1 .. Line.Length) := Text & Monitor.Protocol.Line_Feed;
-      return Line;
-   end To_Line;
+      Add_Test ("answers in order", Test_Order'Access);
+      Add_Test ("the newest image wins", Test_Newest'Access);
+      Add_Test ("an answer that is an image", Test_Arena'Access);
+      Add_Test ("rule 7: the hold", Test_Hold'Access);
+      Add_Test ("each command has its hold", Test_Hold_Of_Each'Access);
+      Add_Test ("commands without end hold no longer",
+                Test_Hold_Of_All'Access);
+      Add_Test ("the gap and the turns", Test_Gap'Access);
+      Add_Test ("progress and end", Test_Mission'Access);
+      Add_Test ("a mission of another session", Test_Old_Mission'Access);
+      Add_Test ("numbers out of date", Test_Stale'Access);
+      Add_Test ("room for 256", Test_Full'Access);
+   end Add_Tests;
 
 end Mailboxes_Tests;

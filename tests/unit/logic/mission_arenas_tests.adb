@@ -10,13 +10,12 @@ with Missions.Angles;
 with Missions.Arenas;           use Missions.Arenas;
 with Missions.Guards;
 with Vision.Shapes;             use Vision.Shapes;
+with Unit_Runs; use Unit_Runs;
 
 package body Mission_Arenas_Tests is
 
    use Missions;
    use Ada.Numerics.Long_Long_Elementary_Functions;
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    subtype Real is Long_Long_Float;
 
@@ -26,190 +25,8 @@ package body Mission_Arenas_Tests is
    type Vector is array (1 .. 8) of Real;
    type Matrix is array (1 .. 8, 1 .. 9) of Real;
 
-   function Solution (Equations : Matrix) return Vector;
-   --  By elimination, with the largest pivot
-
-   function Fitted
-     (Corners : Arena_Corners; Size : Arena_Size) return Vector;
-   --  From millionths of a pixel; in micrometres
-
-   function X_Of (H : Vector; P : Vision.Shapes.Point) return Real is
-     ((H (1) * Real (P.X) + H (2) * Real (P.Y) + H (3))
-      / (H (7) * Real (P.X) + H (8) * Real (P.Y) + 1.0));
-
-   function Y_Of (H : Vector; P : Vision.Shapes.Point) return Real is
-     ((H (4) * Real (P.X) + H (5) * Real (P.Y) + H (6))
-      / (H (7) * Real (P.X) + H (8) * Real (P.Y) + 1.0));
-
-   function Seen
-     (Corners : Arena_Corners; Size : Arena_Size; X, Y : Real)
-      return Vision.Shapes.Point;
-   --  Where a place (micrometres) is in the image
-
-   function Pixels (X, Y : Real) return Vision.Shapes.Point is
-     ((Micro_Pixels (X * 1.0E6), Micro_Pixels (Y * 1.0E6)));
-
-   function On_Grid (P : Vision.Shapes.Point) return Vision.Shapes.Point is
-     ((Micro_Pixels (To_Grid (P).X * Unit_Size),
-       Micro_Pixels (To_Grid (P).Y * Unit_Size)));
-
-   function On_Grid (Corners : Arena_Corners) return Arena_Corners is
-     ((Top_Left     => On_Grid (Corners (Top_Left)),
-       Top_Right    => On_Grid (Corners (Top_Right)),
-       Bottom_Right => On_Grid (Corners (Bottom_Right)),
-       Bottom_Left  => On_Grid (Corners (Bottom_Left))));
-   --  As the map has them
-
-   function Rectangle (Left, Top, Right, Bottom : Real)
-     return Arena_Corners
-   is (Top_Left     => Pixels (Left, Top),
-       Top_Right    => Pixels (Right, Top),
-       Bottom_Right => Pixels (Right, Bottom),
-       Bottom_Left  => Pixels (Left, Bottom));
-
-   Usual : constant Arena_Corners :=
-     (Top_Left     => Pixels (71.3, 40.9),
-      Top_Right    => Pixels (561.7, 33.2),
-      Bottom_Right => Pixels (611.1, 452.6),
-      Bottom_Left  => Pixels (20.4, 441.0));
-   --  Of an image of 640 x 480 pixels
-
-   function Is_Usable
-     (Corners : Arena_Corners; Size : Arena_Size := (80, 60)) return Boolean;
-
-   procedure Check_Corners (Corners : Arena_Corners; Size : Arena_Size);
-   --  As rounded, they are those of the rectangle, exactly
-
-   procedure Test_Corners (T : in out Any_Test);
-   procedure Test_Forms (T : in out Any_Test);
-   procedure Test_Loss (T : in out Any_Test);
-   procedure Test_Outside (T : in out Any_Test);
-   procedure Test_Poses (T : in out Any_Test);
-   procedure Test_Refused (T : in out Any_Test);
-   procedure Test_Targets (T : in out Any_Test);
-
-   -------------------
-   -- Check_Corners --
-   -------------------
-
-   procedure Check_Corners (Corners : Arena_Corners; Size : Arena_Size) is
-      M             : Map;
-      Usable, Known : Boolean;
-      Where         : Place;
-   begin
-      Make (Corners, Size, M, Usable);
-      Assert (Usable, "usable");
-      for C in Corner loop
-         Locate (M, On_Grid (Corners (C)), Where, Known);
-         Assert (Known, C'Image & " is known");
-         Assert
-           (Where =
-              (X => (if C in Top_Left | Bottom_Left then 0 else Width (M)),
-               Y => (if C in Bottom_Left | Bottom_Right then 0
-                     else Height (M))),
-            C'Image & Where.X'Image & Where.Y'Image);
-      end loop;
-   end Check_Corners;
-
-   ------------
-   -- Fitted --
-   ------------
-
-   function Fitted
-     (Corners : Arena_Corners; Size : Arena_Size) return Vector
-   is
-      E   : Matrix   := (others => (others => 0.0));
-      Row : Positive := 1;
-   begin
-      for C in Corner loop
-         declare
-            Px : constant Real := Real (Corners (C).X);
-            Py : constant Real := Real (Corners (C).Y);
-            X  : constant Real :=
-              (if C in Top_Left | Bottom_Left then 0.0
-               else Real (Size.Width) * 1.0E4);
-            Y  : constant Real :=
-              (if C in Bottom_Left | Bottom_Right then 0.0
-               else Real (Size.Height) * 1.0E4);
-            procedure Fill (First : Positive; Value : Real);
-            procedure Fill (First : Positive; Value : Real) is
-            begin
-               E (Row, First) := Px;
-               E (Row, First + 1) := Py;
-               E (Row, First + 2) := 1.0;
-               E (Row, 7) := -Px * Value;
-               E (Row, 8) := -Py * Value;
-               E (Row, 9) := Value;
-               Row := Row + 1;
-            end Fill;
-         begin
-            Fill (1, X);
-            Fill (4, Y);
-         end;
-      end loop;
-      return Solution (E);
-   end Fitted;
-
-   ---------------
-   -- Is_Usable --
-   ---------------
-
-   function Is_Usable
-     (Corners : Arena_Corners; Size : Arena_Size := (80, 60)) return Boolean
-   is
-      M      : Map;
-      Usable : Boolean;
-   begin
-      Make (Corners, Size, M, Usable);
-      return Usable;
-   end Is_Usable;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Missions.Arenas"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Corners'Access, "the corners, exactly");
-      Register_Routine (T, Test_Forms'Access, "both forms of the divisor");
-      Register_Routine
-        (T, Test_Loss'Access, "less than 0.6 mm from a map in floating point");
-      Register_Routine (T, Test_Outside'Access, "points outside the arena");
-      Register_Routine (T, Test_Poses'Access, "headings");
-      Register_Routine (T, Test_Refused'Access, "arenas that are refused");
-      Register_Routine (T, Test_Targets'Access, "the points of a path");
-   end Register_Tests;
-
-   ----------
-   -- Seen --
-   ----------
-
-   function Seen
-     (Corners : Arena_Corners; Size : Arena_Size; X, Y : Real)
-      return Vision.Shapes.Point
-   is
-      H : constant Vector := Fitted (Corners, Size);
-
-      --  x (h7 X + h8 Y + 1) = h1 X + h2 Y + h3, and y likewise
-
-      A : constant Real := H (1) - X * H (7);
-      B : constant Real := H (2) - X * H (8);
-      C : constant Real := H (4) - Y * H (7);
-      D : constant Real := H (5) - Y * H (8);
-      E : constant Real := X - H (3);
-      F : constant Real := Y - H (6);
-      W : constant Real := A * D - B * C;
-   begin
-      return
-        (Micro_Pixels ((E * D - B * F) / W),
-         Micro_Pixels ((A * F - E * C) / W));
-   end Seen;
-
-   --------------
-   -- Solution --
-   --------------
-
    function Solution (Equations : Matrix) return Vector is
+      --  By elimination, with the largest pivot
       E      : Matrix := Equations;
       Result : Vector;
    begin
@@ -244,12 +61,130 @@ package body Mission_Arenas_Tests is
       return Result;
    end Solution;
 
-   ------------------
-   -- Test_Corners --
-   ------------------
+   function X_Of (H : Vector; P : Vision.Shapes.Point) return Real is
+     ((H (1) * Real (P.X) + H (2) * Real (P.Y) + H (3))
+      / (H (7) * Real (P.X) + H (8) * Real (P.Y) + 1.0));
 
-   procedure Test_Corners (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   function Y_Of (H : Vector; P : Vision.Shapes.Point) return Real is
+     ((H (4) * Real (P.X) + H (5) * Real (P.Y) + H (6))
+      / (H (7) * Real (P.X) + H (8) * Real (P.Y) + 1.0));
+
+   function Pixels (X, Y : Real) return Vision.Shapes.Point is
+     ((Micro_Pixels (X * 1.0E6), Micro_Pixels (Y * 1.0E6)));
+
+   function On_Grid (P : Vision.Shapes.Point) return Vision.Shapes.Point is
+     ((Micro_Pixels (To_Grid (P).X * Unit_Size),
+       Micro_Pixels (To_Grid (P).Y * Unit_Size)));
+
+   function On_Grid (Corners : Arena_Corners) return Arena_Corners is
+     ((Top_Left     => On_Grid (Corners (Top_Left)),
+       Top_Right    => On_Grid (Corners (Top_Right)),
+       Bottom_Right => On_Grid (Corners (Bottom_Right)),
+       Bottom_Left  => On_Grid (Corners (Bottom_Left))));
+   --  As the map has them
+
+   function Rectangle (Left, Top, Right, Bottom : Real)
+     return Arena_Corners
+   is (Top_Left     => Pixels (Left, Top),
+       Top_Right    => Pixels (Right, Top),
+       Bottom_Right => Pixels (Right, Bottom),
+       Bottom_Left  => Pixels (Left, Bottom));
+
+   Usual : constant Arena_Corners :=
+     (Top_Left     => Pixels (71.3, 40.9),
+      Top_Right    => Pixels (561.7, 33.2),
+      Bottom_Right => Pixels (611.1, 452.6),
+      Bottom_Left  => Pixels (20.4, 441.0));
+   --  Of an image of 640 x 480 pixels
+
+   procedure Check_Corners (Corners : Arena_Corners; Size : Arena_Size) is
+      --  As rounded, they are those of the rectangle, exactly
+      M             : Map;
+      Usable, Known : Boolean;
+      Where         : Place;
+   begin
+      Make (Corners, Size, M, Usable);
+      Assert (Usable, "usable");
+      for C in Corner loop
+         Locate (M, On_Grid (Corners (C)), Where, Known);
+         Assert (Known, C'Image & " is known");
+         Assert
+           (Where =
+              (X => (if C in Top_Left | Bottom_Left then 0 else Width (M)),
+               Y => (if C in Bottom_Left | Bottom_Right then 0
+                     else Height (M))),
+            C'Image & Where.X'Image & Where.Y'Image);
+      end loop;
+   end Check_Corners;
+
+   function Fitted
+     (Corners : Arena_Corners; Size : Arena_Size) return Vector
+   is
+      --  From millionths of a pixel; in micrometres
+      E   : Matrix   := (others => (others => 0.0));
+      Row : Positive := 1;
+   begin
+      for C in Corner loop
+         declare
+            Px : constant Real := Real (Corners (C).X);
+            Py : constant Real := Real (Corners (C).Y);
+            X  : constant Real :=
+              (if C in Top_Left | Bottom_Left then 0.0
+               else Real (Size.Width) * 1.0E4);
+            Y  : constant Real :=
+              (if C in Bottom_Left | Bottom_Right then 0.0
+               else Real (Size.Height) * 1.0E4);
+            procedure Fill (First : Positive; Value : Real) is
+            begin
+               E (Row, First) := Px;
+               E (Row, First + 1) := Py;
+               E (Row, First + 2) := 1.0;
+               E (Row, 7) := -Px * Value;
+               E (Row, 8) := -Py * Value;
+               E (Row, 9) := Value;
+               Row := Row + 1;
+            end Fill;
+         begin
+            Fill (1, X);
+            Fill (4, Y);
+         end;
+      end loop;
+      return Solution (E);
+   end Fitted;
+
+   function Is_Usable
+     (Corners : Arena_Corners; Size : Arena_Size := (80, 60)) return Boolean
+   is
+      M      : Map;
+      Usable : Boolean;
+   begin
+      Make (Corners, Size, M, Usable);
+      return Usable;
+   end Is_Usable;
+
+   function Seen
+     (Corners : Arena_Corners; Size : Arena_Size; X, Y : Real)
+      return Vision.Shapes.Point
+   is
+      --  Where a place (micrometres) is in the image
+      H : constant Vector := Fitted (Corners, Size);
+
+      --  x (h7 X + h8 Y + 1) = h1 X + h2 Y + h3, and y likewise
+
+      A : constant Real := H (1) - X * H (7);
+      B : constant Real := H (2) - X * H (8);
+      C : constant Real := H (4) - Y * H (7);
+      D : constant Real := H (5) - Y * H (8);
+      E : constant Real := X - H (3);
+      F : constant Real := Y - H (6);
+      W : constant Real := A * D - B * C;
+   begin
+      return
+        (Micro_Pixels ((E * D - B * F) / W),
+         Micro_Pixels ((A * F - E * C) / W));
+   end Seen;
+
+   procedure Test_Corners is
    begin
       Check_Corners (Usual, (80, 60));
       Check_Corners (Rectangle (0.0, 0.0, 4_095.0, 4_095.0), (1_000, 1_000));
@@ -282,15 +217,10 @@ package body Mission_Arenas_Tests is
       end;
    end Test_Corners;
 
-   ----------------
-   -- Test_Forms --
-   ----------------
-
    --  X_Part and Y_Part of an arena turned by half are what is left of the
    --  divisor
 
-   procedure Test_Forms (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Forms is
       M, Turned : Map;
       Usable    : Boolean;
    begin
@@ -316,12 +246,7 @@ package body Mission_Arenas_Tests is
       end loop;
    end Test_Forms;
 
-   ---------------
-   -- Test_Loss --
-   ---------------
-
-   procedure Test_Loss (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Loss is
       Arenas : constant := 3_000;
 
       Chance   : Generator;
@@ -395,12 +320,7 @@ package body Mission_Arenas_Tests is
       Assert (Tried > Arenas + Arenas / 10, "and some were refused");
    end Test_Loss;
 
-   ------------------
-   -- Test_Outside --
-   ------------------
-
-   procedure Test_Outside (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Outside is
       Inner  : constant Arena_Corners :=
         Rectangle (200.0, 150.0, 440.0, 330.0);
       M      : Map;
@@ -443,12 +363,7 @@ package body Mission_Arenas_Tests is
               and then Where.Y in 600_001 .. 620_000, "just outside");
    end Test_Outside;
 
-   ----------------
-   -- Test_Poses --
-   ----------------
-
-   procedure Test_Poses (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Poses is
       Size   : constant Arena_Size := (80, 60);
       M      : Map;
       Usable : Boolean;
@@ -498,12 +413,7 @@ package body Mission_Arenas_Tests is
       Assert (not Known, "a centre far outside");
    end Test_Poses;
 
-   ------------------
-   -- Test_Refused --
-   ------------------
-
-   procedure Test_Refused (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Refused is
    begin
       Assert (Is_Usable (Usual), "the usual one");
       Assert (not Is_Usable (No_Arena), "none");
@@ -549,12 +459,7 @@ package body Mission_Arenas_Tests is
               "8 m in a large image");
    end Test_Refused;
 
-   ------------------
-   -- Test_Targets --
-   ------------------
-
-   procedure Test_Targets (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Targets is
       Size   : constant Arena_Size := (80, 60);
       M      : Map;
       Places : Place_Array;
@@ -563,11 +468,8 @@ package body Mission_Arenas_Tests is
       Inside : Boolean;
 
       procedure Check
-        (X, Y : Millionths; Expected : Boolean; What : String);
-      --  As the second of two points
-
-      procedure Check
         (X, Y : Millionths; Expected : Boolean; What : String) is
+         --  As the second of two points
       begin
          P.Points (2) := (X, Y);
          Targets (P, M, Size, Places, Inside);
@@ -626,5 +528,17 @@ package body Mission_Arenas_Tests is
       Targets (P, M, Size, Places, Inside);
       Assert (not Inside, "the last of 64");
    end Test_Targets;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("the corners, exactly", Test_Corners'Access);
+      Add_Test ("both forms of the divisor", Test_Forms'Access);
+      Add_Test ("less than 0.6 mm from a map in floating point",
+                Test_Loss'Access);
+      Add_Test ("points outside the arena", Test_Outside'Access);
+      Add_Test ("headings", Test_Poses'Access);
+      Add_Test ("arenas that are refused", Test_Refused'Access);
+      Add_Test ("the points of a path", Test_Targets'Access);
+   end Add_Tests;
 
 end Mission_Arenas_Tests;

@@ -11,10 +11,9 @@ with Missions.Runs;
 with Robot.Session;
 with Vision.Mode;
 with Vision.Shapes;     use Vision.Shapes;
+with Unit_Runs; use Unit_Runs;
 
 package body Mission_Grounds_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Start : constant Time := Time_First + Seconds (1_000_000);
 
@@ -45,32 +44,6 @@ package body Mission_Grounds_Tests is
                   2      => (200_000_000, 240_000_000),
                   others => <>));
 
-   procedure Expect_Refused (G : Ground; P : Path; Reason : Refusal);
-
-   procedure Expect_End
-     (G                : Ground;
-      Reason           : Abort_Reason;
-      Is_Over, By_Hand : Boolean := False);
-
-   procedure Test_Begins (T : in out Any_Test);
-   procedure Test_Refused (T : in out Any_Test);
-   procedure Test_Ends (T : in out Any_Test);
-   procedure Test_Times (T : in out Any_Test);
-   procedure Test_Seen (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Missions.Grounds"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Begins'Access, "a mission that may begin");
-      Register_Routine (T, Test_Refused'Access, "each reason against it");
-      Register_Routine (T, Test_Ends'Access, "each reason that ends it");
-      Register_Routine (T, Test_Times'Access, "its times, over many hours");
-      Register_Routine (T, Test_Seen'Access, "the robot in the arena");
-   end Register_Tests;
-
    procedure Expect_Refused (G : Ground; P : Path; Reason : Refusal) is
       Map       : Missions.Arenas.Map;
       Targets   : Place_Array;
@@ -95,8 +68,7 @@ package body Mission_Grounds_Tests is
       Assert (Why = Reason, Why'Image & " and not " & Reason'Image);
    end Expect_End;
 
-   procedure Test_Begins (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Begins is
       Map       : Missions.Arenas.Map;
       Targets   : Place_Array;
       May_Begin : Boolean;
@@ -120,8 +92,7 @@ package body Mission_Grounds_Tests is
               "centimetres at" & Targets (1).X'Image & Targets (1).Y'Image);
    end Test_Begins;
 
-   procedure Test_Refused (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Refused is
       G : Ground := Good;
       P : Path   := Two_Points;
    begin
@@ -150,8 +121,7 @@ package body Mission_Grounds_Tests is
       Expect_Refused (G, P, Robot_Not_Started);
    end Test_Refused;
 
-   procedure Test_Ends (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ends is
       G    : Ground := Good;
       Ends : Boolean;
       Why  : Abort_Reason;
@@ -184,8 +154,7 @@ package body Mission_Grounds_Tests is
       Expect_End (Good, Session_Over, Is_Over => True);
    end Test_Ends;
 
-   procedure Test_Times (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Times is
       Hours : constant Time := Start + Seconds (50_000) + Milliseconds (3);
    begin
       Assert (Since (Start, Start) = Lead, "the beginning");
@@ -204,8 +173,7 @@ package body Mission_Grounds_Tests is
       Assert (Next_Time (Start, Hours, 0) = Hours, "overdue");
    end Test_Times;
 
-   procedure Test_Seen (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Seen is
       Map    : Missions.Arenas.Map;
       Usable : Boolean;
       G      : Ground := Good;
@@ -222,5 +190,14 @@ package body Mission_Grounds_Tests is
       Seen := Seen_From (Start, Map, G);
       Assert (not Seen.Seen and then Seen.Number = 7, "seen");
    end Test_Seen;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("a mission that may begin", Test_Begins'Access);
+      Add_Test ("each reason against it", Test_Refused'Access);
+      Add_Test ("each reason that ends it", Test_Ends'Access);
+      Add_Test ("its times, over many hours", Test_Times'Access);
+      Add_Test ("the robot in the arena", Test_Seen'Access);
+   end Add_Tests;
 
 end Mission_Grounds_Tests;

@@ -13,10 +13,9 @@ with Missions.Runs;       use Missions.Runs;
 with Robot.Protocol;
 with Robot.Session;
 with Simulated_Missions;  use Simulated_Missions;
+with Unit_Runs; use Unit_Runs;
 
 package body Mission_Runs_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    use type Robot.Protocol.Command_Kind;
    use type Robot.Session.Request_Kind;
@@ -28,50 +27,11 @@ package body Mission_Runs_Tests is
    Points  : constant Place_Array :=
      (1 => (700_000, 500_000), others => Corner);
 
-   procedure Test_Angles (T : in out Any_Test);
-   procedure Test_Guards (T : in out Any_Test);
-   procedure Test_Ideal (T : in out Any_Test);
-   procedure Test_Faults (T : in out Any_Test);
-   procedure Test_Ends (T : in out Any_Test);
-   procedure Test_Old_Position (T : in out Any_Test);
-   procedure Test_Wait_For_Position (T : in out Any_Test);
-
-   procedure Check_Missions (First_Seed : Integer; Faulty : Boolean);
-   --  A hundred
-
    type Answer is (Taken, Refused, Unanswered, Closed);
    --  What becomes of all requests
 
-   procedure Run_Until_End
-     (Image_Every : Positive;
-      Seen        : Boolean;
-      Given       : Answer;
-      Moves       : Boolean;
-      Why         : Ending;
-      Within      : Microseconds;
-      Pushed      : Boolean := False);
-   --  The robot stands, whatever it is told, or is pushed to and fro each
-   --  second. Of so many images one comes
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Missions.Runs"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Angles'Access, "angles all around");
-      Register_Routine (T, Test_Guards'Access, "what the guards permit");
-      Register_Routine (T, Test_Ideal'Access, "a hundred missions");
-      Register_Routine
-        (T, Test_Faults'Access, "a hundred missions of faulty robots");
-      Register_Routine (T, Test_Ends'Access, "why missions end");
-      Register_Routine
-        (T, Test_Old_Position'Access, "no order from an old position");
-      Register_Routine
-        (T, Test_Wait_For_Position'Access, "waits for a new position");
-   end Register_Tests;
-
    procedure Check_Missions (First_Seed : Integer; Faulty : Boolean) is
+      --  A hundred
       Short  : constant Milliseconds := (if Faulty then 9_000.0 else 3_000.0);
       --  Missions that take an exact robot less time may take longer than 1.5
       --  times as long: looking takes time, and learning what the robot does
@@ -107,6 +67,8 @@ package body Mission_Runs_Tests is
       Within      : Microseconds;
       Pushed      : Boolean := False)
    is
+      --  The robot stands, whatever it is told, or is pushed to and fro each
+      --  second. Of so many images one comes
       Aside : constant Place := (Corner.X + 20_000, Corner.Y);
       R     : Missions.Runs.Run;
       Next  : Action;
@@ -167,8 +129,7 @@ package body Mission_Runs_Tests is
       Assert (Now <= Within, Why'Image & " after" & Now'Image);
    end Run_Until_End;
 
-   procedure Test_Angles (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Angles is
       Length : constant array (1 .. 4) of Float :=
         (50.0, 40_000.0, 900_000.0, 9.0E8);
       X, Y   : Micrometres;
@@ -202,8 +163,7 @@ package body Mission_Runs_Tests is
       Assert (Normal (270_000_000) = -90_000_000, "normal");
    end Test_Angles;
 
-   procedure Test_Ends (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ends is
       R    : Missions.Runs.Run;
       Next : Action;
    begin
@@ -231,14 +191,12 @@ package body Mission_Runs_Tests is
       end loop;
    end Test_Ends;
 
-   procedure Test_Faults (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Faults is
    begin
       Check_Missions (1_000, Faulty => True);
    end Test_Faults;
 
-   procedure Test_Guards (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Guards is
 
       Known : constant Missions.Guards.Doubts := (10_000, 0, 0, 0);
 
@@ -279,14 +237,12 @@ package body Mission_Runs_Tests is
       Assert (Permitted (200, 75, 0, 300, Known), "along the border");
    end Test_Guards;
 
-   procedure Test_Ideal (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ideal is
    begin
       Check_Missions (2_000, Faulty => False);
    end Test_Ideal;
 
-   procedure Test_Old_Position (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Old_Position is
       R    : Missions.Runs.Run;
       Next : Action;
       Now  : Microseconds := 0;
@@ -314,8 +270,7 @@ package body Mission_Runs_Tests is
               "seen again, no turn to the target");
    end Test_Old_Position;
 
-   procedure Test_Wait_For_Position (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Wait_For_Position is
       Here   : constant Place := (200_000, 300_000);
       Aside  : constant Place_Array :=
         (1 => (499_000, 317_500), others => (0, 0));
@@ -324,14 +279,6 @@ package body Mission_Runs_Tests is
       Next   : Action;
       Now    : Microseconds := 0;
       Images : Natural := 0;
-
-      procedure See (After : Microseconds; Seen : Boolean; Heading : Bearing);
-
-      procedure Turns;
-      --  Asserts that a turn is ordered, and that it is taken
-
-      procedure Rests;
-      --  The robot is asked whether it moves, and does not
 
       procedure See (After : Microseconds; Seen : Boolean; Heading : Bearing)
       is
@@ -342,6 +289,7 @@ package body Mission_Runs_Tests is
       end See;
 
       procedure Turns is
+         --  Asserts that a turn is ordered, and that it is taken
       begin
          Step (R, Now, Next);
          Assert (Next.Kind = Order
@@ -351,6 +299,7 @@ package body Mission_Runs_Tests is
       end Turns;
 
       procedure Rests is
+         --  The robot is asked whether it moves, and does not
       begin
          Step (R, Now, Next);
          Assert (Next.Kind = Ask, "does it move?");
@@ -387,5 +336,16 @@ package body Mission_Runs_Tests is
               and then Next.Request.Command.Kind = Robot.Protocol.Move,
               "seen again, no drive");
    end Test_Wait_For_Position;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("angles all around", Test_Angles'Access);
+      Add_Test ("what the guards permit", Test_Guards'Access);
+      Add_Test ("a hundred missions", Test_Ideal'Access);
+      Add_Test ("a hundred missions of faulty robots", Test_Faults'Access);
+      Add_Test ("why missions end", Test_Ends'Access);
+      Add_Test ("no order from an old position", Test_Old_Position'Access);
+      Add_Test ("waits for a new position", Test_Wait_For_Position'Access);
+   end Add_Tests;
 
 end Mission_Runs_Tests;

@@ -7,46 +7,12 @@ with Ada.Strings.Fixed;
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Missions.Paths;   use Missions;
+with Unit_Runs; use Unit_Runs;
 
 package body Missions_Paths_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   function Parsed (Text : String; Single : Boolean := False) return Path;
-   --  Of centimetres. Count 0: no path
-
-   procedure Check (Text : String; Value : Millionths);
-   --  A coordinate, first and second
-
-   procedure Check_None (Text : String);
-   --  No coordinate, first or second
-
-   procedure Test_Values (T : in out Any_Test);
-   procedure Test_No_Values (T : in out Any_Test);
-   procedure Test_Points (T : in out Any_Test);
-   procedure Test_Counts (T : in out Any_Test);
-   procedure Test_Places (T : in out Any_Test);
-   procedure Test_Random (T : in out Any_Test);
-
-   procedure Check (Text : String; Value : Millionths) is
-      P : constant Path := Parsed (Text & ";5;7;" & Text);
-   begin
-      Assert (P.Count = 2, Text & " is a coordinate");
-      Assert (P.Points (1) = (Value, 5_000_000), Text & " first");
-      Assert (P.Points (2) = (7_000_000, Value), Text & " last");
-   end Check;
-
-   procedure Check_None (Text : String) is
-   begin
-      Assert (Parsed (Text & ";1").Count = 0, Text & " first");
-      Assert (Parsed ("1;" & Text).Count = 0, Text & " last");
-      Assert (Parsed ("1;2;" & Text & ";4").Count = 0, Text & " third");
-   end Check_None;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Missions.Paths"));
-
    function Parsed (Text : String; Single : Boolean := False) return Path is
+      --  Of centimetres. Count 0: no path
       P     : Path;
       Valid : Boolean;
    begin
@@ -56,19 +22,24 @@ package body Missions_Paths_Tests is
       return P;
    end Parsed;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Check (Text : String; Value : Millionths) is
+      --  A coordinate, first and second
+      P : constant Path := Parsed (Text & ";5;7;" & Text);
    begin
-      Register_Routine (T, Test_Values'Access, "coordinates");
-      Register_Routine (T, Test_No_Values'Access, "no coordinates");
-      Register_Routine (T, Test_Points'Access, "pairs and separators");
-      Register_Routine (T, Test_Counts'Access, "1 to 64 points, or one");
-      Register_Routine (T, Test_Places'Access, "paths in a line");
-      Register_Routine (T, Test_Random'Access, "random paths");
-   end Register_Tests;
+      Assert (P.Count = 2, Text & " is a coordinate");
+      Assert (P.Points (1) = (Value, 5_000_000), Text & " first");
+      Assert (P.Points (2) = (7_000_000, Value), Text & " last");
+   end Check;
 
-   procedure Test_Counts (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Check_None (Text : String) is
+      --  No coordinate, first or second
+   begin
+      Assert (Parsed (Text & ";1").Count = 0, Text & " first");
+      Assert (Parsed ("1;" & Text).Count = 0, Text & " last");
+      Assert (Parsed ("1;2;" & Text & ";4").Count = 0, Text & " third");
+   end Check_None;
+
+   procedure Test_Counts is
       Text : String (1 .. 4 * 66) := (others => ';');
    begin
       for I in 0 .. 65 loop
@@ -93,8 +64,7 @@ package body Missions_Paths_Tests is
       end loop;
    end Test_Counts;
 
-   procedure Test_No_Values (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_No_Values is
    begin
       Check_None ("");
       Check_None ("-");
@@ -128,8 +98,7 @@ package body Missions_Paths_Tests is
       end loop;
    end Test_No_Values;
 
-   procedure Test_Places (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Places is
       High  : constant String (Integer'Last - 9 .. Integer'Last - 1) :=
         "MGCM:12;3";
       P     : Path;
@@ -144,8 +113,7 @@ package body Missions_Paths_Tests is
       Assert (not Valid, "the label, too");
    end Test_Places;
 
-   procedure Test_Points (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Points is
    begin
       Assert (Parsed ("1;2").Count = 1, "a point");
       Assert (Parsed ("").Count = 0, "empty");
@@ -162,8 +130,7 @@ package body Missions_Paths_Tests is
       Assert (Parsed ("1:2").Count = 0, "another separator");
    end Test_Points;
 
-   procedure Test_Random (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Random is
 
       subtype Small is Integer range -9_999_999 .. 9_999_999;
 
@@ -196,8 +163,7 @@ package body Missions_Paths_Tests is
       end loop;
    end Test_Random;
 
-   procedure Test_Values (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Values is
    begin
       Check ("0", 0);
       Check ("-0", 0);
@@ -218,5 +184,15 @@ package body Missions_Paths_Tests is
       Check ("-12.50", -12_500_000);
       Check ("320.5", 320_500_000);
    end Test_Values;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("coordinates", Test_Values'Access);
+      Add_Test ("no coordinates", Test_No_Values'Access);
+      Add_Test ("pairs and separators", Test_Points'Access);
+      Add_Test ("1 to 64 points, or one", Test_Counts'Access);
+      Add_Test ("paths in a line", Test_Places'Access);
+      Add_Test ("random paths", Test_Random'Access);
+   end Add_Tests;
 
 end Missions_Paths_Tests;

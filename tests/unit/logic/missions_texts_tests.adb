@@ -6,20 +6,9 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Missions.Texts;   use Missions;
 with Monitor.Notices;  use Monitor.Notices;
 with Monitor.Protocol; use Monitor.Protocol;
+with Unit_Runs; use Unit_Runs;
 
 package body Missions_Texts_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   function Progress
-     (Leg, Of_Legs : Point_Number; Distance : Texts.Millimetres)
-     return String;
-
-   function End_Line (Why : Ending) return String;
-
-   procedure Test_Progress (T : in out Any_Test);
-   procedure Test_Ends (T : in out Any_Test);
-   procedure Test_Refusals (T : in out Any_Test);
 
    function End_Line (Why : Ending) return String is
       Line : Position_Text;
@@ -28,9 +17,6 @@ package body Missions_Texts_Tests is
       Texts.Format_End (Why, Line, Last);
       return Line (1 .. Last);
    end End_Line;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Missions.Texts"));
 
    function Progress
      (Leg, Of_Legs : Point_Number; Distance : Texts.Millimetres)
@@ -43,20 +29,9 @@ package body Missions_Texts_Tests is
       return Line (1 .. Last);
    end Progress;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Progress'Access, "progress");
-      Register_Routine (T, Test_Ends'Access, "ends");
-      Register_Routine (T, Test_Refusals'Access, "refusals");
-   end Register_Tests;
-
-   procedure Test_Ends (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ends is
 
       Count : Natural := 0;
-
-      procedure Check (Why : Ending; Expected : String);
 
       procedure Check (Why : Ending; Expected : String) is
       begin
@@ -83,8 +58,7 @@ package body Missions_Texts_Tests is
       Assert (Count = Ending'Pos (Ending'Last) + 1, "all of them");
    end Test_Ends;
 
-   procedure Test_Progress (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Progress is
    begin
       Assert (Progress (1, 1, 0) = "MPRG:1;1;0" & Line_Feed, "the least");
       Assert (Progress (3, 12, 457) = "MPRG:3;12;457" & Line_Feed, "some");
@@ -92,12 +66,9 @@ package body Missions_Texts_Tests is
               = "MPRG:64;64;9999999" & Line_Feed, "the largest");
    end Test_Progress;
 
-   procedure Test_Refusals (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Refusals is
 
       Count : Natural := 0;
-
-      procedure Check (Why : Refusal; Reason : String);
 
       procedure Check (Why : Refusal; Reason : String) is
       begin
@@ -118,5 +89,12 @@ package body Missions_Texts_Tests is
         (Point_Outside, "a point is outside the arena less its margin");
       Assert (Count = Refusal'Pos (Refusal'Last) + 1, "all of them");
    end Test_Refusals;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("progress", Test_Progress'Access);
+      Add_Test ("ends", Test_Ends'Access);
+      Add_Test ("refusals", Test_Refusals'Access);
+   end Add_Tests;
 
 end Missions_Texts_Tests;

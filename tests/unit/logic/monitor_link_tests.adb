@@ -5,49 +5,21 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Monitor.Link;     use Monitor.Link;
 with Texts;
+with Unit_Runs; use Unit_Runs;
 
 package body Monitor_Link_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Step : constant Milliseconds := 250;
 
    S   : State;
    Now : Milliseconds := 0;
 
-   procedure Begin_At (Time : Milliseconds);
-   --  A connection is admitted.
-
-   function Next
-     (Unacknowledged : Natural;
-      Since_Heard    : Milliseconds;
-      Outstanding    : Natural;
-      Bytes_Acked    : Byte_Count) return Verdict;
-   --  The verdict on the sample after 250 ms more.
-
-   procedure Test_Quiet (T : in out Any_Test);
-   procedure Test_Streaming (T : in out Any_Test);
-   procedure Test_Vanished (T : in out Any_Test);
-   procedure Test_Vanished_Idle (T : in out Any_Test);
-   procedure Test_After_Silence (T : in out Any_Test);
-   procedure Test_Stalled (T : in out Any_Test);
-   procedure Test_Slow (T : in out Any_Test);
-   procedure Test_Pause (T : in out Any_Test);
-   procedure Test_Both (T : in out Any_Test);
-   procedure Test_Clock (T : in out Any_Test);
-   procedure Test_Length (T : in out Any_Test);
-   procedure Test_Cause (T : in out Any_Test);
-   procedure Test_Loss (T : in out Any_Test);
-   procedure Test_Time (T : in out Any_Test);
-
    procedure Begin_At (Time : Milliseconds) is
+      --  A connection is admitted.
    begin
       Now := Time;
       Start (S, Now);
    end Begin_At;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Monitor.Link"));
 
    function Next
      (Unacknowledged : Natural;
@@ -55,6 +27,7 @@ package body Monitor_Link_Tests is
       Outstanding    : Natural;
       Bytes_Acked    : Byte_Count) return Verdict
    is
+      --  The verdict on the sample after 250 ms more.
       V : Verdict;
    begin
       Now := Now + Step;
@@ -69,32 +42,7 @@ package body Monitor_Link_Tests is
       return V;
    end Next;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Quiet'Access, "nothing to say, for hours");
-      Register_Routine (T, Test_Streaming'Access, "images, acknowledged");
-      Register_Routine (T, Test_Vanished'Access,
-                        "F5: vanished, found within 5 s");
-      Register_Routine (T, Test_Vanished_Idle'Access,
-                        "F5: vanished while idle, a message follows");
-      Register_Routine (T, Test_After_Silence'Access,
-                        "first message after a long silence");
-      Register_Routine (T, Test_Stalled'Access,
-                        "stalled: closed window for 15 s");
-      Register_Routine (T, Test_Slow'Access, "slow is not stalled");
-      Register_Routine (T, Test_Pause'Access,
-                        "pauses below the limit, again and again");
-      Register_Routine (T, Test_Both'Access, "vanished goes first");
-      Register_Routine (T, Test_Clock'Access, "odd clocks, odd counters");
-      Register_Routine (T, Test_Cause'Access, "why a session ends");
-      Register_Routine (T, Test_Length'Access, "what the kernel gives");
-      Register_Routine (T, Test_Loss'Access, "what ended the connection");
-      Register_Routine (T, Test_Time'Access, "the time of a sample");
-   end Register_Tests;
-
-   procedure Test_After_Silence (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_After_Silence is
    begin
       --  It was kept waiting for 20 s before it was admitted; a slow way to
       --  it, and no sign of life since, but nothing was asked of it
@@ -116,8 +64,7 @@ package body Monitor_Link_Tests is
       Assert (Next (1, 10, 9, 16) = Present, "acknowledged");
    end Test_After_Silence;
 
-   procedure Test_Both (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Both is
    begin
       Begin_At (0);
       for I in 1 .. 70 loop
@@ -130,8 +77,7 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Both;
 
-   procedure Test_Clock (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Clock is
       V : Verdict;
    begin
       --  A time before the last one counts as no time at all
@@ -157,8 +103,7 @@ package body Monitor_Link_Tests is
       Assert (V = Present, "progress");
    end Test_Clock;
 
-   procedure Test_Length (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Length is
       --  Of struct tcp_info up to and with the last field before
       --  tcpi_notsent_bytes, and with that one
    begin
@@ -170,8 +115,7 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Length;
 
-   procedure Test_Loss (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Loss is
    begin
       for Error in 0 .. 133 loop
          for Broken in Boolean loop
@@ -187,8 +131,7 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Loss;
 
-   procedure Test_Pause (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Pause is
       Acked : Byte_Count := 0;
    begin
       Begin_At (0);
@@ -201,8 +144,7 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Pause;
 
-   procedure Test_Quiet (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Quiet is
    begin
       Begin_At (1_000_000);
       for I in 1 .. 20_000 loop
@@ -210,8 +152,7 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Quiet;
 
-   procedure Test_Slow (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Slow is
    begin
       Begin_At (0);
       for I in 1 .. 1_000 loop
@@ -220,8 +161,7 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Slow;
 
-   procedure Test_Stalled (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Stalled is
       First : Milliseconds;
    begin
       Begin_At (500);
@@ -244,8 +184,7 @@ package body Monitor_Link_Tests is
       Assert (Next (0, 15_000, 9, 0) = Stalled, "stalled, not vanished");
    end Test_Stalled;
 
-   procedure Test_Streaming (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Streaming is
    begin
       Begin_At (0);
       for I in 1 .. 10_000 loop
@@ -254,8 +193,7 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Streaming;
 
-   procedure Test_Vanished (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Vanished is
       Cut : Milliseconds;
       V   : Verdict := Present;
    begin
@@ -279,8 +217,7 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Vanished;
 
-   procedure Test_Vanished_Idle (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Vanished_Idle is
       Cut  : Milliseconds;
       Sent : Milliseconds;
       V    : Verdict;
@@ -313,14 +250,7 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Vanished_Idle;
 
-   procedure Test_Cause (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check
-        (Stopping : Boolean;
-         Loss     : Loss_Kind;
-         V        : Verdict;
-         Expected : String);
+   procedure Test_Cause is
 
       procedure Check
         (Stopping : Boolean;
@@ -346,8 +276,7 @@ package body Monitor_Link_Tests is
       Check (False, None, Stalled, "it has taken nothing for 15 s");
    end Test_Cause;
 
-   procedure Test_Time (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Time is
    begin
       Assert (Time_Of (0, 0) = 0, "start");
       Assert (Time_Of (12, 345) = 12_345, "milliseconds");
@@ -355,5 +284,25 @@ package body Monitor_Link_Tests is
       Assert (Time_Of (Seconds'First, -1) = 0, "before the start");
       Assert (Time_Of (Seconds'Last, 0) = 2 ** 50 * 1_000, "for ever");
    end Test_Time;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("nothing to say, for hours", Test_Quiet'Access);
+      Add_Test ("images, acknowledged", Test_Streaming'Access);
+      Add_Test ("F5: vanished, found within 5 s", Test_Vanished'Access);
+      Add_Test ("F5: vanished while idle, a message follows",
+                Test_Vanished_Idle'Access);
+      Add_Test ("first message after a long silence",
+                Test_After_Silence'Access);
+      Add_Test ("stalled: closed window for 15 s", Test_Stalled'Access);
+      Add_Test ("slow is not stalled", Test_Slow'Access);
+      Add_Test ("pauses below the limit, again and again", Test_Pause'Access);
+      Add_Test ("vanished goes first", Test_Both'Access);
+      Add_Test ("odd clocks, odd counters", Test_Clock'Access);
+      Add_Test ("why a session ends", Test_Cause'Access);
+      Add_Test ("what the kernel gives", Test_Length'Access);
+      Add_Test ("what ended the connection", Test_Loss'Access);
+      Add_Test ("the time of a sample", Test_Time'Access);
+   end Add_Tests;
 
 end Monitor_Link_Tests;

@@ -8,10 +8,9 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Missions;
 with Monitor.Protocol; use Monitor.Protocol;
+with Unit_Runs; use Unit_Runs;
 
 package body Monitor_Protocol_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    LF : Character renames Line_Feed;
    CR : Character renames Carriage_Return;
@@ -23,50 +22,50 @@ package body Monitor_Protocol_Tests is
 
    package Random_Ids is new Ada.Numerics.Discrete_Random (Robot_Id);
 
-   function Parsed (Line : String) return Message;
+   function Parsed (Line : String) return Message is
+      M : Message;
+   begin
+      Parse (Line, M);
+      return M;
+   end Parsed;
 
-   procedure Check_Malformed (Line : String);
+   procedure Feed (R : in out Line_Reader; Text : String) is
+      --  None of Text ends a line.
+      Complete : Boolean;
+   begin
+      for C of Text loop
+         Accept_Character (R, C, Complete);
+         Assert (not Complete, "no end of line");
+      end loop;
+   end Feed;
 
-   procedure Feed (R : in out Line_Reader; Text : String);
-   --  None of Text ends a line.
+   function Formatted (P : Position) return String is
+      --  Without the line feed, which is checked.
+      Buffer : Position_Text;
+      Last   : Natural;
+   begin
+      Format_Position (P, Buffer, Last);
+      Assert (Buffer (Last) = LF, "line feed");
+      return Buffer (1 .. Last - 1);
+   end Formatted;
 
-   procedure Check_Line (R : in out Line_Reader; Text, Expected : String);
-   --  The last character of Text, and only that, ends a line: Expected.
-
-   function Formatted (P : Position) return String;
-   --  Without the line feed, which is checked.
-
-   function Image (Value : Micro) return String;
-   --  Six decimals, by other means than the package's.
-
-   procedure Check_Position (P : Position);
-   --  Formatted as expected, and read back.
-
-   procedure Check_Refused_Position (Line : String);
-
-   procedure Test_Labels (T : in out Any_Test);
-   procedure Test_Answered (T : in out Any_Test);
-   procedure Test_Bare (T : in out Any_Test);
-   procedure Test_Any_Label (T : in out Any_Test);
-   procedure Test_Numbers (T : in out Any_Test);
-   procedure Test_Every_Number (T : in out Any_Test);
-   procedure Test_Bad_Numbers (T : in out Any_Test);
-   procedure Test_Log (T : in out Any_Test);
-   procedure Test_Missions (T : in out Any_Test);
-   procedure Test_Parse_Slices (T : in out Any_Test);
-   procedure Test_Parse_Chaos (T : in out Any_Test);
-   procedure Test_Line_Ends (T : in out Any_Test);
-   procedure Test_Long_Lines (T : in out Any_Test);
-   procedure Test_Reader_Chaos (T : in out Any_Test);
-   procedure Test_Answers (T : in out Any_Test);
-   procedure Test_Battery (T : in out Any_Test);
-   procedure Test_Not_Found (T : in out Any_Test);
-   procedure Test_Positions (T : in out Any_Test);
-   procedure Test_Random_Positions (T : in out Any_Test);
-   procedure Test_Refused_Positions (T : in out Any_Test);
-   procedure Test_Damaged_Positions (T : in out Any_Test);
+   function Image (Value : Micro) return String is
+      --  Six decimals, by other means than the package's.
+      Digits_Only : constant String :=
+        Ada.Strings.Fixed.Trim
+          (Long_Long_Integer'Image (Long_Long_Integer (abs Value)),
+           Ada.Strings.Left);
+      Filled : constant String :=
+        (if Digits_Only'Length >= 7 then Digits_Only
+         else Ada.Strings.Fixed.Tail (Digits_Only, 7, '0'));
+   begin
+      return (if Value < 0 then "-" else "")
+        & Filled (Filled'First .. Filled'Last - 6) & "."
+        & Filled (Filled'Last - 5 .. Filled'Last);
+   end Image;
 
    procedure Check_Line (R : in out Line_Reader; Text, Expected : String) is
+      --  The last character of Text, and only that, ends a line: Expected.
       Line     : String (1 .. Max_Line + 10) := (others => '.');
       Last     : Natural;
       Complete : Boolean;
@@ -88,6 +87,7 @@ package body Monitor_Protocol_Tests is
    end Check_Malformed;
 
    procedure Check_Position (P : Position) is
+      --  Formatted as expected, and read back.
       Text : constant String := Formatted (P);
       Q    : Position;
       OK   : Boolean;
@@ -110,80 +110,7 @@ package body Monitor_Protocol_Tests is
       Assert (not OK and then P = Not_Found, "no position: " & Line);
    end Check_Refused_Position;
 
-   procedure Feed (R : in out Line_Reader; Text : String) is
-      Complete : Boolean;
-   begin
-      for C of Text loop
-         Accept_Character (R, C, Complete);
-         Assert (not Complete, "no end of line");
-      end loop;
-   end Feed;
-
-   function Formatted (P : Position) return String is
-      Buffer : Position_Text;
-      Last   : Natural;
-   begin
-      Format_Position (P, Buffer, Last);
-      Assert (Buffer (Last) = LF, "line feed");
-      return Buffer (1 .. Last - 1);
-   end Formatted;
-
-   function Image (Value : Micro) return String is
-      Digits_Only : constant String :=
-        Ada.Strings.Fixed.Trim
-          (Long_Long_Integer'Image (Long_Long_Integer (abs Value)),
-           Ada.Strings.Left);
-      Filled : constant String :=
-        (if Digits_Only'Length >= 7 then Digits_Only
-         else Ada.Strings.Fixed.Tail (Digits_Only, 7, '0'));
-   begin
-      return (if Value < 0 then "-" else "")
-        & Filled (Filled'First .. Filled'Last - 6) & "."
-        & Filled (Filled'Last - 5 .. Filled'Last);
-   end Image;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Monitor.Protocol"));
-
-   function Parsed (Line : String) return Message is
-      M : Message;
-   begin
-      Parse (Line, M);
-      return M;
-   end Parsed;
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Labels'Access, "table of labels");
-      Register_Routine (T, Test_Answered'Access, "which are answered");
-      Register_Routine (T, Test_Bare'Access, "commands without data");
-      Register_Routine (T, Test_Any_Label'Access,
-                        "labels one character off");
-      Register_Routine (T, Test_Numbers'Access, "numbers, clamped");
-      Register_Routine (T, Test_Every_Number'Access,
-                        "every number from -70,000 to 70,000");
-      Register_Routine (T, Test_Bad_Numbers'Access, "no numbers");
-      Register_Routine (T, Test_Log'Access, "log messages");
-      Register_Routine (T, Test_Missions'Access, "missions");
-      Register_Routine (T, Test_Parse_Slices'Access, "lines in a buffer");
-      Register_Routine (T, Test_Parse_Chaos'Access, "chaos");
-      Register_Routine (T, Test_Line_Ends'Access, "ends of lines");
-      Register_Routine (T, Test_Long_Lines'Access, "long lines");
-      Register_Routine (T, Test_Reader_Chaos'Access, "a random stream");
-      Register_Routine (T, Test_Answers'Access, "answers");
-      Register_Routine (T, Test_Battery'Access, "battery levels");
-      Register_Routine (T, Test_Not_Found'Access, "F18: not found");
-      Register_Routine (T, Test_Positions'Access, "F18: positions");
-      Register_Routine (T, Test_Random_Positions'Access,
-                        "F18: random positions");
-      Register_Routine (T, Test_Refused_Positions'Access, "no positions");
-      Register_Routine (T, Test_Damaged_Positions'Access,
-                        "damaged positions");
-   end Register_Tests;
-
-   procedure Test_Answered (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Answered is
    begin
       for K in Message_Kind loop
          Assert (Is_Answered (K)
@@ -192,13 +119,10 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Answered;
 
-   procedure Test_Answers (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check (Answer : Answer_Kind; Text : String);
-      --  Answer is Text and a line feed.
+   procedure Test_Answers is
 
       procedure Check (Answer : Answer_Kind; Text : String) is
+         --  Answer is Text and a line feed.
          S : constant Short_Text := Wire_Text (Answer);
       begin
          Assert (S.Data (1 .. S.Length) = Text & LF, Text);
@@ -218,8 +142,7 @@ package body Monitor_Protocol_Tests is
       Check (Moving, "RCST:1");
    end Test_Answers;
 
-   procedure Test_Any_Label (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Any_Label is
       Line  : String (1 .. 4);
       Known : Boolean;
    begin
@@ -239,13 +162,10 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Any_Label;
 
-   procedure Test_Bad_Numbers (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check (Data : String);
-      --  Neither order takes Data.
+   procedure Test_Bad_Numbers is
 
       procedure Check (Data : String) is
+         --  Neither order takes Data.
       begin
          Check_Malformed ("RMOV" & Data);
          Check_Malformed ("RTRN" & Data);
@@ -286,8 +206,7 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Bad_Numbers;
 
-   procedure Test_Battery (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Battery is
    begin
       Assert (Battery_Answer (-1) = Battery_Unknown
               and then Battery_Answer (0) = Battery_Empty
@@ -295,8 +214,58 @@ package body Monitor_Protocol_Tests is
               and then Battery_Answer (2) = Battery_Full, "levels");
    end Test_Battery;
 
-   procedure Test_Bare (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Beginnings is
+      --  Every part of a message may become one, and nothing else
+      R        : Line_Reader;
+      Complete : Boolean;
+      Verdict  : Beginning;
+      Line     : String (1 .. Max_Line);
+      Last     : Natural;
+
+      procedure Check (All_Of_It : String; Expected : Beginning) is
+         --  Whole, and cut in two anywhere
+         Text : constant String (1 .. All_Of_It'Length) := All_Of_It;
+      begin
+         for Cut in 0 .. Text'Length loop
+            Clear (R);
+            Judge (R, Text (1 .. Cut), Verdict, Line, Last);
+            Assert
+              (Verdict in Undecided | Expected
+               and then Last <= Cut
+               and then Line (1 .. Last) = Text (1 .. Last),
+               "the beginning of " & Text);
+            if Verdict = Undecided then
+               for C of Text (1 .. Cut) loop
+                  Accept_Character (R, C, Complete);
+               end loop;
+               Judge
+                 (R, Text (Cut + 1 .. Text'Last), Verdict, Line, Last);
+               Assert (Verdict = Expected, Text);
+            end if;
+         end loop;
+      end Check;
+
+   begin
+      for K in Known_Kind loop
+         Check (Label (K), Undecided);
+         Check (Label (K) & ASCII.CR, Undecided);
+         Check (Label (K) & ":any data", Undecided);
+         Check (Label (K) & " ", Unknown);
+         Check (Label (K) & ASCII.CR & ":", Unknown);
+      end loop;
+      Check ("RPIN" & LF & "what", Known);
+      Check ("RMOV:12" & ASCII.CR & LF, Known);
+      Check ("RMOV:x" & LF, Unknown);
+      Check ("AUTH:token", Undecided);
+      Check ("AUTH:token" & LF, Known);
+      Check ("" & LF, Unknown);
+      Check ("X", Unknown);
+      Check ("POST / HTTP/1.1", Unknown);
+      Check ("ropn" & LF, Unknown);
+      Check ((1 => ASCII.NUL), Unknown);
+   end Test_Beginnings;
+
+   procedure Test_Bare is
    begin
       for K in Known_Kind loop
          if not Takes_Number (K) and then not Takes_Text (K)
@@ -330,8 +299,7 @@ package body Monitor_Protocol_Tests is
       Check_Malformed ("RBLV:1");
    end Test_Bare;
 
-   procedure Test_Damaged_Positions (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Damaged_Positions is
       Text : constant String :=
         Formatted ((42, 90_000_000, 320_500_000, -1, 320_500_000, 12));
       Line : String (1 .. Text'Length);
@@ -358,8 +326,7 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Damaged_Positions;
 
-   procedure Test_Every_Number (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Every_Number is
    begin
       for N in -70_000 .. 70_000 loop
          Assert (Parsed ("RMOV:" & Ada.Strings.Fixed.Trim
@@ -370,18 +337,12 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Every_Number;
 
-   procedure Test_Labels (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check (Text : String; Kind : Known_Kind);
-      --  Text is the label of Kind.
-
-      procedure Check_Unsolicited (Actual, Expected : String);
-      --  The label of an unsolicited message.
+   procedure Test_Labels is
 
       Count : Natural := 0;
 
       procedure Check (Text : String; Kind : Known_Kind) is
+         --  Text is the label of Kind.
       begin
          Count := Count + 1;
          Assert (Label (Kind) = Text, "label " & Text);
@@ -390,6 +351,7 @@ package body Monitor_Protocol_Tests is
       end Check;
 
       procedure Check_Unsolicited (Actual, Expected : String) is
+         --  The label of an unsolicited message.
       begin
          Assert (Actual = Expected, "label " & Expected);
       end Check_Unsolicited;
@@ -435,8 +397,7 @@ package body Monitor_Protocol_Tests is
       Check_Unsolicited (Log_Label, "MSSG");
    end Test_Labels;
 
-   procedure Test_Line_Ends (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Line_Ends is
       R : Line_Reader;
    begin
       Check_Line (R, "ROPN" & LF, "ROPN");
@@ -461,8 +422,7 @@ package body Monitor_Protocol_Tests is
       Check_Line (R, "CASA" & LF, "CASA");
    end Test_Line_Ends;
 
-   procedure Test_Log (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Log is
       Line : constant String := "MSSG:hello: world";
    begin
       Assert (Parsed (Line) = (Log_Message, 0), "text");
@@ -478,8 +438,7 @@ package body Monitor_Protocol_Tests is
       Check_Malformed ("mssg:hello");
    end Test_Log;
 
-   procedure Test_Long_Lines (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Long_Lines is
       R        : Line_Reader;
       Full     : constant String (1 .. Max_Line) := (others => 'x');
       Line     : String (1 .. Max_Line) := (others => '.');
@@ -516,8 +475,7 @@ package body Monitor_Protocol_Tests is
       Assert (Is_Too_Long (R), "it was not");
    end Test_Long_Lines;
 
-   procedure Test_Missions (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Missions is
 
       type Units is array (Mission_Order) of Missions.Unit;
 
@@ -550,8 +508,7 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Missions;
 
-   procedure Test_Not_Found (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Not_Found is
    begin
       Assert (Formatted (Not_Found) =
               "CPOS:-1;0.000000;-1.000000;-1.000000;0.000000;0.000000",
@@ -559,13 +516,10 @@ package body Monitor_Protocol_Tests is
       Check_Position (Not_Found);
    end Test_Not_Found;
 
-   procedure Test_Numbers (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check (Data : String; Value : Integer);
-      --  Both orders take Data as Value.
+   procedure Test_Numbers is
 
       procedure Check (Data : String; Value : Integer) is
+         --  Both orders take Data as Value.
       begin
          Assert (Parsed ("RMOV:" & Data) = (Move_Robot, Value), Data);
          Assert (Parsed ("RTRN:" & Data) = (Turn_Robot, Value), Data);
@@ -597,8 +551,7 @@ package body Monitor_Protocol_Tests is
       Check ("-" & (1 .. 1000 => '0') & "32768", -32_768);
    end Test_Numbers;
 
-   procedure Test_Parse_Chaos (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Parse_Chaos is
       G    : Random_Characters.Generator;
       Line : String (1 .. 40);
       Size : Natural;
@@ -632,8 +585,7 @@ package body Monitor_Protocol_Tests is
               "kinds seen");
    end Test_Parse_Chaos;
 
-   procedure Test_Parse_Slices (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Parse_Slices is
       Buffer : constant String (101 .. 120) := "RSTPRTRN:-9012RMOV:5";
       High   : constant String (Integer'Last - 6 .. Integer'Last - 1) :=
         "RMOV:8";
@@ -646,8 +598,7 @@ package body Monitor_Protocol_Tests is
       Assert (Parsed (High) = (Move_Robot, 8), "high");
    end Test_Parse_Slices;
 
-   procedure Test_Positions (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Positions is
       Edge : constant array (1 .. 22) of Micro :=
         (0, 1, -1, 9, -9, 10, 99_999, -99_999, 100_000, 500_000, -500_000,
          999_999, -999_999, 1_000_000, -1_000_000, 1_000_001, -1_000_001,
@@ -673,8 +624,7 @@ package body Monitor_Protocol_Tests is
               "the longest");
    end Test_Positions;
 
-   procedure Test_Random_Positions (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Random_Positions is
       G     : Random_Micros.Generator;
       Ids   : Random_Ids.Generator;
       Scale : Micro := 1;
@@ -694,8 +644,7 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Random_Positions;
 
-   procedure Test_Reader_Chaos (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Reader_Chaos is
       G        : Random_Characters.Generator;
       R        : Line_Reader;
       Kept     : String (1 .. 4000) := (others => ' ');
@@ -736,16 +685,13 @@ package body Monitor_Protocol_Tests is
       Assert (Lines > 1_000, "lines");
    end Test_Reader_Chaos;
 
-   procedure Test_Refused_Positions (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Refused_Positions is
 
       Zero : constant String := "0.000000";
       Four : constant String := Zero & ";" & Zero & ";" & Zero & ";" & Zero;
 
-      procedure Check_Field (Field : String);
-      --  No position has this for its angle, or for its last field.
-
       procedure Check_Field (Field : String) is
+         --  No position has this for its angle, or for its last field.
       begin
          Check_Refused_Position ("CPOS:1;" & Field & ";" & Four);
          Check_Refused_Position ("CPOS:1;" & Four & ";" & Field);
@@ -799,5 +745,32 @@ package body Monitor_Protocol_Tests is
          Assert (OK and then P = (1, 1_000_000, 0, 0, 0, 0), "zeros");
       end;
    end Test_Refused_Positions;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("table of labels", Test_Labels'Access);
+      Add_Test ("which are answered", Test_Answered'Access);
+      Add_Test ("commands without data", Test_Bare'Access);
+      Add_Test ("beginnings of lines", Test_Beginnings'Access);
+      Add_Test ("labels one character off", Test_Any_Label'Access);
+      Add_Test ("numbers, clamped", Test_Numbers'Access);
+      Add_Test ("every number from -70,000 to 70,000",
+                Test_Every_Number'Access);
+      Add_Test ("no numbers", Test_Bad_Numbers'Access);
+      Add_Test ("log messages", Test_Log'Access);
+      Add_Test ("missions", Test_Missions'Access);
+      Add_Test ("lines in a buffer", Test_Parse_Slices'Access);
+      Add_Test ("chaos", Test_Parse_Chaos'Access);
+      Add_Test ("ends of lines", Test_Line_Ends'Access);
+      Add_Test ("long lines", Test_Long_Lines'Access);
+      Add_Test ("a random stream", Test_Reader_Chaos'Access);
+      Add_Test ("answers", Test_Answers'Access);
+      Add_Test ("battery levels", Test_Battery'Access);
+      Add_Test ("F18: not found", Test_Not_Found'Access);
+      Add_Test ("F18: positions", Test_Positions'Access);
+      Add_Test ("F18: random positions", Test_Random_Positions'Access);
+      Add_Test ("no positions", Test_Refused_Positions'Access);
+      Add_Test ("damaged positions", Test_Damaged_Positions'Access);
+   end Add_Tests;
 
 end Monitor_Protocol_Tests;

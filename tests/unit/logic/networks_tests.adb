@@ -8,15 +8,9 @@ with AUnit.Assertions;   use AUnit.Assertions;
 with Admission.Networks; use Admission.Networks;
 with Bytes;              use Bytes;
 with Interfaces;         use Interfaces;
+with Unit_Runs; use Unit_Runs;
 
 package body Networks_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   function Read (Text : String) return Network;
-   --  A good one
-
-   procedure Expect (Text : String; Outcome : Verdict);
 
    function Image (N : Natural) return String is
      (Ada.Strings.Fixed.Trim (N'Image, Ada.Strings.Left));
@@ -29,14 +23,6 @@ package body Networks_Tests is
       16     => Byte (A and 255),
       others => 0);
 
-   procedure Test_Text (T : in out Any_Test);
-   procedure Test_Refused (T : in out Any_Test);
-   procedure Test_Clean (T : in out Any_Test);
-   procedure Test_Boundaries (T : in out Any_Test);
-   procedure Test_List (T : in out Any_Test);
-   procedure Test_Peers (T : in out Any_Test);
-   procedure Test_Sources (T : in out Any_Test);
-
    procedure Expect (Text : String; Outcome : Verdict) is
       N : Network;
       V : Verdict;
@@ -45,10 +31,8 @@ package body Networks_Tests is
       Assert (V = Outcome, Text & " is " & V'Image);
    end Expect;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Admission.Networks"));
-
    function Read (Text : String) return Network is
+      --  A good one
       N : Network;
       V : Verdict;
    begin
@@ -57,21 +41,7 @@ package body Networks_Tests is
       return N;
    end Read;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Text'Access, "the text of a network");
-      Register_Routine (T, Test_Refused'Access, "what is no network");
-      Register_Routine (T, Test_Clean'Access, "bits beyond the length");
-      Register_Routine
-        (T, Test_Boundaries'Access, "first and last address, and those by");
-      Register_Routine (T, Test_List'Access, "lists");
-      Register_Routine (T, Test_Peers'Access, "peers of IPv4 and of IPv6");
-      Register_Routine (T, Test_Sources'Access, "sources of connections");
-   end Register_Tests;
-
-   procedure Test_Boundaries (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Boundaries is
       Pattern : constant Address := 16#CA5A_3CA5#;
    begin
       for Length in Prefix_Length loop
@@ -103,8 +73,7 @@ package body Networks_Tests is
       end loop;
    end Test_Boundaries;
 
-   procedure Test_Clean (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Clean is
    begin
       for Length in 0 .. 31 loop
          Expect ("0.0.0.0/" & Image (Length), Good);
@@ -120,8 +89,7 @@ package body Networks_Tests is
       Expect ("192.168.1.4/29", Not_Clean);
    end Test_Clean;
 
-   procedure Test_List (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_List is
       L : List;
    begin
       Assert (Admits (L, Peer (16#0102_0304#)), "an empty list admits all");
@@ -144,8 +112,7 @@ package body Networks_Tests is
       Assert (not Admits (L, Peer (Joined (172, 16, 9, 1))), "no ninth");
    end Test_List;
 
-   procedure Test_Peers (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Peers is
       L    : List;
       Near : Peer_Address;
    begin
@@ -165,8 +132,7 @@ package body Networks_Tests is
       end loop;
    end Test_Peers;
 
-   procedure Test_Refused (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Refused is
       Long : String (1 .. Max_Text) := (others => '1');
    begin
       Expect ("", No_Address);
@@ -208,8 +174,7 @@ package body Networks_Tests is
       Expect (Long, No_Address);
    end Test_Refused;
 
-   procedure Test_Sources (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Sources is
       Local : constant Peer_Address := (1 => 16#FE#, 2 => 16#80#, others => 1);
       Near  : Peer_Address := Local;
    begin
@@ -235,8 +200,7 @@ package body Networks_Tests is
       end loop;
    end Test_Sources;
 
-   procedure Test_Text (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Text is
    begin
       Assert (Read ("0.0.0.0/0") = (0, 0), "all");
       Assert (Read ("0.0.0.0") = (0, 32), "without a length it is 32");
@@ -248,5 +212,17 @@ package body Networks_Tests is
         (Read ("255.255.255.255") = (16#FFFF_FFFF#, 32), "the last address");
       Assert (Read ("99.100.9.10/32") = (16#6364_090A#, 32), "all widths");
    end Test_Text;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("the text of a network", Test_Text'Access);
+      Add_Test ("what is no network", Test_Refused'Access);
+      Add_Test ("bits beyond the length", Test_Clean'Access);
+      Add_Test ("first and last address, and those by",
+                Test_Boundaries'Access);
+      Add_Test ("lists", Test_List'Access);
+      Add_Test ("peers of IPv4 and of IPv6", Test_Peers'Access);
+      Add_Test ("sources of connections", Test_Sources'Access);
+   end Add_Tests;
 
 end Networks_Tests;

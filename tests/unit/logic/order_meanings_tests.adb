@@ -9,22 +9,12 @@ with Order_Meanings;   use Order_Meanings;
 with Orders;           use Orders;
 with Robot.Protocol;
 with Robot.Session;
+with Unit_Runs; use Unit_Runs;
 
 package body Order_Meanings_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Check_Frame (Line, Expected : String);
-   --  The robot gets Expected, a checksum and a carriage return for Line.
-
-   procedure Check_Rank
-     (R : in out Ranks; Kind : Message_Kind; Rank, After : Ticket);
-
-   procedure Test_Frames (T : in out Any_Test);
-   procedure Test_Hand (T : in out Any_Test);
-   procedure Test_Ranks (T : in out Any_Test);
-
    procedure Check_Frame (Line, Expected : String) is
+      --  The robot gets Expected, a checksum and a carriage return for Line.
       M : Message;
       F : Robot.Protocol.Frame;
    begin
@@ -49,19 +39,7 @@ package body Order_Meanings_Tests is
       Assert (Item.After = After, Kind'Image & " after" & Item.After'Image);
    end Check_Rank;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Order_Meanings"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Frames'Access, "the robot's frames");
-      Register_Routine (T, Test_Hand'Access, "orders by hand");
-      Register_Routine (T, Test_Ranks'Access, "the ranks");
-   end Register_Tests;
-
-   procedure Test_Frames (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Frames is
    begin
       Check_Frame ("ROPN", "r");
       Check_Frame ("RCLS", "M=0");
@@ -83,8 +61,7 @@ package body Order_Meanings_Tests is
       Check_Frame ("RGST", "b");
    end Test_Frames;
 
-   procedure Test_Hand (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Hand is
    begin
       for Kind in Order_Kind loop
          Assert
@@ -96,8 +73,7 @@ package body Order_Meanings_Tests is
       end loop;
    end Test_Hand;
 
-   procedure Test_Ranks (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ranks is
       R : Ranks;
    begin
       Check_Rank (R, Open_Robot, 1, 0);
@@ -113,5 +89,12 @@ package body Order_Meanings_Tests is
       Check_Rank (R, Power_Off_Robot, 5, 3);
       Check_Rank (R, Get_State, 6, 5);
    end Test_Ranks;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("the robot's frames", Test_Frames'Access);
+      Add_Test ("orders by hand", Test_Hand'Access);
+      Add_Test ("the ranks", Test_Ranks'Access);
+   end Add_Tests;
 
 end Order_Meanings_Tests;

@@ -8,10 +8,9 @@ with Admission.Networks;       use Admission.Networks;
 with Admission.Packet_Filters; use Admission.Packet_Filters;
 with Bytes;                    use Bytes;
 with Interfaces;               use Interfaces;
+with Unit_Runs; use Unit_Runs;
 
 package body Packet_Filters_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Syn     : constant Byte := 16#02#;
    Syn_Ack : constant Byte := 16#12#;
@@ -25,26 +24,18 @@ package body Packet_Filters_Tests is
      (16#20#, 16#01#, 16#0D#, 16#B8#, 1, 2, 3, 4, others => 9);
 
    function With_Byte
-     (P : Peer_Address; Index : Positive; Value : Byte) return Peer_Address;
-
-   function Passes
-     (P : Program; Flags : Byte; From : Peer_Address) return Boolean;
-   --  A packet of this peer, with these TCP flags
-
-   function Program_For (L : Admission.Blocklists.List) return Program;
-
-   procedure Test_IPv4 (T : in out Any_Test);
-   procedure Test_IPv6 (T : in out Any_Test);
-   procedure Test_Both (T : in out Any_Test);
-   procedure Test_Full (T : in out Any_Test);
-   procedure Test_Steps (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Admission.Packet_Filters"));
+     (P : Peer_Address; Index : Positive; Value : Byte) return Peer_Address
+   is
+      Result : Peer_Address := P;
+   begin
+      Result (Index) := Value;
+      return Result;
+   end With_Byte;
 
    function Passes
      (P : Program; Flags : Byte; From : Peer_Address) return Boolean
    is
+      --  A packet of this peer, with these TCP flags
       Header  : array (Unsigned_32 range 0 .. 39) of Byte := (others => 0);
       Value   : Unsigned_32 := 0;
       Current : Step;
@@ -100,18 +91,7 @@ package body Packet_Filters_Tests is
       return P;
    end Program_For;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_IPv4'Access, "an IPv4 source");
-      Register_Routine (T, Test_IPv6'Access, "an IPv6 source");
-      Register_Routine (T, Test_Both'Access, "sources of both kinds");
-      Register_Routine (T, Test_Full'Access, "as many as there is room for");
-      Register_Routine (T, Test_Steps'Access, "the steps for one source");
-   end Register_Tests;
-
-   procedure Test_Both (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Both is
       Other : constant Peer_Address := With_Byte (Near, 13, 10);
       P     : constant Program := Program_For
         ((Items  => (1 => Source_Of (Far), 2 => Source_Of (Near),
@@ -135,8 +115,7 @@ package body Packet_Filters_Tests is
       end loop;
    end Test_Both;
 
-   procedure Test_Full (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Full is
       L : Admission.Blocklists.List;
    begin
       --  from none of IPv4 to nothing else
@@ -165,8 +144,7 @@ package body Packet_Filters_Tests is
       end loop;
    end Test_Full;
 
-   procedure Test_IPv4 (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_IPv4 is
       P : constant Program := Program_For
         ((Items => (1 => Source_Of (Near), others => 0), Count => 1));
    begin
@@ -188,8 +166,7 @@ package body Packet_Filters_Tests is
          "IPv6 that looks like it");
    end Test_IPv4;
 
-   procedure Test_IPv6 (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_IPv6 is
       P : constant Program := Program_For
         ((Items => (1 => Source_Of (Far), others => 0), Count => 1));
    begin
@@ -214,8 +191,7 @@ package body Packet_Filters_Tests is
          "IPv4 that looks like it");
    end Test_IPv6;
 
-   procedure Test_Steps (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Steps is
       --  as written by hand: numbers of linux/bpf_common.h
       Expected : constant array (1 .. 11) of Step :=
         ((16#30#, 0, 0, 13),
@@ -239,13 +215,13 @@ package body Packet_Filters_Tests is
       Assert (Step'Size = 64 and then Step_Array'Component_Size = 64, "size");
    end Test_Steps;
 
-   function With_Byte
-     (P : Peer_Address; Index : Positive; Value : Byte) return Peer_Address
-   is
-      Result : Peer_Address := P;
+   procedure Add_Tests is
    begin
-      Result (Index) := Value;
-      return Result;
-   end With_Byte;
+      Add_Test ("an IPv4 source", Test_IPv4'Access);
+      Add_Test ("an IPv6 source", Test_IPv6'Access);
+      Add_Test ("sources of both kinds", Test_Both'Access);
+      Add_Test ("as many as there is room for", Test_Full'Access);
+      Add_Test ("the steps for one source", Test_Steps'Access);
+   end Add_Tests;
 
 end Packet_Filters_Tests;

@@ -9,32 +9,11 @@ with AUnit.Assertions;              use AUnit.Assertions;
 with Admission.Networks;            use Admission.Networks;
 with Admission.Pending_Connections; use Admission.Pending_Connections;
 with Interfaces;                    use Interfaces;
+with Unit_Runs; use Unit_Runs;
 
 package body Pending_Connections_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    All_Due : constant Place_Set := (others => True);
-
-   procedure Enter (T : in out Table; S : Source);
-   --  At a free place
-
-   procedure Enter (T : in out Table; S : Source; P : out Place);
-
-   procedure Expect_Turn (T : in out Table; S : Source; P : out Place);
-   --  It is the turn of S, at P
-
-   function Taken (T : Table) return Natural;
-
-   procedure Test_Turns (T : in out Any_Test);
-   procedure Test_Turns_Within (T : in out Any_Test);
-   procedure Test_Newcomer_Turn (T : in out Any_Test);
-   procedure Test_Due (T : in out Any_Test);
-   procedure Test_Share (T : in out Any_Test);
-   procedure Test_Kept (T : in out Any_Test);
-   procedure Test_Full (T : in out Any_Test);
-   procedure Test_Full_Of_Single (T : in out Any_Test);
-   procedure Test_Random (T : in out Any_Test);
 
    procedure Enter (T : in out Table; S : Source; P : out Place) is
    begin
@@ -43,12 +22,14 @@ package body Pending_Connections_Tests is
    end Enter;
 
    procedure Enter (T : in out Table; S : Source) is
+      --  At a free place
       Unused : Place;
    begin
       Enter (T, S, Unused);
    end Enter;
 
    procedure Expect_Turn (T : in out Table; S : Source; P : out Place) is
+      --  It is the turn of S, at P
       Choice : constant Place_Choice := Next (T, All_Due);
    begin
       Assert (Choice in Place, "nobody's turn");
@@ -58,27 +39,6 @@ package body Pending_Connections_Tests is
          "the turn of" & Source_Of (T, P)'Image & ", not of" & S'Image);
       Serve (T, P);
    end Expect_Turn;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Admission.Pending_Connections"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Turns'Access, "each source in turn");
-      Register_Routine
-        (T, Test_Turns_Within'Access, "each of a source in turn");
-      Register_Routine
-        (T, Test_Newcomer_Turn'Access, "a newcomer does not go ahead");
-      Register_Routine (T, Test_Due'Access, "who is not due has no turn");
-      Register_Routine (T, Test_Share'Access, "a source's share");
-      Register_Routine (T, Test_Kept'Access, "who is kept stays");
-      Register_Routine (T, Test_Full'Access, "who has most makes room");
-      Register_Routine
-        (T, Test_Full_Of_Single'Access, "the only one of a source stays");
-      Register_Routine
-        (T, Test_Random'Access, "nobody is kept out, whatever comes");
-   end Register_Tests;
 
    function Taken (T : Table) return Natural is
       Result : Natural := 0;
@@ -91,8 +51,7 @@ package body Pending_Connections_Tests is
       return Result;
    end Taken;
 
-   procedure Test_Due (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Due is
       W    : Table;
       P, Q : Place;
       Due  : Place_Set := (others => False);
@@ -112,8 +71,7 @@ package body Pending_Connections_Tests is
       Assert (First_Kept (W) = Q, "the next");
    end Test_Due;
 
-   procedure Test_Full (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Full is
       W     : Table;
       First : Place;
       P     : Place;
@@ -138,8 +96,7 @@ package body Pending_Connections_Tests is
          "not the first of two");
    end Test_Full;
 
-   procedure Test_Full_Of_Single (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Full_Of_Single is
       W : Table;
       P : Place;
    begin
@@ -151,8 +108,7 @@ package body Pending_Connections_Tests is
       Assert (Surplus (W, P) = P, "the only one of a source is to go");
    end Test_Full_Of_Single;
 
-   procedure Test_Kept (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Kept is
       W     : Table;
       First : Place;
       P     : Place;
@@ -174,8 +130,7 @@ package body Pending_Connections_Tests is
       Assert (Surplus (W, P) = P, "all others are kept");
    end Test_Kept;
 
-   procedure Test_Newcomer_Turn (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Newcomer_Turn is
       --  Frequent reconnections give no additional turns
       W    : Table;
       P, Q : Place;
@@ -193,8 +148,7 @@ package body Pending_Connections_Tests is
       Assert (Q = P, "who has just come goes ahead of its older one");
    end Test_Newcomer_Turn;
 
-   procedure Test_Random (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Random is
       --  Sources 1 to 40 connect, send, are admitted and disconnect in any
       --  order. A source that is due is served after each other source at most
       --  once; no source exceeds its share; the only connection of a source is
@@ -221,8 +175,6 @@ package body Pending_Connections_Tests is
          else Sources.Random (Any_S));
       --  two of them come most often
 
-      procedure Come (S : Any_Source);
-
       procedure Come (S : Any_Source) is
          Alone : Boolean;
       begin
@@ -245,8 +197,6 @@ package body Pending_Connections_Tests is
          end if;
          Assert (Has_Free_Place (W), "no room for the next");
       end Come;
-
-      procedure Give_Turn;
 
       procedure Give_Turn is
          Served : Source;
@@ -306,8 +256,7 @@ package body Pending_Connections_Tests is
       end loop;
    end Test_Random;
 
-   procedure Test_Share (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Share is
       W     : Table;
       First : Place;
       P     : Place;
@@ -325,8 +274,7 @@ package body Pending_Connections_Tests is
       Assert (Surplus (W, P) = No_Place, "within its share again");
    end Test_Share;
 
-   procedure Test_Turns (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Turns is
       W : Table;
       P : Place;
    begin
@@ -343,8 +291,7 @@ package body Pending_Connections_Tests is
       end loop;
    end Test_Turns;
 
-   procedure Test_Turns_Within (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Turns_Within is
       W    : Table;
       Had  : Place_Set := (others => False);
       P    : Place;
@@ -358,5 +305,18 @@ package body Pending_Connections_Tests is
          Had (P) := True;
       end loop;
    end Test_Turns_Within;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("each source in turn", Test_Turns'Access);
+      Add_Test ("each of a source in turn", Test_Turns_Within'Access);
+      Add_Test ("a newcomer does not go ahead", Test_Newcomer_Turn'Access);
+      Add_Test ("who is not due has no turn", Test_Due'Access);
+      Add_Test ("a source's share", Test_Share'Access);
+      Add_Test ("who is kept stays", Test_Kept'Access);
+      Add_Test ("who has most makes room", Test_Full'Access);
+      Add_Test ("the only one of a source stays", Test_Full_Of_Single'Access);
+      Add_Test ("nobody is kept out, whatever comes", Test_Random'Access);
+   end Add_Tests;
 
 end Pending_Connections_Tests;

@@ -4,31 +4,16 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Options;
 with Processor_Sets;   use Processor_Sets;
+with Unit_Runs; use Unit_Runs;
 
 package body Processor_Sets_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    None : constant Set := (others => False);
    Four : constant Set := (0 .. 3 => True, others => False);
    Gaps : constant Set := (2 | 63 | 64 | 1_023 => True, others => False);
    One  : constant Set := (5 => True, others => False);
 
-   procedure Test_Choice (T : in out Any_Test);
-   procedure Test_Division (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Processor_Sets"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Choice'Access, "the one that is meant");
-      Register_Routine (T, Test_Division'Access, "who has which");
-   end Register_Tests;
-
-   procedure Test_Choice (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Choice is
    begin
       Assert (Chosen (Four, Options.Last_Processor) = 3, "the last of four");
       Assert (Chosen (Gaps, Options.Last_Processor) = 1_023, "the last");
@@ -43,8 +28,7 @@ package body Processor_Sets_Tests is
               and then not Is_Alone (None), "one alone");
    end Test_Choice;
 
-   procedure Test_Division (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Division is
       Sets : Division;
    begin
       Assert (Set'Size = 1_024, "the size of cpu_set_t");
@@ -58,5 +42,11 @@ package body Processor_Sets_Tests is
       Divide (One, 5, Sets);
       Assert (Sets (True) = One and then Sets (False) = One, "of one");
    end Test_Division;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("the one that is meant", Test_Choice'Access);
+      Add_Test ("who has which", Test_Division'Access);
+   end Add_Tests;
 
 end Processor_Sets_Tests;

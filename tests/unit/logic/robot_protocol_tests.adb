@@ -8,12 +8,11 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Bytes;            use Bytes;
 with Robot.Protocol;   use Robot.Protocol;
+with Unit_Runs; use Unit_Runs;
 
 package body Robot_Protocol_Tests is
 
    use type Byte;
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    package Random_Bytes is new Ada.Numerics.Discrete_Random (Byte);
 
@@ -23,34 +22,21 @@ package body Robot_Protocol_Tests is
    --  Text, its checksum computed here and not by the package, and the
    --  terminator.
 
-   function Plain_Checksum (Text : String) return Byte;
-   --  The exclusive or, 0x0D replaced by 0x0E.
-
-   function Answered (Text : String; Pending : Command_Kind) return Reply;
-   --  The meaning of a sound frame with Text.
-
-   procedure Check_Command (C : Command; Text : String);
-   --  C is framed as Text and read back.
-
-   procedure Test_Letters (T : in out Any_Test);
-   procedure Test_Directions (T : in out Any_Test);
-   procedure Test_Arguments (T : in out Any_Test);
-   procedure Test_Checksum (T : in out Any_Test);
-   procedure Test_Decoded (T : in out Any_Test);
-   procedure Test_Classes (T : in out Any_Test);
-   procedure Test_Answers (T : in out Any_Test);
-   procedure Test_One_Character (T : in out Any_Test);
-   procedure Test_Two_Bytes (T : in out Any_Test);
-   procedure Test_Versions (T : in out Any_Test);
-   procedure Test_Malformed (T : in out Any_Test);
-   procedure Test_Bad_Checksum (T : in out Any_Test);
-   procedure Test_Chaos (T : in out Any_Test);
-   procedure Test_Receiver (T : in out Any_Test);
-   procedure Test_Overflow (T : in out Any_Test);
-   procedure Test_Nul (T : in out Any_Test);
-   procedure Test_Stream (T : in out Any_Test);
+   function Plain_Checksum (Text : String) return Byte is
+      --  The exclusive or, 0x0D replaced by 0x0E.
+      Result : Byte := 0;
+   begin
+      for C of Text loop
+         Result := Result xor Character'Pos (C);
+      end loop;
+      if Result = CR then
+         Result := 16#0E#;
+      end if;
+      return Result;
+   end Plain_Checksum;
 
    function Answered (Text : String; Pending : Command_Kind) return Reply is
+      --  The meaning of a sound frame with Text.
       R : Reply;
    begin
       Decode (Frame_Of (Text), Pending, R);
@@ -58,6 +44,7 @@ package body Robot_Protocol_Tests is
    end Answered;
 
    procedure Check_Command (C : Command; Text : String) is
+      --  C is framed as Text and read back.
       F : Frame;
    begin
       Encode (C, F);
@@ -78,47 +65,7 @@ package body Robot_Protocol_Tests is
       return F;
    end Frame_Of;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Robot.Protocol"));
-
-   function Plain_Checksum (Text : String) return Byte is
-      Result : Byte := 0;
-   begin
-      for C of Text loop
-         Result := Result xor Character'Pos (C);
-      end loop;
-      if Result = CR then
-         Result := 16#0E#;
-      end if;
-      return Result;
-   end Plain_Checksum;
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Letters'Access, "command letters");
-      Register_Routine (T, Test_Directions'Access, "directions");
-      Register_Routine (T, Test_Arguments'Access, "every argument");
-      Register_Routine (T, Test_Checksum'Access, "checksum, never 0x0D");
-      Register_Routine (T, Test_Decoded'Access, "frames of no command");
-      Register_Routine (T, Test_Classes'Access, "classes of answers");
-      Register_Routine (T, Test_Answers'Access, "table of answers");
-      Register_Routine (T, Test_One_Character'Access,
-                        "every command, every character");
-      Register_Routine (T, Test_Two_Bytes'Access,
-                        "every command, every two bytes");
-      Register_Routine (T, Test_Versions'Access, "version texts");
-      Register_Routine (T, Test_Malformed'Access, "too short");
-      Register_Routine (T, Test_Bad_Checksum'Access, "bad checksums");
-      Register_Routine (T, Test_Chaos'Access, "chaos");
-      Register_Routine (T, Test_Receiver'Access, "receiving");
-      Register_Routine (T, Test_Overflow'Access, "frames that do not end");
-      Register_Routine (T, Test_Nul'Access, "a checksum of NUL");
-      Register_Routine (T, Test_Stream'Access, "a random stream");
-   end Register_Tests;
-
-   procedure Test_Answers (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Answers is
    begin
       for K in Command_Kind loop
          Assert (Answered ("E", K) = (Refused, 0), "E");
@@ -140,8 +87,7 @@ package body Robot_Protocol_Tests is
       Assert (Answered ("0", Ping) = (Wrong_Kind, 0), "no answer to ping");
    end Test_Answers;
 
-   procedure Test_Arguments (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Arguments is
 
       function Image (N : Integer) return String is
         (Ada.Strings.Fixed.Trim (N'Image, Ada.Strings.Left));
@@ -153,8 +99,7 @@ package body Robot_Protocol_Tests is
       end loop;
    end Test_Arguments;
 
-   procedure Test_Bad_Checksum (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Bad_Checksum is
       F : Frame;
       R : Reply;
    begin
@@ -184,8 +129,7 @@ package body Robot_Protocol_Tests is
       end loop;
    end Test_Bad_Checksum;
 
-   procedure Test_Chaos (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Chaos is
       G     : Random_Bytes.Generator;
       F     : Frame;
       R     : Reply;
@@ -214,8 +158,7 @@ package body Robot_Protocol_Tests is
               "kinds seen");
    end Test_Chaos;
 
-   procedure Test_Checksum (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Checksum is
       Data : Byte_Array (1 .. 50) := (others => 0);
    begin
       Assert (Checksum (Data, 0) = 0, "of nothing");
@@ -234,8 +177,7 @@ package body Robot_Protocol_Tests is
       end loop;
    end Test_Checksum;
 
-   procedure Test_Classes (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Classes is
 
       function Reply_To (K : Command_Kind; R : Reply_Kind) return Boolean
       is (Is_Answer (R, K));
@@ -262,13 +204,10 @@ package body Robot_Protocol_Tests is
       end loop;
    end Test_Classes;
 
-   procedure Test_Decoded (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Refuse (Text : String);
-      --  Text, soundly framed, is no command.
+   procedure Test_Decoded is
 
       procedure Refuse (Text : String) is
+         --  Text, soundly framed, is no command.
       begin
          Assert (not Decoded (Frame_Of (Text)).OK, "no command: " & Text);
       end Refuse;
@@ -307,8 +246,7 @@ package body Robot_Protocol_Tests is
       Assert (not Decoded (F).OK, "checksum");
    end Test_Decoded;
 
-   procedure Test_Directions (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Directions is
    begin
       Check_Command (Forward, "M=32767");
       Check_Command (Backward, "M=-32768");
@@ -317,8 +255,7 @@ package body Robot_Protocol_Tests is
       Check_Command (Stop, "M=0");
    end Test_Directions;
 
-   procedure Test_Letters (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Letters is
       F : Frame;
    begin
       Check_Command ((Ping, 0), "p");
@@ -339,8 +276,7 @@ package body Robot_Protocol_Tests is
       Assert (Decoded (F) = (True, (Ping, 0)), "none read back");
    end Test_Letters;
 
-   procedure Test_Malformed (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Malformed is
       F : Frame;
       R : Reply;
    begin
@@ -359,8 +295,7 @@ package body Robot_Protocol_Tests is
       end loop;
    end Test_Malformed;
 
-   procedure Test_Nul (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Nul is
       F        : Frame;
       R        : Reply;
       Rec      : Receiver;
@@ -393,8 +328,7 @@ package body Robot_Protocol_Tests is
       Assert (Answered (Text, Version).Kind = Version_Text, "printable");
    end Test_Nul;
 
-   procedure Test_One_Character (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_One_Character is
 
       function Expected (C : Character; K : Command_Kind) return Reply is
         (case C is
@@ -427,8 +361,7 @@ package body Robot_Protocol_Tests is
       end loop;
    end Test_One_Character;
 
-   procedure Test_Overflow (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Overflow is
       Rec      : Receiver;
       F        : Frame;
       R        : Reply;
@@ -471,8 +404,7 @@ package body Robot_Protocol_Tests is
       Assert (Complete and then R = (Done, 0), "next");
    end Test_Overflow;
 
-   procedure Test_Receiver (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Receiver is
       Rec      : Receiver;
       F        : Frame;
       R        : Reply;
@@ -504,8 +436,7 @@ package body Robot_Protocol_Tests is
       Assert (Complete and then R = (Level, 2), "cleared in between");
    end Test_Receiver;
 
-   procedure Test_Stream (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Stream is
       G        : Random_Bytes.Generator;
       Rec      : Receiver;
       F        : Frame;
@@ -535,8 +466,7 @@ package body Robot_Protocol_Tests is
       end loop;
    end Test_Stream;
 
-   procedure Test_Two_Bytes (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Two_Bytes is
       F : Frame;
       R : Reply;
    begin
@@ -558,8 +488,7 @@ package body Robot_Protocol_Tests is
       end loop;
    end Test_Two_Bytes;
 
-   procedure Test_Versions (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Versions is
       Long : String (1 .. 48) := (others => '1');
    begin
       Long (2) := '.';
@@ -583,5 +512,26 @@ package body Robot_Protocol_Tests is
          end if;
       end loop;
    end Test_Versions;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("command letters", Test_Letters'Access);
+      Add_Test ("directions", Test_Directions'Access);
+      Add_Test ("every argument", Test_Arguments'Access);
+      Add_Test ("checksum, never 0x0D", Test_Checksum'Access);
+      Add_Test ("frames of no command", Test_Decoded'Access);
+      Add_Test ("classes of answers", Test_Classes'Access);
+      Add_Test ("table of answers", Test_Answers'Access);
+      Add_Test ("every command, every character", Test_One_Character'Access);
+      Add_Test ("every command, every two bytes", Test_Two_Bytes'Access);
+      Add_Test ("version texts", Test_Versions'Access);
+      Add_Test ("too short", Test_Malformed'Access);
+      Add_Test ("bad checksums", Test_Bad_Checksum'Access);
+      Add_Test ("chaos", Test_Chaos'Access);
+      Add_Test ("receiving", Test_Receiver'Access);
+      Add_Test ("frames that do not end", Test_Overflow'Access);
+      Add_Test ("a checksum of NUL", Test_Nul'Access);
+      Add_Test ("a random stream", Test_Stream'Access);
+   end Add_Tests;
 
 end Robot_Protocol_Tests;

@@ -6,6 +6,7 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Robot.Health;
 with Robot.Protocol;
 with Robot.Session;    use Robot.Session;
+with Unit_Runs; use Unit_Runs;
 
 package body Robot_Session_Tests is
 
@@ -13,8 +14,6 @@ package body Robot_Session_Tests is
 
    use type Wire.Command;
    use type Wire.Command_Kind;
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Driving : constant Wire.Command := (Wire.Turn, 90);
 
@@ -34,28 +33,6 @@ package body Robot_Session_Tests is
          when Finish       => "");
    --  A step in a trace: a command's letter, a full stop for a stop.
 
-   function Answer (C : Wire.Command; How : Character) return Step_Result;
-   --  How the robot answers C: '-' not at all, 'E' it refuses, '+' it
-   --  accepts, or a digit.
-
-   procedure Carry_Out
-     (S       : in out State;
-      Kind    : Request_Kind;
-      Answers : String;
-      Trace   : String;
-      Kept    : Outcome);
-   --  A request, whose exchanges and openings are answered so, or else
-   --  accepted: it makes the steps of Trace and ends as Kept says.
-
-   procedure Check
-     (Mode    : Mode_Kind;
-      Kind    : Request_Kind;
-      Answers : String;
-      Trace   : String;
-      Kept    : Outcome;
-      After   : Mode_Kind);
-   --  The same, from an open line in step, and the line stays open.
-
    type History is record
       Before  : State;
       Request : Robot.Session.Request;
@@ -64,27 +41,7 @@ package body Robot_Session_Tests is
       Closed  : Boolean := False;
    end record;
 
-   procedure Explore
-     (H : History; S : State; P : Progress; Next : Step);
-   --  Every answer to Next, and to all that follows.
-
    Visited : Natural := 0;
-
-   procedure Test_Closed (T : in out Any_Test);
-   procedure Test_Open (T : in out Any_Test);
-   procedure Test_Close (T : in out Any_Test);
-   procedure Test_Start (T : in out Any_Test);
-   procedure Test_Drive (T : in out Any_Test);
-   procedure Test_Stop (T : in out Any_Test);
-   procedure Test_Queries (T : in out Any_Test);
-   procedure Test_Leaving (T : in out Any_Test);
-   procedure Test_Leaving_Unanswered (T : in out Any_Test);
-   procedure Test_Reload (T : in out Any_Test);
-   procedure Test_Reload_Refused (T : in out Any_Test);
-   procedure Test_Keep_Alive (T : in out Any_Test);
-   procedure Test_Lost (T : in out Any_Test);
-   procedure Test_Probe (T : in out Any_Test);
-   procedure Test_Everything (T : in out Any_Test);
 
    function Answer (C : Wire.Command; How : Character) return Step_Result is
      (case How is
@@ -102,6 +59,8 @@ package body Robot_Session_Tests is
                 when Wire.Version        => (Wire.Version_Text, 0),
                 when Wire.Unknown_Letter => (Wire.Unknown_Command, 0),
                 when others              => (Wire.Done, 0))));
+   --  How the robot answers C: '-' not at all, 'E' it refuses, '+' it
+   --  accepts, or a digit.
 
    procedure Carry_Out
      (S       : in out State;
@@ -110,6 +69,8 @@ package body Robot_Session_Tests is
       Trace   : String;
       Kept    : Outcome)
    is
+      --  A request, whose exchanges and openings are answered so, or else
+      --  accepted: it makes the steps of Trace and ends as Kept says.
       Label : constant String := Kind'Image & " " & Answers & ": ";
       Made  : String (1 .. 100) := (others => ' ');
       Last  : Natural := 0;
@@ -117,10 +78,8 @@ package body Robot_Session_Tests is
       P     : Progress;
       Next  : Step;
 
-      procedure Get (How : out Character);
-      --  The next of the answers.
-
       procedure Get (How : out Character) is
+         --  The next of the answers.
       begin
          Used := Used + 1;
          How := (if Used <= Answers'Length
@@ -165,6 +124,7 @@ package body Robot_Session_Tests is
       Kept    : Outcome;
       After   : Mode_Kind)
    is
+      --  The same, from an open line in step, and the line stays open.
       S : State := Opened (Mode);
    begin
       Carry_Out (S, Kind, Answers, Trace, Kept);
@@ -176,12 +136,11 @@ package body Robot_Session_Tests is
    procedure Explore
      (H : History; S : State; P : Progress; Next : Step)
    is
+      --  Every answer to Next, and to all that follows.
       Now : History := H;
 
-      procedure Follow (Last : Step_Result);
-      --  Next has given Last.
-
       procedure Follow (Last : Step_Result) is
+         --  Next has given Last.
          S_Now : State    := S;
          P_Now : Progress := P;
          Then_Step : Step;
@@ -263,37 +222,7 @@ package body Robot_Session_Tests is
       end case;
    end Explore;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Robot.Session"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Closed'Access, "a closed line");
-      Register_Routine (T, Test_Open'Access, "open, then reset");
-      Register_Routine (T, Test_Close'Access, "close");
-      Register_Routine (T, Test_Start'Access, "start");
-      Register_Routine (T, Test_Drive'Access,
-                        "movements only while started");
-      Register_Routine (T, Test_Stop'Access, "a stop always goes out");
-      Register_Routine (T, Test_Queries'Access, "queries");
-      Register_Routine (T, Test_Leaving'Access, "a stop on every way out");
-      Register_Routine (T, Test_Leaving_Unanswered'Access,
-                        "an unanswered stop on the way out");
-      Register_Routine (T, Test_Reload'Access, "reload");
-      Register_Routine (T, Test_Reload_Refused'Access,
-                        "a refused reload: window missed, or not running");
-      Register_Routine (T, Test_Keep_Alive'Access, "keep alive");
-      Register_Routine (T, Test_Lost'Access,
-                        "F8: lost at the fourth failure, not the third");
-      Register_Routine (T, Test_Probe'Access,
-                        "out of step: a probe, and a stop before it");
-      Register_Routine (T, Test_Everything'Access,
-                        "every answer to every request");
-   end Register_Tests;
-
-   procedure Test_Close (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Close is
       S : State := Opened (Not_Started);
    begin
       Carry_Out (S, Close_Line, "", "C", (Done, 0, Nothing));
@@ -309,8 +238,7 @@ package body Robot_Session_Tests is
       end loop;
    end Test_Close;
 
-   procedure Test_Closed (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Closed is
       S : State;
    begin
       for Kind in Request_Kind range Close_Line .. Keep_Alive loop
@@ -321,24 +249,23 @@ package body Robot_Session_Tests is
       end loop;
    end Test_Closed;
 
-   procedure Test_Drive (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Drive is
    begin
       Check (Not_Started, Drive, "", "", (Refused, 0, Nothing), Not_Started);
       for Mode in Started .. Started_With_Watchdog loop
          Check (Mode, Drive, "+", "T", (Done, 0, Nothing), Mode);
-         Check (Mode, Drive, "E", "T", (Refused, 0, Nothing), Mode);
+         Check (Mode, Drive, "E+", "T.", (Refused, 0, Nothing), Mode);
+         Check (Mode, Drive, "EE", "T.", (Refused, 0, Not_Running),
+                Not_Started);
+         Check (Mode, Drive, "E-", "T.", (Timed_Out, 0, Nothing), Mode);
          Check (Mode, Drive, "-", "T", (Timed_Out, 0, Nothing), Mode);
       end loop;
    end Test_Drive;
 
-   procedure Test_Everything (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Explore_From (S : State; R : Request);
-      --  All that can come of R.
+   procedure Test_Everything is
 
       procedure Explore_From (S : State; R : Request) is
+         --  All that can come of R.
          S_Now : State;
          P     : Progress;
          Next  : Step;
@@ -373,19 +300,15 @@ package body Robot_Session_Tests is
       Assert (Visited > 5_000, "steps visited:" & Visited'Image);
    end Test_Everything;
 
-   procedure Test_Keep_Alive (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Keep_Alive is
    begin
-      Check (Not_Started, Keep_Alive, "", "", (Done, 0, Nothing),
-             Not_Started);
-      for Mode in Started .. Started_With_Watchdog loop
+      for Mode in Mode_Kind loop
          Check (Mode, Keep_Alive, "+", "p", (Done, 0, Nothing), Mode);
          Check (Mode, Keep_Alive, "-", "p", (Timed_Out, 0, Nothing), Mode);
       end loop;
    end Test_Keep_Alive;
 
-   procedure Test_Leaving (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Leaving is
    begin
       Check (Not_Started, Reset, "+", "r", (Done, 0, Nothing), Not_Started);
       Check (Not_Started, Power_Off, "+", "z", (Done, 0, Nothing),
@@ -399,11 +322,19 @@ package body Robot_Session_Tests is
          Check (Mode, Power_Off, "++", ".z", (Done, 0, Nothing),
                 Not_Started);
          Check (Mode, Power_Off, "+E", ".z", (Refused, 0, Nothing), Mode);
+
+         --  Its answer is cut off: does the robot still answer?
+
+         Check (Mode, Power_Off, "+--", ".z~V", (Done, 0, Nothing),
+                Not_Started);
+         Check (Mode, Power_Off, "+-++", ".z~Vz", (Done, 0, Nothing),
+                Not_Started);
+         Check (Mode, Power_Off, "+-+-", ".z~Vz", (Timed_Out, 0, Nothing),
+                Mode);
       end loop;
    end Test_Leaving;
 
-   procedure Test_Leaving_Unanswered (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Leaving_Unanswered is
       S : State;
    begin
       for Mode in Started .. Started_With_Watchdog loop
@@ -430,8 +361,7 @@ package body Robot_Session_Tests is
       end loop;
    end Test_Leaving_Unanswered;
 
-   procedure Test_Lost (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Lost is
       S : State;
    begin
       for Mode in Mode_Kind loop
@@ -458,8 +388,7 @@ package body Robot_Session_Tests is
       end loop;
    end Test_Lost;
 
-   procedure Test_Open (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Open is
       S : State;
    begin
       Carry_Out (S, Open_Line, "-", "O", (Not_Opened, 0, Nothing));
@@ -488,13 +417,10 @@ package body Robot_Session_Tests is
       end loop;
    end Test_Open;
 
-   procedure Test_Probe (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      function Unsure return State;
-      --  Started, one answer missing.
+   procedure Test_Probe is
 
       function Unsure return State is
+         --  Started, one answer missing.
          Result : State := Opened (Started);
       begin
          Robot.Health.Failure (Result.Health, Wire.Ping);
@@ -524,8 +450,7 @@ package body Robot_Session_Tests is
       Carry_Out (S, Reset, "+++", "!.~V.r", (Done, 0, Nothing));
    end Test_Probe;
 
-   procedure Test_Queries (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Queries is
    begin
       for Mode in Mode_Kind loop
          Check (Mode, Ping, "+", "p", (Done, 0, Nothing), Mode);
@@ -541,8 +466,7 @@ package body Robot_Session_Tests is
       end loop;
    end Test_Queries;
 
-   procedure Test_Reload (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Reload is
       With_Watchdog : constant Mode_Kind := Started_With_Watchdog;
    begin
       Check (Not_Started, Reload, "", "", (Done, 0, Nothing), Not_Started);
@@ -563,8 +487,7 @@ package body Robot_Session_Tests is
              Not_Started);
    end Test_Reload;
 
-   procedure Test_Reload_Refused (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Reload_Refused is
       Mode : constant Mode_Kind := Started_With_Watchdog;
    begin
       Check (Mode, Reload, "E1", "wb", (Refused, 0, Missed_Window), Mode);
@@ -578,8 +501,7 @@ package body Robot_Session_Tests is
              Mode);
    end Test_Reload_Refused;
 
-   procedure Test_Start (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Start is
    begin
       for Mode in Mode_Kind loop
          Check (Mode, Start, "+", "u", (Done, 0, Nothing), Started);
@@ -593,14 +515,43 @@ package body Robot_Session_Tests is
       end loop;
    end Test_Start;
 
-   procedure Test_Stop (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Stop is
    begin
       for Mode in Mode_Kind loop
          Check (Mode, Stop, "+", ".", (Done, 0, Nothing), Mode);
-         Check (Mode, Stop, "E", ".", (Refused, 0, Nothing), Mode);
          Check (Mode, Stop, "-", ".", (Timed_Out, 0, Nothing), Mode);
       end loop;
+      Check (Not_Started, Stop, "E", ".", (Refused, 0, Nothing), Not_Started);
+      for Mode in Started .. Started_With_Watchdog loop
+         --  the first may have been damaged on its way
+         Check (Mode, Stop, "E+", "..", (Done, 0, Nothing), Mode);
+         Check (Mode, Stop, "EE", "..", (Refused, 0, Not_Running),
+                Not_Started);
+         Check (Mode, Stop, "E-", "..", (Timed_Out, 0, Nothing), Mode);
+      end loop;
    end Test_Stop;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("a closed line", Test_Closed'Access);
+      Add_Test ("open, then reset", Test_Open'Access);
+      Add_Test ("close", Test_Close'Access);
+      Add_Test ("start", Test_Start'Access);
+      Add_Test ("movements only while started", Test_Drive'Access);
+      Add_Test ("a stop always goes out", Test_Stop'Access);
+      Add_Test ("queries", Test_Queries'Access);
+      Add_Test ("a stop on every way out", Test_Leaving'Access);
+      Add_Test ("an unanswered stop on the way out",
+                Test_Leaving_Unanswered'Access);
+      Add_Test ("reload", Test_Reload'Access);
+      Add_Test ("a refused reload: window missed, or not running",
+                Test_Reload_Refused'Access);
+      Add_Test ("keep alive", Test_Keep_Alive'Access);
+      Add_Test ("F8: lost at the fourth failure, not the third",
+                Test_Lost'Access);
+      Add_Test ("out of step: a probe, and a stop before it",
+                Test_Probe'Access);
+      Add_Test ("every answer to every request", Test_Everything'Access);
+   end Add_Tests;
 
 end Robot_Session_Tests;

@@ -4,36 +4,14 @@
 with AUnit.Assertions;   use AUnit.Assertions;
 
 with Monitor.Send_Order; use Monitor.Send_Order;
+with Unit_Runs; use Unit_Runs;
 
 package body Send_Order_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    Everything : constant Unsolicited_Set := (others => True);
 
-   procedure Send (W : in out Waiting; Expected : Choice);
-   --  It is next, and is sent
-
-   procedure Test_Order (T : in out Any_Test);
-   procedure Test_Turns (T : in out Any_Test);
-   procedure Test_Hold (T : in out Any_Test);
-   procedure Test_Gap (T : in out Any_Test);
-   procedure Test_Every_Gap (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Monitor.Send_Order"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Order'Access, "most urgent first");
-      Register_Routine (T, Test_Turns'Access, "image and position in turn");
-      Register_Routine (T, Test_Hold'Access, "rule 7: the hold");
-      Register_Routine (T, Test_Gap'Access, "the gap by default");
-      Register_Routine (T, Test_Every_Gap'Access, "every gap");
-   end Register_Tests;
-
    procedure Send (W : in out Waiting; Expected : Choice) is
+      --  It is next, and is sent
       Sent : constant Choice := Next (W);
    begin
       Assert (Sent = Expected, Sent'Image & " instead of " & Expected'Image);
@@ -44,8 +22,7 @@ package body Send_Order_Tests is
       W.Imaged := Sent = Image or else (W.Imaged and then Sent /= Position);
    end Send;
 
-   procedure Test_Order (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Order is
       W : Waiting := (Open => True, Messages => Everything, others => <>);
    begin
       W.Commands := True;
@@ -65,8 +42,7 @@ package body Send_Order_Tests is
       Assert (Next (W) = Nothing, "there is no monitor");
    end Test_Order;
 
-   procedure Test_Turns (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Turns is
       W : Waiting := (Open => True, Messages => Everything, others => <>);
    begin
       Send (W, Robot_Lost);
@@ -92,8 +68,7 @@ package body Send_Order_Tests is
       Send (W, Image);
    end Test_Turns;
 
-   procedure Test_Hold (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Hold is
       W : Waiting :=
         (Open     => True,
          Commands => True,
@@ -113,14 +88,7 @@ package body Send_Order_Tests is
       Send (W, Answer);
    end Test_Hold;
 
-   procedure Test_Gap (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check
-        (Last, Sent : Choice;
-         Between    : Milliseconds;
-         Expected   : Milliseconds;
-         Released   : Boolean := False);
+   procedure Test_Gap is
 
       procedure Check
         (Last, Sent : Choice;
@@ -157,8 +125,7 @@ package body Send_Order_Tests is
       Check (Image, Nothing, 20, 0);
    end Test_Gap;
 
-   procedure Test_Every_Gap (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Every_Gap is
       --  An answer never waits for more than two short gaps and a message in
       --  between, whatever else there is
       W : Waiting;
@@ -188,5 +155,14 @@ package body Send_Order_Tests is
          end loop;
       end loop;
    end Test_Every_Gap;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("most urgent first", Test_Order'Access);
+      Add_Test ("image and position in turn", Test_Turns'Access);
+      Add_Test ("rule 7: the hold", Test_Hold'Access);
+      Add_Test ("the gap by default", Test_Gap'Access);
+      Add_Test ("every gap", Test_Every_Gap'Access);
+   end Add_Tests;
 
 end Send_Order_Tests;

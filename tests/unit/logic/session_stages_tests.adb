@@ -4,26 +4,11 @@
 with AUnit.Assertions;       use AUnit.Assertions;
 
 with Monitor.Session_Stages; use Monitor.Session_Stages;
+with Unit_Runs; use Unit_Runs;
 
 package body Session_Stages_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Test_Order (T : in out Any_Test);
-   procedure Test_Stopping (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Monitor.Session_Stages"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Order'Access, "one stage after the other");
-      Register_Routine (T, Test_Stopping'Access, "none begins at the end");
-   end Register_Tests;
-
-   procedure Test_Order (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Order is
       S        : State;
       Admitted : Boolean;
    begin
@@ -49,8 +34,7 @@ package body Session_Stages_Tests is
       end loop;
    end Test_Order;
 
-   procedure Test_Stopping (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Stopping is
       S        : State;
       Admitted : Boolean;
    begin
@@ -63,5 +47,11 @@ package body Session_Stages_Tests is
       Begin_Active (S, Admitted);
       Assert (not Admitted and then S.Stage = Free, "but none begins");
    end Test_Stopping;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("one stage after the other", Test_Order'Access);
+      Add_Test ("none begins at the end", Test_Stopping'Access);
+   end Add_Tests;
 
 end Session_Stages_Tests;

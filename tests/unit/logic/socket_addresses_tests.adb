@@ -7,10 +7,9 @@ with Admission.Networks;
 with Admission.Socket_Addresses; use Admission.Socket_Addresses;
 with Bytes;                      use Bytes;
 with Texts;
+with Unit_Runs; use Unit_Runs;
 
 package body Socket_Addresses_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Near : constant Socket_Address :=
      (Family  => 2,
@@ -25,23 +24,12 @@ package body Socket_Addresses_Tests is
                   others => 0),
       others  => <>);
 
-   function Host (Value : String) return Host_Text;
-
-   function Named (A : Socket_Address; Value : Host_Text) return String;
-
-   procedure Test_Layout (T : in out Any_Test);
-   procedure Test_Peer (T : in out Any_Test);
-   procedure Test_Name (T : in out Any_Test);
-
    function Host (Value : String) return Host_Text is
       Result : Host_Text := (others => ASCII.NUL);
    begin
       Result (1 .. Value'Length) := Value;
       return Result;
    end Host;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Admission.Socket_Addresses"));
 
    function Named (A : Socket_Address; Value : Host_Text) return String is
       Result : Texts.Text;
@@ -50,16 +38,7 @@ package body Socket_Addresses_Tests is
       return Texts.Image (Result);
    end Named;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Layout'Access, "as in C");
-      Register_Routine (T, Test_Peer'Access, "the peer");
-      Register_Routine (T, Test_Name'Access, "its name in the log");
-   end Register_Tests;
-
-   procedure Test_Layout (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Layout is
       A : Socket_Address;
       --  sizeof (struct sockaddr_in6), and offsets of its members
    begin
@@ -69,8 +48,7 @@ package body Socket_Addresses_Tests is
       Assert (A.Host_V6'Position = 8, "IPv6 address");
    end Test_Layout;
 
-   procedure Test_Name (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Name is
       Longest : constant Host_Text := (others => 'f');
    begin
       Assert
@@ -81,8 +59,7 @@ package body Socket_Addresses_Tests is
       Assert (Named (Far, Longest) = "[" & Longest & "]:65535", "no end");
    end Test_Name;
 
-   procedure Test_Peer (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Peer is
    begin
       Assert
         (Peer_Of (Near) = (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 255, 255,
@@ -92,5 +69,12 @@ package body Socket_Addresses_Tests is
       Assert (not Admission.Networks.Is_IPv4 (Peer_Of (Far)), "no IPv4");
       Assert (Port_Of (Near) = 5544, "port");
    end Test_Peer;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("as in C", Test_Layout'Access);
+      Add_Test ("the peer", Test_Peer'Access);
+      Add_Test ("its name in the log", Test_Name'Access);
+   end Add_Tests;
 
 end Socket_Addresses_Tests;

@@ -6,30 +6,11 @@ with AUnit.Assertions;  use AUnit.Assertions;
 with Interfaces;        use Interfaces;
 with Monitor.Link;      use Monitor.Link;
 with Monitor.Tcp_Infos; use Monitor.Tcp_Infos;
+with Unit_Runs; use Unit_Runs;
 
 package body Tcp_Infos_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Test_Layout (T : in out Any_Test);
-   procedure Test_Sample (T : in out Any_Test);
-   procedure Test_Extremes (T : in out Any_Test);
-   procedure Test_Queue (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Monitor.Tcp_Infos"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Layout'Access, "as in C");
-      Register_Routine (T, Test_Sample'Access, "a sample");
-      Register_Routine (T, Test_Extremes'Access, "the largest numbers");
-      Register_Routine (T, Test_Queue'Access, "the queue");
-   end Register_Tests;
-
-   procedure Test_Extremes (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Extremes is
       Info : constant Tcp_Info :=
         (Unacked     => Unsigned_32'Last,
          Not_Sent    => Unsigned_32'Last,
@@ -45,8 +26,7 @@ package body Tcp_Infos_Tests is
       Assert (S.Bytes_Acked = Byte_Count'Last, "acknowledged");
    end Test_Extremes;
 
-   procedure Test_Layout (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Layout is
       Info : Tcp_Info;
       --  offsets of tcpi_unacked, tcpi_sacked, tcpi_last_data_recv,
       --  tcpi_last_ack_recv, tcpi_bytes_acked, tcpi_notsent_bytes
@@ -61,8 +41,7 @@ package body Tcp_Infos_Tests is
       Assert (Info.Counters'Position = Queue_Bytes, "needed for the queue");
    end Test_Layout;
 
-   procedure Test_Queue (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Queue is
       Info   : constant Tcp_Info :=
         (Unacked => 3, Selected => 128, others => <>);
       Length : Natural;
@@ -76,8 +55,7 @@ package body Tcp_Infos_Tests is
       end loop;
    end Test_Queue;
 
-   procedure Test_Sample (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Sample is
       Info  : constant Tcp_Info :=
         (Unacked     => 2,
          Not_Sent    => 100,
@@ -102,5 +80,13 @@ package body Tcp_Infos_Tests is
       S := Sample_Of (Info, 147, 1_000);
       Assert (S = (Now => 1_000, others => <>), "not enough");
    end Test_Sample;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("as in C", Test_Layout'Access);
+      Add_Test ("a sample", Test_Sample'Access);
+      Add_Test ("the largest numbers", Test_Extremes'Access);
+      Add_Test ("the queue", Test_Queue'Access);
+   end Add_Tests;
 
 end Tcp_Infos_Tests;

@@ -6,45 +6,22 @@ with Ada.Strings.Fixed;
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Texts;            use Texts;
+with Unit_Runs; use Unit_Runs;
 
 package body Texts_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    function Trimmed (N : Integer) return String is
      (Ada.Strings.Fixed.Trim (Integer'Image (N), Ada.Strings.Left));
 
-   procedure Check_Number (N : Integer);
-   --  Against the language's own image.
-
-   procedure Test_Set (T : in out Any_Test);
-   procedure Test_Append (T : in out Any_Test);
-   procedure Test_Numbers (T : in out Any_Test);
-   procedure Test_Cut (T : in out Any_Test);
-   procedure Test_Cut_Number (T : in out Any_Test);
-
    procedure Check_Number (N : Integer) is
+      --  Against the language's own image.
       Item : Text;
    begin
       Append (Item, N);
       Assert (Image (Item) = Trimmed (N), "image of" & N'Image);
    end Check_Number;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Texts"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Set'Access, "set");
-      Register_Routine (T, Test_Append'Access, "append");
-      Register_Routine (T, Test_Numbers'Access, "numbers");
-      Register_Routine (T, Test_Cut'Access, "cut at the end");
-      Register_Routine (T, Test_Cut_Number'Access, "a number cut");
-   end Register_Tests;
-
-   procedure Test_Append (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Append is
       Item : Text;
    begin
       Assert (Image (Item) = "", "empty at first");
@@ -58,8 +35,7 @@ package body Texts_Tests is
       Assert (Image (Item) = "battery 2, -15!", "all in order");
    end Test_Append;
 
-   procedure Test_Cut (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Cut is
       Item : Text;
       Long : String (1 .. Max_Length + 88);
    begin
@@ -85,8 +61,7 @@ package body Texts_Tests is
       Assert (Image (Item) = Long (1 .. Max_Length), "full stays full");
    end Test_Cut;
 
-   procedure Test_Cut_Number (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Cut_Number is
       Item : Text;
       Fill : constant String (1 .. Max_Length) := (others => '.');
    begin
@@ -100,8 +75,7 @@ package body Texts_Tests is
       end loop;
    end Test_Cut_Number;
 
-   procedure Test_Numbers (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Numbers is
    begin
       for N in -1_100 .. 1_100 loop
          Check_Number (N);
@@ -117,8 +91,7 @@ package body Texts_Tests is
       Check_Number (Integer'First + 1);
    end Test_Numbers;
 
-   procedure Test_Set (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Set is
       Item   : Text;
       Inside : constant String := "[arena]";
    begin
@@ -132,5 +105,14 @@ package body Texts_Tests is
       Set (Item, "");
       Assert (Item = To_Text (""), "empty");
    end Test_Set;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("set", Test_Set'Access);
+      Add_Test ("append", Test_Append'Access);
+      Add_Test ("numbers", Test_Numbers'Access);
+      Add_Test ("cut at the end", Test_Cut'Access);
+      Add_Test ("a number cut", Test_Cut_Number'Access);
+   end Add_Tests;
 
 end Texts_Tests;

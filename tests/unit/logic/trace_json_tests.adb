@@ -9,54 +9,27 @@ with AUnit.Assertions;  use AUnit.Assertions;
 with Schedule;          use Schedule;
 with Texts;
 with Trace_Json;        use Trace_Json;
+with Unit_Runs; use Unit_Runs;
 
 package body Trace_Json_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    LF : constant Character := ASCII.LF;
 
    procedure Expect
-     (Open : in out Slices; Item : Event; Text : String);
-   --  What Item adds, counted from 1 us
-
-   procedure Test_Events (T : in out Any_Test);
-   procedure Test_Balance (T : in out Any_Test);
-   procedure Test_Longest (T : in out Any_Test);
-   procedure Test_Label (T : in out Any_Test);
-   procedure Test_Order (T : in out Any_Test);
-
-   procedure Expect
      (Open : in out Slices; Item : Event; Text : String)
    is
+      --  What Item adds, counted from 1 us
       Line : Texts.Text;
    begin
       Put (Open, 1_000, Item, Line);
       Assert (Texts.Image (Line) = Text, Texts.Image (Line));
    end Expect;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Trace_Json"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Events'Access, "the text of each event");
-      Register_Routine
-        (T, Test_Balance'Access, "what begins ends, whatever is missing");
-      Register_Routine (T, Test_Longest'Access, "room for the longest");
-      Register_Routine (T, Test_Label'Access, "a label ends no text");
-      Register_Routine (T, Test_Order'Access, "tasks by their priorities");
-   end Register_Tests;
-
-   procedure Test_Balance (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Balance is
       Open  : Slices := (others => None);
       Line  : Texts.Text;
       Depth : Integer := 0;
       Bits  : Unsigned_32 := 1;
-
-      procedure Put_One (Kind : Event_Kind; At_Time : Unsigned_64);
 
       procedure Put_One (Kind : Event_Kind; At_Time : Unsigned_64) is
       begin
@@ -81,8 +54,7 @@ package body Trace_Json_Tests is
       Assert (Open = (Task_Name => None), "another task's is open");
    end Test_Balance;
 
-   procedure Test_Events (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Events is
       Open : Slices := (others => None);
    begin
       Expect
@@ -155,8 +127,7 @@ package body Trace_Json_Tests is
          & """tid"":1,""ts"":3.000}");
    end Test_Events;
 
-   procedure Test_Label (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Label is
       Open : Slices := (others => None);
    begin
       Expect
@@ -166,8 +137,7 @@ package body Trace_Json_Tests is
          & """pid"":1,""tid"":1,""ts"":0.000}");
    end Test_Label;
 
-   procedure Test_Longest (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Longest is
       Open : Slices := (others => Job_And_Wait);
       Line : Texts.Text;
    begin
@@ -193,10 +163,7 @@ package body Trace_Json_Tests is
       end loop;
    end Test_Longest;
 
-   procedure Test_Order (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      function Place (Who : Task_Name) return Integer;
+   procedure Test_Order is
 
       function Place (Who : Task_Name) return Integer is
          Key  : constant String := """sort_index"":";
@@ -219,5 +186,14 @@ package body Trace_Json_Tests is
          end loop;
       end loop;
    end Test_Order;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("the text of each event", Test_Events'Access);
+      Add_Test ("what begins ends, whatever is missing", Test_Balance'Access);
+      Add_Test ("room for the longest", Test_Longest'Access);
+      Add_Test ("a label ends no text", Test_Label'Access);
+      Add_Test ("tasks by their priorities", Test_Order'Access);
+   end Add_Tests;
 
 end Trace_Json_Tests;

@@ -8,37 +8,13 @@ with Schedule;
 with Trace_Json;       use Trace_Json;
 with Trace_Layout;     use Trace_Layout;
 with Trace_Slots;      use Trace_Slots;
+with Unit_Runs; use Unit_Runs;
 
 package body Trace_Layout_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    subtype Number_Type is Trace_Slots.Event_Number;
 
-   procedure Test_Slots (T : in out Any_Test);
-   procedure Test_Record (T : in out Any_Test);
-   procedure Test_Foreign_Record (T : in out Any_Test);
-   procedure Test_Places (T : in out Any_Test);
-   procedure Test_Runs (T : in out Any_Test);
-   procedure Test_Lost (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Trace_Layout"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Slots'Access, "who may write a slot");
-      Register_Routine (T, Test_Record'Access, "an event in the file");
-      Register_Routine
-        (T, Test_Foreign_Record'Access, "what another has written there");
-      Register_Routine (T, Test_Places'Access, "places in the file");
-      Register_Routine (T, Test_Runs'Access, "what is saved at once");
-      Register_Routine (T, Test_Lost'Access, "skipped, lost and kept");
-   end Register_Tests;
-
-   procedure Test_Foreign_Record (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Foreign_Record is
       Item : Saved_Event := To_Saved (7, (others => <>));
    begin
       Item.Who := Schedule.Task_Name'Pos (Schedule.Task_Name'Last) + 1;
@@ -49,8 +25,7 @@ package body Trace_Layout_Tests is
       Assert (not Holds (Item, 7), "no kind");
    end Test_Foreign_Record;
 
-   procedure Test_Lost (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Lost is
       In_Ring : constant Number_Type := In_Memory;
       In_File : constant Number_Type := Trace_Layout.Capacity;
    begin
@@ -66,8 +41,7 @@ package body Trace_Layout_Tests is
       Assert (Oldest_Kept (In_File + 3) = 3, "three more");
    end Test_Lost;
 
-   procedure Test_Places (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Places is
       Size : constant := 76 * 2 ** 20;
    begin
       Assert (Offset_Of (Place_Of (0)) = Text_Limit, "the first");
@@ -83,8 +57,7 @@ package body Trace_Layout_Tests is
          "the start of a batch");
    end Test_Places;
 
-   procedure Test_Record (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Record is
    begin
       for Who in Schedule.Task_Name loop
          for Kind in Event_Kind loop
@@ -106,8 +79,7 @@ package body Trace_Layout_Tests is
       Assert (not Holds (No_Event, 0), "an event where none is");
    end Test_Record;
 
-   procedure Test_Runs (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Runs is
       Round : constant Number_Type := Trace_Layout.Capacity;
    begin
       Assert (Run_Length (0, 0) = 0, "nothing");
@@ -118,8 +90,7 @@ package body Trace_Layout_Tests is
       Assert (Run_Length (Round, Round + 9) = 9, "the next round");
    end Test_Runs;
 
-   procedure Test_Slots (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Slots is
       Round : constant Number_Type := Trace_Slots.Capacity;
    begin
       Assert (May_Write (Empty, 0), "an empty slot");
@@ -141,5 +112,15 @@ package body Trace_Layout_Tests is
          and then Slot_Of (Round - 1) = Slot_Index'Last,
          "the slot");
    end Test_Slots;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("who may write a slot", Test_Slots'Access);
+      Add_Test ("an event in the file", Test_Record'Access);
+      Add_Test ("what another has written there", Test_Foreign_Record'Access);
+      Add_Test ("places in the file", Test_Places'Access);
+      Add_Test ("what is saved at once", Test_Runs'Access);
+      Add_Test ("skipped, lost and kept", Test_Lost'Access);
+   end Add_Tests;
 
 end Trace_Layout_Tests;

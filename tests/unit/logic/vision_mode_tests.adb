@@ -4,49 +4,14 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Vision.Mode;      use Vision.Mode;
+with Unit_Runs; use Unit_Runs;
 
 package body Vision_Mode_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    function Streaming_State return State is
      ((Stage => Streaming, others => <>));
 
-   procedure Test_Open (T : in out Any_Test);
-   procedure Test_Not_Opened (T : in out Any_Test);
-   procedure Test_Given_Up (T : in out Any_Test);
-   procedure Test_Close (T : in out Any_Test);
-   procedure Test_Arena (T : in out Any_Test);
-   procedure Test_No_Arena (T : in out Any_Test);
-   procedure Test_Forget (T : in out Any_Test);
-   procedure Test_Position (T : in out Any_Test);
-   procedure Test_Everything (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Vision.Mode"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Open'Access, "F14: the camera opens");
-      Register_Routine (T, Test_Not_Opened'Access,
-                        "F14: the camera cannot be opened");
-      Register_Routine (T, Test_Given_Up'Access,
-                        "an opening that was given up");
-      Register_Routine (T, Test_Close'Access,
-                        "F16: a close forgets everything");
-      Register_Routine (T, Test_Arena'Access,
-                        "F17: no images until the decision");
-      Register_Routine (T, Test_No_Arena'Access, "F17: no arena found");
-      Register_Routine (T, Test_Forget'Access,
-                        "F17: a confirmed arena is forgotten");
-      Register_Routine (T, Test_Position'Access, "F18, F19: positions");
-      Register_Routine (T, Test_Everything'Access,
-                        "everything from every state");
-   end Register_Tests;
-
-   procedure Test_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Arena is
       S  : State := Streaming_State;
       OK : Boolean;
    begin
@@ -72,8 +37,7 @@ package body Vision_Mode_Tests is
               "nothing to decide during the search");
    end Test_Arena;
 
-   procedure Test_Close (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Close is
       Initial : constant State := (others => <>);
       S       : State;
       OK      : Boolean;
@@ -94,8 +58,7 @@ package body Vision_Mode_Tests is
       Assert (S = Initial, "closing what is closed");
    end Test_Close;
 
-   procedure Test_Everything (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Everything is
       Before, S : State;
       OK        : Boolean;
       Count     : Natural := 0;
@@ -172,8 +135,7 @@ package body Vision_Mode_Tests is
       Assert (Count = 14, "two states without and twelve with a camera");
    end Test_Everything;
 
-   procedure Test_Forget (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Forget is
       S  : State := (Streaming, Position_On => True, Confirmed => True);
       OK : Boolean;
    begin
@@ -188,8 +150,7 @@ package body Vision_Mode_Tests is
               and then S.Position_On, "forgotten, the images resume");
    end Test_Forget;
 
-   procedure Test_Given_Up (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Given_Up is
       S  : State;
       OK : Boolean;
    begin
@@ -201,8 +162,7 @@ package body Vision_Mode_Tests is
       Assert (OK, "to be opened anew");
    end Test_Given_Up;
 
-   procedure Test_No_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_No_Arena is
       S  : State;
       OK : Boolean;
    begin
@@ -217,8 +177,7 @@ package body Vision_Mode_Tests is
       Assert (not OK and then not Uses_Arena (S), "nothing to decide");
    end Test_No_Arena;
 
-   procedure Test_Not_Opened (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Not_Opened is
       S  : State;
       OK : Boolean;
    begin
@@ -229,8 +188,7 @@ package body Vision_Mode_Tests is
       Assert (OK and then S.Stage = Opening, "tried again");
    end Test_Not_Opened;
 
-   procedure Test_Open (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Open is
       S  : State;
       OK : Boolean;
    begin
@@ -246,8 +204,7 @@ package body Vision_Mode_Tests is
       Assert (not OK and then S = Streaming_State, "open already");
    end Test_Open;
 
-   procedure Test_Position (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Position is
       S  : State;
       OK : Boolean;
    begin
@@ -264,5 +221,18 @@ package body Vision_Mode_Tests is
       Assert (OK and then not S.Position_On and then S.Stage = Searching,
               "off");
    end Test_Position;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("F14: the camera opens", Test_Open'Access);
+      Add_Test ("F14: the camera cannot be opened", Test_Not_Opened'Access);
+      Add_Test ("an opening that was given up", Test_Given_Up'Access);
+      Add_Test ("F16: a close forgets everything", Test_Close'Access);
+      Add_Test ("F17: no images until the decision", Test_Arena'Access);
+      Add_Test ("F17: no arena found", Test_No_Arena'Access);
+      Add_Test ("F17: a confirmed arena is forgotten", Test_Forget'Access);
+      Add_Test ("F18, F19: positions", Test_Position'Access);
+      Add_Test ("everything from every state", Test_Everything'Access);
+   end Add_Tests;
 
 end Vision_Mode_Tests;

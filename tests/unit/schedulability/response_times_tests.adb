@@ -4,10 +4,9 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Response_Times;   use Response_Times;
+with Unit_Runs; use Unit_Runs;
 
 package body Response_Times_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Unbounded : constant := -1;
 
@@ -25,39 +24,6 @@ package body Response_Times_Tests is
         Suspension => Suspension, others => <>));
 
    procedure Compare
-     (Who : Activity_Index; Result : Bound; Answer : Integer);
-
-   procedure Check (Set : Activity_Array; Answers : Answer_Array);
-   --  Pre-emptive responses
-
-   procedure Check_Sleepers (Set : Activity_Array; Answers : Answer_Array);
-   --  The same where some sleep: most urgent first, as the bound of one is
-   --  needed for the next
-
-   procedure Check_Line (Set : Activity_Array; Answers : Answer_Array);
-   --  The same of a line
-
-   procedure Test_Liu_Layland (T : in out Any_Test);
-   procedure Test_Burns_Wellings_A (T : in out Any_Test);
-   procedure Test_Burns_Wellings_B (T : in out Any_Test);
-   procedure Test_Burns_Wellings_C (T : in out Any_Test);
-   procedure Test_Burns_Wellings_D (T : in out Any_Test);
-   procedure Test_Sha_Goodenough (T : in out Any_Test);
-   procedure Test_Lehoczky (T : in out Any_Test);
-   procedure Test_CAN (T : in out Any_Test);
-   procedure Test_Ceilings (T : in out Any_Test);
-   procedure Test_Ceiling_Table (T : in out Any_Test);
-   procedure Test_Jitter (T : in out Any_Test);
-   procedure Test_Blocking (T : in out Any_Test);
-   procedure Test_Processors (T : in out Any_Test);
-   procedure Test_Dynamic_Suspension (T : in out Any_Test);
-   procedure Test_Suspension_As_Jitter (T : in out Any_Test);
-   procedure Test_Own_Suspension (T : in out Any_Test);
-   procedure Test_Tail (T : in out Any_Test);
-   procedure Test_Overload (T : in out Any_Test);
-   procedure Test_No_Jitter_Known (T : in out Any_Test);
-
-   procedure Compare
      (Who : Activity_Index; Result : Bound; Answer : Integer) is
    begin
       if Answer = Unbounded then
@@ -71,6 +37,7 @@ package body Response_Times_Tests is
    end Compare;
 
    procedure Check (Set : Activity_Array; Answers : Answer_Array) is
+      --  Pre-emptive responses
       Result : Bound;
    begin
       for I in Set'Range loop
@@ -81,6 +48,8 @@ package body Response_Times_Tests is
 
    procedure Check_Sleepers (Set : Activity_Array; Answers : Answer_Array)
    is
+      --  The same where some sleep: most urgent first, as the bound of one is
+      --  needed for the next
       Known  : Activity_Array := Set;
       Result : Bound;
    begin
@@ -92,6 +61,7 @@ package body Response_Times_Tests is
    end Check_Sleepers;
 
    procedure Check_Line (Set : Activity_Array; Answers : Answer_Array) is
+      --  The same of a line
       Result : Bound;
    begin
       for I in Set'Range loop
@@ -100,8 +70,7 @@ package body Response_Times_Tests is
       end loop;
    end Check_Line;
 
-   procedure Test_Liu_Layland (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Liu_Layland is
    begin
       --  C. L. Liu, J. W. Layland, Scheduling Algorithms for Multi-
       --  programming in a Hard-Real-Time Environment, JACM 20 (1973),
@@ -116,48 +85,39 @@ package body Response_Times_Tests is
       Check ((Item (1, 2, 1), Item (2, 5, 2)), (3, 2));
    end Test_Liu_Layland;
 
-   ---------------------------
-   -- Test_Burns_Wellings_A --
-   ---------------------------
-
    --  A. Burns, A. Wellings, Real-Time Systems and Programming Languages,
    --  the chapter on scheduling: the example task sets A to C of the
    --  utilisation-based test, D of the response-time analysis
 
-   procedure Test_Burns_Wellings_A (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Burns_Wellings_A is
    begin
       --  fails the test at 0.82, and task a misses its deadline of 50
       Check ((Item (1, 50, 12), Item (2, 40, 10), Item (3, 30, 10)),
              (52, 20, 10));
    end Test_Burns_Wellings_A;
 
-   procedure Test_Burns_Wellings_B (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Burns_Wellings_B is
    begin
       --  passes at 0.775
       Check ((Item (1, 80, 32), Item (2, 40, 5), Item (3, 16, 4)),
              (58, 9, 4));
    end Test_Burns_Wellings_B;
 
-   procedure Test_Burns_Wellings_C (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Burns_Wellings_C is
    begin
       --  at 1.0, and yet all deadlines are met, the last at 80 of 80
       Check ((Item (1, 80, 40), Item (2, 40, 10), Item (3, 20, 5)),
              (80, 15, 5));
    end Test_Burns_Wellings_C;
 
-   procedure Test_Burns_Wellings_D (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Burns_Wellings_D is
    begin
       --  worked in the text: 3, 6, and 20 after 5, 11, 14, 17
       Check ((Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5)),
              (3, 6, 20));
    end Test_Burns_Wellings_D;
 
-   procedure Test_Sha_Goodenough (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Sha_Goodenough is
    begin
       --  L. Sha, J. B. Goodenough, Real-Time Scheduling Theory and Ada,
       --  IEEE Computer 23 (1990): with C1 = 40 beyond the bound for three
@@ -166,8 +126,7 @@ package body Response_Times_Tests is
              (40, 80, 300));
    end Test_Sha_Goodenough;
 
-   procedure Test_Lehoczky (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Lehoczky is
    begin
       --  J. P. Lehoczky, Fixed Priority Scheduling of Periodic Task Sets
       --  with Arbitrary Deadlines, RTSS 1990: the releases of task 2 take
@@ -175,8 +134,7 @@ package body Response_Times_Tests is
       Check ((Item (2, 70, 26), Item (1, 100, 62)), (26, 118));
    end Test_Lehoczky;
 
-   procedure Test_CAN (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_CAN is
    begin
       --  R. I. Davis, A. Burns, R. J. Bril, J. J. Lukkien, Controller Area
       --  Network (CAN) schedulability analysis: refuted, revisited and
@@ -189,8 +147,7 @@ package body Response_Times_Tests is
          (2_000, 3_000, 3_500));
    end Test_CAN;
 
-   procedure Test_Ceilings (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ceilings is
       --  Burns and Wellings, the exercise on the priority ceiling protocol:
       --  tasks a to e, resources R1 to R6 of 50, 150, 75, 300, 250, 175 ms;
       --  a uses R3, b R1 and R2, c R3, R4 and R5, d R1, R5 and R6, e R2
@@ -214,8 +171,7 @@ package body Response_Times_Tests is
       end loop;
    end Test_Ceilings;
 
-   procedure Test_Ceiling_Table (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ceiling_Table is
       --  G. Buttazzo, Hard Real-Time Computing Systems, the chapter on
       --  resource access: four tasks, three semaphores, under the priority
       --  ceiling protocol
@@ -235,8 +191,7 @@ package body Response_Times_Tests is
       end loop;
    end Test_Ceiling_Table;
 
-   procedure Test_Jitter (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Jitter is
       Result : Bound;
    begin
       --  by hand: releases of the first may be 8 apart, so two of them meet
@@ -251,8 +206,7 @@ package body Response_Times_Tests is
       Assert (Result.Local = 10, Result.Local'Image);
    end Test_Jitter;
 
-   procedure Test_Blocking (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Blocking is
       Set : Activity_Array :=
         (Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5));
    begin
@@ -263,8 +217,7 @@ package body Response_Times_Tests is
       Check (Set, (5, 11, 20));
    end Test_Blocking;
 
-   procedure Test_Processors (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Processors is
       Set : Activity_Array :=
         (Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5));
    begin
@@ -272,8 +225,7 @@ package body Response_Times_Tests is
       Check (Set, (3, 3, 8));
    end Test_Processors;
 
-   procedure Test_Dynamic_Suspension (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Dynamic_Suspension is
    begin
       --  J.-J. Chen, G. Nelissen, W.-H. Huang, A Unifying Response Time
       --  Analysis Framework for Dynamic Self-Suspending Tasks, ECRTS 2016,
@@ -290,8 +242,7 @@ package body Response_Times_Tests is
          (Unbounded, Unbounded));
    end Test_Dynamic_Suspension;
 
-   procedure Test_Suspension_As_Jitter (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Suspension_As_Jitter is
       Set : Activity_Array :=
         (Sleeper (3, 2, 1, 0), Sleeper (2, 20, 5, 5),
          Sleeper (1, 1_000, 1, 0));
@@ -308,8 +259,7 @@ package body Response_Times_Tests is
       Check_Sleepers (Set, (1, 10, 12));
    end Test_Suspension_As_Jitter;
 
-   procedure Test_Own_Suspension (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Own_Suspension is
       Item   : Activity := Sleeper (1, 10, 4, 3);
       Result : Bound;
    begin
@@ -321,8 +271,7 @@ package body Response_Times_Tests is
       Assert (Result.Local = 19, Result.Local'Image);
    end Test_Own_Suspension;
 
-   procedure Test_Tail (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Tail is
       First : Activity := Item (2, 10, 4);
    begin
       --  by hand: 3 of the release before and a whole one, then 3
@@ -330,8 +279,7 @@ package body Response_Times_Tests is
       Check ((First, Item (1, 50, 3)), (4, 10));
    end Test_Tail;
 
-   procedure Test_Overload (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Overload is
       Result : Bound;
    begin
       Check ((Item (2, 10, 6), Item (1, 20, 9)), (6, Unbounded));
@@ -342,8 +290,7 @@ package body Response_Times_Tests is
       Check ((Item (2, 10, 5), Item (1, 20, 10)), (5, 20));
    end Test_Overload;
 
-   procedure Test_No_Jitter_Known (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_No_Jitter_Known is
       Early : constant Activity := Item (3, 10_000, 1);
       Late  : Activity := Item (2, 10_000, 1, Jitter => Horizon);
       Last  : constant Activity := Item (1, 10_000, 2);
@@ -354,46 +301,31 @@ package body Response_Times_Tests is
       Check ((Early, Last, Late), (1, 3, Unbounded));
    end Test_No_Jitter_Known;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_Liu_Layland'Access, "Liu and Layland 1973");
-      Register_Routine
-        (T, Test_Burns_Wellings_A'Access, "Burns and Wellings, set A");
-      Register_Routine
-        (T, Test_Burns_Wellings_B'Access, "Burns and Wellings, set B");
-      Register_Routine
-        (T, Test_Burns_Wellings_C'Access, "Burns and Wellings, set C");
-      Register_Routine
-        (T, Test_Burns_Wellings_D'Access, "Burns and Wellings, set D");
-      Register_Routine
-        (T, Test_Sha_Goodenough'Access, "Sha and Goodenough 1990");
-      Register_Routine (T, Test_Lehoczky'Access, "Lehoczky 1990");
-      Register_Routine (T, Test_CAN'Access, "Davis and others 2007");
-      Register_Routine
-        (T, Test_Ceilings'Access, "Burns and Wellings, ceilings");
-      Register_Routine (T, Test_Ceiling_Table'Access, "Buttazzo, ceilings");
-      Register_Routine (T, Test_Jitter'Access, "release jitter");
-      Register_Routine (T, Test_Blocking'Access, "blocking");
-      Register_Routine (T, Test_Processors'Access, "two processors");
-      Register_Routine
-        (T, Test_Dynamic_Suspension'Access,
-         "Chen, Nelissen and Huang 2016, suspensions");
-      Register_Routine
-        (T, Test_Suspension_As_Jitter'Access,
-         "Chen and others 2019, suspensions are no jitter");
-      Register_Routine
-        (T, Test_Own_Suspension'Access,
-         "each release of the busy period sleeps");
-      Register_Routine
-        (T, Test_Tail'Access, "what is left of the release before");
-      Register_Routine (T, Test_Overload'Access, "overload has no bound");
-      Register_Routine
-        (T, Test_No_Jitter_Known'Access,
-         "nor has what waits for something without one");
-   end Register_Tests;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Response_Times"));
+      Add_Test ("Liu and Layland 1973", Test_Liu_Layland'Access);
+      Add_Test ("Burns and Wellings, set A", Test_Burns_Wellings_A'Access);
+      Add_Test ("Burns and Wellings, set B", Test_Burns_Wellings_B'Access);
+      Add_Test ("Burns and Wellings, set C", Test_Burns_Wellings_C'Access);
+      Add_Test ("Burns and Wellings, set D", Test_Burns_Wellings_D'Access);
+      Add_Test ("Sha and Goodenough 1990", Test_Sha_Goodenough'Access);
+      Add_Test ("Lehoczky 1990", Test_Lehoczky'Access);
+      Add_Test ("Davis and others 2007", Test_CAN'Access);
+      Add_Test ("Burns and Wellings, ceilings", Test_Ceilings'Access);
+      Add_Test ("Buttazzo, ceilings", Test_Ceiling_Table'Access);
+      Add_Test ("release jitter", Test_Jitter'Access);
+      Add_Test ("blocking", Test_Blocking'Access);
+      Add_Test ("two processors", Test_Processors'Access);
+      Add_Test ("Chen, Nelissen and Huang 2016, suspensions",
+                Test_Dynamic_Suspension'Access);
+      Add_Test ("Chen and others 2019, suspensions are no jitter",
+                Test_Suspension_As_Jitter'Access);
+      Add_Test ("each release of the busy period sleeps",
+                Test_Own_Suspension'Access);
+      Add_Test ("what is left of the release before", Test_Tail'Access);
+      Add_Test ("overload has no bound", Test_Overload'Access);
+      Add_Test ("nor has what waits for something without one",
+                Test_No_Jitter_Known'Access);
+   end Add_Tests;
 
 end Response_Times_Tests;

@@ -4,11 +4,11 @@
 
 with Response_Times_Tests;
 with Supervisor_Model_Tests;
-with Unit_Runs;
+with Unit_Runs; use Unit_Runs;
 
 procedure Schedulability_Unit_Tests is
 begin
-   Unit_Runs.Add (new Response_Times_Tests.Test_Case);
-   Unit_Runs.Add (new Supervisor_Model_Tests.Test_Case);
-   Unit_Runs.Run;
+   Add ("Response_Times", Response_Times_Tests.Add_Tests'Access);
+   Add ("Supervisor_Model", Supervisor_Model_Tests.Add_Tests'Access);
+   Run;
 end Schedulability_Unit_Tests;

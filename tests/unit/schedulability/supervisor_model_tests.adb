@@ -12,38 +12,14 @@ with Budgets;          use Budgets;
 with Response_Times;   use Response_Times;
 with Schedule;
 with Supervisor_Model; use Supervisor_Model;
+with Unit_Runs; use Unit_Runs;
 
 package body Supervisor_Model_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    Usual : constant Load := (others => <>);
 
-   function Reduced (Name : String) return String;
-   --  In lower case, without underlines
-
-   function Is_Analysed (Name : String) return Boolean is
-     (for some A in Activity_Name =>
-        Reduced (Task_Name (A)) = Reduced (Name));
-
-   procedure Check_Tasks (File_Name : String; Found : in out Natural);
-   --  The tasks that it declares are analysed
-
-   procedure Test_Complete (T : in out Any_Test);
-   procedure Test_Ceilings (T : in out Any_Test);
-   procedure Test_Here (T : in out Any_Test);
-   procedure Test_Cortex (T : in out Any_Test);
-   procedure Test_Flood (T : in out Any_Test);
-   procedure Test_Missions (T : in out Any_Test);
-   procedure Test_Late_Mission (T : in out Any_Test);
-   procedure Test_Orders (T : in out Any_Test);
-   procedure Test_Report (T : in out Any_Test);
-   procedure Test_No_Bound (T : in out Any_Test);
-   procedure Test_Slow_Robot (T : in out Any_Test);
-   procedure Test_Slow_Kernel (T : in out Any_Test);
-   procedure Test_Slow_Processor (T : in out Any_Test);
-
    function Reduced (Name : String) return String is
+      --  In lower case, without underlines
       Result : String (Name'Range);
       Last   : Natural := Name'First - 1;
    begin
@@ -56,7 +32,12 @@ package body Supervisor_Model_Tests is
       return Result (Name'First .. Last);
    end Reduced;
 
+   function Is_Analysed (Name : String) return Boolean is
+     (for some A in Activity_Name =>
+        Reduced (Task_Name (A)) = Reduced (Name));
+
    procedure Check_Tasks (File_Name : String; Found : in out Natural) is
+      --  The tasks that it declares are analysed
       Head : constant String := "task ";
       File : File_Type;
    begin
@@ -78,8 +59,7 @@ package body Supervisor_Model_Tests is
       Close (File);
    end Check_Tasks;
 
-   procedure Test_Complete (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Complete is
       Found : Natural := 0;
    begin
       Check_Tasks ("mission_tasks.ads", Found);
@@ -99,15 +79,13 @@ package body Supervisor_Model_Tests is
       end loop;
    end Test_Complete;
 
-   procedure Test_Ceilings (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ceilings is
    begin
       Assert (Ceilings_Hold (Of_The_Table), "table");
       Assert (Ceilings_Hold (Of_The_Report), "report");
    end Test_Ceilings;
 
-   procedure Test_Here (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Here is
       Result : Analysis;
    begin
       Analyse
@@ -116,8 +94,7 @@ package body Supervisor_Model_Tests is
       Assert (All_Met (Result), "a deadline is missed");
    end Test_Here;
 
-   procedure Test_Cortex (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Cortex is
       Result : Analysis;
    begin
       Analyse
@@ -127,8 +104,7 @@ package body Supervisor_Model_Tests is
       Assert (Deadlines_Met (Result), "a deadline is missed");
    end Test_Cortex;
 
-   procedure Test_Flood (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Flood is
       On    : constant Machine :=
         (Percent => 100 * Cortex_A53_Factor, Second | Many => True);
       Under : Load := Usual;
@@ -156,16 +132,13 @@ package body Supervisor_Model_Tests is
          "newcomers do not wait");
    end Test_Flood;
 
-   procedure Test_Missions (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Missions is
       Beside  : constant Load := (Mission => True, others => <>);
       Without : Analysis;
       Result  : Analysis;
 
-      procedure Check_Longer (Name : Requirement_Name);
-      --  It waits for what a mission has in progress
-
       procedure Check_Longer (Name : Requirement_Name) is
+         --  It waits for what a mission has in progress
       begin
          Assert
            (Result.Requirements (Name).Bound
@@ -199,8 +172,7 @@ package body Supervisor_Model_Tests is
          "the order is in time on the A53: claim it");
    end Test_Missions;
 
-   procedure Test_Late_Mission (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Late_Mission is
       Limit  : constant := 50_000;
       --  Schedule.Mission_Order_Limit
       Result : Analysis;
@@ -223,24 +195,19 @@ package body Supervisor_Model_Tests is
          "a slow robot is not seen");
    end Test_Late_Mission;
 
-   procedure Test_Orders (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check (Name : Activity_Name; Result : Analysis);
-      --  It waits for an order and for a task that is done, but for less than
-      --  those of all tasks at once
+   procedure Test_Orders is
 
       procedure Check (Name : Activity_Name; Result : Analysis) is
+         --  It waits for an order and for a task that is done, but for less
+         --  than those of all tasks at once
 
          Left_Out : constant array (1 .. 4) of Row_Index :=
            (Row (Stop), Row (Newcomer), Orders_Row, Done_Row);
          Each_One : Activity_Set := Result.Set;
          --  Without these
 
-         function Wait_With_Queries return Span;
-         --  If there were no other orders
-
          function Wait_With_Queries return Span is
+            --  If there were no other orders
             Set   : Activity_Set := Each_One;
             Value : Bound;
          begin
@@ -282,8 +249,7 @@ package body Supervisor_Model_Tests is
       Check (Reset_Order, Result);
    end Test_Orders;
 
-   procedure Test_Report (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Report is
       Result : Analysis;
    begin
       Analyse
@@ -293,8 +259,7 @@ package body Supervisor_Model_Tests is
       Assert (Met (Result.Requirements (F2_Admitted)), "F2");
    end Test_Report;
 
-   procedure Test_No_Bound (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_No_Bound is
       Result : Analysis;
    begin
       Analyse
@@ -308,8 +273,7 @@ package body Supervisor_Model_Tests is
          "an image is sent in time that is not made in time");
    end Test_No_Bound;
 
-   procedure Test_Slow_Robot (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Slow_Robot is
       Result : Analysis;
    begin
       Analyse
@@ -321,8 +285,7 @@ package body Supervisor_Model_Tests is
               "the processor's part does not depend on the robot");
    end Test_Slow_Robot;
 
-   procedure Test_Slow_Kernel (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Slow_Kernel is
       Result : Analysis;
    begin
       Analyse
@@ -331,8 +294,7 @@ package body Supervisor_Model_Tests is
       Assert (not Met (Result.Requirements (F12_First_Byte)), "F12");
    end Test_Slow_Kernel;
 
-   procedure Test_Slow_Processor (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Slow_Processor is
       Result : Analysis;
    begin
       Analyse
@@ -341,34 +303,22 @@ package body Supervisor_Model_Tests is
       Assert (not Deadlines_Met (Result), "nothing is missed");
    end Test_Slow_Processor;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine
-        (T, Test_Complete'Access, "every task of src/tasks is analysed");
-      Register_Routine
-        (T, Test_Ceilings'Access, "no ceiling below a caller");
-      Register_Routine (T, Test_Here'Access, "every deadline is met");
-      Register_Routine (T, Test_Cortex'Access, "on a Cortex-A53 too");
-      Register_Routine
-        (T, Test_Flood'Access, "a flood of newcomers is borne");
-      Register_Routine
-        (T, Test_Missions'Access, "an order follows its image in time");
-      Register_Routine
-        (T, Test_Late_Mission'Access, "an order that is late is not sent");
-      Register_Routine
-        (T, Test_Orders'Access, "the monitor's orders come one at a time");
-      Register_Routine
-        (T, Test_Report'Access, "the report's priorities miss F11 and F12");
-      Register_Routine
-        (T, Test_No_Bound'Access, "what is late makes others late");
-      Register_Routine (T, Test_Slow_Robot'Access, "a slow robot is seen");
-      Register_Routine (T, Test_Slow_Kernel'Access, "a slow kernel is seen");
-      Register_Routine
-        (T, Test_Slow_Processor'Access, "a slow processor is seen");
-   end Register_Tests;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Supervisor_Model"));
+      Add_Test ("every task of src/tasks is analysed", Test_Complete'Access);
+      Add_Test ("no ceiling below a caller", Test_Ceilings'Access);
+      Add_Test ("every deadline is met", Test_Here'Access);
+      Add_Test ("on a Cortex-A53 too", Test_Cortex'Access);
+      Add_Test ("a flood of newcomers is borne", Test_Flood'Access);
+      Add_Test ("an order follows its image in time", Test_Missions'Access);
+      Add_Test ("an order that is late is not sent", Test_Late_Mission'Access);
+      Add_Test ("the monitor's orders come one at a time", Test_Orders'Access);
+      Add_Test ("the report's priorities miss F11 and F12",
+                Test_Report'Access);
+      Add_Test ("what is late makes others late", Test_No_Bound'Access);
+      Add_Test ("a slow robot is seen", Test_Slow_Robot'Access);
+      Add_Test ("a slow kernel is seen", Test_Slow_Kernel'Access);
+      Add_Test ("a slow processor is seen", Test_Slow_Processor'Access);
+   end Add_Tests;
 
 end Supervisor_Model_Tests;

@@ -5,34 +5,14 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Ada.Real_Time;
 with Event;
 with Instants;         use Instants;
+with Unit_Runs; use Unit_Runs;
 
 package body Event_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    package Asked is new Event;
    package Answered is new Event;
 
-   procedure Test_Kept (T : in out Any_Test);
-   procedure Test_Turns (T : in out Any_Test);
-   procedure Test_Until (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Event"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine
-        (T, Test_Kept'Access, "several sets count as one, then it blocks");
-      Register_Routine
-        (T, Test_Turns'Access, "two tasks wake each other, none is lost");
-      Register_Routine
-        (T, Test_Until'Access, "a wait ends with the event or at its time");
-   end Register_Tests;
-
-   procedure Test_Kept (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Kept is
       Pause : constant Duration := 0.05;
       Begun : Instant;
    begin
@@ -55,8 +35,7 @@ package body Event_Tests is
       Assert (Now - Begun >= Pause, "it did not wait for the next set");
    end Test_Kept;
 
-   procedure Test_Turns (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Turns is
       Turns   : constant := 50_000;
       Counted : Natural := 0 with Atomic;
       Wrong   : Natural := 0;
@@ -84,8 +63,7 @@ package body Event_Tests is
               & " times");
    end Test_Turns;
 
-   procedure Test_Until (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Until is
       use Ada.Real_Time;
       Pause   : constant Time_Span := Milliseconds (30);
       Begun   : Time;
@@ -124,5 +102,13 @@ package body Event_Tests is
       Answered.Wait_Until (Time_First, Was_Set);
       Assert (Was_Set, "not taken as the time is over");
    end Test_Until;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("several sets count as one, then it blocks", Test_Kept'Access);
+      Add_Test ("two tasks wake each other, none is lost", Test_Turns'Access);
+      Add_Test ("a wait ends with the event or at its time",
+                Test_Until'Access);
+   end Add_Tests;
 
 end Event_Tests;

@@ -10,6 +10,7 @@ with Vision.Frame_Delivery;
 with Vision.Frame_Slots;
 with Vision.Frame_Store;
 with Vision.Image_Grid;
+with Unit_Runs; use Unit_Runs;
 
 package body Frame_Store_Tests is
 
@@ -18,38 +19,8 @@ package body Frame_Store_Tests is
 
    Period : constant := 100_000;
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Begin_Anew;
-   --  A camera has been opened.
-
-   procedure Check_Newest (Expected : Vision.Frame_Slots.Slot);
-   --  Expected holds the newest image; it is released again.
-
-   procedure Check_None;
-   --  No image waits.
-
-   procedure Test_Newest (T : in out Any_Test);
-   procedure Test_Once (T : in out Any_Test);
-   procedure Test_Always_Free (T : in out Any_Test);
-   procedure Test_End (T : in out Any_Test);
-   procedure Test_In_Turn (T : in out Any_Test);
-   procedure Test_Times (T : in out Any_Test);
-   procedure Test_Reserve (T : in out Any_Test);
-   procedure Test_Wait (T : in out Any_Test);
-   procedure Test_Elapsed (T : in out Any_Test);
-
-   procedure Put (At_Time : Time; Slot : out Vision.Frame_Slots.Slot);
-   --  An image comes
-
-   procedure Claim_Due
-     (Now     : Time;
-      Slot    : out Vision.Frame_Slots.Slot;
-      At_Time : out Time;
-      Reserve : out Boolean);
-   --  What is sent at Now; it is released again
-
    procedure Begin_Anew is
+      --  A camera has been opened.
    begin
       for Slot in Vision.Frame_Slots.Slot loop
          Vision.Frame_Store.Release (Slot);
@@ -58,6 +29,7 @@ package body Frame_Store_Tests is
    end Begin_Anew;
 
    procedure Check_Newest (Expected : Vision.Frame_Slots.Slot) is
+      --  Expected holds the newest image; it is released again.
       Taken : Vision.Frame_Slots.Slot;
       Found : Boolean;
    begin
@@ -69,6 +41,7 @@ package body Frame_Store_Tests is
    end Check_Newest;
 
    procedure Check_None is
+      --  No image waits.
       Taken : Vision.Frame_Slots.Slot;
       Found : Boolean;
    begin
@@ -82,6 +55,7 @@ package body Frame_Store_Tests is
       At_Time : out Time;
       Reserve : out Boolean)
    is
+      --  What is sent at Now; it is released again
       Found, Coming : Boolean;
    begin
       Vision.Frame_Store.Claim_Due
@@ -91,34 +65,13 @@ package body Frame_Store_Tests is
    end Claim_Due;
 
    procedure Put (At_Time : Time; Slot : out Vision.Frame_Slots.Slot) is
+      --  An image comes
    begin
       Vision.Frame_Store.Claim_Empty (Slot);
       Vision.Frame_Store.Publish (Slot, At_Time);
    end Put;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Vision.Frame_Store"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Newest'Access, "the newest image wins");
-      Register_Routine (T, Test_Once'Access, "each image is taken once");
-      Register_Routine (T, Test_Always_Free'Access,
-                        "an empty slot beside owner, two that wait, readers");
-      Register_Routine (T, Test_End'Access,
-                        "a delivery that ends drops what waits");
-      Register_Routine (T, Test_In_Turn'Access, "every slot in its turn");
-      Register_Routine (T, Test_Times'Access, "when the last image came");
-      Register_Routine (T, Test_Reserve'Access,
-                        "what has just come is kept in reserve");
-      Register_Routine (T, Test_Wait'Access,
-                        "who waits for an image is told of what ends it");
-      Register_Routine (T, Test_Elapsed'Access, "times between images");
-   end Register_Tests;
-
-   procedure Test_Always_Free (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Always_Free is
       type Slot_Set is array (Vision.Frame_Slots.Slot) of Boolean;
       Held  : Slot_Set := (others => False);
       Slot  : Vision.Frame_Slots.Slot;
@@ -157,8 +110,7 @@ package body Frame_Store_Tests is
       Assert (Found, "the newest waits still");
    end Test_Always_Free;
 
-   procedure Test_End (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_End is
       Slot  : Vision.Frame_Slots.Slot;
       Found : Boolean;
    begin
@@ -187,8 +139,7 @@ package body Frame_Store_Tests is
       Vision.Frame_Store.Release (Slot);
    end Test_End;
 
-   procedure Test_In_Turn (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_In_Turn is
       Held, Slot, Last : Vision.Frame_Slots.Slot;
 
       function Next
@@ -211,8 +162,7 @@ package body Frame_Store_Tests is
       end loop;
    end Test_In_Turn;
 
-   procedure Test_Elapsed (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Elapsed is
       Begun : constant Time := Clock;
    begin
       Assert (Vision.Frame_Delivery.Elapsed (Begun, Begun) = 0, "none");
@@ -225,8 +175,7 @@ package body Frame_Store_Tests is
                 = Vision.Image_Grid.Microseconds'Last, "more than there is");
    end Test_Elapsed;
 
-   procedure Test_Reserve (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Reserve is
       Begun                : constant Time := Clock;
       First, Second, Third : Vision.Frame_Slots.Slot;
       Slot                 : Vision.Frame_Slots.Slot;
@@ -278,8 +227,7 @@ package body Frame_Store_Tests is
       Check_None;
    end Test_Reserve;
 
-   procedure Test_Wait (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Wait is
       Begun   : constant Time := Clock;
       Slot    : Vision.Frame_Slots.Slot;
       At_Time : Time;
@@ -287,10 +235,8 @@ package body Frame_Store_Tests is
       Found   : Boolean;
       Coming  : Boolean;
 
-      procedure Begin_Wait (Expected : Boolean);
-      --  Nothing is due; Expected: something is still to come
-
       procedure Begin_Wait (Expected : Boolean) is
+         --  Nothing is due; Expected: something is still to come
       begin
          Vision.Frame_Store.Claim_Due
            (Begun, Period, Slot, At_Time, Reserve, Found, Coming);
@@ -319,8 +265,7 @@ package body Frame_Store_Tests is
       Begin_Wait (Expected => False);
    end Test_Wait;
 
-   procedure Test_Newest (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Newest is
       First, Second, Third, Other : Vision.Frame_Slots.Slot;
       Is_First_Free               : Boolean := False;
    begin
@@ -348,8 +293,7 @@ package body Frame_Store_Tests is
       Assert (Other in Second | Third, "and the one before it is dropped");
    end Test_Newest;
 
-   procedure Test_Once (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Once is
       Slot, Taken, Next : Vision.Frame_Slots.Slot;
       Found             : Boolean;
    begin
@@ -369,16 +313,13 @@ package body Frame_Store_Tests is
       Check_Newest (Next);
    end Test_Once;
 
-   procedure Test_Times (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Times is
       Begun : constant Time := Clock;
       Later : constant Time := Begun + Milliseconds (40);
       Slot  : Vision.Frame_Slots.Slot;
 
-      procedure Check (From : Time; What : String);
-      --  The time of silence counts from From
-
       procedure Check (From : Time; What : String) is
+         --  The time of silence counts from From
          Silent : Boolean;
       begin
          Vision.Frame_Store.Get_Silent
@@ -400,5 +341,20 @@ package body Frame_Store_Tests is
       Vision.Frame_Store.Publish (Slot, Later + Milliseconds (40));
       Check (Later, "none that is too late");
    end Test_Times;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("the newest image wins", Test_Newest'Access);
+      Add_Test ("each image is taken once", Test_Once'Access);
+      Add_Test ("an empty slot beside owner, two that wait, readers",
+                Test_Always_Free'Access);
+      Add_Test ("a delivery that ends drops what waits", Test_End'Access);
+      Add_Test ("every slot in its turn", Test_In_Turn'Access);
+      Add_Test ("when the last image came", Test_Times'Access);
+      Add_Test ("what has just come is kept in reserve", Test_Reserve'Access);
+      Add_Test ("who waits for an image is told of what ends it",
+                Test_Wait'Access);
+      Add_Test ("times between images", Test_Elapsed'Access);
+   end Add_Tests;
 
 end Frame_Store_Tests;

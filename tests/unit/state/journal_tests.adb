@@ -6,20 +6,12 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Journal;
 with Options;
 with Texts;
+with Unit_Runs; use Unit_Runs;
 
 package body Journal_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Check (Text : String);
-   --  The oldest line.
-
-   procedure Test_Order (T : in out Any_Test);
-   procedure Test_Level (T : in out Any_Test);
-   procedure Test_Full (T : in out Any_Test);
-   procedure Test_Long (T : in out Any_Test);
-
    procedure Check (Text : String) is
+      --  The oldest line.
       Item  : Journal.Line;
       Count : Natural;
    begin
@@ -31,21 +23,7 @@ package body Journal_Tests is
       Journal.Written;
    end Check;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Journal"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Order'Access, "first in first out");
-      Register_Routine (T, Test_Level'Access, "what is not serious enough");
-      Register_Routine (T, Test_Long'Access, "a long line goes on");
-      Register_Routine (T, Test_Full'Access,
-                        "room for 256, then it says how many are missing");
-   end Register_Tests;
-
-   procedure Test_Full (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Full is
       Count : Natural;
    begin
       for I in 1 .. Journal.Capacity + 3 loop
@@ -61,8 +39,7 @@ package body Journal_Tests is
       Assert (Count = 0, "empty");
    end Test_Full;
 
-   procedure Test_Level (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Level is
       Count : Natural;
    begin
       Journal.Put (Options.Debug, "too much");
@@ -74,8 +51,7 @@ package body Journal_Tests is
       Check ("wanted");
    end Test_Level;
 
-   procedure Test_Long (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Long is
       Full : constant String (1 .. Journal.Max_Text) := (others => 'f');
    begin
       Journal.Put (Options.Info, Full & Full & "!");
@@ -88,8 +64,7 @@ package body Journal_Tests is
       Check ("");
    end Test_Long;
 
-   procedure Test_Order (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Order is
    begin
       Journal.Put (Options.Info, "one");
       Journal.Put (Options.Error, "two" & ASCII.LF);
@@ -98,5 +73,14 @@ package body Journal_Tests is
       Check ("two?");
       Check ("three");
    end Test_Order;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("first in first out", Test_Order'Access);
+      Add_Test ("what is not serious enough", Test_Level'Access);
+      Add_Test ("a long line goes on", Test_Long'Access);
+      Add_Test ("room for 256, then it says how many are missing",
+                Test_Full'Access);
+   end Add_Tests;
 
 end Journal_Tests;

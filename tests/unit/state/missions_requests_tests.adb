@@ -6,29 +6,12 @@ with Missions;         use Missions;
 with Missions.Requests;
 with Monitor.Protocol;
 with Orders;           use Orders;
+with Unit_Runs; use Unit_Runs;
 
 package body Missions_Requests_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Put (Number : Ticket; Points : Point_Count; Taken : Boolean);
-   --  Asks for a mission, which is Taken or stays with the caller
-
-   procedure Test_One (T : in out Any_Test);
-   procedure Test_Wait (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Missions.Requests"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_One'Access,
-                        "none beside one that waits or is under way");
-      Register_Routine (T, Test_Wait'Access, "a mission wakes its task");
-   end Register_Tests;
-
    procedure Put (Number : Ticket; Points : Point_Count; Taken : Boolean) is
+      --  Asks for a mission, which is Taken or stays with the caller
       Order : Orders.Order :=
         (Number  => Number,
          Message => (Monitor.Protocol.Follow_Pixels, 0),
@@ -40,8 +23,7 @@ package body Missions_Requests_Tests is
       Assert (Order.Owed /= Taken, "taken:" & Number'Image);
    end Put;
 
-   procedure Test_One (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_One is
       Order : Orders.Order;
       What  : Path;
    begin
@@ -59,8 +41,7 @@ package body Missions_Requests_Tests is
       Missions.Requests.Release;
    end Test_One;
 
-   procedure Test_Wait (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Wait is
       Order : Orders.Order;
       What  : Path;
 
@@ -77,5 +58,11 @@ package body Missions_Requests_Tests is
       Assert (Order.Number = 9 and then What.Count = 64, "not that mission");
       Missions.Requests.Release;
    end Test_Wait;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("none beside one that waits or is under way", Test_One'Access);
+      Add_Test ("a mission wakes its task", Test_Wait'Access);
+   end Add_Tests;
 
 end Missions_Requests_Tests;

@@ -6,23 +6,14 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Order_Ports;
 with Orders;           use Orders;
 with Schedule;
+with Unit_Runs; use Unit_Runs;
 
 package body Order_Ports_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    package Port is new Order_Ports (Schedule.Th_Move);
 
-   procedure Put (Number : Ticket);
-
-   procedure Check (Number : Ticket);
-   --  The next order has Number.
-
-   procedure Test_Order (T : in out Any_Test);
-   procedure Test_Full (T : in out Any_Test);
-   procedure Test_Clear (T : in out Any_Test);
-
    procedure Check (Number : Ticket) is
+      --  The next order has Number.
       Item : Order;
    begin
       Port.Wait (Item);
@@ -30,25 +21,13 @@ package body Order_Ports_Tests is
               Number'Image & " expected, not" & Item.Number'Image);
    end Check;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Order_Ports"));
-
    procedure Put (Number : Ticket) is
       Item : Order := (Number => Number, Owed => True, others => <>);
    begin
       Port.Put (Item);
    end Put;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Order'Access, "first in first out");
-      Register_Routine (T, Test_Full'Access, "room for 256, and no more");
-      Register_Routine (T, Test_Clear'Access, "orders that are forgotten");
-   end Register_Tests;
-
-   procedure Test_Clear (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Clear is
    begin
       Port.Clear;
       Put (1);
@@ -58,8 +37,7 @@ package body Order_Ports_Tests is
       Check (3);
    end Test_Clear;
 
-   procedure Test_Full (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Full is
    begin
       Port.Clear;
 
@@ -78,8 +56,7 @@ package body Order_Ports_Tests is
       end loop;
    end Test_Full;
 
-   procedure Test_Order (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Order is
    begin
       Port.Clear;
       Put (1);
@@ -89,5 +66,12 @@ package body Order_Ports_Tests is
       Check (2);
       Check (3);
    end Test_Order;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("first in first out", Test_Order'Access);
+      Add_Test ("room for 256, and no more", Test_Full'Access);
+      Add_Test ("orders that are forgotten", Test_Clear'Access);
+   end Add_Tests;
 
 end Order_Ports_Tests;

@@ -12,33 +12,17 @@ with Monitor.Outbox;
 with Monitor.Protocol;
 with Monitor.Send_Order;     use Monitor.Send_Order;
 with Orders;                 use Orders;
+with Unit_Runs; use Unit_Runs;
 
 package body Outbox_Tests is
 
    use all type Monitor.Protocol.Answer_Kind;
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    Made_Here : Message_Access := new Message;  --  to be filled next
    Sent_Here : Message_Access := new Message;  --  taken last
 
-   procedure Begin_Anew;
-   --  A session with nothing in it.
-
-   procedure Check (Kind : Choice; Image : String := "");
-   --  What is taken next; the image's text.
-
-   procedure Fill (Text : String);
-
-   procedure Put_Picture (Text : String);
-   --  A periodic image.
-
-   procedure Test_Images (T : in out Any_Test);
-   procedure Test_Arena (T : in out Any_Test);
-   procedure Test_Answers (T : in out Any_Test);
-   procedure Test_Mission (T : in out Any_Test);
-
    procedure Begin_Anew is
+      --  A session with nothing in it.
       Next : Ticket;
    begin
       Monitor.Outbox.Close_Session (Next);
@@ -47,6 +31,7 @@ package body Outbox_Tests is
    end Begin_Anew;
 
    procedure Check (Kind : Choice; Image : String := "") is
+      --  What is taken next; the image's text.
       Next : Monitor.Mailboxes.Item;
       Gap  : Monitor.Send_Order.Milliseconds;
    begin
@@ -65,10 +50,8 @@ package body Outbox_Tests is
       Made_Here.Data (1 .. Text'Length) := Text;
    end Fill;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Monitor.Outbox"));
-
    procedure Put_Picture (Text : String) is
+      --  A periodic image.
       Made : Monitor.Mailboxes.Generation;
    begin
       Monitor.Outbox.Get_Generation (Made);
@@ -78,17 +61,7 @@ package body Outbox_Tests is
               "another one to be filled");
    end Put_Picture;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Images'Access, "images go round");
-      Register_Routine (T, Test_Arena'Access, "an answer that is an image");
-      Register_Routine (T, Test_Answers'Access, "answers, and who waits");
-      Register_Routine (T, Test_Mission'Access, "a mission's messages");
-   end Register_Tests;
-
-   procedure Test_Answers (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Answers is
       First, Second : Order;
       Count         : Order_Count;
       Any           : Boolean;
@@ -117,8 +90,7 @@ package body Outbox_Tests is
       Assert (not First.Owed and then not Second.Owed, "nothing is owed");
    end Test_Answers;
 
-   procedure Test_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Arena is
       Item : Order;
    begin
       Begin_Anew;
@@ -133,8 +105,7 @@ package body Outbox_Tests is
       end loop;
    end Test_Arena;
 
-   procedure Test_Images (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Images is
       Made : Monitor.Mailboxes.Generation;
    begin
       Begin_Anew;
@@ -151,16 +122,10 @@ package body Outbox_Tests is
       Check (Nothing);
    end Test_Images;
 
-   procedure Test_Mission (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check_Line (Text : String);
-      --  The next message
-
-      procedure Check_Waits (Expected : Boolean);
-      --  An end waits
+   procedure Test_Mission is
 
       procedure Check_Line (Text : String) is
+         --  The next message
          Next : Monitor.Mailboxes.Item;
          Line : Monitor.Mailboxes.Short_Line;
          Gap  : Monitor.Send_Order.Milliseconds;
@@ -175,6 +140,7 @@ package body Outbox_Tests is
       end Check_Line;
 
       procedure Check_Waits (Expected : Boolean) is
+         --  An end waits
          Waits : Boolean;
       begin
          Monitor.Outbox.Get_End_Waits (Waits);
@@ -206,5 +172,13 @@ package body Outbox_Tests is
       Check_Waits (False);
       Check (Nothing);
    end Test_Mission;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("images go round", Test_Images'Access);
+      Add_Test ("an answer that is an image", Test_Arena'Access);
+      Add_Test ("answers, and who waits", Test_Answers'Access);
+      Add_Test ("a mission's messages", Test_Mission'Access);
+   end Add_Tests;
 
 end Outbox_Tests;

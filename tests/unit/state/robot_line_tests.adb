@@ -11,45 +11,9 @@ with Robot.Line_Status;
 with Robot.Requests;   use Robot.Requests;
 with Robot.Session;
 with Schedule;
+with Unit_Runs; use Unit_Runs;
 
 package body Robot_Line_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Ask
-     (From        : Client;
-      Kind        : Message_Kind;
-      Number      : Ticket;
-      Rank, After : Ticket := 0);
-   --  The monitor's order, by way of From.
-
-   procedure Ask_For_Mission
-     (Kind   : Robot.Session.Request_Kind;
-      Number : Ticket;
-      After  : Ticket := 0);
-   --  What the mission asks for that the monitor's order Number began.
-
-   procedure Stop (Number : Ticket; After : Ticket := 0);
-
-   procedure Ask (From : Client; Kind : Robot.Session.Request_Kind);
-   --  A request of From's own.
-
-   procedure Check
-     (From    : Client;
-      Verdict : Verdict_Kind := Carry_Out;
-      Mode    : Robot.Session.Mode_Kind := Robot.Session.Not_Started);
-   --  The next job is From's, and is done; then the robot is in Mode
-
-   procedure Test_Urgency (T : in out Any_Test);
-   procedure Test_Overtaken (T : in out Any_Test);
-   procedure Test_Places (T : in out Any_Test);
-   procedure Test_Out_Of_Date (T : in out Any_Test);
-   procedure Test_Many_Stops (T : in out Any_Test);
-   procedure Test_Of_A_Run (T : in out Any_Test);
-   procedure Test_Hand (T : in out Any_Test);
-   procedure Test_Late (T : in out Any_Test);
-   procedure Test_Mission_In_Turn (T : in out Any_Test);
-   procedure Test_Rights (T : in out Any_Test);
 
    procedure Ask
      (From        : Client;
@@ -57,6 +21,7 @@ package body Robot_Line_Tests is
       Number      : Ticket;
       Rank, After : Ticket := 0)
    is
+      --  The monitor's order, by way of From.
       Order : Orders.Order :=
         (Number, (Kind => Kind, others => <>), Rank, After, Owed => True);
    begin
@@ -64,6 +29,7 @@ package body Robot_Line_Tests is
    end Ask;
 
    procedure Ask (From : Client; Kind : Robot.Session.Request_Kind) is
+      --  A request of From's own.
    begin
       Robot.Line.Put
         (From, Robot.Session.Request'(Kind => Kind, others => <>));
@@ -73,6 +39,7 @@ package body Robot_Line_Tests is
      (Kind   : Robot.Session.Request_Kind;
       Number : Ticket;
       After  : Ticket := 0) is
+      --  What the mission asks for that the monitor's order Number began.
    begin
       Robot.Line.Put_For_Mission
         ((Kind => Kind, others => <>),
@@ -84,6 +51,7 @@ package body Robot_Line_Tests is
       Verdict : Verdict_Kind := Carry_Out;
       Mode    : Robot.Session.Mode_Kind := Robot.Session.Not_Started)
    is
+      --  The next job is From's, and is done; then the robot is in Mode
       Next : Job;
    begin
       Robot.Line.Take (Next);
@@ -94,35 +62,8 @@ package body Robot_Line_Tests is
               "a mission's order is answered when it begins, not here");
       Robot.Line.Finish
         (Next, (Line_Open => True, Mode => Mode, others => <>),
-         (others => <>), Ada.Real_Time.Clock);
+         (others => <>), Ada.Real_Time.Clock, Ada.Real_Time.Clock);
    end Check;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Robot.Line"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Urgency'Access, "the most urgent first");
-      Register_Routine (T, Test_Overtaken'Access,
-                        "a movement older than a stop is void");
-      Register_Routine (T, Test_Places'Access,
-                        "orders that change the session keep their place");
-      Register_Routine (T, Test_Out_Of_Date'Access,
-                        "orders of a session that has ended");
-      Register_Routine (T, Test_Many_Stops'Access,
-                        "stops without end do not starve the reload");
-      Register_Routine (T, Test_Of_A_Run'Access,
-                        "no reload of a run that has ended");
-      Register_Routine (T, Test_Hand'Access,
-                        "an order by hand voids those of older missions");
-      Register_Routine (T, Test_Late'Access,
-                        "a mission's order that waited too long is not sent");
-      Register_Routine (T, Test_Mission_In_Turn'Access,
-                        "a mission's order waits for the orders before it");
-      Register_Routine (T, Test_Rights'Access,
-                        "what ends a mission: another session, a hand");
-   end Register_Tests;
 
    procedure Stop (Number : Ticket; After : Ticket := 0) is
       Order : Orders.Order :=
@@ -131,8 +72,7 @@ package body Robot_Line_Tests is
       Robot.Line.Put_Stop (Order);
    end Stop;
 
-   procedure Test_Many_Stops (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Many_Stops is
    begin
       Robot.Line.Begin_Session (400);
       Ask (Reload, Robot.Session.Reload);
@@ -148,8 +88,7 @@ package body Robot_Line_Tests is
       Check (Move, Out_Of_Date);
    end Test_Many_Stops;
 
-   procedure Test_Hand (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Hand is
    begin
       Robot.Line.Begin_Session (600);
       Ask_For_Mission (Robot.Session.Drive, 600);
@@ -170,10 +109,7 @@ package body Robot_Line_Tests is
       Check (Mission, Out_Of_Date);
    end Test_Hand;
 
-   procedure Test_Late (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Pass_Limit;
+   procedure Test_Late is
 
       procedure Pass_Limit is
          use Ada.Real_Time;
@@ -193,8 +129,7 @@ package body Robot_Line_Tests is
       Check (Mission);
    end Test_Late;
 
-   procedure Test_Mission_In_Turn (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Mission_In_Turn is
    begin
       Robot.Line.Begin_Session (800);
       Ask_For_Mission (Robot.Session.Stop, 802, After => 2);
@@ -211,13 +146,10 @@ package body Robot_Line_Tests is
       Check (Move);
    end Test_Mission_In_Turn;
 
-   procedure Test_Rights (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check_Rights (Over, Hand : Boolean);
-      --  Of the mission of order 901.
+   procedure Test_Rights is
 
       procedure Check_Rights (Over, Hand : Boolean) is
+         --  Of the mission of order 901.
          Is_Over, By_Hand : Boolean;
       begin
          Robot.Line.Get_Rights (901, Is_Over, By_Hand);
@@ -235,13 +167,9 @@ package body Robot_Line_Tests is
       Check_Rights (True, False);
    end Test_Rights;
 
-   procedure Test_Of_A_Run (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Of_A_Run is
       Run  : Robot.Line_Status.Status;
       Same : Boolean;
-
-      procedure Begin_Run;
-      procedure Reload_In (Expected : Boolean);
 
       procedure Begin_Run is
       begin
@@ -273,8 +201,7 @@ package body Robot_Line_Tests is
       Check (Query);
    end Test_Of_A_Run;
 
-   procedure Test_Out_Of_Date (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Out_Of_Date is
    begin
       Robot.Line.Begin_Session (300);
       Ask (Reset, Reset_Robot, 301, 7, 5);
@@ -288,8 +215,7 @@ package body Robot_Line_Tests is
       Check (Open);
    end Test_Out_Of_Date;
 
-   procedure Test_Overtaken (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Overtaken is
    begin
       Robot.Line.Begin_Session (200);
       Ask (Move, Go_Forward, 200, 1, 0);
@@ -300,8 +226,7 @@ package body Robot_Line_Tests is
       Check (Move);
    end Test_Overtaken;
 
-   procedure Test_Places (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Places is
    begin
       Robot.Line.Begin_Session (100);
       Ask (Move, Go_Forward, 103, 4, 3);
@@ -316,8 +241,7 @@ package body Robot_Line_Tests is
       Check (Move, Overtaken);
    end Test_Places;
 
-   procedure Test_Urgency (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Urgency is
    begin
       Robot.Line.Begin_Session (10);
       Ask (Keep_Alive, Robot.Session.Keep_Alive);
@@ -337,5 +261,25 @@ package body Robot_Line_Tests is
       Check (Query);
       Check (Keep_Alive);
    end Test_Urgency;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("the most urgent first", Test_Urgency'Access);
+      Add_Test ("a movement older than a stop is void", Test_Overtaken'Access);
+      Add_Test ("orders that change the session keep their place",
+                Test_Places'Access);
+      Add_Test ("orders of a session that has ended", Test_Out_Of_Date'Access);
+      Add_Test ("stops without end do not starve the reload",
+                Test_Many_Stops'Access);
+      Add_Test ("no reload of a run that has ended", Test_Of_A_Run'Access);
+      Add_Test ("an order by hand voids those of older missions",
+                Test_Hand'Access);
+      Add_Test ("a mission's order that waited too long is not sent",
+                Test_Late'Access);
+      Add_Test ("a mission's order waits for the orders before it",
+                Test_Mission_In_Turn'Access);
+      Add_Test ("what ends a mission: another session, a hand",
+                Test_Rights'Access);
+   end Add_Tests;
 
 end Robot_Line_Tests;

@@ -8,25 +8,11 @@ with Bytes;
 with Pseudo_Terminals;
 with Robot.Serial_Line;
 with Texts;
+with Unit_Runs; use Unit_Runs;
 
 package body Serial_Line_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Test_Wait (T : in out Any_Test);
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Robot.Serial_Line"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine
-        (T, Test_Wait'Access, "a read waits as long as it is told");
-   end Register_Tests;
-
-   procedure Test_Wait (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Wait is
       Line    : Pseudo_Terminals.Line;
       Path    : Texts.Text;
       Reason  : Texts.Text;
@@ -54,5 +40,10 @@ package body Serial_Line_Tests is
       Robot.Serial_Line.Close;
       Pseudo_Terminals.Close (Line);
    end Test_Wait;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("a read waits as long as it is told", Test_Wait'Access);
+   end Add_Tests;
 
 end Serial_Line_Tests;

@@ -11,22 +11,22 @@ with Outbox_Tests;
 with Robot_Line_Tests;
 with Serial_Line_Tests;
 with Trace.Rings_Tests;
-with Unit_Runs;
+with Unit_Runs; use Unit_Runs;
 with Vision_Queue_Tests;
 with Vision_Sightings_Tests;
 
 procedure State_Unit_Tests is
 begin
-   Unit_Runs.Add (new Event_Tests.Test_Case);
-   Unit_Runs.Add (new Frame_Store_Tests.Test_Case);
-   Unit_Runs.Add (new Journal_Tests.Test_Case);
-   Unit_Runs.Add (new Missions_Requests_Tests.Test_Case);
-   Unit_Runs.Add (new Order_Ports_Tests.Test_Case);
-   Unit_Runs.Add (new Outbox_Tests.Test_Case);
-   Unit_Runs.Add (new Robot_Line_Tests.Test_Case);
-   Unit_Runs.Add (new Serial_Line_Tests.Test_Case);
-   Unit_Runs.Add (new Trace.Rings_Tests.Test_Case);
-   Unit_Runs.Add (new Vision_Queue_Tests.Test_Case);
-   Unit_Runs.Add (new Vision_Sightings_Tests.Test_Case);
-   Unit_Runs.Run;
+   Add ("Event", Event_Tests.Add_Tests'Access);
+   Add ("Vision.Frame_Store", Frame_Store_Tests.Add_Tests'Access);
+   Add ("Journal", Journal_Tests.Add_Tests'Access);
+   Add ("Missions.Requests", Missions_Requests_Tests.Add_Tests'Access);
+   Add ("Order_Ports", Order_Ports_Tests.Add_Tests'Access);
+   Add ("Monitor.Outbox", Outbox_Tests.Add_Tests'Access);
+   Add ("Robot.Line", Robot_Line_Tests.Add_Tests'Access);
+   Add ("Robot.Serial_Line", Serial_Line_Tests.Add_Tests'Access);
+   Add ("Trace.Rings", Trace.Rings_Tests.Add_Tests'Access);
+   Add ("Vision.Queue", Vision_Queue_Tests.Add_Tests'Access);
+   Add ("Vision.Sightings", Vision_Sightings_Tests.Add_Tests'Access);
+   Run;
 end State_Unit_Tests;

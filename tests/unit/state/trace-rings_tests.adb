@@ -16,12 +16,11 @@ with Trace.Rings;      use Trace.Rings;
 with Trace_Files;
 with Trace_Json;       use Trace_Json;
 with Trace_Slots;      use Trace_Slots;
+with Unit_Runs; use Unit_Runs;
 
 package body Trace.Rings_Tests is
 
    use type Trace_Files.Nanoseconds;
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Capacity : constant := Trace_Slots.Capacity;
 
@@ -33,37 +32,14 @@ package body Trace.Rings_Tests is
       Label   => (others => Character'Val (Value mod 251)));
    --  All of it depends on Value
 
-   procedure Put (Item : Event);
-
-   procedure Test_Round (T : in out Any_Test);
-   procedure Test_Together (T : in out Any_Test);
-   procedure Test_Overtaken (T : in out Any_Test);
-   procedure Test_File (T : in out Any_Test);
-
    procedure Put (Item : Event) is
       Unused : Event_Number;
    begin
       Put (Item, Unused);
    end Put;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Trace.Rings"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Round'Access, "the newest are kept");
-      Register_Routine
-        (T, Test_Together'Access, "many writers, and a reader at once");
-      Register_Routine
-        (T, Test_Overtaken'Access, "a writer that is overtaken");
-      Register_Routine
-        (T, Test_File'Access, "more than is kept, in time, in the file");
-   end Register_Tests;
-
-   procedure Test_File (T : in out Any_Test) is
+   procedure Test_File is
       use type Ada.Calendar.Time;
-      pragma Unreferenced (T);
       Path    : constant String :=
         Programs.Temporary_Folder & "/trace.json";
       More    : constant := 6_001;
@@ -133,19 +109,11 @@ package body Trace.Rings_Tests is
       Assert (Success and then not Ada.Directories.Exists (Path), "again");
    end Test_File;
 
-   procedure Test_Overtaken (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Overtaken is
       Here  : constant := 3;   --  an event, and its slot
       Item  : Event;
       Found : Boolean;
       State : Slot_State;
-
-      procedure Put_Round (First : Event_Number);
-
-      procedure Expect (Number : Event_Number; Is_There : Boolean);
-
-      procedure Take (Before, After : Slot_State);
-      --  As the writer of event Here does
 
       procedure Put_Round (First : Event_Number) is
       begin
@@ -162,6 +130,7 @@ package body Trace.Rings_Tests is
       end Expect;
 
       procedure Take (Before, After : Slot_State) is
+         --  As the writer of event Here does
       begin
          Ring_Memory.Change (Here, Before, After, State);
          Assert (State = Before, "state" & State'Image);
@@ -198,14 +167,11 @@ package body Trace.Rings_Tests is
          "the newer is gone");
    end Test_Overtaken;
 
-   procedure Test_Round (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Round is
       Item   : Event;
       Found  : Boolean;
       Number : Event_Number;
       Count  : Event_Number;
-
-      procedure Look (Number, Put_So_Far : Event_Number);
 
       procedure Look (Number, Put_So_Far : Event_Number) is
       begin
@@ -237,8 +203,7 @@ package body Trace.Rings_Tests is
       end loop;
    end Test_Round;
 
-   procedure Test_Together (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Together is
       Writers : constant := 4;
       Each    : constant := 1_000_000;
       Near    : constant := 2;
@@ -247,13 +212,8 @@ package body Trace.Rings_Tests is
       Kept    : Natural := 0;
       Count   : Event_Number := 0;
 
-      procedure Look (Back : Event_Number);
-      --  At event Count - Back
-
-      procedure Look_At_Both_Ends;
-      --  At the newest events, and at the oldest, which are overwritten next
-
       procedure Look (Back : Event_Number) is
+         --  At event Count - Back
          Item  : Event;
          Found : Boolean;
       begin
@@ -269,6 +229,8 @@ package body Trace.Rings_Tests is
       end Look;
 
       procedure Look_At_Both_Ends is
+         --  At the newest events, and at the oldest, which are overwritten
+         --  next
       begin
          for Back in Event_Number range 1 .. Near loop
             Get_Count (Count);
@@ -308,5 +270,13 @@ package body Trace.Rings_Tests is
       Assert (Mixed = 0, Mixed'Image & " events mixed of" & Seen'Image);
       Assert (Kept > 0, "nothing is kept");
    end Test_Together;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("the newest are kept", Test_Round'Access);
+      Add_Test ("many writers, and a reader at once", Test_Together'Access);
+      Add_Test ("a writer that is overtaken", Test_Overtaken'Access);
+      Add_Test ("more than is kept, in time, in the file", Test_File'Access);
+   end Add_Tests;
 
 end Trace.Rings_Tests;

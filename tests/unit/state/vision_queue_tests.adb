@@ -5,33 +5,27 @@ with AUnit.Assertions; use AUnit.Assertions;
 
 with Orders;           use Orders;
 with Vision.Queue;
+with Unit_Runs; use Unit_Runs;
 
 package body Vision_Queue_Tests is
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Begin_Anew;
-   --  Nothing is carried out, nothing waits.
-
-   procedure Put (Number : Ticket; At_Once : Boolean);
-
-   procedure Check (Number : Ticket);
-   --  The order under way is done, and the next has Number.
-
-   procedure Check_End;
-   --  The order under way is done, and none follows.
-
-   procedure Test_Order (T : in out Any_Test);
-   procedure Test_Clear (T : in out Any_Test);
-   procedure Test_Full (T : in out Any_Test);
+   procedure Check_End is
+      --  The order under way is done, and none follows.
+      Item : Order;
+   begin
+      Vision.Queue.Next (Item);
+      Assert (not Item.Owed, "none expected, not" & Item.Number'Image);
+   end Check_End;
 
    procedure Begin_Anew is
+      --  Nothing is carried out, nothing waits.
    begin
       Vision.Queue.Clear;
       Check_End;
    end Begin_Anew;
 
    procedure Check (Number : Ticket) is
+      --  The order under way is done, and the next has Number.
       Item : Order;
    begin
       Vision.Queue.Next (Item);
@@ -39,16 +33,6 @@ package body Vision_Queue_Tests is
       Assert (Item.Number = Number,
               Number'Image & " expected, not" & Item.Number'Image);
    end Check;
-
-   procedure Check_End is
-      Item : Order;
-   begin
-      Vision.Queue.Next (Item);
-      Assert (not Item.Owed, "none expected, not" & Item.Number'Image);
-   end Check_End;
-
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Vision.Queue"));
 
    procedure Put (Number : Ticket; At_Once : Boolean) is
       Item : Order := (Number => Number, Owed => True, others => <>);
@@ -58,17 +42,7 @@ package body Vision_Queue_Tests is
               Number'Image & (if At_Once then " at once" else " waits"));
    end Put;
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Order'Access, "one at a time, in order");
-      Register_Routine (T, Test_Clear'Access,
-                        "what is under way outlasts its session");
-      Register_Routine (T, Test_Full'Access, "room for 256");
-   end Register_Tests;
-
-   procedure Test_Clear (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Clear is
    begin
       Begin_Anew;
       Put (1, At_Once => True);
@@ -80,8 +54,7 @@ package body Vision_Queue_Tests is
       Put (4, At_Once => True);
    end Test_Clear;
 
-   procedure Test_Full (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Full is
    begin
       Begin_Anew;
       Put (1000, At_Once => True);
@@ -94,8 +67,7 @@ package body Vision_Queue_Tests is
       Check_End;
    end Test_Full;
 
-   procedure Test_Order (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Order is
    begin
       Begin_Anew;
       Put (1, At_Once => True);
@@ -109,5 +81,12 @@ package body Vision_Queue_Tests is
       Put (5, At_Once => True);
       Check_End;
    end Test_Order;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("one at a time, in order", Test_Order'Access);
+      Add_Test ("what is under way outlasts its session", Test_Clear'Access);
+      Add_Test ("room for 256", Test_Full'Access);
+   end Add_Tests;
 
 end Vision_Queue_Tests;

@@ -5,20 +5,14 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Ada.Real_Time;    use Ada.Real_Time;
 with Vision.Shapes;    use Vision.Shapes;
 with Vision.Sightings; use Vision.Sightings;
+with Unit_Runs; use Unit_Runs;
 
 package body Vision_Sightings_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Two : constant Robot_Array :=
      (1 => (Id => 7, Centre => (1, 2), Direction => (3, 4), Angle => 5),
       2 => (Id => 8, others => <>),
       others => <>);
-
-   procedure Check (Number : Natural; Seen : Boolean; What : String);
-
-   procedure Test_Seen (T : in out Any_Test);
-   procedure Test_Wake (T : in out Any_Test);
 
    procedure Check (Number : Natural; Seen : Boolean; What : String) is
       Now : Sighting;
@@ -31,20 +25,7 @@ package body Vision_Sightings_Tests is
       end if;
    end Check;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Vision.Sightings"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
-   begin
-      Register_Routine (T, Test_Seen'Access,
-                        "exactly one robot is a sighting, others are counted");
-      Register_Routine (T, Test_Wake'Access,
-                        "wakes the task that watches, and only that");
-   end Register_Tests;
-
-   procedure Test_Seen (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Seen is
       Came : constant Time := Clock;
       Now  : Sighting;
    begin
@@ -64,8 +45,7 @@ package body Vision_Sightings_Tests is
       Check (0, False, "closed");
    end Test_Seen;
 
-   procedure Test_Wake (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Wake is
       Pause : constant Time_Span := Milliseconds (30);
       Begun : Time;
    begin
@@ -83,5 +63,13 @@ package body Vision_Sightings_Tests is
       Watch (False);
       Clear;
    end Test_Wake;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("exactly one robot is a sighting, others are counted",
+                Test_Seen'Access);
+      Add_Test ("wakes the task that watches, and only that",
+                Test_Wake'Access);
+   end Add_Tests;
 
 end Vision_Sightings_Tests;

@@ -11,12 +11,11 @@ with Scenes;
 with Vision.Following;
 with Vision.Library; use Vision.Library;
 with Vision.Shapes;  use Vision.Shapes;
+with Unit_Runs; use Unit_Runs;
 
 package body Following_Tests is
 
    use type Vision.Following.Milliseconds;
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Tolerance : constant Micro_Pixels := 20_000;
    --  Between the two: 0.02 pixels, of the 2 that are demanded
@@ -30,43 +29,10 @@ package body Following_Tests is
 
    type Answers is array (Natural range <>) of Answer;
 
-   type Drawing is access procedure (K : Natural);
-   --  Shows image K of a sequence in slot 0
-
-   procedure Compare
-     (Draw     : Drawing;
-      Images   : Positive;
-      Followed : Natural;
-      Marker   : Marker_Kind   := Aruco;
-      Arena    : Arena_Corners := No_Arena);
-   --  Each image's answer is the same, robot by robot, and at least so many
-   --  come from a search in areas. Inside Arena, where it is one
-
-   procedure Follow
-     (Known  : in out Vision.Following.State;
-      Marker : Marker_Kind;
-      Arena  : Arena_Corners;
-      Item   : out Answer;
-      Done   : out Boolean);
-   --  As the supervisor's task does it; Done: in the areas
-
-   procedure Test_Still (T : in out Any_Test);
-   procedure Test_Moving (T : in out Any_Test);
-   procedure Test_Turning (T : in out Any_Test);
-   procedure Test_Noise (T : in out Any_Test);
-   procedure Test_Blur (T : in out Any_Test);
-   procedure Test_Triangle (T : in out Any_Test);
-   procedure Test_Hidden (T : in out Any_Test);
-   procedure Test_Leaving (T : in out Any_Test);
-   procedure Test_Jump (T : in out Any_Test);
-   procedure Test_Newcomer (T : in out Any_Test);
-   procedure Test_Four (T : in out Any_Test);
-   procedure Test_Arena (T : in out Any_Test);
-   procedure Test_Sizes (T : in out Any_Test);
-   procedure Test_Interval (T : in out Any_Test);
-   procedure Test_Plan (T : in out Any_Test);
-   procedure Test_Settle (T : in out Any_Test);
-   procedure Test_Far_Away (T : in out Any_Test);
+   type Sequence is
+     (Still, Moving, Turning, Noise, Blur, With_Triangle, Partly_Hidden,
+      Leaving_And_Back, Put_Elsewhere, Another_Comes, Four_Robots, Small,
+      Large, Crossing_The_Arena);
 
    procedure Follow
      (Known  : in out Vision.Following.State;
@@ -75,6 +41,7 @@ package body Following_Tests is
       Item   : out Answer;
       Done   : out Boolean)
    is
+      --  As the supervisor's task does it; Done: in the areas
       Areas  : Area_Array;
       Number : Robot_Count;
       Result : Status;
@@ -96,13 +63,105 @@ package body Following_Tests is
       end if;
    end Follow;
 
-   procedure Compare
-     (Draw     : Drawing;
-      Images   : Positive;
-      Followed : Natural;
-      Marker   : Marker_Kind   := Aruco;
-      Arena    : Arena_Corners := No_Arena)
+   function Round_Trip (K : Natural; Marker : int := 0)
+     return Scenes.Description
    is
+      --  From wall to wall and back at the largest speed, 3 cm from image to
+      --  image, turning
+      Way : constant Natural := 3 * K mod 140;
+   begin
+      return Scene : Scenes.Description := Pictures.Scene_With
+        (Marker, 17,
+         5.0 + double (if Way < 70 then Way else 140 - Way), 28.0,
+         7.0 * double (K))
+      do
+         Scene.Noise := 3.0;
+         Scene.Seed := unsigned (K);
+      end return;
+   end Round_Trip;
+
+   procedure Draw (What : Sequence; K : Natural) is
+      --  Shows its image K in slot 0
+      Scene : Scenes.Description :=
+        (case What is
+            when Still         =>
+               Pictures.Scene_With (0, 3, 22.3, 41.0, 200.0),
+            when Turning       =>
+               Pictures.Scene_With (0, 850, 60.2, 20.0, 31.0 * double (K)),
+            when Another_Comes =>
+               Pictures.Scene_With (0, 500, 15.0, 15.0, 77.0),
+            when With_Triangle => Round_Trip (K, Marker => 1),
+            when Large         => Round_Trip (5 * K),
+            when others        => Round_Trip (K));
+   begin
+      case What is
+         when Still =>
+            Scene.Noise := 5.0;
+            Scene.Seed := unsigned (K);
+         when Turning =>
+            Scene.Noise := 4.0;
+            Scene.Seed := unsigned (K);
+         when Noise =>
+            Scene.Noise := (if K mod 10 = 9 then 30.0 else 15.0);
+         when Blur =>
+            Scene.Blur := 2.0;
+            Scene.Uneven := 0.5;
+            Scene.Turn := 5.0;
+         when Partly_Hidden =>
+            --  Something stands in the middle, under which the robot goes
+            Pictures.Show_Sheet (Scene, 25.0, 200.0, 20.0, 200);
+            return;
+         when Leaving_And_Back =>
+            if K mod 9 in 5 .. 6 then
+               Scene.Robots := 0;
+            end if;
+         when Put_Elsewhere =>
+            if K mod 14 >= 7 then
+               Scene.Robot (0).Y := 50.0;
+               Scene.Robot (0).X := 80.0 - Scene.Robot (0).X;
+            end if;
+         when Another_Comes =>
+            --  One of a lower identifier comes and goes far from the first,
+            --  once as slowly as one can hardly see
+            Scene.Noise := 3.0;
+            Scene.Seed := unsigned (K);
+            if K in 6 .. 17 or else K in 23 .. 39 then
+               Scene.Robots := 2;
+               Scene.Robot (1) :=
+                 (0, 4,
+                  60.0 + (if K < 20 then 0.05 else 1.0) * double (K mod 20),
+                  45.0, double (K));
+            end if;
+         when Four_Robots =>
+            Scene.Robots := 4;
+            Scene.Robot (1) := (0, 9, 70.0 - double (K), 10.0, 90.0);
+            Scene.Robot (2) := (0, 900, 12.0, 52.0, 5.0 * double (K));
+            Scene.Robot (3) :=
+              (0, 44, 40.0, 44.0 + 2.5 * double (K mod 2), 0.0);
+         when Small =>
+            Scene.Width := 320;
+            Scene.Height := 240;
+         when Large =>
+            Scene.Width := 1_280;
+            Scene.Height := 720;
+            Scene.Robot (0).X := 20.0 + 3.0 * double (K);
+         when Moving | With_Triangle | Crossing_The_Arena =>
+            null;
+      end case;
+      Pictures.Show (Scene);
+   end Draw;
+
+   procedure Compare (What : Sequence; Images : Positive; Followed : Natural)
+   is
+      --  Each image's answer is the same, robot by robot, and at least so many
+      --  come from a search in areas
+      Marker   : constant Marker_Kind :=
+        (if What = With_Triangle then Triangle else Aruco);
+      Arena    : constant Arena_Corners :=
+        (if What = Crossing_The_Arena
+         then ((67_000_000, 50_000_000), (320_000_000, 50_000_000),
+               (320_000_000, 430_000_000), (67_000_000, 430_000_000))
+         else No_Arena);
       Expected : Answers (1 .. Images);
       Known    : Vision.Following.State;
       Item     : Answer;
@@ -116,18 +175,18 @@ package body Following_Tests is
    begin
       --  These first: each search remembers what it has seen
       for K in Expected'Range loop
-         Draw (K);
+         Draw (What, K);
          Find_Robots
            (0, Marker, Arena, Arena /= No_Arena,
             Expected (K).Robots, Expected (K).Count, Result);
       end loop;
 
       for K in Expected'Range loop
-         Draw (K);
+         Draw (What, K);
          Follow (Known, Marker, Arena, Item, Done);
          Number := Number + Boolean'Pos (Done);
          Assert (Item.Count = Expected (K).Count,
-                 "image" & K'Image & ":" & Item.Count'Image
+                 What'Image & K'Image & ":" & Item.Count'Image
                  & " robots instead of" & Expected (K).Count'Image);
          for L in 1 .. Item.Count loop
             Assert
@@ -136,258 +195,42 @@ package body Following_Tests is
                                  Expected (K).Robots (L).Centre)
                and then Is_Near (Item.Robots (L).Direction,
                                  Expected (K).Robots (L).Direction),
-               "image" & K'Image & ": robot" & L'Image & " at"
+               What'Image & K'Image & ": robot" & L'Image & " at"
                & Item.Robots (L).Centre.X'Image
                & Item.Robots (L).Centre.Y'Image & " instead of"
                & Expected (K).Robots (L).Centre.X'Image
                & Expected (K).Robots (L).Centre.Y'Image);
          end loop;
       end loop;
-      Assert (Number >= Followed,
-              "only" & Number'Image & " images searched in part");
+      Assert (Number >= Followed, What'Image & ": only" & Number'Image
+              & " images searched in part");
    end Compare;
 
-   --  The sequences. A robot at its largest speed, 30 cm/s, comes 3 cm
-   --  further from image to image.
-
-   procedure Draw_Still (K : Natural);
-   procedure Draw_Moving (K : Natural);
-   procedure Draw_Turning (K : Natural);
-   procedure Draw_Noise (K : Natural);
-   procedure Draw_Blur (K : Natural);
-   procedure Draw_Triangle (K : Natural);
-   procedure Draw_Hidden (K : Natural);
-   procedure Draw_Leaving (K : Natural);
-   procedure Draw_Jump (K : Natural);
-   procedure Draw_Newcomer (K : Natural);
-   procedure Draw_Four (K : Natural);
-   procedure Draw_Small (K : Natural);
-   procedure Draw_Large (K : Natural);
-
-   function Round_Trip (K : Natural; Marker : int := 0)
-     return Scenes.Description;
-   --  From wall to wall and back at the largest speed, turning
-
-   function Round_Trip (K : Natural; Marker : int := 0)
-     return Scenes.Description
-   is
-      Way : constant Natural := 3 * K mod 140;
+   procedure Test_Sequences is
    begin
-      return Scene : Scenes.Description := Pictures.Scene_With
-        (Marker, 17,
-         5.0 + double (if Way < 70 then Way else 140 - Way), 28.0,
-         7.0 * double (K))
-      do
-         Scene.Noise := 3.0;
-         Scene.Seed := unsigned (K);
-      end return;
-   end Round_Trip;
+      Compare (Still, 40, Followed => 37);
+      Compare (Moving, 60, Followed => 56);
+      Compare (Turning, 40, Followed => 37);
+      Compare (Noise, 40, Followed => 20);
+      Compare (Blur, 40, Followed => 37);
+      Compare (With_Triangle, 40, Followed => 37);
+      Compare (Partly_Hidden, 60, Followed => 30);
+      Compare (Leaving_And_Back, 40, Followed => 20);
+      Compare (Put_Elsewhere, 40, Followed => 30);
+      Compare (Another_Comes, 50, Followed => 40);
+      Compare (Four_Robots, 40, Followed => 30);
+      Compare (Crossing_The_Arena, 60, Followed => 20);
+      Compare (Small, 30, Followed => 28);
+      Compare (Large, 15, Followed => 14);
+   end Test_Sequences;
 
-   procedure Draw_Still (K : Natural) is
-      Scene : Scenes.Description :=
-        Pictures.Scene_With (0, 3, 22.3, 41.0, 200.0);
-   begin
-      Scene.Noise := 5.0;
-      Scene.Seed := unsigned (K);
-      Pictures.Show (Scene);
-   end Draw_Still;
-
-   procedure Draw_Moving (K : Natural) is
-   begin
-      Pictures.Show (Round_Trip (K));
-   end Draw_Moving;
-
-   procedure Draw_Turning (K : Natural) is
-      Scene : Scenes.Description :=
-        Pictures.Scene_With (0, 850, 60.2, 20.0, 31.0 * double (K));
-   begin
-      Scene.Seed := unsigned (K);
-      Scene.Noise := 4.0;
-      Pictures.Show (Scene);
-   end Draw_Turning;
-
-   procedure Draw_Noise (K : Natural) is
-      Scene : Scenes.Description := Round_Trip (K);
-   begin
-      Scene.Noise := (if K mod 10 = 9 then 30.0 else 15.0);
-      Pictures.Show (Scene);
-   end Draw_Noise;
-
-   procedure Draw_Blur (K : Natural) is
-      Scene : Scenes.Description := Round_Trip (K);
-   begin
-      Scene.Blur := 2.0;
-      Scene.Uneven := 0.5;
-      Scene.Turn := 5.0;
-      Pictures.Show (Scene);
-   end Draw_Blur;
-
-   procedure Draw_Triangle (K : Natural) is
-   begin
-      Pictures.Show (Round_Trip (K, Marker => 1));
-   end Draw_Triangle;
-
-   procedure Draw_Hidden (K : Natural) is
-   begin
-      --  Something stands in the middle, under which the robot goes
-      Pictures.Show_Sheet (Round_Trip (K), 25.0, 200.0, 20.0, 200);
-   end Draw_Hidden;
-
-   procedure Draw_Leaving (K : Natural) is
-      Scene : Scenes.Description := Round_Trip (K);
-   begin
-      if K mod 9 in 5 .. 6 then
-         Scene.Robots := 0;
-      end if;
-      Pictures.Show (Scene);
-   end Draw_Leaving;
-
-   procedure Draw_Jump (K : Natural) is
-      Scene : Scenes.Description := Round_Trip (K);
-   begin
-      if K mod 14 >= 7 then
-         Scene.Robot (0).Y := 50.0;
-         Scene.Robot (0).X := 80.0 - Scene.Robot (0).X;
-      end if;
-      Pictures.Show (Scene);
-   end Draw_Jump;
-
-   procedure Draw_Newcomer (K : Natural) is
-      Scene : Scenes.Description :=
-        Pictures.Scene_With (0, 500, 15.0, 15.0, 77.0);
-   begin
-      --  One of a lower identifier comes and goes far from the first, once
-      --  as slowly as one can hardly see
-      Scene.Noise := 3.0;
-      Scene.Seed := unsigned (K);
-      if K in 6 .. 17 or else K in 23 .. 39 then
-         Scene.Robots := 2;
-         Scene.Robot (1) :=
-           (0, 4, 60.0 + (if K < 20 then 0.05 else 1.0) * double (K mod 20),
-            45.0, double (K));
-      end if;
-      Pictures.Show (Scene);
-   end Draw_Newcomer;
-
-   procedure Draw_Four (K : Natural) is
-      Scene : Scenes.Description := Round_Trip (K);
-   begin
-      Scene.Robots := 4;
-      Scene.Robot (1) := (0, 9, 70.0 - double (K), 10.0, 90.0);
-      Scene.Robot (2) := (0, 900, 12.0, 52.0, 5.0 * double (K));
-      Scene.Robot (3) := (0, 44, 40.0, 44.0 + 2.5 * double (K mod 2), 0.0);
-      Pictures.Show (Scene);
-   end Draw_Four;
-
-   procedure Draw_Small (K : Natural) is
-      Scene : Scenes.Description := Round_Trip (K);
-   begin
-      Scene.Width := 320;
-      Scene.Height := 240;
-      Pictures.Show (Scene);
-   end Draw_Small;
-
-   procedure Draw_Large (K : Natural) is
-      Scene : Scenes.Description := Round_Trip (5 * K);
-   begin
-      Scene.Width := 1_280;
-      Scene.Height := 720;
-      Scene.Robot (0).X := 20.0 + 3.0 * double (K);
-      Pictures.Show (Scene);
-   end Draw_Large;
-
-   procedure Test_Still (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Still'Access, 40, Followed => 37);
-   end Test_Still;
-
-   procedure Test_Moving (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Moving'Access, 60, Followed => 56);
-   end Test_Moving;
-
-   procedure Test_Turning (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Turning'Access, 40, Followed => 37);
-   end Test_Turning;
-
-   procedure Test_Noise (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Noise'Access, 40, Followed => 20);
-   end Test_Noise;
-
-   procedure Test_Blur (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Blur'Access, 40, Followed => 37);
-   end Test_Blur;
-
-   procedure Test_Triangle (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Triangle'Access, 40, Followed => 37, Marker => Triangle);
-   end Test_Triangle;
-
-   procedure Test_Hidden (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Hidden'Access, 60, Followed => 30);
-   end Test_Hidden;
-
-   procedure Test_Leaving (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Leaving'Access, 40, Followed => 20);
-   end Test_Leaving;
-
-   procedure Test_Jump (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Jump'Access, 40, Followed => 30);
-   end Test_Jump;
-
-   procedure Test_Newcomer (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Newcomer'Access, 50, Followed => 40);
-   end Test_Newcomer;
-
-   procedure Test_Four (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Four'Access, 40, Followed => 30);
-   end Test_Four;
-
-   procedure Test_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      --  The robot crosses its border
-      Compare
-        (Draw_Moving'Access, 60, Followed => 20,
-         Arena =>
-           ((67_000_000, 50_000_000), (320_000_000, 50_000_000),
-            (320_000_000, 430_000_000), (67_000_000, 430_000_000)));
-   end Test_Arena;
-
-   procedure Test_Sizes (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      Compare (Draw_Small'Access, 30, Followed => 28);
-      Compare (Draw_Large'Access, 15, Followed => 14);
-   end Test_Sizes;
-
-   procedure Test_Interval (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Interval is
       Known : Vision.Following.State;
       Item  : Answer;
       Done  : Boolean;
    begin
       for K in 0 .. 93 loop
-         Draw_Still (1);
+         Draw (Still, 1);
          Follow (Known, Aruco, No_Arena, Item, Done);
          Assert (Item.Count = 1, "found");
          Assert (Done = (K mod 31 /= 0), "everywhere, or not:" & K'Image);
@@ -397,8 +240,7 @@ package body Following_Tests is
    function Robot_At (Id : Identifier; X, Y : Micro_Pixels) return Robot is
      (Id, (X, Y), (X + 3_000_000, Y + 4_000_000), 0);
 
-   procedure Test_Plan (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Plan is
       Known  : Vision.Following.State;
       Areas  : Area_Array;
       Number : Robot_Count;
@@ -426,8 +268,7 @@ package body Following_Tests is
       Assert (Near = 0, "too long ago");
    end Test_Plan;
 
-   procedure Test_Settle (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Settle is
       Two   : constant Robot_Array :=
         (Robot_At (5, 100, 200), Robot_At (7, -9, 8), others => <>);
       Known : Vision.Following.State;
@@ -458,8 +299,7 @@ package body Following_Tests is
       Assert (Vision.Following.Count (Known) = 0, "forgotten");
    end Test_Settle;
 
-   procedure Test_Far_Away (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Far_Away is
       Known  : Vision.Following.State;
       Areas  : Area_Array;
       Number : Robot_Count;
@@ -474,7 +314,7 @@ package body Following_Tests is
       Vision.Following.Plan (Known, Aruco, 500, Areas, Number);
       Assert (Number = 1 and then Areas (1).Reach = Vision.Following.Furthest,
               "a limit");
-      Draw_Still (1);
+      Draw (Still, 1);
       Follow_Robots (0, Aruco, No_Arena, False, Areas, Number,
                      Item.Robots, Item.Count, Result);
       Assert (Result = Bad_Argument and then Item.Count = 0, "refused");
@@ -493,30 +333,13 @@ package body Following_Tests is
       Assert (Result = Bad_Argument, "no area");
    end Test_Far_Away;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("following"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_Still'Access, "a robot that stands");
-      Register_Routine (T, Test_Moving'Access, "one at its largest speed");
-      Register_Routine (T, Test_Turning'Access, "one that turns");
-      Register_Routine (T, Test_Noise'Access, "noise");
-      Register_Routine (T, Test_Blur'Access, "blur, uneven light");
-      Register_Routine (T, Test_Triangle'Access, "a triangle");
-      Register_Routine (T, Test_Hidden'Access, "partly hidden");
-      Register_Routine (T, Test_Leaving'Access, "leaving and coming back");
-      Register_Routine (T, Test_Jump'Access, "put elsewhere");
-      Register_Routine (T, Test_Newcomer'Access, "another one comes");
-      Register_Routine (T, Test_Four'Access, "four, two near each other");
-      Register_Routine (T, Test_Arena'Access, "across the arena's border");
-      Register_Routine (T, Test_Sizes'Access, "other sizes");
-      Register_Routine (T, Test_Interval'Access,
-                        "everywhere every three seconds");
-      Register_Routine (T, Test_Plan'Access, "where to look");
-      Register_Routine (T, Test_Settle'Access, "what has been found");
-      Register_Routine (T, Test_Far_Away'Access, "absurd places");
-   end Register_Tests;
+      Add_Test ("as a search everywhere", Test_Sequences'Access);
+      Add_Test ("everywhere every three seconds", Test_Interval'Access);
+      Add_Test ("where to look", Test_Plan'Access);
+      Add_Test ("what has been found", Test_Settle'Access);
+      Add_Test ("absurd places", Test_Far_Away'Access);
+   end Add_Tests;
 
 end Following_Tests;

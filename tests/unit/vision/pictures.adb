@@ -22,19 +22,15 @@ package body Pictures is
    Canvas : Pixels;
    Drawn  : Pixels;  --  what Show_Aslant bends
 
-   procedure Load (Width, Height, Slot : int);
-   --  The canvas into Slot
-
-   procedure Draw (Scene : Scenes.Description);
-   --  Scene onto the canvas
-
    procedure Load (Width, Height, Slot : int) is
+      --  The canvas into Slot
    begin
       Assert (Vision_C.Load (Slot, Canvas'Address, Width, Height) = Ok,
               "load");
    end Load;
 
    procedure Draw (Scene : Scenes.Description) is
+      --  Scene onto the canvas
       Drawn : aliased constant Scenes.Description := Scene;
    begin
       Assert (Scenes.Draw (Drawn'Access, Canvas'Address) = 0,
@@ -58,15 +54,9 @@ package body Pictures is
      (Scene         : Scenes.Description;
       Width, Height : double;
       Turn          : double;
-      Level         : Grey);
-   --  A sheet onto the canvas
-
-   procedure Lay
-     (Scene         : Scenes.Description;
-      Width, Height : double;
-      Turn          : double;
       Level         : Grey)
    is
+      --  A sheet onto the canvas
       use Ada.Numerics.Long_Elementary_Functions;
       Cosine : constant double := double (Cos (Long_Float (Turn), 360.0));
       Sine   : constant double := double (Sin (Long_Float (Turn), 360.0));
@@ -182,6 +172,18 @@ package body Pictures is
       end loop;
       Load (Scene.Width, Scene.Height, 0);
    end Show_Aslant;
+
+   function Disturbed
+     (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description
+   is
+   begin
+      return Scene : Scenes.Description := Scenes.Default do
+         Scene.Turn := Turn;
+         Scene.Noise := Noise;
+         Scene.Blur := Blur;
+         Scene.Uneven := Uneven;
+      end return;
+   end Disturbed;
 
    function Scene_With
      (Marker, Id    : int;

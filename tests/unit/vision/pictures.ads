@@ -43,6 +43,10 @@ package Pictures is
    --  What Scene shows at (X, Y), seen at (X, Y) / (1 + G X + H Y), both from
    --  the middle of the image; into slot 0
 
+   function Disturbed
+     (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description;
+   --  The default, so
+
    function Scene_With
      (Marker, Id    : int;
       X, Y, Heading : double) return Scenes.Description;

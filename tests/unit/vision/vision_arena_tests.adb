@@ -7,56 +7,21 @@ with Interfaces.C; use Interfaces.C;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Pictures;
+with Pictures; use Pictures;
 with Scenes;
 with Vision_C; use Vision_C;
+with Unit_Runs; use Unit_Runs;
 
 package body Vision_Arena_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Tolerance : constant := 2.0;
    --  Pixels, of every corner
 
    procedure Check_Found
-     (Scene : Scenes.Description; What : String; Quarters : Natural := 0);
-   --  The arena is found, each corner where it is; Quarters turns clockwise
-   --  the field's own top left corner comes before that of the image
-
-   procedure Check_Frame
-     (Width : double; Border : double; Turn : double; What : String;
-      Level : Pictures.Grey := 120; Border_Level : Pictures.Grey := 235);
-   --  The same of a field that Show_Frame draws
-
-   procedure Check_None (What : String);
-   --  There is no arena in slot 0
-
-   function Disturbed
-     (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description;
-
-   procedure Test_Plain (T : in out Any_Test);
-   procedure Test_Turned (T : in out Any_Test);
-   procedure Test_Upright (T : in out Any_Test);
-   procedure Test_Borders (T : in out Any_Test);
-   procedure Test_Light_Fields (T : in out Any_Test);
-   procedure Test_Noise (T : in out Any_Test);
-   procedure Test_Blur (T : in out Any_Test);
-   procedure Test_Uneven_Light (T : in out Any_Test);
-   procedure Test_All_At_Once (T : in out Any_Test);
-   procedure Test_Fill (T : in out Any_Test);
-   procedure Test_Resolutions (T : in out Any_Test);
-   procedure Test_Robots_Inside (T : in out Any_Test);
-   procedure Test_Robots_At_Border (T : in out Any_Test);
-   procedure Test_Floor (T : in out Any_Test);
-   procedure Test_Plain_Image (T : in out Any_Test);
-   procedure Test_Noise_Alone (T : in out Any_Test);
-   procedure Test_Paper (T : in out Any_Test);
-   procedure Test_Robots_Alone (T : in out Any_Test);
-   procedure Test_Frames (T : in out Any_Test);
-
-   procedure Check_Found
      (Scene : Scenes.Description; What : String; Quarters : Natural := 0)
    is
+      --  The arena is found, each corner where it is; Quarters turns clockwise
+      --  the field's own top left corner comes before that of the image
       use Ada.Numerics.Long_Elementary_Functions;
       Drawn    : aliased constant Scenes.Description := Scene;
       Found    : aliased Arena;
@@ -84,6 +49,7 @@ package body Vision_Arena_Tests is
      (Width : double; Border : double; Turn : double; What : String;
       Level : Pictures.Grey := 120; Border_Level : Pictures.Grey := 235)
    is
+      --  The same of a field that Show_Frame draws
       use Ada.Numerics.Long_Elementary_Functions;
       Floor : Scenes.Description := Disturbed (Noise => 2.0);
       Found : aliased Arena;
@@ -108,40 +74,53 @@ package body Vision_Arena_Tests is
    end Check_Frame;
 
    procedure Check_None (What : String) is
+      --  There is no arena in slot 0
       Found : aliased Arena;
    begin
       Assert (Find_Arena (0, Found'Access) = Not_Found, What & ": none");
    end Check_None;
 
-   function Disturbed
-     (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description
-   is
-   begin
-      return Scene : Scenes.Description := Scenes.Default do
-         Scene.Turn := Turn;
-         Scene.Noise := Noise;
-         Scene.Blur := Blur;
-         Scene.Uneven := Uneven;
-      end return;
-   end Disturbed;
+   procedure Test_Disturbed is
 
-   procedure Test_Plain (T : in out Any_Test) is
-      pragma Unreferenced (T);
+      procedure Try (Scene : Scenes.Description; Seed : Natural; What : String)
+      is
+         Seeded : Scenes.Description := Scene;
+      begin
+         Seeded.Seed := unsigned (Seed);
+         Check_Found (Seeded, What);
+      end Try;
+
    begin
       Check_Found (Scenes.Default, "plain");
-   end Test_Plain;
-
-   procedure Test_Turned (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      for Turn in -10 .. 10 loop
-         Check_Found (Disturbed (Turn => double (Turn)),
-                      "turned by" & Turn'Image);
+      for K in 1 .. 10 loop
+         Try (Disturbed (Noise => 15.0), K, "noise" & K'Image);
       end loop;
-   end Test_Turned;
+      for K in 1 .. 3 loop
+         Check_Found (Disturbed (Blur => double (K)), "blur" & K'Image);
+      end loop;
+      for K in 1 .. 6 loop
+         Check_Found (Disturbed (Uneven => double (K) / 10.0),
+                      "light lost" & K'Image);
+      end loop;
+      for K in -10 .. 10 loop
+         Check_Found (Disturbed (Turn => double (K)), "turned by" & K'Image);
+         if K mod 2 = 0 then
+            Try (Disturbed (double (K), 15.0, 2.0, 0.5), 10 + K / 2,
+                 "all at once, turned by" & K'Image);
+         end if;
+      end loop;
+   end Test_Disturbed;
 
-   procedure Test_Upright (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Fill is
+      Scene : Scenes.Description := Disturbed (Noise => 5.0, Blur => 1.0);
+   begin
+      for Percent in 3 .. 9 loop
+         Scene.Fill := double (10 * Percent + 5) / 100.0;
+         Check_Found (Scene, "fill" & Percent'Image & "5 %");
+      end loop;
+   end Test_Fill;
+
+   procedure Test_Upright is
       Scene : Scenes.Description := Scenes.Default;
    begin
       Scene.Fill := 0.6;
@@ -157,8 +136,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Upright;
 
-   procedure Test_Borders (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Borders is
       type Shares is array (Positive range <>) of double;
    begin
       for Share of Shares'(0.005, 0.01, 0.02, 0.03, 0.05, 0.075, 0.1) loop
@@ -169,8 +147,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Borders;
 
-   procedure Test_Light_Fields (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Light_Fields is
    begin
       for Level in Pictures.Grey range 16 .. 20 loop
          Check_Frame (400.0, 12.0, 3.0, "level" & Level'Image & "0",
@@ -178,59 +155,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Light_Fields;
 
-   procedure Test_Noise (T : in out Any_Test) is
-      pragma Unreferenced (T);
-      Scene : Scenes.Description := Disturbed (Noise => 15.0);
-   begin
-      for Seed in unsigned range 1 .. 10 loop
-         Scene.Seed := Seed;
-         Check_Found (Scene, "noise" & Seed'Image);
-      end loop;
-   end Test_Noise;
-
-   procedure Test_Blur (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      for Blur in 1 .. 3 loop
-         Check_Found (Disturbed (Blur => double (Blur)),
-                      "blur" & Blur'Image);
-      end loop;
-   end Test_Blur;
-
-   procedure Test_Uneven_Light (T : in out Any_Test) is
-      pragma Unreferenced (T);
-   begin
-      for Tenths in 1 .. 6 loop
-         Check_Found (Disturbed (Uneven => double (Tenths) / 10.0),
-                      "light lost" & Tenths'Image);
-      end loop;
-   end Test_Uneven_Light;
-
-   procedure Test_All_At_Once (T : in out Any_Test) is
-      pragma Unreferenced (T);
-      Scene : Scenes.Description;
-   begin
-      for Turn in -5 .. 5 loop
-         Scene := Disturbed
-           (Turn   => 2.0 * double (Turn), Noise => 15.0, Blur => 2.0,
-            Uneven => 0.5);
-         Scene.Seed := unsigned (10 + Turn);
-         Check_Found (Scene, "turned by" & Integer'Image (2 * Turn));
-      end loop;
-   end Test_All_At_Once;
-
-   procedure Test_Fill (T : in out Any_Test) is
-      pragma Unreferenced (T);
-      Scene : Scenes.Description := Disturbed (Noise => 5.0, Blur => 1.0);
-   begin
-      for Percent in 3 .. 9 loop
-         Scene.Fill := double (10 * Percent + 5) / 100.0;
-         Check_Found (Scene, "fill" & Percent'Image & "5 %");
-      end loop;
-   end Test_Fill;
-
-   procedure Test_Resolutions (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Resolutions is
       Scene : Scenes.Description :=
         Disturbed (Turn => 4.0, Noise => 5.0, Blur => 1.0, Uneven => 0.3);
       type Pair is array (1 .. 2) of int;
@@ -245,8 +170,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Resolutions;
 
-   procedure Test_Robots_Inside (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Robots_Inside is
       Scene : Scenes.Description := Disturbed (Noise => 4.0);
    begin
       for Count in int range 1 .. 4 loop
@@ -260,8 +184,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Robots_Inside;
 
-   procedure Test_Robots_At_Border (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Robots_At_Border is
       Scene : Scenes.Description;
    begin
       for Hard in Boolean loop
@@ -286,8 +209,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Robots_At_Border;
 
-   procedure Test_Floor (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Floor is
       Scene : Scenes.Description;
    begin
       for Noise in 0 .. 6 loop
@@ -298,8 +220,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Floor;
 
-   procedure Test_Plain_Image (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Plain_Image is
    begin
       for Level of char_array'(1 => char'Val (0), 2 => char'Val (120),
                                3 => char'Val (255))
@@ -310,8 +231,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Plain_Image;
 
-   procedure Test_Noise_Alone (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Noise_Alone is
       Scene : Scenes.Description := Disturbed (Noise => 30.0);
    begin
       Scene.Arena := 0;
@@ -324,8 +244,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Noise_Alone;
 
-   procedure Test_Paper (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Paper is
       Floor : Scenes.Description := Disturbed (Noise => 4.0);
    begin
       Floor.Arena := 0;
@@ -342,8 +261,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Paper;
 
-   procedure Test_Robots_Alone (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Robots_Alone is
       Scene : Scenes.Description := Disturbed (Noise => 4.0);
    begin
       Scene.Arena := 0;
@@ -359,8 +277,7 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Robots_Alone;
 
-   procedure Test_Frames (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Frames is
       Floor : Scenes.Description := Disturbed (Noise => 2.0);
       type Ratios is array (Positive range <>) of double;
    begin
@@ -374,32 +291,22 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Frames;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("arena"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_Plain'Access, "a plain scene");
-      Register_Routine (T, Test_Turned'Access, "camera turned");
-      Register_Routine (T, Test_Upright'Access, "upright, rolled");
-      Register_Routine (T, Test_Borders'Access, "borders of any width");
-      Register_Routine (T, Test_Light_Fields'Access, "light fields");
-      Register_Routine (T, Test_Noise'Access, "noise");
-      Register_Routine (T, Test_Blur'Access, "blur");
-      Register_Routine (T, Test_Uneven_Light'Access, "uneven light");
-      Register_Routine (T, Test_All_At_Once'Access, "all at once");
-      Register_Routine (T, Test_Fill'Access, "near and far");
-      Register_Routine (T, Test_Resolutions'Access, "resolutions");
-      Register_Routine (T, Test_Robots_Inside'Access, "robots inside");
-      Register_Routine (T, Test_Robots_At_Border'Access,
-                        "robots on the border");
-      Register_Routine (T, Test_Floor'Access, "none: the floor");
-      Register_Routine (T, Test_Plain_Image'Access, "none: one level");
-      Register_Routine (T, Test_Noise_Alone'Access, "none: noise");
-      Register_Routine (T, Test_Paper'Access, "none: sheets");
-      Register_Routine (T, Test_Robots_Alone'Access, "none: robots alone");
-      Register_Routine (T, Test_Frames'Access, "none: other frames");
-   end Register_Tests;
+      Add_Test ("turned, noise, blur, uneven light", Test_Disturbed'Access);
+      Add_Test ("upright, rolled", Test_Upright'Access);
+      Add_Test ("borders of any width", Test_Borders'Access);
+      Add_Test ("light fields", Test_Light_Fields'Access);
+      Add_Test ("near and far", Test_Fill'Access);
+      Add_Test ("resolutions", Test_Resolutions'Access);
+      Add_Test ("robots inside", Test_Robots_Inside'Access);
+      Add_Test ("robots on the border", Test_Robots_At_Border'Access);
+      Add_Test ("none: the floor", Test_Floor'Access);
+      Add_Test ("none: one level", Test_Plain_Image'Access);
+      Add_Test ("none: noise", Test_Noise_Alone'Access);
+      Add_Test ("none: sheets", Test_Paper'Access);
+      Add_Test ("none: robots alone", Test_Robots_Alone'Access);
+      Add_Test ("none: other frames", Test_Frames'Access);
+   end Add_Tests;
 
 end Vision_Arena_Tests;

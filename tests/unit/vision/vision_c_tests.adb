@@ -10,10 +10,9 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Pictures;
 with Scenes;
 with Vision_C; use Vision_C;
+with Unit_Runs; use Unit_Runs;
 
 package body Vision_C_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    subtype Octet is unsigned_char;
 
@@ -27,25 +26,8 @@ package body Vision_C_Tests is
    Buffer : Octets (0 .. 999_999);
    Room   : Robot_Array (0 .. 7);
 
-   function Encoded (Slot, Quality, Capacity : int) return int;
-   --  Encodes into Buffer, with success; returns the length
-
-   procedure Test_Slots (T : in out Any_Test);
-   procedure Test_Empty_Slot (T : in out Any_Test);
-   procedure Test_Null (T : in out Any_Test);
-   procedure Test_Numbers (T : in out Any_Test);
-   procedure Test_Sizes (T : in out Any_Test);
-   procedure Test_Changing_Sizes (T : in out Any_Test);
-   procedure Test_Memory_Apart (T : in out Any_Test);
-   procedure Test_Draw (T : in out Any_Test);
-   procedure Test_Draw_Far (T : in out Any_Test);
-   procedure Test_Label (T : in out Any_Test);
-   procedure Test_Encode (T : in out Any_Test);
-   procedure Test_Encode_Too_Small (T : in out Any_Test);
-   procedure Test_Encode_Decodes (T : in out Any_Test);
-   procedure Test_Texts (T : in out Any_Test);
-
    function Encoded (Slot, Quality, Capacity : int) return int is
+      --  Encodes into Buffer, with success; returns the length
       Length : aliased int := -1;
    begin
       Assert (Encode (Slot, Quality, Buffer'Address, Capacity, Length'Access)
@@ -53,8 +35,7 @@ package body Vision_C_Tests is
       return Length;
    end Encoded;
 
-   procedure Test_Slots (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Slots is
       Width, Height, Count : aliased int;
       Found                : aliased Arena;
       Robot                : aliased constant Vision_C.Robot := (others => <>);
@@ -86,8 +67,7 @@ package body Vision_C_Tests is
       end loop;
    end Test_Slots;
 
-   procedure Test_Empty_Slot (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Empty_Slot is
       Width, Height : aliased int;
       Count         : aliased int := 99;
       Found         : aliased Arena;
@@ -103,8 +83,7 @@ package body Vision_C_Tests is
               = Bad_Argument, "encode");
    end Test_Empty_Slot;
 
-   procedure Test_Null (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Null is
       Count : aliased int := 99;
    begin
       Pictures.Show (Scenes.Default);
@@ -124,8 +103,7 @@ package body Vision_C_Tests is
       Assert (Open_At (Null_Address, 640, 480, 10) = Bad_Argument, "open");
    end Test_Null;
 
-   procedure Test_Numbers (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Numbers is
       Count : aliased int;
       Far   : aliased constant Arena :=
         (Corner => (others => (1.0E300, -1.0E300)));
@@ -164,8 +142,7 @@ package body Vision_C_Tests is
       end loop;
    end Test_Numbers;
 
-   procedure Test_Sizes (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Sizes is
 
       type Pair is array (1 .. 2) of int;
       type Pairs is array (Positive range <>) of Pair;
@@ -198,8 +175,7 @@ package body Vision_C_Tests is
       end loop;
    end Test_Sizes;
 
-   procedure Test_Changing_Sizes (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Changing_Sizes is
       Scene : Scenes.Description := Scenes.Default;
       Found : aliased Arena;
       Count : aliased int;
@@ -217,8 +193,7 @@ package body Vision_C_Tests is
       end loop;
    end Test_Changing_Sizes;
 
-   procedure Test_Memory_Apart (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Memory_Apart is
 
       --  A hole in the heap that the image would fit into, as OpenCV's
       --  outlines leave them; and how much of the heap is in use then
@@ -260,8 +235,7 @@ package body Vision_C_Tests is
       Free (Rim);
    end Test_Memory_Apart;
 
-   procedure Test_Draw (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Draw is
       Plain, With_Arena : int;
       Found             : aliased constant Arena :=
         (Corner => ((20.0, 20.0), (300.5, 20.0), (300.0, 200.0),
@@ -279,8 +253,7 @@ package body Vision_C_Tests is
               "the robot shows");
    end Test_Draw;
 
-   procedure Test_Draw_Far (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Draw_Far is
       Found : aliased Arena :=
         (Corner => ((-9.0E5, -9.0E5), (9.0E5, -9.0E5), (9.0E5, 9.0E5),
                     (-9.0E5, 9.0E5)));
@@ -299,19 +272,16 @@ package body Vision_C_Tests is
               "absurd direction");
    end Test_Draw_Far;
 
-   procedure Test_Label (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Label is
 
       Levels : constant Octets := (0, 60, 128, 200, 255);
       Reach  : constant := 14;
       --  from the marker's middle to its sides
 
-      procedure Check_At (Width, Height, X, Y, Id : int; Count : out Natural);
-      --  Letters are what is light over every background, their plate what
-      --  is dark. Count: pixels of the letters
-
       procedure Check_At (Width, Height, X, Y, Id : int; Count : out Natural)
       is
+         --  Letters are what is light over every background, their plate what
+         --  is dark. Count: pixels of the letters
          type Picture is array (0 .. Height - 1, 0 .. Width - 1) of Octet
          with Convention => C;
          type Picture_Access is access Picture;
@@ -393,8 +363,6 @@ package body Vision_C_Tests is
          Free (Shown);
       end Check_At;
 
-      procedure Check_Size (Width, Height : int);
-
       procedure Check_Size (Width, Height : int) is
          One, Three : Natural;
       begin
@@ -412,8 +380,7 @@ package body Vision_C_Tests is
       Check_Size (1_920, 1_080);
    end Test_Label;
 
-   procedure Test_Encode (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Encode is
       Low, High : int;
    begin
       Pictures.Show (Scenes.Default);
@@ -429,8 +396,7 @@ package body Vision_C_Tests is
       Assert (Encoded (0, 100, High) = High, "fits exactly");
    end Test_Encode;
 
-   procedure Test_Encode_Too_Small (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Encode_Too_Small is
       Whole  : int;
       Length : aliased int := 77;
    begin
@@ -448,8 +414,7 @@ package body Vision_C_Tests is
               "nothing written outside");
    end Test_Encode_Too_Small;
 
-   procedure Test_Encode_Decodes (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Encode_Decodes is
       Path          : constant String := Pictures.Temporary ("encoded.jpg");
       Length        : int;
       Width, Height : aliased int;
@@ -472,8 +437,7 @@ package body Vision_C_Tests is
       Pictures.Remove (Path);
    end Test_Encode_Decodes;
 
-   procedure Test_Texts (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Texts is
 
       function Length (Item : System.Address) return size_t
       with Import, Convention => C, External_Name => "strlen";
@@ -488,31 +452,23 @@ package body Vision_C_Tests is
               "a long reason is cut");
    end Test_Texts;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("vision_c"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_Slots'Access, "slots that do not exist");
-      Register_Routine (T, Test_Empty_Slot'Access, "a slot without image");
-      Register_Routine (T, Test_Null'Access, "null pointers");
-      Register_Routine (T, Test_Numbers'Access, "numbers out of range");
-      Register_Routine (T, Test_Sizes'Access, "unusual sizes");
-      Register_Routine (T, Test_Changing_Sizes'Access,
-                        "a size that changes from image to image");
-      Register_Routine (T, Test_Memory_Apart'Access,
-                        "an image is not in the heap");
-      Register_Routine (T, Test_Draw'Access, "drawings show");
-      Register_Routine (T, Test_Draw_Far'Access, "drawings out of sight");
-      Register_Routine (T, Test_Label'Access,
-                        "an identifier can be read over anything");
-      Register_Routine (T, Test_Encode'Access, "JPEG and its quality");
-      Register_Routine (T, Test_Encode_Too_Small'Access,
-                        "a buffer too small");
-      Register_Routine (T, Test_Encode_Decodes'Access,
-                        "what is encoded can be opened");
-      Register_Routine (T, Test_Texts'Access, "reason and version");
-   end Register_Tests;
+      Add_Test ("slots that do not exist", Test_Slots'Access);
+      Add_Test ("a slot without image", Test_Empty_Slot'Access);
+      Add_Test ("null pointers", Test_Null'Access);
+      Add_Test ("numbers out of range", Test_Numbers'Access);
+      Add_Test ("unusual sizes", Test_Sizes'Access);
+      Add_Test ("a size that changes from image to image",
+                Test_Changing_Sizes'Access);
+      Add_Test ("an image is not in the heap", Test_Memory_Apart'Access);
+      Add_Test ("drawings show", Test_Draw'Access);
+      Add_Test ("drawings out of sight", Test_Draw_Far'Access);
+      Add_Test ("an identifier can be read over anything", Test_Label'Access);
+      Add_Test ("JPEG and its quality", Test_Encode'Access);
+      Add_Test ("a buffer too small", Test_Encode_Too_Small'Access);
+      Add_Test ("what is encoded can be opened", Test_Encode_Decodes'Access);
+      Add_Test ("reason and version", Test_Texts'Access);
+   end Add_Tests;
 
 end Vision_C_Tests;

@@ -10,10 +10,9 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Pictures;
 with Scenes;
 with Vision_C; use Vision_C;
+with Unit_Runs; use Unit_Runs;
 
 package body Vision_Jpeg_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    subtype Octet is unsigned_char;
 
@@ -24,47 +23,14 @@ package body Vision_Jpeg_Tests is
 
    Room : Robot_Array (0 .. 7);
 
-   function Photograph
-     (Scene : Scenes.Description; Quality : int := 90) return Octets;
-   --  As a camera delivers it
-
-   function Load (Jpeg : Octets; Width, Height : int) return Status;
+   function Load (Jpeg : Octets; Width, Height : int) return Status is
+     (Load_Jpeg (0, Jpeg'Address, Jpeg'Length, Width, Height));
    --  Into slot 0
-
-   procedure Load (Jpeg : Octets);
-   --  For images of its own size, 640 x 480, with success
-
-   function Sent (Quality : int := 80; Capacity : int := Buffer'Length)
-     return Octets;
-   --  Of slot 0
-
-   procedure Check_Anew (Jpeg, Made : Octets; What : String);
-   --  Made is another image than Jpeg, whole and one that can be decoded
-
-   function Position (Jpeg : Octets; Marker : Octet) return Positive;
-   --  Of the first segment of the head that is so marked; an image of ours
-   --  has one
-
-   procedure Test_Passed (T : in out Any_Test);
-   procedure Test_Drawn (T : in out Any_Test);
-   procedure Test_Other_Size (T : in out Any_Test);
-   procedure Test_Searched (T : in out Any_Test);
-   procedure Test_Behind_The_End (T : in out Any_Test);
-   procedure Test_Cut (T : in out Any_Test);
-   procedure Test_No_Image (T : in out Any_Test);
-   procedure Test_Absurd_Size (T : in out Any_Test);
-   procedure Test_Bad_Tables (T : in out Any_Test);
-   procedure Test_No_Tables (T : in out Any_Test);
-   procedure Test_Foreign_Marker (T : in out Any_Test);
-   procedure Test_Damaged_Inside (T : in out Any_Test);
-   procedure Test_Too_Large (T : in out Any_Test);
-   procedure Test_Arguments (T : in out Any_Test);
-   procedure Test_Video (T : in out Any_Test);
-   procedure Test_Damaged_Video (T : in out Any_Test);
 
    function Photograph
      (Scene : Scenes.Description; Quality : int := 90) return Octets
    is
+      --  As a camera delivers it
       Drawn  : aliased constant Scenes.Description := Scene;
       Jpeg   : Octets (1 .. 1_000_000);
       Length : constant int :=
@@ -74,10 +40,8 @@ package body Vision_Jpeg_Tests is
       return Jpeg (1 .. Natural (Length));
    end Photograph;
 
-   function Load (Jpeg : Octets; Width, Height : int) return Status is
-     (Load_Jpeg (0, Jpeg'Address, Jpeg'Length, Width, Height));
-
    procedure Load (Jpeg : Octets) is
+      --  For images of its own size, 640 x 480, with success
    begin
       Assert (Load (Jpeg, 640, 480) = Ok, "loaded");
    end Load;
@@ -85,6 +49,7 @@ package body Vision_Jpeg_Tests is
    function Sent (Quality : int := 80; Capacity : int := Buffer'Length)
      return Octets
    is
+      --  Of slot 0
       Length : aliased int;
    begin
       Assert (Encode (0, Quality, Buffer'Address, Capacity, Length'Access)
@@ -93,6 +58,7 @@ package body Vision_Jpeg_Tests is
    end Sent;
 
    procedure Check_Anew (Jpeg, Made : Octets; What : String) is
+      --  Made is another image than Jpeg, whole and one that can be decoded
    begin
       Assert (Made /= Jpeg, What & ": encoded anew");
       Load (Made);
@@ -100,6 +66,8 @@ package body Vision_Jpeg_Tests is
    end Check_Anew;
 
    function Position (Jpeg : Octets; Marker : Octet) return Positive is
+      --  Of the first segment of the head that is so marked; an image of ours
+      --  has one
    begin
       for K in Jpeg'First .. Jpeg'Last - 1 loop
          if Jpeg (K) = 16#FF# and then Jpeg (K + 1) = Marker then
@@ -118,8 +86,7 @@ package body Vision_Jpeg_Tests is
    Restart : constant := 16#D0#;
    Quanta : constant := 16#DB#;
 
-   procedure Test_Passed (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Passed is
       Scene         : constant Scenes.Description :=
         Pictures.Scene_With (0, 5, 40.0, 30.0, 10.0);
       Field         : aliased Arena;
@@ -145,8 +112,7 @@ package body Vision_Jpeg_Tests is
       end loop;
    end Test_Passed;
 
-   procedure Test_Drawn (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Drawn is
       Jpeg  : constant Octets := Photograph (Scenes.Default);
       Field : aliased constant Arena :=
         (Corner => ((20.0, 20.0), (300.5, 20.0), (300.0, 200.0),
@@ -164,13 +130,10 @@ package body Vision_Jpeg_Tests is
       Assert (Sent = Jpeg, "a drawing does not stay");
    end Test_Drawn;
 
-   procedure Test_Other_Size (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check (From_W, From_H, To_W, To_H : int);
-      --  Fitted into 640 x 480
+   procedure Test_Other_Size is
 
       procedure Check (From_W, From_H, To_W, To_H : int) is
+         --  Fitted into 640 x 480
          Scene         : Scenes.Description := Scenes.Default;
          What          : constant String := From_W'Image & " x" & From_H'Image;
          Width, Height : aliased int;
@@ -211,8 +174,7 @@ package body Vision_Jpeg_Tests is
       Check (2, 3_000, 1, 480);
    end Test_Other_Size;
 
-   procedure Test_Searched (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Searched is
       Count : aliased int;
       Scene : constant Scenes.Description :=
         Pictures.Scene_With (0, 5, 40.0, 30.0, 10.0);
@@ -224,8 +186,7 @@ package body Vision_Jpeg_Tests is
               = Ok and then Count = 1 and then Room (0).Id = 5, "a robot");
    end Test_Searched;
 
-   procedure Test_Behind_The_End (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Behind_The_End is
       Jpeg : constant Octets := Photograph (Scenes.Default);
    begin
       --  A driver's buffer is not always cut
@@ -237,8 +198,7 @@ package body Vision_Jpeg_Tests is
       Assert (Sent = Jpeg, "the end of a line");
    end Test_Behind_The_End;
 
-   procedure Test_Cut (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Cut is
       Jpeg  : constant Octets := Photograph (Scenes.Default);
       Begun : constant Positive := Position (Jpeg, Scan) + 14;
       --  where the code begins
@@ -259,8 +219,7 @@ package body Vision_Jpeg_Tests is
       end loop;
    end Test_Cut;
 
-   procedure Test_No_Image (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_No_Image is
       Noise : Octets (1 .. 20_000);
       State : unsigned := 1;
       Jpeg  : constant Octets := Photograph (Scenes.Default);
@@ -281,12 +240,9 @@ package body Vision_Jpeg_Tests is
       Assert (Sent = Jpeg, "the slot keeps what it had");
    end Test_No_Image;
 
-   procedure Test_Absurd_Size (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Absurd_Size is
       Jpeg  : Octets := Photograph (Scenes.Default);
       Place : constant Positive := Position (Jpeg, Frame) + 5;
-
-      procedure Set (Height, Width : Natural);
 
       procedure Set (Height, Width : Natural) is
       begin
@@ -311,8 +267,7 @@ package body Vision_Jpeg_Tests is
       Assert (Load (Jpeg, 640, 480) = Ok, "as it was");
    end Test_Absurd_Size;
 
-   procedure Test_Bad_Tables (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Bad_Tables is
       Jpeg : Octets := Photograph (Scenes.Default);
       Code : constant Positive := Position (Jpeg, Codes) + 5;
    begin
@@ -325,8 +280,7 @@ package body Vision_Jpeg_Tests is
       Assert (Load (Jpeg, 640, 480) = No_Image, "no quantization");
    end Test_Bad_Tables;
 
-   procedure Test_No_Tables (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_No_Tables is
       Whole : constant Octets := Photograph (Scenes.Default);
       First : constant Positive := Position (Whole, Codes);
       Last  : constant Positive := Position (Whole, Scan);
@@ -349,8 +303,7 @@ package body Vision_Jpeg_Tests is
               = Not_Found, "can be searched");
    end Test_No_Tables;
 
-   procedure Test_Foreign_Marker (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Foreign_Marker is
       Jpeg   : Octets := Photograph (Scenes.Default);
       Middle : constant Positive := Jpeg'Last / 2;
    begin
@@ -362,8 +315,7 @@ package body Vision_Jpeg_Tests is
       Check_Anew (Jpeg, Sent, "a table in the code");
    end Test_Foreign_Marker;
 
-   procedure Test_Damaged_Inside (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Damaged_Inside is
       Jpeg  : Octets := Photograph (Scenes.Default);
       First : constant Positive := Position (Jpeg, Scan) + 100;
       State : unsigned := 7;
@@ -383,8 +335,7 @@ package body Vision_Jpeg_Tests is
       Assert (Find_Arena (0, Field'Access) in Ok | Not_Found, "decoded");
    end Test_Damaged_Inside;
 
-   procedure Test_Too_Large (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Too_Large is
       Scene : Scenes.Description := Scenes.Default;
    begin
       Scene.Noise := 20.0;
@@ -399,8 +350,7 @@ package body Vision_Jpeg_Tests is
       end;
    end Test_Too_Large;
 
-   procedure Test_Arguments (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Arguments is
       Jpeg   : constant Octets := Photograph (Scenes.Default);
       Length : aliased int;
    begin
@@ -427,8 +377,6 @@ package body Vision_Jpeg_Tests is
       end loop;
    end Test_Arguments;
 
-   function Contents (Path : String) return Octets;
-
    function Contents (Path : String) return Octets is
       File : Stream_IO.File_Type;
    begin
@@ -444,8 +392,7 @@ package body Vision_Jpeg_Tests is
         Whole (First + 200) = Part (Part'First + 200)
         and then Whole (First .. First + Part'Length - 1) = Part);
 
-   procedure Test_Video (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Video is
       Path  : constant String := Pictures.Temporary ("own.avi");
       Scene : Scenes.Description := Scenes.Default;
    begin
@@ -467,8 +414,7 @@ package body Vision_Jpeg_Tests is
       Pictures.Remove (Path);
    end Test_Video;
 
-   procedure Test_Damaged_Video (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Damaged_Video is
       Path  : constant String := Pictures.Temporary ("damaged.avi");
       Scene : Scenes.Description := Scenes.Default;
       Found : Natural := 0;
@@ -502,31 +448,24 @@ package body Vision_Jpeg_Tests is
       Pictures.Remove (Path);
    end Test_Damaged_Video;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("the camera's own JPEG"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_Passed'Access, "passed on as it is");
-      Register_Routine (T, Test_Drawn'Access, "not when drawn in");
-      Register_Routine (T, Test_Other_Size'Access, "nor of another size");
-      Register_Routine (T, Test_Searched'Access, "searched");
-      Register_Routine (T, Test_Behind_The_End'Access,
-                        "what stands behind its end");
-      Register_Routine (T, Test_Cut'Access, "cut anywhere");
-      Register_Routine (T, Test_No_Image'Access, "no image at all");
-      Register_Routine (T, Test_Absurd_Size'Access, "absurd sizes");
-      Register_Routine (T, Test_Bad_Tables'Access, "impossible tables");
-      Register_Routine (T, Test_No_Tables'Access, "the usual tables");
-      Register_Routine (T, Test_Foreign_Marker'Access,
-                        "markers in the code");
-      Register_Routine (T, Test_Damaged_Inside'Access, "damaged inside");
-      Register_Routine (T, Test_Too_Large'Access, "too large to be sent");
-      Register_Routine (T, Test_Arguments'Access, "arguments");
-      Register_Routine (T, Test_Video'Access, "the images of a video");
-      Register_Routine (T, Test_Damaged_Video'Access,
-                        "a video with damaged images");
-   end Register_Tests;
+      Add_Test ("passed on as it is", Test_Passed'Access);
+      Add_Test ("not when drawn in", Test_Drawn'Access);
+      Add_Test ("nor of another size", Test_Other_Size'Access);
+      Add_Test ("searched", Test_Searched'Access);
+      Add_Test ("what stands behind its end", Test_Behind_The_End'Access);
+      Add_Test ("cut anywhere", Test_Cut'Access);
+      Add_Test ("no image at all", Test_No_Image'Access);
+      Add_Test ("absurd sizes", Test_Absurd_Size'Access);
+      Add_Test ("impossible tables", Test_Bad_Tables'Access);
+      Add_Test ("the usual tables", Test_No_Tables'Access);
+      Add_Test ("markers in the code", Test_Foreign_Marker'Access);
+      Add_Test ("damaged inside", Test_Damaged_Inside'Access);
+      Add_Test ("too large to be sent", Test_Too_Large'Access);
+      Add_Test ("arguments", Test_Arguments'Access);
+      Add_Test ("the images of a video", Test_Video'Access);
+      Add_Test ("a video with damaged images", Test_Damaged_Video'Access);
+   end Add_Tests;
 
 end Vision_Jpeg_Tests;

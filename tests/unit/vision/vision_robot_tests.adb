@@ -10,10 +10,9 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Pictures;
 with Scenes;
 with Vision_C; use Vision_C;
+with Unit_Runs; use Unit_Runs;
 
 package body Vision_Robot_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
 
    Position_Tolerance : constant := 2.0;  --  pixels
    Angle_Tolerance    : constant := 1.0;  --  degrees
@@ -21,50 +20,12 @@ package body Vision_Robot_Tests is
    Found : Robot_Array (0 .. 7);
    Count : aliased int;
 
-   procedure Search
-     (Scene : Scenes.Description; Kind : Marker; What : String);
-   --  Draws Scene into slot 0; there are robots, which go to Found
-
-   procedure Check (Scene : Scenes.Description; N : int; What : String);
-   --  One of Found is robot N of Scene, with the accuracy asked for
-
-   procedure Check_Headings (Scene : Scenes.Description; What : String);
-   --  Both markers in Scene at every heading
-
-   procedure Test_Headings (T : in out Any_Test);
-   procedure Test_Headings_Noise (T : in out Any_Test);
-   procedure Test_Headings_Blur (T : in out Any_Test);
-   procedure Test_Headings_Uneven (T : in out Any_Test);
-   procedure Test_Headings_Turned (T : in out Any_Test);
-   procedure Test_Headings_All (T : in out Any_Test);
-   procedure Test_Upright (T : in out Any_Test);
-   procedure Test_Resolutions (T : in out Any_Test);
-   procedure Test_Identifiers (T : in out Any_Test);
-   procedure Test_Two_Robots (T : in out Any_Test);
-   procedure Test_Capacity (T : in out Any_Test);
-   procedure Test_Positions_In_Arena (T : in out Any_Test);
-   procedure Test_Outside_Arena (T : in out Any_Test);
-   procedure Test_Strange_Arenas (T : in out Any_Test);
-   procedure Test_None (T : in out Any_Test);
-   procedure Test_Other_Marker (T : in out Any_Test);
-   procedure Test_Faint (T : in out Any_Test);
-   procedure Test_Glare (T : in out Any_Test);
-   procedure Test_Blot (T : in out Any_Test);
-   procedure Test_Margin (T : in out Any_Test);
-   procedure Test_Aslant (T : in out Any_Test);
-   procedure Test_Doubtful (T : in out Any_Test);
-   procedure Test_Triangle_On_Bright (T : in out Any_Test);
-   procedure Test_Set_Square (T : in out Any_Test);
-
    --  A marker whose image is changed where it lies
 
    type Place is record
       Scene          : Scenes.Description;
       Cx, Cy, Dx, Dy : Long_Float;  --  the truth
    end record;
-
-   function Marker_At (Step : Natural) return Place;
-   --  Another place, heading and identifier for each Step
 
    function Along (P : Place; X, Y : Long_Float) return Long_Float is
      (((X - P.Cx) * (P.Dx - P.Cx) + (Y - P.Cy) * (P.Dy - P.Cy))
@@ -74,23 +35,23 @@ package body Vision_Robot_Tests is
       / ((P.Dx - P.Cx) ** 2 + (P.Dy - P.Cy) ** 2) * 3.0);
    --  Where (X, Y) lies in the marker: modules from its centre
 
-   procedure Check_Changed
-     (P      : Place;
-      Change : not null access function
-        (X, Y : Long_Float; Level : Long_Float) return Long_Float;
-      What   : String);
-   --  The marker is found in its image as Change makes it
+   function Find
+     (Kind : Marker; Field : access constant Arena := null) return Status
+   is (Find_Robots (0, Kind, Field, Found'Address, Found'Length,
+                    Count'Access));
+   --  In slot 0, into Found
 
    procedure Search
      (Scene : Scenes.Description; Kind : Marker; What : String)
    is
+      --  Draws Scene into slot 0; there are robots, which go to Found
    begin
       Pictures.Show (Scene);
-      Assert (Find_Robots (0, Kind, null, Found'Address, Found'Length,
-                           Count'Access) = Ok, What & ": found");
+      Assert (Find (Kind) = Ok, What & ": found");
    end Search;
 
    procedure Check (Scene : Scenes.Description; N : int; What : String) is
+      --  One of Found is robot N of Scene, with the accuracy asked for
       use Ada.Numerics.Long_Elementary_Functions;
       Drawn          : aliased constant Scenes.Description := Scene;
       Cx, Cy, Dx, Dy : double;
@@ -127,6 +88,7 @@ package body Vision_Robot_Tests is
    end Check;
 
    procedure Check_Headings (Scene : Scenes.Description; What : String) is
+      --  Both markers in Scene at every heading
       Here : Scenes.Description := Scene;
    begin
       Here.Robots := 1;
@@ -148,57 +110,18 @@ package body Vision_Robot_Tests is
       end loop;
    end Check_Headings;
 
-   procedure Test_Headings (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Headings is
+      use Pictures;
    begin
       Check_Headings (Scenes.Default, "plain");
+      Check_Headings (Disturbed (Noise => 15.0), "noise");
+      Check_Headings (Disturbed (Blur => 2.0), "blur");
+      Check_Headings (Disturbed (Uneven => 0.5), "uneven light");
+      Check_Headings (Disturbed (Turn => 10.0), "turned");
+      Check_Headings (Disturbed (-7.0, 15.0, 2.0, 0.5), "all at once");
    end Test_Headings;
 
-   procedure Test_Headings_Noise (T : in out Any_Test) is
-      pragma Unreferenced (T);
-      Scene : Scenes.Description := Scenes.Default;
-   begin
-      Scene.Noise := 15.0;
-      Check_Headings (Scene, "noise");
-   end Test_Headings_Noise;
-
-   procedure Test_Headings_Blur (T : in out Any_Test) is
-      pragma Unreferenced (T);
-      Scene : Scenes.Description := Scenes.Default;
-   begin
-      Scene.Blur := 2.0;
-      Check_Headings (Scene, "blur");
-   end Test_Headings_Blur;
-
-   procedure Test_Headings_Uneven (T : in out Any_Test) is
-      pragma Unreferenced (T);
-      Scene : Scenes.Description := Scenes.Default;
-   begin
-      Scene.Uneven := 0.5;
-      Check_Headings (Scene, "uneven light");
-   end Test_Headings_Uneven;
-
-   procedure Test_Headings_Turned (T : in out Any_Test) is
-      pragma Unreferenced (T);
-      Scene : Scenes.Description := Scenes.Default;
-   begin
-      Scene.Turn := 10.0;
-      Check_Headings (Scene, "turned");
-   end Test_Headings_Turned;
-
-   procedure Test_Headings_All (T : in out Any_Test) is
-      pragma Unreferenced (T);
-      Scene : Scenes.Description := Scenes.Default;
-   begin
-      Scene.Turn := -7.0;
-      Scene.Noise := 15.0;
-      Scene.Blur := 2.0;
-      Scene.Uneven := 0.5;
-      Check_Headings (Scene, "all at once");
-   end Test_Headings_All;
-
-   procedure Test_Upright (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Upright is
    begin
       for Kind in Marker loop
          --  An upright marker is at 90, one that looks to the left at 0
@@ -221,8 +144,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Upright;
 
-   procedure Test_Resolutions (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Resolutions is
       Scene : Scenes.Description;
       type Pair is array (1 .. 2) of int;
       type Pairs is array (Positive range <>) of Pair;
@@ -244,8 +166,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Resolutions;
 
-   procedure Test_Identifiers (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Identifiers is
       Scene : Scenes.Description;
    begin
       for Step in int range 0 .. 27 loop
@@ -257,8 +178,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Identifiers;
 
-   procedure Test_Two_Robots (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Two_Robots is
       Scene : Scenes.Description := Scenes.Default;
    begin
       Scene.Robots := 2;
@@ -276,8 +196,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Two_Robots;
 
-   procedure Test_Capacity (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Capacity is
       Scene : Scenes.Description := Scenes.Default;
    begin
       Scene.Robots := 4;
@@ -297,8 +216,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Capacity;
 
-   procedure Test_Positions_In_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Positions_In_Arena is
       Field  : aliased Arena;
       Scene  : Scenes.Description;
       Inside : Robot_Array (0 .. 7);
@@ -336,8 +254,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Positions_In_Arena;
 
-   procedure Test_Outside_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Outside_Arena is
       Left_Half : aliased constant Arena :=
         (Corner => ((67.0, 50.0), (320.0, 50.0), (320.0, 430.0),
                     (67.0, 430.0)));
@@ -348,21 +265,18 @@ package body Vision_Robot_Tests is
          Scene.Robot (0) := (Marker'Pos (Kind), 5, 44.0, 20.0, 33.0);
          Scene.Robot (1) := (Marker'Pos (Kind), 6, 20.0, 30.0, 33.0);
          Pictures.Show (Scene);
-         Assert (Find_Robots (0, Kind, Left_Half'Access, Found'Address, 8,
-                              Count'Access) = Ok
+         Assert (Find (Kind, Left_Half'Access) = Ok
                  and then Count = 1, "only the one inside");
          Check (Scene, 1, "the one inside");
          Scene.Robots := 1;
          Pictures.Show (Scene);
-         Assert (Find_Robots (0, Kind, Left_Half'Access, Found'Address, 8,
-                              Count'Access) = Not_Found
+         Assert (Find (Kind, Left_Half'Access) = Not_Found
                  and then Count = 0, "none inside");
          Scene.Robots := 2;
       end loop;
    end Test_Outside_Arena;
 
-   procedure Test_Strange_Arenas (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Strange_Arenas is
       type Arenas is array (Positive range <>) of aliased Arena;
       Strange : constant Arenas :=
         (1 => (Corner => (others => (0.0, 0.0))),
@@ -381,18 +295,15 @@ package body Vision_Robot_Tests is
             declare
                Field : aliased constant Arena := A;
             begin
-               Assert (Find_Robots (0, Kind, Field'Access, Found'Address, 8,
-                                    Count'Access) = Not_Found,
+               Assert (Find (Kind, Field'Access) = Not_Found,
                        "nothing in an arena without inside");
             end;
          end loop;
       end loop;
-      Assert (Find_Robots (0, Aruco, Around'Access, Found'Address, 8,
-                           Count'Access) = Ok, "a huge arena");
+      Assert (Find (Aruco, Around'Access) = Ok, "a huge arena");
    end Test_Strange_Arenas;
 
-   procedure Test_None (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_None is
       Scene : Scenes.Description := Scenes.Default;
    begin
       for Kind in Marker loop
@@ -402,8 +313,7 @@ package body Vision_Robot_Tests is
                Scene.Noise := 5.0 * double (Noise);
                Scene.Seed := unsigned (Noise);
                Pictures.Show (Scene);
-               Assert (Find_Robots (0, Kind, null, Found'Address, 8,
-                                    Count'Access) = Not_Found
+               Assert (Find (Kind) = Not_Found
                        and then Count = 0,
                        Kind'Image & " in noise" & Noise'Image);
             end loop;
@@ -411,8 +321,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_None;
 
-   procedure Test_Other_Marker (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Other_Marker is
    begin
       for Kind in Marker loop
          for Step in 0 .. 11 loop
@@ -420,14 +329,14 @@ package body Vision_Robot_Tests is
               (Pictures.Scene_With
                  (1 - Marker'Pos (Kind), int (Step * 83), 40.0, 30.0,
                   31.0 * double (Step)));
-            Assert (Find_Robots (0, Kind, null, Found'Address, 8,
-                                 Count'Access) = Not_Found,
+            Assert (Find (Kind) = Not_Found,
                     "no " & Kind'Image & " at" & Step'Image);
          end loop;
       end loop;
    end Test_Other_Marker;
 
    function Marker_At (Step : Natural) return Place is
+      --  Another place, heading and identifier for each Step
       Scene          : aliased constant Scenes.Description :=
         Pictures.Scene_With
           (0, int (83 * Step), 20.0 + 3.3 * double (Step),
@@ -445,19 +354,15 @@ package body Vision_Robot_Tests is
       Change : not null access function
         (X, Y : Long_Float; Level : Long_Float) return Long_Float;
       What   : String) is
+      --  The marker is found in its image as Change makes it
    begin
       Pictures.Show_Changed (P.Scene, Change);
-      Assert (Find_Robots (0, Aruco, null, Found'Address, Found'Length,
-                           Count'Access) = Ok, What & ": found");
+      Assert (Find (Aruco) = Ok, What & ": found");
       Assert (Count = 1, What & ": one");
       Check (P.Scene, 0, What);
    end Check_Changed;
 
-   procedure Test_Faint (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      function Faint (X, Y : Long_Float; Level : Long_Float)
-        return Long_Float;
+   procedure Test_Faint is
 
       function Faint (X, Y : Long_Float; Level : Long_Float)
         return Long_Float
@@ -473,8 +378,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Faint;
 
-   procedure Test_Glare (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Glare is
       use Ada.Numerics.Long_Elementary_Functions;
    begin
       for Step in 0 .. 11 loop
@@ -494,8 +398,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Glare;
 
-   procedure Test_Blot (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Blot is
    begin
       for Step in 0 .. 11 loop
          for Bright in Boolean loop
@@ -519,8 +422,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Blot;
 
-   procedure Test_Margin (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Margin is
    begin
       for Step in 0 .. 11 loop
          declare
@@ -539,8 +441,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Margin;
 
-   procedure Test_Aslant (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Aslant is
       use Ada.Numerics.Long_Elementary_Functions;
       Scene          : aliased Scenes.Description;
       Cx, Cy, Dx, Dy : double;
@@ -559,8 +460,6 @@ package body Vision_Robot_Tests is
             Ahead_Y : constant Long_Float := Long_Float (Dy - Cy);
 
             --  Where the corner is seen that lies so
-            function Seen_X (Ahead, Right : Long_Float) return Long_Float;
-            function Seen_Y (Ahead, Right : Long_Float) return Long_Float;
             function Depth (X, Y : Long_Float) return Long_Float is
               (1.0 + G * X + H * Y);
             function From_X (Ahead, Right : Long_Float) return Long_Float is
@@ -584,8 +483,7 @@ package body Vision_Robot_Tests is
               (Seen_Y (1.0, -1.0) + Seen_Y (1.0, 1.0)) / 2.0;
          begin
             Pictures.Show_Aslant (Scene, G, H);
-            Assert (Find_Robots (0, Aruco, null, Found'Address, 8,
-                                 Count'Access) = Ok
+            Assert (Find (Aruco) = Ok
                     and then Count = 1 and then Found (0).Id = int (83 * Step),
                     "aslant," & Step'Image);
             Assert
@@ -601,8 +499,7 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Aslant;
 
-   procedure Test_Doubtful (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Doubtful is
       Result : Status;
    begin
       --  One module that is covered: named rightly or not at all
@@ -622,8 +519,7 @@ package body Vision_Robot_Tests is
                       then 20.0 + 70.0 * Long_Float (Level) else Level_Here);
                begin
                   Pictures.Show_Changed (P.Scene, Cover'Access);
-                  Result := Find_Robots (0, Aruco, null, Found'Address, 8,
-                                         Count'Access);
+                  Result := Find (Aruco);
                   Assert (Result = Not_Found
                           or else (Count = 1
                                    and then Found (0).Id = int (83 * Step)),
@@ -658,14 +554,10 @@ package body Vision_Robot_Tests is
               * Long_Float'Max (0.0, Long_Float'Min (1.0, 0.5 + Depth)));
    --  A pixel on an edge shows both
 
-   procedure Test_Triangle_On_Bright (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Triangle_On_Bright is
    begin
       for Step in 0 .. 11 loop
          declare
-            function Change (X, Y : Long_Float; Level : Long_Float)
-              return Long_Float;
-
             function Change (X, Y : Long_Float; Level : Long_Float)
               return Long_Float
             is
@@ -680,8 +572,7 @@ package body Vision_Robot_Tests is
             end Change;
          begin
             Pictures.Show_Changed (Scenes.Default, Change'Access);
-            Assert (Find_Robots (0, Triangle, null, Found'Address, 8,
-                                 Count'Access) = Ok and then Count = 1,
+            Assert (Find (Triangle) = Ok and then Count = 1,
                     "found" & Step'Image);
             declare
                X : constant Long_Float := Long_Float (Found (0).Direction.X);
@@ -695,16 +586,12 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Triangle_On_Bright;
 
-   procedure Test_Set_Square (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Set_Square is
    begin
       for Step in 0 .. 11 loop
          for Lean in 0 .. 2 loop  --  more and more aslant
             declare
                Tip : constant Long_Float := 2.0 * Long_Float (Lean);
-
-               function Change (X, Y : Long_Float; Level : Long_Float)
-                 return Long_Float;
 
                function Change (X, Y : Long_Float; Level : Long_Float)
                  return Long_Float
@@ -722,51 +609,36 @@ package body Vision_Robot_Tests is
                end Change;
             begin
                Pictures.Show_Changed (Scenes.Default, Change'Access);
-               Assert (Find_Robots (0, Triangle, null, Found'Address, 8,
-                                    Count'Access) = Not_Found,
+               Assert (Find (Triangle) = Not_Found,
                        "a set square" & Step'Image & Lean'Image);
             end;
          end loop;
       end loop;
    end Test_Set_Square;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("robots"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_Headings'Access, "every heading");
-      Register_Routine (T, Test_Headings_Noise'Access,
-                        "every heading, noise");
-      Register_Routine (T, Test_Headings_Blur'Access, "every heading, blur");
-      Register_Routine (T, Test_Headings_Uneven'Access,
-                        "every heading, uneven light");
-      Register_Routine (T, Test_Headings_Turned'Access,
-                        "every heading, camera turned");
-      Register_Routine (T, Test_Headings_All'Access,
-                        "every heading, all at once");
-      Register_Routine (T, Test_Upright'Access, "an upright marker");
-      Register_Routine (T, Test_Resolutions'Access, "resolutions");
-      Register_Routine (T, Test_Identifiers'Access, "identifiers");
-      Register_Routine (T, Test_Two_Robots'Access, "two robots");
-      Register_Routine (T, Test_Capacity'Access, "more than fit");
-      Register_Routine (T, Test_Positions_In_Arena'Access,
-                        "the same with and without the arena");
-      Register_Routine (T, Test_Outside_Arena'Access, "outside the arena");
-      Register_Routine (T, Test_Strange_Arenas'Access, "strange arenas");
-      Register_Routine (T, Test_None'Access, "no robot");
-      Register_Routine (T, Test_Other_Marker'Access, "the other marker");
-      Register_Routine (T, Test_Faint'Access, "a faint marker");
-      Register_Routine (T, Test_Glare'Access, "glare on a marker");
-      Register_Routine (T, Test_Blot'Access, "a blot over its side");
-      Register_Routine (T, Test_Margin'Access, "a narrow white margin");
-      Register_Routine (T, Test_Aslant'Access, "seen from close and aslant");
-      Register_Routine (T, Test_Doubtful'Access,
-                        "one of its modules covered");
-      Register_Routine (T, Test_Triangle_On_Bright'Access,
-                        "a triangle on something bright");
-      Register_Routine (T, Test_Set_Square'Access, "a set square is no robot");
-   end Register_Tests;
+      Add_Test ("every heading", Test_Headings'Access);
+      Add_Test ("an upright marker", Test_Upright'Access);
+      Add_Test ("resolutions", Test_Resolutions'Access);
+      Add_Test ("identifiers", Test_Identifiers'Access);
+      Add_Test ("two robots", Test_Two_Robots'Access);
+      Add_Test ("more than fit", Test_Capacity'Access);
+      Add_Test ("the same with and without the arena",
+                Test_Positions_In_Arena'Access);
+      Add_Test ("outside the arena", Test_Outside_Arena'Access);
+      Add_Test ("strange arenas", Test_Strange_Arenas'Access);
+      Add_Test ("no robot", Test_None'Access);
+      Add_Test ("the other marker", Test_Other_Marker'Access);
+      Add_Test ("a faint marker", Test_Faint'Access);
+      Add_Test ("glare on a marker", Test_Glare'Access);
+      Add_Test ("a blot over its side", Test_Blot'Access);
+      Add_Test ("a narrow white margin", Test_Margin'Access);
+      Add_Test ("seen from close and aslant", Test_Aslant'Access);
+      Add_Test ("one of its modules covered", Test_Doubtful'Access);
+      Add_Test ("a triangle on something bright",
+                Test_Triangle_On_Bright'Access);
+      Add_Test ("a set square is no robot", Test_Set_Square'Access);
+   end Add_Tests;
 
 end Vision_Robot_Tests;

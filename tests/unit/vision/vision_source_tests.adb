@@ -2,39 +2,20 @@
 --  The sources of images: files, what cannot be opened, pace, scaling.
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Ada.Streams;   use Ada.Streams;
+with GNAT.Sockets;  use GNAT.Sockets;
 with Interfaces.C;  use Interfaces.C;
+with Interfaces.C.Strings;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Pictures;
 with Scenes;
+with Vision.Library;
 with Vision_C; use Vision_C;
+with Unit_Runs; use Unit_Runs;
 
 package body Vision_Source_Tests is
-
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
-   procedure Check_Size (Slot, Width, Height : int; What : String);
-
-   procedure Check_Pace (Images : Positive; Rate : Positive; What : String);
-   --  So many images of the open source take as long as Rate a second says:
-   --  never less, and not more, at one time at least
-
-   procedure Check_Refused (Source : String);
-   --  Cannot be opened, and that is found out soon
-
-   procedure Test_Still (T : in out Any_Test);
-   procedure Test_Still_After_Delay (T : in out Any_Test);
-   procedure Test_Video (T : in out Any_Test);
-   procedure Test_Video_Of_One_Image (T : in out Any_Test);
-   procedure Test_Scaling (T : in out Any_Test);
-   procedure Test_Not_Open (T : in out Any_Test);
-   procedure Test_Close (T : in out Any_Test);
-   procedure Test_Reopen (T : in out Any_Test);
-   procedure Test_Refused_Names (T : in out Any_Test);
-   procedure Test_Refused_Files (T : in out Any_Test);
-   procedure Test_Refused_Cameras (T : in out Any_Test);
-   procedure Test_Refused_Streams (T : in out Any_Test);
 
    procedure Check_Size (Slot, Width, Height : int; What : String) is
       W, H : aliased int := 0;
@@ -46,6 +27,8 @@ package body Vision_Source_Tests is
 
    procedure Check_Pace (Images : Positive; Rate : Positive; What : String)
    is
+      --  So many images of the open source take as long as Rate a second says:
+      --  never less, and not more, at one time at least
       Attempts : constant := 10;
       --  the machine may have other work
       Start    : Time;
@@ -66,6 +49,7 @@ package body Vision_Source_Tests is
    end Check_Pace;
 
    procedure Check_Refused (Source : String) is
+      --  Cannot be opened, and that is found out soon
       Limit : constant Duration := 10.0;
       --  a third of OpenCV's own, with room for a machine that has other work
       Start : constant Time := Clock;
@@ -76,8 +60,7 @@ package body Vision_Source_Tests is
       Assert (Grab (0) = No_Camera, Source & ": not open");
    end Check_Refused;
 
-   procedure Test_Still (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Still is
       Path  : constant String := Pictures.Temporary ("still.jpg");
       Found : aliased Arena;
    begin
@@ -95,8 +78,7 @@ package body Vision_Source_Tests is
       Assert (Close = Ok, "close");
    end Test_Still;
 
-   procedure Test_Still_After_Delay (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Still_After_Delay is
       Path : constant String := Pictures.Temporary ("still.ppm");
    begin
       Pictures.Save_Plain (64, 48, Path);
@@ -107,8 +89,7 @@ package body Vision_Source_Tests is
       Assert (Close = Ok, "close");
    end Test_Still_After_Delay;
 
-   procedure Test_Video (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Video is
       Path    : constant String := Pictures.Temporary ("loop.avi");
       Last    : Time;
       Longest : Duration;
@@ -135,8 +116,7 @@ package body Vision_Source_Tests is
       Pictures.Remove (Path);
    end Test_Video;
 
-   procedure Test_Video_Of_One_Image (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Video_Of_One_Image is
       Path : constant String := Pictures.Temporary ("one.avi");
    begin
       Pictures.Save_Video (Scenes.Default, 1, 25, Path);
@@ -148,13 +128,10 @@ package body Vision_Source_Tests is
       Assert (Close = Ok, "close");
    end Test_Video_Of_One_Image;
 
-   procedure Test_Scaling (T : in out Any_Test) is
-      pragma Unreferenced (T);
-
-      procedure Check (From_W, From_H : Positive; To_W, To_H : int);
-      --  Fitted into 640 x 480
+   procedure Test_Scaling is
 
       procedure Check (From_W, From_H : Positive; To_W, To_H : int) is
+         --  Fitted into 640 x 480
          Path : constant String := Pictures.Temporary ("size.ppm");
       begin
          Pictures.Save_Plain (From_W, From_H, Path);
@@ -175,15 +152,13 @@ package body Vision_Source_Tests is
       Assert (Close = Ok, "close");
    end Test_Scaling;
 
-   procedure Test_Not_Open (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Not_Open is
    begin
       Assert (Close = Ok, "close");
       Assert (Grab (0) = No_Camera, "grab");
    end Test_Not_Open;
 
-   procedure Test_Close (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Close is
       Path : constant String := Pictures.Temporary ("close.ppm");
    begin
       Pictures.Save_Plain (64, 48, Path);
@@ -198,8 +173,7 @@ package body Vision_Source_Tests is
       Pictures.Remove (Path);
    end Test_Close;
 
-   procedure Test_Reopen (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Reopen is
       One : constant String := Pictures.Temporary ("one.ppm");
       Two : constant String := Pictures.Temporary ("two.ppm");
    begin
@@ -216,8 +190,7 @@ package body Vision_Source_Tests is
       Pictures.Remove (Two);
    end Test_Reopen;
 
-   procedure Test_Refused_Names (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Refused_Names is
    begin
       Check_Refused ("/no/such/file.jpg");
       Check_Refused ("/tmp");
@@ -231,8 +204,7 @@ package body Vision_Source_Tests is
       Assert (Open (To_C (""), 640, 480, 10) = Bad_Argument, "empty");
    end Test_Refused_Names;
 
-   procedure Test_Refused_Files (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Refused_Files is
       Path : constant String := Pictures.Temporary ("broken.jpg");
    begin
       Pictures.Save_Text ("", Path);
@@ -250,44 +222,149 @@ package body Vision_Source_Tests is
       Pictures.Remove (Path);
    end Test_Refused_Files;
 
-   procedure Test_Refused_Cameras (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Refused_Cameras is
    begin
       Check_Refused ("97");
       Check_Refused ("9999");
       Check_Refused ("/dev/zero");
    end Test_Refused_Cameras;
 
-   procedure Test_Refused_Streams (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Refused_Streams is
    begin
       Check_Refused ("http://127.0.0.1:9/stream.mjpg");
       Check_Refused ("rtsp://127.0.0.1:9/stream");
       Check_Refused ("nonsense://127.0.0.1/");
       Check_Refused ("http://");
       Check_Refused ("! ! !");
+      Check_Refused ("fakesrc ! valve drop=true ! appsink");
    end Test_Refused_Streams;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("sources"));
+   procedure Check_Cause (Source, Shown, Cause : String) is
+      --  Shown: without secrets. The cause fits into a message of the
+      --  supervisor
 
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+      function Reason return Strings.chars_ptr
+      with Import, Convention => C, External_Name => "vision_reason";
    begin
-      Register_Routine (T, Test_Still'Access, "a still image");
-      Register_Routine (T, Test_Still_After_Delay'Access,
-                        "the pace after a delay");
-      Register_Routine (T, Test_Video'Access, "a video, looped and paced");
-      Register_Routine (T, Test_Video_Of_One_Image'Access,
-                        "a video of one image, and its loss");
-      Register_Routine (T, Test_Scaling'Access, "scaling");
-      Register_Routine (T, Test_Not_Open'Access, "nothing open");
-      Register_Routine (T, Test_Close'Access, "closing");
-      Register_Routine (T, Test_Reopen'Access, "opening what is open");
-      Register_Routine (T, Test_Refused_Names'Access, "names of nothing");
-      Register_Routine (T, Test_Refused_Files'Access, "broken files");
-      Register_Routine (T, Test_Refused_Cameras'Access, "absent cameras");
-      Register_Routine (T, Test_Refused_Streams'Access, "absent streams");
-   end Register_Tests;
+      Assert (Open (To_C (Source), 640, 480, 10) = No_Camera,
+              Source & ": refused");
+      declare
+         Text : constant String := Strings.Value (Reason);
+      begin
+         Assert (Text = Shown & ": cannot be opened: " & Cause,
+                 "the reason is " & Text);
+         Assert (Text'Length <= Vision.Library.Reason_Text'Length, "too long");
+      end;
+   end Check_Cause;
+
+   function Bound (Listens : Boolean := False) return Socket_Type is
+      --  To a free port of 127.0.0.1
+      Socket : Socket_Type;
+   begin
+      Create_Socket (Socket);
+      Bind_Socket (Socket, (Family_Inet, Loopback_Inet_Addr, Any_Port));
+      if Listens then
+         Listen_Socket (Socket);
+      end if;
+      return Socket;
+   end Bound;
+
+   procedure Check_Http
+     (Reply, Cause : String; Connections : Positive := 1)
+   is
+      End_Of_Line : constant String := (1 => ASCII.CR, 2 => ASCII.LF);
+      Listener    : constant Socket_Type := Bound (Listens => True);
+
+      task Server;
+
+      task body Server is
+         Client   : Socket_Type;
+         Address  : Sock_Addr_Type;
+         Accepted : Selector_Status;
+         Request  : Stream_Element_Array (1 .. 2_000);
+         Last     : Stream_Element_Offset;
+      begin
+         for Connection in 1 .. Connections loop
+            Accept_Socket (Listener, Client, Address, 10.0, null, Accepted);
+            exit when Accepted /= Completed;
+            Receive_Socket (Client, Request, Last);
+            String'Write
+              (Stream (Client),
+               "HTTP/1.1 " & Reply & End_Of_Line & End_Of_Line & "<html>");
+            Close_Socket (Client);
+         end loop;
+      end Server;
+   begin
+      Check_Cause
+        ("http://admin:secret@" & Image (Get_Socket_Name (Listener)) & "/x?k",
+         "http://...@" & Image (Get_Socket_Name (Listener)) & "/x?...",
+         Cause);
+      Close_Socket (Listener);
+   end Check_Http;
+
+   procedure Test_Causes_Of_Streams is
+      Socket : constant Socket_Type := Bound;
+      Where  : constant String := Image (Get_Socket_Name (Socket));
+   begin
+      Check_Http ("404 Not Found", "HTTP error 404 Not Found");
+      Check_Http
+        ("401 Unauthorized" & ASCII.LF & "WWW-Authenticate: Basic realm=x",
+         "HTTP error 401 Unauthorized", Connections => 2);
+      Check_Http
+        ("200 OK" & ASCII.LF & "content-type: text/html; charset=utf-8",
+         "HTTP 200 with text/html, no stream of images");
+      Check_Http ("503 Bus" & ASCII.ESC & "y", "HTTP error 503 Bus y");
+
+      Check_Cause
+        ("http://" & Where & "/x", "http://" & Where & "/x",
+         "Connection refused");
+      Check_Cause
+        ("rtsp://" & Where & "/x", "rtsp://" & Where & "/x",
+         "Connection refused");
+      Listen_Socket (Socket);
+      --  a client is connected, but nobody accepts it
+      Check_Cause
+        ("http://" & Where & "/x", "http://" & Where & "/x", "no answer");
+      Check_Cause
+        ("http://no..where/" & String'(1 .. 200 => 'x'),
+         "http://no..where/" & (1 .. 55 => 'x') & "...",
+         "Name or service not known");
+      Close_Socket (Socket);
+   end Test_Causes_Of_Streams;
+
+   procedure Test_Causes_Of_Pipelines is
+   begin
+      Check_Cause
+        ("fakesrc ! nosuchelement ! fakesink",
+         "fakesrc ! nosuchelement ! fakesink", "no element ""nosuchelement""");
+      Check_Cause
+        ("fakesrc ! avdec_none ! fakesink", "fakesrc ! avdec_none ! fakesink",
+         "no element ""avdec_none"", see gstreamer1.0-libav");
+      Check_Cause
+        ("fakesrc nosuch=1 ! fakesink", "fakesrc nosuch=1 ! fakesink",
+         "no property ""nosuch"" in element ""fakesrc""");
+      Check_Cause
+        ("fakesrc ! fakesink", "fakesrc ! fakesink",
+         "a pipeline must end with appsink");
+   end Test_Causes_Of_Pipelines;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("a still image", Test_Still'Access);
+      Add_Test ("the pace after a delay", Test_Still_After_Delay'Access);
+      Add_Test ("a video, looped and paced", Test_Video'Access);
+      Add_Test ("a video of one image, and its loss",
+                Test_Video_Of_One_Image'Access);
+      Add_Test ("scaling", Test_Scaling'Access);
+      Add_Test ("nothing open", Test_Not_Open'Access);
+      Add_Test ("closing", Test_Close'Access);
+      Add_Test ("opening what is open", Test_Reopen'Access);
+      Add_Test ("names of nothing", Test_Refused_Names'Access);
+      Add_Test ("broken files", Test_Refused_Files'Access);
+      Add_Test ("absent cameras", Test_Refused_Cameras'Access);
+      Add_Test ("absent streams", Test_Refused_Streams'Access);
+      Add_Test ("the cause: streams", Test_Causes_Of_Streams'Access);
+      Add_Test ("the cause: pipelines", Test_Causes_Of_Pipelines'Access);
+   end Add_Tests;
 
 end Vision_Source_Tests;

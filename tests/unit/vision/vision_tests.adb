@@ -14,31 +14,15 @@ with Vision.C_Shapes; use Vision.C_Shapes;
 with Vision.Findings; use Vision.Findings;
 with Vision.Library;  use Vision.Library;
 with Vision.Shapes;   use Vision.Shapes;
+with Unit_Runs; use Unit_Runs;
 
 package body Vision_Tests is
 
    use type Bytes.Byte;
 
-   subtype Any_Test is AUnit.Test_Cases.Test_Case'Class;
-
    function Is_Near
      (Value : Micro_Pixels; Truth : double) return Boolean
    is (abs (double (Value) / 1.0E6 - Truth) < 2.0);
-
-   procedure Open_Scene (Scene : Scenes.Description);
-   --  Through a file, as a camera's images come
-
-   procedure Test_Arena (T : in out Any_Test);
-   procedure Test_No_Arena (T : in out Any_Test);
-   procedure Test_Robots (T : in out Any_Test);
-   procedure Test_No_Robot (T : in out Any_Test);
-   procedure Test_Draw (T : in out Any_Test);
-   procedure Test_Encode (T : in out Any_Test);
-   procedure Test_Open_Failures (T : in out Any_Test);
-   procedure Test_Texts (T : in out Any_Test);
-   procedure Test_Ranges (T : in out Any_Test);
-   procedure Test_Unsound_Robots (T : in out Any_Test);
-   procedure Test_Unsound_Arena (T : in out Any_Test);
 
    Sound : constant C_Robot :=
      (Id => 7, Centre => (1.5, -2.25), Direction => (3.0, 4.0),
@@ -49,6 +33,7 @@ package body Vision_Tests is
       Direction => (3_000_000, 4_000_000), Angle => 180_000_000);
 
    procedure Open_Scene (Scene : Scenes.Description) is
+      --  Through a file, as a camera's images come
       Path   : constant String := Pictures.Temporary ("scene.jpg");
       Result : Status;
    begin
@@ -61,8 +46,7 @@ package body Vision_Tests is
       Close;
    end Open_Scene;
 
-   procedure Test_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Arena is
       Scene  : aliased Scenes.Description := Scenes.Default;
       Truth  : Scenes.Corner_Coordinates;
       Found  : Arena_Corners;
@@ -81,8 +65,7 @@ package body Vision_Tests is
       end loop;
    end Test_Arena;
 
-   procedure Test_No_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_No_Arena is
       Scene  : Scenes.Description := Scenes.Default;
       Found  : Arena_Corners;
       Result : Status;
@@ -95,8 +78,7 @@ package body Vision_Tests is
       Assert (Result = Bad_Argument and then Found = No_Arena, "no image");
    end Test_No_Arena;
 
-   procedure Test_Robots (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Robots is
       Scene          : aliased Scenes.Description;
       Field          : Arena_Corners;
       Robots         : Robot_Array;
@@ -131,8 +113,7 @@ package body Vision_Tests is
       end loop;
    end Test_Robots;
 
-   procedure Test_No_Robot (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_No_Robot is
       Robots : Robot_Array;
       Count  : Robot_Count;
       Result : Status;
@@ -147,8 +128,7 @@ package body Vision_Tests is
       Assert (Result = Not_Found and then Count = 0, "none in no arena");
    end Test_No_Robot;
 
-   procedure Test_Draw (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Draw is
       Field  : Arena_Corners;
       Result : Status;
    begin
@@ -167,8 +147,7 @@ package body Vision_Tests is
       Assert (Result = Bad_Argument, "robot far away");
    end Test_Draw;
 
-   procedure Test_Encode (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Encode is
       Buffer : Byte_Array (1 .. 400_000) := (others => 16#A5#);
       Length : Natural;
       Result : Status;
@@ -188,8 +167,7 @@ package body Vision_Tests is
       Assert (Result = Bad_Argument and then Length = 0, "no image");
    end Test_Encode;
 
-   procedure Test_Open_Failures (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Open_Failures is
       use Ada.Calendar;
       Start  : constant Time := Clock;
       Result : Status;
@@ -206,8 +184,34 @@ package body Vision_Tests is
       Assert (Clock - Start < 10.0, "at once, but for other work");
    end Test_Open_Failures;
 
-   procedure Test_Texts (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Secrets is
+      --  No password of a URL gets into a message
+      Text   : Reason_Text;
+      Last   : Natural;
+      Result : Status;
+
+      procedure Check (Source, Says : String) is
+      begin
+         Open (Source, 640, 480, 10, Result);
+         Assert (Result = No_Camera, "opened: " & Source);
+         Reason (Text, Last);
+         Assert
+           (Last >= Says'Length and then Text (1 .. Says'Length) = Says,
+            Text (1 .. Last));
+      end Check;
+
+   begin
+      Check ("http://me:se@cret@[::1]:1/a?key=b", "http://...@[::1]:1/a?...");
+      Check ("http://me:se/cret@[::1]:1/", "http://...@[::1]:1/");
+      Check ("http://me@[::1]:1/", "http://...@[::1]:1/:");
+      Check ("http://[::1]:1/a?key=b", "http://[::1]:1/a?...:");
+      Check
+        ("no location=http://a:b@c/?d ! ""http://e:f@g"" ! none",
+         "no location=http://...@c/?... ! ""http://...@g"" ! none");
+      Close;
+   end Test_Secrets;
+
+   procedure Test_Texts is
       Text   : Reason_Text;
       Last   : Natural;
       Result : Status;
@@ -226,8 +230,7 @@ package body Vision_Tests is
       Assert (Last = Text'Last, "a long reason is cut");
    end Test_Texts;
 
-   procedure Test_Ranges (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Ranges is
       Least : constant C_Robot :=
         (0, (-1.0E7, -1.0E7), (-1.0E7, -1.0E7), -180.0);
       Most  : constant C_Robot :=
@@ -248,8 +251,7 @@ package body Vision_Tests is
                 ((1.0, 2.0), 0.5), "area");
    end Test_Ranges;
 
-   procedure Test_Unsound_Robots (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Unsound_Robots is
       Wrong  : constant array (Positive range <>) of C_Robot :=
         ((-1, Sound.Centre, Sound.Direction, 0.0),
          (1_000, Sound.Centre, Sound.Direction, 0.0),
@@ -277,8 +279,7 @@ package body Vision_Tests is
       Assert (Count = 0, "of none");
    end Test_Unsound_Robots;
 
-   procedure Test_Unsound_Arena (T : in out Any_Test) is
-      pragma Unreferenced (T);
+   procedure Test_Unsound_Arena is
       Found  : C_Arena := (others => (1.0, 2.0));
       Arena  : Arena_Corners;
       Usable : Boolean;
@@ -294,26 +295,21 @@ package body Vision_Tests is
       end loop;
    end Test_Unsound_Arena;
 
-   overriding function Name (T : Test_Case) return AUnit.Message_String is
-     (AUnit.Format ("Ada side of the vision"));
-
-   overriding procedure Register_Tests (T : in out Test_Case) is
-      use AUnit.Test_Cases.Registration;
+   procedure Add_Tests is
    begin
-      Register_Routine (T, Test_Arena'Access, "arena");
-      Register_Routine (T, Test_No_Arena'Access, "no arena");
-      Register_Routine (T, Test_Robots'Access, "robots");
-      Register_Routine (T, Test_No_Robot'Access, "no robot");
-      Register_Routine (T, Test_Draw'Access, "drawing");
-      Register_Routine (T, Test_Encode'Access, "encoding");
-      Register_Routine (T, Test_Open_Failures'Access,
-                        "what cannot be opened");
-      Register_Routine (T, Test_Texts'Access, "reason and version");
-      Register_Routine (T, Test_Ranges'Access, "numbers within their ranges");
-      Register_Routine (T, Test_Unsound_Robots'Access,
-                        "robots out of range are left out");
-      Register_Routine (T, Test_Unsound_Arena'Access,
-                        "an arena out of range is none");
-   end Register_Tests;
+      Add_Test ("arena", Test_Arena'Access);
+      Add_Test ("no arena", Test_No_Arena'Access);
+      Add_Test ("robots", Test_Robots'Access);
+      Add_Test ("no robot", Test_No_Robot'Access);
+      Add_Test ("drawing", Test_Draw'Access);
+      Add_Test ("encoding", Test_Encode'Access);
+      Add_Test ("what cannot be opened", Test_Open_Failures'Access);
+      Add_Test ("secrets of a URL", Test_Secrets'Access);
+      Add_Test ("reason and version", Test_Texts'Access);
+      Add_Test ("numbers within their ranges", Test_Ranges'Access);
+      Add_Test ("robots out of range are left out",
+                Test_Unsound_Robots'Access);
+      Add_Test ("an arena out of range is none", Test_Unsound_Arena'Access);
+   end Add_Tests;
 
 end Vision_Tests;

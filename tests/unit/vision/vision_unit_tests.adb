@@ -9,16 +9,16 @@ with Vision_Jpeg_Tests;
 with Vision_Robot_Tests;
 with Vision_Source_Tests;
 with Vision_Tests;
-with Unit_Runs;
+with Unit_Runs; use Unit_Runs;
 
 procedure Vision_Unit_Tests is
 begin
-   Unit_Runs.Add (new Vision_C_Tests.Test_Case);
-   Unit_Runs.Add (new Vision_Arena_Tests.Test_Case);
-   Unit_Runs.Add (new Vision_Robot_Tests.Test_Case);
-   Unit_Runs.Add (new Vision_Source_Tests.Test_Case);
-   Unit_Runs.Add (new Vision_Jpeg_Tests.Test_Case);
-   Unit_Runs.Add (new Following_Tests.Test_Case);
-   Unit_Runs.Add (new Vision_Tests.Test_Case);
-   Unit_Runs.Run;
+   Add ("vision_c", Vision_C_Tests.Add_Tests'Access);
+   Add ("arena", Vision_Arena_Tests.Add_Tests'Access);
+   Add ("robots", Vision_Robot_Tests.Add_Tests'Access);
+   Add ("sources", Vision_Source_Tests.Add_Tests'Access);
+   Add ("the camera's own JPEG", Vision_Jpeg_Tests.Add_Tests'Access);
+   Add ("following", Following_Tests.Add_Tests'Access);
+   Add ("Ada side of the vision", Vision_Tests.Add_Tests'Access);
+   Run;
 end Vision_Unit_Tests;

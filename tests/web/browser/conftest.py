@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -13,46 +14,63 @@ from typing import Any
 
 import pytest
 from _pytest.runner import runtestprotocol
-from stand import ROOT, Browser, Page, Stand, Standstills
+from selenium.common.exceptions import TimeoutException
+from stand import ROOT, Browser, Late, Page, Stand, standstills
 
 ACCOUNT = pytest.StashKey[str]()
 #  Of the stand, for the report of a test that fails
 
-TRIES = 6
-#  Of a test that fails while the machine stood still: nobody can tell then who
-#  was late
+LATE = pytest.StashKey[list[str]]()
+#  What was late during the test: a processor, the robot's line
+
+WRONG = pytest.StashKey[bool]()
+#  It has failed otherwise than by a limit of time
+
+LIMITS = (Late, TimeoutException, subprocess.TimeoutExpired)
+
+ATTEMPTS = 3
+#  Of a test that misses a limit of time while something is late
 
 
-def pytest_runtest_protocol(
-    item: pytest.Function, nextitem: pytest.Item | None
-) -> bool:
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> None:
+    if call.excinfo and not call.excinfo.errisinstance(LIMITS):
+        item.stash[WRONG] = True
+
+
+def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> bool:
     hook = item.ihook
     hook.pytest_runtest_logstart(nodeid=item.nodeid, location=item.location)
-    for left in reversed(range(TRIES)):
-        with Standstills() as standstills:
+    item.stash[WRONG] = False
+    for left in reversed(range(ATTEMPTS)):
+        late: list[str] = []
+        item.stash[LATE] = late
+        with standstills(late):
             reports = runtestprotocol(item, nextitem=nextitem, log=False)
-        if left == 0 or not standstills.longest or all(r.passed for r in reports):
-            break
-        with item.config.pluginmanager.getplugin(
-            "capturemanager"
-        ).global_and_fixture_disabled():
-            print(f"\n{item.nodeid} again: late by {standstills.longest:.3f} s:")
-            print(*(r.longreprtext for r in reports if r.failed))
-        item._initrequest()
-    for report in reports:
-        if report.failed:
+        failed = [report for report in reports if report.failed]
+        again = failed and late and left and not item.stash[WRONG]
+        for report in failed:
             report.sections.append(("the stand", item.stash.get(ACCOUNT, "")))
-        hook.pytest_runtest_logreport(report=report)
+            report.sections.append(("late meanwhile", "\n".join(late[-9:])))
+            if again:
+                report.outcome = "repeated"  # type: ignore[assignment]
+        for report in failed if again else reports:
+            hook.pytest_runtest_logreport(report=report)
+        if not again:
+            break
     hook.pytest_runtest_logfinish(nodeid=item.nodeid, location=item.location)
     return True
 
 
-def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption(
-        "--pictures",
-        metavar="FOLDER",
-        help="leave there the pictures of the documentation; needs pngquant",
-    )
+def pytest_report_teststatus(report: pytest.TestReport) -> tuple[str, str, str] | None:
+    if str(report.outcome) == "repeated":
+        return "repeated", "R", "REPEATED"
+    return None
+
+
+def pytest_terminal_summary(terminalreporter: Any) -> None:
+    for report in terminalreporter.getreports("repeated"):
+        why = report.longrepr.reprcrash.message.splitlines()[0]
+        terminalreporter.write_line(f"REPEATED {report.nodeid}: {why}")
 
 
 @pytest.fixture(scope="session")
@@ -63,10 +81,7 @@ def browsers(
     made: dict[int, Browser] = {}
 
     def browser(number: int) -> Browser:
-        if number in made and made[number].ended is not None:
-            print(f"\nchromedriver {number} has ended with {made[number].ended}")
-            del made[number]
-        if number not in made:
+        if number not in made or not made[number].lives():
             made[number] = Browser(tmp_path_factory.mktemp(f"chromium{number}"))
         return made[number]
 
@@ -145,6 +160,7 @@ def stands(
                 one.end()
             finally:
                 request.node.stash[ACCOUNT] = one.account
+                request.node.stash[LATE] += one.emulator.late
 
         yield stand
 
@@ -181,6 +197,44 @@ def axe() -> str:
     return Path(place).read_text(encoding="utf-8")
 
 
+class Film:
+    """Of the arena in a page, in pictures that are joined after the test."""
+
+    LARGEST = 1_500_000
+    FASTER = 2
+    #  It is shown at so many times its speed
+
+    def __init__(self, page: Page, path: Path | None) -> None:
+        self._page = page
+        self._path = path
+        self._taken: list[tuple[float, str]] = []
+
+    def take(self) -> None:
+        if self._path is not None:
+            path = f"{self._path}-{len(self._taken):03}.png"
+            self._taken.append((time.monotonic(), path))
+            self._page.element("arena").screenshot(path)
+
+    def take_until(self, condition: Callable[..., Any], *arguments: Any) -> None:
+        while self._path is not None and not condition(*arguments):
+            self.take()
+
+    def join(self) -> None:
+        if self._path is None:
+            return
+        film = self._path.with_suffix(".webp")
+        ends = [begin for begin, _ in self._taken[1:]] + [self._taken[-1][0] + 4]
+        frames: list[str] = []
+        for (begin, path), end in zip(self._taken, ends, strict=True):
+            frames += ["-d", str(round(1000 * (end - begin) / self.FASTER)), path]
+        subprocess.run(
+            ["img2webp", "-lossy", "-q", "50", *frames, "-o", film], check=True
+        )
+        for _, path in self._taken:
+            Path(path).unlink()
+        assert film.stat().st_size < self.LARGEST, f"{film} is too large"
+
+
 class Pictures:
     """Those of the documentation: taken in the test, made small after it."""
 
@@ -189,6 +243,7 @@ class Pictures:
     def __init__(self, folder: Path | None) -> None:
         self._folder = folder
         self._taken: list[Path] = []
+        self._films: list[Film] = []
 
     def take(self, page: Page, name: str, at: str = "arena") -> None:
         """With the element at in the window."""
@@ -196,7 +251,14 @@ class Pictures:
             self._taken.append(self._folder / f"{name}.png")
             page.picture(self._taken[-1], at)
 
+    def film(self, page: Page, name: str) -> Film:
+        film = Film(page, None if self._folder is None else self._folder / name)
+        self._films.append(film)
+        return film
+
     def finish(self) -> None:
+        for film in self._films:
+            film.join()
         for path in self._taken:
             subprocess.run(
                 [

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import os
 import re
 import select
 import signal
@@ -15,9 +14,7 @@ import socket
 import subprocess
 import threading
 import time
-import tty
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -34,7 +31,7 @@ LIMIT = 10.0
 #  Seconds for what has no limit of its own: a machine with other work
 
 
-class Failure(AssertionError):
+class Late(AssertionError):
     """Something did not come in time."""
 
 
@@ -49,74 +46,44 @@ def await_(
         if value:
             return value
         if late:
-            raise Failure(f"not within {within} s: {what}")
+            raise Late(f"not within {within} s: {what}")
         time.sleep(every)
 
 
-class Standstills:
-    """Notes how long a thread did not run that should have, and how late a
-    byte was on a pseudo-terminal, as the robot's line is one."""
+@contextlib.contextmanager
+def standstills(notes: list[str]) -> Iterator[None]:
+    """Notes how late a processor was for a thread of this one's, if it was so
+    late that the robot, which has 80 ms for an answer, may have been late."""
+    tick, tolerated = 0.01, 0.02
+    ended = threading.Event()
 
-    TICK = 0.01
-    TOLERATED = 0.1
-    #  A fifth of the shortest limit here
-    BYTE_TOLERATED = 0.02
-    #  A quarter of what the robot has for an answer
-
-    def __init__(self) -> None:
-        self.longest = 0.0
-        #  of those not tolerated
-        self._ended = threading.Event()
-        self._threads = [
-            threading.Thread(target=watch, daemon=True)
-            for watch in (self._watch, self._watch_line)
-        ]
-
-    def _note(self, late: float, tolerated: float) -> None:
-        if late > tolerated:
-            self.longest = max(self.longest, late)
-
-    def _watch(self) -> None:
-        before = time.monotonic()
-        while not self._ended.wait(self.TICK):
-            now = time.monotonic()
-            self._note(now - before - self.TICK, self.TOLERATED)
-            before = now
-
-    def _watch_line(self) -> None:
-        ends = os.openpty()
-        robot, device = ends
-        tty.setraw(device)
-        while not self._ended.wait(self.TICK):
+    def watch() -> None:
+        begun = time.monotonic()
+        while not ended.wait(tick):
+            late = time.monotonic() - begun - tick
+            if late > tolerated:
+                notes.append(f"a processor by {late:.3f} s")
             begun = time.monotonic()
-            os.write(device, b"x")
-            os.read(robot, 1)
-            self._note(time.monotonic() - begun, self.BYTE_TOLERATED)
-        for end in ends:
-            os.close(end)
 
-    def __enter__(self) -> Standstills:
-        for thread in self._threads:
-            thread.start()
-        return self
+    thread = threading.Thread(target=watch, daemon=True)
+    thread.start()
+    yield
+    ended.set()
+    thread.join()
 
-    def __exit__(self, *_: object) -> None:
-        self._ended.set()
-        for thread in self._threads:
-            thread.join()
+
+def may_be_real_time() -> bool:
+    asked = ["chrt", "--fifo", "1", "true"]
+    return subprocess.run(asked, stderr=subprocess.DEVNULL).returncode == 0
 
 
 class Child:
     """A process whose lines are kept."""
 
-    def __init__(self, *arguments: str | Path, real_time: bool = False) -> None:
-        before: list[str | Path] = []
-        if real_time and os.geteuid() == 0:
-            #  as the other system tests have it: it stands for a device
-            before = ["chrt", "--fifo", "1"]
-        self.name = Path(arguments[0]).name
+    def __init__(self, *command: str | Path, before: Sequence[str | Path] = ()) -> None:
+        self.name = Path(command[0]).name
         self.process = subprocess.Popen(
-            [*before, *arguments],
+            [*before, *command],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
@@ -125,15 +92,24 @@ class Child:
             cwd=ROOT,
         )
         self.lines: list[str] = []
+        self.late: list[str] = []
+        #  What the emulator has told of its line
+        self._said_all = False
         self._news = threading.Condition()
         threading.Thread(target=self._read, daemon=True).start()
 
     def _read(self) -> None:
         assert self.process.stdout is not None
         for line in self.process.stdout:
+            if line.startswith("late by "):
+                self.late.append(f"the line: {line.strip()}")
+                continue
             with self._news:
                 self.lines.append(line.rstrip("\n"))
                 self._news.notify_all()
+        with self._news:
+            self._said_all = True
+            self._news.notify_all()
 
     def line(
         self, pattern: str, after: int = 0, within: float = LIMIT
@@ -148,12 +124,11 @@ class Child:
             return None
 
         with self._news:
-            self._news.wait_for(found, within)
+            self._news.wait_for(lambda: found() or self._said_all, within)
             match = found()
+        assert match or not self._said_all, f"it has ended: {self.account}"
         if match is None:
-            raise Failure(
-                f"no line with {pattern!r} within {within} s of {self.account}"
-            )
+            raise Late(f"no line with {pattern!r} within {within} s of {self.account}")
         return match
 
     def write(self, line: str) -> None:
@@ -171,33 +146,28 @@ class Child:
         path = f"/proc/{self.process.pid}/task/{self.process.pid}/children"
         return [int(word) for word in Path(path).read_text(encoding="ascii").split()]
 
-    def end(self, number: int = signal.SIGTERM) -> None:
-        if self.process.poll() is None:
-            self.process.send_signal(number)
-            try:
-                self.process.wait(LIMIT)
-            except subprocess.TimeoutExpired:
-                self.process.kill()
-                self.process.wait()
-                raise Failure(f"{self.name} does not end") from None
-
-
-@dataclass
-class Command:
-    """One that the robot was sent; times are those of time.monotonic."""
-
-    at: float
-    text: str
+    def end(self) -> None:
+        """It has not ended before, and does so in order."""
+        assert self.process.poll() is None, f"it has ended: {self.account}"
+        self.process.terminate()
+        try:
+            status = self.process.wait(LIMIT)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
+            raise
+        assert status in (0, -signal.SIGTERM), f"{status}: {self.account}"
 
 
 class Emulator(Child):
-    def __init__(self, folder: Path, *options: str) -> None:
-        self.link = folder / "robot"
+    def __init__(self, folder: Path, line: str, *options: str) -> None:
+        self.line_at = folder / "robot"
         super().__init__(
             PROGRAMS / "destijl_emulator",
-            *("--link", self.link, "--camera-port", "0", "--boot-ms", "100"),
+            *(f"--{line}", self.line_at, "--camera-port", "0", "--boot-ms", "100"),
             *options,
-            real_time=True,
+            #  as the other system tests have it: it stands for a device
+            before=["chrt", "--fifo", "1"] if may_be_real_time() else [],
         )
         self.camera = self.line("^camera (.*)")[1]
         self._lock = threading.Lock()
@@ -221,28 +191,28 @@ class Emulator(Child):
     def moving(self) -> bool:
         return self.status()["moving"] == "1"
 
-    def journal(self) -> list[Command]:
+    def journal(self) -> list[str]:
+        """The commands that the robot was sent."""
         with self._lock:
             before = len(self.lines)
             self.write("journal")
             self.line("^end$", before)
-            lines = self.lines[before:-1]
-        result = []
-        for line in lines:
-            words = dict(word.split("=", 1) for word in re.findall(r"\w+=\S*", line))
-            result.append(Command(float(words["last"]), words.get("command", "")))
-        return result
+            return re.findall(r" command=(\S*)", "\n".join(self.lines[before:]))
 
 
 class Supervisor(Child):
-    def __init__(self, emulator: Emulator, *options: str | Path, port: int = 0) -> None:
+    def __init__(self, emulator: Emulator, port: int) -> None:
+        preloaded = emulator.line_at.with_suffix(".so")
+        if not preloaded.exists():
+            preloaded.symlink_to(PROGRAMS / "libsocket_line.so")
         super().__init__(
             PROGRAMS / "destijl",
             *("--bind", "127.0.0.1", "--port", str(port)),
-            *("--serial", emulator.link, "--camera", emulator.camera),
-            *options,
+            *("--serial", emulator.line_at, "--camera", emulator.camera),
+            #  by another name, since in this list a blank separates
+            before=["env", f"LD_PRELOAD={preloaded}"],
         )
-        self.port = int(self.line(r"listening on 127\.0\.0\.1:(\d+)")[1])
+        self.line(r"listening on 127\.0\.0\.1:")
 
 
 class Gateway(Child):
@@ -301,6 +271,7 @@ class Cable:
             return
         for one in (near, far):
             one.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            one.settimeout(LIMIT)
         self._pairs[near] = far
         self._pairs[far] = near
 
@@ -350,13 +321,19 @@ class Stand:
         self,
         folder: Path,
         *gateway: str | Path,
+        line: str = "socket",
         emulator: Sequence[str] = ("--pose", "25,20,0"),
-        supervisor: Sequence[str | Path] = (),
     ) -> None:
+        """With line="link" a pseudo-terminal, which can be hung up."""
         with contextlib.ExitStack() as made:
-            self.emulator = Emulator(folder, *emulator)
+            self.emulator = Emulator(folder, line, *emulator)
             made.callback(self.emulator.end)
-            self.supervisor = Supervisor(self.emulator, *supervisor)
+            #  nobody else is given this port between two supervisors
+            bound = made.enter_context(socket.socket())
+            bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            bound.bind(("127.0.0.1", 0))
+            self._port: int = bound.getsockname()[1]
+            self.supervisor = self.new_supervisor()
             made.callback(lambda: self.supervisor.end())
             self.cable = Cable()
             made.callback(self.cable.end)
@@ -366,8 +343,11 @@ class Stand:
             made.callback(lambda: self.gateway.end())
             self._made = made.pop_all()
 
+    def new_supervisor(self) -> Supervisor:
+        return Supervisor(self.emulator, self._port)
+
     def new_gateway(self) -> Gateway:
-        gateway = Gateway(self.supervisor.port, *self._options)
+        gateway = Gateway(self._port, *self._options)
         self.cable.leads_to = gateway.port
         return gateway
 
@@ -378,24 +358,25 @@ class Stand:
         )
 
     def end(self) -> None:
-        with contextlib.suppress(Failure, OSError):
+        with self._made, contextlib.suppress(Late, OSError):
             self.emulator.journal()  # into its lines
-        self._made.close()
 
-    def stands(self, within: float = 1.0) -> float:
-        """Waits until the robot stands; the time it took."""
-        begin = time.monotonic()
-        await_(
-            lambda: not self.emulator.moving, "the robot stands", within, every=0.005
-        )
-        return time.monotonic() - begin
+    def stands(self, within: float = 1.0) -> None:
+        await_(lambda: not self.emulator.moving, "the robot stands", within, 0.005)
 
     def moves(self, within: float = LIMIT) -> None:
-        await_(lambda: self.emulator.moving, "the robot moves", within, every=0.005)
+        await_(lambda: self.emulator.moving, "the robot moves", within, 0.005)
+
+    def drives(self, page: Page, key: str = "w") -> None:
+        """As long as the key is held."""
+        with held(page, key):
+            self.moves()
+        self.stands()
 
 
 class Browser:
-    """A Chromium of its own, whose pages are windows, all in front."""
+    """A Chromium of its own, whose pages are windows, all in front. A window is
+    used again by the next test: a new one costs as much as the page in it."""
 
     def __init__(self, folder: Path) -> None:
         options = webdriver.ChromeOptions()
@@ -408,6 +389,11 @@ class Browser:
             "--no-first-run",
             "--disable-component-update",
             "--disable-background-networking",
+            #  one process draws all pages: to start another for each, and a
+            #  spare one, costs more than a page does
+            "--disable-features=SpareRendererForSitePerProcess,BackForwardCache",
+            "--disable-site-isolation-trials",
+            "--renderer-process-limit=1",
             "--force-color-profile=srgb",
             "--hide-scrollbars",
             "--window-size=1280,900",
@@ -424,16 +410,22 @@ class Browser:
         self.driver = webdriver.Chrome(
             options=options, service=Service("/usr/bin/chromedriver")
         )
-        self.driver.set_script_timeout(LIMIT)
+        self.driver.set_script_timeout(60)
         self.driver.set_page_load_timeout(LIMIT)
         self.driver.get("about:blank")
         self._keeper = self.driver.current_window_handle
+        self._at = self._keeper
+        self._free: list[str] = []
 
-    @property
-    def ended(self) -> int | None:
-        """The status with which its driver has ended, if it has."""
-        status: int | None = self.driver.service.process.poll()
-        return status
+    def at(self, handle: str) -> Any:
+        """The driver, at this window."""
+        if handle != self._at:
+            self.driver.switch_to.window(handle)
+            self._at = handle
+        return self.driver
+
+    def lives(self) -> bool:
+        return self.driver.service.process.poll() is None
 
     def command(self, name: str, **parameters: Any) -> Any:
         return self.driver.execute_cdp_cmd(name, parameters)
@@ -446,14 +438,19 @@ class Browser:
         touch: bool = False,
         dark: bool = False,
     ) -> Page:
-        self.driver.switch_to.window(self._keeper)
-        self.driver.switch_to.new_window("window")
-        page = Page(self, self.driver.current_window_handle, address)
+        if self._free:
+            self.at(self._free.pop())
+        else:
+            self.at(self._keeper).switch_to.new_window("window")
+            self._at = self.driver.current_window_handle
+        page = Page(self, self._at, address)
         agent = self.driver.execute_script("return navigator.userAgent")
         self.command(
             "Emulation.setUserAgentOverride", userAgent=agent, acceptLanguage=languages
         )
-        if size is not None:
+        if size is None:
+            self.command("Emulation.clearDeviceMetricsOverride")
+        else:
             self.command(
                 "Emulation.setDeviceMetricsOverride",
                 width=size[0],
@@ -461,22 +458,23 @@ class Browser:
                 deviceScaleFactor=1,
                 mobile=touch,
             )
-        if touch:
-            self.command("Emulation.setTouchEmulationEnabled", enabled=True)
-        if dark:
-            self.command(
-                "Emulation.setEmulatedMedia",
-                features=[{"name": "prefers-color-scheme", "value": "dark"}],
-            )
+        self.command("Emulation.setTouchEmulationEnabled", enabled=touch)
+        scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else ""}
+        self.command("Emulation.setEmulatedMedia", features=[scheme])
         self.driver.get(address)
         return page
 
     def close_pages(self) -> None:
         for handle in self.driver.window_handles:
-            if handle != self._keeper:
-                self.driver.switch_to.window(handle)
+            if handle == self._keeper or handle in self._free:
+                continue
+            self.at(handle).get("about:blank")
+            if self._free or self.driver.execute_script("return document.hidden"):
                 self.driver.close()
-        self.driver.switch_to.window(self._keeper)
+            else:
+                self._free.append(handle)
+                ActionChains(self.driver).reset_actions()  # no key is held
+        self.at(self._keeper)
         self.command("Network.clearBrowserCookies")
 
     def console(self) -> list[str]:
@@ -502,6 +500,13 @@ class Browser:
         self.driver.quit()
 
 
+LINES = (
+    "const lines = [...document.querySelectorAll('#log > li')].map(e =>"
+    "({...e.dataset, text: e.innerText}));"
+)
+#  Of a page's log, in a script
+
+
 class Page:
     """The page in a window. What it relies on is in the head of index.html."""
 
@@ -512,9 +517,7 @@ class Page:
 
     @property
     def driver(self) -> Any:
-        driver = self.browser.driver
-        driver.switch_to.window(self._handle)
-        return driver
+        return self.browser.at(self._handle)
 
     def run(self, script: str, *arguments: Any) -> Any:
         return self.driver.execute_script(script, *arguments)
@@ -533,11 +536,45 @@ class Page:
         )
         return "" if value is None else str(value)
 
+    def until(
+        self, script: str, *arguments: Any, what: str, within: float = LIMIT
+    ) -> Any:
+        """The first true result of a script, which the page itself runs after
+        each of its changes: to ask again and again costs it more."""
+        result = self.driver.execute_async_script(
+            """
+            const [within, ...rest] = arguments;
+            const done = rest.pop();
+            const script = function () { SCRIPT };
+            const observer = new MutationObserver(look);
+            const limit = setTimeout(() => end(null), within * 1000);
+            function end(result) {
+              observer.disconnect();
+              clearTimeout(limit);
+              done(result);
+            }
+            function look() {
+              const result = script(...rest);
+              if (result) end(result);
+            }
+            observer.observe(document, { attributes: true, characterData: true,
+                                         childList: true, subtree: true });
+            look();
+            """.replace("SCRIPT", script),
+            within,
+            *arguments,
+        )
+        if result is None:
+            raise Late(f"not within {within} s: {what}; log: {self.log()}")
+        return result
+
     def shows(self, key: str, value: str, within: float = LIMIT) -> None:
-        try:
-            await_(lambda: self.data(key) == value, f"data-{key}={value}", within, 0.05)
-        except Failure as failure:
-            raise Failure(f"{failure}; {self.data(key)!r}, log: {self.log()}") from None
+        self.until(
+            "return document.documentElement.dataset[arguments[0]] === arguments[1]",
+            *(key, value),
+            what=f"data-{key}={value}",
+            within=within,
+        )
 
     def text(self, name: str) -> str:
         return str(
@@ -551,6 +588,14 @@ class Page:
 
     def images(self) -> int:
         return int(self.data("images", "picture") or 0)
+
+    def await_images(self, count: int) -> None:
+        """That many more."""
+        self.until(
+            "return document.getElementById('picture').dataset.images >= arguments[0]",
+            self.images() + count,
+            what=f"{count} images",
+        )
 
     def click(self, name: str) -> None:
         await_(lambda: self.visible(name), f"{name} is visible")
@@ -572,6 +617,18 @@ class Page:
         self.run("document.getElementById('recordings-list').replaceChildren()")
         self.click("recordings-refresh")
 
+    def replay(self, row: str = "#recordings-list") -> None:
+        """The first recording there, at its first picture."""
+        self.refresh_recordings()
+        (button,) = await_(
+            lambda: self.driver.find_elements(
+                By.CSS_SELECTOR, f"{row} [data-do=replay]"
+            ),
+            "the recording",
+        )
+        self.click_element(button)
+        await_(lambda: self.data("index", "replay-picture"), "the first picture")
+
     def middle(self, name: str) -> tuple[float, float]:
         """Of an element, brought into the window, where it is now."""
         x, y = self.run(
@@ -586,8 +643,9 @@ class Page:
     def touch(self, event: str, *point: float) -> None:
         """Of one finger: touchStart, touchMove, touchEnd, touchCancel."""
         points = [{"x": point[0], "y": point[1]}] if point else []
-        assert self.driver
-        self.browser.command("Input.dispatchTouchEvent", type=event, touchPoints=points)
+        self.driver.execute_cdp_cmd(
+            "Input.dispatchTouchEvent", {"type": event, "touchPoints": points}
+        )
 
     def hold(self, key: str) -> None:
         ActionChains(self.driver).key_down(key).perform()
@@ -600,33 +658,49 @@ class Page:
 
     def log(self) -> list[dict[str, str]]:
         """The lines of its log, the latest first."""
-        lines = self.run(
-            "return [...document.querySelectorAll('#log > li')].map(e =>"
-            "({...e.dataset, text: e.innerText}))"
-        )
-        return list(lines)
+        return list(self.run(f"{LINES} return lines"))
 
     def logged(self, within: float = LIMIT, **wanted: str) -> dict[str, str]:
-        def found() -> dict[str, str] | None:
-            for line in self.log():
-                if all(line.get(key) == value for key, value in wanted.items()):
-                    return line
-            return None
-
-        line: dict[str, str] = await_(found, f"in the log: {wanted}", within)
+        line: dict[str, str] = self.until(
+            f"{LINES} return lines.find(line => Object.entries(arguments[0])"
+            ".every(([key, value]) => line[key] === value))",
+            wanted,
+            what=f"in the log: {wanted}",
+            within=within,
+        )
         return line
 
     def start(self) -> None:
-        """The one button for a newcomer; then the picture is there."""
+        """The one button for a newcomer: all its steps are done, and the picture
+        is there."""
         self.shows("link", "open")
-        await_(
-            lambda: self.element("start").get_attribute("aria-disabled") != "true",
-            "it can be started",
+        self.until(
+            "return document.getElementById('start').ariaDisabled !== 'true'",
+            what="it can be started",
         )
         self.click("start")
         self.shows("robot", "started")
         self.shows("positions", "true")
-        await_(lambda: self.images() > 0, "an image")
+        self.await_images(1)
+        self.until(
+            "return !document.getElementById('start-close').hidden",
+            what="the steps are done",
+        )
+
+    def close_start(self) -> None:
+        """The steps of the start, which lie over the picture."""
+        self.run("document.getElementById('start-close').click()")
+
+    def bring_to_front(self) -> None:
+        """From behind another tab, or minimised; a hidden page takes no key."""
+        self.driver.set_window_rect(0, 0, 1280, 900)
+        self.browser.command("Page.bringToFront")
+        self.driver.execute_async_script(
+            "const done = arguments[0];"
+            "if (document.visibilityState === 'visible') done();"
+            "else document.addEventListener('visibilitychange', () => done(),"
+            " {once: true})"
+        )
 
     def close(self) -> None:
         self.driver.close()

@@ -35,13 +35,12 @@ FIRST = (25, 20)
 
 
 def confirm_arena(page: Page) -> None:
-    await_(lambda: not page.visible("start-progress"), "nothing is in the way")
+    page.close_start()
     page.click("arena-search")
     page.shows("arena", "found")
     page.click("arena-confirm")
     page.shows("arena", "confirmed")
-    before = page.images()
-    await_(lambda: page.images() > before + 3, "images go on")
+    page.await_images(3)
 
 
 @pytest.fixture
@@ -61,7 +60,7 @@ def pixels(stand: Stand, page: Page, *places: Point) -> list[Point]:
     result = []
     for x, y in (*places, FIRST):
         stand.emulator.ask(f"pose {x} {y} 0")
-        time.sleep(0.5)
+        page.await_images(3)
         result.append(shown_at(page))
     return result[:-1]
 
@@ -100,6 +99,15 @@ def plan(page: Page) -> list[Point]:
     return points(page.data("plan", "overlay"))
 
 
+def reaches(page: Page, leg: str) -> None:
+    page.until(
+        "return document.getElementById('mission').dataset.leg === arguments[0]",
+        leg,
+        what=f"leg {leg}",
+        within=ARRIVED,
+    )
+
+
 def is_over(page: Page) -> None:
     await_(lambda: not page.visible("mission"), "the mission is over")
 
@@ -135,6 +143,41 @@ def arrives(stand: Stand, page: Page, place: Point) -> None:
     assert is_near(stand, place), stand.emulator.pose
 
 
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [
+        ("en", ("Search the arena", "outline", "Click in the picture", "Follow")),
+        ("fr", ("Chercher l", "contour", "Cliquez dans", "Suivre")),
+    ],
+)
+def test_way_to_the_first_mission(
+    stand: Stand, visitors: Visitors, language: str, words: tuple[str, ...]
+) -> None:
+    """The page says the next step, to who drives."""
+    page = visitors.open(stand.address, languages=language)
+    other = visitors.open(stand.address, 1, languages=language)
+
+    def says(step: int) -> None:
+        await_(lambda: words[step] in page.text("next"), f"step {step}")
+        assert not other.visible("next")
+
+    assert not page.visible("next")
+    page.start()
+    says(0)
+    page.close_start()
+    page.click("arena-search")
+    says(1)
+    page.click("arena-confirm")
+    says(2)
+    page.click("path")
+    says(3)
+    page.click("path")
+    page.await_images(3)
+    click(page, (400, 240))
+    plan(page)
+    await_(lambda: not page.visible("next"), "it is under way")
+
+
 @pytest.mark.parametrize("size", [(1280, 900), (1920, 1080), (700, 500)])
 def test_click(stand: Stand, visitors: Visitors, size: tuple[int, int]) -> None:
     """The robot goes there, however large the picture is."""
@@ -168,30 +211,31 @@ def test_path_by_clicks(
     there = pixels(stand, pilot, *places)
     other = visitors.open(stand.address, 1)
     other.shows("wheel", "other")
+    film = pictures.film(pilot, "web-path")
     pilot.click("path")
     for point in (*there, (320.0, 240.0)):
+        film.take()
         click(pilot, point)
     assert len(points(pilot.data("path", "overlay"))) == 5
+    film.take()
     pilot.click("path-undo")
     drawn = points(pilot.data("path", "overlay"))
     assert len(drawn) == 4
     assert not stand.emulator.moving, "nothing is sent yet"
+    film.take()
     pilot.click("path-go")
     assert plan(pilot) == plan(other) == drawn
     assert not pilot.visible("path-tools")
-    legs: list[int] = []
     with passes(stand, places) as left:
-        end = time.monotonic() + 2 * ARRIVED
-        while pilot.visible("mission") and time.monotonic() < end:
-            leg = int(pilot.data("leg", "mission") or 0)
-            if leg and leg not in legs:
-                legs.append(leg)
-                if leg == 3:
-                    stand.moves()
-                    time.sleep(1)
-                    pictures.take(pilot, "web-mission")
-    assert legs == [1, 2, 3, 4], pilot.log()
-    arrives(stand, pilot, places[-1])
+        for leg in "1234":
+            film.take_until(lambda at: pilot.data("leg", "mission") == at, leg)
+            reaches(pilot, leg)
+            if leg == "3":
+                stand.moves()
+                time.sleep(1)
+                pictures.take(pilot, "web-mission")
+        film.take_until(lambda: not pilot.visible("mission"))
+        arrives(stand, pilot, places[-1])
     assert left == [], "it passes each of them"
     is_over(other)
 
@@ -225,6 +269,29 @@ def test_path_by_dragging(stand: Stand, pilot: Page) -> None:
     arrives(stand, pilot, places[-1])
 
 
+def test_undo_by_stroke(stand: Stand, pilot: Page) -> None:
+    """A drag is undone as a whole, a click as the one point that it is."""
+    pilot.click("path")
+
+    def drawn() -> list[Point]:
+        return points(pilot.data("path", "overlay"))
+
+    click(pilot, (200, 150))
+    first = drawn()
+    chain = pointer(pilot, (240, 160)).click_and_hold()
+    for way in (60, 0), (0, 60), (-60, 0):
+        for _ in range(5):
+            chain.move_by_offset(way[0] // 5, way[1] // 5)
+    chain.release().perform()
+    with_drag = drawn()
+    assert len(with_drag) >= 4
+    click(pilot, (400, 300))
+    assert len(drawn()) == len(with_drag) + 1
+    for left in (with_drag, first, [], []):
+        pilot.click("path-undo")
+        assert drawn() == left
+
+
 def test_a_wild_line_is_64_points(stand: Stand, pilot: Page) -> None:
     """As many as the supervisor takes, and no more can be added."""
     chain = pointer(pilot, (200, 150)).click_and_hold()
@@ -251,20 +318,76 @@ def test_centimetres_by_keyboard(stand: Stand, pilot: Page) -> None:
     await_(lambda: "two numbers" in pilot.text("alert"), "what is wrong")
     assert field.get_attribute("aria-invalid") == "true"
     field.send_keys(" 35,5", Keys.ENTER)
-    await_(lambda: pilot.data("leg", "mission") == "2", "the second", ARRIVED)
+    reaches(pilot, "2")
     assert is_near(stand, (40, 30))
     arrives(stand, pilot, (55, 35.5))
 
 
-def under_way(stand: Stand, page: Page) -> None:
-    """A mission of ten seconds and more."""
+@pytest.mark.parametrize(
+    ("language", "said"), [("en", "in two ways"), ("fr", "de deux façons")]
+)
+def test_ambiguous_points(
+    stand: Stand, visitors: Visitors, language: str, said: str
+) -> None:
+    """A comma within a number, or between two? Not guessed: an example is shown."""
+    page = visitors.open(stand.address, languages=language)
+    page.start()
+    confirm_arena(page)
+    page.run("document.querySelector('details.more').open = true")
+    field = page.element("points-value")
+    for text in ("20,30 60,30", "20,30 60,30; 40 30", "20,5 30 60,5 40"):
+        field.clear()
+        field.send_keys(text, Keys.ENTER)
+        await_(lambda: said in page.text("alert"), "what is wrong")
+        assert "20.5 30" in page.text("alert"), "an example"
+        assert field.get_attribute("aria-invalid") == "true"
+        page.run("document.getElementById('alert').textContent = ''")
+    #  one reading alone
+    field.clear()
+    field.send_keys("20,30; 60,30", Keys.ENTER)
+    await_(lambda: "20,30" in page.text("alert"), "what is wrong")
+    assert not any(line.get("label") in ("MGCM", "MPCM") for line in page.log())
+    assert not stand.emulator.moving
+    assert not page.visible("mission")
+
+
+def test_points_are_shown_before_they_are_sent(stand: Stand, pilot: Page) -> None:
+    """As they were read, and the first that is wrong."""
+    pilot.run("document.querySelector('details.more').open = true")
+
+    def read() -> list[str]:
+        return pilot.text("points-list").splitlines()
+
+    field = pilot.element("points-value")
+    field.send_keys("40 30; 55 35,5")
+    assert read() == [
+        "40 cm to the right, 30 cm up",
+        "55 cm to the right, 35.5 cm up",
+    ]
+    field.send_keys("; 60; 40 30")
+    assert len(read()) == 3 and "“60”" in read()[2]
+    assert not any(line.get("label") == "MPCM" for line in pilot.log())
+    field.send_keys(Keys.ENTER)
+    await_(lambda: "“60”" in pilot.text("alert"), "which is wrong")
+    (bad,) = pilot.driver.find_elements(By.CSS_SELECTOR, "#points-list .bad")
+    good = pilot.driver.find_element(By.CSS_SELECTOR, "#points-list li:not(.bad)")
+    colour = "color"
+    assert bad.value_of_css_property(colour) != good.value_of_css_property(colour)
+    assert not stand.emulator.moving
+
+
+def typed(page: Page, text: str) -> None:
     page.run("document.querySelector('details.more').open = true")
     field = page.element("points-value")
     field.clear()
-    field.send_keys("60 20; 60 40; 20 40; 20 20", Keys.ENTER)
+    field.send_keys(text, Keys.ENTER)
+
+
+def under_way(stand: Stand, page: Page) -> None:
+    """A mission of ten seconds and more."""
+    typed(page, "60 20; 60 40; 20 40; 20 20")
     await_(lambda: page.visible("mission"), "a mission")
     stand.moves()
-    page.run("document.activeElement.blur()")
 
 
 @pytest.mark.parametrize("how", ["space", "stop", "end", "other", "wheel"])
@@ -313,7 +436,7 @@ def test_stopped_with_the_page(stand: Stand, pilot: Page) -> None:
 
 def test_refused(stand: Stand, driver: Page) -> None:
     """What is missing is said in words, with what to do."""
-    await_(lambda: not driver.visible("start-progress"), "nothing is in the way")
+    driver.close_start()
     click(driver, (320, 240))
     line = driver.logged(code="mission_refused")
     assert "arena is not confirmed" in line["text"]
@@ -330,15 +453,98 @@ def test_refused(stand: Stand, driver: Page) -> None:
     assert not stand.emulator.moving
 
 
-def test_one_at_a_time(stand: Stand, pilot: Page) -> None:
-    """A second mission is refused and does not disturb the first."""
+@pytest.mark.parametrize("clicks", [1, 3])
+def test_new_target(stand: Stand, pilot: Page, clicks: int) -> None:
+    """A mission during another takes its place; the last of several clicks counts."""
+    places = [(45.0, 40.0), (30.0, 30.0), (55.0, 25.0)][-clicks:]
+    there = pixels(stand, pilot, *places)
     under_way(stand, pilot)
-    click(pilot, (320, 240))
-    await_(lambda: "under way. End it" in pilot.text("alert"), "it is said")
-    assert pilot.logged(label="MGTO")["answer"] == "ACRJ"
-    assert pilot.visible("mission")
-    pilot.click("mission-end")
+    typed(pilot, "40 30")
+    await_(lambda: "of 1" in pilot.text("mission-text"), "typed, it counts, too")
+    for pixel in there:
+        click(pilot, pixel)
+    last = pilot.data("plan", "overlay")
+    assert math.dist(points(last)[0], there[-1]) < 3, "the sign is there at once"
+    pilot.logged(code="mission_aborted")
+    arrives(stand, pilot, places[-1])
+
+
+def test_stray_click(stand: Stand, pilot: Page) -> None:
+    """Escape withdraws the target at once, also the one that is yet to begin."""
+    click(pilot, (400, 240))
+    assert pilot.data("plan", "overlay"), "a sign where it goes"
+    stand.moves()
+    pilot.press(Keys.ESCAPE)
     stand.stands(within=NOTICED)
+    is_over(pilot)
+    assert pilot.data("plan", "overlay") == ""
+    under_way(stand, pilot)
+    click(pilot, (400, 240))
+    pilot.press(Keys.ESCAPE)
+    stand.stands(within=NOTICED)
+    time.sleep(1)
+    assert not stand.emulator.moving, "it moves again"
+    assert not pilot.visible("mission")
+    assert pilot.data("plan", "overlay") == ""
+
+
+def test_stop_by_another_withdraws_a_target(
+    stand: Stand, pilot: Page, visitors: Visitors
+) -> None:
+    """That which waits for the end of the mission before it does not begin."""
+    other = visitors.open(stand.address, 1)
+    other.shows("wheel", "other")
+    under_way(stand, pilot)
+    pilot.run(
+        "const send = WebSocket.prototype.send;"
+        "WebSocket.prototype.send = function (text) {"
+        "if (text.includes('MABT')) window.held = () => send.call(this, text);"
+        "else send.call(this, text); }"
+    )
+    click(pilot, (400, 240))
+    await_(lambda: pilot.run("return !!window.held"), "it ends the first")
+    other.press(" ")
+    stand.stands(within=NOTICED)
+    pilot.logged(code="stopped_by")
+    assert pilot.data("plan", "overlay") == ""
+    pilot.run("window.held()")
+    pilot.logged(label="MABT")
+    time.sleep(1)
+    assert not stand.emulator.moving, "it moves again"
+    assert not any(line.get("label") == "MGTO" for line in pilot.log())
+
+
+def test_bad_point(stand: Stand, pilot: Page) -> None:
+    """A click that is refused is marked where it was, until the next one."""
+    click(pilot, (3, 3))
+    await_(lambda: "too near" in pilot.text("alert"), "it is said")
+    (bad,) = points(await_(lambda: pilot.data("bad", "overlay"), "the mark"))
+    assert math.dist(bad, (3, 3)) < 3
+    assert pilot.data("plan", "overlay") == ""
+    click(pilot, (400, 240))
+    assert len(plan(pilot)) == 1
+    assert pilot.data("bad", "overlay") == ""
+
+
+@pytest.mark.parametrize("name", ["turn-value", "name"])
+def test_click_that_leaves_a_field(stand: Stand, pilot: Page, name: str) -> None:
+    """It does not drive; the next one does. In path mode it adds no point."""
+    pilot.element(name).click()
+    click(pilot, (400, 240))
+    await_(lambda: "Click again" in pilot.text("news"), "it is said")
+    assert pilot.run("return document.activeElement === document.body")
+    time.sleep(0.3)
+    assert not stand.emulator.moving
+    assert not any(line.get("label") == "MGTO" for line in pilot.log())
+    pilot.click("path")
+    pilot.element(name).click()
+    for drawn in (0, 1):
+        click(pilot, (400, 240))
+        assert len(points(pilot.data("path", "overlay"))) == drawn
+    pilot.click("path")
+    click(pilot, (400, 240))
+    assert len(plan(pilot)) == 1
+    stand.moves()
 
 
 def test_who_watches_sends_nothing(
@@ -346,7 +552,7 @@ def test_who_watches_sends_nothing(
 ) -> None:
     other = visitors.open(stand.address, 1)
     other.shows("wheel", "other")
-    await_(lambda: other.images() > 0, "an image")
+    other.await_images(1)
     click(other, (320, 240))
     await_(lambda: "Ask for the wheel" in other.text("news"), "why not")
     other.click("path")
@@ -426,13 +632,7 @@ def test_replay(
     sent = plan(page)
     page.logged(code="mission_done", within=ARRIVED)
     time.sleep(1.5)
-    page.refresh_recordings()
-    (replay,) = await_(
-        lambda: page.driver.find_elements(By.CSS_SELECTOR, "#recordings-list button"),
-        "the recording",
-    )
-    page.click_element(replay)
-    await_(lambda: page.data("index", "replay-picture"), "the first picture")
+    page.replay()
     page.click("replay-play")
 
     def planned(part: float) -> list[Point]:

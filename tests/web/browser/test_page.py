@@ -16,6 +16,8 @@ from pathlib import Path
 import pytest
 from conftest import Pictures, Visitors
 from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.remote.webelement import WebElement
 from stand import Page, Stand, await_, held
 
 TEACHERS = "the-teacher-s-own-word"
@@ -55,8 +57,8 @@ def test_wheel(
     rename(driver, "Ada")
     rename(other, "Grace")
     await_(lambda: "Ada" in other.text("wheel-who"), "who drives")
-    await_(lambda: other.images() > 0, "an image for who watches")
-    assert not other.visible("wheel-seize") or other.data("wheel") == "other"
+    other.await_images(1)
+    assert not other.visible("wheel-seize")
 
     #  who watches does not drive
     other.press("w")
@@ -85,9 +87,7 @@ def test_wheel(
         other.shows("wheel", "me")
         stand.stands()
     driver.shows("wheel", "other")
-    with held(other, "w"):
-        stand.moves()
-    stand.stands()
+    stand.drives(other)
 
     #  everybody may stop, and it is said who did
     with held(other, "d"):
@@ -98,6 +98,91 @@ def test_wheel(
 
     other.click("wheel-release")
     driver.shows("wheel", "free")
+
+
+def test_waiting_for_the_wheel(stand: Stand, driver: Page, visitors: Visitors) -> None:
+    """A request is withdrawn; who waits is told that the wheel is free; who gets
+    it is told so."""
+    other = visitors.open(stand.address, 1)
+    other.shows("wheel", "other")
+    other.click("wheel-ask")
+    await_(lambda: driver.visible("asking"), "the question")
+    other.click("wheel-withdraw")
+    await_(lambda: not driver.visible("asking"), "it is withdrawn")
+    other.click("wheel-ask")
+    await_(lambda: driver.visible("asking"), "the question")
+    driver.click("wheel-release")
+    await_(lambda: "wheel is free" in other.text("alert"), "it is told")
+    assert "free" in other.run("return document.title")
+    other.click("wheel-take")
+    other.shows("wheel", "me")
+    await_(lambda: "You drive now" in other.text("news"), "it is told")
+    assert "wheel is free" not in other.text("alert")
+
+
+@pytest.mark.parametrize("taken", [True, False])
+def test_the_wheel_is_offered(
+    stand: Stand, driver: Page, visitors: Visitors, taken: bool
+) -> None:
+    """To one who has not asked, and may decline."""
+    other = visitors.open(stand.address, 1)
+    other.shows("wheel", "other")
+    offer = await_(
+        lambda: driver.driver.find_elements(By.CSS_SELECTOR, "#viewers [data-offer]"),
+        "somebody to offer it to",
+    )
+    driver.click_element(offer[0])
+    await_(lambda: other.visible("asking"), "the question")
+    assert not other.driver.find_elements(By.CSS_SELECTOR, "#viewers [data-offer]")
+    which = "[data-take]" if taken else "[data-decline]"
+    with held(driver, "w"):
+        stand.moves()
+        other.click_element(
+            other.driver.find_element(By.CSS_SELECTOR, f"#asking {which}")
+        )
+        if taken:
+            other.shows("wheel", "me")
+            stand.stands()
+    await_(lambda: not other.visible("asking"), "the question is away")
+    if taken:
+        await_(lambda: "You drive now" in other.text("news"), "it is told")
+        stand.drives(other)
+    else:
+        driver.logged(code="wheel_unwanted")
+        assert driver.data("wheel") == "me"
+
+
+@pytest.mark.parametrize("language", ["en", "fr"])
+def test_keyboard_help(
+    stand: Stand, visitors: Visitors, axe: str, language: str
+) -> None:
+    """By its key and its button; not while a text is written."""
+    page = visitors.open(stand.address, languages=language)
+    page.start()
+    for how in ("key", "button"):
+        if how == "key":
+            page.press("?")
+        else:
+            page.click("help-open")
+        await_(lambda: page.visible("help"), "the help")
+        for key in {
+            "en": ("W A S D", "Space", "Esc"),
+            "fr": ("Z Q S D", "Espace", "Échap"),
+        }[language]:
+            assert key in page.text("help")
+        judge(page, axe, "the help")
+        page.click("help-close")
+        assert not page.visible("help")
+    page.press("?")
+    page.shows("link", "open")
+    if page.data("wheel") != "me":
+        page.run("document.getElementById('wheel-take').click()")
+        page.shows("wheel", "me")
+    page.press(Keys.ESCAPE)
+    await_(lambda: not page.visible("help"), "the help is away")
+    page.element("name").send_keys("?")
+    assert str(page.element("name").get_attribute("value")).endswith("?")
+    assert not page.visible("help")
 
 
 def test_tokens(
@@ -126,9 +211,7 @@ def test_tokens(
     pupil.shows("wheel", "other")
     assert pupil.logged(code="wheel_seized")
     assert not pupil.visible("wheel-seize")
-    with held(teacher, "w"):
-        stand.moves()
-    stand.stands()
+    stand.drives(teacher)
     said = "\n".join(stand.gateway.lines + stand.supervisor.lines)
     assert TEACHERS not in said and VIEWERS not in said
 
@@ -203,8 +286,7 @@ def test_arena(
     driver.shows("arena", "found")
     driver.click("arena-confirm")
     other.shows("arena", "confirmed")
-    before = other.images()
-    await_(lambda: other.images() > before + 5, "images go on")
+    other.await_images(5)
 
 
 def test_french(stand: Stand, visitors: Visitors) -> None:
@@ -212,8 +294,8 @@ def test_french(stand: Stand, visitors: Visitors) -> None:
     page = visitors.open(stand.address, languages="fr-FR,fr;q=0.9,en;q=0.5")
     assert page.run("return document.documentElement.lang") == "fr"
     page.start()
-    assert "Vous" in page.text("wheel-who") or "conduisez" in page.text("wheel-who")
-    english = set()
+    assert page.text("wheel-who") == "Vous conduisez"
+    french = set()
     for language in ("fr", "en"):
         page.click_element(
             page.driver.find_element(By.CSS_SELECTOR, f"[data-language={language}]")
@@ -225,9 +307,9 @@ def test_french(stand: Stand, visitors: Visitors) -> None:
         )
         assert not [one for one in texts if one.endswith(": ")]
         if language == "fr":
-            english = set(texts)
+            french = set(texts)
         else:
-            same = english & set(texts)
+            same = french & set(texts)
             assert len(same) < len(texts) / 4, same
     page.driver.refresh()
     page.shows("link", "open")
@@ -300,7 +382,7 @@ def test_recording(
     stands: Callable[..., Stand],
     visitors: Visitors,
     tmp_path: Path,
-    axe: str,
+    request: pytest.FixtureRequest,
     pictures: Pictures,
 ) -> None:
     """Recorded, replayed with the slider, exported as CSV."""
@@ -314,11 +396,8 @@ def test_recording(
     stand.stands(within=5)
     time.sleep(1)
     (recording,) = [path.name for path in folder.iterdir()]
-    page.refresh_recordings()
     row = f"[data-recording='{recording}']"
-    await_(lambda: page.driver.find_elements(By.CSS_SELECTOR, row), "the recording")
-    page.click_element(page.driver.find_element(By.CSS_SELECTOR, f"{row} button"))
-    await_(lambda: page.data("index", "replay-picture"), "the first picture")
+    page.replay(row)
     page.click("replay-play")
     length = float(page.element("replay-slider").get_attribute("max"))
     assert length > 1000
@@ -340,7 +419,6 @@ def test_recording(
             f"the picture at {moment} of {length} ms, but {page.text('replay-note')}",
         )
         shown.append(int(page.data("index", "replay-picture")))
-    judge(page, axe, "a replay")
     pictures.take(page, "web-replay", at="replay")
 
     text = page.run(
@@ -354,3 +432,66 @@ def test_recording(
     there = [row for row in rows if row["id"] == "1"]
     moved = float(there[-1]["x_px"]) - float(there[0]["x_px"])
     assert moved > 30, moved
+    judge(page, request.getfixturevalue("axe"), "a replay")
+
+
+def test_recordings_are_named_and_deleted(
+    stands: Callable[..., Stand], visitors: Visitors, tmp_path: Path, axe: str
+) -> None:
+    """A name is kept; a deletion is asked for; that being written stays."""
+    folder = tmp_path / "recordings"
+    old = folder / "20261123T120000.123Z"
+    old.mkdir(parents=True)
+    (old / "events.jsonl").write_text('{"t":1,"type":"state"}\n', encoding="ascii")
+    (old / "images.mjpeg").touch()
+    stand = stands("--record", folder)
+    page = visitors.open(stand.address)
+    page.shows("link", "open")
+
+    def row(selector: str) -> list[WebElement]:
+        found: list[WebElement] = page.driver.find_elements(
+            By.CSS_SELECTOR, f"[data-recording='{old.name}'] {selector}"
+        )
+        return found
+
+    page.click_element(await_(lambda: row("[data-do=name]"), "its buttons")[0])
+    row("input")[0].send_keys("Première fois", Keys.ENTER)
+    await_(lambda: row("strong") and row("strong")[0].text, "the name")
+    page.driver.refresh()
+    page.shows("link", "open")
+    await_(lambda: row("strong"), "the name")
+    assert row("strong")[0].text == "Première fois"
+    assert (old / "title.txt").read_text(encoding="utf-8") == "Première fois"
+    deletes = page.driver.find_elements(By.CSS_SELECTOR, "[data-do=delete]")
+    assert len(deletes) == 1, "not of the recording that is being written"
+    for button in ("delete-no", "delete-yes"):
+        page.click_element(row("[data-do=delete]")[0])
+        await_(lambda: page.visible("delete"), "the question")
+        assert "Première fois" in page.text("delete")
+        judge(page, axe, "the question")
+        assert old.exists()
+        page.click(button)
+    await_(lambda: not row("td"), "it is gone")
+    assert not old.exists()
+
+
+def test_viewers_do_not_delete(
+    stands: Callable[..., Stand],
+    tokens: tuple[str | Path, ...],
+    visitors: Visitors,
+    tmp_path: Path,
+) -> None:
+    """They replay."""
+    folder = tmp_path / "recordings"
+    folder.mkdir()
+    stand = stands("--record", folder, *tokens)
+    for number, word in enumerate((VIEWERS, TEACHERS)):
+        page = visitors.open(stand.address, number)
+        log_in(page, word)
+        page.shows("link", "open")
+        page.until(
+            "return document.querySelector('#recordings-list button')",
+            what="the recording",
+        )
+        names = page.driver.find_elements(By.CSS_SELECTOR, "[data-do=name]")
+        assert len(names) == number

@@ -5,7 +5,8 @@ import asyncio
 import base64
 import contextlib
 import json
-from collections.abc import AsyncIterator, Callable, Coroutine
+import socket
+from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +20,8 @@ LIMIT = 20.0
 TEST_LIMIT = 60.0
 
 Json = dict[str, Any]
+
+TOKENS: Json = {"token": "secret-teacher", "viewers_token": "secret-viewer"}
 
 
 def jpeg(number: int, size: int = 1000) -> bytes:
@@ -36,6 +39,7 @@ class Supervisor:
 
     def __init__(self, token: str | None = None) -> None:
         self.answers: dict[str, bytes | None] = {
+            "AUTH": b"ACER",
             "RGBT": b"RBLV:2",
             "RGST": b"RCST:0",
             "CASA": b"CIMG:" + base64.b64encode(jpeg(999)),
@@ -45,7 +49,11 @@ class Supervisor:
         self.lines: list[str] = []
         self.connections = 0
         self.refusal: bytes | None = None
-        self.port = 0
+        #  bound for the whole test: nobody else is given its port meanwhile
+        self._bound = socket.socket()
+        self._bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        self._bound.bind(("127.0.0.1", 0))
+        self.port: int = self._bound.getsockname()[1]
         self._token = token
         self._server: asyncio.Server | None = None
         self._writer: asyncio.StreamWriter | None = None
@@ -53,12 +61,14 @@ class Supervisor:
 
     async def start(self) -> None:
         self._server = await asyncio.start_server(self._serve, "127.0.0.1", self.port)
-        self.port = self._server.sockets[0].getsockname()[1]
 
     async def stop(self) -> None:
         assert self._server is not None
         self._server.close()
         self.hang_up()
+
+    def forget(self) -> None:
+        self._bound.close()
 
     def hang_up(self) -> None:
         if self._writer is not None:
@@ -104,11 +114,7 @@ class Supervisor:
                 return
             self._writer = writer
             while line := (await reader.readline()).decode().rstrip("\n"):
-                answer: bytes | None = b"AACK"
-                if line.startswith("AUTH:"):
-                    answer = b"ACER"
-                else:
-                    answer = self.answers.get(line[:4], b"AACK")
+                answer = self.answers.get(line[:4], b"AACK")
                 self.lines.append(line)
                 self._heard.set()
                 if answer is not None:
@@ -271,6 +277,12 @@ class World:
         await driver.order("RSWW")
         await driver.state(robot="started")
 
+    async def started(self) -> tuple[Page, Page]:
+        """The driver, whose robot is started, and another viewer."""
+        driver, other = await self.driver(), await self.page()
+        await self.start_robot(driver)
+        return driver, other
+
     async def connected(self) -> None:
         async with asyncio.timeout(LIMIT):
             while self.service.hub.state["supervisor"] != "connected":
@@ -301,14 +313,7 @@ async def world(
         await made.end()
         await service.close()
         await supervisor.stop()
-
-
-def run(test: Coroutine[Any, Any, None]) -> None:
-    async def limited() -> None:
-        async with asyncio.timeout(TEST_LIMIT):
-            await test
-
-    asyncio.run(limited())
+        supervisor.forget()
 
 
 def token_file(folder: Path, token: str) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from aiohttp import ClientSession, TCPConnector, web
 from destijl_web import fan_out, viewer
-from helpers import LIMIT, Page, World, jpeg, number_of, run, world
+from helpers import LIMIT, Page, World, jpeg, number_of
 
 LARGE = 100_000
 
@@ -23,72 +23,59 @@ async def send(w: World, numbers: range, size: int = 1000) -> None:
         await asyncio.sleep(0.005)
 
 
-def test_every_image_to_everybody() -> None:
-    async def test() -> None:
-        async with world() as w:
-            pages = [await w.page() for _ in range(20)]
-            for number in range(10):
-                w.supervisor.send_image(number, LARGE)
-                for page in pages:
-                    assert await page.image() == jpeg(number, LARGE)
-
-    run(test())
+async def test_every_image_to_everybody(w: World) -> None:
+    pages = [await w.page() for _ in range(20)]
+    for number in range(10):
+        w.supervisor.send_image(number, LARGE)
+        for page in pages:
+            assert await page.image() == jpeg(number, LARGE)
 
 
-def test_a_few_viewers_in_a_turn() -> None:
+async def test_a_few_viewers_in_a_turn(w: World) -> None:
     """What is to be done at once, an order, comes between them."""
+    pages = [await w.page() for _ in range(20)]
+    turns: list[int] = []
+    sent = 0
+    send_bytes = web.WebSocketResponse.send_bytes
 
-    async def test() -> None:
-        async with world() as w:
-            pages = [await w.page() for _ in range(20)]
-            turns: list[int] = []
-            sent = 0
-            send_bytes = web.WebSocketResponse.send_bytes
+    async def counted(ws: Any, data: bytes, **more: Any) -> None:
+        nonlocal sent
+        sent += 1
+        await send_bytes(ws, data, **more)
 
-            async def counted(ws: Any, data: bytes, **more: Any) -> None:
-                nonlocal sent
-                sent += 1
-                await send_bytes(ws, data, **more)
-
-            with pytest.MonkeyPatch.context() as patch:
-                patch.setattr(web.WebSocketResponse, "send_bytes", counted)
-                w.supervisor.send_image(1)
-                async with asyncio.timeout(LIMIT):
-                    while sent < len(pages):
-                        before = sent
-                        await asyncio.sleep(0)
-                        turns.append(sent - before)
-            assert max(turns) <= fan_out.PER_TURN
-
-    run(test())
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(web.WebSocketResponse, "send_bytes", counted)
+        w.supervisor.send_image(1)
+        async with asyncio.timeout(LIMIT):
+            while sent < len(pages):
+                before = sent
+                await asyncio.sleep(0)
+                turns.append(sent - before)
+    assert max(turns) <= fan_out.PER_TURN
 
 
-def test_no_more_than_two_under_way() -> None:
-    async def test() -> None:
-        async with world() as w:
-            page = await w.page()
-            page.acknowledges = False
-            await send(w, range(1, 7))
-            await page.settle()
-            assert [number_of(i) for i in page.images] == [1, 2]
-            #  and of those that came meanwhile the newest
-            await page.say("seen")
-            assert number_of(await page.image()) == 6
-            await page.settle()
-            await page.say("seen")
-            await page.say("seen")
-            await send(w, range(7, 10))
-            await page.settle()
-            assert [number_of(i) for i in page.images] == [1, 2, 6, 7, 8]
-            #  more than it has got is not shown
-            for _ in range(10):
-                await page.say("seen")
-            await page.settle()
-            await send(w, range(10, 15))
-            await page.settle()
-            assert [number_of(i) for i in page.images] == [1, 2, 6, 7, 8, 9, 10]
-
-    run(test())
+async def test_no_more_than_two_under_way(w: World) -> None:
+    page = await w.page()
+    page.acknowledges = False
+    await send(w, range(1, 7))
+    await page.settle()
+    assert [number_of(i) for i in page.images] == [1, 2]
+    #  and of those that came meanwhile the newest
+    await page.say("seen")
+    assert number_of(await page.image()) == 6
+    await page.settle()
+    await page.say("seen")
+    await page.say("seen")
+    await send(w, range(7, 10))
+    await page.settle()
+    assert [number_of(i) for i in page.images] == [1, 2, 6, 7, 8]
+    #  more than it has got is not shown
+    for _ in range(10):
+        await page.say("seen")
+    await page.settle()
+    await send(w, range(10, 15))
+    await page.settle()
+    assert [number_of(i) for i in page.images] == [1, 2, 6, 7, 8, 9, 10]
 
 
 async def stalled_page(w: World) -> Page:
@@ -117,60 +104,45 @@ async def stalled_page(w: World) -> Page:
     return page
 
 
-def test_a_stalled_viewer_delays_nobody(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_stalled_viewer_delays_nobody(
+    w: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(viewer, "DRAIN_LIMIT", 1.0)
-
-    async def test() -> None:
-        async with world() as w:
-            driver = await w.driver()
-            await stalled_page(w)
-            for number in range(20):
-                w.supervisor.send_image(number, 400_000)
-                assert number_of(await driver.image()) == number
-                assert (await driver.order("RGFW"))["answer"] == "AACK"
-            #  and is closed after a while
-            await driver.state(viewers=[{"id": 1, "name": "#1", "role": "open"}])
-
-    run(test())
+    driver = await w.driver()
+    await stalled_page(w)
+    for number in range(20):
+        w.supervisor.send_image(number, 400_000)
+        assert number_of(await driver.image()) == number
+        assert (await driver.order("RGFW"))["answer"] == "AACK"
+    #  and is closed after a while
+    await driver.state(viewers=[{"id": 1, "name": "#1", "role": "open"}])
 
 
-def test_a_viewer_that_takes_no_texts_is_closed() -> None:
-    async def test() -> None:
-        async with world() as w:
-            page = await w.page()
-            other = next(iter(w.service.hub.viewers.values()))
-            for number in range(viewer.TEXTS_WAITING + 1):
-                other.put(str(number))
-            assert await page.closed() == 1013
-
-    run(test())
+async def test_a_viewer_that_takes_no_texts_is_closed(w: World) -> None:
+    page = await w.page()
+    other = next(iter(w.service.hub.viewers.values()))
+    for number in range(viewer.TEXTS_WAITING + 1):
+        other.put(str(number))
+    assert await page.closed() == 1013
 
 
-def test_the_state_of_a_slow_viewer_is_whole() -> None:
-    async def test() -> None:
-        async with world() as w:
-            page = await w.page()
-            slow = next(iter(w.service.hub.viewers.values()))
-            for number in range(viewer.STATES_WAITING + 100):
-                w.service.hub.state.set(battery=number % 3)
-                w.service.hub._publish()
-            w.service.hub.state.set(robot="lost")
-            w.service.hub._publish()
-            assert len(slow._texts) <= viewer.STATES_WAITING
-            state = await page.state(robot="lost")
-            assert state["battery"] == w.service.hub.state["battery"]
-            assert set(state) == {"type", *w.service.hub.state.all()}
-
-    run(test())
+async def test_the_state_of_a_slow_viewer_is_whole(w: World) -> None:
+    page = await w.page()
+    slow = next(iter(w.service.hub.viewers.values()))
+    for number in range(viewer.STATES_WAITING + 100):
+        w.service.hub.state.set(battery=number % 3)
+        w.service.hub._publish()
+    w.service.hub.state.set(robot="lost")
+    w.service.hub._publish()
+    assert len(slow._texts) <= viewer.STATES_WAITING
+    state = await page.state(robot="lost")
+    assert state["battery"] == w.service.hub.state["battery"]
+    assert set(state) == {"type", *w.service.hub.state.all()}
 
 
-def test_slow_viewers_get_the_newest_position() -> None:
-    async def test() -> None:
-        async with world() as w:
-            await w.page()
-            slow = next(iter(w.service.hub.viewers.values()))
-            for number in range(100):
-                slow.put_position(str(number))
-            assert slow._position == "99"
-
-    run(test())
+async def test_slow_viewers_get_the_newest_position(w: World) -> None:
+    await w.page()
+    slow = next(iter(w.service.hub.viewers.values()))
+    for number in range(100):
+        slow.put_position(str(number))
+    assert slow._position == "99"

@@ -7,182 +7,139 @@ from typing import Any
 
 import pytest
 from destijl_web import exchange, supervisor
-from helpers import jpeg, run, world
+from helpers import World, jpeg, world
 
 
-def test_connects_again() -> None:
-    async def test() -> None:
-        async with world() as w:
-            page = await w.driver()
-            await w.start_robot(page)
-            await page.order("COPN")
-            for _ in range(3):
-                w.supervisor.hang_up()
-                await page.event("supervisor_lost")
-                await page.event("supervisor_connected")
-                await page.settle()
-                state = w.service.hub.state
-                assert (state["robot"], state["camera"]) == ("closed", False)
-                assert state["driver"] == page.number
-                assert (await page.order("ROPN"))["answer"] == "AACK"
-
-    run(test())
+async def test_connects_again(w: World) -> None:
+    page = await w.driver()
+    await w.start_robot(page)
+    await page.order("COPN")
+    for _ in range(3):
+        w.supervisor.hang_up()
+        await page.event("supervisor_lost")
+        await page.event("supervisor_connected")
+        await page.settle()
+        state = w.service.hub.state
+        assert (state["robot"], state["camera"]) == ("closed", False)
+        assert state["driver"] == page.number
+        assert (await page.order("ROPN"))["answer"] == "AACK"
 
 
-def test_waits_for_its_supervisor() -> None:
-    async def test() -> None:
-        async with world() as w:
-            page = await w.page()
-            await w.supervisor.stop()
-            await page.event("supervisor_lost")
-            await asyncio.sleep(3 * supervisor.FIRST_PAUSE)
-            assert w.service.hub.state["supervisor"] == "connecting"
-            await w.supervisor.start()
-            await page.event("supervisor_connected")
-
-    run(test())
+async def test_waits_for_its_supervisor(w: World) -> None:
+    page = await w.page()
+    await w.supervisor.stop()
+    await page.event("supervisor_lost")
+    await asyncio.sleep(3 * supervisor.FIRST_PAUSE)
+    assert w.service.hub.state["supervisor"] == "connecting"
+    await w.supervisor.start()
+    await page.event("supervisor_connected")
 
 
-def test_token() -> None:
-    async def test() -> None:
-        async with world(supervisor_token="secret-token", token="secret-token") as w:
-            assert w.service.hub.state["supervisor"] == "connected"
-
-    run(test())
+@pytest.mark.world(supervisor_token="secret-token", token="secret-token")
+async def test_token(w: World) -> None:
+    assert w.supervisor.refusal is None
 
 
-def test_a_token_that_nobody_asks_for() -> None:
-    async def test() -> None:
-        async with world(token="secret-token") as w:
-            assert w.supervisor.lines[0] == "AUTH:secret-token"
-            await w.connected()
-
-    run(test())
+@pytest.mark.world(token="secret-token")
+async def test_a_token_that_nobody_asks_for(w: World) -> None:
+    assert w.supervisor.lines[0] == "AUTH:secret-token"
+    await w.connected()
 
 
 @pytest.mark.parametrize("token", [None, "wrong-token"])
-def test_refused(token: str | None) -> None:
-    async def test() -> None:
-        async with world(
-            supervisor_token="secret-token", token=token, connected=False
-        ) as w:
-            hub = w.service.hub
-            async with asyncio.timeout(5):
-                while hub.state["supervisor"] != "refused":
-                    await asyncio.sleep(0.01)
-            event = hub._events[-1]
-            assert event["code"] == "supervisor_refused"
-            assert event["args"] == {"reason": "not authenticated"}
-            await asyncio.sleep(2 * supervisor.FIRST_PAUSE)
-            #  not again and again
-            assert w.supervisor.connections == 1
-            assert len(hub._events) == 1
-
-    run(test())
+async def test_refused(token: str | None) -> None:
+    async with world(
+        supervisor_token="secret-token", token=token, connected=False
+    ) as w:
+        hub = w.service.hub
+        async with asyncio.timeout(5):
+            while hub.state["supervisor"] != "refused":
+                await asyncio.sleep(0.01)
+        event = hub._events[-1]
+        assert event["code"] == "supervisor_refused"
+        assert event["args"] == {"reason": "not authenticated"}
+        await asyncio.sleep(2 * supervisor.FIRST_PAUSE)
+        #  not again and again
+        assert w.supervisor.connections == 1
+        assert len(hub._events) == 1
 
 
-def test_another_monitor_first(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_another_monitor_first(w: World, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(supervisor, "LONGEST_PAUSE", 0.2)
-
-    async def test() -> None:
-        async with world() as w:
-            page = await w.page()
-            w.supervisor.refusal = b"another monitor is connected"
-            w.supervisor.hang_up()
-            await page.event(
-                "supervisor_refused", reason="another monitor is connected"
-            )
-            await page.state(supervisor="refused")
-            w.supervisor.refusal = None
-            await page.event("supervisor_connected")
-
-    run(test())
+    page = await w.page()
+    w.supervisor.refusal = b"another monitor is connected"
+    w.supervisor.hang_up()
+    await page.event("supervisor_refused", reason="another monitor is connected")
+    await page.state(supervisor="refused")
+    w.supervisor.refusal = None
+    await page.event("supervisor_connected")
 
 
 @pytest.mark.parametrize(
     "said", [b"HTTP/1.0 400 Bad Request\r\n", b"SSH-2.0-OpenSSH\r\n", b"\n", b"AACKS\n"]
 )
-def test_no_supervisor(said: bytes) -> None:
-    async def test() -> None:
-        def serve(_: Any, writer: asyncio.StreamWriter) -> None:
-            writer.write(said)
+async def test_no_supervisor(said: bytes) -> None:
+    come = 0
 
-        server = await asyncio.start_server(serve, "127.0.0.1", 0)
-        port = server.sockets[0].getsockname()[1]
-        async with world(connected=False) as w:
-            w.service.hub.link._port = port
-            w.supervisor.hang_up()
-            await asyncio.sleep(3 * supervisor.FIRST_PAUSE)
-            assert w.service.hub.state["supervisor"] == "connecting"
-        server.close()
+    def serve(_: Any, writer: asyncio.StreamWriter) -> None:
+        nonlocal come
+        come += 1
+        writer.write(said)
 
-    run(test())
+    server = await asyncio.start_server(serve, "127.0.0.1", 0)
+    async with world(connected=False) as w, server:
+        w.service.hub.link._port = server.sockets[0].getsockname()[1]
+        w.supervisor.hang_up()
+        await asyncio.sleep(3 * supervisor.FIRST_PAUSE)
+        assert come > 0
+        assert w.service.hub.state["supervisor"] == "connecting"
 
 
-def test_unanswered(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_unanswered(w: World, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(exchange, "ROBOT_LIMIT", 0.3)
-
-    async def test() -> None:
-        async with world() as w:
-            page = await w.driver()
-            w.supervisor.answers["RPIN"] = None
-            await page.say("order", id=7, label="RPIN")
-            event = await page.event("unanswered", label="RPIN")
-            assert event["level"] == "error"
-            await page.expect("answer", id=7, answer="NOLINK")
-            await page.event("supervisor_lost")
-            await page.event("supervisor_connected")
-            assert w.supervisor.connections == 2
-            w.supervisor.answers["RPIN"] = b"AACK"
-            assert (await page.order("RPIN"))["answer"] == "AACK"
-
-    run(test())
+    page = await w.driver()
+    w.supervisor.answers["RPIN"] = None
+    await page.say("order", id=7, label="RPIN")
+    event = await page.event("unanswered", label="RPIN")
+    assert event["level"] == "error"
+    await page.expect("answer", id=7, answer="NOLINK")
+    await page.event("supervisor_lost")
+    await page.event("supervisor_connected")
+    assert w.supervisor.connections == 2
+    w.supervisor.answers["RPIN"] = b"AACK"
+    assert (await page.order("RPIN"))["answer"] == "AACK"
 
 
-def test_a_line_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_line_without_end(w: World, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(supervisor, "MAX_LINE", 100_000)
-
-    async def test() -> None:
-        async with world() as w:
-            page = await w.page()
-            w.supervisor.send_raw(b"CIMG:" + b"A" * 200_000)
-            await page.event("supervisor_lost")
-            await page.event("supervisor_connected")
-
-    run(test())
+    page = await w.page()
+    w.supervisor.send_raw(b"CIMG:" + b"A" * 200_000)
+    await page.event("supervisor_lost")
+    await page.event("supervisor_connected")
 
 
-def test_an_image_before_the_search_is_not_its_answer() -> None:
+async def test_an_image_before_the_search_is_not_its_answer(w: World) -> None:
     """An image that the supervisor sent before it read the order arrives after
     the order was sent."""
-
-    async def test() -> None:
-        async with world() as w:
-            page = await w.driver()
-            await page.order("COPN")
-            w.supervisor.answers |= {"CPST": None, "CASA": None}
-            await page.say("order", id=7, label="CASA")
-            await w.supervisor.heard("CASA")
-            w.supervisor.send_image(1)
-            assert await page.image() == jpeg(1)
-            assert w.service.hub.state["arena"] == "none"
-            w.supervisor.send(b"AACK")
-            w.supervisor.send(b"CIMG:" + base64.b64encode(jpeg(2)))
-            await page.expect("answer", id=7, answer="CIMG")
-            assert await page.image() == jpeg(2)
-            await page.settle()
-            assert w.service.hub.state["arena"] == "found"
-
-    run(test())
+    page = await w.driver()
+    await page.order("COPN")
+    w.supervisor.answers |= {"CPST": None, "CASA": None}
+    await page.say("order", id=7, label="CASA")
+    await w.supervisor.heard("CASA")
+    w.supervisor.send_image(1)
+    assert await page.image() == jpeg(1)
+    assert w.service.hub.state["arena"] == "none"
+    w.supervisor.send(b"AACK")
+    w.supervisor.send(b"CIMG:" + base64.b64encode(jpeg(2)))
+    await page.expect("answer", id=7, answer="CIMG")
+    assert await page.image() == jpeg(2)
+    await page.settle()
+    assert w.service.hub.state["arena"] == "found"
 
 
-def test_the_search_leaves_positions_on() -> None:
-    async def test() -> None:
-        async with world() as w:
-            page = await w.driver()
-            for label in ("COPN", "CPCO", "CASA"):
-                await page.order(label)
-            assert w.supervisor.lines[-2:] == ["CPCO", "CASA"]
-            assert w.service.hub.state["positions"] is True
-
-    run(test())
+async def test_the_search_leaves_positions_on(w: World) -> None:
+    page = await w.driver()
+    for label in ("COPN", "CPCO", "CASA"):
+        await page.order(label)
+    assert w.supervisor.lines[-2:] == ["CPCO", "CASA"]
+    assert w.service.hub.state["positions"] is True

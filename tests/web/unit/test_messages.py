@@ -25,6 +25,8 @@ from destijl_web.messages import Malformed, Name, Order, Ping, Seen, Wheel
         ),
         ('{"type":"wheel","do":"take"}', Wheel("take", None)),
         ('{"type":"wheel","do":"give","to":3}', Wheel("give", 3)),
+        ('{"type":"wheel","do":"offer","to":3}', Wheel("offer", 3)),
+        ('{"type":"wheel","do":"withdraw"}', Wheel("withdraw", None)),
         ('{"type":"name","name":" Zoé "}', Name("Zoé")),
     ],
 )
@@ -79,6 +81,7 @@ def test_read(text: str, message: messages.Message) -> None:
         '{"type":"wheel","do":"steal"}',
         '{"type":"wheel","do":["take"]}',
         '{"type":"wheel","do":"give"}',
+        '{"type":"wheel","do":"offer"}',
         '{"type":"name"}',
         '{"type":"name","name":""}',
         '{"type":"name","name":"   "}',

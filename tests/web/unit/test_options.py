@@ -15,26 +15,16 @@ def test_defaults() -> None:
 
 
 def test_values(tmp_path: Path) -> None:
-    chosen = read(
-        [
-            "--supervisor=robot.local:5545",
-            "--bind",
-            "::1",
-            "--port",
-            "0",
-            "--record",
-            str(tmp_path),
-            "--origin",
-            "http://localhost:9000/",
-            "--origin=http://127.0.0.1:9000",
-        ]
-    )
+    given = "--supervisor=robot.local:5545 --bind ::1 --port 0"
+    given += " --origin http://localhost:9000/ --origin=http://127.0.0.1:9000"
+    chosen = read([*given.split(), "--record", str(tmp_path), "--record-limit", "5"])
     assert chosen == Options(
         supervisor_host="robot.local",
         supervisor_port=5545,
         bind="::1",
         port=0,
         record=tmp_path,
+        record_limit=5_000_000,
         origins=("http://localhost:9000", "http://127.0.0.1:9000"),
     )
     chosen = read(["--supervisor", "[fe80::1]:7"])
@@ -50,28 +40,17 @@ def test_wishes() -> None:
 @pytest.mark.parametrize(
     "given",
     [
-        ["web"],
-        ["--verbose"],
-        ["--port"],
-        ["--port="],
-        ["--port", "65536"],
-        ["--port", "-1"],
-        ["--port", "8080x"],
-        ["--supervisor", "robot"],
-        ["--supervisor", "robot:0"],
-        ["--supervisor", "a b:1"],
-        ["--bind", "robot"],
-        ["--record", "/nonexistent"],
-        ["--origin", "robot.example"],
-        ["--origin", "https://robot.example/path"],
-        ["--token", "/nonexistent"],
-        ["--origin", "http://localhost"] * 9,
-        ["--help=yes"],
+        *("web", "--verbose", "--help=yes", "--port", "--port=", "--port 65536"),
+        *("--port -1", "--port 8080x", "--supervisor robot", "--supervisor robot:0"),
+        *("--supervisor a\tb:1", "--bind robot", "--record /nonexistent"),
+        *("--record-limit 0", "--record-limit 5GB", "--record-limit -1"),
+        *("--token /nonexistent", "--origin robot.example"),
+        *("--origin https://robot.example/path", "--origin http://localhost " * 9),
     ],
 )
-def test_refused(given: list[str]) -> None:
+def test_refused(given: str) -> None:
     with pytest.raises(Usage):
-        read(given)
+        read([word.replace("\t", " ") for word in given.strip().split(" ")])
 
 
 def test_other_machines_need_a_token(tmp_path: Path) -> None:

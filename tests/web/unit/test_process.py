@@ -3,6 +3,7 @@
 
 import os
 import re
+import select
 import signal
 import socket
 import subprocess
@@ -10,7 +11,7 @@ import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import pytest
 from helpers import token_file
@@ -32,6 +33,7 @@ class Program:
 
     def address(self) -> str:
         assert self.process.stdout is not None
+        assert select.select([self.process.stdout], [], [], LIMIT)[0], "it is silent"
         line = self.process.stdout.readline()
         found = re.fullmatch(r"destijl_web: open (http://\S+:\d+/)\n", line)
         assert found is not None, line
@@ -66,21 +68,27 @@ def programs() -> Iterator[Any]:
             one.process.communicate()
 
 
-class Listener:
-    """Where a supervisor would listen."""
+class Served(NamedTuple):
+    """The program and its supervisor's end of their connection."""
 
-    def __init__(self) -> None:
-        self._socket = socket.create_server(("127.0.0.1", 0))
-        self._socket.settimeout(LIMIT)
-        self.address = f"127.0.0.1:{self._socket.getsockname()[1]}"
+    program: Program
+    port: int
+    connection: socket.socket
 
-    def accept(self) -> socket.socket:
-        """The gateway, which has said its first line and been answered."""
-        accepted, _ = self._socket.accept()
-        accepted.settimeout(LIMIT)
-        assert accepted.recv(100) == b"CPST\n"
-        accepted.sendall(b"AACK\n")
-        return accepted
+
+@pytest.fixture
+def served(programs: Any) -> Iterator[Served]:
+    """The gateway has said its first line and been answered."""
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        listener.settimeout(LIMIT)
+        there = f"127.0.0.1:{listener.getsockname()[1]}"
+        program = programs("--port", "0", "--supervisor", there)
+        port = program.port()
+        with listener.accept()[0] as connection:
+            connection.settimeout(LIMIT)
+            assert connection.recv(100) == b"CPST\n"
+            connection.sendall(b"AACK\n")
+            yield Served(program, port, connection)
 
 
 def has_ended(connection: socket.socket) -> bool:
@@ -90,19 +98,11 @@ def has_ended(connection: socket.socket) -> bool:
         return True  # something was unread
 
 
-def is_gone(process: int) -> bool:
+def state(process: int) -> str:
     try:
-        state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
     except FileNotFoundError:
-        return True
-    return state == "Z"
-
-
-def wait_until_gone(process: int) -> None:
-    end = time.monotonic() + LIMIT
-    while not is_gone(process):
-        assert time.monotonic() < end
-        time.sleep(0.01)
+        return "gone"
 
 
 def run(*arguments: str) -> tuple[int, str, str]:
@@ -136,15 +136,11 @@ def test_a_port_that_is_taken() -> None:
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
-def test_an_orderly_stop(programs: Any, number: signal.Signals) -> None:
-    supervisor = Listener()
-    program = programs("--port", "0", "--supervisor", supervisor.address)
-    program.address()
-    connection = supervisor.accept()
-    program.process.send_signal(number)
-    assert connection.recv(100) == b""
-    connection.close()
-    status, out, error = program.end()
+def test_an_orderly_stop(served: Served, number: signal.Signals) -> None:
+    served.program.process.send_signal(number)
+    assert served.connection.recv(100) == b""
+    served.connection.close()
+    status, out, error = served.program.end()
     assert (status, out) == (0, "")
     assert "Traceback" not in error
 
@@ -160,18 +156,13 @@ def test_stopped_before_it_runs(programs: Any) -> None:
 
 
 @pytest.mark.parametrize("number", [signal.SIGSTOP, signal.SIGKILL, signal.SIGSEGV])
-def test_a_gateway_that_hangs_or_dies(programs: Any, number: signal.Signals) -> None:
+def test_a_gateway_that_hangs_or_dies(served: Served, number: signal.Signals) -> None:
     """Its connection ends, so that the supervisor stops the robot."""
-    supervisor = Listener()
-    program = programs("--port", "0", "--supervisor", supervisor.address)
-    program.address()
-    connection = supervisor.accept()
-    gateway = program.gateway()
     begun = time.monotonic()
-    os.kill(gateway, number)
-    assert has_ended(connection)
+    os.kill(served.program.gateway(), number)
+    assert has_ended(served.connection)
     took = time.monotonic() - begun
-    status, _, error = program.end()
+    status, _, error = served.program.end()
     assert status == 3
     assert "Traceback" not in error
     if number == signal.SIGSTOP:
@@ -180,15 +171,14 @@ def test_a_gateway_that_hangs_or_dies(programs: Any, number: signal.Signals) -> 
         assert took > 0.35
 
 
-def test_no_gateway_without_its_guard(programs: Any) -> None:
-    supervisor = Listener()
-    program = programs("--port", "0", "--supervisor", supervisor.address)
-    program.address()
-    connection = supervisor.accept()
-    gateway = program.gateway()
-    program.process.kill()
-    wait_until_gone(gateway)
-    assert has_ended(connection)
+def test_no_gateway_without_its_guard(served: Served) -> None:
+    gateway = served.program.gateway()
+    served.program.process.kill()
+    end = time.monotonic() + LIMIT
+    while state(gateway) not in ("gone", "Z"):
+        assert time.monotonic() < end
+        time.sleep(0.01)
+    assert has_ended(served.connection)
 
 
 def test_not_stopped_by_the_terminal(programs: Any) -> None:
@@ -199,8 +189,7 @@ def test_not_stopped_by_the_terminal(programs: Any) -> None:
         os.kill(process, signal.SIGTSTP)
     time.sleep(0.2)
     for process in (program.gateway(), program.process.pid):
-        state = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
-        assert state in "RS"
+        assert state(process) in ("R", "S")
 
 
 def test_tokens_are_not_shown(programs: Any, tmp_path: Path) -> None:
@@ -211,7 +200,7 @@ def test_tokens_are_not_shown(programs: Any, tmp_path: Path) -> None:
     command = Path(f"/proc/{program.gateway()}/cmdline").read_bytes()
     assert b"very-secret" not in command.replace(token.encode(), b"")
     body = b"token=nearly-secret"
-    with socket.create_connection(("127.0.0.1", port)) as client:
+    with socket.create_connection(("127.0.0.1", port), LIMIT) as client:
         client.sendall(
             b"POST /login HTTP/1.1\r\nHost: 127.0.0.1:%d\r\n"
             b"Content-Type: application/x-www-form-urlencoded\r\n"
@@ -225,13 +214,10 @@ def test_tokens_are_not_shown(programs: Any, tmp_path: Path) -> None:
     assert "secret" not in out + error
 
 
-def test_a_flood_of_connections(programs: Any) -> None:
+def test_a_flood_of_connections(served: Served) -> None:
     """Connections that say nothing keep nobody out."""
-    supervisor = Listener()
-    program = programs("--port", "0", "--supervisor", supervisor.address)
-    port = program.port()
-    connection = supervisor.accept()
-    idle = [socket.create_connection(("127.0.0.1", port)) for _ in range(600)]
+    there = ("127.0.0.1", served.port)
+    idle = [socket.create_connection(there) for _ in range(600)]
     end = time.monotonic() + LIMIT
     open_ends = len(idle)
     while open_ends > 450:
@@ -246,11 +232,10 @@ def test_a_flood_of_connections(programs: Any) -> None:
                 open_ends += 1
             except ConnectionResetError:
                 pass
-    with socket.create_connection(("127.0.0.1", port)) as client:
-        client.settimeout(LIMIT)
-        client.sendall(b"GET /recordings HTTP/1.1\r\nHost: localhost:%d\r\n\r\n" % port)
+    host = f"localhost:{served.port}".encode()
+    with socket.create_connection(there, LIMIT) as client:
+        client.sendall(b"GET /recordings HTTP/1.1\r\nHost: %s\r\n\r\n" % host)
         assert client.recv(100).startswith(b"HTTP/1.1 404")
     for one in idle:
         one.close()
-    assert program.process.poll() is None
-    connection.close()
+    assert served.program.process.poll() is None

@@ -12,7 +12,7 @@ import pytest
 from destijl_web import recording
 from destijl_web.recording import Recording
 from destijl_web.recordings import CSV_HEAD, Recordings, csv_pieces
-from helpers import LIMIT, World, jpeg, run, world
+from helpers import LIMIT, TOKENS, World, jpeg, world
 
 
 async def until(condition: Any) -> None:
@@ -41,110 +41,189 @@ async def drive(w: World) -> None:
     await page.event("supervisor_connected")
 
 
-def test_what_is_written(tmp_path: Path) -> None:
-    async def test() -> None:
-        async with world(record=tmp_path) as w:
-            first = w.service.hub.state["recording"]
-            await drive(w)
-            second = w.service.hub.state["recording"]
-            assert first and second and first < second
-        #  every thread has ended
-        lines = lines_of(tmp_path / first)
-        images = (tmp_path / first / "images.mjpeg").read_bytes()
-        assert lines[0]["type"] == "state" and lines[0]["robot"] == "closed"
-        assert [one["t"] for one in lines] == sorted(one["t"] for one in lines)
-        cut = [
-            images[one["offset"] : one["offset"] + one["length"]]
-            for one in lines
-            if one["type"] == "image"
-        ]
-        assert cut == [jpeg(number, 1000 + number) for number in range(5)]
-        order = next(one for one in lines if one.get("label") == "RTRN")
-        assert order["type"] == "order"
-        assert (order["value"], order["name"]) == (-90, "#1")
-        answer = next(
-            o for o in lines if o.get("label") == "RTRN" and o["type"] == "answer"
-        )
-        assert answer["answer"] == "AACK" and answer["ms"] >= 0.0
-        assert [o["x"] for o in lines if o["type"] == "position"] == [0, 1, 2, 3, 4]
-        states = [one for one in lines if one["type"] == "state"]
-        assert [s["robot"] for s in states if "robot" in s] == [
-            "closed",
-            "open",
-            "closed",
-        ]
-        codes = [one["code"] for one in lines if one["type"] == "event"]
-        assert codes[0] == "supervisor_connected" and "order" in codes
-
-    run(test())
+async def test_what_is_written(tmp_path: Path) -> None:
+    async with world(record=tmp_path) as w:
+        first = w.service.hub.state["recording"]
+        await drive(w)
+        second = w.service.hub.state["recording"]
+        assert first and second and first < second
+    #  every thread has ended
+    lines = lines_of(tmp_path / first)
+    images = (tmp_path / first / "images.mjpeg").read_bytes()
+    assert lines[0]["type"] == "state" and lines[0]["robot"] == "closed"
+    assert [one["t"] for one in lines] == sorted(one["t"] for one in lines)
+    cut = [
+        images[one["offset"] : one["offset"] + one["length"]]
+        for one in lines
+        if one["type"] == "image"
+    ]
+    assert cut == [jpeg(number, 1000 + number) for number in range(5)]
+    order = next(one for one in lines if one.get("label") == "RTRN")
+    assert order["type"] == "order"
+    assert (order["value"], order["name"]) == (-90, "#1")
+    answer = next(
+        o for o in lines if o.get("label") == "RTRN" and o["type"] == "answer"
+    )
+    assert answer["answer"] == "AACK" and answer["ms"] >= 0.0
+    assert [o["x"] for o in lines if o["type"] == "position"] == [0, 1, 2, 3, 4]
+    states = [one for one in lines if one["type"] == "state"]
+    robots = [s["robot"] for s in states if "robot" in s]
+    assert robots == ["closed", "open", "closed"]
+    codes = [one["code"] for one in lines if one["type"] == "event"]
+    assert codes[0] == "supervisor_connected" and "order" in codes
 
 
-def test_what_is_given(tmp_path: Path) -> None:
-    async def test() -> None:
-        async with world(record=tmp_path) as w:
-            page = await w.page()
-            assert page.welcome["recordings"] is True
-            name = page.welcome["state"]["recording"]
-            await drive(w)
-            await until(
-                lambda: (
-                    '"supervisor_lost"'
-                    in (tmp_path / name / "events.jsonl").read_text()
-                )
+async def test_what_is_given(tmp_path: Path) -> None:
+    async with world(record=tmp_path) as w:
+        page = await w.page()
+        assert page.welcome["recordings"] is True
+        name = page.welcome["state"]["recording"]
+        await drive(w)
+        await until(
+            lambda: (
+                '"supervisor_lost"' in (tmp_path / name / "events.jsonl").read_text()
             )
-            client = w.client()
+        )
+        client = w.client()
 
-            async def get(path: str, **headers: str) -> tuple[int, bytes]:
-                async with client.get(w.url + path, headers=headers) as answer:
-                    return answer.status, await answer.read()
+        async def get(path: str, **headers: str) -> tuple[int, bytes]:
+            async with client.get(w.url + path, headers=headers) as answer:
+                return answer.status, await answer.read()
 
-            status, body = await get("/recordings")
-            assert status == 200
-            listed = json.loads(body)
-            assert [one["name"] for one in listed][1] == name
-            events = (tmp_path / name / "events.jsonl").read_bytes()
-            images = (tmp_path / name / "images.mjpeg").read_bytes()
-            last = json.loads(events.splitlines()[-1])
-            assert listed[1] == {
-                "name": name,
-                "start": listed[1]["start"],
-                "duration": last["t"],
-                "images": 5,
-                "bytes": len(events) + len(images),
-            }
-            assert listed[0]["start"] > listed[1]["start"] > 1.6e12
-            base = f"/recordings/{name}"
-            assert await get(f"{base}/events.jsonl") == (200, events)
-            assert await get(f"{base}/images.mjpeg") == (200, images)
-            part = await get(f"{base}/images.mjpeg", Range="bytes=1000-2000")
-            assert part == (206, images[1000:2001]) and part[1] == jpeg(1, 1001)
-            part = await get(f"{base}/images.mjpeg", Range="bytes=9999999-")
-            assert part[0] == 416
-            status, body = await get(f"{base}/positions.csv")
-            rows = body.decode().splitlines()
-            assert status == 200 and rows[0] + "\n" == CSV_HEAD
-            assert [row.split(",", 1)[1] for row in rows[1:]] == [
-                f"7,1.5,{x}.0,2.0,3.0,4.0" for x in range(5)
-            ]
-            for bad in (
-                "/recordings/20261123T120000.123Z/events.jsonl",
-                "/recordings/../events.jsonl",
-                "/recordings/%2e%2e/events.jsonl",
-                f"{base}/other.jsonl",
-                f"{base}x/events.jsonl",
-                f"{base}/events.jsonl/",
-            ):
-                assert (await get(bad))[0] == 404
+        status, body = await get("/recordings")
+        assert status == 200
+        listed = json.loads(body)
+        assert [one["name"] for one in listed][1] == name
+        events = (tmp_path / name / "events.jsonl").read_bytes()
+        images = (tmp_path / name / "images.mjpeg").read_bytes()
+        last = json.loads(events.splitlines()[-1])
+        assert listed[1] == {
+            "name": name,
+            "title": "",
+            "start": listed[1]["start"],
+            "duration": last["t"],
+            "images": 5,
+            "bytes": len(events) + len(images),
+        }
+        assert listed[0]["start"] > listed[1]["start"] > 1.6e12
+        base = f"/recordings/{name}"
+        assert await get(f"{base}/events.jsonl") == (200, events)
+        assert await get(f"{base}/images.mjpeg") == (200, images)
+        part = await get(f"{base}/images.mjpeg", Range="bytes=1000-2000")
+        assert part == (206, images[1000:2001]) and part[1] == jpeg(1, 1001)
+        part = await get(f"{base}/images.mjpeg", Range="bytes=9999999-")
+        assert part[0] == 416
+        status, body = await get(f"{base}/positions.csv")
+        rows = body.decode().splitlines()
+        assert status == 200 and rows[0] + "\n" == CSV_HEAD
+        assert [row.split(",", 1)[1] for row in rows[1:]] == [
+            f"7,1.5,{x}.0,2.0,3.0,4.0" for x in range(5)
+        ]
+        for bad in (
+            "/recordings/20261123T120000.123Z/events.jsonl",
+            "/recordings/../events.jsonl",
+            "/recordings/%2e%2e/events.jsonl",
+            f"{base}/other.jsonl",
+            f"{base}x/events.jsonl",
+            f"{base}/events.jsonl/",
+        ):
+            assert (await get(bad))[0] == 404
 
-    run(test())
+
+def stored(folder: Path, name: str, size: int = 1000) -> Path:
+    """A recording of an earlier session."""
+    made = folder / name
+    made.mkdir()
+    (made / "events.jsonl").write_text('{"t":1,"type":"state"}\n')
+    (made / "images.mjpeg").write_bytes(bytes(size))
+    return made
 
 
-def test_nothing_is_recorded() -> None:
-    async def test() -> None:
-        async with world() as w, w.client().get(f"{w.url}/recordings") as answer:
-            assert answer.status == 404
+OLD = [f"20261123T12000{n}.000Z" for n in range(4)]
 
-    run(test())
+
+async def test_named_and_deleted(tmp_path: Path) -> None:
+    old = stored(tmp_path, OLD[0])
+    async with world(record=tmp_path) as w:
+        page = await w.page()
+        active = page.welcome["state"]["recording"]
+        await until((tmp_path / active / "images.mjpeg").exists)
+        client = w.client()
+
+        async def ask(method: str, path: str, title: str = "", **headers: str) -> int:
+            own = headers or {"Origin": w.url}
+            async with client.request(
+                method, f"{w.url}/recordings/{path}", data=title, headers=own
+            ) as answer:
+                return answer.status
+
+        async def titles() -> dict[str, str]:
+            async with client.get(f"{w.url}/recordings") as answer:
+                return {one["name"]: one["title"] for one in await answer.json()}
+
+        assert await ask("PUT", f"{OLD[0]}/title", " Première fois ") == 204
+        assert await ask("PUT", f"{active}/title", "now") == 204
+        assert await titles() == {OLD[0]: "Première fois", active: "now"}
+        for bad in ("x" * 61, "a\nb", "\x1b[31m"):
+            assert await ask("PUT", f"{OLD[0]}/title", bad) == 400
+        assert await ask("PUT", f"{OLD[1]}/title", "x") == 404
+        assert await ask("PUT", f"{OLD[0]}x/title", "x") == 404
+        assert await ask("PUT", f"{active}/title", "") == 204
+        assert await titles() == {OLD[0]: "Première fois", active: ""}
+        for foreign in ({"Origin": "http://robot.example"}, {"X-Other": "1"}):
+            assert await ask("DELETE", OLD[0], **foreign) == 403
+            assert await ask("PUT", f"{OLD[0]}/title", "x", **foreign) == 403
+        assert await ask("DELETE", active) == 409
+        assert await ask("DELETE", OLD[1]) == 404
+        assert await ask("DELETE", f"{OLD[0]}x") == 404
+        assert old.exists()
+        assert await ask("DELETE", OLD[0]) == 204
+        assert not old.exists()
+        assert await titles() == {active: ""}
+
+
+@pytest.mark.parametrize(
+    ("token", "status"), [("", 401), ("secret-viewer", 403), ("secret-teacher", 204)]
+)
+async def test_who_may_delete(tmp_path: Path, token: str, status: int) -> None:
+    """Not those who have the viewers' token."""
+    old = stored(tmp_path, OLD[0])
+    async with world(record=tmp_path, **TOKENS) as w:
+        client = w.client()
+        if token:
+            await client.post(f"{w.url}/login", data={"token": token})
+        own = {"Origin": w.url}
+        base = f"{w.url}/recordings/{OLD[0]}"
+        async with client.put(f"{base}/title", data="x", headers=own) as answer:
+            assert answer.status == status
+        async with client.delete(base, headers=own) as answer:
+            assert answer.status == status
+    assert old.exists() == (status != 204)
+
+
+async def test_bounded(tmp_path: Path) -> None:
+    """The oldest without a name go; if that is not enough, recording ends."""
+    olds = [stored(tmp_path, name, 100_000) for name in OLD]
+    (olds[0] / "title.txt").write_text("kept")
+    (tmp_path / "other").mkdir()
+    async with world(record=tmp_path, record_limit=350_000) as w:
+        page = await w.driver()
+        await until(lambda: not olds[1].exists())
+        assert [old.exists() for old in olds] == [True, False, True, True]
+        for number in range(6):
+            w.supervisor.send_image(number, 50_000)
+            await page.image()
+        event = await page.event("recording_failed")
+        assert "limit" in event["args"]["reason"]
+        assert [old.exists() for old in olds] == [True, False, False, False]
+        assert (tmp_path / "other").exists()
+        assert w.service.hub.state["recording"] is None
+        assert (await page.order("RPIN"))["answer"] == "AACK"
+
+
+async def test_nothing_is_recorded() -> None:
+    async with world() as w, w.client().get(f"{w.url}/recordings") as answer:
+        assert answer.status == 404
 
 
 def test_no_way_out_by_a_link(tmp_path: Path) -> None:
@@ -157,6 +236,11 @@ def test_no_way_out_by_a_link(tmp_path: Path) -> None:
     (inside / "20261123T120000.123Z").symlink_to(outside)
     recordings = Recordings(inside)
     assert recordings.all() == []
+    assert not recordings.delete("20261123T120000.123Z")
+    assert not recordings.entitle("20261123T120000.123Z", "x")
+    assert sorted(path.name for path in outside.iterdir()) == [
+        *("events.jsonl", "images.mjpeg")
+    ]
     assert recordings.file("20261123T120000.123Z", "events.jsonl") is None
     kept = inside / "20261123T120000.124Z"
     kept.mkdir()
@@ -202,34 +286,30 @@ class Failures:
         self.come.set()
 
 
-def test_a_full_disk(tmp_path: Path) -> None:
+async def test_a_full_disk(tmp_path: Path) -> None:
     """As one: no file may be larger than it is allowed to be."""
-
-    async def test() -> None:
-        async with world(record=tmp_path) as w:
-            page = await w.driver()
-            before = resource.getrlimit(resource.RLIMIT_FSIZE)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, before[1]))
-            try:
-                for number in range(5):
-                    w.supervisor.send_image(number, 50_000)
-                    assert await page.image() == jpeg(number, 50_000)
-                events = w.service.hub._events
-                await until(lambda: events[-1]["code"] == "recording_failed")
-                assert events[-1]["args"] == {"reason": "File too large"}
-                assert w.service.hub.state["recording"] is None
-            finally:
-                resource.setrlimit(resource.RLIMIT_FSIZE, before)
-            assert (await page.order("RPIN"))["answer"] == "AACK"
-            codes = [one.get("code") for one in page.said]
-            assert codes.count("recording_failed") == 1
-
-    run(test())
+    async with world(record=tmp_path) as w:
+        page = await w.driver()
+        before = resource.getrlimit(resource.RLIMIT_FSIZE)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (100_000, before[1]))
+        try:
+            for number in range(5):
+                w.supervisor.send_image(number, 50_000)
+                assert await page.image() == jpeg(number, 50_000)
+            events = w.service.hub._events
+            await until(lambda: events[-1]["code"] == "recording_failed")
+            assert events[-1]["args"] == {"reason": "File too large"}
+            assert w.service.hub.state["recording"] is None
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        assert (await page.order("RPIN"))["answer"] == "AACK"
+        codes = [one.get("code") for one in page.said]
+        assert codes.count("recording_failed") == 1
 
 
 def test_a_folder_that_is_gone(tmp_path: Path) -> None:
     failures = Failures()
-    made = Recording(tmp_path / "gone", failures)
+    made = Recording(tmp_path / "gone", 10**9, failures)
     assert failures.come.wait(LIMIT)
     made.put("event", {})
     made.join()
@@ -241,7 +321,7 @@ def test_a_disk_that_is_slow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     hangs = threading.Event()
     monkeypatch.setattr(Recording, "_write", lambda self: hangs.wait(LIMIT))
     failures = Failures()
-    made = Recording(tmp_path, failures)
+    made = Recording(tmp_path, 10**9, failures)
     for number in range(20):
         made.put("image", {}, jpeg(number, 100_000))
     assert failures.reasons == ["the disk is too slow"]

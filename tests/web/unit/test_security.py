@@ -8,12 +8,7 @@ import pytest
 from aiohttp import WSServerHandshakeError
 from destijl_web import logins
 from destijl_web.origins import Origins, address_to_open
-from helpers import World, run, world
-
-TOKENS: dict[str, Any] = {
-    "token": "secret-teacher",
-    "viewers_token": "secret-viewer",
-}
+from helpers import TOKENS, World
 
 
 async def status(w: World, path: str, **headers: str) -> int:
@@ -21,72 +16,62 @@ async def status(w: World, path: str, **headers: str) -> int:
         return answer.status
 
 
-def test_headers() -> None:
-    async def test() -> None:
-        async with world() as w:
-            for path in ("/", "/page/none.js", "/recordings", "/nothing"):
-                async with w.client().get(w.url + path) as answer:
-                    policy = answer.headers["Content-Security-Policy"]
-                    assert policy.startswith("default-src 'none';")
-                    assert "unsafe" not in policy and "*" not in policy
-                    for part in ("base-uri 'none'", "frame-ancestors 'none'"):
-                        assert part in policy
-                    assert answer.headers["X-Content-Type-Options"] == "nosniff"
-                    assert answer.headers["Referrer-Policy"] == "same-origin"
-                    assert answer.headers["Cache-Control"] in ("no-store", "no-cache")
-                    assert "Server" not in answer.headers
-
-    run(test())
+async def test_headers(w: World) -> None:
+    for path in ("/", "/page/none.js", "/recordings", "/nothing"):
+        async with w.client().get(w.url + path) as answer:
+            policy = answer.headers["Content-Security-Policy"]
+            assert policy.startswith("default-src 'none';")
+            assert "unsafe" not in policy and "*" not in policy
+            for part in ("base-uri 'none'", "frame-ancestors 'none'"):
+                assert part in policy
+            assert answer.headers["X-Content-Type-Options"] == "nosniff"
+            assert answer.headers["Referrer-Policy"] == "same-origin"
+            assert answer.headers["Cache-Control"] in ("no-store", "no-cache")
+            assert "Server" not in answer.headers
 
 
-def test_hosts() -> None:
-    async def test() -> None:
-        async with world(origins=("https://robot.example",)) as w:
-            port = w.service.port
-            for host in (f"127.0.0.1:{port}", f"LOCALHOST:{port}", "robot.example"):
-                assert await status(w, "/recordings", Host=host) == 404
-            for host in (
-                "127.0.0.1",
-                f"evil.example:{port}",
-                f"127.0.0.1.evil.example:{port}",
-                f"127.0.0.1:{port + 1}",
-                "robot.example:81",
-                "",
-            ):
-                assert await status(w, "/recordings", Host=host) == 421
-
-    run(test())
+@pytest.mark.world(origins=("https://robot.example",))
+async def test_hosts(w: World) -> None:
+    port = w.service.port
+    for host in (f"127.0.0.1:{port}", f"LOCALHOST:{port}", "robot.example"):
+        assert await status(w, "/recordings", Host=host) == 404
+    for host in (
+        "127.0.0.1",
+        f"evil.example:{port}",
+        f"127.0.0.1.evil.example:{port}",
+        f"127.0.0.1:{port + 1}",
+        "robot.example:81",
+        "",
+    ):
+        assert await status(w, "/recordings", Host=host) == 421
 
 
-def test_origins() -> None:
-    async def test() -> None:
-        async with world(origins=("https://robot.example",)) as w:
-            port = w.service.port
-            client = w.client()
-            for host, origin in (
-                (f"127.0.0.1:{port}", f"http://127.0.0.1:{port}"),
-                (f"localhost:{port}", f"http://localhost:{port}"),
-                ("robot.example", "https://robot.example"),
-                (f"127.0.0.1:{port}", "https://robot.example"),
-            ):
-                async with client.ws_connect(
-                    f"{w.url}/ws", origin=origin, headers={"Host": host}
-                ):
-                    pass
-            wrong: list[str | None] = [
-                None,
-                "null",
-                "http://evil.example",
-                f"https://127.0.0.1:{port}",
-                "http://127.0.0.1",
-                "http://robot.example",
-            ]
-            for forged in wrong:
-                with pytest.raises(WSServerHandshakeError) as refused:
-                    await client.ws_connect(f"{w.url}/ws", origin=forged)
-                assert refused.value.status == 403
-
-    run(test())
+@pytest.mark.world(origins=("https://robot.example",))
+async def test_origins(w: World) -> None:
+    port = w.service.port
+    client = w.client()
+    for host, origin in (
+        (f"127.0.0.1:{port}", f"http://127.0.0.1:{port}"),
+        (f"localhost:{port}", f"http://localhost:{port}"),
+        ("robot.example", "https://robot.example"),
+        (f"127.0.0.1:{port}", "https://robot.example"),
+    ):
+        async with client.ws_connect(
+            f"{w.url}/ws", origin=origin, headers={"Host": host}
+        ):
+            pass
+    wrong: list[str | None] = [
+        None,
+        "null",
+        "http://evil.example",
+        f"https://127.0.0.1:{port}",
+        "http://127.0.0.1",
+        "http://robot.example",
+    ]
+    for forged in wrong:
+        with pytest.raises(WSServerHandshakeError) as refused:
+            await client.ws_connect(f"{w.url}/ws", origin=forged)
+        assert refused.value.status == 403
 
 
 def test_names_of_other_interfaces() -> None:
@@ -101,105 +86,84 @@ def test_names_of_other_interfaces() -> None:
     assert "0.0.0.0" not in address_to_open("0.0.0.0", 8080)
 
 
-def test_nobody_without_a_token() -> None:
-    async def test() -> None:
-        async with world(**TOKENS) as w:
-            client = w.client()
-            for path in (
-                "/recordings",
-                "/recordings/20261123T120000.123Z/events.jsonl",
-                "/recordings/20261123T120000.123Z/positions.csv",
-            ):
-                assert await status(w, path) == 401
-            for cookie in ("", "made-up", "secret-teacher"):
-                with pytest.raises(WSServerHandshakeError) as refused:
-                    await client.ws_connect(
-                        f"{w.url}/ws",
-                        origin=w.url,
-                        headers={"Cookie": f"destijl_web_{w.service.port}={cookie}"},
-                    )
-                assert refused.value.status == 401
-
-    run(test())
+@pytest.mark.world(TOKENS)
+async def test_nobody_without_a_token(w: World) -> None:
+    client = w.client()
+    for path in (
+        "/recordings",
+        "/recordings/20261123T120000.123Z/events.jsonl",
+        "/recordings/20261123T120000.123Z/positions.csv",
+    ):
+        assert await status(w, path) == 401
+    for cookie in ("", "made-up", "secret-teacher"):
+        with pytest.raises(WSServerHandshakeError) as refused:
+            await client.ws_connect(
+                f"{w.url}/ws",
+                origin=w.url,
+                headers={"Cookie": f"destijl_web_{w.service.port}={cookie}"},
+            )
+        assert refused.value.status == 401
 
 
 async def login(w: World, token: str, **headers: str) -> Any:
+    form = {"token": token}
+    there = f"{w.url}/login"
     return await w.client().post(
-        f"{w.url}/login",
-        data={"token": token},
-        headers=headers,
-        allow_redirects=False,
+        there, data=form, headers=headers, allow_redirects=False
     )
 
 
-def test_login() -> None:
-    async def test() -> None:
-        async with world(**TOKENS, origins=("https://robot.example",)) as w:
-            answer = await login(w, "secret-teacher")
-            assert (answer.status, answer.headers["Location"]) == (303, "/")
-            cookie = answer.headers["Set-Cookie"]
-            for part in ("HttpOnly", "SameSite=Strict", "Path=/"):
-                assert part in cookie
-            assert "Secure" not in cookie and "secret" not in cookie
-            answer = await login(
-                w,
-                "secret-viewer",
-                Host="robot.example",
-                Origin="https://robot.example",
-            )
-            assert "Secure" in answer.headers["Set-Cookie"]
-            answer = await login(w, "secret-teache")
-            assert answer.headers["Location"] == "/?failed=1"
-            assert "Set-Cookie" not in answer.headers
-            for origin in ("null", "http://evil.example"):
-                assert (await login(w, "secret-teacher", Origin=origin)).status == 403
-            answer = await login(w, "x" * 100_000)
-            assert answer.status == 413
-
-    run(test())
+@pytest.mark.world(TOKENS, origins=("https://robot.example",))
+async def test_login(w: World) -> None:
+    answer = await login(w, "secret-teacher")
+    assert (answer.status, answer.headers["Location"]) == (303, "/")
+    cookie = answer.headers["Set-Cookie"]
+    for part in ("HttpOnly", "SameSite=Strict", "Path=/"):
+        assert part in cookie
+    assert "Secure" not in cookie and "secret" not in cookie
+    proxied = {"Host": "robot.example", "Origin": "https://robot.example"}
+    answer = await login(w, "secret-viewer", **proxied)
+    assert "Secure" in answer.headers["Set-Cookie"]
+    answer = await login(w, "secret-teache")
+    assert answer.headers["Location"] == "/?failed=1"
+    assert "Set-Cookie" not in answer.headers
+    for origin in ("null", "http://evil.example"):
+        assert (await login(w, "secret-teacher", Origin=origin)).status == 403
+    answer = await login(w, "x" * 100_000)
+    assert answer.status == 413
 
 
-def test_login_attempts() -> None:
-    async def test() -> None:
-        async with world(**TOKENS) as w:
-            for _ in range(logins.ATTEMPTS):
-                answer = await login(w, "wrong")
-                assert answer.headers["Location"] == "/?failed=1"
-            for token in ("wrong", "secret-teacher"):
-                answer = await login(w, token)
-                assert answer.headers["Location"] == "/?failed=wait"
-                assert "Set-Cookie" not in answer.headers
-
-    run(test())
+@pytest.mark.world(TOKENS)
+async def test_login_attempts(w: World) -> None:
+    for _ in range(logins.ATTEMPTS):
+        answer = await login(w, "wrong")
+        assert answer.headers["Location"] == "/?failed=1"
+    for token in ("wrong", "secret-teacher"):
+        answer = await login(w, token)
+        assert answer.headers["Location"] == "/?failed=wait"
+        assert "Set-Cookie" not in answer.headers
 
 
-def test_login_attempts_behind_a_proxy() -> None:
-    async def test() -> None:
-        proxied: dict[str, str] = {"Host": "robot.example"}
-        async with world(**TOKENS, origins=("https://robot.example",)) as w:
-            for number in range(logins.ATTEMPTS):
-                proxied["X-Forwarded-For"] = f"10.0.0.{number}, 192.0.2.1"
-                await login(w, "wrong", **proxied)
-            answer = await login(w, "secret-teacher", **proxied)
-            assert answer.headers["Location"] == "/?failed=wait"
-            proxied["X-Forwarded-For"] = "192.0.2.1, 192.0.2.2"
-            answer = await login(w, "secret-teacher", **proxied)
-            assert answer.headers["Location"] == "/"
-
-    run(test())
+@pytest.mark.world(TOKENS, origins=("https://robot.example",))
+async def test_login_attempts_behind_a_proxy(w: World) -> None:
+    proxied = {"Host": "robot.example"}
+    for number in range(logins.ATTEMPTS):
+        proxied["X-Forwarded-For"] = f"10.0.0.{number}, 192.0.2.1"
+        await login(w, "wrong", **proxied)
+    answer = await login(w, "secret-teacher", **proxied)
+    assert answer.headers["Location"] == "/?failed=wait"
+    proxied["X-Forwarded-For"] = "192.0.2.1, 192.0.2.2"
+    answer = await login(w, "secret-teacher", **proxied)
+    assert answer.headers["Location"] == "/"
 
 
-def test_nobody_says_where_he_comes_from() -> None:
+@pytest.mark.world(TOKENS)
+async def test_nobody_says_where_he_comes_from(w: World) -> None:
     """X-Forwarded-For counts behind a proxy only."""
-
-    async def test() -> None:
-        async with world(**TOKENS) as w:
-            for number in range(logins.ATTEMPTS + 1):
-                forged = {"X-Forwarded-For": f"192.0.2.{number}"}
-                answer = await login(w, "wrong", **forged)
-            assert answer.headers["Location"] == "/?failed=wait"
-
-    run(test())
+    for number in range(logins.ATTEMPTS + 1):
+        forged = {"X-Forwarded-For": f"192.0.2.{number}"}
+        answer = await login(w, "wrong", **forged)
+    assert answer.headers["Location"] == "/?failed=wait"
 
 
 @pytest.mark.parametrize(
@@ -216,14 +180,10 @@ def test_nobody_says_where_he_comes_from() -> None:
         "/destijl_web/server.py",
     ],
 )
-def test_no_other_files(path: str) -> None:
-    async def test() -> None:
-        async with world() as w:
-            reader, writer = await asyncio.open_connection("127.0.0.1", w.service.port)
-            host = f"127.0.0.1:{w.service.port}"
-            writer.write(f"GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n".encode())
-            line = await reader.readline()
-            assert line.split()[1] in (b"404", b"400")
-            writer.close()
-
-    run(test())
+async def test_no_other_files(w: World, path: str) -> None:
+    reader, writer = await asyncio.open_connection("127.0.0.1", w.service.port)
+    host = f"127.0.0.1:{w.service.port}"
+    writer.write(f"GET {path} HTTP/1.1\r\nHost: {host}\r\n\r\n".encode())
+    line = await reader.readline()
+    assert line.split()[1] in (b"404", b"400")
+    writer.close()

@@ -1,0 +1,75 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""What proofs/model/steps says of the order of operations, and
+proofs/schedulability/calls of their number: in a copy, each fault of faults.txt
+is planted, and the place is named. Needs no SPIN, but bin/schedulability."""
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+TOOLS = {
+    "steps": ["proofs/model/steps"],
+    "calls": ["proofs/schedulability/calls", "--counts"],
+}
+_, *FAULTS = Path(__file__).with_name("faults.txt").read_text().split("\n\n")
+NAMES = [fault.strip().split("\n")[0] for fault in FAULTS]
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    tree = tmp_path_factory.mktemp("tree")
+    for folder in ("src", "proofs/model", "proofs/schedulability"):
+        shutil.copytree(ROOT / folder, tree / folder)
+    (tree / "bin").mkdir()
+    shutil.copy(ROOT / "bin/schedulability", tree / "bin")
+    return tree
+
+
+def says(tree: Path, tool: str, file: str, script: str) -> tuple[int, str]:
+    """Its status and output, with this file changed by sed."""
+    kept = (tree / file).read_bytes()
+    try:
+        subprocess.run(["sed", "-i", "-E", script, file], cwd=tree, check=True)
+        assert (tree / file).read_bytes() != kept
+        done = subprocess.run(
+            TOOLS[tool],
+            cwd=tree,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            check=False,
+        )
+        return done.returncode, done.stdout
+    finally:
+        (tree / file).write_bytes(kept)
+
+
+@pytest.mark.parametrize("tool", TOOLS)
+def test_as_it_is(tree: Path, tool: str) -> None:
+    subprocess.run(TOOLS[tool], cwd=tree, check=True)
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=NAMES)
+def test_a_fault_is_noticed(tree: Path, fault: str) -> None:
+    _, planted, words = fault.strip().split("\n")
+    tool, file, script = planted.split(" ", 2)
+    status, said = says(tree, tool, file, script)
+    assert status != 0
+    assert re.search(rf"^[a-z]*: .*({words})", said, re.M), said
+
+
+@pytest.mark.parametrize(
+    ("file", "script"),
+    [
+        #  a condition, which is for the mutants
+        ("robot-line.adb", "/^   procedure Finish/,/end Finish/s/if More/if not More/"),
+        ("order_ports.adb", "s/Arrived.Set;/ARRIVED.SET;/; s/Port.Put/port . put/"),
+    ],
+)
+def test_the_same_operations_pass(tree: Path, file: str, script: str) -> None:
+    status, said = says(tree, "steps", f"src/state/{file}", script)
+    assert status == 0, said

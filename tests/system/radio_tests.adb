@@ -1,0 +1,157 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The robot's line through a pair of radios (destijl_emulator --radio).
+--  Without retries an exchange takes less than 50 ms.
+
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+
+with Dialogues;             use Dialogues;
+with Expectations;          use Expectations;
+with Instants;              use Instants;
+with Libc;
+with Monitor_Clients;       use Monitor_Clients;
+with Rigs;                  use Rigs;
+with Scenarios;             use Scenarios;
+
+package body Radio_Tests is
+
+   No_Retries : constant String := "--radio-retries 0";
+
+   procedure Driven is new Script
+     ("ROPN AACK, RSWW AACK, clear, RGFW AACK, status moving 1, RGST RCST:1,"
+      & " RGBT RBLV:2, RSTP AACK, status moving 0, RTRN:90 AACK,"
+      & " RMOV:32767 AACK, wire M=32767 M=0 T=90 M=32767, clear, RCLS AACK,"
+      & " seen M=0, status moving 0, status missed_total 0,"
+      & " unsaid robot lost", Emulator_Options => No_Retries, Times => 3);
+
+   procedure Packets_Take_Time is
+      --  A command's bytes, three silent ones, 5 ms in the air at least, and
+      --  the bytes once more
+      R : Rig;
+   begin
+      Assemble (R, Emulator_Options => No_Retries);
+      R.Monitor.Expect ("ROPN", "AACK");
+      R.Emulator.Clear_Journal;
+      for Attempt in 1 .. 10 loop
+         R.Monitor.Expect ("RPIN", "AACK");
+      end loop;
+      for Item of R.Emulator.Journal loop
+         Check
+           (Item.Last - Item.First > 0.014,
+            "on its way for " & Milliseconds (Item.Last - Item.First));
+      end loop;
+      Check (R.Emulator.Count_Of ("p") = 10, "not each ping once");
+   end Packets_Take_Time;
+
+   procedure Stopped_At_The_End is
+      --  The stop is on its way when the line is closed
+      R      : Rig;
+      Before : Natural;
+   begin
+      Assemble (R, Emulator_Options => No_Retries);
+      for Attempt in 1 .. 3 loop
+         Move_Forward (R);
+         Before := R.Supervisor.Log_Length;
+         R.Monitor.Close;
+         Play (R, "seen M=0, status moving 0");
+         R.Supervisor.Expect_Log
+           ("ready for a new monitor", Within => 5.0, After => Before);
+         Connect (R);
+      end loop;
+      Move_Forward (R);
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Play (R, "seen M=0, status moving 0");
+   end Stopped_At_The_End;
+
+   procedure All_Lost is new Script
+     ("ROPN AACK, RSOW AACK, RGFW AACK, status moving 1, clear,"
+      & " tell radio-losses 100, comes ATIM, log robot lost, seen M=0,"
+      & " status moving 1, tell mend, " & Works_Again
+      & ", status moving 0, RRST AACK",
+      Emulator_Options => No_Retries, Times => 2);
+   --  The last stop is lost as well
+
+   procedure Some_Lost is
+      --  Commands and answers: each command is answered, and all works after
+      R            : Rig;
+      Not_Received : Natural := 0;
+   begin
+      Assemble (R, Emulator_Options => No_Retries);
+      Play (R, "ROPN AACK, clear, tell radio-losses 5");
+      for Number in 1 .. 100 loop
+         R.Monitor.Send_Line ("RGST");
+         Check_Label
+           (R.Monitor.Next_Answer (Command => "RGST"), "RCST ATIM", "RGST");
+      end loop;
+      for Item of R.Emulator.Journal loop
+         Not_Received := Not_Received + Boolean'Pos (Item.Answer = "-");
+      end loop;
+      Check
+        (Not_Received > 0
+         and then R.Emulator.Status_Number ("spoilt") > Not_Received,
+         "not in both directions:" & Not_Received'Image);
+      Play (R, "tell mend, RGST RCST:0, RGBT RBLV:2, RSOW AACK, RGFW AACK");
+   end Some_Lost;
+
+   procedure Late_Answers is new Script
+     ("ROPN AACK, RPIN AACK, tell radio-retries 100, RPIN ATIM,"
+      & " tell radio-retries 0, wait 1.0, RGBT RBLV:1, RGST RCST:0,"
+      & " unsaid robot lost",
+      Emulator_Options => No_Retries & " --battery 1", Times => 3);
+   --  8 retries in each direction: half a second
+
+   procedure Keep_Watchdog (Options : String; Missed : Natural) is
+      --  20 s while the robot drives, Missed reloads at most; no deadline is
+      --  guaranteed without real-time priorities, but it keeps driving
+      R    : Rig;
+      Time : Instant;
+   begin
+      Assemble (R, Emulator_Options => Options);
+      Start_Robot (R, Watchdog => True);
+      R.Monitor.Expect ("RGFW", "AACK");
+      Measures_Time;
+      R.Emulator.Clear_Journal;
+      Time := Now;
+      while Now - Time < 20.0 loop
+         delay 0.1;
+      end loop;
+      Note (R.Emulator.Count_Of ("w")'Image & " reloads,"
+            & Natural'Image (Natural (R.Emulator.Journal.Length))
+            & " commands in 20 s");
+      Check_In_Time
+        (R.Emulator.Count_Of ("w") in 18 .. 22,
+         R.Emulator.Count_Of ("w")'Image & " reloads");
+      if R.Supervisor.Says ("real-time priorities: yes") then
+         Check_In_Time
+           (R.Emulator.Status_Number ("missed_total") <= Missed,
+            "missed" & R.Emulator.Status ("missed_total"));
+      end if;
+      Play (R, "status disabled_count 0, status moving 1, unsaid robot lost,"
+            & " RSTP AACK, status moving 0");
+   end Keep_Watchdog;
+
+   procedure Watchdog_Kept is
+   begin
+      Keep_Watchdog (No_Retries, Missed => 0);
+   end Watchdog_Kept;
+
+   procedure Watchdog_Kept_With_Retries is
+      --  A reload whose answer is late because of two retries may cost the
+      --  next one
+   begin
+      Keep_Watchdog ("--radio", Missed => 2);
+   end Watchdog_Kept_With_Retries;
+
+   procedure Register is
+   begin
+      Add ("F11_Radio_Watchdog_Kept_For_20_s", Watchdog_Kept'Access);
+      Add ("F11_Radio_Watchdog_Kept_With_Retries",
+           Watchdog_Kept_With_Retries'Access);
+      Add ("F08_Radio_Some_Packets_Lost", Some_Lost'Access);
+      Add ("F09_Radio_All_Packets_Lost", All_Lost'Access);
+      Add ("F08_Radio_Late_Answers", Late_Answers'Access);
+      Add ("F07_F12_Radio_Driven", Driven'Access);
+      Add ("F12_Radio_Packets_Take_Time", Packets_Take_Time'Access);
+      Add ("F05_Radio_Stopped_At_The_End", Stopped_At_The_End'Access);
+   end Register;
+
+end Radio_Tests;

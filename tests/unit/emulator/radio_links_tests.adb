@@ -1,0 +1,180 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  Packets, delays and losses of a pair of radios.
+
+with Ada.Containers.Generic_Array_Sort;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Radio_Links;      use Radio_Links;
+with Unit_Runs;        use Unit_Runs;
+
+package body Radio_Links_Tests is
+
+   Each : constant Byte_Time := 1_041_666;
+   --  At 9600 baud
+
+   Ms   : constant := 1_000_000;
+
+   Exchanges : constant := 10_000;
+
+   type Times is array (Positive range <>) of Time;
+
+   procedure Sort is new Ada.Containers.Generic_Array_Sort
+     (Positive, Time, Times);
+
+   procedure Exchange
+     (There, Back : in out Link;
+      C           : Chances;
+      Length      : Positive;
+      Clock       : in out Time;
+      Took        : out Time;
+      Lost        : out Boolean)
+   is
+      --  A command of Length bytes begins at Clock; its answer has three, and
+      --  the robot needs no time. Took: from the end of the command. Clock:
+      --  what came last is over.
+      Ended : constant Time := Clock + Time (Length) * Each;
+
+      procedure Carry (L : in out Link; Bytes : Positive) is
+         --  From Clock on; then Clock is the end of the second wire
+         Arrival : Time;
+      begin
+         for K in 1 .. Bytes loop
+            Clock := Clock + Each;
+            Assert (Joins (L, Clock, Each), "two packets");
+            Gather (L, Clock);
+         end loop;
+         Send (L, C, Closing (L, Each), Arrival, Lost);
+         Clock := Arrival + Time (Bytes) * Each;
+      end Carry;
+
+   begin
+      Carry (There, Length);
+      if not Lost then
+         Carry (Back, 3);
+      end if;
+      Took := Clock - Ended;
+   end Exchange;
+
+   function Above (Sorted : Times; Limit : Time) return Natural is
+      --  Exchanges that took longer
+      Result : Natural := 0;
+   begin
+      for T of Sorted loop
+         Result := Result + Boolean'Pos (T > Limit);
+      end loop;
+      return Result;
+   end Above;
+
+   procedure Exchange_All (C : Chances; Sorted : out Times; Lost : out Natural)
+   is
+      --  Commands of 3 to 9 bytes in turn, 50 ms apart
+      There : Link := (Seed => 2, others => <>);
+      Back  : Link := (Seed => 3, others => <>);
+      Clock : Time := 0;
+      Misses : Boolean;
+   begin
+      Lost := 0;
+      for K in Sorted'Range loop
+         Exchange
+           (There, Back, C, 3 + 2 * (K mod 4), Clock, Sorted (K), Misses);
+         Lost  := Lost + Boolean'Pos (Misses);
+         Clock := Clock + 50 * Ms;
+      end loop;
+      Sort (Sorted);
+   end Exchange_All;
+
+   procedure Test_Delays is
+      --  Against the model with the real firmware: 35.6 ms at the median, 68
+      --  at p99, 78 to 90 at most
+      All_Of : Times (1 .. Exchanges);
+      Lost   : Natural;
+   begin
+      Exchange_All ((others => <>), All_Of, Lost);
+      Assert (Lost = 0, "lost");
+      Assert (All_Of (1) >= 22 * Ms, "faster than its parts");
+      Assert (All_Of (Exchanges / 2) in 33 * Ms .. 38 * Ms,
+              "median" & All_Of (Exchanges / 2)'Image);
+      Assert (All_Of (Exchanges * 99 / 100) in 63 * Ms .. 73 * Ms,
+              "p99" & All_Of (Exchanges * 99 / 100)'Image);
+      Assert (All_Of (Exchanges) in 78 * Ms .. 110 * Ms,
+              "longest" & All_Of (Exchanges)'Image);
+   end Test_Delays;
+
+   procedure Test_Losses is
+      All_Of : Times (1 .. Exchanges);
+      Lost   : Natural;
+   begin
+      --  A command or its answer: 1 - 0.97 ** 2 are 5.91 %
+      Exchange_All ((Losses => 3, others => <>), All_Of, Lost);
+      Assert (Lost in 530 .. 650, "of 3 %:" & Lost'Image);
+      Exchange_All ((Losses => 100, others => <>), All_Of, Lost);
+      Assert (Lost = Exchanges, "of all:" & Lost'Image);
+   end Test_Losses;
+
+   procedure Test_Order is
+      --  A packet waits for those before it
+      L       : Link;
+      Before  : Time := 0;
+      Arrival : Time;
+      Lost    : Boolean;
+   begin
+      for K in 1 .. Exchanges loop
+         Gather (L, Ms);
+         Send (L, (Retries => 50, Losses => 0), Ms, Arrival, Lost);
+         Assert
+           (Arrival - Before
+            in Shortest_Air .. Longest_Air + Max_Retries * Retry_Time + Ms,
+            "overtakes" & K'Image);
+         Before := Arrival;
+      end loop;
+   end Test_Order;
+
+   procedure Test_Packets is
+      L       : Link;
+      Arrival : Time;
+      Lost    : Boolean;
+   begin
+      Assert (Joins (L, 0, Each), "the first of all");
+      Gather (L, 10 * Ms);
+      Gather (L, 10 * Ms + 3 * Each);
+      Assert (Closing (L, Each) = 10 * Ms + 6 * Each, "silence");
+      Assert (Joins (L, 10 * Ms + 6 * Each, Each), "a byte in time");
+      Assert (not Joins (L, 10 * Ms + 6 * Each + 1, Each), "a late one");
+      Send (L, (0, 0), Closing (L, Each), Arrival, Lost);
+      Assert (L.Length = 0 and then Joins (L, 100 * Ms, Each), "the next");
+
+      for K in 1 .. Max_Packet loop
+         Assert (Joins (L, 100 * Ms, Each), "no room for" & K'Image);
+         Gather (L, 100 * Ms);
+      end loop;
+      Assert (not Joins (L, 100 * Ms, Each), "room for one more");
+      Assert (Closing (L, Each) = 100 * Ms, "a full packet waits");
+   end Test_Packets;
+
+   procedure Test_Retries is
+      --  Of the model: with 10 % 80 ms are too short for 2.8 % of all
+      --  exchanges, 150 ms for 0.04 %
+      All_Of : Times (1 .. Exchanges);
+      Lost   : Natural;
+   begin
+      Exchange_All ((Retries => 10, Losses => 0), All_Of, Lost);
+      Assert (Above (All_Of, 80 * Ms) in 230 .. 330,
+              "80 ms:" & Above (All_Of, 80 * Ms)'Image);
+      Assert (Above (All_Of, 150 * Ms) in 1 .. 10,
+              "150 ms:" & Above (All_Of, 150 * Ms)'Image);
+      Exchange_All ((Retries => 0, Losses => 0), All_Of, Lost);
+      Assert (All_Of (Exchanges) < 50 * Ms,
+              "without:" & All_Of (Exchanges)'Image);
+   end Test_Retries;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("packets", Test_Packets'Access);
+      Add_Test ("delays", Test_Delays'Access);
+      Add_Test ("retries", Test_Retries'Access);
+      Add_Test ("losses", Test_Losses'Access);
+      Add_Test ("order", Test_Order'Access);
+   end Add_Tests;
+
+end Radio_Links_Tests;

@@ -1,0 +1,48 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""The unit tests that are coroutines, and the gateway that they are given; the
+option of the tests in the browser."""
+
+import asyncio
+import inspect
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from helpers import TEST_LIMIT, World, world
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--pictures",
+        metavar="FOLDER",
+        help="leave there the pictures of the documentation; needs pngquant and webp",
+    )
+
+
+@pytest.fixture(autouse=True)
+def runner() -> Iterator[asyncio.Runner]:
+    with asyncio.Runner() as runner:
+        yield runner
+
+
+@pytest.fixture
+def w(runner: asyncio.Runner, request: pytest.FixtureRequest) -> Iterator[World]:
+    """Other options than a gateway's usual ones: @pytest.mark.world (...)."""
+    mark = request.node.get_closest_marker("world")
+    made = world(**(dict(*mark.args, **mark.kwargs) if mark else {}))
+    yield runner.run(made.__aenter__())
+    runner.run(made.__aexit__(None, None, None))
+
+
+def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
+    if not inspect.iscoroutinefunction(pyfuncitem.obj):
+        return None
+    given: dict[str, Any] = pyfuncitem.funcargs
+    names = inspect.signature(pyfuncitem.obj).parameters
+
+    async def limited() -> None:
+        async with asyncio.timeout(TEST_LIMIT):
+            await pyfuncitem.obj(**{name: given[name] for name in names})
+
+    given["runner"].run(limited())
+    return True
