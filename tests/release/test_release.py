@@ -40,8 +40,8 @@ def test_as_it_is() -> None:
         ("sed -i '/^- /d' CHANGELOG.md", "says nothing of "),
         ("sed -i '0,/^## /s//## 99.0.0 - 2026-01-01\\n&/' CHANGELOG.md", 'is not "## '),
         ("rm CHANGELOG.md", 'is not "## '),
-        ("echo >>src/logic/base64.adb; commit", "refused: proof: .*base64.adb"),
-        ("rm proofs/results/sources.sha256; commit", "refused: proof: .* is missing"),
+        ("echo 'pragma Page;' >>src/logic/base64.adb; commit", "refused: proof: .*base64.adb"),
+        ("rm proofs/results/sources.txt; commit", "refused: proof: .* is missing"),
     ],
 )
 def test_an_unfit_tree_is_refused(change: str, words: str) -> None:

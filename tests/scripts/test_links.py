@@ -1,0 +1,42 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""Every link of the documentation leads somewhere, with its anchor."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+FILES = [
+    path
+    for path in sorted(ROOT.rglob("*.md"))
+    if not {"obj", "alire"}.intersection(path.relative_to(ROOT).parts)
+]
+
+
+def prose(path: Path) -> str:
+    """Without blocks of code."""
+    text = re.sub(r"^```.*?^```", "", path.read_text("utf-8"), flags=re.M | re.S)
+    return re.sub(r"`[^`\n]*`", lambda code: code[0].replace("](", ""), text)
+
+
+def anchors(path: Path) -> set[str]:
+    heads = re.findall(r"^#+ +(.*?) *$", prose(path), re.M)
+    words = [re.sub(r"[^\w\- ]", "", head.lower()) for head in heads]
+    return {word.replace(" ", "-") for word in words}
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_links(file: Path) -> None:
+    dead = []
+    links = re.findall(r"\]\(\s*([^)\s]+)\s*\)", prose(file))
+    for link in links + re.findall(r'src="([^"]+)"', prose(file)):
+        if re.match("[a-z]+:", link):
+            continue
+        path, _, anchor = link.partition("#")
+        target = (file.parent / path).resolve() if path else file
+        if not target.exists() or (
+            anchor and target.suffix == ".md" and anchor not in anchors(target)
+        ):
+            dead.append(link)
+    assert not dead
