@@ -7,7 +7,10 @@ with System;
 
 package body Process.Privileges with SPARK_Mode => Off is
 
-   Ipc_Lock : constant := 14;  --  CAP_IPC_LOCK
+   type Capability is range 0 .. 31;
+
+   Ipc_Lock : constant Capability := 14;  --  CAP_IPC_LOCK
+   Sys_Nice : constant Capability := 23;  --  CAP_SYS_NICE
 
    type Word_Array is array (Positive range <>) of Unsigned_32
      with Convention => C;
@@ -16,11 +19,15 @@ package body Process.Privileges with SPARK_Mode => Off is
    with Import, Convention => C, External_Name => "capget";
 
    Locked_Memory : constant int := 8;  --  RLIMIT_MEMLOCK
+   Priorities    : constant int := 14;  --  RLIMIT_RTPRIO
 
    type Limit_Pair is array (1 .. 2) of unsigned_long with Convention => C;
 
    procedure Get_Limit (Resource : int; Limit : System.Address)
    with Import, Convention => C, External_Name => "getrlimit";
+
+   procedure Set_Limit (Resource : int; Limit : System.Address)
+   with Import, Convention => C, External_Name => "setrlimit";
 
    First_In_First_Out : constant int := 1;  --  SCHED_FIFO
 
@@ -34,25 +41,54 @@ package body Process.Privileges with SPARK_Mode => Off is
      (Thread, Policy : int; Priority : System.Address) return int
    with Import, Convention => C, External_Name => "sched_setscheduler";
 
-   Ceilings_Act : Boolean := False;
+   Found : Scheduling := Not_Permitted;
+
+   function Has (Which : Capability) return Boolean;
+   --  In effect, if only for a namespace of users
 
    function Effective_User return unsigned
    with Export, Convention => C, External_Name => "__wrap_geteuid";
    --  Called by the run time in place of the C library's, before anything is
    --  elaborated here (Destijl_Switches.Privilege_Switches). 0, as for root,
-   --  if this thread can have the highest priority, which is tried
+   --  if this thread can have the highest priority of Linux, which all locks
+   --  of the run time need. If it cannot have the highest of the tasks, none
+   --  of them gets one
+
+   function Has (Which : Capability) return Boolean is
+      Header : Word_Array := (16#2008_0522#, 0);
+      --  version 3, this process. The kernel may write there, and qemu
+      --  refuses what is not writable
+      Data   : Word_Array (1 .. 6) := (others => 0);
+      --  effective, permitted, inheritable: the first 32, then the others
+   begin
+      Get_Capabilities (Header'Address, Data'Address);
+      return (Data (1) and Shift_Left (1, Natural (Which))) /= 0;
+   end Has;
 
    function Effective_User return unsigned is
-      Policy  : constant int := Get_Policy (0);
-      Before  : int;
-      Highest : constant int := int (System.Any_Priority'Last) + 1;
-      --  Linux counts from 1
+      Policy : constant int := Get_Policy (0);
+      Before : int;
+      Limit  : Limit_Pair := (others => 0);  --  soft, hard
+
+      function Is_Granted (Priority : int) return Boolean is
+        (Set_Policy (0, First_In_First_Out, Priority'Address) = 0
+         and then Set_Policy (0, Policy, Before'Address) = 0);
+
    begin
       Get_Priority (0, Before'Address);
-      Ceilings_Act :=
-        Set_Policy (0, First_In_First_Out, Highest'Address) = 0
-        and then Set_Policy (0, Policy, Before'Address) = 0;
-      return (if Ceilings_Act then 0 else 1);
+      if Is_Granted (int (System.Any_Priority'Last) + 1) then
+         Found := Fifo_With_Ceilings;
+      elsif Is_Granted (Needed_Limit) then
+         Found := Fifo_Without_Ceilings;
+      else
+         Get_Limit (Priorities, Limit'Address);
+         Found :=
+           (if Has (Sys_Nice) or else Limit (1) >= Needed_Limit
+            then Refused else Not_Permitted);
+         Limit (1) := 0;
+         Set_Limit (Priorities, Limit'Address);
+      end if;
+      return (if Found = Fifo_With_Ceilings then 0 else 1);
    end Effective_User;
 
    function Create
@@ -80,24 +116,16 @@ package body Process.Privileges with SPARK_Mode => Off is
       return 0;
    end Create_Or_Leave;
 
-   procedure Get (Real_Time : out Boolean) is
+   procedure Get (Granted : out Scheduling) is
    begin
-      Real_Time := Ceilings_Act;
+      Granted := Found;
    end Get;
 
    procedure Get_May_Lock (May_Lock : out Boolean) is
-      Header : Word_Array := (16#2008_0522#, 0);
-      --  version 3, this process. The kernel may write there, and qemu
-      --  refuses what is not writable
-      Data   : Word_Array (1 .. 6) := (others => 0);
-      --  effective, permitted, inheritable: the first 32, then the others
-      Limit  : Limit_Pair := (others => 0);  --  soft, hard
+      Limit : Limit_Pair := (others => 0);
    begin
-      Get_Capabilities (Header'Address, Data'Address);
       Get_Limit (Locked_Memory, Limit'Address);
-      May_Lock :=
-        (Data (1) and Shift_Left (1, Ipc_Lock)) /= 0
-        or else Limit (1) = unsigned_long'Last;
+      May_Lock := Has (Ipc_Lock) or else Limit (1) = unsigned_long'Last;
    end Get_May_Lock;
 
 end Process.Privileges;

@@ -12,6 +12,7 @@ with Vision.Library;
 
 package body Checks with SPARK_Mode is
 
+   use type Process.Privileges.Scheduling;
    use type Vision.Library.Status;
 
    procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean);
@@ -40,23 +41,26 @@ package body Checks with SPARK_Mode is
    end Report;
 
    procedure Run (Chosen : Options.Values; All_Well : out Boolean) is
-      Good   : Boolean;
-      Reason : Texts.Text;
-      Bound  : Options.Port_Number;
-      Result : Vision.Library.Status;
-      Why    : Vision.Library.Reason_Text;
-      Last   : Natural;
-      Token  : Admission.Authentication.Token;
+      Granted : Process.Privileges.Scheduling;
+      Good    : Boolean;
+      Reason  : Texts.Text;
+      Bound   : Options.Port_Number;
+      Result  : Vision.Library.Status;
+      Why     : Vision.Library.Reason_Text;
+      Last    : Natural;
+      Token   : Admission.Authentication.Token;
    begin
       All_Well := True;
-      Process.Privileges.Get (Good);
+      Process.Privileges.Get (Granted);
       Report
-        (Good,
-         "real-time priorities: " & Process.Privileges.Image (Good)
-         & (if Good then ""
-            else ": run as root with CAP_SYS_NICE (in a container --cap-add "
+        (Granted = Process.Privileges.Fifo_With_Ceilings,
+         "real-time priorities: " & Process.Privileges.Image (Granted)
+         & (if Granted in Process.Privileges.Fifo_Without_Ceilings
+                        | Process.Privileges.Not_Permitted
+            then ": run as root with CAP_SYS_NICE (in a container --cap-add "
               & "SYS_NICE), or once "
-              & "'sudo setcap cap_sys_nice,cap_ipc_lock+ep bin/destijl'"),
+              & "'sudo setcap cap_sys_nice,cap_ipc_lock+ep bin/destijl'"
+            else ""),
          All_Well);
 
       Robot.Serial_Line.Open (Chosen.Serial, Good, Reason);

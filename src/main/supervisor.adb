@@ -29,6 +29,7 @@ pragma Unreferenced
 package body Supervisor with SPARK_Mode is
 
    use type Command_Lines.Request_Kind;
+   use type Process.Privileges.Scheduling;
 
    procedure Keep_On_Processor
      (Cpu : Options.Processor_Choice; Claim : out Texts.Text);
@@ -114,7 +115,7 @@ package body Supervisor with SPARK_Mode is
 
    procedure Serve (Chosen : Options.Values) is
       Claim     : Texts.Text;
-      Real_Time : Boolean;
+      Granted   : Process.Privileges.Scheduling;
       Locked    : Boolean;
       Now       : Time;
    begin
@@ -124,14 +125,14 @@ package body Supervisor with SPARK_Mode is
       Journal.Set_Level (Chosen.Log_Level);
       Monitor.Session.Allow_Server;
       Monitor.Session.Wait_Listening;
-      Process.Privileges.Get (Real_Time);
+      Process.Privileges.Get (Granted);
       Journal.Put
         (Options.Info,
-         "real-time priorities: " & Process.Privileges.Image (Real_Time)
+         "real-time priorities: " & Process.Privileges.Image (Granted)
          & (if Locked then "; memory: locked"
             else "; memory: not locked (CAP_IPC_LOCK, LimitMEMLOCK=infinity)")
          & "; deadlines: "
-         & (if not Real_Time then
+         & (if Granted /= Process.Privileges.Fifo_With_Ceilings then
                "none guaranteed (destijl --check tells how to get them)"
             elsif Locked then Texts.Image (Claim)
             else "none guaranteed"));

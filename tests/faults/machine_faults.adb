@@ -482,9 +482,9 @@ package body Machine_Faults is
          W.Supervisor.Expect_Log
            ((case F.Kind is
                 when Root | User_With_Nice    =>
-                   "real-time priorities: yes (FIFO), ceilings act",
+                   "real-time priorities: FIFO, ceilings",
                 when User | Root_Without_Nice =>
-                   "real-time priorities: none, ceilings do not act"),
+                   "real-time priorities: none"),
             Within => 2.0);
       end if;
       W.Talk (Span (W.Source, 0.2, 1.0));

@@ -10,21 +10,21 @@ with Schedule;
 with Violators;
 
 procedure Ceiling_Violation with Priority => Schedule.Main_Priority is
-   Acting : Boolean;
-   Raised : Boolean;
-   Inside : Integer;
-   Good   : Boolean;
+   Granted : Scheduling;
+   Raised  : Boolean;
+   Inside  : Integer;
+   Good    : Boolean;
 begin
-   Get (Acting);
+   Get (Granted);
    Violators.Await (Raised, Inside);
    Put_Line
-     ("said: " & Image (Acting) & "; seen: "
+     ("said: " & Image (Granted) & "; seen: "
       & (if Raised then "Program_Error" else "no exception")
       & ", priority inside" & Inside'Image);
    Flush;
    --  GNAT's priorities are Linux's less one
    Good :=
-     (if Acting then Raised and then Inside = Schedule.Stop_Priority + 1
+     (if Granted = Fifo_With_Ceilings then Raised and then Inside = Schedule.Stop_Priority + 1
       else not Raised and then Inside <= Schedule.Line_Priority + 1);
    GNAT.OS_Lib.OS_Exit (if Good then 0 else 1);
 end Ceiling_Violation;
