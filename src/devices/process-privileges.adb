@@ -29,6 +29,7 @@ package body Process.Privileges with SPARK_Mode => Off is
    procedure Set_Limit (Resource : int; Limit : System.Address)
    with Import, Convention => C, External_Name => "setrlimit";
 
+   Time_Shared        : constant int := 0;  --  SCHED_OTHER
    First_In_First_Out : constant int := 1;  --  SCHED_FIFO
 
    function Get_Policy (Thread : int) return int
@@ -66,9 +67,11 @@ package body Process.Privileges with SPARK_Mode => Off is
    end Has;
 
    function Effective_User return unsigned is
-      Policy : constant int := Get_Policy (0);
-      Before : int;
-      Limit  : Limit_Pair := (others => 0);  --  soft, hard
+      Policy  : constant int := Get_Policy (0);
+      Lowest  : constant int := 0;
+      Before  : int;
+      Ignored : int;
+      Limit   : Limit_Pair := (others => 0);  --  soft, hard
 
       function Is_Granted (Priority : int) return Boolean is
         (Set_Policy (0, First_In_First_Out, Priority'Address) = 0
@@ -87,6 +90,8 @@ package body Process.Privileges with SPARK_Mode => Off is
             then Refused else Not_Permitted);
          Limit (1) := 0;
          Set_Limit (Priorities, Limit'Address);
+         --  also one that it was started with
+         Ignored := Set_Policy (0, Time_Shared, Lowest'Address);
       end if;
       return (if Found = Fifo_With_Ceilings then 0 else 1);
    end Effective_User;

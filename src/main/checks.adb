@@ -60,6 +60,8 @@ package body Checks with SPARK_Mode is
             then ": run as root with CAP_SYS_NICE (in a container --cap-add "
               & "SYS_NICE), or once "
               & "'sudo setcap cap_sys_nice,cap_ipc_lock+ep bin/destijl'"
+            elsif Granted = Process.Privileges.Refused
+            then ": see 'Troubleshooting' in the manual"
             else ""),
          All_Well);
 
