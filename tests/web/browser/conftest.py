@@ -13,64 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from _pytest.runner import runtestprotocol
-from selenium.common.exceptions import TimeoutException
-from stand import ROOT, Browser, Late, Page, Stand, standstills
-
-ACCOUNT = pytest.StashKey[str]()
-#  Of the stand, for the report of a test that fails
-
-LATE = pytest.StashKey[list[str]]()
-#  What was late during the test: a processor, the robot's line
-
-WRONG = pytest.StashKey[bool]()
-#  It has failed otherwise than by a limit of time
-
-LIMITS = (Late, TimeoutException, subprocess.TimeoutExpired)
-
-ATTEMPTS = 3
-#  Of a test that misses a limit of time while something is late
-
-
-def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo[None]) -> None:
-    if call.excinfo and not call.excinfo.errisinstance(LIMITS):
-        item.stash[WRONG] = True
-
-
-def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> bool:
-    hook = item.ihook
-    hook.pytest_runtest_logstart(nodeid=item.nodeid, location=item.location)
-    item.stash[WRONG] = False
-    for left in reversed(range(ATTEMPTS)):
-        late: list[str] = []
-        item.stash[LATE] = late
-        with standstills(late):
-            reports = runtestprotocol(item, nextitem=nextitem, log=False)
-        failed = [report for report in reports if report.failed]
-        again = failed and late and left and not item.stash[WRONG]
-        for report in failed:
-            report.sections.append(("the stand", item.stash.get(ACCOUNT, "")))
-            report.sections.append(("late meanwhile", "\n".join(late[-9:])))
-            if again:
-                report.outcome = "repeated"  # type: ignore[assignment]
-        for report in failed if again else reports:
-            hook.pytest_runtest_logreport(report=report)
-        if not again:
-            break
-    hook.pytest_runtest_logfinish(nodeid=item.nodeid, location=item.location)
-    return True
-
-
-def pytest_report_teststatus(report: pytest.TestReport) -> tuple[str, str, str] | None:
-    if str(report.outcome) == "repeated":
-        return "repeated", "R", "REPEATED"
-    return None
-
-
-def pytest_terminal_summary(terminalreporter: Any) -> None:
-    for report in terminalreporter.getreports("repeated"):
-        why = report.longrepr.reprcrash.message.splitlines()[0]
-        terminalreporter.write_line(f"REPEATED {report.nodeid}: {why}")
+from stand import ROOT, Browser, Page, Stand
 
 
 @pytest.fixture(scope="session")
@@ -159,8 +102,7 @@ def stands(
             try:
                 one.end()
             finally:
-                request.node.stash[ACCOUNT] = one.account
-                request.node.stash[LATE] += one.emulator.late
+                print(one.account)  # shown where the test has failed
 
         yield stand
 

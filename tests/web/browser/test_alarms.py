@@ -10,7 +10,7 @@ from conftest import Visitors
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from stand import Page, Stand, await_
-from test_missions import click, confirm_arena, under_way
+from test_missions import under_way
 from test_page import judge
 
 
@@ -118,9 +118,7 @@ def test_camera(
     assert words in page.logged(code="camera_failed")["text"]
     judge(page, axe, "an alarm")
     stand.emulator.ask("camera mend")
-    page.shows("link", "open")
-    if page.data("wheel") != "me":
-        page.click("wheel-take")
+    page.take_wheel()
     press(page, "order-COPN")
     page.shows("camera", "true")
     calm(page)
@@ -142,7 +140,7 @@ def test_mission_ended(
     """Until another begins, or the robot is driven."""
     other = visitors.open(stand.address, 1, languages="fr")
     other.shows("wheel", "other")
-    confirm_arena(driver)
+    driver.confirm_arena()
     for mend in ("click", "key"):
         under_way(stand, driver)
         for page in (driver, other):
@@ -161,7 +159,7 @@ def test_mission_ended(
             alarmed(other, "mission", "Dégagez son chemin")
             stand.stands()
         if mend == "click":
-            click(driver, (320, 240))
+            driver.click_at((320, 240))
         else:
             stand.drives(driver)
         for page in (driver, other):

@@ -13,90 +13,20 @@ from collections.abc import Callable, Iterator
 
 import pytest
 from conftest import Pictures, Visitors
-from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from stand import Page, Stand, await_
+from stand import Page, Point, Stand, await_, pixel
 from test_page import judge
-
-Point = tuple[float, float]
-
-NEAR = 1.5
-#  Centimetres between a point and where the robot is to pass
-
-ARRIVED = 30.0
-#  Seconds for any way here
 
 NOTICED = 0.5
 #  Seconds until a stop is with the robot
-
-FIRST = (25, 20)
-#  Where the robot is at first: centimetres
-
-
-def confirm_arena(page: Page) -> None:
-    page.close_start()
-    page.click("arena-search")
-    page.shows("arena", "found")
-    page.click("arena-confirm")
-    page.shows("arena", "confirmed")
-    page.await_images(3)
 
 
 @pytest.fixture
 def pilot(driver: Page) -> Page:
     """A driver who may send the robot on missions."""
-    confirm_arena(driver)
+    driver.confirm_arena()
     return driver
-
-
-def shown_at(page: Page) -> Point:
-    return float(page.data("x", "overlay")), float(page.data("y", "overlay"))
-
-
-def pixels(stand: Stand, page: Page, *places: Point) -> list[Point]:
-    """Where in the image a robot at these places (cm) is seen; then it is where
-    it was at first."""
-    result = []
-    for x, y in (*places, FIRST):
-        stand.emulator.ask(f"pose {x} {y} 0")
-        page.await_images(3)
-        result.append(shown_at(page))
-    return result[:-1]
-
-
-def offset(page: Page, point: Point) -> tuple[int, int]:
-    """Of a pixel of the image from the middle of the picture, as it is shown."""
-    wide, high, width, height = page.run(
-        "const p = document.getElementById('picture'), r = p.getBoundingClientRect();"
-        "return [r.width, r.height, p.width, p.height]"
-    )
-    scale = min(wide / width, high / height)
-    return (
-        round((point[0] - width / 2) * scale),
-        round((point[1] - height / 2) * scale),
-    )
-
-
-def pointer(page: Page, point: Point) -> ActionChains:
-    return ActionChains(page.driver, duration=10).move_to_element_with_offset(
-        page.element("picture"), *offset(page, point)
-    )
-
-
-def click(page: Page, point: Point) -> None:
-    pointer(page, point).click().perform()
-
-
-def points(text: str) -> list[Point]:
-    numbers = [float(number) for number in text.split(";") if number]
-    return list(zip(numbers[::2], numbers[1::2], strict=True))
-
-
-def plan(page: Page) -> list[Point]:
-    """That of the mission under way."""
-    await_(lambda: page.visible("mission"), "a mission")
-    return points(page.data("plan", "overlay"))
 
 
 def reaches(page: Page, leg: str) -> None:
@@ -104,16 +34,11 @@ def reaches(page: Page, leg: str) -> None:
         "return document.getElementById('mission').dataset.leg === arguments[0]",
         leg,
         what=f"leg {leg}",
-        within=ARRIVED,
     )
 
 
 def is_over(page: Page) -> None:
     await_(lambda: not page.visible("mission"), "the mission is over")
-
-
-def is_near(stand: Stand, place: Point) -> bool:
-    return math.dist(stand.emulator.pose[:2], place) < NEAR
 
 
 @contextlib.contextmanager
@@ -124,7 +49,7 @@ def passes(stand: Stand, places: list[Point]) -> Iterator[list[Point]]:
 
     def watch() -> None:
         while left and not ended.wait(0.02):
-            if is_near(stand, left[0]):
+            if stand.is_near(left[0]):
                 left.pop(0)
 
     thread = threading.Thread(target=watch, daemon=True)
@@ -134,13 +59,6 @@ def passes(stand: Stand, places: list[Point]) -> Iterator[list[Point]]:
     finally:
         ended.set()
         thread.join()
-
-
-def arrives(stand: Stand, page: Page, place: Point) -> None:
-    page.logged(code="mission_done", within=ARRIVED)
-    assert not page.visible("mission")
-    stand.stands()
-    assert is_near(stand, place), stand.emulator.pose
 
 
 @pytest.mark.parametrize(
@@ -173,8 +91,8 @@ def test_way_to_the_first_mission(
     says(3)
     page.click("path")
     page.await_images(3)
-    click(page, (400, 240))
-    plan(page)
+    page.click_at((400, 240))
+    page.plan()
     await_(lambda: not page.visible("next"), "it is under way")
 
 
@@ -183,23 +101,22 @@ def test_click(stand: Stand, visitors: Visitors, size: tuple[int, int]) -> None:
     """The robot goes there, however large the picture is."""
     page = visitors.open(stand.address, size=size)
     page.start()
-    confirm_arena(page)
+    page.confirm_arena()
     place = (55, 40)
-    (pixel,) = pixels(stand, page, place)
-    click(page, pixel)
-    (sent,) = plan(page)
+    page.click_at(pixel(place))
+    (sent,) = page.plan()
     scale = page.run(
         "const p = document.getElementById('picture'), r = p.getBoundingClientRect();"
         "return Math.min(r.width / p.width, r.height / p.height)"
     )
-    assert math.dist(sent, pixel) < 1 / scale + 0.2, (sent, pixel)
+    assert math.dist(sent, pixel(place)) < 1 / scale + 0.2, sent
     stand.moves()
     said = await_(
         lambda: re.search(r"Point 1 of 1: (\d+) cm left", page.text("mission-text")),
         "how far it is",
     )
     assert 0 < int(said[1]) < 40
-    arrives(stand, page, place)
+    stand.arrives(page, place)
     assert "under way" in page.logged(label="MGTO", answer="AACK")["text"]
 
 
@@ -208,23 +125,22 @@ def test_path_by_clicks(
 ) -> None:
     """Four points in their order; who watches sees them, too."""
     places = [(60.0, 20.0), (60.0, 42.0), (25.0, 42.0), (42.0, 30.0)]
-    there = pixels(stand, pilot, *places)
     other = visitors.open(stand.address, 1)
     other.shows("wheel", "other")
     film = pictures.film(pilot, "web-path")
     pilot.click("path")
-    for point in (*there, (320.0, 240.0)):
+    for point in (*map(pixel, places), (320.0, 240.0)):
         film.take()
-        click(pilot, point)
-    assert len(points(pilot.data("path", "overlay"))) == 5
+        pilot.click_at(point)
+    assert len(pilot.points("path")) == 5
     film.take()
     pilot.click("path-undo")
-    drawn = points(pilot.data("path", "overlay"))
+    drawn = pilot.points("path")
     assert len(drawn) == 4
     assert not stand.emulator.moving, "nothing is sent yet"
     film.take()
     pilot.click("path-go")
-    assert plan(pilot) == plan(other) == drawn
+    assert pilot.plan() == other.plan() == drawn
     assert not pilot.visible("path-tools")
     with passes(stand, places) as left:
         for leg in "1234":
@@ -235,38 +151,38 @@ def test_path_by_clicks(
                 time.sleep(1)
                 pictures.take(pilot, "web-mission")
         film.take_until(lambda: not pilot.visible("mission"))
-        arrives(stand, pilot, places[-1])
+        stand.arrives(pilot, places[-1])
     assert left == [], "it passes each of them"
     is_over(other)
 
 
 def test_path_by_dragging(stand: Stand, pilot: Page) -> None:
     """A line drawn over the picture is few points; the robot goes to its end."""
-    places = [(45.0, 20.0), (45.0, 40.0)]
-    there = [shown_at(pilot), *pixels(stand, pilot, *places)]
-    chain = pointer(pilot, there[0]).click_and_hold()
-    before = offset(pilot, there[0])
+    places = [(25.0, 20.0), (45.0, 20.0), (45.0, 40.0)]
+    there = [*map(pixel, places)]
+    chain = pilot.pointer(there[0]).click_and_hold()
+    before = pilot.offset(there[0])
     for begin, end in ((there[0], there[1]), (there[1], there[2])):
         for step in range(1, 11):
-            to = offset(
-                pilot,
+            part = step / 10
+            to = pilot.offset(
                 (
-                    begin[0] + (end[0] - begin[0]) * step / 10,
-                    begin[1] + (end[1] - begin[1]) * step / 10,
-                ),
+                    begin[0] + (end[0] - begin[0]) * part,
+                    begin[1] + (end[1] - begin[1]) * part,
+                )
             )
             chain.move_by_offset(to[0] - before[0], to[1] - before[1])
             before = to
     chain.release().perform()
-    drawn = points(pilot.data("path", "overlay"))
+    drawn = pilot.points("path")
     assert 3 <= len(drawn) <= 6
     for want in there:
         assert min(math.dist(want, point) for point in drawn) < 4, (there, drawn)
     time.sleep(0.3)
     assert not stand.emulator.moving, "nothing is sent yet"
     pilot.click("path-go")
-    assert plan(pilot) == drawn
-    arrives(stand, pilot, places[-1])
+    assert pilot.plan() == drawn
+    stand.arrives(pilot, places[-1])
 
 
 def test_undo_by_stroke(stand: Stand, pilot: Page) -> None:
@@ -274,18 +190,18 @@ def test_undo_by_stroke(stand: Stand, pilot: Page) -> None:
     pilot.click("path")
 
     def drawn() -> list[Point]:
-        return points(pilot.data("path", "overlay"))
+        return pilot.points("path")
 
-    click(pilot, (200, 150))
+    pilot.click_at((200, 150))
     first = drawn()
-    chain = pointer(pilot, (240, 160)).click_and_hold()
+    chain = pilot.pointer((240, 160)).click_and_hold()
     for way in (60, 0), (0, 60), (-60, 0):
         for _ in range(5):
             chain.move_by_offset(way[0] // 5, way[1] // 5)
     chain.release().perform()
     with_drag = drawn()
     assert len(with_drag) >= 4
-    click(pilot, (400, 300))
+    pilot.click_at((400, 300))
     assert len(drawn()) == len(with_drag) + 1
     for left in (with_drag, first, [], []):
         pilot.click("path-undo")
@@ -294,15 +210,15 @@ def test_undo_by_stroke(stand: Stand, pilot: Page) -> None:
 
 def test_a_wild_line_is_64_points(stand: Stand, pilot: Page) -> None:
     """As many as the supervisor takes, and no more can be added."""
-    chain = pointer(pilot, (200, 150)).click_and_hold()
+    chain = pilot.pointer((200, 150)).click_and_hold()
     for step in range(150):
         chain.move_by_offset(*[(8, 20), (0, -20), (-8, 20), (0, -20)][step % 4])
     chain.release().perform()
-    drawn = len(points(pilot.data("path", "overlay")))
+    drawn = len(pilot.points("path"))
     assert 2 <= drawn <= 64
     for _ in range(66 - drawn):
-        click(pilot, (300, 200))
-    assert len(points(pilot.data("path", "overlay"))) == 64
+        pilot.click_at((300, 200))
+    assert len(pilot.points("path")) == 64
     await_(lambda: "64" in pilot.text("alert"), "why not")
     pilot.click("path-clear")
     assert pilot.data("path", "overlay") == ""
@@ -319,8 +235,8 @@ def test_centimetres_by_keyboard(stand: Stand, pilot: Page) -> None:
     assert field.get_attribute("aria-invalid") == "true"
     field.send_keys(" 35,5", Keys.ENTER)
     reaches(pilot, "2")
-    assert is_near(stand, (40, 30))
-    arrives(stand, pilot, (55, 35.5))
+    assert stand.is_near((40, 30))
+    stand.arrives(pilot, (55, 35.5))
 
 
 @pytest.mark.parametrize(
@@ -332,7 +248,7 @@ def test_ambiguous_points(
     """A comma within a number, or between two? Not guessed: an example is shown."""
     page = visitors.open(stand.address, languages=language)
     page.start()
-    confirm_arena(page)
+    page.confirm_arena()
     page.run("document.querySelector('details.more').open = true")
     field = page.element("points-value")
     for text in ("20,30 60,30", "20,30 60,30; 40 30", "20,5 30 60,5 40"):
@@ -437,17 +353,17 @@ def test_stopped_with_the_page(stand: Stand, pilot: Page) -> None:
 def test_refused(stand: Stand, driver: Page) -> None:
     """What is missing is said in words, with what to do."""
     driver.close_start()
-    click(driver, (320, 240))
+    driver.click_at((320, 240))
     line = driver.logged(code="mission_refused")
     assert "arena is not confirmed" in line["text"]
     await_(lambda: "not confirmed" in driver.text("alert"), "it is said")
-    confirm_arena(driver)
-    click(driver, (3, 3))
+    driver.confirm_arena()
+    driver.click_at((3, 3))
     await_(lambda: "too near" in driver.text("alert"), "it is said")
     driver.run("document.querySelector('details.more').open = true")
     driver.click("order-CPST")
     driver.shows("positions", "false")
-    click(driver, (320, 240))
+    driver.click_at((320, 240))
     await_(lambda: "positions are off" in driver.text("alert"), "it is said")
     assert not driver.visible("mission")
     assert not stand.emulator.moving
@@ -457,21 +373,20 @@ def test_refused(stand: Stand, driver: Page) -> None:
 def test_new_target(stand: Stand, pilot: Page, clicks: int) -> None:
     """A mission during another takes its place; the last of several clicks counts."""
     places = [(45.0, 40.0), (30.0, 30.0), (55.0, 25.0)][-clicks:]
-    there = pixels(stand, pilot, *places)
     under_way(stand, pilot)
     typed(pilot, "40 30")
     await_(lambda: "of 1" in pilot.text("mission-text"), "typed, it counts, too")
-    for pixel in there:
-        click(pilot, pixel)
-    last = pilot.data("plan", "overlay")
-    assert math.dist(points(last)[0], there[-1]) < 3, "the sign is there at once"
+    for place in places:
+        pilot.click_at(pixel(place))
+    (last,) = pilot.points("plan")
+    assert math.dist(last, pixel(places[-1])) < 3, "the sign is there at once"
     pilot.logged(code="mission_aborted")
-    arrives(stand, pilot, places[-1])
+    stand.arrives(pilot, places[-1])
 
 
 def test_stray_click(stand: Stand, pilot: Page) -> None:
     """Escape withdraws the target at once, also the one that is yet to begin."""
-    click(pilot, (400, 240))
+    pilot.click_at((400, 240))
     assert pilot.data("plan", "overlay"), "a sign where it goes"
     stand.moves()
     pilot.press(Keys.ESCAPE)
@@ -479,7 +394,7 @@ def test_stray_click(stand: Stand, pilot: Page) -> None:
     is_over(pilot)
     assert pilot.data("plan", "overlay") == ""
     under_way(stand, pilot)
-    click(pilot, (400, 240))
+    pilot.click_at((400, 240))
     pilot.press(Keys.ESCAPE)
     stand.stands(within=NOTICED)
     time.sleep(1)
@@ -501,7 +416,7 @@ def test_stop_by_another_withdraws_a_target(
         "if (text.includes('MABT')) window.held = () => send.call(this, text);"
         "else send.call(this, text); }"
     )
-    click(pilot, (400, 240))
+    pilot.click_at((400, 240))
     await_(lambda: pilot.run("return !!window.held"), "it ends the first")
     other.press(" ")
     stand.stands(within=NOTICED)
@@ -516,13 +431,13 @@ def test_stop_by_another_withdraws_a_target(
 
 def test_bad_point(stand: Stand, pilot: Page) -> None:
     """A click that is refused is marked where it was, until the next one."""
-    click(pilot, (3, 3))
+    pilot.click_at((3, 3))
     await_(lambda: "too near" in pilot.text("alert"), "it is said")
-    (bad,) = points(await_(lambda: pilot.data("bad", "overlay"), "the mark"))
+    (bad,) = await_(lambda: pilot.points("bad"), "the mark")
     assert math.dist(bad, (3, 3)) < 3
     assert pilot.data("plan", "overlay") == ""
-    click(pilot, (400, 240))
-    assert len(plan(pilot)) == 1
+    pilot.click_at((400, 240))
+    assert len(pilot.plan()) == 1
     assert pilot.data("bad", "overlay") == ""
 
 
@@ -530,7 +445,7 @@ def test_bad_point(stand: Stand, pilot: Page) -> None:
 def test_click_that_leaves_a_field(stand: Stand, pilot: Page, name: str) -> None:
     """It does not drive; the next one does. In path mode it adds no point."""
     pilot.element(name).click()
-    click(pilot, (400, 240))
+    pilot.click_at((400, 240))
     await_(lambda: "Click again" in pilot.text("news"), "it is said")
     assert pilot.run("return document.activeElement === document.body")
     time.sleep(0.3)
@@ -539,11 +454,11 @@ def test_click_that_leaves_a_field(stand: Stand, pilot: Page, name: str) -> None
     pilot.click("path")
     pilot.element(name).click()
     for drawn in (0, 1):
-        click(pilot, (400, 240))
-        assert len(points(pilot.data("path", "overlay"))) == drawn
+        pilot.click_at((400, 240))
+        assert len(pilot.points("path")) == drawn
     pilot.click("path")
-    click(pilot, (400, 240))
-    assert len(plan(pilot)) == 1
+    pilot.click_at((400, 240))
+    assert len(pilot.plan()) == 1
     stand.moves()
 
 
@@ -553,7 +468,7 @@ def test_who_watches_sends_nothing(
     other = visitors.open(stand.address, 1)
     other.shows("wheel", "other")
     other.await_images(1)
-    click(other, (320, 240))
+    other.click_at((320, 240))
     await_(lambda: "Ask for the wheel" in other.text("news"), "why not")
     other.click("path")
     assert not other.visible("path-tools")
@@ -575,19 +490,18 @@ def test_phone(stand: Stand, visitors: Visitors) -> None:
     """A finger goes where it taps; in path mode it draws and does not scroll."""
     page = visitors.open(stand.address, size=(360, 740), touch=True)
     page.start()
-    confirm_arena(page)
+    page.confirm_arena()
     place = (50.0, 35.0)
-    (pixel,) = pixels(stand, page, place)
 
     def finger(point: Point) -> Point:
         x, y = page.middle("picture")
-        dx, dy = offset(page, point)
+        dx, dy = page.offset(point)
         return x + dx, y + dy
 
-    page.touch("touchStart", *finger(pixel))
+    page.touch("touchStart", *finger(pixel(place)))
     page.touch("touchEnd")
-    assert len(plan(page)) == 1
-    arrives(stand, page, place)
+    assert len(page.plan()) == 1
+    stand.arrives(page, place)
     page.click("path")
     wide = page.run("return document.documentElement.scrollWidth")
     assert wide <= 360
@@ -595,7 +509,7 @@ def test_phone(stand: Stand, visitors: Visitors) -> None:
     for down in range(110, 210, 10):
         page.touch("touchMove", *finger((200, down)))
     page.touch("touchEnd")
-    assert 2 <= len(points(page.data("path", "overlay"))) <= 3
+    assert 2 <= len(page.points("path")) <= 3
     assert page.run("return scrollY") == 0
 
 
@@ -603,16 +517,13 @@ def test_phone(stand: Stand, visitors: Visitors) -> None:
 def test_axe(stand: Stand, visitors: Visitors, axe: str, dark: bool) -> None:
     page = visitors.open(stand.address, dark=dark)
     page.start()
-    confirm_arena(page)
+    page.confirm_arena()
     other = visitors.open(stand.address, 1, languages="fr", size=(360, 740), dark=dark)
     other.shows("wheel", "other")
     page.click("path")
-    click(page, (320, 240))
+    page.click_at((320, 240))
     judge(page, axe, "a path")
-    page.shows("link", "open")
-    if page.data("wheel") != "me":
-        page.click("wheel-take")
-        page.shows("wheel", "me")
+    page.take_wheel()
     under_way(stand, page)
     await_(lambda: other.visible("mission"), "a mission")
     judge(other, axe, "a mission, in French, on a phone")
@@ -627,21 +538,18 @@ def test_replay(
     stand = stands("--record", tmp_path_factory.mktemp("recordings"))
     page = visitors.open(stand.address)
     page.start()
-    confirm_arena(page)
-    click(page, (400, 240))
-    sent = plan(page)
-    page.logged(code="mission_done", within=ARRIVED)
+    page.confirm_arena()
+    page.click_at((400, 240))
+    sent = page.plan()
+    page.logged(code="mission_done")
     time.sleep(1.5)
     page.replay()
     page.click("replay-play")
+    length = float(page.element("replay-slider").get_attribute("max"))
 
     def planned(part: float) -> list[Point]:
-        page.run(
-            "const s = document.getElementById('replay-slider');"
-            "s.value = arguments[0] * s.max; s.dispatchEvent(new Event('input'))",
-            part,
-        )
-        return points(page.data("plan", "replay-overlay"))
+        page.replay_at(part * length)
+        return page.points("plan", "replay-overlay")
 
     assert planned(0.0) == planned(1.0) == []
     assert sent in [planned(part / 20) for part in range(21)]

@@ -339,10 +339,7 @@ def test_axe(stand: Stand, visitors: Visitors, axe: str, dark: bool) -> None:
     def judged(state: str) -> None:
         """The driver may have been taken for gone: axe keeps the page busy."""
         judge(page, axe, state)
-        await_(lambda: page.data("link") == "open", "the page is back")
-        if page.data("wheel") == "free":
-            page.click("wheel-take")
-        page.shows("wheel", "me")
+        page.take_wheel()
 
     page.shows("link", "open")
     judged("at first")
@@ -393,7 +390,7 @@ def test_recording(
     page.start()
     page.click("move")
     stand.moves()
-    stand.stands(within=5)
+    stand.stands()
     time.sleep(1)
     (recording,) = [path.name for path in folder.iterdir()]
     row = f"[data-recording='{recording}']"
@@ -404,11 +401,7 @@ def test_recording(
     shown: list[int] = []
     #  the last second has images in any case
     for moment in (0.0, length - 500, length):
-        page.run(
-            "const s = document.getElementById('replay-slider');"
-            "s.value = arguments[0]; s.dispatchEvent(new Event('input'))",
-            moment,
-        )
+        page.replay_at(moment)
         #  the one at the very beginning, then later and later ones
         await_(
             lambda: (

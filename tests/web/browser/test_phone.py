@@ -9,7 +9,6 @@ from collections.abc import Callable
 import pytest
 from conftest import Visitors
 from stand import Page, Stand, await_
-from test_missions import confirm_arena
 
 WIDTH = 390
 
@@ -78,7 +77,7 @@ def test_phone(
     judge_screen(page, "the question")
     page.click("arena-reject")
     page.shows("arena", "none")
-    confirm_arena(page)
+    page.confirm_arena()
     page.click("path")
     judge_screen(page, "a path")
     page.click("path-go")

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from destijl_web import exchange, supervisor
-from helpers import World, jpeg, world
+from helpers import LIMIT, World, jpeg, until, world
 
 
 async def test_connects_again(w: World) -> None:
@@ -47,14 +47,13 @@ async def test_a_token_that_nobody_asks_for(w: World) -> None:
 
 
 @pytest.mark.parametrize("token", [None, "wrong-token"])
-async def test_refused(token: str | None) -> None:
+async def test_refused(token: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(supervisor, "LONGEST_PAUSE", LIMIT)
     async with world(
         supervisor_token="secret-token", token=token, connected=False
     ) as w:
         hub = w.service.hub
-        async with asyncio.timeout(5):
-            while hub.state["supervisor"] != "refused":
-                await asyncio.sleep(0.01)
+        await until(lambda: hub.state["supervisor"] == "refused")
         event = hub._events[-1]
         assert event["code"] == "supervisor_refused"
         assert event["args"] == {"reason": "not authenticated"}
@@ -87,19 +86,21 @@ async def test_no_supervisor(said: bytes) -> None:
         writer.write(said)
 
     server = await asyncio.start_server(serve, "127.0.0.1", 0)
-    async with world(connected=False) as w, server:
+    async with world() as w, server:
         w.service.hub.link._port = server.sockets[0].getsockname()[1]
         w.supervisor.hang_up()
-        await asyncio.sleep(3 * supervisor.FIRST_PAUSE)
-        assert come > 0
+        await until(lambda: come > 1)
         assert w.service.hub.state["supervisor"] == "connecting"
 
 
 async def test_unanswered(w: World, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(exchange, "ROBOT_LIMIT", 0.3)
     page = await w.driver()
     w.supervisor.answers["RPIN"] = None
     await page.say("order", id=7, label="RPIN")
+    await w.supervisor.heard("RPIN")
+    with monkeypatch.context() as late:
+        late.setattr(exchange, "ROBOT_LIMIT", 0.0)
+        w.service.hub.tick()
     event = await page.event("unanswered", label="RPIN")
     assert event["level"] == "error"
     await page.expect("answer", id=7, answer="NOLINK")

@@ -14,11 +14,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from helpers import token_file
+from helpers import LIMIT, token_file
 
 WEB = Path(__file__).resolve().parents[3] / "monitor" / "web"
-LIMIT = 20.0
-#  Seconds; a busy machine is slow
 
 
 class Program:
@@ -158,17 +156,22 @@ def test_stopped_before_it_runs(programs: Any) -> None:
 @pytest.mark.parametrize("number", [signal.SIGSTOP, signal.SIGKILL, signal.SIGSEGV])
 def test_a_gateway_that_hangs_or_dies(served: Served, number: signal.Signals) -> None:
     """Its connection ends, so that the supervisor stops the robot."""
-    begun = time.monotonic()
     os.kill(served.program.gateway(), number)
     assert has_ended(served.connection)
-    took = time.monotonic() - begun
     status, _, error = served.program.end()
     assert status == 3
     assert "Traceback" not in error
     if number == signal.SIGSTOP:
         assert "no sign of life for 1.0 s" in error
-        #  not before its time, which is counted from the last sign of life
-        assert took > 0.35
+
+
+@pytest.mark.timed
+def test_a_hang_is_not_seen_too_early(served: Served) -> None:
+    """It is counted from the last sign of life."""
+    begun = time.monotonic()
+    os.kill(served.program.gateway(), signal.SIGSTOP)
+    assert has_ended(served.connection)
+    assert time.monotonic() - begun > 0.35
 
 
 def test_no_gateway_without_its_guard(served: Served) -> None:
@@ -189,7 +192,7 @@ def test_not_stopped_by_the_terminal(programs: Any) -> None:
         os.kill(process, signal.SIGTSTP)
     time.sleep(0.2)
     for process in (program.gateway(), program.process.pid):
-        assert state(process) in ("R", "S")
+        assert state(process) not in ("T", "gone")
 
 
 def test_tokens_are_not_shown(programs: Any, tmp_path: Path) -> None:

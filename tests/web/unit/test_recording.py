@@ -1,7 +1,6 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
 """Sessions that are recorded, and given back."""
 
-import asyncio
 import json
 import resource
 import threading
@@ -12,18 +11,18 @@ import pytest
 from destijl_web import recording
 from destijl_web.recording import Recording
 from destijl_web.recordings import CSV_HEAD, Recordings, csv_pieces
-from helpers import LIMIT, TOKENS, World, jpeg, world
-
-
-async def until(condition: Any) -> None:
-    async with asyncio.timeout(LIMIT):
-        while not condition():
-            await asyncio.sleep(0.01)
+from helpers import LIMIT, TOKENS, World, jpeg, until, world
 
 
 def lines_of(folder: Path) -> list[dict[str, Any]]:
     text = (folder / "events.jsonl").read_text()
     return [json.loads(line) for line in text.splitlines()]
+
+
+def is_written(folder: Path) -> bool:
+    """To the end of its session, which is the last line; images are first."""
+    text = (folder / "events.jsonl").read_text()
+    return '"connecting"' in text and text.endswith("\n")
 
 
 async def drive(w: World) -> None:
@@ -47,7 +46,7 @@ async def test_what_is_written(tmp_path: Path) -> None:
         await drive(w)
         second = w.service.hub.state["recording"]
         assert first and second and first < second
-    #  every thread has ended
+        await until(lambda: is_written(tmp_path / first))
     lines = lines_of(tmp_path / first)
     images = (tmp_path / first / "images.mjpeg").read_bytes()
     assert lines[0]["type"] == "state" and lines[0]["robot"] == "closed"
@@ -79,11 +78,7 @@ async def test_what_is_given(tmp_path: Path) -> None:
         assert page.welcome["recordings"] is True
         name = page.welcome["state"]["recording"]
         await drive(w)
-        await until(
-            lambda: (
-                '"supervisor_lost"' in (tmp_path / name / "events.jsonl").read_text()
-            )
-        )
+        await until(lambda: is_written(tmp_path / name))
         client = w.client()
 
         async def get(path: str, **headers: str) -> tuple[int, bytes]:

@@ -1,8 +1,6 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
 """Who drives, and when the robot is stopped for it."""
 
-import asyncio
-
 import pytest
 from destijl_web import hub
 from helpers import TOKENS, Page, World
@@ -64,7 +62,6 @@ async def test_asked_and_given(w: World) -> None:
     await driver.wheel("give", to=77)
     await driver.settle()
     assert w.service.hub.state["driver"] == 1
-    one.ping()
     await driver.wheel("give", to=2)
     event = await driver.event("wheel_given")
     assert event["args"] == {"from": "#1", "name": "#2"}
@@ -103,7 +100,6 @@ async def test_offered_to_anybody(w: World) -> None:
     await other.settle()
     assert w.service.hub.state["driver"] == 1
     assert w.supervisor.count("RSTP") == 0
-    third.ping()
     await third.wheel("take")
     event = await driver.event("wheel_given")
     assert event["args"] == {"from": "#1", "name": "#3"}
@@ -188,13 +184,11 @@ async def test_seized_by_a_teacher_only(w: World) -> None:
     teacher = await logged_in(w, "secret-teacher")
     assert pupil.welcome["role"] == "viewer"
     assert teacher.welcome["role"] == "teacher"
-    pupil.ping()
     await pupil.wheel("take")
     await w.start_robot(pupil)
     await other.wheel("seize")
     await other.settle()
     assert w.service.hub.state["driver"] == pupil.number
-    teacher.ping()
     await teacher.wheel("seize")
     event = await pupil.event("wheel_seized")
     assert event["args"] == {"from": "#1", "name": "#3"}
@@ -211,28 +205,25 @@ async def test_nobody_seizes_without_tokens(w: World) -> None:
 
 
 async def test_a_silent_driver(w: World) -> None:
-    driver, other = await w.started()
-    loop = asyncio.get_running_loop()
-    driver.be_silent()
-    begun = loop.time()
+    _, other = await w.started()
+    w.pass_time(hub.SILENCE - 0.01)
+    await other.settle()
+    assert w.supervisor.count("RSTP") == 0
+    w.pass_time(0.02)
     await other.event("stopped_silent", name="#1")
-    silent = loop.time() - begun
     await stops(w, 1)
+    w.pass_time(hub.ABSENCE - hub.SILENCE - 0.02)
     assert w.service.hub.state["driver"] == 1
+    w.pass_time(0.02)
     await other.event("wheel_lost", name="#1")
-    lost = loop.time() - begun
     await other.state(driver=None)
-    #  at 0.5 s and 1 s after the last ping, which was up to 0.1 s before
-    assert silent > hub.SILENCE - 0.15
-    assert lost > hub.ABSENCE - 0.15
 
 
 async def test_a_driver_that_is_silent_for_a_moment(w: World) -> None:
     driver, other = await w.started()
     for _ in range(2):
-        driver.be_silent()
+        w.pass_time(hub.SILENCE + 0.1)
         await other.event("stopped_silent")
-        driver.ping()
         await driver.settle()
         assert w.service.hub.state["driver"] == 1
     await w.supervisor.heard("RSTP", 2)
@@ -240,7 +231,6 @@ async def test_a_driver_that_is_silent_for_a_moment(w: World) -> None:
 
 async def test_a_hidden_page(w: World) -> None:
     driver, other = await w.started()
-    driver.be_silent()
     await driver.say("ping", n=1, hidden=True)
     await other.event("wheel_released", name="#1")
     await other.state(driver=None)
@@ -262,7 +252,6 @@ async def test_a_closed_tab(w: World) -> None:
 async def test_a_cut_connection(w: World) -> None:
     """Without a word of farewell."""
     driver, other = await w.started()
-    driver.be_silent()
     transport = driver.ws.get_extra_info("socket")
     assert transport is not None
     connection = driver.ws._response.connection

@@ -1,0 +1,51 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""The whole path through the page, as a newcomer takes it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+
+from conftest import Visitors
+from selenium.webdriver.common.keys import Keys
+from stand import Stand, await_, held, pixel
+
+
+def test_path(stands: Callable[..., Stand], visitors: Visitors, tmp_path: Path) -> None:
+    """Start, a key, Space, the arena, a mission, its replay. No time is measured."""
+    folder = tmp_path / "recordings"
+    folder.mkdir()
+    stand = stands("--record", folder)
+    x, y, _ = stand.emulator.pose
+    page = visitors.open(stand.address)
+    page.start()
+    assert stand.emulator.status()["watchdog"] == "on"
+
+    stand.drives(page, "w")
+    assert stand.emulator.pose[0] > x and stand.emulator.pose[1:] == (y, 0)
+    with held(page, "a"):
+        stand.moves()
+        page.press(Keys.SPACE)
+        stand.stands()
+    assert "Forward" in page.logged(label="RGFW", answer="AACK")["text"]
+
+    page.confirm_arena()
+    place = (55.0, 40.0)
+    page.click_at(pixel(place))
+    plan = page.plan()
+    stand.arrives(page, place)
+
+    (recording,) = folder.iterdir()
+    events = recording / "events.jsonl"
+    await_(lambda: "mission_done" in events.read_text("utf-8"), "it is recorded")
+    page.replay(f"[data-recording='{recording.name}']")
+    page.until(
+        "return document.getElementById('replay-picture').dataset.index > 0",
+        what="it is played",
+    )
+    lines = events.read_text("utf-8").splitlines()
+    begun = next(line for line in lines if '"mission":{' in line)
+    for moment, drawn in ((0, []), (json.loads(begun)["t"], plan)):
+        page.replay_at(moment)
+        assert page.points("plan", "replay-overlay") == drawn
