@@ -231,7 +231,9 @@ def test_comments_and_layout_are_not_proved(tree: Tree) -> None:
     tree.refuses(BODY)
 
 
-@pytest.mark.parametrize("name", ["checks.txt", "summary.txt", "tools.txt", "units.txt"])
+@pytest.mark.parametrize(
+    "name", ["checks.txt", "summary.txt", "tools.txt", "units.txt"]
+)
 def test_a_file_of_the_record_has_changed(tree: Tree, name: str) -> None:
     text = (tree.root / RECORD / name).read_text()
     tree.edit(f"{RECORD}/{name}", text[-2], "1" if text[-2] == "0" else "0")

@@ -40,7 +40,10 @@ def test_as_it_is() -> None:
         ("sed -i '/^- /d' CHANGELOG.md", "says nothing of "),
         ("sed -i '0,/^## /s//## 99.0.0 - 2026-01-01\\n&/' CHANGELOG.md", 'is not "## '),
         ("rm CHANGELOG.md", 'is not "## '),
-        ("echo 'pragma Page;' >>src/logic/base64.adb; commit", "refused: proof: .*base64.adb"),
+        (
+            "echo 'pragma Page;' >>src/logic/base64.adb; commit",
+            "refused: proof: .*base64.adb",
+        ),
         ("rm proofs/results/sources.txt; commit", "refused: proof: .* is missing"),
     ],
 )

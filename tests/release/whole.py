@@ -30,7 +30,10 @@ def test_a_whole_release(tmp_path: Path) -> None:
     [
         ("sed -i '/^website = /d' alire.toml", "alr publish: .*website"),
         ("sed -i '1s/^/website = [\\n/' alire.toml", "alr publish does not take"),
-        ("sed -i 's/^begin$/begin;;/' src/main/destijl.adb", "alr publish does not take"),
+        (
+            "sed -i 's/^begin$/begin;;/' src/main/destijl.adb",
+            "alr publish does not take",
+        ),
     ],
 )
 def test_what_alire_does_not_take_is_refused(change: str, words: str) -> None:
