@@ -98,7 +98,6 @@ package body Deadline_Times is
    --  how long the owner of the line may take after an exchange before it is
    --  free again
 
-   Patience : constant Duration := 5.0;
    --  for an answer
 
    type Tally is record
@@ -184,7 +183,7 @@ package body Deadline_Times is
          R.Monitor.Skip_To_Now;
          Time := Now;
          R.Monitor.Send_Line (Command);
-         Item := R.Monitor.Next_Answer (Patience, Command);
+         Item := R.Monitor.Next_Answer (Command);
          Count.Orders := Count.Orders + 1;
          if Item.Label /= Wanted then
             Sound := False;
@@ -208,7 +207,7 @@ package body Deadline_Times is
       Connect (R);
       R.Monitor.Send_Line ("RPIN");
       Spans.Append
-        ((First_Answer, Begun, R.Monitor.Next_Answer (Patience).Time));
+        ((First_Answer, Begun, R.Monitor.Next_Answer.Time));
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
       Missed := R.Emulator.Status_Number ("missed_total");

@@ -74,7 +74,7 @@ package body Full_Load is
          R.Monitor.Skip_To_Now;
          Time := Now;
          R.Monitor.Send_Line (Command);
-         Item := R.Monitor.Next_Answer (Within => 5.0, Command => Command);
+         Item := R.Monitor.Next_Answer (Command);
          if Sent_Last < Sent'Last then
             Sent_Last := Sent_Last + 1;
             Sent (Sent_Last) := (Time, To_Unbounded_String (Wire));

@@ -47,13 +47,10 @@ package body Mission_Drives is
    begin
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
-      R.Monitor.Skip_To_Now;
-      Check
-        (R.Monitor.Ask ("CASA", Within => 5.0).Label = "CIMG", "no arena");
-      delay 0.3;
+      Search_Arena (R);
       R.Monitor.Send_Line ("CACO");
       for Number in 1 .. 4 loop
-         Unused := R.Monitor.Next_Of ("CPOS", Within => 5.0);
+         Unused := R.Monitor.Next_Of ("CPOS");
       end loop;
    end Prepare;
 
@@ -75,7 +72,7 @@ package body Mission_Drives is
       end Last_End;
 
       function Answer_To (Question : String) return Message_Label is
-         Item : constant Message := R.Monitor.Ask (Question, Within => 5.0);
+         Item : constant Message := R.Monitor.Ask (Question);
       begin
          delay Question_Interval;
          return Item.Label;

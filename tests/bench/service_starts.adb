@@ -13,7 +13,7 @@ package body Service_Starts is
    is
       Label : constant String := "deadlines: ";
       Log   : constant String :=
-        (if Of_Supervisor.Says (Label, Within => 2.0)
+        (if Of_Supervisor.Says (Label, Patience)
          then Of_Supervisor.Log_Text else "");
       First : constant Natural := Index (Log, Label) + Label'Length;
    begin
@@ -30,7 +30,7 @@ package body Service_Starts is
       end if;
       Trial.Start ("env", Words (Raised & " true"));
       return
-        (if Trial.Exit_Status (Within => 5.0) = 0
+        (if Trial.Exit_Status = 0
          then Raised & " " & Programs.As_Service
          else Programs.As_Service ("+sys_nice,+ipc_lock"));
    end Launcher;

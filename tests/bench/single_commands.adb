@@ -19,7 +19,7 @@ package body Single_Commands is
 
    procedure Ask (R : in out Rig; Command : String; Answer : String) is
    begin
-      R.Monitor.Expect (Command, Answer, Within => 10.0);
+      R.Monitor.Expect (Command, Answer);
       delay Pause;
    end Ask;
 
@@ -37,7 +37,7 @@ package body Single_Commands is
    begin
       R.Monitor.Skip_To_Now;
       R.Monitor.Send_Line (Command);
-      Item := R.Monitor.Next_Of ("CIMG", Within => 5.0);
+      Item := R.Monitor.Next_Of ("CIMG");
       Check (Item.Size > 0, Command & " is not answered");
       delay 10 * Pause;
       --  the image may have been one on its way
@@ -98,7 +98,7 @@ package body Single_Commands is
          begin
             Newcomer.Connect (R.Supervisor.Port);
             Check
-              (Newcomer.Closed_By_Peer (Within => 5.0) /= Open,
+              (Newcomer.Closed_By_Peer /= Open,
                "a second monitor is not turned away");
          end;
          delay Pause;
@@ -116,7 +116,7 @@ package body Single_Commands is
          else
             R.Monitor.Close;
          end if;
-         R.Emulator.Await_Status ("moving", "0", Within => 5.0);
+         R.Emulator.Await_Status ("moving", "0");
          delay 10 * Pause;
          Connect (R);
       end loop;
@@ -128,7 +128,7 @@ package body Single_Commands is
       Move_Forward (R);
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Check
-        (R.Supervisor.Exit_Status (Within => 5.0) = 0,
+        (R.Supervisor.Exit_Status = 0,
          "the orderly stop fails");
    end Stop_Driving;
 

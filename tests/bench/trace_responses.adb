@@ -434,15 +434,14 @@ package body Trace_Responses is
                 when 0 => "RMOV:-100",
                 when 1 => "RTRN:90",
                 when 2 => "RSTP",
-                when others => "RGST"),
-            Within => 5.0);
+                when others => "RGST"));
          delay Command_Pause;
       end loop;
       Own_Process.Prefer_Real_Time (False);
       Load.Stop;
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Check
-        (R.Supervisor.Exit_Status (Within => 10.0) = 0,
+        (R.Supervisor.Exit_Status = 0,
          "the supervisor did not end in good order");
       Check
         (not R.Supervisor.Says ("the trace is not complete"),

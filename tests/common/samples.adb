@@ -56,6 +56,20 @@ package body Samples is
       return Sorted (Integer'Max (1, Integer'Min (Place, Object.Count)));
    end Quantile;
 
+   function Usual_Worst (Object : Set; Run : Positive) return Duration is
+      Worst : Set;
+      Part  : Set;
+   begin
+      for Value of Object.Values loop
+         Part.Add (Value);
+         if Part.Count = Run then
+            Worst.Add (Part.Quantile (1.0));
+            Part.Clear;
+         end if;
+      end loop;
+      return Worst.Quantile (0.5);
+   end Usual_Worst;
+
    function From_Least (Object : Set) return Set is
       Least  : constant Duration := Object.Quantile (0.0);
       Result : Set;

@@ -27,6 +27,10 @@ package Samples is
    --  The smallest value that at least Share of the samples do not exceed; 0
    --  without samples
 
+   function Usual_Worst (Object : Set; Run : Positive) return Duration;
+   --  The median of the largest of each Run successive samples: what one
+   --  disturbance does not change
+
    function From_Least (Object : Set) return Set;
    --  Replaces each by its difference from the smallest
 

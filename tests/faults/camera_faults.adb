@@ -167,7 +167,7 @@ package body Camera_Faults is
       begin
          W.Say (Command);
          Check_Within
-           (W.Emulator.Await_On_Wire (Text, Within => Prompt + Noise).First
+           (W.Emulator.Await_On_Wire (Text).First
             - Said,
             Prompt + Noise, Command & " on the wire");
       end Expect_On_Wire;
@@ -199,7 +199,7 @@ package body Camera_Faults is
       delay Span (W.Source, 0.0, 0.3);
       Expect_On_Wire ("RTRN:7", "T=7");
       Expect_On_Wire ("RSTP", "M=0");
-      W.Emulator.Await_Status ("moving", "0", Within => Noise);
+      W.Expect_Status ("moving", "0", Within => Noise);
       while Now < Start + 1.0 + Noise
         and then W.Monitor.Count_Of ("RBLV") = Seen
       loop

@@ -125,7 +125,7 @@ package body Demands is
            (not Late, "within 1 s nobody is told that the robot is lost");
          delay 0.005;
       end loop;
-      W.Supervisor.Expect_Log ("robot lost", Within => Noise, After => B.Log);
+      W.Expect_Log ("robot lost", Within => Noise, After => B.Log);
       if W.Line_Works then
          loop
             Late := Now > Deadline + Noise;
@@ -139,7 +139,7 @@ package body Demands is
             end;
             delay 0.005;
          end loop;
-         W.Emulator.Await_Status
+         W.Expect_Status
            ("moving", "0", Within => Stop_Limit + Noise);
       end if;
       Expect (W, "RPIN", "ANAK");
@@ -168,7 +168,7 @@ package body Demands is
       Await_Unasked (W);
       Expect (W, "ROPN", "AACK");
       Expect (W, "RPIN", "AACK");
-      W.Emulator.Await_Status ("moving", "0", Within => Stop_Limit + Noise);
+      W.Expect_Status ("moving", "0", Within => Stop_Limit + Noise);
       W.Robot := Line_Open;
    end Expect_Return;
 
@@ -177,7 +177,7 @@ package body Demands is
       What   : constant String := "robot no longer runs";
       Late   : Boolean;
    begin
-      W.Supervisor.Expect_Log (What, Within, After => B.Log);
+      W.Expect_Log (What, Within, After => B.Log);
       loop
          Late := Now > B.Time + Within + Noise;
          W.Listen;

@@ -167,10 +167,10 @@ procedure Destijl_Soak is
       Monitor.Connect (Trials.Port);
       Monitor.Expect ("ROPN", "AACK");
       Monitor.Expect ("RSWW", "AACK");
-      Monitor.Expect ("COPN", "AACK", Within => 10.0);
+      Monitor.Expect ("COPN", "AACK");
       Monitor.Expect ("CPCO", "AACK");
-      Unused := Monitor.Next_Of ("CPOS", Within => 5.0);
-      Unused := Monitor.Next_Of ("CIMG", Within => 5.0);
+      Unused := Monitor.Next_Of ("CPOS");
+      Unused := Monitor.Next_Of ("CIMG");
       delay 0.5;
       First := Monitor.Count + 1;
       Own_Process.Prefer_Real_Time (True);

@@ -216,7 +216,7 @@ package body Machine_Faults is
       W.Supervisor.Send_Signal (Libc.Sigkill);
       W.Supervisor_Ends (Status => 128 + Integer (Libc.Sigkill));
       --  by itself: nothing on the line causes it
-      W.Emulator.Await_Status
+      W.Expect_Status
         ("moving", "0", Within => Watchdog_Limit + Noise);
       W.Robot_Ready := False;
    end Inject;
@@ -479,7 +479,7 @@ package body Machine_Faults is
          Skip ("only root can change its privileges, to those it has");
       end if;
       if W.The_Plan.Log_Is_Read then
-         W.Supervisor.Expect_Log
+         W.Expect_Log
            ((case F.Kind is
                 when Root | User_With_Nice    =>
                    "real-time priorities: FIFO, ceilings",

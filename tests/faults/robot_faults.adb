@@ -218,7 +218,7 @@ package body Robot_Faults is
             end loop;
             Expect_No_Loss (W, B);
             Expect_Nothing (W, Any_Question (W));
-            W.Supervisor.Expect_Log
+            W.Expect_Log
               ("robot lost", Within => Noise, After => B.Log);
             Await_Unasked (W);
             Expect (W, "RPIN", "ANAK");
@@ -396,7 +396,7 @@ package body Robot_Faults is
          W.Expect_Answers;
          W.Say ("RSTP");
          W.Expect_Answers;
-         W.Emulator.Await_Status
+         W.Expect_Status
            ("moving", "0", Within => Prompt + Stop_Limit + Noise);
 
          --  and after them the line must work again
@@ -439,7 +439,7 @@ package body Robot_Faults is
             Expect (W, "RPIN", "ATIM");
          end loop;
          Expect (W, "RPIN", "ANAK");
-         W.Supervisor.Expect_Log
+         W.Expect_Log
            ("robot lost", Within => Noise, After => B.Log);
       end if;
       if not Soon then
@@ -479,11 +479,11 @@ package body Robot_Faults is
       case F.Why is
          when Disabled =>
             W.Emulator.Tell ("starve");
-            W.Emulator.Await_Status
+            W.Expect_Status
               ("state", "watchdog_disabled", Within => Noise);
          when Switched_Off_And_On =>
             W.Emulator.Tell ("reset-robot");
-            W.Emulator.Await_Status ("state", "idle", Within => 1.0);
+            W.Emulator.Await_Status ("state", "idle");
          when Empty =>
             W.Emulator.Tell ("battery 0");
             Expect (W, "RGBT", "RBLV:0");
@@ -491,17 +491,17 @@ package body Robot_Faults is
             B := Situation (W);
             W.Emulator.Tell ("battery critical");
             Expect_Loss (W, B);
-            W.Supervisor.Expect_Log
+            W.Expect_Log
               ("its battery was empty", Within => Noise, After => B.Log);
             W.Robot := Line_Closed;
             if Chance (W.Source, 4) then
                --  at last it switches itself off
-               W.Emulator.Await_Status ("state", "off", Within => 6.0);
+               W.Expect_Status ("state", "off", Within => 6.0);
             end if;
             return;
          when Charging =>
             W.Emulator.Tell ("charge on");
-            W.Emulator.Await_Status
+            W.Expect_Status
               ("state", "in_charge", Within => Noise);
       end case;
 
@@ -521,7 +521,7 @@ package body Robot_Faults is
          Expect (W, "RRST", "AACK");
          Expect (W, "RSWW", "AACK");
          Expect (W, "RGFW", "AACK");
-         W.Emulator.Await_Status ("moving", "1", Within => Noise);
+         W.Expect_Status ("moving", "1", Within => Noise);
       end if;
    end Inject;
 

@@ -151,10 +151,12 @@ package body Trials is
    procedure Expect_End is
       --  The supervisor ends as it should; then there is a new one
       W      : World renames The_World;
+      Start  : constant Instant := Now;
       Status : Integer;
    begin
       begin
-         Status := W.Supervisor.Exit_Status (End_Limit + Noise);
+         Status := W.Supervisor.Exit_Status;
+         Check_Within (Now - Start, End_Limit + Noise, "its end");
          if Status /= W.Expected_Status then
             W.Violate
               (Supervisor_Lives,
@@ -173,7 +175,7 @@ package body Trials is
       W.Await_Standing;
       if not W.Robot_Ready or else not W.Line_Works then
          W.Emulator.Tell ("reset-robot");
-         W.Emulator.Await_Status ("state", "idle", Within => 5.0);
+         W.Emulator.Await_Status ("state", "idle");
       end if;
       W.Start_Supervisor;
    end Expect_End;
@@ -202,7 +204,7 @@ package body Trials is
       W.Await_Standing;
       if not W.Robot_Ready or else not W.Line_Works then
          W.Emulator.Tell ("reset-robot");
-         W.Emulator.Await_Status ("state", "idle", Within => 5.0);
+         W.Emulator.Await_Status ("state", "idle");
          W.Line_Works := True;
       end if;
       W.Join (Found_In + Return_Limit + Noise);
@@ -228,7 +230,7 @@ package body Trials is
       --  a stop and a close must be effective even if the line was late four
       --  times in a row
       W.Order ("RSTP", "AACK ATIM ANAK");
-      W.Emulator.Await_Status ("moving", "0", Within => Drive_Limit);
+      W.Expect_Status ("moving", "0", Within => Drive_Limit);
       if Chance (W.Source, 2) then
          --  else the end of the session does it
          W.Order ("CCLS", "AACK");
@@ -257,7 +259,7 @@ package body Trials is
          W.Violate
            (Supervisor_Lives,
             "it has ended with status"
-            & Integer'Image (W.Supervisor.Exit_Status (0.0)));
+            & Integer'Image (W.Supervisor.Exit_Status));
          return;
       else
          Expect_Session_Goes_On;
@@ -365,7 +367,7 @@ package body Trials is
       W.Present := False;
       W.Nobody_Since := Never;
       W.Emulator.Tell ("reset-robot");
-      W.Emulator.Await_Status ("state", "idle", Within => 5.0);
+      W.Emulator.Await_Status ("state", "idle");
    exception
       when Failed =>
          W.Destroy;

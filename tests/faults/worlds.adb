@@ -460,7 +460,7 @@ package body Worlds is
                       when 2 => "RGBW",
                       when 3 => "RGLF",
                       when others => "RGRI"), "AACK");
-               W.Emulator.Await_Status
+               W.Expect_Status
                  ("moving", "1", Within => Return_Limit);
             end if;
             exit;
@@ -670,6 +670,26 @@ package body Worlds is
       when Failed =>
          return "";
    end Wire_Tail;
+
+   procedure Expect_Status
+     (W : in out World; Key, Value : String; Within : Duration)
+   is
+      Start : constant Instant := Now;
+   begin
+      W.Emulator.Await_Status (Key, Value);
+      Check_Within (Now - Start, Within, Key & " to become " & Value);
+   end Expect_Status;
+
+   procedure Expect_Log
+     (W      : in out World;
+      Text   : String;
+      Within : Duration;
+      After  : Natural := 0) is
+   begin
+      Check
+        (W.Supervisor.Says (Text, Within, After),
+         "in " & Milliseconds (Within) & " the log does not say " & Text);
+   end Expect_Log;
 
    function Line_Was_Late (W : World) return Boolean is
      (Duration'Max

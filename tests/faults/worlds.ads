@@ -229,6 +229,19 @@ package Worlds is
    --  The third invariant, when nobody is in command. May be repeated: it also
    --  detects a later movement
 
+   --  Demands
+
+   procedure Expect_Status
+     (W : in out World; Key, Value : String; Within : Duration);
+   --  The emulator's status becomes Value in that time
+
+   procedure Expect_Log
+     (W      : in out World;
+      Text   : String;
+      Within : Duration;
+      After  : Natural := 0);
+   --  The supervisor says so in that time
+
    --  Findings
 
    function Line_Was_Late (W : World) return Boolean;

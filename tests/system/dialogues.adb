@@ -11,26 +11,12 @@ with Monitor_Clients;       use Monitor_Clients;
 
 package body Dialogues is
 
-   Event_Limit   : constant Duration := 2.0;
-   --  for what must come, in a script
-   Opening_Limit : constant Duration := 10.0;
-   --  for a camera
-
    function Before_Blank (Text : String) return String is
      (Text (Text'First .. Index (Text & " ", " ") - 1));
 
    function Behind_Blank (Text : String) return String is
      (if Index (Text, " ") = 0 then ""
       else Text (Index (Text, " ") + 1 .. Text'Last));
-
-   procedure Expect_Message (R : in out Rig; Text : String; Within : Duration)
-   is
-      Item : constant Message :=
-        R.Monitor.Next_Of (Text (Text'First .. Text'First + 3), Within);
-   begin
-      Check (Index (Item.Label & ":" & Item.Data, Text) = 1,
-             To_String (Item.Data));
-   end Expect_Message;
 
    procedure Play_Step (R : in out Rig; Step : String; Round : Natural) is
       --  Round: the length of the log at its beginning
@@ -48,15 +34,19 @@ package body Dialogues is
             Check (Index (Rest, Label) > 0, Label);
          end;
       elsif Verb = "comes" then
-         Expect_Message (R, Rest, Event_Limit);
-      elsif Verb = "within" then
-         Expect_Message (R, More, Duration'Value (Word));
+         declare
+            Item : constant Message :=
+              R.Monitor.Next_Of (Rest (Rest'First .. Rest'First + 3));
+         begin
+            Check (Index (Item.Label & ":" & Item.Data, Rest) = 1,
+                   To_String (Item.Data));
+         end;
       elsif Verb = "silence" then
          R.Monitor.Expect_Silence (More, Duration'Value (Word));
       elsif Verb = "tell" then
          R.Emulator.Tell (Rest);
       elsif Verb = "status" then
-         R.Emulator.Await_Status (Word, More, Within => 5.0);
+         R.Emulator.Await_Status (Word, More);
       elsif Verb = "clear" then
          R.Emulator.Clear_Journal;
       elsif Verb = "wire" then
@@ -68,20 +58,18 @@ package body Dialogues is
       elsif Verb = "seen" then
          declare
             Unused : constant Emulators.Note :=
-              R.Emulator.Await_On_Wire (Rest, Event_Limit);
+              R.Emulator.Await_On_Wire (Rest);
          begin
             null;
          end;
       elsif Verb = "unused" then
          Check (R.Emulator.Journal.Is_Empty, R.Emulator.Wire_Text);
       elsif Verb = "log" then
-         R.Supervisor.Expect_Log (Rest, Event_Limit, After => Round);
+         R.Supervisor.Expect_Log (Rest, After => Round);
       elsif Verb = "unsaid" then
          Check (not R.Supervisor.Says (Rest), R.Supervisor.Log_Text);
       elsif Verb = "wait" then
          delay Duration'Value (Rest);
-      elsif Verb = "COPN" then
-         R.Monitor.Expect (Verb, Rest, Within => Opening_Limit);
       else
          R.Monitor.Expect (Verb, Rest);
       end if;

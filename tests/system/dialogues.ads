@@ -13,7 +13,6 @@ package Dialogues is
    --  send RPIN           it sends RPIN, and waits for nothing
    --  answer ATIM|ANAK    the next answer is one of these
    --  comes MSSG:text     the next MSSG comes, its text begins like this
-   --  within 8.0 MSSG     the same, for what takes its time
    --  silence 0.5 RBLV    no message RBLV comes for 0.5 s
    --  tell drop 3         a command to the emulator
    --  status state run    the emulator's status, awaited

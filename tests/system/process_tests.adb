@@ -25,7 +25,7 @@ with Supervisors;
 package body Process_Tests is
 
    Stop_Limit : constant Duration := 3.0;
-   --  An orderly stop takes less than 1 s; a shared machine gets three
+   --  An orderly stop takes less than 1 s, and three on a busy machine
 
    As_User : String renames Programs.As_User;
 
@@ -58,11 +58,9 @@ package body Process_Tests is
    end Need_Tool;
 
    procedure Expect_Orderly_End (R : in out Rig; Since : Instant) is
-      Status : constant Integer :=
-        R.Supervisor.Exit_Status (Within => Stop_Limit);
-      Ended  : constant Instant := Now;
+      Status : constant Integer := R.Supervisor.Exit_Status;
    begin
-      Note ("ended after " & Milliseconds (Ended - Since));
+      Check_Within (Now - Since, Stop_Limit, "the end");
       Check (Status = 0, "exit status" & Status'Image);
    end Expect_Orderly_End;
 
@@ -76,16 +74,14 @@ package body Process_Tests is
       R.Supervisor.Send_Signal (Signal);
       declare
          Stop : constant Emulators.Note :=
-           R.Emulator.Await_On_Wire ("M=0", Within => 3.0);
+           R.Emulator.Await_On_Wire ("M=0");
       begin
-         Note ("stop on the wire after "
-               & Milliseconds (Stop.First - Time));
          Check_Within (Stop.First - Time, 0.5, "the stop");
       end;
       Expect_Orderly_End (R, Time);
-      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      R.Emulator.Await_Status ("moving", "0");
       Check
-        (R.Monitor.Closed_By_Peer (Within => 1.0) /= Open,
+        (R.Monitor.Closed_By_Peer /= Open,
          "the monitor is still connected");
    end Stop_While_Moving;
 
@@ -153,8 +149,8 @@ package body Process_Tests is
       Time := Now;
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Expect_Orderly_End (R, Time);
-      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
-      R.Emulator.Await_Status ("viewers", "0", Within => 3.0);
+      R.Emulator.Await_Status ("moving", "0");
+      R.Emulator.Await_Status ("viewers", "0");
    end Stopped_With_Camera;
 
    procedure Stopped_While_Robot_Silent is
@@ -165,11 +161,10 @@ package body Process_Tests is
       Assemble (R);
       Move_Forward (R);
       R.Emulator.Tell ("silent on");
-      delay 0.05;
       Time := Now;
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Expect_Orderly_End (R, Time);
-      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      R.Emulator.Await_Status ("moving", "0");
    end Stopped_While_Robot_Silent;
 
    procedure Stopped_While_Camera_Stalls is
@@ -184,7 +179,7 @@ package body Process_Tests is
       Time := Now;
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Expect_Orderly_End (R, Time);
-      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      R.Emulator.Await_Status ("moving", "0");
    end Stopped_While_Camera_Stalls;
 
    procedure Stopped_With_Stalled_Monitor is
@@ -199,7 +194,7 @@ package body Process_Tests is
       Time := Now;
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Expect_Orderly_End (R, Time);
-      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      R.Emulator.Await_Status ("moving", "0");
    end Stopped_With_Stalled_Monitor;
 
    procedure Stopped_At_Once is
@@ -217,6 +212,17 @@ package body Process_Tests is
       Check
         (not Connects (R.Supervisor.Port), "somebody still listens");
    end Stopped_At_Once;
+
+   procedure Stops_In_Time is
+   begin
+      Stopped_By_Sigterm;
+      Stopped_By_Sigint;
+      Stopped_With_Camera;
+      Stopped_While_Robot_Silent;
+      Stopped_While_Camera_Stalls;
+      Stopped_With_Stalled_Monitor;
+      Stopped_At_Once;
+   end Stops_In_Time;
 
    procedure Thirteen_Threads is
 
@@ -268,7 +274,7 @@ package body Process_Tests is
                   Option & ": " & Name & " runs on " & Where (Name));
             end if;
          end loop;
-         R.Supervisor.Expect_Log ("deadlines: ", Within => 2.0);
+         R.Supervisor.Expect_Log ("deadlines: ");
          Check
            (not R.Supervisor.Says ("ceilings act; memory: locked")
             or else R.Supervisor.Says
@@ -283,7 +289,7 @@ package body Process_Tests is
    begin
       Wrong.Run ("--port 0 --cpu 1023");
       Check
-        (Wrong.Exit_Status (Within => 3.0) = 1,
+        (Wrong.Exit_Status = 1,
          "a processor that is not there");
       Check
         (Index (Wrong.Log_Text, "no processor 1023") > 0,
@@ -313,7 +319,7 @@ package body Process_Tests is
          then
             Skip ("GNAT's run time, from 14 on, takes all processors");
          end if;
-         R.Supervisor.Expect_Log ("deadlines: ", Within => 2.0);
+         R.Supervisor.Expect_Log ("deadlines: ");
          Check
            (not R.Supervisor.Says ("ceilings act; memory: locked")
             or else R.Supervisor.Says
@@ -356,13 +362,13 @@ package body Process_Tests is
          Check
            (Libc.Tgkill (R.Supervisor.Pid, Thread, Libc.Sigsegv) = 0,
             "the thread cannot be signalled");
-         Status := R.Supervisor.Exit_Status (Within => 5.0);
-         Note (Name & ": ended after " & Milliseconds (Now - Time));
+         Status := R.Supervisor.Exit_Status;
+         Check_Within (Now - Time, 5.0, "the end after a failure");
          Check
            (Status = 3,
             "exit status" & Status'Image & " after the failure of "
             & Name);
-         R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+         R.Emulator.Await_Status ("moving", "0");
          Check
            (R.Emulator.Count_Of ("M=0") >= 1,
             "no stop on the wire after the failure of " & Name);
@@ -404,7 +410,7 @@ package body Process_Tests is
          if Number = 10 then
             --  each frame slot gets the memory of an image, once
             for Image in 1 .. 40 loop
-               Check (R.Monitor.Next_Of ("CIMG", Within => 3.0).Size > 0,
+               Check (R.Monitor.Next_Of ("CIMG").Size > 0,
                       "an image");
             end loop;
          end if;
@@ -419,7 +425,7 @@ package body Process_Tests is
                R.Monitor.Close;
          end case;
          R.Supervisor.Expect_Log
-           ("session closed", Within => 4.0, After => Mark);
+           ("session closed", After => Mark);
       end Visit;
 
    begin
@@ -468,8 +474,7 @@ package body Process_Tests is
            ("--serial " & R.Emulator.Device,
             Launcher => Launcher, Program => Programs.Copied_Supervisor);
          R.Supervisor.Expect_Log
-           ((if Locked then "memory: locked" else "memory: not locked"),
-            Within => 2.0);
+           ((if Locked then "memory: locked" else "memory: not locked"));
          Size := Process_Facts.Locked_Kilobytes (R.Supervisor.Pid);
          Check
            ((Size > A_Library) = Locked,
@@ -491,7 +496,7 @@ package body Process_Tests is
    begin
       Need_Root;
       Tool.Start ("setpriv", Words ("--inh-caps=+ipc_lock true"));
-      if Tool.Exit_Status (Within => 5.0) /= 0 then
+      if Tool.Exit_Status /= 0 then
          Skip ("root may not lock memory here (CAP_IPC_LOCK)");
       end if;
       Expect (A_Little & As_User, Locked => False);
@@ -499,16 +504,15 @@ package body Process_Tests is
               Locked => False);
       Expect (A_Little & "setpriv --no-new-privs", Locked => True);
       Tool.Start ("prlimit", Words ("--memlock=unlimited:unlimited true"));
-      if Tool.Exit_Status (Within => 5.0) = 0 then
+      if Tool.Exit_Status = 0 then
          Expect (As_Much_As_It_Likes & As_User, Locked => True);
       else
          Note ("not tried without a limit: nobody may raise it here");
       end if;
    end Memory_Locked;
 
-   procedure As_Ordinary_User is
+   procedure Drive_As_User (R : in out Rig) is
       --  Another user's pseudo-terminal cannot be opened: it is given away
-      R : Rig;
    begin
       Need_Root;
       R.Emulator.Start (Camera => True);
@@ -527,15 +531,29 @@ package body Process_Tests is
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
       R.Monitor.Expect ("RGFW", "AACK");
-      R.Monitor.Expect ("CASA", "CIMG", Within => 5.0);
-      delay 3.0;
-      Check_In_Time
-        (R.Emulator.Status ("missed_total") = "0", "missed windows");
+   end Drive_As_User;
+
+   procedure As_Ordinary_User is
+      R : Rig;
+   begin
+      Drive_As_User (R);
+      R.Monitor.Expect ("CASA", "CIMG");
       R.Emulator.Clear_Journal;
       R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check (R.Supervisor.Exit_Status (Stop_Limit) = 0, "exit status");
+      Check (R.Supervisor.Exit_Status = 0, "exit status");
       Check (R.Emulator.Count_Of ("M=0") >= 1, "no stop on the wire");
    end As_Ordinary_User;
+
+   procedure Windows_Of_Ordinary_User is
+      --  One of five may be missed on a busy machine
+      R : Rig;
+   begin
+      Drive_As_User (R);
+      R.Monitor.Expect ("CASA", "CIMG");
+      delay 5.0;
+      Check
+        (R.Emulator.Status_Number ("missed_total") <= 1, "missed windows");
+   end Windows_Of_Ordinary_User;
 
    procedure With_File_Capability is
       --  An ordinary user's priorities, by the program's own capability; the
@@ -548,7 +566,7 @@ package body Process_Tests is
       Need_Tool ("setcap");
       Ada.Directories.Copy_File (Programs.Copied_Supervisor, Copy);
       Tool.Start ("setcap", Words ("cap_sys_nice+ep " & Copy));
-      if Tool.Exit_Status (Within => 10.0) /= 0 then
+      if Tool.Exit_Status /= 0 then
          Skip ("this file system keeps no capabilities");
       end if;
       Check
@@ -557,11 +575,11 @@ package body Process_Tests is
       R.Supervisor.Start
         ("--camera " & R.Emulator.Camera_Url,
          Launcher => As_User, Program => Copy);
-      R.Supervisor.Expect_Log ("real-time priorities: yes", Within => 2.0);
+      R.Supervisor.Expect_Log ("real-time priorities: yes");
       Connect (R);
       Open_Camera (R);
       R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check (R.Supervisor.Exit_Status (Stop_Limit) = 0, "exit status");
+      Check (R.Supervisor.Exit_Status = 0, "exit status");
    end With_File_Capability;
 
    procedure Restarted_At_Once is
@@ -574,11 +592,8 @@ package body Process_Tests is
       R.Monitor.Expect ("ROPN", "AACK");
       Number := R.Supervisor.Port;
       R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check (R.Supervisor.Exit_Status (Stop_Limit) = 0, "exit status");
-      Second.Run
-        ("--bind 127.0.0.1 --port" & Number'Image & " --serial "
-         & R.Emulator.Device);
-      Second.Expect_Log ("listening on", Within => 3.0);
+      Check (R.Supervisor.Exit_Status = 0, "exit status");
+      Second.Start ("--serial " & R.Emulator.Device, Port => Number);
       R.Monitor.Connect (Number);
       R.Monitor.Expect ("ROPN", "AACK");
    end Restarted_At_Once;
@@ -603,19 +618,18 @@ package body Process_Tests is
       end if;
       Test.Start ("env", Words (Launcher & " " & Violation));
       Check
-        (Test.Exit_Status (Within => 5.0) = 0
+        (Test.Exit_Status = 0
          and then Test.Awaited
            (Output,
             "said: " & Says & "; seen: "
-            & (if Act then "Program_Error" else "no exception"),
-            Within => 1.0) = 1,
+            & (if Act then "Program_Error" else "no exception")) = 1,
          "not so: " & Launcher);
       R.Supervisor.Start
         (Launcher => Launcher, Program => Programs.Copied_Supervisor);
       Connect (R);
       R.Monitor.Expect ("RPIN", "ANAK");
       R.Supervisor.Expect_Log
-        ("real-time priorities: " & Says, Within => 2.0);
+        ("real-time priorities: " & Says);
       Check
         (R.Supervisor.Count_Of ("priorities") = 1
          and then R.Supervisor.Count_Of ("ceilings") = 1,
@@ -646,7 +660,7 @@ package body Process_Tests is
          Expect_Ceilings ("env", Act => False);
       end if;
       Tool.Start ("env", Words (In_Namespace & "true"));
-      if Tool.Exit_Status (Within => 5.0) /= 0 then
+      if Tool.Exit_Status /= 0 then
          Skip ("no namespace of users can be made here; all else was well");
       end if;
       Expect_Ceilings (In_Namespace & "--map-root-user", Act => False);
@@ -699,7 +713,7 @@ package body Process_Tests is
            & Positive'Image (R.Supervisor.Port) & " --script " & Script),
          "console monitor");
       Check
-        (Tool.Exit_Status (Within => 20.0) = 0,
+        (Tool.Exit_Status = 0,
          "the console monitor has failed");
       Check (R.Emulator.Count_Of ("M=50") = 1, "no M=50 on the wire");
    end Console_Monitor;
@@ -721,6 +735,7 @@ package body Process_Tests is
       Add ("Stop_With_Stalled_Monitor",
            Stopped_With_Stalled_Monitor'Access);
       Add ("Stop_At_Once", Stopped_At_Once'Access);
+      Add ("Stop_In_Time", Stops_In_Time'Access, Timed => True);
       Add ("Threads_Are_The_Reports_Thirteen",
            Thirteen_Threads'Access);
       Add ("Never_Moves_On_After_A_Failed_Task",
@@ -733,8 +748,9 @@ package body Process_Tests is
       Add ("Memory_Is_Locked_Where_It_May", Memory_Locked'Access);
       Add ("Privileges_By_File_Capability",
            With_File_Capability'Access);
-      Add ("Privileges_Of_Ordinary_User", As_Ordinary_User'Access,
-           Alone => True);
+      Add ("Privileges_Of_Ordinary_User", As_Ordinary_User'Access);
+      Add ("Privileges_Of_Ordinary_User_Keep_Windows",
+           Windows_Of_Ordinary_User'Access, Timed => True);
       Add ("Privileges_With_Ceilings", With_Ceilings'Access);
       Add ("Privileges_Without_Ceilings", Without_Ceilings'Access);
       Add ("Never_Waits_For_The_Console", Console_Blocked'Access);

@@ -9,6 +9,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 with AUnit.Assertions;
 with AUnit.Options;
+with AUnit.Simple_Test_Cases;
 with AUnit.Test_Results;
 with AUnit.Test_Suites;
 with GNAT.OS_Lib;
@@ -19,36 +20,43 @@ with Instants;              use Instants;
 with Network_Links;
 with Plain_Numbers;         use Plain_Numbers;
 with Programs;
-with Standstills;
+with Supervisors;
 
 package body Scenarios is
+
+   type Scenario is new AUnit.Simple_Test_Cases.Test_Case with record
+      Title  : Unbounded_String;
+      Action : Routine;
+      Timed  : Boolean;
+   end record;
+
+   overriding function Name (Test : Scenario) return AUnit.Message_String is
+     (AUnit.Format (To_String (Test.Title)));
+
+   overriding procedure Run_Test (Test : in out Scenario);
 
    type Scenario_Access is access Scenario;
 
    package Scenario_Vectors is
      new Ada.Containers.Vectors (Positive, Scenario_Access);
+   package Number_Vectors is new Ada.Containers.Vectors (Positive, Positive);
 
    --  How the process of a test ends
 
    Passed_Status  : constant := 0;
    Failed_Status  : constant := 1;
-   Late_Status    : constant := 4;
    Skipped_Status : constant := 77;
 
    Skipping : constant String := "   skipped: ";
+   Failing  : constant String := "   FAILED: ";
 
-   Longest_Test  : constant Duration := 240.0;
+   Longest_Test : constant Duration := 300.0;
    --  Some last a minute
-   Most_Attempts : constant := 3;
 
-   Known    : Scenario_Vectors.Vector;
-   Filters  : Arguments;
-   Inverted : Boolean := False;
-   Status   : Integer := Failed_Status;
-
-   overriding function Name
-     (Test : Scenario) return AUnit.Message_String
-   is (AUnit.Format (Test.Title.all));
+   Known      : Scenario_Vectors.Vector;
+   Filters    : Arguments;
+   Only_Timed : Boolean := False;
+   Status     : Integer := Failed_Status;
 
    procedure Say (Line : String) is
    begin
@@ -60,58 +68,55 @@ package body Scenarios is
          Programs.Give_Up ("nobody reads what the tests have to say");
    end Say;
 
-   overriding procedure Run_Test (Test : in out Scenario) is
+   procedure Add
+     (Name : String; Run : not null Routine; Timed : Boolean := False) is
    begin
-      Expectations.Limit_Time (Longest_Test);
-      Standstills.Watch (Real_Time => False);
-      Test.Action.all;
-      Status := Passed_Status;
-      Say ("   ok");
-   exception
-      when Occurrence : Expectations.Skipped =>
-         Status := Skipped_Status;
-         Say (Skipping & Exception_Message (Occurrence));
-      when Occurrence : others =>
-         Say ("   FAILED: " & Exception_Message (Occurrence));
-         Child_Processes.Print_Last_Lines;
-         if Exception_Identity (Occurrence) /= Expectations.Failed'Identity
-         then
-            raise;
-         end if;
-         if Expectations.Time_Ran_Out
-           and then not Child_Processes.Any_Has_Failed
-           and then (Child_Processes.Any_Was_Late
-                     or else Standstills.Longest >= Standstills.Too_Long)
-         then
-            Status := Late_Status;
-            Say ("      late meanwhile: a processor by "
-                 & Milliseconds (Standstills.Longest)
-                 & (if Child_Processes.Any_Was_Late
-                    then ", its own line" else ""));
-         end if;
-         AUnit.Assertions.Assert (False, Exception_Message (Occurrence));
-   end Run_Test;
+      Known.Append
+        (new Scenario'
+           (AUnit.Simple_Test_Cases.Test_Case with
+            To_Unbounded_String (Name), Run, Timed));
+   end Add;
+
+   procedure Select_Timed is
+   begin
+      Only_Timed := True;
+   end Select_Timed;
 
    procedure Add_Filter (Text : String) is
    begin
       Filters.Append (Text);
    end Add_Filter;
 
-   procedure Invert_Filters is
-   begin
-      Inverted := True;
-   end Invert_Filters;
+   function Is_Named (Test : Scenario; Text : String) return Boolean is
+     (Index (Test.Title, Text) > 0);
 
-   procedure Add
-     (Name : String; Run : not null Routine; Alone : Boolean := False)
-   is
-      Test : constant Scenario_Access := new Scenario;
+   function Is_Selected (Test : Scenario) return Boolean is
+     (if Filters.Is_Empty then Test.Timed = Only_Timed
+      else (Test.Timed or else not Only_Timed)
+        and then (for some Text of Filters => Is_Named (Test, Text)));
+
+   overriding procedure Run_Test (Test : in out Scenario) is
    begin
-      Test.Title := new String'(Name);
-      Test.Action := Run;
-      Test.Alone := Alone;
-      Known.Append (Test);
-   end Add;
+      if not Test.Timed then
+         Supervisors.Be_Patient;
+         Expectations.Ignore_Times;
+      end if;
+      Test.Action.all;
+      Say ("   ok");
+      Status := Passed_Status;
+   exception
+      when Occurrence : Expectations.Skipped =>
+         Say (Skipping & Exception_Message (Occurrence));
+         Status := Skipped_Status;
+      when Occurrence : others =>
+         Say (Failing
+              & (if Exception_Identity (Occurrence)
+                   = Expectations.Failed'Identity
+                 then Exception_Message (Occurrence)
+                 else Exception_Information (Occurrence)));
+         Print_Last_Lines;
+         AUnit.Assertions.Assert (False, Exception_Message (Occurrence));
+   end Run_Test;
 
    procedure Run_One (Title : String) is
       Suite   : constant AUnit.Test_Suites.Access_Test_Suite :=
@@ -120,7 +125,7 @@ package body Scenarios is
       Outcome : AUnit.Status;
    begin
       for Test of Known loop
-         if Test.Title.all = Title then
+         if Test.Title = Title then
             Suite.Add_Test (Test);
          end if;
       end loop;
@@ -131,13 +136,6 @@ package body Scenarios is
    end Run_One;
 
    --  The run of all
-
-   type Attempt is record
-      Test   : Positive;
-      Number : Positive := 1;
-   end record;
-
-   package Attempt_Vectors is new Ada.Containers.Vectors (Positive, Attempt);
 
    type Duration_Of_Test is record
       Test  : Positive;
@@ -158,29 +156,29 @@ package body Scenarios is
          Process : Child;
          Busy    : Boolean := False;
          Since   : Instant := Never;
-         What    : Attempt;
+         Test    : Positive;
       end record;
 
-      All_Jobs : array (1 .. Jobs) of Job;
-      Together, Apart : Attempt_Vectors.Vector;
-      Durations       : Duration_Vectors.Vector;
-      Passed, Failed, Skipped, Repeated : Natural := 0;
-      Failures                          : Unbounded_String;
+      All_Jobs                : array (1 .. Jobs) of Job;
+      Together, Apart         : Number_Vectors.Vector;
+      Durations               : Duration_Vectors.Vector;
+      Passed, Failed, Skipped : Natural := 0;
+      Failures                : Unbounded_String;
 
-      function Title (What : Attempt) return String is
-        (Known (What.Test).Title.all);
+      function Title (Test : Positive) return String is
+        (To_String (Known (Test).Title));
 
-      procedure Start (J : in out Job; From : in out Attempt_Vectors.Vector) is
+      procedure Start (J : in out Job; From : in out Number_Vectors.Vector) is
          Options : Arguments;
       begin
          for Number in 1 .. Ada.Command_Line.Argument_Count loop
             Options.Append (Ada.Command_Line.Argument (Number));
          end loop;
-         J.What := From.First_Element;
+         J.Test := From.First_Element;
          From.Delete_First;
          Options.Append ("--one");
-         Options.Append (Title (J.What));
-         J.Process.Start (Program, Options, Title (J.What));
+         Options.Append (Title (J.Test));
+         J.Process.Start (Program, Options, Title (J.Test));
          J.Since := Now;
          J.Busy := True;
       end Start;
@@ -197,10 +195,10 @@ package body Scenarios is
             Network_Links.Remove_Left (J.Process.Pid);
             Programs.Remove_Left (J.Process.Pid);
          else
-            Result := J.Process.Exit_Status (Within => 1.0);
+            Result := J.Process.Exit_Status;
          end if;
-         Durations.Append ((J.What.Test, Taken));
-         Say (Title (J.What) & ", " & Milliseconds (Taken));
+         Durations.Append ((J.Test, Taken));
+         Say (Title (J.Test) & ", " & Milliseconds (Taken));
          for From in Stream loop
             for Number in 1 .. J.Process.Count (From) loop
                declare
@@ -208,29 +206,29 @@ package body Scenarios is
                     To_String (J.Process.Element (From, Number).Text);
                begin
                   Say (Text);
-                  if Index (Text, Skipping) = 1 then
-                     Reason := To_Unbounded_String
-                       (Text (Skipping'Length + 1 .. Text'Last));
-                  end if;
+                  for Word of Words (Skipping & "|" & Failing, '|') loop
+                     if Index (Text, Word) = 1 then
+                        Reason := To_Unbounded_String
+                          (Text (Word'Length + 1 .. Text'Last));
+                     end if;
+                  end loop;
                end;
             end loop;
          end loop;
          if Hangs then
-            Say ("   FAILED: it has not ended");
+            Reason := To_Unbounded_String ("it has not ended");
+            Say (Failing & To_String (Reason));
          end if;
-         if Result = Late_Status and then J.What.Number < Most_Attempts then
-            Repeated := Repeated + 1;
-            Say ("REPEATED " & Title (J.What)
-                 & ": a limit of time missed, line or processor late");
-            Apart.Append ((J.What.Test, J.What.Number + 1));
-         elsif Result = Passed_Status then
+         if Result = Passed_Status then
             Passed := Passed + 1;
          elsif Result = Skipped_Status then
             Skipped := Skipped + 1;
-            Say ("SKIPPED " & Title (J.What) & ": " & To_String (Reason));
+            Say ("SKIPPED " & Title (J.Test) & ": " & To_String (Reason));
          else
             Failed := Failed + 1;
-            Append (Failures, ASCII.LF & "   " & Title (J.What));
+            Append
+              (Failures,
+               "FAILED " & Title (J.Test) & ": " & Reason & ASCII.LF);
          end if;
       end Finish;
 
@@ -239,21 +237,18 @@ package body Scenarios is
 
    begin
       for Text of Filters loop
-         if not (for some Test of Known => Index (Test.Title.all, Text) > 0)
+         if not (for some Test of Known => Is_Named (Test.all, Text))
          then
             Programs.Give_Up ("no test has " & Text & " in its name");
          end if;
       end loop;
       for Test in 1 .. Known.Last_Index loop
-         if Filters.Is_Empty
-           or else (for some Text of Filters =>
-                      Index (Known (Test).Title.all, Text) > 0) /= Inverted
-         then
-            if Known (Test).Alone then
-               Apart.Append ((Test, 1));
-            else
-               Together.Append ((Test, 1));
-            end if;
+         if not Is_Selected (Known (Test).all) then
+            null;
+         elsif Known (Test).Timed then
+            Apart.Append (Test);
+         else
+            Together.Append (Test);
          end if;
       end loop;
 
@@ -261,7 +256,7 @@ package body Scenarios is
          for J of All_Jobs loop
             if J.Busy
               and then (not J.Process.Is_Running
-                        or else Now - J.Since > Longest_Test + 10.0)
+                        or else Now - J.Since > Longest_Test)
             then
                Finish (J);
             end if;
@@ -281,12 +276,10 @@ package body Scenarios is
       for Number in 1 .. Integer'Min (10, Durations.Last_Index) loop
          --  as pytest has it
          Say (Rounded (Float (Durations (Number).Taken)) & "s call  "
-              & Known (Durations (Number).Test).Title.all);
+              & Title (Durations (Number).Test));
       end loop;
-      if Failed > 0 then
-         Say ("failed:" & To_String (Failures));
-      end if;
-      Say (Image (Skipped) & " skipped, " & Image (Repeated) & " repeated");
+      Put (To_String (Failures));
+      Say (Image (Skipped) & " skipped");
       Say (Image (Passed) & " passed, " & Image (Failed) & " failed");
       All_Passed := Failed = 0 and then Passed > 0;
    end Run;

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Runs the system tests. Arguments without dashes are parts of the names of
---  the tests to run, or with --but of those to leave out; --untimed skips
---  those that measure time; --jobs N: how many at a time. --supervisor,
---  --emulator and --monitor name other programs than those beside this one;
---  --terminals: no preloaded line. It runs itself with --one NAME for a test.
+--  Runs the system tests: all but the timed ones; with --timed these, one by
+--  one. Arguments without dashes are parts of the names of tests to run, of
+--  both kinds; --jobs N: how many at a time. --supervisor, --emulator and
+--  --monitor name other programs than those beside this one; --terminals: no
+--  preloaded line. It runs itself with --one NAME for a test.
 
 with Ada.Exceptions;
 with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
@@ -12,7 +12,6 @@ with GNAT.OS_Lib;
 with System.Multiprocessors;
 
 with Camera_Tests;
-with Expectations;
 with Mission_Tests;
 with Mission_Trial_Tests;
 with Monitor_Tests;
@@ -45,10 +44,8 @@ begin
    while Option_Readers.Next loop
       if Programs.Read_Option then
          null;
-      elsif Option_Readers.Name = "--but" then
-         Scenarios.Invert_Filters;
-      elsif Option_Readers.Name = "--untimed" then
-         Expectations.Leave_Out_Measurements;
+      elsif Option_Readers.Name = "--timed" then
+         Scenarios.Select_Timed;
       elsif Option_Readers.Name = "--jobs" then
          Jobs := Option_Readers.Number (1, 64);
       elsif Option_Readers.Name = "--one" then

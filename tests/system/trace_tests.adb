@@ -7,6 +7,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
 with Interfaces.C;          use Interfaces.C;
 
+with Dialogues;             use Dialogues;
 with Expectations;          use Expectations;
 with Libc;
 with Monitor_Clients;       use Monitor_Clients;
@@ -21,10 +22,6 @@ package body Trace_Tests is
 
    Tasks : constant := 22;
 
-   Writing_Time : constant Duration := 4.0;
-   --  of all that a test leaves in the trace, on a shared machine, with the
-   --  end of the session
-
    function Trace_Path return String is
      (Programs.Temporary_Folder & "/trace.json");
 
@@ -33,7 +30,7 @@ package body Trace_Tests is
    begin
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Check
-        (R.Supervisor.Exit_Status (Within => Writing_Time) = 0,
+        (R.Supervisor.Exit_Status = 0,
          "exit status: " & R.Supervisor.Log_Text);
       Read (Trace_Path, T);
    end Stop_And_Read;
@@ -167,19 +164,17 @@ package body Trace_Tests is
       R.Monitor.Send_Line ("CACO");
       R.Monitor.Expect ("AUTH:" & Token, "ACER");
       R.Monitor.Expect ("RPIN", "AACK");
-      delay 1.3;
+      Play (R, "seen w");
       R.Monitor.Expect ("MGCM:45;33", "AACK");
-      Check
-        (To_String (R.Monitor.Next_Of ("MEND", Within => 20.0).Data) = "done",
-         "the mission has not been done");
+      R.Monitor.Await ("MEND");
       R.Monitor.Expect ("CCLS", "AACK");
       R.Monitor.Expect ("RRST", "AACK");
       R.Monitor.Expect ("RSOW", "AACK");
-      delay 0.5;
+      R.Monitor.Await ("RBLV");
       Other.Connect (R.Supervisor.Port);
       Other.Send_Line ("AUTH:" & Token);
       R.Monitor.Close;
-      R.Supervisor.Expect_Log ("session closed", Within => 4.0);
+      R.Supervisor.Expect_Log ("session closed");
       Stop_And_Read (R, T);
 
       Check_Form (T);
@@ -231,7 +226,7 @@ package body Trace_Tests is
                Libc.Sigsegv) = 0,
             "the thread cannot be signalled");
          Check
-           (R.Supervisor.Exit_Status (Within => Writing_Time) = 3,
+           (R.Supervisor.Exit_Status = 3,
             "exit status: " & R.Supervisor.Log_Text);
          Read (Trace_Path, T);
          Check_Form (T);
@@ -251,7 +246,7 @@ package body Trace_Tests is
    begin
       S.Start ("--trace " & Trace_Path);
       S.Send_Signal (Libc.Sigint);
-      Check (S.Exit_Status (Within => Writing_Time) = 0, S.Log_Text);
+      Check (S.Exit_Status = 0, S.Log_Text);
       Read (Trace_Path, T);
       Check_Form (T);
    end Nothing_Happened;
@@ -291,11 +286,11 @@ package body Trace_Tests is
          Move_Forward (R);
          R.Supervisor.Send_Signal (Libc.Sigterm);
          Check
-           (R.Supervisor.Exit_Status (Within => Writing_Time) = 0,
+           (R.Supervisor.Exit_Status = 0,
             "exit status: " & R.Supervisor.Log_Text);
          R.Supervisor.Expect_Log
-           ("the trace is not complete: " & Reason, Within => 1.0);
-         R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+           ("the trace is not complete: " & Reason);
+         R.Emulator.Await_Status ("moving", "0");
       end Fill;
 
    begin

@@ -70,8 +70,6 @@ package body Child_Processes is
    end Running;
 
    Last_Lines : Arguments;
-   Failed_One : Boolean := False;
-   Late_One   : Boolean := False;
 
    protected body Running is
 
@@ -327,8 +325,8 @@ package body Child_Processes is
      (Object  : Child;
       From    : Stream;
       Pattern : String;
-      Within  : Duration;
-      After   : Natural := 0) return Natural
+      Within  : Duration := 0.0;
+      After   : Natural  := 0) return Natural
    is
       Deadline : constant Instant := Now + Within;
       Seen     : Natural := After;
@@ -359,16 +357,12 @@ package body Child_Processes is
       Object.Inner.Lists (From).Set_Ignored (True);
    end Ignore;
 
-   function Exit_Status
-     (Object : in out Child; Within : Duration) return Integer
-   is
-      Deadline : constant Instant := Now + Within;
+   function Exit_Status (Object : in out Child) return Integer is
+      Deadline : constant Instant := Now + Patience;
    begin
       while Object.Is_Running loop
-         Check_In_Time
-           (Now < Deadline,
-            To_String (Object.Inner.Name) & " has not ended within "
-            & Milliseconds (Within));
+         Check
+           (Now < Deadline, To_String (Object.Inner.Name) & " does not end");
          delay 0.001;
       end loop;
       --  Its last output is still being read; with a limit, as a grandchild
@@ -389,7 +383,7 @@ package body Child_Processes is
    begin
       if Object.Inner /= null and then Object.Is_Running then
          Unused := Libc.Kill (Object.Inner.Pid, Libc.Sigkill);
-         Unused_Status := Object.Exit_Status (Within => 10.0);
+         Unused_Status := Object.Exit_Status;
       end if;
    end Stop;
 
@@ -415,12 +409,6 @@ package body Child_Processes is
               (Object.Inner.Outputs (Stream'Pos (From)));
          end if;
       end loop;
-      if Object.Inner.Status in 3 | 132 | 134 .. 136 | 139 then
-         --  the signals: SIGILL, SIGABRT, SIGBUS, SIGFPE, SIGSEGV
-         Failed_One := True;
-      end if;
-      Late_One := Late_One
-        or else Object.Awaited (Errors, "late by ", Within => 0.0) > 0;
       for From in Stream loop
          if Object.Count (From) > 0 then
             Last_Lines.Append
@@ -464,15 +452,9 @@ package body Child_Processes is
       Ada.Text_IO.Flush;
    end Print_Last_Lines;
 
-   function Any_Has_Failed return Boolean is (Failed_One);
-
-   function Any_Was_Late return Boolean is (Late_One);
-
    procedure Forget_Last_Lines is
    begin
       Last_Lines.Clear;
-      Late_One := False;
-      Failed_One := False;
    end Forget_Last_Lines;
 
 end Child_Processes;

@@ -63,8 +63,8 @@ package Child_Processes is
      (Object  : Child;
       From    : Stream;
       Pattern : String;
-      Within  : Duration;
-      After   : Natural := 0) return Natural;
+      Within  : Duration := 0.0;
+      After   : Natural  := 0) return Natural;
    --  Number of the first line after number After that contains Pattern; waits
    --  for it Within seconds; 0 if it did not come
 
@@ -72,10 +72,9 @@ package Child_Processes is
    --  Stops reading its output while it runs: a program whose reader has
    --  stopped
 
-   function Exit_Status
-     (Object : in out Child; Within : Duration) return Integer;
+   function Exit_Status (Object : in out Child) return Integer;
    --  Waits for the end: the exit status, or 128 + signal. Raises Failed if it
-   --  has not ended in time.
+   --  does not end
 
    procedure Stop (Object : in out Child);
    --  Kills it if it still runs, and waits for its end
@@ -86,13 +85,6 @@ package Child_Processes is
    procedure Print_Last_Lines;
    --  Prints the last output of the programs stopped since Forget_Last_Lines,
    --  for the report of a failed test
-
-   function Any_Has_Failed return Boolean;
-   --  Whether one of these has ended by an internal failure (exit status 3) or
-   --  a fatal signal
-
-   function Any_Was_Late return Boolean;
-   --  Whether an emulator among these has said that its line was
 
    procedure Forget_Last_Lines;
 

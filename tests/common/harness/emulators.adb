@@ -12,9 +12,6 @@ with Programs;
 
 package body Emulators is
 
-   Answer_Limit : constant Duration := 10.0;
-   --  It answers within a millisecond on an idle machine
-
    Made : Natural := 0;
    --  for names of links
 
@@ -23,7 +20,7 @@ package body Emulators is
    begin
       Check
         (Object.Process.Awaited
-           (Output, "", Answer_Limit, After => Object.Seen) > 0,
+           (Output, "", Patience, After => Object.Seen) > 0,
          "the emulator does not answer");
       Object.Seen := Object.Seen + 1;
       return To_String
@@ -89,7 +86,7 @@ package body Emulators is
          end;
       end if;
       if Index (Options, "--boot-ms") = 0 then
-         Object.Await_Status ("state", "idle", Within => 10.0);
+         Object.Await_Status ("state", "idle");
       end if;
    end Start;
 
@@ -127,10 +124,8 @@ package body Emulators is
      (Object : in out Emulator; Key : String) return Integer
    is (Integer'Value (Object.Status (Key)));
 
-   procedure Await_Status
-     (Object : in out Emulator; Key, Value : String; Within : Duration)
-   is
-      Deadline : constant Instant := Now + Within;
+   procedure Await_Status (Object : in out Emulator; Key, Value : String) is
+      Deadline : constant Instant := Now + Patience;
    begin
       loop
          declare
@@ -138,7 +133,7 @@ package body Emulators is
             Seen : constant String := Object.Status (Key);
          begin
             exit when Seen = Value;
-            Check_In_Time
+            Check
               (not Late,
                "the robot's " & Key & " is " & Seen & " instead of "
                & Value);
@@ -211,10 +206,9 @@ package body Emulators is
    end Count_Of;
 
    function Await_On_Wire
-     (Object : in out Emulator; Command : String; Within : Duration)
-      return Note
+     (Object : in out Emulator; Command : String) return Note
    is
-      Deadline : constant Instant := Now + Within;
+      Deadline : constant Instant := Now + Patience;
       Late     : Boolean;
    begin
       loop
@@ -224,10 +218,10 @@ package body Emulators is
                return Item;
             end if;
          end loop;
-         Check_In_Time
+         Check
            (not Late,
-            "no " & Command & " on the wire within " & Milliseconds (Within)
-            & ", but: " & Object.Wire_Text ("MTWurwpvbz"));
+            "no " & Command & " on the wire, but: "
+            & Object.Wire_Text ("MTWurwpvbz"));
          delay 0.005;
       end loop;
    end Await_On_Wire;
@@ -257,7 +251,7 @@ package body Emulators is
    begin
       Create_Socket (Socket);
       Set_Socket_Option
-        (Socket, Socket_Level, (Receive_Timeout, Answer_Limit));
+        (Socket, Socket_Level, (Receive_Timeout, Patience));
       Connect_Socket
         (Socket, (Family_Inet, Loopback_Inet_Addr, Port (Object)));
       Send_Socket (Socket, Bytes, Last);

@@ -38,8 +38,7 @@ package Emulators is
    function Status_Number
      (Object : in out Emulator; Key : String) return Integer;
 
-   procedure Await_Status
-     (Object : in out Emulator; Key, Value : String; Within : Duration);
+   procedure Await_Status (Object : in out Emulator; Key, Value : String);
    --  Raises Failed if it does not become Value
 
    --  The wire
@@ -75,8 +74,7 @@ package Emulators is
      (Object : in out Emulator; Command : String) return Natural;
 
    function Await_On_Wire
-     (Object : in out Emulator; Command : String; Within : Duration)
-      return Note;
+     (Object : in out Emulator; Command : String) return Note;
    --  The first such command since the last clear; raises Failed if there is
    --  none
 

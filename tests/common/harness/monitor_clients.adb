@@ -355,8 +355,8 @@ package body Monitor_Clients is
       Connect_Socket
         (Object.Inner.Socket,
          Network_Socket_Address (Server, Port_Type (Port)),
-         Timeout => 5.0, Status => Status);
-      Check_In_Time
+         Timeout => Patience, Status => Status);
+      Check
         (Status = Completed, "no connection to port" & Port'Image);
       Set_Socket_Option
         (Object.Inner.Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
@@ -421,10 +421,12 @@ package body Monitor_Clients is
          return False;
    end Try_Send;
 
-   function Next (Object : in out Client; Within : Duration) return Message is
+   function Next
+     (Object : in out Client; Within : Duration := Expectations.Patience)
+      return Message
+   is
       Deadline : constant Instant := Now + Within;
    begin
-      Check_Time;
       loop
          declare
             Late : constant Boolean := Now >= Deadline;
@@ -441,11 +443,9 @@ package body Monitor_Clients is
       end loop;
    end Next;
 
-   function Next_Of
-     (Object : in out Client; Labels : String; Within : Duration)
-      return Message
+   function Next_Of (Object : in out Client; Labels : String) return Message
    is
-      Deadline : constant Instant := Now + Within;
+      Deadline : constant Instant := Now + Patience;
       Item     : Message;
    begin
       loop
@@ -453,9 +453,7 @@ package body Monitor_Clients is
          Check
            (Item.Number > 0 or else Object.Inner.Box.State = Open,
             "no " & Labels & ", the connection is closed");
-         Check_In_Time
-           (Item.Number > 0,
-            "no " & Labels & " within " & Milliseconds (Within));
+         Check (Item.Number > 0, "no " & Labels);
          if Index (Labels, Item.Label) > 0 then
             return Item;
          end if;
@@ -463,22 +461,17 @@ package body Monitor_Clients is
    end Next_Of;
 
    procedure Await
-     (Object : in out Client;
-      Labels : String;
-      Count  : Positive := 1;
-      Within : Duration := 3.0)
+     (Object : in out Client; Labels : String; Count : Positive := 1)
    is
       Unused : Message;
    begin
       for Number in 1 .. Count loop
-         Unused := Object.Next_Of (Labels, Within);
+         Unused := Object.Next_Of (Labels);
       end loop;
    end Await;
 
    function Next_Answer
-     (Object  : in out Client;
-      Within  : Duration := 3.0;
-      Command : String   := "") return Message
+     (Object : in out Client; Command : String := "") return Message
    is
       Extra : constant String :=
         (if Command = "RGBT" then " RBLV"
@@ -486,47 +479,34 @@ package body Monitor_Clients is
          elsif Command = "CASA" then " CIMG"
          else "");
    begin
-      return Object.Next_Of (Answers & Extra, Within);
+      return Object.Next_Of (Answers & Extra);
    exception
       when Occurrence : Failed =>
          raise Failed with Command & ": "
            & Ada.Exceptions.Exception_Message (Occurrence);
    end Next_Answer;
 
-   function Ask
-     (Object : in out Client; Command : String; Within : Duration := 3.0)
-      return Message is
+   function Ask (Object : in out Client; Command : String) return Message is
    begin
       Object.Skip_To_Now;
       Object.Send_Line (Command);
-      return Object.Next_Answer (Within, Command);
+      return Object.Next_Answer (Command);
    end Ask;
 
    procedure Check_Label (Item : Message; Labels : String; What : String) is
-      Right : constant Boolean := Index (Labels, Item.Label) > 0;
-      Text  : constant String :=
-        What & ": " & Item.Label & " instead of " & Labels;
    begin
-      Check_In_Time (Right or else Item.Label not in "ATIM" | "    ", Text);
-      Check (Right, Text);
+      Check
+        (Index (Labels, Item.Label) > 0,
+         What & ": " & Item.Label & " instead of " & Labels);
    end Check_Label;
 
-   procedure Expect
-     (Object  : in out Client;
-      Command : String;
-      Answer  : String;
-      Within  : Duration := 3.0)
-   is
-      Item : constant Message := Object.Ask (Command, Within);
+   procedure Expect (Object : in out Client; Command, Answer : String) is
+      Item : constant Message := Object.Ask (Command);
       Text : constant String :=
         Item.Label
         & (if Length (Item.Data) = 0 then "" else ":")
         & To_String (Item.Data);
    begin
-      --  a robot's answer has a limit of time, too
-      Check_In_Time
-        (Item.Label /= "ATIM" or else Answer = "ATIM",
-         Command & " was answered " & Text);
       Check
         ((if Answer'Length = 4 then Item.Label = Answer else Text = Answer),
          Command & " was answered " & Text & " instead of " & Answer);
@@ -611,7 +591,8 @@ package body Monitor_Clients is
    end Be_Late;
 
    function Closed_By_Peer
-     (Object : Client; Within : Duration) return Closing
+     (Object : Client; Within : Duration := Expectations.Patience)
+      return Closing
    is
       Deadline : constant Instant := Now + Within;
    begin

@@ -5,6 +5,7 @@
 private with Ada.Finalization;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
+with Expectations;
 with Instants; use Instants;
 
 package Monitor_Clients is
@@ -61,45 +62,32 @@ package Monitor_Clients is
 
    --  Messages are taken in their order, each once.
 
-   function Next (Object : in out Client; Within : Duration) return Message;
+   function Next
+     (Object : in out Client; Within : Duration := Expectations.Patience)
+      return Message;
    --  Number is 0 if none came
 
-   function Next_Of
-     (Object : in out Client; Labels : String; Within : Duration)
-      return Message;
+   function Next_Of (Object : in out Client; Labels : String) return Message;
    --  The next message with one of Labels, such as "AACK ANAK"; earlier ones
    --  are skipped. Raises Failed if it does not come.
 
    procedure Await
-     (Object : in out Client;
-      Labels : String;
-      Count  : Positive := 1;
-      Within : Duration := 3.0);
-   --  Takes the next Count of them; raises Failed if one does not come in time
+     (Object : in out Client; Labels : String; Count : Positive := 1);
+   --  Takes the next Count of them
 
    function Next_Answer
-     (Object  : in out Client;
-      Within  : Duration := 3.0;
-      Command : String   := "") return Message;
+     (Object : in out Client; Command : String := "") return Message;
    --  The next answer: AACK, ANAK, ACRJ, ATIM, ACER; RBLV, RCST and CIMG only
    --  if they answer Command
 
-   function Ask
-     (Object : in out Client; Command : String; Within : Duration := 3.0)
-      return Message;
+   function Ask (Object : in out Client; Command : String) return Message;
    --  Sends Command and takes its answer. Unsolicited messages are skipped.
 
    procedure Check_Label (Item : Message; Labels : String; What : String);
-   --  Raises Failed unless Item has one of Labels. Where none has come, or
-   --  ATIM for a robot's answer, a limit of time was missed.
+   --  Raises Failed unless Item has one of Labels
 
-   procedure Expect
-     (Object  : in out Client;
-      Command : String;
-      Answer  : String;
-      Within  : Duration := 3.0);
-   --  Raises Failed unless Answer is the answer to Command. Within has a
-   --  margin over the worst-case answer time of a few hundred milliseconds.
+   procedure Expect (Object : in out Client; Command, Answer : String);
+   --  Raises Failed unless Answer is the answer to Command
 
    procedure Skip_To_Now (Object : in out Client);
    --  Discards the messages that have arrived and were not taken
@@ -142,7 +130,8 @@ package Monitor_Clients is
    type Closing is (Open, Orderly, Broken);
 
    function Closed_By_Peer
-     (Object : Client; Within : Duration) return Closing;
+     (Object : Client; Within : Duration := Expectations.Patience)
+      return Closing;
    --  Waits until the supervisor has closed the connection
 
    procedure Half_Close (Object : in out Client);

@@ -53,7 +53,7 @@ package body Network_Links is
    begin
       Options.Delete_First;
       Tool.Start (Program, Options);
-      return Tool.Exit_Status (Within => 10.0) = 0;
+      return Tool.Exit_Status = 0;
    end Succeeds;
 
    procedure Run (Command : String) is

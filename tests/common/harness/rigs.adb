@@ -42,20 +42,28 @@ package body Rigs is
    begin
       Start_Robot (R);
       R.Monitor.Expect ("RGFW", "AACK");
-      R.Emulator.Await_Status ("moving", "1", Within => 2.0);
+      R.Emulator.Await_Status ("moving", "1");
       R.Emulator.Clear_Journal;
    end Move_Forward;
 
    procedure Open_Camera (R : in out Rig; Positions : Boolean := False) is
       Unused : Message;
    begin
-      R.Monitor.Expect ("COPN", "AACK", Within => 10.0);
+      R.Monitor.Expect ("COPN", "AACK");
       if Positions then
          R.Monitor.Expect ("CPCO", "AACK");
-         Unused := R.Monitor.Next_Of ("CPOS", Within => 5.0);
+         Unused := R.Monitor.Next_Of ("CPOS");
       end if;
-      Unused := R.Monitor.Next_Of ("CIMG", Within => 5.0);
+      Unused := R.Monitor.Next_Of ("CIMG");
    end Open_Camera;
+
+   procedure Search_Arena (R : in out Rig) is
+   begin
+      R.Monitor.Expect ("CASA", "CIMG");
+      --  images and positions may have been under way
+      R.Monitor.Expect_Silence ("AACK", For_Time => 1.0);
+      R.Monitor.Expect_Silence ("CIMG CPOS AACK", For_Time => 0.5);
+   end Search_Arena;
 
    procedure Expect_Initial_State (R : in out Rig) is
    begin

@@ -39,6 +39,9 @@ package Rigs is
    procedure Open_Camera (R : in out Rig; Positions : Boolean := False);
    --  Raises Failed if no image comes
 
+   procedure Search_Arena (R : in out Rig);
+   --  CASA, until the last image waits for the decision on it
+
    procedure Expect_Initial_State (R : in out Rig);
    --  A new session of the monitor: robot and camera must be opened
 

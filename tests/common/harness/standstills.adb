@@ -41,8 +41,7 @@ package body Standstills is
 
    Of_Processors, Of_Lines : Stall_Record;
 
-   task type Watcher
-     (Processor : CPU; Turn : Positive; Real_Time : Boolean);
+   task type Watcher (Processor : CPU; Turn : Positive);
 
    type Watcher_Access is access Watcher;
 
@@ -102,9 +101,7 @@ package body Standstills is
          when Dispatching_Domains.Dispatching_Domain_Error =>
             null;  --  it may not run there: it stays where it is
       end;
-      if Real_Time then
-         Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
-      end if;
+      Own_Process.Prefer_Real_Time (True, Libc.Above_Supervisor + 1);
       loop
          Before := Now;
          delay Span;
@@ -140,11 +137,7 @@ package body Standstills is
       end if;
    end Line_Watcher;
 
-   procedure Watch
-     (Turn      : Positive := 5;
-      Lines     : Boolean  := False;
-      Real_Time : Boolean  := True)
-   is
+   procedure Watch (Turn : Positive := 5; Lines : Boolean := False) is
       Unused  : Watcher_Access;
       Unused2 : Line_Watcher_Access;
    begin
@@ -152,7 +145,7 @@ package body Standstills is
          Unused2 := new Line_Watcher (Turn);
       end if;
       for Processor in 1 .. Number_Of_CPUs loop
-         Unused := new Watcher (Processor, Turn, Real_Time);
+         Unused := new Watcher (Processor, Turn);
       end loop;
    end Watch;
 

@@ -8,16 +8,11 @@ with Instants; use Instants;
 
 package Standstills is
 
-   procedure Watch
-     (Turn      : Positive := 5;
-      Lines     : Boolean  := False;
-      Real_Time : Boolean  := True);
+   procedure Watch (Turn : Positive := 5; Lines : Boolean := False);
    --  Starts the measurement, until the end of the program: a look each Turn
-   --  milliseconds. Not Real_Time: as threads of ordinary priority see it,
-   --  such as those of a camera's network stream. Lines: also a byte through a
-   --  pseudo-terminal of its own. The kernel's threads that carry such bytes
-   --  have no priority, and one list of work for all pseudo-terminals: what
-   --  waits there, waits for all
+   --  milliseconds. Lines: also a byte through a pseudo-terminal of its own.
+   --  The kernel's threads that carry such bytes have no priority, and one
+   --  list of work for all pseudo-terminals: what waits there, waits for all
 
    procedure Forget;
    --  Discards the measurements so far

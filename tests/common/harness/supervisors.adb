@@ -16,6 +16,9 @@ with Programs;
 package body Supervisors is
 
    Listening : constant String := "listening on ";
+   Timeout   : constant String := "--answer-timeout";
+
+   Patient : Boolean := False;
 
    procedure Start_Process
      (Object   : in out Supervisor;
@@ -42,17 +45,20 @@ package body Supervisors is
       Launcher : String  := "";
       Program  : String  := "";
       Bind     : String  := "127.0.0.1";
-      Within   : Duration := 10.0)
+      Port     : Natural := 0)
    is
       use type Arguments;
       Number : Natural;
    begin
       Start_Process
         (Object,
-         Words ("--port 0 --bind " & Bind) & Words (Options),
+         Words ("--port" & Port'Image & " --bind " & Bind
+           & (if Patient and then Index (Options, Timeout) = 0
+              then " " & Timeout & " 300" else ""))
+         & Words (Options),
          Launcher, Program);
-      Number := Object.Process.Awaited (Errors, Listening, Within);
-      Check_In_Time (Number > 0, "the supervisor does not listen");
+      Number := Object.Process.Awaited (Errors, Listening, Patience);
+      Check (Number > 0, "the supervisor does not listen");
       declare
          Line  : constant String :=
            To_String (Object.Process.Element (Errors, Number).Text);
@@ -71,6 +77,11 @@ package body Supervisors is
       end;
    end Start;
 
+   procedure Be_Patient is
+   begin
+      Patient := True;
+   end Be_Patient;
+
    procedure Run
      (Object   : in out Supervisor;
       Options  : String;
@@ -86,12 +97,19 @@ package body Supervisors is
       Launcher : String := "";
       Program  : String := "") return String
    is
-      S    : Supervisor;
-      Seen : Integer;
+      End_Limit   : constant Duration := 1.0;
+      --  F1
+      Check_Limit : constant Duration := 15.0;
+      Start : constant Instant := Now;
+      S     : Supervisor;
+      Seen  : Integer;
    begin
       S.Run (Options, Launcher, Program);
-      Seen := S.Exit_Status
-        (Within => (if Index (Options, "--check") > 0 then 15.0 else 3.0));
+      Seen := S.Exit_Status;
+      Check_Within
+        (Now - Start,
+         (if Index (Options, "--check") > 0 then Check_Limit else End_Limit),
+         Options);
       return Text : constant String := S.Output_Text & S.Log_Text do
          Check (Seen = Status,
                 Options & ": exit status" & Seen'Image & ": " & Text);
@@ -152,9 +170,8 @@ package body Supervisors is
       Object.Process.Send_Signal (Signal);
    end Send_Signal;
 
-   function Exit_Status
-     (Object : in out Supervisor; Within : Duration) return Integer
-   is (Object.Process.Exit_Status (Within));
+   function Exit_Status (Object : in out Supervisor) return Integer is
+     (Object.Process.Exit_Status);
 
    function Log_Length (Object : Supervisor) return Natural is
      (Object.Process.Count (Errors));
@@ -169,13 +186,11 @@ package body Supervisors is
    procedure Expect_Log
      (Object  : Supervisor;
       Pattern : String;
-      Within  : Duration;
       After   : Natural := 0) is
    begin
-      Check_In_Time
-        (Object.Says (Pattern, Within, After),
-         "the supervisor's log lacks """ & Pattern & """ within "
-         & Milliseconds (Within));
+      Check
+        (Object.Says (Pattern, Patience, After),
+         "the supervisor's log lacks """ & Pattern & """");
    end Expect_Log;
 
    function Time_Of
@@ -183,7 +198,7 @@ package body Supervisors is
       return Instant
    is
       Number : constant Natural :=
-        Object.Process.Awaited (Errors, Pattern, 0.0, After);
+        Object.Process.Awaited (Errors, Pattern, After => After);
    begin
       return
         (if Number = 0 then Never
@@ -198,7 +213,7 @@ package body Supervisors is
       Number : Natural := After;
    begin
       loop
-         Number := Object.Process.Awaited (Errors, Pattern, 0.0, Number);
+         Number := Object.Process.Awaited (Errors, Pattern, After => Number);
          exit when Number = 0;
          Result := Result + 1;
       end loop;

@@ -17,10 +17,14 @@ package Supervisors is
       Launcher : String  := "";
       Program  : String  := "";
       Bind     : String  := "127.0.0.1";
-      Within   : Duration := 10.0);
-   --  On a free port of Bind; waits until it listens. Options are separated by
-   --  blanks. Launcher, such as "setpriv --no-new-privs", runs it. Program is
-   --  another copy of it.
+      Port     : Natural := 0);
+   --  On this port of Bind, 0: a free one; waits until it listens. Options are
+   --  separated by blanks. Launcher, such as "setpriv --no-new-privs", runs
+   --  it. Program is another copy of it.
+
+   procedure Be_Patient;
+   --  From now on Start gives --answer-timeout 300, unless Options have one: a
+   --  processor that stands still for 80 ms is no silent robot
 
    procedure Run
      (Object   : in out Supervisor;
@@ -35,8 +39,7 @@ package Supervisors is
       Launcher : String := "";
       Program  : String := "") return String;
    --  All that one with only these options says. Raises Failed unless it ends
-   --  by itself with Status, in the time that F1 allows or --check takes, and
-   --  has not listened
+   --  by itself with Status, in time, and has not listened
 
    procedure Expect_Console
      (Options  : String;
@@ -65,8 +68,7 @@ package Supervisors is
 
    procedure Send_Signal (Object : Supervisor; Signal : int);
 
-   function Exit_Status
-     (Object : in out Supervisor; Within : Duration) return Integer;
+   function Exit_Status (Object : in out Supervisor) return Integer;
 
    function Log_Length (Object : Supervisor) return Natural;
 
@@ -81,9 +83,8 @@ package Supervisors is
    procedure Expect_Log
      (Object  : Supervisor;
       Pattern : String;
-      Within  : Duration;
       After   : Natural := 0);
-   --  Raises Failed unless it Says so
+   --  Waits until it Says so; raises Failed if it never does
 
    function Time_Of
      (Object : Supervisor; Pattern : String; After : Natural := 0)

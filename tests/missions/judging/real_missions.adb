@@ -16,20 +16,16 @@ package body Real_Missions is
    After_The_End : constant Duration := 0.3;
    --  The robot is still watched: it must rest, and nothing more be said
 
-   Patience : constant Duration := 20.0;
-   --  For each point: longer than the supervisor's limit
-
    procedure Begin_Session (R : in out Rigs.Rig; P : Plan) is
       Unused : Message;
    begin
       Rigs.Start_Robot (R, Watchdog => True);
-      R.Monitor.Expect ("COPN", "AACK", Within => 10.0);
-      Unused := R.Monitor.Ask ("CASA", Within => 10.0);
-      Check (Unused.Label = "CIMG", "no arena is found");
+      R.Monitor.Expect ("COPN", "AACK");
+      Rigs.Search_Arena (R);
       R.Monitor.Send_Line ("CACO");
       R.Monitor.Expect ("CPCO", "AACK");
       loop
-         Unused := R.Monitor.Next_Of ("CPOS", Within => 5.0);
+         Unused := R.Monitor.Next_Of ("CPOS");
          exit when Element (Unused.Data, 1) /= '-';
       end loop;
       if P.Faulty then
@@ -124,7 +120,10 @@ package body Real_Missions is
       end loop;
       Begun := Now;
       R.Monitor.Expect (Order (P), "AACK");
-      Ended := R.Monitor.Next_Of ("MEND", Patience * (P.Count + 1));
+      loop
+         Ended := R.Monitor.Next_Of ("MPRG MEND");
+         exit when Ended.Label = "MEND";
+      end loop;
       R.Monitor.Expect_Silence ("MEND MPRG", For_Time => After_The_End);
       declare
          Notes : constant Emulators.Notes := R.Emulator.Journal;
