@@ -268,6 +268,9 @@ package Libc is
       Priority : int;
    end record with Convention => C;
 
+   function Sched_Getscheduler (Thread : int) return int
+   with Import, Convention => C, External_Name => "sched_getscheduler";
+
    function Sched_Setscheduler
      (Thread : int; Policy : int; Param : access Sched_Param) return int
    with Import, Convention => C, External_Name => "sched_setscheduler";

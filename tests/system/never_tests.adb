@@ -379,7 +379,7 @@ package body Never_Tests is
            Answers_Kept_For_A_Stalled_Monitor'Access);
       Add ("Never_Grows_In_Cycles", Flat_Over_Cycles'Access);
       Add ("Never_Keeps_The_Memory_Of_Large_Images",
-           Flat_Over_Large_Images'Access);
+           Flat_Over_Large_Images'Access, Timed => True);
    end Register;
 
 end Never_Tests;

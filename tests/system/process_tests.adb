@@ -575,7 +575,7 @@ package body Process_Tests is
       R.Supervisor.Start
         ("--camera " & R.Emulator.Camera_Url,
          Launcher => As_User, Program => Copy);
-      R.Supervisor.Expect_Log ("real-time priorities: yes");
+      R.Supervisor.Expect_Log ("real-time priorities: FIFO, ceilings");
       Connect (R);
       Open_Camera (R);
       R.Supervisor.Send_Signal (Libc.Sigterm);
@@ -598,49 +598,49 @@ package body Process_Tests is
       R.Monitor.Expect ("ROPN", "AACK");
    end Restarted_At_Once;
 
-   procedure Expect_Ceilings (Launcher : String; Act : Boolean) is
-      --  They act, or do not, as the start says: by a violation. And the
-      --  supervisor says the same in one line, and answers
-      Violation : constant String :=
-        Programs.Temporary_Folder & "/ceiling_violation";
-      Says      : constant String :=
-        (if Act then "yes (FIFO), ceilings act"
-         else "none, ceilings do not act");
-      Test      : Child;
-      R         : Rig;
+   procedure Expect_Priorities (Launcher, Says : String) is
+      --  They act for all tasks or for none, and ceilings do or do not, as the
+      --  start says: by a violation. The supervisor says the same in one line
+      With_Ceilings : constant Boolean := Says = "FIFO, ceilings";
+      Test          : Child;
+      R             : Rig;
+      Real_Time     : Natural;
    begin
-      if not Ada.Directories.Exists (Violation) then
-         Ada.Directories.Copy_File
-           (Programs.Beside ("ceiling_violation"), Violation);
-         Check
-           (Libc.Chmod (To_C (Violation), 8#755#) = 0,
-            "the copy cannot be run");
-      end if;
-      Test.Start ("env", Words (Launcher & " " & Violation));
+      Test.Start
+        ("env",
+         Words (Launcher & " "
+                & Programs.Copied (Programs.Beside ("ceiling_violation"))));
       Check
         (Test.Exit_Status = 0
+         and then Test.Awaited (Output, "said: " & Says) = 1
          and then Test.Awaited
            (Output,
-            "said: " & Says & "; seen: "
-            & (if Act then "Program_Error" else "no exception")) = 1,
+            "seen: "
+            & (if With_Ceilings then "Program_Error" else "no exception")) = 1,
          "not so: " & Launcher);
       R.Supervisor.Start
         (Launcher => Launcher, Program => Programs.Copied_Supervisor);
       Connect (R);
       R.Monitor.Expect ("RPIN", "ANAK");
-      R.Supervisor.Expect_Log
-        ("real-time priorities: " & Says);
+      R.Supervisor.Expect_Log ("real-time priorities: " & Says);
       Check
-        (R.Supervisor.Count_Of ("priorities") = 1
-         and then R.Supervisor.Count_Of ("ceilings") = 1,
+        (R.Supervisor.Count_Of ("priorities") = 1,
          "not in one line: " & R.Supervisor.Log_Text);
-   end Expect_Ceilings;
+      Real_Time := Process_Facts.Real_Time_Threads (R.Supervisor.Pid);
+      Check
+        (Real_Time = (if Index (Says, "FIFO") = 1
+                      then Process_Facts.Threads (R.Supervisor.Pid) else 0),
+         Launcher & ":" & Real_Time'Image & " real-time threads");
+   end Expect_Priorities;
+
+   Not_Permitted : constant String := "none (no CAP_SYS_NICE";
+   Refused       : constant String := "none (refused";
 
    procedure With_Ceilings is
    begin
       Need_Real_Time;
-      Expect_Ceilings ("setpriv --no-new-privs", Act => True);
-      Expect_Ceilings (Programs.As_Service, Act => True);
+      Expect_Priorities ("setpriv --no-new-privs", "FIFO, ceilings");
+      Expect_Priorities (Programs.As_Service, "FIFO, ceilings");
    end With_Ceilings;
 
    procedure Without_Ceilings is
@@ -652,21 +652,64 @@ package body Process_Tests is
       Tool         : Child;
    begin
       if Is_Root then
-         Expect_Ceilings (As_User, Act => False);
-         Expect_Ceilings
+         Expect_Priorities (As_User, Not_Permitted);
+         Expect_Priorities
            ("setpriv --bounding-set=-sys_nice --inh-caps=-sys_nice",
-            Act => False);
+            Not_Permitted);
       else
-         Expect_Ceilings ("env", Act => False);
+         Expect_Priorities ("env", Not_Permitted);
       end if;
       Tool.Start ("env", Words (In_Namespace & "true"));
       if Tool.Exit_Status /= 0 then
          Skip ("no namespace of users can be made here; all else was well");
       end if;
-      Expect_Ceilings (In_Namespace & "--map-root-user", Act => False);
-      Expect_Ceilings
-        (In_Namespace & "--map-user=65534 --keep-caps", Act => False);
+      Expect_Priorities (In_Namespace & "--map-root-user", Refused);
+      Expect_Priorities
+        (In_Namespace & "--map-user=65534 --keep-caps", Refused);
    end Without_Ceilings;
+
+   procedure Refused_By_Filter is
+      --  Nor does --check advise what would not help, and --version needs none
+      Filter : constant String := Programs.Copied
+        (Ada.Directories.Containing_Directory
+           (Ada.Directories.Containing_Directory (Programs.Supervisor))
+         & "/tests/system/refuse_real_time");
+   begin
+      Need_Real_Time;
+      Expect_Priorities (Filter, Refused);
+      Expect_Priorities (Programs.As_Service & " " & Filter, Refused);
+      Supervisors.Expect_Console
+        ("--version", 0, "destijl ", Launcher => Filter);
+      Check
+        (Index
+           (Supervisors.Console ("--check", 1, Launcher => Filter),
+            "run as root") = 0,
+         "--check advises to run as root");
+   end Refused_By_Filter;
+
+   procedure By_Limit is
+      --  By a limit below the tasks' highest priority none has one; by one
+      --  below the highest of Linux there are no ceilings
+      procedure Expect (Limit : Positive; Says : String) is
+      begin
+         Expect_Priorities
+           ("prlimit --rtprio=" & Image (Limit) & ":" & Image (Limit) & " "
+            & As_User, Says);
+      end Expect;
+      Tool : Child;
+   begin
+      Need_Root;
+      Tool.Start ("prlimit", Words ("--rtprio=99:99 true"));
+      if Tool.Exit_Status /= 0 then
+         Skip ("nobody may raise the limit of priorities here");
+      end if;
+      Expect (3, Not_Permitted);
+      Expect (20, Not_Permitted);
+      Expect (35, Not_Permitted);
+      Expect (36, "FIFO, no ceilings");
+      Expect (98, "FIFO, no ceilings");
+      Expect (99, "FIFO, ceilings");
+   end By_Limit;
 
    procedure Console_Blocked is
       --  Nobody reads the log: its pipe is full after 64 kB
@@ -753,6 +796,8 @@ package body Process_Tests is
            Windows_Of_Ordinary_User'Access, Timed => True);
       Add ("Privileges_With_Ceilings", With_Ceilings'Access);
       Add ("Privileges_Without_Ceilings", Without_Ceilings'Access);
+      Add ("Privileges_Refused_By_Filter", Refused_By_Filter'Access);
+      Add ("Privileges_Limited", By_Limit'Access);
       Add ("Never_Waits_For_The_Console", Console_Blocked'Access);
       Add ("Console_Monitor_Drives_The_Robot",
            Console_Monitor'Access);

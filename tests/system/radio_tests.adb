@@ -115,7 +115,7 @@ package body Radio_Tests is
       Check
         (R.Emulator.Count_Of ("w") in 18 .. 22,
          R.Emulator.Count_Of ("w")'Image & " reloads");
-      if R.Supervisor.Says ("real-time priorities: yes") then
+      if R.Supervisor.Says ("real-time priorities: FIFO") then
          Check
            (R.Emulator.Status_Number ("missed_total") <= Missed,
             "missed" & R.Emulator.Status ("missed_total"));

@@ -331,7 +331,7 @@ package body Robot_Tests is
       Check (Reloads >= 58, "only" & Reloads'Image & " reloads");
       --  without real-time priorities deadlines are not guaranteed, but the
       --  robot keeps running
-      if R.Supervisor.Says ("real-time priorities: yes") then
+      if R.Supervisor.Says ("real-time priorities: FIFO") then
          Check (R.Emulator.Status ("missed_total") = "0", "windows missed");
       end if;
       Check
@@ -747,6 +747,7 @@ package body Robot_Tests is
       Add ("F08_Lost_Command", Lost_Command'Access);
       Add ("F12_Movement_Latency", Movement_Latency'Access, Timed => True);
       Add ("F12_Rule_3_Stop_Overtakes", Stop_Overtakes'Access);
+      Add ("F13_Battery_Unasked", Battery_Period'Access);
       Add ("F13_Battery_Period", Battery_Period'Access, Timed => True);
       Add ("Battery_On_Request", Battery_On_Request'Access);
       Add ("State_On_Request", State_On_Request'Access);

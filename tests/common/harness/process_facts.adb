@@ -188,6 +188,20 @@ package body Process_Facts is
       return Result;
    end Thread_Named;
 
+   function Real_Time_Threads (Process : int) return Natural is
+      Result : Natural := 0;
+
+      procedure Count (Thread : String) is
+      begin
+         if Libc.Sched_Getscheduler (int'Value (Thread)) = Libc.Sched_Fifo then
+            Result := Result + 1;
+         end if;
+      end Count;
+   begin
+      For_Each_Entry (Folder (Process) & "/task", Count'Access);
+      return Result;
+   end Real_Time_Threads;
+
    function Thread_Names (Process : int) return String is
       Result : Unbounded_String;
 

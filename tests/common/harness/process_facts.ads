@@ -32,6 +32,9 @@ package Process_Facts is
 
    function Thread_Names (Process : int) return String;
 
+   function Real_Time_Threads (Process : int) return Natural;
+   --  How many of its threads are scheduled as SCHED_FIFO
+
    function Thread_Waits (Process : int) return String;
    --  " name:function" of each thread; function: the kernel function in which
    --  it waits, "0" if it does not wait

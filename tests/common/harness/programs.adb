@@ -69,8 +69,6 @@ package body Programs is
    function With_Sockets return Boolean is (not Terminals);
 
    function Copied (Path : String) return String is
-      --  In the temporary folder, where every user can run or load it, and
-      --  whose path has no blank
       To_Be_Run : constant := 8#755#;
       Copy      : constant String :=
         Compose (Temporary_Folder, Simple_Name (Path));

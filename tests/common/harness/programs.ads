@@ -31,6 +31,10 @@ package Programs is
    function Temporary_Folder return String;
    --  A folder for this run, made at first use, accessible to all users
 
+   function Copied (Path : String) return String;
+   --  A copy in the temporary folder, where every user can run or load it, and
+   --  whose path has no blank
+
    function Copied_Supervisor return String;
    --  A copy in the temporary folder, with its library, that every user can
    --  run
