@@ -72,6 +72,11 @@ package body Unit_Runs is
    begin
       Set_Exit_Status (Failure);
       Run_Suite (Reporter, Results);
+      Ada.Text_IO.Put_Line
+        (Results.Success_Count'Image & " passed,"
+         & Ada_Containers.Count_Type'Image
+           (Results.Failure_Count + Results.Error_Count)
+         & " failed");
       for Number in Known'Range loop
          if not Known (Number) then
             Ada.Text_IO.Put_Line
