@@ -373,20 +373,28 @@ package body Arena_Camera is
          end loop;
       end Make_Wait;
 
-      procedure Next_Image (Length : out Image_Length; Bare : out Boolean) is
-         --  Waits for it. 0: the camera is off, or the viewer has gone.
+      procedure Next_Image
+        (Length : in out Image_Length; Bare : in out Boolean)
+      is
+         --  Waits for it. Where drawing takes more than a second, on a busy
+         --  machine, the last one comes again: a camera has its own processor.
+         --  0: the camera is off, or the viewer has gone.
+         Waited : Natural := 0;
       begin
          loop
             select
                Studio.Next (Who) (Copies (Who), Length, Bare);
                return;
             or
-               delay 0.5;
+               delay 0.6;
                if Is_Gone then
                   Bare   := False;
                   Length := 0;
                   return;
                end if;
+               Waited :=
+                 (if Studio.Current_Mode = On then Waited + 1 else 0);
+               exit when Waited = 2 and then Length > 0;
             end select;
          end loop;
       end Next_Image;
@@ -441,8 +449,8 @@ package body Arena_Camera is
 
       Plain   : constant String := "text/plain";
       Path    : Unbounded_String;
-      Length  : Image_Length;
-      Bare    : Boolean;
+      Length  : Image_Length := 0;
+      Bare    : Boolean := False;
       Allowed : Boolean;
 
    begin

@@ -7,6 +7,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Child_Processes;       use Child_Processes;
 with Expectations;          use Expectations;
+with Instants;              use Instants;
 with Monitor_Clients;       use Monitor_Clients;
 with Process_Facts;
 with Rigs;                  use Rigs;
@@ -331,6 +332,18 @@ package body Never_Tests is
          R.Monitor.Await ("CIMG", Count);
       end Await_Images;
 
+      procedure Change_Size (Size : String) is
+         --  The first one has been drawn
+         Drawn    : constant Natural := R.Emulator.Status_Number ("frames");
+         Deadline : constant Instant := Now + Patience;
+      begin
+         R.Emulator.Tell ("camera size " & Size);
+         while R.Emulator.Status_Number ("frames") < Drawn + 2 loop
+            Check (Now < Deadline, "no image is drawn");
+            delay 0.01;
+         end loop;
+      end Change_Size;
+
    begin
       Assemble (R, Camera => True);
       for Number in 1 .. Before loop
@@ -344,9 +357,9 @@ package body Never_Tests is
          Open_Camera (R, Positions => True);
          --  not faster than a busy processor can keep up with
          R.Emulator.Tell ("camera fps 3");
-         R.Emulator.Tell ("camera size 3840x2160");
+         Change_Size ("3840x2160");
          Await_Images (3);
-         R.Emulator.Tell ("camera size 1600x1200");
+         Change_Size ("1600x1200");
          Await_Images (2);
          R.Emulator.Tell ("camera mend");
          Await_Images (12);

@@ -406,7 +406,7 @@ package body Robot_Tests is
 
    procedure Restarted_Without_Watchdog is new Script
      ("ROPN AACK, RSOW AACK, tell reset-robot, RGFW ACRJ," & Says_Not_Running
-      & " clear, RGFW ACRJ, unused, status state idle, RSOW AACK, RGFW AACK,"
+      & " clear, RGFW ACRJ, wire, status state idle, RSOW AACK, RGFW AACK,"
       & " tell reset-robot, RSTP ACRJ," & Says_Not_Running
       & " status state idle, RSOW AACK, RGFW AACK, RRST AACK,"
       & " status state idle",
