@@ -37,6 +37,18 @@ constexpr int open_limit = 3000;  // milliseconds, of a URL
 constexpr int read_limit = 2000;  // the first image comes after the opening
 constexpr double still_rate = 25.0;  // images a second
 
+// What a URL may be opened with, as options of FFmpeg: streams that contain
+// their images, by protocols that lead to the host of the URL alone. Otherwise
+// whoever answers could name other hosts: by a redirect, or as the segments of
+// a playlist. A user's own (OPENCV_FFMPEG_CAPTURE_OPTIONS) remain.
+const struct {
+  const char *name, *value;
+} url_options[] = {
+    {"protocol_whitelist", "http,https,tls,tcp,udp,rtp"},
+    {"format_whitelist", "mpjpeg,mjpeg,jpeg_pipe,png_pipe,rtsp,rtp,mpegts,h264"
+                         ",hevc,m4v,mpegvideo,mov,matroska,flv,avi"},
+    {"max_redirects", "0"}};
+
 enum class Kind { none, still, video, live };
 
 struct Source {
@@ -215,16 +227,34 @@ thread_local bool is_opening = false;
 // Is called by FFmpeg with each line of its log. The last warning, from the
 // last colon on, is the cause: "Connection to tcp://... failed: Connection
 // refused", "HTTP error 404 Not Found". Of what is no stream it says only that
-// it ends too soon, or nothing.
-void hear_ffmpeg(void *, int level, const char *format, va_list arguments) {
-  constexpr int warning = 24, trace = 56;  // AV_LOG_...
+// it ends too soon or is not on a list, or nothing. A redirect of RTSP, which
+// no option prevents, is announced just before it is followed: from then on no
+// protocol is permitted.
+void hear_ffmpeg(void *context, int level, const char *format,
+                 va_list arguments) {
+  constexpr int warning = 24, information = 32, trace = 56;  // AV_LOG_...
   static const std::string type = "header='Content-Type: ";
-  if (!is_opening || (level > warning && level != trace))
+  static const std::string location = "header='Location: ";
+  static const std::string redirected = "redirected to ";
+  static const auto set_option =
+      of_opencv<int(void *, const char *, const char *, int)>("av_opt_set");
+  if (!is_opening ||
+      (level > warning && level != information && level != trace))
     return;
   char line[300];
   std::vsnprintf(line, sizeof line, format, arguments);
   const std::string text = line;
-  if (level <= warning && text.rfind("Stream ends ", 0) != 0) {
+  if (cause.rfind(redirected, 0) == 0)
+    return;
+  const std::size_t target = text.find(": Redirecting to ");
+  if (strncasecmp(line, location.c_str(), location.size()) == 0) {
+    const std::string value = text.substr(location.size());
+    take_cause(redirected + value.substr(0, value.find('\'')));
+  } else if (level == information && target != std::string::npos) {
+    take_cause(redirected + text.substr(target + 17));
+    set_option(context, "protocol_whitelist", "none", 0);
+  } else if (level <= warning && text.rfind("Stream ends ", 0) != 0 &&
+             text.rfind("Format not ", 0) != 0) {
     const std::size_t colon = text.rfind(": ");
     take_cause(colon == std::string::npos ? text : text.substr(colon + 2));
   } else if (strncasecmp(line, type.c_str(), type.size()) == 0) {
@@ -542,6 +572,21 @@ void av_log_set_callback(decltype(vision::hear_ffmpeg) *log) {
   vision::hears_ffmpeg = set_log != nullptr && log != nullptr && !is_users;
   if (set_log != nullptr)
     set_log(vision::hears_ffmpeg ? vision::hear_ffmpeg : log);
+}
+
+// The same: of a URL, with what it may be opened with.
+int avformat_open_input(void **context, const char *name, const void *format,
+                        void **options) {
+  static const auto open = vision::of_opencv<decltype(avformat_open_input)>(
+      "avformat_open_input");
+  static const auto set =
+      vision::of_opencv<int(void **, const char *, const char *, int)>(
+          "av_dict_set");
+  constexpr int keep = 16;  // AV_DICT_DONT_OVERWRITE
+  if (vision::source().kind == Kind::live)
+    for (const auto &each : vision::url_options)
+      set(options, each.name, each.value, keep);
+  return open(context, name, format, options);
 }
 
 // The same of GStreamer: OpenCV lets it wait for ever, from 4.7 on for 30 s.

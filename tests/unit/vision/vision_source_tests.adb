@@ -269,11 +269,14 @@ package body Vision_Source_Tests is
       return Socket;
    end Bound;
 
-   procedure Check_Http
-     (Reply, Cause : String; Connections : Positive := 1)
+   End_Of_Line : constant String := (1 => ASCII.CR, 2 => ASCII.LF);
+
+   procedure Check_Reply
+     (Reply, Cause : String;
+      Connections  : Positive := 1;
+      Scheme       : String   := "http")
    is
-      End_Of_Line : constant String := (1 => ASCII.CR, 2 => ASCII.LF);
-      Listener    : constant Socket_Type := Bound (Listens => True);
+      Listener : constant Socket_Type := Bound (Listens => True);
 
       task Server;
 
@@ -288,18 +291,26 @@ package body Vision_Source_Tests is
             Accept_Socket (Listener, Client, Address, 10.0, null, Accepted);
             exit when Accepted /= Completed;
             Receive_Socket (Client, Request, Last);
-            String'Write
-              (Stream (Client),
-               "HTTP/1.1 " & Reply & End_Of_Line & End_Of_Line & "<html>");
+            String'Write (Stream (Client), Reply);
             Close_Socket (Client);
          end loop;
       end Server;
    begin
       Check_Cause
-        ("http://admin:secret@" & Image (Get_Socket_Name (Listener)) & "/x?k",
-         "http://...@" & Image (Get_Socket_Name (Listener)) & "/x?...",
+        (Scheme & "://admin:secret@" & Image (Get_Socket_Name (Listener))
+         & "/x?k",
+         Scheme & "://...@" & Image (Get_Socket_Name (Listener)) & "/x?...",
          Cause);
       Close_Socket (Listener);
+   end Check_Reply;
+
+   procedure Check_Http
+     (Reply, Cause : String; Connections : Positive := 1)
+   is
+   begin
+      Check_Reply
+        ("HTTP/1.1 " & Reply & End_Of_Line & End_Of_Line & "<html>", Cause,
+         Connections);
    end Check_Http;
 
    procedure Test_Causes_Of_Streams is
@@ -331,6 +342,60 @@ package body Vision_Source_Tests is
          "Name or service not known");
       Close_Socket (Socket);
    end Test_Causes_Of_Streams;
+
+   procedure Test_Nobody_Else_Is_Asked is
+      --  Whatever the host of the URL answers
+      Other    : constant Socket_Type := Bound (Listens => True);
+      Where    : constant String := Image (Get_Socket_Name (Other));
+      Client   : Socket_Type;
+      Address  : Sock_Addr_Type;
+      Accepted : Selector_Status;
+
+      procedure Check (Reply, Cause : String; Scheme : String := "http") is
+      begin
+         Check_Reply (Reply, Cause, Scheme => Scheme);
+         Accept_Socket (Other, Client, Address, 0.0, null, Accepted);
+         Assert (Accepted = Expired, "the other host was asked: " & Reply);
+      end Check;
+
+      function Document (Kind, Text : String) return String
+      is ("HTTP/1.1 200 OK" & End_Of_Line & "Content-Type: " & Kind
+          & End_Of_Line & End_Of_Line & Text & ASCII.LF);
+   begin
+      for Status in 301 .. 303 loop
+         Check
+           ("HTTP/1.1" & Status'Image & " Moved" & End_Of_Line
+            & "Location: http://k:k@" & Where & "/y?k" & End_Of_Line
+            & "Content-Type: text/html" & End_Of_Line & End_Of_Line,
+            "redirected to http://...@" & Where & "/y?...");
+      end loop;
+      Check
+        ("RTSP/1.0 302 Moved" & End_Of_Line & "CSeq: 1" & End_Of_Line
+         & "Location: rtsp://" & Where & "/y" & End_Of_Line & End_Of_Line,
+         "redirected to rtsp://" & Where & "/y", Scheme => "rtsp");
+      Check
+        (Document
+           ("application/vnd.apple.mpegurl",
+            "#EXTM3U" & ASCII.LF & "#EXT-X-TARGETDURATION:1" & ASCII.LF
+            & "#EXTINF:1," & ASCII.LF & "http://" & Where & "/y.ts"),
+         "HTTP 200 with application/vnd.apple.mpegurl, no stream of images");
+      Check
+        (Document
+           ("application/dash+xml",
+            "<MPD xmlns=""urn:mpeg:dash:schema:mpd:2011"" type=""static"""
+            & " mediaPresentationDuration=""PT9S""><Period><AdaptationSet"
+            & " mimeType=""video/mp4""><Representation id=""1"" bandwidth="
+            & """1""><BaseURL>http://" & Where & "/y.mp4</BaseURL>"
+            & "</Representation></AdaptationSet></Period></MPD>"),
+         "HTTP 200 with application/dash+xml, no stream of images");
+      Check
+        (Document
+           ("text/plain",
+            "ffconcat version 1.0" & ASCII.LF & "file http://" & Where
+            & "/y"),
+         "HTTP 200 with text/plain, no stream of images");
+      Close_Socket (Other);
+   end Test_Nobody_Else_Is_Asked;
 
    procedure Test_Causes_Of_Pipelines is
    begin
@@ -364,6 +429,8 @@ package body Vision_Source_Tests is
       Add_Test ("absent cameras", Test_Refused_Cameras'Access);
       Add_Test ("absent streams", Test_Refused_Streams'Access);
       Add_Test ("the cause: streams", Test_Causes_Of_Streams'Access);
+      Add_Test ("only the host of a URL is asked",
+                Test_Nobody_Else_Is_Asked'Access);
       Add_Test ("the cause: pipelines", Test_Causes_Of_Pipelines'Access);
    end Add_Tests;
 
