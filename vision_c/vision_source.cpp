@@ -362,6 +362,8 @@ bool start(Source &from, int fps) {
     is_open = start_gstreamer(from);
   else
     is_open = from.capture.open(from.name, from.backend);
+  // the device as OpenCV opens it: for no other program
+  close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);
   if (is_open)
     ask_for_jpeg(from, fps);
   return is_open;

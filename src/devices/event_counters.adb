@@ -23,7 +23,7 @@ is
    end Add;
 
    function New_Counter return Counter is
-      Made : constant Counter := Counter (Event_Counter (0, 0));
+      Made : constant Counter := Counter (Event_Counter (0, Event_Blocking));
    begin
       if Made < 0 then
          Console.Put_Log ("destijl: no file descriptor is left for an event");

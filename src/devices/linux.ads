@@ -71,7 +71,16 @@ package Linux with SPARK_Mode => Off is
    function Event_Counter (Initial : unsigned; Flags : int) return int
    with Import, Convention => C, External_Name => "eventfd";
 
-   Event_Non_Blocking : constant int := 8#4000#;  --  EFD_NONBLOCK
+   Event_Blocking     : constant int := 8#2000000#;  --  EFD_CLOEXEC
+   Event_Non_Blocking : constant int := Event_Blocking + 8#4000#;
+   --  EFD_NONBLOCK
+
+   procedure Control (Descriptor : int; Request : unsigned_long)
+   with Import, Convention => C_Variadic_2, External_Name => "ioctl";
+
+   Close_On_Exec : constant unsigned_long := 16#5451#;
+   --  FIOCLEX. For what GNAT's library opens: a program that OpenCV's
+   --  libraries start, such as GStreamer's scanner, inherits nothing
 
    function Own_Process return int
    with Import, Convention => C, External_Name => "getpid";

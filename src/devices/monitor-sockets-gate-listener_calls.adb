@@ -19,12 +19,14 @@ is
       Found   : out Socket;
       Error   : out Integer)
    is
-      function C_Accept (From : Socket; Address, Size : System.Address)
-        return Socket
-      with Import, Convention => C, External_Name => "accept";
+      function C_Accept
+        (From : Socket; Address, Size : System.Address; Flags : int)
+         return Socket
+      with Import, Convention => C, External_Name => "accept4";
       Size : unsigned := Address'Size / 8;
    begin
-      Found := C_Accept (From, Address'Address, Size'Address);
+      Found := C_Accept
+        (From, Address'Address, Size'Address, 8#2000000#);  --  SOCK_CLOEXEC
       Error := GNAT.OS_Lib.Errno;
    end Accept_Next;
 
@@ -99,6 +101,7 @@ is
       begin
          Is_Address := True;
          Create_Socket (Made, Host.Family, Socket_Stream);
+         Control (int (To_C (Made)), Close_On_Exec);
          Set_Socket_Option (Made, Socket_Level, (Reuse_Address, True));
          Bind_Socket (Made, Network_Socket_Address (Host, Port_Type (Port)));
       end;

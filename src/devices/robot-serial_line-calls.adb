@@ -18,9 +18,6 @@ is
    function Is_Terminal_Device (Fd : int) return int
    with Import, Convention => C, External_Name => "isatty";
 
-   function Control (Fd : int; Request : unsigned_long) return int
-   with Import, Convention => C_Variadic_2, External_Name => "ioctl";
-
    Exclusive     : constant := 16#540C#;  --  TIOCEXCL
    Not_Exclusive : constant := 16#540D#;  --  TIOCNXCL
 
@@ -34,6 +31,7 @@ is
       Port : Serial_Port;
    begin
       Open (Port, Port_Name (Path));
+      Control (int (To_C (Port)), Close_On_Exec);
       Result := Outcome (To_C (Port));
    exception
       when others =>
@@ -46,12 +44,11 @@ is
    end Get_Terminal;
 
    procedure Lock (Descriptor : Outcome; Result : out Outcome) is
-      Ignored : int;
    begin
       --  LOCK_EX, LOCK_NB
       Result := Outcome_Of (Ssize (Advise (int (Descriptor), 6)));
       if Result >= 0 then
-         Ignored := Control (int (Descriptor), Exclusive);
+         Control (int (Descriptor), Exclusive);
       end if;
    end Lock;
 
@@ -102,9 +99,8 @@ is
    end Set_Non_Blocking;
 
    procedure Unlock (Descriptor : Outcome) is
-      Ignored : int;
    begin
-      Ignored := Control (int (Descriptor), Not_Exclusive);
+      Control (int (Descriptor), Not_Exclusive);
    end Unlock;
 
    procedure Close (Descriptor : Outcome) is

@@ -3,6 +3,9 @@
 with Interfaces.C;            use Interfaces.C;
 with Linux;                   use Linux;
 with System;                  use System;
+pragma Warnings (Off, "*is an internal GNAT unit");
+with System.OS_Constants;     use System.OS_Constants;
+pragma Warnings (On, "*is an internal GNAT unit");
 with System.Storage_Elements; use System.Storage_Elements;
 
 package body Trace.Calls with
@@ -94,10 +97,14 @@ is
    procedure Open
      (Path : Texts.Text; Flags : Open_Flags; Result : out Outcome)
    is
-      Mode : constant unsigned := 8#644#;
+      Mode      : constant unsigned := 8#600#;
+      No_Follow : constant int :=
+        (if Target_Name < "b" then 8#100000# else 8#400000#);
+      --  O_NOFOLLOW, of ARM and of all others: the link may be anybody's
    begin
       Result := Outcome_Of
-        (Ssize (Open (To_C (Texts.Image (Path)), int (Flags), Mode)));
+        (Ssize (Open (To_C (Texts.Image (Path)), int (Flags) + No_Follow,
+                      Mode)));
    end Open;
 
    procedure Read_Events

@@ -72,8 +72,9 @@ is
    procedure Open
      (Path : Texts.Text; Flags : Open_Flags; Result : out Outcome)
    with Global => (In_Out => System_State);
-   --  To read and write. Does not wait for the other end of a pipe. Result:
-   --  its descriptor
+   --  To read and write; a new one for its owner alone. Does not wait for the
+   --  other end of a pipe, and follows no symbolic link at the end of Path.
+   --  Result: its descriptor
 
    procedure Seek_Start (File : Descriptor; Result : out Outcome)
    with Global => (In_Out => System_State);

@@ -7,6 +7,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
 with Interfaces.C;          use Interfaces.C;
 
+with Child_Processes;
 with Dialogues;             use Dialogues;
 with Expectations;          use Expectations;
 with Libc;
@@ -160,6 +161,9 @@ package body Trace_Tests is
       R.Monitor.Expect ("RGFW", "AACK");
       R.Monitor.Expect ("RSTP", "AACK");
       Open_Camera (R, Positions => True);
+      Check
+        (Process_Facts.Inherited (R.Supervisor.Pid) = "",
+         "inherited:" & Process_Facts.Inherited (R.Supervisor.Pid));
       R.Monitor.Expect ("CASA", "CIMG");
       R.Monitor.Send_Line ("CACO");
       R.Monitor.Expect ("AUTH:" & Token, "ACER");
@@ -241,18 +245,26 @@ package body Trace_Tests is
    end After_A_Failure;
 
    procedure Nothing_Happened is
-      S : Supervisors.Supervisor;
-      T : Trace;
+      S      : Supervisors.Supervisor;
+      Reader : Child_Processes.Child;
+      T      : Trace;
    begin
       S.Start ("--trace " & Trace_Path);
       S.Send_Signal (Libc.Sigint);
       Check (S.Exit_Status = 0, S.Log_Text);
       Read (Trace_Path, T);
+      Reader.Start
+        ("stat", Child_Processes.Words ("-c mode:%a " & Trace_Path));
+      Check
+        (Reader.Awaited
+           (Child_Processes.Output, "mode:600", Within => Writing_Time) > 0,
+         "the trace is readable for others");
       Check_Form (T);
    end Nothing_Happened;
 
    procedure Unusable_Files is
       Path : constant String := Trace_Path & ".new";
+      Link : constant String := Trace_Path & ".link";
 
       procedure Refuse (Path, Reason : String) is
       begin
@@ -267,7 +279,10 @@ package body Trace_Tests is
    begin
       Refuse (Programs.Temporary_Folder & "/none/trace", "No such file");
       Refuse (Programs.Temporary_Folder, "Is a directory");
-      Refuse ("/dev/stdout", "Illegal seek");  --  a pipe, here
+      Refuse ("/dev/ptmx", "Illegal seek");  --  a terminal
+      Check
+        (Libc.Symlink (To_C (Path), To_C (Link)) = 0, "no symbolic link");
+      Refuse (Link, "Too many levels of symbolic links");
       Expect_Console
         ("--check --port 0 --camera /no/such --trace " & Path, 1,
          "ok      trace file " & Path);

@@ -11,7 +11,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from .recordings import make_room
+from .recordings import make_room, opener
 
 MAX_WAITING = 64 * 2**20
 #  Bytes waiting for the disk; above, the recording fails
@@ -81,11 +81,12 @@ class Recording:
             self._end(error.strerror or str(error))
 
     def _write(self) -> None:
-        self._folder.mkdir()
+        self._folder.mkdir(0o750)
+        events = self._folder / "events.jsonl"
         offset = 0
         with (
-            open(self._folder / "events.jsonl", "x", encoding="utf-8") as lines,
-            open(self._folder / "images.mjpeg", "xb") as images,
+            open(events, "x", encoding="utf-8", opener=opener) as lines,
+            open(self._folder / "images.mjpeg", "xb", opener=opener) as images,
         ):
             while make_room(self._folder, self._limit):
                 end = time.monotonic() + FLUSH_PERIOD

@@ -29,6 +29,12 @@ _CSV_LINES = 500
 #  Bytes per read
 
 
+def opener(path: str, flags: int) -> int:
+    """For open, to write: not behind a symbolic link, and not for others to
+    read, whatever the umask."""
+    return os.open(path, flags | os.O_NOFOLLOW, 0o640)
+
+
 class Recordings:
     """Its functions wait for the disk: to be called in a thread."""
 
@@ -58,7 +64,8 @@ class Recordings:
         folder = self._kept(name)
         if folder is None or (folder / _TITLE).is_symlink():
             return False
-        (folder / _TITLE).write_text(title, encoding="utf-8")
+        with open(folder / _TITLE, "w", encoding="utf-8", opener=opener) as file:
+            file.write(title)
         return True
 
     def delete(self, name: str) -> bool:

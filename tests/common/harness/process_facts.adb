@@ -133,6 +133,28 @@ package body Process_Facts is
       return Target (1 .. Natural (long'Max (0, Size)));
    end Open_File;
 
+   function Inherited (Process : int) return String is
+      Result : Unbounded_String;
+
+      procedure Judge (Name : String) is
+         Close_On_Exec : constant := 8#2000000#;
+         Flags : constant String :=
+           Field (Folder (Process) & "/fdinfo/" & Name, "flags");
+      begin
+         if Natural'Value (Name) > 2 and then Flags /= ""
+           and then Natural'Value ("8#" & Flags & "#") / Close_On_Exec mod 2
+                    = 0
+         then
+            Append
+              (Result,
+               " " & Name & ":" & Open_File (Process, Natural'Value (Name)));
+         end if;
+      end Judge;
+   begin
+      For_Each_Entry (Folder (Process) & "/fd", Judge'Access);
+      return To_String (Result);
+   end Inherited;
+
    function Has_Mapped (Process : int; Path : String) return Boolean is
       File  : File_Type;
       Found : Boolean := False;

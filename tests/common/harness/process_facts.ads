@@ -23,6 +23,10 @@ package Process_Facts is
    --  The file behind it, as the kernel names it: a path, "pipe:[123]"; "" if
    --  closed
 
+   function Inherited (Process : int) return String;
+   --  Which of its files, but the standard streams, a program that it started
+   --  would inherit: " number:file" of each
+
    function Has_Mapped (Process : int; Path : String) return Boolean;
    --  A file, such as a library
 

@@ -2,6 +2,7 @@
 """Sessions that are recorded, and given back."""
 
 import json
+import os
 import resource
 import threading
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import Any
 import pytest
 from destijl_web import recording
 from destijl_web.recording import Recording
-from destijl_web.recordings import CSV_HEAD, Recordings, csv_pieces
+from destijl_web.recordings import CSV_HEAD, Recordings, csv_pieces, opener
 from helpers import LIMIT, TOKENS, World, jpeg, until, world
 
 
@@ -175,6 +176,30 @@ async def test_named_and_deleted(tmp_path: Path) -> None:
         assert await ask("DELETE", OLD[0]) == 204
         assert not old.exists()
         assert await titles() == {active: ""}
+
+
+async def test_not_for_others(tmp_path: Path) -> None:
+    """Whatever the umask; nor is anything written behind a symbolic link."""
+    folder = tmp_path / "recordings"
+    folder.mkdir()
+    umask = os.umask(0)
+    try:
+        async with world(record=folder) as w:
+            await w.page()
+            name = w.service.hub.state["recording"]
+    finally:
+        os.umask(umask)
+    assert Recordings(folder).entitle(name, "one")
+    made = folder / name
+    assert made.stat().st_mode & 0o777 == 0o750
+    assert len(list(made.iterdir())) == 3
+    assert all(file.stat().st_mode & 0o137 == 0 for file in made.iterdir())
+    (made / "title.txt").unlink()
+    (made / "title.txt").symlink_to(tmp_path / "other")
+    with pytest.raises(OSError, match="symbolic links"):
+        opener(str(made / "title.txt"), os.O_WRONLY)
+    assert not Recordings(folder).entitle(name, "two")
+    assert not (tmp_path / "other").exists()
 
 
 @pytest.mark.parametrize(
