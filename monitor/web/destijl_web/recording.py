@@ -2,16 +2,19 @@
 """A session written to a folder, by a separate thread: a slow disk delays no
 order."""
 
+import contextlib
+import itertools
 import json
+import os
 import queue
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from .recordings import make_room, opener
+from .recordings import make_room, opener, place
 
 MAX_WAITING = 64 * 2**20
 #  Bytes waiting for the disk; above, the recording fails
@@ -33,7 +36,7 @@ class Recording:
         """Limit: bytes of all recordings in the folder. Failed is called in the
         thread, once at most."""
         self._begun = time.monotonic()
-        self.name = _new_name()
+        self.name = _new_name(folder)
         self._folder = folder / self.name
         self._limit = limit
         self._failed = failed
@@ -111,6 +114,15 @@ class Recording:
             self._end("the limit of its folder is reached: --record-limit")
 
 
-def _new_name() -> str:
+_numbers: dict[Path, Iterator[int]] = {}
+#  Of the next recordings. Only the first of a process reads its folder
+
+
+def _new_name(folder: Path) -> str:
+    if folder not in _numbers:
+        with contextlib.suppress(OSError):  # it fails later, and says so
+            last = max((place(name)[0] for name in os.listdir(folder)), default=0)
+            _numbers[folder] = itertools.count(last + 1)
+    number = next(_numbers.get(folder, itertools.count(1)))
     now = datetime.now(UTC)
-    return now.strftime("%Y%m%dT%H%M%S.") + f"{now.microsecond // 1000:03d}Z"
+    return f"{number:06d}-{now:%Y%m%dT%H%M%S}.{now.microsecond // 1000:03d}Z"

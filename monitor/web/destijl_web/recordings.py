@@ -10,7 +10,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-_NAME = re.compile(r"[0-9]{8}T[0-9]{6}\.[0-9]{3}Z")
+_NAME = re.compile(r"(?:([0-9]{6})-)?([0-9]{8}T[0-9]{6}\.[0-9]{3}Z)")
+#  Number and beginning
 
 _TAIL = 65536
 #  Bytes at the end in which the last complete line is searched
@@ -27,6 +28,13 @@ CSV_HEAD = "time_ms,id,angle_deg,x_px,y_px,dx_px,dy_px\n"
 _CSV_FIELDS = ("t", "id", "angle", "x", "y", "dx", "dy")
 _CSV_LINES = 500
 #  Bytes per read
+
+
+def place(name: str) -> tuple[int, str]:
+    """Where it is in the order of the recordings: by their numbers, for a machine
+    without a clock begins in 1970, later than in 2026. 0: a name without one."""
+    found = _NAME.fullmatch(name)
+    return (int(found[1] or 0), found[2]) if found else (0, "")
 
 
 def opener(path: str, flags: int) -> int:
@@ -51,7 +59,7 @@ class Recordings:
                     found.append(self._summary(entry.name) | title)
                 except OSError:
                     continue
-        return sorted(found, key=lambda one: str(one["name"]), reverse=True)
+        return sorted(found, key=lambda one: place(one["name"]), reverse=True)
 
     def file(self, name: str, which: str) -> Path | None:
         """The file events.jsonl or images.mjpeg."""
@@ -86,11 +94,13 @@ class Recordings:
         size = lines + (self._folder / name / "images.mjpeg").stat().st_size
         known = self._known.get(name)
         if known is None or known[0] != size:
-            start = datetime.strptime(name, "%Y%m%dT%H%M%S.%fZ")
+            number, begun = place(name)
+            start = datetime.strptime(begun, "%Y%m%dT%H%M%S.%fZ")
             known = (
                 size,
                 {
                     "name": name,
+                    "number": number,
                     "start": round(start.replace(tzinfo=UTC).timestamp() * 1000),
                     "duration": _duration(events),
                     "images": _images(events),
@@ -105,9 +115,12 @@ def make_room(writing: Path, limit: int) -> bool:
     """Deletes the oldest recordings without a title beside the one that is being
     written, until all are limit bytes at most. False: they are still more."""
     others = sorted(
-        path
-        for path in writing.parent.iterdir()
-        if _NAME.fullmatch(path.name) and not path.is_symlink() and path.is_dir()
+        (
+            path
+            for path in writing.parent.iterdir()
+            if _NAME.fullmatch(path.name) and not path.is_symlink() and path.is_dir()
+        ),
+        key=lambda path: place(path.name),
     )
     total = sum(map(_bytes, others))
     for path in others:

@@ -303,7 +303,7 @@ export class Recordings {
   }
 
   row(one) {
-    const begun = day(one.start);
+    const begun = (one.number ? `${one.number} · ` : "") + day(one.start);
     const row = document.createElement("tr");
     row.dataset.recording = one.name;
     for (const text of [begun, time(one.duration), number(one.images), size(one.bytes)]) {

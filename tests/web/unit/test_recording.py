@@ -5,13 +5,20 @@ import json
 import os
 import resource
 import threading
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
 import pytest
 from destijl_web import recording
 from destijl_web.recording import Recording
-from destijl_web.recordings import CSV_HEAD, Recordings, csv_pieces, opener
+from destijl_web.recordings import (
+    CSV_HEAD,
+    Recordings,
+    csv_pieces,
+    make_room,
+    opener,
+)
 from helpers import LIMIT, TOKENS, World, jpeg, until, world
 
 
@@ -96,6 +103,7 @@ async def test_what_is_given(tmp_path: Path) -> None:
         assert listed[1] == {
             "name": name,
             "title": "",
+            "number": 1,
             "start": listed[1]["start"],
             "duration": last["t"],
             "images": 5,
@@ -176,6 +184,44 @@ async def test_named_and_deleted(tmp_path: Path) -> None:
         assert await ask("DELETE", OLD[0]) == 204
         assert not old.exists()
         assert await titles() == {active: ""}
+
+
+def test_the_order_without_a_clock(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By number, also across restarts; two of the same millisecond are two."""
+
+    class Clock(datetime):
+        year_now = 1970
+
+        @classmethod
+        def now(cls, tz: Any = None) -> "Clock":
+            return cls(cls.year_now, 1, 1, tzinfo=tz)
+
+    def failed(_: Recording, reason: str) -> None:
+        raise AssertionError(reason)
+
+    def record() -> str:
+        one = Recording(tmp_path, 10**9, failed)
+        one.put("state", {})
+        one.close()
+        one.join()
+        return one.name
+
+    monkeypatch.setattr(recording, "datetime", Clock)
+    stored(tmp_path, OLD[0])
+    names = [OLD[0], record(), record()]
+    Clock.year_now = 2026
+    names.append(record())
+    recording._numbers.clear()  # as after a restart
+    Clock.year_now = 1970
+    names.append(record())
+    found = Recordings(tmp_path).all()
+    assert [one["name"] for one in reversed(found)] == names
+    assert [one["number"] for one in reversed(found)] == [0, 1, 2, 3, 4]
+    assert make_room(tmp_path / names[-1], sum(one["bytes"] for one in found[:-2]))
+    assert not (tmp_path / names[1]).exists()
+    assert (tmp_path / names[2]).exists()
 
 
 async def test_not_for_others(tmp_path: Path) -> None:
