@@ -25,6 +25,14 @@ def test_a_whole_release(tmp_path: Path) -> None:
         cmp $tarball {tmp_path}/kept""")
 
 
+def test_an_older_index_is_no_fault() -> None:
+    """As script/alire-index is for alr 2."""
+    copy = fresh()
+    index = "script/alire-index/index.toml"
+    copy.change(f"""sed -i 's/^version = .*/version = "1.1.0"/' {index}; commit""")
+    copy.passes("script/release", "crate")
+
+
 @pytest.mark.parametrize(
     ("change", "words"),
     [
