@@ -2,6 +2,7 @@
 --  The token that monitors must send if one is required (--token), and the
 --  first line of a client, which carries it: AUTH:<token>.
 
+with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Interfaces;
 with Texts;
 
@@ -143,12 +144,13 @@ package Admission.Authentication with SPARK_Mode is
 
    function Is_Label_End (Line : String; I : Positive) return Boolean is
      (I - Line'First >= Label'Length - 1
-      and then Line (I - 4) = Label (1)
-      and then Line (I - 3) = Label (2)
-      and then Line (I - 2) = Label (3)
-      and then Line (I - 1) = Label (4)
+      and then To_Upper (Line (I - 4)) = Label (1)
+      and then To_Upper (Line (I - 3)) = Label (2)
+      and then To_Upper (Line (I - 2)) = Label (3)
+      and then To_Upper (Line (I - 1)) = Label (4)
       and then Line (I) = Label (5))
    with Pre => I in Line'Range;
+   --  Also of a label in small letters, which is none, as somebody types it
 
    function Shown_Length (Line : String) return Natural
    with

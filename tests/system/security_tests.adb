@@ -609,6 +609,7 @@ package body Security_Tests is
       Try (Good_Line & "what" & LF & Good_Line & Good_Line);
       Try (Good_Line & "x" & Good_Line);
       Try (Good_Line & "MSSG:" & Good_Line);
+      Try (Good_Line & "auth:" & Token & LF);
       Try (Good_Line & "RMOV:AUTH:" & Token & "AUTH:" & Token & LF);
       Expect_Secret (S);
       Check

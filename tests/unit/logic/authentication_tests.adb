@@ -167,6 +167,8 @@ package body Authentication_Tests is
       Expect_Shown ("AUTH:", "AUTH:...");
       Expect_Shown ("AUTH:AUTH:secret", "AUTH:...");
       Expect_Shown ("xAUTH:secret", "xAUTH:...");
+      Expect_Shown ("auth:secret", "auth:...");
+      Expect_Shown ("xAuTh:secret", "xAuTh:...");
       Expect_Shown ("MSSG:AUTH:secret", "MSSG:AUTH:...");
       Expect_Shown ("AUTAUTH:secret", "AUTAUTH:...");
       Expect_Shown ("RPIN", "RPIN");
