@@ -93,6 +93,30 @@ def test_licences_of_debian_are_read() -> None:
     assert licences["libc6"] == "NOASSERTION"
 
 
+def test_the_gateway_depends_on_python_and_aiohttp() -> None:
+    status, text = sbom(ROOT / "README.md", ROOT / "bin/destijl_web")
+    assert status == 0, text
+    (file,) = json.loads(text)["files"]
+    assert (file["fileName"], file["fileTypes"]) == ("./destijl_web", ["TEXT"])
+    packages = {one["name"]: one for one in json.loads(text)["packages"]}
+    installed = subprocess.run(
+        ["dpkg-query", "-W", "-f=${Version}", "python3-aiohttp"],
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+    assert packages["python3-aiohttp"]["versionInfo"] == installed
+    names = " ".join(packages)
+    for wanted in (r"python3\.\d+-minimal", r"libpython3\.\d+-stdlib", "libssl3"):
+        assert re.search(wanted, names)
+    (cause,) = re.findall(
+        "Depends:.* python3-aiohttp .*", (ROOT / "debian/control").read_text()
+    )
+    least = re.findall(r"\(>= (.*)\)", cause)
+    compare = ["dpkg", "--compare-versions", "3.8.4-1+deb12u1", "lt", *least]
+    assert subprocess.run(compare, check=False).returncode == 0
+
+
 def test_the_same_bill_again(text: str, tmp_path: Path) -> None:
     file = tmp_path / "bill"
     file.write_text(text)
