@@ -338,6 +338,7 @@ package body Admission.Newcomers with SPARK_Mode is
       Success : out Boolean;
       Reason  : out Texts.Text)
    is
+      Credentials : constant String := "/run/credentials/";
       Data   : String (1 .. 256);
       Length : Natural;
       Mode   : Admission.Authentication.File_Mode;
@@ -367,6 +368,14 @@ package body Admission.Newcomers with SPARK_Mode is
               (Reason,
                "others than its owner can read or write it (chmod go= it)");
          end if;
+      end if;
+      if not Success and then Path.Length > Credentials'Length
+        and then Path.Data (Credentials'Range) = Credentials
+      then
+         Texts.Append
+           (Reason,
+            ". It is systemd's copy of the file to mend, "
+            & "/etc/destijl/token unless LoadCredential= names another");
       end if;
    end Load_Token;
 

@@ -295,6 +295,10 @@ package body Security_Tests is
       Refuse (Programs.Temporary_Folder & "/no_such_file", "No such file",
               Checked => True);
       Refuse (Programs.Temporary_Folder, "Is a directory");
+      Refuse
+        ("/run/credentials/none/token",
+         "No such file or directory. It is systemd's copy of the file to "
+         & "mend, /etc/destijl/token");
       Refuse (Token_File (Mode => 8#660#), Not_Alone);
       Refuse (Token_File (Mode => 8#620#), Not_Alone);
       Refuse (Token_File (Mode => 8#604#), Not_Alone, Checked => True);
