@@ -28,7 +28,7 @@ inline void prepare_process() {
   if (std::getenv("OPENCV_FFMPEG_LOGLEVEL") == nullptr)
     setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
   if (std::getenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT") == nullptr)
-    setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "2", 0);  // seconds
+    setenv("OPENCV_VIDEOIO_V4L_SELECT_TIMEOUT", "3", 0);  // seconds
   // The memory is locked, so the C library can return only separately mapped
   // blocks (see keep_memory_for) and the top of its first heap: any other heap
   // would keep its largest size.

@@ -34,7 +34,9 @@ namespace vision {
 namespace {
 
 constexpr int open_limit = 3000;  // milliseconds, of a URL
-constexpr int read_limit = 2000;  // the first image comes after the opening
+// Longer than the 2.5 s after which the supervisor closes a silent camera, so
+// that it says why; the first image comes after the opening.
+constexpr int read_limit = 3000;
 constexpr double still_rate = 25.0;  // images a second
 
 // What a URL may be opened with, as options of FFmpeg: streams that contain

@@ -478,6 +478,12 @@ package body Camera_Tests is
       & " silence 0.7 CIMG MSSG, CPCO ANAK, RPIN ANAK, tell camera on, "
       & With_Positions & ", CCLS AACK", Camera => True);
 
+   procedure Camera_Stalls_For_A_Time is new Script
+     (With_Images & ", tell camera stall, comes "
+      & "MSSG:camera closed: it has delivered nothing for 2.5 s",
+      Camera => True);
+   --  A URL is not given up before
+
    procedure Camera_Goes is new Script
      (With_Positions & ", tell camera off, comes "
       & "MSSG:camera closed: it delivers no images any more,"
@@ -735,6 +741,8 @@ package body Camera_Tests is
       Add ("F14_Still_Image_As_Camera", Still_Image'Access);
       Add ("F16_No_Image_After_Close", No_Image_After_Close'Access);
       Add ("F15_Camera_Stops_Delivering", Camera_Stalls'Access);
+      Add ("F15_Camera_Silent_For_A_Time", Camera_Stalls_For_A_Time'Access,
+           Timed => True);
       Add ("F15_Camera_Goes_Away", Camera_Goes'Access);
       Add ("F17_Arena_Confirmed_Or_Rejected", Arena_Decided'Access);
       Add ("F17_F18_Drawn_As_Asked", Drawn_As_Asked'Access);
