@@ -88,6 +88,10 @@ procedure Destijl_Monitor is
    procedure Carry_Out (Given : Words.Action; Where : String) is
       Text : constant String := To_String (Given.Text);
       Done : Boolean;
+
+      function Last return String is
+        (if Connections.Last_Answer = "" then "missing"
+         else Connections.Last_Answer);
    begin
       case Given.Kind is
          when Words.Nothing =>
@@ -100,6 +104,14 @@ procedure Destijl_Monitor is
             delay Given.Seconds;
 
          when Words.Wait_Message =>
+            --  what was refused brings no message
+            if Scripted and then Last /= "missing"
+              and then not Words.Is_Acknowledged (Last)
+            then
+               Fail
+                 (Where & "no " & Words.Name (Given.Awaited)
+                  & ": the last answer is " & Last);
+            end if;
             Connections.Await (Given.Awaited, Done);
             if not Done then
                Fail
@@ -118,8 +130,7 @@ procedure Destijl_Monitor is
             if not Words.Is_As_Expected (Connections.Last_Answer, Text) then
                Fail
                  (Where & "expected " & Text & ", the last answer is "
-                  & (if Connections.Last_Answer = "" then "missing"
-                     else Connections.Last_Answer));
+                  & Last);
             end if;
 
          when Words.Save =>

@@ -131,7 +131,8 @@ package body Words is
       Put_Entry ("wait S", "S seconds, decimals allowed");
       Put_Entry ("wait WHAT", "for the next image, position, battery, or");
       Put_Entry ("", "robot (a position with a robot in it); wait mission:");
-      Put_Entry ("", "for its end, fail if it was aborted");
+      Put_Entry ("", "for its end, fail if it was aborted. In a script fail");
+      Put_Entry ("", "at once if the last command was refused");
       Put_Entry ("expect ANSWER", "fail unless it was the last: AACK, RBLV:2");
       Put_Entry ("try N COMMAND", "up to N times, 200 ms apart, until it is");
       Put_Entry ("", "acknowledged");

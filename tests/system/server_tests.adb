@@ -464,6 +464,24 @@ package body Server_Tests is
       Expect ("debug", True, True, True);
    end Log_Levels;
 
+   procedure Console_Does_Not_Wait_In_Vain is
+      S    : Supervisor;
+      Tool : Child;
+   begin
+      S.Start;
+      Tool.Start
+        (Programs.Monitor,
+         Words ("--script - --port" & Positive'Image (S.Port)),
+         "console monitor");
+      Tool.Put_Line ("go 40;30");
+      Tool.Put_Line ("wait mission");
+      Check
+        (Tool.Awaited
+           (Errors, "no mission: the last answer is ANAK", 10.0) > 0,
+         "it waits for a mission that was refused");
+      Check (Tool.Exit_Status (Within => 10.0) = 1, "exit status");
+   end Console_Does_Not_Wait_In_Vain;
+
    procedure Register is
    begin
       Add ("F01_Listens_And_Says_So", Listens'Access);
@@ -482,6 +500,8 @@ package body Server_Tests is
       Add ("Options_Version", Options_Version'Access);
       Add ("Options_Not_Heard", Not_Heard'Access);
       Add ("Options_Log_Levels", Log_Levels'Access);
+      Add ("Options_Console_Does_Not_Wait_In_Vain",
+           Console_Does_Not_Wait_In_Vain'Access);
       Add ("Check_All_Well", Check_All_Well'Access);
       Add ("Check_Nothing_Well", Check_Nothing_Well'Access);
    end Register;
