@@ -368,7 +368,7 @@ package body Child_Processes is
       --  Its last output is still being read; with a limit, as a grandchild
       --  may hold the pipe
       for From in Stream loop
-         for Attempt in 1 .. 500 loop
+         for Attempt in 1 .. 5_000 loop
             exit when Object.Inner.Readers (From)'Terminated
               or else Object.Inner.Lists (From).Ignored;
             delay 0.001;
