@@ -477,9 +477,9 @@ package body Server_Tests is
       Tool.Put_Line ("wait mission");
       Check
         (Tool.Awaited
-           (Errors, "no mission: the last answer is ANAK", 10.0) > 0,
+           (Errors, "no mission: the last answer is ANAK", Patience) > 0,
          "it waits for a mission that was refused");
-      Check (Tool.Exit_Status (Within => 10.0) = 1, "exit status");
+      Check (Tool.Exit_Status = 1, "exit status");
    end Console_Does_Not_Wait_In_Vain;
 
    procedure Register is

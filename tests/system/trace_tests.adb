@@ -257,7 +257,7 @@ package body Trace_Tests is
         ("stat", Child_Processes.Words ("-c mode:%a " & Trace_Path));
       Check
         (Reader.Awaited
-           (Child_Processes.Output, "mode:600", Within => Writing_Time) > 0,
+           (Child_Processes.Output, "mode:600", Within => Patience) > 0,
          "the trace is readable for others");
       Check_Form (T);
    end Nothing_Happened;
