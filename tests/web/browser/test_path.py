@@ -9,14 +9,14 @@ from pathlib import Path
 
 from conftest import Visitors
 from selenium.webdriver.common.keys import Keys
-from stand import Stand, await_, held, pixel
+from stand import Stand, await_, held, patient_gateway, pixel
 
 
 def test_path(stands: Callable[..., Stand], visitors: Visitors, tmp_path: Path) -> None:
     """Start, a key, Space, the arena, a mission, its replay. No time is measured."""
     folder = tmp_path / "recordings"
     folder.mkdir()
-    stand = stands("--record", folder)
+    stand = stands("--record", folder, program=patient_gateway(tmp_path))
     x, y, _ = stand.emulator.pose
     page = visitors.open(stand.address)
     page.start()
