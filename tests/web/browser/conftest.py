@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from stand import ROOT, Browser, Page, Stand
+from stand import ROOT, Browser, Page, Stand, be_alone
 
 
 @pytest.fixture(scope="session")
@@ -21,6 +21,7 @@ def browsers(
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Iterator[Callable[[int], Browser]]:
     """Chromium number N, which is another user's than number M."""
+    be_alone()
     made: dict[int, Browser] = {}
 
     def browser(number: int) -> Browser:
