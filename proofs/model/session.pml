@@ -77,6 +77,7 @@ active proctype Th_Server ()
    do
    ::
    /*: delay */
+   known = Free;
 end_wait:
    /*: Gate.Wait */
    if
@@ -126,8 +127,7 @@ end_wait:
       Set_Event (Monitor_Session_Receive_Begins);
       atomic { peer = 0; Set_Event (Monitor_Session_Watch_Begins) };
 next: skip
-   od;
-   known = Free
+   od
    od
 }
 

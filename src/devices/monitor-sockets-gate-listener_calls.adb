@@ -36,15 +36,11 @@ is
    is
       Port : constant Port_Type := Port_Type
         (From.Port mod 256 * 256 + From.Port / 256);  --  network byte order
-      V4   : Inet_Addr_V4_Type;
-      V6   : Inet_Addr_V6_Type;
+      V4   : constant Inet_Addr_V4_Type
+      with Import, Address => From.Host_V4'Address;
+      V6   : constant Inet_Addr_V6_Type
+      with Import, Address => From.Host_V6'Address;
    begin
-      for I in V4'Range loop
-         V4 (I) := Inet_Addr_Comp_Type (From.Host_V4 (I));
-      end loop;
-      for I in V6'Range loop
-         V6 (I) := Inet_Addr_Comp_Type (From.Host_V6 (I));
-      end loop;
       Texts.Set
         (Peer,
          Image (if From.Family = Admission.Networks.Inet_Family
