@@ -70,34 +70,18 @@ inline Close_Session () {
 active proctype Th_Server ()
 {
    byte peer;
-   bool look;
    mtype:stage known = Free;
    /*: whole */
    Wait_Event (Monitor_Session_Server_Allowed);
    Set_Event (Monitor_Session_Listening);
    do
    ::
-   /* Get_Next: has one been kept until the end of a session? */
    /*: delay */
-   if
-   :: atomic { Waits > 0 ->
-      /*: Session.State.Get */
-#ifndef MUTANT_NEWCOMER_FORGOTTEN
-               look = (Stage == Free || Stage == Active)
-#endif
-      }
-   :: atomic { Waits == 0 -> skip }
-   fi;
+   known = Free;
 end_wait:
    /*: Gate.Wait */
    if
-   :: atomic { Waker -> Waker = false; look = false };
-      /*: Session.State.Get */
-      if
-      :: Stage == Closed -> Close_Session ()
-      :: else
-      fi;
-      goto turn
+   :: atomic { Waker -> Waker = false }
    :: atomic {
          !Waker && len (Backlog) > 0 -> Backlog ? peer;
          /* whose address or token is not right, or does not come in time,
@@ -108,11 +92,18 @@ end_wait:
          fi;
          peer = 0
       }
-   :: atomic { look -> skip }
    fi;
-   /* Get_Reception, once a turn; Decide: of one after the other */
+   /* Get_Reception, once a turn; Settle: of one after the other */
    /*: Session.State.Get */
-   atomic { known = Stage; look = false };
+   known = Stage;
+   if
+   :: known == Closed ->
+      Close_Session ();
+#ifndef MUTANT_NEWCOMER_FORGOTTEN
+      known = Free
+#endif
+   :: else
+   fi;
    do
    :: atomic { Waits == 0 || known == Closing || known == Closed -> break }
    :: atomic { Waits > 0 && known == Active ->
@@ -128,7 +119,7 @@ end_wait:
             goto next
          fi
       };
-      /*: Gate.Admit */
+      /*: Connection.Take_Over */
       atomic { assert (Current == 0); Current = peer };
       /*: Box.Open_Session */
       Monitor_Outbox_Open = true;
@@ -136,9 +127,7 @@ end_wait:
       Set_Event (Monitor_Session_Receive_Begins);
       atomic { peer = 0; Set_Event (Monitor_Session_Watch_Begins) };
 next: skip
-   od;
-turn:
-   known = Free
+   od
    od
 }
 

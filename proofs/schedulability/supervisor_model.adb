@@ -346,7 +346,7 @@ package body Supervisor_Model with SPARK_Mode is
                --  the longest line
                when Stop => 5,
                when Console => 2,
-               when Newcomer => Schedule.Hearings_Per_Turn + 3,
+               when Newcomer => Schedule.Refusals_Logged + 4,
                when others => 0));
 
    procedure Fill
@@ -449,7 +449,7 @@ package body Supervisor_Model with SPARK_Mode is
               (case A is
                   --  the last of its lines of the log
                   when Newcomer  => Budget_Of (A, On)
-                    / (Schedule.Hearings_Per_Turn + 3),
+                    / (Schedule.Refusals_Logged + 4),
                   when Send_Look => Budget_Of (A, On) / 2,
                   when others    => 0),
             Blocking  => 0);

@@ -263,21 +263,16 @@ package Schedule with SPARK_Mode is
    --  Cortex-A53 (proofs/schedulability). A client with a token needs two
    --  turns within 50 ms (F2)
    Newcomers_Per_Turn : constant := 10;
-   --  accepted, read or rejected in a turn at most. The kernel's queue of 512
-   --  is empty after half a second
-   Hearings_Per_Turn : constant := 3;
-   --  at most so many of these were pending before the turn; and at most so
-   --  many rejections get a log line each
-   Block_Time        : constant Time_Span := Milliseconds (900);
-   --  for sources that flood, from when the last was found to. Less than the
-   --  second after which the kernel of a monitor at such an address retries
-   Release_Interval  : constant Time_Span := Milliseconds (100);
-   --  then, from one to the next: one at a time, as a queue filled by several
-   --  hides all but the first until that one's connections are served
-   Refusal_Pause     : constant Time_Span := Milliseconds (1000);
-   --  without a rejection: then each rejection is logged again
+   --  accepted or read in a turn at most. The kernel's queue of 512 is empty
+   --  after half a second
+   Refusals_Logged   : constant := 3;
+   Refusal_Interval  : constant Time_Span := Milliseconds (1000);
+   --  at most so many rejections get a line in the log in this time; the
+   --  others are counted
    Token_Limit       : constant Time_Span := Milliseconds (2000);
    --  for the first line of a client, if a token is required
+   Pending_Period    : constant Time_Span := Milliseconds (100);
+   --  th_server looks this often whether it is over
    Trace_Limit       : constant Time_Span := Milliseconds (2000);
    --  to write the file of --trace; with Stop_Limit and Console_Limit less
    --  than TimeoutStopSec of the systemd unit

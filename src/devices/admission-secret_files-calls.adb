@@ -9,41 +9,34 @@ package body Admission.Secret_Files.Calls with
 is
    --  Off: addresses are passed to C
 
-   Of_The_File  : constant int := 16#1000#;         --  AT_EMPTY_PATH
-   Wanted       : constant unsigned := 16#000B#;
+   Of_The_File : constant int := 16#1000#;       --  AT_EMPTY_PATH
+   Wanted      : constant unsigned := 16#000B#;
    --  STATX_TYPE, STATX_MODE, STATX_UID
 
-   procedure Open (Path : String; Result : out Outcome) is
-   begin
-      Result := Outcome_Of (Ssize (Open_File (To_C (Path), To_Read_Only)));
-   end Open;
-
-   procedure Get_Status
-     (File   : Outcome;
+   procedure Read
+     (Path   : String;
+      Data   : in out String;
       Mode   : out Admission.Authentication.File_Mode;
       Owner  : out Admission.Authentication.User_Number;
-      Result : out Outcome)
+      Result : out Integer)
    is
       Status : File_Status := (others => 0);
+      File   : constant int := Open_File (To_C (Path), To_Read_Only);
    begin
-      Result := Outcome_Of
-        (Ssize (Status_Of
-           (int (File), To_C (""), Of_The_File, Wanted, Status'Address)));
+      Result := Outcome_Of (Ssize (File));
+      if File >= 0 then
+         Result := Outcome_Of
+           (Ssize (Status_Of
+              (File, To_C (""), Of_The_File, Wanted, Status'Address)));
+         if Result >= 0 then
+            Result := Outcome_Of
+              (Ssize'Min (Linux.Read (File, Data'Address, Data'Length),
+                          Data'Length));
+         end if;
+         Linux.Close (File);
+      end if;
       Mode := Admission.Authentication.File_Mode'Mod (Status (8));
       Owner := Status (6);
-   end Get_Status;
-
-   procedure Read
-     (File : Outcome; Data : in out String; Result : out Outcome) is
-   begin
-      Result := Outcome_Of
-        (Ssize'Min
-           (Linux.Read (int (File), Data'Address, Data'Length), Data'Length));
    end Read;
-
-   procedure Close (File : Outcome) is
-   begin
-      Linux.Close (int (File));
-   end Close;
 
 end Admission.Secret_Files.Calls;

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The calls for a file that holds a secret: each returns what the system
---  says, and decides nothing.
+--  The calls for a file that holds a secret.
 
 private package Admission.Secret_Files.Calls with
   SPARK_Mode,
@@ -11,27 +10,17 @@ private package Admission.Secret_Files.Calls with
   Initializes => System_Files
 is
 
-   subtype Outcome is Integer range -Integer'Last .. Integer'Last;
-   --  What a call returns, or, if it fails, its error (errno), negative
-
-   procedure Open (Path : String; Result : out Outcome)
-   with Global => (In_Out => System_Files);
-   --  Result: the descriptor, for reading, which does not wait
-
-   procedure Get_Status
-     (File   : Outcome;
+   procedure Read
+     (Path   : String;
+      Data   : in out String;
       Mode   : out Admission.Authentication.File_Mode;
       Owner  : out Admission.Authentication.User_Number;
-      Result : out Outcome)
-   with Global => (In_Out => System_Files);
-
-   procedure Read
-     (File : Outcome; Data : in out String; Result : out Outcome)
+      Result : out Integer)
    with
      Global => (In_Out => System_Files),
-     Post   => Result <= Data'Length;
-   --  Into the first characters of Data. Result: their number
-
-   procedure Close (File : Outcome) with Global => (In_Out => System_Files);
+     Post   => Result in -Integer'Last .. Data'Length;
+   --  Into the first characters of Data, without waiting. Mode and Owner: of
+   --  the file that was read. Result: the number of characters, or, if a call
+   --  fails, its error (errno), negative
 
 end Admission.Secret_Files.Calls;

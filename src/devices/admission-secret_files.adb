@@ -8,39 +8,41 @@ package body Admission.Secret_Files with
   Refined_State => (Files => Calls.System_Files)
 is
 
-   procedure Read
+   use Admission.Authentication;
+
+   procedure Read_Token
      (Path    : Texts.Text;
-      Data    : out String;
-      Length  : out Natural;
-      Mode    : out Admission.Authentication.File_Mode;
-      Owner   : out Admission.Authentication.User_Number;
+      Token   : out Admission.Authentication.Token;
       Success : out Boolean;
       Reason  : out Texts.Text)
    is
-      File   : Calls.Outcome;
-      Result : Calls.Outcome;
+      Data   : String (1 .. 256) := (others => ' ');
+      Mode   : File_Mode;
+      Owner  : User_Number;
+      Result : Integer;
    begin
-      Data := (others => ' ');
-      Length := 0;
-      Mode := 0;
-      Owner := 0;
+      Token := (others => <>);
       Texts.Set (Reason, "");
-      Calls.Open (Texts.Image (Path), File);
-      Result := File;
-      if File >= 0 then
-         --  of the file that is open: the path may lead to another by now
-         Calls.Get_Status (File, Mode, Owner, Result);
-         if Result >= 0 then
-            Calls.Read (File, Data, Result);
-         end if;
-         Calls.Close (File);
-      end if;
-      Success := Result >= 0;
+      Success := Path.Length = 0;
       if Success then
-         Length := Result;
-      else
-         Error_Texts.Describe (-Result, Reason);
+         return;
       end if;
-   end Read;
+      Calls.Read (Texts.Image (Path), Data, Mode, Owner, Result);
+      if Result < 0 then
+         Error_Texts.Describe (-Result, Reason);
+      elsif not Is_Kept_Secret (Mode, Owner) then
+         Texts.Set
+           (Reason,
+            "others than its owner can read or write it (chmod go= it)");
+      else
+         Read_Token (Data (1 .. Result), Token, Success);
+         if not Success then
+            Texts.Set
+              (Reason,
+               "its first line is no token: 8 .. 128 printable ASCII "
+               & "characters without a blank");
+         end if;
+      end if;
+   end Read_Token;
 
 end Admission.Secret_Files;

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Files that hold a secret: their first characters and permissions.
+--  The file that holds the token (--token).
 
 with Admission.Authentication;
 with Texts;
@@ -11,19 +11,16 @@ package Admission.Secret_Files with
   Initializes => Files
 is
 
-   procedure Read
+   procedure Read_Token
      (Path    : Texts.Text;
-      Data    : out String;
-      Length  : out Natural;
-      Mode    : out Admission.Authentication.File_Mode;
-      Owner   : out Admission.Authentication.User_Number;
+      Token   : out Admission.Authentication.Token;
       Success : out Boolean;
       Reason  : out Texts.Text)
    with
      Global => (In_Out => Files),
-     Post   => Length <= Data'Length;
-   --  The first characters of the file, as many as exist and fit into Data,
-   --  and its mode and owner at that time. Never waits. Reason explains a
-   --  failure
+     Post   => (if Path.Length = 0 then Success and then Token.Length = 0
+                else Success = (Token.Length > 0));
+   --  The token in the file Path, none if Path is empty. Never waits. Reason
+   --  explains a failure: there is no token, or others could read it
 
 end Admission.Secret_Files;

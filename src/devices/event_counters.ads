@@ -3,6 +3,7 @@
 --  holds a lock that another task could wait for.
 
 with Ada.Real_Time;
+with Interfaces.C;
 
 package Event_Counters with
   SPARK_Mode,
@@ -12,6 +13,11 @@ package Event_Counters with
 is
 
    type Counter is private;
+
+   None : constant Counter;
+
+   function Descriptor (C : Counter) return Interfaces.C.int;
+   --  To wait for it with others: ready while the counter is not zero
 
    function New_Counter return Counter
    with Volatile_Function, Global => (Input => Kernel);
@@ -37,5 +43,10 @@ is
 private
 
    type Counter is range -1 .. 2 ** 31 - 1 with Size => 32;
+
+   None : constant Counter := -1;
+
+   function Descriptor (C : Counter) return Interfaces.C.int is
+     (Interfaces.C.int (C));
 
 end Event_Counters;

@@ -4,7 +4,8 @@ with Ada.Exceptions;
 with GNAT.OS_Lib;
 with GNAT.Sockets; use GNAT.Sockets;
 with Interfaces;   use Interfaces;
-with Linux;        use Linux;
+with Interfaces.C; use Interfaces.C;
+with Linux;
 with System;
 
 package body Monitor.Sockets.Gate.Listener_Calls with
@@ -15,7 +16,7 @@ is
 
    procedure Accept_Next
      (From    : Socket;
-      Address : out Admission.Socket_Addresses.Socket_Address;
+      Address : out Admission.Networks.Socket_Address;
       Found   : out Socket;
       Error   : out Integer)
    is
@@ -30,56 +31,22 @@ is
       Error := GNAT.OS_Lib.Errno;
    end Accept_Next;
 
-   procedure Add_One (To : int) is
-      One     : constant Unsigned_64 := 1;
-      Ignored : constant Ssize := Linux.Write (To, One'Address, 8);
-      pragma Unreferenced (Ignored);
-   begin
-      null;
-   end Add_One;
-
-   procedure Attach
-     (To     : Socket;
-      Filter : Admission.Packet_Filters.Program;
-      Done   : out Boolean)
+   procedure Get_Name
+     (From : Admission.Networks.Socket_Address; Peer : out Texts.Text)
    is
-      function Set_Option
-        (S : Socket; Level, Name : int; Value : System.Address; Size : int)
-         return int
-      with Import, Convention => C, External_Name => "setsockopt";
-      --  struct sock_fprog (linux/filter.h)
-      type Description is record
-         Length : unsigned_short;
-         Steps  : System.Address;
-      end record with Convention => C;
-      Described : constant Description :=
-        (unsigned_short (Filter.Length), Filter.Steps'Address);
+      Port : constant Port_Type := Port_Type
+        (From.Port mod 256 * 256 + From.Port / 256);  --  network byte order
+      V4   : constant Inet_Addr_V4_Type
+      with Import, Address => From.Host_V4'Address;
+      V6   : constant Inet_Addr_V6_Type
+      with Import, Address => From.Host_V6'Address;
    begin
-      --  SOL_SOCKET, SO_ATTACH_FILTER
-      Done := Set_Option
-        (To, 1, 26, Described'Address, Described'Size / 8) = 0;
-   end Attach;
-
-   procedure Clear (Counter : int) is
-      Count   : Unsigned_64;
-      Ignored : constant Ssize := Linux.Read (Counter, Count'Address, 8);
-      pragma Unreferenced (Ignored);
-   begin
-      null;
-   end Clear;
-
-   procedure Get_Host
-     (Family : int;
-      Host   : Bytes.Byte_Array;
-      Text   : out Admission.Socket_Addresses.Host_Text)
-   is
-      procedure To_Text
-        (Family : int; Host, Text : System.Address; Size : unsigned)
-      with Import, Convention => C, External_Name => "inet_ntop";
-   begin
-      Text := (others => ASCII.NUL);
-      To_Text (Family, Host'Address, Text'Address, Text'Length);
-   end Get_Host;
+      Texts.Set
+        (Peer,
+         Image (if From.Family = Admission.Networks.Inet_Family
+                then Sock_Addr_Type'(Family_Inet, (Family_Inet, V4), Port)
+                else Sock_Addr_Type'(Family_Inet6, (Family_Inet6, V6), Port)));
+   end Get_Name;
 
    procedure Listen
      (Address : Texts.Text;
@@ -119,10 +86,5 @@ is
                & "not looked up)"));
          Linux.Close (int (To_C (Made)));
    end Listen;
-
-   procedure New_Counter (Counter : out int) is
-   begin
-      Counter := Event_Counter (0, Event_Non_Blocking);
-   end New_Counter;
 
 end Monitor.Sockets.Gate.Listener_Calls;

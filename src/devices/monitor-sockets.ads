@@ -7,7 +7,8 @@ with Interfaces.C;
 package Monitor.Sockets with SPARK_Mode, Pure is
 
    type Socket is private;
-   --  The socket of a pending connection; the gate hands it over
+
+   Nobody : constant Socket;
 
 private
 

@@ -13,40 +13,47 @@ package body Admission.Authentication with SPARK_Mode is
      Post => (Added'Result = 0) = (Difference = 0 and then X = Y);
    --  Accumulates differences: 0 as long as there is none
 
-   function Text_Length (R : Reader) return Line_Count is
-     (if R.Length >= 2 and then R.Data (R.Length - 1) = Carriage_Return
-      then R.Length - 2
-      else R.Length - 1)
-   with Pre => R.Length > 0;
-   --  The length of the line without its end
+   Max_Text : constant := Max_Line - 2;
 
    function Padded (R : Reader; I : Positive) return Character is
      (if I <= Text_Length (R) then R.Data (I) else ' ')
-   with Pre => R.Length > 0 and then I <= Max_Line;
+   with Pre => I <= Max_Text;
    --  Character I of the line, blanks after its end
+
+   function Wanted (T : Token; I : Positive) return Character is
+     (if I <= Label'Length then Label (I) else T.Data (I - Label'Length))
+   with Pre => I <= Max_Text;
+   --  The same of the right one
 
    function Is_Same (R : Reader; T : Token) return Boolean
    with
-     Pre  => R.Length > 0,
      Post => Is_Same'Result =
        (Text_Length (R) = Label'Length + T.Length
-        and then (for all I in Label'Range => Padded (R, I) = Label (I))
-        and then (for all I in 1 .. Max_Token =>
-                    Padded (R, Label'Length + I) = T.Data (I)));
-   --  The line is the label and the token. Compares all places in any case:
-   --  its time depends only on the length of the line
-
-   procedure Accept_Character
-     (R : in out Reader; T : Token; C : Character) is
+        and then (for all I in 1 .. Max_Text => Padded (R, I) = Wanted (T, I)))
+   is
+      --  Compares all places in any case: its time depends only on the length
+      --  of the line
+      Difference : Unsigned_32 :=
+        Added (0, Unsigned_32 (Text_Length (R)),
+               Unsigned_32 (Label'Length + T.Length));
    begin
-      R.Length := R.Length + 1;
-      R.Data (R.Length) := C;
-      if C = Line_Feed then
-         R.State := (if Is_Same (R, T) then Right else Wrong);
-      elsif R.Length = Max_Line then
-         R.State := Wrong;
-      end if;
-   end Accept_Character;
+      for I in 1 .. Max_Text loop
+         Difference :=
+           Added (Difference, Code (Padded (R, I)), Code (Wanted (T, I)));
+         pragma Loop_Invariant
+           ((Difference = 0) =
+              (Text_Length (R) = Label'Length + T.Length
+               and then (for all J in 1 .. I =>
+                           Padded (R, J) = Wanted (T, J))));
+      end loop;
+      return Difference = 0;
+   end Is_Same;
+
+   function Decision (R : Reader; T : Token) return Verdict is
+     (if R.Length > 0 and then R.Data (R.Length) = Line_Feed then
+        (if Is_Same (R, T) then Right else Wrong)
+      elsif R.Length = Max_Line then Wrong
+      else Undecided);
 
    procedure Append_Shown (To : in out Texts.Text; Line : String) is
       Last : constant Natural := Line'First - 1 + Shown_Length (Line);
@@ -57,63 +64,26 @@ package body Admission.Authentication with SPARK_Mode is
       end if;
    end Append_Shown;
 
-   procedure Clear (R : out Reader) is
-   begin
-      R := (others => <>);
-   end Clear;
-
-   function Is_Same (R : Reader; T : Token) return Boolean is
-      Difference : Unsigned_32 :=
-        Added (0, Unsigned_32 (Text_Length (R)),
-               Unsigned_32 (Label'Length + T.Length));
-   begin
-      for I in Label'Range loop
-         Difference := Added (Difference, Code (Padded (R, I)),
-                              Code (Label (I)));
-         pragma Loop_Invariant
-           ((Difference = 0) =
-              (Text_Length (R) = Label'Length + T.Length
-               and then (for all J in 1 .. I => Padded (R, J) = Label (J))));
-      end loop;
-      for I in T.Data'Range loop
-         Difference := Added (Difference, Code (Padded (R, Label'Length + I)),
-                              Code (T.Data (I)));
-         pragma Loop_Invariant
-           ((Difference = 0) =
-              (Text_Length (R) = Label'Length + T.Length
-               and then (for all J in Label'Range =>
-                           Padded (R, J) = Label (J))
-               and then (for all J in 1 .. I =>
-                           Padded (R, Label'Length + J) = T.Data (J))));
-      end loop;
-      return Difference = 0;
-   end Is_Same;
-
-   function Line_Length (Text : String) return Natural is
-   begin
-      for I in Text'Range loop
-         if Text (I) = Line_Feed then
-            return I - 1;
-         end if;
-         pragma Loop_Invariant
-           (for all J in 1 .. I => Text (J) /= Line_Feed);
-      end loop;
-      return Text'Length;
-   end Line_Length;
-
    procedure Read_Token (Text : String; T : out Token; Good : out Boolean) is
       Data : String (1 .. Max_Token) := (others => ' ');
+      Last : Natural := 0;
    begin
       T := (others => <>);
-      Good := Begins_With_Token (Text);
+      for I in Text'Range loop
+         exit when Text (I) not in Token_Character or else I > Max_Token;
+         Data (I) := Text (I);
+         Last := I;
+         pragma Loop_Invariant (Last = I);
+         pragma Loop_Invariant
+           (for all J in Data'Range =>
+              (if J <= I then Data (J) = Text (J)
+                              and then Data (J) in Token_Character
+               else Data (J) = ' '));
+      end loop;
+      Good := Last in Min_Token .. Max_Token
+        and then (Last = Text'Last or else Text (Last + 1) = Line_Feed);
       if Good then
-         for I in 1 .. Line_Length (Text) loop
-            Data (I) := Text (I);
-            pragma Loop_Invariant
-              (for all J in Data'Range =>
-                 Data (J) = (if J <= I then Text (J) else ' '));
-         end loop;
-         T := (Data => Data, Length => Line_Length (Text));
+         T := (Data => Data, Length => Last);
       end if;
    end Read_Token;
 

@@ -42,33 +42,14 @@ package Admission.Authentication with SPARK_Mode is
          else Data (I) = ' '));
    --  The first Length characters of Data. Length 0: no token is required.
 
-   function Line_Length (Text : String) return Natural
-   with
-     Pre  => Text'First = 1,
-     Post => Line_Length'Result <= Text'Length
-       and then (for all I in 1 .. Line_Length'Result =>
-                   Text (I) /= Line_Feed)
-       and then (if Line_Length'Result < Text'Last then
-                    Text (Line_Length'Result + 1) = Line_Feed);
-   --  Length of the first line of Text, without its line end.
-
-   function Begins_With_Token (Text : String) return Boolean is
-     (Line_Length (Text) in Min_Token .. Max_Token
-      and then (for all I in 1 .. Line_Length (Text) =>
-                  Text (I) in Token_Character))
-   with Pre => Text'First = 1;
-   --  The first line of Text is a valid token.
-
    procedure Read_Token (Text : String; T : out Token; Good : out Boolean)
    with
      Pre  => Text'First = 1,
-     Post => Good = Begins_With_Token (Text)
-       and then
-         (if Good then
-             T.Length = Line_Length (Text)
-             and then (for all I in 1 .. T.Length => T.Data (I) = Text (I))
-          else T.Length = 0);
-   --  The token in a file that begins with Text.
+     Post => Good = (T.Length > 0)
+       and then (for all I in 1 .. T.Length => T.Data (I) = Text (I))
+       and then (if Good and then T.Length < Text'Last then
+                    Text (T.Length + 1) = Line_Feed);
+   --  The token in a file that begins with Text: its first line
 
    type File_Mode is mod 2 ** 16;
    --  Type and permissions of a file, as from stat.
@@ -93,52 +74,36 @@ package Admission.Authentication with SPARK_Mode is
 
    subtype Line_Count is Natural range 0 .. Max_Line;
 
-   type Verdict is (Undecided, Right, Wrong);
+   type Reader is record
+      Data   : String (1 .. Max_Line) := (others => ' ');
+      Length : Line_Count             := 0;
+   end record;
+   --  The first Length characters that a client has sent, up to the end of its
+   --  first line
 
-   type Reader is private;
-   --  The characters received so far. Initially none.
-
-   function Length (R : Reader) return Line_Count;
-   --  Number of characters.
-
-   function Item (R : Reader; I : Positive) return Character
-   with Ghost, Pre => I <= Length (R);
-   --  Character I.
-
-   function Decision (R : Reader) return Verdict;
-
-   function Is_Open (R : Reader) return Boolean is
-     (Decision (R) = Undecided and then Length (R) < Max_Line);
-   --  It accepts another character: always, while undecided.
+   function Text_Length (R : Reader) return Line_Count is
+     (if R.Length = 0 then 0
+      elsif R.Length > 1 and then R.Data (R.Length - 1) = Carriage_Return
+      then R.Length - 2
+      else R.Length - 1);
+   --  Without its line feed, and a carriage return before it
 
    function Is_Right (R : Reader; T : Token) return Boolean is
-     (Length (R) in Label'Length + T.Length + 1 .. Label'Length + T.Length + 2
-      and then Item (R, Length (R)) = Line_Feed
-      and then (if Length (R) = Label'Length + T.Length + 2 then
-                   Item (R, Length (R) - 1) = Carriage_Return)
-      and then (for all I in Label'Range => Item (R, I) = Label (I))
+     (R.Length > 0
+      and then R.Data (R.Length) = Line_Feed
+      and then Text_Length (R) = Label'Length + T.Length
+      and then (for all I in Label'Range => R.Data (I) = Label (I))
       and then (for all I in 1 .. T.Length =>
-                  Item (R, Label'Length + I) = T.Data (I)))
+                  R.Data (Label'Length + I) = T.Data (I)))
    with Ghost;
-   --  The label, the token, an optional carriage return, a line feed.
+   --  The label and the token
 
-   procedure Clear (R : out Reader)
-   with Post => Length (R) = 0 and then Is_Open (R);
+   type Verdict is (Undecided, Right, Wrong);
 
-   procedure Accept_Character
-     (R : in out Reader; T : Token; C : Character)
-   with
-     Pre  => Is_Open (R) and then T.Length > 0,
-     Post => Length (R) = Length (R'Old) + 1
-       and then Item (R, Length (R)) = C
-       and then (for all I in 1 .. Length (R'Old) =>
-                   Item (R, I) = Item (R'Old, I))
-       and then Decision (R) =
-         (if Is_Right (R, T) then Right
-          elsif C = Line_Feed or else Length (R) = Max_Line then Wrong
-          else Undecided);
-   --  Takes the next character. The line is compared once it is complete, in a
-   --  time that does not depend on the number or place of wrong characters.
+   function Decision (R : Reader; T : Token) return Verdict
+   with Post => (Decision'Result = Right) = Is_Right (R, T);
+   --  A line is compared once it is complete, in a time that does not depend
+   --  on the number or place of wrong characters
 
    --  For the log
 
@@ -179,20 +144,5 @@ package Admission.Authentication with SPARK_Mode is
                else '.'));
    --  To followed by Line, with three dots in place of what follows a token
    --  label. No token gets into the log.
-
-private
-
-   type Reader is record
-      Data   : String (1 .. Max_Line) := (others => ' ');
-      Length : Line_Count             := 0;
-      State  : Verdict                := Undecided;
-   end record;
-
-   function Length (R : Reader) return Line_Count is (R.Length);
-
-   function Item (R : Reader; I : Positive) return Character is
-     (R.Data (I));
-
-   function Decision (R : Reader) return Verdict is (R.State);
 
 end Admission.Authentication;

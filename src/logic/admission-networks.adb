@@ -2,64 +2,72 @@
 
 package body Admission.Networks with SPARK_Mode is
 
-   procedure Add (L : in out List; N : Network) is
-   begin
-      L.Count := L.Count + 1;
-      L.Items (L.Count) := N;
-   end Add;
-
-   function Digits_End (Text : String; First : Positive) return Text_Place
+   procedure Read_Number
+     (Text  : String;
+      Next  : in out Positive;
+      Most  : Natural;
+      Value : out Natural;
+      Found : out Boolean)
+   with
+     Pre  => Text'First = 1
+       and then Text'Last < Positive'Last
+       and then Next <= Text'Last + 1,
+     Post => Next in Next'Old .. Text'Last + 1
+       and then (if Found then Value <= Most)
    is
-      Result : Text_Place := First - 1;
+      --  The number, of up to three digits, that begins at Next; moves Next
+      --  behind it
+      First : constant Positive := Next;
    begin
+      Value := 0;
       for I in First .. Text'Last loop
-         exit when Text (I) not in '0' .. '9';
-         Result := I;
-         pragma Loop_Invariant (Result = I);
+         exit when Text (I) not in '0' .. '9' or else I - First = 3;
+         Value := 10 * Value
+           + (Character'Pos (Text (I)) - Character'Pos ('0'));
+         Next := I + 1;
+         pragma Loop_Invariant (Next = I + 1 and then I - First <= 2);
          pragma Loop_Invariant
-           (for all J in First .. I => Text (J) in '0' .. '9');
+           (Value <= (if I = First then 9 elsif I = First + 1 then 99
+                      else 999));
       end loop;
-      return Result;
-   end Digits_End;
-
-   function Ends (Text : String) return Octet_Ends is
-      Result : Octet_Ends := (others => 0);
-   begin
-      Result (1) := Digits_End (Text, 1);
-      for I in 2 .. 4 loop
-         Result (I) :=
-           (if Result (I - 1) < Text'Last
-            then Digits_End (Text, Result (I - 1) + 2)
-            else Result (I - 1));
-         pragma Loop_Invariant (Result (1) = Digits_End (Text, 1));
-         pragma Loop_Invariant
-           (for all J in 2 .. I =>
-              Result (J) =
-                (if Result (J - 1) < Text'Last
-                 then Digits_End (Text, Result (J - 1) + 2)
-                 else Result (J - 1)));
-      end loop;
-      return Result;
-   end Ends;
+      Found := Next > First
+        and then Value <= Most
+        and then (Next = First + 1 or else Text (First) /= '0');
+   end Read_Number;
 
    procedure Parse (Text : String; N : out Network; V : out Verdict) is
+      Next  : Positive := 1;
+      Part  : Natural;
+      Found : Boolean;
    begin
-      N := (others => <>);
-      if not Begins_With_Address (Text) then
-         V := No_Address;
-         return;
-      end if;
-      N := (Start => Address_Of (Text), Length => 32);
-      if Ends (Text) (4) < Text'Last then
-         if not Has_Length (Text) then
-            V := No_Address;
+      N := (Start => 0, Length => 32);
+      V := No_Address;
+      for Octet in 1 .. 4 loop
+         if Octet > 1 then
+            if Next > Text'Last or else Text (Next) /= '.' then
+               return;
+            end if;
+            Next := Next + 1;
+         end if;
+         Read_Number (Text, Next, 255, Part, Found);
+         if not Found then
             return;
          end if;
-         if not Is_Length (Text, Ends (Text) (4) + 2, Text'Last) then
+         N.Start := N.Start * 256 + Address (Part);
+         pragma Loop_Invariant (Next <= Text'Last + 1);
+         pragma Loop_Invariant (N.Length = 32);
+      end loop;
+      if Next <= Text'Last then
+         if Text (Next) /= '/' then
+            return;
+         end if;
+         Next := Next + 1;
+         Read_Number (Text, Next, 32, Part, Found);
+         if not Found or else Next <= Text'Last then
             V := No_Length;
             return;
          end if;
-         N.Length := Number (Text, Ends (Text) (4) + 2, Text'Last);
+         N.Length := Part;
       end if;
       V := (if Is_Network (N) then Good else Not_Clean);
    end Parse;

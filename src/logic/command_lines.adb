@@ -136,7 +136,8 @@ package body Command_Lines with SPARK_Mode is
       case Verdict is
          when Admission.Networks.Good =>
             if R.Chosen.Allowed.Count < Admission.Networks.Max_Networks then
-               Admission.Networks.Add (R.Chosen.Allowed, Network);
+               R.Chosen.Allowed.Count := R.Chosen.Allowed.Count + 1;
+               R.Chosen.Allowed.Items (R.Chosen.Allowed.Count) := Network;
             else
                Fail (R, "--allow: more than ");
                Texts.Append (R.Reason, Admission.Networks.Max_Networks);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What the kernel tells of a TCP socket (TCP_INFO), and what it means for the
---  monitor's connection and for the queue of new ones.
+--  monitor's connection.
 
 with Interfaces;
 with Monitor.Link;
@@ -20,10 +20,8 @@ package Monitor.Tcp_Infos with SPARK_Mode is
       States      : Word_Array (1 .. 6)    := (others => 0);
       --  States, times, segment sizes
       Unacked     : Interfaces.Unsigned_32 := 0;
-      --  Segments; for a listening socket the length of its queue ...
-      Selected    : Interfaces.Unsigned_32 := 0;
-      --  ... and its limit
-      Counters    : Word_Array (1 .. 5)    := (others => 0);
+      --  Segments
+      Counters    : Word_Array (1 .. 6)    := (others => 0);
       --  Up to the age of the last one sent
       Last_Data   : Interfaces.Unsigned_32 := 0;
       --  Milliseconds since data was received
@@ -40,9 +38,6 @@ package Monitor.Tcp_Infos with SPARK_Mode is
    end record
    with Convention => C, Size => 152 * 8;
    --  The beginning of the kernel's struct tcp_info (linux/tcp.h)
-
-   Queue_Bytes : constant := 32;
-   --  Of it, up to tcpi_sacked
 
    function To_Natural (Value : Interfaces.Unsigned_64) return Natural is
      (Natural
@@ -74,20 +69,5 @@ package Monitor.Tcp_Infos with SPARK_Mode is
              and then (Sample_Of'Result.Outstanding > 0)
                = (Info.Unacked > 0 or else Info.Not_Sent > 0));
    --  Length: bytes of Info that the kernel has filled in
-
-   procedure Get_Queue
-     (Info          : Tcp_Info;
-      Filled        : Natural;
-      Usual_Limit   : Natural;
-      Length, Limit : out Natural)
-   with
-     Post =>
-       (if Filled < Queue_Bytes
-        then Length = 0 and then Limit = Usual_Limit
-        else Length = To_Natural (Interfaces.Unsigned_64 (Info.Unacked))
-          and then Limit =
-            To_Natural (Interfaces.Unsigned_64 (Info.Selected)));
-   --  Of a listening socket. Filled: bytes of Info that the kernel has filled
-   --  in
 
 end Monitor.Tcp_Infos;

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Admission.Authentication;
-with Admission.Newcomers;
+with Admission.Secret_Files;
 with Console;
 with Monitor.Sockets.Gate;
 with Process.Privileges;
@@ -97,7 +97,8 @@ package body Checks with SPARK_Mode is
             else " " & Why (1 .. Last) & " (name another with --camera)"),
          All_Well);
 
-      Admission.Newcomers.Load_Token (Chosen.Token_File, Token, Good, Reason);
+      Admission.Secret_Files.Read_Token
+        (Chosen.Token_File, Token, Good, Reason);
       if Token.Length > 0 then
          Report
            (True, "token file " & Texts.Image (Chosen.Token_File)

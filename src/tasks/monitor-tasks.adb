@@ -3,6 +3,7 @@
 with Ada.Real_Time;    use Ada.Real_Time;
 with Admission.Authentication;
 with Admission.Newcomers;
+with Admission.Secret_Files;
 with Console;
 with Journal;
 with Missions.Paths;
@@ -92,9 +93,9 @@ package body Monitor.Tasks with SPARK_Mode is
       Reason  : Texts.Text;
       Line    : Texts.Text;
    begin
-      Admission.Newcomers.Load_Token
+      Admission.Secret_Files.Read_Token
         (Chosen.Token_File, Token, Success, Reason);
-      Admission.Newcomers.Set_Up (Gate, Chosen.Allowed, Token);
+      Gate := Admission.Newcomers.New_Gate (Chosen.Allowed, Token);
       if not Success then
          Texts.Set (Line, "destijl: cannot use the token file ");
          Texts.Append (Line, Texts.Image (Chosen.Token_File));

@@ -368,9 +368,6 @@ package body Network_Faults is
       Length   : constant Duration := 1.0;
       Queue    : constant := 512;
       Flood    : Floods.Flood;
-      Other    : Monitor_Clients.Client;
-      Start    : Instant;
-      Seen     : Boolean;
    begin
       if W.Expected_End or else not W.Reachable
         or else W.Address /= Loopback
@@ -379,19 +376,8 @@ package body Network_Faults is
       end if;
       Flood.Start (W.Port, Floods.Restless);
       W.Talk (Length, Calm => True);
-      Start := Now;
-      Other.Connect
-        (W.Port, W.Address, Source => "127.0.0.2", Real_Time => False);
-      Seen := Other.Next (Admission_Limit + Noise).Number > 0;
-      W.Listen;
-      --  without a monitor, one of them becomes it until it disconnects
-      Check
-        (not W.Present or else Seen,
-         "who comes amid the flood is not seen to within "
-         & Milliseconds (Now - Start));
-      Other.Close;
       Flood.Stop;
-      W.Talk (Block_Time + Queue * Newcomer_Time, Calm => True);
+      W.Talk (Queue * Newcomer_Time, Calm => True);
    end Inject;
 
    overriding procedure Inject (F : in out Scan; W : in out World) is
@@ -400,7 +386,7 @@ package body Network_Faults is
    begin
       Raw_Probes.Knock (W.Address, W.Port, Count, W.Source);
       --  later clients wait behind them; the monitor in command does not
-      W.Talk (Block_Time + Count * Newcomer_Time, Calm => True);
+      W.Talk (Count * Newcomer_Time, Calm => True);
    end Inject;
 
    overriding procedure Inject

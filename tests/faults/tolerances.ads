@@ -24,14 +24,8 @@ package Tolerances is
    Watchdog_Limit : constant Duration := 3.6;
    --  A robot with watchdog is stopped this long after the last reload
 
-   Admission_Limit : constant Duration := 2.0;
-   --  Time to serve a new client during a flood from other addresses
-
    Newcomer_Time : constant Duration := 0.0012;
    --  The supervisor serves ten pending connections in ten times this
-
-   Block_Time : constant Duration := 1.3;
-   --  A client from one of four sources of a flood may retry after this
 
    --  Margins
 

@@ -3,11 +3,8 @@
 
 with Ada.Streams;    use Ada.Streams;
 with Ada.Unchecked_Deallocation;
-with GNAT.OS_Lib;
 with GNAT.Sockets;   use GNAT.Sockets;
-with Interfaces;     use Interfaces;
 with Interfaces.C;   use Interfaces.C;
-with System;
 
 with Libc;
 with Polls;
@@ -43,41 +40,6 @@ package body Floods is
 
    function Address (Number : Positive) return String is
      ("127.0.1." & Character'Val (48 + Number));
-
-   function Can_Be_Filtered return Boolean is
-      function Set_Option
-        (Socket, Level, Name : int; Value : System.Address; Size : int)
-         return int
-      with Import, Convention => C, External_Name => "setsockopt";
-
-      --  struct sock_filter, struct sock_fprog (linux/filter.h)
-      type Step is record
-         Code     : Unsigned_16;
-         If_True  : Unsigned_8;
-         If_False : Unsigned_8;
-         Operand  : Unsigned_32;
-      end record with Convention => C;
-      type Program is record
-         Length : Unsigned_16;
-         Steps  : System.Address;
-      end record with Convention => C;
-
-      EPERM    : constant := 1;
-      Pass_All : aliased Step    := (16#06#, 0, 0, Unsigned_32'Last);
-      Filter   : constant Program := (1, Pass_All'Address);
-      Socket   : Socket_Type;
-      Allowed  : Boolean;
-   begin
-      Create_Socket (Socket);
-      --  SOL_SOCKET, SO_ATTACH_FILTER
-      Allowed := Set_Option
-        (int (To_C (Socket)), 1, 26, Filter'Address, Filter'Size / 8) = 0;
-      if not Allowed and then GNAT.OS_Lib.Errno /= EPERM then
-         raise Socket_Error with "no packet filter: " & Libc.Last_Error;
-      end if;
-      Close_Socket (Socket);
-      return Allowed;
-   end Can_Be_Filtered;
 
    procedure Begin_Connection
      (Socket : out Socket_Type; Own, Place : Sock_Addr_Type)

@@ -29,10 +29,6 @@ package Floods is
 
    Senders : constant := 4;
 
-   function Can_Be_Filtered return Boolean;
-   --  Whether a socket of this process may have a packet filter: some kernels
-   --  want CAP_NET_ADMIN for it
-
    type Crowd (Count : Positive) is tagged limited private;
    --  Ends at the end of its scope
 

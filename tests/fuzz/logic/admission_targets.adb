@@ -55,9 +55,6 @@ package body Admission_Targets is
          Again : Admission.Networks.Network;
          V     : Admission.Networks.Verdict;
       begin
-         if Plain'Length > Admission.Networks.Max_Text then
-            return;
-         end if;
          Admission.Networks.Parse (Plain, N, V);
          if V = Admission.Networks.Good then
             Admission.Networks.Parse (Image (N), Again, V);
@@ -66,14 +63,15 @@ package body Admission_Targets is
                and then (Image (N) = Plain or else Image (N) = Plain & "/32"),
                "a network is not read as written");
             if L.Count < Admission.Networks.Max_Networks then
-               Admission.Networks.Add (L, N);
+               L.Count := L.Count + 1;
+               L.Items (L.Count) := N;
             end if;
          end if;
       end Read;
 
       procedure Meet is
          --  A peer
-         P       : Admission.Networks.Peer_Address;
+         P       : Byte_Array (1 .. 16);
          A       : Unsigned_32 := 0;
          Mapped  : Boolean;
          Inside  : Boolean := L.Count = 0;
@@ -95,7 +93,8 @@ package body Admission_Targets is
             end if;
          end loop;
          Check
-           (Admission.Networks.Admits (L, P) = Inside,
+           (Admission.Networks.Admits
+              (L, (Family => 10, Host_V6 => P, others => <>)) = Inside,
             "somebody else is admitted");
       end Meet;
 
@@ -143,24 +142,23 @@ package body Admission_Targets is
          Line     : constant String :=
            Admission.Authentication.Label & T.Data (1 .. T.Length);
          Newcomer : Admission.Authentication.Reader;
-         Used     : Natural := 0;
       begin
-         Admission.Authentication.Clear (Newcomer);
          for C of Sent loop
-            exit when not Admission.Authentication.Is_Open (Newcomer);
-            Admission.Authentication.Accept_Character (Newcomer, T, C);
-            Used := Used + 1;
+            exit when Admission.Authentication.Decision (Newcomer, T) /=
+              Admission.Authentication.Undecided;
+            Newcomer.Length := Newcomer.Length + 1;
+            Newcomer.Data (Newcomer.Length) := C;
          end loop;
          Check
-           ((Admission.Authentication.Decision (Newcomer) =
+           ((Admission.Authentication.Decision (Newcomer, T) =
                Admission.Authentication.Right) =
               (Head (Sent, Line'Length + 1) = Line & ASCII.LF
                or else Head (Sent, Line'Length + 2) =
                  Line & ASCII.CR & ASCII.LF),
             "a token is taken for another");
          Check
-           (Used = Integer'Min (Sent'Length, Admission.Authentication.Max_Line)
-            or else Sent (Sent'First + Used - 1) = ASCII.LF,
+           (Newcomer.Length in Sent'Length | Admission.Authentication.Max_Line
+            or else Sent (Sent'First + Newcomer.Length - 1) = ASCII.LF,
             "a newcomer is judged too early");
       end Greet;
 

@@ -4,7 +4,6 @@
 
 with Authentication_Tests;
 with Base64_Tests;
-with Blocklists_Tests;
 with Command_Lines_Tests;
 with Decimals_Tests;
 with Image_Cycle_Tests;
@@ -20,14 +19,11 @@ with Monitor_Link_Tests;
 with Monitor_Protocol_Tests;
 with Networks_Tests;
 with Order_Meanings_Tests;
-with Packet_Filters_Tests;
-with Pending_Connections_Tests;
 with Processor_Sets_Tests;
 with Robot_Protocol_Tests;
 with Robot_Session_Tests;
 with Send_Order_Tests;
 with Session_Stages_Tests;
-with Socket_Addresses_Tests;
 with Tcp_Infos_Tests;
 with Texts_Tests;
 with Trace_Json_Tests;
@@ -39,15 +35,11 @@ procedure Logic_Unit_Tests is
 begin
    Add ("Admission.Authentication", Authentication_Tests.Add_Tests'Access);
    Add ("Base64", Base64_Tests.Add_Tests'Access);
-   Add ("Admission.Blocklists", Blocklists_Tests.Add_Tests'Access);
    Add ("Command_Lines", Command_Lines_Tests.Add_Tests'Access);
    Add ("Decimals", Decimals_Tests.Add_Tests'Access);
    Add ("Admission.Networks", Networks_Tests.Add_Tests'Access);
    Add ("Vision.Image_Cycle", Image_Cycle_Tests.Add_Tests'Access);
    Add ("Vision.Image_Grid", Image_Grid_Tests.Add_Tests'Access);
-   Add ("Admission.Packet_Filters", Packet_Filters_Tests.Add_Tests'Access);
-   Add ("Admission.Pending_Connections",
-        Pending_Connections_Tests.Add_Tests'Access);
    Add ("Processor_Sets", Processor_Sets_Tests.Add_Tests'Access);
    Add ("Robot.Protocol", Robot_Protocol_Tests.Add_Tests'Access);
    Add ("Monitor.Protocol", Monitor_Protocol_Tests.Add_Tests'Access);
@@ -63,7 +55,6 @@ begin
    Add ("Robot.Session", Robot_Session_Tests.Add_Tests'Access);
    Add ("Monitor.Send_Order", Send_Order_Tests.Add_Tests'Access);
    Add ("Monitor.Session_Stages", Session_Stages_Tests.Add_Tests'Access);
-   Add ("Admission.Socket_Addresses", Socket_Addresses_Tests.Add_Tests'Access);
    Add ("Monitor.Tcp_Infos", Tcp_Infos_Tests.Add_Tests'Access);
    Add ("Texts", Texts_Tests.Add_Tests'Access);
    Add ("Trace_Json", Trace_Json_Tests.Add_Tests'Access);

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the kernel tells of a connection, and of the queue of new ones.
+--  What the kernel tells of a connection.
 
 with AUnit.Assertions;  use AUnit.Assertions;
 
@@ -28,32 +28,16 @@ package body Tcp_Infos_Tests is
 
    procedure Test_Layout is
       Info : Tcp_Info;
-      --  offsets of tcpi_unacked, tcpi_sacked, tcpi_last_data_recv,
-      --  tcpi_last_ack_recv, tcpi_bytes_acked, tcpi_notsent_bytes
+      --  offsets of tcpi_unacked, tcpi_last_data_recv, tcpi_last_ack_recv,
+      --  tcpi_bytes_acked, tcpi_notsent_bytes
    begin
       Assert (Info.Unacked'Position = 24, "unacked");
-      Assert (Info.Selected'Position = 28, "sacked");
       Assert (Info.Last_Data'Position = 52, "last_data_recv");
       Assert (Info.Last_Ack'Position = 56, "last_ack_recv");
       Assert (Info.Bytes_Acked'Position = 120, "bytes_acked");
       Assert (Info.Not_Sent'Position = 144, "notsent_bytes");
       Assert (Info.Shortest'Position = Needed_Bytes, "needed");
-      Assert (Info.Counters'Position = Queue_Bytes, "needed for the queue");
    end Test_Layout;
-
-   procedure Test_Queue is
-      Info   : constant Tcp_Info :=
-        (Unacked => 3, Selected => 128, others => <>);
-      Length : Natural;
-      Limit  : Natural;
-   begin
-      Get_Queue (Info, 32, 512, Length, Limit);
-      Assert (Length = 3 and then Limit = 128, "told");
-      for Filled in 0 .. 31 loop
-         Get_Queue (Info, Filled, 512, Length, Limit);
-         Assert (Length = 0 and then Limit = 512, "not told");
-      end loop;
-   end Test_Queue;
 
    procedure Test_Sample is
       Info  : constant Tcp_Info :=
@@ -86,7 +70,6 @@ package body Tcp_Infos_Tests is
       Add_Test ("as in C", Test_Layout'Access);
       Add_Test ("a sample", Test_Sample'Access);
       Add_Test ("the largest numbers", Test_Extremes'Access);
-      Add_Test ("the queue", Test_Queue'Access);
    end Add_Tests;
 
 end Tcp_Infos_Tests;
