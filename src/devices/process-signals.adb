@@ -18,10 +18,11 @@ package body Process.Signals with SPARK_Mode => Off is
 
    --  All others that would end or stop the process: SIGINT, SIGQUIT, SIGUSR1,
    --  SIGUSR2, SIGALRM, SIGTERM, SIGSTKFLT, SIGTSTP, SIGXCPU, SIGVTALRM,
-   --  SIGPROF, SIGIO, SIGPWR
+   --  SIGPROF, SIGIO, SIGPWR, and those from SIGRTMIN + 1 to SIGRTMAX
    To_Stop : constant Unsigned_64 :=
      Bit (2) + Bit (3) + Bit (10) + Bit (12) + Bit (14) + Bit (15) + Bit (16)
-     + Bit (20) + Bit (24) + Bit (26) + Bit (27) + Bit (29) + Bit (30);
+     + Bit (20) + Bit (24) + Bit (26) + Bit (27) + Bit (29) + Bit (30)
+     + Shift_Left (2 ** 30 - 1, Integer (Internal));
 
    --  SIGPIPE, SIGTTIN, SIGTTOU, SIGXFSZ: the call that causes one fails
    To_Discard : constant Unsigned_64 :=

@@ -16,11 +16,25 @@ is
    Sets    : Processor_Sets.Division;
    Size    : constant size_t := Processor_Sets.Set'Size / 8;
 
+   Room : constant := 32_768;  --  as GNAT's tasks have without Ravenscar
+
+   Signal_Stacks : array (Schedule.Task_Name) of char_array (1 .. Room);
+   --  In memory only where one was needed
+
+   type Stack is record
+      Start  : System.Address;
+      Flags  : int := 0;
+      Length : size_t := Room;
+   end record with Convention => C;
+
    procedure Process_Control (Option : int; Value : System.Address)
    with Import, Convention => C_Variadic_1, External_Name => "prctl";
 
    function Own_Thread return int
    with Import, Convention => C, External_Name => "gettid";
+
+   procedure Set_Signal_Stack (Stack, Old : System.Address)
+   with Import, Convention => C, External_Name => "sigaltstack";
 
    procedure Get_Affinity (Thread : int; Size : size_t; Set : System.Address)
    with Import, Convention => C, External_Name => "sched_getaffinity";
@@ -40,7 +54,9 @@ is
    end Set_Name;
 
    procedure Enter (Who : Schedule.Task_Name; Thread : out Natural) is
+      Own : Stack := (Start => Signal_Stacks (Who)'Address, others => <>);
    begin
+      Set_Signal_Stack (Own'Address, System.Null_Address);
       Thread := Natural (Own_Thread);
       Numbers (Who) := Thread;
    end Enter;

@@ -27,7 +27,8 @@ is
 
    procedure Enter (Who : Schedule.Task_Name; Thread : out Natural)
    with Global => (In_Out => Table);
-   --  The calling task is Who. Thread: its number in the system
+   --  The calling task is Who. Thread: its number in the system. From here on
+   --  a handler of signals has room where the task's stack has overflowed
 
    procedure Get_Thread (Who : Schedule.Task_Name; Thread : out Natural)
    with Global => (In_Out => Table);

@@ -11,7 +11,12 @@ package body Robot.Serial_Line with
 is
 
    Descriptor : Calls.Outcome := Calls.No_Descriptor
-     with Atomic, Async_Readers, Async_Writers;
+     with Atomic, Async_Readers, Async_Writers, Export, Convention => C,
+          External_Name => "destijl_robot_line";
+   --  In a crash its handler writes there (crash_handlers.cpp)
+
+   procedure Write_Stop (Success : out Boolean);
+   --  Writes the stop order's frame
 
    function Next_Wait (Now, Until_Time : Time) return Calls.Nanoseconds;
    --  Up to Until_Time, or for a part of that. 0 if it has passed
@@ -171,13 +176,42 @@ is
       end if;
    end Read;
 
-   procedure Stop_Blindly is
-      Line    : constant Calls.Outcome := Descriptor;
-      Frame   : Robot.Protocol.Frame;
-      Ignored : Calls.Outcome;
+   procedure Write_Stop (Success : out Boolean) is
+      Line  : constant Calls.Outcome := Descriptor;
+      Frame : Robot.Protocol.Frame;
+      Sent  : Calls.Outcome;
    begin
       Robot.Protocol.Encode (Robot.Protocol.Stop, Frame);
-      Calls.Write (Line, Frame.Data, Frame.Length, Ignored);
+      Calls.Write (Line, Frame.Data, Frame.Length, Sent);
+      Success := Sent = Frame.Length;
+   end Write_Stop;
+
+   procedure Send_Stop
+     (Path : Texts.Text; Sent : out Boolean; Report : out Texts.Text)
+   is
+      Reason : Texts.Text;
+   begin
+      Open (Path, Sent, Reason);
+      if Sent then
+         Write_Stop (Sent);
+         Close;
+         Texts.Set (Reason, "it takes nothing");
+      end if;
+      Texts.Set
+        (Report,
+         (if Sent then "the robot was sent a stop on "
+          else "no stop was sent on "));
+      Texts.Append (Report, Texts.Image (Path));
+      if not Sent then
+         Texts.Append (Report, ": ");
+         Texts.Append (Report, Texts.Image (Reason));
+      end if;
+   end Send_Stop;
+
+   procedure Stop_Blindly is
+      Ignored : Boolean;
+   begin
+      Write_Stop (Ignored);
    end Stop_Blindly;
 
 end Robot.Serial_Line;

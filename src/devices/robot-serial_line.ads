@@ -59,6 +59,13 @@ is
    --  Received data; waits for the first byte until Until_Time at most, then
    --  Length is 0. Success is false if the device has been removed
 
+   procedure Send_Stop
+     (Path : Texts.Text; Sent : out Boolean; Report : out Texts.Text)
+   with Global => (In_Out => Device);
+   --  Opens the device, writes the stop order's frame and closes it: for a
+   --  robot whose supervisor was killed, while this one has no session. A line
+   --  in use stays as it is. Report says what was done, or why nothing
+
    procedure Stop_Blindly with Global => (In_Out => Device);
    --  Writes the stop order's frame from any task: the last resort when the
    --  supervisor ends by an internal failure

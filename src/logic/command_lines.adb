@@ -286,6 +286,8 @@ package body Command_Lines with SPARK_Mode is
          R.Request := Show_Version;
       elsif Name = "--check" then
          R.Request := Check;
+      elsif Name = "--stop" then
+         R.Request := Stop;
       else
          R.Awaited := None;
          for Option in Port .. Option_Kind'Last loop

@@ -11,7 +11,7 @@ package Command_Lines with SPARK_Mode is
 
    use type Texts.Text;
 
-   type Request_Kind is (Run, Check, Show_Version, Show_Help, Wrong);
+   type Request_Kind is (Run, Check, Stop, Show_Version, Show_Help, Wrong);
 
    subtype Settled_Kind is Request_Kind range Show_Version .. Wrong;
    --  Final: the rest of the command line does not change it
@@ -91,12 +91,13 @@ package Command_Lines with SPARK_Mode is
      & "  --trace FILE         at the end, write to FILE what every task did"
      & LF
      & "  --check              say what would work, without starting" & LF
+     & "  --stop               send the robot a stop, without starting" & LF
      & "  --version, --help" & LF & LF
      & "Exit status: 0 after an orderly stop, 1 where the server cannot"
      & LF
-     & "start or its output is not taken, 2 for bad usage, 3 after an"
+     & "start, the stop not be sent or the output is not taken, 2 for bad"
      & LF
-     & "internal failure.";
+     & "usage, 3 after an internal failure.";
 
    Version : constant String := "destijl " & Project_Version.Number;
 

@@ -4,6 +4,7 @@ with Ada.Real_Time; use Ada.Real_Time;
 with Checks;
 with Command_Lines;
 with Console;
+with Crashes;
 with Failures;
 with Journal;
 with Monitor.Session;
@@ -100,9 +101,18 @@ package body Supervisor with SPARK_Mode is
    procedure Run is
       Command_Line : Command_Lines.Reading renames Settings.Command_Line;
       All_Well     : Boolean;
+      Written      : Boolean;
+      Report       : Texts.Text;
    begin
-      if Command_Line.Request = Command_Lines.Check then
-         Checks.Run (Command_Line.Chosen, All_Well);
+      if Command_Line.Request in Command_Lines.Check | Command_Lines.Stop then
+         if Command_Line.Request = Command_Lines.Check then
+            Checks.Run (Command_Line.Chosen, All_Well);
+         else
+            Robot.Serial_Line.Send_Stop
+              (Command_Line.Chosen.Serial, All_Well, Report);
+            Console.Put (Texts.Image (Report), Written);
+            All_Well := All_Well and Written;
+         end if;
          Process.Leave
            (if All_Well then Process.Success else Process.Cannot_Start);
       end if;
@@ -117,12 +127,17 @@ package body Supervisor with SPARK_Mode is
       Claim     : Texts.Text;
       Granted   : Process.Privileges.Scheduling;
       Locked    : Boolean;
+      Ignored   : Boolean;
+      Report    : Texts.Text;
       Now       : Time;
    begin
+      Crashes.Catch;
       Open_Trace (Chosen.Trace_File);
       Keep_On_Processor (Chosen.Cpu, Claim);
       Process.Memory.Lock (Locked);
       Journal.Set_Level (Chosen.Log_Level);
+      --  one that moves has lost its supervisor
+      Robot.Serial_Line.Send_Stop (Chosen.Serial, Ignored, Report);
       Monitor.Session.Allow_Server;
       Monitor.Session.Wait_Listening;
       Process.Privileges.Get (Granted);
@@ -136,6 +151,7 @@ package body Supervisor with SPARK_Mode is
                "none guaranteed (destijl --check tells how to get them)"
             elsif Locked then Texts.Image (Claim)
             else "none guaranteed"));
+      Journal.Put (Options.Info, Report);
 
       if Chosen.Trace_File.Length > 0 then
          Keep_Trace;

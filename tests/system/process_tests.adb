@@ -91,9 +91,10 @@ package body Process_Tests is
    end Stopped_By_Sigterm;
 
    procedure Stopped_By_Others is
-      --  Ctrl-\, SIGUSR1, SIGUSR2, SIGALRM, Ctrl-Z, SIGXCPU, SIGPWR
+      --  Ctrl-\, SIGUSR1, SIGUSR2, SIGALRM, Ctrl-Z, SIGXCPU, SIGVTALRM,
+      --  SIGPWR, SIGRTMAX
    begin
-      for Signal of Signals'(3, 10, 12, 14, 20, 24, 30) loop
+      for Signal of Signals'(3, 10, 12, 14, 20, 24, 26, 30, 64) loop
          Note ("signal" & Signal'Image);
          Stop_While_Moving (Signal);
       end loop;
@@ -392,6 +393,94 @@ package body Process_Tests is
          end if;
       end loop;
    end Failing_Task;
+
+   procedure Crash_While_Moving
+     (How : String; Status : Integer; Taken : out Duration)
+   is
+      --  In a library, which an image has reached. Taken: until the robot has
+      --  its stop, from when the image could be there
+      R    : Rig;
+      Path : constant String := Programs.Temporary_Folder & "/crash";
+      File : File_Type;
+      Time : Instant;
+      Seen : Integer;
+   begin
+      Assemble
+        (R, Camera => True,
+         Launcher => Programs.Preload ("libcrashing_decoder.so")
+           & " CRASH_FILE=" & Path & " CRASH=" & How);
+      Open_Camera (R);
+      Move_Forward (R);
+      Time := Now;
+      Create (File, Out_File, Path);
+      Seen := R.Supervisor.Exit_Status (Within => 10.0);
+      Delete (File);
+      Check (Seen = Status, How & ": exit status" & Seen'Image);
+      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      Taken := R.Emulator.Await_On_Wire ("M=0", Within => 1.0).First - Time;
+      Note (How & ": stop on the wire after " & Milliseconds (Taken));
+      Forget_Last_Lines;
+   end Crash_While_Moving;
+
+   Sigabrt : constant := 128 + 6;
+   Sigsegv : constant := 128 + 11;
+
+   procedure Crashing_Library is
+      Ignored : Duration;
+   begin
+      Crash_While_Moving ("abort", Sigabrt, Ignored);
+      Crash_While_Moving ("free", Sigabrt, Ignored);
+      Crash_While_Moving ("fault", Sigsegv, Ignored);
+      Crash_While_Moving ("stack", Sigsegv, Ignored);
+      Crash_While_Moving ("thread", Sigsegv, Ignored);
+      Crash_While_Moving ("exit", 3, Ignored);
+   end Crashing_Library;
+
+   procedure Crash_In_Time is
+      Taken : Duration;
+   begin
+      Crash_While_Moving ("abort", Sigabrt, Taken);
+      Check_Within (Taken, 0.2, "the stop");
+   end Crash_In_Time;
+
+   procedure Kill_While_Moving (R : in out Rig) is
+   begin
+      Assemble (R);
+      Move_Forward (R);
+      R.Supervisor.Send_Signal (Libc.Sigkill);
+      Check (R.Supervisor.Exit_Status (Within => 3.0) = 128 + 9, "its end");
+      Check (R.Emulator.Status ("moving") = "1", "the robot has stopped");
+   end Kill_While_Moving;
+
+   procedure Option_Stop is
+      R : Rig;
+   begin
+      Kill_While_Moving (R);
+      Supervisors.Expect_Console
+        ("--stop --serial " & R.Emulator.Device, 0,
+         "the robot was sent a stop on " & R.Emulator.Device);
+      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      Supervisors.Expect_Console
+        ("--stop --serial /no/such", 1,
+         "no stop was sent on /no/such: No such file");
+   end Option_Stop;
+
+   procedure Started_While_Moving is
+      --  Before anybody opens the line; nothing else is sent
+      R : Rig;
+   begin
+      Kill_While_Moving (R);
+      R.Supervisor.Start ("--serial " & R.Emulator.Device);
+      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      R.Supervisor.Expect_Log
+        ("the robot was sent a stop on " & R.Emulator.Device, Within => 2.0);
+      Check (R.Emulator.Count_Of ("M=0") = 1
+             and then R.Emulator.Journal.Last_Index = 1,
+             "not only a stop: " & R.Emulator.Wire_Text);
+      Connect (R);
+      Expect_Initial_State (R);
+      Start_Robot (R);
+   end Started_While_Moving;
 
    procedure Hundred_Connections is
       R           : Rig;
@@ -783,6 +872,13 @@ package body Process_Tests is
            Thirteen_Threads'Access);
       Add ("Never_Moves_On_After_A_Failed_Task",
            Failing_Task'Access);
+      Add ("Stop_By_Option_After_SIGKILL", Option_Stop'Access);
+      Add ("Stop_By_The_Next_Start_After_SIGKILL",
+           Started_While_Moving'Access);
+      Add ("Never_Moves_On_After_A_Crash_In_A_Library",
+           Crashing_Library'Access);
+      Add ("Stop_In_Time_After_A_Crash_In_A_Library",
+           Crash_In_Time'Access);
       Add ("Threads_On_Their_Own_Processor", Own_Processor'Access);
       Add ("Threads_On_One_Processor", One_Processor'Access);
       Add ("Never_Grows_In_100_Connections",

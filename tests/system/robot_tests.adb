@@ -78,8 +78,15 @@ package body Robot_Tests is
 
    begin
       Assemble (R, Terminal => True);
-      R.Monitor.Expect ("ROPN", "AACK");
+      Move_Forward (R);
       Second.Start ("--serial " & R.Emulator.Device);
+      Second.Expect_Log
+        ("no stop was sent on " & R.Emulator.Device & ": in use by " & Owner,
+         Within => 2.0);
+      Supervisors.Expect_Console
+        ("--stop --serial " & R.Emulator.Device, 1,
+         R.Emulator.Device & ": in use by " & Owner);
+      Check (R.Emulator.Status ("moving") = "1", "another has stopped it");
       Next.Connect (Second.Port);
       Next.Expect ("ROPN", "ANAK");
       Second.Expect_Log ("in use by " & Owner);

@@ -230,6 +230,7 @@ package body Command_Lines_Tests is
       Assert (Read ("--version").Request = Show_Version, "--version");
       Assert (Read ("--check --port 7").Request = Check, "--check");
       Assert (Read ("--check --port 7").Chosen.Port = 7, "its port");
+      Assert (Read ("--stop --port 7").Request = Stop, "--stop");
       Assert
         (Read ("--help --port x").Request = Show_Help,
          "what follows a request for help counts no more");
