@@ -68,7 +68,7 @@ is
       begin
          Is_Address := True;
          Create_Socket (Made, Host.Family, Socket_Stream);
-         Control (int (To_C (Made)), Close_On_Exec);
+         Linux.Control (int (To_C (Made)), Linux.Close_On_Exec);
          Set_Socket_Option (Made, Socket_Level, (Reuse_Address, True));
          Bind_Socket (Made, Network_Socket_Address (Host, Port_Type (Port)));
       end;

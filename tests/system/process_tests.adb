@@ -413,11 +413,11 @@ package body Process_Tests is
       Move_Forward (R);
       Time := Now;
       Create (File, Out_File, Path);
-      Seen := R.Supervisor.Exit_Status (Within => 10.0);
+      Seen := R.Supervisor.Exit_Status;
       Delete (File);
       Check (Seen = Status, How & ": exit status" & Seen'Image);
-      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
-      Taken := R.Emulator.Await_On_Wire ("M=0", Within => 1.0).First - Time;
+      R.Emulator.Await_Status ("moving", "0");
+      Taken := R.Emulator.Await_On_Wire ("M=0").First - Time;
       Note (How & ": stop on the wire after " & Milliseconds (Taken));
       Forget_Last_Lines;
    end Crash_While_Moving;
@@ -448,7 +448,7 @@ package body Process_Tests is
       Assemble (R);
       Move_Forward (R);
       R.Supervisor.Send_Signal (Libc.Sigkill);
-      Check (R.Supervisor.Exit_Status (Within => 3.0) = 128 + 9, "its end");
+      Check (R.Supervisor.Exit_Status = 128 + 9, "its end");
       Check (R.Emulator.Status ("moving") = "1", "the robot has stopped");
    end Kill_While_Moving;
 
@@ -459,7 +459,7 @@ package body Process_Tests is
       Supervisors.Expect_Console
         ("--stop --serial " & R.Emulator.Device, 0,
          "the robot was sent a stop on " & R.Emulator.Device);
-      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      R.Emulator.Await_Status ("moving", "0");
       Supervisors.Expect_Console
         ("--stop --serial /no/such", 1,
          "no stop was sent on /no/such: No such file");
@@ -471,9 +471,9 @@ package body Process_Tests is
    begin
       Kill_While_Moving (R);
       R.Supervisor.Start ("--serial " & R.Emulator.Device);
-      R.Emulator.Await_Status ("moving", "0", Within => 1.0);
+      R.Emulator.Await_Status ("moving", "0");
       R.Supervisor.Expect_Log
-        ("the robot was sent a stop on " & R.Emulator.Device, Within => 2.0);
+        ("the robot was sent a stop on " & R.Emulator.Device);
       Check (R.Emulator.Count_Of ("M=0") = 1
              and then R.Emulator.Journal.Last_Index = 1,
              "not only a stop: " & R.Emulator.Wire_Text);
@@ -877,8 +877,8 @@ package body Process_Tests is
            Started_While_Moving'Access);
       Add ("Never_Moves_On_After_A_Crash_In_A_Library",
            Crashing_Library'Access);
-      Add ("Stop_In_Time_After_A_Crash_In_A_Library",
-           Crash_In_Time'Access);
+      Add ("Stops_After_A_Crash_In_A_Library_In_Time",
+           Crash_In_Time'Access, Timed => True);
       Add ("Threads_On_Their_Own_Processor", Own_Processor'Access);
       Add ("Threads_On_One_Processor", One_Processor'Access);
       Add ("Never_Grows_In_100_Connections",

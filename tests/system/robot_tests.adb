@@ -81,8 +81,7 @@ package body Robot_Tests is
       Move_Forward (R);
       Second.Start ("--serial " & R.Emulator.Device);
       Second.Expect_Log
-        ("no stop was sent on " & R.Emulator.Device & ": in use by " & Owner,
-         Within => 2.0);
+        ("no stop was sent on " & R.Emulator.Device & ": in use by " & Owner);
       Supervisors.Expect_Console
         ("--stop --serial " & R.Emulator.Device, 1,
          R.Emulator.Device & ": in use by " & Owner);
