@@ -10,6 +10,8 @@ is
 
    use Admission.Authentication;
 
+   Credentials : constant String := "/run/credentials/";
+
    procedure Read_Token
      (Path    : Texts.Text;
       Token   : out Admission.Authentication.Token;
@@ -42,6 +44,14 @@ is
                "its first line is no token: 8 .. 128 printable ASCII "
                & "characters without a blank");
          end if;
+      end if;
+      if not Success and then Path.Length > Credentials'Length
+        and then Path.Data (Credentials'Range) = Credentials
+      then
+         Texts.Append
+           (Reason,
+            ". It is systemd's copy of the file to mend, "
+            & "/etc/destijl/token unless LoadCredential= names another");
       end if;
    end Read_Token;
 

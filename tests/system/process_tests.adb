@@ -600,7 +600,7 @@ package body Process_Tests is
       end if;
    end Memory_Locked;
 
-   procedure Drive_As_User (R : in out Rig) is
+   procedure Drive_As_User (R : in out Rig; Watchdog : Boolean := False) is
       --  Another user's pseudo-terminal cannot be opened: it is given away
    begin
       Need_Root;
@@ -617,7 +617,7 @@ package body Process_Tests is
          & R.Emulator.Camera_Url,
          Launcher => As_User, Program => Programs.Copied_Supervisor);
       Connect (R);
-      Start_Robot (R, Watchdog => True);
+      Start_Robot (R, Watchdog);
       Open_Camera (R, Positions => True);
       R.Monitor.Expect ("RGFW", "AACK");
    end Drive_As_User;
@@ -637,7 +637,7 @@ package body Process_Tests is
       --  One of five may be missed on a busy machine
       R : Rig;
    begin
-      Drive_As_User (R);
+      Drive_As_User (R, Watchdog => True);
       R.Monitor.Expect ("CASA", "CIMG");
       delay 5.0;
       Check

@@ -14,7 +14,9 @@ package body Rigs is
       Program            : String  := "";
       Bind               : String  := "127.0.0.1";
       Connected          : Boolean := True;
-      Terminal           : Boolean := False) is
+      Terminal           : Boolean := False)
+   is
+      Unused : Emulators.Note;
    begin
       R.Emulator.Start (Camera, Emulator_Options, Terminal);
       R.Supervisor.Start
@@ -22,6 +24,9 @@ package body Rigs is
          & (if Camera then " --camera " & R.Emulator.Camera_Url else "")
          & " " & Supervisor_Options,
          Launcher, Program, Bind);
+      --  each supervisor begins with a stop
+      Unused := R.Emulator.Await_On_Wire ("M=0");
+      R.Emulator.Clear_Journal;
       if Connected and then Bind = "127.0.0.1" then
          Connect (R);
       end if;
