@@ -16,9 +16,12 @@
 
 #include <dlfcn.h>
 #include <errno.h>
+#include <fcntl.h>
+#include <linux/videodev2.h>
 #include <pthread.h>
 #include <sched.h>
 #include <strings.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
@@ -509,8 +512,15 @@ void describe(const Source &from, char *text, std::size_t capacity) {
 // A V4L2 device gives OpenCV no reason.
 const char *device_cause(const std::string &name) {
   const std::string path = is_number(name) ? "/dev/video" + name : name;
-  return access(path.c_str(), R_OK | W_OK) != 0 && errno == EACCES
-             ? "your user must be in the group video"
+  if (access(path.c_str(), R_OK | W_OK) != 0 && errno == EACCES)
+    return "your user must be in the group video";
+  v4l2_capability has{};
+  const int file = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+  const bool is_known = file >= 0 && ioctl(file, VIDIOC_QUERYCAP, &has) == 0;
+  if (file >= 0)
+    ::close(file);
+  return is_known && (has.device_caps & V4L2_CAP_VIDEO_CAPTURE) == 0
+             ? "it gives no images, perhaps metadata: try another /dev/video*"
              : "no camera there, or another program uses it";
 }
 

@@ -482,6 +482,9 @@ package body Source_Tests is
       Start (R);
       R.Monitor.Expect ("COPN", "ANAK");
       R.Supervisor.Expect_Log ("another program uses it");
+      Set_Camera (Path, State => "meta");
+      R.Monitor.Expect ("COPN", "ANAK");
+      R.Supervisor.Expect_Log ("it gives no images, perhaps metadata");
       R.Monitor.Expect ("COPN", "ANAK");
       Set_Camera (Path);
       Open_Camera (R);

@@ -9,7 +9,8 @@
 //   rate NUMBER DENOMINATOR   images a second, likewise
 //   image PATH                the bytes of each image
 //   broken N                  each Nth is nonsense (0: none)
-//   state on|busy|gone        busy: in use by somebody else; gone: unplugged
+//   state on|busy|gone|meta   busy: in use by somebody else; gone: unplugged;
+//                             meta: the other node of a camera
 
 #define _GNU_SOURCE
 
@@ -226,7 +227,9 @@ static int do_ioctl(unsigned long request, void *argument) {
     memset(to, 0, sizeof *to);
     strcpy((char *)to->driver, "v4l2_camera");
     strcpy((char *)to->card, "A camera of the tests");
-    to->device_caps = V4L2_CAP_VIDEO_CAPTURE | V4L2_CAP_STREAMING;
+    to->device_caps =
+        V4L2_CAP_STREAMING | (is_in_state("meta") ? V4L2_CAP_META_CAPTURE
+                                                      : V4L2_CAP_VIDEO_CAPTURE);
     to->capabilities = to->device_caps | V4L2_CAP_DEVICE_CAPS;
     return 0;
   }
