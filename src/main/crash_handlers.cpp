@@ -3,6 +3,7 @@
 // (-fstack-check would fault again), and read the processor's registers; all
 // that they call is safe in a signal handler.
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -38,9 +39,15 @@ void write_stop(int line) {
     return;  // nothing else can be done
 }
 
-// No order follows: th_line finds no line.
+// No order follows: th_line finds no line. If several threads crash at once,
+// each writes a stop before it ends the process.
 void stop_for_good() {
-  write_stop(__atomic_exchange_n(&destijl_robot_line, -1, __ATOMIC_SEQ_CST));
+  static std::atomic<int> known{-1};
+  const int line = __atomic_load_n(&destijl_robot_line, __ATOMIC_SEQ_CST);
+  if (line >= 0)
+    known = line;
+  __atomic_store_n(&destijl_robot_line, -1, __ATOMIC_SEQ_CST);
+  write_stop(known);
 }
 
 bool is_own_code(const void *context) {
@@ -69,8 +76,7 @@ void on_crash(int signal, siginfo_t *facts, void *context) {
   stop_for_good();
   struct sigaction fatal{};  // SIG_DFL
   sigaction(signal, &fatal, nullptr);
-  if (is_sent)
-    raise(signal);  // others occur again
+  raise(signal);  // pending until the handler has ended
 }
 
 // The supervisor never calls exit.

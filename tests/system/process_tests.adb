@@ -394,11 +394,8 @@ package body Process_Tests is
       end loop;
    end Failing_Task;
 
-   procedure Crash_While_Moving
-     (How : String; Status : Integer; Taken : out Duration)
-   is
-      --  In a library, which an image has reached. Taken: until the robot has
-      --  its stop, from when the image could be there
+   procedure Crash_While_Moving (How : String; Status : Integer) is
+      --  In a library, which an image has reached
       R    : Rig;
       Path : constant String := Programs.Temporary_Folder & "/crash";
       File : File_Type;
@@ -417,31 +414,23 @@ package body Process_Tests is
       Delete (File);
       Check (Seen = Status, How & ": exit status" & Seen'Image);
       R.Emulator.Await_Status ("moving", "0");
-      Taken := R.Emulator.Await_On_Wire ("M=0").First - Time;
-      Note (How & ": stop on the wire after " & Milliseconds (Taken));
+      Check_Within
+        (R.Emulator.Await_On_Wire ("M=0").First - Time, 0.2,
+         How & ": the stop");
       Forget_Last_Lines;
    end Crash_While_Moving;
 
-   Sigabrt : constant := 128 + 6;
-   Sigsegv : constant := 128 + 11;
-
    procedure Crashing_Library is
-      Ignored : Duration;
+      Sigabrt : constant := 128 + 6;
+      Sigsegv : constant := 128 + 11;
    begin
-      Crash_While_Moving ("abort", Sigabrt, Ignored);
-      Crash_While_Moving ("free", Sigabrt, Ignored);
-      Crash_While_Moving ("fault", Sigsegv, Ignored);
-      Crash_While_Moving ("stack", Sigsegv, Ignored);
-      Crash_While_Moving ("thread", Sigsegv, Ignored);
-      Crash_While_Moving ("exit", 3, Ignored);
+      Crash_While_Moving ("abort", Sigabrt);
+      Crash_While_Moving ("free", Sigabrt);
+      Crash_While_Moving ("fault", Sigsegv);
+      Crash_While_Moving ("stack", Sigsegv);
+      Crash_While_Moving ("thread", Sigsegv);
+      Crash_While_Moving ("exit", 3);
    end Crashing_Library;
-
-   procedure Crash_In_Time is
-      Taken : Duration;
-   begin
-      Crash_While_Moving ("abort", Sigabrt, Taken);
-      Check_Within (Taken, 0.2, "the stop");
-   end Crash_In_Time;
 
    procedure Kill_While_Moving (R : in out Rig) is
    begin
@@ -878,7 +867,7 @@ package body Process_Tests is
       Add ("Never_Moves_On_After_A_Crash_In_A_Library",
            Crashing_Library'Access);
       Add ("Stops_After_A_Crash_In_A_Library_In_Time",
-           Crash_In_Time'Access, Timed => True);
+           Crashing_Library'Access, Timed => True);
       Add ("Threads_On_Their_Own_Processor", Own_Processor'Access);
       Add ("Threads_On_One_Processor", One_Processor'Access);
       Add ("Never_Grows_In_100_Connections",
