@@ -16,6 +16,7 @@ is
       Success : out Boolean;
       Reason  : out Texts.Text)
    is
+      Credentials : constant String := "/run/credentials/";
       Data   : String (1 .. 256) := (others => ' ');
       Mode   : File_Mode;
       Owner  : User_Number;
@@ -42,6 +43,14 @@ is
                "its first line is no token: 8 .. 128 printable ASCII "
                & "characters without a blank");
          end if;
+      end if;
+      if not Success and then Path.Length > Credentials'Length
+        and then Path.Data (Credentials'Range) = Credentials
+      then
+         Texts.Append
+           (Reason,
+            ". It is systemd's copy of the file to mend, "
+            & "/etc/destijl/token unless LoadCredential= names another");
       end if;
    end Read_Token;
 
