@@ -18,6 +18,7 @@ is
       Success : out Boolean;
       Reason  : out Texts.Text)
    is
+      Credentials : constant String := "/run/credentials/";
       Data   : String (1 .. 256) := (others => ' ');
       Mode   : File_Mode;
       Owner  : User_Number;

@@ -5,7 +5,7 @@ with GNAT.OS_Lib;
 with GNAT.Sockets; use GNAT.Sockets;
 with Interfaces;   use Interfaces;
 with Interfaces.C; use Interfaces.C;
-with Linux;
+with Linux;        use Linux;
 with System;
 
 package body Monitor.Sockets.Gate.Listener_Calls with

@@ -99,23 +99,19 @@ is
    procedure Take_In
      (Found : out Socket;
       From  : out Admission.Networks.Socket_Address;
-      Name  : out Texts.Text;
-      Event : out Arrival)
+      Name  : out Texts.Text)
    is
       Server : constant Socket := Listener;
       Error  : Integer;
    begin
       Listener_Calls.Accept_Next (Server, From, Found, Error);
-      Texts.Set (Name, "");
       if Found /= Nobody then
          Listener_Calls.Get_Name (From, Name);
-         Event := Somebody;
       elsif Error = Streams.Try_Again then
          --  the client has already left: no failure
-         Event := Nobody_There;
+         Texts.Set (Name, "");
       else
          Error_Texts.Describe (Error, Name);
-         Event := Failed;
       end if;
    end Take_In;
 

@@ -45,16 +45,14 @@ is
    procedure Wake_Server
    with Global => (Input => Newcomers, In_Out => Event_Counters.Kernel);
 
-   type Arrival is (Somebody, Nobody_There, Failed);
-
    procedure Take_In
      (Found : out Socket;
       From  : out Admission.Networks.Socket_Address;
-      Name  : out Texts.Text;
-      Event : out Arrival)
+      Name  : out Texts.Text)
    with Global => (In_Out => Newcomers);
    --  Accepts the next connection of the kernel's queue; never waits. Name:
-   --  that of the peer, HOST:PORT, or [HOST]:PORT for IPv6; or why it Failed
+   --  HOST:PORT, or [HOST]:PORT for IPv6. Nobody: there is none, Name is
+   --  empty; or it has failed, and Name says why
 
    procedure Read_Line
      (From   : Socket;

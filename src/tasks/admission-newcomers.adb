@@ -13,7 +13,7 @@ package body Admission.Newcomers with SPARK_Mode is
 
    use type Admission.Authentication.Verdict;
    use type Monitor.Session_Stages.Stage_Kind;
-   use type Monitor.Sockets.Gate.Arrival;
+   use type Monitor.Sockets.Socket;
 
    subtype Place_Choice is Natural range 0 .. Place'Last;
    --  0: none
@@ -175,16 +175,15 @@ package body Admission.Newcomers with SPARK_Mode is
      Post => Is_Consistent (G)
    is
       --  The next of the kernel's queue. More: there may be another
-      N     : Newcomer;
-      Event : Monitor.Sockets.Gate.Arrival;
-      Line  : Texts.Text;
+      N    : Newcomer;
+      Line : Texts.Text;
    begin
-      Monitor.Sockets.Gate.Take_In (N.Line, N.From, N.Name, Event);
+      Monitor.Sockets.Gate.Take_In (N.Line, N.From, N.Name);
       N.Came := Clock;
-      More := Event = Monitor.Sockets.Gate.Somebody;
+      More := N.Line /= Monitor.Sockets.Nobody;
       if More then
          Meet (G, N, R);
-      elsif Event = Monitor.Sockets.Gate.Failed then
+      elsif N.Name.Length > 0 then
          Texts.Set (Line, "a monitor could not connect: ");
          Texts.Append (Line, Texts.Image (N.Name));
          Journal.Put (Options.Error, Line);
