@@ -145,6 +145,7 @@ active proctype Supervisor () provided (!Left && Failed != Of_Main)
    Set_Event (Monitor_Session_Server_Allowed);
    /*: Wait_Event (Listening) in session */
    Put_Line ();
+   Put_Line ();
    Wait_For_Work (Failures_Stop_Failed);
    Refuse_Orders ();
    /* its last lines are written meanwhile */

@@ -104,17 +104,17 @@ package body Supervisor with SPARK_Mode is
       Written      : Boolean;
       Report       : Texts.Text;
    begin
-      if Command_Line.Request in Command_Lines.Check | Command_Lines.Stop then
-         if Command_Line.Request = Command_Lines.Check then
-            Checks.Run (Command_Line.Chosen, All_Well);
-         else
-            Robot.Serial_Line.Send_Stop
-              (Command_Line.Chosen.Serial, All_Well, Report);
-            Console.Put (Texts.Image (Report), Written);
-            All_Well := All_Well and Written;
-         end if;
+      if Command_Line.Request = Command_Lines.Check then
+         Checks.Run (Command_Line.Chosen, All_Well);
          Process.Leave
            (if All_Well then Process.Success else Process.Cannot_Start);
+      elsif Command_Line.Request = Command_Lines.Stop then
+         Robot.Serial_Line.Send_Stop
+           (Command_Line.Chosen.Serial, All_Well, Report);
+         Console.Put (Texts.Image (Report), Written);
+         Process.Leave
+           (if All_Well and Written then Process.Success
+            else Process.Cannot_Start);
       end if;
       Serve (Command_Line.Chosen);
       --  again: orders may have been sent since the failure's stop
