@@ -11,19 +11,15 @@ package Monitor.Link with SPARK_Mode is
    type Byte_Count is range 0 .. 2 ** 63 - 1;
 
    Vanished_After : constant Milliseconds := 4_000;
-   --  Sampled every 250 ms, this detects a monitor that vanished without a
-   --  packet within the 5 s of F5.
+   --  A monitor is lost that is not heard for this long, or that acknowledges
+   --  nothing, though it is heard: the way to it is cut, not the way from it.
+   --  With 500 ms until a battery level is sent to it, two sampling periods,
+   --  and the stop, within the 5 s of F5.
 
    Confirmed_After : constant Milliseconds := 200;
-   --  Less than the sampling period: data just sent gets the time to be
-   --  acknowledged.
+   --  Data just sent gets the time to be acknowledged.
 
-   Unacknowledged_After : constant Milliseconds := 3_500;
-   --  Lost is also a monitor that is heard, but acknowledges nothing for this
-   --  long: the way to it is cut, not the way from it. With 500 ms until a
-   --  battery level is due, and two sampling periods, it is within these 5 s.
-
-   Silent_After : constant Milliseconds := 700;
+   Silent_After : constant Milliseconds := 800;
    --  A monitor that has announced signs of life, and shows none for this
    --  long, is lost: with a sampling period and the stop, within 1 s.
 
@@ -120,7 +116,7 @@ package Monitor.Link with SPARK_Mode is
    function Is_Cut (S : State; X : Sample) return Boolean is
      (S.Waiting
       and then
-        (Elapsed (S.Waiting_Since, X.Now) >= Unacknowledged_After
+        (Elapsed (S.Waiting_Since, X.Now) >= Vanished_After
          or else (X.Since_Heard > Vanished_After
                   and then Elapsed (S.Watched_Since, X.Now) > Vanished_After
                   and then Elapsed (S.Waiting_Since, X.Now)
