@@ -10,6 +10,7 @@ with Exchanges;             use Exchanges;
 with GNAT.OS_Lib;
 with GNAT.Sockets;          use GNAT.Sockets;
 with Monitor.Protocol;
+with Mutexes;
 with Numerals;
 with Terminals;
 
@@ -23,6 +24,10 @@ package body Connections is
    Tick : constant Duration := 0.02;
    --  Polling period for unanswered commands
 
+   Life : constant Time_Span := Milliseconds (100);
+   --  Between two signs of life. Without one for 800 ms the supervisor stops
+   --  the robot: seven may be late
+
    Longest_Mission : constant Duration := 600.0;
 
    Farewell : constant Duration := 1.0;
@@ -31,6 +36,8 @@ package body Connections is
    Socket : Socket_Type := No_Socket;
    Limit  : Duration    := 0.0;
    --  For an answer
+
+   Writing : Mutexes.Mutex;
 
    Line   : String (1 .. Max_Line);
    Length : Natural := 0;
@@ -81,10 +88,16 @@ package body Connections is
          Data (Stream_Element_Offset (I - Text'First + 1)) :=
            Character'Pos (Text (I));
       end loop;
+      Writing.Seize;
       while First <= Data'Last loop
          Send_Socket (Socket, Data (First .. Data'Last), Last);
          First := Last + 1;
       end loop;
+      Writing.Release;
+   exception
+      when others =>
+         Writing.Release;
+         raise;
    end Write_Line;
 
    task Reader is
@@ -258,6 +271,14 @@ package body Connections is
          Lose (Ada.Exceptions.Exception_Message (Error));
    end Send;
 
+   procedure Show_Life is
+   begin
+      Write_Line (Monitor.Protocol.Label (Monitor.Protocol.Sign_Of_Life));
+   exception
+      when Socket_Error =>
+         null;  --  the reader sees why
+   end Show_Life;
+
    procedure Start (Timeout : Duration) is
    begin
       Limit := Timeout;
@@ -266,8 +287,9 @@ package body Connections is
    end Start;
 
    task body Timekeeper is
-      Found : Boolean;
-      Given : Command;
+      Found   : Boolean;
+      Given   : Command;
+      Next_At : Time := Clock;
    begin
       select
          accept Start;
@@ -276,6 +298,10 @@ package body Connections is
       end select;
 
       while not Exchange.Is_Ending loop
+         if Clock >= Next_At then
+            Show_Life;
+            Next_At := Clock + Life;
+         end if;
          Exchange.Give_Up (Clock - To_Time_Span (Limit), Found, Given);
          if Found then
             Accounts.Put_Unanswered (To_String (Given.Text), Limit);

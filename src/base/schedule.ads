@@ -50,8 +50,9 @@ package Schedule with SPARK_Mode is
    Idle_Ping_Period  : constant Time_Span := Milliseconds (30_000);
    --  of an open line while the robot is not started: the robot switches
    --  itself off after two minutes without a command
-   Link_Period       : constant Time_Span := Milliseconds (250);
-   --  sampling period of the monitor's connection
+   Link_Period       : constant Time_Span := Milliseconds (100);
+   --  sampling period of the monitor's connection: the less, the longer may a
+   --  monitor be silent that is to be found within a second
    Mission_Period    : constant Time_Span := Milliseconds (20);
    --  of th_mission while a mission is under way, beside each position
 

@@ -8,7 +8,7 @@ with Monitor.Tcp_Infos;
 
 package body Monitor.Sockets.Connection with
   SPARK_Mode,
-  Refined_State => (Peer => (Current, Streams.Kernel))
+  Refined_State => (Peer => (Current, Owing, Streams.Kernel))
 is
 
    use type Interfaces.Unsigned_16;
@@ -16,6 +16,9 @@ is
    package Streams is new Monitor.Sockets.Stream_Calls;
 
    Current : Socket := Nobody with Atomic, Async_Readers, Async_Writers;
+
+   Owing : Boolean := False with Atomic, Async_Readers, Async_Writers;
+   --  It has announced signs of life
 
    type Option is record
       Level, Name, Value : int;
@@ -32,11 +35,12 @@ is
       --  longer adapts it. So a monitor that sends faster than the robot
       --  executes has hundreds of commands waiting here, not a megabyte
       (Streams.Level_Socket, 8, 65_536),
-      --  detects an idle peer that vanished: 1 s, then three probes of 1 s
+      --  an idle peer is probed each second. Monitor.Link judges what comes
+      --  of it: the kernel would give up without saying why, much later
       (Streams.Level_Socket, 9, 1),       --  SO_KEEPALIVE
       (Streams.Level_Tcp, 4, 1),          --  TCP_KEEPIDLE
       (Streams.Level_Tcp, 5, 1),          --  TCP_KEEPINTVL
-      (Streams.Level_Tcp, 6, 3));         --  TCP_KEEPCNT
+      (Streams.Level_Tcp, 6, 20));        --  TCP_KEEPCNT
 
    Quick_Option : constant := 12;       --  TCP_QUICKACK
    Wait_Option  : constant := 18;       --  TCP_USER_TIMEOUT
@@ -49,6 +53,11 @@ is
       Current := Nobody;
       Streams.Close (Closed);
    end Close;
+
+   procedure Expect_Life is
+   begin
+      Owing := True;
+   end Expect_Life;
 
    procedure Leave_To_Kernel is
       Peer_Socket : constant Socket := Current;
@@ -80,6 +89,7 @@ is
    procedure Sample (Link : out Monitor.Link.Sample) is
       Now         : constant Time := Clock;
       Peer_Socket : constant Socket := Current;
+      Owes        : constant Boolean := Owing;
       Whole       : Seconds_Count;
       Rest        : Time_Span;
       Info        : Monitor.Tcp_Infos.Tcp_Info;
@@ -93,6 +103,7 @@ is
         (Info, Filled,
          Monitor.Link.Time_Of
            (Monitor.Link.Seconds (Whole), Rest / Milliseconds (1)));
+      Link.Owes_Life := Owes;
    end Sample;
 
    procedure Send
@@ -133,6 +144,7 @@ is
       for O of Usual loop
          Streams.Set_Number (Newcomer, O.Level, O.Name, O.Value);
       end loop;
+      Owing := False;
       Current := Newcomer;
    end Take_Over;
 

@@ -15,6 +15,9 @@ is
    with Global => (In_Out => Peer);
    --  Newcomer becomes the monitor in command. There must be none
 
+   procedure Expect_Life with Global => (In_Out => Peer);
+   --  The monitor in command has announced signs of life
+
    procedure Receive
      (Data : in out String; Length : out Natural; Open : out Boolean)
    with

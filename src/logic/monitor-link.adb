@@ -5,29 +5,16 @@ package body Monitor.Link with SPARK_Mode is
    procedure Judge (S : in out State; X : Sample; V : out Verdict) is
       Progress : constant Boolean := Is_Progress (S, X);
    begin
-      if Progress or else not S.Waiting or else X.Unacknowledged = 0 then
+      if Progress or else not S.Waiting or else not Is_Due (X) then
          S.Waiting_Since := X.Now;
       end if;
       if Progress or else not S.Holding or else X.Outstanding = 0 then
          S.Holding_Since := X.Now;
       end if;
-      S.Waiting := X.Unacknowledged > 0;
+      S.Waiting := Is_Due (X);
       S.Holding := X.Outstanding > 0;
       S.Acked   := X.Bytes_Acked;
-
-      if S.Waiting
-        and then X.Since_Heard > Vanished_After
-        and then Elapsed (S.Watched_Since, X.Now) > Vanished_After
-        and then Elapsed (S.Waiting_Since, X.Now) >= Confirmed_After
-      then
-         V := Vanished;
-      elsif S.Holding
-        and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After
-      then
-         V := Stalled;
-      else
-         V := Present;
-      end if;
+      V := Verdict_On (S, X);
    end Judge;
 
    procedure Start (S : out State; Now : Milliseconds) is
@@ -51,6 +38,16 @@ package body Monitor.Link with SPARK_Mode is
             Texts.Append
               (Line, "it vanished, nothing has been acknowledged for ");
             Append_Seconds (Line, Vanished_After);
+         when Monitor_Unreachable =>
+            Texts.Append
+              (Line, "it cannot be reached, nothing could be sent for ");
+            Append_Seconds (Line, Vanished_After);
+            Texts.Append (Line, ": no link, address or route");
+         when Monitor_Silent    =>
+            Texts.Append
+              (Line, "it announced signs of life, and shows none for ");
+            Texts.Append (Line, Integer (Silent_After));
+            Texts.Append (Line, " ms");
          when Monitor_Stalled   =>
             Texts.Append (Line, "it has taken nothing for ");
             Append_Seconds (Line, Stalled_After);

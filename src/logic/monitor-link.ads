@@ -11,19 +11,25 @@ package Monitor.Link with SPARK_Mode is
    type Byte_Count is range 0 .. 2 ** 63 - 1;
 
    Vanished_After : constant Milliseconds := 4_000;
-   --  Sampled every 250 ms, this detects a monitor that vanished without a
-   --  packet within the 5 s of F5.
+   --  A monitor is lost that is not heard for this long, or that acknowledges
+   --  nothing, though it is heard: the way to it is cut, not the way from it.
+   --  With 500 ms until a battery level is sent to it, two sampling periods,
+   --  and the stop, within the 5 s of F5.
 
    Confirmed_After : constant Milliseconds := 200;
-   --  Less than the sampling period: data just sent gets the time to be
-   --  acknowledged.
+   --  Data just sent gets the time to be acknowledged.
+
+   Silent_After : constant Milliseconds := 800;
+   --  A monitor that has announced signs of life, and shows none for this
+   --  long, is lost: with a sampling period and the stop, within 1 s.
 
    Stalled_After : constant Milliseconds := 15_000;
    --  A monitor that accepts no data for this long is lost.
 
-   Needed_Bytes : constant := 148;
-   --  Of the kernel's struct tcp_info, up to tcpi_notsent_bytes. The kernel's
-   --  version decides how many it fills in; an emulated one may give 4.
+   Needed_Bytes : constant := 232;
+   --  Of the kernel's struct tcp_info, up to tcpi_snd_wnd. The kernel's
+   --  version decides how many it fills in: since 5.4 these; an emulated one
+   --  may give 4.
 
    function Is_Enough (Length : Natural) return Boolean is
      (Length >= Needed_Bytes);
@@ -46,29 +52,40 @@ package Monitor.Link with SPARK_Mode is
       --  Monotonic time of the sample.
       Known          : Boolean      := False;
       --  The kernel has filled in the fields below.
+      Owes_Life      : Boolean      := False;
+      --  The monitor has announced signs of life.
       Unacknowledged : Natural      := 0;
       --  Segments sent and not acknowledged (tcpi_unacked).
-      Since_Heard    : Milliseconds := 0;
-      --  Age of the last sign of life: an acknowledgement or data
-      --  (tcpi_last_ack_recv, tcpi_last_data_recv). The kernel requests one
-      --  every second on an idle connection (keep-alive).
       Outstanding    : Natural      := 0;
-      --  Bytes not yet taken by the peer's kernel: in our kernel's queue, or
-      --  held by a blocked send.
+      --  The same and the bytes not sent, in our kernel's queue.
+      Window         : Natural      := 0;
+      --  Bytes that the peer's kernel would take, as last told
+      --  (tcpi_snd_wnd). 0: its program does not read.
+      Probes         : Natural      := 0;
+      --  Requests for an acknowledgement, without data, that are unanswered
+      --  (tcpi_probes): keep-alive, or for room.
+      Since_Heard    : Milliseconds := 0;
+      --  Age of the last sign of life of the peer's kernel: an acknowledgement
+      --  or data (tcpi_last_ack_recv, tcpi_last_data_recv). Ours requests one
+      --  every second on an idle connection (keep-alive).
+      Since_Data     : Milliseconds := 0;
+      --  Age of the last data, which only the peer's program sends.
       Bytes_Acked    : Byte_Count   := 0;
       --  All bytes acknowledged so far (tcpi_bytes_acked).
    end record;
 
    type Verdict is
      (Present,
-      Vanished,   --  no acknowledgements: the peer or the route is gone
-      Stalled);   --  it acknowledges with a closed window: nobody reads
+      Vanished,     --  no acknowledgements: the peer or the route is gone
+      Unreachable,  --  nothing can be sent: link, address or route is gone
+      Silent,       --  the signs of life that it announced do not come
+      Stalled);     --  it acknowledges with a closed window: nobody reads
 
    type State is record
       Watched_Since : Milliseconds := 0;
       --  When the connection was admitted and keep-alive began.
       Waiting       : Boolean      := False;
-      --  Segments were unacknowledged at the last sample ...
+      --  An acknowledgement was due at the last sample ...
       Waiting_Since : Milliseconds := 0;
       --  ... since then, without any acknowledgement.
       Holding       : Boolean      := False;
@@ -84,6 +101,42 @@ package Monitor.Link with SPARK_Mode is
 
    function Is_Progress (S : State; X : Sample) return Boolean is
      (X.Bytes_Acked /= S.Acked);
+
+   function Has_Room (X : Sample) return Boolean is
+     (X.Outstanding > 0 and then X.Window > 0);
+   --  The peer, for what is outstanding. Where it has none, only its program
+   --  can make room
+
+   function Is_Due (X : Sample) return Boolean is
+     (X.Probes > 0 or else Has_Room (X));
+   --  An acknowledgement: the peer's kernel does not wait for its program
+
+   --  The losses, of a sample that S already contains
+
+   function Is_Cut (S : State; X : Sample) return Boolean is
+     (S.Waiting
+      and then
+        (Elapsed (S.Waiting_Since, X.Now) >= Vanished_After
+         or else (X.Since_Heard > Vanished_After
+                  and then Elapsed (S.Watched_Since, X.Now) > Vanished_After
+                  and then Elapsed (S.Waiting_Since, X.Now)
+                    >= Confirmed_After)));
+   --  Silence alone is no cut: with a closed window, or during a long wait for
+   --  admission, the kernel may not have probed the peer for long.
+
+   function Is_Silent (X : Sample) return Boolean is
+     (X.Owes_Life and then X.Since_Data > Silent_After);
+
+   function Is_Stalled (S : State; X : Sample) return Boolean is
+     (S.Holding and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After);
+
+   function Verdict_On (S : State; X : Sample) return Verdict is
+     (if Is_Cut (S, X) then
+        (if Has_Room (X) and then X.Unacknowledged = 0 then Unreachable
+         else Vanished)
+      elsif Is_Silent (X) then Silent
+      elsif Is_Stalled (S, X) then Stalled
+      else Present);
 
    procedure Start (S : out State; Now : Milliseconds)
    with
@@ -101,7 +154,7 @@ package Monitor.Link with SPARK_Mode is
      Post =>
        S.Acked = X.Bytes_Acked
        and then S.Watched_Since = S'Old.Watched_Since
-       and then S.Waiting = (X.Unacknowledged > 0)
+       and then S.Waiting = Is_Due (X)
        and then S.Waiting_Since =
          (if S'Old.Waiting and then S.Waiting
             and then not Is_Progress (S'Old, X)
@@ -113,20 +166,8 @@ package Monitor.Link with SPARK_Mode is
             and then not Is_Progress (S'Old, X)
           then S'Old.Holding_Since
           else X.Now)
-       and then V =
-         (if S.Waiting
-            and then X.Since_Heard > Vanished_After
-            and then Elapsed (S.Watched_Since, X.Now) > Vanished_After
-            and then Elapsed (S.Waiting_Since, X.Now) >= Confirmed_After
-          then Vanished
-          elsif S.Holding
-            and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After
-          then Stalled
-          else Present);
-   --  Evaluates one sample. Silence alone is not a loss: with a closed window,
-   --  or during a long wait for admission, the kernel may not have probed the
-   --  peer for long. Nor does the age of the oldest message decide: the kernel
-   --  forgets an unanswered keep-alive as soon as a message follows.
+       and then V = Verdict_On (S, X);
+   --  Evaluates one sample
 
    --  Why a session ends
 
@@ -147,8 +188,9 @@ package Monitor.Link with SPARK_Mode is
    --  there is none
 
    type Cause is
-     (Nothing, Supervisor_Stops, Monitor_Vanished, Monitor_Stalled, Silence,
-      Connection_Reset, Connection_Closed);
+     (Nothing, Supervisor_Stops, Monitor_Vanished, Monitor_Unreachable,
+      Monitor_Silent, Monitor_Stalled, Silence, Connection_Reset,
+      Connection_Closed);
 
    function Cause_Of (Stopping : Boolean; Loss : Loss_Kind; V : Verdict)
      return Cause
@@ -157,6 +199,8 @@ package Monitor.Link with SPARK_Mode is
        elsif Loss = Reset_By_Peer then Connection_Reset
        elsif Loss = No_Sign_Of_Life then Silence
        elsif V = Vanished then Monitor_Vanished
+       elsif V = Unreachable then Monitor_Unreachable
+       elsif V = Silent then Monitor_Silent
        elsif V = Stalled then Monitor_Stalled
        else Nothing);
    --  Nothing: the session continues

@@ -47,6 +47,7 @@ package Monitor.Protocol with SPARK_Mode is
       Follow_Pixels,
       Go_To_Centimetres,
       Follow_Centimetres,
+      Sign_Of_Life,
       Log_Message,
       Malformed);
 
@@ -80,7 +81,7 @@ package Monitor.Protocol with SPARK_Mode is
    --  Value: the argument of Move_Robot and Turn_Robot, otherwise 0.
 
    function Is_Answered (Kind : Message_Kind) return Boolean is
-     (Kind not in Confirm_Arena | Reject_Arena | Log_Message);
+     (Kind not in Confirm_Arena | Reject_Arena | Sign_Of_Life | Log_Message);
    --  Whether the monitor gets exactly one answer, or none.
 
    subtype Label_Text is String (1 .. 4);
@@ -116,6 +117,7 @@ package Monitor.Protocol with SPARK_Mode is
          when Follow_Pixels        => "MPTH",
          when Go_To_Centimetres    => "MGCM",
          when Follow_Centimetres   => "MPCM",
+         when Sign_Of_Life         => "LIVE",
          when Log_Message          => "MSSG");
 
    Token_Label : constant Label_Text := "AUTH";

@@ -17,8 +17,13 @@ package Monitor.Tcp_Infos with SPARK_Mode is
      with Convention => C;
 
    type Tcp_Info is record
-      States      : Word_Array (1 .. 6)    := (others => 0);
-      --  States, times, segment sizes
+      State       : Interfaces.Unsigned_8  := 0;
+      Congestion  : Interfaces.Unsigned_8  := 0;
+      Retransmits : Interfaces.Unsigned_8  := 0;
+      Probes      : Interfaces.Unsigned_8  := 0;
+      --  Unanswered
+      Times       : Word_Array (1 .. 5)    := (others => 0);
+      --  Options, times, segment sizes
       Unacked     : Interfaces.Unsigned_32 := 0;
       --  Segments
       Counters    : Word_Array (1 .. 6)    := (others => 0);
@@ -34,9 +39,12 @@ package Monitor.Tcp_Infos with SPARK_Mode is
       Segments    : Word_Array (1 .. 2)    := (others => 0);
       Not_Sent    : Interfaces.Unsigned_32 := 0;
       --  Bytes
-      Shortest    : Interfaces.Unsigned_32 := 0;
+      Later       : Word_Array (1 .. 20)   := (others => 0);
+      --  Times, rates, counters
+      Window      : Interfaces.Unsigned_32 := 0;
+      --  Bytes that the peer takes, as last told
    end record
-   with Convention => C, Size => 152 * 8;
+   with Convention => C, Size => 232 * 8;
    --  The beginning of the kernel's struct tcp_info (linux/tcp.h)
 
    function To_Natural (Value : Interfaces.Unsigned_64) return Natural is
@@ -52,13 +60,17 @@ package Monitor.Tcp_Infos with SPARK_Mode is
           Known          => True,
           Unacknowledged =>
             To_Natural (Interfaces.Unsigned_64 (Info.Unacked)),
-          Since_Heard    => Monitor.Link.Milliseconds
-            (Interfaces.Unsigned_32'Min (Info.Last_Ack, Info.Last_Data)),
           Outstanding    =>
             To_Natural (Interfaces.Unsigned_64 (Info.Not_Sent)
                         + Interfaces.Unsigned_64 (Info.Unacked)),
+          Window         => To_Natural (Interfaces.Unsigned_64 (Info.Window)),
+          Probes         => Natural (Info.Probes),
+          Since_Heard    => Monitor.Link.Milliseconds
+            (Interfaces.Unsigned_32'Min (Info.Last_Ack, Info.Last_Data)),
+          Since_Data     => Monitor.Link.Milliseconds (Info.Last_Data),
           Bytes_Acked    => Monitor.Link.Byte_Count
-            (Info.Bytes_Acked and (2 ** 63 - 1)))
+            (Info.Bytes_Acked and (2 ** 63 - 1)),
+          others         => <>)
        else (Now => Now, others => <>))
    with
      Post => Sample_Of'Result.Now = Now
@@ -67,7 +79,9 @@ package Monitor.Tcp_Infos with SPARK_Mode is
          (if Sample_Of'Result.Known then
              (Sample_Of'Result.Unacknowledged > 0) = (Info.Unacked > 0)
              and then (Sample_Of'Result.Outstanding > 0)
-               = (Info.Unacked > 0 or else Info.Not_Sent > 0));
+               = (Info.Unacked > 0 or else Info.Not_Sent > 0)
+             and then (Sample_Of'Result.Window > 0) = (Info.Window > 0)
+             and then Sample_Of'Result.Probes = Natural (Info.Probes));
    --  Length: bytes of Info that the kernel has filled in
 
 end Monitor.Tcp_Infos;

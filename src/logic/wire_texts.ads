@@ -46,6 +46,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
             when Follow_Pixels                => "MPTH",
             when Go_To_Centimetres            => "MGCM",
             when Follow_Centimetres           => "MPCM",
+            when Sign_Of_Life                 => "LIVE",
             when Log_Message                  => "MSSG"));
 
    procedure Prove_Label (Kind : Known_Kind)

@@ -167,7 +167,7 @@ package body Monitor.Tasks with SPARK_Mode is
    begin
       Parse (Line, Order.Message);
       Journal.Get_Kept (Options.Debug, Kept);
-      if Kept then
+      if Kept and then Order.Message.Kind /= Sign_Of_Life then
          Texts.Set (Text, "received ");
          Admission.Authentication.Append_Shown (Text, Line);
          Journal.Put (Options.Debug, Text);
@@ -182,6 +182,9 @@ package body Monitor.Tasks with SPARK_Mode is
                Ask_For_Mission (Line, Order);
             when Open_Robot .. Stop_Position =>
                Task_Ports.Dispatch (Order);
+            when Sign_Of_Life =>
+               Monitor.Sockets.Connection.Expect_Life;
+               Monitor.Outbox.Answer_Nothing (Order);
             when Log_Message =>
                Monitor.Outbox.Answer_Nothing (Order);
                Texts.Set (Text, "monitor says: ");

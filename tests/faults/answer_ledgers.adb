@@ -44,7 +44,7 @@ package body Answer_Ledgers is
         (if Name = "RGBT" then Battery
          elsif Name = "RGST" then State
          elsif Name = "CASA" then Arena
-         elsif Name in "CACO" | "CAIN" | "MSSG" then Silent
+         elsif Name in "CACO" | "CAIN" | "LIVE" | "MSSG" then Silent
          else Usual);
    end Kind_Of;
 

@@ -47,12 +47,13 @@ package body Faults is
    begin
       A.Prepare (First);
       B.Prepare (Second);
-      --  two faults that change the start need different worlds, and nothing
-      --  can follow the supervisor's end
+      --  two faults that change the start need different worlds, there is one
+      --  link to cut, and nothing can follow the supervisor's end
       return A.Name /= B.Name
         and then not A.Alone
         and then not B.Alone
         and then A.Ends /= Supervisor_Ends
+        and then not (First.Through_Link and then Second.Through_Link)
         and then not Both_Set (First.Launcher, Second.Launcher)
         and then not Both_Set (First.Program, Second.Program)
         and then not Both_Set (First.Camera, Second.Camera)

@@ -8,6 +8,7 @@ with Faults;                use Faults;
 with Floods;
 with Instants;              use Instants;
 with Monitor_Clients;
+with Network_Links;
 with Random_Numbers;        use Random_Numbers;
 with Raw_Probes;
 with Tolerances;            use Tolerances;
@@ -19,7 +20,7 @@ package body Network_Faults is
      ("ROPN RCLS RSOW RSWW RRST RPIN RLDW RGFW RGBW RGLF RGRI RSTP RMOV RTRN"
       & " RPOF RGBT RGST COPN CCLS CASA CACO CAIN CPCO CPST MSSG"
       & " MABT MGTO MPTH MGCM MPCM");
-   --  All that the monitor can say
+   --  All that the monitor can say, but LIVE, which obliges it to go on
 
    --  The monitor disconnects
 
@@ -30,13 +31,22 @@ package body Network_Faults is
 
    overriding procedure Inject (F : in out Departure; W : in out World);
 
-   --  The cable is cut: no packet comes any more
+   --  The way to the monitor is cut: no packet comes any more
 
-   type Cut_Cable is new Fault with null record;
+   type Cut_Cable is new Fault with record
+      How : Network_Links.Cut_Kind := Network_Links.Cable_Pulled;
+   end record;
 
    overriding procedure Prepare (F : Cut_Cable; P : in out Plan);
    overriding procedure Inject (F : in out Cut_Cable; W : in out World);
    overriding procedure Lift (F : in out Cut_Cable; W : in out World);
+
+   --  The monitor hangs, and its kernel goes on
+
+   type Hang is new Fault with null record;
+
+   overriding procedure Inject (F : in out Hang; W : in out World);
+   overriding procedure Lift (F : in out Hang; W : in out World);
 
    --  The monitor reads nothing
 
@@ -115,14 +125,13 @@ package body Network_Faults is
    end Prepare;
 
    overriding procedure Inject (F : in out Cut_Cable; W : in out World) is
-      pragma Unreferenced (F);
       Log     : constant Natural := W.Session_Log;
       Start   : Instant;
       Noticed : Boolean;
    begin
       W.Reachable := False;
       W.Listen;
-      The_Link.Cut;
+      The_Link.Cut (F.How);
       Start := Now;
       if W.Present then
          W.Lose (Silently, Detection => Vanished_Limit);
@@ -141,11 +150,27 @@ package body Network_Faults is
    end Inject;
 
    overriding procedure Lift (F : in out Cut_Cable; W : in out World) is
-      pragma Unreferenced (F);
    begin
-      The_Link.Mend;
+      The_Link.Mend (F.How);
       W.Monitor.Close;
       W.Reachable := True;
+   end Lift;
+
+   overriding procedure Inject (F : in out Hang; W : in out World) is
+      pragma Unreferenced (F);
+   begin
+      W.Listen;
+      if W.Present then
+         W.Say ("LIVE");
+         W.Lose (Silently, Detection => Silence_Limit);
+         delay Silence_Limit;
+      end if;
+   end Inject;
+
+   overriding procedure Lift (F : in out Hang; W : in out World) is
+      pragma Unreferenced (F);
+   begin
+      W.Monitor.Close;
    end Lift;
 
    overriding procedure Prepare (F : Stall; P : in out Plan) is
@@ -443,6 +468,12 @@ package body Network_Faults is
          "the robot has obeyed a second monitor");
    end Inject;
 
+   procedure Add_Cut (Name : String; How : Network_Links.Cut_Kind) is
+   begin
+      Add (Network, Name, new Cut_Cable'(How => How, others => <>),
+           Cost => 6.0, Ends => Session_Ends);
+   end Add_Cut;
+
    procedure Register is
    begin
       Add (Network, "orderly close",
@@ -455,8 +486,15 @@ package body Network_Faults is
       Add (Network, "half a line, then reset",
            new Departure'(How => Abortive, Mid_Line => True, others => <>),
            Ends => Session_Ends);
-      Add (Network, "vanishing without a packet", new Cut_Cable, Cost => 6.0,
-           Ends => Session_Ends);
+      Add_Cut ("vanishing without a packet", Network_Links.Cable_Pulled);
+      Add_Cut ("monitor's machine silent", Network_Links.Monitor_Gone);
+      Add_Cut ("packets to the monitor dropped", Network_Links.Dropped_There);
+      Add_Cut ("packets from the monitor dropped", Network_Links.Dropped_Here);
+      Add_Cut ("own interface down", Network_Links.Interface_Down);
+      Add_Cut ("own address gone", Network_Links.Address_Gone);
+      Add_Cut ("own route gone", Network_Links.Route_Gone);
+      Add (Network, "announced signs of life do not come", new Hang,
+           Cost => 2.0, Ends => Session_Ends);
       Add (Network, "stall of 1 s", new Stall'(Length => 1.0, others => <>),
            Cost => 1.0, Camera => Camera_Streaming);
       Add (Network, "stall of 5 s", new Stall'(Length => 5.0, others => <>),

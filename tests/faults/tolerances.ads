@@ -15,6 +15,9 @@ package Tolerances is
    Vanished_Limit : constant Duration := 5.0;
    --  F5: time to detect a vanished monitor
 
+   Silence_Limit : constant Duration := 0.9;
+   --  Time to detect that announced signs of life do not come
+
    Stalled_Limit : constant Duration := 15.0;
    --  A monitor that accepts nothing is lost after this time
 

@@ -10,6 +10,7 @@ with Emulators;
 with Expectations;          use Expectations;
 with Images;
 with Instants;              use Instants;
+with Libc;
 with Monitor_Clients;       use Monitor_Clients;
 with Network_Links;
 with Programs;
@@ -528,9 +529,22 @@ package body Monitor_Tests is
      (Programs.Preload ("libshort_info.so"));
    --  Launches with a kernel that gives no more than 4 bytes of TCP_INFO
 
-   procedure Expect_Vanished (R : in out Rig; Since : Instant) is
+   procedure Expect_Vanished
+     (R : in out Rig; Since : Instant; Talking : Boolean := False)
+   is
+      --  Talking: the monitor does not know, and goes on saying something
+      Ends : constant Instant := Since + Patience;
    begin
+      while Talking
+        and then not R.Supervisor.Says ("monitor lost")
+        and then Now < Ends
+      loop
+         R.Monitor.Send_Line ("MSSG:still here");
+         delay 0.1;
+      end loop;
       R.Supervisor.Expect_Log ("monitor lost");
+      Check
+        (not R.Supervisor.Says ("it has taken nothing"), "taken for stalled");
       Check_Within
         (R.Supervisor.Time_Of ("monitor lost") - Since, Vanish_Limit,
          "finding the loss");
@@ -555,7 +569,8 @@ package body Monitor_Tests is
 
    generic
       Streaming : Boolean;
-      Silent    : Boolean := False;
+      How       : Network_Links.Cut_Kind := Network_Links.Cable_Pulled;
+      Talking   : Boolean := False;
       Short     : Boolean := False;
    procedure Vanish;
 
@@ -577,19 +592,33 @@ package body Monitor_Tests is
       Move_Forward (R);
       delay 1.0;
       Time := Now;
-      if Silent then
-         Link.Fall_Silent;
-      else
-         Link.Cut;
-      end if;
-      Expect_Vanished (R, Time);
+      Link.Cut (How);
+      Expect_Vanished (R, Time, Talking);
       Expect_Stop_After_Loss (R);
       Expect_New_Session (R);
    end Vanish;
 
    procedure Vanished_Idle is new Vanish (Streaming => False);
    procedure Vanished_Streaming is new Vanish (Streaming => True);
-   procedure Fallen_Silent is new Vanish (Streaming => True, Silent => True);
+
+   procedure Fallen_Silent is new Vanish
+     (Streaming => True, How => Network_Links.Monitor_Gone);
+
+   procedure Own_Interface_Down is new Vanish
+     (Streaming => False, How => Network_Links.Interface_Down);
+
+   procedure Own_Address_Gone is new Vanish
+     (Streaming => True, How => Network_Links.Address_Gone);
+
+   procedure Own_Route_Gone is new Vanish
+     (Streaming => False, How => Network_Links.Route_Gone, Talking => True);
+
+   procedure Cut_To_Monitor is new Vanish
+     (Streaming => False, How => Network_Links.Dropped_There,
+      Talking => True);
+
+   procedure Cut_From_Monitor is new Vanish
+     (Streaming => True, How => Network_Links.Dropped_Here, Talking => True);
 
    procedure Vanished_Idle_Short is new Vanish
      (Streaming => False, Short => True);
@@ -646,7 +675,103 @@ package body Monitor_Tests is
       Vanished_Streaming_Short;
       Vanished_Before_A_Message;
       Fallen_Silent;
+      Own_Interface_Down;
+      Own_Address_Gone;
+      Own_Route_Gone;
+      Cut_To_Monitor;
+      Cut_From_Monitor;
    end Vanished_In_Time;
+
+   Silence_Limit : constant Duration := 1.0;
+   --  From the last sign of life to the stop
+
+   procedure Announced_And_Silent is
+      --  A monitor that says nothing, and one that has announced signs of life
+      Plain     : Rig;
+      Announced : Rig;
+      Last      : Instant;
+      Stop      : Emulators.Note;
+   begin
+      Assemble (Plain);
+      Move_Forward (Plain);
+      Assemble (Announced);
+      if Announced.Supervisor.Says ("no TCP_INFO") then
+         Skip ("this kernel does not tell when data came");
+      end if;
+      Move_Forward (Announced);
+      Last := Now;
+      Announced.Monitor.Send_Line ("LIVE");
+      Stop := Announced.Emulator.Await_On_Wire ("M=0");
+      Check_Within (Stop.First - Last, Silence_Limit, "the stop");
+      Announced.Supervisor.Expect_Log
+        ("monitor lost: it announced signs of life, and shows none");
+      Expect_New_Session (Announced);
+
+      --  what one has announced, another does not owe
+      Announced.Monitor.Expect ("RPIN", "ANAK");
+      delay 2.0;
+      Check
+        (Announced.Supervisor.Count_Of ("monitor lost") = 1,
+         "the next monitor was given up");
+      Check
+        (not Plain.Supervisor.Says ("monitor lost")
+         and then Plain.Emulator.Status ("moving") = "1",
+         "a monitor that has announced nothing was given up");
+   end Announced_And_Silent;
+
+   procedure Start_Console (R : in out Rig; Tool : in out Child) is
+      --  The project's own monitor, which drives
+   begin
+      Assemble (R, Connected => False);
+      if R.Supervisor.Says ("no TCP_INFO") then
+         Skip ("this kernel does not tell when data came");
+      end if;
+      Tool.Start
+        (Programs.Monitor,
+         Words ("--script - --port" & Positive'Image (R.Supervisor.Port)),
+         "console monitor", Real_Time => True);
+      for Line of Words ("ROPN RSOW RGFW") loop
+         Tool.Put_Line (Line);
+      end loop;
+      R.Emulator.Await_Status ("moving", "1");
+   end Start_Console;
+
+   procedure Console_Frozen is
+      R    : Rig;
+      Tool : Child;
+      Time : Instant;
+   begin
+      Start_Console (R, Tool);
+      Time := Now;
+      Tool.Send_Signal (Libc.Sigstop);
+      R.Emulator.Await_Status ("moving", "0");
+      Check_Within (Now - Time, Silence_Limit, "the stop");
+      R.Supervisor.Expect_Log ("monitor lost: it announced signs of life");
+      Expect_New_Session (R);
+   end Console_Frozen;
+
+   procedure Announced_In_Time is
+      --  As long as they live they are kept: a console that waits, and who
+      --  says a line each 500 ms, of whatever kind
+      Console, R : Rig;
+      Tool       : Child;
+   begin
+      Announced_And_Silent;
+      Console_Frozen;
+      Start_Console (Console, Tool);
+      Assemble (R);
+      Move_Forward (R);
+      for Number in 1 .. 4 loop
+         for Line of Words ("LIVE MSSG:here RGST") loop
+            R.Monitor.Send_Line (Line);
+            delay 0.5;
+         end loop;
+      end loop;
+      Check
+        (not R.Supervisor.Says ("monitor lost")
+         and then not Console.Supervisor.Says ("monitor lost"),
+         "a living monitor was given up");
+   end Announced_In_Time;
 
    procedure Stalled is
       --  Two at once: one reads again after 10 s, the other never does
@@ -811,9 +936,19 @@ package body Monitor_Tests is
       Add ("F05_Monitor_Vanished_Before_A_Message",
            Vanished_Before_A_Message'Access);
       Add ("F05_Monitor_Machine_Fallen_Silent", Fallen_Silent'Access);
+      Add ("F05_Own_Interface_Down", Own_Interface_Down'Access);
+      Add ("F05_Own_Address_Gone", Own_Address_Gone'Access);
+      Add ("F05_Own_Route_Gone", Own_Route_Gone'Access);
+      Add ("F05_Cut_To_Monitor", Cut_To_Monitor'Access);
+      Add ("F05_Cut_From_Monitor", Cut_From_Monitor'Access);
       Add ("F05_Monitor_Vanished_In_Time", Vanished_In_Time'Access,
            Timed => True);
       Add ("F05_Monitor_Stalled", Stalled'Access, Timed => True);
+      Add ("Never_Moves_On_For_A_Silent_Monitor",
+           Announced_And_Silent'Access);
+      Add ("Never_Moves_On_For_A_Frozen_Console", Console_Frozen'Access);
+      Add ("Never_Moves_On_For_Long", Announced_In_Time'Access,
+           Timed => True);
       Add ("F02_Second_Monitor_Is_Refused", Second_Is_Refused'Access);
    end Register;
 

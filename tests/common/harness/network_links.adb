@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  A simulated cable that can be pulled out.
+--  A simulated cable that can be cut.
 
 with Ada.Directories;
 with Ada.Strings;       use Ada.Strings;
@@ -30,12 +30,12 @@ package body Network_Links is
    Home : int := -1;
    --  the namespace to return to
 
-   Places : constant := 64 * 200;
-   --  nets of four addresses, from 10.213.0.0 on, one by process number
-   Place  : constant Natural := Natural (Libc.Getpid) mod Places;
+   function Address (Process : int; Host : Natural) return String is
+      --  1 and 2 of its net of four addresses; 0 is the net
+      Places : constant := 64 * 200;
+      --  nets, from 10.213.0.0 on, one by process number
+      Place  : constant Natural := Natural (Process) mod Places;
 
-   function Address (Host : Positive) return String is
-      --  1 and 2 of this process's net
       function Plain (Value : Natural) return String is
         (Trim (Value'Image, Both));
    begin
@@ -43,8 +43,13 @@ package body Network_Links is
         & Plain (Place mod 64 * 4 + Host);
    end Address;
 
-   function Supervisor_Side return String is (Address (1));
-   function Monitor_Side return String is (Address (2));
+   function Supervisor_Side return String is (Address (Libc.Getpid, 1));
+   function Monitor_Side return String is (Address (Libc.Getpid, 2));
+
+   function Nowhere (Process : int) return String is
+     ("unreachable " & Address (Process, 0) & "/30 metric 4096");
+   --  The route that is left when the others are gone: no packet leaves by
+   --  the machine's own network
 
    function Succeeds (Command : String) return Boolean is
       Tool    : Child;
@@ -104,6 +109,7 @@ package body Network_Links is
       Run ("ip link set " & There & " netns " & Name);
       Run ("ip addr add " & Supervisor_Side & "/30 dev " & Here);
       Run ("ip link set " & Here & " up");
+      Run ("ip route add " & Nowhere (Libc.Getpid));
       Run_There ("ip addr add " & Monitor_Side & "/30 dev " & There);
       Run_There ("ip link set " & There & " up");
    end Make;
@@ -111,23 +117,53 @@ package body Network_Links is
    function Namespace (Object : Link) return String is
      (if Object.Made then Name else "");
 
-   procedure Cut (Object : in out Link) is
+   procedure Change (Object : Link; How : Cut_Kind; Breaks : Boolean) is
+      Wrong : constant String := " lladdr 02:00:00:00:00:99 nud permanent";
+      --  a station that is not there
+
+      function Command return String is
+        (case How is
+            when Cable_Pulled   => "ip link set " & There
+              & (if Breaks then " down" else " up"),
+            when Interface_Down => "ip link set " & Here
+              & (if Breaks then " down" else " up"),
+            when Monitor_Gone   => "ip addr"
+              & (if Breaks then " del " else " add ")
+              & Monitor_Side & "/30 dev " & There,
+            when Address_Gone   => "ip addr"
+              & (if Breaks then " del " else " add ")
+              & Supervisor_Side & "/30 dev " & Here,
+            when Route_Gone     => "ip route"
+              & (if Breaks then " del " else " add ")
+              & Address (Libc.Getpid, 0) & "/30 dev " & Here
+              & " src " & Supervisor_Side,
+            when Dropped_There  =>
+              (if Breaks
+               then "ip neigh replace " & Monitor_Side & " dev " & Here & Wrong
+               else "ip neigh del " & Monitor_Side & " dev " & Here),
+            when Dropped_Here   =>
+              (if Breaks
+               then "ip neigh replace " & Supervisor_Side & " dev " & There
+                 & Wrong
+               else "ip neigh del " & Supervisor_Side & " dev " & There));
    begin
-      Check (Object.Made, "no link to cut");
-      Run_There ("ip link set " & There & " down");
+      Check (Object.Made, "no link to cut or mend");
+      if How in Cable_Pulled | Monitor_Gone | Dropped_Here then
+         Run_There (Command);
+      else
+         Run (Command);
+      end if;
+   end Change;
+
+   procedure Cut (Object : in out Link; How : Cut_Kind := Cable_Pulled) is
+   begin
+      Change (Object, How, Breaks => True);
    end Cut;
 
-   procedure Mend (Object : in out Link) is
+   procedure Mend (Object : in out Link; How : Cut_Kind := Cable_Pulled) is
    begin
-      Check (Object.Made, "no link to mend");
-      Run_There ("ip link set " & There & " up");
+      Change (Object, How, Breaks => False);
    end Mend;
-
-   procedure Fall_Silent (Object : in out Link) is
-   begin
-      Check (Object.Made, "no link to silence");
-      Run_There ("ip addr del " & Monitor_Side & "/30 dev " & There);
-   end Fall_Silent;
 
    procedure Enter (Namespace : String) is
       File   : int;
@@ -169,6 +205,7 @@ package body Network_Links is
    begin
       if Ada.Directories.Exists ("/run/netns/" & Namespace_Of (Process)) then
          Unused := Succeeds ("ip link del " & Near_End_Of (Process));
+         Unused := Succeeds ("ip route del " & Nowhere (Process));
          Unused := Succeeds ("ip netns del " & Namespace_Of (Process));
       end if;
    end Remove_Left;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  A simulated cable to another machine: a pair of virtual interfaces and a
---  network namespace. It can be pulled out.
+--  network namespace. It can be cut in every way.
 
 private with Ada.Finalization;
 with Interfaces.C;
@@ -22,18 +22,23 @@ package Network_Links is
 
    function Namespace (Object : Link) return String;
 
-   procedure Cut (Object : in out Link);
-   --  Pulls the cable at the monitor's end
-   procedure Mend (Object : in out Link);
+   type Cut_Kind is
+     (Cable_Pulled,    --  at the monitor's end: no carrier at the supervisor's
+      Monitor_Gone,    --  its machine does not answer
+      Dropped_There,   --  no packet gets to the monitor
+      Dropped_Here,    --  none gets from it
+      Interface_Down,  --  of the supervisor's machine
+      Address_Gone,    --  the same
+      Route_Gone);     --  the same: none to the monitor, but from it
+
+   procedure Cut (Object : in out Link; How : Cut_Kind := Cable_Pulled);
+   procedure Mend (Object : in out Link; How : Cut_Kind := Cable_Pulled);
 
    procedure Remove (Object : in out Link);
    --  If it exists
 
    procedure Remove_Left (Process : Interfaces.C.int);
    --  Removes links left by killed processes
-
-   procedure Fall_Silent (Object : in out Link);
-   --  The cable is in, but the monitor's machine does not answer
 
    procedure Enter (Namespace : String);
    --  Applies to the calling thread, until Leave

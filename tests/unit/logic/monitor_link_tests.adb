@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The monitor's connection: present, vanished, stalled.
+--  The monitor's connection: present, vanished, unreachable, silent, stalled.
 
 with AUnit.Assertions; use AUnit.Assertions;
 
@@ -9,7 +9,8 @@ with Unit_Runs; use Unit_Runs;
 
 package body Monitor_Link_Tests is
 
-   Step : constant Milliseconds := 250;
+   Step : constant Milliseconds := 100;
+   --  Schedule.Link_Period
 
    S   : State;
    Now : Milliseconds := 0;
@@ -21,22 +22,34 @@ package body Monitor_Link_Tests is
       Start (S, Now);
    end Begin_At;
 
+   Open   : constant Natural := 64_512;
+   Closed : constant Natural := 0;
+   --  windows
+
    function Next
      (Unacknowledged : Natural;
       Since_Heard    : Milliseconds;
       Outstanding    : Natural;
-      Bytes_Acked    : Byte_Count) return Verdict
+      Bytes_Acked    : Byte_Count;
+      Window         : Natural      := Open;
+      Probes         : Natural      := 0;
+      Owes_Life      : Boolean      := False;
+      Since_Data     : Milliseconds := Milliseconds'Last) return Verdict
    is
-      --  The verdict on the sample after 250 ms more.
+      --  The verdict on the sample after a period more.
       V : Verdict;
    begin
       Now := Now + Step;
       Judge (S,
              (Now            => Now,
               Known          => True,
+              Owes_Life      => Owes_Life,
               Unacknowledged => Unacknowledged,
-              Since_Heard    => Since_Heard,
               Outstanding    => Outstanding,
+              Window         => Window,
+              Probes         => Probes,
+              Since_Heard    => Since_Heard,
+              Since_Data     => Since_Data,
               Bytes_Acked    => Bytes_Acked),
              V);
       return V;
@@ -48,7 +61,7 @@ package body Monitor_Link_Tests is
       --  it, and no sign of life since, but nothing was asked of it
 
       Begin_At (0);
-      for I in 1 .. 16 loop
+      for I in 1 .. 40 loop
          Assert (Next (1, 20_000 + Milliseconds (I) * Step, 7, 0) = Present,
                  "just admitted");
       end loop;
@@ -56,24 +69,28 @@ package body Monitor_Link_Tests is
 
       --  Its window was closed, and the kernel's probes have become rare
 
-      for I in 1 .. 40 loop
-         Assert (Next (0, Milliseconds (I) * Step, 9, 7) = Present,
+      for I in 1 .. 100 loop
+         Assert (Next (0, Milliseconds (I) * Step, 9, 7, Closed) = Present,
                  "closed window");
       end loop;
-      Assert (Next (1, 10_250, 9, 7) = Present, "just sent");
+      Assert (Next (0, 10_100, 9, 7, Closed, Probes => 1) = Present,
+              "just probed");
+      Assert (Next (0, 90, 9, 7, Closed) = Present, "answered");
+      Assert (Next (1, 190, 9, 7) = Present, "open, and just sent");
       Assert (Next (1, 10, 9, 16) = Present, "acknowledged");
    end Test_After_Silence;
 
    procedure Test_Both is
    begin
       Begin_At (0);
-      for I in 1 .. 70 loop
-         Assert (Next (0, 100, 5000, 9) =
-                 (if I > 60 then Stalled else Present), "stalled");
+      for I in 1 .. 170 loop
+         Assert (Next (0, 100, 5000, 9, Closed) =
+                 (if I > 150 then Stalled else Present), "stalled");
       end loop;
-      for I in 1 .. 17 loop
-         Assert (Next (2, Milliseconds (I) * Step, 5000, 9) =
-                 (if I = 17 then Vanished else Stalled), "then vanished");
+      for I in 1 .. 41 loop
+         Assert (Next (0, Milliseconds (I) * Step, 5000, 9, Closed,
+                       Probes => 1) =
+                 (if I = 41 then Vanished else Stalled), "then vanished");
       end loop;
    end Test_Both;
 
@@ -83,34 +100,34 @@ package body Monitor_Link_Tests is
       --  A time before the last one counts as no time at all
 
       Begin_At (1_000);
-      Judge (S, (Now => 5, Known => True, Unacknowledged => 1,
-                 Since_Heard => 9_999, Outstanding => 1, Bytes_Acked => 0), V);
+      Judge (S, (Now => 5, Known => True, Unacknowledged => 1, Window => 1,
+                 Since_Heard => 9_999, Outstanding => 1, others => <>), V);
       Assert (V = Present, "earlier than the start");
-      Judge (S, (Now => 0, Known => True, Unacknowledged => 1,
-                 Since_Heard => 9_999, Outstanding => 1, Bytes_Acked => 0), V);
+      Judge (S, (Now => 0, Known => True, Unacknowledged => 1, Window => 1,
+                 Since_Heard => 9_999, Outstanding => 1, others => <>), V);
       Assert (V = Present, "earlier again");
       Judge (S, (Now => Milliseconds'Last, Known => True,
-                 Unacknowledged => Natural'Last,
+                 Unacknowledged => Natural'Last, Window => Natural'Last,
                  Since_Heard => Milliseconds'Last,
-                 Outstanding => Natural'Last, Bytes_Acked => 0), V);
+                 Outstanding => Natural'Last, others => <>), V);
       Assert (V = Vanished, "a long time");
 
       --  Whatever moves the counter is progress
 
       Judge (S, (Now => Milliseconds'Last, Known => True,
                  Unacknowledged => 1, Since_Heard => 9_999, Outstanding => 1,
-                 Bytes_Acked => Byte_Count'Last), V);
+                 Window => 1, Bytes_Acked => Byte_Count'Last,
+                 others => <>), V);
       Assert (V = Present, "progress");
    end Test_Clock;
 
    procedure Test_Length is
-      --  Of struct tcp_info up to and with the last field before
-      --  tcpi_notsent_bytes, and with that one
+      --  Of struct tcp_info without all of tcpi_snd_wnd, and with it
    begin
-      for Length in 0 .. 147 loop
+      for Length in 0 .. 231 loop
          Assert (not Is_Enough (Length), "too little");
       end loop;
-      for Length in 148 .. 300 loop
+      for Length in 232 .. 300 loop
          Assert (Is_Enough (Length), "enough");
       end loop;
    end Test_Length;
@@ -136,11 +153,13 @@ package body Monitor_Link_Tests is
    begin
       Begin_At (0);
       for Round in 1 .. 10 loop
-         for I in 1 .. 59 loop
-            Assert (Next (0, 200, 900, Acked) = Present, "14.5 s");
+         for I in 1 .. 149 loop
+            Assert (Next (0, 200, 900, Acked, Closed) = Present, "14.9 s");
          end loop;
          Acked := Acked + 1;
-         Assert (Next (0, 200, 900, Acked) = Present, "one byte is enough");
+         Assert
+           (Next (0, 200, 900, Acked, Closed) = Present,
+            "one byte is enough");
       end loop;
    end Test_Pause;
 
@@ -156,8 +175,11 @@ package body Monitor_Link_Tests is
    begin
       Begin_At (0);
       for I in 1 .. 1_000 loop
-         Assert (Next (1, 100, 100_000, Byte_Count (I / 20)) = Present,
-                 "a byte every 5 s");
+         Assert (Next (1, 100, 100_000, Byte_Count (I / 35)) = Present,
+                 "a byte every 7 s");
+         Assert
+           (Next (1, 100, 100_000, Byte_Count (I / 35), Closed) = Present,
+            "which closes the window meanwhile");
       end loop;
    end Test_Slow;
 
@@ -167,21 +189,31 @@ package body Monitor_Link_Tests is
       Begin_At (500);
       Assert (Next (0, 100, 0, 10) = Present, "nothing outstanding");
       First := Now + Step;
-      for I in 1 .. 60 loop
-         Assert (Next (0, 150, 131_072, 10) = Present, "window closed");
+      for I in 1 .. 150 loop
+         Assert
+           (Next (0, 150, 131_072, 10, Closed) = Present, "window closed");
       end loop;
-      Assert (Next (0, 150, 131_072, 10) = Stalled, "15 s");
+      Assert (Next (0, 150, 131_072, 10, Closed) = Stalled, "15 s");
       Assert (Now - First = 15_000, "exactly 15 s");
 
-      --  The kernel's probes are acknowledged more and more rarely; with
-      --  no segment under way that is no sign of a peer that has gone
+      --  It drops what is sent to it for want of room, and says so
 
       Begin_At (0);
-      for I in 1 .. 60 loop
-         Assert (Next (0, Milliseconds (I) * Step, 9, 0) = Present,
+      for I in 1 .. 150 loop
+         Assert (Next (1, 150, 9_000, 0, Closed) = Present, "no room");
+      end loop;
+      Assert (Next (1, 150, 9_000, 0, Closed) = Stalled, "no room for 15 s");
+
+      --  The kernel's probes are acknowledged more and more rarely; while
+      --  none is under way that is no sign of a peer that has gone
+
+      Begin_At (0);
+      for I in 1 .. 150 loop
+         Assert (Next (0, Milliseconds (I) * Step, 9, 0, Closed) = Present,
                  "old acknowledgements");
       end loop;
-      Assert (Next (0, 15_000, 9, 0) = Stalled, "stalled, not vanished");
+      Assert
+        (Next (0, 15_000, 9, 0, Closed) = Stalled, "stalled, not vanished");
    end Test_Stalled;
 
    procedure Test_Streaming is
@@ -201,7 +233,7 @@ package body Monitor_Link_Tests is
       --  other every 100 ms, so the first unacknowledged one goes out at
       --  most 100 ms later
 
-      for Phase in Milliseconds range 0 .. 249 loop
+      for Phase in Milliseconds range 0 .. Step - 1 loop
          Begin_At (0);
          Assert (Next (0, 10, 0, 5_000) = Present, "before");
          Cut := Now + Phase;
@@ -217,17 +249,108 @@ package body Monitor_Link_Tests is
       end loop;
    end Test_Vanished;
 
+   procedure Test_One_Way is
+      --  Nothing gets to it, or can be sent at all, but it is heard: at every
+      --  phase of the sampling and of the battery's level. Then its window
+      --  is closed, and it is only stalled
+      Cut  : Milliseconds;
+      Sent : Milliseconds;
+      V    : Verdict;
+   begin
+      for Window in Closed .. 1 loop
+         for Unsent in Boolean loop
+            for Phase in Milliseconds range 0 .. Step - 1 loop
+               Begin_At (0);
+               Assert (Next (0, 10, 0, 5_000) = Present, "before");
+               Cut := Now + Phase;
+               Sent := Cut + 499 - Phase;
+               V := Present;
+               while V = Present loop
+                  V :=
+                    (if Now + Step <= Sent then Next (0, 20, 0, 5_000)
+                     else Next
+                       (Boolean'Pos (not Unsent), 20, 7, 5_000, Window));
+                  Assert
+                    (Now - Cut < (if Window = Closed then 16_000 else 4_900),
+                     "within 5 s, and the stop");
+               end loop;
+               Assert
+                 (V = (if Window = Closed then Stalled
+                       elsif Unsent then Unreachable
+                       else Vanished),
+                  V'Image);
+            end loop;
+         end loop;
+      end loop;
+   end Test_One_Way;
+
+   procedure Test_Unreachable is
+      Cut : Milliseconds;
+      V   : Verdict;
+   begin
+      --  Nothing can be sent, nothing is heard; a probe fails, too
+
+      for Later in Milliseconds range 0 .. 39 loop
+         Begin_At (0);
+         Assert (Next (0, 10, 0, 5_000) = Present, "before");
+         Cut := Now;
+         V := Present;
+         while V = Present loop
+            V := Next
+              (0, Now + Step - Cut,
+               (if Now >= Cut + Later * Step then 7 else 0), 5_000,
+               Probes => (if Now >= Cut + Later * Step + 500 then 2 else 0));
+            Assert (Now - Cut < 5_000, "within 5 s");
+         end loop;
+         Assert (V = Unreachable, "unreachable");
+      end loop;
+   end Test_Unreachable;
+
+   procedure Test_Silent is
+   begin
+      --  Its kernel acknowledges everything
+
+      Begin_At (0);
+      for I in 1 .. 1_000 loop
+         Assert
+           (Next (0, 10, 0, Byte_Count (I), Owes_Life => False,
+                  Since_Data => Milliseconds (I) * Step) = Present,
+            "it has announced nothing");
+      end loop;
+      for I in Milliseconds range 0 .. 2_000 loop
+         Assert
+           (Next (0, 10, 0, 1, Owes_Life => True, Since_Data => I)
+              = (if I > 800 then Silent else Present),
+            I'Image);
+      end loop;
+      Assert
+        (Next (0, 10, 0, 1, Owes_Life => True, Since_Data => 0) = Present,
+         "data again");
+
+      --  Whichever is found first
+
+      Begin_At (0);
+      for I in 1 .. 41 loop
+         Assert
+           (Next (1, Milliseconds (I) * Step, 7, 1, Owes_Life => True,
+                  Since_Data => Milliseconds (I) * Step)
+              = (if I = 41 then Vanished elsif I > 8 then Silent
+                 else Present),
+            I'Image);
+      end loop;
+   end Test_Silent;
+
    procedure Test_Vanished_Idle is
       Cut  : Milliseconds;
       Sent : Milliseconds;
       V    : Verdict;
    begin
       --  The cable goes at every phase of the sampling, and something is
-      --  sent at any time before the kernel's own keep-alive would have
-      --  found it, 4 s later: from then on that no longer counts
+      --  sent at any time after that, or nothing at all: then the kernel
+      --  probes it each second
 
-      for Phase in Milliseconds range 0 .. 249 loop
-         for Later in Milliseconds range 0 .. 79 loop
+      for Phase in Milliseconds range 0 .. Step - 1 loop
+         for Later in Milliseconds range 0 .. 99 loop
             Begin_At (0);
             for I in 1 .. 20 loop
                Assert (Next (0, 10, 0, 5_000) = Present, "before");
@@ -241,7 +364,10 @@ package body Monitor_Link_Tests is
                   Since_Heard    =>
                     (if Now + Step > Cut then Now + Step - Cut else 10),
                   Outstanding    => (if Now + Step > Sent then 7 else 0),
-                  Bytes_Acked    => 5_000);
+                  Bytes_Acked    => 5_000,
+                  Probes         =>
+                    (if Now + Step > Cut + 1_000 and then Now + Step <= Sent
+                     then 1 else 0));
                Assert (Now - Cut < 5_000, "within 5 s");
             end loop;
             Assert (V = Vanished, "vanished");
@@ -273,6 +399,11 @@ package body Monitor_Link_Tests is
              "it vanished, no sign of life for 4 s");
       Check (False, None, Vanished,
              "it vanished, nothing has been acknowledged for 4 s");
+      Check (False, None, Unreachable,
+             "it cannot be reached, nothing could be sent for 4 s: no link, "
+             & "address or route");
+      Check (False, None, Silent,
+             "it announced signs of life, and shows none for 800 ms");
       Check (False, None, Stalled, "it has taken nothing for 15 s");
    end Test_Cause;
 
@@ -292,6 +423,10 @@ package body Monitor_Link_Tests is
       Add_Test ("F5: vanished, found within 5 s", Test_Vanished'Access);
       Add_Test ("F5: vanished while idle, a message follows",
                 Test_Vanished_Idle'Access);
+      Add_Test ("F5: cut in one direction", Test_One_Way'Access);
+      Add_Test ("F5: nothing can be sent", Test_Unreachable'Access);
+      Add_Test ("silent: announced signs of life do not come",
+                Test_Silent'Access);
       Add_Test ("first message after a long silence",
                 Test_After_Silence'Access);
       Add_Test ("stalled: closed window for 15 s", Test_Stalled'Access);

@@ -115,7 +115,8 @@ package body Monitor_Protocol_Tests is
       for K in Message_Kind loop
          Assert (Is_Answered (K)
                    = (K /= Confirm_Arena and then K /= Reject_Arena
-                      and then K /= Log_Message), K'Image);
+                      and then K not in Sign_Of_Life | Log_Message),
+                 K'Image);
       end loop;
    end Test_Answered;
 
@@ -386,6 +387,7 @@ package body Monitor_Protocol_Tests is
       Check ("MPTH", Follow_Pixels);
       Check ("MGCM", Go_To_Centimetres);
       Check ("MPCM", Follow_Centimetres);
+      Check ("LIVE", Sign_Of_Life);
       Check ("MSSG", Log_Message);
       Assert (Count = Known_Kind'Pos (Known_Kind'Last) + 1, "all of them");
       Check_Unsolicited (Image_Label, "CIMG");

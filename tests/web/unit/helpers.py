@@ -53,6 +53,8 @@ class Supervisor:
             "CAIN": None,
         }
         self.lines: list[str] = []
+        #  without its signs of life, which are counted
+        self.signs = 0
         self.connections = 0
         self.refusal: bytes | None = None
         #  bound for the whole test: nobody else is given its port meanwhile
@@ -120,6 +122,10 @@ class Supervisor:
                 return
             self._writer = writer
             while line := (await reader.readline()).decode().rstrip("\n"):
+                if line == "LIVE":
+                    self.signs += 1
+                    self._heard.set()
+                    continue
                 answer = self.answers.get(line[:4], b"AACK")
                 self.lines.append(line)
                 self._heard.set()

@@ -25,6 +25,16 @@ async def test_connects_again(w: World) -> None:
         assert (await page.order("ROPN"))["answer"] == "AACK"
 
 
+async def test_shows_that_it_lives(w: World) -> None:
+    """From the beginning of each session on, again and again."""
+    for _ in range(2):
+        await w.connected()
+        signs = w.supervisor.signs
+        await w.supervisor.until(lambda before=signs: w.supervisor.signs > before + 3)
+        w.supervisor.hang_up()
+        await until(lambda: w.service.hub.state["supervisor"] != "connected")
+
+
 async def test_waits_for_its_supervisor(w: World) -> None:
     page = await w.page()
     await w.supervisor.stop()

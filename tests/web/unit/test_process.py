@@ -1,6 +1,7 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
 """The program: command line, guard, signals, exit status."""
 
+import contextlib
 import os
 import re
 import select
@@ -89,11 +90,13 @@ def served(programs: Any) -> Iterator[Served]:
             yield Served(program, port, connection)
 
 
-def has_ended(connection: socket.socket) -> bool:
-    try:
-        return connection.recv(100) == b""
-    except ConnectionResetError:
-        return True  # something was unread
+def rest(connection: socket.socket) -> bytes:
+    """What comes until its end, but for signs of life."""
+    data = b""
+    with contextlib.suppress(ConnectionResetError):  # something was unread
+        while more := connection.recv(100):
+            data += more
+    return data.replace(b"LIVE\n", b"")
 
 
 def state(process: int) -> str:
@@ -136,7 +139,7 @@ def test_a_port_that_is_taken() -> None:
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
 def test_an_orderly_stop(served: Served, number: signal.Signals) -> None:
     served.program.process.send_signal(number)
-    assert served.connection.recv(100) == b""
+    assert rest(served.connection) == b""
     served.connection.close()
     status, out, error = served.program.end()
     assert (status, out) == (0, "")
@@ -157,7 +160,7 @@ def test_stopped_before_it_runs(programs: Any) -> None:
 def test_a_gateway_that_hangs_or_dies(served: Served, number: signal.Signals) -> None:
     """Its connection ends, so that the supervisor stops the robot."""
     os.kill(served.program.gateway(), number)
-    assert has_ended(served.connection)
+    assert rest(served.connection) == b""
     status, _, error = served.program.end()
     assert status == 3
     assert "Traceback" not in error
@@ -181,7 +184,7 @@ def test_no_gateway_without_its_guard(served: Served) -> None:
     while state(gateway) not in ("gone", "Z"):
         assert time.monotonic() < end
         time.sleep(0.01)
-    assert has_ended(served.connection)
+    assert rest(served.connection) == b""
 
 
 def test_not_stopped_by_the_terminal(programs: Any) -> None:
