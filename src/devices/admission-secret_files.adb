@@ -18,7 +18,6 @@ is
       Success : out Boolean;
       Reason  : out Texts.Text)
    is
-      Credentials : constant String := "/run/credentials/";
       Data   : String (1 .. 256) := (others => ' ');
       Mode   : File_Mode;
       Owner  : User_Number;
@@ -42,7 +41,7 @@ is
          if not Success then
             Texts.Set
               (Reason,
-               "its first line is no token: 8 .. 128 printable ASCII "
+               "its first line is no token: 16 .. 128 printable ASCII "
                & "characters without a blank");
          end if;
       end if;

@@ -22,9 +22,9 @@ package Admission.Authentication with SPARK_Mode is
 
    --  Tokens
 
-   Min_Token : constant := 8;
+   Min_Token : constant := 16;
    Max_Token : constant := 128;
-   --  Characters.
+   --  Characters. Fewer could be guessed: nothing bounds the attempts.
 
    subtype Token_Character is Character range '!' .. '~';
    --  Printable ASCII without the blank.

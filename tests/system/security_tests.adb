@@ -305,7 +305,7 @@ package body Security_Tests is
       Refuse (Token_File (Mode => 8#604#), Not_Alone, Checked => True);
       Refuse (Token_File (Mode => 8#602#), Not_Alone);
       Refuse (Token_File (""), No_Token, Checked => True);
-      Refuse (Token_File ("1234567" & LF), No_Token);
+      Refuse (Token_File ("123456789012345" & LF), No_Token);
       Refuse (Token_File ((1 .. 5_000 => 'x')), No_Token);
       Refuse (Token_File (Token & CR & LF), No_Token);
       declare
@@ -346,7 +346,7 @@ package body Security_Tests is
          and then Tool.Awaited (Errors, Token) = 0,
          "the console monitor shows the token");
       Check
-        (Status (Token_File ("another-token" & LF, Name => "other")) = 1,
+        (Status (Token_File ("another-token-here" & LF, Name => "other")) = 1,
          "with another token");
       Check (Status ("") = 1, "without one");
       Check (Status ("/no/such/file") = 2, "without its file");
@@ -691,7 +691,7 @@ package body Security_Tests is
    begin
       Try (Token, (1 => LF));
       Try (Token, CR & LF);
-      Try ("!~34567~", (1 => LF));
+      Try ("!~3456789012345~", (1 => LF));
       Try ((1 .. 128 => 'x'), (1 => LF));
       Try ((1 .. 128 => 'x'), CR & LF);
    end Token_Right;

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from helpers import TEST_LIMIT, World, world
+from helpers import TEST_LIMIT, Program, World, world
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -34,6 +34,21 @@ def w(runner: asyncio.Runner, request: pytest.FixtureRequest) -> Iterator[World]
     runner.run(made.__aexit__(None, None, None))
 
 
+@pytest.fixture
+def programs() -> Iterator[Any]:
+    made: list[Program] = []
+
+    def make(*arguments: str, planted: str = "") -> Program:
+        made.append(Program(*arguments, planted=planted))
+        return made[-1]
+
+    yield make
+    for one in made:
+        if one.process.poll() is None:
+            one.process.kill()
+            one.process.communicate()
+
+
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
     if not inspect.iscoroutinefunction(pyfuncitem.obj):
         return None
@@ -41,7 +56,8 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
     names = inspect.signature(pyfuncitem.obj).parameters
 
     async def limited() -> None:
-        async with asyncio.timeout(TEST_LIMIT):
+        limit = getattr(pyfuncitem.module, "MODULE_LIMIT", TEST_LIMIT)
+        async with asyncio.timeout(limit):
             await pyfuncitem.obj(**{name: given[name] for name in names})
 
     given["runner"].run(limited())

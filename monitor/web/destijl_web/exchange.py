@@ -7,7 +7,7 @@ answers to what asks for them only."""
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 STARTS = frozenset(("ROPN", "RCLS", "RSOW", "RSWW", "RRST", "RPOF"))
 DRIVES = frozenset(("RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN"))
@@ -38,8 +38,8 @@ Point = tuple[float, float]
 class Command:
     label: str
     value: int | None = None
-    done: Callable[[str, float], None] | None = None
-    #  Called with the answer and the milliseconds it took
+    done: list[Callable[[str, float], None]] = field(default_factory=list)
+    #  Each called with the answer and the milliseconds it took
     sent_at: float = 0.0
     points: tuple[Point, ...] = ()
 

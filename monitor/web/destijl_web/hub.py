@@ -9,6 +9,7 @@ import math
 import re
 import time
 from collections import deque
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +18,21 @@ from aiohttp import WSCloseCode
 from . import messages
 from .exchange import STOPS, Command
 from .fan_out import FanOut
+from .logins import Budget, Logins, Session
 from .recording import Recording
 from .state import State
 from .supervisor import TOO_MANY, Link, printable
 from .viewer import Viewer
 
 MAX_VIEWERS = 100
+FOR_TEACHERS = 10
+#  WebSockets, and those of them that viewers do not get
+
+MAX_PER_SESSION = 4
+
+SESSION_OVER = 4001
+#  Code of a WebSocket that is closed since its session has ended
+
 ORDERS_PER_VIEWER = 16
 
 SILENCE = 0.5
@@ -33,6 +43,11 @@ TICK = 0.05
 LATE = 0.15
 
 EVENTS = 100
+#  Kept for newcomers: so many orders, and so many others
+
+REPEATED = 60.0
+#  Seconds within which the same event, by the same session, is kept as one
+
 BATTERY_TIME = 600.0
 BATTERY_STEP = 10.0
 #  Duration of the history, and interval between equal levels, in seconds
@@ -42,7 +57,8 @@ IMAGE_AGE = 1.0
 #  Seconds; an older image is not sent to a new viewer
 
 STOP_TOLD = 1.0
-#  Seconds between two events for stops of the same viewer
+#  Seconds between two events for stops of the same session, and between two of
+#  its stops that count
 
 BEHIND = 0.005
 #  Seconds by which others are informed of an order after its driver, whose own
@@ -71,6 +87,7 @@ class Hub:
         token: str | None,
         record: Path | None,
         record_limit: int,
+        logins: Logins,
     ) -> None:
         self.state = State()
         self.viewers: dict[int, Viewer] = {}
@@ -78,10 +95,15 @@ class Hub:
         self.link = Link(host, port, token, self)
         self._record = record
         self._record_limit = record_limit
+        self._logins = logins
+        self._wishes = Budget(200.0, 20.0)
+        self._stops = Budget(10.0, 1 / 3)
+        #  Of all viewers together
         self._recording: Recording | None = None
         self._loop = asyncio.get_running_loop()
         self._last_number = 0
         self._events: deque[dict[str, Any]] = deque(maxlen=EVENTS)
+        self._orders: deque[dict[str, Any]] = deque(maxlen=EVENTS)
         self._battery: deque[tuple[int, int]] = deque()
         self._image: bytes | None = None
         self._image_at = 0.0
@@ -109,9 +131,9 @@ class Hub:
             encode(
                 "welcome",
                 you=viewer.number,
-                role=viewer.role,
+                role=viewer.session.role,
                 state=self.state.all(),
-                events=list(self._events),
+                events=sorted([*self._events, *self._orders], key=itemgetter("time")),
                 battery=list(self._battery),
                 recordings=self._record is not None,
             )
@@ -126,16 +148,21 @@ class Hub:
     def leave(self, viewer: Viewer) -> None:
         if self.viewers.pop(viewer.number, None) is None:
             return
-        self._forget_wish(viewer)
-        if self.state["offered"] == viewer.number:
-            self.state.set(offered=None)
-        if self.state["driver"] == viewer.number:
-            self._free_wheel("wheel_lost", viewer)
+        self._take_all_from(viewer)
         self._tell_viewers()
         self._publish()
 
+    def may_wish(self, session: Session) -> bool:
+        """Something that all are told of."""
+        now = self._loop.time()
+        return session.role == "teacher" or (
+            not session.muted and session.wishes.take(now) and self._wishes.take(now)
+        )
+
     def take(self, viewer: Viewer, message: messages.Message) -> None:
         """A message from a page."""
+        if viewer.number not in self.viewers:
+            return  # its session is over
         if isinstance(message, messages.Ping):
             viewer.put_pong(encode("pong", n=message.number))
             viewer.wake()
@@ -150,8 +177,11 @@ class Hub:
         elif isinstance(message, messages.Order):
             self._take_order(viewer, message)
         elif isinstance(message, messages.Wheel):
-            self._take_wheel(viewer, message)
-        else:
+            if message.what in ("release", "withdraw") or self.may_wish(viewer.session):
+                self._take_wheel(viewer, message)
+        elif isinstance(message, messages.Pupil):
+            self._take_pupil(viewer, message)
+        elif self.may_wish(viewer.session):
             viewer.name = message.name
             self._tell_viewers()
         self._publish()
@@ -174,7 +204,10 @@ class Hub:
                 self._stop()
                 self._tell("stopped_silent", "warning", name=driver.name)
         for viewer in list(self.viewers.values()):
-            if viewer.is_stuck(now):
+            if now >= viewer.session.until:
+                self.leave(viewer)
+                viewer.close(SESSION_OVER, "the session is over")
+            elif viewer.is_stuck(now):
                 _log.warning("viewer %d takes nothing: closed", viewer.number)
                 viewer.abort()
                 self.leave(viewer)
@@ -217,11 +250,14 @@ class Hub:
 
     def _take_order(self, viewer: Viewer, order: messages.Order) -> None:
         is_stop = order.label in STOPS
+        drives = self._drives(viewer)
         refusal = None
-        if not is_stop and not self._drives(viewer):
+        if not is_stop and not drives:
             refusal = "NOWHEEL"
         elif not self.link.is_up():
             refusal = "NOLINK"
+        elif not drives and not self._may_stop(viewer.session):
+            refusal = "MUTED"
         elif not is_stop and (
             viewer.orders_waiting >= ORDERS_PER_VIEWER
             or self.link.waiting() >= TOO_MANY
@@ -245,14 +281,35 @@ class Hub:
             elif order.points:
                 args["value"] = len(order.points)
             level = "info" if is_good(answer) else "warning"
-            self._tell("order", level, **args, answer=answer, ms=ms)
+            if drives and viewer.session.orders_told.take(self._loop.time()):
+                self._tell("order", level, **args, answer=answer, ms=ms)
 
-        self._send(Command(order.label, order.value, done, points=order.points), name)
-        if is_stop and not self._drives(viewer):
-            now = self._loop.time()
-            if now - viewer.stop_told_at > STOP_TOLD:
-                viewer.stop_told_at = now
-                self._tell("stopped_by", "warning", name=name)
+        self._send(Command(order.label, order.value, [done], points=order.points), name)
+        if not drives:
+            self._tell_stop(viewer)
+
+    def _may_stop(self, session: Session) -> bool:
+        """Everybody may, while nobody drives. Otherwise a viewer may a few times,
+        then now and then: nobody keeps the others from driving."""
+        if session.role == "teacher" or self._driver() is None:
+            return True
+        if session.muted:
+            return False
+        now = self._loop.time()
+        if now - session.stop_counted_at > STOP_TOLD:
+            if not session.stops.take(now) or not self._stops.take(now):
+                return False
+            session.stop_counted_at = now
+        return True
+
+    def _tell_stop(self, viewer: Viewer) -> None:
+        session = viewer.session
+        session.stops_untold += 1
+        now = self._loop.time()
+        if now - session.stop_told_at > STOP_TOLD:
+            session.stop_told_at = now
+            count, session.stops_untold = session.stops_untold, 0
+            self._tell("stopped_by", "warning", session, count, name=viewer.name)
 
     def _send(self, command: Command, name: str) -> None:
         self.link.send(command)
@@ -279,14 +336,14 @@ class Hub:
         if wish.what in ("take", "ask") or (wish.what == "seize" and driver is None):
             if driver is None:
                 self._give_wheel(viewer)
-                self._tell("wheel_taken", name=viewer.name)
+                self._tell("wheel_taken", "info", viewer.session, name=viewer.name)
             elif (
                 wish.what == "ask"
                 and driver is not viewer
                 and viewer.number not in self.state["asking"]
             ):
                 self.state.set(asking=[*self.state["asking"], viewer.number])
-                self._tell("wheel_asked", name=viewer.name)
+                self._tell("wheel_asked", "info", viewer.session, name=viewer.name)
             elif wish.what == "take" and self.state["offered"] == viewer.number:
                 self._hand_over(driver, viewer)
         elif wish.what == "withdraw":
@@ -294,9 +351,15 @@ class Hub:
             if driver is viewer or self.state["offered"] == viewer.number:
                 self.state.set(offered=None)
                 if driver is not viewer:
-                    self._tell("wheel_unwanted", name=viewer.name)
+                    self._tell(
+                        "wheel_unwanted", "info", viewer.session, name=viewer.name
+                    )
         elif wish.what == "seize":
-            if viewer.role == "teacher" and driver is not None and driver is not viewer:
+            if (
+                viewer.session.role == "teacher"
+                and driver is not None
+                and driver is not viewer
+            ):
                 self._stop()
                 self._give_wheel(viewer)
                 self._tell(
@@ -311,15 +374,45 @@ class Hub:
             elif wish.what == "offer":
                 if other is not None and other is not viewer:
                     self.state.set(offered=other.number)
-                    self._tell(
-                        "wheel_offered", **{"from": viewer.name, "name": other.name}
-                    )
+                    names = {"from": viewer.name, "name": other.name}
+                    self._tell("wheel_offered", "info", viewer.session, **names)
             elif other is not None and other.number in self.state["asking"]:
                 if wish.what == "give":
                     self._hand_over(viewer, other)
                 else:
                     self._forget_wish(other)
-                    self._tell("wheel_declined", name=other.name)
+                    self._tell(
+                        "wheel_declined", "info", viewer.session, name=other.name
+                    )
+
+    def _take_pupil(self, teacher: Viewer, wish: messages.Pupil) -> None:
+        pupil = self.viewers.get(wish.to)
+        if teacher.session.role != "teacher" or pupil is None:
+            return
+        session = pupil.session
+        if session.role != "viewer":
+            return
+        names = {"from": teacher.name, "name": pupil.name}
+        if wish.what == "expel":
+            self._logins.expel(session, self._loop.time())
+            self._tell("expelled", "warning", **names)
+        elif session.muted != (wish.what == "mute"):
+            session.muted = wish.what == "mute"
+            self._tell(wish.what + "d", **names)
+            for viewer in self.viewers.values():
+                if session.muted and viewer.session is session:
+                    if self._drives(viewer):
+                        self._stop()
+                        self.state.set(driver=None)
+                    self._take_all_from(viewer)
+            self._tell_viewers()
+
+    def _take_all_from(self, viewer: Viewer) -> None:
+        self._forget_wish(viewer)
+        if self.state["offered"] == viewer.number:
+            self.state.set(offered=None)
+        if self.state["driver"] == viewer.number:
+            self._free_wheel("wheel_lost", viewer)
 
     def _hand_over(self, driver: Viewer, viewer: Viewer) -> None:
         self._stop()
@@ -335,14 +428,17 @@ class Hub:
     def _free_wheel(self, code: str, viewer: Viewer) -> None:
         self._stop()
         self.state.set(driver=None, offered=None)
-        self._tell(
-            code, "info" if code == "wheel_released" else "warning", name=viewer.name
-        )
+        level = "info" if code == "wheel_released" else "warning"
+        self._tell(code, level, viewer.session, name=viewer.name)
 
     def _forget_wish(self, viewer: Viewer) -> None:
         self.state.set(asking=[n for n in self.state["asking"] if n != viewer.number])
 
     #  The supervisor
+
+    def believes_wrongly(self) -> bool:
+        """Says that it is connected, and is not."""
+        return self.state["supervisor"] == "connected" and self.link.is_lost()
 
     def link_began(self) -> None:
         self.state.begin_session()
@@ -386,8 +482,8 @@ class Hub:
             unit = "cm" if command.label.endswith("CM") else "px"
             self.state.mission_began(unit, command.points)
         self._note("answer", label=command.label, answer=answer, ms=round(took, 2))
-        if command.done is not None:
-            command.done(answer, took)
+        for done in command.done:
+            done(answer, took)
         self._publish()
 
     def unasked(self, line: bytes) -> None:
@@ -514,15 +610,42 @@ class Hub:
     def _tell_viewers(self) -> None:
         self.state.set(
             viewers=[
-                {"id": v.number, "name": v.name, "role": v.role}
+                {"id": v.number, "name": v.name, "role": v.session.role}
+                | ({"muted": True} if v.session.muted else {})
                 for v in self.viewers.values()
             ]
         )
 
-    def _tell(self, code: str, level: str = "info", **args: str | float) -> None:
-        """An event."""
-        event = {"time": now_ms(), "level": level, "code": code, "args": args}
-        self._events.append(event)
+    def _tell(
+        self,
+        code: str,
+        level: str = "info",
+        by: Session | None = None,
+        count: int = 1,
+        /,
+        **args: str | float,
+    ) -> None:
+        """An event, caused by a session so many times."""
+        event: dict[str, Any] = {
+            "time": now_ms(),
+            "level": level,
+            "code": code,
+            "args": args,
+        }
+        if by is not None:
+            #  One entry, however often: so nobody wipes the others' away
+            earlier = by.told.get(code)
+            if (
+                earlier is not None
+                and earlier in self._events
+                and event["time"] - earlier["time"] < REPEATED * 1000
+            ):
+                self._events.remove(earlier)
+                count += earlier["args"].get("count", 1)
+            if count > 1:
+                args["count"] = count
+            by.told[code] = event
+        (self._orders if code == "order" else self._events).append(event)
         self._note("event", **event)
         text = encode("event", **event)
         for viewer in self.viewers.values():

@@ -56,7 +56,15 @@ class Name:
     name: str
 
 
-Message = Ping | Seen | Order | Wheel | Name
+@dataclass
+class Pupil:
+    """What a teacher does to a viewer."""
+
+    what: str
+    to: int
+
+
+Message = Ping | Seen | Order | Wheel | Name | Pupil
 
 
 def read(text: str) -> Message:
@@ -81,6 +89,11 @@ def read(text: str) -> Message:
         return _wheel(data)
     if kind == "name":
         return Name(_name(data.get("name")))
+    if kind == "pupil":
+        what = data.get("do")
+        if what not in ("mute", "unmute", "expel"):
+            raise Malformed("unknown wish for a pupil")
+        return Pupil(what, _integer(data, "to", LARGEST))
     raise Malformed("unknown type")
 
 

@@ -36,6 +36,9 @@ The address to open is printed once browsers can connect.
 
 MAX_ORIGINS = 8
 
+MIN_TOKEN = 16
+#  Characters; what protects it from being guessed
+
 
 class Usage(Exception):
     """Bad usage; its text is the reason."""
@@ -193,9 +196,9 @@ def _token(name: str, path: str) -> str:
             f"cannot use the token file {path}: others may read or write it;"
             f" chmod go= {path}"
         )
-    if re.fullmatch(rb"[!-~]{8,128}", line) is None:
+    if re.fullmatch(b"[!-~]{%d,128}" % MIN_TOKEN, line) is None:
         raise Usage(
-            f"cannot use the token file {path}: its first line is not 8 to 128"
-            " printable characters without a blank"
+            f"cannot use the token file {path}: its first line is not"
+            f" {MIN_TOKEN} to 128 printable characters without a blank"
         )
     return line.decode("ascii")

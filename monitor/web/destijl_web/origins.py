@@ -35,10 +35,17 @@ class Origins:
     def is_origin(self, origin: str, host: str) -> bool:
         """A page of that origin is ours, where is_host holds for the host."""
         origin = origin.lower()
-        return origin in self._further or origin == "http://" + host.lower()
+        return origin in self._further or (
+            origin == "http://" + host.lower() and not self.is_secure("", host)
+        )
 
-    def is_secure(self, origin: str) -> bool:
-        return origin.lower() in self._further and origin.lower().startswith("https:")
+    def is_secure(self, origin: str, host: str) -> bool:
+        """A page of that origin, or reached by that host, comes by TLS."""
+        return not self._further.isdisjoint(
+            one
+            for one in (origin.lower(), "https://" + host.lower())
+            if one.startswith("https:")
+        )
 
     def is_proxied(self) -> bool:
         return bool(self._further)

@@ -10,15 +10,18 @@ import resource
 import signal
 import socket
 import sys
+from collections import Counter
 from collections.abc import Awaitable, Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
+from urllib.parse import parse_qs
 
 from aiohttp import WSCloseCode, WSMsgType, hdrs, web
 
 from . import guard, messages
-from .hub import MAX_VIEWERS, Hub
-from .logins import Logins
+from .connections import Connection, Connections
+from .hub import FOR_TEACHERS, MAX_PER_SESSION, MAX_VIEWERS, Hub
+from .logins import Logins, Refused, Session, parsed
 from .options import Options, is_loopback
 from .origins import Origins, address_to_open
 from .recordings import MAX_TITLE, Recordings, csv_pieces
@@ -27,13 +30,13 @@ from .viewer import Viewer
 PAGE = Path(__file__).resolve().parent.parent / "page"
 
 MAX_FORM = 4096
-MAX_CONNECTIONS = 400
-#  Above, the oldest connections without a viewer are closed
+#  Bytes
+
+BACKLOG = 128
 
 HEARTBEAT = 20.0
 #  Seconds between two WebSocket pings to a browser
 
-SWEEP = 1.0
 FAREWELL = 1.0
 #  Seconds
 
@@ -52,6 +55,9 @@ _TYPES = {
     ".webmanifest": "application/manifest+json",
 }
 _PATH = re.compile(r"[A-Za-z0-9_-]+(?:\.[a-z]+)*(?:/[A-Za-z0-9_-]+(?:\.[a-z]+)*){0,3}")
+
+_FRAMES = (WSMsgType.TEXT, WSMsgType.BINARY, WSMsgType.PING, WSMsgType.PONG)
+_REFUSALS = {"1": "wrong token", "expelled": "its address was expelled"}
 
 _log = logging.getLogger(__name__)
 
@@ -97,7 +103,10 @@ async def _serve(options: Options, heart: int) -> int:
     #  Exclude the present objects from garbage collection
     gc.collect()
     gc.freeze()
-    tasks = [asyncio.create_task(_beat(heart)), asyncio.create_task(stop.wait())]
+    tasks = [
+        asyncio.create_task(_beat(heart, service.hub)),
+        asyncio.create_task(stop.wait()),
+    ]
     failure = await service.failure(tasks)
     if failure is not None:
         _log.error("failure: %s: %s", type(failure).__name__, failure)
@@ -110,16 +119,19 @@ class Service:
 
     def __init__(self, options: Options) -> None:
         self._options = options
+        self._logins = Logins(options.token, options.viewers_token)
         self.hub = Hub(
             options.supervisor_host,
             options.supervisor_port,
             options.token,
             options.record,
             options.record_limit,
+            self._logins,
         )
         self.port = 0
         self.address = ""
         self._runner: web.AppRunner | None = None
+        self._listener: asyncio.Server | None = None
         self._tasks: list[asyncio.Task[None]] = []
 
     async def start(self) -> None:
@@ -128,20 +140,19 @@ class Service:
         self.port = listening.getsockname()[1]
         self.address = address_to_open(self._options.bind, self.port)
         origins = Origins(self._options.bind, self.port, self._options.origins)
-        gateway = _Gateway(self._options, self.hub, origins)
-        runner = web.AppRunner(
-            gateway.application(), access_log=None, handle_signals=False
+        gateway = _Gateway(self._options, self.hub, self._logins, origins)
+        self._runner = web.AppRunner(gateway.application())
+        await self._runner.setup()
+        assert self._runner.server is not None
+        self._listener = await asyncio.get_running_loop().create_server(
+            Connections(self._runner.server), sock=listening, backlog=BACKLOG
         )
-        await runner.setup()
-        await web.SockSite(runner, listening).start()
-        self._runner = runner
         self._tasks = [
             asyncio.create_task(work)
             for work in (
                 self.hub.run_ticks(),
                 self.hub.fan_out.run(),
                 self.hub.link.run(),
-                gateway.sweep(runner),
             )
         ]
 
@@ -156,9 +167,13 @@ class Service:
 
     async def close(self) -> None:
         await self.hub.close()
-        if self._runner is not None:
+        if self._listener is not None:
+            self._listener.close()
+        if self._runner is not None and self._runner.server is not None:
             with contextlib.suppress(TimeoutError):
-                await asyncio.wait_for(self._runner.cleanup(), 2 * FAREWELL)
+                async with asyncio.timeout(2 * FAREWELL):
+                    await self._runner.server.shutdown(FAREWELL)
+                    await self._runner.cleanup()
         for task in self._tasks:
             task.cancel()
 
@@ -166,26 +181,34 @@ class Service:
 def _listen(bind: str, port: int) -> socket.socket:
     family = socket.AF_INET6 if ":" in bind else socket.AF_INET
     try:
-        return socket.create_server((bind, port), family=family, backlog=128)
+        return socket.create_server((bind, port), family=family, backlog=BACKLOG)
     except OSError as error:
         raise CannotStart(
             f"cannot listen on {bind} port {port}: {error.strerror}"
         ) from None
 
 
-async def _beat(heart: int) -> None:
+async def _beat(heart: int, hub: Hub) -> None:
+    wrong = 0
     while True:
-        guard.beat(heart)
+        wrong = wrong + 1 if hub.believes_wrongly() else 0
+        if wrong < guard.PATIENCE:
+            guard.beat(heart)
+        elif wrong == guard.PATIENCE:
+            _log.error("says that it has a supervisor, and has none")
         await asyncio.sleep(guard.BEAT)
 
 
 class _Gateway:
-    def __init__(self, options: Options, hub: Hub, origins: Origins) -> None:
+    def __init__(
+        self, options: Options, hub: Hub, logins: Logins, origins: Origins
+    ) -> None:
         self._hub = hub
         self._origins = origins
-        self._logins = Logins(options.token, options.viewers_token)
+        self._logins = logins
         self._recordings = Recordings(options.record) if options.record else None
-        self._sockets = 0
+        self._sockets = Counter[str]()
+        #  Of each role
         self._loop = asyncio.get_running_loop()
 
     def application(self) -> web.Application:
@@ -198,6 +221,7 @@ class _Gateway:
                 web.get("/", self._index),
                 web.get("/page/{path:.+}", self._file),
                 web.post("/login", self._login),
+                web.post("/logout", self._logout),
                 web.get("/ws", self._socket),
                 web.get("/recordings", self._list),
                 web.delete("/recordings/{name}", self._delete),
@@ -210,25 +234,6 @@ class _Gateway:
             ]
         )
         return application
-
-    async def sweep(self, runner: web.AppRunner) -> None:
-        """Closes the oldest connections that are no viewer's, where there are
-        too many."""
-        while True:
-            await asyncio.sleep(SWEEP)
-            if runner.server is None:
-                continue
-            viewers = {viewer.transport for viewer in self._hub.viewers.values()}
-            others = [
-                one.transport
-                for one in runner.server.connections
-                if one.transport is not None and one.transport not in viewers
-            ]
-            excess = len(others) - MAX_CONNECTIONS
-            for transport in others[: max(0, excess)]:
-                transport.abort()
-            if excess > 0:
-                _log.warning("%d connections too many: closed", excess)
 
     #  Every request
 
@@ -267,11 +272,13 @@ class _Gateway:
         response.headers["Cross-Origin-Resource-Policy"] = "same-origin"
         response.headers.setdefault("Cache-Control", "no-store")
         response.headers.pop("Server", None)
+        if response.status != 101:
+            response.force_close()
+            response.headers[hdrs.CONNECTION] = "close"
 
-    def _role(self, request: web.Request) -> str | None:
-        return self._logins.role(
-            request.cookies.get(self._cookie(request)), self._loop.time()
-        )
+    def _session(self, request: web.Request) -> Session | None:
+        name = request.cookies.get(self._cookie(request))
+        return self._logins.session(name, self._loop.time())
 
     def _cookie(self, request: web.Request) -> str:
         #  Cookies are shared among ports: each gateway of a machine has its
@@ -282,17 +289,17 @@ class _Gateway:
         """The browser's address; a proxy on this machine is trusted."""
         address = request.remote or ""
         if self._origins.is_proxied() and is_loopback(address):
-            address = (
-                request.headers.get("X-Forwarded-For", address)
-                .rpartition(",")[2]
-                .strip()
-            )
-        return address[:64]
+            #  the last one is the proxy's word, those before it the browser's
+            told = request.headers.getall("X-Forwarded-For", [""])[-1]
+            forwarded = parsed(told.rpartition(",")[2].strip())
+            if forwarded is not None:
+                address = str(forwarded)
+        return address
 
     #  The page
 
     async def _index(self, request: web.Request) -> web.StreamResponse:
-        return _page("index.html" if self._role(request) else "login.html")
+        return _page("index.html" if self._session(request) else "login.html")
 
     async def _file(self, request: web.Request) -> web.StreamResponse:
         #  without a cookie, too: the form needs the style sheet
@@ -300,20 +307,17 @@ class _Gateway:
 
     async def _login(self, request: web.Request) -> web.StreamResponse:
         origin = request.headers.get(hdrs.ORIGIN)
-        if origin is not None and not self._is_own(request):
-            raise web.HTTPForbidden(text="this page is not destijl_web's\n")
+        if origin is not None:
+            self._check_own(request)
         address = self._address(request)
-        now = self._loop.time()
-        if not self._logins.may_try(address, now):
-            _log.warning("login refused, too many wrong tokens: %s", address)
-            raise web.HTTPSeeOther("/?failed=wait")
-        token = (await request.post()).get("token")
-        session = None
-        if isinstance(token, str):
-            session = self._logins.log_in(token.strip(), address, now)
-        if session is None:
-            _log.warning("login refused, wrong token: %s", address)
-            raise web.HTTPSeeOther("/?failed=1")
+        form = parse_qs((await request.read()).decode("utf-8", "replace"))
+        token = form.get("token", [""])[0].strip()
+        try:
+            session = self._logins.log_in(token, address, self._loop.time())
+        except Refused as refused:
+            if str(refused) != "wait":
+                _log.warning("login refused, %s: %s", _REFUSALS[str(refused)], address)
+            raise web.HTTPSeeOther(f"/?failed={refused}") from None
         response = web.Response(status=303, headers={"Location": "/"})
         response.set_cookie(
             self._cookie(request),
@@ -321,41 +325,63 @@ class _Gateway:
             path="/",
             httponly=True,
             samesite="Strict",
-            secure=self._origins.is_secure(origin or ""),
+            secure=self._origins.is_secure(
+                origin or "", request.headers.get(hdrs.HOST, "")
+            ),
         )
         return response
 
-    def _is_own(self, request: web.Request) -> bool:
-        return self._origins.is_origin(
+    async def _logout(self, request: web.Request) -> web.StreamResponse:
+        self._check_own(request)
+        self._logins.log_out(request.cookies.get(self._cookie(request)))
+        response = web.Response(status=303, headers={"Location": "/"})
+        response.del_cookie(self._cookie(request), path="/")
+        return response
+
+    def _check_own(self, request: web.Request) -> None:
+        if not self._origins.is_origin(
             request.headers.get(hdrs.ORIGIN, ""), request.headers.get(hdrs.HOST, "")
-        )
+        ):
+            raise web.HTTPForbidden(text="this page is not destijl_web's\n")
 
     #  Viewers
 
     async def _socket(self, request: web.Request) -> web.StreamResponse:
-        if not self._is_own(request):
-            raise web.HTTPForbidden(text="this page is not destijl_web's\n")
-        role = self._role(request)
-        if role is None:
-            raise web.HTTPUnauthorized(text="a token is needed\n")
-        if self._sockets >= MAX_VIEWERS:
+        self._check_own(request)
+        session = self._entitled(request)
+        role = session.role
+        if (
+            self._sockets.total() >= MAX_VIEWERS
+            or session.sockets >= MAX_PER_SESSION
+            or (role == "viewer" and self._sockets[role] >= MAX_VIEWERS - FOR_TEACHERS)
+        ):
             raise web.HTTPServiceUnavailable(text="too many viewers\n")
-        self._sockets += 1
+        if not self._hub.may_wish(session):
+            raise web.HTTPTooManyRequests(text="too often\n")
+        self._sockets[role] += 1
+        session.sockets += 1
         try:
-            return await self._serve_viewer(request, role)
+            return await self._serve_viewer(request, session)
         finally:
-            self._sockets -= 1
+            self._sockets[role] -= 1
+            session.sockets -= 1
 
     async def _serve_viewer(
-        self, request: web.Request, role: str
+        self, request: web.Request, session: Session
     ) -> web.StreamResponse:
+        #  pings are answered, and counted, as all else
         ws = web.WebSocketResponse(
-            compress=False, heartbeat=HEARTBEAT, max_msg_size=4 * messages.MAX_SIZE
+            autoping=False,
+            compress=False,
+            heartbeat=HEARTBEAT,
+            max_msg_size=4 * messages.MAX_SIZE,
         )
         await ws.prepare(request)
-        transport = request.transport
+        transport, connection = request.transport, request.protocol
         assert isinstance(transport, asyncio.Transport)
-        viewer = Viewer(self._hub.next_number(), role, ws, transport)
+        assert isinstance(connection, Connection)
+        viewer = Viewer(self._hub.next_number(), session, ws, transport)
+        connection.belongs_to(viewer)
         sender = asyncio.create_task(viewer.send(self._hub.whole_state))
         self._hub.join(viewer)
         try:
@@ -369,12 +395,17 @@ class _Gateway:
     async def _listen_to(self, viewer: Viewer, ws: web.WebSocketResponse) -> None:
         while True:
             received = await ws.receive()
-            if received.type is WSMsgType.BINARY:
-                reason = "binary"
-            elif received.type is not WSMsgType.TEXT:
+            if received.type not in _FRAMES:
                 return
-            elif not viewer.may_say(self._loop.time()):
+            if not viewer.session.frames.take(self._loop.time()):
                 reason = "too many messages"
+            elif received.type is WSMsgType.PING:
+                viewer.put_echo(received.data)
+                continue
+            elif received.type is WSMsgType.PONG:
+                continue
+            elif received.type is WSMsgType.BINARY:
+                reason = "binary"
             elif len(received.data.encode()) > messages.MAX_SIZE:
                 reason = "too large"
             else:
@@ -389,19 +420,23 @@ class _Gateway:
 
     #  Recordings
 
-    def _kept(self, request: web.Request) -> Recordings:
-        if self._role(request) is None:
+    def _entitled(self, request: web.Request) -> Session:
+        session = self._session(request)
+        if session is None:
             raise web.HTTPUnauthorized(text="a token is needed\n")
+        return session
+
+    def _kept(self, request: web.Request) -> Recordings:
+        self._entitled(request)
         if self._recordings is None:
             raise web.HTTPNotFound(text="nothing is recorded: see --record\n")
         return self._recordings
 
     def _changed(self, request: web.Request) -> Recordings:
         """By a page of our own, and who may take the wheel."""
-        if not self._is_own(request):
-            raise web.HTTPForbidden(text="this page is not destijl_web's\n")
+        self._check_own(request)
         kept = self._kept(request)
-        if self._role(request) == "viewer":
+        if self._entitled(request).role == "viewer":
             raise web.HTTPForbidden(text="this is for the teacher\n")
         return kept
 

@@ -115,6 +115,9 @@ class Link:
     def is_up(self) -> bool:
         return self._session is not None and self._session.is_up() and not self._closing
 
+    def is_lost(self) -> bool:
+        return not self.is_up() and not self._closing
+
     def waiting(self) -> int:
         return len(self._session.exchange) if self._session else 0
 
@@ -195,18 +198,25 @@ class _Session(asyncio.Protocol):
             if self._length > MAX_LINE:
                 self._end("a line of it has no end")
 
+    def eof_received(self) -> None:
+        self._end(self._reason)
+
     def connection_lost(self, error: Exception | None) -> None:
         if error is not None:
             self._reason = str(error)
         self._transport = None
-        for command in self.exchange.give_up():
-            if command.done is not None:
-                command.done("NOLINK", 0.0)
         if not self.ended.done():
             self.ended.set_result(self._reason)
+        for command in self.exchange.give_up():
+            for done in command.done:
+                done("NOLINK", 0.0)
 
     def is_up(self) -> bool:
-        return self.began and self._transport is not None
+        return (
+            self.began
+            and self._transport is not None
+            and not self._transport.is_closing()
+        )
 
     def send(self, command: Command) -> None:
         if self._transport is None:
@@ -224,7 +234,8 @@ class _Session(asyncio.Protocol):
         elif command.label == "CCLS":
             self._position_wanted = False
         if command.label in STOPS and self.exchange.stops_at_end() >= ENOUGH_STOPS:
-            _join(self.exchange.last(), command)
+            #  answered by the same answer
+            self.exchange.last().done += command.done
             return
         settled = self.exchange.sent(command, now)
         self._transport.write(line)
@@ -308,16 +319,3 @@ def printable(data: bytes) -> str:
     """Text of the supervisor, in printable form."""
     text = data[:1024].decode("utf-8", "replace")
     return "".join(c if c.isprintable() else "?" for c in text)
-
-
-def _join(first: Command, second: Command) -> None:
-    """The answer to first also answers second."""
-    one, other = first.done, second.done
-
-    def both(answer: str, took: float) -> None:
-        if one is not None:
-            one(answer, took)
-        if other is not None:
-            other(answer, took)
-
-    first.done = both

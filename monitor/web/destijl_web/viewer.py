@@ -9,6 +9,8 @@ from collections.abc import Callable
 
 from aiohttp import WSCloseCode, web
 
+from .logins import Session
+
 IMAGES_UNDER_WAY = 2
 STATES_WAITING = 32
 #  Above, changes of the state are dropped, and the whole state is sent later
@@ -19,10 +21,6 @@ PONGS_WAITING = 8
 TEXTS_WAITING = 512
 #  Above, the connection is closed
 
-RATE = 50.0
-BURST = 100.0
-#  Messages of a page, per second and at once
-
 KERNEL_BUFFER = 2**17
 #  Bytes; Linux doubles it. The default would be megabytes, and a stalled page
 #  would not be detected
@@ -30,20 +28,22 @@ KERNEL_BUFFER = 2**17
 DRAIN_LIMIT = 10.0
 #  Seconds within which something must have been sent to the page
 
+FAREWELL = 1.0
+#  Seconds for a page that is closed for what it said to read why
+
 
 class Viewer:
     def __init__(
         self,
         number: int,
-        role: str,
+        session: Session,
         ws: web.WebSocketResponse,
         transport: asyncio.Transport,
     ) -> None:
         self.number = number
-        self.role = role
+        self.session = session
         self.name = f"#{number}"
         self.pinged_at = 0.0
-        self.stop_told_at = 0.0
         self.orders_waiting = 0
         self.queued = False
         #  In the fan-out's queue
@@ -56,22 +56,14 @@ class Viewer:
         self._wake = asyncio.Event()
         self._texts: deque[str] = deque()
         self._pongs: deque[str] = deque(maxlen=PONGS_WAITING)
+        self._echo: bytes | None = None
         self._position: str | None = None
         self._image: bytes | None = None
         self._unseen = 0
-        self._allowance = BURST
-        self._counted_at = 0.0
         self._drained_at = asyncio.get_running_loop().time()
         self._closing: tuple[int, str] | None = None
 
     #  Received from the page
-
-    def may_say(self, now: float) -> bool:
-        """Whether a message now is within the rate limit."""
-        since = now - self._counted_at
-        self._allowance = min(BURST, self._allowance + since * RATE) - 1.0
-        self._counted_at = now
-        return self._allowance >= 0.0
 
     def seen(self) -> None:
         self._unseen = max(0, self._unseen - 1)
@@ -95,6 +87,11 @@ class Viewer:
     def put_pong(self, text: str) -> None:
         self._pongs.append(text)
 
+    def put_echo(self, data: bytes) -> None:
+        """The answer to a frame that is a ping."""
+        self._echo = data
+        self.wake()
+
     def put_position(self, text: str) -> None:
         self._position = text
 
@@ -111,6 +108,8 @@ class Viewer:
         """Once; drops the queue."""
         if self._closing is None:
             self._closing = (code, reason)
+            if code == WSCloseCode.POLICY_VIOLATION:
+                self.transport.pause_reading()
             self.wake()
 
     def is_stuck(self, now: float) -> bool:
@@ -133,16 +132,20 @@ class Viewer:
                 await self._send_all(whole_state)
         if self._closing is not None and not self._ws.closed:
             code, reason = self._closing
+            limit = FAREWELL if code == WSCloseCode.POLICY_VIOLATION else DRAIN_LIMIT
             with contextlib.suppress(ConnectionError, TimeoutError):
                 await asyncio.wait_for(
-                    self._ws.close(code=code, message=reason.encode()), DRAIN_LIMIT
+                    self._ws.close(code=code, message=reason.encode()), limit
                 )
             self.abort()
 
     async def _send_all(self, whole_state: Callable[[], str]) -> None:
         while self._closing is None and not self._ws.closed:
             #  The most urgent first
-            if self._pongs:
+            if self._echo is not None:
+                data, self._echo = self._echo, None
+                await self._ws.pong(data)
+            elif self._pongs:
                 await self._ws.send_str(self._pongs.popleft())
             elif self._texts:
                 await self._ws.send_str(self._texts.popleft())

@@ -66,6 +66,7 @@ export function words({ code, args = {} }) {
     const key = "reason_" + args.reason.replace(/\W+/g, "_");
     return t("ev_" + code, { reason: has(key) ? t(key) : args.reason });
   }
+  if (args.count && has(`ev_${code}_count`)) return t(`ev_${code}_count`, args);
   if (!has("ev_" + code)) return t("ev_unknown", { code, args: JSON.stringify(args) });
   return t("ev_" + code, args);
 }
@@ -119,6 +120,13 @@ export function renew() {
 // me: the name of this viewer; mine: the event is about an order of this page,
 // or its consequence, and was reported then
 export function happened(event, me, mine) {
+  // Once in the log, where it is repeated
+  const before = event.args.count ? entries.map((one) =>
+    one.code === event.code && one.args.name === event.args.name).lastIndexOf(true) : -1;
+  if (before >= 0) {
+    list.children[entries.length - 1 - before].remove();
+    entries.splice(before, 1);
+  }
   put(event);
   if (event.code === "order") {
     if (mine || (succeeded(event.args.answer) && QUIET.has(event.args.label))) return;
@@ -127,6 +135,8 @@ export function happened(event, me, mine) {
     // Not said in passing
   } else if (["wheel_lost", "stopped_silent"].includes(event.code) && event.args.name === me) {
     alarm(() => t("wheel_lost_you"));
+  } else if (event.code === "muted" && event.args.name === me) {
+    alarm(() => t("muted_you"));
   } else if (event.level === "error" || URGENT.has(event.code)) {
     alarm(() => words(event));
   } else {

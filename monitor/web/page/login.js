@@ -7,7 +7,7 @@ function show() {
   document.title = t("login_title");
   const failed = new URLSearchParams(location.search).get("failed");
   document.getElementById("refused").textContent = failed === null ? ""
-    : t(failed === "wait" ? "login_wait" : "login_refused");
+    : t(["wait", "expelled"].includes(failed) ? "login_" + failed : "login_refused");
 }
 
 start();

@@ -20,6 +20,7 @@ const BACK_WAIT = 2500;            // ms for our former connection to be gone
 const RATE_OVER = 3000;            // ms over which images a second are counted
 const HINT_AGAIN = 10000;          // ms
 const LOGIN_AFTER = 3;             // failures; then the token may be the reason
+const SESSION_OVER = 4001;         // code of the gateway
 
 const ROBOT_ORDERS = ["RSWW", "RSOW", "RRST", "ROPN", "RCLS", "RPIN", "RGST", "RGBT", "RPOF"];
 const CAMERA_ORDERS = ["COPN", "CCLS", "CPCO", "CPST", "CASA", "CACO", "CAIN"];
@@ -174,6 +175,7 @@ function linkChanged(now, before, { reason = "", code = 0 }) {
     driving.moving = false;
     if (before === "open" || before === "slow")
       journal.alarm(() => reason ? t("link_refused", { reason }) : t("link_lost"));
+    if (code === SESSION_OVER) location.reload();
     // If it rejected our name, do not send that again
     if (code === 1008) stored.set("destijl.name", "");
     if (mine()) remembered.set(true);
@@ -496,6 +498,27 @@ function offerButton(id) {
   return made;
 }
 
+function muteButton({ id, muted = false }) {
+  const made = smallButton(t("people_mute"), t("people_mute_label", { name: nameOf(id) }),
+    "mute " + id, () => link.send({ type: "pupil", do: muted ? "unmute" : "mute", to: id }));
+  made.setAttribute("aria-pressed", String(muted));
+  made.dataset.mute = id;
+  return made;
+}
+
+let toExpel;
+
+function expelButton({ id }) {
+  const made = smallButton(t("people_expel"), t("people_expel_label", { name: nameOf(id) }),
+    "expel " + id, () => {
+      toExpel = id;
+      at("expel-title").textContent = t("people_expel_title", { name: nameOf(id) });
+      at("expel").showModal();
+    });
+  made.dataset.expel = id;
+  return made;
+}
+
 let listed;                        // what the lists were made of
 
 function showPeople() {
@@ -503,7 +526,8 @@ function showPeople() {
   if (made === listed) return;
   listed = made;
   at("people-count").textContent = t("people_count", { n: state.viewers.length });
-  fill(at("viewers"), state.viewers.map(({ id, name, role: theirs }) => {
+  fill(at("viewers"), state.viewers.map((one) => {
+    const { id, name, role: theirs, muted } = one;
     const item = document.createElement("li");
     item.dataset.viewer = id;
     const who = document.createElement("span");
@@ -511,14 +535,19 @@ function showPeople() {
     who.textContent = name;
     item.append(who);
     for (const [is, word] of [[id === me, "people_you"], [id === state.driver, "people_drives"],
-      [state.asking.includes(id), "people_asks"], [theirs === "teacher", "people_teacher"]]) {
+      [state.asking.includes(id), "people_asks"], [theirs === "teacher", "people_teacher"],
+      [muted, "people_muted"]]) {
       if (!is) continue;
       const tag = document.createElement("small");
       tag.className = "tag " + word;
       tag.textContent = t(word);
       item.append(" ", tag);
     }
-    if (mine() && id !== me && !state.asking.includes(id)) item.append(offerButton(id));
+    const buttons = document.createElement("span");
+    buttons.className = "buttons";
+    if (mine() && id !== me && !state.asking.includes(id)) buttons.append(offerButton(id));
+    if (role === "teacher" && theirs === "viewer") buttons.append(muteButton(one), expelButton(one));
+    item.append(buttons);
     return item;
   }));
   const questions = mine() ? state.asking.map((id) => {
@@ -645,6 +674,7 @@ function show() {
   showPictureNote();
   showAlarms();
   showNext(drives);
+  at("logout").hidden = role === "open";
   recordings.set(recorded, state.recording, role !== "viewer");
 }
 
@@ -804,6 +834,11 @@ function listen() {
       dialog.close();
       if (label) wish(label);
     };
+  at("expel-no").onclick = () => at("expel").close();
+  at("expel-yes").onclick = () => {
+    at("expel").close();
+    link.send({ type: "pupil", do: "expel", to: toExpel });
+  };
   at("projector").onclick = () => {
     location.hash = location.hash === "#projector" ? "" : "#projector";
   };

@@ -216,6 +216,42 @@ def test_tokens(
     assert TEACHERS not in said and VIEWERS not in said
 
 
+def test_pupils(
+    stands: Callable[..., Stand], tokens: tuple[str | Path, ...], visitors: Visitors
+) -> None:
+    """A teacher mutes and expels; who logs out has the form again."""
+    stand = stands(*tokens)
+    pupil, teacher = visitors.open(stand.address), visitors.open(stand.address, 1)
+    log_in(pupil, VIEWERS)
+    pupil.shows("link", "open")
+    assert not pupil.driver.find_elements(By.CSS_SELECTOR, "[data-mute]")
+    pupil.click("wheel-take")
+    pupil.shows("wheel", "me")
+    log_in(teacher, TEACHERS)
+    teacher.shows("wheel", "other")
+
+    def button(name: str) -> WebElement:
+        found = teacher.driver.find_elements(By.CSS_SELECTOR, f"[data-{name}]")
+        assert len(found) == 1  # not for herself
+        return found[0]
+
+    teacher.click_element(button("mute"))
+    pupil.shows("wheel", "free")
+    await_(lambda: pupil.text("alert"), "it says so")
+    assert teacher.logged(code="muted")
+    await_(lambda: button("mute").get_attribute("aria-pressed") == "true", "pressed")
+    teacher.click_element(button("mute"))
+    await_(lambda: teacher.logged(code="unmuted"), "ended")
+    teacher.click_element(button("expel"))
+    teacher.click("expel-yes")
+    await_(lambda: pupil.driver.find_elements(By.ID, "token"), "the form")
+    assert teacher.logged(code="expelled")
+    teacher.click_element(
+        teacher.driver.find_element(By.CSS_SELECTOR, "#logout button")
+    )
+    await_(lambda: teacher.driver.find_elements(By.ID, "token"), "the form")
+
+
 def test_nothing_from_elsewhere(stand: Stand, page: Page, visitors: Visitors) -> None:
     """The browser itself refuses what the page's policy does not allow."""
     visitors.excuse("Content Security Policy")

@@ -5,7 +5,12 @@ import asyncio
 import base64
 import contextlib
 import json
+import os
+import re
+import select
 import socket
+import subprocess
+import sys
 from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 from typing import Any
@@ -19,9 +24,11 @@ LIMIT = 30.0
 
 TEST_LIMIT = 120.0
 
+WEB = Path(__file__).resolve().parents[3] / "monitor" / "web"
+
 Json = dict[str, Any]
 
-TOKENS: Json = {"token": "secret-teacher", "viewers_token": "secret-viewer"}
+TOKENS: Json = {"token": "secret-of-teacher", "viewers_token": "secret-of-viewers"}
 
 
 def jpeg(number: int, size: int = 1000) -> bytes:
@@ -147,6 +154,7 @@ class Page:
         self.welcome: Json = {}
         self.acknowledges = True
         self._orders = 0
+        self._code: int | None = None
 
     @property
     def number(self) -> int:
@@ -178,6 +186,9 @@ class Page:
             self.said.append(said)
             self._new.append(said)
             return said
+        #  its close_code is another one if the answer comes too late
+        closed = received.type is aiohttp.WSMsgType.CLOSE
+        self._code = received.data if closed else self.ws.close_code
         return None
 
     async def expect(self, kind: str, **fields: Any) -> Json:
@@ -214,7 +225,7 @@ class Page:
         async with asyncio.timeout(LIMIT):
             while await self.receive() is not None:
                 pass
-        return self.ws.close_code
+        return self._code
 
     async def settle(self) -> None:
         """All that the gateway had to say until now has come."""
@@ -280,6 +291,18 @@ class World:
         page.welcome = await page.expect("welcome")
         return page
 
+    async def logged_in(self, token: str) -> aiohttp.ClientSession:
+        client = self.client()
+        async with client.post(f"{self.url}/login", data={"token": token}) as answer:
+            assert answer.status == 200
+        return client
+
+    async def pupil(self) -> Page:
+        return await self.page(await self.logged_in(TOKENS["viewers_token"]))
+
+    async def teacher(self) -> Page:
+        return await self.page(await self.logged_in(TOKENS["token"]))
+
     async def driver(self) -> Page:
         """A page that has the wheel."""
         page = await self.page()
@@ -332,3 +355,42 @@ def token_file(folder: Path, token: str) -> str:
     path.touch(mode=0o600)
     path.write_text(token + "\n")
     return str(path)
+
+
+class Program:
+    def __init__(self, *arguments: str, planted: str = "") -> None:
+        run = ["-m", "destijl_web"]
+        if planted:
+            run = [
+                "-c",
+                f"from destijl_web import __main__, guard, supervisor; {planted}",
+            ]
+            run[1] += "; raise SystemExit(__main__.main())"
+        self.process = subprocess.Popen(
+            [sys.executable, *run, *arguments],
+            env={**os.environ, "PYTHONPATH": str(WEB)},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def address(self) -> str:
+        assert self.process.stdout is not None
+        assert select.select([self.process.stdout], [], [], LIMIT)[0], "it is silent"
+        line = self.process.stdout.readline()
+        found = re.fullmatch(r"destijl_web: open (http://\S+:\d+/)\n", line)
+        assert found is not None, line
+        return found[1]
+
+    def port(self) -> int:
+        return int(self.address().rsplit(":", 1)[1].rstrip("/"))
+
+    def gateway(self) -> int:
+        """The process that the guard watches."""
+        path = Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children")
+        (child,) = path.read_text().split()
+        return int(child)
+
+    def end(self) -> tuple[int, str, str]:
+        out, error = self.process.communicate(timeout=LIMIT)
+        return self.process.returncode, out, error

@@ -54,7 +54,7 @@ def test_refused(given: str) -> None:
 
 
 def test_other_machines_need_a_token(tmp_path: Path) -> None:
-    token = token_file(tmp_path, "secret-teacher")
+    token = token_file(tmp_path, "secret-of-teacher")
     for given in (
         ["--bind", "0.0.0.0"],
         ["--bind", "::"],
@@ -64,19 +64,19 @@ def test_other_machines_need_a_token(tmp_path: Path) -> None:
         with pytest.raises(Usage, match="--token"):
             read(given)
         chosen = read([*given, "--token", token])
-        assert isinstance(chosen, Options) and chosen.token == "secret-teacher"
+        assert isinstance(chosen, Options) and chosen.token == "secret-of-teacher"
     assert isinstance(read(["--bind", "127.0.0.2"]), Options)
 
 
 def test_viewers_need_a_teacher(tmp_path: Path) -> None:
-    teacher = token_file(tmp_path, "secret-teacher")
-    viewer = token_file(tmp_path, "secret-viewer")
+    teacher = token_file(tmp_path, "secret-of-teacher")
+    viewer = token_file(tmp_path, "secret-of-viewers")
     with pytest.raises(Usage):
         read(["--viewers-token", viewer])
     with pytest.raises(Usage):
         read(["--token", teacher, "--viewers-token", teacher])
     chosen = read(["--token", teacher, "--viewers-token", viewer])
-    assert isinstance(chosen, Options) and chosen.viewers_token == "secret-viewer"
+    assert isinstance(chosen, Options) and chosen.viewers_token == "secret-of-viewers"
 
 
 @pytest.mark.parametrize("token", ["short", "with a blank in it", "x" * 129, "é" * 10])
@@ -90,7 +90,7 @@ def test_bad_tokens(tmp_path: Path, token: str) -> None:
 
 @pytest.mark.parametrize("mode", [0o620, 0o604, 0o602])
 def test_tokens_that_others_may_read(tmp_path: Path, mode: int) -> None:
-    path = token_file(tmp_path, "secret-teacher")
+    path = token_file(tmp_path, "secret-of-teacher")
     Path(path).chmod(mode)
     with pytest.raises(Usage, match="others"):
         read(["--token", path])

@@ -4,67 +4,15 @@
 import contextlib
 import os
 import re
-import select
 import signal
 import socket
-import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from helpers import LIMIT, token_file
-
-WEB = Path(__file__).resolve().parents[3] / "monitor" / "web"
-
-
-class Program:
-    def __init__(self, *arguments: str) -> None:
-        self.process = subprocess.Popen(
-            [sys.executable, "-m", "destijl_web", *arguments],
-            env={**os.environ, "PYTHONPATH": str(WEB)},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-
-    def address(self) -> str:
-        assert self.process.stdout is not None
-        assert select.select([self.process.stdout], [], [], LIMIT)[0], "it is silent"
-        line = self.process.stdout.readline()
-        found = re.fullmatch(r"destijl_web: open (http://\S+:\d+/)\n", line)
-        assert found is not None, line
-        return found[1]
-
-    def port(self) -> int:
-        return int(self.address().rsplit(":", 1)[1].rstrip("/"))
-
-    def gateway(self) -> int:
-        """The process that the guard watches."""
-        path = Path(f"/proc/{self.process.pid}/task/{self.process.pid}/children")
-        (child,) = path.read_text().split()
-        return int(child)
-
-    def end(self) -> tuple[int, str, str]:
-        out, error = self.process.communicate(timeout=LIMIT)
-        return self.process.returncode, out, error
-
-
-@pytest.fixture
-def programs() -> Iterator[Any]:
-    made: list[Program] = []
-
-    def make(*arguments: str) -> Program:
-        made.append(Program(*arguments))
-        return made[-1]
-
-    yield make
-    for one in made:
-        if one.process.poll() is None:
-            one.process.kill()
-            one.process.communicate()
+from helpers import LIMIT, WEB, Program, token_file
 
 
 class Served(NamedTuple):
@@ -76,12 +24,14 @@ class Served(NamedTuple):
 
 
 @pytest.fixture
-def served(programs: Any) -> Iterator[Served]:
-    """The gateway has said its first line and been answered."""
+def served(programs: Any, request: pytest.FixtureRequest) -> Iterator[Served]:
+    """The gateway has said its first line and been answered. Indirectly: a fault
+    that is planted in it."""
     with socket.create_server(("127.0.0.1", 0)) as listener:
         listener.settimeout(LIMIT)
         there = f"127.0.0.1:{listener.getsockname()[1]}"
-        program = programs("--port", "0", "--supervisor", there)
+        planted = getattr(request, "param", "")
+        program = programs("--port", "0", "--supervisor", there, planted=planted)
         port = program.port()
         with listener.accept()[0] as connection:
             connection.settimeout(LIMIT)
@@ -168,12 +118,23 @@ def test_a_gateway_that_hangs_or_dies(served: Served, number: signal.Signals) ->
         assert "no sign of life for 1.0 s" in error
 
 
+@pytest.mark.parametrize(
+    "served", ["supervisor._Session.connection_lost = lambda *_: 1 / 0"], indirect=True
+)
+def test_a_gateway_that_believes_to_be_connected(served: Served) -> None:
+    served.connection.close()
+    status, _, error = served.program.end()
+    assert status == 3
+    assert "says that it has a supervisor, and has none" in error
+    assert "no sign of life" in error
+
+
 @pytest.mark.timed
 def test_a_hang_is_not_seen_too_early(served: Served) -> None:
     """It is counted from the last sign of life."""
     begun = time.monotonic()
     os.kill(served.program.gateway(), signal.SIGSTOP)
-    assert has_ended(served.connection)
+    assert rest(served.connection) == b""
     assert time.monotonic() - begun > 0.35
 
 
@@ -199,8 +160,8 @@ def test_not_stopped_by_the_terminal(programs: Any) -> None:
 
 
 def test_tokens_are_not_shown(programs: Any, tmp_path: Path) -> None:
-    token = token_file(tmp_path, "very-secret")
-    viewers = token_file(tmp_path, "less-secret")
+    token = token_file(tmp_path, "very-secret-token")
+    viewers = token_file(tmp_path, "less-secret-token")
     program = programs("--port", "0", "--token", token, "--viewers-token", viewers)
     port = program.port()
     command = Path(f"/proc/{program.gateway()}/cmdline").read_bytes()

@@ -249,7 +249,8 @@ async def test_not_for_others(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("token", "status"), [("", 401), ("secret-viewer", 403), ("secret-teacher", 204)]
+    ("token", "status"),
+    [("", 401), ("secret-of-viewers", 403), ("secret-of-teacher", 204)],
 )
 async def test_who_may_delete(tmp_path: Path, token: str, status: int) -> None:
     """Not those who have the viewers' token."""

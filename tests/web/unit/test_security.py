@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 from aiohttp import WSServerHandshakeError
-from destijl_web import logins
+from destijl_web import hub, logins
 from destijl_web.origins import Origins, address_to_open
-from helpers import TOKENS, World
+from helpers import LIMIT, TOKENS, World
 
 
 async def status(w: World, path: str, **headers: str) -> int:
@@ -95,7 +95,7 @@ async def test_nobody_without_a_token(w: World) -> None:
         "/recordings/20261123T120000.123Z/positions.csv",
     ):
         assert await status(w, path) == 401
-    for cookie in ("", "made-up", "secret-teacher"):
+    for cookie in ("", "made-up", "secret-of-teacher"):
         with pytest.raises(WSServerHandshakeError) as refused:
             await client.ws_connect(
                 f"{w.url}/ws",
@@ -115,22 +115,65 @@ async def login(w: World, token: str, **headers: str) -> Any:
 
 @pytest.mark.world(TOKENS, origins=("https://robot.example",))
 async def test_login(w: World) -> None:
-    answer = await login(w, "secret-teacher")
+    answer = await login(w, "secret-of-teacher")
     assert (answer.status, answer.headers["Location"]) == (303, "/")
     cookie = answer.headers["Set-Cookie"]
     for part in ("HttpOnly", "SameSite=Strict", "Path=/"):
         assert part in cookie
     assert "Secure" not in cookie and "secret" not in cookie
     proxied = {"Host": "robot.example", "Origin": "https://robot.example"}
-    answer = await login(w, "secret-viewer", **proxied)
+    answer = await login(w, "secret-of-viewers", **proxied)
     assert "Secure" in answer.headers["Set-Cookie"]
-    answer = await login(w, "secret-teache")
+    answer = await login(w, "secret-of-teache")
     assert answer.headers["Location"] == "/?failed=1"
     assert "Set-Cookie" not in answer.headers
     for origin in ("null", "http://evil.example"):
-        assert (await login(w, "secret-teacher", Origin=origin)).status == 403
-    answer = await login(w, "x" * 100_000)
+        assert (await login(w, "secret-of-teacher", Origin=origin)).status == 403
+    answer = await login(w, "x" * 10_000)
     assert answer.status == 413
+
+
+@pytest.mark.world(TOKENS, origins=("https://robot.example", "http://other.example"))
+async def test_what_has_tls_is_not_reached_without(w: World) -> None:
+    proxied = {"Host": "robot.example", "Origin": "http://robot.example"}
+    assert (await login(w, "secret-of-teacher", **proxied)).status == 403
+    answer = await login(w, "secret-of-teacher", Host="robot.example")
+    assert "Secure" in answer.headers["Set-Cookie"]
+    proxied = {"Host": "other.example", "Origin": "http://other.example"}
+    answer = await login(w, "secret-of-teacher", **proxied)
+    assert "Secure" not in answer.headers["Set-Cookie"]
+
+
+@pytest.mark.world(TOKENS)
+async def test_logout(w: World) -> None:
+    client = await w.logged_in("secret-of-teacher")
+    page, other = await w.page(client), await w.teacher()
+    for origin in (None, "http://evil.example"):
+        headers = {} if origin is None else {"Origin": origin}
+        async with client.post(f"{w.url}/logout", headers=headers) as answer:
+            assert answer.status == 403
+    await page.settle()
+    async with client.post(
+        f"{w.url}/logout", headers={"Origin": w.url}, allow_redirects=False
+    ) as answer:
+        assert (answer.status, answer.headers["Location"]) == (303, "/")
+    assert await page.closed() == hub.SESSION_OVER
+    with pytest.raises(WSServerHandshakeError) as refused:
+        await w.page(client)
+    assert refused.value.status == 401
+    await other.settle()
+
+
+@pytest.mark.world(TOKENS)
+async def test_an_open_page_of_a_session_that_is_over(w: World) -> None:
+    page = await w.pupil()
+    await page.wheel("take")
+    await page.state(driver=page.number)
+    w.pass_time(logins.LIFE + LIMIT)
+    #  silent as its clock stands still, it has lost the wheel before
+    assert await page.closed() == hub.SESSION_OVER
+    assert w.service.hub.state["driver"] is None
+    assert w.service.hub.viewers == {}
 
 
 @pytest.mark.world(TOKENS)
@@ -138,10 +181,12 @@ async def test_login_attempts(w: World) -> None:
     for _ in range(logins.ATTEMPTS):
         answer = await login(w, "wrong")
         assert answer.headers["Location"] == "/?failed=1"
-    for token in ("wrong", "secret-teacher"):
-        answer = await login(w, token)
-        assert answer.headers["Location"] == "/?failed=wait"
-        assert "Set-Cookie" not in answer.headers
+    answer = await login(w, "wrong")
+    assert answer.headers["Location"] == "/?failed=wait"
+    assert "Set-Cookie" not in answer.headers
+    #  but nobody's wrong tokens lock out who has the right one
+    answer = await login(w, "secret-of-teacher")
+    assert answer.headers["Location"] == "/"
 
 
 @pytest.mark.world(TOKENS, origins=("https://robot.example",))
@@ -150,11 +195,22 @@ async def test_login_attempts_behind_a_proxy(w: World) -> None:
     for number in range(logins.ATTEMPTS):
         proxied["X-Forwarded-For"] = f"10.0.0.{number}, 192.0.2.1"
         await login(w, "wrong", **proxied)
-    answer = await login(w, "secret-teacher", **proxied)
+    answer = await login(w, "wrong", **proxied)
     assert answer.headers["Location"] == "/?failed=wait"
     proxied["X-Forwarded-For"] = "192.0.2.1, 192.0.2.2"
-    answer = await login(w, "secret-teacher", **proxied)
-    assert answer.headers["Location"] == "/"
+    answer = await login(w, "wrong", **proxied)
+    assert answer.headers["Location"] == "/?failed=1"
+
+
+@pytest.mark.world(TOKENS, origins=("https://robot.example",))
+async def test_forwarded_for_what_is_no_address(w: World) -> None:
+    for number in range(logins.ATTEMPTS):
+        forged = {"Host": "robot.example", "X-Forwarded-For": f"guess {number}"}
+        answer = await login(w, "wrong", **forged)
+        assert answer.headers["Location"] == "/?failed=1"
+    forged["X-Forwarded-For"] = "<guess>"
+    answer = await login(w, "wrong", **forged)
+    assert answer.headers["Location"] == "/?failed=wait"
 
 
 @pytest.mark.world(TOKENS)

@@ -5,8 +5,7 @@ import asyncio
 import base64
 
 import pytest
-from aiohttp import WSServerHandshakeError
-from destijl_web import exchange, hub, viewer
+from destijl_web import exchange, hub
 from helpers import World, jpeg
 
 
@@ -352,22 +351,6 @@ async def test_huge_messages_end_the_connection(w: World) -> None:
     await page.ws.send_str("x" * 10**6)
     assert await page.closed() in (1006, 1008, 1009)
     await (await w.page()).settle()
-
-
-async def test_too_many_messages_end_the_connection(w: World) -> None:
-    page = await w.page()
-    for number in range(int(viewer.BURST) + 60):
-        await page.say("ping", n=number, hidden=False)
-    assert await page.closed() == 1008
-
-
-async def test_viewers_are_bounded(w: World) -> None:
-    client = w.client()
-    for _ in range(hub.MAX_VIEWERS):
-        await w.page(client)
-    with pytest.raises(WSServerHandshakeError) as refused:
-        await w.page(client)
-    assert refused.value.status == 503
 
 
 async def test_the_gateway_ends_in_order(w: World) -> None:

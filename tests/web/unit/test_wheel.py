@@ -3,20 +3,13 @@
 
 import pytest
 from destijl_web import hub
-from helpers import TOKENS, Page, World
+from helpers import TOKENS, World
 
 
 async def stops(w: World, count: int) -> None:
     """So many stops have been sent, and no more."""
     await w.supervisor.heard("RSTP", count)
     assert w.supervisor.count("RSTP") == count
-
-
-async def logged_in(w: World, token: str) -> Page:
-    client = w.client()
-    answer = await client.post(f"{w.url}/login", data={"token": token})
-    assert answer.status == 200
-    return await w.page(client)
 
 
 async def test_one_drives(w: World) -> None:
@@ -179,9 +172,7 @@ async def test_stop_for_a_robot_that_is_being_started(w: World) -> None:
 
 @pytest.mark.world(TOKENS)
 async def test_seized_by_a_teacher_only(w: World) -> None:
-    pupil = await logged_in(w, "secret-viewer")
-    other = await logged_in(w, "secret-viewer")
-    teacher = await logged_in(w, "secret-teacher")
+    pupil, other, teacher = await w.pupil(), await w.pupil(), await w.teacher()
     assert pupil.welcome["role"] == "viewer"
     assert teacher.welcome["role"] == "teacher"
     await pupil.wheel("take")
@@ -269,11 +260,11 @@ async def test_a_wish_ends_with_its_viewer(w: World) -> None:
     await driver.state(asking=[])
 
 
-@pytest.mark.world(TOKENS, supervisor_token="secret-teacher")
+@pytest.mark.world(TOKENS, supervisor_token="secret-of-teacher")
 async def test_tokens_are_not_logged(
     w: World, caplog: pytest.LogCaptureFixture
 ) -> None:
     await w.client().post(f"{w.url}/login", data={"token": "wrong-secret"})
-    await logged_in(w, "secret-viewer")
+    await w.pupil()
     assert "login refused" in caplog.text
     assert "secret" not in caplog.text
