@@ -351,6 +351,7 @@ package body Monitor.Tasks with SPARK_Mode is
            (Line, "no TCP_INFO, keep-alive instead: a monitor is lost that "
             & "vanishes, or takes nothing, for ");
          Monitor.Link.Append_Seconds (Line, Monitor.Link.Vanished_After);
+         Texts.Append (Line, "; signs of life are not watched");
          Journal.Put (Options.Warning, Line);
       end if;
       Monitor.Link.Start (Link, Sample.Now);

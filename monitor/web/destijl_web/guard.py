@@ -1,9 +1,9 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
 """The guard: a process that starts the gateway, and kills it if it hangs.
 
-The supervisor tolerates a silent monitor, so a gateway that hangs could leave
-the robot driving. When it is killed, the kernel closes the connection, and the
-supervisor stops the robot."""
+A gateway that hangs shows the supervisor no sign of life, which stops the
+robot. When it is killed, another can begin, and the kernel closes the
+connection to a supervisor that does not watch these signs."""
 
 import contextlib
 import ctypes

@@ -125,6 +125,16 @@ class Child:
         """Its last lines, told where a test fails."""
         return "\n".join([f"{self.name}:", *self.lines[-20:]])
 
+    def precede_others(self) -> None:
+        """Where that is permitted. Each of its threads by itself: an Ada task does
+        not inherit how its process is scheduled."""
+        with contextlib.suppress(PermissionError):
+            for process in (self.process.pid, *self.children):
+                for name in os.listdir(f"/proc/{process}/task"):
+                    if os.sched_getscheduler(int(name)) == os.SCHED_OTHER:
+                        lowest = os.sched_param(1)
+                        os.sched_setscheduler(int(name), os.SCHED_FIFO, lowest)
+
     @property
     def children(self) -> list[int]:
         path = f"/proc/{self.process.pid}/task/{self.process.pid}/children"
@@ -152,16 +162,8 @@ class Emulator(Child):
             *options,
         )
         self.camera = self.line("^camera (.*)")[1]
-        self._precede_others()
+        self.precede_others()  # it stands for a device
         self._lock = threading.Lock()
-
-    def _precede_others(self) -> None:
-        """It stands for a device. Each of its tasks by itself: an Ada task does not
-        inherit how its process is scheduled."""
-        with contextlib.suppress(PermissionError):
-            for name in os.listdir(f"/proc/{self.process.pid}/task"):
-                if os.sched_getscheduler(int(name)) == os.SCHED_OTHER:
-                    os.sched_setscheduler(int(name), os.SCHED_FIFO, os.sched_param(1))
 
     def ask(self, command: str) -> str:
         with self._lock:
@@ -234,6 +236,7 @@ class Gateway(Child):
             *options,
         )
         self.port = int(self.line(r"http://127\.0\.0\.1:(\d+)")[1])
+        self.precede_others()  # it owes signs of life, however busy the machine is
 
     @property
     def server(self) -> int:

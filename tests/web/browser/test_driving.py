@@ -25,7 +25,8 @@ NOTICED = 0.5
 #  on a machine with other work
 
 HUNG = 1.0
-#  Seconds without a sign of life after which the guard ends the gateway
+#  Seconds without a sign of life after which the guard ends the gateway, and
+#  within which the supervisor stops the robot
 
 FREE = 1.0
 #  Seconds after which a driver that has vanished has lost the wheel
@@ -539,3 +540,31 @@ def test_pad_by_mouse(stand: Stand, driver: Page) -> None:
     stand.moves()
     ActionChains(driver.driver).release().perform()
     stand.stands()
+
+
+def test_frozen_gateway(stand: Stand, driver: Page) -> None:
+    """It and its guard, as by a container's pause: nobody ends it. When it goes on,
+    so does its user."""
+    frozen = (stand.gateway.process.pid, stand.gateway.server)
+    driver.hold("w")
+    stand.moves()
+    for process in frozen:
+        os.kill(process, signal.SIGSTOP)
+    stand.stands()
+    stand.supervisor.line("monitor lost: it announced signs of life")
+    driver.release("w")
+    for process in frozen:
+        os.kill(process, signal.SIGCONT)
+    driver.logged(code="supervisor_lost")
+    #  the latest first: it has found it again
+    await_(
+        lambda: (
+            [line["code"] for line in driver.log() if "supervisor" in line["code"]]
+            == ["supervisor_connected", "supervisor_lost", "supervisor_connected"]
+        ),
+        "it is connected again",
+    )
+    assert not stand.emulator.moving
+    driver.take_wheel()
+    driver.start()
+    stand.drives(driver, "s")
