@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
+from destijl_web import logins
 from helpers import TEST_LIMIT, Program, World, world
 
 
@@ -47,6 +48,12 @@ def programs() -> Iterator[Any]:
         if one.process.poll() is None:
             one.process.kill()
             one.process.communicate()
+
+
+@pytest.fixture
+def no_recovery(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However long a test takes, none of its wrong tokens is forgotten."""
+    monkeypatch.setattr(logins, "RECOVERY", 1e9)
 
 
 def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:

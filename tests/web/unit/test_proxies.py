@@ -145,6 +145,7 @@ async def certificate(folder: Path) -> None:
     assert await process.wait() == 0
 
 
+@pytest.mark.usefixtures("no_recovery")
 @pytest.mark.parametrize("kind", ["nginx", "caddy"])
 async def test_recipes(
     kind: str, tmp_path: Path, caplog: pytest.LogCaptureFixture

@@ -176,6 +176,7 @@ async def test_an_open_page_of_a_session_that_is_over(w: World) -> None:
     assert w.service.hub.viewers == {}
 
 
+@pytest.mark.usefixtures("no_recovery")
 @pytest.mark.world(TOKENS)
 async def test_login_attempts(w: World) -> None:
     for _ in range(logins.ATTEMPTS):
@@ -189,6 +190,7 @@ async def test_login_attempts(w: World) -> None:
     assert answer.headers["Location"] == "/"
 
 
+@pytest.mark.usefixtures("no_recovery")
 @pytest.mark.world(TOKENS, origins=("https://robot.example",))
 async def test_login_attempts_behind_a_proxy(w: World) -> None:
     proxied = {"Host": "robot.example"}
@@ -202,6 +204,7 @@ async def test_login_attempts_behind_a_proxy(w: World) -> None:
     assert answer.headers["Location"] == "/?failed=1"
 
 
+@pytest.mark.usefixtures("no_recovery")
 @pytest.mark.world(TOKENS, origins=("https://robot.example",))
 async def test_forwarded_for_what_is_no_address(w: World) -> None:
     for number in range(logins.ATTEMPTS):
@@ -213,6 +216,7 @@ async def test_forwarded_for_what_is_no_address(w: World) -> None:
     assert answer.headers["Location"] == "/?failed=wait"
 
 
+@pytest.mark.usefixtures("no_recovery")
 @pytest.mark.world(TOKENS)
 async def test_nobody_says_where_he_comes_from(w: World) -> None:
     """X-Forwarded-For counts behind a proxy only."""
