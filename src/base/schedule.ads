@@ -222,7 +222,7 @@ package Schedule with SPARK_Mode is
    Idle_Line         : constant Time_Span := Milliseconds (80);
    --  a line with an exchange this recently needs no ping
    Hold_Limit        : constant Time_Span := Milliseconds (950);
-   --  PROTOCOL rule 7: the existing monitor waits 1 s for an answer
+   --  docs/wire.md, rule 7: the existing monitor waits 1 s for an answer
 
    Answer_Timeout_Ms : constant := 80;
    --  default of --answer-timeout: of the robot, from the end of the command.

@@ -386,7 +386,7 @@ package Monitor.Mailboxes with SPARK_Mode is
    --  which was sent at Last_Sent. Left: the session of the message before has
    --  ended meanwhile
 
-   --  The hold (PROTOCOL rule 7)
+   --  The hold (docs/wire.md, rule 7)
 
    function Is_Held (B : Mailbox) return Boolean is
      (B.Hold.On and then not B.Released);

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  How long unsolicited messages are held back while commands wait for their
---  answers (PROTOCOL rule 7).
+--  answers (docs/wire.md, rule 7).
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Schedule;

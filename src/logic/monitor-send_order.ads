@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Which waiting message is sent to the monitor next (PROTOCOL rules 1 and 7),
---  answers before unsolicited messages; and how long after the last one.
+--  Which waiting message is sent to the monitor next (docs/wire.md, rules 1
+--  and 7), answers before unsolicited messages; and how long after the last
+--  one.
 
 package Monitor.Send_Order with SPARK_Mode, Pure is
 
@@ -42,7 +43,7 @@ package Monitor.Send_Order with SPARK_Mode, Pure is
    subtype Milliseconds is Natural range 0 .. 1_000;
 
    Answer_Gap : constant Milliseconds := 4;
-   --  at most, before an answer (PROTOCOL.md)
+   --  at most, before an answer (docs/wire.md)
 
    function Any_Unsolicited (W : Waiting) return Boolean is
      (for some Kind in Unsolicited => W.Messages (Kind));

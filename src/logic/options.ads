@@ -61,7 +61,7 @@ package Options with SPARK_Mode is
       Drawing     : Drawing_Kind := All_Of_It;
       Arena_Size  : Missions.Arena_Size;
       --  of the ground, in centimetres
-      Message_Gap : Milliseconds := 20;          --  PROTOCOL.md
+      Message_Gap : Milliseconds := 20;          --  docs/wire.md
       Log_Level   : Level        := Info;
       Cpu         : Processor_Choice := No_Processor;
       --  the real-time tasks are pinned to it; No_Processor: not pinned;

@@ -11,7 +11,7 @@ package Orders with SPARK_Mode is
    --  across sessions. 0: none
 
    Capacity : constant := 256;
-   --  Commands that may wait for their answers (PROTOCOL rule 2)
+   --  Commands that may wait for their answers (docs/wire.md, rule 2)
 
    subtype Order_Count is Natural range 0 .. Capacity;
 

@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The literal texts of both protocols, repeated from PROTOCOL.md. Encoder and
+--  The literal texts of both protocols, as in docs/wire.md. Encoder and
 --  decoder share one table, so a mistake in it would cancel out. GNATprove
 --  compares the tables with these texts.
 

@@ -36,7 +36,7 @@ package Monitor.Outbox with SPARK_Mode is
    procedure Reserve (Order : in out Orders.Order)
    with Pre => not Order.Owed;
    --  Gives Order its number, and its answer a place; waits while no place is
-   --  free (PROTOCOL rule 2). Then Order is Owed, unless the session has
+   --  free (docs/wire.md, rule 2). Then Order is Owed, unless the session has
    --  ended. For th_receiveFromMon only
 
    procedure Answer
@@ -135,9 +135,7 @@ package Monitor.Outbox with SPARK_Mode is
    --  which was sent at Last_Sent; Between two unsolicited ones. An image is
    --  returned in Image, whose content is overwritten. For th_sendToMon only
 
-   ----------------------------------
-   -- The hold (PROTOCOL rule 7)   --
-   ----------------------------------
+   --  The hold (docs/wire.md, rule 7)
 
    procedure Wait_Held;
    --  Until unsolicited messages begin to be held back. For th_hold only

@@ -6,7 +6,7 @@
 --  /snapshot.jpg   one image, the next
 --  /pose           the truth now, one line of numbers separated by blanks:
 --                  x y heading cx cy dx dy angle frame time
---                  (cm, cm, degrees; pixels; degrees as PROTOCOL.md has
+--                  (cm, cm, degrees; pixels; degrees as docs/wire.md has
 --                  them; number of the newest image; seconds of
 --                  CLOCK_MONOTONIC)
 --  /pose/frame     the same as the newest image shows it, with the camera's

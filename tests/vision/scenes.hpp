@@ -15,7 +15,7 @@
 struct Target {
   int id = 0;
   std::vector<cv::Point2d> outline;  //  the corners, clockwise
-  cv::Point2d centre, direction;     //  as vision.h and PROTOCOL.md say
+  cv::Point2d centre, direction;     //  as vision.h and docs/wire.md say
   cv::Point2d middle;                //  where the diagonals cross
   double angle = 0;                  //  degrees
   double side = 0;                   //  mean, pixels

@@ -5,7 +5,7 @@
 --  Time is what Advance_To says it is. The firmware's 100 ms ticks start
 --  when the robot is switched on and run on, whatever arrives meanwhile.
 --
---  What PROTOCOL.md leaves open is decided here:
+--  What docs/wire.md leaves open is decided here:
 --
 --  *  Low battery: a critically empty battery stops the motors and turns
 --     the watchdog off. Nothing is answered any more, and 4 s later the robot

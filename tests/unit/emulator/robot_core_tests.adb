@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The firmware's state machine, row by row of PROTOCOL.md.
+--  The firmware's state machine, row by row of docs/wire.md.
 
 with Ada.Strings;       use Ada.Strings;
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
