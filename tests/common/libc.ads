@@ -276,9 +276,9 @@ package Libc is
    with Import, Convention => C, External_Name => "sched_setscheduler";
    --  Thread 0 is the caller
 
-   function Setpriority (Which : int; Who : unsigned; Nice : int) return int
-   with Import, Convention => C, External_Name => "setpriority";
-   --  Which 0 and Who 0: the calling thread
+   function Nice (Increment : int) return int
+   with Import, Convention => C, External_Name => "nice";
+   --  Of the calling thread
 
    function Mlockall (Flags : int) return int
    with Import, Convention => C, External_Name => "mlockall";

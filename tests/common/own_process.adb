@@ -34,11 +34,16 @@ package body Own_Process is
    end Wake_On_Time;
 
    procedure Give_Way is
-      Nice   : constant := 5;
       Unused : int;
    begin
-      Unused := Libc.Setpriority (0, 0, Nice);
+      Unused := Libc.Nice (5);
    end Give_Way;
+
+   procedure Go_First is
+      Unused : int;
+   begin
+      Unused := Libc.Nice (-10);
+   end Go_First;
 
    procedure Lock_Memory is
       Once_Used : constant := 7;

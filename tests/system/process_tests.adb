@@ -214,17 +214,6 @@ package body Process_Tests is
         (not Connects (R.Supervisor.Port), "somebody still listens");
    end Stopped_At_Once;
 
-   procedure Stops_In_Time is
-   begin
-      Stopped_By_Sigterm;
-      Stopped_By_Sigint;
-      Stopped_With_Camera;
-      Stopped_While_Robot_Silent;
-      Stopped_While_Camera_Stalls;
-      Stopped_With_Stalled_Monitor;
-      Stopped_At_Once;
-   end Stops_In_Time;
-
    procedure Thirteen_Threads is
 
       --  The report's own, by the names that the kernel shows (15
@@ -838,6 +827,19 @@ package body Process_Tests is
          "the console monitor has failed");
       Check (R.Emulator.Count_Of ("M=50") = 1, "no M=50 on the wire");
    end Console_Monitor;
+
+   procedure Stops_In_Time is
+   begin
+      Stopped_By_Sigterm;
+      Stopped_By_Sigint;
+      Stopped_With_Camera;
+      Stopped_While_Robot_Silent;
+      Stopped_While_Camera_Stalls;
+      Stopped_With_Stalled_Monitor;
+      Stopped_At_Once;
+      Console_Blocked;
+      Failing_Task;
+   end Stops_In_Time;
 
    procedure Register is
    begin

@@ -204,6 +204,9 @@ package body Robot_Tests is
    --  A late answer never passes for the answer to the next command. The robot
    --  answers in order: after the last one, its next is late, too.
 
+   procedure Answer_Timeout is new Script
+     ("ROPN AACK, tell delay 40, RPIN AACK, tell delay 120, RPIN ATIM");
+
    procedure Unasked_Bytes is new Script
      ("ROPN AACK, tell unasked EE\r, wait 0.2, RPIN AACK,"
       & " tell unasked 00\r1, wait 0.2, RGBT RBLV:2,"
@@ -730,6 +733,7 @@ package body Robot_Tests is
       Add ("F09_Late_When_Reopened", Late_Reopened'Access);
       Add ("F08_Garbled_Answers", Garbled'Access);
       Add ("F08_Late_Answers", Late_Answers'Access);
+      Add ("F08_Answers_Within_80_Ms", Answer_Timeout'Access, Timed => True);
       Add ("F08_Unasked_Bytes", Unasked_Bytes'Access);
       Add ("F08_Noisy_Line", Noisy_Line'Access);
       Add ("F08_Noisy_Line_In_Time", Noisy_Line'Access, Timed => True);

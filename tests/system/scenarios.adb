@@ -18,6 +18,7 @@ with Child_Processes;       use Child_Processes;
 with Expectations;
 with Instants;              use Instants;
 with Network_Links;
+with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Supervisors;
@@ -97,7 +98,9 @@ package body Scenarios is
 
    overriding procedure Run_Test (Test : in out Scenario) is
    begin
-      if not Test.Timed then
+      if Test.Timed then
+         Own_Process.Go_First;
+      else
          Supervisors.Be_Patient;
          Expectations.Ignore_Times;
       end if;

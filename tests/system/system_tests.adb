@@ -58,17 +58,17 @@ begin
    end loop;
 
    --  the longest first
-   Mission_Trial_Tests.Register;
-   Monitor_Tests.Register;
    Never_Tests.Register;
-   Security_Tests.Register;
-   Process_Tests.Register;
-   Server_Tests.Register;
    Robot_Tests.Register;
+   Process_Tests.Register;
+   Monitor_Tests.Register;
+   Security_Tests.Register;
+   Server_Tests.Register;
    Radio_Tests.Register;
    Camera_Tests.Register;
    Source_Tests.Register;
    Mission_Tests.Register;
+   Mission_Trial_Tests.Register;
    Trace_Tests.Register;
 
    if One /= "" then

@@ -181,8 +181,7 @@ package body Child_Processes is
      (Object    : in out Child;
       Program   : String;
       Options   : Arguments := String_Vectors.Empty_Vector;
-      Name      : String := "";
-      Real_Time : Boolean := False)
+      Name      : String := "")
    is
       Count   : constant Natural := Natural (Options.Length);
       Vector  : Libc.Argument_Vector (0 .. Count + 1) :=
@@ -191,7 +190,6 @@ package body Child_Processes is
       Output  : Libc.Pipe_Ends;
       Errors  : Libc.Pipe_Ends;
       Empty   : aliased Libc.Signal_Set;
-      Lowest  : aliased Libc.Sched_Param := (Priority => 1);
       Pid     : int;
       Unused  : int;
       Unused_Action : System.Address;
@@ -222,10 +220,6 @@ package body Child_Processes is
            (Libc.Pr_Set_Pdeathsig, unsigned_long (Libc.Sigkill));
          Unused := Libc.Sigprocmask (Libc.Set_Mask, Empty'Access, null);
          Unused_Action := Libc.Signal (Libc.Sigpipe, Libc.Default_Action);
-         if Real_Time then
-            Unused := Libc.Sched_Setscheduler
-              (0, Libc.Sched_Fifo, Lowest'Access);
-         end if;
          Unused := Libc.Dup2 (Input (0), 0);
          Unused := Libc.Dup2 (Output (1), 1);
          Unused := Libc.Dup2 (Errors (1), 2);

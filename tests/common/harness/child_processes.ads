@@ -35,12 +35,10 @@ package Child_Processes is
      (Object    : in out Child;
       Program   : String;
       Options   : Arguments := String_Vectors.Empty_Vector;
-      Name      : String := "";
-      Real_Time : Boolean := False);
+      Name      : String := "");
    --  Runs Program (searched in PATH unless it has a slash). Name is used in
-   --  messages. Real_Time: at the lowest real-time priority if permitted,
-   --  above ordinary load. To be called by the environment task: the kernel
-   --  ends the program with the thread that started it.
+   --  messages. To be called by the environment task: the kernel ends the
+   --  program with the thread that started it.
 
    function Pid (Object : Child) return Interfaces.C.int;
 

@@ -71,8 +71,7 @@ package body Emulators is
             & To_String (Object.Link)
            & (if Camera then " --camera-port 0" else ""))
          & Words (Options),
-         "emulator",
-         Real_Time => True);
+         "emulator");
       Check
         (Index (Next_Line (Object), "device ") = 1,
          "the emulator names no device");

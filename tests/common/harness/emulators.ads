@@ -20,9 +20,7 @@ package Emulators is
       Terminal : Boolean := True);
    --  With a robot that is ready at once, unless Options say otherwise; its
    --  line is a socket, or where it is to be opened as others do, hung up or
-   --  full of noise, a pseudo-terminal (Pseudo_Terminals). A real
-   --  robot and a real camera do not compete for the processor: if permitted,
-   --  the emulator has priority over ordinary load.
+   --  full of noise, a pseudo-terminal (Pseudo_Terminals)
 
    function Device (Object : Emulator) return String;
    --  Of the robot's line: a link that stays the same when the line returns
