@@ -46,7 +46,6 @@ package body Network_Faults is
    type Hang is new Fault with null record;
 
    overriding procedure Inject (F : in out Hang; W : in out World);
-   overriding procedure Lift (F : in out Hang; W : in out World);
 
    --  The monitor reads nothing
 
@@ -124,29 +123,34 @@ package body Network_Faults is
       P.Through_Link := True;
    end Prepare;
 
-   overriding procedure Inject (F : in out Cut_Cable; W : in out World) is
+   procedure Be_Missed (W : in out World; Within : Duration) is
+      --  The supervisor finds that the monitor has gone without a word
       Log     : constant Natural := W.Session_Log;
-      Start   : Instant;
+      Start   : constant Instant := Now;
       Noticed : Boolean;
    begin
-      W.Reachable := False;
-      W.Listen;
-      The_Link.Cut (F.How);
-      Start := Now;
       if W.Present then
-         W.Lose (Silently, Detection => Vanished_Limit);
+         W.Lose (Silently, Detection => Within);
          if W.The_Plan.Log_Is_Read then
             Noticed := W.Supervisor.Says
-              ("monitor lost", Vanished_Limit + Noise, After => Log);
+              ("monitor lost", Within + Noise, After => Log);
             Check
               (Noticed,
                "the monitor that vanished is not missed within "
                & Milliseconds (Now - Start));
          else
             --  the next admission shows whether it was
-            delay Vanished_Limit;
+            delay Within;
          end if;
       end if;
+   end Be_Missed;
+
+   overriding procedure Inject (F : in out Cut_Cable; W : in out World) is
+   begin
+      W.Reachable := False;
+      W.Listen;
+      The_Link.Cut (F.How);
+      Be_Missed (W, Vanished_Limit);
    end Inject;
 
    overriding procedure Lift (F : in out Cut_Cable; W : in out World) is
@@ -159,19 +163,9 @@ package body Network_Faults is
    overriding procedure Inject (F : in out Hang; W : in out World) is
       pragma Unreferenced (F);
    begin
-      W.Listen;
-      if W.Present then
-         W.Say ("LIVE");
-         W.Lose (Silently, Detection => Silence_Limit);
-         delay Silence_Limit;
-      end if;
+      W.Say ("LIVE");
+      Be_Missed (W, Silence_Limit);
    end Inject;
-
-   overriding procedure Lift (F : in out Hang; W : in out World) is
-      pragma Unreferenced (F);
-   begin
-      W.Monitor.Close;
-   end Lift;
 
    overriding procedure Prepare (F : Stall; P : in out Plan) is
       pragma Unreferenced (F);

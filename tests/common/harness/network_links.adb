@@ -118,41 +118,44 @@ package body Network_Links is
      (if Object.Made then Name else "");
 
    procedure Change (Object : Link; How : Cut_Kind; Breaks : Boolean) is
-      Wrong : constant String := " lladdr 02:00:00:00:00:99 nud permanent";
-      --  a station that is not there
+      --  To mend what is not cut changes nothing
 
-      function Command return String is
-        (case How is
-            when Cable_Pulled   => "ip link set " & There
-              & (if Breaks then " down" else " up"),
-            when Interface_Down => "ip link set " & Here
-              & (if Breaks then " down" else " up"),
-            when Monitor_Gone   => "ip addr"
-              & (if Breaks then " del " else " add ")
-              & Monitor_Side & "/30 dev " & There,
-            when Address_Gone   => "ip addr"
-              & (if Breaks then " del " else " add ")
-              & Supervisor_Side & "/30 dev " & Here,
-            when Route_Gone     => "ip route"
-              & (if Breaks then " del " else " add ")
-              & Address (Libc.Getpid, 0) & "/30 dev " & Here
-              & " src " & Supervisor_Side,
-            when Dropped_There  =>
-              (if Breaks
-               then "ip neigh replace " & Monitor_Side & " dev " & Here & Wrong
-               else "ip neigh del " & Monitor_Side & " dev " & Here),
-            when Dropped_Here   =>
-              (if Breaks
-               then "ip neigh replace " & Supervisor_Side & " dev " & There
-                 & Wrong
-               else "ip neigh del " & Supervisor_Side & " dev " & There));
+      function Set_Interface (Name : String) return String is
+        ("ip link set " & Name & (if Breaks then " down" else " up"));
+
+      function Set_Address (Address, Name : String) return String is
+        ("ip addr " & (if Breaks then "del " else "replace ")
+         & Address & "/30 dev " & Name);
+
+      function Set_Station (Address, Name : String) return String is
+        --  of this address: one that is not there
+        (if Breaks
+         then "ip neigh replace " & Address & " dev " & Name
+           & " lladdr 02:00:00:00:00:99 nud permanent"
+         else "ip neigh flush to " & Address & " dev " & Name
+           & " nud permanent");
+
    begin
       Check (Object.Made, "no link to cut or mend");
-      if How in Cable_Pulled | Monitor_Gone | Dropped_Here then
-         Run_There (Command);
-      else
-         Run (Command);
-      end if;
+      case How is
+         when Cable_Pulled   =>
+            Run_There (Set_Interface (There));
+         when Monitor_Gone   =>
+            Run_There (Set_Address (Monitor_Side, There));
+         when Dropped_There  =>
+            Run (Set_Station (Monitor_Side, Here));
+         when Dropped_Here   =>
+            Run_There (Set_Station (Supervisor_Side, There));
+         when Interface_Down =>
+            Run (Set_Interface (Here));
+         when Address_Gone   =>
+            Run (Set_Address (Supervisor_Side, Here));
+         when Route_Gone     =>
+            Run
+              ("ip route " & (if Breaks then "del " else "replace ")
+               & Address (Libc.Getpid, 0) & "/30 dev " & Here
+               & " src " & Supervisor_Side);
+      end case;
    end Change;
 
    procedure Cut (Object : in out Link; How : Cut_Kind := Cable_Pulled) is
