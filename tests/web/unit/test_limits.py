@@ -47,7 +47,7 @@ async def test_pipelined(w: World) -> None:
 
 
 async def test_no_request(w: World, caplog: pytest.LogCaptureFixture) -> None:
-    for said in (b"\x16\x03\x01\x02\x00", b"HELO there"):
+    for said in (b"\x16\x03\x01\x02\x00", b"HELO there", b"GET / HTTP/x.y"):
         assert b" 400 " in await raw(w, [said + b"\r\n\r\n"])
     assert caplog.text == ""
 
