@@ -729,7 +729,7 @@ package body Monitor_Tests is
       Tool.Start
         (Programs.Monitor,
          Words ("--script - --port" & Positive'Image (R.Supervisor.Port)),
-         "console monitor", Real_Time => True);
+         "console monitor");
       for Line of Words ("ROPN RSOW RGFW") loop
          Tool.Put_Line (Line);
       end loop;
