@@ -8,6 +8,7 @@ import logging
 import math
 import re
 import time
+import unicodedata
 from collections import deque
 from operator import itemgetter
 from pathlib import Path
@@ -182,9 +183,16 @@ class Hub:
         elif isinstance(message, messages.Pupil):
             self._take_pupil(viewer, message)
         elif self.may_wish(viewer.session):
-            viewer.name = message.name
-            self._tell_viewers()
+            self._rename(viewer, message.name)
         self._publish()
+
+    def _rename(self, viewer: Viewer, name: str) -> None:
+        """By another's name, with the number: the log says who it was."""
+        others = (v for v in self.viewers.values() if v.session is not viewer.session)
+        if _plain(name) in (_plain(other.name) for other in others):
+            name += f" #{viewer.number}"
+        viewer.name = name
+        self._tell_viewers()
 
     def whole_state(self) -> str:
         return encode("state", **self.state.all())
@@ -706,6 +714,10 @@ class Hub:
 
 def encode(kind: str, **fields: Any) -> str:
     return json.dumps({"type": kind, **fields}, separators=(",", ":"))
+
+
+def _plain(name: str) -> str:
+    return unicodedata.normalize("NFKC", name).casefold()
 
 
 def now_ms() -> int:

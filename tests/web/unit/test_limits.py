@@ -229,6 +229,17 @@ async def test_stops_do_not_wipe_the_log(w: World) -> None:
     assert [e["code"] for e in told].count("order") == hub.EVENTS
 
 
+async def test_nobody_is_logged_as_another(w: World) -> None:
+    one, two = await w.page(), await w.page()
+    await one.say("name", name="Zoé")
+    await one.say("name", name="Zoé")
+    for taken in ("Zoé", "ZOÉ", "Zoe\u0301", "#1"):
+        await two.say("name", name=taken)
+        await two.settle()
+        names = [viewer["name"] for viewer in w.service.hub.state["viewers"]]
+        assert names == ["Zoé", taken if taken == "#1" else taken + " #2"]
+
+
 async def test_wishes_of_one_are_bounded(w: World) -> None:
     """So that the others are not told too much, and the log stays."""
     driver, other = await w.driver(), await w.page()
