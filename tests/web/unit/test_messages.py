@@ -3,7 +3,7 @@
 
 import pytest
 from destijl_web import messages
-from destijl_web.messages import Malformed, Name, Order, Ping, Seen, Wheel
+from destijl_web.messages import Malformed, Name, Order, Ping, Pupil, Seen, Wheel
 
 
 @pytest.mark.parametrize(
@@ -28,6 +28,7 @@ from destijl_web.messages import Malformed, Name, Order, Ping, Seen, Wheel
         ('{"type":"wheel","do":"offer","to":3}', Wheel("offer", 3)),
         ('{"type":"wheel","do":"withdraw"}', Wheel("withdraw", None)),
         ('{"type":"name","name":" Zoé "}', Name("Zoé")),
+        ('{"type":"pupil","do":"unmute","to":3}', Pupil("unmute", 3)),
     ],
 )
 def test_read(text: str, message: messages.Message) -> None:
@@ -82,6 +83,8 @@ def test_read(text: str, message: messages.Message) -> None:
         '{"type":"wheel","do":["take"]}',
         '{"type":"wheel","do":"give"}',
         '{"type":"wheel","do":"offer"}',
+        '{"type":"pupil","do":"expel"}',
+        '{"type":"pupil","do":["mute"],"to":3}',
         '{"type":"name"}',
         '{"type":"name","name":""}',
         '{"type":"name","name":"   "}',
