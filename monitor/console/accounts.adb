@@ -9,9 +9,11 @@ with Durations;
 with Exchanges;             use Exchanges;
 with GNAT.OS_Lib;
 with Jpeg_Headers;
+with Monitor.Positions;     use Monitor.Positions;
 with Monitor.Protocol;      use Monitor.Protocol;
 with Mutexes;
 with Numerals;
+with Position_Lines;
 with Terminals;
 with Words;
 
@@ -411,15 +413,13 @@ package body Accounts is
 
    procedure Take_Position (Line : String; Ended_At : Time) is
       P  : Position;
-      OK : Boolean := False;
+      OK : Boolean;
    begin
-      if Line'Last <= Max_Position then
-         Parse_Position (Line, Line'Last, P, OK);
-      end if;
+      Position_Lines.Parse (Line, P, OK);
       if not OK then
          Surprise
            (Ended_At,
-            "position: " & Head (Line, Integer'Min (Line'Last, Max_Position)));
+            "position: " & Head (Line, Integer'Min (Line'Last, Max_Short_Line)));
          return;
       end if;
 

@@ -277,8 +277,6 @@ package Schedule with SPARK_Mode is
    Trace_Limit       : constant Time_Span := Milliseconds (2000);
    --  to write the file of --trace; with Stop_Limit and Console_Limit less
    --  than TimeoutStopSec of the systemd unit
-   Store_Limit       : constant Time_Span := Milliseconds (10_000);
-   --  the main procedure stores the events of --trace at least this often
    Release_Poll      : constant Time_Span := Milliseconds (5);
    --  polling period at the end of a session and of the process
 

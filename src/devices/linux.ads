@@ -71,9 +71,7 @@ package Linux with SPARK_Mode => Off is
    function Event_Counter (Initial : unsigned; Flags : int) return int
    with Import, Convention => C, External_Name => "eventfd";
 
-   Event_Blocking     : constant int := 8#2000000#;  --  EFD_CLOEXEC
-   Event_Non_Blocking : constant int := Event_Blocking + 8#4000#;
-   --  EFD_NONBLOCK
+   Event_Blocking : constant int := 8#2000000#;  --  EFD_CLOEXEC
 
    procedure Control (Descriptor : int; Request : unsigned_long)
    with Import, Convention => C_Variadic_2, External_Name => "ioctl";

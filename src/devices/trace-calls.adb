@@ -31,15 +31,6 @@ is
    procedure Get_Time (Clock : int; Now : Address)
    with Import, Convention => C, External_Name => "clock_gettime";
 
-   procedure Add_To (Counter : int; Value : Unsigned_64)
-   with Import, Convention => C, External_Name => "eventfd_write";
-
-   procedure Take_From (Counter : int; Value : Address)
-   with Import, Convention => C, External_Name => "eventfd_read";
-
-   procedure Poll (Entries : Address; Count : long; Wait_Ms : int)
-   with Import, Convention => C, External_Name => "poll";
-
    function Open (Path : char_array; Flags : int; Mode : unsigned) return int
    with Import, Convention => C_Variadic_2, External_Name => "open";
 
@@ -52,23 +43,15 @@ is
    procedure Truncate (File : int; Length : long)
    with Import, Convention => C, External_Name => "ftruncate";
 
-   function Write_At
-     (File : int; Data : Address; Length : size_t; Place : long) return Ssize
-   with Import, Convention => C, External_Name => "pwrite";
-
-   procedure Read_At
-     (File : int; Data : Address; Length : size_t; Place : long)
-   with Import, Convention => C, External_Name => "pread";
-
-   procedure Add (Counter : Descriptor) is
-   begin
-      Add_To (int (Counter), 1);
-   end Add;
-
    procedure Close (File : Descriptor) is
    begin
       Linux.Close (int (File));
    end Close;
+
+   procedure Empty (File : Descriptor) is
+   begin
+      Truncate (int (File), 0);
+   end Empty;
 
    procedure Get_Time (Nanoseconds : out Unsigned_64) is
       Now : Time_Spec := (0, 0);
@@ -89,11 +72,6 @@ is
       Set_Action (File_Too_Large, Ignore);
    end Ignore_Size_Signal;
 
-   procedure Make_Counter (Result : out Outcome) is
-   begin
-      Result := Outcome_Of (Ssize (Event_Counter (0, Event_Non_Blocking)));
-   end Make_Counter;
-
    procedure Open
      (Path : Texts.Text; Flags : Open_Flags; Result : out Outcome)
    is
@@ -107,12 +85,6 @@ is
                       Mode)));
    end Open;
 
-   procedure Read_Events
-     (File : Descriptor; Data : in out Batch; Offset : File_Offset) is
-   begin
-      Read_At (int (File), Data'Address, Batch_Bytes, long (Offset));
-   end Read_Events;
-
    procedure Remove (Path : Texts.Text) is
    begin
       Unlink (To_C (Texts.Image (Path)));
@@ -123,37 +95,11 @@ is
       Result := Outcome_Of (Ssize (Seek (int (File), 0, Start)));
    end Seek_Start;
 
-   procedure Truncate (File : Descriptor; Length : File_Offset) is
-   begin
-      Truncate (int (File), long (Length));
-   end Truncate;
-
-   procedure Wait (Counter : Descriptor; Milliseconds : Natural) is
-      Waited : Poll_Array := (1 => (int (Counter), Poll_In, 0));
-      Value  : Unsigned_64;
-   begin
-      Poll (Waited'Address, 1, int (Milliseconds));
-      Take_From (int (Counter), Value'Address);
-   end Wait;
-
    procedure Write
      (File : Descriptor; Data : String; Result : out Outcome) is
    begin
       Result := Outcome_Of
         (Linux.Write (int (File), Data'Address, Data'Length));
    end Write;
-
-   procedure Write_Events
-     (File   : Descriptor;
-      Data   : Batch;
-      From   : Natural;
-      Length : Natural;
-      Offset : File_Offset;
-      Result : out Outcome) is
-   begin
-      Result := Outcome_Of
-        (Write_At (int (File), Data'Address + Storage_Offset (From),
-                   size_t (Length), long (Offset)));
-   end Write_Events;
 
 end Trace.Calls;

@@ -1,9 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  What the recorder calls of the system. Decides nothing.
 
-with Interfaces;   use Interfaces;
-with Texts;
-with Trace_Layout; use Trace_Layout;
+with Interfaces; use Interfaces;
 
 private package Trace.Calls with
   SPARK_Mode,
@@ -16,7 +14,7 @@ private package Trace.Calls with
 is
 
    pragma Annotate (GNATprove, Terminating, Trace.Calls);
-   --  By review: the calls may wait for the disk, and Wait for a limited time
+   --  By review: the calls may wait for the disk
 
    subtype Error_Number is Natural range 0 .. 4_095;
    --  errno; 0: no error
@@ -26,13 +24,11 @@ is
    --  -Outcome
 
    subtype Descriptor is Integer range -1 .. Integer'Last;
-   --  Of a file or an event counter
 
    None : constant Descriptor := -1;
 
-   Not_Found   : constant Error_Number := 2;  --  ENOENT
-   Interrupted : constant Error_Number := 4;  --  EINTR
-   Io_Failure  : constant Error_Number := 5;  --  EIO
+   Not_Found  : constant Error_Number := 2;  --  ENOENT
+   Io_Failure : constant Error_Number := 5;  --  EIO
 
    procedure Get_Time (Nanoseconds : out Unsigned_64)
    with Global => (In_Out => System_State);
@@ -44,23 +40,6 @@ is
 
    procedure Give_Up_Priority with Global => (In_Out => System_State);
    --  The calling task has the priority of ordinary programs from here on
-
-   --  Event counters
-
-   procedure Make_Counter (Result : out Outcome)
-   with Global => (In_Out => System_State);
-   --  Result: its descriptor
-
-   procedure Add (Counter : Descriptor)
-   with Global => (In_Out => System_State);
-   --  Adds one. Does not block
-
-   procedure Wait (Counter : Descriptor; Milliseconds : Natural)
-   with Global => (In_Out => System_State);
-   --  Until the counter is not zero, Milliseconds at most, or until a signal
-   --  interrupts it. Then the counter is zero
-
-   --  Files
 
    type Open_Flags is range 0 .. 2 ** 31 - 1;
 
@@ -86,8 +65,9 @@ is
    procedure Remove (Path : Texts.Text)
    with Global => (In_Out => System_State);
 
-   procedure Truncate (File : Descriptor; Length : File_Offset)
+   procedure Empty (File : Descriptor)
    with Global => (In_Out => System_State);
+   --  Drops its contents
 
    procedure Write (File : Descriptor; Data : String; Result : out Outcome)
    with
@@ -95,24 +75,5 @@ is
      Post   => Result <= Data'Length;
    --  Writes the beginning of Data at the file's current position. Result:
    --  number of bytes
-
-   procedure Write_Events
-     (File   : Descriptor;
-      Data   : Batch;
-      From   : Natural;
-      Length : Natural;
-      Offset : File_Offset;
-      Result : out Outcome)
-   with
-     Global => (In_Out => System_State),
-     Pre    => From <= Batch_Bytes and then Length <= Batch_Bytes - From,
-     Post   => Result <= Length;
-   --  Writes the beginning of the Length bytes that follow the first From
-   --  bytes of Data, at Offset in the file. Result: number of bytes
-
-   procedure Read_Events
-     (File : Descriptor; Data : in out Batch; Offset : File_Offset)
-   with Global => (In_Out => System_State);
-   --  As much of Data as can be read at Offset; the rest is unchanged
 
 end Trace.Calls;

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The trace (--trace): events of all tasks with their times. While the tasks
---  work, the events go through memory to the end of the file; at the end the
---  text is made from them. Without --trace each call tests one flag.
+--  The trace (--trace): the newest events of all tasks with their times, in
+--  memory, and at the end in a file. Without --trace each call tests one flag.
 
 with Ada.Real_Time;
 with Monitor.Protocol;
@@ -9,7 +8,6 @@ with Orders;
 with Robot.Protocol;
 with Schedule;
 with Texts;
-with Trace_Layout;
 
 package Trace with
   SPARK_Mode,
@@ -18,17 +16,12 @@ package Trace with
   Initializes => Recorder
 is
    pragma Annotate (GNATprove, Terminating, Trace);
-   --  Store waits for events, and Finish for Store, both for a limited time,
-   --  and both for the disk; nothing else waits. Proved, if each call of the
-   --  system (Trace.Calls) and each delay ends
+   --  Finish waits for the disk, nothing else waits. Proved, if each call of
+   --  the system (Trace.Calls) ends
 
-   Capacity : constant := Trace_Layout.Capacity;
-   --  Newest events kept: more than two minutes of a session with images,
-   --  positions and 25 commands per second
-
-   In_Memory : constant := Trace_Layout.In_Memory;
-   --  The newest of them, in 128 KiB of memory; the rest is in the file. If
-   --  events are recorded faster than Store saves them, the oldest are lost
+   Capacity : constant := 2 ** 17;
+   --  Events kept, in 4 MiB of memory: more than two minutes of a session with
+   --  images, positions and 25 commands per second
 
    subtype Task_Name is Schedule.Task_Name;
 
@@ -44,19 +37,11 @@ is
    --  memory, and starts recording. Reason explains a failure. Call once,
    --  before the tasks work
 
-   procedure Store with Global => (In_Out => Recorder);
-   --  Saves the recorded events to the file. First waits until In_Memory is a
-   --  quarter full or Wake has been called, at most Schedule.Store_Limit. For
-   --  one task only, after Open
-
-   procedure Wake with Global => (In_Out => Recorder);
-   --  Ends the current wait in Store, or else the next one
-
    procedure Finish (Whole : out Boolean; Reason : out Texts.Text)
    with
      Global => (Input => Ada.Real_Time.Clock_Time, In_Out => Recorder);
    --  Ends the recording and writes the file, if any. Whole is false if it is
-   --  incomplete: the disk is or was full, or it took longer than
+   --  incomplete: the disk is full, or it took longer than
    --  Schedule.Trace_Limit. The calling task first gives up its real-time
    --  priority. To be called last, before the end of the process
 

@@ -3,7 +3,7 @@
 package body Missions.Texts with SPARK_Mode is
 
    procedure Begin_Line
-     (Label : Label_Text; Line : out Position_Text; Last : out Natural)
+     (Label : Label_Text; Line : out Short_Line; Last : out Natural)
    with
      Post => Last = 5
        and then Begins_With (Line, Label)
@@ -12,7 +12,7 @@ package body Missions.Texts with SPARK_Mode is
    procedure Put_Number
      (Value  : Millimetres;
       Ending : Character;
-      Line   : in out Position_Text;
+      Line   : in out Short_Line;
       Last   : in out Natural)
    with
      Pre  => Last in 5 .. 32,
@@ -24,7 +24,7 @@ package body Missions.Texts with SPARK_Mode is
    --  Appends Value and Ending
 
    procedure Begin_Line
-     (Label : Label_Text; Line : out Position_Text; Last : out Natural) is
+     (Label : Label_Text; Line : out Short_Line; Last : out Natural) is
    begin
       Line := (others => ' ');
       Line (1 .. 4) := Label;
@@ -33,7 +33,7 @@ package body Missions.Texts with SPARK_Mode is
    end Begin_Line;
 
    procedure Format_End
-     (Why : Ending; Line : out Position_Text; Last : out Natural)
+     (Why : Ending; Line : out Short_Line; Last : out Natural)
    is
       Text : constant String := Text_Of (Why);
    begin
@@ -46,7 +46,7 @@ package body Missions.Texts with SPARK_Mode is
    procedure Format_Progress
      (Leg, Of_Legs : Point_Number;
       Distance     : Millimetres;
-      Line         : out Position_Text;
+      Line         : out Short_Line;
       Last         : out Natural) is
    begin
       Begin_Line (Progress_Label, Line, Last);
@@ -58,7 +58,7 @@ package body Missions.Texts with SPARK_Mode is
    procedure Put_Number
      (Value  : Millimetres;
       Ending : Character;
-      Line   : in out Position_Text;
+      Line   : in out Short_Line;
       Last   : in out Natural) is
    begin
       Numbers.Append (Value, 1, Line, Last);

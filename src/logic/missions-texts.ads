@@ -35,7 +35,7 @@ package Missions.Texts with SPARK_Mode is
    procedure Format_Progress
      (Leg, Of_Legs : Point_Number;
       Distance     : Millimetres;
-      Line         : out Position_Text;
+      Line         : out Short_Line;
       Last         : out Natural)
    with
      Post => Last in 11 .. 32
@@ -48,7 +48,7 @@ package Missions.Texts with SPARK_Mode is
    --  to the leg's point
 
    procedure Format_End
-     (Why : Ending; Line : out Position_Text; Last : out Natural)
+     (Why : Ending; Line : out Short_Line; Last : out Natural)
    with
      Post => Last = Text_Of (Why)'Length + 6
        and then Begins_With (Line, End_Label)

@@ -93,7 +93,8 @@ package body Monitor.Mailboxes with SPARK_Mode is
 
       procedure Append (Text : String)
       with
-        Pre  => Text'Length <= Monitor.Protocol.Max_Position - Line.Length,
+        Pre  => Text'Length
+          <= Monitor.Protocol.Max_Short_Line - Line.Length,
         Post => Line.Length = Line.Length'Old + Text'Length
           and then Line.Data (1 .. Line.Length'Old) =
             Line.Data'Old (1 .. Line.Length'Old)

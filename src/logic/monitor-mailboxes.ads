@@ -30,8 +30,8 @@ package Monitor.Mailboxes with SPARK_Mode is
    --  Of periodic images: an image of an older generation is not sent
 
    type Short_Line is record
-      Data   : Monitor.Protocol.Position_Text := (others => ' ');
-      Length : Natural range 0 .. Monitor.Protocol.Max_Position := 0;
+      Data   : Monitor.Protocol.Short_Line := (others => ' ');
+      Length : Natural range 0 .. Monitor.Protocol.Max_Short_Line := 0;
    end record;
    --  A message without an image, as it is to be sent; Length 0: none
 

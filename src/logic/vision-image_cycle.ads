@@ -3,7 +3,7 @@
 --  the next cycle starts, which robots are still known, and what is drawn and
 --  reported. th_captureImg carries it out.
 
-with Monitor.Protocol;
+with Monitor.Positions;
 with Options;
 with Vision.Following;
 with Vision.Image_Grid;
@@ -84,15 +84,15 @@ package Vision.Image_Cycle with SPARK_Mode is
 
    function Position_Of
      (Robots : Vision.Shapes.Robot_Array; Count : Vision.Shapes.Robot_Count)
-      return Monitor.Protocol.Position
-   is (if Count = 0 then Monitor.Protocol.Not_Found
+      return Monitor.Positions.Position
+   is (if Count = 0 then Monitor.Positions.Not_Found
        else
          (Id    => Integer (Robots (1).Id),
-          Angle => Monitor.Protocol.Micro (Robots (1).Angle),
-          Cx    => Monitor.Protocol.Micro (Robots (1).Centre.X),
-          Cy    => Monitor.Protocol.Micro (Robots (1).Centre.Y),
-          Dx    => Monitor.Protocol.Micro (Robots (1).Direction.X),
-          Dy    => Monitor.Protocol.Micro (Robots (1).Direction.Y)));
+          Angle => Monitor.Positions.Micro (Robots (1).Angle),
+          Cx    => Monitor.Positions.Micro (Robots (1).Centre.X),
+          Cy    => Monitor.Positions.Micro (Robots (1).Centre.Y),
+          Dx    => Monitor.Positions.Micro (Robots (1).Direction.X),
+          Dy    => Monitor.Positions.Micro (Robots (1).Direction.Y)));
    --  The position reported to the monitor: that of Robots (1)
 
 end Vision.Image_Cycle;

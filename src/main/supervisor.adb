@@ -40,9 +40,6 @@ package body Supervisor with SPARK_Mode is
    procedure Open_Trace (Path : Texts.Text);
    --  Ends the process on failure
 
-   procedure Keep_Trace;
-   --  Saves the trace to its file repeatedly, until th_stop has failed
-
    procedure Serve (Chosen : Options.Values);
    --  Runs the tasks; returns when the caller must end the process
 
@@ -69,16 +66,6 @@ package body Supervisor with SPARK_Mode is
          Texts.Append (Claim, Chosen);
       end if;
    end Keep_On_Processor;
-
-   procedure Keep_Trace is
-      Failed : Boolean;
-   begin
-      loop
-         Failures.Get_Stop_Failed (Failed);
-         exit when Failed;
-         Trace.Store;
-      end loop;
-   end Keep_Trace;
 
    procedure Open_Trace (Path : Texts.Text) is
       Done   : Boolean;
@@ -153,9 +140,6 @@ package body Supervisor with SPARK_Mode is
             else "none guaranteed"));
       Journal.Put (Options.Info, Report);
 
-      if Chosen.Trace_File.Length > 0 then
-         Keep_Trace;
-      end if;
       Failures.Wait_Stop_Failed;
       Robot.Line.Refuse_Orders;
       --  meanwhile its last lines are written

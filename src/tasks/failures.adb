@@ -7,21 +7,13 @@ with Journal;
 with Options;
 with Process.Signals;
 with Robot.Serial_Line;
-with Trace;
 
 package body Failures with SPARK_Mode is
 
    package Stop_Failed is new Event;
 
-   Has_Failed : Boolean := False with Atomic, Async_Readers, Async_Writers;
-
    function Line_Of (Item : Notice) return Texts.Text;
    --  For the log
-
-   procedure Get_Stop_Failed (Failed : out Boolean) is
-   begin
-      Failed := Has_Failed;
-   end Get_Stop_Failed;
 
    function Line_Of (Item : Notice) return Texts.Text is
       Line : Texts.Text;
@@ -43,9 +35,7 @@ package body Failures with SPARK_Mode is
       Journal.Put (Options.Error, Line_Of (Item));
       if Item.Of_Stop then
          Robot.Serial_Line.Stop_Blindly;
-         Has_Failed := True;
          Stop_Failed.Set;
-         Trace.Wake;
       else
          Process.Signals.Report_Failure;
       end if;

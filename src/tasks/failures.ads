@@ -6,9 +6,6 @@ with Texts;
 
 package Failures with SPARK_Mode is
 
-   procedure Get_Stop_Failed (Failed : out Boolean);
-   --  Whether Wait_Stop_Failed would return at once
-
    procedure Wait_Stop_Failed;
    --  Waits until the task that ends the process has failed itself: the caller
    --  must end the process. For one task only

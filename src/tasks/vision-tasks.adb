@@ -6,6 +6,7 @@ with Journal;
 with Monitor.Mailboxes;
 with Monitor.Notices;
 with Monitor.Outbox;
+with Monitor.Positions;
 with Monitor.Protocol; use Monitor.Protocol;
 with Options;
 with Order_Meanings;
@@ -312,7 +313,7 @@ package body Vision.Tasks with SPARK_Mode is
                   Vision.Frame_Store.Release (Slot);
                   if Seen.Mode.Position_On then
                      --  after its image, which is to be punctual
-                     Format_Position
+                     Monitor.Positions.Format
                        (Vision.Image_Cycle.Position_Of (Robots, Count),
                         Line.Data, Line.Length);
                      Monitor.Outbox.Put_Position (Line, Made);

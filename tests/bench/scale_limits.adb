@@ -33,7 +33,7 @@ package body Scale_Limits is
    --  too large for a stack
 
    function Recording return String is
-     (" --trace " & Programs.Temporary_Folder & "/scale.json");
+     (" --trace " & Programs.Temporary_Folder & "/scale.txt");
 
    --  Without and with a recording, in turns
 
@@ -137,8 +137,6 @@ package body Scale_Limits is
       subtype Times is Maps.Map;
 
       With_Opencv : constant String := "th_camera th_captureImg th_arene";
-      Main_Name   : constant String := "destijl";
-      --  of the main procedure's thread, which has work with --trace alone
 
       Span : constant Duration :=
         Duration'Max (5.0, Duration (Bench_Settings.Seconds) / 4);
@@ -235,8 +233,6 @@ package body Scale_Limits is
                if Index (Title, "th_") = 1
                  and then Index (With_Opencv, Title) = 0
                then
-                  Own := Own + Used;
-               elsif Title = Main_Name then
                   Own := Own + Used;
                end if;
                if Told and then Index (With_Opencv, Title) > 0

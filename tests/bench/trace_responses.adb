@@ -477,7 +477,7 @@ package body Trace_Responses is
             Wanted => (1 => (Reports.Value, 0.0, False)));
       end Put_Sum;
 
-      Own    : constant String := Programs.Temporary_Folder & "/trace.json";
+      Own    : constant String := Programs.Temporary_Folder & "/trace.txt";
       Result : Response_Array;
       Beside : Response_Array;
       Orders : Response;

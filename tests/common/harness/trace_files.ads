@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The file that the supervisor writes with --trace: parsed strictly as JSON,
---  and returned as events.
+--  The file that the supervisor writes with --trace: read strictly, and
+--  returned as events.
 
 with Ada.Containers.Vectors;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -8,7 +8,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 package Trace_Files is
 
    Bad_Trace : exception;
-   --  It is not JSON, or not in Chrome's trace format
+   --  It is not as docs/trace.md says
 
    type Nanoseconds is range -2 ** 63 .. 2 ** 63 - 1;
 
@@ -16,7 +16,8 @@ package Trace_Files is
    subtype Thread_Number is Positive range 1 .. 32;
 
    type Event is record
-      Phase   : Character     := ' ';   --  B, E, i
+      Phase   : Character     := ' ';
+      --  B, E: a job or a wait begins, ends; i: an instant
       Thread  : Thread_Number := 1;
       Time    : Nanoseconds   := 0;
       Command : Natural       := 0;     --  of the monitor, 0: none
@@ -30,9 +31,8 @@ package Trace_Files is
    package Event_Vectors is new Ada.Containers.Vectors (Positive, Event);
 
    type Thread is record
-      Name  : Unbounded_String;
-      Order : Natural := 0;
-      --  position in the viewer: the lowest on top
+      Name     : Unbounded_String;
+      Priority : Natural := 0;
    end record;
 
    type Thread_Array is array (Thread_Number) of Thread;
@@ -41,7 +41,6 @@ package Trace_Files is
       Events   : Event_Vectors.Vector;
       Threads  : Thread_Array;
       Recorded : Natural := 0;
-      Kept     : Natural := 0;
    end record;
 
    procedure Read (Path : String; Result : out Trace);

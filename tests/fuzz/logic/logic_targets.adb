@@ -18,7 +18,6 @@ package body Logic_Targets is
    begin
       case Chosen is
          when Lines     => Monitor_Targets.Lines (Data);
-         when Positions => Monitor_Targets.Positions (Data);
          when Frames    => Robot_Targets.Frames (Data);
          when Commands  => Robot_Targets.Commands (Data);
          when Sessions  => Robot_Targets.Sessions (Data);

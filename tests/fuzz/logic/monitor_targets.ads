@@ -10,7 +10,4 @@ package Monitor_Targets is
    --  Data as the monitor's stream: lines are cut out of it, each is parsed
    --  and its text kept for the log
 
-   procedure Positions (Data : Bytes.Byte_Array);
-   --  Data as a position line, then as a position to be written
-
 end Monitor_Targets;

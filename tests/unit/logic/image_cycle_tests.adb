@@ -3,7 +3,7 @@
 
 with AUnit.Assertions;   use AUnit.Assertions;
 
-with Monitor.Protocol;
+with Monitor.Positions;
 with Options;
 with Vision.Following;
 with Vision.Image_Cycle; use Vision.Image_Cycle;
@@ -14,7 +14,7 @@ with Unit_Runs; use Unit_Runs;
 
 package body Image_Cycle_Tests is
 
-   use type Monitor.Protocol.Position;
+   use type Monitor.Positions.Position;
    use type Vision.Image_Grid.Microseconds;
 
    Period : constant := 100_000;
@@ -66,7 +66,7 @@ package body Image_Cycle_Tests is
 
    procedure Test_Position is
    begin
-      Assert (Position_Of (Robots, 0) = Monitor.Protocol.Not_Found, "none");
+      Assert (Position_Of (Robots, 0) = Monitor.Positions.Not_Found, "none");
       Assert
         (Position_Of (Robots, 2) =
            (Id => 7, Angle => 50, Cx => 10, Cy => 20, Dx => 30, Dy => 40),

@@ -26,8 +26,6 @@ with Send_Order_Tests;
 with Session_Stages_Tests;
 with Tcp_Infos_Tests;
 with Texts_Tests;
-with Trace_Json_Tests;
-with Trace_Layout_Tests;
 with Vision_Mode_Tests;
 with Unit_Runs; use Unit_Runs;
 
@@ -57,8 +55,6 @@ begin
    Add ("Monitor.Session_Stages", Session_Stages_Tests.Add_Tests'Access);
    Add ("Monitor.Tcp_Infos", Tcp_Infos_Tests.Add_Tests'Access);
    Add ("Texts", Texts_Tests.Add_Tests'Access);
-   Add ("Trace_Json", Trace_Json_Tests.Add_Tests'Access);
-   Add ("Trace_Layout", Trace_Layout_Tests.Add_Tests'Access);
    Add ("Vision.Mode", Vision_Mode_Tests.Add_Tests'Access);
    Run;
 end Logic_Unit_Tests;

@@ -11,7 +11,7 @@ with Unit_Runs; use Unit_Runs;
 package body Missions_Texts_Tests is
 
    function End_Line (Why : Ending) return String is
-      Line : Position_Text;
+      Line : Short_Line;
       Last : Natural;
    begin
       Texts.Format_End (Why, Line, Last);
@@ -22,7 +22,7 @@ package body Missions_Texts_Tests is
      (Leg, Of_Legs : Point_Number; Distance : Texts.Millimetres)
      return String
    is
-      Line : Position_Text;
+      Line : Short_Line;
       Last : Natural;
    begin
       Texts.Format_Progress (Leg, Of_Legs, Distance, Line, Last);

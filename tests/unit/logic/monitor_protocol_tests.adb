@@ -7,7 +7,9 @@ with Ada.Strings.Fixed;
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Missions;
-with Monitor.Protocol; use Monitor.Protocol;
+with Monitor.Positions; use Monitor.Positions;
+with Monitor.Protocol;  use Monitor.Protocol;
+with Position_Lines;
 with Unit_Runs; use Unit_Runs;
 
 package body Monitor_Protocol_Tests is
@@ -41,10 +43,10 @@ package body Monitor_Protocol_Tests is
 
    function Formatted (P : Position) return String is
       --  Without the line feed, which is checked.
-      Buffer : Position_Text;
+      Buffer : Short_Line;
       Last   : Natural;
    begin
-      Format_Position (P, Buffer, Last);
+      Format (P, Buffer, Last);
       Assert (Buffer (Last) = LF, "line feed");
       return Buffer (1 .. Last - 1);
    end Formatted;
@@ -97,16 +99,15 @@ package body Monitor_Protocol_Tests is
               & ";" & Image (P.Angle) & ";" & Image (P.Cx) & ";"
               & Image (P.Cy) & ";" & Image (P.Dx) & ";" & Image (P.Dy),
               "text " & Text);
-      Parse_Position (Text, Text'Last, Q, OK);
+      Position_Lines.Parse (Text, Q, OK);
       Assert (OK and then Q = P, "read back " & Text);
    end Check_Position;
 
    procedure Check_Refused_Position (Line : String) is
       P  : Position;
       OK : Boolean;
-      L  : constant String (1 .. Line'Length) := Line;
    begin
-      Parse_Position (L, L'Last, P, OK);
+      Position_Lines.Parse (Line, P, OK);
       Assert (not OK and then P = Not_Found, "no position: " & Line);
    end Check_Refused_Position;
 
@@ -314,14 +315,13 @@ package body Monitor_Protocol_Tests is
          for C in Character loop
             Line := Text;
             Line (I) := C;
-            Parse_Position (Line, Line'Last, P, OK);
+            Position_Lines.Parse (Line, P, OK);
             if OK and then C not in '0' | '-' then
                Assert (Formatted (P) = Line, "another position");
             end if;
          end loop;
          if I < Line'Last then
-            Line := Text;
-            Parse_Position (Line, I, P, OK);
+            Position_Lines.Parse (Text (1 .. I), P, OK);
             Assert (not OK, "cut");
          end if;
       end loop;
@@ -743,7 +743,7 @@ package body Monitor_Protocol_Tests is
            "CPOS:001;00000001.000000;-0.000000;" & Zero & ";" & Zero & ";"
            & Zero;
       begin
-         Parse_Position (Line, Line'Last, P, OK);
+         Position_Lines.Parse (Line, P, OK);
          Assert (OK and then P = (1, 1_000_000, 0, 0, 0, 0), "zeros");
       end;
    end Test_Refused_Positions;

@@ -10,7 +10,7 @@ with Order_Ports_Tests;
 with Outbox_Tests;
 with Robot_Line_Tests;
 with Serial_Line_Tests;
-with Trace.Rings_Tests;
+with Trace.Ring_Tests;
 with Unit_Runs; use Unit_Runs;
 with Vision_Queue_Tests;
 with Vision_Sightings_Tests;
@@ -25,7 +25,7 @@ begin
    Add ("Monitor.Outbox", Outbox_Tests.Add_Tests'Access);
    Add ("Robot.Line", Robot_Line_Tests.Add_Tests'Access);
    Add ("Robot.Serial_Line", Serial_Line_Tests.Add_Tests'Access);
-   Add ("Trace.Rings", Trace.Rings_Tests.Add_Tests'Access);
+   Add ("Trace.Ring", Trace.Ring_Tests.Add_Tests'Access);
    Add ("Vision.Queue", Vision_Queue_Tests.Add_Tests'Access);
    Add ("Vision.Sightings", Vision_Sightings_Tests.Add_Tests'Access);
    Run;

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The ring of a trace: the newest events, and none that is mixed from two.
 
-package Trace.Rings_Tests is
+package Trace.Ring_Tests is
 
    procedure Add_Tests;
 
-end Trace.Rings_Tests;
+end Trace.Ring_Tests;

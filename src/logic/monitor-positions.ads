@@ -1,0 +1,42 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The robot's position, as the monitor is told of it.
+
+with Monitor.Protocol; use Monitor.Protocol;
+
+package Monitor.Positions with SPARK_Mode is
+
+   pragma Annotate (GNATprove, Terminating, Monitor.Positions);
+
+   type Micro is range -10 ** 13 .. 10 ** 13;
+   --  Millionths: of a pixel, or of a degree
+
+   subtype Robot_Id is Integer range -1 .. 999;
+   --  The number of a marker; -1 without a robot
+
+   type Position is record
+      Id     : Robot_Id := -1;
+      Angle  : Micro    := 0;
+      Cx, Cy : Micro    := 0;
+      Dx, Dy : Micro    := 0;
+   end record;
+   --  Angle in degrees; centre (Cx, Cy) and direction (Dx, Dy) in pixels of
+   --  the whole image
+
+   Not_Found : constant Position :=
+     (Id => -1, Angle => 0, Cx => -1_000_000, Cy => -1_000_000,
+      Dx => 0, Dy => 0);
+   --  No robot in the image: F18 requires identifier and centre; angle and
+   --  direction are 0 as in the empty position of the existing platform
+
+   procedure Format (P : Position; Line : out Short_Line; Last : out Natural)
+   with
+     Post => Last in 50 .. 100
+       and then Begins_With (Line, Position_Label)
+       and then Line (5) = Separator
+       and then Line (Last) = Line_Feed
+       and then (for all I in 6 .. Last - 1 =>
+                   Line (I) in '-' | '.' | '0' .. '9' | Field_Separator);
+   --  CPOS:id;angle;cx;cy;dx;dy and a line feed in Line (1 .. Last), the id as
+   --  an integer, the others with exactly six decimals
+
+end Monitor.Positions;

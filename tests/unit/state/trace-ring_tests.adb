@@ -1,0 +1,168 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The ring of a trace: the newest events, and none that is mixed from two.
+
+with Ada.Directories;
+with Ada.Real_Time;
+with Interfaces;       use Interfaces;
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Programs;
+with Schedule;         use Schedule;
+with Texts;
+with Trace.Ring;       use Trace.Ring;
+with Trace_Files;
+with Unit_Runs;        use Unit_Runs;
+
+package body Trace.Ring_Tests is
+
+   use type Trace_Files.Nanoseconds;
+
+   function Marked (Value : Unsigned_64) return Event is
+     (At_Time => Value,
+      Number  => not Value,
+      Who     => Task_Name'Val (Value mod 22),
+      Kind    => Event_Kind'Val (Value mod 12),
+      Label   => (others => Character'Val (Value mod 251)));
+   --  All of it depends on Value
+
+   procedure Test_File is
+      Path    : constant String := Programs.Temporary_Folder & "/trace.txt";
+      More    : constant := 6_001;
+      Success : Boolean;
+      Reason  : Texts.Text;
+      Result  : Trace_Files.Trace;
+      Starts  : Natural := 0;
+      Sent    : Natural := 0;
+   begin
+      Trace.Open (Texts.To_Text (Path), Success, Reason);
+      Assert (Success, Texts.Image (Reason));
+      Trace.Release (Th_Move, 5);
+      for I in 4 .. Capacity + More - 1 loop
+         --  what lasts past the first events that are kept, begins in those
+         --  that are not
+         if I mod 3 = 0 then
+            Trace.Start (Th_Move);
+         elsif I mod 3 = 1 then
+            Trace.Wait (Th_Move, Trace.Line);
+         else
+            Trace.Done (Th_Move);
+         end if;
+      end loop;
+      Trace.Resume (Th_Move, Ada.Real_Time.Time_First);
+      Trace.Sent ("AACK");
+      Trace.Finish (Success, Reason);
+      --  with contracts on and other load it may be too slow
+      Assert (Success or else Texts.Image (Reason) = "it takes too long",
+              Texts.Image (Reason));
+      Trace_Files.Read (Path, Result);
+      Assert (Result.Recorded = Capacity + More, "recorded");
+      for Item of Result.Events loop
+         Assert (Trace_Files.Name (Item) /= "release", "the oldest is kept");
+         Assert (Item.Time < 1_000_000_000_000, "a time of long ago");
+         if Trace_Files.Name (Item) = "job" then
+            Starts := Starts + 1;
+         elsif Trace_Files.Name (Item) = "out AACK" then
+            Sent := Sent + 1;
+         end if;
+      end loop;
+      Assert
+        (Starts <= Capacity / 3 + 1
+         and then (Starts >= Capacity / 3 - 1 or else not Success),
+         Starts'Image & " jobs");
+      Assert
+        (Sent = (if Success then 1 else 0), "the newest is missing");
+      Programs.Remove_Temporary_Folder;
+      --  it is over
+      Trace.Start (Th_Move);
+      Trace.Finish (Success, Reason);
+      Assert (Success and then not Ada.Directories.Exists (Path), "again");
+   end Test_File;
+
+   procedure Test_Round is
+      Past  : constant := 5;
+      Item  : Event;
+      Found : Boolean;
+      Count : Event_Number;
+   begin
+      Ring.Reset;
+      Get (0, Item, Found);
+      Assert (not Found, "an event in an empty ring");
+      for Number in Event_Number range 0 .. Capacity + Past - 1 loop
+         Put (Marked (100 + Number));
+         Get_Count (Count);
+         Assert (Count = Number + 1, "count" & Count'Image);
+         Get (Number, Item, Found);
+         Assert (Found and then Item = Marked (100 + Number), "the newest");
+         Get (Number + 1, Item, Found);
+         Assert (not Found, "one that has not come");
+      end loop;
+      for Number in Event_Number range 0 .. Capacity + Past - 1 loop
+         Get (Number, Item, Found);
+         Assert
+           (Found = (Number >= Past)
+            and then (not Found or else Item = Marked (100 + Number)),
+            "event" & Number'Image);
+      end loop;
+   end Test_Round;
+
+   procedure Test_Together is
+      Writers : constant := 4;
+      Each    : constant := Capacity / Writers;
+      Count   : Event_Number;
+      Seen    : Natural := 0;
+
+      procedure Look (Number : Event_Number) is
+         Item  : Event;
+         Found : Boolean;
+      begin
+         Get (Number, Item, Found);
+         if Found then
+            Seen := Seen + 1;
+            Assert (Item = Marked (Item.At_Time), "mixed");
+         end if;
+      end Look;
+
+   begin
+      for Round in 1 .. 10 loop
+         Ring.Reset;
+         declare
+            task type Writer (Number : Integer);
+
+            task body Writer is
+            begin
+               for I in Unsigned_64 range 1 .. Each loop
+                  Put (Marked (Unsigned_64 (Number) * 2 ** 32 + I));
+               end loop;
+            end Writer;
+
+            One   : Writer (1);
+            Two   : Writer (2);
+            Three : Writer (3);
+            Four  : Writer (4);
+            pragma Unreferenced (One, Two, Three, Four);
+         begin
+            loop
+               Get_Count (Count);
+               exit when Count = Writers * Each;
+               for Back in Event_Number range 1 .. 4 loop
+                  Look (if Count > Back then Count - Back else 0);
+               end loop;
+            end loop;
+         end;
+         Seen := 0;
+         for Number in Event_Number range 0 .. Count - 1 loop
+            Look (Number);
+         end loop;
+         Assert (Seen = Writers * Each, Seen'Image & " are there");
+      end loop;
+   end Test_Together;
+
+   procedure Add_Tests is
+   begin
+      Add_Test ("the newest are kept", Test_Round'Access);
+      Add_Test ("many writers, and a reader at once", Test_Together'Access);
+      Add_Test ("more than is kept, in the file", Test_File'Access);
+   end Add_Tests;
+
+end Trace.Ring_Tests;
