@@ -419,7 +419,8 @@ package body Accounts is
       if not OK then
          Surprise
            (Ended_At,
-            "position: " & Head (Line, Integer'Min (Line'Last, Max_Short_Line)));
+            "position: "
+            & Head (Line, Integer'Min (Line'Last, Max_Short_Line)));
          return;
       end if;
 

@@ -60,12 +60,16 @@ package body Trace_Files is
       What    : Unbounded_String;
    begin
       for Place in 4 .. Word.Last_Index loop
-         if Word (Place) (1) = '#' then
-            Command :=
-              Natural'Value (Word (Place) (2 .. Word (Place)'Last));
-         else
-            What := To_Unbounded_String (" " & Word (Place));
-         end if;
+         declare
+            Text : constant String := Word (Place);
+         begin
+            if Text (Text'First) = '#' then
+               Command :=
+                 Natural'Value (Text (Text'First + 1 .. Text'Last));
+            else
+               What := To_Unbounded_String (" " & Text);
+            end if;
+         end;
       end loop;
       if Kind = "start" then
          Close (Result, Open, Thread, Time, Left => 0);
