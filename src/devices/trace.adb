@@ -199,13 +199,15 @@ is
       begin
          Append_Time (Text, (if At_Time > Begun then At_Time - Begun else 0));
          Texts.Append (Text, " " & Schedule.Name_Of (Item.Who) & " " & What);
-         Texts.Append (Text, " ");
-         for C of Item.Label loop
-            exit when C = ' ';
-            Texts.Append (Text, (1 => C));
-         end loop;
+         if Item.Label /= No_Label then
+            Texts.Append (Text, " ");
+            for C of Item.Label loop
+               exit when C = ' ';
+               Texts.Append (Text, (1 => C));
+            end loop;
+         end if;
          if Number > 0 then
-            Texts.Append (Text, "#");
+            Texts.Append (Text, " #");
             Texts.Append
               (Text, Integer (Number mod Unsigned_64 (Integer'Last)));
          end if;

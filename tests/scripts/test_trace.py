@@ -22,8 +22,7 @@ def convert(path: Path, text: str) -> subprocess.CompletedProcess[str]:
 def test_slices_are_nested_and_closed(tmp_path: Path) -> None:
     done = convert(
         tmp_path / "trace",
-        HEAD
-        + "0.000001000 th_move done\n"  # begun before what is kept
+        HEAD + "0.000001000 th_move done\n"  # begun before what is kept
         "0.000002000 th_move wait line\n"
         "0.000003500 th_move release #7\n"
         "1.000004000 th_move start #7\n"
@@ -35,8 +34,12 @@ def test_slices_are_nested_and_closed(tmp_path: Path) -> None:
     )
     assert done.returncode == 0, done.stderr
     events = json.loads(done.stdout)["traceEvents"]
-    names = {e["tid"]: e["args"]["name"] for e in events if e.get("name") == "thread_name"}
-    orders = [e["args"]["sort_index"] for e in events if e.get("name") == "thread_sort_index"]
+    names = {
+        e["tid"]: e["args"]["name"] for e in events if e.get("name") == "thread_name"
+    }
+    orders = [
+        e["args"]["sort_index"] for e in events if e.get("name") == "thread_sort_index"
+    ]
     assert names == {1: "th_stop", 2: "th_move"} and orders == sorted(orders)
     assert [
         (e["tid"], e["ph"], e.get("name"), e["ts"], e.get("args", {}).get("command"))
@@ -57,7 +60,8 @@ def test_slices_are_nested_and_closed(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "line", ["{}", "0.5 th_none start", "soon th_move start", "0.5 th_move", "\n", "\xff"]
+    "line",
+    ["{}", "0.5 th_none start", "soon th_move start", "0.5 th_move", "\n", "\xff"],
 )
 def test_bad_lines(tmp_path: Path, line: str) -> None:
     done = convert(tmp_path / "trace", f"{HEAD}{line}\n")
