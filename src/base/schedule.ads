@@ -255,6 +255,9 @@ package Schedule with SPARK_Mode is
    --  the same after a failure, when they may never answer
    Console_Limit     : constant Time_Span := Milliseconds (100);
    --  for the last lines of the log
+   Unsent_Limit      : constant Time_Span := Milliseconds (100);
+   --  a line that is closed waits at most this long for its last bytes to
+   --  leave: a device that hangs never takes them
    Accept_Pause      : constant Time_Span := Milliseconds (100);
    --  after a connection that could not be accepted
    Newcomer_Interval : constant Time_Span := Milliseconds (10);

@@ -27,6 +27,12 @@ is
    procedure Tc_Flush (Fd, Queue : int)
    with Import, Convention => C, External_Name => "tcflush";
 
+   function Ask (Fd : int; Request : unsigned_long; Answer : access int)
+     return int
+   with Import, Convention => C_Variadic_2, External_Name => "ioctl";
+
+   Output_Queue : constant := 16#5411#;  --  TIOCOUTQ
+
    procedure Open (Path : String; Result : out Outcome) is
       Port : Serial_Port;
    begin
@@ -112,6 +118,21 @@ is
    begin
       Tc_Flush (int (Descriptor), 0);  --  TCIFLUSH
    end Discard_Input;
+
+   procedure Get_Unsent (Descriptor : Outcome; Result : out Outcome) is
+      Count : aliased int := 0;
+   begin
+      Result := Outcome_Of
+        (Ssize (Ask (int (Descriptor), Output_Queue, Count'Access)));
+      if Result = 0 then
+         Result := Outcome (Count);
+      end if;
+   end Get_Unsent;
+
+   procedure Discard_Output (Descriptor : Outcome) is
+   begin
+      Tc_Flush (int (Descriptor), 1);  --  TCOFLUSH
+   end Discard_Output;
 
    procedure Write
      (Descriptor : Outcome;

@@ -28,7 +28,7 @@ is
 
    procedure Open (Path : String; Result : out Outcome)
    with Global => (In_Out => Port);
-   --  Result: the descriptor
+   --  Does not wait for a carrier. Result: the descriptor
 
    procedure Get_Terminal (Descriptor : Outcome; Is_Terminal : out Boolean)
    with Global => (In_Out => Port);
@@ -65,9 +65,18 @@ is
    --  other ends with Close
 
    procedure Close (Descriptor : Outcome) with Global => (In_Out => Port);
+   --  Waits up to 30 s for what has not left
 
    procedure Discard_Input (Descriptor : Outcome)
    with Global => (In_Out => Port);
+
+   procedure Get_Unsent (Descriptor : Outcome; Result : out Outcome)
+   with Global => (In_Out => Port);
+   --  Result: how many bytes have been written and have not left
+
+   procedure Discard_Output (Descriptor : Outcome)
+   with Global => (In_Out => Port);
+   --  What has been written and has not left
 
    procedure Write
      (Descriptor : Outcome;

@@ -4,6 +4,7 @@ with Ada.Real_Time; use Ada.Real_Time;
 with Error_Texts;
 with Lock_Tables;
 with Robot.Serial_Line.Calls;
+with Schedule;
 
 package body Robot.Serial_Line with
   SPARK_Mode,
@@ -66,8 +67,9 @@ is
       Opened      : Calls.Outcome;
       Result      : Calls.Outcome;
       Is_Terminal : Boolean;
+      Ignored     : Boolean;
    begin
-      Close;
+      Close (Ignored);
       Success := False;
       Calls.Open (Texts.Image (Path), Opened);
       if Opened < 0 then
@@ -94,7 +96,7 @@ is
       end if;
       if Result < 0 then
          Error_Texts.Describe (-Result, Reason);
-         Close;
+         Close (Ignored);
          return;
       end if;
       Calls.Discard_Input (Opened);
@@ -102,14 +104,31 @@ is
       Success := True;
    end Open;
 
-   procedure Close is
-      Old : constant Calls.Outcome := Descriptor;
+   procedure Close (All_Sent : out Boolean) is
+      Old    : constant Calls.Outcome := Descriptor;
+      Unsent : Calls.Outcome;
+      Now    : Time;
+      Limit  : Time;
    begin
-      if Old /= Calls.No_Descriptor then
-         Descriptor := Calls.No_Descriptor;
-         Calls.Unlock (Old);
-         Calls.Close (Old);
+      All_Sent := True;
+      if Old = Calls.No_Descriptor then
+         return;
       end if;
+      Descriptor := Calls.No_Descriptor;
+      Now := Clock;
+      Limit := Now + Schedule.Unsent_Limit;
+      loop
+         Calls.Get_Unsent (Old, Unsent);
+         exit when Unsent <= 0 or else Now >= Limit;
+         delay until Now + Schedule.Release_Poll;
+         Now := Clock;
+      end loop;
+      if Unsent > 0 then
+         All_Sent := False;
+         Calls.Discard_Output (Old);
+      end if;
+      Calls.Unlock (Old);
+      Calls.Close (Old);
    end Close;
 
    procedure Discard_Input is
@@ -189,12 +208,14 @@ is
    procedure Send_Stop
      (Path : Texts.Text; Sent : out Boolean; Report : out Texts.Text)
    is
-      Reason : Texts.Text;
+      Reason   : Texts.Text;
+      All_Sent : Boolean;
    begin
       Open (Path, Sent, Reason);
       if Sent then
          Write_Stop (Sent);
-         Close;
+         Close (All_Sent);
+         Sent := Sent and All_Sent;
          Texts.Set (Reason, "it takes nothing");
       end if;
       Texts.Set

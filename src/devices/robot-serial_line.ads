@@ -20,12 +20,19 @@ is
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
-   with Global => (In_Out => Device);
+   with
+     Global =>
+       (In_Out => Device, Input => Ada.Real_Time.Clock_Time);
    --  Opens and configures the device, for this process alone, and discards
    --  its input so far. Reason explains a failure
 
-   procedure Close with Global => (In_Out => Device);
-   --  No effect if it is not open
+   procedure Close (All_Sent : out Boolean)
+   with
+     Global =>
+       (In_Out => Device, Input => Ada.Real_Time.Clock_Time);
+   --  Waits for what has been written to leave, Schedule.Unsent_Limit at most;
+   --  the rest is discarded, since the device may never take it (not
+   --  All_Sent). No effect if it is not open
 
    procedure Discard_Input with Global => (In_Out => Device);
    --  Discards what has been received and not read
@@ -61,7 +68,9 @@ is
 
    procedure Send_Stop
      (Path : Texts.Text; Sent : out Boolean; Report : out Texts.Text)
-   with Global => (In_Out => Device);
+   with
+     Global =>
+       (In_Out => Device, Input => Ada.Real_Time.Clock_Time);
    --  Opens the device, writes the stop order's frame and closes it: for a
    --  robot whose supervisor was killed, while this one has no session. A line
    --  in use stays as it is. Report says what was done, or why nothing

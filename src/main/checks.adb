@@ -43,6 +43,7 @@ package body Checks with SPARK_Mode is
    procedure Run (Chosen : Options.Values; All_Well : out Boolean) is
       Granted : Process.Privileges.Scheduling;
       Good    : Boolean;
+      Ignored : Boolean;
       Reason  : Texts.Text;
       Bound   : Options.Port_Number;
       Result  : Vision.Library.Status;
@@ -66,7 +67,7 @@ package body Checks with SPARK_Mode is
          All_Well);
 
       Robot.Serial_Line.Open (Chosen.Serial, Good, Reason);
-      Robot.Serial_Line.Close;
+      Robot.Serial_Line.Close (Ignored);
       Report
         (Good,
          "serial line " & Texts.Image (Chosen.Serial)

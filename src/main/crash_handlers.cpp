@@ -8,6 +8,9 @@
 #include <cstdlib>
 #include <cstring>
 
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <time.h>
 #include <ucontext.h>
 #include <unistd.h>
 
@@ -39,6 +42,19 @@ void write_stop(int line) {
     return;  // nothing else can be done
 }
 
+// When the process ends the kernel closes the line, and would wait up to 30 s
+// for what a device that hangs does not take.
+void leave_nothing_unsent(int line) {
+  for (int wait = 0; wait < 20; ++wait) {
+    int unsent = 0;
+    if (ioctl(line, TIOCOUTQ, &unsent) != 0 || unsent <= 0)
+      return;
+    const timespec pause{0, 5'000'000};
+    nanosleep(&pause, nullptr);
+  }
+  tcflush(line, TCOFLUSH);
+}
+
 // No order follows: th_line finds no line. If several threads crash at once,
 // each writes a stop before it ends the process.
 void stop_for_good() {
@@ -48,6 +64,7 @@ void stop_for_good() {
     known = line;
   __atomic_store_n(&destijl_robot_line, -1, __ATOMIC_SEQ_CST);
   write_stop(known);
+  leave_nothing_unsent(known);
 }
 
 bool is_own_code(const void *context) {

@@ -106,6 +106,7 @@ package body Supervisor with SPARK_Mode is
       Serve (Command_Line.Chosen);
       --  again: orders may have been sent since the failure's stop
       Robot.Serial_Line.Stop_Blindly;
+      Robot.Serial_Line.Close (Written);
       Support_Tasks.Finish_Trace;
       Process.Leave (Process.Internal_Failure);
    end Run;

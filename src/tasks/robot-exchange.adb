@@ -179,15 +179,23 @@ package body Robot.Exchange with SPARK_Mode is
       Last     : out Robot.Session.Step_Result)
    is
       pragma Unreferenced (State, Progress);
-      Sending : Frame;
+      Sending  : Frame;
+      All_Sent : Boolean;
    begin
       Last := (others => <>);
       case Step.Kind is
          when Robot.Session.Open_Device =>
             Open_Device (Last.Ok);
          when Robot.Session.Close_Device =>
-            Robot.Serial_Line.Close;
-            Journal.Put (Options.Info, "robot line closed");
+            Robot.Serial_Line.Close (All_Sent);
+            if All_Sent then
+               Journal.Put (Options.Info, "robot line closed");
+            else
+               Journal.Put
+                 (Options.Warning,
+                  "robot line closed: its device did not take all within "
+                  & "100 ms, the rest was discarded");
+            end if;
          when Robot.Session.Send =>
             Encode (Step.Command, Sending);
             Robot.Serial_Line.Write (Sending, Last.Ok);

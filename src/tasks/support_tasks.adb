@@ -117,9 +117,10 @@ package body Support_Tasks with SPARK_Mode is
    end Finish_Trace;
 
    task body Th_Stop is
-      Kind   : Process.Signals.Kind;
-      Status : Robot.Line_Status.Status;
-      Now    : Time;
+      Kind    : Process.Signals.Kind;
+      Status  : Robot.Line_Status.Status;
+      Ignored : Boolean;
+      Now     : Time;
    begin
       Process.Threads.Name_Task (Schedule.Th_Stop);
       loop
@@ -142,6 +143,7 @@ package body Support_Tasks with SPARK_Mode is
          if Status.Open then
             Robot.Serial_Line.Stop_Blindly;
             Trace.Ordered (Schedule.Th_Stop, Robot.Protocol.Move);
+            Robot.Serial_Line.Close (Ignored);
          end if;
          Journal.Put
            (Options.Info,

@@ -112,6 +112,29 @@ package body Robot_Tests is
    procedure Closing_Stops is new Script
      (Forward & ", RCLS AACK, seen M=0, status moving 0, RGFW ANAK");
 
+   procedure Closed_Though_Nothing_Leaves is
+      --  The kernel's close waits up to 30 s for a device that hangs
+      R : Rig;
+   begin
+      Assemble (R);
+      Move_Forward (R);
+      R.Emulator.Send_Signal (Libc.Sigstop);
+      R.Monitor.Expect ("RCLS", "AACK");
+      if Programs.With_Sockets then
+         R.Supervisor.Expect_Log ("its device did not take all");
+         Supervisors.Expect_Console
+           ("--stop --serial " & R.Emulator.Device, 1, "it takes nothing");
+      end if;
+      R.Monitor.Expect ("ROPN", "AACK");
+      Connect (R);
+      R.Monitor.Expect ("RPIN", "ANAK");
+      R.Emulator.Send_Signal (Libc.Sigcont);
+      Play (R, "status moving 0, ROPN AACK, RPIN AACK");
+      R.Emulator.Send_Signal (Libc.Sigstop);
+      R.Supervisor.Send_Signal (Libc.Sigterm);
+      Check (R.Supervisor.Exit_Status = 0, "its end was not orderly");
+   end Closed_Though_Nothing_Leaves;
+
    procedure Three_Failures is
       R      : Rig;
       Spoilt : Integer;
@@ -727,6 +750,8 @@ package body Robot_Tests is
       Add ("F07_Line_In_Use", Line_In_Use'Access);
       Add ("F07_Not_Open_Is_ANAK", Not_Open_Is_Anak'Access);
       Add ("F07_Rule_4_Closing_Stops_The_Robot", Closing_Stops'Access);
+      Add ("F07_Closed_Though_Nothing_Leaves",
+           Closed_Though_Nothing_Leaves'Access);
       Add ("F08_Three_Failures_Are_Not_Lost", Three_Failures'Access);
       Add ("F08_F09_Four_Failures_Are_Lost", Four_Failures'Access);
       Add ("F08_Silence_Found_In_Time", Silence_Found'Access, Timed => True);

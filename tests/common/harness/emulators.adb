@@ -297,6 +297,11 @@ package body Emulators is
       Close (File);
    end Save_Snapshot;
 
+   procedure Send_Signal (Object : Emulator; Signal : Interfaces.C.int) is
+   begin
+      Object.Process.Send_Signal (Signal);
+   end Send_Signal;
+
    procedure Stop (Object : in out Emulator) is
    begin
       Object.Process.Stop;

@@ -7,6 +7,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Child_Processes;       use Child_Processes;
 with Instants;              use Instants;
+with Interfaces.C;
 
 package Emulators is
 
@@ -93,6 +94,8 @@ package Emulators is
 
    procedure Save_Snapshot (Object : Emulator; Path : String);
    --  Saves an image of the camera to a file
+
+   procedure Send_Signal (Object : Emulator; Signal : Interfaces.C.int);
 
    procedure Stop (Object : in out Emulator);
 

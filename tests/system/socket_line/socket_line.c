@@ -9,6 +9,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -18,6 +19,7 @@
 #define NEXT(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
 
 static int line = -1;
+static bool is_output_discarded;
 
 static bool is_line(int file) { return file >= 0 && file == line; }
 
@@ -39,6 +41,7 @@ int open(const char *path, int flags, ...) {
     return NEXT(open)(path, flags, mode);
   line = socket(AF_UNIX, SOCK_STREAM | (flags & O_CLOEXEC ? SOCK_CLOEXEC : 0),
                 0);
+  is_output_discarded = false;
   strcpy(address.sun_path, path);
   if (connect(line, (struct sockaddr *)&address, sizeof address) != 0) {
     close(line);
@@ -49,9 +52,19 @@ int open(const char *path, int flags, ...) {
 
 int open64(const char *path, int flags, ...) __attribute__((alias("open")));
 
+// Whether the emulator has not yet taken all that was written.
+static bool has_unsent(int file) {
+  int unsent = 0;
+  return ioctl(file, TIOCOUTQ, &unsent) == 0 && unsent > 0;
+}
+
+// Waits as the kernel does for a serial device, but without its 30 s.
 int close(int file) {
-  if (is_line(file))
+  if (is_line(file)) {
+    while (!is_output_discarded && has_unsent(file))
+      usleep(1000);
     line = -1;
+  }
   return NEXT(close)(file);
 }
 
@@ -72,7 +85,9 @@ int tcflush(int file, int queue) {
   char waste[256];
   if (!is_line(file))
     return NEXT(tcflush)(file, queue);
-  while (recv(file, waste, sizeof waste, MSG_DONTWAIT) > 0)
+  if (queue != TCIFLUSH)
+    is_output_discarded = true;
+  while (queue != TCOFLUSH && recv(file, waste, sizeof waste, MSG_DONTWAIT) > 0)
     ;
   return 0;
 }

@@ -37,7 +37,8 @@ package body Serial_Line_Tests is
          Assert (Done and then Length = 0, "the read failed");
          Assert (Clock >= Limit, "it did not wait for the time it was told");
       end loop;
-      Robot.Serial_Line.Close;
+      Robot.Serial_Line.Close (Done);
+      Assert (Done, "something has not left");
       Pseudo_Terminals.Close (Line);
    end Test_Wait;
 
