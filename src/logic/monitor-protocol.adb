@@ -2,6 +2,18 @@
 
 package body Monitor.Protocol with SPARK_Mode is
 
+   function Telnet_End
+     (Line : String; First : Positive; Last : Natural) return Natural
+   with
+     Pre  => Line'Last < Integer'Last
+       and then First >= Line'First
+       and then Last <= Line'Last
+       and then First <= Last + 1,
+     Post => Telnet_End'Result in First - 1 .. Last
+       and then (if First > Last or else Line (First) /= Telnet_Mark
+                 then Telnet_End'Result = First - 1);
+   --  The end of the telnet command at First; First - 1 if there is none.
+
    procedure Keep (R : in out Line_Reader; C : Character)
    with
      Post => R.Held = R'Old.Held
@@ -13,6 +25,25 @@ package body Monitor.Protocol with SPARK_Mode is
                    R.Data (I) = R'Old.Data (I))
        and then (if R'Old.Length < Max_Line then R.Data (R.Length) = C);
    --  Appends C to the line if there is room; otherwise marks it as too long.
+
+   function After_Telnet
+     (Line : String; First : Positive; Last : Natural) return Positive
+   is
+      Place : Positive := First;
+      Ended : Natural;
+   begin
+      loop
+         pragma Loop_Invariant (Place in First .. Last + 1);
+         pragma Loop_Invariant
+           (if First > Last or else Line (First) /= Telnet_Mark
+            then Place = First);
+         pragma Loop_Variant (Increases => Place);
+         Ended := Telnet_End (Line, Place, Last);
+         exit when Ended < Place;
+         Place := Ended + 1;
+      end loop;
+      return Place;
+   end After_Telnet;
 
    procedure Accept_Character
      (R : in out Line_Reader; C : Character; Complete : out Boolean)
@@ -50,8 +81,11 @@ package body Monitor.Protocol with SPARK_Mode is
      (R : Line_Reader; Line : in out String; Last : out Natural)
    is
    begin
-      Last := (if R.Too_Long then 0 else R.Length);
-      Line (1 .. Last) := R.Data (1 .. Last);
+      Last := 0;
+      if not R.Too_Long then
+         Last := Text_Last (R) - Text_First (R) + 1;
+         Line (1 .. Last) := R.Data (Text_First (R) .. Text_Last (R));
+      end if;
    end Get_Line;
 
    procedure Judge
@@ -76,7 +110,9 @@ package body Monitor.Protocol with SPARK_Mode is
            (if Read.Kind in Known_Kind
               or else (Last > 4 and then May_Begin (Ahead, Token_Label))
             then Known else Unknown);
-      elsif May_Begin (Ahead, Token_Label)
+      elsif (Text_First (Ahead) <= Ahead.Length
+             and then Ahead.Data (Text_First (Ahead)) = Telnet_Mark)
+        or else May_Begin (Ahead, Token_Label)
         or else (for some K in Known_Kind => May_Begin (Ahead, Label (K)))
       then
          Verdict := Undecided;
@@ -152,5 +188,52 @@ package body Monitor.Protocol with SPARK_Mode is
       Result.Length := Text'Last + 1;
       return Result;
    end Short;
+
+   function Telnet_End
+     (Line : String; First : Positive; Last : Natural) return Natural
+   is
+      Place : Positive;
+   begin
+      if First >= Last or else Line (First) /= Telnet_Mark then
+         return First - 1;
+      end if;
+      case Character'Pos (Line (First + 1)) is
+         when 240 .. 249 | 255 =>
+            return First + 1;
+         when 251 .. 254 =>  --  and an option
+            return (if First + 2 <= Last then First + 2 else First - 1);
+         when 250 =>  --  and all up to the mark and 240
+            Place := First + 2;
+            while Place < Last loop
+               pragma Loop_Invariant (Place >= First + 2);
+               pragma Loop_Variant (Increases => Place);
+               if Line (Place) /= Telnet_Mark then
+                  Place := Place + 1;
+               elsif Character'Pos (Line (Place + 1)) = 240 then
+                  return Place + 1;
+               else
+                  Place := Place + 2;
+               end if;
+            end loop;
+            return First - 1;
+         when others =>
+            return First - 1;
+      end case;
+   end Telnet_End;
+
+   function Text_First (R : Line_Reader) return Positive is
+     (After_Telnet (R.Data, 1, R.Length));
+
+   function Text_Last (R : Line_Reader) return Line_Length is
+   begin
+      for I in Text_First (R) .. R.Length loop
+         if R.Data (I) = Telnet_Mark then
+            return
+              (if After_Telnet (R.Data, I, R.Length) > R.Length then I - 1
+               else R.Length);
+         end if;
+      end loop;
+      return R.Length;
+   end Text_Last;
 
 end Monitor.Protocol;

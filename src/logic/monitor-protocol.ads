@@ -14,6 +14,10 @@ package Monitor.Protocol with SPARK_Mode is
 
    Carriage_Return : constant Character := Character'Val (13);
 
+   Telnet_Mark : constant Character := Character'Val (255);
+   --  Telnet commands (RFC 854) begin with it, such as those of a Ctrl-C. They
+   --  are skipped where a line begins or ends, and no part of any command.
+
    --  Messages from the monitor
 
    type Message_Kind is
@@ -261,9 +265,33 @@ package Monitor.Protocol with SPARK_Mode is
    with Ghost;
    --  Length after C: a carriage return is held until the next character.
 
+   function After_Telnet
+     (Line : String; First : Positive; Last : Natural) return Positive
+   with
+     Pre  => Line'Last < Integer'Last
+       and then First >= Line'First
+       and then Last <= Line'Last
+       and then First <= Last + 1,
+     Post => After_Telnet'Result in First .. Last + 1
+       and then (if First > Last or else Line (First) /= Telnet_Mark
+                 then After_Telnet'Result = First);
+   --  Where what follows the telnet commands at First begins. One that has not
+   --  been received as a whole is none.
+
+   function Text_First (R : Line_Reader) return Positive
+   with Post => Text_First'Result in 1 .. Length (R) + 1
+     and then (if Length (R) = 0 or else Item (R, 1) /= Telnet_Mark
+               then Text_First'Result = 1);
+
+   function Text_Last (R : Line_Reader) return Line_Length
+   with Post => Text_Last'Result in Text_First (R) - 1 .. Length (R)
+     and then (if (for all I in 1 .. Length (R) => Item (R, I) /= Telnet_Mark)
+               then Text_Last'Result = Length (R));
+   --  The line without the telnet commands at its beginning and its end.
+
    function May_Begin (R : Line_Reader; Start : Label_Text) return Boolean;
    --  The line so far is the beginning of Start and a separator, or begins
-   --  with them.
+   --  with them, without telnet commands.
 
    type Beginning is (Undecided, Known, Unknown);
    --  Whether a client has begun with a line of this protocol.
@@ -317,10 +345,13 @@ package Monitor.Protocol with SPARK_Mode is
      (R : Line_Reader; Line : in out String; Last : out Natural)
    with
      Pre  => Line'First = 1 and then Line'Last >= Max_Line,
-     Post => Last = (if Is_Too_Long (R) then 0 else Length (R))
-       and then (for all I in 1 .. Last => Line (I) = Item (R, I));
-   --  The line is Line (1 .. Last), without its end and the carriage return
-   --  before it. A line that is too long is returned as empty, which Parse
+     Post => Last =
+         (if Is_Too_Long (R) then 0 else Text_Last (R) - Text_First (R) + 1)
+       and then
+         (for all I in 1 .. Last =>
+            Line (I) = Item (R, Text_First (R) + I - 1));
+   --  The line is Line (1 .. Last), without its end, the carriage return
+   --  before it, and telnet commands at its beginning or its end. A line that is too long is returned as empty, which Parse
    --  rejects as malformed.
 
    procedure Prove_Reading (Text : String)
@@ -328,8 +359,8 @@ package Monitor.Protocol with SPARK_Mode is
      Ghost,
      Pre => Text'First = 1
        and then Text'Last < Integer'Last
-       and then (for all C of Text => C /= Line_Feed);
-   --  Any characters and a line feed make one line: these characters without a
+       and then (for all C of Text => C not in Line_Feed | Telnet_Mark);
+   --  Any other characters and a line feed make one line: these characters without a
    --  final carriage return, or an empty line if there are more than Max_Line.
    --  Asserted in the body. Parse accepts any line.
 
@@ -430,8 +461,11 @@ private
    function Is_Held (R : Line_Reader) return Boolean is (R.Held);
 
    function May_Begin (R : Line_Reader; Start : Label_Text) return Boolean is
-     ((for all I in 1 .. Integer'Min (R.Length, 4) => R.Data (I) = Start (I))
-      and then (R.Length < 5 or else R.Data (5) = Separator));
+     ((for all I in 1 .. Integer'Min (R.Length - Text_First (R) + 1, 4) =>
+         R.Data (Text_First (R) + I - 1) = Start (I))
+      and then
+        (R.Length < Text_First (R) + 4
+         or else R.Data (Text_First (R) + 4) in Separator | Telnet_Mark));
 
    function Item (R : Line_Reader; I : Positive) return Character is
      (R.Data (I));

@@ -471,6 +471,26 @@ package body Monitor_Tests is
       end if;
    end Lost;
 
+   procedure Telnet_Commands is
+      --  Those of a Ctrl-C before a stop must not make it unknown; here also
+      --  before the first line of all
+      Ctrl_C : constant String :=
+        Character'Val (16#FF#) & Character'Val (16#F4#)
+        & Character'Val (16#FF#) & Character'Val (16#FD#) & ASCII.ACK;
+      R      : Rig;
+   begin
+      Assemble (R);
+      R.Monitor.Send (Ctrl_C);
+      Move_Forward (R);
+      R.Monitor.Send (Ctrl_C);
+      R.Monitor.Expect ("RSTP", "AACK");
+      R.Emulator.Await_Status ("moving", "0");
+      R.Monitor.Send_Line ("RPIN" & Ctrl_C);
+      Check_Label (R.Monitor.Next_Answer, "AACK", "a command before it");
+      R.Monitor.Send_Line ("RG" & Ctrl_C & "FW");
+      Check_Label (R.Monitor.Next_Answer, "ACER", "a command around it");
+   end Telnet_Commands;
+
    procedure Lost_Orderly is new Lost (Orderly);
    procedure Lost_By_Reset is new Lost (By_Reset);
    procedure Lost_Half_Closed is new Lost (By_Half_Close);
@@ -900,6 +920,7 @@ package body Monitor_Tests is
       Add ("F03_Rule_1_Answers_In_Order", Answers_In_Order'Access);
       Add ("F03_Lines_In_Pieces", Lines_In_Pieces'Access);
       Add ("F03_Line_Ends_Tolerated", Line_Ends'Access);
+      Add ("F03_Telnet_Commands_Skipped", Telnet_Commands'Access);
       Add ("F03_Log_Message_Unanswered", Log_Messages'Access);
       Add ("F04_Answers_Are_Prompt", Answers_Are_Prompt'Access,
            Timed => True);

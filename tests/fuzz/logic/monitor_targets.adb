@@ -142,6 +142,9 @@ package body Monitor_Targets is
       end if;
    end Parse_Anywhere;
 
+   function Is_Plain (Line : String) return Boolean is
+     (for all C of Line => C not in Line_Feed | Telnet_Mark);
+
    procedure Lines (Data : Bytes.Byte_Array) is
       Reader   : Line_Reader;
       Line     : String (1 .. Max_Line) := (others => ' ');
@@ -165,7 +168,7 @@ package body Monitor_Targets is
             end if;
             if Ended - Begun + 1 > Max_Line then
                Check (Last = 0, "a line that is too long is not empty");
-            else
+            elsif Is_Plain (All_Text (Begun .. Ended)) then
                Check
                  (Line (1 .. Last) = All_Text (Begun .. Ended),
                   "a line is not what came");
@@ -176,12 +179,9 @@ package body Monitor_Targets is
       end loop;
       --  Parse takes more than a reader gives: any length, any character
       Parse_Anywhere (All_Text);
-      for C of All_Text loop
-         if C = Line_Feed then
-            return;
-         end if;
-      end loop;
-      Prove_Reading (All_Text);
+      if Is_Plain (All_Text) then
+         Prove_Reading (All_Text);
+      end if;
    end Lines;
 
 end Monitor_Targets;

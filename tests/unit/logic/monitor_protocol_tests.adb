@@ -646,6 +646,69 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Random_Positions;
 
+   procedure Test_Telnet is
+      --  Its commands are skipped at both ends of a line, and nowhere else
+
+      function Octets (Text : String) return String is
+        (if Text = "" then ""
+         else Character'Val (Integer'Value ("16#" & Text (Text'First) &
+                Text (Text'First + 1) & "#"))
+           & Octets (Text (Integer'Min (Text'First + 3, Text'Last + 1)
+                           .. Text'Last)));
+      --  "FF F4"
+
+      Ctrl_C : constant String := Octets ("FF F4 FF FD 06");
+
+      procedure Check (Sent, Expected : String) is
+         R        : Line_Reader;
+         Line     : String (1 .. Max_Line);
+         Last     : Natural;
+         Complete : Boolean;
+      begin
+         for C of Sent & LF loop
+            Accept_Character (R, C, Complete);
+         end loop;
+         Get_Line (R, Line, Last);
+         Assert (Line (1 .. Last) = Expected, "not " & Expected);
+      end Check;
+
+      procedure Check_Skipped (Command : String) is
+         R       : Line_Reader;
+         Verdict : Beginning;
+         Line    : String (1 .. Max_Line);
+         Last    : Natural;
+         Text    : constant String := Command & "RSTP" & Command & LF;
+      begin
+         Check (Command, "");
+         Check (Command & "RSTP", "RSTP");
+         Check ("RSTP" & Command, "RSTP");
+         Check (Command & "RSTP" & Command & CR, "RSTP");
+         Check ("RS" & Command & "TP", "RS" & Command & "TP");
+         for Cut in Text'Range loop
+            Judge (R, Text (1 .. Cut), Verdict, Line, Last);
+            Assert
+              (Verdict = (if Cut = Text'Last then Known else Undecided),
+               "a first line");
+         end loop;
+      end Check_Skipped;
+
+   begin
+      Check_Skipped (Ctrl_C);
+      Check_Skipped (Octets ("FF FB 01 FF FD 03"));
+      Check_Skipped (Octets ("FF FA 1F 00 50 FF FF F0 FF F0"));
+      Check_Skipped (Octets ("FF FF"));
+      for Part of String'(Octets ("FF FD FB FA F0 41 EF")) loop
+         --  a part of one is none
+         Check (Telnet_Mark & "RSTP" & Part, Telnet_Mark & "RSTP" & Part);
+         if Part /= Character'Val (16#F0#) then
+            Check (Telnet_Mark & Part, (if Part = Telnet_Mark then ""
+                                        else Telnet_Mark & Part));
+         end if;
+      end loop;
+      Check ("RSTP" & Telnet_Mark, "RSTP" & Telnet_Mark);
+      Check (Octets ("FF FA") & "RSTP", Octets ("FF FA") & "RSTP");
+   end Test_Telnet;
+
    procedure Test_Reader_Chaos is
       G        : Random_Characters.Generator;
       R        : Line_Reader;
@@ -665,6 +728,8 @@ package body Monitor_Protocol_Tests is
          end if;
          if Count = Kept'Last then
             C := LF;
+         elsif C = Telnet_Mark then
+            C := 'x';
          end if;
          Accept_Character (R, C, Complete);
          Assert (Complete = (C = LF), "ends at the line feed");
@@ -765,6 +830,7 @@ package body Monitor_Protocol_Tests is
       Add_Test ("chaos", Test_Parse_Chaos'Access);
       Add_Test ("ends of lines", Test_Line_Ends'Access);
       Add_Test ("long lines", Test_Long_Lines'Access);
+      Add_Test ("telnet's commands", Test_Telnet'Access);
       Add_Test ("a random stream", Test_Reader_Chaos'Access);
       Add_Test ("answers", Test_Answers'Access);
       Add_Test ("battery levels", Test_Battery'Access);
