@@ -145,6 +145,12 @@ vision_status vision_draw_robot(int slot, const vision_robot *robot);
 vision_status vision_encode(int slot, int quality, unsigned char *buffer,
                             int capacity, int *length);
 
+/* Writes a page (SVG, A4) of markers to the file DESCRIPTOR: that of the
+ * identifier FIRST, 0 .. 999, and those after it, as many as fit, each with a
+ * black frame of SIDE mm, 20 .. 140, and a white margin of one module up to a
+ * line to cut along. VISION_FAILED if it cannot be written. */
+vision_status vision_print_markers(int descriptor, int first, int side);
+
 /* Stores an image from memory in SLOT: 8-bit BGR, rows of WIDTH * 3 bytes
  * without padding. The memory remains the caller's. */
 vision_status vision_load(int slot, const unsigned char *bgr, int width,

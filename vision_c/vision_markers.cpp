@@ -34,7 +34,7 @@ public:
   int id(unsigned bits) const { return meaning[bits] / 4; }
   int turns(unsigned bits) const { return meaning[bits] % 4; }
 
-  // All valid words, in each rotation.
+  // All valid words, in each rotation: four of each ID.
   const std::vector<unsigned> &words() const { return known; }
 
 private:
@@ -701,6 +701,10 @@ bool find_marker(Quad &corner, int &id, double &blur) {
 }
 
 }  // namespace
+
+unsigned marker_bits(int id) {
+  return dictionary().words()[4 * std::size_t(id)];
+}
 
 void find_markers(Search &search, std::vector<vision_robot> &robots) {
   constexpr double enough = 14.0;  // pixels of a side that give an outline

@@ -240,6 +240,9 @@ bool in_field(const Search &search, const Point &centre);
 vision_robot make_robot(int id, const Point &centre, const Point &direction,
                         const Search &search);
 
+// The 16 bits of a marker that stands upright, row by row; 1 is white.
+unsigned marker_bits(int id);
+
 // Add what is found in the smoothed image of that part.
 void find_markers(Search &search, std::vector<vision_robot> &robots);
 void find_triangles(const Search &search, std::vector<vision_robot> &robots);

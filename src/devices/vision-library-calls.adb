@@ -53,6 +53,9 @@ is
       Length        : out int) return int
    with Import, Convention => C, External_Name => "vision_encode";
 
+   function C_Print_Markers (Descriptor, First, Size : int) return int
+   with Import, Convention => C, External_Name => "vision_print_markers";
+
    function C_Reason return Address
    with Import, Convention => C, External_Name => "vision_reason";
 
@@ -150,6 +153,11 @@ is
    begin
       Code := C_Encode (From, Quality, Buffer'Address, Buffer'Length, Length);
    end Encode;
+
+   procedure Print_Markers (First, Size : int; Code : out int) is
+   begin
+      Code := C_Print_Markers (1, First, Size);
+   end Print_Markers;
 
    procedure Get_Reason (Text : out C_Text) is
    begin

@@ -75,6 +75,10 @@ is
       Code          : out int)
    with Global => (In_Out => (Slots, Notes));
 
+   procedure Print_Markers (First, Size : int; Code : out int)
+   with Global => (In_Out => Notes);
+   --  On standard output
+
    procedure Get_Reason (Text : out C_Text) with Global => (Input => Notes);
 
    procedure Get_Version (Text : out C_Text)

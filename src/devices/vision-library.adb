@@ -233,6 +233,17 @@ is
       end if;
    end Encode;
 
+   procedure Print_Markers
+     (First  : Options.Marker_Number;
+      Size   : Options.Marker_Millimetres;
+      Result : out Status)
+   is
+      Code : int;
+   begin
+      Calls.Print_Markers (int (First), int (Size), Code);
+      Result := To_Status (Code, Drawing);
+   end Print_Markers;
+
    procedure Reason (Text : out Reason_Text; Last : out Natural) is
       Why : Calls.C_Text;
    begin

@@ -157,6 +157,16 @@ is
    --  nothing has been drawn, the size is the requested one, and any viewer
    --  can read it (vision_c/vision.h)
 
+   procedure Print_Markers
+     (First  : Options.Marker_Number;
+      Size   : Options.Marker_Millimetres;
+      Result : out Status)
+   with
+     Global => (In_Out => Memory),
+     Post   => Result in Done | Bad_Argument | Failed;
+   --  A page of markers as SVG on standard output: First and those after it,
+   --  as many as fit, each with a black frame of Size
+
    procedure Reason (Text : out Reason_Text; Last : out Natural)
    with
      Global => (Input => Memory),

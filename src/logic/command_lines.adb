@@ -53,7 +53,9 @@ package body Command_Lines with SPARK_Mode is
          when Message_Gap => "--message-gap",
          when Log_Level   => "--log-level",
          when Cpu         => "--cpu",
-         when Trace       => "--trace");
+         when Trace       => "--trace",
+         when First_Marker => "--print-markers",
+         when Marker_Size  => "--marker-size");
 
    Max_Digits : constant := 9;
 
@@ -402,6 +404,19 @@ package body Command_Lines with SPARK_Mode is
          when Trace =>
             Read_Text (R, Value, Text);
             R.Chosen.Trace_File := Text;
+         when First_Marker =>
+            Read_Number
+              (R, Value, Options.Marker_Number'First,
+               Options.Marker_Number'Last, Number);
+            R.Chosen.First_Marker := Number;
+            if R.Request /= Wrong then
+               R.Request := Print_Markers;
+            end if;
+         when Marker_Size =>
+            Read_Number
+              (R, Value, Options.Marker_Millimetres'First,
+               Options.Marker_Millimetres'Last, Number);
+            R.Chosen.Marker_Size := Number;
       end case;
       R.Awaited := None;
    end Take_Value;

@@ -11,7 +11,8 @@ package Command_Lines with SPARK_Mode is
 
    use type Texts.Text;
 
-   type Request_Kind is (Run, Check, Stop, Show_Version, Show_Help, Wrong);
+   type Request_Kind is
+     (Run, Check, Stop, Print_Markers, Show_Version, Show_Help, Wrong);
 
    subtype Settled_Kind is Request_Kind range Show_Version .. Wrong;
    --  Final: the rest of the command line does not change it
@@ -19,7 +20,7 @@ package Command_Lines with SPARK_Mode is
    type Option_Kind is
      (None, Port, Bind, Allow, Token, Serial, Answer_Timeout, Camera,
       Frame_Size, Frame_Rate, Quality, Marker, Drawing, Arena_Size,
-      Message_Gap, Log_Level, Cpu, Trace);
+      Message_Gap, Log_Level, Cpu, Trace, First_Marker, Marker_Size);
 
    type Reading is record
       Request : Request_Kind := Run;
@@ -92,6 +93,11 @@ package Command_Lines with SPARK_Mode is
      & LF
      & "  --check              say what would work, without starting" & LF
      & "  --stop               send the robot a stop, without starting" & LF
+     & "  --print-markers ID   write a page of markers from ID on, as SVG; see"
+     & LF
+     & "                       'Markers' in the manual" & LF
+     & "  --marker-size MM     side of their black frames, 20 .. 140 (60)"
+     & LF
      & "  --version, --help" & LF & LF
      & "Exit status: 0 after an orderly stop, 1 where the server cannot"
      & LF

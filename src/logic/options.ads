@@ -28,6 +28,10 @@ package Options with SPARK_Mode is
    --  The shortest answer takes 10 ms; with 300 ms four failures in a row
    --  still take less than 2 s
 
+   subtype Marker_Number is Natural range 0 .. 999;
+   subtype Marker_Millimetres is Positive range 20 .. 140;
+   --  The black frame's side; the largest, with its margin, fits on A4
+
    subtype Processor is Natural range 0 .. 1_023;
 
    No_Processor   : constant := -1;
@@ -59,6 +63,8 @@ package Options with SPARK_Mode is
       Quality     : Percentage   := 80;          --  of the JPEG
       Marker      : Marker_Kind  := Aruco;
       Drawing     : Drawing_Kind := All_Of_It;
+      First_Marker : Marker_Number     := 0;     --  of the page to print
+      Marker_Size  : Marker_Millimetres := 60;
       Arena_Size  : Missions.Arena_Size;
       --  of the ground, in centimetres
       Message_Gap : Milliseconds := 20;          --  docs/wire.md

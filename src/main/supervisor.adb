@@ -23,6 +23,7 @@ with Mission_Tasks;
 with Monitor.Tasks;
 with Robot.Tasks;
 with Support_Tasks;
+with Vision.Library;
 with Vision.Tasks;
 pragma Unreferenced
   (Mission_Tasks, Monitor.Tasks, Robot.Tasks, Vision.Tasks);
@@ -31,6 +32,7 @@ package body Supervisor with SPARK_Mode is
 
    use type Command_Lines.Request_Kind;
    use type Process.Privileges.Scheduling;
+   use type Vision.Library.Status;
 
    procedure Keep_On_Processor
      (Cpu : Options.Processor_Choice; Claim : out Texts.Text);
@@ -39,6 +41,9 @@ package body Supervisor with SPARK_Mode is
 
    procedure Open_Trace (Path : Texts.Text);
    --  Ends the process on failure
+
+   procedure Print_Markers (Chosen : Options.Values);
+   --  Ends the process
 
    procedure Serve (Chosen : Options.Values);
    --  Runs the tasks; returns when the caller must end the process
@@ -85,6 +90,21 @@ package body Supervisor with SPARK_Mode is
       end if;
    end Open_Trace;
 
+   procedure Print_Markers (Chosen : Options.Values) is
+      Result : Vision.Library.Status;
+      Reason : Vision.Library.Reason_Text;
+      Last   : Natural;
+   begin
+      Vision.Library.Print_Markers
+        (Chosen.First_Marker, Chosen.Marker_Size, Result);
+      if Result = Vision.Library.Done then
+         Process.Leave (Process.Success);
+      end if;
+      Vision.Library.Reason (Reason, Last);
+      Console.Put_Log ("destijl: no page of markers: " & Reason (1 .. Last));
+      Process.Leave (Process.Cannot_Start);
+   end Print_Markers;
+
    procedure Run is
       Command_Line : Command_Lines.Reading renames Settings.Command_Line;
       All_Well     : Boolean;
@@ -102,6 +122,8 @@ package body Supervisor with SPARK_Mode is
          Process.Leave
            (if All_Well and Written then Process.Success
             else Process.Cannot_Start);
+      elsif Command_Line.Request = Command_Lines.Print_Markers then
+         Print_Markers (Command_Line.Chosen);
       end if;
       Serve (Command_Line.Chosen);
       --  again: orders may have been sent since the failure's stop

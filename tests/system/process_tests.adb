@@ -444,6 +444,12 @@ package body Process_Tests is
          "no stop was sent on /no/such: No such file");
    end Option_Stop;
 
+   procedure Option_Print_Markers is
+   begin
+      Supervisors.Expect_Console
+        ("--print-markers 999 --marker-size 20", 0, "999, frame 20 mm");
+   end Option_Print_Markers;
+
    procedure Started_While_Moving is
       --  Before anybody opens the line; nothing else is sent
       R : Rig;
@@ -865,6 +871,7 @@ package body Process_Tests is
       Add ("Never_Moves_On_After_A_Failed_Task",
            Failing_Task'Access);
       Add ("Stop_By_Option_After_SIGKILL", Option_Stop'Access);
+      Add ("Print_Markers_By_Option", Option_Print_Markers'Access);
       Add ("Stop_By_The_Next_Start_After_SIGKILL",
            Started_While_Moving'Access);
       Add ("Never_Moves_On_After_A_Crash_In_A_Library",

@@ -31,6 +31,7 @@ struct Functions {
   decltype(&vision_draw_arena) draw_arena;
   decltype(&vision_draw_robot) draw_robot;
   decltype(&vision_encode) encode;
+  decltype(&vision_print_markers) print_markers;
   decltype(&vision_reason) reason;
   decltype(&vision_library) library;
 };
@@ -63,6 +64,7 @@ bool find_all(void *library, Functions &all) {
          find(library, "vision_draw_arena", all.draw_arena) &&
          find(library, "vision_draw_robot", all.draw_robot) &&
          find(library, "vision_encode", all.encode) &&
+         find(library, "vision_print_markers", all.print_markers) &&
          find(library, "vision_reason", all.reason) &&
          find(library, "vision_library", all.library);
 }
@@ -188,6 +190,12 @@ vision_status vision_encode(int slot, int quality, unsigned char *buffer,
   *length = 0;
   return all != nullptr ? all->encode(slot, quality, buffer, capacity, length)
                         : no_image();
+}
+
+vision_status vision_print_markers(int descriptor, int first, int side) {
+  const Functions *const all = load();
+  return all != nullptr ? all->print_markers(descriptor, first, side)
+                        : VISION_FAILED;
 }
 
 const char *vision_reason(void) {

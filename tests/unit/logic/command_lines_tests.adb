@@ -232,6 +232,16 @@ package body Command_Lines_Tests is
       Assert (Read ("--check --port 7").Chosen.Port = 7, "its port");
       Assert (Read ("--stop --port 7").Request = Stop, "--stop");
       Assert
+        (Read ("--print-markers 7 --marker-size 90").Request = Print_Markers,
+         "--print-markers");
+      Assert
+        (Read ("--print-markers 7").Chosen.First_Marker = 7, "its first");
+      Assert (Read ("--print-markers 7").Chosen.Marker_Size = 60, "its size");
+      Assert (Read ("--marker-size 90").Chosen.Marker_Size = 90, "a size");
+      Expect_Wrong
+        ("--print-markers 1000",
+         "--print-markers: '1000' is not a number in 0 .. 999");
+      Assert
         (Read ("--help --port x").Request = Show_Help,
          "what follows a request for help counts no more");
       Assert

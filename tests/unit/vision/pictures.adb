@@ -173,6 +173,73 @@ package body Pictures is
       Load (Scene.Width, Scene.Height, 0);
    end Show_Aslant;
 
+   procedure Show_Page (Text : String; Scale : Positive) is
+      Place : Positive := Text'First;
+      Level : Grey := 0;
+      Left, Top, Size : Long_Float;
+      X, Y, W, H      : Long_Float;
+
+      function Number return Long_Float is
+         --  The one at Place or after it; Place is then behind it
+         First : Positive;
+      begin
+         while Text (Place) not in '0' .. '9' | '-' loop
+            Place := Place + 1;
+         end loop;
+         First := Place;
+         loop
+            Place := Place + 1;
+            exit when Text (Place) not in '0' .. '9' | '.';
+         end loop;
+         return Long_Float'Value (Text (First .. Place - 1));
+      end Number;
+
+      function Is_Next (Word : String) return Boolean is
+        (Place + Word'Length <= Text'Last
+         and then Text (Place .. Place + Word'Length - 1) = Word);
+
+      function Pixel (At_Unit, From : Long_Float) return int is
+        (int (Long_Float (Scale) * (From + At_Unit * Size)));
+
+      Width, Height : int;
+   begin
+      while not Is_Next ("viewBox=") loop
+         Place := Place + 1;
+      end loop;
+      Left := Number;
+      Top := Number;
+      Size := 1.0;
+      Width := Pixel (Number, Left);
+      Height := Pixel (Number, Top);
+      while Place < Text'Last loop
+         if Is_Next ("translate(") then
+            Left := Number;
+            Top := Number;
+            Size := Number;
+         elsif Is_Next ("fill=""none") then
+            while not Is_Next ("/>") loop
+               Place := Place + 1;
+            end loop;
+         elsif Is_Next ("fill=") then
+            Level := (if Is_Next ("fill=""#fff") then 255 else 0);
+         elsif Is_Next ("M") then
+            X := Number;
+            Y := Number;
+            W := Number;
+            H := Number;
+            for Row in Pixel (Y, Top) .. Pixel (Y + H, Top) - 1 loop
+               for Column in Pixel (X, Left) .. Pixel (X + W, Left) - 1 loop
+                  for K in int range 0 .. 2 loop
+                     Canvas ((Row * Width + Column) * 3 + K) := Level;
+                  end loop;
+               end loop;
+            end loop;
+         end if;
+         Place := Place + 1;
+      end loop;
+      Load (Width, Height, 0);
+   end Show_Page;
+
    function Disturbed
      (Turn, Noise, Blur, Uneven : double := 0.0) return Scenes.Description
    is
@@ -214,6 +281,16 @@ package body Pictures is
       Stream_IO.Write (File, Buffer (1 .. Stream_Element_Offset (Length)));
       Stream_IO.Close (File);
    end Save;
+
+   function Contents (Path : String) return String is
+      File : Stream_IO.File_Type;
+      Text : String (1 .. Natural (Ada.Directories.Size (Path)));
+   begin
+      Stream_IO.Open (File, Stream_IO.In_File, Path);
+      String'Read (Stream_IO.Stream (File), Text);
+      Stream_IO.Close (File);
+      return Text;
+   end Contents;
 
    procedure Save_Text (Text : String; Path : String) is
       File : Stream_IO.File_Type;

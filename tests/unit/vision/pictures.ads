@@ -39,6 +39,10 @@ package Pictures is
    --  Scene with each grey level as Change makes it of that at (X, Y); into
    --  slot 0
 
+   procedure Show_Page (Text : String; Scale : Positive);
+   --  The rectangles of an SVG page in mm, Scale pixels each, into slot 0.
+   --  They are subpaths "Mx yhWvHh-Wz", and an attribute fill is before them
+
    procedure Show_Aslant (Scene : Scenes.Description; G, H : Long_Float);
    --  What Scene shows at (X, Y), seen at (X, Y) / (1 + G X + H Y), both from
    --  the middle of the image; into slot 0
@@ -60,6 +64,8 @@ package Pictures is
 
    procedure Save_Plain (Width, Height : Positive; Path : String);
    --  One grey level, as PPM
+
+   function Contents (Path : String) return String;
 
    procedure Save_Text (Text : String; Path : String);
 

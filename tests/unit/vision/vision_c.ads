@@ -89,6 +89,9 @@ package Vision_C is
       Length        : access int) return Status
    with Import, Convention => C, External_Name => "vision_encode";
 
+   function Print_Markers (Descriptor, First, Side : int) return Status
+   with Import, Convention => C, External_Name => "vision_print_markers";
+
    function Load
      (Slot : int; Bgr : System.Address; Width, Height : int) return Status
    with Import, Convention => C, External_Name => "vision_load";

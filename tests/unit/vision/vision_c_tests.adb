@@ -2,6 +2,7 @@
 --  vision_c itself: arguments, slots, unusual sizes, drawing, encoding.
 
 with Ada.Unchecked_Deallocation;
+with GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;
 with System;       use System;
 
@@ -437,6 +438,50 @@ package body Vision_C_Tests is
       Pictures.Remove (Path);
    end Test_Encode_Decodes;
 
+   procedure Test_Page is
+      --  Each identifier of the dictionary is read on the page printed for it
+      Path   : constant String := Pictures.Temporary ("page.svg");
+      Robots : Robot_Array (0 .. 63);
+      Count  : aliased int;
+
+      function Print (First, Side : int) return Status is
+         File   : constant GNAT.OS_Lib.File_Descriptor :=
+           GNAT.OS_Lib.Create_File (Path, GNAT.OS_Lib.Binary);
+         Result : constant Status := Print_Markers (int (File), First, Side);
+      begin
+         GNAT.OS_Lib.Close (File);
+         return Result;
+      end Print;
+
+      procedure Expect_Page (First, Side, Most : int; Scale : Positive) is
+         Expected : constant int := int'Min (Most, 1_000 - First);
+      begin
+         Assert (Print (First, Side) = Ok, "the page");
+         Pictures.Show_Page (Pictures.Contents (Path), Scale);
+         Assert
+           (Find_Robots (0, Aruco, null, Robots'Address, Robots'Length,
+                         Count'Access) = Ok
+              and then Count = Expected,
+            "found" & Count'Image & " of" & Expected'Image & " from"
+            & First'Image);
+         for K in 0 .. Count - 1 loop
+            Assert (Robots (K).Id = First + K, "not" & int'Image (First + K));
+            Assert (abs (Robots (K).Angle - 90.0) < 0.5, "not upright");
+         end loop;
+      end Expect_Page;
+   begin
+      for Page in int range 0 .. 20 loop
+         Expect_Page (Page * 48, 20, 48, 5);
+      end loop;
+      Expect_Page (0, 60, 6, 3);
+      Expect_Page (995, 60, 6, 3);
+      Expect_Page (7, 140, 1, 3);
+      Pictures.Remove (Path);
+      Assert (Print_Markers (-1, 0, 60) = Failed, "no file");
+      Assert (Print_Markers (-1, 1_000, 60) = Bad_Argument, "identifier");
+      Assert (Print_Markers (-1, 0, 141) = Bad_Argument, "size");
+   end Test_Page;
+
    procedure Test_Texts is
 
       function Length (Item : System.Address) return size_t
@@ -468,6 +513,8 @@ package body Vision_C_Tests is
       Add_Test ("JPEG and its quality", Test_Encode'Access);
       Add_Test ("a buffer too small", Test_Encode_Too_Small'Access);
       Add_Test ("what is encoded can be opened", Test_Encode_Decodes'Access);
+      Add_Test ("markers are read on the page that is printed",
+                Test_Page'Access);
       Add_Test ("reason and version", Test_Texts'Access);
    end Add_Tests;
 
