@@ -12,6 +12,7 @@ with GNAT.Sockets;          use GNAT.Sockets;
 with Monitor.Protocol;
 with Mutexes;
 with Numerals;
+with Peers;
 with Terminals;
 
 package body Connections is
@@ -191,6 +192,15 @@ package body Connections is
             Create_Socket (Socket, Found.Addr.Family);
             Connect_Socket
               (Socket, Found.Addr, Timeout => 5.0, Status => Status);
+            if Status = Completed and then First_Line /= "" then
+               declare
+                  Objection : constant String := Peers.Objection (Socket);
+               begin
+                  if Objection /= "" then
+                     raise Socket_Error with Objection;
+                  end if;
+               end;
+            end if;
          exception
             when Error : Socket_Error =>
                Status := Aborted;

@@ -352,6 +352,45 @@ package body Security_Tests is
       Check (Status ("/no/such/file") = 2, "without its file");
    end Console_Monitor;
 
+   procedure Console_Tells_No_Other_User is
+      --  Who listens while the supervisor does not. 65000: of a service
+      Path : constant String := Token_File;
+      S    : Supervisor;
+      Tool : Child;
+
+      procedure Try (User : String; Trusted : Boolean) is
+      begin
+         S.Start
+           ("--log-level debug",
+            Launcher => "setpriv --clear-groups --reuid=" & User,
+            Program  => Programs.Copied_Supervisor);
+         Tool.Start
+           (Programs.Monitor,
+            Words ("--port" & Positive'Image (S.Port)
+              & " --script - --token " & Path),
+            "console monitor");
+         Tool.Close_Input;
+         Check ((Tool.Exit_Status = 0) = Trusted, "exit status, " & User);
+         if not Trusted then
+            Check
+              (Tool.Awaited
+                 (Errors, "a program of user " & User & " listens there") > 0,
+               "it says nothing of user " & User);
+         end if;
+         S.Stop;
+         Check (S.Says ("AUTH") = Trusted, User & ": " & S.Log_Text);
+      end Try;
+
+   begin
+      if Libc.Geteuid /= 0 then
+         Skip ("only root can be other users");
+      end if;
+      Try ("0", Trusted => True);
+      Try ("65000", Trusted => True);
+      Try ("1000", Trusted => False);
+      Try ("33", Trusted => False);
+   end Console_Tells_No_Other_User;
+
    procedure Crowd_Keeps_Nobody_Out is
       --  With as many connections in front as the kernel's queue holds
       S     : Supervisor;
@@ -967,6 +1006,8 @@ package body Security_Tests is
       Add ("Security_Line_Without_Token_Option",
            Line_Without_Token_Option'Access);
       Add ("Security_Console_Monitor", Console_Monitor'Access);
+      Add ("Security_Console_Tells_No_Other_User",
+           Console_Tells_No_Other_User'Access);
       Add ("Security_Strangers", Strangers'Access);
       Add ("Security_Who_May_Connect", Who_May_Connect'Access);
    end Register;

@@ -9,6 +9,7 @@ import logging
 import socket
 from typing import Protocol
 
+from . import peers
 from .exchange import STOPS, Command, Exchange
 
 MAX_LINE = 8 * 2**20
@@ -89,6 +90,8 @@ class Link:
                     ),
                     CONNECT_LIMIT,
                 )
+                with contextlib.suppress(OSError):  # it has ended
+                    await session.begin()
                 reason = await session.ended
             except OSError as error:
                 reason = str(error) or "no answer"
@@ -170,8 +173,16 @@ class _Session(asyncio.Protocol):
         made.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPINTVL, 1)
         made.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPCNT, 3)
         made.setsockopt(socket.IPPROTO_TCP, _TCP_USER_TIMEOUT, 4000)
+
+    async def begin(self) -> None:
+        if self._transport is None:
+            return
         if self._token is not None:
-            transport.write(b"AUTH:" + self._token.encode("ascii") + b"\n")
+            made: socket.socket = self._transport.get_extra_info("socket")
+            if objection := await peers.objection(made):
+                self._end(objection + "; it is not told the token")
+                return
+            self._transport.write(b"AUTH:" + self._token.encode("ascii") + b"\n")
         #  Answered AACK in every state, without effect in a new session: so we
         #  know that we are its monitor
         self.send(Command("CPST"))

@@ -3,10 +3,12 @@
 
 import asyncio
 import base64
+import os
+import socket
 from typing import Any
 
 import pytest
-from destijl_web import exchange, supervisor
+from destijl_web import exchange, peers, supervisor
 from helpers import LIMIT, World, jpeg, until, world
 
 
@@ -154,3 +156,52 @@ async def test_the_search_leaves_positions_on(w: World) -> None:
         await page.order(label)
     assert w.supervisor.lines[-2:] == ["CPCO", "CASA"]
     assert w.service.hub.state["positions"] is True
+
+
+LISTENER = """
+import select, socket, time
+with socket.create_server(("127.0.0.1", 0)) as made:
+    print(made.getsockname()[1], flush=True)
+    select.select([made], [], [])
+    time.sleep(0.2)  #  nobody's until it is accepted
+    print(made.accept()[0].makefile().readline().strip(), flush=True)
+"""
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root can be other users")
+@pytest.mark.parametrize(
+    "user, trusted",
+    [(0, True), (65000, True), (33, False), (1000, False), (65534, False)],
+)
+async def test_no_token_for_another_user(
+    user: int, trusted: bool, caplog: pytest.LogCaptureFixture
+) -> None:
+    """Who listens while the supervisor does not. 65000: of a service."""
+    listener = await asyncio.create_subprocess_exec(
+        *("setpriv", f"--reuid={user}", "--clear-groups"),
+        *("/usr/bin/python3", "-Ic", LISTENER),
+        stdout=asyncio.subprocess.PIPE,
+    )
+    assert listener.stdout is not None
+    async with world(token="secret-of-tests") as w:
+        w.service.hub.link._port = int(await listener.stdout.readline())
+        w.supervisor.hang_up()
+        said = (await listener.stdout.readline()).decode().strip()
+        assert said == ("AUTH:secret-of-tests" if trusted else "")
+        if not trusted:
+            text = f"a program of user {user} listens there; it is not told the token"
+            await until(lambda: text in caplog.text)
+        await listener.wait()
+
+
+async def test_no_token_for_nobody(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    """Who has not accepted the connection may be anybody, or elsewhere."""
+    monkeypatch.setattr(peers, "ACCEPT_LIMIT", 0.2)
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        async with world(token="secret-of-tests") as w:
+            w.service.hub.link._port = listener.getsockname()[1]
+            w.supervisor.hang_up()
+            await until(lambda: "does not accept a connection" in caplog.text)
+            assert listener.accept()[0].recv(100) == b""
