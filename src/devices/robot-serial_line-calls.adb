@@ -27,7 +27,7 @@ is
    procedure Tc_Flush (Fd, Queue : int)
    with Import, Convention => C, External_Name => "tcflush";
 
-   function Ask (Fd : int; Request : unsigned_long; Answer : access int)
+   function Ask (Fd : int; Request : unsigned_long; Answer : System.Address)
      return int
    with Import, Convention => C_Variadic_2, External_Name => "ioctl";
 
@@ -120,10 +120,10 @@ is
    end Discard_Input;
 
    procedure Get_Unsent (Descriptor : Outcome; Result : out Outcome) is
-      Count : aliased int := 0;
+      Count : int := 0;
    begin
       Result := Outcome_Of
-        (Ssize (Ask (int (Descriptor), Output_Queue, Count'Access)));
+        (Ssize (Ask (int (Descriptor), Output_Queue, Count'Address)));
       if Result = 0 then
          Result := Outcome (Count);
       end if;
