@@ -279,7 +279,7 @@ package Monitor.Protocol with SPARK_Mode is
    --  been received as a whole is none.
 
    function Text_First (R : Line_Reader) return Positive
-   with Post => Text_First'Result in 1 .. Length (R) + 1
+   with Post => Text_First'Result <= Length (R) + 1
      and then (if Length (R) = 0 or else Item (R, 1) /= Telnet_Mark
                then Text_First'Result = 1);
 
@@ -351,8 +351,8 @@ package Monitor.Protocol with SPARK_Mode is
          (for all I in 1 .. Last =>
             Line (I) = Item (R, Text_First (R) + I - 1));
    --  The line is Line (1 .. Last), without its end, the carriage return
-   --  before it, and telnet commands at its beginning or its end. A line that is too long is returned as empty, which Parse
-   --  rejects as malformed.
+   --  before it, and telnet commands at its beginning or its end. A line that
+   --  is too long is returned as empty, which Parse rejects as malformed.
 
    procedure Prove_Reading (Text : String)
    with
@@ -360,9 +360,9 @@ package Monitor.Protocol with SPARK_Mode is
      Pre => Text'First = 1
        and then Text'Last < Integer'Last
        and then (for all C of Text => C not in Line_Feed | Telnet_Mark);
-   --  Any other characters and a line feed make one line: these characters without a
-   --  final carriage return, or an empty line if there are more than Max_Line.
-   --  Asserted in the body. Parse accepts any line.
+   --  Any other characters and a line feed make one line: these characters
+   --  without a final carriage return, or an empty line if there are more than
+   --  Max_Line. Asserted in the body. Parse accepts any line.
 
    --  Answers
 

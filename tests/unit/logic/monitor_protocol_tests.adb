@@ -665,7 +665,7 @@ package body Monitor_Protocol_Tests is
          Last     : Natural;
          Complete : Boolean;
       begin
-         for C of Sent & LF loop
+         for C of String'(Sent & LF) loop
             Accept_Character (R, C, Complete);
          end loop;
          Get_Line (R, Line, Last);
