@@ -16,7 +16,8 @@ is
           External_Name => "destijl_robot_line";
    --  In a crash its handler writes there (crash_handlers.cpp)
 
-   procedure Write_Stop (Success : out Boolean);
+   procedure Write_Stop (Success : out Boolean)
+   with Global => (Input => Descriptor, In_Out => Calls.Port);
    --  Writes the stop order's frame
 
    function Next_Wait (Now, Until_Time : Time) return Calls.Nanoseconds;

@@ -48,9 +48,9 @@ is
    --  Records an event with the current time, if recording
 
    procedure Write
-     (Into : Descriptor; Text : in out Texts.Text; Error : in out Error_Number)
+     (Into : Descriptor; Text : Texts.Text; Error : in out Error_Number)
    with Global => (In_Out => Calls.System_State);
-   --  Writes Text, unless there is an Error, and empties it
+   --  No effect after an Error
 
    procedure Append_Time (Line : in out Texts.Text; Value : Unsigned_64);
    --  Value, in nanoseconds, as seconds
@@ -160,7 +160,7 @@ is
    end Open;
 
    procedure Write
-     (Into : Descriptor; Text : in out Texts.Text; Error : in out Error_Number)
+     (Into : Descriptor; Text : Texts.Text; Error : in out Error_Number)
    is
       Done   : Natural := 0;
       Result : Outcome;
@@ -175,7 +175,6 @@ is
             Error := (if Result < 0 then -Result else Calls.Io_Failure);
          end if;
       end loop;
-      Text := (others => <>);
    end Write;
 
    procedure Append_Time (Line : in out Texts.Text; Value : Unsigned_64) is
@@ -261,6 +260,7 @@ is
          Texts.Append (Text, Schedule.Table (Who).Priority);
          Texts.Append (Text, (1 => ASCII.LF));
          Write (Into, Text, Error);
+         Text.Length := 0;
       end loop;
       Ring.Get_Count (Recorded);
       Texts.Append (Text, "# recorded ");
@@ -277,6 +277,7 @@ is
          Number := Number + 1;
          if Text.Length > Texts.Max_Length - 2 * Longest then
             Write (Into, Text, Error);
+            Text.Length := 0;
             Now := Clock;
             In_Time := Now < Limit;
          end if;
