@@ -28,6 +28,9 @@ is
    Longest : constant := 80;
    --  No line is longer, and Line_Of makes two at most
 
+   function To_Natural (Value : Unsigned_64) return Natural is
+     (if Value < 2 ** 31 then Natural (Value) else Natural'Last);
+
    procedure Open_Seekable
      (Path  : Texts.Text;
       Flags : Open_Flags;
@@ -180,10 +183,9 @@ is
    procedure Append_Time (Line : in out Texts.Text; Value : Unsigned_64) is
       Fraction : Texts.Text;
    begin
+      Texts.Append (Line, To_Natural (Value / 1_000_000_000));
       Texts.Append
-        (Line, Integer (Value / 1_000_000_000 mod Unsigned_64 (Integer'Last)));
-      Texts.Append
-        (Fraction, 1_000_000_000 + Integer (Value mod 1_000_000_000));
+        (Fraction, 1_000_000_000 + Natural (Value mod 1_000_000_000));
       Fraction.Data (1) := '.';  --  for the 1, which has kept the zeros
       Texts.Append (Line, Texts.Image (Fraction));
    end Append_Time;
@@ -207,8 +209,7 @@ is
          end if;
          if Number > 0 then
             Texts.Append (Text, " #");
-            Texts.Append
-              (Text, Integer (Number mod Unsigned_64 (Integer'Last)));
+            Texts.Append (Text, To_Natural (Number));
          end if;
          Texts.Append (Text, (1 => ASCII.LF));
       end Append_Line;
@@ -264,8 +265,7 @@ is
       end loop;
       Ring.Get_Count (Recorded);
       Texts.Append (Text, "# recorded ");
-      Texts.Append
-        (Text, Integer (Recorded mod Unsigned_64 (Integer'Last)));
+      Texts.Append (Text, To_Natural (Recorded));
       Texts.Append (Text, (1 => ASCII.LF));
       Number := (if Recorded > Capacity then Recorded - Capacity else 0);
       while Number < Recorded and then In_Time and then Error = 0 loop
