@@ -80,7 +80,6 @@ is
         (Entries,
          (if Pending then int (Schedule.Pending_Period / Milliseconds (1))
           else -1));
-      Ready := (others => False);
       for I in Place loop
          Ready (I) := Entries (I).Returned /= 0;
       end loop;
@@ -121,8 +120,9 @@ is
       Length : out Natural;
       Open   : out Boolean)
    is
-      Got   : Streams.Outcome;
-      Error : Integer;
+      Got           : Streams.Outcome;
+      Error         : Integer;
+      Ignored_Error : Integer;
    begin
       Streams.Receive (From, Look_Now, Data, Got, Error);
       Open := Got > 0
@@ -139,7 +139,7 @@ is
       if Length > 0 then
          Streams.Receive
            (From, Receive_Now, Data (Data'First .. Data'First + (Length - 1)),
-            Got, Error);
+            Got, Ignored_Error);
          Length := Integer'Max (0, Got);
       end if;
    end Read_Line;
