@@ -1,5 +1,6 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
-"""Every link of the documentation leads somewhere, with its anchor."""
+"""Every link of the documentation leads somewhere, with its anchor; and every test
+that docs/security.md names is there."""
 
 import re
 from pathlib import Path
@@ -40,3 +41,15 @@ def test_links(file: Path) -> None:
         ):
             dead.append(link)
     assert not dead
+
+
+def test_tests_of_security() -> None:
+    text = (ROOT / "docs/security.md").read_text("utf-8")
+    table = text.partition("\n| attacker ")[2].splitlines()[2:]
+    sources = [*ROOT.glob("tests/**/*.py"), *ROOT.glob("tests/**/*.adb")]
+    there = {path.name for path in sources} | {"script/systemd/check"}
+    for path in sources:
+        there.update(re.findall(r"\w+", path.read_text("utf-8")))
+    for row in table:
+        named = re.findall("`([^`]+)`", row.split(" | ")[3])
+        assert named and not set(named) - there
