@@ -119,7 +119,8 @@ package body Robot_Tests is
       Assemble (R);
       Move_Forward (R);
       R.Emulator.Send_Signal (Libc.Sigstop);
-      R.Monitor.Expect ("RCLS", "AACK");
+      --  by battery requests the robot may be lost before it is carried out
+      Check_Label (R.Monitor.Ask ("RCLS"), "AACK ATIM", "RCLS");
       if Programs.With_Sockets then
          R.Supervisor.Expect_Log ("its device did not take all");
          Supervisors.Expect_Console
@@ -129,7 +130,7 @@ package body Robot_Tests is
       Connect (R);
       R.Monitor.Expect ("RPIN", "ANAK");
       R.Emulator.Send_Signal (Libc.Sigcont);
-      Play (R, "status moving 0, ROPN AACK, RPIN AACK");
+      Play (R, "status moving 0, ROPN AACK");
       R.Emulator.Send_Signal (Libc.Sigstop);
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Check (R.Supervisor.Exit_Status = 0, "its end was not orderly");
