@@ -84,11 +84,11 @@ bool limit(const Frame &here, const vision_arena *arena, Search &search) {
 // The last searched appearance of each tile of the image. If it has not
 // changed, no robot has entered the tile.
 struct Watch {
-  static constexpr int across = 80;   // tiles, along the longer side, where
-  static constexpr int least = 8;     // pixels are not more than a tile's side
-  static constexpr int samples = 4;   // of a tile, in each direction: green
-  static constexpr int change = 24;   // grey levels that are one: four times
-                                      // what a noise of 15 amounts to
+  static constexpr int across = 80;   // tiles along the image's longer side
+  static constexpr int least = 8;     // smallest side of a tile, in pixels
+  static constexpr int samples = 4;   // green values of a tile, per direction
+  static constexpr int change = 24;   // smallest change of a tile's mean, grey
+                                      // levels: 4 times that of a noise of 15
   cv::Mat seen;  // CV_16SC1, a tile a pixel: the sum of its samples
 
   void look(const cv::Mat &image, cv::Mat &now, int &side) const;

@@ -21,7 +21,7 @@ is
 
    function New_Counter return Counter
    with Volatile_Function, Global => (Input => Kernel);
-   --  Where the system has none left, the process ends: it cannot start
+   --  If the system has none left, the process ends: it cannot start
 
    procedure Add (To : Counter)
    with Global   => (In_Out => Kernel),
@@ -30,15 +30,14 @@ is
 
    procedure Take (From : Counter; Number : out Natural)
    with Global => (In_Out => Kernel);
-   --  Waits until the counter is not zero, sets it to zero, and says what it
-   --  was. Number is 0 where a signal has interrupted the wait
+   --  Waits until the counter is not zero, and sets it to zero. Number is its
+   --  former value, or 0 if a signal has interrupted the wait
 
    procedure Take_Within
      (From : Counter; Limit : Ada.Real_Time.Time_Span; Number : out Natural)
    with Global => (In_Out => Kernel);
-   --  The same, but waits no longer than Limit, and not at all if it is not
-   --  positive: then, too, Number is 0 where the counter is. For one task
-   --  only
+   --  The same, but waits no longer than Limit, and not at all if Limit is not
+   --  positive. Number is 0 if the counter was still zero. For one task only
 
 private
 

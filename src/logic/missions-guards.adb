@@ -41,9 +41,10 @@ package body Missions.Guards with SPARK_Mode is
    is
       Whole : constant Some_Length := True_Length (Move, Doubt.Longest);
    begin
-      --  The way is an arc, so it is followed by quarters, each as far to the
-      --  right, as likely, and as far to the left as it may be. What an arc
-      --  does in a quarter is less than the braking.
+      --  The robot drives an arc. Its end is checked after each quarter of the
+      --  way, in three directions: the most likely one, and the farthest to
+      --  each side. Within a quarter the arc leaves its chord by less than
+      --  Braking
 
       for K in Micrometres range 1 .. 4 loop
          declare

@@ -12,7 +12,7 @@ package Missions.Guards with SPARK_Mode, Pure is
 
    Robot_Radius  : constant Micrometres := 62_000;
    Braking       : constant Micrometres := 8_000;
-   --  What it may be beyond where it is believed
+   --  How far the robot may be beyond its believed place
    Margin        : constant Micrometres := Robot_Radius + Braking;
    Target_Margin : constant Micrometres := 80_000;
    --  Of its centre from the border
@@ -21,20 +21,21 @@ package Missions.Guards with SPARK_Mode, Pure is
    --  Millimetres, negative backward
 
    subtype Gain is Integer range 6_000 .. 17_000;
-   --  What the robot does of what is ordered, ten thousandths
+   --  Ratio of the actual to the ordered movement, in ten thousandths
 
    subtype Pull is Integer range -40_000 .. 40_000;
-   --  How the robot turns in driving: microdegrees to the left in each
+   --  How much the robot turns while it drives: microdegrees to the left per
    --  millimetre forward
 
    type Doubts is record
       Longest : Gain         := Gain'Last;
       Likely  : Pull         := 0;
       Either  : Pull         := 30_000;
-      --  so much more or less
+      --  the largest deviation from Likely, to either side
       Heading : Microdegrees range 0 .. 10_000_000 := 1_500_000;
+      --  the largest error of the heading at the start
    end record;
-   --  What the robot may do of a drive
+   --  The uncertainty of a drive
 
    function Is_Target (Where : Place; Size : Arena_Size) return Boolean is
      (Where.X in Target_Margin

@@ -26,28 +26,32 @@ package body Missions.Runs with SPARK_Mode is
    Same_Place   : constant := 9_000;
    Same_Heading : constant := 3_000_000;
    Upset_Way    : constant := 15_000;
-   --  from the mean, in a turn
+   --  Distance from the mean place: more in a turn means that the robot was
+   --  moved
 
    Enough_Images : constant := 2;
    Many_Images   : constant := 4;
 
    Unsure_Way : constant := 3_000;
-   --  so near to the limit of what counts as there, more images decide
+   --  If the distance to the target differs from the limit by less, more
+   --  images are waited for
 
    --  Orders
 
    Side_Way     : constant := 2_500;
-   --  no turn is made to pass the target by less
+   --  The robot does not turn if it would pass the target by less
 
    Learning_Way : constant := 40_000;
    --  Nothing is learnt from shorter drives
    Long_Way     : constant := 100_000;
-   --  nor are surprises believed
+   --  A surprise in a shorter drive is not believed
    Surprise     : constant := 4_000_000;
-   --  and as much more as 5 mm are at the end of the drive
+   --  Deviation of the heading after a drive, in addition to what 5 mm
+   --  sideways at its end amount to
 
    Good_Part    : constant := 20_000_000;
-   --  of a turn
+   --  A turn seen halfway has turned so far at least, and four times this at
+   --  most: its rate is learnt from that
 
    --  Functions
 

@@ -267,13 +267,13 @@ private
       Drives      : Gain   := 13_500;
       Way_Weight  : Weight := 25;
       Way_Doubt   : Natural range 0 .. 50 := 0;
-      --  percent: by how much drives have differed from it
+      --  percent: the deviation of drives from the learnt gain
       Pulled      : Pull   := 0;
       Pull_Weight : Weight := 1_600;
       Distrust    : Natural range 0 .. Distrusted := 1;
-      --  so many turns are still to be looked at
+      --  number of turns whose result is still to be checked
       Lag         : Microseconds := 0;
-      --  of what an image shows, behind when it came
+      --  camera latency: from what an image shows to its arrival
    end record;
 
    Learnt_Way  : constant Weight := 60 ** 2;

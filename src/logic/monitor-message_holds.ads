@@ -13,9 +13,9 @@ package Monitor.Message_Holds with SPARK_Mode is
       On    : Boolean := False;
       --  unsolicited messages are or were held back, and none was sent since
       First : Time := Time_First;
-      --  start of the hold ...
+      --  when the hold began
       Since : Time := Time_First;
-      --  ... and the same for the command that waits now
+      --  when the command that waits now arrived
    end record;
 
    procedure Begin_Hold
@@ -25,15 +25,16 @@ package Monitor.Message_Holds with SPARK_Mode is
       Begun       : out Boolean)
    with
      Post => H.On and then Begun = not H'Old.On;
-   --  Unsolicited messages and commands wait. New_Command: the command waits
-   --  since now, and none did before
+   --  Unsolicited messages wait because a command waits. New_Command: the
+   --  command arrived just now, and no other was waiting
 
    function Ending (H : Hold) return Time is
      (if H.Since - H.First > Schedule.Hold_Limit
       then H.First + Schedule.Hold_Limit + Schedule.Hold_Limit
       else H.Since + Schedule.Hold_Limit)
    with Pre => H.On;
-   --  A command holds them back for the limit at most; commands in a row, with
-   --  no time for a message in between, for twice the limit
+   --  One command holds the messages back for the limit at most. Commands that
+   --  follow each other without time for a message hold them back for twice
+   --  the limit
 
 end Monitor.Message_Holds;

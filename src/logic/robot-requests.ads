@@ -286,9 +286,9 @@ package Robot.Requests with SPARK_Mode is
             and then
               (if Is_Late then Next.Request.Kind = Robot.Session.Stop));
    --  Removes the request with the highest priority of those that may start. A
-   --  stop precedes all but the end of the session, and but a reload after
-   --  another stop. Nothing is done for a mission that a later order by hand
-   --  has ended
+   --  stop precedes every other request, with two exceptions: the end of the
+   --  session, and a reload that waits after another stop. A mission's request
+   --  is dropped if a later order by hand has ended the mission
 
    procedure Finish (R : in out Requests; Done : Job)
    with

@@ -64,9 +64,10 @@ package Vision.Image_Cycle with SPARK_Mode is
        and then not S.Waited
        and then S.Known = S'Old.Known
        and then S.Arena = S'Old.Arena;
-   --  An image that arrived Age ago is sent; if it was waited for, Late after
-   --  the last instant. Has_Reserve: a newer one waits. Length: time to the
-   --  next instant
+   --  Called when an image is sent that arrived Age ago. If the sender had to
+   --  wait for it, it arrived Late after the last instant of the grid.
+   --  Has_Reserve: a newer image is already there. Length: time to the next
+   --  instant
 
    procedure Look_In
      (S     : in out State;

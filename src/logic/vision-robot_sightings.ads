@@ -12,8 +12,7 @@ package Vision.Robot_Sightings with SPARK_Mode is
 
    type Sighting is record
       Number : Natural := 0;
-      --  counts the images that have been searched for robots; 0: none, as
-      --  the camera has been opened since
+      --  number of images searched for robots since the camera was opened
       Came   : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
       --  when the image came from the camera
       Seen   : Boolean := False;
