@@ -7,7 +7,8 @@ with Instants;    use Instants;
 
 package body Expectations is
 
-   Times_Ignored : Boolean := False;
+   Times_Ignored : Boolean  := False;
+   Floor         : Duration := 0.0;
 
    procedure Check (Condition : Boolean; Message : String) is
    begin
@@ -25,9 +26,16 @@ package body Expectations is
          Note (Seen);
       else
          Check
-           (Taken <= Limit, Seen & ", allowed are " & Milliseconds (Limit));
+           (Taken <= Limit + Floor,
+            Seen & ", allowed are " & Milliseconds (Limit) & " and "
+            & Milliseconds (Floor) & " of the machine");
       end if;
    end Check_Within;
+
+   procedure Set_Floor (Value : Duration) is
+   begin
+      Floor := Value;
+   end Set_Floor;
 
    procedure Ignore_Times is
    begin

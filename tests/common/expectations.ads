@@ -18,7 +18,10 @@ package Expectations is
 
    procedure Check_Within
      (Taken : Duration; Limit : Duration; What : String);
-   --  Raises Failed unless Taken <= Limit
+   --  Raises Failed unless Taken <= Limit, and what the machine itself takes
+
+   procedure Set_Floor (Value : Duration);
+   --  What the machine itself takes; initially 0
 
    procedure Ignore_Times;
    --  From now on Check_Within only notes what something took

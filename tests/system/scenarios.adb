@@ -21,6 +21,7 @@ with Network_Links;
 with Own_Process;
 with Plain_Numbers;         use Plain_Numbers;
 with Programs;
+with Samples;
 with Supervisors;
 
 package body Scenarios is
@@ -96,15 +97,52 @@ package body Scenarios is
       else (Test.Timed or else not Only_Timed)
         and then (for some Text of Filters => Is_Named (Test, Text)));
 
+   procedure Measure_Floor is
+      --  By how much this process wakes up too late
+      Late : Samples.Set;
+      Due  : Instant;
+   begin
+      for Number in 1 .. 50 loop
+         Due := Now + 0.001;
+         delay 0.001;
+         Late.Add (Now - Due);
+      end loop;
+      Expectations.Set_Floor (Late.Quantile (0.99));
+   end Measure_Floor;
+
+   procedure Run_Timed (Action : Routine) is
+      --  Passes if two of three runs do
+      Passed : Natural := 0;
+      Failed : Natural := 0;
+   begin
+      Own_Process.Go_First;
+      while Passed < 2 loop
+         begin
+            Measure_Floor;
+            Action.all;
+            Passed := Passed + 1;
+         exception
+            when Expectations.Skipped =>
+               raise;
+            when Occurrence : others =>
+               Failed := Failed + 1;
+               if Failed = 2 then
+                  raise;
+               end if;
+               Say ("   one of three: " & Exception_Message (Occurrence));
+         end;
+      end loop;
+   end Run_Timed;
+
    overriding procedure Run_Test (Test : in out Scenario) is
    begin
       if Test.Timed then
-         Own_Process.Go_First;
+         Run_Timed (Test.Action);
       else
          Supervisors.Be_Patient;
          Expectations.Ignore_Times;
+         Test.Action.all;
       end if;
-      Test.Action.all;
       Say ("   ok");
       Status := Passed_Status;
    exception

@@ -9,8 +9,9 @@ package Scenarios is
    procedure Add
      (Name : String; Run : not null Routine; Timed : Boolean := False);
    --  A test. Timed: its verdict depends on time, against a limit less than
-   --  ten times what is usual. It runs when no other does; the verdict of all
-   --  others is the same on any machine, however busy
+   --  ten times what is usual. It runs when no other does, and its verdict is
+   --  the median of three runs; the verdict of all others is the same on any
+   --  machine, however busy
 
    procedure Select_Timed;
    --  Timed tests are run, instead of all others
