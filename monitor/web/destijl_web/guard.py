@@ -14,14 +14,15 @@ import signal
 import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 from types import FrameType
 
 BEAT = 0.1
 #  Seconds between two signs of life
 
 PATIENCE = 10
-#  So many times BEAT without one is a hang. Counted, not measured: a
-#  suspension of the machine counts as one
+#  So many times BEAT without one is a hang. Only time that the gateway has had
+#  counts: none while the machine is suspended or has no processor for it
 
 START_LIMIT = 60.0
 #  Seconds to the first sign of life: start-up from a slow disk is slow
@@ -83,6 +84,7 @@ class _Guard:
         self._listening = listening
         self._stop_asked: float | None = None
         self._killed = False
+        self._ran = 0.0
         for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
             signal.signal(number, self._pass_on)
 
@@ -91,15 +93,15 @@ class _Guard:
         poll.register(self._listening, select.POLLIN)
         begun = time.monotonic()
         alive = False
-        silent = 0
+        silent = 0.0
         while True:
             if poll.poll(BEAT * 1000):
                 if not os.read(self._listening, _SMALLEST_PIPE):
                     return self._buried()
                 alive = True
-                silent = 0
+                silent = 0.0
             else:
-                silent += 1
+                silent += self._had()
             now = time.monotonic()
             if self._stop_asked is not None and now - self._stop_asked > STOP_LIMIT:
                 self._kill("does not stop")
@@ -107,6 +109,16 @@ class _Guard:
                 self._kill(f"has shown no sign of life for {PATIENCE * BEAT:.1f} s")
             elif not alive and now - begun > START_LIMIT:
                 self._kill("does not start")
+
+    def _had(self) -> float:
+        """Which part of a BEAT the gateway could use: while it waits for a processor
+        (R) or its memory (D), that in which it ran."""
+        stat = Path(f"/proc/{self._child}/task/{self._child}/stat").read_text()
+        state, *fields = stat.rpartition(")")[2].split()
+        ran = (int(fields[10]) + int(fields[11])) / os.sysconf("SC_CLK_TCK")
+        had = (ran - self._ran) / BEAT
+        self._ran = ran
+        return min(had, 1.0) if state in "RD" else 1.0
 
     def _pass_on(self, number: int, frame: FrameType | None) -> None:
         if self._stop_asked is None:

@@ -4,8 +4,11 @@
 import contextlib
 import os
 import re
+import select
 import signal
 import socket
+import subprocess
+import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -127,6 +130,38 @@ def test_a_gateway_that_believes_to_be_connected(served: Served) -> None:
     assert status == 3
     assert "says that it has a supervisor, and has none" in error
     assert "no sign of life" in error
+
+
+def test_a_gateway_without_a_processor(served: Served) -> None:
+    """It is not killed. Without its signs of life the supervisor stops the robot."""
+    gateway = served.program.gateway()
+    processor = max(os.sched_getaffinity(gateway))
+    os.sched_setaffinity(gateway, {processor})
+    os.sched_setscheduler(gateway, os.SCHED_IDLE, os.sched_param(0))
+    work = f"import os; os.sched_setaffinity(0, {{{processor}}})\nwhile True: pass"
+    busy = [subprocess.Popen([sys.executable, "-c", work]) for _ in range(8)]
+    end = time.monotonic() + LIMIT
+    try:
+        while select.select([served.connection], [], [], 3.0)[0]:
+            assert served.connection.recv(1000)
+            if time.monotonic() > end:
+                pytest.skip("it always has a processor")
+    finally:
+        for one in busy:
+            one.kill()
+            one.wait()
+    assert served.connection.recv(1000)
+    assert served.program.process.poll() is None
+
+
+@pytest.mark.parametrize(
+    "served",
+    ["supervisor._Session.watch = lambda *_: exec('while True: pass')"],
+    indirect=True,
+)
+def test_a_gateway_that_is_busy_for_ever(served: Served) -> None:
+    assert rest(served.connection) == b""
+    assert "no sign of life" in served.program.end()[2]
 
 
 @pytest.mark.timed
