@@ -347,15 +347,21 @@ class _Gateway:
     #  Viewers
 
     async def _socket(self, request: web.Request) -> web.StreamResponse:
-        self._check_own(request)
+        #  Without this header a page that was refused asks why: scripts do not see
+        #  the answer to a WebSocket
+        asked = hdrs.UPGRADE not in request.headers
+        if not asked:
+            self._check_own(request)
         session = self._entitled(request)
         role = session.role
-        if (
-            self._sockets.total() >= MAX_VIEWERS
-            or session.sockets >= MAX_PER_SESSION
-            or (role == "viewer" and self._sockets[role] >= MAX_VIEWERS - FOR_TEACHERS)
+        if session.sockets >= MAX_PER_SESSION:
+            raise web.HTTPServiceUnavailable(text="too many pages of this session\n")
+        if self._sockets.total() >= MAX_VIEWERS or (
+            role == "viewer" and self._sockets[role] >= MAX_VIEWERS - FOR_TEACHERS
         ):
             raise web.HTTPServiceUnavailable(text="too many viewers\n")
+        if asked:
+            raise web.HTTPUpgradeRequired(text="this is for WebSockets\n")
         if not self._hub.may_wish(session):
             raise web.HTTPTooManyRequests(text="too often\n")
         self._sockets[role] += 1

@@ -227,6 +227,8 @@ export default {
   alarm_camera: "The camera has failed. Is it plugged in? Then press Start.",
   alarm_battery_0: "The battery is empty. Put the robot on its charger now: it switches itself off.",
   alarm_battery_1: "The battery is low. Charge the robot soon.",
+  alarm_full: "All places for viewers are taken. This page connects by itself when one is free.",
+  alarm_full_session: "Four pages of this browser are connected already. Close one of them: then this page connects by itself.",
 
   // Connection of this page
   link_connecting: "Connecting to the gateway",

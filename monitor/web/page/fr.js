@@ -217,6 +217,8 @@ export default {
   alarm_camera: "La caméra est en panne. Est-elle branchée ? Appuyez ensuite sur Démarrer.",
   alarm_battery_0: "La batterie est vide. Mettez le robot en charge maintenant : il s’éteint de lui-même.",
   alarm_battery_1: "La batterie est faible. Rechargez bientôt le robot.",
+  alarm_full: "Toutes les places de spectateur sont prises. Cette page se connecte d’elle-même dès qu’il y en a une de libre.",
+  alarm_full_session: "Quatre pages de ce navigateur sont déjà connectées. Fermez-en une : cette page se connecte alors d’elle-même.",
 
   link_connecting: "Connexion à la passerelle",
   link_slow: "Connexion lente : touches relâchées, robot arrêté.",

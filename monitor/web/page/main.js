@@ -19,7 +19,7 @@ const BACK = 20000;                // ms after which a wheel is not taken back
 const BACK_WAIT = 2500;            // ms for our former connection to be gone
 const RATE_OVER = 3000;            // ms over which images a second are counted
 const HINT_AGAIN = 10000;          // ms
-const LOGIN_AFTER = 3;             // failures; then the token may be the reason
+const ASK_AFTER = 2;               // failures; then the gateway may have refused it
 const SESSION_OVER = 4001;         // code of the gateway
 
 const ROBOT_ORDERS = ["RSWW", "RSOW", "RRST", "ROPN", "RCLS", "RPIN", "RGST", "RGBT", "RPOF"];
@@ -40,6 +40,7 @@ let welcomedAt = 0;
 let wheelBack = false;             // ours before the connection went: wanted back
 let searching = false;
 let lastImage = 0;
+let refusal = "";                  // why the gateway does not take this page, if it says so
 let aborted;                       // the event of the last mission's end
 const imageTimes = [];
 
@@ -164,6 +165,7 @@ const link = new Link({ message: receive, image: receiveImage, change: linkChang
 function linkChanged(now, before, { reason = "", code = 0 }) {
   root.dataset.link = now;
   if (now === "open") {
+    refusal = "";
     if (before === "lost" || before === "slow") journal.news(() => t("link_back"));
   } else if (now === "slow") {
     if (mine()) {
@@ -180,16 +182,19 @@ function linkChanged(now, before, { reason = "", code = 0 }) {
     if (code === 1008) stored.set("destijl.name", "");
     if (mine()) remembered.set(true);
     me = null;
-    if (link.failures === LOGIN_AFTER) askForLogin();
+    if (link.failures >= ASK_AFTER) askWhy();
   }
   show();
 }
 
-// Without a token the gateway answers with the form
-async function askForLogin() {
+async function askWhy() {
   try {
-    const page = await (await fetch("/", { cache: "no-store" })).text();
-    if (page.includes('action="/login"')) location.reload();
+    const answer = await fetch("/ws", { cache: "no-store" });
+    if (answer.status === 401) location.reload();     // to the form for the token
+    const said = await answer.text();
+    refusal = link.usable || answer.status !== 503 ? ""
+      : said.includes("session") ? "full_session" : "full";
+    show();
   } catch { /* not there: the link tries again */ }
 }
 
@@ -616,12 +621,12 @@ function showStart() {
 // What is wrong now, and what to do
 function showAlarms() {
   const { robot } = state;
-  const now = !link.usable ? [] : [
+  const now = (!link.usable ? [[refusal, refusal]] : [
     ["robot_lost", robot === "lost"], ["robot_off", robot === "off"],
     ["camera", state.camera_failed], ["mission", aborted],
     ...[0, 1].map((level) => ["battery_" + level,
       state.battery === level && ["open", "started"].includes(robot)]),
-  ].filter(([, is]) => is).map(([key]) =>
+  ]).filter(([, is]) => is).map(([key]) =>
     [key, key === "mission" ? journal.words(aborted) : t("alarm_" + key)]);
   const made = JSON.stringify(now);
   if (made === at("alarms").dataset.made) return;

@@ -252,6 +252,24 @@ def test_pupils(
     await_(lambda: teacher.driver.find_elements(By.ID, "token"), "the form")
 
 
+def test_the_fifth_page(
+    stands: Callable[..., Stand], tokens: tuple[str | Path, ...], visitors: Visitors
+) -> None:
+    """It says why it is not connected, and what to do."""
+    visitors.excuse("/ws")
+    stand = stands(*tokens)
+    first = visitors.open(stand.address)
+    log_in(first, VIEWERS)
+    first.shows("link", "open")
+    for _ in range(3):
+        visitors.open(stand.address).shows("link", "open")
+    fifth = visitors.open(stand.address, languages="fr")
+    await_(lambda: "Fermez-en une" in fifth.text("alarms"), "it says so")
+    first.driver.get("about:blank")
+    fifth.shows("link", "open")
+    assert not fifth.visible("alarms")
+
+
 def test_nothing_from_elsewhere(stand: Stand, page: Page, visitors: Visitors) -> None:
     """The browser itself refuses what the page's policy does not allow."""
     visitors.excuse("Content Security Policy")
