@@ -20,7 +20,16 @@ package body Robot.Exchange with SPARK_Mode is
    use type Robot.Session.Request_Kind;
    use type Robot.Session.Step_Kind;
 
+   Told_Of_Talk : Boolean := False;
+   --  The log says, once each time the line is open, that its device sends
+   --  without being asked
+
    procedure Open_Device (Success : out Boolean);
+
+   procedure Discard_Unasked
+     (Kind : Command_Kind; Until_Now : Time; Talks : out Boolean);
+   --  Discards what has come before a command of Kind is sent. Talks: there
+   --  was a whole frame. That may be noise, or the device goes on like that
 
    function Is_Written (Item : Command; Before : Robot.Serial_Line.Line_Record)
      return Boolean
@@ -40,7 +49,8 @@ package body Robot.Exchange with SPARK_Mode is
       Answer    : out Reply)
    with Post => Is_Written (Item, Robot.Serial_Line.Written'Old);
    --  Sends Item and waits for its answer. Skip_Late: frames of other classes
-   --  are late answers to earlier commands, and are skipped
+   --  are late answers to earlier commands, and are skipped. Otherwise none is
+   --  due before, and what a device sends that goes on sending is no answer
 
    procedure Take_Step
      (State    : Robot.Session.State;
@@ -66,6 +76,7 @@ package body Robot.Exchange with SPARK_Mode is
       Line   : Texts.Text;
    begin
       Robot.Serial_Line.Open (Chosen.Serial, Success, Reason);
+      Told_Of_Talk := False;
       if Success then
          Texts.Set (Line, "robot line open on ");
       else
@@ -81,6 +92,37 @@ package body Robot.Exchange with SPARK_Mode is
       end if;
    end Open_Device;
 
+   procedure Discard_Unasked
+     (Kind : Command_Kind; Until_Now : Time; Talks : out Boolean)
+   is
+      Receiving : Receiver;
+      In_Frame  : Frame;
+      Heard     : Reply;
+      Data      : Bytes.Byte_Array (1 .. Max_Frame);
+      Length    : Natural;
+      Ignored   : Boolean;
+      Complete  : Boolean;
+   begin
+      Talks := False;
+      Robot.Serial_Line.Read (Data, Length, Until_Now, Ignored);
+      Robot.Serial_Line.Discard_Input;
+      Clear (Receiving);
+      for I in 1 .. Length loop
+         Accept_Byte (Receiving, Data (I), Complete);
+         if Complete then
+            Get (Receiving, In_Frame);
+            Decode (In_Frame, Kind, Heard);
+            Talks := Talks or else Heard.Kind not in Bad_Checksum | Malformed;
+         end if;
+      end loop;
+      if Talks and then not Told_Of_Talk then
+         Told_Of_Talk := True;
+         Journal.Put
+           (Options.Warning,
+            "the device of the robot's line sends without being asked");
+      end if;
+   end Discard_Unasked;
+
    procedure Exchange
      (Item      : Command;
       Skip_Late : Boolean;
@@ -94,17 +136,23 @@ package body Robot.Exchange with SPARK_Mode is
       Length    : Natural;
       Alive     : Boolean;
       Complete  : Boolean;
+      Talks     : Boolean := False;
+      Has_Left  : Time;
       Deadline  : Time;
       Now       : Time;
    begin
       Answer := (others => <>);
       Encode (Item, Out_Frame);
-      Robot.Serial_Line.Discard_Input;
+      Now := Clock;
+      if Skip_Late then
+         Robot.Serial_Line.Discard_Input;
+      else
+         Discard_Unasked (Item.Kind, Now, Talks);
+      end if;
       Clear (Receiving);
-      Deadline := Clock;
-      Deadline := Deadline
-        + Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout)
-        + Out_Frame.Length * Schedule.Byte_Time;
+      Has_Left := Now + Out_Frame.Length * Schedule.Byte_Time;
+      Deadline := Has_Left
+        + Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout);
       Robot.Serial_Line.Write (Out_Frame, Ok);
       Trace.Ordered (Schedule.Th_Line, Item.Kind);
       Trace.Wait (Schedule.Th_Line, Trace.Answer);
@@ -117,6 +165,11 @@ package body Robot.Exchange with SPARK_Mode is
          if not Alive or else Length = 0 then
             return;
          end if;
+         Now := Clock;
+         if Talks and then Now < Has_Left then
+            --  the robot cannot have heard the command yet
+            return;
+         end if;
          for I in 1 .. Length loop
             Accept_Byte (Receiving, Data (I), Complete);
             if Complete then
@@ -125,7 +178,8 @@ package body Robot.Exchange with SPARK_Mode is
                if Skip_Late then
                   Ok := Is_Answer (Answer.Kind, Item.Kind);
                else
-                  Ok := Answer.Kind not in Failed_Reply;
+                  Ok := Answer.Kind not in Failed_Reply
+                    and then not (Talks and then I < Length);
                   return;
                end if;
             end if;
@@ -133,7 +187,6 @@ package body Robot.Exchange with SPARK_Mode is
          end loop;
          exit when Ok;
          --  a line that never falls silent must not postpone the time-out
-         Now := Clock;
          exit when Now >= Deadline;
       end loop;
    end Exchange;

@@ -233,10 +233,18 @@ package body Robot_Tests is
 
    procedure Unasked_Bytes is new Script
      ("ROPN AACK, tell unasked EE\r, wait 0.2, RPIN AACK,"
+      & " log sends without being asked,"
       & " tell unasked 00\r1, wait 0.2, RGBT RBLV:2,"
       & " tell unasked \x00\xFF\x01\r\r\rOO, wait 0.2, RGST RCST:0,"
-      & " unsaid robot lost", Times => 5);
+      & " unsaid robot lost, RCLS AACK", Times => 5);
    --  The first is a whole good frame, "E" with its checksum
+
+   procedure Talking_Line is new Script
+     ("ROPN AACK, tell silent on, tell unasked "
+      & To_String (60 * "OO\r") & ", wait 0.05, RSWW ATIM,"
+      & " log sends without being asked, wait 0.4, tell silent off,"
+      & " RCLS AACK", Times => 10);
+   --  A device that sends the answer "O" without end is no started robot
 
    procedure Noisy_Line is
       --  A line that never falls silent: every command is answered in bounded
@@ -763,6 +771,7 @@ package body Robot_Tests is
       Add ("F08_Late_Answers", Late_Answers'Access);
       Add ("F08_Answers_Within_80_Ms", Answer_Timeout'Access, Timed => True);
       Add ("F08_Unasked_Bytes", Unasked_Bytes'Access);
+      Add ("F08_Talking_Line", Talking_Line'Access, Timed => True);
       Add ("F08_Noisy_Line", Noisy_Line'Access);
       Add ("F08_Noisy_Line_In_Time", Noisy_Line'Access, Timed => True);
       Add ("F07_Robot_Silent_When_Opened", Opened_Silent'Access);
