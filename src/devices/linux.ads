@@ -61,7 +61,8 @@ package Linux with SPARK_Mode => Off is
    type File_Status is array (1 .. 64) of Interfaces.Unsigned_32
      with Convention => C;
    --  Words 6: the owner, 8: the mode, in the lower half (little-endian),
-   --  9 and 10: the inode, 35 and 36: the device's major and minor number
+   --  9 and 10: the inode, 35 and 36: the device's major and minor number, 33
+   --  and 34: those of the device that it is
 
    function Status_Of
      (Folder : int; Path : char_array; Flags : int; Mask : unsigned;

@@ -10,6 +10,9 @@ package body Program_Arguments with SPARK_Mode => Off is
    function Argument (Index : Positive) return Texts.Text is
      (Texts.To_Text (Value (Index)));
 
+   function Program return Texts.Text is
+     (Texts.To_Text (Ada.Command_Line.Command_Name));
+
    function Count return Natural is (Ada.Command_Line.Argument_Count);
 
    function Is_Whole (Index : Positive) return Boolean is

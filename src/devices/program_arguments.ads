@@ -5,6 +5,9 @@ with Texts;
 
 package Program_Arguments with SPARK_Mode is
 
+   function Program return Texts.Text with Global => null;
+   --  As it was called: with the path, unless it was found in PATH
+
    function Count return Natural with Global => null;
 
    function Is_Whole (Index : Positive) return Boolean with Global => null;

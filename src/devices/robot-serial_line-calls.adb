@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
+with GNAT.Directory_Operations;
 with GNAT.Serial_Communications; use GNAT.Serial_Communications;
 with Interfaces;                 use Interfaces;
 with Interfaces.C;               use Interfaces.C;
@@ -74,16 +75,53 @@ is
       Linux.Close (File);
    end Get_Start;
 
-   procedure Get_Place (Path : String; Place : out Lock_Tables.File_Place) is
+   procedure Get_Status (Path : String; Status : out File_Status) is
       Current_Folder : constant int      := -100;    --  AT_FDCWD
       Wanted         : constant unsigned := 16#100#; --  STATX_INO
-      Status         : File_Status := (others => 0);
       Ignored        : int;
    begin
+      Status := (others => 0);
       Ignored := Status_Of
         (Current_Folder, To_C (Path), 0, Wanted, Status'Address);
+   end Get_Status;
+
+   procedure Get_Place (Path : String; Place : out Lock_Tables.File_Place) is
+      Status : File_Status;
+   begin
+      Get_Status (Path, Status);
       Place := (Status (35), Status (36), Natural (Status (9) mod 2 ** 31));
    end Get_Place;
+
+   procedure Get_Device
+     (Path : String; Device : out Terminal_Users.Device_Number)
+   is
+      Status : File_Status;
+   begin
+      Get_Status (Path, Status);
+      Device := (Status (33), Status (34));
+   end Get_Device;
+
+   procedure Get_Processes (Data : in out String; Last : out Natural) is
+      use GNAT.Directory_Operations;
+      Folder : Dir_Type;
+      Name   : String (1 .. 32);
+      Length : Natural;
+   begin
+      Last := 0;
+      Open (Folder, "/proc");
+      loop
+         Read (Folder, Name, Length);
+         exit when Length not in 1 .. Data'Last - Last - 1;
+         if Name (1) in '0' .. '9' then
+            Data (Last + 1 .. Last + Length + 1) := Name (1 .. Length) & ' ';
+            Last := Last + Length + 1;
+         end if;
+      end loop;
+      Close (Folder);
+   exception
+      when Directory_Error =>
+         null;
+   end Get_Processes;
 
    procedure Configure (Descriptor : Outcome; Result : out Outcome) is
       Port : Serial_Port;

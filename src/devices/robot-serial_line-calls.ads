@@ -3,6 +3,7 @@
 --  decides nothing.
 
 with Lock_Tables;
+with Terminal_Users;
 
 private package Robot.Serial_Line.Calls with
   SPARK_Mode,
@@ -17,9 +18,12 @@ is
    --  What a call returns, or, if it fails, its error (errno), negative
 
    Interrupted : constant Outcome := -4;   --  EINTR
+   Input_Output_Error : constant Outcome := -5;  --  EIO
+   No_Such_Address : constant Outcome := -6;  --  ENXIO
    No_Data     : constant Outcome := -11;  --  EAGAIN
    Not_Permitted : constant Outcome := -13;  --  EACCES
    Busy        : constant Outcome := -16;  --  EBUSY
+   No_Such_Device : constant Outcome := -19;  --  ENODEV
 
    No_Descriptor : constant Outcome := -1;
    --  Calls with it fail
@@ -51,6 +55,19 @@ is
    procedure Get_Place (Path : String; Place : out Lock_Tables.File_Place)
    with Global => (In_Out => Port);
    --  Of the file at Path
+
+   procedure Get_Device
+     (Path : String; Device : out Terminal_Users.Device_Number)
+   with Global => (In_Out => Port);
+   --  At Path
+
+   procedure Get_Processes (Data : in out String; Last : out Natural)
+   with
+     Global => (In_Out => Port),
+     Pre    => Data'First = 1,
+     Post   => Last <= Data'Last;
+   --  The numbers of all processes, as many as fit, each followed by a blank:
+   --  Data (1 .. Last)
 
    procedure Configure (Descriptor : Outcome; Result : out Outcome)
    with Global => (In_Out => Port);

@@ -5,16 +5,25 @@ with Error_Texts;
 with Lock_Tables;
 with Robot.Serial_Line.Calls;
 with Schedule;
+with Terminal_Users;
 
 package body Robot.Serial_Line with
   SPARK_Mode,
-  Refined_State => (Device => (Calls.Port, Descriptor))
+  Refined_State => (Device => (Calls.Port, Descriptor, Is_Gone))
 is
 
    Descriptor : Calls.Outcome := Calls.No_Descriptor
      with Atomic, Async_Readers, Async_Writers, Export, Convention => C,
           External_Name => "destijl_robot_line";
    --  In a crash its handler writes there (crash_handlers.cpp)
+
+   Is_Gone : Boolean := False with Atomic, Async_Readers, Async_Writers;
+
+   procedure Note_End (Result : Calls.Outcome);
+   --  Notes whether the device has gone, by what a call returned
+
+   procedure Append_Process (To : in out Texts.Text; Number : String);
+   --  Its name, and its number
 
    procedure Write_Stop (Success : out Boolean)
    with Global => (Input => Descriptor, In_Out => Calls.Port);
@@ -28,11 +37,22 @@ is
    with Pre => Error < 0;
    --  Why the device cannot be opened, after a call has failed with Error
 
+   procedure Append_Process (To : in out Texts.Text; Number : String) is
+      Name : String (1 .. 16) := (others => ' ');
+      Last : Natural;
+   begin
+      Calls.Get_Start ("/proc/" & Number & "/comm", Name, Last);
+      --  without the line feed behind it
+      Texts.Append (To, Name (1 .. Integer'Max (0, Last - 1)));
+      Texts.Append (To, " (process ");
+      Texts.Append (To, Number);
+      Texts.Append (To, ")");
+   end Append_Process;
+
    procedure Explain
      (Path : Texts.Text; Error : Calls.Outcome; Reason : out Texts.Text)
    is
       Table : String (1 .. 8_192) := (others => ' ');
-      Name  : String (1 .. 16) := (others => ' ');
       Last  : Natural;
       File  : Lock_Tables.File_Place;
       Owner : Texts.Text;
@@ -52,13 +72,7 @@ is
       if Owner.Length = 0 then
          Texts.Append (Reason, "another program");
       else
-         Calls.Get_Start
-           ("/proc/" & Texts.Image (Owner) & "/comm", Name, Last);
-         --  without the line feed behind it
-         Texts.Append (Reason, Name (1 .. Integer'Max (0, Last - 1)));
-         Texts.Append (Reason, " (process ");
-         Texts.Append (Reason, Texts.Image (Owner));
-         Texts.Append (Reason, ")");
+         Append_Process (Reason, Texts.Image (Owner));
       end if;
    end Explain;
 
@@ -90,6 +104,7 @@ is
          return;
       end if;
       Descriptor := Opened;
+      Is_Gone := False;
       Calls.Configure (Opened, Result);
       if Result >= 0 then
          --  after Configure, which makes it wait
@@ -159,6 +174,7 @@ is
       Sent : Calls.Outcome;
    begin
       Calls.Write (Line, Item.Data, Item.Length, Sent);
+      Note_End (Sent);
       Success := Sent = Item.Length;
       Written := (Written.Count + 1, Robot.Protocol.Decoded (Item));
    end Write;
@@ -190,6 +206,7 @@ is
          if Result > 0 then
             Length := Result;
          else
+            Note_End (Result);
             --  0: removed. Nothing to read is none: another wait follows
             Success := Result = Calls.No_Data;
          end if;
@@ -229,6 +246,51 @@ is
          Texts.Append (Report, Texts.Image (Reason));
       end if;
    end Send_Stop;
+
+   procedure Note_End (Result : Calls.Outcome) is
+   begin
+      if Result in 0 | Calls.Input_Output_Error | Calls.No_Such_Address
+                 | Calls.No_Such_Device
+      then
+         Is_Gone := True;
+      end if;
+   end Note_End;
+
+   procedure Get_Gone (Gone : out Boolean) is
+   begin
+      Gone := Is_Gone;
+   end Get_Gone;
+
+   procedure Get_Use (Path : Texts.Text; Used : out Texts.Text) is
+      Device  : Terminal_Users.Device_Number;
+      Table   : String (1 .. 2_048) := (others => ' ');
+      Last    : Natural;
+      Numbers : String (1 .. 65_536) := (others => ' ');
+      Count   : Natural;
+      Start   : Positive := 1;
+   begin
+      Texts.Set (Used, "");
+      Calls.Get_Device (Texts.Image (Path), Device);
+      Calls.Get_Start ("/proc/consoles", Table, Last);
+      if Terminal_Users.Is_Console (Table (1 .. Last), Device) then
+         Texts.Set (Used, "it is a console of the kernel");
+         return;
+      end if;
+      Calls.Get_Processes (Numbers, Count);
+      for I in 1 .. Count loop
+         pragma Loop_Invariant (Start <= I);
+         if Numbers (I) = ' ' then
+            Calls.Get_Start
+              ("/proc/" & Numbers (Start .. I - 1) & "/stat", Table, Last);
+            if Terminal_Users.Is_Of_Session (Table (1 .. Last), Device) then
+               Append_Process (Used, Numbers (Start .. I - 1));
+               Texts.Append (Used, " has it as its terminal");
+               return;
+            end if;
+            Start := I + 1;
+         end if;
+      end loop;
+   end Get_Use;
 
    procedure Stop_Blindly is
       Ignored : Boolean;

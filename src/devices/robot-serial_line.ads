@@ -75,6 +75,14 @@ is
    --  robot whose supervisor was killed, while this one has no session. A line
    --  in use stays as it is. Report says what was done, or why nothing
 
+   procedure Get_Gone (Gone : out Boolean) with Global => (Input => Device);
+   --  Whether the device has been removed since it was opened
+
+   procedure Get_Use (Path : Texts.Text; Used : out Texts.Text)
+   with Global => (In_Out => Device);
+   --  What else the device is for: a console of the kernel, a login; empty if
+   --  nothing is known
+
    procedure Stop_Blindly with Global => (In_Out => Device);
    --  Writes the stop order's frame from any task: the last resort when the
    --  supervisor ends by an internal failure

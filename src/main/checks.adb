@@ -4,7 +4,9 @@ with Admission.Authentication;
 with Admission.Secret_Files;
 with Console;
 with Monitor.Sockets.Gate;
+with Process.Machine;
 with Process.Privileges;
+with Program_Arguments;
 with Robot.Serial_Line;
 with Texts;
 with Trace;
@@ -20,6 +22,27 @@ package body Checks with SPARK_Mode is
 
    function Number (Value : Integer) return Texts.Text;
    --  Value in decimal
+
+   function Contains (Text, Part : String) return Boolean is
+     (for some I in Text'Range =>
+        Text'Last - I >= Part'Length - 1
+        and then Text (I .. I + (Part'Length - 1)) = Part)
+   with Pre => Text'First = 1 and then Part'Length in 1 .. 80;
+
+   procedure Check_Machine (All_Well : in out Boolean);
+   --  Priorities, memory, kernel
+
+   procedure Check_Line (Path : Texts.Text; All_Well : in out Boolean);
+
+   Program   : constant Texts.Text := Program_Arguments.Program;
+   Installed : constant Boolean :=
+     not Contains (Texts.Image (Program), "/")
+     or else (Program.Length >= 5 and then Program.Data (1 .. 5) = "/usr/");
+   --  Not in a clone: there it is called with a path
+
+   function In_Settings return String is
+     (if Installed then " in /etc/default/destijl" else "");
+   --  Where the service has its options
 
    function Number (Value : Integer) return Texts.Text is
       Result : Texts.Text;
@@ -40,10 +63,74 @@ package body Checks with SPARK_Mode is
       end if;
    end Report;
 
-   procedure Run (Chosen : Options.Values; All_Well : out Boolean) is
-      Granted : Process.Privileges.Scheduling;
-      Good    : Boolean;
+   procedure Check_Line (Path : Texts.Text; All_Well : in out Boolean) is
+      Good    : Boolean := False;
+      Reason  : Texts.Text;
       Ignored : Boolean;
+   begin
+      --  a console is left alone: messages would come in between, anyway
+      Robot.Serial_Line.Get_Use (Path, Reason);
+      if Reason.Length > 0 then
+         Texts.Append (Reason, ": see 'Troubleshooting' in the manual");
+      else
+         Robot.Serial_Line.Open (Path, Good, Reason);
+         Robot.Serial_Line.Close (Ignored);
+         Texts.Append (Reason, " (name another with --serial");
+         Texts.Append
+           (Reason,
+            (if Installed then ", DESTIJL_SERIAL" & In_Settings else ""));
+         Texts.Append (Reason, ")");
+      end if;
+      Report
+        (Good,
+         "serial line " & Texts.Image (Path) & ": "
+         & (if Good then "opens" else Texts.Image (Reason)),
+         All_Well);
+   end Check_Line;
+
+   procedure Check_Machine (All_Well : in out Boolean) is
+      Granted  : Process.Privileges.Scheduling;
+      May_Lock : Boolean;
+      Size     : Natural;
+      Kernel   : Texts.Text;
+      Version  : Texts.Text;
+   begin
+      Process.Privileges.Get (Granted);
+      Report
+        (Granted = Process.Privileges.Fifo_With_Ceilings,
+         "real-time priorities: " & Process.Privileges.Image (Granted)
+         & (if Granted in Process.Privileges.Fifo_Without_Ceilings
+                        | Process.Privileges.Not_Permitted
+            then
+              (if Installed then ": the service has them (systemctl start "
+                 & "destijl)"
+               else ": run as root with CAP_SYS_NICE (in a container "
+                 & "--cap-add SYS_NICE), or once 'sudo setcap "
+                 & "cap_sys_nice,cap_ipc_lock+ep " & Texts.Image (Program)
+                 & "'")
+            elsif Granted = Process.Privileges.Refused
+            then ": see 'Troubleshooting' in the manual"
+            else ""),
+         All_Well);
+      Process.Privileges.Get_May_Lock (May_Lock);
+      Process.Machine.Get_Memory (Size);
+      Report
+        (May_Lock,
+         "memory: " & Texts.Image (Number (Size)) & " MB, "
+         & (if May_Lock then "can be locked"
+            else "cannot be locked (CAP_IPC_LOCK, LimitMEMLOCK=infinity)"),
+         All_Well);
+      Process.Machine.Get_Kernel (Kernel, Version);
+      Report
+        (True,
+         "kernel " & Texts.Image (Kernel) & ": "
+         & (if Contains (Texts.Image (Version), "PREEMPT_RT") then ""
+            else "not ") & "PREEMPT_RT",
+         All_Well);
+   end Check_Machine;
+
+   procedure Run (Chosen : Options.Values; All_Well : out Boolean) is
+      Good    : Boolean;
       Reason  : Texts.Text;
       Bound   : Options.Port_Number;
       Result  : Vision.Library.Status;
@@ -52,30 +139,8 @@ package body Checks with SPARK_Mode is
       Token   : Admission.Authentication.Token;
    begin
       All_Well := True;
-      Process.Privileges.Get (Granted);
-      Report
-        (Granted = Process.Privileges.Fifo_With_Ceilings,
-         "real-time priorities: " & Process.Privileges.Image (Granted)
-         & (if Granted in Process.Privileges.Fifo_Without_Ceilings
-                        | Process.Privileges.Not_Permitted
-            then ": run as root with CAP_SYS_NICE (in a container --cap-add "
-              & "SYS_NICE), or once "
-              & "'sudo setcap cap_sys_nice,cap_ipc_lock+ep bin/destijl'"
-            elsif Granted = Process.Privileges.Refused
-            then ": see 'Troubleshooting' in the manual"
-            else ""),
-         All_Well);
-
-      Robot.Serial_Line.Open (Chosen.Serial, Good, Reason);
-      Robot.Serial_Line.Close (Ignored);
-      Report
-        (Good,
-         "serial line " & Texts.Image (Chosen.Serial)
-         & (if Good then ": opens"
-            else ": " & Texts.Image (Reason)
-              & " (name another with --serial)"),
-         All_Well);
-
+      Check_Machine (All_Well);
+      Check_Line (Chosen.Serial, All_Well);
       Vision.Library.Open
         (Texts.Image (Chosen.Camera), Chosen.Width, Chosen.Height,
          Integer'Max (Options.Camera_Rate, Chosen.Frame_Rate), Result);
@@ -95,7 +160,8 @@ package body Checks with SPARK_Mode is
          & (if Good then ": delivers images"
               & (if Last > 0 then ", " & Why (1 .. Last) else "")
             --  with its name, without secrets
-            else " " & Why (1 .. Last) & " (name another with --camera)"),
+            else " " & Why (1 .. Last) & " (name another with --camera"
+              & In_Settings & ")"),
          All_Well);
 
       Admission.Secret_Files.Read_Token
@@ -129,7 +195,8 @@ package body Checks with SPARK_Mode is
          & (if Good then Texts.Image (Number (Bound)) & " is free"
             else Texts.Image (Number (Chosen.Port)) & ": "
               & Texts.Image (Reason)
-              & " (choose another with --port or --bind)"),
+              & " (choose another with --port or --bind" & In_Settings
+              & ")"),
          All_Well);
    end Run;
 

@@ -8,6 +8,7 @@ package Checks with SPARK_Mode is
 
    procedure Run (Chosen : Options.Values; All_Well : out Boolean);
    --  Tries privileges, serial line, camera, token file, trace file and port,
-   --  and reports each in a line on standard output. Changes nothing
+   --  and reports each, and memory and kernel, in a line on standard output.
+   --  Changes nothing
 
 end Checks;

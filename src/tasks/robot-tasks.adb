@@ -16,6 +16,7 @@ with Robot.Line;
 with Robot.Line_Status; use Robot.Line_Status;
 with Robot.Reload_Times; use Robot.Reload_Times;
 with Robot.Requests;
+with Robot.Serial_Line;
 with Robot.Session;     use Robot.Session;
 with Task_Ports;
 with Trace;
@@ -41,6 +42,7 @@ package body Robot.Tasks with SPARK_Mode is
    --  left out, not caught up with
 
    procedure Tell_Of (Note : Note_Kind; Empty : Boolean) is
+      Gone : Boolean;
    begin
       case Note is
          when Nothing =>
@@ -55,9 +57,12 @@ package body Robot.Tasks with SPARK_Mode is
                Monitor.Notices.Text_Of (Monitor.Notices.Robot_Not_Running));
             Monitor.Outbox.Put_Notice (Monitor.Notices.Robot_Not_Running);
          when Robot_Lost =>
+            Robot.Serial_Line.Get_Gone (Gone);
             Journal.Put
               (Options.Warning,
-               (if Empty then
+               (if Gone then
+                   "robot lost: the device of its line has gone"
+                elsif Empty then
                    Monitor.Notices.Text_Of (Monitor.Notices.Robot_Lost_Empty)
                 else "robot lost: four failures in a row, its line is "
                   & "closed"));

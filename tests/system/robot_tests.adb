@@ -279,6 +279,7 @@ package body Robot_Tests is
    procedure Hung_Up is new Script
      ("ROPN AACK, RSOW AACK, tell silent on, clear, send RPIN, seen p,"
       & " tell hangup, answer ATIM|ANAK, comes ATIM, silence 0.3 ATIM,"
+      & " log the device of its line has gone,"
       & " RPIN ANAK, ROPN ANAK, tell silent off, tell return, " & Works_Again
       & ", RCLS AACK", Times => 3, Terminal => True);
 

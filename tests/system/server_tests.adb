@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  F1 to F3: the server, and the command line.
 
+with Ada.Directories;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Maps;      use Ada.Strings.Maps;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -395,16 +396,69 @@ package body Server_Tests is
            (Index (Text, "ok      " & What) > 0);
 
          Priorities : constant Boolean := Is_Well ("real-time priorities: ");
+         Memory     : constant Boolean := Is_Well ("memory: ");
       begin
          Check
            (Is_Well ("serial line ") and then Is_Well ("camera: ")
+            and then Is_Well ("kernel ")
             and then Is_Well ("port 127.0.0.1:"), Text);
          Check
            (Priorities = Own_Process.Real_Time_Allowed
-            and then Status = (if Priorities then 0 else 1),
+            and then Status = (if Priorities and Memory then 0 else 1),
             "exit status" & Status'Image & ": " & Text);
       end;
    end Check_All_Well;
+
+   procedure Check_Line_In_Use is
+      --  By a login, or the kernel
+      use Ada.Text_IO;
+      Options : constant String :=
+        "--check --port 0 --bind 127.0.0.1 --serial ";
+      Console : constant String := "/dev/ttyS0";
+      E       : Emulators.Emulator;
+      Login   : Child;
+      Table   : File_Type;
+      Is_One  : Boolean := False;
+   begin
+      E.Start (Camera => False);
+      Login.Start
+        ("sh",
+         Words ("-c|exec setsid --ctty sh -c 'echo ready; exec sleep 100' <"
+                & E.Device, Separator => '|'));
+      Check
+        (Login.Awaited (Output, "ready", Patience) > 0, "it has no terminal");
+      Expect_Console
+        (Options & E.Device, 1,
+         "not ok  serial line " & E.Device & ": sleep (process "
+         & Image (Integer (Login.Pid)) & ") has it as its terminal");
+      Open (Table, In_File, "/proc/consoles");
+      while not End_Of_File (Table) loop
+         Is_One := Is_One or else Index (Get_Line (Table), " 4:64") > 0;
+      end loop;
+      Close (Table);
+      if Is_One and then Ada.Directories.Exists (Console) then
+         Expect_Console
+           (Options & Console, 1,
+            "not ok  serial line " & Console
+            & ": it is a console of the kernel");
+      end if;
+   end Check_Line_In_Use;
+
+   procedure Check_Hints is
+      --  Are those of how it was installed
+      Program : constant String := Programs.Copied_Supervisor;
+      Options : constant String :=
+        "--check --port 0 --bind 127.0.0.1 --serial /dev/no_such_line";
+   begin
+      Expect_Console (Options, 1, "(name another with --serial)");
+      Expect_Console
+        (Options, 1,
+         "(name another with --serial, DESTIJL_SERIAL in "
+         & "/etc/default/destijl)",
+         Launcher => "env PATH=" & Ada.Directories.Containing_Directory
+           (Program) & ":/usr/bin:/bin",
+         Program  => Ada.Directories.Simple_Name (Program));
+   end Check_Hints;
 
    procedure Check_Nothing_Well is
       Taken : Supervisor;
@@ -491,6 +545,8 @@ package body Server_Tests is
       Add ("Options_Console_Does_Not_Wait_In_Vain",
            Console_Does_Not_Wait_In_Vain'Access);
       Add ("Check_All_Well", Check_All_Well'Access);
+      Add ("Check_Line_In_Use", Check_Line_In_Use'Access);
+      Add ("Check_Hints", Check_Hints'Access);
       Add ("Check_Nothing_Well", Check_Nothing_Well'Access);
    end Register;
 
