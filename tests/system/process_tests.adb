@@ -761,6 +761,52 @@ package body Process_Tests is
          "--check advises to run as root");
    end Refused_By_Filter;
 
+   procedure Refused_By_Group is
+      --  A control group has no run time for real-time tasks until it is given
+      --  some
+      All_Groups : constant String := "/sys/fs/cgroup/cpu";
+      Group      : constant String :=
+        All_Groups & "/"
+        & Ada.Directories.Simple_Name (Programs.Temporary_Folder);
+      Launcher   : constant String :=
+        Programs.Temporary_Folder & "/without_run_time";
+      File       : File_Type;
+
+      procedure Remove_Group is
+         Tool : Child;
+      begin
+         --  the kernel needs a moment to notice that it is empty
+         Tool.Start
+           ("sh",
+            Words ("-c|until rmdir " & Group & "; do sleep 0.1; done",
+                   Separator => '|'));
+         Check (Tool.Exit_Status = 0, "a control group is left behind");
+      end Remove_Group;
+
+   begin
+      Need_Real_Time;
+      if not Ada.Directories.Exists (All_Groups & "/cpu.rt_runtime_us") then
+         Skip ("no groups with run time here (CONFIG_RT_GROUP_SCHED)");
+      end if;
+      Create (File, Out_File, Launcher);
+      Put_Line (File, "#!/bin/sh");
+      Put_Line (File, "echo $$ >" & Group & "/cgroup.procs || exit");
+      Put_Line (File, "exec ""$@""");
+      Close (File);
+      Check (Libc.Chmod (To_C (Launcher), 8#755#) = 0, "cannot be run");
+      Ada.Directories.Create_Directory (Group);
+      begin
+         Expect_Priorities (Launcher, Refused);
+         Supervisors.Expect_Console
+           ("--version", 0, "destijl ", Launcher => Launcher);
+      exception
+         when others =>
+            Remove_Group;
+            raise;
+      end;
+      Remove_Group;
+   end Refused_By_Group;
+
    procedure By_Limit is
       --  By a limit below the tasks' highest priority none has one; by one
       --  below the highest of Linux there are no ceilings
@@ -891,6 +937,7 @@ package body Process_Tests is
            Windows_Of_Ordinary_User'Access, Timed => True);
       Add ("Privileges_With_Ceilings", With_Ceilings'Access);
       Add ("Privileges_Without_Ceilings", Without_Ceilings'Access);
+      Add ("Privileges_Refused_By_Group", Refused_By_Group'Access);
       Add ("Privileges_Refused_By_Filter", Refused_By_Filter'Access);
       Add ("Privileges_Limited", By_Limit'Access);
       Add ("Never_Waits_For_The_Console", Console_Blocked'Access);
