@@ -167,7 +167,9 @@ package body Robot.Session with SPARK_Mode is
          else
             Finish (P, Not_Open, Next);
          end if;
-      elsif R.Kind = Drive and then S.Mode = Not_Started then
+      elsif (R.Kind = Drive and then S.Mode = Not_Started)
+        or else (R.Kind = Stop and then S.Idle)
+      then
          Finish (P, Refused, Next);
       elsif (R.Kind = Reload and then S.Mode /= Started_With_Watchdog)
         or else
@@ -195,6 +197,7 @@ package body Robot.Session with SPARK_Mode is
    begin
       case Exchange_Phase'(P.Phase) is
          when Clearing =>
+            S.Idle := Accepted;
             Finish (P, Done, Next);
 
          when Leaving =>
@@ -234,6 +237,7 @@ package body Robot.Session with SPARK_Mode is
                      S.Mode := Started_With_Watchdog;
                   when Reset | Power_Off =>
                      S.Mode := Not_Started;
+                     S.Idle := True;
                   when others =>
                      null;
                end case;
@@ -287,8 +291,8 @@ package body Robot.Session with SPARK_Mode is
          if Probed then
             --  it is off
             S := (Line_Open => True,
-                  Mode      => Not_Started,
-                  Health    => Robot.Health.Opened);
+                  Health    => Robot.Health.Opened,
+                  others    => <>);
             Finish (P, Done, Next);
          else
             --  it may have switched off before it had answered
@@ -317,12 +321,15 @@ package body Robot.Session with SPARK_Mode is
       Phase  : constant Phase_Kind   := P.Phase;
       Wanted : constant Wire.Command := P.Wanted;
    begin
+      if P.Request.Kind in Start | Start_Watchdog then
+         S.Idle := False;
+      end if;
       case Phase is
          when Opening =>
             if Last.Ok then
                S := (Line_Open => True,
-                     Mode      => Not_Started,
-                     Health    => Robot.Health.Opened);
+                     Health    => Robot.Health.Opened,
+                     others    => <>);
                --  first a reset without awaiting its answer: it also resets a
                --  robot that receives but answers late
                P.Phase := Clearing;

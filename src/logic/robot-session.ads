@@ -15,12 +15,15 @@ package Robot.Session with SPARK_Mode is
    type State is record
       Line_Open : Boolean          := False;
       Mode      : Mode_Kind        := Not_Started;
+      Idle      : Boolean          := False;
+      --  the robot is known not to run: it has acknowledged a reset, and no
+      --  start has been sent since
       Health    : Robot.Health.State;
    end record;
    --  The initial state: line closed, robot not started
 
    function Is_Consistent (S : State) return Boolean is
-     ((if not S.Line_Open then S.Mode = Not_Started)
+     ((if S.Idle or else not S.Line_Open then S.Mode = Not_Started)
       and then not Robot.Health.Lost (S.Health));
    --  A started robot has an open line; a lost line is always closed
 
@@ -35,7 +38,8 @@ package Robot.Session with SPARK_Mode is
       Get_Battery,
       Get_Moving,
       Drive,            --  a movement order: only while started
-      Stop,             --  always sent while the line is open
+      Stop,             --  sent unless the robot is known not to run: firmware
+                        --  dumber-v2 may hang on a stop then
       Reload,           --  the periodic reload of the watchdog
       Reload_By_Hand,   --  by the monitor: no effect during periodic ones
       Keep_Alive);      --  a ping: is the line lost? Keeps the robot on

@@ -112,6 +112,10 @@ package body Robot_Tests is
    procedure Closing_Stops is new Script
      (Forward & ", RCLS AACK, seen M=0, status moving 0, RGFW ANAK");
 
+   procedure No_Stop_To_An_Idle_Robot is new Script
+     ("ROPN AACK, clear, RSTP ACRJ, MABT ACRJ, sent M=0 0, RSOW AACK,"
+      & " RSTP AACK, sent M=0 1, RRST AACK, clear, RSTP ACRJ, sent M=0 0");
+
    procedure Closed_Though_Nothing_Leaves is
       --  The kernel's close waits up to 30 s for a device that hangs
       R : Rig;
@@ -760,6 +764,7 @@ package body Robot_Tests is
       Add ("F07_Line_In_Use", Line_In_Use'Access);
       Add ("F07_Not_Open_Is_ANAK", Not_Open_Is_Anak'Access);
       Add ("F07_Rule_4_Closing_Stops_The_Robot", Closing_Stops'Access);
+      Add ("F12_No_Stop_To_An_Idle_Robot", No_Stop_To_An_Idle_Robot'Access);
       Add ("F07_Closed_Though_Nothing_Leaves",
            Closed_Though_Nothing_Leaves'Access);
       Add ("F08_Three_Failures_Are_Not_Lost", Three_Failures'Access);

@@ -18,7 +18,8 @@ package body Robot_Session_Tests is
    Driving : constant Wire.Command := (Wire.Turn, 90);
 
    function Opened (Mode : Mode_Kind) return State is
-     ((Line_Open => True, Mode => Mode, Health => Robot.Health.Initial));
+     ((Line_Open => True, Mode => Mode, Health => Robot.Health.Initial,
+       others => <>));
 
    function Mark (C : Wire.Command) return Character is
      (if C = Wire.Stop then '.' else Wire.Letter (C.Kind));
@@ -394,6 +395,8 @@ package body Robot_Session_Tests is
       Carry_Out (S, Open_Line, "-", "O", (Not_Opened, 0, Nothing));
       Assert (not S.Line_Open, "not opened");
       Carry_Out (S, Open_Line, "+++", "O!r~Vr", (Done, 0, Nothing));
+      Assert (S.Idle, "it has acknowledged the reset");
+      S.Idle := False;
       Assert (S = Opened (Not_Started), "open, in step");
       S := (others => <>);
       Carry_Out (S, Open_Line, "++E", "O!r~Vr", (Done, 0, Nothing));
@@ -516,6 +519,7 @@ package body Robot_Session_Tests is
    end Test_Start;
 
    procedure Test_Stop is
+      S : State := Opened (Started);
    begin
       for Mode in Mode_Kind loop
          Check (Mode, Stop, "+", ".", (Done, 0, Nothing), Mode);
@@ -529,6 +533,11 @@ package body Robot_Session_Tests is
                 Not_Started);
          Check (Mode, Stop, "E-", "..", (Timed_Out, 0, Nothing), Mode);
       end loop;
+      Carry_Out (S, Reset, "++", ".r", (Done, 0, Nothing));
+      Carry_Out (S, Stop, "", "", (Refused, 0, Nothing));
+      --  it may have heard the start
+      Carry_Out (S, Start, "-", "u", (Timed_Out, 0, Nothing));
+      Carry_Out (S, Stop, "+", "!.~V.", (Done, 0, Nothing));
    end Test_Stop;
 
    procedure Add_Tests is
@@ -538,7 +547,8 @@ package body Robot_Session_Tests is
       Add_Test ("close", Test_Close'Access);
       Add_Test ("start", Test_Start'Access);
       Add_Test ("movements only while started", Test_Drive'Access);
-      Add_Test ("a stop always goes out", Test_Stop'Access);
+      Add_Test ("a stop goes out, but to a robot that is known not to run",
+                Test_Stop'Access);
       Add_Test ("queries", Test_Queries'Access);
       Add_Test ("a stop on every way out", Test_Leaving'Access);
       Add_Test ("an unanswered stop on the way out",
