@@ -10,7 +10,7 @@ package body Admission.Networks with SPARK_Mode is
       Found : out Boolean)
    with
      Pre  => Text'First = 1
-       and then Text'Last < Positive'Last
+       and then Text'Last in 0 .. Positive'Last - 1
        and then Next <= Text'Last + 1,
      Post => Next in Next'Old .. Text'Last + 1
        and then (if Found then Value <= Most)

@@ -41,7 +41,7 @@ package Admission.Networks with SPARK_Mode, Pure is
       Not_Clean);   --  bits of ADDRESS beyond the first LEN are set
 
    procedure Parse (Text : String; N : out Network; V : out Verdict)
-   with Pre => Text'First = 1 and then Text'Last < Positive'Last;
+   with Pre => Text'First = 1 and then Text'Last in 0 .. Positive'Last - 1;
    --  The network ADDRESS/LEN, or ADDRESS for ADDRESS/32. No number has a
    --  leading zero: some programs read such a one as octal
 
