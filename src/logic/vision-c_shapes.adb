@@ -10,34 +10,23 @@ package body Vision.C_Shapes with SPARK_Mode is
    function Is_Degrees (Value : double) return Boolean is
      (Value in -180.0 .. 180.0);
 
-   function To_Millionths
-     (Value : double; First, Last : Micro_Pixels) return Micro_Pixels
-   with
-     Pre  => First < Last and then Value in -1.0E7 .. 1.0E7,
-     Post => To_Millionths'Result in First .. Last;
-   --  Rounded. Found by bisection, since the provers know little about the
-   --  conversion of a double to an integer
+   function Nearest (Value : double) return Long_Long_Integer
+   with Import, Convention => C, External_Name => "llround", Global => null;
+   pragma Linker_Options ("-lm");
+   --  Of the C library: the provers know little about the conversion of a
+   --  double to an integer
 
    function To_Millionths
      (Value : double; First, Last : Micro_Pixels) return Micro_Pixels
-   is
-      Target : constant double := Value * Micro + 0.5;
-      Low    : Micro_Pixels := First;
-      High   : Micro_Pixels := Last;
-      Middle : Micro_Pixels;
-   begin
-      while Low < High loop
-         pragma Loop_Invariant (First <= Low and then High <= Last);
-         pragma Loop_Variant (Decreases => Micro_Pixels'Base (High) - Low);
-         Middle := Low + (Micro_Pixels'Base (High) - Low + 1) / 2;
-         if double (Middle) <= Target then
-            Low := Middle;
-         else
-            High := Middle - 1;
-         end if;
-      end loop;
-      return Low;
-   end To_Millionths;
+   is (Micro_Pixels
+         (Long_Long_Integer'Max
+            (Long_Long_Integer (First),
+             Long_Long_Integer'Min
+               (Long_Long_Integer (Last), Nearest (Value * Micro)))))
+   with
+     Pre  => First < Last and then Value in -1.0E7 .. 1.0E7,
+     Post => To_Millionths'Result in First .. Last;
+   --  Rounded
 
    function Is_Sound (P : C_Point) return Boolean is
      (Is_Pixels (P.X) and then Is_Pixels (P.Y));
