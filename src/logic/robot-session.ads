@@ -328,6 +328,7 @@ private
      ((if P.Result.Note = Robot_Lost then
           P.Phase in Losing | Closing
           or else (P.Phase = Ended and then not S.Line_Open))
+      and then (if S.Idle then S.Mode = Not_Started)
       and then
         (case P.Phase is
             when Ended   => Is_Consistent (S),
@@ -344,6 +345,7 @@ private
                 (case Exchange_Phase'(P.Phase) is
                     when Clearing      =>
                       P.Request.Kind = Open_Line
+                      and then S.Mode = Not_Started
                       and then P.Wanted.Kind = Robot.Protocol.Reset,
                     when Leaving       =>
                       P.Wanted = Robot.Protocol.Stop
