@@ -401,11 +401,72 @@ Light light_near(unsigned bits, const Grid<double> &modules,
   return light;
 }
 
+// Of the quiet zone beside a side: its width, in modules, one at most; the
+// grey level beyond it.
+struct Margin {
+  double width, beyond;
+};
+
+// MAP: from the marker's modules to GREY; WHITE: the mean level of its white
+// ones. A thin margin's light is measured: blurred, it has no profile.
+std::array<Margin, 4> margins(const cv::Mat &grey, const Map &map,
+                              double white) {
+  constexpr int steps = 16, along = 12;
+  constexpr double from = -0.5, to = 1.5, step = (to - from) / steps;
+  std::array<Margin, 4> margin;
+  const cv::Matx33f single = map;
+  for (int side = 0; side < 4; ++side) {
+    std::array<double, steps + 1> level;
+    for (int k = 0; k <= steps; ++k) {
+      const double away = from + k * step;
+      Four sum{};
+      for (int n = 0; n < along; n += 4) {
+        Four x = (Four{0, 1, 2, 3} + (float(n) + 0.5f)) * (6.0f / along);
+        Four y = Four{} + float(side % 3 == 0 ? -away : 6.0 + away);
+        if (side % 2 == 1)
+          std::swap(x, y);
+        move(single, x, y);
+        sum += sample(grey, x, y);
+      }
+      level[k] = (sum[0] + sum[1] + sum[2] + sum[3]) / along;
+    }
+    const double beyond = (level[steps] + level[steps - 1]) / 2;
+    const double bright = white - beyond;
+    double light = -from * (beyond - level[0]);  // over that beyond
+    for (int k = 0; k < steps; ++k)
+      light += step * ((level[k] + level[k + 1]) / 2 - beyond);
+    margin[side] = {bright > least_contrast && light < bright
+                        ? std::max(light, 0.0) / bright : 1.0,
+                    beyond};
+  }
+  return margin;
+}
+
+// Draws what is beyond the margins; levels as for draw.
+void draw_beyond(const std::array<Margin, 4> &margin, double black,
+                 double step, cv::Mat &shape) {
+  const auto outer = [&](int side) { return pitch * margin[side].width; };
+  for (int y = 0; y < extent; ++y)
+    for (int x = 0; x < extent; ++x) {
+      if (ring_of(y / pitch, x / pitch) > 0)
+        continue;
+      const std::array<double, 4> out{
+          pitch - outer(0) - y, x + 1 - 7 * pitch - outer(1),
+          y + 1 - 7 * pitch - outer(2), pitch - outer(3) - x};
+      const auto most = std::max_element(out.begin(), out.end());
+      const float share = float(std::min(std::max(*most, 0.0), 1.0));
+      const double beyond = margin[most - out.begin()].beyond;
+      float &level = shape.at<float>(y, x);
+      level += share * (float((beyond - black) / step) - level);
+    }
+}
+
 // Draws a marker with the illumination of MODULES, 0 for the mean black and 1
-// for the mean white; EVENLY: the illumination is nearly even. Marks in USED
-// the pixels to be compared.
-void draw(unsigned bits, const Grid<double> &modules, bool evenly,
-          cv::Mat &shape, cv::Mat &used, Grid<double> &contrast) {
+// for the mean white; EVENLY: the illumination is nearly even. MAP: from the
+// modules to the image. Marks in USED the pixels to be compared.
+void draw(const cv::Mat &grey, const Map &map, unsigned bits,
+          const Grid<double> &modules, bool evenly, cv::Mat &shape,
+          cv::Mat &used, Grid<double> &contrast) {
   double white = 0.0, black = 0.0;
   int whites = 0, blacks = 0;
   for (int row = 1; row < 7; ++row)
@@ -451,6 +512,8 @@ void draw(unsigned bits, const Grid<double> &modules, bool evenly,
     cv::resize(pattern, mask, size, 0, 0, cv::INTER_NEAREST);
     large.copyTo(shape, mask);
   }
+
+  draw_beyond(margins(grey, map, white), black, step, shape);
 
   // The outer edge of the quiet zone blurs into its surroundings.
   constexpr int rim = int(places.size()) / 2;
@@ -583,7 +646,8 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   }();
   cv::Mat shape, used;
   Grid<double> contrast;
-  draw(bits, modules, evenly, shape, used, contrast);
+  draw(grey, map_of(six_by_six, corner), bits, modules, evenly, shape, used,
+       contrast);
   Quad start = corner;
   if (!perspective) {
     // the nearest parallelogram

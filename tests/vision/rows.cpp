@@ -216,6 +216,27 @@ void add_marker_rows(std::vector<Row> &rows) {
     o.ground = {15, 60};
     o.side = {28, 56};
   }));
+  rows.push_back(marker_row("14 to 20 px, margin of 1/4", [](M &o, Random &) {
+    o.image = {1280, 720};
+    o.side = {14, 20};
+    o.margin = {0.25, 0.3};
+    o.ground = {40, 110};
+    o.defocus = {0, 0.05};
+    o.on_robots = 0;
+    o.count = 20;
+  }));
+  rows.push_back(marker_row("14 to 20 px, steep, margin of 0 to 1",
+                            [](M &o, Random &) {
+    o.image = {1280, 720};
+    o.side = {14, 20};
+    o.margin = {0, 1};
+    o.ground = {100, 225};
+    o.tilt = {0, 45};
+    o.defocus = {0, 0.05};
+    o.noise = 0.5;
+    o.on_robots = 0;
+    o.count = 20;
+  }));
   rows.push_back(marker_row("contrast of 20 to 35", [](M &o, Random &) {
     o.contrast = {20, 35};
     o.noise = 0.6;
