@@ -109,6 +109,7 @@ package body Supervisor with SPARK_Mode is
       Command_Line : Command_Lines.Reading renames Settings.Command_Line;
       All_Well     : Boolean;
       Written      : Boolean;
+      Ignored      : Boolean;
       Report       : Texts.Text;
    begin
       if Command_Line.Request = Command_Lines.Check then
@@ -128,7 +129,7 @@ package body Supervisor with SPARK_Mode is
       Serve (Command_Line.Chosen);
       --  again: orders may have been sent since the failure's stop
       Robot.Serial_Line.Stop_Blindly;
-      Robot.Serial_Line.Close (Written);
+      Robot.Serial_Line.Close (Ignored);
       Support_Tasks.Finish_Trace;
       Process.Leave (Process.Internal_Failure);
    end Run;
