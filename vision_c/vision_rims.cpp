@@ -10,7 +10,6 @@ namespace {
 
 constexpr int unknowns = 9;      // two a corner, and the lens
 constexpr int finest = 48;  // bands of a side, one edge each
-constexpr double brightest = 250.0;  // grey level of a clipped border
 constexpr double least_bend = -0.4, most_bend = 0.1;
 
 using Vector = cv::Vec<double, unknowns>;
@@ -24,7 +23,6 @@ struct Edge {
   double away = 0.0;      // pixels outside of the outline
   double contrast = 0.0;  // grey levels
   double inside = 0.0;    // grey level of the field
-  bool clipped = false;   // the border is as bright as the image gets
   std::array<double, 5> pull;
 
   int unknown(int n) const {
@@ -153,7 +151,6 @@ void find_edges(const cv::Mat &grey, const Outline &outline, double reach,
       edge.away = (best - middle + shift) * step;
       edge.inside = value[foot];
       edge.contrast = value[top] - value[foot];
-      edge.clipped = value[top] >= brightest;
       edge.pull = place.pull;
       ++edges.count;
       ++edges.found[side];
@@ -203,9 +200,33 @@ bool move_onto(const Edges &edges, double width, double unit,
   return true;
 }
 
-Beside between(const Beside &one, const Beside &other, double part) {
-  return {one.level + part * (other.level - one.level),
-          one.contrast + part * (other.contrast - one.contrast)};
+// Fits VALUE, with outliers.
+Slope fit_slope(const Point *at, const double *value, int count) {
+  Slope slope{{0.0, 0.0, 0.0}};
+  double scale = 1e6;
+  for (int round = 0; round < 4; ++round) {
+    cv::Matx33d left = cv::Matx33d::eye() * 1e-3;
+    cv::Vec3d right(0.0, 0.0, 0.0);
+    double sum = 0.0, total = 0.0;
+    for (int n = 0; n < count; ++n) {
+      const cv::Vec3d term(1.0, at[n].x, at[n].y);
+      const double rest = value[n] - slope.at(at[n]);
+      const double share = 1.0 / (1.0 + rest * rest / (scale * scale));
+      left += share * (term * term.t());
+      right += share * value[n] * term;
+      sum += share * std::fabs(rest);
+      total += share;
+    }
+    slope.factor = left.solve(right, cv::DECOMP_CHOLESKY);
+    scale = round == 0 ? 1e6 : std::max(1.0, 1.5 * sum / total);
+    if (round == 0) {
+      sum = 0.0;
+      for (int n = 0; n < count; ++n)
+        sum += std::fabs(value[n] - slope.at(at[n]));
+      scale = std::max(1.0, 1.5 * sum / count);
+    }
+  }
+  return slope;
 }
 
 double middle_of(double *values, int count) {
@@ -243,32 +264,29 @@ bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
       return false;
   }
 
-  // The contrast of a border that is clipped would be higher.
   std::array<int, 4> on{};
-  std::array<double, 4 * finest> clear, contrast, rise;
-  int unclipped = 0, total = 0, seen = 0;
+  std::array<double, 4 * finest> contrast, level, rise;
+  std::array<Point, 4 * finest> place;
+  int total = 0, seen = 0;
   for (int n = 0; n < edges.count; ++n) {
     const Edge &edge = edges.edge[n];
     if (std::fabs(edge.rest(change)) > 2.0 * width)
       continue;
     contrast[total] = edge.contrast / (edge.inside + 10.0);
-    if (!edge.clipped)
-      clear[unclipped++] = contrast[total];
+    level[total] = edge.inside;
     rise[total] = edge.contrast;
+    place[total] = outline.corner[edge.side] +
+                   edge.part * (outline.corner[(edge.side + 1) % 4] -
+                                outline.corner[edge.side]);
     ++total;
   }
   if (total == 0)
     return false;
-  const double usual = 4 * unclipped > total
-                           ? middle_of(clear.data(), unclipped)
-                           : middle_of(contrast.data(), total);
+  const double usual = middle_of(contrast.data(), total);
   int alike = 0;
   for (int n = 0; n < edges.count; ++n) {
     const Edge &edge = edges.edge[n];
-    const double part =
-        edge.contrast /
-        std::max(std::min(usual * (edge.inside + 10.0),
-                          brightest - edge.inside), 1.0);
+    const double part = edge.contrast / (edge.inside + 10.0) / usual;
     if (std::fabs(edge.rest(change)) > 2.0 * width || part < 0.5 ||
         part > 2.0)
       continue;
@@ -283,20 +301,10 @@ bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
   }
   evidence.support = double(total) / seen;
   evidence.alike = double(alike) / total;
-  if (pace.besides)
-    for (int side = 0; side < 4; ++side)
-      for (int k = 0; k < besides; ++k) {
-        double nearest = 2.0;
-        for (int n = 0; n < edges.count; ++n) {
-          const Edge &edge = edges.edge[n];
-          const double away = std::fabs(edge.part - (k + 0.5) / besides);
-          if (edge.side != side || away >= nearest ||
-              std::fabs(edge.rest(change)) > 2.0 * width)
-            continue;
-          nearest = away;
-          evidence.beside[side][k] = {edge.inside, edge.contrast};
-        }
-      }
+  if (pace.slopes) {
+    evidence.level = fit_slope(place.data(), level.data(), total);
+    evidence.contrast = fit_slope(place.data(), rise.data(), total);
+  }
   evidence.usual = middle_of(rise.data(), total);
 
   // At a corner, both sides have the same illumination.
@@ -328,38 +336,25 @@ bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
   return true;
 }
 
-// Even light changes from one side to the other; at the edge of a shadow it is
-// that beside one of them.
 void look_inside(const cv::Mat &grey, const Outline &outline,
                  const Evidence &evidence, double &dark, double &plain) {
-  constexpr int columns = besides, rows = 18;
+  constexpr int columns = 24, rows = 18;
   const View view(grey);
   int darker = 0, alike = 0;
   const std::array<Point, 4> &c = outline.corner;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
-      const double x = (column + 0.5) / columns, y = (row + 0.5) / rows;
+      const double x = (column + 1.0) / (columns + 1);
+      const double y = (row + 1.0) / (rows + 1);
       const Point u = (1 - y) * ((1 - x) * c[0] + x * c[1]) +
                       y * ((1 - x) * c[3] + x * c[2]);
       const double value =
           sample(grey, view.pixel(distort(u, outline.bend)));
-      const int high = int(y * besides);
-      const Beside top = evidence.beside[0][column];
-      const Beside right = evidence.beside[1][high];
-      const Beside bottom = evidence.beside[2][besides - 1 - column];
-      const Beside left = evidence.beside[3][besides - 1 - high];
-      bool is_darker = false, is_alike = false;
-      for (const Beside &here :
-           {top, right, bottom, left, between(left, right, x),
-            between(top, bottom, y)}) {
-        const double above = value - here.level;
-        const double limit =
-            0.5 * std::max(0.5 * evidence.usual, here.contrast);
-        is_darker = is_darker || above < limit;
-        is_alike = is_alike || std::fabs(above) < limit;
-      }
-      darker += is_darker;
-      alike += is_alike;
+      const double above = value - evidence.level.at(u);
+      const double limit =
+          0.5 * std::max(0.5 * evidence.usual, evidence.contrast.at(u));
+      darker += above < limit;
+      alike += std::fabs(above) < limit;
     }
   dark = double(darker) / (rows * columns);
   plain = double(alike) / (rows * columns);

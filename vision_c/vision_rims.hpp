@@ -43,12 +43,14 @@ struct Outline {
   Point shown(int k) const { return distort(corner[k], bend); }
 };
 
-// The field's grey level beside its border, and the border's above that.
-struct Beside {
-  double level = 0.0, contrast = 0.0;
-};
+// A grey level that varies linearly over the field, as illumination does.
+struct Slope {
+  cv::Vec3d factor;
 
-constexpr int besides = 24;  // of a side
+  double at(const Point &point) const {
+    return factor[0] + factor[1] * point.x + factor[2] * point.y;
+  }
+};
 
 // Measurements of an image along an outline.
 struct Evidence {
@@ -57,7 +59,7 @@ struct Evidence {
   double weakest = 0.0;   // the same of the side that has the least
   int corners = 0;        // where the field is as bright beside both sides
   double alike = 0.0;     // share of the edges whose contrast is the usual one
-  std::array<std::array<Beside, besides>, 4> beside;  // along each side
+  Slope level, contrast;  // grey levels beside the border, border to field
   double usual = 0.0;     // contrast
 };
 
@@ -65,7 +67,7 @@ struct Evidence {
 struct Pace {
   int bands;    // of a side, at most: an edge each
   int lines;    // of a band, at most: the mean of so many profiles
-  bool besides;  // these, too
+  bool slopes;  // of the light, too
 };
 
 constexpr Pace quick{16, 3, false}, normal{24, 4, false},

@@ -149,10 +149,6 @@ Scene arena_scene(Random &random, const ArenaOptions &options) {
     //  A floor as bright as the border would hide its outer edge
     const double floor = std::min(options.floor.of(random), white - 15);
     stage.set_light(options.uneven, options.shades, options.lamp, 45);
-    if (options.sun.high > 1)
-      stage.world.light.shades.push_back(
-          {{random.in(-25, 25), random.in(-18, 18)}, random.in(0, 2 * M_PI),
-           0, random.in(0.1, 5), float(options.sun.of(random))});
     stage.set_sensor(options.noise, options.defocus);
 
     stage.floor(floor, random.chance(options.photographs));
