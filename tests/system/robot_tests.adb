@@ -281,7 +281,7 @@ package body Robot_Tests is
       Emulator_Options => "--silent", Terminal => True);
 
    procedure Hung_Up is new Script
-     ("ROPN AACK, RSOW AACK, tell silent on, clear, send RPIN, seen p,"
+     ("ROPN AACK, RSOW AACK, clear, tell silent on, send RPIN, seen p,"
       & " tell hangup, answer ATIM|ANAK, comes ATIM, silence 0.3 ATIM,"
       & " log the device of its line has gone,"
       & " RPIN ANAK, ROPN ANAK, tell silent off, tell return, " & Works_Again
