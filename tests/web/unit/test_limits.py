@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import pytest
 from aiohttp import MultipartWriter, WSServerHandshakeError
-from destijl_web import connections, hub, server
+from destijl_web import connections, hub, logins, server
 from helpers import LIMIT, TOKENS, Page, World, until
 
 #  Requests
@@ -196,7 +196,18 @@ async def test_frames_that_are_no_message_count(w: World) -> None:
 
 
 @pytest.mark.world(TOKENS)
-async def test_pages_of_a_session_share_its_budget(w: World) -> None:
+async def test_pages_of_a_session_share_its_budget(
+    w: World, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    take = logins.Budget.take
+
+    def take_of_the_first(
+        budget: logins.Budget, now: float, amount: float = 1.0
+    ) -> bool:
+        """However long the flood takes, nothing is given back meanwhile."""
+        return take(budget, 0.0, amount)
+
+    monkeypatch.setattr(logins.Budget, "take", take_of_the_first)
     client = await w.logged_in(TOKENS["viewers_token"])
     pages = [await w.page(client) for _ in range(hub.MAX_PER_SESSION)]
     other = await w.pupil()
