@@ -165,7 +165,7 @@ active proctype Th_Server () provided (!Left)
 end_wait:
    do
 #ifndef MUTANT_ADMITTED_WHILE_STOPPING
-   :: /*: Session.Begin_Active */
+   :: /*: Session.State.Begin_Active */
       atomic { again > 0 && Stage == Free && !Stopping ->
                again--; Stage = Active }
 #else
@@ -217,7 +217,7 @@ end_wait:
    :: else
    fi;
    Put_Line ();
-   /*: Session.Request_Stop */
+   /*: Session.State.Stop */
    Stopping = true;
    /*: Connection.Shut_Down in session */
    /* Wait_Session_End: as long as it takes, or, where a task has failed or

@@ -63,7 +63,7 @@ inline Close_Session () {
       assert (!In_Receive && !In_Send && !In_Watch);
       Current = 0
    };
-   /*: Session.End_Closed */
+   /*: Session.State.Go_On */
    Stage = Free
 }
 
@@ -93,25 +93,31 @@ end_wait:
          peer = 0
       }
    fi;
-   /* Get_Reception, once a turn; Settle: of one after the other */
    /*: Session.State.Get */
    known = Stage;
    if
-   :: known == Closed ->
-      Close_Session ();
-#ifndef MUTANT_NEWCOMER_FORGOTTEN
-      known = Free
-#endif
+   :: known == Closed -> Close_Session ()
    :: else
    fi;
+   /* Settle: of one after the other */
    do
-   :: atomic { Waits == 0 || known == Closing || known == Closed -> break }
-   :: atomic { Waits > 0 && known == Active ->
-               Entitled ? peer; Waits--; Met [peer] = Rejected; peer = 0 }
-   :: atomic { Waits > 0 && known == Free -> Entitled ? peer; Waits-- };
-      /*: Session.Begin_Active */
+   :: atomic { Waits == 0 -> break }
+   :: Waits > 0 ->
+      /*: Session.State.Get */
+#ifndef MUTANT_NEWCOMER_FORGOTTEN
+      known = Stage;
+#endif
+      if
+      :: atomic { known == Active ->
+                  Entitled ? peer; Waits--; Met [peer] = Rejected; peer = 0;
+                  goto next }
+      :: known == Closing || known == Closed -> break
+      :: known == Free
+      fi;
+      /*: Session.State.Begin_Active */
       atomic {
-         known = Active;
+         Entitled ? peer;
+         Waits--;
          if
          :: Stage = Active
          :: Met [peer] = Rejected;      /* it is stopping: see ending.pml */
@@ -208,7 +214,7 @@ active proctype Th_Com_Mon_Perdue ()
          /*: Vision.Frame_Store.Look_At_Silence in vision */
          Over (own) || Peer [own] == Silent
       od;
-      /*: Session.Begin_Closing */
+      /*: Session.State.Go_On */
       Stage = Closing;
       /* Bring_Back */
 #ifdef MUTANT_WAITS_SWAPPED
@@ -249,7 +255,7 @@ active proctype Th_Com_Mon_Perdue ()
 #ifdef MUTANT_WOKEN_BEFORE_STATE
       Waker = true;
 #endif
-      /*: Session.End_Closing */
+      /*: Session.State.Go_On */
       Stage = Closed;
 #ifdef MUTANT_WOKEN_BEFORE_STATE
       skip

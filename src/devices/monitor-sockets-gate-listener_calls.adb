@@ -14,40 +14,6 @@ package body Monitor.Sockets.Gate.Listener_Calls with
 is
    --  Off: addresses are passed to C; GNAT.Sockets raises exceptions
 
-   procedure Accept_Next
-     (From    : Socket;
-      Address : out Admission.Networks.Socket_Address;
-      Found   : out Socket;
-      Error   : out Integer)
-   is
-      function C_Accept
-        (From : Socket; Address, Size : System.Address; Flags : int)
-         return Socket
-      with Import, Convention => C, External_Name => "accept4";
-      Size : unsigned := Address'Size / 8;
-   begin
-      Found := C_Accept
-        (From, Address'Address, Size'Address, 8#2000000#);  --  SOCK_CLOEXEC
-      Error := GNAT.OS_Lib.Errno;
-   end Accept_Next;
-
-   procedure Get_Name
-     (From : Admission.Networks.Socket_Address; Peer : out Texts.Text)
-   is
-      Port : constant Port_Type := Port_Type
-        (From.Port mod 256 * 256 + From.Port / 256);  --  network byte order
-      V4   : constant Inet_Addr_V4_Type
-      with Import, Address => From.Host_V4'Address;
-      V6   : constant Inet_Addr_V6_Type
-      with Import, Address => From.Host_V6'Address;
-   begin
-      Texts.Set
-        (Peer,
-         Image (if From.Family = Admission.Networks.Inet_Family
-                then Sock_Addr_Type'(Family_Inet, (Family_Inet, V4), Port)
-                else Sock_Addr_Type'(Family_Inet6, (Family_Inet6, V6), Port)));
-   end Get_Name;
-
    procedure Listen
      (Address : Texts.Text;
       Port    : Options.Port_Number;
@@ -86,5 +52,44 @@ is
                & "not looked up)"));
          Linux.Close (int (To_C (Made)));
    end Listen;
+
+   procedure Take_In
+     (Server : Socket;
+      Found  : out Socket;
+      From   : out Admission.Networks.Socket_Address;
+      Name   : out Texts.Text)
+   is
+      function C_Accept
+        (From : Socket; Address, Size : System.Address; Flags : int)
+         return Socket
+      with Import, Convention => C, External_Name => "accept4";
+
+      function Name_Of (A : Admission.Networks.Socket_Address) return String is
+         V4   : constant Inet_Addr_V4_Type
+         with Import, Address => A.Host_V4'Address;
+         V6   : constant Inet_Addr_V6_Type
+         with Import, Address => A.Host_V6'Address;
+         Port : constant Port_Type := Port_Type
+           (A.Port mod 256 * 256 + A.Port / 256);  --  network byte order
+      begin
+         return Image
+           (if A.Family = Admission.Networks.Inet_Family
+            then Sock_Addr_Type'(Family_Inet, (Family_Inet, V4), Port)
+            else Sock_Addr_Type'(Family_Inet6, (Family_Inet6, V6), Port));
+      end Name_Of;
+
+      Size : unsigned := From'Size / 8;
+   begin
+      Found := C_Accept
+        (Server, From'Address, Size'Address, 8#2000000#);  --  SOCK_CLOEXEC
+      if Found /= Nobody then
+         Texts.Set (Name, Name_Of (From));
+      elsif GNAT.OS_Lib.Errno = Linux.EAGAIN then
+         --  the client has already left: no failure
+         Texts.Set (Name, "");
+      else
+         Texts.Set (Name, GNAT.OS_Lib.Errno_Message);
+      end if;
+   end Take_In;
 
 end Monitor.Sockets.Gate.Listener_Calls;

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The listening socket, made by GNAT.Sockets, and the next connection: a call
---  of the C library, which returns what it returned.
+--  The listening socket and its next connection.
 
 private package Monitor.Sockets.Gate.Listener_Calls with
   SPARK_Mode,
@@ -22,17 +21,12 @@ is
    --  Creates a socket that listens, and never blocks. Nobody, with the
    --  Reason, if that fails
 
-   procedure Accept_Next
-     (From    : Socket;
-      Address : out Admission.Networks.Socket_Address;
-      Found   : out Socket;
-      Error   : out Integer)
+   procedure Take_In
+     (Server : Socket;
+      Found  : out Socket;
+      From   : out Admission.Networks.Socket_Address;
+      Name   : out Texts.Text)
    with Global => (In_Out => Kernel);
-   --  Nobody, with the Error (errno), if there is none
-
-   procedure Get_Name
-     (From : Admission.Networks.Socket_Address; Peer : out Texts.Text)
-   with Global => null;
-   --  HOST:PORT, or [HOST]:PORT for IPv6
+   --  As Gate.Take_In
 
 end Monitor.Sockets.Gate.Listener_Calls;

@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Error_Texts;
 with Interfaces;
 with Interfaces.C;  use Interfaces.C;
 with Monitor.Sockets.Gate.Listener_Calls;
@@ -60,12 +59,7 @@ is
       end if;
    end Listen;
 
-   procedure Wait
-     (Watched : Socket_Array;
-      Pending : Boolean;
-      Ready   : out Place_Set;
-      Queued  : out Boolean)
-   is
+   procedure Wait (Watched : Socket_Array; Pending : Boolean) is
       Server  : constant Socket := Listener;
       Counter : constant Event_Counters.Counter := Waker;
       Entries : Streams.Watch_Array (1 .. Waking);
@@ -80,10 +74,6 @@ is
         (Entries,
          (if Pending then int (Schedule.Pending_Period / Milliseconds (1))
           else -1));
-      for I in Place loop
-         Ready (I) := Entries (I).Returned /= 0;
-      end loop;
-      Queued := Entries (Listening).Returned /= 0;
       if Entries (Waking).Returned /= 0 then
          Event_Counters.Take (Counter, Ignored);
       end if;
@@ -101,17 +91,8 @@ is
       Name  : out Texts.Text)
    is
       Server : constant Socket := Listener;
-      Error  : Integer;
    begin
-      Listener_Calls.Accept_Next (Server, From, Found, Error);
-      if Found /= Nobody then
-         Listener_Calls.Get_Name (From, Name);
-      elsif Error = Streams.Try_Again then
-         --  the client has already left: no failure
-         Texts.Set (Name, "");
-      else
-         Error_Texts.Describe (Error, Name);
-      end if;
+      Listener_Calls.Take_In (Server, Found, From, Name);
    end Take_In;
 
    procedure Read_Line

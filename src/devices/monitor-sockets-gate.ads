@@ -29,18 +29,11 @@ is
 
    type Socket_Array is array (Place) of Socket;
 
-   type Place_Set is array (Place) of Boolean;
-
-   procedure Wait
-     (Watched : Socket_Array;
-      Pending : Boolean;
-      Ready   : out Place_Set;
-      Queued  : out Boolean)
+   procedure Wait (Watched : Socket_Array; Pending : Boolean)
    with Global => (In_Out => (Newcomers, Event_Counters.Kernel));
-   --  Waits until one of the sockets Watched is Ready (input, or end of
-   --  connection), a connection is Queued in the kernel, or Wake_Server;
-   --  Pending: at most for Schedule.Pending_Period. May return early with
-   --  nothing ready
+   --  Waits for input from one of the sockets Watched, or its end, for a
+   --  connection in the kernel's queue, or for Wake_Server; Pending: at most
+   --  for Schedule.Pending_Period. May return early
 
    procedure Wake_Server
    with Global => (Input => Newcomers, In_Out => Event_Counters.Kernel);

@@ -2,7 +2,6 @@
 --  The token that monitors must send if one is required (--token), and the
 --  first line of a client, which carries it: AUTH:<token>.
 
-with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Interfaces;
 with Texts;
 
@@ -16,9 +15,7 @@ package Admission.Authentication with SPARK_Mode is
 
    Carriage_Return : constant Character := Character'Val (13);
 
-   subtype Label_Text is String (1 .. 5);
-
-   Label : constant Label_Text := "AUTH:";
+   Label : constant String := "AUTH:";
 
    --  Tokens
 
@@ -68,9 +65,8 @@ package Admission.Authentication with SPARK_Mode is
 
    --  The first line of a client
 
-   Max_Line : constant := Label_Text'Length + Max_Token + 2;
-   --  Length of the longest valid line, with its carriage return and line
-   --  feed.
+   Max_Line : constant := 5 + Max_Token + 2;
+   --  Of the longest valid line: Label, token, carriage return, line feed
 
    subtype Line_Count is Natural range 0 .. Max_Line;
 
@@ -88,15 +84,18 @@ package Admission.Authentication with SPARK_Mode is
       else R.Length - 1);
    --  Without its line feed, and a carriage return before it
 
+   function Expected (T : Token; I : Positive) return Character is
+     (if I <= Label'Length then Label (I) else T.Data (I - Label'Length))
+   with Pre => I <= Max_Line - 2;
+   --  Character I of the right line, a blank after its end
+
    function Is_Right (R : Reader; T : Token) return Boolean is
      (R.Length > 0
       and then R.Data (R.Length) = Line_Feed
       and then Text_Length (R) = Label'Length + T.Length
-      and then (for all I in Label'Range => R.Data (I) = Label (I))
-      and then (for all I in 1 .. T.Length =>
-                  R.Data (Label'Length + I) = T.Data (I)))
+      and then (for all I in 1 .. Text_Length (R) =>
+                  R.Data (I) = Expected (T, I)))
    with Ghost;
-   --  The label and the token
 
    type Verdict is (Undecided, Right, Wrong);
 
@@ -105,44 +104,9 @@ package Admission.Authentication with SPARK_Mode is
    --  A line is compared once it is complete, in a time that does not depend
    --  on the number or place of wrong characters
 
-   --  For the log
-
-   function Is_Label_End (Line : String; I : Positive) return Boolean is
-     (I - Line'First >= Label'Length - 1
-      and then To_Upper (Line (I - 4)) = Label (1)
-      and then To_Upper (Line (I - 3)) = Label (2)
-      and then To_Upper (Line (I - 2)) = Label (3)
-      and then To_Upper (Line (I - 1)) = Label (4)
-      and then Line (I) = Label (5))
-   with Pre => I in Line'Range;
-   --  Also of a label in small letters, which is none, as somebody types it
-
-   function Shown_Length (Line : String) return Natural
-   with
-     Pre  => Line'First > 0 and then Line'Last < Integer'Last,
-     Post => Shown_Length'Result <= Line'Length
-       and then (for all I in Line'First
-                              .. Line'First + Shown_Length'Result - 2 =>
-                   not Is_Label_End (Line, I))
-       and then (if Shown_Length'Result < Line'Length then
-                    Shown_Length'Result > 0
-                    and then Is_Label_End
-                      (Line, Line'First + Shown_Length'Result - 1));
-   --  The length of Line up to its first token label; all of it without one.
-
    procedure Append_Shown (To : in out Texts.Text; Line : String)
-   with
-     Pre  => Line'First > 0 and then Line'Last < Integer'Last,
-     Post => To.Length >= To.Length'Old
-       and then (for all I in 1 .. To.Length'Old =>
-                   To.Data (I) = To.Data'Old (I))
-       and then
-         (for all I in To.Length'Old + 1 .. To.Length =>
-            To.Data (I) =
-              (if I - To.Length'Old <= Shown_Length (Line)
-               then Line (Line'First + (I - To.Length'Old - 1))
-               else '.'));
-   --  To followed by Line, with three dots in place of what follows a token
+   with Pre => Line'First > 0 and then Line'Last < Integer'Last;
+   --  For the log: Line, with three dots in place of what follows a token
    --  label. No token gets into the log.
 
 end Admission.Authentication;

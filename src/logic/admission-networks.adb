@@ -2,74 +2,42 @@
 
 package body Admission.Networks with SPARK_Mode is
 
-   procedure Read_Number
-     (Text  : String;
-      Next  : in out Positive;
-      Most  : Natural;
-      Value : out Natural;
-      Found : out Boolean)
-   with
-     Pre  => Text'First = 1
-       and then Text'Last in 0 .. Positive'Last - 1
-       and then Next <= Text'Last + 1,
-     Post => Next in Next'Old .. Text'Last + 1
-       and then (if Found then Value <= Most)
-   is
-      --  The number, of up to three digits, that begins at Next; moves Next
-      --  behind it
-      First : constant Positive := Next;
+   procedure Parse (Text : String; N : out Network; Good : out Boolean) is
+      Numbers : array (1 .. 5) of Natural := (5 => 32, others => 0);
+      --  the octets of the address, and the length
+      Place   : Positive range 1 .. 5 := 1;
+      Digit   : Boolean := False;
+      --  Text begins with numbers before Place, and one more if it is True
    begin
-      Value := 0;
-      for I in First .. Text'Last loop
-         exit when Text (I) not in '0' .. '9' or else I - First = 3;
-         Value := 10 * Value
-           + (Character'Pos (Text (I)) - Character'Pos ('0'));
-         Next := I + 1;
-         pragma Loop_Invariant (Next = I + 1 and then I - First <= 2);
+      N := (others => <>);
+      Good := False;
+      for C of Text loop
          pragma Loop_Invariant
-           (Value <= (if I = First then 9 elsif I = First + 1 then 99
-                      else 999));
-      end loop;
-      Found := Next > First
-        and then Value <= Most
-        and then (Next = First + 1 or else Text (First) /= '0');
-   end Read_Number;
-
-   procedure Parse (Text : String; N : out Network; V : out Verdict) is
-      Next  : Positive := 1;
-      Part  : Natural;
-      Found : Boolean;
-   begin
-      N := (Start => 0, Length => 32);
-      V := No_Address;
-      for Octet in 1 .. 4 loop
-         if Octet > 1 then
-            if Next > Text'Last or else Text (Next) /= '.' then
+           (for all I in 1 .. 4 => Numbers (I) <= 255);
+         pragma Loop_Invariant (Numbers (5) <= 32);
+         if C in '0' .. '9' then
+            if Digit and then Numbers (Place) = 0 then
                return;
             end if;
-            Next := Next + 1;
-         end if;
-         Read_Number (Text, Next, 255, Part, Found);
-         if not Found then
+            Numbers (Place) := (if Digit then 10 * Numbers (Place) else 0)
+              + (Character'Pos (C) - Character'Pos ('0'));
+            Digit := True;
+            if Numbers (Place) > (if Place = 5 then 32 else 255) then
+               return;
+            end if;
+         elsif Digit and then Place < 5
+           and then C = (if Place = 4 then '/' else '.')
+         then
+            Place := Place + 1;
+            Digit := False;
+         else
             return;
          end if;
-         N.Start := N.Start * 256 + Address (Part);
-         pragma Loop_Invariant (Next <= Text'Last + 1);
-         pragma Loop_Invariant (N.Length = 32);
       end loop;
-      if Next <= Text'Last then
-         if Text (Next) /= '/' then
-            return;
-         end if;
-         Next := Next + 1;
-         Read_Number (Text, Next, 32, Part, Found);
-         if not Found or else Next <= Text'Last then
-            V := No_Length;
-            return;
-         end if;
-         N.Length := Part;
-      end if;
-      V := (if Is_Network (N) then Good else Not_Clean);
+      N := (Joined (Bytes.Byte (Numbers (1)), Bytes.Byte (Numbers (2)),
+                    Bytes.Byte (Numbers (3)), Bytes.Byte (Numbers (4))),
+            Numbers (5));
+      Good := Digit and then Place >= 4 and then Is_Network (N);
    end Parse;
 
 end Admission.Networks;

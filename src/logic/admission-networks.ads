@@ -34,16 +34,10 @@ package Admission.Networks with SPARK_Mode, Pure is
      (Interfaces.Shift_Left (N.Start, N.Length) = 0);
    --  Start has no bit set beyond the first Length
 
-   type Verdict is
-     (Good,
-      No_Address,   --  not ADDRESS, nor ADDRESS/ and something
-      No_Length,    --  LEN is no number in 0 .. 32
-      Not_Clean);   --  bits of ADDRESS beyond the first LEN are set
-
-   procedure Parse (Text : String; N : out Network; V : out Verdict)
-   with Pre => Text'First = 1 and then Text'Last in 0 .. Positive'Last - 1;
-   --  The network ADDRESS/LEN, or ADDRESS for ADDRESS/32. No number has a
-   --  leading zero: some programs read such a one as octal
+   procedure Parse (Text : String; N : out Network; Good : out Boolean)
+   with Post => (if Good then Is_Network (N));
+   --  The network ADDRESS/LEN, or ADDRESS for ADDRESS/32, in which no number
+   --  has a leading zero (some programs read such a one as octal)
 
    --  Peers
 

@@ -129,32 +129,22 @@ package body Command_Lines with SPARK_Mode is
    end Finish;
 
    procedure Read_Network (R : in out Reading; Value : String) is
-      Text    : constant Texts.Text := Texts.To_Text (Value);
       Network : Admission.Networks.Network;
-      Verdict : Admission.Networks.Verdict;
+      Good    : Boolean;
    begin
-      Admission.Networks.Parse
-        (Text.Data (1 .. Text.Length), Network, Verdict);
-      case Verdict is
-         when Admission.Networks.Good =>
-            if R.Chosen.Allowed.Count < Admission.Networks.Max_Networks then
-               R.Chosen.Allowed.Count := R.Chosen.Allowed.Count + 1;
-               R.Chosen.Allowed.Items (R.Chosen.Allowed.Count) := Network;
-            else
-               Fail (R, "--allow: more than ");
-               Texts.Append (R.Reason, Admission.Networks.Max_Networks);
-               Texts.Append (R.Reason, " networks");
-            end if;
-         when Admission.Networks.No_Address =>
-            Fail (R, "--allow: ", Value,
-                  " is no IPv4 network, such as 192.168.1.0/24");
-         when Admission.Networks.No_Length =>
-            Fail (R, "--allow: the length in ", Value,
-                  " is not a number in 0 .. 32");
-         when Admission.Networks.Not_Clean =>
-            Fail (R, "--allow: ", Value, " has bits set beyond its first ");
-            Texts.Append (R.Reason, Network.Length);
-      end case;
+      Admission.Networks.Parse (Value, Network, Good);
+      if not Good then
+         Fail (R, "--allow: ", Value,
+               " is no IPv4 network, such as 192.168.1.0/24, with no bit set "
+               & "after its length");
+      elsif R.Chosen.Allowed.Count < Admission.Networks.Max_Networks then
+         R.Chosen.Allowed.Count := R.Chosen.Allowed.Count + 1;
+         R.Chosen.Allowed.Items (R.Chosen.Allowed.Count) := Network;
+      else
+         Fail (R, "--allow: more than ");
+         Texts.Append (R.Reason, Admission.Networks.Max_Networks);
+         Texts.Append (R.Reason, " networks");
+      end if;
    end Read_Network;
 
    procedure Read_Number

@@ -149,8 +149,8 @@ package body Supervisor with SPARK_Mode is
       Journal.Set_Level (Chosen.Log_Level);
       --  one that moves has lost its supervisor
       Robot.Serial_Line.Send_Stop (Chosen.Serial, Ignored, Report);
-      Monitor.Session.Allow_Server;
-      Monitor.Session.Wait_Listening;
+      Monitor.Session.Server_Allowed.Set;
+      Monitor.Session.Listening.Wait;
       Process.Privileges.Get (Granted);
       Journal.Put
         (Options.Info,

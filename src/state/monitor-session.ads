@@ -1,47 +1,50 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The session with the monitor: who is in command, how a session begins and
---  ends, and the events between the tasks involved.
+--  ends, and the events between the tasks involved. The object only locks;
+--  Monitor.Session_Stages decides.
 
+with Event;
 with Monitor.Session_Stages;
+with Schedule;
 
 package Monitor.Session with SPARK_Mode is
 
-   procedure Get (Current : out Monitor.Session_Stages.State)
-   with Annotate => (GNATprove, Terminating);
+   use type Monitor.Session_Stages.Stage_Kind;
 
-   procedure Begin_Active (Admitted : out Boolean)
-   with Annotate => (GNATprove, Terminating);
-   --  Refused if the supervisor is stopping, or a session has not ended
-   procedure Begin_Closing with Annotate => (GNATprove, Terminating);
-   procedure End_Closing with Annotate => (GNATprove, Terminating);
-   procedure End_Closed with Annotate => (GNATprove, Terminating);
-   --  The four steps of a session; no effect if it is not the next step
+   protected State with Priority => Schedule.Session_Ceiling is
 
-   procedure Begin_Work;
-   --  The connection is admitted: releases the session's tasks
+      procedure Get (Value : out Monitor.Session_Stages.State);
 
-   procedure Request_Stop with Annotate => (GNATprove, Terminating);
-   --  The supervisor is stopping: no further monitor is admitted, and the one
-   --  in command counts as lost
+      procedure Begin_Active (Admitted : out Boolean);
+      --  Refused if the supervisor is stopping, or a session has not ended
 
-   --  The events, each for one task
+      procedure Go_On (To : Monitor.Session_Stages.Stage_Kind)
+      with Pre => To /= Monitor.Session_Stages.Active;
+      --  The next stage; no effect if To is not the next
 
-   procedure Allow_Server with Annotate => (GNATprove, Terminating);
-   --  The process is set up: trace, processor, memory, log level
-   procedure Wait_Server;
-   --  For th_server only
+      procedure Stop;
+      --  The supervisor is stopping: no further monitor is admitted, and the
+      --  one in command counts as lost
 
-   procedure Server_Listens with Annotate => (GNATprove, Terminating);
-   procedure Wait_Listening;
-   --  For the main procedure only
+   private
+      Current : Monitor.Session_Stages.State;
+   end State;
 
-   procedure Wait_Receive;
-   --  Until a session begins. For th_receiveFromMon only
-   procedure Receiver_Left with Annotate => (GNATprove, Terminating);
-   procedure Wait_Receiver_Left;
-   --  For th_comMonPerdue only
+   --  The events, each with the task that waits for it
 
-   procedure Wait_Watch;
-   --  Until a session begins. For th_comMonPerdue only
+   package Server_Allowed is new Event;
+   --  The process is set up: trace, processor, memory, log level. Th_server
+
+   package Listening is new Event;
+   --  The main procedure
+
+   package Receive_Begins is new Event;
+   --  A session begins. Th_receiveFromMon
+
+   package Watch_Begins is new Event;
+   --  A session begins. Th_comMonPerdue
+
+   package Receive_Ended is new Event;
+   --  Th_receiveFromMon has left the connection. Th_comMonPerdue
 
 end Monitor.Session;

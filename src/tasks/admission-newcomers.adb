@@ -18,12 +18,6 @@ package body Admission.Newcomers with SPARK_Mode is
    subtype Place_Choice is Natural range 0 .. Place'Last;
    --  0: none
 
-   type Reception is
-     (Vacant,      --  nobody is in command: the next one is admitted
-      Occupied,    --  somebody is, and all others are refused
-      Stopping,    --  the supervisor is: all are refused
-      Deferred);   --  the end of a session is dealt with: they are to wait
-
    function Oldest (G : Gate; State : Standing) return Place_Choice
    with
      Post => (if Oldest'Result > 0 then G.Places (Oldest'Result).State = State)
@@ -49,17 +43,15 @@ package body Admission.Newcomers with SPARK_Mode is
      Post => Is_Consistent (G)
    is
       --  Tells it why, and the log, where there is a line for that
-      Line : Texts.Text;
    begin
       Monitor.Sockets.Gate.Refuse
         (G.Places (Where).Line, "MSSG:refused: " & Why & ASCII.LF);
       if G.Lines > 0 then
          G.Lines := G.Lines - 1;
-         Texts.Set (Line, "newcomer refused, ");
-         Texts.Append (Line, Why);
-         Texts.Append (Line, ": ");
-         Texts.Append (Line, Texts.Image (G.Places (Where).Name));
-         Journal.Put (Options.Warning, Line);
+         Journal.Put
+           (Options.Warning,
+            "newcomer refused, " & Why & ": "
+            & Texts.Image (G.Places (Where).Name));
       elsif G.Unlogged < Natural'Last then
          G.Unlogged := G.Unlogged + 1;
       end if;
@@ -72,41 +64,44 @@ package body Admission.Newcomers with SPARK_Mode is
      Post => Is_Consistent (G)
    is
       --  It is in command now
-      Line : Texts.Text;
    begin
       Monitor.Sockets.Connection.Take_Over (G.Places (Where).Line);
       Monitor.Outbox.Open_Session;
-      Texts.Set (Line, "monitor connected from ");
-      Texts.Append (Line, Texts.Image (G.Places (Where).Name));
-      Journal.Put (Options.Info, Line);
+      Journal.Put
+        (Options.Info,
+         "monitor connected from " & Texts.Image (G.Places (Where).Name));
       G.Places (Where) := (others => <>);
-      Monitor.Session.Begin_Work;
+      Monitor.Session.Receive_Begins.Set;
+      Monitor.Session.Watch_Begins.Set;
    end Let_In;
 
-   procedure Settle (G : in out Gate; R : in out Reception)
+   procedure Settle (G : in out Gate)
    with
      Pre  => Is_Consistent (G),
      Post => Is_Consistent (G)
    is
       --  Of those entitled the oldest is admitted where nobody is in command;
-      --  the others are told why not
+      --  the others are told why not, or wait while a session is being ended
       Where    : Place_Choice;
+      Current  : Monitor.Session_Stages.State;
       Admitted : Boolean;
    begin
       loop
          pragma Loop_Invariant (Is_Consistent (G));
          Where := Oldest (G, Entitled);
-         exit when Where = 0 or else R = Deferred;
-         if R = Vacant then
-            Monitor.Session.Begin_Active (Admitted);
-            R := (if Admitted then Occupied else Stopping);
+         exit when Where = 0;
+         Monitor.Session.State.Get (Current);
+         if Current.Stopping then
+            Turn_Away (G, Where, "the supervisor is stopping");
+         elsif Current.Stage = Monitor.Session_Stages.Active then
+            Turn_Away (G, Where, "another monitor is connected");
+         elsif Current.Stage = Monitor.Session_Stages.Free then
+            Monitor.Session.State.Begin_Active (Admitted);
             if Admitted then
                Let_In (G, Where);
             end if;
          else
-            Turn_Away
-              (G, Where, (if R = Occupied then "another monitor is connected"
-                          else "the supervisor is stopping"));
+            exit;
          end if;
       end loop;
    end Settle;
@@ -141,7 +136,7 @@ package body Admission.Newcomers with SPARK_Mode is
       end if;
    end Hear;
 
-   procedure Meet (G : in out Gate; N : Newcomer; R : in out Reception)
+   procedure Meet (G : in out Gate; N : Newcomer)
    with
      Pre  => Is_Consistent (G) and then N.State = Free,
      Post => Is_Consistent (G)
@@ -160,7 +155,7 @@ package body Admission.Newcomers with SPARK_Mode is
             G.Places (Where).State := Asked;
             Hear (G, Where);
          end if;
-         Settle (G, R);
+         Settle (G);
       end if;
       Where := Oldest (G, Asked);
       if Where > 0 and then Oldest (G, Free) = 0 then
@@ -168,70 +163,46 @@ package body Admission.Newcomers with SPARK_Mode is
       end if;
    end Meet;
 
-   procedure Take_In
-     (G : in out Gate; R : in out Reception; More : out Boolean)
+   procedure Take_In (G : in out Gate; More : out Boolean)
    with
      Pre  => Is_Consistent (G),
      Post => Is_Consistent (G)
    is
       --  The next of the kernel's queue. More: there may be another
-      N    : Newcomer;
-      Line : Texts.Text;
+      N : Newcomer;
    begin
       Monitor.Sockets.Gate.Take_In (N.Line, N.From, N.Name);
       N.Came := Clock;
       More := N.Line /= Monitor.Sockets.Nobody;
       if More then
-         Meet (G, N, R);
+         Meet (G, N);
       elsif N.Name.Length > 0 then
-         Texts.Set (Line, "a monitor could not connect: ");
-         Texts.Append (Line, Texts.Image (N.Name));
-         Journal.Put (Options.Error, Line);
+         Journal.Put
+           (Options.Error,
+            "a monitor could not connect: " & Texts.Image (N.Name));
          --  out of descriptors, most likely: not at full speed
          G.Rest := N.Came + Schedule.Accept_Pause;
       end if;
    end Take_In;
 
-   procedure Get_Reception (R : out Reception) is
-      --  Closes a session that has been brought back
+   procedure Close_Session is
+      --  One that has been brought back
       Current : Monitor.Session_Stages.State;
    begin
-      Monitor.Session.Get (Current);
+      Monitor.Session.State.Get (Current);
       if Current.Stage = Monitor.Session_Stages.Closed then
          Monitor.Sockets.Connection.Close;
-         Monitor.Session.End_Closed;
+         Monitor.Session.State.Go_On (Monitor.Session_Stages.Free);
          Journal.Put
            (Options.Info, "session closed, ready for a new monitor");
       end if;
-      R :=
-        (case Current.Stage is
-            when Monitor.Session_Stages.Free
-               | Monitor.Session_Stages.Closed  => Vacant,
-            when Monitor.Session_Stages.Active  => Occupied,
-            when Monitor.Session_Stages.Closing =>
-              (if Current.Stopping then Stopping else Deferred));
-   end Get_Reception;
+   end Close_Session;
 
-   procedure Serve (G : in out Gate) is
-      Watched : Monitor.Sockets.Gate.Socket_Array :=
-        (others => Monitor.Sockets.Nobody);
-      Ready   : Monitor.Sockets.Gate.Place_Set;
-      Queued  : Boolean;
-      Now     : Time;
-      R       : Reception;
-      Left    : Natural := Schedule.Newcomers_Per_Turn;
-      Line    : Texts.Text;
+   procedure Count_Refusals (G : in out Gate) is
+      --  Begins a new interval of them when the last is over
+      Now  : constant Time := Clock;
+      Line : Texts.Text;
    begin
-      for P in Place loop
-         if G.Places (P).State = Asked then
-            Watched (P) := G.Places (P).Line;
-         end if;
-      end loop;
-      delay until G.Rest;
-      Monitor.Sockets.Gate.Wait
-        (Watched, Oldest (G, Asked) > 0 or else G.Unlogged > 0, Ready, Queued);
-      Trace.Take_Up (Schedule.Th_Server);
-      Now := Clock;
       if Now >= G.Lines_End then
          if G.Unlogged > 0 then
             Texts.Set (Line, "newcomers refused, too many for the log: ");
@@ -242,28 +213,44 @@ package body Admission.Newcomers with SPARK_Mode is
          G.Lines := Schedule.Refusals_Logged;
          G.Lines_End := Now + Schedule.Refusal_Interval;
       end if;
-      Get_Reception (R);
+   end Count_Refusals;
+
+   procedure Serve (G : in out Gate) is
+      Watched : Monitor.Sockets.Gate.Socket_Array :=
+        (others => Monitor.Sockets.Nobody);
+      More    : Boolean := True;
+      Left    : Natural := Schedule.Newcomers_Per_Turn;
+      Next    : Time;
+   begin
+      for P in Place loop
+         if G.Places (P).State = Asked then
+            Watched (P) := G.Places (P).Line;
+         end if;
+      end loop;
+      delay until G.Rest;
+      Monitor.Sockets.Gate.Wait
+        (Watched, Oldest (G, Asked) > 0 or else G.Unlogged > 0);
+      Trace.Take_Up (Schedule.Th_Server);
+      Count_Refusals (G);
+      Close_Session;
       for P in Place loop
          pragma Loop_Invariant
            (Is_Consistent (G) and then Left > Place'Last - P);
-         if G.Places (P).State = Asked
-           and then (Ready (P)
-                     or else Now - Schedule.Token_Limit >= G.Places (P).Came)
-         then
+         if G.Places (P).State = Asked then
             Hear (G, P);
             Left := Left - 1;
          end if;
       end loop;
-      Settle (G, R);
-      while Queued and then Left > 0 and then Oldest (G, Free) > 0 loop
+      Settle (G);
+      while More and then Left > 0 loop
          pragma Loop_Invariant (Is_Consistent (G));
-         Take_In (G, R, Queued);
+         Take_In (G, More);
          Left := Left - 1;
       end loop;
-      Now := Clock;
-      Now := Now + Schedule.Newcomer_Interval;
-      if G.Rest < Now then
-         G.Rest := Now;
+      Next := Clock;
+      Next := Next + Schedule.Newcomer_Interval;
+      if G.Rest < Next then
+         G.Rest := Next;
       end if;
       Trace.Done (Schedule.Th_Server);
    end Serve;

@@ -119,7 +119,7 @@ package body Monitor.Tasks with SPARK_Mode is
          Texts.Append (Line, ", for ");
          Texts.Append (Line, Options.Admitted (Chosen));
          Journal.Put (Options.Info, Line);
-         Monitor.Session.Server_Listens;
+         Monitor.Session.Listening.Set;
       else
          Texts.Append (Line, ": ");
          Texts.Append (Line, Texts.Image (Reason));
@@ -132,7 +132,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Gate : Admission.Newcomers.Gate;
    begin
       Process.Threads.Name_Task (Schedule.Th_Server);
-      Monitor.Session.Wait_Server;
+      Monitor.Session.Server_Allowed.Wait;
       Start_Server (Gate);
       loop
          pragma Loop_Invariant (Admission.Newcomers.Is_Consistent (Gate));
@@ -225,7 +225,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Process.Threads.Name_Task (Schedule.Th_Receive_From_Mon);
       loop
          pragma Loop_Invariant (not Order.Owed);
-         Monitor.Session.Wait_Receive;
+         Monitor.Session.Receive_Begins.Wait;
          Clear (Reader);
          --  the right token was a line of this protocol
          Begun :=
@@ -257,7 +257,7 @@ package body Monitor.Tasks with SPARK_Mode is
          end loop;
          --  the watch sees it, whatever ended the connection
          Monitor.Sockets.Connection.Shut_Down;
-         Monitor.Session.Receiver_Left;
+         Monitor.Session.Receive_Ended.Set;
          Trace.Done (Schedule.Th_Receive_From_Mon);
       end loop;
    end Th_Receive_From_Mon;
@@ -358,7 +358,7 @@ package body Monitor.Tasks with SPARK_Mode is
       loop
          Monitor.Sockets.Connection.Watch (Schedule.Link_Period, Loss);
          Trace.Take_Up (Schedule.Th_Com_Mon_Perdue);
-         Monitor.Session.Get (Known);
+         Monitor.Session.State.Get (Known);
          Monitor.Sockets.Connection.Sample (Sample);
          if Sample.Known then
             Monitor.Link.Judge (Link, Sample, Verdict);
@@ -389,7 +389,9 @@ package body Monitor.Tasks with SPARK_Mode is
       --  a search for the arena does not wait for a camera that hangs
       Vision.Frame_Store.End_Delivery;
       Monitor.Outbox.Wait_Sender;
-      Monitor.Session.Wait_Receiver_Left;
+      Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
+      Monitor.Session.Receive_Ended.Wait;
+      Trace.Resume (Schedule.Th_Com_Mon_Perdue);
       Task_Ports.Clear;
       --  a camera that hangs in its driver is not waited for: it closes as
       --  soon as the driver lets go of it
@@ -412,14 +414,14 @@ package body Monitor.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Com_Mon_Perdue);
       loop
-         Monitor.Session.Wait_Watch;
+         Monitor.Session.Watch_Begins.Wait;
          Wait_Loss (Why);
-         Monitor.Session.Begin_Closing;
+         Monitor.Session.State.Go_On (Monitor.Session_Stages.Closing);
          Texts.Set (Line, "monitor lost: ");
          Monitor.Link.Append (Line, Why);
          Journal.Put (Options.Warning, Line);
          Bring_Back;
-         Monitor.Session.End_Closing;
+         Monitor.Session.State.Go_On (Monitor.Session_Stages.Closed);
          Monitor.Sockets.Gate.Wake_Server;
          Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;

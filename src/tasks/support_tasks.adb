@@ -73,7 +73,7 @@ package body Support_Tasks with SPARK_Mode is
       Now    : Time;
    begin
       loop
-         Monitor.Session.Get (Known);
+         Monitor.Session.State.Get (Known);
          Robot.Line.Get_Status (Status);
          Vision.Camera_Requests.Get_Idle (Idle);
          exit when Known.Stage in
@@ -133,7 +133,7 @@ package body Support_Tasks with SPARK_Mode is
             Trace.Ordered (Schedule.Th_Stop, Robot.Protocol.Move);
          end if;
          Journal.Put (Options.Info, "stopping");
-         Monitor.Session.Request_Stop;
+         Monitor.Session.State.Stop;
          Monitor.Sockets.Connection.Shut_Down;
          Now := Clock;
          Wait_Session_End

@@ -263,8 +263,8 @@ package body Security_Tests is
       S     : Supervisor;
       M     : Client;
    begin
-      Expect_Console ("--allow 127.0.0.1/8", 2, "bits set beyond");
-      Expect_Console ("--allow 127.0.0.1/33", 2, "0 .. 32");
+      Expect_Console ("--allow 127.0.0.1/8", 2, "no bit set");
+      Expect_Console ("--allow 127.0.0.1/33", 2, "no IPv4 network");
       Expect_Console ("--allow localhost", 2, "no IPv4 network");
       Expect_Console ("--allow ::1", 2, "no IPv4 network");
       Expect_Console

@@ -245,7 +245,7 @@ begin
 
    for I in Sample_Index loop
       Start;
-      Monitor.Session.Get (Stage);
+      Monitor.Session.State.Get (Stage);
       Stop;
    end loop;
    Report ("Monitor.Session.Get");

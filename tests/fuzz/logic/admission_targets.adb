@@ -15,7 +15,6 @@ package body Admission_Targets is
    use Bytes;
    use type Admission.Authentication.Verdict;
    use type Admission.Networks.Network;
-   use type Admission.Networks.Verdict;
 
    function Image (N : Admission.Networks.Network) return String is
       --  ADDRESS/LEN
@@ -53,13 +52,13 @@ package body Admission_Targets is
          Plain : constant String (1 .. Line'Length) := Line;
          N     : Admission.Networks.Network;
          Again : Admission.Networks.Network;
-         V     : Admission.Networks.Verdict;
+         Good  : Boolean;
       begin
-         Admission.Networks.Parse (Plain, N, V);
-         if V = Admission.Networks.Good then
-            Admission.Networks.Parse (Image (N), Again, V);
+         Admission.Networks.Parse (Plain, N, Good);
+         if Good then
+            Admission.Networks.Parse (Image (N), Again, Good);
             Check
-              (V = Admission.Networks.Good and then Again = N
+              (Good and then Again = N
                and then (Image (N) = Plain or else Image (N) = Plain & "/32"),
                "a network is not read as written");
             if L.Count < Admission.Networks.Max_Networks then

@@ -211,16 +211,20 @@ package body Command_Lines_Tests is
         (Eight & " --allow 10.0.0.9", "--allow: more than 8 networks");
       Expect_Wrong
         ("--allow 10.0.0.1/8",
-         "--allow: '10.0.0.1/8' has bits set beyond its first 8");
+         "--allow: '10.0.0.1/8' is no IPv4 network, such as 192.168.1.0/24, "
+         & "with no bit set after its length");
       Expect_Wrong
         ("--allow 10.0.0.0/33",
-         "--allow: the length in '10.0.0.0/33' is not a number in 0 .. 32");
+         "--allow: '10.0.0.0/33' is no IPv4 network, such as 192.168.1.0/24, "
+         & "with no bit set after its length");
       Expect_Wrong
         ("--allow ::1",
-         "--allow: '::1' is no IPv4 network, such as 192.168.1.0/24");
+         "--allow: '::1' is no IPv4 network, such as 192.168.1.0/24, "
+         & "with no bit set after its length");
       Expect_Wrong
         ("--allow=",
-         "--allow: '' is no IPv4 network, such as 192.168.1.0/24");
+         "--allow: '' is no IPv4 network, such as 192.168.1.0/24, "
+         & "with no bit set after its length");
       Expect_Wrong ("--allow", "a value is missing after --allow");
       Expect_Wrong ("--token", "a value is missing after --token");
       Expect_Wrong ("--token=", "a value is missing after --token");
