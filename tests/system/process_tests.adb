@@ -746,7 +746,8 @@ package body Process_Tests is
       --  Nor does --check advise what would not help, and --version needs none
       Filter : constant String := Programs.Copied
         (Ada.Directories.Containing_Directory
-           (Ada.Directories.Containing_Directory (Programs.Supervisor))
+           (Ada.Directories.Containing_Directory
+              (Programs.Beside ("system_tests")))
          & "/tests/system/refuse_real_time");
    begin
       Need_Real_Time;
