@@ -86,7 +86,9 @@ is
       Length := Integer'Max (0, Got);
    end Receive;
 
-   procedure Sample (Link : out Monitor.Link.Sample) is
+   procedure Sample
+     (Patience : Monitor.Link.Milliseconds; Link : out Monitor.Link.Sample)
+   is
       Now         : constant Time := Clock;
       Peer_Socket : constant Socket := Current;
       Owes        : constant Boolean := Owing;
@@ -103,7 +105,7 @@ is
         (Info, Filled,
          Monitor.Link.Time_Of
            (Monitor.Link.Seconds (Whole), Rest / Milliseconds (1)));
-      Link.Owes_Life := Owes;
+      Link.Patience := (if Owes then Monitor.Link.Silent_After else Patience);
    end Sample;
 
    procedure Send

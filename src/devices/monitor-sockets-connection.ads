@@ -45,11 +45,13 @@ is
    with Global => (In_Out => Peer);
    --  Waits until the connection has ended, at most Wait; resolution 1 ms
 
-   procedure Sample (Link : out Monitor.Link.Sample)
+   procedure Sample
+     (Patience : Monitor.Link.Milliseconds; Link : out Monitor.Link.Sample)
    with
      Global => (In_Out => Peer, Input => Ada.Real_Time.Clock_Time);
    --  State of the connection from the kernel (TCP_INFO); only the time is
-   --  valid if the kernel does not provide all that is needed
+   --  valid if the kernel does not provide all that is needed. Patience: with
+   --  a monitor that has not announced signs of life
 
    procedure Leave_To_Kernel with Global => (In_Out => Peer);
    --  For use without samples: the kernel itself ends the connection, which

@@ -41,6 +41,7 @@ package body Command_Lines with SPARK_Mode is
          when Bind        => "--bind",
          when Allow       => "--allow",
          when Token       => "--token",
+         when Silence     => "--monitor-silence",
          when Serial      => "--serial",
          when Answer_Timeout => "--answer-timeout",
          when Camera      => "--camera",
@@ -314,6 +315,11 @@ package body Command_Lines with SPARK_Mode is
          when Token =>
             Read_Text (R, Value, Text);
             R.Chosen.Token_File := Text;
+         when Silence =>
+            Read_Number
+              (R, Value, Options.Silence_Seconds'First,
+               Options.Silence_Seconds'Last, Number);
+            R.Chosen.Silence := Number;
          when Serial =>
             Read_Text (R, Value, Text);
             R.Chosen.Serial := Text;

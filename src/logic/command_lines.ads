@@ -18,7 +18,7 @@ package Command_Lines with SPARK_Mode is
    --  Final: the rest of the command line does not change it
 
    type Option_Kind is
-     (None, Port, Bind, Allow, Token, Serial, Answer_Timeout, Camera,
+     (None, Port, Bind, Allow, Token, Silence, Serial, Answer_Timeout, Camera,
       Frame_Size, Frame_Rate, Quality, Marker, Drawing, Arena_Size,
       Message_Gap, Log_Level, Cpu, Trace, First_Marker, Marker_Size);
 
@@ -68,6 +68,9 @@ package Command_Lines with SPARK_Mode is
      & "  --token FILE         admit monitors that begin with a line AUTH:"
      & LF
      & "                       and the token in the first line of FILE" & LF
+     & "  --monitor-silence S  a monitor is lost that sends nothing for S"
+     & LF
+     & "                       seconds (0: never)" & LF
      & "  --serial PATH        serial line of the robot (/dev/ttyS0)" & LF
      & "  --answer-timeout MS  of the robot, 20 .. 300 (80, for a wire; by"
      & LF

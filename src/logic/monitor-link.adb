@@ -45,9 +45,8 @@ package body Monitor.Link with SPARK_Mode is
             Texts.Append (Line, ": no link, address or route");
          when Monitor_Silent    =>
             Texts.Append
-              (Line, "it announced signs of life, and shows none for ");
-            Texts.Append (Line, Integer (Silent_After));
-            Texts.Append (Line, " ms");
+              (Line, "its program has been silent for longer than it promised "
+               & "(LIVE), or --monitor-silence allows");
          when Monitor_Stalled   =>
             Texts.Append (Line, "it has taken nothing for ");
             Append_Seconds (Line, Stalled_After);

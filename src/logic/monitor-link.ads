@@ -52,8 +52,8 @@ package Monitor.Link with SPARK_Mode is
       --  Monotonic time of the sample.
       Known          : Boolean      := False;
       --  The kernel has filled in the fields below.
-      Owes_Life      : Boolean      := False;
-      --  The monitor has announced signs of life.
+      Patience       : Milliseconds := Milliseconds'Last;
+      --  How long the monitor's program may be silent.
       Unacknowledged : Natural      := 0;
       --  Segments sent and not acknowledged (tcpi_unacked).
       Outstanding    : Natural      := 0;
@@ -78,7 +78,7 @@ package Monitor.Link with SPARK_Mode is
      (Present,
       Vanished,     --  no acknowledgements: the peer or the route is gone
       Unreachable,  --  nothing can be sent: link, address or route is gone
-      Silent,       --  the signs of life that it announced do not come
+      Silent,       --  its program has been silent for too long
       Stalled);     --  it acknowledges with a closed window: nobody reads
 
    type State is record
@@ -125,7 +125,7 @@ package Monitor.Link with SPARK_Mode is
    --  admission, the kernel may not have probed the peer for long.
 
    function Is_Silent (X : Sample) return Boolean is
-     (X.Owes_Life and then X.Since_Data > Silent_After);
+     (X.Since_Data > X.Patience);
 
    function Is_Stalled (S : State; X : Sample) return Boolean is
      (S.Holding and then Elapsed (S.Holding_Since, X.Now) >= Stalled_After);

@@ -24,6 +24,8 @@ package Options with SPARK_Mode is
    subtype Percentage is Positive range 1 .. 100;
    subtype Milliseconds is Monitor.Send_Order.Milliseconds;
 
+   subtype Silence_Seconds is Natural range 0 .. 3_600;
+
    subtype Answer_Milliseconds is Positive range 20 .. 300;
    --  The shortest answer takes 10 ms; with 300 ms four failures in a row
    --  still take less than 2 s
@@ -53,6 +55,8 @@ package Options with SPARK_Mode is
       --  networks whose monitors are admitted; empty: all
       Token_File  : Texts.Text;
       --  file with the token that monitors must send; empty: none
+      Silence     : Silence_Seconds := 0;
+      --  after which a monitor counts as lost; 0: never
       Serial      : Texts.Text   := Texts.To_Text ("/dev/ttyS0");
       Answer_Timeout : Answer_Milliseconds := Schedule.Answer_Timeout_Ms;
       --  of the robot, from the end of a command

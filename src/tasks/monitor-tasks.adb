@@ -336,6 +336,11 @@ package body Monitor.Tasks with SPARK_Mode is
    end Th_Send_To_Mon;
 
    procedure Wait_Loss (Why : out Monitor.Link.Cause) is
+      Seconds  : constant Options.Silence_Seconds :=
+        Settings.Command_Line.Chosen.Silence;
+      Patience : constant Monitor.Link.Milliseconds :=
+        (if Seconds = 0 then Monitor.Link.Milliseconds'Last
+         else Monitor.Link.Milliseconds (1_000 * Seconds));
       Link    : Monitor.Link.State;
       Sample  : Monitor.Link.Sample;
       Verdict : Monitor.Link.Verdict := Monitor.Link.Present;
@@ -344,7 +349,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Line    : Texts.Text;
       Now     : Time;
    begin
-      Monitor.Sockets.Connection.Sample (Sample);
+      Monitor.Sockets.Connection.Sample (Patience, Sample);
       if not Sample.Known then
          Monitor.Sockets.Connection.Leave_To_Kernel;
          Texts.Set
@@ -359,7 +364,7 @@ package body Monitor.Tasks with SPARK_Mode is
          Monitor.Sockets.Connection.Watch (Schedule.Link_Period, Loss);
          Trace.Take_Up (Schedule.Th_Com_Mon_Perdue);
          Monitor.Session.State.Get (Known);
-         Monitor.Sockets.Connection.Sample (Sample);
+         Monitor.Sockets.Connection.Sample (Patience, Sample);
          if Sample.Known then
             Monitor.Link.Judge (Link, Sample, Verdict);
          end if;

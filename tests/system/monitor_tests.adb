@@ -724,7 +724,7 @@ package body Monitor_Tests is
       Stop := Announced.Emulator.Await_On_Wire ("M=0");
       Check_Within (Stop.First - Last, Silence_Limit, "the stop");
       Announced.Supervisor.Expect_Log
-        ("monitor lost: it announced signs of life, and shows none");
+        ("monitor lost: its program has been silent for longer");
       Expect_New_Session (Announced);
 
       --  what one has announced, another does not owe
@@ -738,6 +738,31 @@ package body Monitor_Tests is
          and then Plain.Emulator.Status ("moving") = "1",
          "a monitor that has announced nothing was given up");
    end Announced_And_Silent;
+
+   procedure Silent_For_Too_Long is
+      --  It announces nothing, but the supervisor is told what to allow
+      R    : Rig;
+      Last : Instant;
+      Stop : Emulators.Note;
+   begin
+      Assemble (R, Supervisor_Options => "--monitor-silence 2");
+      if R.Supervisor.Says ("no TCP_INFO") then
+         Skip ("this kernel does not tell when data came");
+      end if;
+      Move_Forward (R);
+      for I in 1 .. 4 loop
+         delay 1.0;
+         R.Monitor.Expect ("what", "ACER");
+      end loop;
+      Last := Now;
+      Check
+        (R.Emulator.Status ("moving") = "1", "one that speaks is given up");
+      Stop := R.Emulator.Await_On_Wire ("M=0");
+      Check (Stop.First - Last >= 1.9, "too soon");
+      R.Supervisor.Expect_Log
+        ("monitor lost: its program has been silent for longer");
+      Expect_New_Session (R);
+   end Silent_For_Too_Long;
 
    procedure Start_Console (R : in out Rig; Tool : in out Child) is
       --  The project's own monitor, which drives
@@ -967,6 +992,8 @@ package body Monitor_Tests is
       Add ("F05_Monitor_Stalled", Stalled'Access, Timed => True);
       Add ("Never_Moves_On_For_A_Silent_Monitor",
            Announced_And_Silent'Access);
+      Add ("Never_Moves_On_Beyond_Monitor_Silence",
+           Silent_For_Too_Long'Access);
       Add ("Never_Moves_On_For_A_Frozen_Console", Console_Frozen'Access);
       Add ("Never_Moves_On_For_Long", Announced_In_Time'Access,
            Timed => True);

@@ -87,8 +87,8 @@ package body Command_Lines_Tests is
    procedure Test_Every_Option is
       R : constant Reading := Read
         ("--port 7 --bind 127.0.0.1 --allow 10.0.0.0/8 --allow 127.0.0.1"
-         & " --token /etc/token --serial /dev/pts/3 --answer-timeout 150"
-         & " --camera a.mp4"
+         & " --token /etc/token --monitor-silence 30 --serial /dev/pts/3"
+         & " --answer-timeout 150 --camera a.mp4"
          & " --frame-size 320x240 --fps 25 --jpeg-quality 55"
          & " --marker triangle --draw none --arena-size 120x90 --message-gap 9"
          & " --log-level debug --cpu 3"
@@ -106,6 +106,7 @@ package body Command_Lines_Tests is
                          others => (0, 0)),
                Count => 2),
             Token_File  => Texts.To_Text ("/etc/token"),
+            Silence     => 30,
             Serial      => Texts.To_Text ("/dev/pts/3"),
             Answer_Timeout => 150,
             Camera      => Texts.To_Text ("a.mp4"),

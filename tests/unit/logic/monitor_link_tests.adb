@@ -33,7 +33,7 @@ package body Monitor_Link_Tests is
       Bytes_Acked    : Byte_Count;
       Window         : Natural      := Open;
       Probes         : Natural      := 0;
-      Owes_Life      : Boolean      := False;
+      Patience       : Milliseconds := Milliseconds'Last;
       Since_Data     : Milliseconds := Milliseconds'Last) return Verdict
    is
       --  The verdict on the sample after a period more.
@@ -43,7 +43,7 @@ package body Monitor_Link_Tests is
       Judge (S,
              (Now            => Now,
               Known          => True,
-              Owes_Life      => Owes_Life,
+              Patience       => Patience,
               Unacknowledged => Unacknowledged,
               Outstanding    => Outstanding,
               Window         => Window,
@@ -313,18 +313,18 @@ package body Monitor_Link_Tests is
       Begin_At (0);
       for I in 1 .. 1_000 loop
          Assert
-           (Next (0, 10, 0, Byte_Count (I), Owes_Life => False,
+           (Next (0, 10, 0, Byte_Count (I),
                   Since_Data => Milliseconds (I) * Step) = Present,
-            "it has announced nothing");
+            "it owes nothing");
       end loop;
       for I in Milliseconds range 0 .. 2_000 loop
          Assert
-           (Next (0, 10, 0, 1, Owes_Life => True, Since_Data => I)
+           (Next (0, 10, 0, 1, Patience => 800, Since_Data => I)
               = (if I > 800 then Silent else Present),
             I'Image);
       end loop;
       Assert
-        (Next (0, 10, 0, 1, Owes_Life => True, Since_Data => 0) = Present,
+        (Next (0, 10, 0, 1, Patience => 800, Since_Data => 0) = Present,
          "data again");
 
       --  Whichever is found first
@@ -332,7 +332,7 @@ package body Monitor_Link_Tests is
       Begin_At (0);
       for I in 1 .. 41 loop
          Assert
-           (Next (1, Milliseconds (I) * Step, 7, 1, Owes_Life => True,
+           (Next (1, Milliseconds (I) * Step, 7, 1, Patience => 800,
                   Since_Data => Milliseconds (I) * Step)
               = (if I = 41 then Vanished elsif I > 8 then Silent
                  else Present),
@@ -403,7 +403,8 @@ package body Monitor_Link_Tests is
              "it cannot be reached, nothing could be sent for 4 s: no link, "
              & "address or route");
       Check (False, None, Silent,
-             "it announced signs of life, and shows none for 800 ms");
+             "its program has been silent for longer than it promised (LIVE), "
+             & "or --monitor-silence allows");
       Check (False, None, Stalled, "it has taken nothing for 15 s");
    end Test_Cause;
 

@@ -58,7 +58,7 @@ package body Tcp_Infos_Tests is
       Assert
         (S = (Now            => 1_000,
               Known          => True,
-              Owes_Life      => False,
+              Patience       => Milliseconds'Last,
               Unacknowledged => 2,
               Outstanding    => 102,
               Window         => Natural'Last,
