@@ -154,6 +154,7 @@ is
       Set_Reason (Reason, Error);
       if Success then
          File := Opened;
+         Calls.Empty (Opened);
          Ring.Reset;
          Calls.Ignore_Size_Signal;
          Calls.Get_Time (Now);

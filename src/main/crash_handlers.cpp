@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include <sys/ioctl.h>
+#include <sys/syscall.h>
 #include <termios.h>
 #include <time.h>
 #include <ucontext.h>
@@ -115,5 +116,14 @@ void destijl_catch_crashes(const unsigned char *frame, int length) {
     ours.sa_sigaction = on_crash;
     sigaction(signal, &ours, nullptr);
   }
+  // 32: glibc's own, of pthread_cancel, which sets it when it is first used. Until
+  // then it would end the process, and glibc lets no program block or handle it.
+  struct {
+    void (*handler)(int);
+    unsigned long flags;
+    void (*restorer)();
+    unsigned long mask;
+  } ignore{SIG_IGN, 0, nullptr, 0};
+  syscall(SYS_rt_sigaction, 32, &ignore, nullptr, sizeof ignore.mask);
   std::atexit(on_exit_by_library);
 }

@@ -67,3 +67,25 @@ def test_bad_lines(tmp_path: Path, line: str) -> None:
     done = convert(tmp_path / "trace", f"{HEAD}{line}\n")
     assert done.returncode == 1 and "trace: /" in done.stderr, done.stderr
     assert "Traceback" not in done.stderr and done.stdout == ""
+
+
+def test_file_of_a_full_disk(tmp_path: Path) -> None:
+    """Its last line is cut, also within a time."""
+    whole = f"{HEAD}0.5 th_move start\n"
+    (same,) = {
+        convert(tmp_path / "trace", whole + cut).stdout for cut in ("", "0.7", "0")
+    }
+    assert json.loads(same)["traceEvents"]
+
+
+def test_nobody_reads(tmp_path: Path) -> None:
+    path = tmp_path / "trace"
+    path.write_text(HEAD + "0.5 th_move start\n" * 10_000, encoding="ascii")
+    done = subprocess.run(
+        f"{PROGRAM} {path} | head -c 10",
+        shell=True,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stderr == f"trace: {path}: [Errno 32] Broken pipe\n"

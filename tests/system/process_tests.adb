@@ -92,21 +92,22 @@ package body Process_Tests is
 
    procedure Stopped_By_Others is
       --  Ctrl-\, SIGUSR1, SIGUSR2, SIGALRM, Ctrl-Z, SIGXCPU, SIGVTALRM,
-      --  SIGPWR, one of real time
+      --  SIGPWR, two of real time
    begin
-      for Signal of Signals'(3, 10, 12, 14, 20, 24, 26, 30, 40) loop
+      for Signal of Signals'(3, 10, 12, 14, 20, 24, 26, 30, 40, 64) loop
          Note ("signal" & Signal'Image);
          Stop_While_Moving (Signal);
       end loop;
    end Stopped_By_Others;
 
    procedure Not_Stopped_By_Hang_Up is
-      --  Where it is ignored; nor by a limit of a file or a terminal
+      --  Where it is ignored; nor by a limit of a file or a terminal, nor by
+      --  the signals that glibc has for itself
       R : Rig;
    begin
       Assemble (R, Launcher => "nohup");
       R.Monitor.Expect ("ROPN", "AACK");
-      for Signal of Signals'(Libc.Sighup, 13, 21, 22, 25) loop
+      for Signal of Signals'(Libc.Sighup, 13, 21, 22, 25, 32, 33) loop
          R.Supervisor.Send_Signal (Signal);
       end loop;
       R.Monitor.Expect ("RPIN", "AACK");
