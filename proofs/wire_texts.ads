@@ -3,8 +3,8 @@
 --  decoder share one table, so a mistake in it would cancel out. GNATprove
 --  compares the tables with these texts.
 
+with Commands;         use Commands;
 with Monitor.Protocol; use Monitor.Protocol;
-with Order_Meanings;   use Order_Meanings;
 with Robot.Protocol;   use Robot.Protocol;
 with Robot.Session;
 
@@ -12,120 +12,130 @@ package Wire_Texts with SPARK_Mode, Ghost is
 
    use type Robot.Session.Outcome_Kind;
 
-   --  Messages of the monitor
+   --  Commands of the monitor
 
-   function Is_Label (Text : Label_Text; Kind : Known_Kind) return Boolean is
-     (Text =
-        (case Kind is
-            when Open_Robot                   => "ROPN",
-            when Close_Robot                  => "RCLS",
-            when Start_Robot                  => "RSOW",
-            when Start_Robot_Watchdog         => "RSWW",
-            when Reset_Robot                  => "RRST",
-            when Ping_Robot                   => "RPIN",
-            when Reload_Watchdog              => "RLDW",
-            when Go_Forward                   => "RGFW",
-            when Go_Backward                  => "RGBW",
-            when Go_Left                      => "RGLF",
-            when Go_Right                     => "RGRI",
-            when Stop_Robot                   => "RSTP",
-            when Abort_Mission                => "MABT",
-            when Move_Robot                   => "RMOV",
-            when Turn_Robot                   => "RTRN",
-            when Power_Off_Robot              => "RPOF",
-            when Monitor.Protocol.Get_Battery => "RGBT",
-            when Get_State                    => "RGST",
-            when Open_Camera                  => "COPN",
-            when Close_Camera                 => "CCLS",
-            when Ask_Arena                    => "CASA",
-            when Confirm_Arena                => "CACO",
-            when Reject_Arena                 => "CAIN",
-            when Start_Position               => "CPCO",
-            when Stop_Position                => "CPST",
-            when Go_To_Pixels                 => "MGTO",
-            when Follow_Pixels                => "MPTH",
-            when Go_To_Centimetres            => "MGCM",
-            when Follow_Centimetres           => "MPCM",
-            when Sign_Of_Life                 => "LIVE",
-            when Log_Message                  => "MSSG"));
-
-   procedure Prove_Label (Kind : Known_Kind)
-   with Post => Is_Label (Label (Kind), Kind);
+   procedure Prove_Labels
+   with
+     Post => Table (Open_Robot).Label = "ROPN"
+       and then Table (Close_Robot).Label = "RCLS"
+       and then Table (Start_Robot).Label = "RSOW"
+       and then Table (Start_Robot_Watchdog).Label = "RSWW"
+       and then Table (Reset_Robot).Label = "RRST"
+       and then Table (Ping_Robot).Label = "RPIN"
+       and then Table (Reload_Watchdog).Label = "RLDW"
+       and then Table (Go_Forward).Label = "RGFW"
+       and then Table (Go_Backward).Label = "RGBW"
+       and then Table (Go_Left).Label = "RGLF"
+       and then Table (Go_Right).Label = "RGRI"
+       and then Table (Stop_Robot).Label = "RSTP"
+       and then Table (Abort_Mission).Label = "MABT"
+       and then Table (Move_Robot).Label = "RMOV"
+       and then Table (Turn_Robot).Label = "RTRN"
+       and then Table (Power_Off_Robot).Label = "RPOF"
+       and then Table (Get_Battery).Label = "RGBT"
+       and then Table (Get_State).Label = "RGST"
+       and then Table (Open_Camera).Label = "COPN"
+       and then Table (Close_Camera).Label = "CCLS"
+       and then Table (Ask_Arena).Label = "CASA"
+       and then Table (Confirm_Arena).Label = "CACO"
+       and then Table (Reject_Arena).Label = "CAIN"
+       and then Table (Start_Position).Label = "CPCO"
+       and then Table (Stop_Position).Label = "CPST"
+       and then Table (Go_To_Pixels).Label = "MGTO"
+       and then Table (Follow_Pixels).Label = "MPTH"
+       and then Table (Go_To_Centimetres).Label = "MGCM"
+       and then Table (Follow_Centimetres).Label = "MPCM"
+       and then Table (Sign_Of_Life).Label = "LIVE"
+       and then Table (Log_Message).Label = "MSSG";
 
    --  The resulting commands to the robot
 
-   function Is_Command
-     (Letter : Character; Value : Integer; M : Message) return Boolean
-   is (case Robot_Order'(M.Kind) is
-          when Open_Robot | Reset_Robot     => Letter = 'r',
-          when Start_Robot                  => Letter = 'u',
-          when Start_Robot_Watchdog         => Letter = 'W',
-          when Ping_Robot                   => Letter = 'p',
-          when Reload_Watchdog              => Letter = 'w',
-          when Power_Off_Robot              => Letter = 'z',
-          when Monitor.Protocol.Get_Battery => Letter = 'v',
-          when Get_State                    => Letter = 'b',
+   function Is_Frame
+     (Letter : Character; Value : Integer; C : Commands.Command)
+     return Boolean
+   is (case Robot_Command'(C.Name) is
+          when Open_Robot | Reset_Robot => Letter = 'r',
+          when Start_Robot              => Letter = 'u',
+          when Start_Robot_Watchdog     => Letter = 'W',
+          when Ping_Robot               => Letter = 'p',
+          when Reload_Watchdog          => Letter = 'w',
+          when Power_Off_Robot          => Letter = 'z',
+          when Get_Battery              => Letter = 'v',
+          when Get_State                => Letter = 'b',
           when Close_Robot | Stop_Robot | Abort_Mission =>
             Letter = 'M' and then Value = 0,
-          when Go_Forward                   =>
+          when Go_Forward               =>
             Letter = 'M' and then Value = 32_767,
-          when Go_Backward                  =>
+          when Go_Backward              =>
             Letter = 'M' and then Value = -32_768,
-          when Go_Left                      =>
+          when Go_Left                  =>
             Letter = 'T' and then Value = 32_767,
-          when Go_Right                     =>
+          when Go_Right                 =>
             Letter = 'T' and then Value = -32_768,
-          when Move_Robot                   =>
-            Letter = 'M' and then Value = M.Value,
-          when Turn_Robot                   =>
-            Letter = 'T' and then Value = M.Value)
-   with Pre => M.Kind in Robot_Order;
+          when Move_Robot               =>
+            Letter = 'M' and then Value = C.Value,
+          when Turn_Robot               =>
+            Letter = 'T' and then Value = C.Value)
+   with Pre => C.Name in Robot_Command;
    --  The letter of the frame and the number after it
 
-   procedure Prove_Command (M : Message)
+   procedure Prove_Frame (C : Commands.Command)
    with
-     Pre  => M.Kind in Robot_Order,
-     Post => Is_Command
-       (Letter (Robot.Session.Command_For (Request_Of (M)).Kind),
-        Robot.Session.Command_For (Request_Of (M)).Value, M);
+     Pre  => C.Name in Robot_Command,
+     Post => Is_Frame
+       (Letter (Robot.Session.Command_For (Request_Of (C)).Kind),
+        Robot.Session.Command_For (Request_Of (C)).Value, C);
 
-   --  Answers to the monitor
+   --  Replies to the monitor
 
    function Says (Line : Short_Text; Text : String) return Boolean is
      (Line.Length = Text'Length + 1
       and then Line.Data (1 .. Text'Length) = Text
       and then Line.Data (Line.Length) = Line_Feed)
-   with Pre => Text'Length < Max_Short;
+   with Pre => Text'Length < Max_Short_Line;
 
-   procedure Prove_Answer
-     (Kind : Robot_Order; Result : Robot.Session.Outcome)
-   with
-     Post => Says
-       (Wire_Text (Answer_To (Kind, Result)),
-        (case Result.Kind is
-            when Robot.Session.Refused    => "ACRJ",
-            when Robot.Session.Timed_Out  => "ATIM",
-            when Robot.Session.Not_Open
-               | Robot.Session.Not_Opened => "ANAK",
-            when Robot.Session.Done       =>
-              (if Kind = Monitor.Protocol.Get_Battery then
-                 (case Result.Value is
-                     when 0 => "RBLV:0",
-                     when 1 => "RBLV:1",
-                     when 2 => "RBLV:2")
-               elsif Kind = Get_State then
-                 (if Result.Value = 0 then "RCST:0" else "RCST:1")
-               else "AACK")));
+   function Says
+     (Line : Short_Text; Start : String; Result : Robot.Session.Outcome)
+     return Boolean
+   is (Line.Length = Start'Length + Result.Text.Length + 1
+       and then Line.Data (1 .. Start'Length) = Start
+       and then (for all I in 1 .. Result.Text.Length =>
+                   Line.Data (Start'Length + I) = Result.Text.Data (I))
+       and then Line.Data (Line.Length) = Line_Feed)
+   with Pre => Start'Length = 5;
+   --  Start, and the robot's text
 
-   procedure Prove_Vision_Answer (Done : Boolean)
+   procedure Prove_Reply
+     (Name : Robot_Command; Result : Robot.Session.Outcome)
    with
-     Post => Says
-       (Wire_Text (Answer_To (Done)), (if Done then "AACK" else "ANAK"));
+     Post =>
+       (case Result.Kind is
+           when Robot.Session.Refused    =>
+             Says (Reply_To (Name, Result), "ACRJ"),
+           when Robot.Session.Timed_Out  =>
+             Says (Reply_To (Name, Result), "ATIM"),
+           when Robot.Session.Not_Open | Robot.Session.Not_Opened =>
+             Says (Reply_To (Name, Result), "ANAK"),
+           when Robot.Session.Done       =>
+             (case Name is
+                 when Get_Battery =>
+                   Says (Reply_To (Name, Result), "RBLV:", Result),
+                 when Get_State   =>
+                   Says (Reply_To (Name, Result), "RCST:", Result),
+                 when others      =>
+                   Says (Reply_To (Name, Result), "AACK")));
 
-   procedure Prove_Other_Answers
+   procedure Prove_Vision_Reply (Done : Boolean)
    with
-     Post => Says (Wire_Text (Not_Understood), "ACER")
-       and then Says (Wire_Text (Monitor.Protocol.Timed_Out), "ATIM")
-       and then Says (Wire_Text (Battery_Answer (-1)), "RBLV:-1");
+     Post => Says (Reply_To (Done), (if Done then "AACK" else "ANAK"));
+
+   procedure Prove_Other_Messages (Result : Robot.Session.Outcome)
+   with
+     Post => Says (Not_Understood, "ACER")
+       and then Says (Monitor.Protocol.Timed_Out, "ATIM")
+       and then
+         (if Result.Kind = Robot.Session.Done
+          then Says (Battery_Notice (Result), "RBLV:", Result)
+          else Says (Battery_Notice (Result), "RBLV:-1"));
 
 end Wire_Texts;

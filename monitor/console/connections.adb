@@ -6,6 +6,7 @@ with Ada.Exceptions;
 with Ada.Real_Time;         use Ada.Real_Time;
 with Ada.Streams;           use Ada.Streams;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Commands;
 with Exchanges;             use Exchanges;
 with GNAT.OS_Lib;
 with GNAT.Sockets;          use GNAT.Sockets;
@@ -256,23 +257,23 @@ package body Connections is
    end Reader;
 
    procedure Send (Line : String) is
-      use Monitor.Protocol;
+      use Commands;
 
-      Known : Message;
+      Known : Commands.Command;
       OK    : Boolean := True;
    begin
-      Parse (Line, Known);
+      Monitor.Protocol.Parse (Line, Known);
       Accounts.Put_Sent (Line);
-      if Is_Answered (Known.Kind) then
+      if Is_Answered (Known.Name) then
          Exchange.Note_Sent
-           ((To_Unbounded_String (Line), Known.Kind, Clock, False), OK);
+           ((To_Unbounded_String (Line), Known.Name, Clock, False), OK);
       end if;
       if not OK then
          Terminals.Put_Error ("not sent: too many commands are waiting");
          return;
       end if;
 
-      if Known.Kind in Mission_Order then
+      if Known.Name in Mission_Command then
          Exchange.Watch (Words.Mission);
       end if;
       Write_Line (Line);
@@ -283,7 +284,7 @@ package body Connections is
 
    procedure Show_Life is
    begin
-      Write_Line (Monitor.Protocol.Label (Monitor.Protocol.Sign_Of_Life));
+      Write_Line (Commands.Table (Commands.Sign_Of_Life).Label);
    exception
       when Socket_Error =>
          null;  --  the reader sees why

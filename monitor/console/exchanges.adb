@@ -1,11 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Matches answers to commands.
 
-with Monitor.Protocol; use Monitor.Protocol;
+with Commands; use Commands;
 
 package body Exchanges is
-
-   subtype Robot_Kind is Message_Kind range Open_Robot .. Get_State;
 
    Longest_Kept : constant := 16;
    --  Of an answer. Of a longer one, an image, only the label is kept.
@@ -20,13 +18,11 @@ package body Exchanges is
         Line (Line'First .. Integer'Min (Line'First + 3, Line'Last));
    begin
       return
-        (if Label in "AACK" | "ANAK" | "ACRJ" | "ACER" then True
-         elsif Label = "ATIM" then Given.Kind in Robot_Kind
-         elsif Label = Battery_Label then Given.Kind = Get_Battery
-         elsif Label = State_Label then Given.Kind = Get_State
-         elsif Label = Image_Label then
-            Given.Kind = Ask_Arena and then Begun_At >= Given.Sent_At
-         else False);
+        (if Label in Done_Label | "ANAK" | "ACRJ" | "ACER" then True
+         elsif Label = "ATIM" then Given.Name in Robot_Command
+         else Label = Table (Given.Name).Reply
+           and then (Given.Name /= Ask_Arena
+                     or else Begun_At >= Given.Sent_At));
    end Can_Answer;
 
    protected body Exchange is

@@ -4,14 +4,14 @@
 
 with Ada.Real_Time;           use Ada.Real_Time;
 with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
-with Monitor.Protocol;
+with Commands;
 with Words;
 
 package Exchanges is
 
    type Command is record
       Text    : Unbounded_String;               --  as it was sent
-      Kind    : Monitor.Protocol.Message_Kind;
+      Name    : Commands.Command_Name;
       Sent_At : Time;
       Overdue : Boolean := False;               --  reported as unanswered
    end record;
@@ -22,7 +22,7 @@ package Exchanges is
 
    type Count is range 0 .. Capacity;
 
-   type Commands is array (Count range 1 .. Capacity) of Command;
+   type Command_Array is array (Count range 1 .. Capacity) of Command;
 
    type Seen_Flags is array (Words.Message_Class) of Boolean;
 
@@ -86,7 +86,7 @@ package Exchanges is
       entry Reading_Ended;
 
    private
-      Pending : Commands;
+      Pending : Command_Array;
       Waiting : Count            := 0;
       Due     : Natural          := 0;  --  of these, not overdue
       Untold  : Natural          := 0;  --  found, not yet published

@@ -4,6 +4,7 @@
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
 with Ada.Strings.Maps;
+with Commands;                use Commands;
 with Monitor.Protocol;        use Monitor.Protocol;
 with Numerals;
 
@@ -11,7 +12,7 @@ package body Words is
 
    type Phrase is record
       Words : Unbounded_String;
-      Sends : Known_Kind;
+      Sends : Known_Command;
       Means : Unbounded_String;
    end record;
 
@@ -49,6 +50,9 @@ package body Words is
       (+"follow", Follow_Centimetres, +"1 to 64 such points"),
       (+"say", Log_Message, +"TEXT for the supervisor's log"));
 
+   function Label (Name : Known_Command) return Label_Text is
+     (Table (Name).Label);
+
    function Trimmed (Text : String) return String is
      (Trim (Text, Ada.Strings.Both));
 
@@ -77,9 +81,9 @@ package body Words is
    function Sending (Text : String) return Action is
      (Kind => Send, Text => +Text, others => <>);
 
-   function Mission_Line (Kind : Mission_Order; Points : String)
+   function Mission_Line (Name : Mission_Command; Points : String)
      return String
-   is (Label (Kind) & Separator
+   is (Label (Name) & Separator
        & Ada.Strings.Fixed.Translate
            (Spaced (Points), Ada.Strings.Maps.To_Mapping (" ", ";")));
    --  Blanks between the coordinates will do
@@ -92,18 +96,19 @@ package body Words is
    --  Try_Action and Wait_Action get the line without its first word.
 
    function Is_Acknowledged (Answer : String) return Boolean is
-     (Head (Answer, 4) in
-        "AACK" | Image_Label | Battery_Label | State_Label);
+     (Answer /= ""
+      and then (for some N in Known_Command =>
+                  Table (N).Reply = Head (Answer, 4)));
 
    function Is_As_Expected (Answer : String; Wanted : String) return Boolean
    is (Answer = Wanted or else Head (Answer, 4) = Wanted);
 
    function Is_Understood (Line : String) return Boolean is
       --  The supervisor takes it
-      M : Message;
+      C : Command;
    begin
-      Parse (Line, M);
-      return M.Kind /= Malformed;
+      Parse (Line, C);
+      return C.Name /= Malformed;
    end Is_Understood;
 
    procedure List (Put_Line : not null access procedure (Line : String)) is
@@ -113,12 +118,13 @@ package body Words is
          Put_Line.all ("  " & Head (Word, 18) & Meaning);
       end Put_Entry;
 
-      function Data (Kind : Known_Kind) return String is
-        (if Takes_Number (Kind) then " N"
-         elsif Kind in Mission_Order then
-           (if Is_Single (Kind) then " X;Y" else " X;Y;...")
-         elsif Takes_Text (Kind) then " TEXT"
-         else "");
+      function Data (Name : Known_Command) return String is
+        (case Table (Name).Data is
+            when None                     => "",
+            when Number                   => " N",
+            when Commands.Text            => " TEXT",
+            when Pixel_Point | Arena_Point => " X;Y",
+            when Pixel_Path | Arena_Path  => " X;Y;...");
 
    begin
       for P of Phrases loop
@@ -148,7 +154,7 @@ package body Words is
       OK     : Boolean;
    begin
       for P of Phrases loop
-         if Takes_Text (P.Sends) then
+         if Table (P.Sends).Data = Commands.Text then
             if First_Word (Lower) = P.Words then
                return Sending (Label (P.Sends) & Separator & Rest (Line));
             end if;
@@ -164,7 +170,7 @@ package body Words is
                     (To_String (P.Words) & " wants a whole number"));
             end if;
 
-         elsif P.Sends in Mission_Order then
+         elsif P.Sends in Mission_Command then
             if Head (Spaced (Lower), Length (P.Words) + 1) = P.Words & " "
             then
                declare
@@ -200,7 +206,7 @@ package body Words is
       elsif Is_Bare (Text)
         and then
           (Text'Length > 4
-           or else (for some K in Known_Kind => Label (K) = Text))
+           or else (for some K in Known_Command => Label (K) = Text))
       then
          return Sending (Text);
       end if;

@@ -13,8 +13,6 @@ package body Trace with
        (On, File, First, Trace.Calls.System_State, Trace.Ring.Memory))
 is
 
-   use type Monitor.Protocol.Message_Kind;
-
    On    : Boolean := False
      with Atomic, Async_Readers, Async_Writers;
    File  : Descriptor := None
@@ -377,14 +375,13 @@ is
    end Idle;
 
    procedure Received
-     (Kind : Monitor.Protocol.Message_Kind; Number : Orders.Ticket) is
+     (Name : Commands.Command_Name; Number : Orders.Ticket) is
    begin
       Put (Received, Schedule.Th_Receive_From_Mon, Unsigned_64 (Number),
-           (if Kind = Monitor.Protocol.Malformed then "none  "
-            else Monitor.Protocol.Label (Kind) & "  "));
+           Commands.Table (Name).Label & "  ");
    end Received;
 
-   procedure Sent (Label : Monitor.Protocol.Label_Text) is
+   procedure Sent (Label : Commands.Label_Text) is
    begin
       Put (Sent, Schedule.Th_Send_To_Mon, Label => Label & "  ");
    end Sent;

@@ -3,7 +3,7 @@
 --  memory, and at the end in a file. Without --trace each call tests one flag.
 
 with Ada.Real_Time;
-with Monitor.Protocol;
+with Commands;
 with Orders;
 with Robot.Protocol;
 with Schedule;
@@ -92,11 +92,11 @@ is
    --  Who was released, but has nothing to do
 
    procedure Received
-     (Kind : Monitor.Protocol.Message_Kind; Number : Orders.Ticket)
+     (Name : Commands.Command_Name; Number : Orders.Ticket)
    with Global => (In_Out => Recorder);
    --  A command of the monitor has been received
 
-   procedure Sent (Label : Monitor.Protocol.Label_Text)
+   procedure Sent (Label : Commands.Label_Text)
    with Global => (In_Out => Recorder);
    --  A message to the monitor has been sent
 

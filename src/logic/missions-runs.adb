@@ -805,7 +805,9 @@ package body Missions.Runs with SPARK_Mode is
             end if;
 
          when Ask =>
-            if Result.Kind = Robot.Session.Done and then Result.Value = 0 then
+            if Result.Kind = Robot.Session.Done
+              and then Robot.Session.Is_Zero (Result)
+            then
                Arrive (R, Now);
             else
                if Result.Kind = Robot.Session.Done and then not R.Sure then

@@ -1,9 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
+with Commands;
+
 package body Missions.Texts with SPARK_Mode is
 
    procedure Begin_Line
-     (Label : Label_Text; Line : out Short_Line; Last : out Natural)
+     (Label : Commands.Label_Text; Line : out Short_Line; Last : out Natural)
    with
      Post => Last = 5
        and then Begins_With (Line, Label)
@@ -24,7 +26,8 @@ package body Missions.Texts with SPARK_Mode is
    --  Appends Value and Ending
 
    procedure Begin_Line
-     (Label : Label_Text; Line : out Short_Line; Last : out Natural) is
+     (Label : Commands.Label_Text; Line : out Short_Line; Last : out Natural)
+   is
    begin
       Line := (others => ' ');
       Line (1 .. 4) := Label;

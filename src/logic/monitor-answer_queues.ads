@@ -20,7 +20,7 @@ package Monitor.Answer_Queues with SPARK_Mode is
 
    type Answer is record
       State : State_Kind := Awaited;
-      Kind  : Monitor.Protocol.Answer_Kind := Monitor.Protocol.Acknowledged;
+      Line  : Monitor.Protocol.Short_Text;
       --  of Ready_Text
    end record;
 

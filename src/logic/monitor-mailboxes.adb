@@ -89,40 +89,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Drop_Unsolicited (B);
    end Close_Session;
 
-   procedure Compose (From : Item; Line : out Short_Line) is
-
-      procedure Append (Text : String)
-      with
-        Pre  => Text'Length
-          <= Monitor.Protocol.Max_Short_Line - Line.Length,
-        Post => Line.Length = Line.Length'Old + Text'Length
-          and then Line.Data (1 .. Line.Length'Old) =
-            Line.Data'Old (1 .. Line.Length'Old)
-          and then Line.Data (Line.Length'Old + 1 .. Line.Length) = Text;
-
-      procedure Append (Text : String) is
-      begin
-         Line.Data (Line.Length + 1 .. Line.Length + Text'Length) := Text;
-         Line.Length := Line.Length + Text'Length;
-      end Append;
-
-   begin
-      Line := (others => <>);
-      case From.Kind is
-         when Text     =>
-            Append (Monitor.Protocol.Log_Label);
-            Append ((1 => Monitor.Protocol.Separator));
-            Append (Monitor.Notices.Text_Of (From.Told));
-            Append ((1 => Monitor.Protocol.Line_Feed));
-         when Mission | Position =>
-            Line := From.Line;
-         when others   =>
-            Append
-              (Monitor.Protocol.Wire_Text (From.Answer).Data
-                 (1 .. Monitor.Protocol.Wire_Text (From.Answer).Length));
-      end case;
-   end Compose;
-
    procedure Drop_Unsolicited (B : in out Mailbox) is
    begin
       B.Lost := False;
@@ -187,14 +153,14 @@ package body Monitor.Mailboxes with SPARK_Mode is
    end Put_Arena;
 
    procedure Put_Answer
-     (B : in out Mailbox; Number : Orders.Ticket; Answer : Answer_Kind) is
+     (B : in out Mailbox; Number : Orders.Ticket; Line : Short_Text) is
    begin
-      Put (B, Number, (State => Ready_Text, Kind => Answer));
+      Put (B, Number, (State => Ready_Text, Line => Line));
    end Put_Answer;
 
    procedure Put_Battery
      (B     : in out Mailbox;
-      Level : Answer_Kind;
+      Level : Short_Text;
       Now   : Time;
       Begun : out Boolean) is
    begin
@@ -209,7 +175,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
    procedure Put_End
      (B      : in out Mailbox;
       Number : Orders.Ticket;
-      Line   : Short_Line;
+      Line   : Short_Text;
       Now    : Time;
       Begun  : out Boolean) is
    begin
@@ -273,7 +239,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
 
    procedure Put_Position
      (B     : in out Mailbox;
-      Line  : Short_Line;
+      Line  : Short_Text;
       Made  : Generation;
       Now   : Time;
       Begun : out Boolean) is
@@ -288,7 +254,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
    procedure Put_Progress
      (B      : in out Mailbox;
       Number : Orders.Ticket;
-      Line   : Short_Line;
+      Line   : Short_Text;
       Now    : Time;
       Begun  : out Boolean) is
    begin
@@ -351,17 +317,18 @@ package body Monitor.Mailboxes with SPARK_Mode is
             null;
          when Answer     =>
             Next.Is_Image := First (B).State = Ready_Image;
-            Next.Answer := First (B).Kind;
+            Next.Line := First (B).Line;
             Remove_First (B.Answers);
             Skip_Nothing (B.Answers);
             if Next.Is_Image then
                B.Arena := False;
             end if;
          when Robot_Lost =>
-            Next.Answer := Timed_Out;
+            Next.Line := Monitor.Protocol.Timed_Out;
             B.Lost := False;
          when Text       =>
-            Next.Told := Monitor.Notice_Queues.Element_At (B.Told, 1);
+            Next.Line := Monitor.Notices.Line_Of
+              (Monitor.Notice_Queues.Element_At (B.Told, 1));
             Monitor.Notice_Queues.Remove_First (B.Told);
          when Mission    =>
             if B.Ended.Length > 0 then
@@ -372,7 +339,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
                B.Progress.Length := 0;
             end if;
          when Battery    =>
-            Next.Answer := B.Level;
+            Next.Line := B.Level;
             B.Battery := False;
          when Position   =>
             Next.Line := B.Position;

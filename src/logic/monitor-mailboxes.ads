@@ -19,21 +19,14 @@ package Monitor.Mailboxes with SPARK_Mode is
    use type Ada.Real_Time.Time;
    use all type Monitor.Answer_Queues.Queue;
    use all type Monitor.Answer_Queues.State_Kind;
-   use type Monitor.Notices.Notice;
-   use all type Monitor.Protocol.Answer_Kind;
+   use type Monitor.Protocol.Short_Text;
    use type Orders.Ticket;
 
-   subtype Answer_Kind is Monitor.Protocol.Answer_Kind;
+   subtype Short_Text is Monitor.Protocol.Short_Text;
    subtype Time is Ada.Real_Time.Time;
 
    type Generation is mod 2 ** 32;
    --  Of periodic images: an image of an older generation is not sent
-
-   type Short_Line is record
-      Data   : Monitor.Protocol.Short_Line := (others => ' ');
-      Length : Natural range 0 .. Monitor.Protocol.Max_Short_Line := 0;
-   end record;
-   --  A message without an image, as it is to be sent; Length 0: none
 
    type Mailbox is record
       Open     : Boolean := False;
@@ -47,12 +40,12 @@ package Monitor.Mailboxes with SPARK_Mode is
       Told     : Monitor.Notice_Queues.Queue;
       First    : Orders.Ticket := 0;
       --  no command of this session has a lower number
-      Progress : Short_Line;
-      Ended    : Short_Line;
+      Progress : Short_Text;
+      Ended    : Short_Text;
       --  progress and end of a mission
       Battery  : Boolean := False;
-      Level    : Answer_Kind := Battery_Unknown;
-      Position : Short_Line;
+      Level    : Short_Text;
+      Position : Short_Text;
       Image    : Boolean := False;
       Made     : Generation := 0;
       Hold     : Monitor.Message_Holds.Hold;
@@ -70,33 +63,10 @@ package Monitor.Mailboxes with SPARK_Mode is
       --  not sent yet: the task that has taken it sends it, once
       Is_Image : Boolean := False;
       --  of Answer and Image: the message contains an image
-      Answer   : Answer_Kind := Acknowledged;
-      --  of Answer without an image, Robot_Lost and Battery
-      Told     : Monitor.Notices.Notice := Monitor.Notices.Notice'First;
-      --  of Text
-      Line     : Short_Line;
-      --  of Mission and Position
+      Line     : Short_Text;
+      --  without an image
    end record;
    --  The message to send next
-
-   procedure Compose (From : Item; Line : out Short_Line)
-   with
-     Pre  => From.Kind /= Nothing and then not From.Is_Image,
-     Post =>
-       (case From.Kind is
-           when Text     =>
-             Line.Length = 6 + Monitor.Notices.Text_Of (From.Told)'Length
-             and then Line.Data (1 .. 5) = "MSSG:"
-             and then Line.Data (6 .. Line.Length - 1) =
-               Monitor.Notices.Text_Of (From.Told)
-             and then Line.Data (Line.Length) = Monitor.Protocol.Line_Feed,
-           when Mission | Position => Line = From.Line,
-           when others   =>
-             Line.Length = Monitor.Protocol.Wire_Text (From.Answer).Length
-             and then Line.Data (1 .. Line.Length) =
-               Monitor.Protocol.Wire_Text (From.Answer).Data
-                 (1 .. Line.Length));
-   --  The line with its line feed
 
    function Commands (B : Mailbox) return Orders.Order_Count is
      (Length (B.Answers));
@@ -199,7 +169,7 @@ package Monitor.Mailboxes with SPARK_Mode is
    --  unsolicited messages begin to be held back
 
    procedure Put_Answer
-     (B : in out Mailbox; Number : Orders.Ticket; Answer : Answer_Kind)
+     (B : in out Mailbox; Number : Orders.Ticket; Line : Short_Text)
    with
      Post => Next_Number (B) = Next_Number (B'Old)
        and then Commands (B) <= Commands (B'Old)
@@ -255,7 +225,7 @@ package Monitor.Mailboxes with SPARK_Mode is
    procedure Put_Progress
      (B      : in out Mailbox;
       Number : Orders.Ticket;
-      Line   : Short_Line;
+      Line   : Short_Text;
       Now    : Time;
       Begun  : out Boolean)
    with Post => B.Open = B'Old.Open
@@ -268,7 +238,7 @@ package Monitor.Mailboxes with SPARK_Mode is
    procedure Put_End
      (B      : in out Mailbox;
       Number : Orders.Ticket;
-      Line   : Short_Line;
+      Line   : Short_Text;
       Now    : Time;
       Begun  : out Boolean)
    with Post => B.Open = B'Old.Open
@@ -281,7 +251,7 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    procedure Put_Battery
      (B     : in out Mailbox;
-      Level : Answer_Kind;
+      Level : Short_Text;
       Now   : Time;
       Begun : out Boolean)
    with Post => B.Open = B'Old.Open
@@ -290,7 +260,7 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    procedure Put_Position
      (B     : in out Mailbox;
-      Line  : Short_Line;
+      Line  : Short_Text;
       Made  : Generation;
       Now   : Time;
       Begun : out Boolean)
@@ -352,17 +322,18 @@ package Monitor.Mailboxes with SPARK_Mode is
              when Answer     =>
                (if First (B'Old).State = Ready_Text then
                    not Next.Is_Image
-                   and then Next.Answer = First (B'Old).Kind)
+                   and then Next.Line = First (B'Old).Line)
                and then Next.Is_Image =
                  (First (B'Old).State = Ready_Image)
                and then (if Next.Is_Image then not B.Arena)
                and then Commands (B) < Commands (B'Old),
              when Robot_Lost =>
-               Next.Answer = Timed_Out
+               Next.Line = Monitor.Protocol.Timed_Out
                and then not Next.Is_Image
                and then not B.Lost,
              when Text       =>
-               Next.Told = Monitor.Notice_Queues.Element_At (B'Old.Told, 1)
+               Next.Line = Monitor.Notices.Line_Of
+                 (Monitor.Notice_Queues.Element_At (B'Old.Told, 1))
                and then not Next.Is_Image,
              when Mission    =>
                Next.Line =
@@ -373,7 +344,7 @@ package Monitor.Mailboxes with SPARK_Mode is
                and then (if B'Old.Ended.Length = 0 then
                             B.Progress.Length = 0),
              when Battery    =>
-               Next.Answer = B'Old.Level
+               Next.Line = B'Old.Level
                and then not Next.Is_Image
                and then not B.Battery,
              when Position   =>

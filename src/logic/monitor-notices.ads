@@ -2,6 +2,7 @@
 --  The text messages to the monitor (MSSG).
 
 with Missions;
+with Monitor.Protocol; use Monitor.Protocol;
 
 package Monitor.Notices with SPARK_Mode is
 
@@ -26,6 +27,9 @@ package Monitor.Notices with SPARK_Mode is
      Post => Text_Of'Result'First = 1
        and then Text_Of'Result'Length in 1 .. 80
        and then (for all C of Text_Of'Result => C in ' ' .. '~');
+
+   function Line_Of (Item : Notice) return Short_Text is
+     (Short (Log_Label & Separator & Text_Of (Item)));
 
    function Notice_Of (Why : Missions.Refusal) return Notice is
      (case Why is

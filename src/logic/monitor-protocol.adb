@@ -97,7 +97,7 @@ package body Monitor.Protocol with SPARK_Mode is
    is
       Ahead    : Line_Reader := R;
       Complete : Boolean     := False;
-      Read     : Message;
+      Read     : Command;
    begin
       for C of Data loop
          Accept_Character (Ahead, C, Complete);
@@ -107,13 +107,14 @@ package body Monitor.Protocol with SPARK_Mode is
       if Complete then
          Parse (Line (1 .. Last), Read);
          Verdict :=
-           (if Read.Kind in Known_Kind
+           (if Read.Name in Known_Command
               or else (Last > 4 and then May_Begin (Ahead, Token_Label))
             then Known else Unknown);
       elsif (Text_First (Ahead) <= Ahead.Length
              and then Ahead.Data (Text_First (Ahead)) = Telnet_Mark)
         or else May_Begin (Ahead, Token_Label)
-        or else (for some K in Known_Kind => May_Begin (Ahead, Label (K)))
+        or else (for some N in Known_Command =>
+                    May_Begin (Ahead, Table (N).Label))
       then
          Verdict := Undecided;
       else
@@ -131,21 +132,22 @@ package body Monitor.Protocol with SPARK_Mode is
       end if;
    end Keep;
 
-   procedure Parse (Line : String; M : out Message) is
+   procedure Parse (Line : String; C : out Command) is
    begin
-      M := (Malformed, 0);
-      for K in Known_Kind loop
-         if Is_Line_Of (Line, K) then
-            M.Kind := K;
-            if Takes_Number (K) then
-               M.Value :=
+      C := (Malformed, 0);
+      for N in Known_Command loop
+         if Is_Line_Of (Line, N) then
+            C.Name := N;
+            if Takes_Number (N) then
+               C.Value :=
                  Clamped_Number
                    (Line, Line'First + Text_Offset, Line'Last);
             end if;
             return;
          end if;
          pragma Loop_Invariant
-           (for all J in Known_Kind'First .. K => not Is_Line_Of (Line, J));
+           (for all J in Known_Command'First .. N =>
+              not Is_Line_Of (Line, J));
       end loop;
    end Parse;
 
@@ -179,15 +181,6 @@ package body Monitor.Protocol with SPARK_Mode is
       pragma Assert (Last = (if Size > Max_Line then 0 else Size));
       pragma Assert (for all I in 1 .. Last => Line (I) = Text (I));
    end Prove_Reading;
-
-   function Short (Text : String) return Short_Text is
-      Result : Short_Text;
-   begin
-      Result.Data (1 .. Text'Last) := Text;
-      Result.Data (Text'Last + 1) := Line_Feed;
-      Result.Length := Text'Last + 1;
-      return Result;
-   end Short;
 
    function Telnet_End
      (Line : String; First : Positive; Last : Natural) return Natural

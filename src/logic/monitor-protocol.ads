@@ -1,11 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The protocol of the monitor: parses its lines, and formats answers.
 
+with Commands; use Commands;
 with Decimals;
 with Missions.Paths;
 with Robot.Protocol;
+with Robot.Session;
 
 package Monitor.Protocol with SPARK_Mode is
+
+   use type Robot.Session.Outcome_Kind;
 
    Max_Line : constant := 1024;
    --  Characters of a line from the monitor, without its end.
@@ -18,110 +22,7 @@ package Monitor.Protocol with SPARK_Mode is
    --  Telnet commands (RFC 854) begin with it, such as those of a Ctrl-C. They
    --  are skipped where a line begins or ends, and no part of any command.
 
-   --  Messages from the monitor
-
-   type Message_Kind is
-     (Open_Robot,
-      Close_Robot,
-      Start_Robot,
-      Start_Robot_Watchdog,
-      Reset_Robot,
-      Ping_Robot,
-      Reload_Watchdog,
-      Go_Forward,
-      Go_Backward,
-      Go_Left,
-      Go_Right,
-      Stop_Robot,
-      Abort_Mission,
-      Move_Robot,
-      Turn_Robot,
-      Power_Off_Robot,
-      Get_Battery,
-      Get_State,
-      Open_Camera,
-      Close_Camera,
-      Ask_Arena,
-      Confirm_Arena,
-      Reject_Arena,
-      Start_Position,
-      Stop_Position,
-      Go_To_Pixels,
-      Follow_Pixels,
-      Go_To_Centimetres,
-      Follow_Centimetres,
-      Sign_Of_Life,
-      Log_Message,
-      Malformed);
-
-   subtype Known_Kind is Message_Kind range Open_Robot .. Log_Message;
-
-   subtype Order_Kind is Message_Kind range Open_Robot .. Follow_Centimetres;
-   --  Those carried out by a task.
-
-   subtype Mission_Order is
-     Order_Kind range Go_To_Pixels .. Follow_Centimetres;
-   --  Their data is a path.
-
-   function Measure (Kind : Mission_Order) return Missions.Unit is
-     (if Kind in Go_To_Pixels | Follow_Pixels then Missions.Pixels
-      else Missions.Centimetres);
-
-   function Is_Single (Kind : Mission_Order) return Boolean is
-     (Kind in Go_To_Pixels | Go_To_Centimetres);
-   --  The path is one point.
-
-   function Takes_Number (Kind : Message_Kind) return Boolean is
-     (Kind in Move_Robot | Turn_Robot);
-
-   function Takes_Text (Kind : Message_Kind) return Boolean is
-     (Kind = Log_Message);
-
-   type Message is record
-      Kind  : Message_Kind            := Malformed;
-      Value : Robot.Protocol.Argument := 0;
-   end record;
-   --  Value: the argument of Move_Robot and Turn_Robot, otherwise 0.
-
-   function Is_Answered (Kind : Message_Kind) return Boolean is
-     (Kind not in Confirm_Arena | Reject_Arena | Sign_Of_Life | Log_Message);
-   --  Whether the monitor gets exactly one answer, or none.
-
-   subtype Label_Text is String (1 .. 4);
-
-   function Label (Kind : Known_Kind) return Label_Text is
-     (case Kind is
-         when Open_Robot           => "ROPN",
-         when Close_Robot          => "RCLS",
-         when Start_Robot          => "RSOW",
-         when Start_Robot_Watchdog => "RSWW",
-         when Reset_Robot          => "RRST",
-         when Ping_Robot           => "RPIN",
-         when Reload_Watchdog      => "RLDW",
-         when Go_Forward           => "RGFW",
-         when Go_Backward          => "RGBW",
-         when Go_Left              => "RGLF",
-         when Go_Right             => "RGRI",
-         when Stop_Robot           => "RSTP",
-         when Abort_Mission        => "MABT",
-         when Move_Robot           => "RMOV",
-         when Turn_Robot           => "RTRN",
-         when Power_Off_Robot      => "RPOF",
-         when Get_Battery          => "RGBT",
-         when Get_State            => "RGST",
-         when Open_Camera          => "COPN",
-         when Close_Camera         => "CCLS",
-         when Ask_Arena            => "CASA",
-         when Confirm_Arena        => "CACO",
-         when Reject_Arena         => "CAIN",
-         when Start_Position       => "CPCO",
-         when Stop_Position        => "CPST",
-         when Go_To_Pixels         => "MGTO",
-         when Follow_Pixels        => "MPTH",
-         when Go_To_Centimetres    => "MGCM",
-         when Follow_Centimetres   => "MPCM",
-         when Sign_Of_Life         => "LIVE",
-         when Log_Message          => "MSSG");
+   --  Commands of the monitor
 
    Token_Label : constant Label_Text := "AUTH";
    --  Of the line with a token, which is read before the session begins.
@@ -149,14 +50,6 @@ package Monitor.Protocol with SPARK_Mode is
      (Line'Length >= 5 and then Line (Line'First + 4) = Separator)
    with Pre => Line'Last < Integer'Last;
    --  The label is followed by a separator; the data may be empty.
-
-   function Is_Bare (Line : String; Start : Label_Text) return Boolean is
-     (Begins_With (Line, Start)
-      and then (Line'Length = 4
-                or else (Line'Length = 5 and then Has_Data (Line))))
-   with Pre => Line'Last < Integer'Last;
-   --  The label alone. The existing monitor appends a separator to every
-   --  label, so a separator with nothing after it is accepted.
 
    function Is_Number
      (Line : String; First : Positive; Last : Natural) return Boolean
@@ -192,39 +85,37 @@ package Monitor.Protocol with SPARK_Mode is
      and then Is_Number (Line, First, Last);
    --  The number, limited to the robot's range.
 
-   function Is_Order (Line : String; Start : Label_Text) return Boolean is
-     (Begins_With (Line, Start)
-      and then Has_Data (Line)
-      and then Is_Number (Line, Line'First + Text_Offset, Line'Last))
+   function Is_Line_Of (Line : String; Name : Known_Command) return Boolean is
+     (Begins_With (Line, Table (Name).Label)
+      and then
+        (case Table (Name).Data is
+            when None      =>
+               Line'Length = 4
+               or else (Line'Length = 5 and then Has_Data (Line)),
+            when Number    =>
+               Has_Data (Line)
+               and then Is_Number
+                 (Line, Line'First + Text_Offset, Line'Last),
+            when Text      => Has_Data (Line),
+            when Path_Data =>
+               Has_Data (Line)
+               and then Missions.Paths.Is_Path
+                 (Line, Line'First + Text_Offset, Is_Single (Name))))
    with Pre => Line'Last < Integer'Last;
-   --  The label, the separator and a number.
+   --  The label, and the data that the command takes. The existing monitor
+   --  appends a separator to every label, so a separator with nothing after it
+   --  is accepted
 
-   function Is_Mission (Line : String; Kind : Mission_Order) return Boolean
-   is (Begins_With (Line, Label (Kind))
-       and then Has_Data (Line)
-       and then Missions.Paths.Is_Path
-         (Line, Line'First + Text_Offset, Is_Single (Kind)))
-   with Pre => Line'Last < Integer'Last;
-   --  The label, the separator and a path.
-
-   function Is_Line_Of (Line : String; Kind : Known_Kind) return Boolean is
-     (if Takes_Number (Kind) then Is_Order (Line, Label (Kind))
-      elsif Kind in Mission_Order then Is_Mission (Line, Kind)
-      elsif Takes_Text (Kind) then
-         Begins_With (Line, Label (Kind)) and then Has_Data (Line)
-      else Is_Bare (Line, Label (Kind)))
-   with Pre => Line'Last < Integer'Last;
-
-   procedure Parse (Line : String; M : out Message)
+   procedure Parse (Line : String; C : out Command)
    with
      Pre  => Line'Last < Integer'Last,
      Post =>
-       (for all K in Known_Kind => (M.Kind = K) = Is_Line_Of (Line, K))
-       and then M.Value =
-         (if Takes_Number (M.Kind)
+       (for all N in Known_Command => (C.Name = N) = Is_Line_Of (Line, N))
+       and then C.Value =
+         (if Takes_Number (C.Name)
           then Clamped_Number (Line, Line'First + Text_Offset, Line'Last)
           else 0);
-   --  The message in Line, which has no line end. Every line has a meaning, at
+   --  The command in Line, which has no line end. Every line has a meaning, at
    --  least Malformed: an empty line, a label in lower case, data for a
    --  command that takes none, a missing or non-decimal number, a path with a
    --  point too many.
@@ -364,70 +255,11 @@ package Monitor.Protocol with SPARK_Mode is
    --  without a final carriage return, or an empty line if there are more than
    --  Max_Line. Asserted in the body. Parse accepts any line.
 
-   --  Answers
+   --  Messages to the monitor
 
-   type Answer_Kind is
-     (Acknowledged,     --  AACK
-      Not_Done,         --  ANAK: the line or the camera is not open
-      Refused,          --  ACRJ: rejected by the robot
-      Timed_Out,        --  ATIM: no answer of the robot, or robot lost
-      Not_Understood,   --  ACER
-      Battery_Empty,    --  RBLV:0
-      Battery_Low,      --  RBLV:1
-      Battery_Full,     --  RBLV:2
-      Battery_Unknown,  --  RBLV:-1
-      Standing,         --  RCST:0
-      Moving);          --  RCST:1
-   --  The battery levels are also sent unsolicited, and so is Timed_Out when
-   --  the robot is lost.
-
-   Max_Short : constant := 16;
-
-   type Short_Text is record
-      Data   : String (1 .. Max_Short)    := (others => ' ');
-      Length : Natural range 0 .. Max_Short := 0;
-   end record;
-   --  The first Length characters of Data are valid.
-
-   function Short (Text : String) return Short_Text
-   with
-     Pre  => Text'First = 1 and then Text'Last in 4 .. 7,
-     Post => Short'Result.Length = Text'Last + 1
-       and then Short'Result.Data (1 .. Text'Last) = Text
-       and then Short'Result.Data (Text'Last + 1) = Line_Feed;
-   --  Text and a line feed.
-
-   function Wire_Text (Answer : Answer_Kind) return Short_Text is
-     (case Answer is
-         when Acknowledged    => Short ("AACK"),
-         when Not_Done        => Short ("ANAK"),
-         when Refused         => Short ("ACRJ"),
-         when Timed_Out       => Short ("ATIM"),
-         when Not_Understood  => Short ("ACER"),
-         when Battery_Empty   => Short ("RBLV:0"),
-         when Battery_Low     => Short ("RBLV:1"),
-         when Battery_Full    => Short ("RBLV:2"),
-         when Battery_Unknown => Short ("RBLV:-1"),
-         when Standing        => Short ("RCST:0"),
-         when Moving          => Short ("RCST:1"));
-   --  The line of the answer, with its line feed.
-
-   subtype Battery_Level is Integer range -1 .. 2;
-   --  -1: unknown; 0 empty, 1 low, 2 full.
-
-   function Battery_Answer (Level : Battery_Level) return Answer_Kind is
-     (case Level is
-         when -1 => Battery_Unknown,
-         when 0  => Battery_Empty,
-         when 1  => Battery_Low,
-         when 2  => Battery_Full);
-
-   --  Labels of unsolicited messages; separator and data follow.
-
-   Image_Label    : constant Label_Text := "CIMG";
+   Image_Label    : constant Label_Text := Table (Ask_Arena).Reply;
    Position_Label : constant Label_Text := "CPOS";
-   Battery_Label  : constant Label_Text := "RBLV";
-   State_Label    : constant Label_Text := "RCST";
+   Battery_Label  : constant Label_Text := Table (Get_Battery).Reply;
    Progress_Label : constant Label_Text := "MPRG";
    End_Label      : constant Label_Text := "MEND";
    Log_Label      : constant Label_Text := "MSSG";
@@ -439,6 +271,56 @@ package Monitor.Protocol with SPARK_Mode is
 
    subtype Short_Line is String (1 .. Max_Short_Line);
    --  Room for each message without an image, with its line feed.
+
+   type Short_Text is record
+      Data   : Short_Line := (others => ' ');
+      Length : Natural range 0 .. Max_Short_Line := 0;
+   end record;
+   --  A message without an image, as it is sent: the first Length characters
+   --  of Data. Length 0: none
+
+   function Short (Text : String) return Short_Text is
+     ((Data   => Text & Line_Feed & (Text'Length + 2 .. Max_Short_Line => ' '),
+       Length => Text'Length + 1))
+   with
+     Pre  => Text'First = 1 and then Text'Last in 1 .. Max_Short_Line - 1,
+     Post => Short'Result.Length = Text'Last + 1
+       and then (for all I in Text'Range => Short'Result.Data (I) = Text (I))
+       and then Short'Result.Data (Text'Last + 1) = Line_Feed;
+   --  Text and a line feed.
+
+   --  Replies
+
+   Acknowledged   : constant Short_Text := Short (Done_Label);
+   Not_Done       : constant Short_Text := Short ("ANAK");
+   --  The line or the camera is not open.
+   Refused        : constant Short_Text := Short ("ACRJ");
+   --  By the robot.
+   Timed_Out      : constant Short_Text := Short ("ATIM");
+   --  No answer of the robot. Also sent unsolicited: the robot is lost.
+   Not_Understood : constant Short_Text := Short ("ACER");
+
+   function Reply_To
+     (Name : Command_Name; Result : Robot.Session.Outcome) return Short_Text
+   is (case Result.Kind is
+          when Robot.Session.Done      =>
+            (if Table (Name).Reply = Done_Label then Acknowledged
+             else Short
+               (Table (Name).Reply & Separator
+                & Result.Text.Data (1 .. Result.Text.Length))),
+          when Robot.Session.Refused   => Refused,
+          when Robot.Session.Timed_Out => Timed_Out,
+          when Robot.Session.Not_Open | Robot.Session.Not_Opened => Not_Done);
+   --  To a command of which the robot has made Result.
+
+   function Reply_To (Done : Boolean) return Short_Text is
+     (if Done then Acknowledged else Not_Done);
+   --  To a command for the camera.
+
+   function Battery_Notice (Result : Robot.Session.Outcome) return Short_Text
+   is (if Result.Kind = Robot.Session.Done
+       then Reply_To (Get_Battery, Result) else Short (Battery_Label & ":-1"));
+   --  The battery's level, unsolicited; -1: unknown.
 
 private
 

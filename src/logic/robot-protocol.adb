@@ -183,4 +183,17 @@ package body Robot.Protocol with SPARK_Mode is
       end loop;
    end Prove_Same_Parity;
 
+   function Text_Of (F : Frame) return Answer_Text is
+   begin
+      return Result : Answer_Text := (Length => Text_Length (F), others => <>)
+      do
+         for I in 1 .. Result.Length loop
+            Result.Data (I) := Character'Val (F.Data (I));
+            pragma Loop_Invariant
+              (for all J in 1 .. I =>
+                 Result.Data (J) = Character'Val (F.Data (J)));
+         end loop;
+      end return;
+   end Text_Of;
+
 end Robot.Protocol;

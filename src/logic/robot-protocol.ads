@@ -187,14 +187,16 @@ package Robot.Protocol with SPARK_Mode is
 
    type Reply_Kind is
      (Done,             --  O
-      Refused,          --  E: wrong state, or bad checksum received
-      Unknown_Command,  --  C
       Level,            --  0 .. 2, after Battery
       Moving_State,     --  0, 1, after Busy
       Version_Text,     --  after Version
+      Refused,          --  E: wrong state, or bad checksum received
+      Unknown_Command,  --  C
       Bad_Checksum,
       Wrong_Kind,       --  valid frame, but no answer to this command
       Malformed);       --  too short for a text and its checksum, or too long
+
+   subtype Accepted_Reply is Reply_Kind range Done .. Version_Text;
 
    subtype Failed_Reply is Reply_Kind range Bad_Checksum .. Malformed;
    --  Not an answer: the exchange failed.
@@ -242,6 +244,19 @@ package Robot.Protocol with SPARK_Mode is
      and then (if Text_Length'Result > 0 then
                   Text_Length'Result < F.Length);
    --  Bytes before the checksum; 0 if there is no text.
+
+   subtype Text_Size is Natural range 0 .. Max_Frame - 1;
+
+   type Answer_Text is record
+      Data   : String (1 .. Max_Frame - 1) := (others => ' ');
+      Length : Text_Size                   := 0;
+   end record;
+   --  The first Length characters of Data are valid.
+
+   function Text_Of (F : Frame) return Answer_Text
+   with Post => Text_Of'Result.Length = Text_Length (F)
+     and then (for all I in 1 .. Text_Length (F) =>
+                 Text_Of'Result.Data (I) = Character'Val (F.Data (I)));
 
    function Is_Sound (F : Frame) return Boolean is
      (F.Data (Text_Length (F) + 1) = Checksum (F.Data, Text_Length (F)));

@@ -69,7 +69,7 @@ package Robot.Requests with SPARK_Mode is
       Last_Stop   : Orders.Ticket := 0;
       --  number of the last stop of the session, 0: none
       Last_Hand   : Orders.Ticket := 0;
-      --  number of the last order by hand (Order_Meanings.Is_By_Hand), 0: none
+      --  number of the last order by hand (Commands.Is_By_Hand), 0: none
       Completed   : Orders.Ticket := 0;
       --  ranked orders of the session that have been carried out
       Last_Change : Orders.Ticket := 0;

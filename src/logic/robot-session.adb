@@ -45,7 +45,7 @@ package body Robot.Session with SPARK_Mode is
        and then P.Request = P'Old.Request
        and then P.Stopped = P'Old.Stopped
        and then P.Result.Kind = Kind
-       and then P.Result.Value = P'Old.Result.Value
+       and then P.Result.Text = P'Old.Result.Text
        and then P.Result.Note = P'Old.Result.Note
        and then Next.Kind = Finish
        and then Next.Command = Wire.Stop;
@@ -81,10 +81,11 @@ package body Robot.Session with SPARK_Mode is
    --  The command of the request, after the stop if one was due
 
    procedure Answered
-     (S     : in out State;
-      P     : in out Progress;
-      Reply : Wire.Reply;
-      Next  : out Step);
+     (S    : in out State;
+      P    : in out Progress;
+      Last : Step_Result;
+      Next : out Step)
+   with Pre => Last.Ok;
    --  The exchange of the phase has been answered
 
    procedure Unanswered
@@ -186,14 +187,12 @@ package body Robot.Session with SPARK_Mode is
    end Start_Request;
 
    procedure Answered
-     (S     : in out State;
-      P     : in out Progress;
-      Reply : Wire.Reply;
-      Next  : out Step)
+     (S    : in out State;
+      P    : in out Progress;
+      Last : Step_Result;
+      Next : out Step)
    is
-      use type Wire.Reply_Kind;
-      Accepted : constant Boolean :=
-        Reply.Kind in Wire.Done | Wire.Level | Wire.Moving_State;
+      Accepted : constant Boolean := Is_Accepted (Last);
    begin
       case Exchange_Phase'(P.Phase) is
          when Clearing =>
@@ -205,7 +204,7 @@ package body Robot.Session with SPARK_Mode is
             Act (S, P, Next);
 
          when Asking_Motion =>
-            if Accepted and then Reply.Value /= 0 then
+            if Accepted and then Last.Reply.Value /= 0 then
                P.Result.Note := Missed_Window;
                Finish (P, Refused, Next);
             else
@@ -229,7 +228,7 @@ package body Robot.Session with SPARK_Mode is
 
          when Acting =>
             if Accepted then
-               P.Result.Value := Reply.Value;
+               P.Result.Text := Last.Text;
                case P.Request.Kind is
                   when Start =>
                      S.Mode := Started;
@@ -372,7 +371,7 @@ package body Robot.Session with SPARK_Mode is
                Begin_Exchange (S, P, Phase, Wanted, Next);
             else
                Robot.Health.Success (S.Health);
-               Answered (S, P, Last.Reply, Next);
+               Answered (S, P, Last, Next);
             end if;
       end case;
    end Continue_Request;

@@ -7,6 +7,7 @@ with Robot.Protocol;
 
 package Robot.Session with SPARK_Mode is
 
+   use type Robot.Protocol.Answer_Text;
    use type Robot.Protocol.Command;
    use type Robot.Protocol.Command_Kind;
 
@@ -88,11 +89,15 @@ package Robot.Session with SPARK_Mode is
       Robot_Lost);      --  the fourth failure in a row: the line is closed
 
    type Outcome is record
-      Kind  : Outcome_Kind := Done;
-      Value : Robot.Protocol.Reply_Value := 0;
-      --  of Get_Battery (0 .. 2) and Get_Moving (0, 1), when Done
-      Note  : Note_Kind := Nothing;
+      Kind : Outcome_Kind := Done;
+      Text : Robot.Protocol.Answer_Text;
+      --  the robot's, when Done
+      Note : Note_Kind := Nothing;
    end record;
+
+   function Is_Zero (Result : Outcome) return Boolean is
+     (Result.Text.Data (1) = '0');
+   --  Of Get_Battery: it is empty; of Get_Moving: the robot does not move
 
    type Step_Kind is
      (Open_Device,
@@ -110,8 +115,10 @@ package Robot.Session with SPARK_Mode is
    type Step_Result is record
       Ok    : Boolean := False;
       --  Open_Device: it is open; Exchange, Synchronise: a valid answer came
-      --  in time, in Reply
+      --  in time, which is Reply
       Reply : Robot.Protocol.Reply;
+      Text  : Robot.Protocol.Answer_Text;
+      --  of the reply's frame
    end record;
 
    type Progress is private;
@@ -142,10 +149,7 @@ package Robot.Session with SPARK_Mode is
    --  The supervisor reloads the robot's watchdog periodically
 
    function Is_Accepted (Last : Step_Result) return Boolean is
-     (Last.Ok
-      and then Last.Reply.Kind in
-        Robot.Protocol.Done | Robot.Protocol.Level
-        | Robot.Protocol.Moving_State);
+     (Last.Ok and then Last.Reply.Kind in Robot.Protocol.Accepted_Reply);
    --  The robot acknowledged the step's command
 
    function Request_Of (P : Progress) return Request with Ghost;

@@ -44,7 +44,7 @@ package body Monitor.Outbox with SPARK_Mode is
          Begun  : out Boolean);
       --  Begun, here and below: unsolicited messages begin to be held back
       procedure Answer
-        (Number : Orders.Ticket; Kind : Monitor.Protocol.Answer_Kind);
+        (Number : Orders.Ticket; Line : Monitor.Protocol.Short_Text);
       procedure Answer_Nothing (Number : Orders.Ticket);
       procedure Answer_With_Image
         (Number   : Orders.Ticket;
@@ -56,22 +56,22 @@ package body Monitor.Outbox with SPARK_Mode is
         (Told : Monitor.Notices.Notice; Now : Time; Begun : out Boolean);
       procedure Put_Progress
         (Number : Orders.Ticket;
-         Line   : Monitor.Mailboxes.Short_Line;
+         Line   : Monitor.Protocol.Short_Text;
          Now    : Time;
          Begun  : out Boolean);
       procedure Put_End
         (Number : Orders.Ticket;
-         Line   : Monitor.Mailboxes.Short_Line;
+         Line   : Monitor.Protocol.Short_Text;
          Now    : Time;
          Begun  : out Boolean);
       procedure Get_End_Waits (Waits : out Boolean);
       procedure Put_Battery
-        (Kind  : Monitor.Protocol.Answer_Kind;
+        (Line  : Monitor.Protocol.Short_Text;
          Now   : Time;
          Begun : out Boolean);
       procedure Get_Generation (Current : out Monitor.Mailboxes.Generation);
       procedure Put_Position
-        (Line  : Monitor.Mailboxes.Short_Line;
+        (Line  : Monitor.Protocol.Short_Text;
          Made  : Monitor.Mailboxes.Generation;
          Now   : Time;
          Begun : out Boolean);
@@ -132,9 +132,9 @@ package body Monitor.Outbox with SPARK_Mode is
       end Reserve;
 
       procedure Answer
-        (Number : Orders.Ticket; Kind : Monitor.Protocol.Answer_Kind) is
+        (Number : Orders.Ticket; Line : Monitor.Protocol.Short_Text) is
       begin
-         Monitor.Mailboxes.Put_Answer (Mail, Number, Kind);
+         Monitor.Mailboxes.Put_Answer (Mail, Number, Line);
       end Answer;
 
       procedure Answer_Nothing (Number : Orders.Ticket) is
@@ -169,7 +169,7 @@ package body Monitor.Outbox with SPARK_Mode is
 
       procedure Put_Progress
         (Number : Orders.Ticket;
-         Line   : Monitor.Mailboxes.Short_Line;
+         Line   : Monitor.Protocol.Short_Text;
          Now    : Time;
          Begun  : out Boolean) is
       begin
@@ -178,7 +178,7 @@ package body Monitor.Outbox with SPARK_Mode is
 
       procedure Put_End
         (Number : Orders.Ticket;
-         Line   : Monitor.Mailboxes.Short_Line;
+         Line   : Monitor.Protocol.Short_Text;
          Now    : Time;
          Begun  : out Boolean) is
       begin
@@ -191,11 +191,11 @@ package body Monitor.Outbox with SPARK_Mode is
       end Get_End_Waits;
 
       procedure Put_Battery
-        (Kind  : Monitor.Protocol.Answer_Kind;
+        (Line  : Monitor.Protocol.Short_Text;
          Now   : Time;
          Begun : out Boolean) is
       begin
-         Monitor.Mailboxes.Put_Battery (Mail, Kind, Now, Begun);
+         Monitor.Mailboxes.Put_Battery (Mail, Line, Now, Begun);
       end Put_Battery;
 
       procedure Get_Generation (Current : out Monitor.Mailboxes.Generation) is
@@ -204,7 +204,7 @@ package body Monitor.Outbox with SPARK_Mode is
       end Get_Generation;
 
       procedure Put_Position
-        (Line  : Monitor.Mailboxes.Short_Line;
+        (Line  : Monitor.Protocol.Short_Text;
          Made  : Monitor.Mailboxes.Generation;
          Now   : Time;
          Begun : out Boolean) is
@@ -287,9 +287,9 @@ package body Monitor.Outbox with SPARK_Mode is
    --  Unsolicited messages begin to be held back
 
    procedure Answer
-     (Order : in out Orders.Order; Kind : Monitor.Protocol.Answer_Kind) is
+     (Order : in out Orders.Order; Line : Monitor.Protocol.Short_Text) is
    begin
-      Box.Answer (Order.Number, Kind);
+      Box.Answer (Order.Number, Line);
       Order.Owed := False;
       Wake_Sender (Order.Number);
       Room.Set;
@@ -359,17 +359,17 @@ package body Monitor.Outbox with SPARK_Mode is
       Box.Open_Session;
    end Open_Session;
 
-   procedure Put_Battery (Kind : Monitor.Protocol.Answer_Kind) is
+   procedure Put_Battery (Line : Monitor.Protocol.Short_Text) is
       Now   : constant Time := Clock;
       Begun : Boolean;
    begin
-      Box.Put_Battery (Kind, Now, Begun);
+      Box.Put_Battery (Line, Now, Begun);
       Wake (Begun);
    end Put_Battery;
 
    procedure Put_End (Number : Orders.Ticket; Why : Missions.Ending) is
       Now   : constant Time := Clock;
-      Line  : Monitor.Mailboxes.Short_Line;
+      Line  : Monitor.Protocol.Short_Text;
       Begun : Boolean;
    begin
       Missions.Texts.Format_End (Why, Line.Data, Line.Length);
@@ -396,7 +396,7 @@ package body Monitor.Outbox with SPARK_Mode is
    end Put_Notice;
 
    procedure Put_Position
-     (Line : Monitor.Mailboxes.Short_Line; Made : Monitor.Mailboxes.Generation)
+     (Line : Monitor.Protocol.Short_Text; Made : Monitor.Mailboxes.Generation)
    is
       Now   : constant Time := Clock;
       Begun : Boolean;
@@ -411,7 +411,7 @@ package body Monitor.Outbox with SPARK_Mode is
       Distance     : Missions.Texts.Millimetres)
    is
       Now   : constant Time := Clock;
-      Line  : Monitor.Mailboxes.Short_Line;
+      Line  : Monitor.Protocol.Short_Text;
       Begun : Boolean;
    begin
       Missions.Texts.Format_Progress

@@ -40,7 +40,7 @@ package Monitor.Outbox with SPARK_Mode is
    --  ended. For th_receiveFromMon only
 
    procedure Answer
-     (Order : in out Orders.Order; Kind : Monitor.Protocol.Answer_Kind)
+     (Order : in out Orders.Order; Line : Monitor.Protocol.Short_Text)
    with
      Pre  => Order.Owed,
      Post => not Order.Owed,
@@ -93,14 +93,14 @@ package Monitor.Outbox with SPARK_Mode is
    with Annotate => (GNATprove, Terminating);
    --  The end of a mission has not been sent yet
 
-   procedure Put_Battery (Kind : Monitor.Protocol.Answer_Kind)
+   procedure Put_Battery (Line : Monitor.Protocol.Short_Text)
    with Annotate => (GNATprove, Terminating);
 
    procedure Get_Generation (Current : out Monitor.Mailboxes.Generation)
    with Annotate => (GNATprove, Terminating);
 
    procedure Put_Position
-     (Line : Monitor.Mailboxes.Short_Line; Made : Monitor.Mailboxes.Generation)
+     (Line : Monitor.Protocol.Short_Text; Made : Monitor.Mailboxes.Generation)
    with Annotate => (GNATprove, Terminating);
 
    procedure Put_Image

@@ -2,8 +2,8 @@
 --  The object only locks; Robot.Requests and Robot.Line_Status decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
+with Commands;
 with Event;
-with Order_Meanings;
 with Schedule;
 with Settings;
 with Trace;
@@ -196,7 +196,7 @@ package body Robot.Line with SPARK_Mode is
      (From : Robot.Requests.Single; Order : in out Orders.Order) is
    begin
       Order.Owed := False;
-      Line.Put (From, Order_Meanings.Request_Of (Order.Message), Order);
+      Line.Put (From, Commands.Request_Of (Order.Command), Order);
       Wake (Order.Number);
    end Put;
 

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Order_Meanings; use Order_Meanings;
+with Commands; use Commands;
 with Robot.Line;
-with Robot.Requests;
+with Schedule; use Schedule;
 with Vision.Queue;
 
 package body Task_Ports with SPARK_Mode is
@@ -15,7 +15,7 @@ package body Task_Ports with SPARK_Mode is
 
    procedure To_Vision (Item : in out Orders.Order) is
    begin
-      if Item.Message.Kind in Arena_Order then
+      if Commands.Table (Item.Command.Name).By = Th_Arene then
          Arena.Put (Item);
       else
          Camera_Control.Put (Item);
@@ -24,25 +24,24 @@ package body Task_Ports with SPARK_Mode is
 
    procedure Dispatch (Item : in out Orders.Order) is
    begin
-      if Item.Message.Kind in Vision_Order then
+      if Item.Command.Name in Vision_Command then
          Vision.Queue.Put (Item);
          if Item.Owed then
             To_Vision (Item);
          end if;
       else
-         if Is_By_Hand (Item.Message.Kind) then
+         if Is_By_Hand (Item.Command.Name) then
             --  before it is passed on: then no order of the mission follows it
             Robot.Line.Note_Hand (Item.Number);
          end if;
-         case Client_Of (Item.Message.Kind) is
-            when Robot.Requests.Open           => Open_Robot.Put (Item);
-            when Robot.Requests.Start          => Start_Robot.Put (Item);
-            when Robot.Requests.Start_Watchdog =>
-               Start_Robot_Watchdog.Put (Item);
-            when Robot.Requests.Reset          => Reset_Robot.Put (Item);
-            when Robot.Requests.Move           => Move.Put (Item);
-            when Robot.Requests.Stop_Order     => Robot.Line.Put_Stop (Item);
-            when others                        => Query.Put (Item);
+         case Commands.Table (Item.Command.Name).By is
+            when Th_Line           => Robot.Line.Put_Stop (Item);
+            when Th_Move           => Move.Put (Item);
+            when Th_Open_Com_Robot => Open_Robot.Put (Item);
+            when Th_Start_Robot    => Start_Robot.Put (Item);
+            when Th_Start_Robot_WD => Start_Robot_Watchdog.Put (Item);
+            when Th_Reset_Robot    => Reset_Robot.Put (Item);
+            when others            => Query.Put (Item);
          end case;
       end if;
    end Dispatch;

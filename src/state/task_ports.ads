@@ -2,7 +2,7 @@
 --  The event-data ports of the tasks that carry out the monitor's orders, and
 --  the dispatch of orders to them.
 
-with Order_Meanings;
+with Commands;
 with Order_Ports;
 with Orders;
 with Schedule;
@@ -22,13 +22,13 @@ package Task_Ports with SPARK_Mode is
    procedure Dispatch (Item : in out Orders.Order)
    with
      Pre  => Item.Owed
-       and then Item.Message.Kind in
-         Order_Meanings.Robot_Order | Order_Meanings.Vision_Order,
+       and then Item.Command.Name in
+         Commands.Robot_Command | Commands.Vision_Command,
      Post => not Item.Owed,
      Annotate => (GNATprove, Terminating);
-   --  Sends Item to the task that carries it out: vision orders one by one, in
-   --  the order of the commands, a stop directly to the line's owner. An order
-   --  by hand is made known to the line first
+   --  Sends Item to the task that carries it out (Commands.Table): vision
+   --  orders one by one, in the order of the commands, a stop directly to the
+   --  line's owner. An order by hand is made known to the line first
 
    procedure Vision_Done with Annotate => (GNATprove, Terminating);
    --  A vision task has carried out an order: the next one may start

@@ -4,6 +4,7 @@ with Ada.Real_Time;    use Ada.Real_Time;
 with Admission.Authentication;
 with Admission.Newcomers;
 with Admission.Secret_Files;
+with Commands; use Commands;
 with Console;
 with Journal;
 with Missions.Paths;
@@ -19,7 +20,6 @@ with Monitor.Session_Stages;
 with Monitor.Sockets.Connection;
 with Monitor.Sockets.Gate;
 with Options;
-with Order_Meanings;
 with Orders;
 with Process.Threads;
 with Robot.Clients;
@@ -44,7 +44,7 @@ package body Monitor.Tasks with SPARK_Mode is
 
    procedure Handle
      (Line  : String;
-      Ranks : in out Order_Meanings.Ranks;
+      Ranks : in out Orders.Ranks;
       Order : in out Orders.Order;
       Open  : out Boolean)
    with
@@ -65,7 +65,7 @@ package body Monitor.Tasks with SPARK_Mode is
      Pre  => Line'First = 1
        and then Line'Last <= Max_Line
        and then Order.Owed
-       and then Order.Message.Kind in Mission_Order,
+       and then Order.Command.Name in Mission_Command,
      Post => not Order.Owed;
    --  Passes the path in Line on to th_mission, or rejects the order if a
    --  mission is under way
@@ -141,12 +141,12 @@ package body Monitor.Tasks with SPARK_Mode is
    end Th_Server;
 
    procedure Ask_For_Mission (Line : String; Order : in out Orders.Order) is
-      Kind  : constant Mission_Order := Order.Message.Kind;
+      Name  : constant Mission_Command := Order.Command.Name;
       Path  : Missions.Path;
       Valid : Boolean;
    begin
       Missions.Paths.Parse
-        (Line, Line'First + Text_Offset, Measure (Kind), Is_Single (Kind),
+        (Line, Line'First + Text_Offset, Measure (Name), Is_Single (Name),
          Path, Valid);
       if Valid then
          Missions.Requests.Put (Order, Path);
@@ -158,16 +158,16 @@ package body Monitor.Tasks with SPARK_Mode is
 
    procedure Handle
      (Line  : String;
-      Ranks : in out Order_Meanings.Ranks;
+      Ranks : in out Orders.Ranks;
       Order : in out Orders.Order;
       Open  : out Boolean)
    is
       Text : Texts.Text;
       Kept : Boolean;
    begin
-      Parse (Line, Order.Message);
+      Parse (Line, Order.Command);
       Journal.Get_Kept (Options.Debug, Kept);
-      if Kept and then Order.Message.Kind /= Sign_Of_Life then
+      if Kept and then Order.Command.Name /= Sign_Of_Life then
          Texts.Set (Text, "received ");
          Admission.Authentication.Append_Shown (Text, Line);
          Journal.Put (Options.Debug, Text);
@@ -175,12 +175,12 @@ package body Monitor.Tasks with SPARK_Mode is
       Monitor.Outbox.Reserve (Order);
       Open := Order.Owed;
       if Open then
-         Trace.Received (Order.Message.Kind, Order.Number);
-         Order_Meanings.Give_Rank (Ranks, Order);
-         case Order.Message.Kind is
-            when Mission_Order =>
+         Trace.Received (Order.Command.Name, Order.Number);
+         Orders.Give_Rank (Ranks, Order);
+         case Order.Command.Name is
+            when Mission_Command =>
                Ask_For_Mission (Line, Order);
-            when Open_Robot .. Stop_Position =>
+            when Robot_Command | Vision_Command =>
                Task_Ports.Dispatch (Order);
             when Sign_Of_Life =>
                Monitor.Sockets.Connection.Expect_Life;
@@ -219,7 +219,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Complete : Boolean;
       Open     : Boolean;
       Begun    : Beginning;
-      Ranks    : Order_Meanings.Ranks;
+      Ranks    : Orders.Ranks;
       Order    : Orders.Order;
    begin
       Process.Threads.Name_Task (Schedule.Th_Receive_From_Mon);
@@ -266,7 +266,6 @@ package body Monitor.Tasks with SPARK_Mode is
      (Next  : in out Monitor.Mailboxes.Item;
       Image : access constant Monitor.Image_Messages.Message)
    is
-      Line    : Monitor.Mailboxes.Short_Line;
       Success : Boolean;
    begin
       if Next.Is_Image and then Image = null then
@@ -278,10 +277,9 @@ package body Monitor.Tasks with SPARK_Mode is
            (Image.Data, Image.Length, Next.Unsent, Success);
          Trace.Sent (Image.Data (1 .. 4));
       else
-         Monitor.Mailboxes.Compose (Next, Line);
          Monitor.Sockets.Connection.Send
-           (Line.Data, Line.Length, Next.Unsent, Success);
-         Trace.Sent (Line.Data (1 .. 4));
+           (Next.Line.Data, Next.Line.Length, Next.Unsent, Success);
+         Trace.Sent (Next.Line.Data (1 .. 4));
       end if;
       --  before the session may end: the next has a connection, too
       if not Success then

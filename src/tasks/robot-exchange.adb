@@ -45,8 +45,7 @@ package body Robot.Exchange with SPARK_Mode is
    procedure Exchange
      (Item      : Command;
       Skip_Late : Boolean;
-      Ok        : out Boolean;
-      Answer    : out Reply)
+      Last      : out Robot.Session.Step_Result)
    with Post => Is_Written (Item, Robot.Serial_Line.Written'Old);
    --  Sends Item and waits for its answer. Skip_Late: frames of other classes
    --  are late answers to earlier commands, and are skipped. Otherwise none is
@@ -126,8 +125,7 @@ package body Robot.Exchange with SPARK_Mode is
    procedure Exchange
      (Item      : Command;
       Skip_Late : Boolean;
-      Ok        : out Boolean;
-      Answer    : out Reply)
+      Last      : out Robot.Session.Step_Result)
    is
       Out_Frame : Frame;
       In_Frame  : Frame;
@@ -141,7 +139,7 @@ package body Robot.Exchange with SPARK_Mode is
       Deadline  : Time;
       Now       : Time;
    begin
-      Answer := (others => <>);
+      Last := (others => <>);
       Encode (Item, Out_Frame);
       Now := Clock;
       if Skip_Late then
@@ -153,13 +151,13 @@ package body Robot.Exchange with SPARK_Mode is
       Has_Left := Now + Out_Frame.Length * Schedule.Byte_Time;
       Deadline := Has_Left
         + Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout);
-      Robot.Serial_Line.Write (Out_Frame, Ok);
+      Robot.Serial_Line.Write (Out_Frame, Last.Ok);
       Trace.Ordered (Schedule.Th_Line, Item.Kind);
       Trace.Wait (Schedule.Th_Line, Trace.Answer);
-      if not Ok then
+      if not Last.Ok then
          return;
       end if;
-      Ok := False;
+      Last.Ok := False;
       loop
          Robot.Serial_Line.Read (Data, Length, Deadline, Alive);
          if not Alive or else Length = 0 then
@@ -174,18 +172,19 @@ package body Robot.Exchange with SPARK_Mode is
             Accept_Byte (Receiving, Data (I), Complete);
             if Complete then
                Get (Receiving, In_Frame);
-               Decode (In_Frame, Item.Kind, Answer);
+               Decode (In_Frame, Item.Kind, Last.Reply);
+               Last.Text := Text_Of (In_Frame);
                if Skip_Late then
-                  Ok := Is_Answer (Answer.Kind, Item.Kind);
+                  Last.Ok := Is_Answer (Last.Reply.Kind, Item.Kind);
                else
-                  Ok := Answer.Kind not in Failed_Reply
+                  Last.Ok := Last.Reply.Kind not in Failed_Reply
                     and then not (Talks and then I < Length);
                   return;
                end if;
             end if;
-            exit when Ok;
+            exit when Last.Ok;
          end loop;
-         exit when Ok;
+         exit when Last.Ok;
          --  a line that never falls silent must not postpone the time-out
          exit when Now >= Deadline;
       end loop;
@@ -254,9 +253,9 @@ package body Robot.Exchange with SPARK_Mode is
             Robot.Serial_Line.Write (Sending, Last.Ok);
             Trace.Ordered (Schedule.Th_Line, Step.Command.Kind);
          when Robot.Session.Exchange =>
-            Exchange (Step.Command, False, Last.Ok, Last.Reply);
+            Exchange (Step.Command, False, Last);
          when Robot.Session.Synchronise =>
-            Exchange (Step.Command, True, Last.Ok, Last.Reply);
+            Exchange (Step.Command, True, Last);
          when Robot.Session.Finish =>
             null;
       end case;

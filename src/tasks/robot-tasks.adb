@@ -6,7 +6,6 @@ with Monitor.Notices;
 with Monitor.Outbox;
 with Monitor.Protocol;
 with Options;
-with Order_Meanings;
 with Orders;
 with Process.Threads;
 with Robot.Clients;
@@ -117,7 +116,7 @@ package body Robot.Tasks with SPARK_Mode is
          if Job.Order.Owed then
             Monitor.Outbox.Answer
               (Job.Order,
-               Order_Meanings.Answer_To (Job.Order.Message.Kind, Result));
+               Monitor.Protocol.Reply_To (Job.Order.Command.Name, Result));
          end if;
          if Job.From /= Robot.Requests.Stop_Order then
             Robot.Clients.Signal (Job.From);
@@ -126,7 +125,7 @@ package body Robot.Tasks with SPARK_Mode is
          Empty := State.Line_Open
            and then
              (if Job.Request.Kind = Get_Battery and then Result.Kind = Done
-              then Result.Value = 0 else Empty);
+              then Is_Zero (Result) else Empty);
       end loop;
    end Th_Line;
 
@@ -247,8 +246,7 @@ package body Robot.Tasks with SPARK_Mode is
                Robot.Line.Get_Status (Now);
                if Same_Run (Now, Begun) then
                   Monitor.Outbox.Put_Battery
-                    (Monitor.Protocol.Battery_Answer
-                       (if Result.Kind = Done then Result.Value else -1));
+                    (Monitor.Protocol.Battery_Notice (Result));
                end if;
             end if;
             Next := Next + Schedule.Battery_Period;

@@ -2,6 +2,7 @@
 
 with Ada.Real_Time;    use Ada.Real_Time;
 with Base64;
+with Commands;        use Commands;
 with Journal;
 with Monitor.Mailboxes;
 with Monitor.Notices;
@@ -9,7 +10,6 @@ with Monitor.Outbox;
 with Monitor.Positions;
 with Monitor.Protocol; use Monitor.Protocol;
 with Options;
-with Order_Meanings;
 with Orders;
 with Process.Threads;
 with Settings;
@@ -192,7 +192,7 @@ package body Vision.Tasks with SPARK_Mode is
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Camera_Control.Wait (Order);
-         case Order.Message.Kind is
+         case Order.Command.Name is
             when Open_Camera =>
                Vision.State.Store.Ask_Open (Order.Number, Needed, Success);
                if Needed then
@@ -213,10 +213,10 @@ package body Vision.Tasks with SPARK_Mode is
                end if;
             when others =>
                Vision.State.Store.Ask_Position
-                 (Order.Number, Order.Message.Kind = Start_Position,
+                 (Order.Number, Order.Command.Name = Start_Position,
                   Success);
          end case;
-         Monitor.Outbox.Answer (Order, Order_Meanings.Answer_To (Success));
+         Monitor.Outbox.Answer (Order, Reply_To (Success));
          Task_Ports.Vision_Done;
       end loop;
    end Th_Camera_Control;
@@ -240,7 +240,7 @@ package body Vision.Tasks with SPARK_Mode is
       Robots   : Vision.Shapes.Robot_Array := (others => <>);
       Count    : Vision.Shapes.Robot_Count;
       Known_At : Time;
-      Line     : Monitor.Mailboxes.Short_Line;
+      Line     : Short_Text;
       Image    : Monitor.Image_Messages.Message_Access :=
         new Monitor.Image_Messages.Message;
       Work     : Vision.Image_Cycle.Work;
@@ -355,7 +355,7 @@ package body Vision.Tasks with SPARK_Mode is
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Arena.Wait (Order);
-         if Order.Message.Kind = Ask_Arena then
+         if Order.Command.Name = Ask_Arena then
             Vision.State.Store.Ask_Arena (Order.Number, Valid);
             if Valid then
                Monitor.Outbox.Stop_Images;
@@ -377,14 +377,14 @@ package body Vision.Tasks with SPARK_Mode is
                   Monitor.Outbox.Answer_With_Image (Order, Image);
                else
                   Monitor.Outbox.Answer
-                    (Order, Order_Meanings.Answer_To (False));
+                    (Order, Reply_To (False));
                end if;
             else
-               Monitor.Outbox.Answer (Order, Order_Meanings.Answer_To (False));
+               Monitor.Outbox.Answer (Order, Reply_To (False));
             end if;
          else
             Vision.State.Store.Decide
-              (Order.Number, Order.Message.Kind = Confirm_Arena, Valid);
+              (Order.Number, Order.Command.Name = Confirm_Arena, Valid);
             Monitor.Outbox.Answer_Nothing (Order);
             if not Valid then
                Journal.Put

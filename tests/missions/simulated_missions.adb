@@ -210,9 +210,7 @@ package body Simulated_Missions is
             Outcome.Kind := Robot.Session.Refused;
          else
             Outcome.Kind := Robot.Session.Done;
-            if Reply.Data (1) = Character'Pos ('1') then
-               Outcome.Value := 1;
-            end if;
+            Outcome.Text.Data (1) := Character'Val (Reply.Data (1));
          end if;
       end Carry_Out;
 

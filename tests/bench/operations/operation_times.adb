@@ -8,6 +8,7 @@ with Ada.Real_Time;  use Ada.Real_Time;
 with Ada.Text_IO;    use Ada.Text_IO;
 with GNAT.OS_Lib;
 
+with Commands;
 with Journal;
 with Missions.Requests;
 with Monitor.Image_Messages;
@@ -187,7 +188,7 @@ begin
    end loop;
    Report ("Robot.Line.Get_Status");
 
-   Order.Message := (Kind => Monitor.Protocol.Go_Forward, others => <>);
+   Order.Command := (Name => Commands.Go_Forward, others => <>);
    Order.Owed := True;
    for I in Sample_Index loop
       Start;

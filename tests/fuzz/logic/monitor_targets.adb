@@ -2,6 +2,7 @@
 --  Fuzz targets: what comes from the monitor.
 
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
+with Commands;          use Commands;
 with Expectations;      use Expectations;
 with Input_Readers;     use Input_Readers;
 with Missions.Paths;
@@ -59,19 +60,19 @@ package body Monitor_Targets is
       return Fields mod 2 = 0 and then Fields <= 2 * Most;
    end Are_Points;
 
-   function Meaning (Line : String) return Message is
+   function Meaning (Line : String) return Command is
       --  That, said in another way than Parse does
       Colon  : constant Natural := Index (Line, ":");
       Start  : constant String :=
         (if Colon = 0 then Line else Line (Line'First .. Colon - 1));
       Text   : constant String :=
         (if Colon = 0 then "" else Line (Colon + 1 .. Line'Last));
-      Kind   : Message_Kind := Malformed;
+      Kind   : Command_Name := Malformed;
       Value  : Integer := 0;
       Signed : Boolean;
    begin
-      for K in Known_Kind loop
-         if Start = Label (K) then
+      for K in Known_Command loop
+         if Start = Table (K).Label then
             Kind := K;
          end if;
       end loop;
@@ -97,7 +98,7 @@ package body Monitor_Targets is
             Value :=
               (if Text (Text'First) = '-' then -Integer'Min (Value, 32_768)
                else Integer'Min (Value, 32_767));
-         when Mission_Order =>
+         when Mission_Command =>
             if not Are_Points
               (Text, (if Kind in Go_To_Pixels | Go_To_Centimetres then 1
                       else 64))
@@ -116,8 +117,8 @@ package body Monitor_Targets is
       --  Line means the same wherever its first index is, and what the table
       --  of the wire format says
       Shifted : String (Integer'Last - Line'Length .. Integer'Last - 1);
-      Here    : Message;
-      There   : Message;
+      Here    : Command;
+      There   : Command;
       Path    : Missions.Path;
       Valid   : Boolean;
       Text    : Texts.Text;
@@ -127,15 +128,15 @@ package body Monitor_Targets is
       Parse (Shifted, There);
       Check (Here = Meaning (Line), "a line has another meaning");
       Check (Here = There, "a line's meaning depends on its index");
-      if Here.Kind in Mission_Order then
+      if Here.Name in Mission_Command then
          Missions.Paths.Parse
-           (Line, Line'First + Text_Offset, Measure (Here.Kind),
-            Is_Single (Here.Kind), Path, Valid);
+           (Line, Line'First + Text_Offset, Measure (Here.Name),
+            Is_Single (Here.Name), Path, Valid);
          Check (Valid, "a mission has no path");
       end if;
       Texts.Set (Text, "received ");
       Texts.Append (Text, Line);
-      if Here.Kind = Log_Message then
+      if Here.Name = Log_Message then
          Texts.Set (Text, "monitor says: ");
          Texts.Append
            (Text, Line (Line'First + Text_Offset .. Line'Last));

@@ -111,7 +111,7 @@ package body Robot_Targets is
          B         : Byte;
          Complete  : Boolean := False;
       begin
-         Last := (Ok => False, Reply => <>);
+         Last := (Ok => False, others => <>);
          Take (R, B);
          case Next.Kind is
             when Robot.Session.Exchange | Robot.Session.Synchronise =>
@@ -135,6 +135,7 @@ package body Robot_Targets is
                if Complete then
                   Get (Receiving, F);
                   Decode (F, Next.Command.Kind, Last.Reply);
+                  Last.Text := Text_Of (F);
                   --  as the owner of the line has it
                   Last.Ok :=
                     (if Next.Kind = Robot.Session.Synchronise

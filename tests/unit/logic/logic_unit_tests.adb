@@ -5,6 +5,7 @@
 with Authentication_Tests;
 with Base64_Tests;
 with Command_Lines_Tests;
+with Commands_Tests;
 with Decimals_Tests;
 with Image_Cycle_Tests;
 with Image_Grid_Tests;
@@ -18,7 +19,6 @@ with Missions_Texts_Tests;
 with Monitor_Link_Tests;
 with Monitor_Protocol_Tests;
 with Networks_Tests;
-with Order_Meanings_Tests;
 with Processor_Sets_Tests;
 with Robot_Protocol_Tests;
 with Robot_Session_Tests;
@@ -34,6 +34,7 @@ begin
    Add ("Admission.Authentication", Authentication_Tests.Add_Tests'Access);
    Add ("Base64", Base64_Tests.Add_Tests'Access);
    Add ("Command_Lines", Command_Lines_Tests.Add_Tests'Access);
+   Add ("Commands", Commands_Tests.Add_Tests'Access);
    Add ("Decimals", Decimals_Tests.Add_Tests'Access);
    Add ("Admission.Networks", Networks_Tests.Add_Tests'Access);
    Add ("Vision.Image_Cycle", Image_Cycle_Tests.Add_Tests'Access);
@@ -45,7 +46,6 @@ begin
    Add ("Monitor.Mailboxes", Mailboxes_Tests.Add_Tests'Access);
    Add ("Missions.Paths", Missions_Paths_Tests.Add_Tests'Access);
    Add ("Missions.Texts", Missions_Texts_Tests.Add_Tests'Access);
-   Add ("Order_Meanings", Order_Meanings_Tests.Add_Tests'Access);
    Add ("Missions.Arenas", Mission_Arenas_Tests.Add_Tests'Access);
    Add ("Missions.Grounds", Mission_Grounds_Tests.Add_Tests'Access);
    Add ("Missions.Runs", Mission_Runs_Tests.Add_Tests'Access);

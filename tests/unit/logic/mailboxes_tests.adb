@@ -8,7 +8,7 @@ with AUnit.Assertions;   use AUnit.Assertions;
 
 with Monitor.Mailboxes;  use Monitor.Mailboxes;
 with Monitor.Notices;
-with Monitor.Protocol;
+with Monitor.Protocol; use Monitor.Protocol;
 with Monitor.Send_Order; use Monitor.Send_Order;
 with Orders;             use Orders;
 with Schedule;
@@ -18,7 +18,6 @@ package body Mailboxes_Tests is
 
    use type Ada.Real_Time.Time;
    use type Ada.Real_Time.Time_Span;
-   use all type Monitor.Protocol.Answer_Kind;
 
    function Ms (Count : Integer) return Ada.Real_Time.Time_Span
    renames Ada.Real_Time.Milliseconds;
@@ -29,18 +28,10 @@ package body Mailboxes_Tests is
    Now : Time;
    --  Of the test
 
-   function To_Line (Text : String) return Short_Line is
-      --  With a line feed.
-      Line : Short_Line;
+   procedure Answer
+     (Number : Ticket; Line : Monitor.Protocol.Short_Text := Acknowledged) is
    begin
-      Line.Length := Text'Length + 1;
-      Line.Data (1 .. Line.Length) := Text & Monitor.Protocol.Line_Feed;
-      return Line;
-   end To_Line;
-
-   procedure Answer (Number : Ticket; Kind : Answer_Kind := Acknowledged) is
-   begin
-      Put_Answer (B, Number, Kind);
+      Put_Answer (B, Number, Line);
    end Answer;
 
    procedure Begin_Anew is
@@ -58,8 +49,7 @@ package body Mailboxes_Tests is
    is
       --  What is taken next, Kept ms after the one before; Text without its
       --  line feed, empty for an image.
-      Next : Item;
-      Line : Short_Line;
+      Next : Monitor.Mailboxes.Item;
       Gap  : Monitor.Send_Order.Milliseconds;
       Left : Boolean;
    begin
@@ -67,10 +57,8 @@ package body Mailboxes_Tests is
       Assert (Next.Kind = Kind, Text & ": " & Next.Kind'Image);
       Assert (Next.Unsent = (Kind /= Nothing), "to be sent");
       if Kind /= Nothing and then not Next.Is_Image then
-         Compose (Next, Line);
-         Assert (Line.Data (1 .. Line.Length)
-                 = Text & Monitor.Protocol.Line_Feed,
-                 Text & ", not " & Line.Data (1 .. Line.Length));
+         Assert (Next.Line.Data (1 .. Next.Line.Length) = Text & Line_Feed,
+                 Text & ", not " & Next.Line.Data (1 .. Next.Line.Length));
       end if;
       Assert (not Left, "the session lasts");
    end Check;
@@ -108,13 +96,13 @@ package body Mailboxes_Tests is
    procedure Put_Battery is
       Begun : Boolean;
    begin
-      Put_Battery (B, Battery_Full, Now, Begun);
+      Put_Battery (B, Short ("RBLV:2"), Now, Begun);
    end Put_Battery;
 
    procedure Put_End (Number : Ticket; Text : String) is
       Begun : Boolean;
    begin
-      Put_End (B, Number, To_Line (Text), Now, Begun);
+      Put_End (B, Number, Short (Text), Now, Begun);
    end Put_End;
 
    procedure Put_Image is
@@ -127,13 +115,13 @@ package body Mailboxes_Tests is
    procedure Put_Position (Text : String) is
       Begun : Boolean;
    begin
-      Put_Position (B, To_Line (Text), B.Made, Now, Begun);
+      Put_Position (B, Short (Text), B.Made, Now, Begun);
    end Put_Position;
 
    procedure Put_Progress (Number : Ticket; Text : String) is
       Begun : Boolean;
    begin
-      Put_Progress (B, Number, To_Line (Text), Now, Begun);
+      Put_Progress (B, Number, Short (Text), Now, Begun);
    end Put_Progress;
 
    procedure Test_Arena is

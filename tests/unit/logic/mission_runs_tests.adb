@@ -27,6 +27,13 @@ package body Mission_Runs_Tests is
    Points  : constant Place_Array :=
      (1 => (700_000, 500_000), others => Corner);
 
+   function Said
+     (Digit : Character;
+      Kind  : Robot.Session.Outcome_Kind := Robot.Session.Done)
+     return Robot.Session.Outcome
+   is ((Kind, (Digit & (2 .. Robot.Protocol.Text_Size'Last => ' '), 1),
+        others => <>));
+
    type Answer is (Taken, Refused, Unanswered, Closed);
    --  What becomes of all requests
 
@@ -98,15 +105,13 @@ package body Mission_Runs_Tests is
                Assert (not Has_Ended (R), "goes on after the end");
                Tell
                  (R,
-                  (Kind  =>
+                  Said
+                    ((if Next.Kind = Ask and then Moves then '1' else '0'),
                      (case Given is
                          when Taken      => Robot.Session.Done,
                          when Refused    => Robot.Session.Refused,
                          when Unanswered => Robot.Session.Timed_Out,
-                         when Closed     => Robot.Session.Not_Open),
-                   Value =>
-                     (if Next.Kind = Ask and then Moves then 1 else 0),
-                   others => <>),
+                         when Closed     => Robot.Session.Not_Open)),
                   Now);
                if Given = Unanswered then
                   Now := Now + 80_000;
@@ -255,7 +260,7 @@ package body Mission_Runs_Tests is
       Assert (Next.Kind = Order
               and then Next.Request.Kind = Robot.Session.Stop,
               "the robot is stopped first");
-      Tell (R, (others => <>), Now);
+      Tell (R, Said ('0'), Now);
       for K in 1 .. 4 loop
          Now := Now + Period;
          See (R, (K, Now, K < 3, (Corner, 0)));
@@ -295,7 +300,7 @@ package body Mission_Runs_Tests is
          Assert (Next.Kind = Order
                  and then Next.Request.Command.Kind = Robot.Protocol.Turn,
                  "no turn");
-         Tell (R, (others => <>), Now);
+         Tell (R, Said ('0'), Now);
       end Turns;
 
       procedure Rests is
@@ -303,7 +308,7 @@ package body Mission_Runs_Tests is
       begin
          Step (R, Now, Next);
          Assert (Next.Kind = Ask, "does it move?");
-         Tell (R, (others => <>), Now);
+         Tell (R, Said ('0'), Now);
       end Rests;
 
    begin
@@ -312,7 +317,7 @@ package body Mission_Runs_Tests is
 
       Start (R, Size, Aside, 1, Now);
       Step (R, Now, Next);
-      Tell (R, (others => <>), Now);
+      Tell (R, Said ('0'), Now);
       See (Period, True, -45_000_000);
       See (Period, True, -45_000_000);
       Turns;

@@ -6,10 +6,13 @@ with Ada.Strings.Fixed;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
+with Commands; use Commands;
 with Missions;
 with Monitor.Positions; use Monitor.Positions;
 with Monitor.Protocol;  use Monitor.Protocol;
 with Position_Lines;
+with Robot.Protocol;
+with Robot.Session;
 with Unit_Runs; use Unit_Runs;
 
 package body Monitor_Protocol_Tests is
@@ -24,11 +27,14 @@ package body Monitor_Protocol_Tests is
 
    package Random_Ids is new Ada.Numerics.Discrete_Random (Robot_Id);
 
-   function Parsed (Line : String) return Message is
-      M : Message;
+   function Label (Name : Command_Name) return Label_Text is
+     (Table (Name).Label);
+
+   function Parsed (Line : String) return Command is
+      C : Command;
    begin
-      Parse (Line, M);
-      return M;
+      Parse (Line, C);
+      return C;
    end Parsed;
 
    procedure Feed (R : in out Line_Reader; Text : String) is
@@ -113,7 +119,7 @@ package body Monitor_Protocol_Tests is
 
    procedure Test_Answered is
    begin
-      for K in Message_Kind loop
+      for K in Command_Name loop
          Assert (Is_Answered (K)
                    = (K /= Confirm_Arena and then K /= Reject_Arena
                       and then K not in Sign_Of_Life | Log_Message),
@@ -123,12 +129,18 @@ package body Monitor_Protocol_Tests is
 
    procedure Test_Answers is
 
-      procedure Check (Answer : Answer_Kind; Text : String) is
-         --  Answer is Text and a line feed.
-         S : constant Short_Text := Wire_Text (Answer);
+      procedure Check (Line : Short_Text; Text : String) is
+         --  Line is Text and a line feed.
       begin
-         Assert (S.Data (1 .. S.Length) = Text & LF, Text);
+         Assert (Line.Data (1 .. Line.Length) = Text & LF, Text);
       end Check;
+
+      function Said (Text : String) return Robot.Session.Outcome is
+        ((Text   => (Data   => Ada.Strings.Fixed.Head
+                       (Text, Robot.Protocol.Text_Size'Last),
+                     Length => Text'Length),
+          others => <>));
+      --  The robot has answered with Text
 
    begin
       Check (Acknowledged, "AACK");
@@ -136,24 +148,25 @@ package body Monitor_Protocol_Tests is
       Check (Refused, "ACRJ");
       Check (Timed_Out, "ATIM");
       Check (Not_Understood, "ACER");
-      Check (Battery_Empty, "RBLV:0");
-      Check (Battery_Low, "RBLV:1");
-      Check (Battery_Full, "RBLV:2");
-      Check (Battery_Unknown, "RBLV:-1");
-      Check (Standing, "RCST:0");
-      Check (Moving, "RCST:1");
+      Check (Reply_To (Get_Battery, Said ("2")), "RBLV:2");
+      Check (Reply_To (Get_State, Said ("1")), "RCST:1");
+      Check (Reply_To (Ping_Robot, Said ("O")), "AACK");
+      Check (Battery_Notice (Said ("0")), "RBLV:0");
+      Check
+        (Battery_Notice ((Kind => Robot.Session.Timed_Out, others => <>)),
+         "RBLV:-1");
    end Test_Answers;
 
    procedure Test_Any_Label is
       Line  : String (1 .. 4);
       Known : Boolean;
    begin
-      for K in Known_Kind loop
+      for K in Known_Command loop
          for Place in 1 .. 4 loop
             for C in Character loop
                Line := Label (K);
                Line (Place) := C;
-               Known := (for some J in Known_Kind => Line = Label (J));
+               Known := (for some J in Known_Command => Line = Label (J));
                if not Known then
                   Check_Malformed (Line);
                   Check_Malformed (Line & ":");
@@ -208,14 +221,6 @@ package body Monitor_Protocol_Tests is
       end loop;
    end Test_Bad_Numbers;
 
-   procedure Test_Battery is
-   begin
-      Assert (Battery_Answer (-1) = Battery_Unknown
-              and then Battery_Answer (0) = Battery_Empty
-              and then Battery_Answer (1) = Battery_Low
-              and then Battery_Answer (2) = Battery_Full, "levels");
-   end Test_Battery;
-
    procedure Test_Beginnings is
       --  Every part of a message may become one, and nothing else
       R        : Line_Reader;
@@ -248,7 +253,7 @@ package body Monitor_Protocol_Tests is
       end Check;
 
    begin
-      for K in Known_Kind loop
+      for K in Known_Command loop
          Check (Label (K), Undecided);
          Check (Label (K) & ASCII.CR, Undecided);
          Check (Label (K) & ":any data", Undecided);
@@ -269,10 +274,8 @@ package body Monitor_Protocol_Tests is
 
    procedure Test_Bare is
    begin
-      for K in Known_Kind loop
-         if not Takes_Number (K) and then not Takes_Text (K)
-           and then K not in Mission_Order
-         then
+      for K in Known_Command loop
+         if Table (K).Data = None then
             Assert (Parsed (Label (K)) = (K, 0), Label (K));
 
             --  The existing monitor writes the separator nevertheless
@@ -342,12 +345,12 @@ package body Monitor_Protocol_Tests is
 
       Count : Natural := 0;
 
-      procedure Check (Text : String; Kind : Known_Kind) is
+      procedure Check (Text : String; Kind : Known_Command) is
          --  Text is the label of Kind.
       begin
          Count := Count + 1;
          Assert (Label (Kind) = Text, "label " & Text);
-         Assert ((for all K in Known_Kind =>
+         Assert ((for all K in Known_Command =>
                     K = Kind or else Label (K) /= Text), "once " & Text);
       end Check;
 
@@ -389,11 +392,11 @@ package body Monitor_Protocol_Tests is
       Check ("MPCM", Follow_Centimetres);
       Check ("LIVE", Sign_Of_Life);
       Check ("MSSG", Log_Message);
-      Assert (Count = Known_Kind'Pos (Known_Kind'Last) + 1, "all of them");
+      Assert
+        (Count = Known_Command'Pos (Known_Command'Last) + 1, "all of them");
       Check_Unsolicited (Image_Label, "CIMG");
       Check_Unsolicited (Position_Label, "CPOS");
       Check_Unsolicited (Battery_Label, "RBLV");
-      Check_Unsolicited (State_Label, "RCST");
       Check_Unsolicited (Progress_Label, "MPRG");
       Check_Unsolicited (End_Label, "MEND");
       Check_Unsolicited (Log_Label, "MSSG");
@@ -479,7 +482,7 @@ package body Monitor_Protocol_Tests is
 
    procedure Test_Missions is
 
-      type Units is array (Mission_Order) of Missions.Unit;
+      type Units is array (Mission_Command) of Missions.Unit;
 
       Expected : constant Units :=
         (Go_To_Pixels | Follow_Pixels => Missions.Pixels,
@@ -487,13 +490,13 @@ package body Monitor_Protocol_Tests is
 
       use type Missions.Unit;
    begin
-      for K in Mission_Order loop
+      for K in Mission_Command loop
          Assert (Is_Answered (K), "answered");
          Assert (Measure (K) = Expected (K), "the unit of " & Label (K));
          Assert (Is_Single (K) = (Label (K) in "MGTO" | "MGCM"), "single");
          Assert (Parsed (Label (K) & ":320.5;-12") = (K, 0), "a point");
          Assert
-           (Parsed (Label (K) & ":1;2;3;4").Kind =
+           (Parsed (Label (K) & ":1;2;3;4").Name =
               (if Is_Single (K) then Malformed else K), "two points");
          Check_Malformed (Label (K));
          Check_Malformed (Label (K) & ":");
@@ -557,8 +560,8 @@ package body Monitor_Protocol_Tests is
       G    : Random_Characters.Generator;
       Line : String (1 .. 40);
       Size : Natural;
-      M    : Message;
-      Seen : array (Message_Kind) of Natural := (others => 0);
+      C    : Command;
+      Seen : array (Command_Name) of Natural := (others => 0);
       Few  : constant String := "RMOVTN:-0123456789+";
    begin
       Random_Characters.Reset (G, 7);
@@ -573,14 +576,14 @@ package body Monitor_Protocol_Tests is
          end loop;
          if Round mod 3 = 0 and then Size >= 5 then
             Line (1 .. 4) := Label
-              (Known_Kind'Val
-                 (Round / 3 mod (Known_Kind'Pos (Log_Message) + 1)));
+              (Known_Command'Val
+                 (Round / 3 mod (Known_Command'Pos (Log_Message) + 1)));
             Line (5) := ':';
          end if;
-         Parse (Line (1 .. Size), M);
-         Seen (M.Kind) := Seen (M.Kind) + 1;
-         Assert (M.Kind = Malformed
-                 or else Line (1 .. 4) = Label (M.Kind), "its label");
+         Parse (Line (1 .. Size), C);
+         Seen (C.Name) := Seen (C.Name) + 1;
+         Assert (C.Name = Malformed
+                 or else Line (1 .. 4) = Label (C.Name), "its label");
       end loop;
       Assert (Seen (Malformed) > 0 and then Seen (Log_Message) > 0
               and then Seen (Move_Robot) > 0 and then Seen (Stop_Robot) > 0,
@@ -833,7 +836,6 @@ package body Monitor_Protocol_Tests is
       Add_Test ("telnet's commands", Test_Telnet'Access);
       Add_Test ("a random stream", Test_Reader_Chaos'Access);
       Add_Test ("answers", Test_Answers'Access);
-      Add_Test ("battery levels", Test_Battery'Access);
       Add_Test ("F18: not found", Test_Not_Found'Access);
       Add_Test ("F18: positions", Test_Positions'Access);
       Add_Test ("F18: random positions", Test_Random_Positions'Access);

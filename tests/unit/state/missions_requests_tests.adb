@@ -2,9 +2,9 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
+with Commands;
 with Missions;         use Missions;
 with Missions.Requests;
-with Monitor.Protocol;
 with Orders;           use Orders;
 with Unit_Runs; use Unit_Runs;
 
@@ -14,7 +14,7 @@ package body Missions_Requests_Tests is
       --  Asks for a mission, which is Taken or stays with the caller
       Order : Orders.Order :=
         (Number  => Number,
-         Message => (Monitor.Protocol.Follow_Pixels, 0),
+         Command => (Commands.Follow_Pixels, 0),
          Owed    => True,
          others  => <>);
    begin

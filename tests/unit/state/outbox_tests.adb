@@ -9,14 +9,12 @@ with Missions;
 with Monitor.Image_Messages; use Monitor.Image_Messages;
 with Monitor.Mailboxes;
 with Monitor.Outbox;
-with Monitor.Protocol;
+with Monitor.Protocol; use Monitor.Protocol;
 with Monitor.Send_Order;     use Monitor.Send_Order;
 with Orders;                 use Orders;
 with Unit_Runs; use Unit_Runs;
 
 package body Outbox_Tests is
-
-   use all type Monitor.Protocol.Answer_Kind;
 
    Made_Here : Message_Access := new Message;  --  to be filled next
    Sent_Here : Message_Access := new Message;  --  taken last
@@ -72,7 +70,7 @@ package body Outbox_Tests is
       Monitor.Outbox.Reserve (Second);
       Assert (First.Owed and then Second.Owed, "both are owed");
       Assert (Second.Number = First.Number + 1, "numbers in a row");
-      Monitor.Outbox.Put_Battery (Battery_Full);
+      Monitor.Outbox.Put_Battery (Short ("RBLV:2"));
       Monitor.Outbox.Wait_Held;
       Monitor.Outbox.Get_Hold_End (Any, At_Time);
       Assert (Any and then At_Time > Clock, "held back");
@@ -127,16 +125,15 @@ package body Outbox_Tests is
       procedure Check_Line (Text : String) is
          --  The next message
          Next : Monitor.Mailboxes.Item;
-         Line : Monitor.Mailboxes.Short_Line;
          Gap  : Monitor.Send_Order.Milliseconds;
       begin
          Monitor.Outbox.Wait;
          Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap);
          Assert (Next.Kind = Mission, Next.Kind'Image & " taken");
-         Monitor.Mailboxes.Compose (Next, Line);
          Assert
-           (Line.Data (1 .. Line.Length) = Text & Monitor.Protocol.Line_Feed,
-            Line.Data (1 .. Line.Length));
+           (Next.Line.Data (1 .. Next.Line.Length)
+            = Text & Monitor.Protocol.Line_Feed,
+            Next.Line.Data (1 .. Next.Line.Length));
       end Check_Line;
 
       procedure Check_Waits (Expected : Boolean) is

@@ -4,7 +4,7 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Ada.Real_Time;
-with Monitor.Protocol; use Monitor.Protocol;
+with Commands;         use Commands;
 with Orders;           use Orders;
 with Robot.Line;
 with Robot.Line_Status;
@@ -17,13 +17,13 @@ package body Robot_Line_Tests is
 
    procedure Ask
      (From        : Client;
-      Kind        : Message_Kind;
+      Name        : Command_Name;
       Number      : Ticket;
       Rank, After : Ticket := 0)
    is
       --  The monitor's order, by way of From.
       Order : Orders.Order :=
-        (Number, (Kind => Kind, others => <>), Rank, After, Owed => True);
+        (Number, (Name => Name, others => <>), Rank, After, Owed => True);
    begin
       Robot.Line.Put (From, Order);
    end Ask;
@@ -67,7 +67,7 @@ package body Robot_Line_Tests is
 
    procedure Stop (Number : Ticket; After : Ticket := 0) is
       Order : Orders.Order :=
-        (Number, (Kind => Stop_Robot, others => <>), 0, After, Owed => True);
+        (Number, (Name => Stop_Robot, others => <>), 0, After, Owed => True);
    begin
       Robot.Line.Put_Stop (Order);
    end Stop;

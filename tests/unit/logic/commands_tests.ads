@@ -2,8 +2,8 @@
 --  What orders mean: the robot's frame for each line of the monitor, and the
 --  ranks.
 
-package Order_Meanings_Tests is
+package Commands_Tests is
 
    procedure Add_Tests;
 
-end Order_Meanings_Tests;
+end Commands_Tests;

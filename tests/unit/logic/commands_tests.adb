@@ -1,25 +1,25 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What orders mean: the robot's frame for each line of the monitor, and the
---  ranks.
+--  The table of commands: the robot's frame for each line of the monitor, what
+--  is by hand; and the ranks.
 
 with AUnit.Assertions; use AUnit.Assertions;
 
+with Commands;         use Commands;
 with Monitor.Protocol; use Monitor.Protocol;
-with Order_Meanings;   use Order_Meanings;
 with Orders;           use Orders;
 with Robot.Protocol;
 with Robot.Session;
 with Unit_Runs; use Unit_Runs;
 
-package body Order_Meanings_Tests is
+package body Commands_Tests is
 
    procedure Check_Frame (Line, Expected : String) is
       --  The robot gets Expected, a checksum and a carriage return for Line.
-      M : Message;
+      C : Command;
       F : Robot.Protocol.Frame;
    begin
-      Parse (Line, M);
-      Robot.Protocol.Encode (Robot.Session.Command_For (Request_Of (M)), F);
+      Parse (Line, C);
+      Robot.Protocol.Encode (Robot.Session.Command_For (Request_Of (C)), F);
       Assert (F.Length = Expected'Length + 2, Line & ": length");
       for I in Expected'Range loop
          Assert (Character'Val (F.Data (I)) = Expected (I),
@@ -28,15 +28,15 @@ package body Order_Meanings_Tests is
    end Check_Frame;
 
    procedure Check_Rank
-     (R : in out Ranks; Kind : Message_Kind; Rank, After : Ticket)
+     (R : in out Ranks; Name : Command_Name; Rank, After : Ticket)
    is
       --  as the task has it that receives: with what the last order left
       Item : Order :=
-        (Message => (Kind, 0), Rank => 99, After => 99, others => <>);
+        (Command => (Name, 0), Rank => 99, After => 99, others => <>);
    begin
       Give_Rank (R, Item);
-      Assert (Item.Rank = Rank, Kind'Image & " has rank" & Item.Rank'Image);
-      Assert (Item.After = After, Kind'Image & " after" & Item.After'Image);
+      Assert (Item.Rank = Rank, Name'Image & " has rank" & Item.Rank'Image);
+      Assert (Item.After = After, Name'Image & " after" & Item.After'Image);
    end Check_Rank;
 
    procedure Test_Frames is
@@ -63,13 +63,13 @@ package body Order_Meanings_Tests is
 
    procedure Test_Hand is
    begin
-      for Kind in Order_Kind loop
+      for Name in Command_Name loop
          Assert
-           (Is_By_Hand (Kind) =
-              (Kind in Close_Robot | Reset_Robot | Power_Off_Robot
+           (Is_By_Hand (Name) =
+              (Name in Close_Robot | Reset_Robot | Power_Off_Robot
                  | Go_Forward | Go_Backward | Go_Left | Go_Right
                  | Move_Robot | Turn_Robot | Stop_Robot | Abort_Mission),
-            Kind'Image);
+            Name'Image);
       end loop;
    end Test_Hand;
 
@@ -97,4 +97,4 @@ package body Order_Meanings_Tests is
       Add_Test ("the ranks", Test_Ranks'Access);
    end Add_Tests;
 
-end Order_Meanings_Tests;
+end Commands_Tests;
