@@ -33,6 +33,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
        and then Table (Turn_Robot).Label = "RTRN"
        and then Table (Power_Off_Robot).Label = "RPOF"
        and then Table (Get_Battery).Label = "RGBT"
+       and then Table (Get_Version).Label = "RVER"
        and then Table (Get_State).Label = "RGST"
        and then Table (Open_Camera).Label = "COPN"
        and then Table (Close_Camera).Label = "CCLS"
@@ -61,6 +62,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
           when Reload_Watchdog          => Letter = 'w',
           when Power_Off_Robot          => Letter = 'z',
           when Get_Battery              => Letter = 'v',
+          when Get_Version              => Letter = 'V',
           when Get_State                => Letter = 'b',
           when Close_Robot | Stop_Robot | Abort_Mission =>
             Letter = 'M' and then Value = 0,
@@ -120,6 +122,8 @@ package Wire_Texts with SPARK_Mode, Ghost is
              (case Name is
                  when Get_Battery =>
                    Says (Reply_To (Name, Result), "RBLV:", Result),
+                 when Get_Version =>
+                   Says (Reply_To (Name, Result), "RVER:", Result),
                  when Get_State   =>
                    Says (Reply_To (Name, Result), "RCST:", Result),
                  when others      =>

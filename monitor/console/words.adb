@@ -36,6 +36,7 @@ package body Words is
       (+"turn", Turn_Robot, +"N degrees, to the right if negative"),
       (+"power off", Power_Off_Robot, +"switch the robot off"),
       (+"battery", Get_Battery, +"ask for its level"),
+      (+"version", Get_Version, +"ask for the robot's"),
       (+"state", Get_State, +"is it moving?"),
       (+"open camera", Open_Camera, +"images begin to come"),
       (+"close camera", Close_Camera, +"images end"),

@@ -30,6 +30,7 @@ package Commands with SPARK_Mode is
       Turn_Robot,
       Power_Off_Robot,
       Get_Battery,
+      Get_Version,
       Get_State,
       Open_Camera,
       Close_Camera,
@@ -121,6 +122,8 @@ package Commands with SPARK_Mode is
         ("RPOF", None, Th_Reset_Robot, (Power_Off, Any), Done_Label),
       when Get_Battery =>
         ("RGBT", None, Th_Query, (Get_Battery, Any), "RBLV"),
+      when Get_Version =>
+        ("RVER", None, Th_Query, (Get_Version, Any), "RVER"),
       when Get_State =>
         ("RGST", None, Th_Query, (Get_Moving, Any), "RCST"),
       when Open_Camera =>

@@ -37,6 +37,7 @@ package Robot.Session with SPARK_Mode is
       Ping,
       Power_Off,        --  stops a started robot first
       Get_Battery,
+      Get_Version,
       Get_Moving,
       Drive,            --  a movement order: only while started
       Stop,             --  sent unless the robot is known not to run: firmware
@@ -62,6 +63,7 @@ package Robot.Session with SPARK_Mode is
          when Ping | Keep_Alive       => (Robot.Protocol.Ping, 0),
          when Power_Off               => (Robot.Protocol.Power_Off, 0),
          when Get_Battery             => (Robot.Protocol.Battery, 0),
+         when Get_Version             => (Robot.Protocol.Version, 0),
          when Get_Moving              => (Robot.Protocol.Busy, 0),
          when Drive                   => R.Command,
          when Close_Line | Stop       => Robot.Protocol.Stop,

@@ -686,6 +686,11 @@ package body Robot_Tests is
       & " tell battery 2, RGBT RBLV:2, tell silent on, RGBT ATIM",
       Emulator_Options => "--battery 0");
 
+   procedure Version_On_Request is new Script
+     ("RVER ANAK, ROPN AACK, RVER RVER:3.5, seen V, RSWW AACK, RGFW AACK,"
+      & " RVER RVER:3.5, RGST RCST:1, tell drop 1, RVER ATIM, RVER RVER:3.5,"
+      & " unsaid robot lost");
+
    procedure State_On_Request is new Script
      ("ROPN AACK, RSOW AACK, RGST RCST:0, RTRN:30000 AACK, RGST RCST:1,"
       & " RSTP AACK, RGST RCST:0");

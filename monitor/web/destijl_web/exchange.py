@@ -14,7 +14,7 @@ DRIVES = frozenset(("RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN"))
 STOPS = frozenset(("RSTP", "MABT"))
 #  The second one, from a mission's user: the same order to the supervisor
 
-ROBOT = STARTS | DRIVES | STOPS | {"RPIN", "RGBT", "RGST"}
+ROBOT = STARTS | DRIVES | STOPS | {"RPIN", "RGBT", "RVER", "RGST"}
 CAMERA = frozenset(("COPN", "CCLS", "CASA", "CACO", "CAIN", "CPCO", "CPST"))
 WITH_NUMBER = frozenset(("RMOV", "RTRN"))
 MISSIONS = {"MGTO": 1, "MPTH": 64, "MGCM": 1, "MPCM": 64}
@@ -122,6 +122,8 @@ def _can_answer(line: bytes, begun_at: float, command: Command) -> bool:
         return len(line) == 4 and command.label in ROBOT
     if label == b"RBLV":
         return command.label == "RGBT"
+    if label == b"RVER":
+        return command.label == "RVER"
     if label == b"RCST":
         return command.label == "RGST"
     if label == b"CIMG":

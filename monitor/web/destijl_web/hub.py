@@ -725,4 +725,4 @@ def now_ms() -> int:
 
 
 def is_good(answer: str) -> bool:
-    return answer[:4] in ("AACK", "CIMG", "RBLV", "RCST")
+    return answer[:4] in ("AACK", "CIMG", "RBLV", "RVER", "RCST")

@@ -16,12 +16,13 @@ _NEW_SESSION: Fields = {
     "positions": False,
     "arena": "none",
     "battery": -1,
+    "version": "",
     "mission": None,
 }
 #  The state at the beginning of a session with the supervisor
 
 
-_ASKING = ("RSOW", "RSWW", "RRST", "RPIN", "RGBT", "RGST")
+_ASKING = ("RSOW", "RSWW", "RRST", "RPIN", "RGBT", "RVER", "RGST")
 #  Whoever does not answer these may be switched off
 
 
@@ -69,7 +70,10 @@ class State:
                 self.set(robot="open")
         if label == "ROPN":
             if done and self["robot"] in ("closed", "lost"):
-                self.set(robot="open", watchdog=False)
+                self.set(robot="open", watchdog=False, version="")
+        elif label == "RVER":
+            if answer.startswith("RVER:"):
+                self.set(version=answer[5:])
         elif label == "RCLS":
             if done:
                 self.set(robot="closed", watchdog=False)

@@ -295,7 +295,7 @@ class _Session(asyncio.Protocol):
                 answer = (
                     "CIMG"
                     if line[:4] == b"CIMG"
-                    else line[:16].decode("ascii", "replace")
+                    else line[:64].decode("ascii", "replace")
                 )
                 took = (now - command.sent_at) * 1000
                 self._listener.settled(command, answer, took, line)

@@ -21,7 +21,7 @@ const STANDING = new Set(["robot_lost", "camera_silent", "camera_failed", "missi
 
 // Orders that are routine once done
 const QUIET = new Set(["RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN",
-  "RPIN", "RGBT", "RGST", "CPCO", "CPST", "CACO", "CAIN", "MABT"]);
+  "RPIN", "RGBT", "RVER", "RGST", "CPCO", "CPST", "CACO", "CAIN", "MABT"]);
 
 const MISSIONS = new Set(["MGTO", "MPTH", "MGCM", "MPCM"]);
 
@@ -34,12 +34,13 @@ export function answerWords(answer, order = "") {
   if (MISSIONS.has(order) && has("mission_" + answer)) return t("mission_" + answer);
   const [label, n] = answer.split(":");
   if (label === "RBLV") return t("RBLV", { n: Number(n) < 0 ? t("battery_unknown") : t("battery_" + n) });
+  if (label === "RVER") return t("version", { version: answer.slice(5) });
   if (label === "RCST") return t("RCST_" + n);
   return t(label);
 }
 
 export const succeeded = (answer) => ["AACK", "CIMG"].includes(answer) ||
-  /^(RBLV|RCST):/.test(answer ?? "");
+  /^(RBLV|RVER|RCST):/.test(answer ?? "");
 
 // Advice after a refusal
 export function remedy(label, answer) {

@@ -22,7 +22,7 @@ const HINT_AGAIN = 10000;          // ms
 const ASK_AFTER = 2;               // failures; then the gateway may have refused it
 const SESSION_OVER = 4001;         // code of the gateway
 
-const ROBOT_ORDERS = ["RSWW", "RSOW", "RRST", "ROPN", "RCLS", "RPIN", "RGST", "RGBT", "RPOF"];
+const ROBOT_ORDERS = ["RSWW", "RSOW", "RRST", "ROPN", "RCLS", "RPIN", "RGST", "RGBT", "RVER", "RPOF"];
 const CAMERA_ORDERS = ["COPN", "CCLS", "CPCO", "CPST", "CASA", "CACO", "CAIN"];
 const DRIVING = new Set(["RGFW", "RGBW", "RGLF", "RGRI", "RSTP", "RMOV", "RTRN"]);
 const LEVEL = { closed: "off", open: "warn", started: "ok", off: "bad", lost: "bad",
@@ -30,7 +30,7 @@ const LEVEL = { closed: "off", open: "warn", started: "ok", off: "bad", lost: "b
 
 const state = {
   supervisor: "connecting", robot: "closed", watchdog: false, camera: false,
-  positions: false, arena: "none", battery: -1, driver: null, asking: [], offered: null,
+  positions: false, arena: "none", battery: -1, version: "", driver: null, asking: [], offered: null,
   viewers: [], recording: null, mission: null,
 };
 let me = null;
@@ -664,7 +664,9 @@ function show() {
   missions.set(link.usable ? state.mission : null);
   at("arena-question").hidden = state.arena !== "found" || !drives;
   usable(at("arena-search"), drives && state.camera && state.arena !== "found" && !searching);
-  tile("robot", LEVEL[state.robot], t("robot_" + state.robot));
+  tile("robot", LEVEL[state.robot], t("robot_" + state.robot) +
+    (state.version && ["open", "started"].includes(state.robot)
+      ? ", " + t("version", { version: state.version }) : ""));
   const running = state.robot === "started";
   tile("watchdog", !running ? "off" : state.watchdog ? "ok" : "warn",
     t(!running ? "watchdog_none" : state.watchdog ? "watchdog_on" : "watchdog_off"));

@@ -59,6 +59,7 @@ package body Commands_Tests is
       Check_Frame ("RPOF", "z");
       Check_Frame ("RGBT", "v");
       Check_Frame ("RGST", "b");
+      Check_Frame ("RVER", "V");
    end Test_Frames;
 
    procedure Test_Hand is

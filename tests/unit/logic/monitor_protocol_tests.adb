@@ -150,6 +150,7 @@ package body Monitor_Protocol_Tests is
       Check (Not_Understood, "ACER");
       Check (Reply_To (Get_Battery, Said ("2")), "RBLV:2");
       Check (Reply_To (Get_State, Said ("1")), "RCST:1");
+      Check (Reply_To (Get_Version, Said ("3.5")), "RVER:3.5");
       Check (Reply_To (Ping_Robot, Said ("O")), "AACK");
       Check (Battery_Notice (Said ("0")), "RBLV:0");
       Check
@@ -378,6 +379,7 @@ package body Monitor_Protocol_Tests is
       Check ("RTRN", Turn_Robot);
       Check ("RPOF", Power_Off_Robot);
       Check ("RGBT", Get_Battery);
+      Check ("RVER", Get_Version);
       Check ("RGST", Get_State);
       Check ("COPN", Open_Camera);
       Check ("CCLS", Close_Camera);

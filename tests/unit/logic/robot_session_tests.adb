@@ -478,6 +478,7 @@ package body Robot_Session_Tests is
                    (Done, Level, Nothing), Mode);
          end loop;
          Check (Mode, Get_Battery, "E", "v", (Refused, 0, Nothing), Mode);
+         Check (Mode, Get_Version, "+", "V", (Done, 0, Nothing), Mode);
          Check (Mode, Get_Moving, "0", "b", (Done, 0, Nothing), Mode);
          Check (Mode, Get_Moving, "1", "b", (Done, 1, Nothing), Mode);
       end loop;

@@ -55,6 +55,7 @@ class Supervisor:
             "AUTH": b"ACER",
             "RGBT": b"RBLV:2",
             "RGST": b"RCST:0",
+            "RVER": b"RVER:3.5",
             "CASA": b"CIMG:" + base64.b64encode(jpeg(999)),
             "CACO": None,
             "CAIN": None,

@@ -26,13 +26,15 @@ def test_answers_of_all(answer: bytes) -> None:
 
 
 def test_in_their_order() -> None:
-    exchange = sent("ROPN", "RGBT", "RGST")
+    exchange = sent("ROPN", "RGBT", "RVER", "RGST")
     assert match(exchange, b"RCST:1") == []
     assert match(exchange, b"RBLV:2") == []
     assert match(exchange, b"AACK") == ["ROPN"]
     assert match(exchange, b"RCST:1") == []
     assert match(exchange, b"RBLV:2") == ["RGBT"]
     assert match(exchange, b"RBLV:2") == []
+    assert match(exchange, b"RCST:1") == []
+    assert match(exchange, b"RVER:3.5") == ["RVER"]
     assert match(exchange, b"RCST:1") == ["RGST"]
 
 

@@ -24,6 +24,7 @@ async def test_welcome(w: World) -> None:
             "positions": False,
             "arena": "none",
             "battery": -1,
+            "version": "",
             "driver": None,
             "asking": [],
             "offered": None,
@@ -58,11 +59,16 @@ LABELS = exchange.LABELS - exchange.MISSIONS.keys()
 
 async def test_every_order(w: World) -> None:
     page = await w.driver()
-    assert len(LABELS) == 24
+    assert len(LABELS) == 25
     for label in sorted(LABELS):
         value = -90 if label in ("RMOV", "RTRN") else None
         answer = await page.order(label, value=value)
-        others = {"RGBT": "RBLV:2", "RGST": "RCST:0", "CASA": "CIMG"}
+        others = {
+            "RGBT": "RBLV:2",
+            "RVER": "RVER:3.5",
+            "RGST": "RCST:0",
+            "CASA": "CIMG",
+        }
         assert answer["answer"] == others.get(label, "AACK")
         assert 0.0 <= answer["ms"] < 5000.0
         event = await page.event("order", label=label)
@@ -112,6 +118,7 @@ async def test_state_follows_the_answers(w: World) -> None:
     await after("CASA", arena="found")
     await after("CCLS", camera=False, positions=False, arena="none")
     await after("RGBT", battery=2)
+    await after("RVER", version="3.5")
 
 
 async def test_a_robot_that_is_off(w: World) -> None:
