@@ -2,14 +2,16 @@
 
 package body Wire_Texts with SPARK_Mode is
 
+   procedure Prove_Battery (Result : Robot.Session.Outcome) is null;
+
    procedure Prove_Frame (C : Commands.Command) is null;
 
    procedure Prove_Labels is null;
 
-   procedure Prove_Other_Messages (Result : Robot.Session.Outcome) is null;
-
    procedure Prove_Reply
      (Name : Robot_Command; Result : Robot.Session.Outcome) is null;
+
+   procedure Prove_Texts is null;
 
    procedure Prove_Vision_Reply (Done : Boolean) is null;
 

@@ -113,11 +113,11 @@ package Wire_Texts with SPARK_Mode, Ghost is
      Post =>
        (case Result.Kind is
            when Robot.Session.Refused    =>
-             Says (Reply_To (Name, Result), "ACRJ"),
+             Reply_To (Name, Result) = Monitor.Protocol.Refused,
            when Robot.Session.Timed_Out  =>
-             Says (Reply_To (Name, Result), "ATIM"),
+             Reply_To (Name, Result) = Monitor.Protocol.Timed_Out,
            when Robot.Session.Not_Open | Robot.Session.Not_Opened =>
-             Says (Reply_To (Name, Result), "ANAK"),
+             Reply_To (Name, Result) = Not_Done,
            when Robot.Session.Done       =>
              (case Name is
                  when Get_Battery =>
@@ -127,19 +127,25 @@ package Wire_Texts with SPARK_Mode, Ghost is
                  when Get_State   =>
                    Says (Reply_To (Name, Result), "RCST:", Result),
                  when others      =>
-                   Says (Reply_To (Name, Result), "AACK")));
+                   Reply_To (Name, Result) = Acknowledged));
 
    procedure Prove_Vision_Reply (Done : Boolean)
    with
-     Post => Says (Reply_To (Done), (if Done then "AACK" else "ANAK"));
+     Post => Reply_To (Done) = (if Done then Acknowledged else Not_Done);
 
-   procedure Prove_Other_Messages (Result : Robot.Session.Outcome)
+   procedure Prove_Battery (Result : Robot.Session.Outcome)
    with
-     Post => Says (Not_Understood, "ACER")
+     Post =>
+       (if Result.Kind = Robot.Session.Done
+        then Says (Battery_Notice (Result), "RBLV:", Result)
+        else Says (Battery_Notice (Result), "RBLV:-1"));
+
+   procedure Prove_Texts
+   with
+     Post => Says (Acknowledged, "AACK")
+       and then Says (Not_Done, "ANAK")
+       and then Says (Monitor.Protocol.Refused, "ACRJ")
        and then Says (Monitor.Protocol.Timed_Out, "ATIM")
-       and then
-         (if Result.Kind = Robot.Session.Done
-          then Says (Battery_Notice (Result), "RBLV:", Result)
-          else Says (Battery_Notice (Result), "RBLV:-1"));
+       and then Says (Not_Understood, "ACER");
 
 end Wire_Texts;

@@ -37,6 +37,7 @@ package Commands with SPARK_Mode is
       Ask_Arena,
       Confirm_Arena,
       Reject_Arena,
+      Get_Ground,
       Start_Position,
       Stop_Position,
       Go_To_Pixels,
@@ -136,6 +137,8 @@ package Commands with SPARK_Mode is
         ("CACO", None, Th_Arene, Nothing, No_Reply),
       when Reject_Arena =>
         ("CAIN", None, Th_Arene, Nothing, No_Reply),
+      when Get_Ground =>
+        ("CARN", None, Th_Arene, Nothing, "CARN"),
       when Start_Position =>
         ("CPCO", None, Th_Camera_Control, Nothing, Done_Label),
       when Stop_Position =>

@@ -5,8 +5,10 @@ package body Monitor.Positions with SPARK_Mode is
    procedure Append (Value : Micro; Line : in out Short_Line;
                      Last : in out Natural)
    with
-     Pre  => Last in 6 .. Max_Short_Line - 21,
-     Post => Last in Last'Old + 9 .. Last'Old + 17
+     Pre  => Last in 6 .. Max_Short_Line - 19
+       and then (Last <= Max_Short_Line - 21 or else Value in Coordinate),
+     Post => Last in Last'Old + 9
+                  .. Last'Old + (if Value in Coordinate then 13 else 17)
        and then (for all I in 1 .. Last'Old => Line (I) = Line'Old (I))
        and then (for all I in Last'Old + 1 .. Last =>
                    Line (I) in '-' | '.' | '0' .. '9' | Field_Separator)
@@ -46,5 +48,33 @@ package body Monitor.Positions with SPARK_Mode is
       Last := Last + 1;
       Line (Last) := Line_Feed;
    end Format;
+
+   function Ground
+     (Size   : Missions.Arena_Size;
+      Margin : Natural;
+      Where  : Corners) return Short_Text
+   is
+      Line : Short_Line := (others => ' ');
+      Last : Natural    := 5;
+   begin
+      Line (1 .. 4) := Ground_Label;
+      Line (5) := Separator;
+      Numbers.Append (Size.Width, 1, Line, Last);
+      Last := Last + 1;
+      Line (Last) := Field_Separator;
+      Numbers.Append (Size.Height, 1, Line, Last);
+      Last := Last + 1;
+      Line (Last) := Field_Separator;
+      Numbers.Append (Margin, 1, Line, Last);
+      for I in Where'Range loop
+         Append (Where (I), Line, Last);
+         pragma Loop_Invariant
+           (Last in 10 + 9 * I .. 16 + 13 * I
+            and then Line (1 .. 4) = Ground_Label);
+      end loop;
+      Last := Last + 1;
+      Line (Last) := Line_Feed;
+      return (Line, Last);
+   end Ground;
 
 end Monitor.Positions;

@@ -1,6 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The robot's position, as the monitor is told of it.
+--  The robot's position and the arena's ground, as the monitor is told of
+--  them.
 
+with Commands;
+with Missions;
 with Monitor.Protocol; use Monitor.Protocol;
 
 package Monitor.Positions with SPARK_Mode is
@@ -38,5 +41,27 @@ package Monitor.Positions with SPARK_Mode is
                    Line (I) in '-' | '.' | '0' .. '9' | Field_Separator);
    --  CPOS:id;angle;cx;cy;dx;dy and a line feed in Line (1 .. Last), the id as
    --  an integer, the others with exactly six decimals
+
+   subtype Coordinate is Micro range -999_999_999 .. 9_999_999_999;
+   --  In every image
+
+   Ground_Label : constant Commands.Label_Text :=
+     Commands.Table (Commands.Get_Ground).Label;
+
+   type Corners is array (1 .. 8) of Coordinate;
+   --  x and y of an arena's corners, clockwise from the upper left one
+
+   function Ground
+     (Size   : Missions.Arena_Size;
+      Margin : Natural;
+      Where  : Corners) return Short_Text
+   with
+     Pre  => Margin <= 9,
+     Post => Begins_With (Ground'Result.Data, Ground_Label)
+       and then Ground'Result.Length in 84 .. 121
+       and then Ground'Result.Data (Ground'Result.Length) = Line_Feed;
+   --  CARN:width;height;margin;x;y;x;y;x;y;x;y and a line feed: centimetres,
+   --  then pixels with exactly six decimals. A mission's points keep Margin
+   --  from the border
 
 end Monitor.Positions;

@@ -96,4 +96,30 @@ package Vision.Image_Cycle with SPARK_Mode is
           Dy    => Monitor.Positions.Micro (Robots (1).Direction.Y)));
    --  The position reported to the monitor: that of Robots (1)
 
+   function Has_Ground
+     (Mode : Vision.Mode.State; Arena : Vision.Shapes.Arena_Corners)
+      return Boolean
+   is (Mode.Confirmed
+       and then
+         (for all P of Arena =>
+            Monitor.Positions.Micro (P.X) in Monitor.Positions.Coordinate
+            and then
+              Monitor.Positions.Micro (P.Y) in Monitor.Positions.Coordinate));
+
+   function Corners_Of (Arena : Vision.Shapes.Arena_Corners)
+     return Monitor.Positions.Corners
+   is (1 => Monitor.Positions.Micro (Arena (Vision.Shapes.Top_Left).X),
+       2 => Monitor.Positions.Micro (Arena (Vision.Shapes.Top_Left).Y),
+       3 => Monitor.Positions.Micro (Arena (Vision.Shapes.Top_Right).X),
+       4 => Monitor.Positions.Micro (Arena (Vision.Shapes.Top_Right).Y),
+       5 => Monitor.Positions.Micro (Arena (Vision.Shapes.Bottom_Right).X),
+       6 => Monitor.Positions.Micro (Arena (Vision.Shapes.Bottom_Right).Y),
+       7 => Monitor.Positions.Micro (Arena (Vision.Shapes.Bottom_Left).X),
+       8 => Monitor.Positions.Micro (Arena (Vision.Shapes.Bottom_Left).Y))
+   with Pre =>
+     (for all P of Arena =>
+        Monitor.Positions.Micro (P.X) in Monitor.Positions.Coordinate
+        and then
+          Monitor.Positions.Micro (P.Y) in Monitor.Positions.Coordinate);
+
 end Vision.Image_Cycle;

@@ -4,6 +4,7 @@ with Ada.Real_Time;    use Ada.Real_Time;
 with Base64;
 with Commands;        use Commands;
 with Journal;
+with Missions.Guards;
 with Monitor.Mailboxes;
 with Monitor.Notices;
 with Monitor.Outbox;
@@ -35,6 +36,10 @@ package body Vision.Tasks with SPARK_Mode is
    use type Vision.Image_Cycle.Work;
    use type Vision.Image_Grid.Microseconds;
    use type Vision.Library.Status;
+
+   Target_Margin : constant Natural :=
+     Natural (Missions.Guards.Target_Margin) / 10_000;
+   --  Centimetres
 
    procedure Encode
      (Slot    : Vision.Library.Slot;
@@ -348,6 +353,7 @@ package body Vision.Tasks with SPARK_Mode is
       Arena  : Vision.Shapes.Arena_Corners;
       Result : Vision.Library.Status;
       Shown  : Boolean;
+      Seen   : Vision.State.View;
       Image  : Monitor.Image_Messages.Message_Access :=
         new Monitor.Image_Messages.Message;
    begin
@@ -355,7 +361,16 @@ package body Vision.Tasks with SPARK_Mode is
       loop
          pragma Loop_Invariant (not Order.Owed);
          Task_Ports.Arena.Wait (Order);
-         if Order.Command.Name = Ask_Arena then
+         if Order.Command.Name = Commands.Get_Ground then
+            Vision.State.Store.Get (Seen);
+            Monitor.Outbox.Answer
+              (Order,
+               (if Vision.Image_Cycle.Has_Ground (Seen.Mode, Seen.Arena)
+                then Monitor.Positions.Ground
+                  (Chosen.Arena_Size, Target_Margin,
+                   Vision.Image_Cycle.Corners_Of (Seen.Arena))
+                else Reply_To (False)));
+         elsif Order.Command.Name = Ask_Arena then
             Vision.State.Store.Ask_Arena (Order.Number, Valid);
             if Valid then
                Monitor.Outbox.Stop_Images;

@@ -494,6 +494,26 @@ package body Camera_Tests is
       & With_Images, Camera => True);
    --  Its stream is closed; a new one refused at first
 
+   type Coordinates is array (1 .. 8) of Float;
+
+   procedure Check_Ground
+     (Answer, Size : String; Expected : Coordinates)
+   is
+      First : Natural := Answer'First + Size'Length;
+      Last  : Natural;
+   begin
+      Check
+        (Head (Answer, Size'Length) = Size, Answer);
+      for Value of Expected loop
+         Last := Index (Answer & ';', ";", First + 1) - 1;
+         Check
+           (abs (Float'Value (Answer (First + 1 .. Last)) - Value) < 2.0,
+            Answer & " instead of" & Value'Image);
+         First := Last + 1;
+      end loop;
+      Check (First > Answer'Last, Answer);
+   end Check_Ground;
+
    procedure Arena_Decided is
       --  Rejected, then confirmed, searched again, and discarded with the
       --  camera; positions stay true inside it
@@ -502,18 +522,25 @@ package body Camera_Tests is
       Assemble (R, Camera => True, Emulator_Options => "--pose 20,15,30");
       Open_Camera (R);
       Find_Arena (R);
+      R.Monitor.Expect ("CARN", "ANAK");
       R.Monitor.Send_Line ("CAIN");
+      R.Monitor.Expect ("CARN", "ANAK");
       Expect_Drawn (R, False, "the rejected arena");
       for Attempt in 1 .. 2 loop
          Find_Arena (R);
          --  again while one waits for the decision
          Find_Arena (R);
          R.Monitor.Send_Line ("CACO");
+         --  the emulated camera shows a centimetre with 6.33 pixels
+         R.Monitor.Send_Line ("CARN");
+         Check_Ground
+           (To_String (R.Monitor.Next_Answer ("CARN").Data), "80;60;8",
+            (66.8, 50.1, 573.2, 50.1, 573.2, 429.9, 66.8, 429.9));
          Expect_Drawn (R, True, "the confirmed arena");
       end loop;
       R.Monitor.Expect ("CPCO", "AACK");
       Expect_Seen (R, 1, R.Emulator.Pose);
-      Play (R, "CCLS AACK, " & With_Images);
+      Play (R, "CCLS AACK, CARN ANAK, " & With_Images);
       Expect_Drawn (R, False, "the discarded arena");
    end Arena_Decided;
 

@@ -20,7 +20,8 @@ package body Radio_Tests is
      ("ROPN AACK, RSWW AACK, clear, RGFW AACK, status moving 1, RGST RCST:1,"
       & " RGBT RBLV:2, RSTP AACK, status moving 0, RTRN:90 AACK,"
       & " RMOV:32767 AACK, wire M=32767 M=0 T=90 M=32767, clear, RCLS AACK,"
-      & " seen M=0, status moving 0, unsaid robot lost", Emulator_Options => No_Retries, Times => 3);
+      & " seen M=0, status moving 0, unsaid robot lost",
+      Emulator_Options => No_Retries, Times => 3);
 
    procedure Packets_Take_Time is
       --  A command's bytes, three silent ones, 5 ms in the air at least, and

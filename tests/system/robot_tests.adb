@@ -808,6 +808,7 @@ package body Robot_Tests is
       Add ("F13_Battery_Unasked", Battery_Period'Access);
       Add ("F13_Battery_Period", Battery_Period'Access, Timed => True);
       Add ("Battery_On_Request", Battery_On_Request'Access);
+      Add ("Version_On_Request", Version_On_Request'Access);
       Add ("State_On_Request", State_On_Request'Access);
       Add ("Reset_On_Request", Reset_Robot'Access);
       Add ("Power_Off_On_Request", Power_Off'Access);

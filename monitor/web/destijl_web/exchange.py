@@ -15,14 +15,16 @@ STOPS = frozenset(("RSTP", "MABT"))
 #  The second one, from a mission's user: the same order to the supervisor
 
 ROBOT = STARTS | DRIVES | STOPS | {"RPIN", "RGBT", "RVER", "RGST"}
-CAMERA = frozenset(("COPN", "CCLS", "CASA", "CACO", "CAIN", "CPCO", "CPST"))
+CAMERA = frozenset(("COPN", "CCLS", "CASA", "CACO", "CAIN", "CARN", "CPCO", "CPST"))
 WITH_NUMBER = frozenset(("RMOV", "RTRN"))
 MISSIONS = {"MGTO": 1, "MPTH": 64, "MGCM": 1, "MPCM": 64}
 #  With the points that each may have, in pixels of the image or, CM, in
 #  centimetres of the arena; sent in tenths: a line of the supervisor has 1024
 #  characters
 
-LABELS = ROBOT | CAMERA | MISSIONS.keys()
+LABELS = (ROBOT | CAMERA | MISSIONS.keys()) - {"CARN"}
+#  Of orders from a page
+
 UNANSWERED = frozenset(("CACO", "CAIN"))
 
 ROBOT_LIMIT = 5.0
@@ -126,6 +128,8 @@ def _can_answer(line: bytes, begun_at: float, command: Command) -> bool:
         return command.label == "RVER"
     if label == b"RCST":
         return command.label == "RGST"
+    if label == b"CARN":
+        return command.label == "CARN"
     if label == b"CIMG":
         #  An image in transit before the arena order is no answer
         return command.label == "CASA" and begun_at >= command.sent_at

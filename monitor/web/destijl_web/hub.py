@@ -16,7 +16,7 @@ from typing import Any
 
 from aiohttp import WSCloseCode
 
-from . import messages
+from . import ground, messages
 from .exchange import STOPS, Command
 from .fan_out import FanOut
 from .logins import Budget, Logins, Session
@@ -481,6 +481,10 @@ class Hub:
             self._take_battery(line)
         elif command.label in ("CACO", "CAIN"):
             self._images_since = self._loop.time()
+            if self.state["arena"] == "confirmed":
+                self.link.send(Command("CARN"))
+        elif command.label == "CARN" and self.state["arena"] == "confirmed":
+            self.state.set(ground=ground.read(line))
         elif command.label == "COPN" and answer == "AACK":
             self._images_since = self._loop.time()
             self._camera_told = False
@@ -717,7 +721,13 @@ def encode(kind: str, **fields: Any) -> str:
 
 
 def _plain(name: str) -> str:
-    return unicodedata.normalize("NFKC", name).casefold()
+    """Equal for names that look the same, letters of other alphabets aside."""
+    return "".join(
+        one
+        for one in unicodedata.normalize("NFKC", name).casefold()
+        if unicodedata.category(one) not in ("Mn", "Me", "Cf", "Zs")
+        and one not in "\u115f\u1160\u17b4\u17b5\u2800\u3164"
+    )
 
 
 def now_ms() -> int:

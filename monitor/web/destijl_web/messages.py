@@ -143,7 +143,8 @@ def _wheel(data: dict[str, Any]) -> Wheel:
 
 def _name(name: object) -> str:
     if isinstance(name, str):
-        name = name.strip()
+        #  the mark of the gateway's own numbers
+        name = name.replace("#", " ").strip()
         if 1 <= len(name) <= LONGEST_NAME and name.isprintable():
             return name
     raise Malformed("not a name")

@@ -10,6 +10,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from . import ground
+
 _NAME = re.compile(r"(?:([0-9]{6})-)?([0-9]{8}T[0-9]{6}\.[0-9]{3}Z)")
 #  Number and beginning
 
@@ -24,7 +26,7 @@ MAX_TITLE = 60
 _PIECE = 2**20
 _IMAGE = b'"type":"image"'
 
-CSV_HEAD = "time_ms,id,angle_deg,x_px,y_px,dx_px,dy_px\n"
+CSV_HEAD = "time_ms,id,angle_deg,x_px,y_px,dx_px,dy_px,x_cm,y_cm,heading_deg\n"
 _CSV_FIELDS = ("t", "id", "angle", "x", "y", "dx", "dy")
 _CSV_LINES = 500
 #  Bytes per read
@@ -159,6 +161,7 @@ def csv_pieces(events: Path) -> Iterator[str]:
     """The positions of a recording, a few hundred lines at a time."""
     yield CSV_HEAD
     lines = []
+    arena: Any = None
     with open(events, encoding="utf-8") as file:
         for line in file:
             if '"type":"position"' in line:
@@ -166,7 +169,15 @@ def csv_pieces(events: Path) -> Iterator[str]:
                 if fields and all(
                     isinstance(fields.get(f), int | float) for f in _CSV_FIELDS
                 ):
-                    lines.append(",".join(str(fields[f]) for f in _CSV_FIELDS) + "\n")
+                    row = [str(fields[f]) for f in _CSV_FIELDS]
+                    known = arena is not None and fields["id"] >= 0
+                    pose = ground.pose(arena, fields) if known else None
+                    row += [f"{v:.2f}" for v in pose] if pose else ["", "", ""]
+                    lines.append(",".join(row) + "\n")
+            elif '"ground":' in line:
+                fields = _read(line)
+                if fields and fields.get("type") == "state":
+                    arena = fields.get("ground")
             if len(lines) >= _CSV_LINES:
                 yield "".join(lines)
                 lines.clear()

@@ -15,6 +15,7 @@ _NEW_SESSION: Fields = {
     "camera_failed": False,
     "positions": False,
     "arena": "none",
+    "ground": None,
     "battery": -1,
     "version": "",
     "mission": None,
@@ -96,7 +97,7 @@ class State:
                 self.camera_closed()
         elif label == "CASA":
             if answer == "CIMG":
-                self.set(arena="found")
+                self.set(arena="found", ground=None)
         elif label in ("CACO", "CAIN"):
             if self["arena"] == "found":
                 self.set(arena="confirmed" if label == "CACO" else "none")
@@ -123,7 +124,8 @@ class State:
         self.set(mission=None)
 
     def camera_closed(self, failed: bool = False) -> None:
-        self.set(camera=False, camera_failed=failed, positions=False, arena="none")
+        self.set(camera=False, camera_failed=failed, positions=False)
+        self.set(arena="none", ground=None)
 
     def robot_lost(self) -> None:
         self.set(robot="lost", watchdog=False)

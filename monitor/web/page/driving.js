@@ -16,12 +16,19 @@ const STEPS = {
 const CROSS = { 12: "RGFW", 13: "RGBW", 14: "RGLF", 15: "RGRI" };
 const STICK = 0.5;
 
+// By eighths of a turn, from the right, y downwards. The robot cannot drive a
+// curve: on a diagonal it drives and turns, each for an ALTERNATE
+const EIGHTHS = ["RGRI", "RGBW RGRI", "RGBW", "RGBW RGLF", "RGLF", "RGFW RGLF",
+  "RGFW", "RGFW RGRI"];
+const ALTERNATE = 250;             // ms
+const SLOP = 20;                   // CSS pixels that a finger slides at least
+
+const direction = (x, y) => EIGHTHS[Math.round(Math.atan2(y, x) / Math.PI * 4 + 8) % 8];
+
 function gamepadOrder({ axes: [x = 0, y = 0], buttons }) {
   const pressed = Object.keys(CROSS).find((n) => buttons[n]?.pressed);
   if (pressed) return CROSS[pressed];
-  if (Math.max(Math.abs(x), Math.abs(y)) < STICK) return "";
-  if (Math.abs(y) >= Math.abs(x)) return y < 0 ? "RGFW" : "RGBW";
-  return x < 0 ? "RGLF" : "RGRI";
+  return Math.hypot(x, y) < STICK ? "" : direction(x, y);
 }
 
 const TEXT = new Set(["text", "search", "password", "email", "url", "tel"]);
@@ -72,7 +79,19 @@ export class Driving {
     this.show();
     // The reason for the refused movement is more useful than that of its stop
     if (current === "") this.order("RSTP", undefined, () => this.refused);
-    else this.order(current);
+    else this.drive(current);
+  }
+
+  // What is held, as long as it is
+  async drive(current) {
+    const turn = Symbol(current);
+    this.turn = turn;
+    const labels = current.split(" ");
+    for (let n = 0; this.turn === turn && this.current === current; n = 1 - n) {
+      await this.order(labels[n]);
+      if (labels.length === 1) break;
+      await new Promise((resolve) => setTimeout(resolve, ALTERNATE));
+    }
   }
 
   async order(label, value, quiet) {
@@ -94,7 +113,7 @@ export class Driving {
     const { current } = this;
     document.documentElement.dataset.held = current;
     for (const button of document.querySelectorAll("[data-order]"))
-      button.classList.toggle("held", button.dataset.order === current);
+      button.classList.toggle("held", current.split(" ").includes(button.dataset.order));
   }
 
   stop() {
@@ -177,10 +196,23 @@ export class Driving {
 
   listenToPad(button) {
     const label = button.dataset.order;
+    let from;                      // where a finger came down; nothing once it slides
     button.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
+      from = [event.clientX, event.clientY];
       try { button.setPointerCapture(event.pointerId); } catch { /* is gone */ }
       this.press("pointer " + event.pointerId, label);
+    });
+    // A finger that slides on the pad drives as a stick would, from its middle
+    button.addEventListener("pointermove", (event) => {
+      const source = "pointer " + event.pointerId;
+      if (event.pointerType === "mouse" || !this.held.has(source)) return;
+      if (from && Math.hypot(event.clientX - from[0], event.clientY - from[1]) < SLOP) return;
+      from = undefined;
+      const pad = button.parentElement.getBoundingClientRect();
+      const x = event.clientX - (pad.left + pad.right) / 2;
+      const y = event.clientY - (pad.top + pad.bottom) / 2;
+      if (Math.hypot(x, y) > pad.height / 8) this.press(source, direction(x, y));
     });
     for (const end of ["pointerup", "pointercancel", "lostpointercapture"])
       button.addEventListener(end, (event) => this.release("pointer " + event.pointerId));

@@ -4,6 +4,7 @@
 import { Driving, writes } from "./driving.js";
 import * as journal from "./journal.js";
 import { Link } from "./link.js";
+import { pose } from "./ground.js";
 import { Missions, readPoints } from "./missions.js";
 import { Picture } from "./picture.js";
 import { Battery, Latency, makePlot } from "./plots.js";
@@ -31,7 +32,7 @@ const LEVEL = { closed: "off", open: "warn", started: "ok", off: "bad", lost: "b
 const state = {
   supervisor: "connecting", robot: "closed", watchdog: false, camera: false,
   positions: false, arena: "none", battery: -1, version: "", driver: null, asking: [], offered: null,
-  viewers: [], recording: null, mission: null,
+  viewers: [], recording: null, mission: null, ground: null,
 };
 let me = null;
 let role = "viewer";
@@ -193,9 +194,12 @@ async function askWhy() {
     if (answer.status === 401) location.reload();     // to the form for the token
     const said = await answer.text();
     refusal = link.usable || answer.status !== 503 ? ""
-      : said.includes("session") ? "full_session" : "full";
-    show();
-  } catch { /* not there: the link tries again */ }
+      : said.includes("of this session") ? "full_session"
+      : said.includes("too many viewers") ? "full" : "";
+  } catch {
+    refusal = "";                  // not there: the link tries again
+  }
+  show();
 }
 
 function receive(message) {
@@ -251,6 +255,7 @@ function welcome(message) {
   picture.clear();
   wheelBack = remembered.get();
   Object.assign(state, message.state);
+  showGround();
   journal.restore(message.events);
   battery.set(message.battery);
   const name = stored.get("destijl.name");
@@ -272,7 +277,13 @@ function takeState({ type, ...fields }) {
   if (before.driver !== null && waitingFor()) journal.alarm(() => t("wheel_free"));
   if (!before.mission && state.mission || state.robot === "closed") aborted = undefined;
   if (!state.positions || !state.camera) picture.clear();
+  if ("ground" in fields) showGround();
   changed();
+}
+
+function showGround() {
+  picture.ground = state.ground;
+  picture.draw();
 }
 
 function changed() {
@@ -429,16 +440,21 @@ function tilePosition() {
     tile("position", "warn", t("position_none"), t("do_position"));
     return;
   }
-  tile("position", "ok",
-    t("position_at", { x: number(last.x), y: number(last.y) }),
-    t("position_angle", { angle: number(last.angle), id: last.id }));
+  const { text, angle } = shownPosition(last);
+  tile("position", "ok", text, t("position_angle", { angle, id: last.id }));
+}
+
+// In centimetres where an arena is confirmed, otherwise in pixels
+function shownPosition(last) {
+  const { x, y, angle } = state.ground ? pose(state.ground, last) : last;
+  return { text: t(state.ground ? "position_cm" : "position_px", { x: number(x), y: number(y) }),
+    angle: number(angle) };
 }
 
 function describePicture() {
   const { last } = picture;
   const label = !last ? t("picture_label") : last.id < 0 ? t("picture_label_none")
-    : t("picture_label_robot", { id: last.id, x: number(last.x), y: number(last.y),
-      angle: number(last.angle) });
+    : t("picture_label_robot", { id: last.id, ...shownPosition(last) });
   if (at("picture").getAttribute("aria-label") !== label)
     at("picture").setAttribute("aria-label", label);
 }

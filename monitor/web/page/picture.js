@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A picture of the arena with a canvas of the screen's resolution over it: the
-// robot's position, heading and fading trail; a mission's points, and those of
-// a path that is being drawn.
+// robot's position, heading and fading trail; where a mission's points may be,
+// those of the mission, and those of a path that is being drawn.
+
+import { inImage, permitted } from "./ground.js";
 
 const TRAIL = 15000;               // ms until the trail has faded
 const JUMP = 0.15;                 // of the width: no line is drawn so far
@@ -19,6 +21,7 @@ export class Picture {
     this.now = 0;
     this.trail = true;
     this.plan = null;              // a mission, as in the gateway's state
+    this.ground = null;            // as there
     this.path = [];                // [x, y], not sent yet
     this.bad = [];                 // a point that was refused
     this.density = 1;
@@ -112,11 +115,17 @@ export class Picture {
     // Overlapping segments would be visible at their joints
     context.lineCap = "butt";
     context.lineJoin = "round";
-    const plan = this.plan?.unit === "px" ? this.plan.points : [];
+    const { ground } = this;
+    const area = ground ? inImage(ground, permitted(ground)) : [];
+    let plan = this.plan?.points ?? [];
+    if (this.plan?.unit === "cm") plan = ground ? inImage(ground, plan) : [];
     overlay.dataset.plan = plan.flat().join(";");
+    overlay.dataset.permitted = area.flat().join(";");
     overlay.dataset.path = this.path.flat().join(";");
     overlay.dataset.bad = this.bad.flat().join(";");
-    if (plan.length > 0) this.drawPlan(context, place, unit);
+    if (area.length > 0)
+      this.drawLine(context, [...area, area[0]].map((point) => place(...point)), unit / 2, true);
+    if (plan.length > 0) this.drawPlan(context, place, unit, plan);
     if (this.trail) this.drawTrail(context, place, unit);
     const { last } = this;
     if (last?.id >= 0) this.drawRobot(context, place, unit, scale, last);
@@ -140,8 +149,8 @@ export class Picture {
   }
 
   // The way that is left, from the robot on; dashed: the plan of what is done
-  drawPlan(context, place, unit) {
-    const { leg, points } = this.plan;
+  drawPlan(context, place, unit, points) {
+    const { leg } = this.plan;
     const places = points.map((point) => place(...point));
     const { last } = this;
     const robot = last?.id >= 0 ? [place(last.x, last.y)] : [];

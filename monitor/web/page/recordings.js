@@ -149,6 +149,7 @@ class Replay {
       .map((position) => ({ ...position, at: position.t }));
     this.events = all.filter(({ type }) => type === "event");
     this.missions = all.filter(({ mission }) => mission !== undefined);
+    this.grounds = all.filter(({ ground }) => ground !== undefined);
     // A recording need not repeat orders as events
     if (!this.events.some(({ code }) => code === "order")) {
       const answers = all.filter(({ type }) => type === "answer");
@@ -192,6 +193,7 @@ class Replay {
     const last = until(this.positions, this.moment);
     const first = until(this.positions, this.moment - TRAIL) + 1;
     this.picture.plan = this.missions[until(this.missions, this.moment)]?.mission ?? null;
+    this.picture.ground = this.grounds[until(this.grounds, this.moment)]?.ground ?? null;
     this.picture.set(this.positions.slice(first, last + 1), this.moment);
     this.tell();
     this.draw();

@@ -477,6 +477,7 @@ package body Monitor_Clients is
         (if Command = "RGBT" then " RBLV"
          elsif Command = "RGST" then " RCST"
          elsif Command = "CASA" then " CIMG"
+         elsif Command in "RVER" | "CARN" then " " & Command
          else "");
    begin
       return Object.Next_Of (Answers & Extra);

@@ -77,8 +77,8 @@ package Monitor_Clients is
 
    function Next_Answer
      (Object : in out Client; Command : String := "") return Message;
-   --  The next answer: AACK, ANAK, ACRJ, ATIM, ACER; RBLV, RCST and CIMG only
-   --  if they answer Command
+   --  The next answer: AACK, ANAK, ACRJ, ATIM, ACER; RBLV, RCST, CIMG, RVER
+   --  and CARN only if they answer Command
 
    function Ask (Object : in out Client; Command : String) return Message;
    --  Sends Command and takes its answer. Unsolicited messages are skipped.

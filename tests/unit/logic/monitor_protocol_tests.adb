@@ -2,7 +2,7 @@
 --  The monitor's lines: every label, numbers, line ends, answers, positions.
 
 with Ada.Numerics.Discrete_Random;
-with Ada.Strings.Fixed;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
@@ -386,6 +386,7 @@ package body Monitor_Protocol_Tests is
       Check ("CASA", Ask_Arena);
       Check ("CACO", Confirm_Arena);
       Check ("CAIN", Reject_Arena);
+      Check ("CARN", Get_Ground);
       Check ("CPCO", Start_Position);
       Check ("CPST", Stop_Position);
       Check ("MGTO", Go_To_Pixels);
@@ -579,7 +580,7 @@ package body Monitor_Protocol_Tests is
          if Round mod 3 = 0 and then Size >= 5 then
             Line (1 .. 4) := Label
               (Known_Command'Val
-                 (Round / 3 mod (Known_Command'Pos (Log_Message) + 1)));
+                 (Round / 6 mod (Known_Command'Pos (Log_Message) + 1)));
             Line (5) := ':';
          end if;
          Parse (Line (1 .. Size), C);
@@ -630,6 +631,31 @@ package body Monitor_Protocol_Tests is
                           Micro'First, Micro'First))'Length = 93,
               "the longest");
    end Test_Positions;
+
+   procedure Test_Ground is
+
+      procedure Check (Actual : Short_Text; Expected : String) is
+      begin
+         Assert
+           (Actual.Data (1 .. Actual.Length) = Expected & Line_Feed,
+            Actual.Data (1 .. Actual.Length));
+      end Check;
+
+   begin
+      Check
+        (Ground
+           ((80, 60), 8,
+            (100_000_000, 50_500_000, 540_000_001, -400_000,
+             600_000_000, 420_000_000, 40_000_000, 400_000_000)),
+         "CARN:80;60;8;100.000000;50.500000;540.000001;-0.400000;600.000000"
+         & ";420.000000;40.000000;400.000000");
+      Check
+        (Ground ((1_000, 1_000), 9, (others => Coordinate'Last)),
+         "CARN:1000;1000;9" & 8 * ";9999.999999");
+      Check
+        (Ground ((30, 30), 0, (others => Coordinate'First)),
+         "CARN:30;30;0" & 8 * ";-999.999999");
+   end Test_Ground;
 
    procedure Test_Random_Positions is
       G     : Random_Micros.Generator;
@@ -840,6 +866,7 @@ package body Monitor_Protocol_Tests is
       Add_Test ("answers", Test_Answers'Access);
       Add_Test ("F18: not found", Test_Not_Found'Access);
       Add_Test ("F18: positions", Test_Positions'Access);
+      Add_Test ("F17: the ground of the arena", Test_Ground'Access);
       Add_Test ("F18: random positions", Test_Random_Positions'Access);
       Add_Test ("no positions", Test_Refused_Positions'Access);
       Add_Test ("damaged positions", Test_Damaged_Positions'Access);

@@ -132,6 +132,17 @@ def test_position_in_the_page(stand: Stand, driver: Page) -> None:
         assert shown == pytest.approx(there, abs=2)
 
 
+def test_position_in_centimetres(stand: Stand, driver: Page) -> None:
+    """Where an arena is confirmed, with the robot's heading."""
+    stand.emulator.ask("pose 25 20 30")
+    assert "px" in driver.text("tile-position-text")
+    driver.confirm_arena()
+    words = f"{driver.text('tile-position-text')} {driver.text('tile-position-more')}"
+    x, y, heading = (float(one) for one in re.findall(r"-?\d+(?:\.\d+)?", words)[:3])
+    assert (x, y) == pytest.approx((25, 20), abs=0.5)
+    assert heading == pytest.approx(30, abs=2)
+
+
 def test_amounts(stand: Stand, driver: Page) -> None:
     """100 mm forward and 90 degrees, as the fields have them at first."""
     x, y, heading = stand.emulator.pose
@@ -422,14 +433,23 @@ def test_phone(stand: Stand, visitors: Visitors, pictures: Pictures) -> None:
     assert wide <= 360
     await_(lambda: not page.visible("start-steps"), "its steps are away")
     pictures.take(page, "web-phone")
+    right, _ = page.middle("pad-RGRI")
     x, y = page.middle("pad-RGFW")
     page.touch("touchStart", x, y)
     stand.moves()
     page.touch("touchEnd")
     stand.stands()
-    #  a finger that slides off is not lifted
+    #  it slides on the pad as on a stick, and beyond it
+    stand.emulator.ask("clear")
     page.touch("touchStart", x, y)
-    page.touch("touchMove", x, y + 150)
+    page.touch("touchMove", right, y)
+    page.shows("held", "RGFW RGRI")
+    await_(
+        lambda: {"M=32767", "T=-32768"} <= set(stand.emulator.journal()),
+        "forward and to the right",
+    )
+    page.touch("touchMove", x, y - 150)
+    page.shows("held", "RGFW")
     stand.moves()
     time.sleep(0.3)
     assert stand.emulator.moving
@@ -510,7 +530,8 @@ def test_gamepad(stand: Stand, driver: Page) -> None:
     )
     for axes, button, order in (
         ((0.1, -0.9), -1, "RGFW"),
-        ((-0.9, 0.5), -1, "RGLF"),
+        ((-0.9, 0.3), -1, "RGLF"),
+        ((-0.6, 0.6), -1, "RGBW RGLF"),
         ((0, 0), 13, "RGBW"),
         ((0, 0), 15, "RGRI"),
     ):

@@ -299,6 +299,20 @@ def typed(page: Page, text: str) -> None:
     field.send_keys(text, Keys.ENTER)
 
 
+def test_typed_mission_is_drawn_for_everybody(
+    stand: Stand, visitors: Visitors, pilot: Page
+) -> None:
+    """In the picture, and where points may be."""
+    other = visitors.open(stand.address, 1)
+    typed(pilot, "60 20; 60 40")
+    for page in (pilot, other):
+        assert page.plan() == [pytest.approx(pixel((60, y)), abs=2) for y in (20, 40)]
+        assert page.points("permitted") == [
+            pytest.approx(pixel(corner), abs=2)
+            for corner in ((8, 8), (72, 8), (72, 52), (8, 52))
+        ]
+
+
 def under_way(stand: Stand, page: Page) -> None:
     """A mission of ten seconds and more."""
     typed(page, "60 20; 60 40; 20 40; 20 20")

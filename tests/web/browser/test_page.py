@@ -474,7 +474,8 @@ def test_recording(
     )
     rows = list(csv.DictReader(io.StringIO(text)))
     assert list(rows[0]) == [
-        *("time_ms", "id", "angle_deg", "x_px", "y_px", "dx_px", "dy_px")
+        *("time_ms", "id", "angle_deg", "x_px", "y_px", "dx_px", "dy_px"),
+        *("x_cm", "y_cm", "heading_deg"),
     ]
     there = [row for row in rows if row["id"] == "1"]
     moved = float(there[-1]["x_px"]) - float(there[0]["x_px"])

@@ -46,6 +46,13 @@ async def until(condition: Callable[[], Any]) -> None:
             await asyncio.sleep(0.01)
 
 
+GROUND = (
+    b"CARN:80;60;8;100.000000;50.000000;540.000000;60.000000"
+    b";600.000000;420.000000;40.000000;400.000000"
+)
+#  80 by 60 cm, tilted; points keep 8 cm from the border
+
+
 class Supervisor:
     """One monitor at a time, as the real one. Answers: for each label its
     answer; None is silence."""
@@ -59,6 +66,7 @@ class Supervisor:
             "CASA": b"CIMG:" + base64.b64encode(jpeg(999)),
             "CACO": None,
             "CAIN": None,
+            "CARN": GROUND,
         }
         self.lines: list[str] = []
         #  without its signs of life, which are counted

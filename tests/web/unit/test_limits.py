@@ -244,11 +244,15 @@ async def test_nobody_is_logged_as_another(w: World) -> None:
     one, two = await w.page(), await w.page()
     await one.say("name", name="Zoé")
     await one.say("name", name="Zoé")
-    for taken in ("Zoé", "ZOÉ", "Zoe\u0301", "#1"):
-        await two.say("name", name=taken)
+    for said, got in (
+        *((taken, taken + " #2") for taken in ("Zoé", "ZOÉ", "Zo é", "Zoe\u0301")),
+        *((taken, taken + " #2") for taken in ("Zoé\ufe0f", "Zoé\u2800", "\u3164Zoé")),
+        *(("#1", "1"), ("Zoé #2", "Zoé  2")),
+    ):
+        await two.say("name", name=said)
         await two.settle()
         names = [viewer["name"] for viewer in w.service.hub.state["viewers"]]
-        assert names == ["Zoé", taken if taken == "#1" else taken + " #2"]
+        assert names == ["Zoé", got]
 
 
 async def test_wishes_of_one_are_bounded(w: World) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from destijl_web import recording
+from destijl_web import ground, recording
 from destijl_web.recording import Recording
 from destijl_web.recordings import (
     CSV_HEAD,
@@ -19,7 +19,7 @@ from destijl_web.recordings import (
     make_room,
     opener,
 )
-from helpers import LIMIT, TOKENS, World, jpeg, until, world
+from helpers import GROUND, LIMIT, TOKENS, World, jpeg, until, world
 
 
 def lines_of(folder: Path) -> list[dict[str, Any]]:
@@ -121,7 +121,7 @@ async def test_what_is_given(tmp_path: Path) -> None:
         rows = body.decode().splitlines()
         assert status == 200 and rows[0] + "\n" == CSV_HEAD
         assert [row.split(",", 1)[1] for row in rows[1:]] == [
-            f"7,1.5,{x}.0,2.0,3.0,4.0" for x in range(5)
+            f"7,1.5,{x}.0,2.0,3.0,4.0,,," for x in range(5)
         ]
         for bad in (
             "/recordings/20261123T120000.123Z/events.jsonl",
@@ -329,7 +329,7 @@ def test_torn_recordings(tmp_path: Path) -> None:
     assert recordings.all() == []
     (folder / "images.mjpeg").touch()
     assert recordings.all()[0]["duration"] == 7
-    assert "".join(csv_pieces(events)) == CSV_HEAD + "5,1,0,1,2,3,4\n"
+    assert "".join(csv_pieces(events)) == CSV_HEAD + "5,1,0,1,2,3,4,,,\n"
 
 
 def test_images_are_counted_across_pieces(
@@ -394,3 +394,23 @@ def test_a_disk_that_is_slow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert failures.reasons == ["the disk is too slow"]
     hangs.set()
     made.join()
+
+
+def test_positions_in_centimetres(tmp_path: Path) -> None:
+    """From the confirmation of an arena to its end."""
+    events = tmp_path / "events.jsonl"
+    position = {"type": "position", "id": 1, "angle": 0, "x": 100, "y": 50}
+    lines: list[dict[str, object]] = [
+        {"type": "state", "ground": ground.read(GROUND)},
+        position | {"t": 5, "dx": 540, "dy": 60},
+        position | {"t": 6, "dx": 540, "dy": 60, "id": -1},
+        {"type": "state", "ground": None, "arena": "none"},
+        position | {"t": 7, "dx": 540, "dy": 60},
+    ]
+    events.write_text(
+        "".join(json.dumps(line, separators=(",", ":")) + "\n" for line in lines)
+    )
+    rows = "".join(csv_pieces(events)).splitlines()[1:]
+    ends = [row.split(",")[7:] for row in rows]
+    none = ["", "", ""]
+    assert ends == [["0.00", "60.00", "0.00"], none, none]

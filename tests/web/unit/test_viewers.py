@@ -5,8 +5,8 @@ import asyncio
 import base64
 
 import pytest
-from destijl_web import exchange, hub
-from helpers import World, jpeg
+from destijl_web import exchange, ground, hub
+from helpers import GROUND, World, jpeg
 
 
 async def test_welcome(w: World) -> None:
@@ -23,6 +23,7 @@ async def test_welcome(w: World) -> None:
             "camera_failed": False,
             "positions": False,
             "arena": "none",
+            "ground": None,
             "battery": -1,
             "version": "",
             "driver": None,
@@ -108,11 +109,12 @@ async def test_state_follows_the_answers(w: World) -> None:
     await after("RCLS", robot="closed", watchdog=False)
     await after("COPN", camera=True, positions=False, arena="none")
     await after("CPCO", positions=True)
-    await after("CACO", arena="none")
+    await after("CACO", arena="none", ground=None)
     await after("CASA", arena="found")
     await after("CACO", arena="confirmed")
+    await after("RPIN", ground=ground.read(GROUND))
     await after("COPN", arena="confirmed", positions=True)
-    await after("CASA", arena="found")
+    await after("CASA", arena="found", ground=None)
     await after("CAIN", arena="none")
     await after("CPST", positions=False)
     await after("CASA", arena="found")
