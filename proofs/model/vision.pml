@@ -429,6 +429,10 @@ wait:
          :: number >= VS.First && Is_Open -> VS.Stage = Searching
          :: else -> goto answer
          fi
+      :: kind == Ask_Arena ->
+         /* or for its ground */
+         /*: State.Store.Get */
+         goto answer
       fi
    };
    Stop_Images (true);
