@@ -38,6 +38,7 @@ is
       --  an idle peer is probed each second. Monitor.Link judges what comes
       --  of it: the kernel would give up without saying why, much later
       (Streams.Level_Socket, 9, 1),       --  SO_KEEPALIVE
+      (Streams.Level_Socket, 10, 1),      --  SO_OOBINLINE, for telnet
       (Streams.Level_Tcp, 4, 1),          --  TCP_KEEPIDLE
       (Streams.Level_Tcp, 5, 1),          --  TCP_KEEPINTVL
       (Streams.Level_Tcp, 6, 20));        --  TCP_KEEPCNT

@@ -191,7 +191,7 @@ package body Monitor.Protocol with SPARK_Mode is
          return First - 1;
       end if;
       case Character'Pos (Line (First + 1)) is
-         when 240 .. 249 | 255 =>
+         when 236 .. 249 | 255 =>
             return First + 1;
          when 251 .. 254 =>  --  and an option
             return (if First + 2 <= Last then First + 2 else First - 1);

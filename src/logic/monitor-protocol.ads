@@ -19,8 +19,9 @@ package Monitor.Protocol with SPARK_Mode is
    Carriage_Return : constant Character := Character'Val (13);
 
    Telnet_Mark : constant Character := Character'Val (255);
-   --  Telnet commands (RFC 854) begin with it, such as those of a Ctrl-C. They
-   --  are skipped where a line begins or ends, and no part of any command.
+   --  Telnet commands (RFC 854, 885, 1184) begin with it, such as those of a
+   --  Ctrl-C. They are skipped where a line begins or ends, and no part of any
+   --  command.
 
    --  Commands of the monitor
 

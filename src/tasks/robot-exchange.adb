@@ -179,7 +179,9 @@ package body Robot.Exchange with SPARK_Mode is
                else
                   Last.Ok := Last.Reply.Kind not in Failed_Reply
                     and then not (Talks and then I < Length);
-                  return;
+                  if not Last.Ok then
+                     return;
+                  end if;
                end if;
             end if;
             exit when Last.Ok;
@@ -188,6 +190,11 @@ package body Robot.Exchange with SPARK_Mode is
          --  a line that never falls silent must not postpone the time-out
          exit when Now >= Deadline;
       end loop;
+      if Last.Ok and then (Skip_Late or else Talks) then
+         --  a device that goes on sending is no robot
+         Robot.Serial_Line.Read (Data, Length, Deadline, Alive);
+         Last.Ok := Alive and then Length = 0;
+      end if;
    end Exchange;
 
    procedure Carry_Out

@@ -485,6 +485,10 @@ package body Monitor_Tests is
       R.Monitor.Send (Ctrl_C);
       R.Monitor.Expect ("RSTP", "AACK");
       R.Emulator.Await_Status ("moving", "0");
+      --  a synch: its last byte is urgent
+      R.Monitor.Send ((1 => Character'Val (16#FF#)));
+      R.Monitor.Send_Urgent (Character'Val (16#F2#));
+      R.Monitor.Expect ("RSTP", "AACK");
       R.Monitor.Send_Line ("RPIN" & Ctrl_C);
       Check_Label (R.Monitor.Next_Answer, "AACK", "a command before it");
       R.Monitor.Send_Line ("RG" & Ctrl_C & "FW");
@@ -791,7 +795,7 @@ package body Monitor_Tests is
       Tool.Send_Signal (Libc.Sigstop);
       R.Emulator.Await_Status ("moving", "0");
       Check_Within (Now - Time, Silence_Limit, "the stop");
-      R.Supervisor.Expect_Log ("monitor lost: it announced signs of life");
+      R.Supervisor.Expect_Log ("monitor lost: its program has been silent");
       Expect_New_Session (R);
    end Console_Frozen;
 

@@ -250,6 +250,28 @@ package body Robot_Tests is
       & " RCLS AACK", Times => 10);
    --  A device that sends the answer "O" without end is no started robot
 
+   procedure Talking_From_The_Start is
+      --  Nor one that has never been in step
+      R      : Rig;
+      Before : Natural;
+   begin
+      Assemble (R);
+      R.Emulator.Tell ("silent on");
+      --  for longer than the orders take
+      for Number in 1 .. 60 loop
+         R.Emulator.Tell ("unasked " & To_String (60 * "OO\r"));
+      end loop;
+      for Attempt in 1 .. 3 loop
+         Before := R.Supervisor.Log_Length;
+         for Command of Words ("ROPN RSWW RPIN RSOW RSWW RPIN") loop
+            R.Monitor.Send_Line (Command);
+         end loop;
+         R.Supervisor.Expect_Log ("robot lost: four", After => Before);
+      end loop;
+      Check
+        (not R.Supervisor.Says ("robot started"), "it has started a robot");
+   end Talking_From_The_Start;
+
    procedure Noisy_Line is
       --  A line that never falls silent: every command is answered in bounded
       --  time, and all works after the noise
@@ -783,6 +805,7 @@ package body Robot_Tests is
       Add ("F08_Answers_Within_80_Ms", Answer_Timeout'Access, Timed => True);
       Add ("F08_Unasked_Bytes", Unasked_Bytes'Access);
       Add ("F08_Talking_Line", Talking_Line'Access, Timed => True);
+      Add ("F08_Talking_From_The_Start", Talking_From_The_Start'Access);
       Add ("F08_Noisy_Line", Noisy_Line'Access);
       Add ("F08_Noisy_Line_In_Time", Noisy_Line'Access, Timed => True);
       Add ("F07_Robot_Silent_When_Opened", Opened_Silent'Access);

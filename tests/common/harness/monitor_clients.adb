@@ -394,6 +394,14 @@ package body Monitor_Clients is
       Check (Object.Try_Send (Bytes), "the supervisor takes nothing more");
    end Send;
 
+   procedure Send_Urgent (Object : in out Client; Byte : Character) is
+      Last : Stream_Element_Offset;
+   begin
+      Send_Socket
+        (Object.Inner.Socket, (1 => Character'Pos (Byte)), Last, null,
+         Process_Out_Of_Band_Data);
+   end Send_Urgent;
+
    procedure Send_Line (Object : in out Client; Command : String) is
    begin
       Object.Send (Command & ASCII.LF);

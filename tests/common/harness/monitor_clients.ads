@@ -54,6 +54,9 @@ package Monitor_Clients is
    --  Sends unchanged; blocks while the supervisor accepts nothing, 30 s at
    --  most. Raises Failed when they cannot be sent.
 
+   procedure Send_Urgent (Object : in out Client; Byte : Character);
+   --  As telnet does with the end of a synch
+
    procedure Send_Line (Object : in out Client; Command : String);
 
    function Try_Send
