@@ -574,7 +574,7 @@ def test_frozen_gateway(stand: Stand, driver: Page) -> None:
     for process in frozen:
         os.kill(process, signal.SIGSTOP)
     stand.stands()
-    stand.supervisor.line("monitor lost: it announced signs of life")
+    stand.supervisor.line("monitor lost: its program has been silent")
     driver.release("w")
     for process in frozen:
         os.kill(process, signal.SIGCONT)
