@@ -10,6 +10,8 @@ namespace {
 
 constexpr int unknowns = 9;      // two a corner, and the lens
 constexpr int finest = 48;  // bands of a side, one edge each
+constexpr double clipped = 250.0;  // grey level, noise aside
+constexpr int fewest_clipped = 6;  // edges: the least for a plane of light
 constexpr double least_bend = -0.4, most_bend = 0.1;
 
 using Vector = cv::Vec<double, unknowns>;
@@ -23,6 +25,7 @@ struct Edge {
   double away = 0.0;      // pixels outside of the outline
   double contrast = 0.0;  // grey levels
   double inside = 0.0;    // grey level of the field
+  bool clipped = false;   // the border is as bright as the image gets
   std::array<double, 5> pull;
 
   int unknown(int n) const {
@@ -151,6 +154,7 @@ void find_edges(const cv::Mat &grey, const Outline &outline, double reach,
       edge.away = (best - middle + shift) * step;
       edge.inside = value[foot];
       edge.contrast = value[top] - value[foot];
+      edge.clipped = value[top] >= clipped;
       edge.pull = place.pull;
       ++edges.count;
       ++edges.found[side];
@@ -264,33 +268,33 @@ bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
       return false;
   }
 
-  std::array<int, 4> on{};
-  std::array<double, 4 * finest> contrast, level, rise;
-  std::array<Point, 4 * finest> place;
-  int total = 0, seen = 0;
-  for (int n = 0; n < edges.count; ++n) {
-    const Edge &edge = edges.edge[n];
-    if (std::fabs(edge.rest(change)) > 2.0 * width)
-      continue;
-    contrast[total] = edge.contrast / (edge.inside + 10.0);
-    level[total] = edge.inside;
-    rise[total] = edge.contrast;
-    place[total] = outline.corner[edge.side] +
-                   edge.part * (outline.corner[(edge.side + 1) % 4] -
-                                outline.corner[edge.side]);
-    ++total;
-  }
+  std::array<const Edge *, 4 * finest> kept;
+  int total = 0, clear = 0, alike = 0, seen = 0;
+  std::array<double, 4 * finest> value;
+  for (int n = 0; n < edges.count; ++n)
+    if (std::fabs(edges.edge[n].rest(change)) <= 2.0 * width)
+      kept[total++] = &edges.edge[n];
   if (total == 0)
     return false;
-  const double usual = middle_of(contrast.data(), total);
-  int alike = 0;
-  for (int n = 0; n < edges.count; ++n) {
-    const Edge &edge = edges.edge[n];
-    const double part = edge.contrast / (edge.inside + 10.0) / usual;
-    if (std::fabs(edge.rest(change)) > 2.0 * width || part < 0.5 ||
-        part > 2.0)
+  const auto contrast = [](const Edge &edge) {
+    return edge.contrast / (edge.inside + 10.0);
+  };
+  // Where the sun clips the border, its contrast would be higher: the usual one
+  // is that of the rest, at least a quarter.
+  for (int n = 0; n < total; ++n)
+    if (!kept[n]->clipped)
+      value[clear++] = contrast(*kept[n]);
+  const bool is_sunny = 4 * clear >= total && total - clear >= fewest_clipped;
+  if (!is_sunny)
+    for (clear = 0; clear < total; ++clear)
+      value[clear] = contrast(*kept[clear]);
+  const double usual = middle_of(value.data(), clear);
+  std::array<int, 4> on{};
+  for (int n = 0; n < total; ++n) {
+    const double part = contrast(*kept[n]) / usual;
+    if (part > 2.0 || (part < 0.5 && !(is_sunny && kept[n]->clipped)))
       continue;
-    ++on[edge.side];
+    ++on[kept[n]->side];
     ++alike;
   }
   evidence.weakest = 1.0;
@@ -301,11 +305,27 @@ bool settle(const cv::Mat &grey, Outline &outline, double reach, double noise,
   }
   evidence.support = double(total) / seen;
   evidence.alike = double(alike) / total;
-  if (pace.slopes) {
-    evidence.level = fit_slope(place.data(), level.data(), total);
-    evidence.contrast = fit_slope(place.data(), rise.data(), total);
-  }
-  evidence.usual = middle_of(rise.data(), total);
+  if (pace.slopes)
+    for (const bool sunny : {false, true}) {
+      std::array<double, 4 * finest> level, rise;
+      std::array<Point, 4 * finest> place;
+      int count = 0;
+      for (int n = 0; n < total; ++n) {
+        const Edge &edge = *kept[n];
+        if (is_sunny && edge.clipped != sunny)
+          continue;
+        level[count] = edge.inside;
+        rise[count] = edge.contrast;
+        place[count++] = outline.corner[edge.side] +
+                         edge.part * (outline.corner[(edge.side + 1) % 4] -
+                                      outline.corner[edge.side]);
+      }
+      evidence.light[sunny] = {fit_slope(place.data(), level.data(), count),
+                               fit_slope(place.data(), rise.data(), count)};
+    }
+  for (int n = 0; n < total; ++n)
+    value[n] = kept[n]->contrast;
+  evidence.usual = middle_of(value.data(), total);
 
   // At a corner, both sides have the same illumination.
   evidence.corners = 0;
@@ -350,11 +370,16 @@ void look_inside(const cv::Mat &grey, const Outline &outline,
                       y * ((1 - x) * c[3] + x * c[2]);
       const double value =
           sample(grey, view.pixel(distort(u, outline.bend)));
-      const double above = value - evidence.level.at(u);
-      const double limit =
-          0.5 * std::max(0.5 * evidence.usual, evidence.contrast.at(u));
-      darker += above < limit;
-      alike += std::fabs(above) < limit;
+      bool is_darker = false, is_alike = false;
+      for (const Light &light : evidence.light) {
+        const double above = value - light.level.at(u);
+        const double limit =
+            0.5 * std::max(0.5 * evidence.usual, light.contrast.at(u));
+        is_darker = is_darker || above < limit;
+        is_alike = is_alike || std::fabs(above) < limit;
+      }
+      darker += is_darker;
+      alike += is_alike;
     }
   dark = double(darker) / (rows * columns);
   plain = double(alike) / (rows * columns);

@@ -52,6 +52,11 @@ struct Slope {
   }
 };
 
+// Beside the border.
+struct Light {
+  Slope level, contrast;  // of the field, border to field; grey levels
+};
+
 // Measurements of an image along an outline.
 struct Evidence {
   double moved = 0.0;     // pixels that a corner came to lie elsewhere
@@ -59,7 +64,8 @@ struct Evidence {
   double weakest = 0.0;   // the same of the side that has the least
   int corners = 0;        // where the field is as bright beside both sides
   double alike = 0.0;     // share of the edges whose contrast is the usual one
-  Slope level, contrast;  // grey levels beside the border, border to field
+  std::array<Light, 2> light;  // where the border is not clipped, and where it
+                               // is; the same unless the sun shines on a part
   double usual = 0.0;     // contrast
 };
 

@@ -71,9 +71,10 @@ void frame(Camera &camera, Random &random, cv::Point2d half, cv::Point2d room,
   camera.stand(aim, distance, tilt, azimuth, roll);
 }
 
-//  A person sees the border: at most places it is brighter than the field
+//  A person sees the border: at more than SHARE of its places it is brighter
+//  than the field by LEAST
 bool plain(const cv::Mat &image, const Camera &camera, double border,
-           double least) {
+           double least, double share) {
   int seen = 0, all = 0;
   for (int side = 0; side < 4; ++side) {
     double difference = 0;
@@ -98,7 +99,7 @@ bool plain(const cv::Mat &image, const Camera &camera, double border,
     if (difference / points < least)
       return false;
   }
-  return seen > all * 7 / 10;
+  return seen > all * share;
 }
 
 //  A view of the floor from above without an arena
@@ -149,6 +150,10 @@ Scene arena_scene(Random &random, const ArenaOptions &options) {
     //  A floor as bright as the border would hide its outer edge
     const double floor = std::min(options.floor.of(random), white - 15);
     stage.set_light(options.uneven, options.shades, options.lamp, 45);
+    if (options.sun.high > 1)
+      stage.world.light.shades.push_back(
+          {{random.in(-25, 25), random.in(-18, 18)}, random.in(0, 2 * M_PI),
+           0, random.in(0.1, 5), float(options.sun.of(random))});
     stage.set_sensor(options.noise, options.defocus);
 
     stage.floor(floor, random.chance(options.photographs));
@@ -248,7 +253,9 @@ Scene arena_scene(Random &random, const ArenaOptions &options) {
     if (border / 80 * scene.field_width < 2 + stage.sensor.defocus)
       continue;
     scene.image = stage.take();
-    if (plain(scene.image, stage.camera, border, 11))
+    const bool sunny = options.sun.high > 1;
+    if (plain(scene.image, stage.camera, border, sunny ? 20 : 11,
+              sunny ? 0.99 : 0.7))
       return scene;
   }
 }

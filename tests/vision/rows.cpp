@@ -124,6 +124,11 @@ void add_arena_rows(std::vector<Row> &rows) {
     o.shades = 2;
     o.lamp = 0.5;
   }));
+  rows.push_back(arena_row("in part in the sun", [](A &o) {
+    o.field = {60, 110};
+    o.contrast = {70, 130};
+    o.sun = {1.5, 6};
+  }));
   rows.push_back(arena_row("another frame in view", [](A &o) {
     o.second_frame = true;
     o.fill = {0.4, 0.75};

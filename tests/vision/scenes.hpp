@@ -92,6 +92,7 @@ struct ArenaOptions {
   double uneven = 0.1;        //  share of light that differs
   int shades = 0;
   double lamp = 0;
+  Range sun{1, 1};            //  of the light on one side of a line through it
   double noise = 1, defocus = 0.4;
   bool second_frame = false;
   double photographs = 0;     //  share with one as floor
