@@ -185,8 +185,8 @@ package body Connections is
       Failed     : out Boolean)
    is
       Status : Selector_Status := Expired;
-      Reason : Unbounded_String :=
-        To_Unbounded_String ("no answer within 5 s");
+      Reason : Unbounded_String;
+      --  of each address
    begin
       for Found of Get_Address_Info (Host, Numerals.Image (Port)) loop
          begin
@@ -205,8 +205,10 @@ package body Connections is
          exception
             when Error : Socket_Error =>
                Status := Aborted;
-               Reason := To_Unbounded_String
-                 (Ada.Exceptions.Exception_Message (Error));
+               Append
+                 (Reason,
+                  (if Reason = "" then ": " else "; ")
+                  & Ada.Exceptions.Exception_Message (Error));
          end;
          exit when Status = Completed;
       end loop;
@@ -214,7 +216,8 @@ package body Connections is
       if Failed then
          Terminals.Put_Error
            ("cannot connect to " & Host & " port " & Numerals.Image (Port)
-            & ": " & To_String (Reason));
+            & (if Reason = "" then ": no answer within 5 s"
+               else To_String (Reason)));
       else
          Set_Socket_Option
            (Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));

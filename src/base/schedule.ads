@@ -271,8 +271,8 @@ package Schedule with SPARK_Mode is
    --  after half a second
    Refusals_Logged   : constant := 3;
    Refusal_Interval  : constant Time_Span := Milliseconds (1000);
-   --  at most so many rejections get a line in the log in this time; the
-   --  others are counted
+   --  the most rejections that get a line in the log in this time; the others
+   --  are counted
    Token_Limit       : constant Time_Span := Milliseconds (2000);
    --  for the first line of a client, if a token is required
    Pending_Period    : constant Time_Span := Milliseconds (100);

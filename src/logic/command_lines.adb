@@ -119,6 +119,10 @@ package body Command_Lines with SPARK_Mode is
    begin
       if R.Request not in Settled_Kind and then R.Awaited /= None then
          Fail_Without_Value (R);
+      elsif R.Request in Run | Check | Stop
+        and then R.Chosen.Marker_Size /= Options.Usual_Marker
+      then
+         Fail (R, "--marker-size: nothing to print without --print-markers");
       end if;
       if R.Chosen.Bind.Length = 0 then
          --  who may drive the robot over a network is said, not assumed

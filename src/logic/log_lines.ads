@@ -74,8 +74,8 @@ package Log_Lines with SPARK_Mode is
               (if Found then
                   Item = Queues.Element_At (S'Old.Kept, 1)
                   and then Queues.Is_Without_First (S.Kept, S'Old.Kept)));
-   --  The oldest line. Missing > 0: so many lines were dropped before it, and
-   --  Item has only a level and a time
+   --  The oldest line. Missing > 0: the number of lines dropped before it;
+   --  then Item has only a level and a time
 
    procedure Written (S : in out State)
    with Post => not S.Writing

@@ -32,6 +32,7 @@ package Options with SPARK_Mode is
 
    subtype Marker_Number is Natural range 0 .. 999;
    subtype Marker_Millimetres is Positive range 20 .. 140;
+   Usual_Marker : constant Marker_Millimetres := 60;
    --  The black frame's side; the largest, with its margin, fits on A4
 
    subtype Processor is Natural range 0 .. 1_023;
@@ -68,7 +69,7 @@ package Options with SPARK_Mode is
       Marker      : Marker_Kind  := Aruco;
       Drawing     : Drawing_Kind := All_Of_It;
       First_Marker : Marker_Number     := 0;     --  of the page to print
-      Marker_Size  : Marker_Millimetres := 60;
+      Marker_Size  : Marker_Millimetres := Usual_Marker;
       Arena_Size  : Missions.Arena_Size;
       --  of the ground, in centimetres
       Message_Gap : Milliseconds := 20;          --  docs/wire.md

@@ -62,7 +62,7 @@ private
       --  the next turn does not begin before
       Lines     : Natural range 0 .. Schedule.Refusals_Logged := 0;
       Lines_End : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
-      --  so many rejections may still be logged until then
+      --  the number of rejections that may still be logged until then
       Unlogged  : Natural := 0;
       --  the others, not yet reported
    end record;

@@ -26,7 +26,7 @@ package body Robot.Tasks with SPARK_Mode is
    use type Robot.Requests.Verdict_Kind;
 
    Max_Idle_Failures : constant := 2;
-   --  A robot that is not started and has left so many pings without an answer
+   --  A robot that is not started and has left as many pings without an answer
    --  is off, and is asked no more: its line stays open
 
    procedure Tell_Of (Note : Note_Kind; Empty : Boolean);

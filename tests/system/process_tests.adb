@@ -779,8 +779,8 @@ package body Process_Tests is
       begin
          --  the kernel needs a moment to notice that it is empty
          Tool.Start
-           ("sh",
-            Words ("-c|until rmdir " & Group & "; do sleep 0.1; done",
+           ("timeout",
+            Words ("10|sh|-c|until rmdir " & Group & "; do sleep 0.1; done",
                    Separator => '|'));
          Check (Tool.Exit_Status = 0, "a control group is left behind");
       end Remove_Group;

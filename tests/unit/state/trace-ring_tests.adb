@@ -108,7 +108,8 @@ package body Trace.Ring_Tests is
 
    procedure Test_Together is
       Writers : constant := 4;
-      Each    : constant := Capacity / Writers;
+      Each    : constant := Capacity;
+      First   : Event_Number := 0;
       Count   : Event_Number;
       Seen    : Natural := 0;
 
@@ -124,8 +125,8 @@ package body Trace.Ring_Tests is
       end Look;
 
    begin
+      Ring.Reset;
       for Round in 1 .. 10 loop
-         Ring.Reset;
          declare
             task type Writer (Number : Integer);
 
@@ -144,17 +145,22 @@ package body Trace.Ring_Tests is
          begin
             loop
                Get_Count (Count);
-               exit when Count = Writers * Each;
+               exit when Count = First + Writers * Each;
                for Back in Event_Number range 1 .. 4 loop
                   Look (if Count > Back then Count - Back else 0);
+                  --  and the oldest, which are overwritten next
+                  Look ((if Count > Capacity then Count - Capacity else 0)
+                        + Back);
                end loop;
             end loop;
          end;
          Seen := 0;
-         for Number in Event_Number range 0 .. Count - 1 loop
+         First := Count;
+         for Number in Event_Number range Count - Capacity .. Count - 1 loop
             Look (Number);
          end loop;
-         Assert (Seen = Writers * Each, Seen'Image & " are there");
+         --  a writer that stands still may overwrite a newer event
+         Assert (Seen >= Capacity - Writers, Seen'Image & " are there");
       end loop;
    end Test_Together;
 
