@@ -40,6 +40,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
        and then Table (Ask_Arena).Label = "CASA"
        and then Table (Confirm_Arena).Label = "CACO"
        and then Table (Reject_Arena).Label = "CAIN"
+       and then Table (Get_Ground).Label = "CARN"
        and then Table (Start_Position).Label = "CPCO"
        and then Table (Stop_Position).Label = "CPST"
        and then Table (Go_To_Pixels).Label = "MGTO"
@@ -119,15 +120,15 @@ package Wire_Texts with SPARK_Mode, Ghost is
            when Robot.Session.Not_Open | Robot.Session.Not_Opened =>
              Reply_To (Name, Result) = Not_Done,
            when Robot.Session.Done       =>
-             (case Name is
-                 when Get_Battery =>
-                   Says (Reply_To (Name, Result), "RBLV:", Result),
-                 when Get_Version =>
-                   Says (Reply_To (Name, Result), "RVER:", Result),
-                 when Get_State   =>
-                   Says (Reply_To (Name, Result), "RCST:", Result),
-                 when others      =>
-                   Reply_To (Name, Result) = Acknowledged));
+             (if Name not in Get_Battery | Get_Version | Get_State then
+                 Reply_To (Name, Result) = Acknowledged));
+
+   procedure Prove_Data (Result : Robot.Session.Outcome)
+   with
+     Pre  => Result.Kind = Robot.Session.Done,
+     Post => Says (Reply_To (Get_Battery, Result), "RBLV:", Result)
+       and then Says (Reply_To (Get_Version, Result), "RVER:", Result)
+       and then Says (Reply_To (Get_State, Result), "RCST:", Result);
 
    procedure Prove_Vision_Reply (Done : Boolean)
    with
