@@ -49,8 +49,9 @@ package body Scenarios is
    Failed_Status  : constant := 1;
    Skipped_Status : constant := 77;
 
-   Skipping : constant String := "   skipped: ";
-   Failing  : constant String := "   FAILED: ";
+   Skipping  : constant String := "   skipped: ";
+   Failing   : constant String := "   FAILED: ";
+   Repeating : constant String := "   one of three: ";
 
    Longest_Test : constant Duration := 300.0;
    --  Some last a minute
@@ -129,7 +130,7 @@ package body Scenarios is
                if Failed = 2 then
                   raise;
                end if;
-               Say ("   one of three: " & Exception_Message (Occurrence));
+               Say (Repeating & Exception_Message (Occurrence));
          end;
       end loop;
    end Run_Timed;
@@ -204,7 +205,7 @@ package body Scenarios is
       Together, Apart         : Number_Vectors.Vector;
       Durations               : Duration_Vectors.Vector;
       Passed, Failed, Skipped : Natural := 0;
-      Failures                : Unbounded_String;
+      Failures, Repeats       : Unbounded_String;
 
       function Title (Test : Positive) return String is
         (To_String (Known (Test).Title));
@@ -247,6 +248,13 @@ package body Scenarios is
                     To_String (J.Process.Element (From, Number).Text);
                begin
                   Say (Text);
+                  if Index (Text, Repeating) = 1 then
+                     Append
+                       (Repeats,
+                        "REPEATED " & Title (J.Test) & ": "
+                        & Text (Repeating'Length + 1 .. Text'Last)
+                        & ASCII.LF);
+                  end if;
                   for Word of Words (Skipping & "|" & Failing, '|') loop
                      if Index (Text, Word) = 1 then
                         Reason := To_Unbounded_String
@@ -319,7 +327,7 @@ package body Scenarios is
          Say (Rounded (Float (Durations (Number).Taken)) & "s call  "
               & Title (Durations (Number).Test));
       end loop;
-      Put (To_String (Failures));
+      Put (To_String (Repeats & Failures));
       Say (Image (Skipped) & " skipped");
       Say (Image (Passed) & " passed, " & Image (Failed) & " failed");
       All_Passed := Failed = 0 and then Passed > 0;
