@@ -84,8 +84,7 @@ package body Robot.Session with SPARK_Mode is
      (S    : in out State;
       P    : in out Progress;
       Last : Step_Result;
-      Next : out Step)
-   with Pre => Last.Ok;
+      Next : out Step);
    --  The exchange of the phase has been answered
 
    procedure Unanswered
