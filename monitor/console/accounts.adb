@@ -3,7 +3,7 @@
 
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
-with Base64;
+with Base64_Texts;
 with Bytes;
 with Durations;
 with Exchanges;             use Exchanges;
@@ -107,7 +107,7 @@ package body Accounts is
       OK := Text'Length / 4 * 3 <= Max_Image;
       while OK and then First <= Text'Last loop
          Last := Integer'Min (First + Step - 1, Text'Last);
-         Base64.Decode (Text (First .. Last), Piece, Length, OK);
+         Base64_Texts.Decode (Text (First .. Last), Piece, Length, OK);
          Image (Image_Length + 1 .. Image_Length + Length) :=
            Piece (1 .. Length);
          Image_Length := Image_Length + Length;

@@ -70,17 +70,4 @@ package Base64 with SPARK_Mode is
    --  Writes the encoding of the first Length bytes of Input into Output,
    --  from First to Last; First - 1 is Last where there is nothing to write.
 
-   procedure Decode
-     (Input  : String;
-      Output : in out Byte_Array;
-      Length : out Natural;
-      OK     : out Boolean)
-   with
-     Pre  => Input'Last < Integer'Last
-       and then Output'First = 1 and then Input'Length / 4 * 3 <= Output'Last,
-     Post => Length <= Output'Last and then (if not OK then Length = 0);
-   --  Decodes the whole of Input into the first Length bytes of Output. Not
-   --  OK: what Encode never writes, such as a length that is no multiple of
-   --  four, a foreign character, or left-over bits that are not zero.
-
 end Base64;

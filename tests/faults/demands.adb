@@ -5,7 +5,7 @@ with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 
 with Answer_Ledgers;        use Answer_Ledgers;
-with Base64;
+with Base64_Texts;
 with Bytes;
 with Expectations;          use Expectations;
 with Jpeg_Headers;
@@ -256,7 +256,7 @@ package body Demands is
       Length : Natural;
       Done   : Boolean;
    begin
-      Base64.Decode
+      Base64_Texts.Decode
         (Text (Text'First .. Text'First + Size - 1), Data, Length, Done);
       Check (Done, "an image that is no base64");
       Jpeg_Headers.Get_Size (Data (1 .. Length), Width, Height);
