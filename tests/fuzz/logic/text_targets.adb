@@ -80,8 +80,8 @@ package body Text_Targets is
       Last    : Natural;
    begin
       Shifted := Text;
-      Base64_Texts.Decode (Shifted, Decoded, Same, Again);
-      Base64_Texts.Decode (Text, Decoded, Count, OK);
+      Standard.Base64_Texts.Decode (Shifted, Decoded, Same, Again);
+      Standard.Base64_Texts.Decode (Text, Decoded, Count, OK);
       Check
         (Count = Same and then OK = Again,
          "a text's meaning depends on its index");
@@ -92,7 +92,7 @@ package body Text_Targets is
 
       Written := (others => '*');
       Base64.Encode (Data, Data'Length, Written, 5, Last);
-      Base64_Texts.Decode (Written (5 .. Last), Decoded, Count, OK);
+      Standard.Base64_Texts.Decode (Written (5 .. Last), Decoded, Count, OK);
       Check
         (OK and then Decoded (1 .. Count) = Data, "it is not read as written");
    end Base64_Texts;
