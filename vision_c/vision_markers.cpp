@@ -632,6 +632,17 @@ bool is_sound(const Quad &quad) {
   return shortest >= smallest && longest < 5.0 * shortest;
 }
 
+// Whether a part of the marker is saturated, but its quiet zone is not.
+bool has_spot(const Grid<double> &modules) {
+  constexpr double saturated = 245.0;  // grey level, noise aside
+  int within = 0, around = 0;          // of 28
+  for (int row = 0; row < 8; ++row)
+    for (int column = 0; column < 8; ++column)
+      (ring_of(row, column) == 0 ? around : within) +=
+          modules[row][column] >= saturated;
+  return within > 0 && around < 14;
+}
+
 // Aligns the whole pattern of a marker, given its BITS: more edges than the
 // outline alone, so less noise and no bias from its inside. BLUR, in pixels:
 // the image's if known, on return the measured one. False if the reading is
@@ -658,7 +669,9 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   Fit fit;
   fit.map = map_of(reference, start);
   fit.spread = blur * pitch * 6 / size_of(start);
-  if (!align(grey, shape, used, perspective, 0.15, fit) ||
+  // A spot that makes it another marker has edges of its own; glare has none.
+  const double worst = has_spot(modules) ? 0.075 : 0.15;
+  if (!align(grey, shape, used, perspective, worst, fit) ||
       !is_certain(bits, doubts(grey, bits, used, contrast, fit)))
     return false;
   for (int k = 0; k < 4; ++k)
