@@ -57,8 +57,7 @@ package Monitor.Positions with SPARK_Mode is
       Where  : Corners) return Short_Text
    with
      Pre  => Margin <= 9,
-     Post => Begins_With (Ground'Result.Data, Ground_Label)
-       and then Ground'Result.Length in 84 .. 121
+     Post => Ground'Result.Length in 84 .. 121
        and then Ground'Result.Data (Ground'Result.Length) = Line_Feed;
    --  CARN:width;height;margin;x;y;x;y;x;y;x;y and a line feed: centimetres,
    --  then pixels with exactly six decimals. A mission's points keep Margin
