@@ -55,10 +55,7 @@ package Monitor.Positions with SPARK_Mode is
      (Size   : Missions.Arena_Size;
       Margin : Natural;
       Where  : Corners) return Short_Text
-   with
-     Pre  => Margin <= 9,
-     Post => Ground'Result.Length in 84 .. 121
-       and then Ground'Result.Data (Ground'Result.Length) = Line_Feed;
+   with Pre => Margin <= 9;
    --  CARN:width;height;margin;x;y;x;y;x;y;x;y and a line feed: centimetres,
    --  then pixels with exactly six decimals. A mission's points keep Margin
    --  from the border
