@@ -670,7 +670,10 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   fit.map = map_of(reference, start);
   fit.spread = blur * pitch * 6 / size_of(start);
   // A spot that makes it another marker has edges of its own; glare has none.
-  const double worst = has_spot(modules) ? 0.075 : 0.15;
+  // Of small markers, sharpening alone saturates modules.
+  constexpr double small = 21.0;  // pixels a side
+  const double worst =
+      size_of(start) > small && has_spot(modules) ? 0.075 : 0.15;
   if (!align(grey, shape, used, perspective, worst, fit) ||
       !is_certain(bits, doubts(grey, bits, used, contrast, fit)))
     return false;
