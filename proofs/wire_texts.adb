@@ -4,7 +4,7 @@ package body Wire_Texts with SPARK_Mode is
 
    procedure Prove_Battery (Result : Robot.Session.Outcome) is null;
 
-   procedure Prove_Data (Result : Robot.Session.Outcome) is null;
+   procedure Prove_Data_Labels is null;
 
    procedure Prove_Frame (C : Commands.Command) is null;
 

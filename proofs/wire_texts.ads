@@ -97,17 +97,6 @@ package Wire_Texts with SPARK_Mode, Ghost is
       and then Line.Data (Line.Length) = Line_Feed)
    with Pre => Text'Length < Max_Short_Line;
 
-   function Says
-     (Line : Short_Text; Start : String; Result : Robot.Session.Outcome)
-     return Boolean
-   is (Line.Length = Start'Length + Result.Text.Length + 1
-       and then Line.Data (1 .. Start'Length) = Start
-       and then (for all I in 1 .. Result.Text.Length =>
-                   Line.Data (Start'Length + I) = Result.Text.Data (I))
-       and then Line.Data (Line.Length) = Line_Feed)
-   with Pre => Start'Length = 5;
-   --  Start, and the robot's text
-
    procedure Prove_Reply
      (Name : Robot_Command; Result : Robot.Session.Outcome)
    with
@@ -123,12 +112,13 @@ package Wire_Texts with SPARK_Mode, Ghost is
              (if Name not in Get_Battery | Get_Version | Get_State then
                  Reply_To (Name, Result) = Acknowledged));
 
-   procedure Prove_Data (Result : Robot.Session.Outcome)
+   procedure Prove_Data_Labels
    with
-     Pre  => Result.Kind = Robot.Session.Done,
-     Post => Says (Reply_To (Get_Battery, Result), "RBLV:", Result)
-       and then Says (Reply_To (Get_Version, Result), "RVER:", Result)
-       and then Says (Reply_To (Get_State, Result), "RCST:", Result);
+     Post => Table (Get_Battery).Reply = "RBLV"
+       and then Table (Get_Version).Reply = "RVER"
+       and then Table (Get_State).Reply = "RCST"
+       and then Separator = ':';
+   --  Of the replies with data, which Reply_To writes after them
 
    procedure Prove_Vision_Reply (Done : Boolean)
    with
@@ -138,7 +128,7 @@ package Wire_Texts with SPARK_Mode, Ghost is
    with
      Post =>
        (if Result.Kind = Robot.Session.Done
-        then Says (Battery_Notice (Result), "RBLV:", Result)
+        then Battery_Notice (Result) = Reply_To (Get_Battery, Result)
         else Says (Battery_Notice (Result), "RBLV:-1"));
 
    procedure Prove_Texts

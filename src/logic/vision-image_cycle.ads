@@ -96,15 +96,12 @@ package Vision.Image_Cycle with SPARK_Mode is
           Dy    => Monitor.Positions.Micro (Robots (1).Direction.Y)));
    --  The position reported to the monitor: that of Robots (1)
 
-   function Has_Ground
-     (Mode : Vision.Mode.State; Arena : Vision.Shapes.Arena_Corners)
-      return Boolean
-   is (Mode.Confirmed
-       and then
-         (for all P of Arena =>
-            Monitor.Positions.Micro (P.X) in Monitor.Positions.Coordinate
-            and then
-              Monitor.Positions.Micro (P.Y) in Monitor.Positions.Coordinate));
+   function Are_Coordinates (Arena : Vision.Shapes.Arena_Corners)
+     return Boolean
+   is (for all P of Arena =>
+         Monitor.Positions.Micro (P.X) in Monitor.Positions.Coordinate
+         and then
+           Monitor.Positions.Micro (P.Y) in Monitor.Positions.Coordinate);
 
    function Corners_Of (Arena : Vision.Shapes.Arena_Corners)
      return Monitor.Positions.Corners
@@ -116,10 +113,6 @@ package Vision.Image_Cycle with SPARK_Mode is
        6 => Monitor.Positions.Micro (Arena (Vision.Shapes.Bottom_Right).Y),
        7 => Monitor.Positions.Micro (Arena (Vision.Shapes.Bottom_Left).X),
        8 => Monitor.Positions.Micro (Arena (Vision.Shapes.Bottom_Left).Y))
-   with Pre =>
-     (for all P of Arena =>
-        Monitor.Positions.Micro (P.X) in Monitor.Positions.Coordinate
-        and then
-          Monitor.Positions.Micro (P.Y) in Monitor.Positions.Coordinate);
+   with Pre => Are_Coordinates (Arena);
 
 end Vision.Image_Cycle;

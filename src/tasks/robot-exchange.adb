@@ -131,7 +131,7 @@ package body Robot.Exchange with SPARK_Mode is
       In_Frame  : Frame;
       Receiving : Receiver;
       Data      : Bytes.Byte_Array (1 .. Max_Frame);
-      Ignored_Data : Bytes.Byte_Array (1 .. Max_Frame);
+      Ignored   : Bytes.Byte_Array (1 .. Max_Frame);
       Length    : Natural;
       Alive     : Boolean;
       Complete  : Boolean;
@@ -193,7 +193,7 @@ package body Robot.Exchange with SPARK_Mode is
       end loop;
       if Last.Ok and then (Skip_Late or else Talks) then
          --  a device that goes on sending is no robot
-         Robot.Serial_Line.Read (Ignored_Data, Length, Deadline, Alive);
+         Robot.Serial_Line.Read (Ignored, Length, Deadline, Alive);
          Last.Ok := Alive and then Length = 0;
       end if;
    end Exchange;

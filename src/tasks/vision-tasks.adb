@@ -365,7 +365,8 @@ package body Vision.Tasks with SPARK_Mode is
             Vision.State.Store.Get (Seen);
             Monitor.Outbox.Answer
               (Order,
-               (if Vision.Image_Cycle.Has_Ground (Seen.Mode, Seen.Arena)
+               (if Seen.Mode.Confirmed
+                  and then Vision.Image_Cycle.Are_Coordinates (Seen.Arena)
                 then Monitor.Positions.Ground
                   (Chosen.Arena_Size, Target_Margin,
                    Vision.Image_Cycle.Corners_Of (Seen.Arena))
