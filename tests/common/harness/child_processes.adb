@@ -10,6 +10,7 @@ with Interfaces.C.Strings; use Interfaces.C.Strings;
 
 with Expectations; use Expectations;
 with Libc;
+with Process_Facts;
 with System;
 
 package body Child_Processes is
@@ -355,8 +356,11 @@ package body Child_Processes is
       Deadline : constant Instant := Now + Patience;
    begin
       while Object.Is_Running loop
-         Check
-           (Now < Deadline, To_String (Object.Inner.Name) & " does not end");
+         if Now >= Deadline then
+            raise Failed with
+              To_String (Object.Inner.Name) & " does not end: "
+              & Process_Facts.State (Object.Inner.Pid);
+         end if;
          delay 0.001;
       end loop;
       --  Its last output is still being read; with a limit, as a grandchild

@@ -101,6 +101,10 @@ package body Process_Facts is
          null;
    end For_Each_Entry;
 
+   function State (Process : int) return String is
+     (File_Line (Folder (Process) & "/stat") & " "
+      & File_Line (Folder (Process) & "/wchan"));
+
    function Resident_Kilobytes (Process : int) return Natural is
      (Status_Number (Process, "VmRSS"));
 

@@ -9,6 +9,10 @@ package Process_Facts is
    function File_Line (Path : String; Key : String := "") return String;
    --  The first line of a file that contains Key; "" if there is none
 
+   function State (Process : int) return String;
+   --  The line of its status in the kernel (proc_pid_stat(5)), and the
+   --  kernel's function in which it waits
+
    function Resident_Kilobytes (Process : int) return Natural;
    function Locked_Kilobytes (Process : int) return Natural;
    --  Of its address space, resident or not
