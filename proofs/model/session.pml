@@ -35,7 +35,7 @@ inline Shut_Down (own) {
    atomic { assert (Current == own); Shut [Current] = true }
 }
 
-mtype:stage = { Free, Active, Closing, Closed };
+mtype:stage = { Free, Active, Closing };
 typedef Monitor_Session_State_Type { mtype:stage Current = Free };
 PROTECTED (Monitor_Session_State);
 EVENT (Monitor_Session_Server_Allowed);
@@ -54,17 +54,6 @@ active proctype Supervisor ()
    /* see ending.pml */
    Set_Event (Monitor_Session_Server_Allowed);
    Wait_Event (Monitor_Session_Listening)
-}
-
-inline Close_Session () {
-   /*: Connection.Close */
-   atomic {
-      /* what Monitor.Sockets.Connection.Close asks for */
-      assert (!In_Receive && !In_Send && !In_Watch);
-      Current = 0
-   };
-   /*: Session.State.Go_On */
-   Stage = Free
 }
 
 active proctype Th_Server ()
@@ -93,12 +82,6 @@ end_wait:
          peer = 0
       }
    fi;
-   /*: Session.State.Get */
-   known = Stage;
-   if
-   :: known == Closed -> Close_Session ()
-   :: else
-   fi;
    /* Settle: of one after the other */
    do
    :: atomic { Waits == 0 -> break }
@@ -111,7 +94,7 @@ end_wait:
       :: atomic { known == Active ->
                   Entitled ? peer; Waits--; Met [peer] = Rejected; peer = 0;
                   goto next }
-      :: known == Closing || known == Closed -> break
+      :: known == Closing -> break
       :: known == Free
       fi;
       /*: Session.State.Begin_Active */
@@ -244,7 +227,6 @@ active proctype Th_Com_Mon_Perdue ()
       Wait_Event (Monitor_Session_Receive_Ended);
 #endif
       /*: Task_Ports.Clear in orders */
-      own = 0;
       atomic {
          /*: Camera_Requests.Get_Idle in vision */
          if
@@ -255,8 +237,15 @@ active proctype Th_Com_Mon_Perdue ()
 #ifdef MUTANT_WOKEN_BEFORE_STATE
       Waker = true;
 #endif
+      /*: Connection.Close */
+      atomic {
+         /* what Monitor.Sockets.Connection.Close asks for */
+         assert (!In_Receive && !In_Send && !In_Watch);
+         Current = 0;
+         own = 0
+      };
       /*: Session.State.Go_On */
-      Stage = Closed;
+      Stage = Free;
 #ifdef MUTANT_WOKEN_BEFORE_STATE
       skip
 #elif !defined (MUTANT_SERVER_NOT_WOKEN)

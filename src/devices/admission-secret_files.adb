@@ -13,10 +13,9 @@ is
    Credentials : constant String := "/run/credentials/";
 
    procedure Read_Token
-     (Path    : Texts.Text;
-      Token   : out Admission.Authentication.Token;
-      Success : out Boolean;
-      Reason  : out Texts.Text)
+     (Path   : Texts.Text;
+      Token  : out Admission.Authentication.Token;
+      Reason : out Texts.Text)
    is
       Data   : String (1 .. 256) := (others => ' ');
       Mode   : File_Mode;
@@ -25,8 +24,7 @@ is
    begin
       Token := (others => <>);
       Texts.Set (Reason, "");
-      Success := Path.Length = 0;
-      if Success then
+      if Path.Length = 0 then
          return;
       end if;
       Calls.Read (Texts.Image (Path), Data, Mode, Owner, Result);
@@ -37,15 +35,13 @@ is
            (Reason,
             "others than its owner can read or write it (chmod go= it)");
       else
-         Read_Token (Data (1 .. Result), Token, Success);
-         if not Success then
-            Texts.Set
-              (Reason,
-               "its first line is no token: 16 .. 128 printable ASCII "
-               & "characters without a blank");
-         end if;
+         Read_Token (Data (1 .. Result), Token);
+         Texts.Set
+           (Reason,
+            "its first line is no token: 16 .. 128 printable ASCII "
+            & "characters without a blank");
       end if;
-      if not Success and then Path.Length > Credentials'Length
+      if Path.Length > Credentials'Length
         and then Path.Data (Credentials'Range) = Credentials
       then
          Texts.Append

@@ -12,15 +12,13 @@ package Admission.Secret_Files with
 is
 
    procedure Read_Token
-     (Path    : Texts.Text;
-      Token   : out Admission.Authentication.Token;
-      Success : out Boolean;
-      Reason  : out Texts.Text)
+     (Path   : Texts.Text;
+      Token  : out Admission.Authentication.Token;
+      Reason : out Texts.Text)
    with
      Global => (In_Out => Files),
-     Post   => (if Path.Length = 0 then Success and then Token.Length = 0
-                else Success = (Token.Length > 0));
-   --  The token in the file Path, none if Path is empty. Never waits. Reason
-   --  explains a failure: there is no token, or others could read it
+     Post   => (if Path.Length = 0 then Token.Length = 0);
+   --  The token in the file Path. Never waits. Length 0: Path is empty, or,
+   --  for the Reason, there is none or others could read it
 
 end Admission.Secret_Files;

@@ -1,37 +1,25 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Interfaces;
+with Interfaces;    use Interfaces;
 with Interfaces.C;  use Interfaces.C;
-with Monitor.Sockets.Gate.Listener_Calls;
 with Monitor.Sockets.Stream_Calls;
 with Schedule;
 
 package body Monitor.Sockets.Gate with
   SPARK_Mode,
-  Refined_State =>
-    (Newcomers => (Listener, Waker, Streams.Kernel, Listener_Calls.Kernel))
+  Refined_State => (Newcomers => (Waker, Streams.Kernel))
 is
-
-   use type Interfaces.Unsigned_16;
 
    package Streams is new Monitor.Sockets.Stream_Calls;
    --  Of the pending connections and the listening socket
 
-   Listener : Socket := Nobody with Atomic, Async_Readers, Async_Writers;
-   --  Accepts connections
-
-   Waker : Event_Counters.Counter := Event_Counters.None with
-     Atomic, Async_Readers, Async_Writers;
-   --  Wake_Server
+   Waker : constant Event_Counters.Counter := Event_Counters.New_Counter;
+   --  Of Wake_Server
 
    Listening : constant Positive := Place'Last + 1;
    Waking    : constant Positive := Place'Last + 2;
    --  Indices of the other descriptors that th_server waits for
-
-   Queue_Length : constant := 512;
-   --  Backlog of connections not yet accepted: empty after half a second. A
-   --  client that finds it full retries at growing intervals
 
    Look_Now      : constant := 16#42#;    --  MSG_PEEK, MSG_DONTWAIT
    Receive_Now   : constant := 16#40#;    --  MSG_DONTWAIT
@@ -39,61 +27,30 @@ is
    --  MSG_NOSIGNAL, MSG_DONTWAIT, MSG_MORE
    Sending       : constant := 1;         --  SHUT_WR
 
-   procedure Listen
-     (Address : Texts.Text;
-      Port    : Options.Port_Number;
-      Bound   : out Options.Port_Number;
-      Success : out Boolean;
-      Reason  : out Texts.Text)
-   is
-      Server  : Socket;
-      Counter : Event_Counters.Counter;
-   begin
-      Listener_Calls.Listen
-        (Address, Port, Queue_Length, Server, Bound, Reason);
-      Success := Server /= Nobody;
-      if Success then
-         Counter := Event_Counters.New_Counter;
-         Waker := Counter;
-         Listener := Server;
-      end if;
-   end Listen;
-
    procedure Wait (Watched : Socket_Array; Pending : Boolean) is
-      Server  : constant Socket := Listener;
-      Counter : constant Event_Counters.Counter := Waker;
+      Server  : Socket;
       Entries : Streams.Watch_Array (1 .. Waking);
       Ignored : Natural;
    begin
       for I in Place loop
          Entries (I).Descriptor := int (Watched (I));
       end loop;
+      Monitor.Sockets.Listener.Get (Server);
       Entries (Listening).Descriptor := int (Server);
-      Entries (Waking).Descriptor := Event_Counters.Descriptor (Counter);
+      Entries (Waking).Descriptor := Event_Counters.Descriptor (Waker);
       Streams.Poll
         (Entries,
          (if Pending then int (Schedule.Pending_Period / Milliseconds (1))
           else -1));
       if Entries (Waking).Returned /= 0 then
-         Event_Counters.Take (Counter, Ignored);
+         Event_Counters.Take (Waker, Ignored);
       end if;
    end Wait;
 
    procedure Wake_Server is
-      Counter : constant Event_Counters.Counter := Waker;
    begin
-      Event_Counters.Add (Counter);
+      Event_Counters.Add (Waker);
    end Wake_Server;
-
-   procedure Take_In
-     (Found : out Socket;
-      From  : out Admission.Networks.Socket_Address;
-      Name  : out Texts.Text)
-   is
-      Server : constant Socket := Listener;
-   begin
-      Listener_Calls.Take_In (Server, Found, From, Name);
-   end Take_In;
 
    procedure Read_Line
      (From   : Socket;

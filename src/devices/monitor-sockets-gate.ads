@@ -1,28 +1,15 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The listening socket of the server, and the pending connections, which are
---  to be admitted or rejected.
+--  The pending connections, which are to be admitted or rejected.
 
-with Admission.Networks;
 with Event_Counters;
-with Options;
-with Texts;
+with Monitor.Sockets.Listener;
 
 package Monitor.Sockets.Gate with
   SPARK_Mode,
   Abstract_State =>
     (Newcomers with Synchronous, External => (Async_Readers, Async_Writers)),
-  Initializes => Newcomers
+  Initializes => (Newcomers => Event_Counters.Kernel)
 is
-
-   procedure Listen
-     (Address : Texts.Text;
-      Port    : Options.Port_Number;
-      Bound   : out Options.Port_Number;
-      Success : out Boolean;
-      Reason  : out Texts.Text)
-   with Global => (In_Out => Newcomers, Input => Event_Counters.Kernel);
-   --  Bound: the port in use, chosen by the system if Port is 0. Reason
-   --  explains a failure
 
    subtype Place is Positive range 1 .. 9;
    --  Of a connection: eight that are pending, and the one that comes
@@ -30,22 +17,15 @@ is
    type Socket_Array is array (Place) of Socket;
 
    procedure Wait (Watched : Socket_Array; Pending : Boolean)
-   with Global => (In_Out => (Newcomers, Event_Counters.Kernel));
+   with
+     Global => (Input  => Monitor.Sockets.Listener.Kernel,
+                In_Out => (Newcomers, Event_Counters.Kernel));
    --  Waits for input from one of the sockets Watched, or its end, for a
    --  connection in the kernel's queue, or for Wake_Server; Pending: at most
    --  for Schedule.Pending_Period. May return early
 
    procedure Wake_Server
-   with Global => (Input => Newcomers, In_Out => Event_Counters.Kernel);
-
-   procedure Take_In
-     (Found : out Socket;
-      From  : out Admission.Networks.Socket_Address;
-      Name  : out Texts.Text)
-   with Global => (In_Out => Newcomers);
-   --  Accepts the next connection of the kernel's queue; never waits. Name:
-   --  HOST:PORT, or [HOST]:PORT for IPv6. Nobody: there is none, Name is
-   --  empty; or it has failed, and Name says why
+   with Global => (In_Out => Event_Counters.Kernel);
 
    procedure Read_Line
      (From   : Socket;

@@ -5,16 +5,7 @@ with Ada.Strings.Fixed;
 
 package body Admission.Authentication with SPARK_Mode is
 
-   use Interfaces;
-
-   function Added (Difference : Unsigned_32; X, Y : Character)
-     return Unsigned_32
-   is (Difference or (Character'Pos (X) xor Character'Pos (Y)))
-   with
-     Post => (Added'Result = 0) = (Difference = 0 and then X = Y);
-   --  Accumulates differences: 0 as long as there is none
-
-   procedure Read_Token (Text : String; T : out Token; Good : out Boolean) is
+   procedure Read_Token (Text : String; T : out Token) is
       Last : Natural := 0;
    begin
       for I in Text'Range loop
@@ -24,34 +15,31 @@ package body Admission.Authentication with SPARK_Mode is
            (Last = I
             and then (for all J in 1 .. I => Text (J) in Token_Character));
       end loop;
-      Good := Last in Min_Token .. Max_Token
-        and then (Last = Text'Last or else Text (Last + 1) = Line_Feed);
       T := (others => <>);
-      if Good then
+      if Last in Min_Token .. Max_Token
+        and then (Last = Text'Last or else Text (Last + 1) = ASCII.LF)
+      then
          T := (Text (1 .. Last) & (1 .. Max_Token - Last => ' '), Last);
       end if;
    end Read_Token;
 
    function Decision (R : Reader; T : Token) return Verdict is
       --  Compares all places in any case
-      Length     : constant Line_Count := Text_Length (R);
-      Difference : Unsigned_32 :=
-        (if Length = Label'Length + T.Length then 0 else 1);
+      Length : constant Line_Count := Text_Length (R);
+      Same   : Boolean := Length = Label'Length + T.Length;
    begin
-      if R.Length = 0 or else R.Data (R.Length) /= Line_Feed then
+      if R.Length = 0 or else R.Data (R.Length) /= ASCII.LF then
          return (if R.Length = Max_Line then Wrong else Undecided);
       end if;
       for I in 1 .. Max_Line - 2 loop
-         Difference := Added
-           (Difference, (if I <= Length then R.Data (I) else ' '),
-            Expected (T, I));
+         Same := Same
+           and ((if I <= Length then R.Data (I) else ' ') = Expected (T, I));
          pragma Loop_Invariant
-           ((Difference = 0) =
-              (Length = Label'Length + T.Length
-               and then (for all J in 1 .. Natural'Min (I, Length) =>
-                           R.Data (J) = Expected (T, J))));
+           (Same = (Length = Label'Length + T.Length
+                    and then (for all J in 1 .. Natural'Min (I, Length) =>
+                                R.Data (J) = Expected (T, J))));
       end loop;
-      return (if Difference = 0 then Right else Wrong);
+      return (if Same then Right else Wrong);
    end Decision;
 
    procedure Append_Shown (To : in out Texts.Text; Line : String) is
@@ -59,14 +47,10 @@ package body Admission.Authentication with SPARK_Mode is
         (Ada.Characters.Handling.To_Upper (Line), Label);
       --  also of a label in small letters, as somebody types it
    begin
-      if Place = 0 then
-         Texts.Append (To, Line);
-      else
-         Texts.Append
-           (To,
-            Line (Line'First .. Line'First + (Place - 1) + Label'Length - 1));
-         Texts.Append (To, "...");
-      end if;
+      Texts.Append
+        (To, (if Place = 0 then Line
+              else Line (Line'First .. Line'First + Place + Label'Length - 2)
+                & "..."));
    end Append_Shown;
 
 end Admission.Authentication;

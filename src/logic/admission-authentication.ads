@@ -11,10 +11,6 @@ package Admission.Authentication with SPARK_Mode is
 
    use type Interfaces.Unsigned_32;
 
-   Line_Feed : constant Character := Character'Val (10);
-
-   Carriage_Return : constant Character := Character'Val (13);
-
    Label : constant String := "AUTH:";
 
    --  Tokens
@@ -39,14 +35,14 @@ package Admission.Authentication with SPARK_Mode is
          else Data (I) = ' '));
    --  The first Length characters of Data. Length 0: no token is required.
 
-   procedure Read_Token (Text : String; T : out Token; Good : out Boolean)
+   procedure Read_Token (Text : String; T : out Token)
    with
      Pre  => Text'First = 1,
-     Post => Good = (T.Length > 0)
-       and then (for all I in 1 .. T.Length => T.Data (I) = Text (I))
-       and then (if Good and then T.Length < Text'Last then
-                    Text (T.Length + 1) = Line_Feed);
-   --  The token in a file that begins with Text: its first line
+     Post => (for all I in 1 .. T.Length => T.Data (I) = Text (I))
+       and then (if T.Length in 1 .. Text'Last - 1 then
+                    Text (T.Length + 1) = ASCII.LF);
+   --  The token in a file that begins with Text: its first line. Length 0: it
+   --  holds none
 
    type File_Mode is mod 2 ** 16;
    --  Type and permissions of a file, as from stat.
@@ -79,7 +75,7 @@ package Admission.Authentication with SPARK_Mode is
 
    function Text_Length (R : Reader) return Line_Count is
      (if R.Length = 0 then 0
-      elsif R.Length > 1 and then R.Data (R.Length - 1) = Carriage_Return
+      elsif R.Length > 1 and then R.Data (R.Length - 1) = ASCII.CR
       then R.Length - 2
       else R.Length - 1);
    --  Without its line feed, and a carriage return before it
@@ -91,11 +87,10 @@ package Admission.Authentication with SPARK_Mode is
 
    function Is_Right (R : Reader; T : Token) return Boolean is
      (R.Length > 0
-      and then R.Data (R.Length) = Line_Feed
+      and then R.Data (R.Length) = ASCII.LF
       and then Text_Length (R) = Label'Length + T.Length
       and then (for all I in 1 .. Text_Length (R) =>
-                  R.Data (I) = Expected (T, I)))
-   with Ghost;
+                  R.Data (I) = Expected (T, I)));
 
    type Verdict is (Undecided, Right, Wrong);
 

@@ -9,8 +9,7 @@ package Monitor.Session_Stages with SPARK_Mode, Pure is
    type Stage_Kind is
      (Free,       --  no monitor: the next one is admitted
       Active,     --  a monitor is in command
-      Closing,    --  it is lost: robot, camera and queues are reset
-      Closed);    --  reset done; its connection is to be closed
+      Closing);   --  it is lost: robot, camera and queues are reset
 
    type State is record
       Stage    : Stage_Kind := Free;
@@ -21,7 +20,7 @@ package Monitor.Session_Stages with SPARK_Mode, Pure is
      (S.Stage = Free and then not S.Stopping);
 
    function After (Stage : Stage_Kind) return Stage_Kind is
-     (if Stage = Closed then Free else Stage_Kind'Succ (Stage));
+     (if Stage = Closing then Free else Stage_Kind'Succ (Stage));
 
    procedure Begin_Active (S : in out State; Admitted : out Boolean)
    with

@@ -3,7 +3,7 @@
 with Admission.Authentication;
 with Admission.Secret_Files;
 with Console;
-with Monitor.Sockets.Gate;
+with Monitor.Sockets.Listener;
 with Process.Machine;
 with Process.Privileges;
 with Program_Arguments;
@@ -164,14 +164,13 @@ package body Checks with SPARK_Mode is
               & In_Settings & ")"),
          All_Well);
 
-      Admission.Secret_Files.Read_Token
-        (Chosen.Token_File, Token, Good, Reason);
+      Admission.Secret_Files.Read_Token (Chosen.Token_File, Token, Reason);
       if Token.Length > 0 then
          Report
            (True, "token file " & Texts.Image (Chosen.Token_File)
             & ": holds a token",
             All_Well);
-      elsif not Good then
+      elsif Chosen.Token_File.Length > 0 then
          Report
            (False, "token file " & Texts.Image (Chosen.Token_File) & ": "
             & Texts.Image (Reason),
@@ -187,7 +186,7 @@ package body Checks with SPARK_Mode is
             All_Well);
       end if;
 
-      Monitor.Sockets.Gate.Listen
+      Monitor.Sockets.Listener.Listen
         (Chosen.Bind, Chosen.Port, Bound, Good, Reason);
       Report
         (Good,

@@ -6,7 +6,9 @@ with Monitor.Outbox;
 with Monitor.Session;
 with Monitor.Session_Stages;
 with Monitor.Sockets.Connection;
+with Monitor.Sockets.Listener;
 with Options;
+with Schedule;
 with Trace;
 
 package body Admission.Newcomers with SPARK_Mode is
@@ -38,48 +40,23 @@ package body Admission.Newcomers with SPARK_Mode is
    end Oldest;
 
    procedure Turn_Away (G : in out Gate; Where : Place; Why : String)
-   with
-     Pre  => Is_Consistent (G) and then Why'Length < 100,
-     Post => Is_Consistent (G)
+   with Pre => Why'Length < 100
    is
       --  Tells it why, and the log, where there is a line for that
    begin
       Monitor.Sockets.Gate.Refuse
         (G.Places (Where).Line, "MSSG:refused: " & Why & ASCII.LF);
-      if G.Lines > 0 then
-         G.Lines := G.Lines - 1;
+      if G.Refused < Schedule.Refusals_Logged then
          Journal.Put
            (Options.Warning,
             "newcomer refused, " & Why & ": "
             & Texts.Image (G.Places (Where).Name));
-      elsif G.Unlogged < Natural'Last then
-         G.Unlogged := G.Unlogged + 1;
       end if;
+      G.Refused := Natural'Min (G.Refused, Natural'Last - 1) + 1;
       G.Places (Where) := (others => <>);
    end Turn_Away;
 
-   procedure Let_In (G : in out Gate; Where : Place)
-   with
-     Pre  => Is_Consistent (G) and then G.Places (Where).State = Entitled,
-     Post => Is_Consistent (G)
-   is
-      --  It is in command now
-   begin
-      Monitor.Sockets.Connection.Take_Over (G.Places (Where).Line);
-      Monitor.Outbox.Open_Session;
-      Journal.Put
-        (Options.Info,
-         "monitor connected from " & Texts.Image (G.Places (Where).Name));
-      G.Places (Where) := (others => <>);
-      Monitor.Session.Receive_Begins.Set;
-      Monitor.Session.Watch_Begins.Set;
-   end Let_In;
-
-   procedure Settle (G : in out Gate)
-   with
-     Pre  => Is_Consistent (G),
-     Post => Is_Consistent (G)
-   is
+   procedure Settle (G : in out Gate) is
       --  Of those entitled the oldest is admitted where nobody is in command;
       --  the others are told why not, or wait while a session is being ended
       Where    : Place_Choice;
@@ -87,7 +64,6 @@ package body Admission.Newcomers with SPARK_Mode is
       Admitted : Boolean;
    begin
       loop
-         pragma Loop_Invariant (Is_Consistent (G));
          Where := Oldest (G, Entitled);
          exit when Where = 0;
          Monitor.Session.State.Get (Current);
@@ -98,7 +74,16 @@ package body Admission.Newcomers with SPARK_Mode is
          elsif Current.Stage = Monitor.Session_Stages.Free then
             Monitor.Session.State.Begin_Active (Admitted);
             if Admitted then
-               Let_In (G, Where);
+               pragma Assert (G.Places (Where).State = Entitled);
+               Monitor.Sockets.Connection.Take_Over (G.Places (Where).Line);
+               Monitor.Outbox.Open_Session;
+               Journal.Put
+                 (Options.Info,
+                  "monitor connected from "
+                  & Texts.Image (G.Places (Where).Name));
+               G.Places (Where) := (others => <>);
+               Monitor.Session.Receive_Begins.Set;
+               Monitor.Session.Watch_Begins.Set;
             end if;
          else
             exit;
@@ -107,9 +92,7 @@ package body Admission.Newcomers with SPARK_Mode is
    end Settle;
 
    procedure Hear (G : in out Gate; Where : Place)
-   with
-     Pre  => Is_Consistent (G) and then G.Places (Where).State = Asked,
-     Post => Is_Consistent (G)
+   with Pre => G.Places (Where).State = Asked
    is
       --  It may have sent something, or has no more time
       N       : Newcomer := G.Places (Where);
@@ -136,46 +119,24 @@ package body Admission.Newcomers with SPARK_Mode is
       end if;
    end Hear;
 
-   procedure Meet (G : in out Gate; N : Newcomer)
-   with
-     Pre  => Is_Consistent (G) and then N.State = Free,
-     Post => Is_Consistent (G)
+   procedure Take_In (G : in out Gate; Where : Place; More : out Boolean)
+   with Pre => G.Places (Where).State = Free
    is
-      --  Asks for its token where there is one. Where there are too many now,
-      --  the one that has waited longest is turned away
-      Where : Place_Choice := Oldest (G, Free);
-   begin
-      if Where > 0 then
-         G.Places (Where) := N;
-         if not Admission.Networks.Admits (G.Allowed, N.From) then
-            Turn_Away (G, Where, "this address is not allowed");
-         elsif G.Token.Length = 0 then
-            G.Places (Where).State := Entitled;
-         else
-            G.Places (Where).State := Asked;
-            Hear (G, Where);
-         end if;
-         Settle (G);
-      end if;
-      Where := Oldest (G, Asked);
-      if Where > 0 and then Oldest (G, Free) = 0 then
-         Turn_Away (G, Where, "not authenticated");
-      end if;
-   end Meet;
-
-   procedure Take_In (G : in out Gate; More : out Boolean)
-   with
-     Pre  => Is_Consistent (G),
-     Post => Is_Consistent (G)
-   is
-      --  The next of the kernel's queue. More: there may be another
+      --  The next of the kernel's queue, which is asked for its token where
+      --  there is one. More: there may be another
       N : Newcomer;
    begin
-      Monitor.Sockets.Gate.Take_In (N.Line, N.From, N.Name);
+      Monitor.Sockets.Listener.Take_In (N.Line, N.From, N.Name);
       N.Came := Clock;
+      G.Places (Where) := N;
       More := N.Line /= Monitor.Sockets.Nobody;
-      if More then
-         Meet (G, N);
+      if More and then not Admission.Networks.Admits (G.Allowed, N.From) then
+         Turn_Away (G, Where, "this address is not allowed");
+      elsif More and then G.Token.Length = 0 then
+         G.Places (Where).State := Entitled;
+      elsif More then
+         G.Places (Where).State := Asked;
+         Hear (G, Where);
       elsif N.Name.Length > 0 then
          Journal.Put
            (Options.Error,
@@ -185,33 +146,19 @@ package body Admission.Newcomers with SPARK_Mode is
       end if;
    end Take_In;
 
-   procedure Close_Session is
-      --  One that has been brought back
-      Current : Monitor.Session_Stages.State;
-   begin
-      Monitor.Session.State.Get (Current);
-      if Current.Stage = Monitor.Session_Stages.Closed then
-         Monitor.Sockets.Connection.Close;
-         Monitor.Session.State.Go_On (Monitor.Session_Stages.Free);
-         Journal.Put
-           (Options.Info, "session closed, ready for a new monitor");
-      end if;
-   end Close_Session;
-
    procedure Count_Refusals (G : in out Gate) is
       --  Begins a new interval of them when the last is over
       Now  : constant Time := Clock;
       Line : Texts.Text;
    begin
-      if Now >= G.Lines_End then
-         if G.Unlogged > 0 then
+      if Now >= G.Interval_End then
+         if G.Refused > Schedule.Refusals_Logged then
             Texts.Set (Line, "newcomers refused, too many for the log: ");
-            Texts.Append (Line, G.Unlogged);
+            Texts.Append (Line, G.Refused - Schedule.Refusals_Logged);
             Journal.Put (Options.Warning, Line);
          end if;
-         G.Unlogged := 0;
-         G.Lines := Schedule.Refusals_Logged;
-         G.Lines_End := Now + Schedule.Refusal_Interval;
+         G.Refused := 0;
+         G.Interval_End := Now + Schedule.Refusal_Interval;
       end if;
    end Count_Refusals;
 
@@ -220,6 +167,7 @@ package body Admission.Newcomers with SPARK_Mode is
         (others => Monitor.Sockets.Nobody);
       More    : Boolean := True;
       Left    : Natural := Schedule.Newcomers_Per_Turn;
+      Where   : Place_Choice;
       Next    : Time;
    begin
       for P in Place loop
@@ -229,24 +177,29 @@ package body Admission.Newcomers with SPARK_Mode is
       end loop;
       delay until G.Rest;
       Monitor.Sockets.Gate.Wait
-        (Watched, Oldest (G, Asked) > 0 or else G.Unlogged > 0);
+        (Watched,
+         Oldest (G, Asked) > 0 or else G.Refused > Schedule.Refusals_Logged);
       Trace.Take_Up (Schedule.Th_Server);
       Count_Refusals (G);
-      Close_Session;
       for P in Place loop
-         pragma Loop_Invariant
-           (Is_Consistent (G) and then Left > Place'Last - P);
+         pragma Loop_Invariant (Left > Place'Last - P);
          if G.Places (P).State = Asked then
             Hear (G, P);
             Left := Left - 1;
          end if;
       end loop;
-      Settle (G);
       while More and then Left > 0 loop
-         pragma Loop_Invariant (Is_Consistent (G));
-         Take_In (G, More);
+         Settle (G);
+         Where := Oldest (G, Free);
+         exit when Where = 0;
+         Take_In (G, Where, More);
          Left := Left - 1;
+         Where := Oldest (G, Asked);
+         if Where > 0 and then Oldest (G, Free) = 0 then
+            Turn_Away (G, Where, "not authenticated");
+         end if;
       end loop;
+      Settle (G);
       Next := Clock;
       Next := Next + Schedule.Newcomer_Interval;
       if G.Rest < Next then

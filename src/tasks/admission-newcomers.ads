@@ -6,28 +6,19 @@ with Ada.Real_Time;
 with Admission.Authentication;
 with Admission.Networks;
 with Monitor.Sockets.Gate;
-with Schedule;
 with Texts;
 
 package Admission.Newcomers with SPARK_Mode is
 
    type Gate is private;
-   --  The pending connections and their state
-
-   function Is_Consistent (G : Gate) return Boolean with Ghost;
-   --  Invariant: a connection is pending only if its address is allowed, and
-   --  entitled only if it has also sent the right line where one is required
+   --  The pending connections
 
    function New_Gate
      (Allowed : Admission.Networks.List;
-      Token   : Admission.Authentication.Token) return Gate
-   with Post => Is_Consistent (New_Gate'Result);
+      Token   : Admission.Authentication.Token) return Gate;
    --  No pending connection
 
-   procedure Serve (G : in out Gate)
-   with
-     Pre  => Is_Consistent (G),
-     Post => Is_Consistent (G);
+   procedure Serve (G : in out Gate);
    --  One turn of th_server: waits for an event (new connection, data,
    --  time-out, end of a session), and handles a limited number of
    --  connections. Turns are at least a Newcomer_Interval apart, so a flood
@@ -46,7 +37,7 @@ private
    type Newcomer is record
       State  : Standing := Free;
       Line   : Monitor.Sockets.Socket := Monitor.Sockets.Nobody;
-      From   : Admission.Networks.Socket_Address;
+      From   : Admission.Networks.Host := (others => 0);
       Name   : Texts.Text;
       Came   : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
       Reader : Admission.Authentication.Reader;
@@ -55,28 +46,28 @@ private
    type Newcomer_Array is array (Place) of Newcomer;
 
    type Gate is record
-      Allowed   : Admission.Networks.List;
-      Token     : Admission.Authentication.Token;
-      Places    : Newcomer_Array;
-      Rest      : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      Allowed      : Admission.Networks.List;
+      Token        : Admission.Authentication.Token;
+      Places       : Newcomer_Array;
+      Rest         : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
       --  the next turn does not begin before
-      Lines     : Natural range 0 .. Schedule.Refusals_Logged := 0;
-      Lines_End : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
-      --  the number of rejections that may still be logged until then
-      Unlogged  : Natural := 0;
-      --  the others, not yet reported
-   end record;
+      Refused      : Natural := 0;
+      Interval_End : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      --  the rejections of an interval: the first of them are logged, the
+      --  others counted at its end
+   end record
+   with Predicate =>
+     (for all N of Places =>
+        (if N.State /= Free then Admission.Networks.Admits (Allowed, N.From))
+        and then
+          (if N.State = Entitled and then Token.Length > 0 then
+              Admission.Authentication.Is_Right (N.Reader, Token)));
+   --  A connection is pending only if its address is allowed, and entitled
+   --  only if it has also sent the right line where one is required
 
    function New_Gate
      (Allowed : Admission.Networks.List;
       Token   : Admission.Authentication.Token) return Gate
    is (Allowed => Allowed, Token => Token, others => <>);
-
-   function Is_Consistent (G : Gate) return Boolean is
-     (for all N of G.Places =>
-        (if N.State /= Free then Admission.Networks.Admits (G.Allowed, N.From))
-        and then
-          (if N.State = Entitled and then G.Token.Length > 0 then
-              Admission.Authentication.Is_Right (N.Reader, G.Token)));
 
 end Admission.Newcomers;

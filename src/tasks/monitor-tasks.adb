@@ -19,6 +19,7 @@ with Monitor.Session;
 with Monitor.Session_Stages;
 with Monitor.Sockets.Connection;
 with Monitor.Sockets.Gate;
+with Monitor.Sockets.Listener;
 with Options;
 with Orders;
 with Process.Threads;
@@ -38,8 +39,7 @@ package body Monitor.Tasks with SPARK_Mode is
    use type Monitor.Link.Cause;
    use type Monitor.Send_Order.Choice;
 
-   procedure Start_Server (Gate : out Admission.Newcomers.Gate)
-   with Post => Admission.Newcomers.Is_Consistent (Gate);
+   procedure Start_Server (Gate : out Admission.Newcomers.Gate);
    --  Listens, or says why it cannot and ends the process (F1)
 
    procedure Handle
@@ -93,10 +93,9 @@ package body Monitor.Tasks with SPARK_Mode is
       Reason  : Texts.Text;
       Line    : Texts.Text;
    begin
-      Admission.Secret_Files.Read_Token
-        (Chosen.Token_File, Token, Success, Reason);
+      Admission.Secret_Files.Read_Token (Chosen.Token_File, Token, Reason);
       Gate := Admission.Newcomers.New_Gate (Chosen.Allowed, Token);
-      if not Success then
+      if Token.Length = 0 and then Chosen.Token_File.Length > 0 then
          Texts.Set (Line, "destijl: cannot use the token file ");
          Texts.Append (Line, Texts.Image (Chosen.Token_File));
          Texts.Append (Line, ": ");
@@ -104,7 +103,7 @@ package body Monitor.Tasks with SPARK_Mode is
          Console.Put_Log (Texts.Image (Line));
          Process.Leave (Process.Cannot_Start);
       end if;
-      Monitor.Sockets.Gate.Listen
+      Monitor.Sockets.Listener.Listen
         (Chosen.Bind, Chosen.Port, Bound, Success, Reason);
       if Success then
          Texts.Set (Line, "listening on ");
@@ -135,7 +134,6 @@ package body Monitor.Tasks with SPARK_Mode is
       Monitor.Session.Server_Allowed.Wait;
       Start_Server (Gate);
       loop
-         pragma Loop_Invariant (Admission.Newcomers.Is_Consistent (Gate));
          Admission.Newcomers.Serve (Gate);
       end loop;
    end Th_Server;
@@ -424,7 +422,10 @@ package body Monitor.Tasks with SPARK_Mode is
          Monitor.Link.Append (Line, Why);
          Journal.Put (Options.Warning, Line);
          Bring_Back;
-         Monitor.Session.State.Go_On (Monitor.Session_Stages.Closed);
+         Monitor.Sockets.Connection.Close;
+         Journal.Put
+           (Options.Info, "session closed, ready for a new monitor");
+         Monitor.Session.State.Go_On (Monitor.Session_Stages.Free);
          Monitor.Sockets.Gate.Wake_Server;
          Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;

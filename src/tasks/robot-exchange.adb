@@ -24,6 +24,11 @@ package body Robot.Exchange with SPARK_Mode is
    --  The log says, once each time the line is open, that its device sends
    --  without being asked
 
+   Unasked : Natural range 0 .. 6 := 0;
+   --  Two more for each command before which it did so, one less for each
+   --  other. Noise does not last; at 5 it is no robot, and it has not started
+   --  unless it is 0
+
    procedure Open_Device (Success : out Boolean);
 
    procedure Discard_Unasked
@@ -76,6 +81,7 @@ package body Robot.Exchange with SPARK_Mode is
    begin
       Robot.Serial_Line.Open (Chosen.Serial, Success, Reason);
       Told_Of_Talk := False;
+      Unasked := 0;
       if Success then
          Texts.Set (Line, "robot line open on ");
       else
@@ -114,6 +120,9 @@ package body Robot.Exchange with SPARK_Mode is
             Talks := Talks or else Heard.Kind not in Bad_Checksum | Malformed;
          end if;
       end loop;
+      Unasked :=
+        (if Talks then Natural'Min (Unasked + 2, 6)
+         else Natural'Max (Unasked - 1, 0));
       if Talks and then not Told_Of_Talk then
          Told_Of_Talk := True;
          Journal.Put
@@ -155,7 +164,10 @@ package body Robot.Exchange with SPARK_Mode is
       Robot.Serial_Line.Write (Out_Frame, Last.Ok);
       Trace.Ordered (Schedule.Th_Line, Item.Kind);
       Trace.Wait (Schedule.Th_Line, Trace.Answer);
-      if not Last.Ok then
+      if not Last.Ok or else Unasked > 4
+        or else (Unasked > 0 and then Item.Kind in Start | Start_Watchdog)
+      then
+         Last.Ok := False;
          return;
       end if;
       Last.Ok := False;

@@ -76,8 +76,7 @@ package body Support_Tasks with SPARK_Mode is
          Monitor.Session.State.Get (Known);
          Robot.Line.Get_Status (Status);
          Vision.Camera_Requests.Get_Idle (Idle);
-         exit when Known.Stage in
-           Monitor.Session_Stages.Free | Monitor.Session_Stages.Closed
+         exit when Known.Stage = Monitor.Session_Stages.Free
            and then not Status.Open and then Idle;
          Now := Clock;
          exit when Now >= Limit;

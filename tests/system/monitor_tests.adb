@@ -857,6 +857,30 @@ package body Monitor_Tests is
       Patient.Monitor.Expect ("CCLS", "AACK");
    end Stalled;
 
+   procedure None_Is_Forgotten is
+      --  Of those who come while a session is being ended one is in command
+      --  then; the others, also those for whom there was no place, are told
+      R        : Rig;
+      Crowd    : array (1 .. 20) of Client;
+      Admitted : Natural := 0;
+   begin
+      Assemble (R);
+      Start_Robot (R);
+      R.Emulator.Tell ("silent on");
+      --  so its end takes a while
+      R.Monitor.Close;
+      for Visitor of Crowd loop
+         Visitor.Connect (R.Supervisor.Port);
+         Visitor.Send_Line ("RPIN");
+      end loop;
+      for Visitor of Crowd loop
+         if Visitor.Next.Label = "ANAK" then
+            Admitted := Admitted + 1;
+         end if;
+      end loop;
+      Check (Admitted = 1, Admitted'Image & " admitted");
+   end None_Is_Forgotten;
+
    procedure Second_Is_Refused is
       R      : Rig;
       Second : Client;
@@ -1001,6 +1025,7 @@ package body Monitor_Tests is
       Add ("Never_Moves_On_For_A_Frozen_Console", Console_Frozen'Access);
       Add ("Never_Moves_On_For_Long", Announced_In_Time'Access,
            Timed => True);
+      Add ("F02_None_Is_Forgotten", None_Is_Forgotten'Access);
       Add ("F02_Second_Monitor_Is_Refused", Second_Is_Refused'Access);
    end Register;
 

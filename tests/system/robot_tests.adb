@@ -272,6 +272,36 @@ package body Robot_Tests is
         (not R.Supervisor.Says ("robot started"), "it has started a robot");
    end Talking_From_The_Start;
 
+   procedure Talking_Now_And_Then is
+      --  Nor one that does so less often than a command takes
+
+      procedure Talk (Period : Duration);
+
+      procedure Talk (Period : Duration) is
+         R : Rig;
+      begin
+         Assemble (R, Supervisor_Options => "--answer-timeout 80");
+         R.Emulator.Tell ("silent on");
+         for Command of Words ("ROPN RSWW RSWW RPIN RSOW RPIN RPIN RPIN") loop
+            for Number in 1 .. 4 loop
+               R.Emulator.Tell ("unasked OO\r");
+               delay Period;
+            end loop;
+            R.Emulator.Tell ("unasked OO\r");
+            delay Period / 2;
+            R.Monitor.Send_Line (Command);
+            delay Period / 2;
+         end loop;
+         R.Supervisor.Expect_Log ("robot lost: four");
+         Check
+           (not R.Supervisor.Says ("robot started"), "it has started a robot");
+      end Talk;
+
+   begin
+      Talk (0.06);
+      Talk (0.1);
+   end Talking_Now_And_Then;
+
    procedure Noisy_Line is
       --  A line that never falls silent: every command is answered in bounded
       --  time, and all works after the noise
@@ -806,6 +836,7 @@ package body Robot_Tests is
       Add ("F08_Unasked_Bytes", Unasked_Bytes'Access);
       Add ("F08_Talking_Line", Talking_Line'Access, Timed => True);
       Add ("F08_Talking_From_The_Start", Talking_From_The_Start'Access);
+      Add ("F08_Talking_Now_And_Then", Talking_Now_And_Then'Access);
       Add ("F08_Noisy_Line", Noisy_Line'Access);
       Add ("F08_Noisy_Line_In_Time", Noisy_Line'Access, Timed => True);
       Add ("F07_Robot_Silent_When_Opened", Opened_Silent'Access);

@@ -92,8 +92,7 @@ package body Admission_Targets is
             end if;
          end loop;
          Check
-           (Admission.Networks.Admits
-              (L, (Family => 10, Host_V6 => P, others => <>)) = Inside,
+           (Admission.Networks.Admits (L, P) = Inside,
             "somebody else is admitted");
       end Meet;
 
@@ -116,7 +115,6 @@ package body Admission_Targets is
       Text  : constant String := Rest (R);
       Last  : Natural;
       T     : Admission.Authentication.Token;
-      Good  : Boolean;
 
       procedure Show (Line : String) is
          --  In the log nothing of Line stands behind the first label
@@ -163,10 +161,10 @@ package body Admission_Targets is
 
    begin
       Take_Part (R, Last);
-      Admission.Authentication.Read_Token (Text (1 .. Last), T, Good);
-      if not Good then
-         Admission.Authentication.Read_Token ("0123456789abcdef", T, Good);
-         Check (Good, "a token is refused");
+      Admission.Authentication.Read_Token (Text (1 .. Last), T);
+      if T.Length = 0 then
+         Admission.Authentication.Read_Token ("0123456789abcdef", T);
+         Check (T.Length = 16, "a token is refused");
       end if;
       declare
          Sent : constant String := Rest (R);

@@ -36,7 +36,8 @@ package Mission_Plans is
 
    Camera_Delay : constant := 150;  --  milliseconds
    Displacement : constant := 2;    --  pixels, standard deviation
-   Drop_Every   : constant := 10;   --  answers
+   Drop_Every   : constant := 9;    --  answers. Of ten exchanges a second the
+                                    --  tenth is the reload's each time
 
    function Random (Seed : Natural; Number : Positive) return Plan
      with Post => Random'Result.Number = Number

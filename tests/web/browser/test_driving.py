@@ -295,7 +295,7 @@ def test_stop_without_gateway(
 ) -> None:
     """It dies, or the program that guards it, or it hangs and is ended by its
     guard; another one is found by the page."""
-    visitors.excuse("WebSocket connection to|ERR_(CONNECTION|SOCKET)")
+    visitors.excuse("WebSocket connection to|ERR_(CONNECTION|SOCKET|EMPTY)")
     driver.hold("w")
     stand.moves()
     gateway = stand.gateway
