@@ -4,11 +4,9 @@ package body Admission.Networks with SPARK_Mode is
 
    procedure Parse (Text : String; N : out Network; Good : out Boolean) is
       Start  : Address := 0;
-      Octets : Natural range 0 .. 4 := 0;
-      --  those that Start has
+      Octets : Natural range 0 .. 4 := 0;  --  in Start
       Number : Natural range 0 .. 255 := 0;
-      Digit  : Boolean := False;
-      --  Text goes on with Number if it is True
+      Digit  : Boolean := False;  --  Number has one at least
    begin
       N := (others => <>);
       Good := False;

@@ -17,8 +17,7 @@ package body Admission.Newcomers with SPARK_Mode is
    use type Monitor.Session_Stages.Stage_Kind;
    use type Monitor.Sockets.Socket;
 
-   subtype Place_Choice is Natural range 0 .. Place'Last;
-   --  0: none
+   subtype Place_Choice is Natural range 0 .. Place'Last;  --  0: none
 
    function Oldest (G : Gate; State : Standing) return Place_Choice
    with
