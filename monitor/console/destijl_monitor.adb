@@ -39,7 +39,6 @@ procedure Destijl_Monitor is
       Text  : String (1 .. 256);
       Last  : Natural;
       Token : Admission.Authentication.Token;
-      Good  : Boolean;
    begin
       if Token_File = "" then
          return "";
@@ -47,8 +46,8 @@ procedure Destijl_Monitor is
       Ada.Text_IO.Open (File, Ada.Text_IO.In_File, Token_File);
       Ada.Text_IO.Get_Line (File, Text, Last);
       Ada.Text_IO.Close (File);
-      Admission.Authentication.Read_Token (Text (1 .. Last), Token, Good);
-      if not Good then
+      Admission.Authentication.Read_Token (Text (1 .. Last), Token);
+      if Token.Length = 0 then
          Terminals.Put_Error (Token_File & " has no token in its first line");
          OS_Exit (2);
       end if;

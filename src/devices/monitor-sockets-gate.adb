@@ -12,7 +12,7 @@ package body Monitor.Sockets.Gate with
 is
 
    package Streams is new Monitor.Sockets.Stream_Calls;
-   --  Of the pending connections and the listening socket
+   --  Of the pending connections
 
    Waker : constant Event_Counters.Counter := Event_Counters.New_Counter;
    --  Of Wake_Server
@@ -28,14 +28,13 @@ is
    Sending       : constant := 1;         --  SHUT_WR
 
    procedure Wait (Watched : Socket_Array; Pending : Boolean) is
-      Server  : Socket;
+      Server  : constant Socket := Monitor.Sockets.Listener.Listening;
       Entries : Streams.Watch_Array (1 .. Waking);
       Ignored : Natural;
    begin
       for I in Place loop
          Entries (I).Descriptor := int (Watched (I));
       end loop;
-      Monitor.Sockets.Listener.Get (Server);
       Entries (Listening).Descriptor := int (Server);
       Entries (Waking).Descriptor := Event_Counters.Descriptor (Waker);
       Streams.Poll

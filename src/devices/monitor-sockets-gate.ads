@@ -25,7 +25,7 @@ is
    --  for Schedule.Pending_Period. May return early
 
    procedure Wake_Server
-   with Global => (In_Out => Event_Counters.Kernel);
+   with Global => (Input => Newcomers, In_Out => Event_Counters.Kernel);
 
    procedure Read_Line
      (From   : Socket;

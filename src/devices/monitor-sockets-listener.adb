@@ -21,10 +21,7 @@ is
 
    Server : Socket := Nobody with Atomic;
 
-   procedure Get (Listening : out Socket) is
-   begin
-      Listening := Server;
-   end Get;
+   function Listening return Socket is (Server);
 
    procedure Listen
      (Address : Texts.Text;

@@ -22,7 +22,8 @@ is
    --  Bound: the port in use, chosen by the system if Port is 0. Reason
    --  explains a failure
 
-   procedure Get (Listening : out Socket) with Global => (Input => Kernel);
+   function Listening return Socket
+   with Volatile_Function, Global => (Input => Kernel);
    --  To wait for it with others
 
    procedure Take_In

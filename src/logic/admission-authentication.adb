@@ -49,8 +49,9 @@ package body Admission.Authentication with SPARK_Mode is
    begin
       Texts.Append
         (To, (if Place = 0 then Line
-              else Line (Line'First .. Line'First + Place + Label'Length - 2)
-                & "..."));
+              else Line (Line'First
+                         .. Line'First + (Place - 1) + (Label'Length - 1))));
+      Texts.Append (To, (if Place = 0 then "" else "..."));
    end Append_Shown;
 
 end Admission.Authentication;

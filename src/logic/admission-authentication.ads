@@ -39,7 +39,7 @@ package Admission.Authentication with SPARK_Mode is
    with
      Pre  => Text'First = 1,
      Post => (for all I in 1 .. T.Length => T.Data (I) = Text (I))
-       and then (if T.Length in 1 .. Text'Last - 1 then
+       and then (if T.Length > 0 and then T.Length < Text'Last then
                     Text (T.Length + 1) = ASCII.LF);
    --  The token in a file that begins with Text: its first line. Length 0: it
    --  holds none

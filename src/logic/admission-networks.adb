@@ -11,6 +11,7 @@ package body Admission.Networks with SPARK_Mode is
       N := (others => <>);
       Good := False;
       for C of Text loop
+         pragma Loop_Invariant (if not Digit then Number = 0);
          if C in '0' .. '9'
            and then (not Digit or else Number in 1 .. 24
                      or else (Number = 25 and then C <= '5'))
