@@ -31,23 +31,20 @@ is
       Reason  : out Texts.Text)
    is
       Made         : Socket_Type := No_Socket;
-      Host         : constant String := Texts.Image (Address);
+      Host         : Inet_Addr_Type;
       Non_Blocking : Request_Type := (Non_Blocking_IO, True);
    begin
       Success := False;
       Bound := 0;
-      if not (Is_IPv4_Address (Host) or else Is_IPv6_Address (Host)) then
-         Texts.Set
-           (Reason, "no address such as 0.0.0.0, 192.168.1.5 or ::1 (names "
-            & "are not looked up)");
-         return;
-      end if;
+      Texts.Set
+        (Reason, "no address such as 0.0.0.0, 192.168.1.5 or ::1 (names are "
+         & "not looked up)");
+      Host := Inet_Addr (Texts.Image (Address));
       Texts.Set (Reason, "");
-      Create_Socket (Made, Inet_Addr (Host).Family, Socket_Stream);
+      Create_Socket (Made, Host.Family, Socket_Stream);
       Linux.Control (int (To_C (Made)), Linux.Close_On_Exec);
       Set_Socket_Option (Made, Socket_Level, (Reuse_Address, True));
-      Bind_Socket
-        (Made, Network_Socket_Address (Inet_Addr (Host), Port_Type (Port)));
+      Bind_Socket (Made, Network_Socket_Address (Host, Port_Type (Port)));
       Listen_Socket (Made, Queue_Length);
       --  a client that has left again must not block the accept
       Control_Socket (Made, Non_Blocking);
@@ -56,7 +53,9 @@ is
       Success := True;
    exception
       when E : others =>
-         Texts.Set (Reason, Ada.Exceptions.Exception_Message (E));
+         if Reason.Length = 0 then
+            Texts.Set (Reason, Ada.Exceptions.Exception_Message (E));
+         end if;
          Linux.Close (int (To_C (Made)));
    end Listen;
 
