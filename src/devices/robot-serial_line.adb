@@ -22,22 +22,8 @@ is
    procedure Note_End (Result : Calls.Outcome);
    --  Notes whether the device has gone, by what a call returned
 
-   procedure Append_Process (To : in out Texts.Text; Number : String);
-   --  Its name, and its number
-
-   procedure Write_Stop (Success : out Boolean)
-   with Global => (Input => Descriptor, In_Out => Calls.Port);
-   --  Writes the stop order's frame
-
-   function Next_Wait (Now, Until_Time : Time) return Calls.Nanoseconds;
-   --  Up to Until_Time, or for a part of that. 0 if it has passed
-
-   procedure Explain
-     (Path : Texts.Text; Error : Calls.Outcome; Reason : out Texts.Text)
-   with Pre => Error < 0;
-   --  Why the device cannot be opened, after a call has failed with Error
-
    procedure Append_Process (To : in out Texts.Text; Number : String) is
+      --  Its name, and its number
       Name : String (1 .. 16) := (others => ' ');
       Last : Natural;
    begin
@@ -51,7 +37,9 @@ is
 
    procedure Explain
      (Path : Texts.Text; Error : Calls.Outcome; Reason : out Texts.Text)
+   with Pre => Error < 0
    is
+      --  Why the device cannot be opened, after a call has failed with Error
       Table : String (1 .. 8_192) := (others => ' ');
       Last  : Natural;
       File  : Lock_Tables.File_Place;
@@ -154,6 +142,7 @@ is
    end Discard_Input;
 
    function Next_Wait (Now, Until_Time : Time) return Calls.Nanoseconds is
+      --  Up to Until_Time, or for a part of that. 0 if it has passed
       --  32 bits hold 2.1 seconds of nanoseconds
       Longest : constant Time_Span := Milliseconds (900);
       Left    : Time_Span := Time_Span_Zero;
@@ -213,7 +202,10 @@ is
       end if;
    end Read;
 
-   procedure Write_Stop (Success : out Boolean) is
+   procedure Write_Stop (Success : out Boolean)
+   with Global => (Input => Descriptor, In_Out => Calls.Port)
+   is
+      --  Writes the stop order's frame
       Line  : constant Calls.Outcome := Descriptor;
       Frame : Robot.Protocol.Frame;
       Sent  : Calls.Outcome;

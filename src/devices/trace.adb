@@ -36,46 +36,7 @@ is
       Error : out Error_Number)
    with
      Global => (In_Out => Calls.System_State),
-     Post   => (File = None) = (Error > 0);
-
-   procedure Set_Reason (Reason : out Texts.Text; Error : Error_Number);
-   --  The error message for Error, "" for 0
-
-   procedure Put
-     (Kind   : Event_Kind;
-      Who    : Task_Name;
-      Number : Unsigned_64 := 0;
-      Label  : Label_Text := No_Label);
-   --  Records an event with the current time, if recording
-
-   procedure Write
-     (Into : Descriptor; Text : Texts.Text; Error : in out Error_Number)
-   with Global => (In_Out => Calls.System_State);
-   --  No effect after an Error
-
-   procedure Append_Time (Line : in out Texts.Text; Value : Unsigned_64);
-   --  Value, in nanoseconds, as seconds
-
-   procedure Append_Event
-     (Text : in out Texts.Text; Begun : Unsigned_64; Item : Event);
-   --  The lines of the file for Item, with the time since Begun
-
-   procedure Write_File
-     (Into    : Descriptor;
-      Limit   : Time;
-      In_Time : out Boolean;
-      Error   : out Error_Number);
-   --  Until Limit
-
-   function To_Nanoseconds (Due : Time) return Unsigned_64;
-   --  From the epoch of CLOCK_MONOTONIC, which is Ada's clock, too. 0 for
-   --  times before, such as Time_First: immediate
-
-   procedure Open_Seekable
-     (Path  : Texts.Text;
-      Flags : Open_Flags;
-      File  : out Descriptor;
-      Error : out Error_Number)
+     Post   => (File = None) = (Error > 0)
    is
       Opened : Outcome;
       Sought : Outcome;
@@ -97,6 +58,7 @@ is
    end Open_Seekable;
 
    procedure Set_Reason (Reason : out Texts.Text; Error : Error_Number) is
+      --  The error message for Error, "" for 0
    begin
       if Error = 0 then
          Texts.Set (Reason, "");
@@ -111,6 +73,7 @@ is
       Number : Unsigned_64 := 0;
       Label  : Label_Text := No_Label)
    is
+      --  Records an event with the current time, if recording
       Recording : constant Boolean := On;
       Now       : Unsigned_64;
    begin
@@ -163,7 +126,9 @@ is
 
    procedure Write
      (Into : Descriptor; Text : Texts.Text; Error : in out Error_Number)
+   with Global => (In_Out => Calls.System_State)
    is
+      --  No effect after an Error
       Done   : Natural := 0;
       Result : Outcome;
    begin
@@ -180,6 +145,7 @@ is
    end Write;
 
    procedure Append_Time (Line : in out Texts.Text; Value : Unsigned_64) is
+      --  Value, in nanoseconds, as seconds
       Fraction : Texts.Text;
    begin
       Texts.Append (Line, To_Natural (Value / 1_000_000_000));
@@ -192,6 +158,7 @@ is
    procedure Append_Event
      (Text : in out Texts.Text; Begun : Unsigned_64; Item : Event)
    is
+      --  The lines of the file for Item, with the time since Begun
       procedure Append_Line (What : String; At_Time, Number : Unsigned_64)
       with Pre => What'Length <= 9;
 
@@ -241,6 +208,7 @@ is
       In_Time : out Boolean;
       Error   : out Error_Number)
    is
+      --  Until Limit
       Begun    : constant Unsigned_64 := First;
       Recorded : Event_Number;
       Number   : Event_Number;
@@ -308,6 +276,8 @@ is
    end Finish;
 
    function To_Nanoseconds (Due : Time) return Unsigned_64 is
+      --  From the epoch of CLOCK_MONOTONIC, which is Ada's clock, too. 0 for
+      --  times before, such as Time_First: immediate
       Seconds : Seconds_Count;
       Rest    : Time_Span;
    begin

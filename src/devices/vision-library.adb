@@ -37,23 +37,9 @@ is
 
    procedure Copy
      (From : Calls.C_Text; Text : out Reason_Text; Last : out Natural)
-   with Post => Last <= Text'Last;
-   --  Up to the first nul
-
-   procedure Take
-     (Found  : C_Robots;
-      Total  : int;
-      Code   : int;
-      Robots : out Robot_Array;
-      Count  : out Robot_Count;
-      Result : out Status)
-   with
-     Post => Result in Done | Not_Found | Bad_Argument | Failed
-       and then (Result = Done) = (Count > 0);
-   --  The robots of a search that has returned Code
-
-   procedure Copy
-     (From : Calls.C_Text; Text : out Reason_Text; Last : out Natural) is
+   with Post => Last <= Text'Last
+   is
+      --  Up to the first nul
    begin
       Text := (others => ' ');
       Last := 0;
@@ -71,7 +57,12 @@ is
       Code   : int;
       Robots : out Robot_Array;
       Count  : out Robot_Count;
-      Result : out Status) is
+      Result : out Status)
+   with
+     Post => Result in Done | Not_Found | Bad_Argument | Failed
+       and then (Result = Done) = (Count > 0)
+   is
+      --  The robots of a search that has returned Code
    begin
       Robots := (others => <>);
       Count := 0;

@@ -15,11 +15,6 @@ package body Command_Lines with SPARK_Mode is
    with
      Post => R.Request = Wrong and then R.Chosen.Bind = R.Chosen.Bind'Old;
 
-   procedure Fail_Without_Value (R : in out Reading)
-   with
-     Post => R.Request = Wrong and then R.Chosen.Bind = R.Chosen.Bind'Old;
-   --  The option's value is missing
-
    procedure Take_Name (R : in out Reading; Name : String)
    with
      Pre  => R.Request not in Settled_Kind;
@@ -60,38 +55,6 @@ package body Command_Lines with SPARK_Mode is
 
    Max_Digits : constant := 9;
 
-   procedure Read_Number
-     (R      : in out Reading;
-      Value  : String;
-      First  : Natural;
-      Last   : Natural;
-      Result : out Natural)
-   with
-     Pre  => First <= Last
-       and then Value'Last < Integer'Last,
-     Post => Result in First .. Last;
-   --  The number Value, if in First .. Last; else First, and R is Wrong
-
-   procedure Read_Network (R : in out Reading; Value : String);
-   --  Adds a network whose monitors are admitted
-
-   procedure Read_Size
-     (R             : in out Reading;
-      Value         : String;
-      First         : Natural;
-      Last          : Natural;
-      Width, Height : out Natural)
-   with
-     Pre  => First <= Last
-       and then Value'First > 0
-       and then Value'Last < Integer'Last,
-     Post => Width in First .. Last and then Height in First .. Last;
-   --  WIDTHxHEIGHT, each in First .. Last; else R is Wrong
-
-   procedure Read_Text
-     (R : in out Reading; Value : String; Result : out Texts.Text);
-   --  Value; if it is empty, R is Wrong
-
    procedure Fail (R : in out Reading; Message : String) is
    begin
       R.Request := Wrong;
@@ -109,7 +72,11 @@ package body Command_Lines with SPARK_Mode is
       Texts.Append (R.Reason, After);
    end Fail;
 
-   procedure Fail_Without_Value (R : in out Reading) is
+   procedure Fail_Without_Value (R : in out Reading)
+   with
+     Post => R.Request = Wrong and then R.Chosen.Bind = R.Chosen.Bind'Old
+   is
+      --  The option's value is missing
    begin
       Fail (R, "a value is missing after ");
       Texts.Append (R.Reason, Name_Of (R.Awaited));
@@ -134,6 +101,7 @@ package body Command_Lines with SPARK_Mode is
    end Finish;
 
    procedure Read_Network (R : in out Reading; Value : String) is
+      --  Adds a network whose monitors are admitted
       Network : Admission.Networks.Network;
       Good    : Boolean;
    begin
@@ -158,7 +126,12 @@ package body Command_Lines with SPARK_Mode is
       First  : Natural;
       Last   : Natural;
       Result : out Natural)
+   with
+     Pre  => First <= Last
+       and then Value'Last < Integer'Last,
+     Post => Result in First .. Last
    is
+      --  The number Value, if in First .. Last; else First, and R is Wrong
       Number : Natural := 0;
       Good   : Boolean := Value'Length in 1 .. Max_Digits;
    begin
@@ -193,7 +166,13 @@ package body Command_Lines with SPARK_Mode is
       First         : Natural;
       Last          : Natural;
       Width, Height : out Natural)
+   with
+     Pre  => First <= Last
+       and then Value'First > 0
+       and then Value'Last < Integer'Last,
+     Post => Width in First .. Last and then Height in First .. Last
    is
+      --  WIDTHxHEIGHT, each in First .. Last; else R is Wrong
       Cross : Natural := 0;
    begin
       Width := First;
@@ -219,7 +198,9 @@ package body Command_Lines with SPARK_Mode is
    end Read_Size;
 
    procedure Read_Text
-     (R : in out Reading; Value : String; Result : out Texts.Text) is
+     (R : in out Reading; Value : String; Result : out Texts.Text)
+   is
+      --  Value; if it is empty, R is Wrong
    begin
       Texts.Set (Result, Value);
       if Value = "" then

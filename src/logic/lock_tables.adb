@@ -3,12 +3,9 @@
 package body Lock_Tables with SPARK_Mode is
 
    procedure Append_Hexadecimal
-     (To : in out Texts.Text; Number : Interfaces.Unsigned_32);
-   --  Two digits or more
-
-   procedure Append_Hexadecimal
      (To : in out Texts.Text; Number : Interfaces.Unsigned_32)
    is
+      --  Two digits or more
       All_Digits : constant String := "0123456789abcdef";
       Left       : Interfaces.Unsigned_32;
       Digit      : Positive range 1 .. 16;

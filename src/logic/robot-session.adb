@@ -4,6 +4,21 @@ package body Robot.Session with SPARK_Mode is
 
    package Wire renames Robot.Protocol;
 
+   procedure Finish
+     (P    : in out Progress;
+      Kind : Outcome_Kind;
+      Next : out Step)
+   with
+     Post => P.Phase = Ended
+       and then P.Request = P'Old.Request
+       and then P.Stopped = P'Old.Stopped
+       and then P.Result.Kind = Kind
+       and then P.Result.Text = P'Old.Result.Text
+       and then P.Result.Note = P'Old.Result.Note
+       and then Next.Kind = Finish
+       and then Next.Command = Wire.Stop;
+   --  Ends the request
+
    procedure Begin_Exchange
      (S       : State;
       P       : in out Progress;
@@ -32,74 +47,10 @@ package body Robot.Session with SPARK_Mode is
              and then P.In_Probe
              and then Next.Command.Kind = Robot.Health.Probe (S.Health)
              and then Next.Command.Value = 0)
-       and then (if P'Old.Blind then Next.Kind /= Send);
-   --  The step that exchanges Command in Phase. If the line is out of step, a
-   --  probe comes first, and before the probe a blind stop
-
-   procedure Finish
-     (P    : in out Progress;
-      Kind : Outcome_Kind;
-      Next : out Step)
-   with
-     Post => P.Phase = Ended
-       and then P.Request = P'Old.Request
-       and then P.Stopped = P'Old.Stopped
-       and then P.Result.Kind = Kind
-       and then P.Result.Text = P'Old.Result.Text
-       and then P.Result.Note = P'Old.Result.Note
-       and then Next.Kind = Finish
-       and then Next.Command = Wire.Stop;
-   --  Ends the request
-
-   procedure Act
-     (S    : State;
-      P    : in out Progress;
-      Next : out Step)
-   with
-     Pre  => Is_Consistent (S)
-       and then P.Result.Note /= Robot_Lost
-       and then (if P.Blind then P.Stopped)
-       and then
-         (if P.Request.Kind = Open_Line then
-             not S.Line_Open and then not P.Blind
-          else S.Line_Open and then May_Act (S, P)),
-     Post => Is_Under_Way (S, P)
-       and then Is_Allowed (S, P, Next)
-       and then P.Request = P'Old.Request
-       and then P.Result = P'Old.Result
-       and then P.Stopped = (P'Old.Stopped or else Sends_Stop (Next))
-       and then Next.Kind /= Finish
-       and then (Next.Kind = Open_Device) = (P.Request.Kind = Open_Line)
-       and then Steps_Left (S, P) <=
-         (case P.Request.Kind is
-             when Reload       => 11,
-             when Drive | Stop => 8,
-             when Open_Line    => 6,
-             when Close_Line   => 1,
-             when Power_Off    => 7,
-             when others       => 5);
-   --  The command of the request, after the stop if one was due
-
-   procedure Answered
-     (S    : in out State;
-      P    : in out Progress;
-      Last : Step_Result;
-      Next : out Step);
-   --  The exchange of the phase has been answered
-
-   procedure Unanswered
-     (S    : in out State;
-      P    : in out Progress;
-      Next : out Step);
-   --  The exchange of the phase, or the probe before it, has failed
-
-   procedure Begin_Exchange
-     (S       : State;
-      P       : in out Progress;
-      Phase   : Phase_Kind;
-      Command : Wire.Command;
-      Next    : out Step)
+       and then (if P'Old.Blind then Next.Kind /= Send)
    is
+      --  The step that exchanges Command in Phase. If the line is out of step,
+      --  a probe comes first, and before the probe a blind stop
    begin
       P.Phase  := Phase;
       P.Wanted := Command;
@@ -133,7 +84,31 @@ package body Robot.Session with SPARK_Mode is
      (S    : State;
       P    : in out Progress;
       Next : out Step)
+   with
+     Pre  => Is_Consistent (S)
+       and then P.Result.Note /= Robot_Lost
+       and then (if P.Blind then P.Stopped)
+       and then
+         (if P.Request.Kind = Open_Line then
+             not S.Line_Open and then not P.Blind
+          else S.Line_Open and then May_Act (S, P)),
+     Post => Is_Under_Way (S, P)
+       and then Is_Allowed (S, P, Next)
+       and then P.Request = P'Old.Request
+       and then P.Result = P'Old.Result
+       and then P.Stopped = (P'Old.Stopped or else Sends_Stop (Next))
+       and then Next.Kind /= Finish
+       and then (Next.Kind = Open_Device) = (P.Request.Kind = Open_Line)
+       and then Steps_Left (S, P) <=
+         (case P.Request.Kind is
+             when Reload       => 11,
+             when Drive | Stop => 8,
+             when Open_Line    => 6,
+             when Close_Line   => 1,
+             when Power_Off    => 7,
+             when others       => 5)
    is
+      --  The command of the request, after the stop if one was due
    begin
       case P.Request.Kind is
          when Open_Line =>
@@ -191,6 +166,7 @@ package body Robot.Session with SPARK_Mode is
       Last : Step_Result;
       Next : out Step)
    is
+      --  The exchange of the phase has been answered
       Accepted : constant Boolean := Is_Accepted (Last);
    begin
       case Exchange_Phase'(P.Phase) is
@@ -263,6 +239,7 @@ package body Robot.Session with SPARK_Mode is
       P    : in out Progress;
       Next : out Step)
    is
+      --  The exchange of the phase, or the probe before it, has failed
       Pending : constant Wire.Command_Kind :=
         (if P.In_Probe then P.Probing else P.Wanted.Kind);
       Probed  : constant Boolean := P.In_Probe;

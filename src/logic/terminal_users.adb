@@ -4,11 +4,6 @@ with Texts;
 
 package body Terminal_Users with SPARK_Mode is
 
-   procedure Append
-     (To : in out Texts.Text; Number : Interfaces.Unsigned_32)
-   with Post => To.Length >= To.Length'Old;
-   --  In decimal
-
    function Has_At
      (Text : String; First : Positive; Part : Texts.Text) return Boolean
    is (First <= Text'Last
@@ -19,7 +14,10 @@ package body Terminal_Users with SPARK_Mode is
      and then Part.Length > 0;
 
    procedure Append
-     (To : in out Texts.Text; Number : Interfaces.Unsigned_32) is
+     (To : in out Texts.Text; Number : Interfaces.Unsigned_32)
+   with Post => To.Length >= To.Length'Old
+   is
+      --  In decimal
    begin
       if Number < 2 ** 31 then
          Texts.Append (To, Integer (Number));

@@ -2,12 +2,6 @@
 
 package body Vision.Mode with SPARK_Mode is
 
-   procedure Follow
-     (S : in out State; What : Event; Sends_Image : out Boolean)
-   with Ghost;
-   --  The effect on S, and whether an image is sent to the monitor: a periodic
-   --  one, or the one with the arena
-
    procedure Ask_Open (S : in out State; Needed : out Boolean) is
    begin
       Needed := not Is_Open (S);
@@ -66,7 +60,10 @@ package body Vision.Mode with SPARK_Mode is
 
    procedure Follow
      (S : in out State; What : Event; Sends_Image : out Boolean)
+   with Ghost
    is
+      --  The effect on S, and whether an image is sent to the monitor: a
+      --  periodic one, or the one with the arena
       Ignored : Boolean;
    begin
       Sends_Image := False;

@@ -17,22 +17,11 @@ package body Checks with SPARK_Mode is
    use type Process.Privileges.Scheduling;
    use type Vision.Library.Status;
 
-   procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean);
-   --  All_Well is unchanged if Good, and the line could be written
-
-   function Number (Value : Integer) return Texts.Text;
-   --  Value in decimal
-
    function Contains (Text, Part : String) return Boolean is
      (for some I in Text'Range =>
         Text'Last - I >= Part'Length - 1
         and then Text (I .. I + (Part'Length - 1)) = Part)
    with Pre => Text'First = 1 and then Part'Length in 1 .. 80;
-
-   procedure Check_Machine (All_Well : in out Boolean);
-   --  Priorities, memory, kernel
-
-   procedure Check_Line (Path : Texts.Text; All_Well : in out Boolean);
 
    Program   : constant Texts.Text := Program_Arguments.Program;
    Installed : constant Boolean :=
@@ -45,6 +34,7 @@ package body Checks with SPARK_Mode is
    --  Where the service has its options
 
    function Number (Value : Integer) return Texts.Text is
+      --  Value in decimal
       Result : Texts.Text;
    begin
       Texts.Append (Result, Value);
@@ -53,6 +43,7 @@ package body Checks with SPARK_Mode is
 
    procedure Report (Good : Boolean; Line : String; All_Well : in out Boolean)
    is
+      --  All_Well is unchanged if Good, and the line could be written
       Written : Boolean;
    begin
       Console.Put
@@ -89,6 +80,7 @@ package body Checks with SPARK_Mode is
    end Check_Line;
 
    procedure Check_Machine (All_Well : in out Boolean) is
+      --  Priorities, memory, kernel
       Granted  : Process.Privileges.Scheduling;
       May_Lock : Boolean;
       Size     : Natural;

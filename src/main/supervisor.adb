@@ -34,23 +34,15 @@ package body Supervisor with SPARK_Mode is
    use type Process.Privileges.Scheduling;
    use type Vision.Library.Status;
 
-   procedure Keep_On_Processor
-     (Cpu : Options.Processor_Choice; Claim : out Texts.Text);
-   --  Claim: which deadlines hold, by the table of configurations in
-   --  proofs/schedulability/README.md. Ends the process if Cpu is not allowed
-
-   procedure Open_Trace (Path : Texts.Text);
-   --  Ends the process on failure
-
-   procedure Print_Markers (Chosen : Options.Values);
-   --  Ends the process
-
    procedure Serve (Chosen : Options.Values);
    --  Runs the tasks; returns when the caller must end the process
 
    procedure Keep_On_Processor
      (Cpu : Options.Processor_Choice; Claim : out Texts.Text)
    is
+      --  Claim: which deadlines hold, by the table of configurations in
+      --  proofs/schedulability/README.md. Ends the process if Cpu is not
+      --  allowed
       Chosen : Options.Processor_Choice := Cpu;
       Alone  : Boolean;
       Done   : Boolean;
@@ -73,6 +65,7 @@ package body Supervisor with SPARK_Mode is
    end Keep_On_Processor;
 
    procedure Open_Trace (Path : Texts.Text) is
+      --  Ends the process on failure
       Done   : Boolean;
       Reason : Texts.Text;
       Text   : Texts.Text;
@@ -91,6 +84,7 @@ package body Supervisor with SPARK_Mode is
    end Open_Trace;
 
    procedure Print_Markers (Chosen : Options.Values) is
+      --  Ends the process
       Result : Vision.Library.Status;
       Reason : Vision.Library.Reason_Text;
       Last   : Natural;

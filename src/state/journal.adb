@@ -24,9 +24,6 @@ package body Journal with SPARK_Mode is
    with Pre => After <= Text'Length;
    --  A line of Text, without its first After characters
 
-   procedure Get_Now (Now : out Instant)
-   with Global => (Input => (Start, Clock_Time));
-
    protected Buffer with Priority => Schedule.Journal_Ceiling is
       procedure Put (Item : Line);
       procedure Take
@@ -62,7 +59,9 @@ package body Journal with SPARK_Mode is
 
    end Buffer;
 
-   procedure Get_Now (Now : out Instant) is
+   procedure Get_Now (Now : out Instant)
+   with Global => (Input => (Start, Clock_Time))
+   is
       Read  : constant Time := Clock;
       Whole : Seconds_Count;
       Rest  : Time_Span;

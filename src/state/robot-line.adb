@@ -155,10 +155,9 @@ package body Robot.Line with SPARK_Mode is
    end Line;
 
    procedure Wake (Number : Orders.Ticket := 0)
-   with Annotate => (GNATprove, Terminating);
-   --  Wakes the owner of the line
-
-   procedure Wake (Number : Orders.Ticket := 0) is
+   with Annotate => (GNATprove, Terminating)
+   is
+      --  Wakes the owner of the line
    begin
       Trace.Release (Schedule.Th_Line, Number);
       Work.Set;

@@ -10,10 +10,9 @@ package body Task_Ports with SPARK_Mode is
    procedure To_Vision (Item : in out Orders.Order)
    with
      Pre  => Item.Owed,
-     Post => not Item.Owed;
-   --  Sends the vision's next order
-
-   procedure To_Vision (Item : in out Orders.Order) is
+     Post => not Item.Owed
+   is
+      --  Sends the vision's next order
    begin
       if Commands.Table (Item.Command.Name).By = Th_Arene then
          Arena.Put (Item);

@@ -12,10 +12,8 @@ package body Failures with SPARK_Mode is
 
    package Stop_Failed is new Event;
 
-   function Line_Of (Item : Notice) return Texts.Text;
-   --  For the log
-
    function Line_Of (Item : Notice) return Texts.Text is
+      --  For the log
       Line : Texts.Text;
    begin
       Texts.Append (Line, "internal failure: task ");

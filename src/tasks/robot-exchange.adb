@@ -29,13 +29,6 @@ package body Robot.Exchange with SPARK_Mode is
    --  other. Noise does not last; at 5 it is no robot, and it has not started
    --  unless it is 0
 
-   procedure Open_Device (Success : out Boolean);
-
-   procedure Discard_Unasked
-     (Kind : Command_Kind; Until_Now : Time; Talks : out Boolean);
-   --  Discards what has come before a command of Kind is sent. Talks: there
-   --  was a whole frame. That may be noise, or the device goes on like that
-
    function Is_Written (Item : Command; Before : Robot.Serial_Line.Line_Record)
      return Boolean
    is (Robot.Serial_Line.Written.Count = Before.Count + 1
@@ -46,15 +39,6 @@ package body Robot.Exchange with SPARK_Mode is
              Robot.Serial_Line.Written.Last.Value.Value = Item.Value))
    with Ghost;
    --  Since Before, Item has been written, and no other frame
-
-   procedure Exchange
-     (Item      : Command;
-      Skip_Late : Boolean;
-      Last      : out Robot.Session.Step_Result)
-   with Post => Is_Written (Item, Robot.Serial_Line.Written'Old);
-   --  Sends Item and waits for its answer. Skip_Late: frames of other classes
-   --  are late answers to earlier commands, and are skipped. Otherwise none is
-   --  due before, and what a device sends that goes on sending is no answer
 
    procedure Take_Step
      (State    : Robot.Session.State;
@@ -100,6 +84,8 @@ package body Robot.Exchange with SPARK_Mode is
    procedure Discard_Unasked
      (Kind : Command_Kind; Until_Now : Time; Talks : out Boolean)
    is
+      --  Discards what has come before a command of Kind is sent. Talks: there
+      --  was a whole frame. That may be noise, or the device goes on like that
       Receiving : Receiver;
       In_Frame  : Frame;
       Heard     : Reply;
@@ -135,7 +121,12 @@ package body Robot.Exchange with SPARK_Mode is
      (Item      : Command;
       Skip_Late : Boolean;
       Last      : out Robot.Session.Step_Result)
+   with Post => Is_Written (Item, Robot.Serial_Line.Written'Old)
    is
+      --  Sends Item and waits for its answer. Skip_Late: frames of other
+      --  classes are late answers to earlier commands, and are skipped.
+      --  Otherwise none is due before, and what a device sends that goes on
+      --  sending is no answer
       Out_Frame : Frame;
       In_Frame  : Frame;
       Receiving : Receiver;

@@ -29,16 +29,8 @@ package body Support_Tasks with SPARK_Mode is
          when Options.Info    => "info",
          when Options.Debug   => "debug");
 
-   procedure Write (Item : Journal.Line);
-   --  Writes a line of the log: "[seconds.milliseconds] level: text"
-
-   procedure Wait_Session_End (Limit : Time);
-   --  Waits until the session has ended, Limit at most
-
-   procedure Wait_Console (Limit : Time);
-   --  Waits until the log has been written, Limit at most
-
    procedure Write (Item : Journal.Line) is
+      --  Writes a line of the log: "[seconds.milliseconds] level: text"
       Text : Texts.Text;
       Rest : constant Natural := Item.Time.Thousandths;
    begin
@@ -67,6 +59,7 @@ package body Support_Tasks with SPARK_Mode is
    end Th_Console;
 
    procedure Wait_Session_End (Limit : Time) is
+      --  Waits until the session has ended, Limit at most
       Known  : Monitor.Session_Stages.State;
       Status : Robot.Line_Status.Status;
       Idle   : Boolean;
@@ -87,6 +80,7 @@ package body Support_Tasks with SPARK_Mode is
    end Wait_Session_End;
 
    procedure Wait_Console (Limit : Time) is
+      --  Waits until the log has been written, Limit at most
       Waiting : Natural;
       Now     : Time;
    begin
