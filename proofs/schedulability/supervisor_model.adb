@@ -60,8 +60,6 @@ package body Supervisor_Model with SPARK_Mode is
    with Static_Predicate =>
      Mission_Under_Way in Send_Mission | Mission_Due .. Mission_Told;
 
-   function Task_Of (Name : Task_Activity) return Schedule.Task_Name;
-
    function To_Span (Value : Integer) return Span is
      (if Value in 0 .. Horizon then Span (Value) else Horizon);
 
@@ -83,13 +81,6 @@ package body Supervisor_Model with SPARK_Mode is
    function Commands_Apart (Under : Load) return Positive_Span is
      (if Under.Mission then Question_Interval else Command_Interval);
 
-   function Period_Of (Name : Activity_Name; Under : Load)
-     return Positive_Span;
-
-   function Processor_Of
-     (Name : Activity_Name; Where : Placement; On : Machine)
-      return Processor_Number;
-
    function Ceiling_Of (Which : Operation_Name) return Urgency is
      (Urgency
         (case Which is
@@ -110,14 +101,6 @@ package body Supervisor_Model with SPARK_Mode is
    --  carries an exchange in between, or the next is reckoned from the clock
    --  as read at the end of this one, but for its Tail
 
-   procedure Fill
-     (Choice : Priority_Choice;
-      Where  : Placement;
-      On     : Machine;
-      Under  : Load;
-      Set    : out Activity_Set);
-   --  Everything but the jitters, and what comes of responses
-
    function Latest (Item : Bound) return Span is
      (if Item.Exists then Item.Finish else Horizon);
    --  What it sets off can come as late as this
@@ -128,38 +111,11 @@ package body Supervisor_Model with SPARK_Mode is
    --  The same where the next is asked only after the answer: then no more
    --  than one is late
 
-   function Latest_Order (Bounds : Row_Bounds) return Span;
-   --  From a command, other than a movement, to the request that it leads to
-
    function Latest_Answer (Line : Line_Bounds) return Span is
      (Span'Max
         (Latest (Line (Stop_Order)),
          Span'Max (Latest (Line (Movement)), Latest (Line (Other_Order)))));
    --  From a command to its answer, which th_line gives
-
-   procedure See_Streams (Set : in out Activity_Set);
-   --  As all others see the monitor's orders, and their tasks when they are
-   --  done: nothing but the streams
-
-   procedure Bound_Activity
-     (Set : Activity_Set; Which : Row_Index; Result : out Bound);
-   --  Orders that have waited for the line have their outcomes late and
-   --  together, as its jitter says; but no sooner than the line has carried
-   --  them. Of the bounds by the one and by the other the lower holds
-
-   procedure Bound_Line
-     (Bounds : Row_Bounds;
-      Owner  : Owner_Bounds;
-      Under  : Load;
-      Length : out Line_Times;
-      Line   : out Line_Bounds);
-
-   procedure Set_Jitters
-     (Set     : in out Activity_Set;
-      Bounds  : Row_Bounds;
-      Line    : Line_Bounds;
-      Under   : Load;
-      Changed : out Boolean);
 
    function Budget_Of (Name : Activity_Name; On : Machine) return Span is
      (Capped
@@ -168,24 +124,6 @@ package body Supervisor_Model with SPARK_Mode is
          * On.Percent / 100));
 
    type Member_Set is array (Activity_Name) of Boolean;
-
-   procedure Bound_Chain
-     (Set     : Activity_Set;
-      Members : Member_Set;
-      Pauses  : Span;
-      Result  : out Bound);
-   --  Of activities of one processor that set each other off, one after the
-   --  other: together they are like one with the lowest of their
-   --  priorities. Pauses: message gaps on the way
-
-   procedure Judge
-     (Set    : Activity_Set;
-      Bounds : Row_Bounds;
-      Owner  : Owner_Bounds;
-      Line   : Line_Bounds;
-      On     : Machine;
-      Under  : Load;
-      Result : out Requirement_Array);
 
    function Task_Of (Name : Task_Activity) return Schedule.Task_Name is
      (case Name is
@@ -356,6 +294,7 @@ package body Supervisor_Model with SPARK_Mode is
       Under  : Load;
       Set    : out Activity_Set)
    is
+      --  Everything but the jitters, and what comes of responses
       subtype Operations is Operation_Index range
         1 .. Operation_Name'Pos (Operation_Name'Last) + 1;
 
@@ -384,18 +323,9 @@ package body Supervisor_Model with SPARK_Mode is
         (Where_Else : Processor_Number;
          Object     : Object_Name;
          Here       : Processor_Number) return Span
-      with Global => (Input => (Set, Sections));
-      --  The longest section in the object on another processor than Here
-
-      procedure Join (Name : Activity_Name; Stream : Row_Index)
-      with Global => (Input => Under, In_Out => Set);
-      --  Name is part of the stream
-
-      function Longest_At
-        (Where_Else : Processor_Number;
-         Object     : Object_Name;
-         Here       : Processor_Number) return Span
+      with Global => (Input => (Set, Sections))
       is
+         --  The longest section in the object on another processor than Here
          Result : Span := 0;
       begin
          if Where_Else /= Here then
@@ -414,7 +344,10 @@ package body Supervisor_Model with SPARK_Mode is
          return Result;
       end Longest_At;
 
-      procedure Join (Name : Activity_Name; Stream : Row_Index) is
+      procedure Join (Name : Activity_Name; Stream : Row_Index)
+      with Global => (Input => Under, In_Out => Set)
+      is
+         --  Name is part of the stream
          Item : constant Activity := Set (Row (Name));
          Whole : Activity renames Set (Stream);
       begin
@@ -510,6 +443,8 @@ package body Supervisor_Model with SPARK_Mode is
    end Fill;
 
    function Latest_Order (Bounds : Row_Bounds) return Span is
+      --  From a command, other than a movement, to the request that it leads
+      --  to
       Result : Span := 0;
    begin
       for Name in Order_Name loop
@@ -521,6 +456,8 @@ package body Supervisor_Model with SPARK_Mode is
    end Latest_Order;
 
    procedure See_Streams (Set : in out Activity_Set) is
+      --  As all others see the monitor's orders, and their tasks when they are
+      --  done: nothing but the streams
    begin
       for Name in Order_Name loop
          Set (Row (Name)).Budget := 0;
@@ -533,6 +470,9 @@ package body Supervisor_Model with SPARK_Mode is
    procedure Bound_Activity
      (Set : Activity_Set; Which : Row_Index; Result : out Bound)
    is
+      --  Orders that have waited for the line have their outcomes late and
+      --  together, as its jitter says; but no sooner than the line has carried
+      --  them. Of the bounds by the one and by the other the lower holds
       Paced : Activity_Set := Set;
       Other : Bound;
    begin
@@ -607,20 +547,6 @@ package body Supervisor_Model with SPARK_Mode is
       --  the exchange that is not answered may be a movement: begun even
       --  when the reload is nearly due
 
-      procedure Bound_One
-        (Who : Line_Client; Lengths : Client_Times; Result : out Bound)
-      with Global => (Bounds, Under, Length);
-      --  Of Who, where each client's transactions have these lengths; 0 for
-      --  one that does not occur
-
-      procedure Bound_Mission (Result : out Bound)
-      with Global => (Bounds, Under, Length, Query);
-      --  From its request on: only one waits
-
-      procedure Keep_Later (Item : Bound; Result : in out Bound)
-      with Global => null;
-      --  Result holds in this case, too
-
       function Asked_Apart return Positive_Span is
         (Positive_Span'Max
            (1, Span'Min (Horizon / 2,
@@ -629,7 +555,10 @@ package body Supervisor_Model with SPARK_Mode is
 
       procedure Bound_One
         (Who : Line_Client; Lengths : Client_Times; Result : out Bound)
+      with Global => (Bounds, Under, Length)
       is
+         --  Of Who, where each client's transactions have these lengths; 0 for
+         --  one that does not occur
          Clients : Client_Set := (others => <>);
       begin
          for C in Line_Client loop
@@ -669,7 +598,10 @@ package body Supervisor_Model with SPARK_Mode is
          Transaction_Bound (Clients, Index (Who), Result);
       end Bound_One;
 
-      procedure Bound_Mission (Result : out Bound) is
+      procedure Bound_Mission (Result : out Bound)
+      with Global => (Bounds, Under, Length, Query)
+      is
+         --  From its request on: only one waits
          --  One that comes in the quiet zone waits for the reload, and until
          --  the next is known; and for what had begun before
          Zone  : Span;
@@ -696,7 +628,10 @@ package body Supervisor_Model with SPARK_Mode is
          Result.Local := Result.Finish;
       end Bound_Mission;
 
-      procedure Keep_Later (Item : Bound; Result : in out Bound) is
+      procedure Keep_Later (Item : Bound; Result : in out Bound)
+      with Global => null
+      is
+         --  Result holds in this case, too
       begin
          if Item.Exists and then Result.Exists then
             Result :=
@@ -871,14 +806,9 @@ package body Supervisor_Model with SPARK_Mode is
       Line_End    : constant Span := Latest (Bounds (Line_Outcome));
 
       procedure Change (Which : Row_Index; Period : Positive_Span; To : Span)
-      with Global => (In_Out => (Set, Changed));
-      --  To this jitter
-
-      procedure Change_Deferral (Which : Row_Index; To : Span)
-      with Global => (In_Out => (Set, Changed));
-
-      procedure Change (Which : Row_Index; Period : Positive_Span; To : Span)
+      with Global => (In_Out => (Set, Changed))
       is
+         --  To this jitter
       begin
          if Set (Which).Jitter /= To or else Set (Which).Period /= Period then
             Set (Which).Jitter := To;
@@ -887,7 +817,9 @@ package body Supervisor_Model with SPARK_Mode is
          end if;
       end Change;
 
-      procedure Change_Deferral (Which : Row_Index; To : Span) is
+      procedure Change_Deferral (Which : Row_Index; To : Span)
+      with Global => (In_Out => (Set, Changed))
+      is
       begin
          if Set (Which).Deferral /= To then
             Set (Which).Deferral := To;
@@ -967,6 +899,9 @@ package body Supervisor_Model with SPARK_Mode is
       Pauses  : Span;
       Result  : out Bound)
    is
+      --  Of activities of one processor that set each other off, one after the
+      --  other: together they are like one with the lowest of their
+      --  priorities. Pauses: message gaps on the way
       Others_Set : Activity_Set := Set;
       Host       : Row_Index    := Row_Index'Last;
       Whole      : Activity     := (Priority => Urgency'Last, others => <>);
@@ -1023,10 +958,8 @@ package body Supervisor_Model with SPARK_Mode is
 
       procedure Conclude
         (Name : Requirement_Name; Value : Microseconds; Known : Boolean)
-      with Global => (In_Out => Result), Pre => Value <= 100 * Horizon;
-
-      procedure Conclude
-        (Name : Requirement_Name; Value : Microseconds; Known : Boolean) is
+      with Global => (In_Out => Result), Pre => Value <= 100 * Horizon
+      is
       begin
          Result (Name).Bound := Value;
          Result (Name).Known := Known;
@@ -1169,10 +1102,7 @@ package body Supervisor_Model with SPARK_Mode is
    is
       procedure Bound_One
         (Set : Activity_Set; Name : Activity_Name; Value : out Bound)
-      with Global => Under;
-
-      procedure Bound_One
-        (Set : Activity_Set; Name : Activity_Name; Value : out Bound)
+      with Global => Under
       is
          Normal : Activity_Set := Set;
       begin
@@ -1190,9 +1120,8 @@ package body Supervisor_Model with SPARK_Mode is
       end Bound_One;
 
       procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds)
-      with Global => Under;
-
-      procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds) is
+      with Global => Under
+      is
          Alone : Activity_Set := Set;
       begin
          --  a request can follow at once when the line has been opened

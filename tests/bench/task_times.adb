@@ -52,13 +52,11 @@ package body Task_Times is
    Requests : Samples.Set;
    Answers  : Samples.Set;
 
-   function Budget_Of (Name : String) return Duration;
-   --  The longest of a task's activities. Name: as the kernel keeps it
-
    Kept : constant := 15;  --  characters, of a longer name
 
    function Budget_Of (Name : Activity_Name) return Duration is
      (Duration (Processor_Time (Name)) / 1_000_000);
+   --  The longest of a task's activities. Name: as the kernel keeps it
 
    task type Watch_Task is
       entry Begin_Exchange;

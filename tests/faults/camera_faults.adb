@@ -22,12 +22,6 @@ package body Camera_Faults is
    Open_Limit : constant Duration := 5.0;
    --  For a source on the network to be given up
 
-   procedure Expect_Robot_Answers (W : in out World);
-   --  In the usual time, during the fault of the camera
-
-   procedure Expect_Fitting (W : in out World);
-   --  The last image fills the size asked for, in one direction at least
-
    type Camera_Fault is abstract new Fault with null record;
 
    overriding procedure Lift (F : in out Camera_Fault; W : in out World);
@@ -88,12 +82,14 @@ package body Camera_Faults is
    overriding procedure Inject (F : in out Other_Rate; W : in out World);
 
    procedure Expect_Robot_Answers (W : in out World) is
+      --  In the usual time, during the fault of the camera
    begin
       Expect
         (W, "RPIN", (if W.Robot = Line_Closed then "ANAK" else "AACK"));
    end Expect_Robot_Answers;
 
    procedure Expect_Fitting (W : in out World) is
+      --  The last image fills the size asked for, in one direction at least
       Width, Height : Natural;
    begin
       Get_Image_Size (W, Width, Height);
@@ -159,8 +155,6 @@ package body Camera_Faults is
       Start   : Instant;
       Number  : Natural;
       Took    : Duration;
-
-      procedure Expect_On_Wire (Command, Text : String);
 
       procedure Expect_On_Wire (Command, Text : String) is
          Said : constant Instant := Now;
@@ -282,8 +276,6 @@ package body Camera_Faults is
       B       : Before;
       Width   : Natural;
       Height  : Natural;
-
-      procedure Ask_For (Width, Height : Positive);
 
       procedure Ask_For (Width, Height : Positive) is
       begin

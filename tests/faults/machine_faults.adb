@@ -99,27 +99,14 @@ package body Machine_Faults is
 
    function Is_Root return Boolean is (Libc.Geteuid = 0);
 
-   function Script (Name : String; Text : String) return Unbounded_String;
-   --  A shell script of this run with Text as its lines, that runs its
-   --  arguments; its path
-
-   function Pipe return String;
-   --  The named pipe that stands for standard error; made at its first use
-
-   function Drained return Natural;
-   --  Takes all that is in it; how many bytes that was
-
-   function Clock_File return String;
-   --  An offset of the supervisor's wall clock, in seconds
-
-   procedure Set_Shift (Seconds : Long_Long_Integer);
-
    Clock_Library : constant String := "libclock_shift.so";
    --  Beside the running program
 
    Pipe_File : int := -1;
 
    function Script (Name : String; Text : String) return Unbounded_String is
+      --  A shell script of this run with Text as its lines, that runs its
+      --  arguments; its path
       Path   : constant String := Programs.Temporary_Folder & "/" & Name;
       File   : File_Type;
       Unused : int;
@@ -135,6 +122,7 @@ package body Machine_Faults is
    end Script;
 
    function Pipe return String is
+      --  The named pipe that stands for standard error; made at its first use
       Path : constant String := Programs.Temporary_Folder & "/log";
    begin
       if Pipe_File < 0 then
@@ -147,6 +135,7 @@ package body Machine_Faults is
    end Pipe;
 
    function Drained return Natural is
+      --  Takes all that is in it; how many bytes that was
       Buffer : String (1 .. 4_096);
       Size   : long;
       Result : Natural := 0;
@@ -161,6 +150,7 @@ package body Machine_Faults is
 
    function Clock_File return String is
      (Programs.Temporary_Folder & "/clock");
+   --  An offset of the supervisor's wall clock, in seconds
 
    procedure Set_Shift (Seconds : Long_Long_Integer) is
       Size   : constant := 8;

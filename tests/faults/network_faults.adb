@@ -94,10 +94,8 @@ package body Network_Faults is
    function Any_Command (W : in out World) return String is
      (Commands.Element (Whole (W.Source, 1, Natural (Commands.Length))));
 
-   function Amid (W : in out World; Line, Part : String) return String;
-   --  Line with Part put in somewhere
-
    function Amid (W : in out World; Line, Part : String) return String is
+      --  Line with Part put in somewhere
       Place : constant Natural := Whole (W.Source, 0, Line'Length);
    begin
       return Line (Line'First .. Line'First + Place - 1) & Part
@@ -293,11 +291,9 @@ package body Network_Faults is
       Count : constant Positive := Positive (Commands.Length);
       Shift : constant Natural := Whole (W.Source, 1, Count);
 
-      procedure Say_All (Name : String);
-      --  Without its data, with a number beyond all bounds, a negative one,
-      --  and nonsense
-
       procedure Say_All (Name : String) is
+         --  Without its data, with a number beyond all bounds, a negative one,
+         --  and nonsense
          Nines : constant String (1 .. Whole (W.Source, 6, 400)) :=
            (others => '9');
          Plain : constant Answer_Kind := Kind_Of (Name);

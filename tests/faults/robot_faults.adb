@@ -74,15 +74,6 @@ package body Robot_Faults is
    overriding procedure Inject
      (F : in out Spoilt_Answers; W : in out World);
 
-   procedure Spoil
-     (F : Spoilt_Answers'Class; W : in out World; Count : Positive);
-   --  The next Count answers
-
-   procedure In_Quiet (F : Spoilt_Answers'Class; W : in out World);
-   --  Every answer reported is a possible answer to the command
-
-   procedure In_Motion (F : Spoilt_Answers'Class; W : in out World);
-
    --  All answers late, or none, or one without end
 
    type No_Answers is new Robot_Fault with record
@@ -136,6 +127,7 @@ package body Robot_Faults is
    procedure Spoil
      (F : Spoilt_Answers'Class; W : in out World; Count : Positive)
    is
+      --  The next Count answers
       Bits : constant := 40;
       --  Of the longest answer, the version
       Keep : constant := 4;
@@ -154,6 +146,7 @@ package body Robot_Faults is
    end Spoil;
 
    procedure In_Quiet (F : Spoilt_Answers'Class; W : in out World) is
+      --  Every answer reported is a possible answer to the command
       Few   : constant := Enough_To_Lose - 1;
       Bits  : constant := 24;
       Kinds : constant := 3;

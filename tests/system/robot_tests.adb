@@ -275,8 +275,6 @@ package body Robot_Tests is
    procedure Talking_Now_And_Then is
       --  Nor one that does so less often than a command takes
 
-      procedure Talk (Period : Duration);
-
       procedure Talk (Period : Duration) is
          R : Rig;
       begin
@@ -441,8 +439,6 @@ package body Robot_Tests is
       --  F11: a lost reload, or its answer, costs one miss at most; two
       --  reloads in a row do not disable the robot
       R : Rig;
-
-      procedure Lose (Fault : String; Times : Positive; Misses : Natural);
 
       procedure Lose (Fault : String; Times : Positive; Misses : Natural) is
          Before   : constant Integer :=

@@ -24,11 +24,6 @@ package body Answer_Faults with SPARK_Mode is
    procedure Set_Version (Wire : in out Wire_Bytes)
      with Post => Is_Version (Wire);
 
-   procedure Add (Kept : in out Wire_Bytes; Reply : Answer)
-     with Pre  => Kept.Length <= Max_Wire - Reply.Length,
-          Post => Kept.Length = Kept.Length'Old + Reply.Length;
-   --  Reply behind what is kept
-
    procedure Choose
      (To   : Command_Kind;
       Turn : Unsigned_8;
@@ -40,7 +35,11 @@ package body Answer_Faults with SPARK_Mode is
      (if (Sum xor 1) = Carriage_Return then Sum xor 2 else Sum xor 1);
    --  One bit of it wrong, but not the one that would end the frame
 
-   procedure Add (Kept : in out Wire_Bytes; Reply : Answer) is
+   procedure Add (Kept : in out Wire_Bytes; Reply : Answer)
+     with Pre  => Kept.Length <= Max_Wire - Reply.Length,
+          Post => Kept.Length = Kept.Length'Old + Reply.Length
+   is
+      --  Reply behind what is kept
    begin
       Kept.Data (Kept.Length + 1 .. Kept.Length + Reply.Length) :=
         Reply.Data (1 .. Reply.Length);

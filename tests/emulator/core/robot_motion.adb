@@ -38,9 +38,6 @@ package body Robot_Motion with SPARK_Mode is
       981_627, 984_808, 987_688, 990_268, 992_546, 994_522, 996_195,
       997_564, 998_630, 999_391, 999_848, 1_000_000);
 
-   function Quarter_Sine (Angle : Quarter) return Fraction;
-   --  Of the first quadrant, interpolated between whole degrees
-
    function Room
      (Position, Low, High : Micro; Along : Component) return Micro
    with
@@ -58,23 +55,6 @@ package body Robot_Motion with SPARK_Mode is
    function Place_After
      (From : Pose; Pull : Pull_Angle; Length : Way) return Place_In_Plane;
    --  At the end of an arc of that length, as if there were no walls
-
-   function Free_Way
-     (From : Pose; Pull : Pull_Angle; Forward : Boolean) return Travel
-   with Post => Free_Way'Result in Way;
-   --  The length of the arc that ends at the first wall
-
-   procedure Begin_Order
-     (M      : in out Motion;
-      Order  : Order_Kind;
-      Value  : Amount;
-      Time   : Run_Time;
-      Limit  : Travel;
-      Errors : Wheel_Errors)
-   with
-     Pre  => Order /= None,
-     Post => Is_Moving (M) = (Value /= 0);
-   --  Limit: of a straight order not known yet
 
    procedure Advance (M : in out Motion; Elapsed : Step) is
       Whole_Turns : constant := 100 * Full_Turn / Turn_Rate;
@@ -109,7 +89,12 @@ package body Robot_Motion with SPARK_Mode is
       Value  : Amount;
       Time   : Run_Time;
       Limit  : Travel;
-      Errors : Wheel_Errors) is
+      Errors : Wheel_Errors)
+   with
+     Pre  => Order /= None,
+     Post => Is_Moving (M) = (Value /= 0)
+   is
+      --  Limit: of a straight order not known yet
    begin
       Halt (M);
       if Value /= 0 then
@@ -128,14 +113,15 @@ package body Robot_Motion with SPARK_Mode is
 
    function Free_Way
      (From : Pose; Pull : Pull_Angle; Forward : Boolean) return Travel
+   with Post => Free_Way'Result in Way
    is
+      --  The length of the arc that ends at the first wall
       Sign : constant Micro := (if Forward then 1 else -1);
 
       function Is_Free (Length : Travel) return Boolean
-        with Pre => Length in Way;
-      --  No wall is where an arc of that length ends
-
-      function Is_Free (Length : Travel) return Boolean is
+        with Pre => Length in Way
+      is
+         --  No wall is where an arc of that length ends
          Place : constant Place_In_Plane :=
            Place_After (From, Pull, Sign * Length);
       begin
@@ -270,6 +256,7 @@ package body Robot_Motion with SPARK_Mode is
    end Place_After;
 
    function Quarter_Sine (Angle : Quarter) return Fraction is
+      --  Of the first quadrant, interpolated between whole degrees
       Whole : constant Micro := Angle / Million;
       Part  : constant Micro := Angle mod Million;
    begin
