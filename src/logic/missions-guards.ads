@@ -20,7 +20,7 @@ package Missions.Guards with SPARK_Mode, Pure is
    subtype Drive_Length is Integer range -5_000 .. 5_000;
    --  Millimetres, negative backward
 
-   subtype Gain is Integer range 6_000 .. 17_000;
+   subtype Gain is Integer range 6_000 .. 20_000;
    --  Ratio of the actual to the ordered movement, in ten thousandths
 
    subtype Pull is Integer range -40_000 .. 40_000;
@@ -57,12 +57,12 @@ package Missions.Guards with SPARK_Mode, Pure is
    function True_Length (Move : Drive_Length; By : Gain) return Micrometres
    is (Micrometres (Move * By / 10));
 
-   subtype Some_Length is Micrometres range -8_500_000 .. 8_500_000;
+   subtype Some_Length is Micrometres range -10_000_000 .. 10_000_000;
 
    function Swing (Length : Some_Length; By : Pull) return Microdegrees
    is (Microdegrees
          (Missions.Angles.Wide (Length) * Missions.Angles.Wide (By) / 2_000))
-   with Post => Swing'Result in -170_000_000 .. 170_000_000;
+   with Post => Swing'Result in -200_000_000 .. 200_000_000;
    --  By how much the chord of a drive is to the left of the heading at its
    --  beginning: half of what the robot turns
 

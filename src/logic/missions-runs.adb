@@ -19,6 +19,9 @@ package body Missions.Runs with SPARK_Mode is
    Time_Per_Millimetre : constant := 5_000;   --  200 mm/s
    Time_Per_Degree     : constant := 11_112;  --  90 degrees/s
 
+   Slowest    : constant := 4;
+   --  An order may take so many times as long, and Still_Time
+
    Ask_Period : constant := 20_000;
 
    --  Looks
@@ -40,6 +43,10 @@ package body Missions.Runs with SPARK_Mode is
 
    Side_Way     : constant := 2_500;
    --  The robot does not turn if it would pass the target by less
+
+   First_Way    : constant := 200;
+   --  Millimetres of a drive before anything is known: it is looked at within
+   --  Still_Time
 
    Learning_Way : constant := 40_000;
    --  Nothing is learnt from shorter drives
@@ -97,6 +104,13 @@ package body Missions.Runs with SPARK_Mode is
      (Microseconds (abs R.Amount)
       * (if R.Movement = Turn then Time_Per_Degree else Time_Per_Millimetre));
    --  Of the order under way, of a robot as it is meant to be
+
+   function Turn_Error (R : Run) return Bearing is
+     (Normal
+        (R.Mean.Heading - R.From.Heading
+         - Normal (True_Turn (R.Turned, R.Turns))));
+   --  What was turned since the last look, without a drive, beyond what was
+   --  expected
 
    function There (Images : Image_Count) return Micrometres is
      (case Images is
@@ -157,6 +171,26 @@ package body Missions.Runs with SPARK_Mode is
        and then R.Orders = R.Orders'Old
        and then R.Seen_At = R.Seen_At'Old
        and then (if not R.Ended then Now < R.Leg_End);
+
+   procedure Finish_Amiss (R : in out Run; What : Movement_Kind)
+   with
+     Pre  => not R.Ended,
+     Post => R.Ended
+       and then R.Leg = R.Leg'Old
+       and then R.Orders = R.Orders'Old
+       and then R.Seen_At = R.Seen_At'Old;
+   --  It goes so far amiss, as measured; Halt, or none measured: it does not
+   --  go on
+
+   procedure Compare (R : in out Run)
+   with
+     Pre  => not R.Ended,
+     Post => R.Leg = R.Leg'Old
+       and then R.Orders = R.Orders'Old
+       and then R.Seen_At = R.Seen_At'Old;
+   --  What was ordered since the last look with what is seen now: it ends the
+   --  mission if no Gain explains them twice in a row, or at once if it was
+   --  too much
 
    procedure Add_Image (R : in out Run)
    with Post => Is_Same (R, R'Old);
@@ -285,7 +319,10 @@ package body Missions.Runs with SPARK_Mode is
         (Wide (Ahead) * 10 + Wide (R.Drives) / 2) / Wide (R.Drives);
       Length  : Forward_Length :=
         Forward_Length
-          (Wide'Max (1, Wide'Min (Wide (Forward_Length'Last), Wanted)));
+          (Within
+             (Wanted, 1,
+              (if R.Way_Weight < Learnt_Way then First_Way
+               else Wide (Forward_Length'Last))));
       Angle   : Bearing;
       Half    : Wide;
       Ordered : Degrees;
@@ -393,9 +430,54 @@ package body Missions.Runs with SPARK_Mode is
       elsif Now >= R.Leg_End then
          Finish (R, Leg_Too_Long);
       elsif Now > After (R.Anchored, Still_Time) then
-         Finish (R, No_Progress);
+         Finish_Amiss (R, R.Amiss);
+      elsif R.Phase = Moving
+        and then R.Sure
+        and then Now > After (R.Given, Slowest * Duration_Of (R) + Still_Time)
+      then
+         R.Measured := Percent
+           (Within
+              ((if R.Movement = Turn
+                then Wide (abs Difference (R.Mean.Heading, R.Newest.Heading))
+                  * Time_Per_Degree / 10_000
+                else Wide (Way (R.Mean, R.Newest)) * Time_Per_Millimetre / 10)
+               / Wide (Now - R.Given),
+               0, Wide (Percent'Last)));
+         Finish_Amiss (R, R.Movement);
       end if;
    end Check_Limits;
+
+   procedure Compare (R : in out Run) is
+      Drives : constant Boolean := R.Driven /= 0;
+      Seen   : constant Wide :=
+        (if Drives then Wide (Way (R.From, R.Mean))
+         else Wide (True_Turn (R.Turned, R.Turns) + Turn_Error (R))
+           * (if R.Turned < 0 then -1 else 1));
+      Asked  : constant Wide :=
+        (if Drives then abs Wide (R.Driven) * 1_000
+         else abs Wide (R.Turned) * Million);
+      Slack  : constant Wide := (if Drives then Upset_Way else Surprise);
+      Still  : constant Wide := (if Drives then 1_000 else Million);
+      --  Less is none: that is seen of a robot at rest
+      What   : constant Movement_Kind := (if Drives then Drive else Turn);
+   begin
+      if Seen + Slack >= Asked * Wide (Gain'First) / 10_000
+        and then Seen - Slack <= Asked * Wide (Gain'Last) / 10_000
+      then
+         R.Amiss := Halt;
+         return;
+      end if;
+      R.Measured := Percent
+        (Within
+           ((if Seen < Still then 0 else Seen * 100 / Wide'Max (1, Asked)),
+            0, Wide (Percent'Last)));
+      if (R.Amiss = What and then R.Measured > 0) or else Seen > Asked then
+         Finish_Amiss (R, What);
+      else
+         R.Amiss    := What;
+         R.Distrust := Distrusted;
+      end if;
+   end Compare;
 
    procedure Decide
      (R : in out Run; Now : Microseconds; Next : out Action)
@@ -415,7 +497,12 @@ package body Missions.Runs with SPARK_Mode is
          end if;
 
          if R.Learnable then
-            Learn (R);
+            Compare (R);
+            if R.Ended then
+               return;
+            elsif R.Amiss = Halt then
+               Learn (R);
+            end if;
          end if;
          R.Turned    := 0;
          R.Driven    := 0;
@@ -471,6 +558,18 @@ package body Missions.Runs with SPARK_Mode is
       R.Why   := Why;
       R.Stops := (if Why in By_Hand | Session_Over then 0 else Stop_Tries);
    end Finish;
+
+   procedure Finish_Amiss (R : in out Run; What : Movement_Kind) is
+   begin
+      Finish
+        (R,
+         (if R.Measured = 0 then No_Progress
+          else
+            (case What is
+                when Halt  => No_Progress,
+                when Turn  => Turns_Amiss,
+                when Drive => Drives_Amiss)));
+   end Finish_Amiss;
 
    procedure Give
      (R        : in out Run;
@@ -580,8 +679,7 @@ package body Missions.Runs with SPARK_Mode is
    begin
       if R.Driven = 0 then
          if R.Turned /= 0 then
-            Error := Normal
-              (R.Mean.Heading - R.From.Heading - Normal (Expected));
+            Error := Turn_Error (R);
             if R.Turn_Weight >= Learnt_Turn and then abs Error > Surprise then
                R.Distrust := Distrusted;
             end if;

@@ -54,6 +54,9 @@ package Missions.Runs with SPARK_Mode is
    function Ended_By (R : Run) return Ending
    with Pre => Has_Ended (R);
 
+   function Measured (R : Run) return Percent;
+   --  Turns_Amiss, Drives_Amiss: what the robot did of what was ordered
+
    function Leg (R : Run) return Point_Number;
    --  The target that is driven to
 
@@ -261,6 +264,11 @@ private
       Turns_Made  : Natural range 0 .. 2 := 0;
       --  since the last drive
 
+      Amiss       : Movement_Kind := Halt;
+      --  Turn, Drive: the last look at one showed no Gain,
+      Measured    : Percent := 0;
+      --  but this
+
       --  What is learnt
       Turns       : Gain   := 12_000;
       Turn_Weight : Weight := 10;
@@ -284,6 +292,8 @@ private
    function Has_Ended (R : Run) return Boolean is (R.Ended);
 
    function Ended_By (R : Run) return Ending is (R.Why);
+
+   function Measured (R : Run) return Percent is (R.Measured);
 
    function Leg (R : Run) return Point_Number is (R.Leg);
 

@@ -36,9 +36,12 @@ package body Missions.Texts with SPARK_Mode is
    end Begin_Line;
 
    procedure Format_End
-     (Why : Ending; Line : out Short_Line; Last : out Natural)
+     (Why      : Ending;
+      Measured : Percent;
+      Line     : out Short_Line;
+      Last     : out Natural)
    is
-      Text : constant String := Text_Of (Why);
+      Text : constant String := Text_Of (Why, Measured);
    begin
       Begin_Line (End_Label, Line, Last);
       Line (Last + 1 .. Last + Text'Length) := Text;

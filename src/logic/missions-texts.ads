@@ -12,7 +12,21 @@ package Missions.Texts with SPARK_Mode is
    Max_Text : constant := 48;
    --  Characters of an end's text, at most
 
-   function Text_Of (Why : Ending) return String is
+   function Digit (Value : Natural) return Character is
+     (Character'Val (Character'Pos ('0') + Value))
+   with Pre => Value <= 9;
+
+   function Image (Value : Percent) return String is
+     ((if Value < 10 then ""
+       elsif Value < 100 then (1 => Digit (Value / 10))
+       else Digit (Value / 100) & Digit (Value / 10 mod 10))
+      & Digit (Value mod 10))
+   with
+     Post => Image'Result'First = 1
+       and then Image'Result'Length in 1 .. 3
+       and then (for all C of Image'Result => C in '0' .. '9');
+
+   function Text_Of (Why : Ending; Measured : Percent := 0) return String is
      (case Why is
          when Completed        => "done",
          when By_Hand          => "aborted;order by hand",
@@ -26,6 +40,10 @@ package Missions.Texts with SPARK_Mode is
          when No_Progress      => "aborted;no progress for 2 s",
          when Leg_Too_Long     => "aborted;leg takes longer than its time",
          when Orders_Refused   => "aborted;robot refuses its orders",
+         when Turns_Amiss      =>
+            "aborted;robot turns " & Image (Measured) & " % of what is asked",
+         when Drives_Amiss     =>
+            "aborted;robot drives " & Image (Measured) & " % of what is asked",
          when No_Way           => "aborted;no permitted way")
    with
      Post => Text_Of'Result'First = 1
@@ -48,12 +66,15 @@ package Missions.Texts with SPARK_Mode is
    --  to the leg's point
 
    procedure Format_End
-     (Why : Ending; Line : out Short_Line; Last : out Natural)
+     (Why      : Ending;
+      Measured : Percent;
+      Line     : out Short_Line;
+      Last     : out Natural)
    with
-     Post => Last = Text_Of (Why)'Length + 6
+     Post => Last = Text_Of (Why, Measured)'Length + 6
        and then Begins_With (Line, End_Label)
        and then Line (5) = Separator
-       and then Line (6 .. Last - 1) = Text_Of (Why)
+       and then Line (6 .. Last - 1) = Text_Of (Why, Measured)
        and then Line (Last) = Line_Feed;
    --  MEND:text and a line feed in Line (1 .. Last)
 

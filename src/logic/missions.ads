@@ -93,8 +93,12 @@ package Missions with SPARK_Mode, Pure is
       No_Progress,        --  for 2 s
       Leg_Too_Long,       --  a leg takes longer than its time
       Orders_Refused,     --  by the robot
+      Turns_Amiss,        --  the robot turns too little of what is ordered,
+      Drives_Amiss,       --  or drives so, or does too much of it
       No_Way);            --  no permitted order leads on
 
    subtype Abort_Reason is Ending range By_Hand .. No_Way;
+
+   subtype Percent is Natural range 0 .. 999;
 
 end Missions;

@@ -367,12 +367,17 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake (Begun);
    end Put_Battery;
 
-   procedure Put_End (Number : Orders.Ticket; Why : Missions.Ending) is
+   procedure Put_End
+     (Number   : Orders.Ticket;
+      Why      : Missions.Ending;
+      Measured : Missions.Percent := 0)
+   is
       Now   : constant Time := Clock;
       Line  : Monitor.Protocol.Short_Text;
       Begun : Boolean;
    begin
-      Missions.Texts.Format_End (Why, Line.Data, Line.Length);
+      Missions.Texts.Format_End
+        (Why, Measured, Line.Data, Line.Length);
       Box.Put_End (Number, Line, Now, Begun);
       Wake (Begun);
    end Put_End;

@@ -84,7 +84,10 @@ package Monitor.Outbox with SPARK_Mode is
    --  MPRG: progress of the mission that was asked for by the command Number;
    --  dropped if its session has ended. Replaces progress that still waits
 
-   procedure Put_End (Number : Orders.Ticket; Why : Missions.Ending)
+   procedure Put_End
+     (Number   : Orders.Ticket;
+      Why      : Missions.Ending;
+      Measured : Missions.Percent := 0)
    with Annotate => (GNATprove, Terminating);
    --  MEND: the same for its end. Drops progress that still waits. Waits until
    --  it is sent or the session ends; there must be none that still waits

@@ -99,10 +99,12 @@ package body Mission_Tasks with SPARK_Mode is
       Drive (M);
       Vision.Sightings.Watch (False);
       Missions.Requests.Release;
-      Monitor.Outbox.Put_End (M.Order.Number, Ended_By (M.Run));
+      Monitor.Outbox.Put_End
+        (M.Order.Number, Ended_By (M.Run), Measured (M.Run));
       Journal.Put
         (Options.Info,
-         "mission ended: " & Missions.Texts.Text_Of (Ended_By (M.Run)));
+         "mission ended: "
+         & Missions.Texts.Text_Of (Ended_By (M.Run), Measured (M.Run)));
    end Carry_Out;
 
    procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report) is

@@ -103,9 +103,9 @@ package body Bench_Console is
       Say ("battery LEVEL        0, 1, 2, or critical: silent, off in 4 s");
       Say ("charge on|off        the charger's plug");
       Say ("pose X Y HEADING     puts the robot there: cm, degrees");
-      Say ("speed N              percent straight on, 70 to 130; this and");
+      Say ("speed N              percent straight on, 3 to 200; this and");
       Say ("                     the next three from the next order on");
-      Say ("turn-speed N         percent of turns, 70 to 130");
+      Say ("turn-speed N         percent of turns, 3 to 200");
       Say ("overshoot N          turns go on by N percent, 0 to 20");
       Say ("pull N               degrees to the left per metre, -30 to 30");
       Say ("reset-robot          switches it off and on");

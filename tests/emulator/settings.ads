@@ -72,8 +72,8 @@ private
      & "  --pose X,Y,HEADING   where it stands (40,30,0): cm, degrees" & NL
      & NL
      & "Wheels that are not ideal (an order takes its usual time):" & NL
-     & "  --speed N            percent straight on, 70 to 130 (100)" & NL
-     & "  --turn-speed N       percent of turns, 70 to 130 (100)" & NL
+     & "  --speed N            percent straight on, 3 to 200 (100)" & NL
+     & "  --turn-speed N       percent of turns, 3 to 200 (100)" & NL
      & "  --overshoot N        turns go on by N percent, and take longer by"
      & " as" & NL
      & "                       much, 0 to 20 (0)" & NL

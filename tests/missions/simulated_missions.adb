@@ -404,6 +404,7 @@ package body Simulated_Missions is
 
       Wait_Until (Now + After_The_End);
       R.Ended := Ended_By (The_Run);
+      R.Measured := Measured (The_Run);
       R.Worst_Pass := 0.0;
       for P of Passes loop
          R.Worst_Pass := Millimetres'Max

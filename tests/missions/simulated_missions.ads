@@ -41,6 +41,7 @@ package Simulated_Missions is
 
    type Result is record
       Ended      : Missions.Ending := Missions.No_Way;
+      Measured   : Missions.Percent := 0;
       Worst_Pass : Millimetres  := 0.0;
       --  of all points the farthest that the robot's way was from the point
       --  during its leg

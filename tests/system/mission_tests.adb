@@ -240,6 +240,38 @@ package body Mission_Tests is
       Last => "", Watchdog => True);
    --  As it is a ping or an order of the mission that the robot refuses first
 
+   procedure Far_From_Ideal is
+      R : Rig;
+
+      procedure Check_End (Wheels, Order, Texts : String) is
+         --  One of Texts, and the robot rests where it may be
+         Seen  : Unbounded_String;
+         Place : Emulators.Truth;
+      begin
+         Play (R, "tell turn-speed 100, tell speed 100, tell " & Wheels
+               & ", tell pose 20 20 0, comes CPOS, comes CPOS, "
+               & Order & " AACK");
+         Seen := R.Monitor.Next_Of ("MEND").Data;
+         Check ((for some Text of Words (Texts, '|') => Seen = Text),
+                Wheels & ": " & To_String (Seen));
+         Place := R.Emulator.Pose;
+         Check (Place.X in 7.0 .. 73.0 and then Place.Y in 7.0 .. 53.0,
+                "it is outside");
+      end Check_End;
+
+   begin
+      Prepare (R);
+      Check_End ("turn-speed 10", "MGCM:20;50",
+                 "aborted;robot turns 9 % of what is asked"
+                 & "|aborted;robot turns 10 % of what is asked"
+                 & "|aborted;robot turns 11 % of what is asked");
+      Check_End ("speed 3", "MGCM:60;20",
+                 "aborted;robot drives 2 % of what is asked"
+                 & "|aborted;robot drives 3 % of what is asked"
+                 & "|aborted;robot drives 4 % of what is asked");
+      Check_End ("turn-speed 180, tell speed 180", "MPCM:60;50;70;20", "done");
+   end Far_From_Ideal;
+
    procedure Ended_By_Abort is
       R : Rig;
    begin
@@ -303,6 +335,8 @@ package body Mission_Tests is
       Add ("Mission_Ended_By_Turn_By_Hand", Ended_By_Turn'Access,
            Timed => True);
       Add ("Mission_Ended_By_Closed_Line", Ended_By_Close'Access,
+           Timed => True);
+      Add ("Mission_Of_Robot_Far_From_Ideal", Far_From_Ideal'Access,
            Timed => True);
       Add ("Mission_Ended_By_Abort", Ended_By_Abort'Access, Timed => True);
       Add ("Mission_Ended_By_Lost_Monitor", Ended_By_Lost_Monitor'Access,

@@ -360,6 +360,8 @@ export default {
   reason_no_progress_for_2_s: "the robot does not come on. Free its way, and send it again.",
   reason_leg_takes_longer_than_its_time: "the robot took too long to a point. Free its way, charge it, and send it again.",
   reason_robot_refuses_its_orders: "the robot refuses its orders. Reset it, then press Start.",
+  reason_robot_turns_percent_of_what_is_asked: "the robot turns {percent} % of what is asked; a mission needs 60 to 200 %. Is it held, or its battery low? If not, drive by hand.",
+  reason_robot_drives_percent_of_what_is_asked: "the robot drives {percent} % of what is asked; a mission needs 60 to 200 %. Is it held, or its battery low? If not, drive by hand.",
   reason_no_permitted_way: "no way leads on without coming too near to the arena's edge. Drive away from the edge by hand, and send the robot again.",
 
   // Recordings

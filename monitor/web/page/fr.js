@@ -345,6 +345,8 @@ export default {
   reason_no_progress_for_2_s: "le robot n’avance plus. Dégagez son chemin, et renvoyez-le.",
   reason_leg_takes_longer_than_its_time: "le robot a mis trop de temps jusqu’à un point. Dégagez son chemin, rechargez-le, et renvoyez-le.",
   reason_robot_refuses_its_orders: "le robot refuse ses ordres. Réinitialisez-le, puis appuyez sur Démarrer.",
+  reason_robot_turns_percent_of_what_is_asked: "le robot tourne de {percent} % de ce qui est demandé ; une mission exige 60 à 200 %. Est-il retenu, ou sa batterie faible ? Sinon, conduisez à la main.",
+  reason_robot_drives_percent_of_what_is_asked: "le robot avance de {percent} % de ce qui est demandé ; une mission exige 60 à 200 %. Est-il retenu, ou sa batterie faible ? Sinon, conduisez à la main.",
   reason_no_permitted_way: "aucun chemin ne continue sans trop s’approcher du bord de l’arène. Éloignez le robot du bord à la main, et renvoyez-le.",
 
   rec_none: "Il n’y a pas encore d’enregistrement.",

@@ -63,9 +63,10 @@ export function words({ code, args = {} }) {
   }
   if (code === "unanswered") return t("ev_unanswered", { order: orderWords(args.label, "") });
   if (code.startsWith("mission_") && args.reason) {
-    // The supervisor's reasons are English
-    const key = "reason_" + args.reason.replace(/\W+/g, "_");
-    return t("ev_" + code, { reason: has(key) ? t(key) : args.reason });
+    // The supervisor's reasons are English, one with what it has measured
+    const [, percent] = args.reason.match(/(\d+) %/) ?? [];
+    const key = "reason_" + args.reason.replace(/\d+ %/, "percent").replace(/\W+/g, "_");
+    return t("ev_" + code, { reason: has(key) ? t(key, { percent }) : args.reason });
   }
   if (args.count && has(`ev_${code}_count`)) return t(`ev_${code}_count`, args);
   if (!has("ev_" + code)) return t("ev_unknown", { code, args: JSON.stringify(args) });

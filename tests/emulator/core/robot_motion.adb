@@ -61,9 +61,9 @@ package body Robot_Motion with SPARK_Mode is
       --  Microseconds in which the robot turns whole turns whatever its
       --  speed in percent
 
-      Far_Enough : constant := 20 * Million;
+      Far_Enough : constant := 300 * Million;
       --  Microseconds after which an endless straight run has met a wall
-      --  wherever it began: 2.8 m are more than any diagonal
+      --  wherever it began: 1.8 m are more than any diagonal
    begin
       if M.Order = None then
          return;

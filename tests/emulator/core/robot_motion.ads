@@ -55,7 +55,7 @@ package Robot_Motion with SPARK_Mode, Pure is
 
    --  What is not ideal about a robot
 
-   subtype Speed_Percent is Integer range 70 .. 130;
+   subtype Speed_Percent is Integer range 3 .. 200;
    subtype Overshoot_Percent is Integer range 0 .. 20;
    subtype Pull_Angle is Integer range -30 .. 30;
 

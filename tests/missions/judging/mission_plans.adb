@@ -133,10 +133,8 @@ package body Mission_Plans is
       Result.Faulty := Number mod 2 = 0;
       if Result.Faulty then
          Result.Wheels :=
-           (Speed      => Whole
-              (Source, Speed_Percent'First, Speed_Percent'Last),
-            Turn_Speed => Whole
-              (Source, Speed_Percent'First, Speed_Percent'Last),
+           (Speed      => Whole (Source, 70, 130),
+            Turn_Speed => Whole (Source, 70, 130),
             Overshoot  => Whole
               (Source, Overshoot_Percent'First, Overshoot_Percent'Last),
             Pull       => Whole

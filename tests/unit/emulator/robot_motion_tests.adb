@@ -452,13 +452,13 @@ package body Robot_Motion_Tests is
 
       Go (M, -300, (Speed => 130, others => <>));
       Pass_To_End (M, 1_500_000);
-      Expect (M, 560_000, 62_000, 90_000_000);
+      Expect (M, 700_000, 62_000, 90_000_000);
 
       --  The slowest without an end gets from one wall to the other
 
-      Go (M, Endless_Forward, (Speed => 70, others => <>));
-      Pass (M, 60_000_000);
-      Expect (M, 560_000, 538_000, 90_000_000);
+      Go (M, Endless_Forward, (Speed => Speed_Percent'First, others => <>));
+      Pass (M, 100_000_000);
+      Expect (M, 700_000, 538_000, 90_000_000);
    end Test_Speed;
 
    procedure Test_Square is
@@ -511,7 +511,9 @@ package body Robot_Motion_Tests is
          Pass (M, 500_000);
          Expect (M, 400_000, 300_000, 450_000 * Micro (Speed));
          Pass_To_End (M, 1_722_223);
-         Expect (M, 400_000, 300_000, 2_000_000 * Micro (Speed));
+         Expect
+           (M, 400_000, 300_000,
+            (2_000_000 * Micro (Speed)) mod Full_Turn);
          Turn (M, -200, (Turn_Speed => Speed, others => <>));
          Pass (M, 3_000_000);
          Expect (M, 400_000, 300_000, 0);

@@ -12,6 +12,7 @@ with Missions.Guards;     use Missions.Guards;
 with Missions.Runs;       use Missions.Runs;
 with Robot.Protocol;
 with Robot.Session;
+with Robot_Motion;
 with Simulated_Missions;  use Simulated_Missions;
 with Unit_Runs; use Unit_Runs;
 
@@ -175,12 +176,14 @@ package body Mission_Runs_Tests is
       Run_Until_End (100, True, Taken, False, No_Image, 350_000);
       Run_Until_End (1, False, Taken, False, No_Position, 350_000);
       Run_Until_End (1, True, Taken, True, No_Progress, 2_400_000);
+      Run_Until_End (1, True, Taken, False, No_Progress, 2_400_000);
       Run_Until_End (1, True, Unanswered, True, No_Progress, 2_400_000);
       Run_Until_End (1, True, Refused, False, Orders_Refused, 500_000);
       Run_Until_End (1, True, Closed, False, Robot_Stopped, 100_000);
       for Moves in Boolean loop
          Run_Until_End
-           (1, True, Taken, Moves, Leg_Too_Long, 34_000_000, Pushed => True);
+           (1, True, Unanswered, Moves, Leg_Too_Long, 34_000_000,
+            Pushed => True);
       end loop;
 
       for Why in Abort_Reason loop
@@ -195,6 +198,55 @@ package body Mission_Runs_Tests is
             "after " & Why'Image);
       end loop;
    end Test_Ends;
+
+   procedure Test_Far_From_Ideal is
+      --  Twenty missions each: within the range of Gain they are completed,
+      --  outside of it they end soon, and say what was measured
+
+      procedure Check
+        (Turns, Drives : Robot_Motion.Speed_Percent;
+         Why           : Ending;
+         Percent       : Integer := 0)
+      is
+         Source : GNAT.Random_Numbers.Generator;
+         M      : Mission;
+         F      : Faults := Ideal;
+         R      : Result;
+
+         procedure Expect (Condition : Boolean; Text : String) is
+         begin
+            Assert
+              (Condition,
+               "turns" & Turns'Image & ", drives" & Drives'Image & ":" & Text);
+         end Expect;
+
+      begin
+         F.Wheels.Turn_Speed := Turns;
+         F.Wheels.Speed := Drives;
+         for Seed in 1 .. 20 loop
+            GNAT.Random_Numbers.Reset (Source, Seed);
+            Make_Mission (Source, 12, M);
+            Simulate (M, F, Seed, R);
+            Expect (R.Room > 0.0, Seed'Image & " at the border");
+            Expect (R.Ended = Why, Seed'Image & " " & R.Ended'Image);
+            if Why = Completed then
+               Expect (R.Worst_Pass <= 15.0,
+                       Seed'Image & " passed by" & R.Worst_Pass'Image);
+            else
+               Expect (abs (R.Measured - Percent) <= 2,
+                       Seed'Image & R.Measured'Image & " %");
+               Expect (R.Time <= 6_000.0,
+                       Seed'Image & " only after" & R.Time'Image & " ms");
+            end if;
+         end loop;
+      end Check;
+
+   begin
+      Check (10, 100, Turns_Amiss, 10);
+      Check (100, 5, Drives_Amiss, 5);
+      Check (100, 3, Drives_Amiss, 3);
+      Check (180, 180, Completed);
+   end Test_Far_From_Ideal;
 
    procedure Test_Faults is
    begin
@@ -275,6 +327,32 @@ package body Mission_Runs_Tests is
               "seen again, no turn to the target");
    end Test_Old_Position;
 
+   procedure Test_Slow is
+      --  7 mm a second, on the way to a point that is right ahead
+      R     : Missions.Runs.Run;
+      Next  : Action;
+      Now   : Microseconds := 0;
+      Image : Natural := 0;
+   begin
+      Start (R, Size, (1 => (500_000, 300_000), others => Corner), 1, Now);
+      loop
+         Image := Image + 1;
+         See
+           (R,
+            (Image, Now, True,
+             ((200_000 + Micrometres (7 * Now / 1_000), 300_000), 0)));
+         Step (R, Now, Next);
+         exit when Has_Ended (R);
+         if Next.Kind in Ask | Order then
+            Tell (R, Said ((if Next.Kind = Ask then '1' else '0')), Now);
+         end if;
+         Now := Now + 20_000;
+         Assert (Now <= 7_000_000, "goes on");
+      end loop;
+      Assert (Ended_By (R) = Drives_Amiss, "ended by" & Ended_By (R)'Image);
+      Assert (Measured (R) in 3 .. 4, Measured (R)'Image & " %");
+   end Test_Slow;
+
    procedure Test_Wait_For_Position is
       Here   : constant Place := (200_000, 300_000);
       Aside  : constant Place_Array :=
@@ -348,6 +426,10 @@ package body Mission_Runs_Tests is
       Add_Test ("what the guards permit", Test_Guards'Access);
       Add_Test ("a hundred missions", Test_Ideal'Access);
       Add_Test ("a hundred missions of faulty robots", Test_Faults'Access);
+      Add_Test
+        ("robots that do a part of what is asked, or twice as much",
+         Test_Far_From_Ideal'Access);
+      Add_Test ("a slow robot", Test_Slow'Access);
       Add_Test ("why missions end", Test_Ends'Access);
       Add_Test ("no order from an old position", Test_Old_Position'Access);
       Add_Test ("waits for a new position", Test_Wait_For_Position'Access);

@@ -10,11 +10,11 @@ with Unit_Runs; use Unit_Runs;
 
 package body Missions_Texts_Tests is
 
-   function End_Line (Why : Ending) return String is
+   function End_Line (Why : Ending; Measured : Percent) return String is
       Line : Short_Line;
       Last : Natural;
    begin
-      Texts.Format_End (Why, Line, Last);
+      Texts.Format_End (Why, Measured, Line, Last);
       return Line (1 .. Last);
    end End_Line;
 
@@ -33,11 +33,13 @@ package body Missions_Texts_Tests is
 
       Count : Natural := 0;
 
-      procedure Check (Why : Ending; Expected : String) is
+      procedure Check
+        (Why : Ending; Expected : String; Measured : Percent := 0) is
       begin
          Count := Count + 1;
          Assert
-           (End_Line (Why) = "MEND:" & Expected & Line_Feed, Expected);
+           (End_Line (Why, Measured) = "MEND:" & Expected & Line_Feed,
+            Expected);
       end Check;
 
    begin
@@ -54,6 +56,8 @@ package body Missions_Texts_Tests is
       Check (No_Progress, "aborted;no progress for 2 s");
       Check (Leg_Too_Long, "aborted;leg takes longer than its time");
       Check (Orders_Refused, "aborted;robot refuses its orders");
+      Check (Turns_Amiss, "aborted;robot turns 8 % of what is asked", 8);
+      Check (Drives_Amiss, "aborted;robot drives 210 % of what is asked", 210);
       Check (No_Way, "aborted;no permitted way");
       Assert (Count = Ending'Pos (Ending'Last) + 1, "all of them");
    end Test_Ends;

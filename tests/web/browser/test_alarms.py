@@ -166,3 +166,16 @@ def test_mission_ended(
             calm(page)
         driver.press(Keys.ESCAPE)
         stand.stands()
+
+
+def test_robot_that_turns_too_little(
+    stand: Stand, driver: Page, visitors: Visitors
+) -> None:
+    """What was measured is said in the page's language."""
+    other = visitors.open(stand.address, 1, languages="fr")
+    other.shows("wheel", "other")
+    driver.confirm_arena()
+    stand.emulator.ask("turn-speed 10")
+    driver.click_at((250, 350))
+    alarmed(driver, "mission", r"turns (9|1\d) % of what is asked")
+    alarmed(other, "mission", r"tourne de (9|1\d) % de ce qui")
