@@ -29,23 +29,6 @@ package body Missions.Arenas with SPARK_Mode is
    Loss_Limit : constant := 800;
    --  Micrometres: of 2 * Longest * (p + q)
 
-   function Divided (N : Wide; D : Divisor) return Wide
-   with
-     Post => (if N >= 0 then Divided'Result in 0 .. N
-                and then N - Divided'Result * D in 0 .. D - 1
-              else Divided'Result in N .. 0
-                and then N - Divided'Result * D in -D + 1 .. 0);
-
-   procedure Find
-     (Side : Micrometres; N : Numerator; D : Divisor;
-      Q : out Micrometres; Near : out Boolean)
-   with
-     Pre  => Side in 300_000 .. Largest_Side and then Side rem 10_000 = 0,
-     Post => (if Near then
-                Q in -Side .. 2 * Side
-                and then Is_Quotient (Q, Side, N, D));
-   --  Side * N / D
-
    function Rounded (Value : Micro_Pixels) return Wide is
      ((if Value >= 0 then Wide (Value) + Unit_Size / 2
        else Wide (Value) - Unit_Size / 2) / Unit_Size);
@@ -88,14 +71,13 @@ package body Missions.Arenas with SPARK_Mode is
      ((Micro_Pixels (P.X * Unit_Size), Micro_Pixels (P.Y * Unit_Size)))
    with Post => Is_In_Image (To_Point'Result);
 
-   function Is_Fine (M : Map) return Boolean;
-   --  Its sides are long enough, for the rounding of the corners too
-
-   -------------
-   -- Divided --
-   -------------
-
-   function Divided (N : Wide; D : Divisor) return Wide is
+   function Divided (N : Wide; D : Divisor) return Wide
+   with
+     Post => (if N >= 0 then Divided'Result in 0 .. N
+                and then N - Divided'Result * D in 0 .. D - 1
+              else Divided'Result in N .. 0
+                and then N - Divided'Result * D in -D + 1 .. 0)
+   is
       Q : constant Wide := N / D;
       R : constant Wide := N rem D;
    begin
@@ -103,14 +85,16 @@ package body Missions.Arenas with SPARK_Mode is
       return Q;
    end Divided;
 
-   ----------
-   -- Find --
-   ----------
-
    procedure Find
      (Side : Micrometres; N : Numerator; D : Divisor;
       Q : out Micrometres; Near : out Boolean)
+   with
+     Pre  => Side in 300_000 .. Largest_Side and then Side rem 10_000 = 0,
+     Post => (if Near then
+                Q in -Side .. 2 * Side
+                and then Is_Quotient (Q, Side, N, D))
    is
+      --  Side * N / D
       Product     : constant Wide := Wide (Side / 10_000) * N;
       Centimetres : constant Wide := Divided (Product, D);
       Part        : constant Wide :=
@@ -128,11 +112,8 @@ package body Missions.Arenas with SPARK_Mode is
       end if;
    end Find;
 
-   -------------
-   -- Is_Fine --
-   -------------
-
    function Is_Fine (M : Map) return Boolean is
+      --  Its sides are long enough, for the rounding of the corners too
       A : Grid_Point renames M.Corners (Top_Left);
       B : Grid_Point renames M.Corners (Top_Right);
       C : Grid_Point renames M.Corners (Bottom_Right);
@@ -153,10 +134,6 @@ package body Missions.Arenas with SPARK_Mode is
         and then Scaled (Longest, P) + Scaled (Longest, Q)
           <= Loss_Limit * Least;
    end Is_Fine;
-
-   ------------
-   -- Locate --
-   ------------
 
    procedure Locate
      (M     : Map;
@@ -204,10 +181,6 @@ package body Missions.Arenas with SPARK_Mode is
       end if;
    end Locate;
 
-   ----------
-   -- Make --
-   ----------
-
    procedure Make
      (Corners : Vision.Shapes.Arena_Corners;
       Size    : Arena_Size;
@@ -241,10 +214,6 @@ package body Missions.Arenas with SPARK_Mode is
       Usable := M.Usable;
    end Make;
 
-   -------------
-   -- Targets --
-   -------------
-
    procedure Targets
      (P      : Path;
       M      : Map;
@@ -277,10 +246,6 @@ package body Missions.Arenas with SPARK_Mode is
          exit when not Inside;
       end loop;
    end Targets;
-
-   -------------
-   -- To_Grid --
-   -------------
 
    function To_Grid (P : Vision.Shapes.Point) return Grid_Point is
      (X => Rounded (P.X), Y => Rounded (P.Y));

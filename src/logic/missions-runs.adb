@@ -154,24 +154,6 @@ package body Missions.Runs with SPARK_Mode is
        and then R.Orders = R.Orders'Old
        and then R.Seen_At = R.Seen_At'Old;
 
-   procedure Limit_Leg (R : in out Run; Now : Microseconds)
-   with
-     Post => R.Orders = Max_Orders
-       and then R.Ended = R.Ended'Old
-       and then R.Leg = R.Leg'Old
-       and then R.Legs = R.Legs'Old
-       and then R.Size = R.Size'Old
-       and then R.Seen_At = R.Seen_At'Old;
-   --  It begins now
-
-   procedure Check_Limits (R : in out Run; Now : Microseconds)
-   with
-     Pre  => not R.Ended,
-     Post => R.Leg = R.Leg'Old
-       and then R.Orders = R.Orders'Old
-       and then R.Seen_At = R.Seen_At'Old
-       and then (if not R.Ended then Now < R.Leg_End);
-
    procedure Finish_Amiss (R : in out Run; What : Movement_Kind)
    with
      Pre  => not R.Ended,
@@ -182,24 +164,6 @@ package body Missions.Runs with SPARK_Mode is
    --  It goes so far amiss, as measured; Halt, or none measured: it does not
    --  go on
 
-   procedure Compare (R : in out Run)
-   with
-     Pre  => not R.Ended,
-     Post => R.Leg = R.Leg'Old
-       and then R.Orders = R.Orders'Old
-       and then R.Seen_At = R.Seen_At'Old;
-   --  What was ordered since the last look with what is seen now: it ends the
-   --  mission if no Gain explains them twice in a row, or at once if it was
-   --  too much
-
-   procedure Add_Image (R : in out Run)
-   with Post => Is_Same (R, R'Old);
-   --  The newest one, of the robot at rest
-
-   procedure Arrive (R : in out Run; Now : Microseconds)
-   with Post => Is_Same (R, R'Old);
-   --  The robot does not move any more
-
    procedure Learn (R : in out Run)
    with Post => Is_Same (R, R'Old);
    --  From what was ordered since the last look, and what is seen now
@@ -207,35 +171,6 @@ package body Missions.Runs with SPARK_Mode is
    procedure Learn_Lag (R : in out Run; Turned : Microdegrees)
    with Post => Is_Same (R, R'Old);
    --  The last turn was so much in all
-
-   procedure Decide
-     (R : in out Run; Now : Microseconds; Next : out Action)
-   with
-     Pre  => not R.Ended
-       and then Now < R.Leg_End
-       and then R.Orders > 0
-       and then R.Seen_At <= Now
-       and then Now - R.Seen_At <= Max_Age,
-     Post => Is_Kept (R, R'Old)
-       and then R.Seen_At = R.Seen_At'Old
-       and then
-         (case Next.Kind is
-             when Nothing => True,
-             when Order   => not R.Ended
-               and then Next.Request.Kind = Robot.Session.Drive
-               and then Is_Permitted (R, Next.Request)
-               and then Orders_Left (R) < Orders_Left (R'Old)
-               and then Now < R.Leg_End,
-             when others  => False);
-   --  The robot rests where it is believed to be
-
-   procedure Aim (R : in out Run; Goal : Near_Pose; Next : out Action)
-   with
-     Pre  => not R.Ended and then R.Orders > 0,
-     Post =>
-       (if Next.Kind = Nothing then Is_Same (R, R'Old)
-        else Is_Good_Order (R, R'Old, Next));
-   --  A turn or a drive towards the goal; Nothing: none is permitted
 
    procedure Give
      (R        : in out Run;
@@ -259,7 +194,10 @@ package body Missions.Runs with SPARK_Mode is
        and then R.Leg_End = R.Leg_End'Old
        and then R.Seen_At = R.Seen_At'Old;
 
-   procedure Add_Image (R : in out Run) is
+   procedure Add_Image (R : in out Run)
+   with Post => Is_Same (R, R'Old)
+   is
+      --  The newest one, of the robot at rest
       Where : constant Near_Pose := R.Newest;
       Turn  : constant Bearing   :=
         Difference (R.Mean.Heading, Where.Heading);
@@ -279,7 +217,14 @@ package body Missions.Runs with SPARK_Mode is
       end if;
    end Add_Image;
 
-   procedure Aim (R : in out Run; Goal : Near_Pose; Next : out Action) is
+   procedure Aim (R : in out Run; Goal : Near_Pose; Next : out Action)
+   with
+     Pre  => not R.Ended and then R.Orders > 0,
+     Post =>
+       (if Next.Kind = Nothing then Is_Same (R, R'Old)
+        else Is_Good_Order (R, R'Old, Next))
+   is
+      --  A turn or a drive towards the goal; Nothing: none is permitted
       Here    : constant Near_Pose   := R.Mean;
       Towards : constant Bearing     :=
         Direction (Goal.X - Here.X, Goal.Y - Here.Y);
@@ -308,9 +253,8 @@ package body Missions.Runs with SPARK_Mode is
              R.Size));
 
       procedure Shorten (Length : in out Forward_Length)
-      with Pre => Length > 0, Post => Length < Length'Old;
-
-      procedure Shorten (Length : in out Forward_Length) is
+      with Pre => Length > 0, Post => Length < Length'Old
+      is
       begin
          Length := Length - Integer'Max (1, Length / 16);
       end Shorten;
@@ -368,7 +312,10 @@ package body Missions.Runs with SPARK_Mode is
       end if;
    end Aim;
 
-   procedure Arrive (R : in out Run; Now : Microseconds) is
+   procedure Arrive (R : in out Run; Now : Microseconds)
+   with Post => Is_Same (R, R'Old)
+   is
+      --  The robot does not move any more
       Turned : constant Some_Turn := True_Turn (R.Amount, R.Turns);
    begin
       R.Expected  := False;
@@ -414,7 +361,16 @@ package body Missions.Runs with SPARK_Mode is
       end if;
    end Arrive;
 
-   procedure Limit_Leg (R : in out Run; Now : Microseconds) is
+   procedure Limit_Leg (R : in out Run; Now : Microseconds)
+   with
+     Post => R.Orders = Max_Orders
+       and then R.Ended = R.Ended'Old
+       and then R.Leg = R.Leg'Old
+       and then R.Legs = R.Legs'Old
+       and then R.Size = R.Size'Old
+       and then R.Seen_At = R.Seen_At'Old
+   is
+      --  It begins now
       Far : constant Micrometres := Micrometres'Max (0, Distance (R));
    begin
       R.Leg_End := After
@@ -423,7 +379,14 @@ package body Missions.Runs with SPARK_Mode is
       R.Anchored := Now;
    end Limit_Leg;
 
-   procedure Check_Limits (R : in out Run; Now : Microseconds) is
+   procedure Check_Limits (R : in out Run; Now : Microseconds)
+   with
+     Pre  => not R.Ended,
+     Post => R.Leg = R.Leg'Old
+       and then R.Orders = R.Orders'Old
+       and then R.Seen_At = R.Seen_At'Old
+       and then (if not R.Ended then Now < R.Leg_End)
+   is
    begin
       if Now > After (R.Came, Max_Age) then
          Finish (R, No_Image);
@@ -447,7 +410,16 @@ package body Missions.Runs with SPARK_Mode is
       end if;
    end Check_Limits;
 
-   procedure Compare (R : in out Run) is
+   procedure Compare (R : in out Run)
+   with
+     Pre  => not R.Ended,
+     Post => R.Leg = R.Leg'Old
+       and then R.Orders = R.Orders'Old
+       and then R.Seen_At = R.Seen_At'Old
+   is
+      --  What was ordered since the last look with what is seen now: it ends
+      --  the mission if no Gain explains them twice in a row, or at once if it
+      --  was too much
       Drives : constant Boolean := R.Driven /= 0;
       Seen   : constant Wide :=
         (if Drives then Wide (Way (R.From, R.Mean))
@@ -481,7 +453,25 @@ package body Missions.Runs with SPARK_Mode is
 
    procedure Decide
      (R : in out Run; Now : Microseconds; Next : out Action)
+   with
+     Pre  => not R.Ended
+       and then Now < R.Leg_End
+       and then R.Orders > 0
+       and then R.Seen_At <= Now
+       and then Now - R.Seen_At <= Max_Age,
+     Post => Is_Kept (R, R'Old)
+       and then R.Seen_At = R.Seen_At'Old
+       and then
+         (case Next.Kind is
+             when Nothing => True,
+             when Order   => not R.Ended
+               and then Next.Request.Kind = Robot.Session.Drive
+               and then Is_Permitted (R, Next.Request)
+               and then Orders_Left (R) < Orders_Left (R'Old)
+               and then Now < R.Leg_End,
+             when others  => False)
    is
+      --  The robot rests where it is believed to be
       Left : Micrometres := Way (R.Mean, Target (R));
    begin
       Next := (others => <>);
@@ -638,12 +628,6 @@ package body Missions.Runs with SPARK_Mode is
       with
         Pre => Known in -100_000 .. 100_000
           and then Seen in -100_000 .. 100_000;
-
-      procedure Add (W : in out Weight; Amount : Square; Most : Weight);
-
-      procedure Learn_Gain
-        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Square;
-         Most : Weight);
 
       procedure Add (W : in out Weight; Amount : Square; Most : Weight) is
       begin

@@ -4,13 +4,6 @@ with Commands;
 
 package body Missions.Texts with SPARK_Mode is
 
-   procedure Begin_Line
-     (Label : Commands.Label_Text; Line : out Short_Line; Last : out Natural)
-   with
-     Post => Last = 5
-       and then Begins_With (Line, Label)
-       and then Line (5) = Separator;
-
    procedure Put_Number
      (Value  : Millimetres;
       Ending : Character;
@@ -27,6 +20,10 @@ package body Missions.Texts with SPARK_Mode is
 
    procedure Begin_Line
      (Label : Commands.Label_Text; Line : out Short_Line; Last : out Natural)
+   with
+     Post => Last = 5
+       and then Begins_With (Line, Label)
+       and then Line (5) = Separator
    is
    begin
       Line := (others => ' ');

@@ -37,19 +37,6 @@ package body Mission_Tasks with SPARK_Mode is
    end record;
    --  What the monitor has been told last, and when; Leg 0: nothing yet
 
-   procedure Get_Ground (G : out Missions.Grounds.Ground);
-
-   procedure Carry_Out (M : in out Mission; Wanted : Path)
-   with
-     Pre  => M.Order.Owed,
-     Post => not M.Order.Owed;
-   --  Answers the order, and drives to Wanted where that is possible. Before
-   --  the monitor learns of a refusal or of the end, there is room for the
-   --  next mission
-
-   procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report);
-   --  At each new leg, and once a second
-
    procedure Drive (M : in out Mission)
    with
      Pre  => not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map),
@@ -64,7 +51,14 @@ package body Mission_Tasks with SPARK_Mode is
       G.Now := Clock;
    end Get_Ground;
 
-   procedure Carry_Out (M : in out Mission; Wanted : Path) is
+   procedure Carry_Out (M : in out Mission; Wanted : Path)
+   with
+     Pre  => M.Order.Owed,
+     Post => not M.Order.Owed
+   is
+      --  Answers the order, and drives to Wanted where that is possible.
+      --  Before the monitor learns of a refusal or of the end, there is room
+      --  for the next mission
       Size     : constant Arena_Size :=
         Settings.Command_Line.Chosen.Arena_Size;
       Untold   : Boolean;
@@ -108,6 +102,7 @@ package body Mission_Tasks with SPARK_Mode is
    end Carry_Out;
 
    procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report) is
+      --  At each new leg, and once a second
    begin
       if Leg (M.Run) /= Last.Leg
         or else Now >= Last.At_Time + Schedule.Progress_Interval
