@@ -288,7 +288,7 @@ look:
    };
    atomic {
       if
-      :: /*: Monitor.Outbox.Put_Progress in outbox */ skip
+      :: /*: Monitor.Outbox.Put in outbox */ skip
       :: skip
       fi;
       if
@@ -309,7 +309,7 @@ leave:
       Release ()
 #endif
    };
-   /*: Monitor.Outbox.Put_End in outbox */
+   /*: Monitor.Outbox.Put in outbox */
    atomic {
       if
       :: Goes_Out (number) ->
@@ -332,7 +332,7 @@ deny:
    Refuse ();
    atomic {
       number = 0;
-      /*: Monitor.Outbox.Put_Notice in outbox */
+      /*: Monitor.Outbox.Put in outbox */
       goto wait
    }
 }

@@ -48,7 +48,8 @@ inline Tell_Of_Start () {
 }
 inline Tell_Of () {
    if
-   :: /*: Outbox.Put_Notice in outbox | Outbox.Put_Robot_Lost in outbox */ skip
+   :: /*: Monitor.Outbox.Put in outbox */ skip
+   :: /*: Monitor.Outbox.Put in outbox, Monitor.Outbox.Put in outbox */ skip
    :: skip
    fi
 }

@@ -363,14 +363,10 @@ active proctype Unasked_Source ()
 {
    byte left = UNASKED;
    bool begun;
-   /*: is Monitor.Outbox.Put_Notice, Monitor.Outbox.Put_Robot_Lost,
-       Monitor.Outbox.Put_Battery, Monitor.Outbox.Put_Image,
-       Monitor.Outbox.Put_Position, Monitor.Outbox.Put_Progress,
-       Monitor.Outbox.Put_End */
+   /*: is Monitor.Outbox.Put, Monitor.Outbox.Put_Image */
 end_wait:
    do
-   :: /*: Box.Put_Notice | Box.Put_Lost | Box.Put_Battery | Box.Put_Image
-          | Box.Put_Position | Box.Put_Progress | Box.Put_End */
+   :: /*: Outbox.Box.Put | Outbox.Box.Put_Image */
       atomic {
          left > 0 && Box.Open -> left--;
          Box.Unasked = true;

@@ -227,7 +227,7 @@ active proctype Th_Battery_Level ()
             };
             if
             :: goes_on ->
-               /*: Monitor.Outbox.Put_Battery in outbox */
+               /*: Monitor.Outbox.Put in outbox */
                skip
             :: else
             fi

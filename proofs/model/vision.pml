@@ -238,7 +238,7 @@ inline Camera_Failed () {
       Close_Camera_Request ()
    };
    End_Delivery ();
-   /*: Outbox.Put_Notice in outbox */
+   /*: Monitor.Outbox.Put in outbox */
    skip;
 closed:
    skip
@@ -385,7 +385,7 @@ wait:
             };
             atomic {
                if
-               :: /*: Outbox.Put_Position in outbox */ May_Be_Sent ()
+               :: /*: Monitor.Outbox.Put in outbox */ May_Be_Sent ()
                :: skip
                fi;
                Made_Is_Now = false

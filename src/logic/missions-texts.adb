@@ -1,72 +1,36 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Commands;
-
 package body Missions.Texts with SPARK_Mode is
 
    procedure Put_Number
-     (Value  : Millimetres;
-      Ending : Character;
-      Line   : in out Short_Line;
-      Last   : in out Natural)
+     (Line : in out Short_Text; Value : Millimetres; Ending : Character)
    with
-     Pre  => Last in 5 .. 32,
-     Post => Last in Last'Old + 2 .. Last'Old + 9
-       and then (for all I in 1 .. Last'Old => Line (I) = Line'Old (I))
-       and then (for all I in Last'Old + 1 .. Last - 1 =>
-                   Line (I) in '0' .. '9')
-       and then Line (Last) = Ending;
-   --  Appends Value and Ending
-
-   procedure Begin_Line
-     (Label : Commands.Label_Text; Line : out Short_Line; Last : out Natural)
-   with
-     Post => Last = 5
-       and then Begins_With (Line, Label)
-       and then Line (5) = Separator
+     Pre  => Line.Length in 5 .. 32,
+     Post => Line.Length in Line.Length'Old + 2 .. Line.Length'Old + 9
+       and then (for all I in 1 .. Line.Length'Old =>
+                   Line.Data (I) = Line.Data'Old (I))
+       and then (for all I in Line.Length'Old + 1 .. Line.Length - 1 =>
+                   Line.Data (I) in '0' .. '9')
+       and then Line.Data (Line.Length) = Ending
    is
+      --  Appends Value and Ending
    begin
-      Line := (others => ' ');
-      Line (1 .. 4) := Label;
-      Line (5) := Separator;
-      Last := 5;
-   end Begin_Line;
-
-   procedure Format_End
-     (Why      : Ending;
-      Measured : Percent;
-      Line     : out Short_Line;
-      Last     : out Natural)
-   is
-      Text : constant String := Text_Of (Why, Measured);
-   begin
-      Begin_Line (End_Label, Line, Last);
-      Line (Last + 1 .. Last + Text'Length) := Text;
-      Last := Last + Text'Length + 1;
-      Line (Last) := Line_Feed;
-   end Format_End;
-
-   procedure Format_Progress
-     (Leg, Of_Legs : Point_Number;
-      Distance     : Millimetres;
-      Line         : out Short_Line;
-      Last         : out Natural) is
-   begin
-      Begin_Line (Progress_Label, Line, Last);
-      Put_Number (Leg, Field_Separator, Line, Last);
-      Put_Number (Of_Legs, Field_Separator, Line, Last);
-      Put_Number (Distance, Line_Feed, Line, Last);
-   end Format_Progress;
-
-   procedure Put_Number
-     (Value  : Millimetres;
-      Ending : Character;
-      Line   : in out Short_Line;
-      Last   : in out Natural) is
-   begin
-      Numbers.Append (Value, 1, Line, Last);
-      Last := Last + 1;
-      Line (Last) := Ending;
+      Numbers.Append (Value, 1, Line.Data, Line.Length);
+      Line.Length := Line.Length + 1;
+      Line.Data (Line.Length) := Ending;
    end Put_Number;
+
+   function Progress_Line
+     (Leg, Of_Legs : Point_Number; Distance : Millimetres) return Short_Text
+   is
+      Line : Short_Text;
+   begin
+      Line.Data (1 .. 5) := Progress_Label & Separator;
+      Line.Length := 5;
+      Put_Number (Line, Leg, Field_Separator);
+      Put_Number (Line, Of_Legs, Field_Separator);
+      Put_Number (Line, Distance, Line_Feed);
+      return Line;
+   end Progress_Line;
 
 end Missions.Texts;

@@ -50,32 +50,21 @@ package Missions.Texts with SPARK_Mode is
        and then Text_Of'Result'Length in 4 .. Max_Text
        and then (for all C of Text_Of'Result => C in ' ' .. '~');
 
-   procedure Format_Progress
-     (Leg, Of_Legs : Point_Number;
-      Distance     : Millimetres;
-      Line         : out Short_Line;
-      Last         : out Natural)
+   function Progress_Line
+     (Leg, Of_Legs : Point_Number; Distance : Millimetres) return Short_Text
    with
-     Post => Last in 11 .. 32
-       and then Begins_With (Line, Progress_Label)
-       and then Line (5) = Separator
-       and then Line (Last) = Line_Feed
-       and then (for all I in 6 .. Last - 1 =>
-                   Line (I) in '0' .. '9' | Field_Separator);
-   --  MPRG:leg;of;distance and a line feed in Line (1 .. Last); the distance
-   --  to the leg's point
+     Post => Progress_Line'Result.Length in 11 .. 32
+       and then Begins_With (Progress_Line'Result.Data, Progress_Label)
+       and then Progress_Line'Result.Data (5) = Separator
+       and then Progress_Line'Result.Data (Progress_Line'Result.Length) =
+         Line_Feed
+       and then
+         (for all I in 6 .. Progress_Line'Result.Length - 1 =>
+            Progress_Line'Result.Data (I) in '0' .. '9' | Field_Separator);
+   --  MPRG:leg;of;distance; the distance to the leg's point
 
-   procedure Format_End
-     (Why      : Ending;
-      Measured : Percent;
-      Line     : out Short_Line;
-      Last     : out Natural)
-   with
-     Post => Last = Text_Of (Why, Measured)'Length + 6
-       and then Begins_With (Line, End_Label)
-       and then Line (5) = Separator
-       and then Line (6 .. Last - 1) = Text_Of (Why, Measured)
-       and then Line (Last) = Line_Feed;
-   --  MEND:text and a line feed in Line (1 .. Last)
+   function End_Line (Why : Ending; Measured : Percent) return Short_Text is
+     (Short (End_Label & Separator & Text_Of (Why, Measured)));
+   --  MEND:text
 
 end Missions.Texts;

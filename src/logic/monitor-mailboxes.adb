@@ -2,7 +2,7 @@
 
 package body Monitor.Mailboxes with SPARK_Mode is
 
-   use type Monitor.Notice_Queues.Queue;
+   use type Text_Queues.Queue;
 
    procedure Drop_Unsolicited (B : in out Mailbox)
    with
@@ -21,14 +21,9 @@ package body Monitor.Mailboxes with SPARK_Mode is
       and then B.Busy = Before.Busy
       and then B.Answers = Before.Answers
       and then B.Arena = Before.Arena
-      and then B.Lost = Before.Lost
-      and then B.Told = Before.Told
       and then B.First = Before.First
-      and then B.Progress = Before.Progress
-      and then B.Ended = Before.Ended
-      and then B.Battery = Before.Battery
-      and then B.Level = Before.Level
-      and then B.Position = Before.Position
+      and then B.Texts = Before.Texts
+      and then B.Lines = Before.Lines
       and then B.Image = Before.Image
       and then B.Made = Before.Made
       and then B.Last = Before.Last
@@ -65,7 +60,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
      Post => Next_Number (B) = Next_Number (B'Old)
        and then Commands (B) <= Commands (B'Old)
        and then B.Arena = B'Old.Arena
-       and then B.Ended = B'Old.Ended;
+       and then B.Lines = B'Old.Lines;
 
    procedure Begin_Hold
      (B           : in out Mailbox;
@@ -91,12 +86,8 @@ package body Monitor.Mailboxes with SPARK_Mode is
 
    procedure Drop_Unsolicited (B : in out Mailbox) is
    begin
-      B.Lost := False;
-      Monitor.Notice_Queues.Clear (B.Told);
-      B.Progress.Length := 0;
-      B.Ended.Length := 0;
-      B.Battery := False;
-      B.Position.Length := 0;
+      Text_Queues.Clear (B.Texts);
+      B.Lines := (others => No_Line);
       B.Image := False;
       B.Hold.On := False;
       B.Released := False;
@@ -158,34 +149,25 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Put (B, Number, (State => Ready_Text, Line => Line));
    end Put_Answer;
 
-   procedure Put_Battery
+   procedure Put
      (B     : in out Mailbox;
-      Level : Short_Text;
+      Item  : Notice;
       Now   : Time;
       Begun : out Boolean) is
    begin
       Begun := False;
-      if B.Open then
-         B.Battery := True;
-         B.Level := Level;
+      if Is_Wanted (B, Item) then
+         if Item.Kind = User_Text then
+            Text_Queues.Put_Over_Oldest (B.Texts, Item.Line);
+         else
+            B.Lines (Item.Kind) := Item.Line;
+         end if;
+         if Item.Kind = Ending then
+            B.Lines (Progress) := No_Line;
+         end if;
          Begin_Hold (B, False, Now, Begun);
       end if;
-   end Put_Battery;
-
-   procedure Put_End
-     (B      : in out Mailbox;
-      Number : Orders.Ticket;
-      Line   : Short_Text;
-      Now    : Time;
-      Begun  : out Boolean) is
-   begin
-      Begun := False;
-      if Is_Current (B, Number) then
-         B.Ended := Line;
-         B.Progress.Length := 0;
-         Begin_Hold (B, False, Now, Begun);
-      end if;
-   end Put_End;
+   end Put;
 
    procedure Put_Image
      (B     : in out Mailbox;
@@ -202,74 +184,16 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end if;
    end Put_Image;
 
-   procedure Put_Lost
-     (B     : in out Mailbox;
-      Empty : Boolean;
-      Now   : Time;
-      Begun : out Boolean) is
-   begin
-      Begun := False;
-      if B.Open then
-         B.Lost := True;
-         if Empty then
-            Monitor.Notice_Queues.Put_Over_Oldest
-              (B.Told, Monitor.Notices.Robot_Lost_Empty);
-         end if;
-         Begin_Hold (B, False, Now, Begun);
-      end if;
-   end Put_Lost;
-
    procedure Put_No_Answer (B : in out Mailbox; Number : Orders.Ticket) is
    begin
       Put (B, Number, (State => Ready_Nothing, others => <>));
    end Put_No_Answer;
 
-   procedure Put_Notice
-     (B     : in out Mailbox;
-      Told  : Monitor.Notices.Notice;
-      Now   : Time;
-      Begun : out Boolean) is
-   begin
-      Begun := False;
-      if B.Open then
-         Monitor.Notice_Queues.Put_Over_Oldest (B.Told, Told);
-         Begin_Hold (B, False, Now, Begun);
-      end if;
-   end Put_Notice;
-
-   procedure Put_Position
-     (B     : in out Mailbox;
-      Line  : Short_Text;
-      Made  : Generation;
-      Now   : Time;
-      Begun : out Boolean) is
-   begin
-      Begun := False;
-      if B.Open and then Made = B.Made then
-         B.Position := Line;
-         Begin_Hold (B, False, Now, Begun);
-      end if;
-   end Put_Position;
-
-   procedure Put_Progress
-     (B      : in out Mailbox;
-      Number : Orders.Ticket;
-      Line   : Short_Text;
-      Now    : Time;
-      Begun  : out Boolean) is
-   begin
-      Begun := False;
-      if Is_Current (B, Number) and then B.Ended.Length = 0 then
-         B.Progress := Line;
-         Begin_Hold (B, False, Now, Begun);
-      end if;
-   end Put_Progress;
-
    procedure Reserve
      (B      : in out Mailbox;
       Now    : Time;
       Number : out Orders.Ticket;
-      Result : out Place;
+      Result : out Reservation;
       Begun  : out Boolean) is
    begin
       Number := Next_Number (B);
@@ -289,7 +213,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
    begin
       B.Made := B.Made + 1;
       B.Image := False;
-      B.Position.Length := 0;
+      B.Lines (Place) := No_Line;
       End_Quiet_Hold (B);
    end Stop_Images;
 
@@ -303,6 +227,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Left      : out Boolean)
    is
       Chosen : constant Choice := Monitor.Send_Order.Next (Waits (B));
+      Kind   : Newest_Kind;
    begin
       Next := (others => <>);
       Left := B.Busy and then not B.Open;
@@ -323,28 +248,16 @@ package body Monitor.Mailboxes with SPARK_Mode is
             if Next.Is_Image then
                B.Arena := False;
             end if;
-         when Robot_Lost =>
-            Next.Line := Monitor.Protocol.Timed_Out;
-            B.Lost := False;
          when Text       =>
-            Next.Line := Monitor.Notices.Line_Of
-              (Monitor.Notice_Queues.Element_At (B.Told, 1));
-            Monitor.Notice_Queues.Remove_First (B.Told);
-         when Mission    =>
-            if B.Ended.Length > 0 then
-               Next.Line := B.Ended;
-               B.Ended.Length := 0;
-            else
-               Next.Line := B.Progress;
-               B.Progress.Length := 0;
+            Next.Line := Text_Queues.Element_At (B.Texts, 1);
+            Text_Queues.Remove_First (B.Texts);
+         when Robot_Lost | Mission | Battery | Position =>
+            Kind := Kind_Of (B, Next.Kind);
+            Next.Line := B.Lines (Kind);
+            B.Lines (Kind) := No_Line;
+            if Kind = Place then
+               B.Imaged := False;
             end if;
-         when Battery    =>
-            Next.Line := B.Level;
-            B.Battery := False;
-         when Position   =>
-            Next.Line := B.Position;
-            B.Position.Length := 0;
-            B.Imaged := False;
          when Image      =>
             Next.Is_Image := True;
             B.Image := False;

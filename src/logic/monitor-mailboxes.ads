@@ -4,11 +4,11 @@
 --  newest of each kind, except texts. Images are stored elsewhere.
 
 with Ada.Real_Time;
+with Bounded_Queues;
 with Monitor.Answer_Queues;
 with Monitor.Message_Holds;
-with Monitor.Notice_Queues;
 with Monitor.Notices;
-with Monitor.Protocol;
+with Monitor.Protocol;   use Monitor.Protocol;
 with Monitor.Send_Order; use Monitor.Send_Order;
 with Orders;
 
@@ -19,14 +19,36 @@ package Monitor.Mailboxes with SPARK_Mode is
    use type Ada.Real_Time.Time;
    use all type Monitor.Answer_Queues.Queue;
    use all type Monitor.Answer_Queues.State_Kind;
-   use type Monitor.Protocol.Short_Text;
    use type Orders.Ticket;
 
-   subtype Short_Text is Monitor.Protocol.Short_Text;
    subtype Time is Ada.Real_Time.Time;
 
    type Generation is mod 2 ** 32;
    --  Of periodic images: an image of an older generation is not sent
+
+   type Notice_Kind is (User_Text, Lost, Progress, Ending, Level, Place);
+   --  Of the robot: lost (F9), the battery's level, its place in an image. Of
+   --  a mission: progress and end
+
+   subtype Newest_Kind is Notice_Kind range Lost .. Place;
+   --  A newer one replaces one that still waits
+
+   type Notice is record
+      Kind   : Notice_Kind := User_Text;
+      Line   : Short_Text;
+      Number : Orders.Ticket := 0;
+      --  of Progress and Ending: the command that asked for the mission
+      Made   : Generation := 0;
+      --  of Place: that of its image
+   end record;
+   --  An unsolicited message without an image
+
+   function Told (Item : Monitor.Notices.Notice) return Notice is
+     ((User_Text, Monitor.Notices.Line_Of (Item), others => <>));
+
+   type Line_Array is array (Newest_Kind) of Short_Text;
+
+   package Text_Queues is new Bounded_Queues (Short_Text, 8);
 
    type Mailbox is record
       Open     : Boolean := False;
@@ -36,16 +58,11 @@ package Monitor.Mailboxes with SPARK_Mode is
       Answers  : Monitor.Answer_Queues.Queue;
       Arena    : Boolean := False;
       --  the image that answers an arena request waits
-      Lost     : Boolean := False;
-      Told     : Monitor.Notice_Queues.Queue;
       First    : Orders.Ticket := 0;
       --  no command of this session has a lower number
-      Progress : Short_Text;
-      Ended    : Short_Text;
-      --  progress and end of a mission
-      Battery  : Boolean := False;
-      Level    : Short_Text;
-      Position : Short_Text;
+      Texts    : Text_Queues.Queue;
+      Lines    : Line_Array;
+      --  No_Line: none waits
       Image    : Boolean := False;
       Made     : Generation := 0;
       Hold     : Monitor.Message_Holds.Hold;
@@ -89,24 +106,41 @@ package Monitor.Mailboxes with SPARK_Mode is
    with Pre => Commands (B) > 0;
    --  The next answer to be sent, which may not be available yet
 
-   function Mission_Waits (B : Mailbox) return Boolean is
-     (B.Ended.Length > 0 or else B.Progress.Length > 0);
+   function Is_Waiting (B : Mailbox; Kind : Newest_Kind) return Boolean is
+     (B.Lines (Kind).Length > 0);
 
-   function Is_Current (B : Mailbox; Number : Orders.Ticket) return Boolean is
-     (B.Open and then Number >= B.First);
-   --  The command is one of this session
+   function Is_Wanted (B : Mailbox; Item : Notice) return Boolean is
+     (B.Open
+      and then
+        (case Item.Kind is
+            when Progress =>
+              Item.Number >= B.First and then not Is_Waiting (B, Ending),
+            when Ending   => Item.Number >= B.First,
+            when Place    => Item.Made = B.Made,
+            when others   => True));
+   --  Not without a session, nor from an earlier one or of an image of
+   --  another generation; and no progress after the end
+
+   function Kind_Of (B : Mailbox; Chosen : Unsolicited) return Newest_Kind is
+     (case Chosen is
+         when Robot_Lost => Lost,
+         when Mission    =>
+           (if Is_Waiting (B, Ending) then Ending else Progress),
+         when Battery    => Level,
+         when others     => Place);
 
    function Waits (B : Mailbox) return Waiting is
      ((Open     => B.Open,
        Commands => Commands (B) > 0,
        Ready    => First_Is_Ready (B.Answers),
-       Messages => (Robot_Lost                  => B.Lost,
-                    Text                        =>
-                      Monitor.Notice_Queues.Length (B.Told) > 0,
-                    Mission                     => Mission_Waits (B),
-                    Monitor.Send_Order.Battery  => B.Battery,
-                    Monitor.Send_Order.Position => B.Position.Length > 0,
-                    Monitor.Send_Order.Image    => B.Image),
+       Messages =>
+         (Robot_Lost => Is_Waiting (B, Lost),
+          Text       => Text_Queues.Length (B.Texts) > 0,
+          Mission    =>
+            Is_Waiting (B, Ending) or else Is_Waiting (B, Progress),
+          Battery    => Is_Waiting (B, Level),
+          Position   => Is_Waiting (B, Place),
+          Image      => B.Image),
        Released => B.Released,
        Last     => B.Last,
        Imaged   => B.Imaged))
@@ -144,13 +178,13 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    --  The answers
 
-   type Place is (Reserved, Full, Closed);
+   type Reservation is (Reserved, Full, Closed);
 
    procedure Reserve
      (B      : in out Mailbox;
       Now    : Time;
       Number : out Orders.Ticket;
-      Result : out Place;
+      Result : out Reservation;
       Begun  : out Boolean)
    with
      Post => Number = Next_Number (B'Old)
@@ -159,7 +193,7 @@ package Monitor.Mailboxes with SPARK_Mode is
           elsif Commands (B'Old) = Orders.Capacity then Full
           else Reserved)
        and then B.Open = B'Old.Open
-       and then B.Ended = B'Old.Ended
+       and then B.Lines = B'Old.Lines
        and then
          (if Result = Reserved then
              Commands (B) = Commands (B'Old) + 1
@@ -174,7 +208,7 @@ package Monitor.Mailboxes with SPARK_Mode is
      Post => Next_Number (B) = Next_Number (B'Old)
        and then Commands (B) <= Commands (B'Old)
        and then B.Arena = B'Old.Arena
-       and then B.Ended = B'Old.Ended;
+       and then B.Lines = B'Old.Lines;
    --  The answer to a command; no effect if its session has ended
 
    procedure Put_No_Answer (B : in out Mailbox; Number : Orders.Ticket)
@@ -182,7 +216,7 @@ package Monitor.Mailboxes with SPARK_Mode is
      Post => Next_Number (B) = Next_Number (B'Old)
        and then Commands (B) <= Commands (B'Old)
        and then B.Arena = B'Old.Arena
-       and then B.Ended = B'Old.Ended;
+       and then B.Lines = B'Old.Lines;
    --  The command needs no answer, but later ones may wait for it
 
    procedure Put_Arena
@@ -196,79 +230,33 @@ package Monitor.Mailboxes with SPARK_Mode is
        and then Kept =
          (Holds (B'Old, Number) and then not B'Old.Arena)
        and then B.Arena = (B'Old.Arena or else Kept)
-       and then B.Ended = B'Old.Ended;
+       and then B.Lines = B'Old.Lines;
    --  The image that answers an arena request. Not accepted while the one
    --  before waits; not kept if its session has ended
 
-   --  Unsolicited messages; without a session none is kept
+   --  Unsolicited messages
 
-   procedure Put_Lost
+   procedure Put
      (B     : in out Mailbox;
-      Empty : Boolean;
+      Item  : Notice;
       Now   : Time;
       Begun : out Boolean)
-   with Post => B.Lost = (B'Old.Lost or else B.Open)
-     and then B.Open = B'Old.Open
-     and then B.Ended = B'Old.Ended;
-   --  The robot is lost (F9). Empty: its battery was, which the user is told
-
-   procedure Put_Notice
-     (B     : in out Mailbox;
-      Told  : Monitor.Notices.Notice;
-      Now   : Time;
-      Begun : out Boolean)
-   with Post => B.Open = B'Old.Open
-     and then B.Ended = B'Old.Ended
-     and then (if B.Open then Monitor.Notice_Queues.Length (B.Told) > 0);
-   --  If there is no room, the oldest is dropped
-
-   procedure Put_Progress
-     (B      : in out Mailbox;
-      Number : Orders.Ticket;
-      Line   : Short_Text;
-      Now    : Time;
-      Begun  : out Boolean)
-   with Post => B.Open = B'Old.Open
-     and then B.Ended = B'Old.Ended
-     and then B.Progress =
-       (if Is_Current (B, Number) and then B.Ended.Length = 0 then Line
-        else B'Old.Progress);
-   --  Of the mission that was asked for by the command Number
-
-   procedure Put_End
-     (B      : in out Mailbox;
-      Number : Orders.Ticket;
-      Line   : Short_Text;
-      Now    : Time;
-      Begun  : out Boolean)
-   with Post => B.Open = B'Old.Open
-     and then
-       (if Is_Current (B, Number) then
-           B.Ended = Line and then B.Progress.Length = 0
-        else B.Ended = B'Old.Ended and then B.Progress = B'Old.Progress);
-   --  The same for its end, which stays until it is taken or the session ends.
-   --  Progress that still waits is dropped
-
-   procedure Put_Battery
-     (B     : in out Mailbox;
-      Level : Short_Text;
-      Now   : Time;
-      Begun : out Boolean)
-   with Post => B.Open = B'Old.Open
-     and then B.Ended = B'Old.Ended
-     and then (if B.Open then B.Battery and then B.Level = Level);
-
-   procedure Put_Position
-     (B     : in out Mailbox;
-      Line  : Short_Text;
-      Made  : Generation;
-      Now   : Time;
-      Begun : out Boolean)
-   with Post => B.Open = B'Old.Open
-     and then B.Ended = B'Old.Ended
-     and then B.Made = B'Old.Made
-     and then B.Position =
-       (if B.Open and then Made = B.Made then Line else B'Old.Position);
+   with
+     Post => B.Open = B'Old.Open
+       and then B.Made = B'Old.Made
+       and then
+         (if Is_Wanted (B'Old, Item) and then Item.Kind = User_Text then
+             Text_Queues.Element_At (B.Texts, Text_Queues.Length (B.Texts)) =
+               Item.Line)
+       and then
+         (for all Kind in Newest_Kind =>
+            B.Lines (Kind) =
+              (if not Is_Wanted (B'Old, Item) then B'Old.Lines (Kind)
+               elsif Kind = Item.Kind then Item.Line
+               elsif Kind = Progress and then Item.Kind = Ending then No_Line
+               else B'Old.Lines (Kind)));
+   --  No effect where it is not wanted. If there is no room for a text, the
+   --  oldest is dropped
 
    procedure Put_Image
      (B     : in out Mailbox;
@@ -276,18 +264,21 @@ package Monitor.Mailboxes with SPARK_Mode is
       Now   : Time;
       Kept  : out Boolean;
       Begun : out Boolean)
-   with Post => B.Open = B'Old.Open
-     and then B.Ended = B'Old.Ended
-     and then B.Made = B'Old.Made
-     and then Kept = (B.Open and then Made = B.Made)
-     and then B.Image = (B'Old.Image or else Kept);
+   with
+     Post => B.Open = B'Old.Open
+       and then B.Lines = B'Old.Lines
+       and then B.Made = B'Old.Made
+       and then Kept = (B.Open and then Made = B.Made)
+       and then B.Image = (B'Old.Image or else Kept);
    --  Kept: it replaces an image that still waits
 
    procedure Stop_Images (B : in out Mailbox)
-   with Post => B.Made = B'Old.Made + 1
-     and then B.Ended = B'Old.Ended
-     and then not B.Image
-     and then B.Position.Length = 0;
+   with
+     Post => B.Made = B'Old.Made + 1
+       and then not B.Image
+       and then (for all Kind in Newest_Kind =>
+                   B.Lines (Kind) =
+                     (if Kind = Place then No_Line else B'Old.Lines (Kind)));
    --  Begins a new generation and drops the waiting image of the older one
 
    --  The sending
@@ -315,43 +306,30 @@ package Monitor.Mailboxes with SPARK_Mode is
        and then B.Busy = (Next.Kind /= Nothing)
        and then Next.Unsent = B.Busy
        and then B.Open = B'Old.Open
-       and then (if Next.Kind /= Mission then B.Ended = B'Old.Ended)
        and then
          (case Next.Kind is
              when Nothing    => not Next.Is_Image,
              when Answer     =>
                (if First (B'Old).State = Ready_Text then
-                   not Next.Is_Image
-                   and then Next.Line = First (B'Old).Line)
+                   Next.Line = First (B'Old).Line)
                and then Next.Is_Image =
                  (First (B'Old).State = Ready_Image)
                and then (if Next.Is_Image then not B.Arena)
                and then Commands (B) < Commands (B'Old),
-             when Robot_Lost =>
-               Next.Line = Monitor.Protocol.Timed_Out
-               and then not Next.Is_Image
-               and then not B.Lost,
              when Text       =>
-               Next.Line = Monitor.Notices.Line_Of
-                 (Monitor.Notice_Queues.Element_At (B'Old.Told, 1))
+               Next.Line = Text_Queues.Element_At (B'Old.Texts, 1)
                and then not Next.Is_Image,
-             when Mission    =>
-               Next.Line =
-                 (if B'Old.Ended.Length > 0 then B'Old.Ended
-                  else B'Old.Progress)
-               and then not Next.Is_Image
-               and then B.Ended.Length = 0
-               and then (if B'Old.Ended.Length = 0 then
-                            B.Progress.Length = 0),
-             when Battery    =>
-               Next.Line = B'Old.Level
-               and then not Next.Is_Image
-               and then not B.Battery,
-             when Position   =>
-               Next.Line = B'Old.Position
-               and then not Next.Is_Image
-               and then B.Position.Length = 0,
-             when Image      => Next.Is_Image and then not B.Image);
+             when Robot_Lost | Mission | Battery | Position =>
+               Next.Line = B'Old.Lines (Kind_Of (B'Old, Next.Kind))
+               and then not Next.Is_Image,
+             when Image      => Next.Is_Image and then not B.Image)
+       and then
+         (for all Kind in Newest_Kind =>
+            B.Lines (Kind) =
+              (if Next.Kind in Robot_Lost | Mission | Battery | Position
+                 and then Kind = Kind_Of (B'Old, Next.Kind)
+               then No_Line
+               else B'Old.Lines (Kind)));
    --  The message taken before has been sent, or could not be. Takes the most
    --  urgent message that may be sent now, if any: Gap after the last one,
    --  which was sent at Last_Sent. Left: the session of the message before has
@@ -370,7 +348,7 @@ package Monitor.Mailboxes with SPARK_Mode is
         or else (B.Hold.On
                  and then Now >= Monitor.Message_Holds.Ending (B.Hold)))
        and then B.Hold.On = B'Old.Hold.On
-       and then B.Ended = B'Old.Ended;
+       and then B.Lines = B'Old.Lines;
    --  Ends the hold if its time has come
 
 end Monitor.Mailboxes;

@@ -278,7 +278,9 @@ package Monitor.Protocol with SPARK_Mode is
       Length : Natural range 0 .. Max_Short_Line := 0;
    end record;
    --  A message without an image, as it is sent: the first Length characters
-   --  of Data. Length 0: none
+   --  of Data.
+
+   No_Line : constant Short_Text := (others => <>);
 
    function Short (Text : String) return Short_Text is
      ((Data   => Text & Line_Feed & (Text'Length + 2 .. Max_Short_Line => ' '),

@@ -10,7 +10,7 @@ with Trace;
 
 package body Monitor.Outbox with SPARK_Mode is
 
-   use type Monitor.Mailboxes.Place;
+   use type Monitor.Mailboxes.Reservation;
    use type Monitor.Send_Order.Choice;
 
    subtype Message_Access is Monitor.Image_Messages.Message_Access;
@@ -40,7 +40,7 @@ package body Monitor.Outbox with SPARK_Mode is
       procedure Reserve
         (Now    : Time;
          Number : out Orders.Ticket;
-         Result : out Monitor.Mailboxes.Place;
+         Result : out Monitor.Mailboxes.Reservation;
          Begun  : out Boolean);
       --  Begun, here and below: unsolicited messages begin to be held back
       procedure Answer
@@ -50,31 +50,12 @@ package body Monitor.Outbox with SPARK_Mode is
         (Number   : Orders.Ticket;
          Message  : in out Message_Access;
          Accepted : out Boolean);
-      procedure Put_Lost
-        (Empty : Boolean; Now : Time; Begun : out Boolean);
-      procedure Put_Notice
-        (Told : Monitor.Notices.Notice; Now : Time; Begun : out Boolean);
-      procedure Put_Progress
-        (Number : Orders.Ticket;
-         Line   : Monitor.Protocol.Short_Text;
-         Now    : Time;
-         Begun  : out Boolean);
-      procedure Put_End
-        (Number : Orders.Ticket;
-         Line   : Monitor.Protocol.Short_Text;
-         Now    : Time;
-         Begun  : out Boolean);
+      procedure Put
+        (Item  : Monitor.Mailboxes.Notice;
+         Now   : Time;
+         Begun : out Boolean);
       procedure Get_End_Waits (Waits : out Boolean);
-      procedure Put_Battery
-        (Line  : Monitor.Protocol.Short_Text;
-         Now   : Time;
-         Begun : out Boolean);
       procedure Get_Generation (Current : out Monitor.Mailboxes.Generation);
-      procedure Put_Position
-        (Line  : Monitor.Protocol.Short_Text;
-         Made  : Monitor.Mailboxes.Generation;
-         Now   : Time;
-         Begun : out Boolean);
       procedure Put_Image
         (Message : in out Message_Access;
          Made    : Monitor.Mailboxes.Generation;
@@ -125,7 +106,7 @@ package body Monitor.Outbox with SPARK_Mode is
       procedure Reserve
         (Now    : Time;
          Number : out Orders.Ticket;
-         Result : out Monitor.Mailboxes.Place;
+         Result : out Monitor.Mailboxes.Reservation;
          Begun  : out Boolean) is
       begin
          Monitor.Mailboxes.Reserve (Mail, Now, Number, Result, Begun);
@@ -155,62 +136,24 @@ package body Monitor.Outbox with SPARK_Mode is
          end if;
       end Answer_With_Image;
 
-      procedure Put_Lost
-        (Empty : Boolean; Now : Time; Begun : out Boolean) is
-      begin
-         Monitor.Mailboxes.Put_Lost (Mail, Empty, Now, Begun);
-      end Put_Lost;
-
-      procedure Put_Notice
-        (Told : Monitor.Notices.Notice; Now : Time; Begun : out Boolean) is
-      begin
-         Monitor.Mailboxes.Put_Notice (Mail, Told, Now, Begun);
-      end Put_Notice;
-
-      procedure Put_Progress
-        (Number : Orders.Ticket;
-         Line   : Monitor.Protocol.Short_Text;
-         Now    : Time;
-         Begun  : out Boolean) is
-      begin
-         Monitor.Mailboxes.Put_Progress (Mail, Number, Line, Now, Begun);
-      end Put_Progress;
-
-      procedure Put_End
-        (Number : Orders.Ticket;
-         Line   : Monitor.Protocol.Short_Text;
-         Now    : Time;
-         Begun  : out Boolean) is
-      begin
-         Monitor.Mailboxes.Put_End (Mail, Number, Line, Now, Begun);
-      end Put_End;
-
-      procedure Get_End_Waits (Waits : out Boolean) is
-      begin
-         Waits := Mail.Ended.Length > 0;
-      end Get_End_Waits;
-
-      procedure Put_Battery
-        (Line  : Monitor.Protocol.Short_Text;
+      procedure Put
+        (Item  : Monitor.Mailboxes.Notice;
          Now   : Time;
          Begun : out Boolean) is
       begin
-         Monitor.Mailboxes.Put_Battery (Mail, Line, Now, Begun);
-      end Put_Battery;
+         Monitor.Mailboxes.Put (Mail, Item, Now, Begun);
+      end Put;
+
+      procedure Get_End_Waits (Waits : out Boolean) is
+      begin
+         Waits :=
+           Monitor.Mailboxes.Is_Waiting (Mail, Monitor.Mailboxes.Ending);
+      end Get_End_Waits;
 
       procedure Get_Generation (Current : out Monitor.Mailboxes.Generation) is
       begin
          Current := Mail.Made;
       end Get_Generation;
-
-      procedure Put_Position
-        (Line  : Monitor.Protocol.Short_Text;
-         Made  : Monitor.Mailboxes.Generation;
-         Now   : Time;
-         Begun : out Boolean) is
-      begin
-         Monitor.Mailboxes.Put_Position (Mail, Line, Made, Now, Begun);
-      end Put_Position;
 
       procedure Put_Image
         (Message : in out Message_Access;
@@ -359,28 +302,13 @@ package body Monitor.Outbox with SPARK_Mode is
       Box.Open_Session;
    end Open_Session;
 
-   procedure Put_Battery (Line : Monitor.Protocol.Short_Text) is
+   procedure Put (Item : Monitor.Mailboxes.Notice) is
       Now   : constant Time := Clock;
       Begun : Boolean;
    begin
-      Box.Put_Battery (Line, Now, Begun);
+      Box.Put (Item, Now, Begun);
       Wake (Begun);
-   end Put_Battery;
-
-   procedure Put_End
-     (Number   : Orders.Ticket;
-      Why      : Missions.Ending;
-      Measured : Missions.Percent := 0)
-   is
-      Now   : constant Time := Clock;
-      Line  : Monitor.Protocol.Short_Text;
-      Begun : Boolean;
-   begin
-      Missions.Texts.Format_End
-        (Why, Measured, Line.Data, Line.Length);
-      Box.Put_End (Number, Line, Now, Begun);
-      Wake (Begun);
-   end Put_End;
+   end Put;
 
    procedure Put_Image
      (Message : in out Message_Access; Made : Monitor.Mailboxes.Generation)
@@ -392,49 +320,8 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake (Begun);
    end Put_Image;
 
-   procedure Put_Notice (Told : Monitor.Notices.Notice) is
-      Now   : constant Time := Clock;
-      Begun : Boolean;
-   begin
-      Box.Put_Notice (Told, Now, Begun);
-      Wake (Begun);
-   end Put_Notice;
-
-   procedure Put_Position
-     (Line : Monitor.Protocol.Short_Text; Made : Monitor.Mailboxes.Generation)
-   is
-      Now   : constant Time := Clock;
-      Begun : Boolean;
-   begin
-      Box.Put_Position (Line, Made, Now, Begun);
-      Wake (Begun);
-   end Put_Position;
-
-   procedure Put_Progress
-     (Number       : Orders.Ticket;
-      Leg, Of_Legs : Missions.Point_Number;
-      Distance     : Missions.Texts.Millimetres)
-   is
-      Now   : constant Time := Clock;
-      Line  : Monitor.Protocol.Short_Text;
-      Begun : Boolean;
-   begin
-      Missions.Texts.Format_Progress
-        (Leg, Of_Legs, Distance, Line.Data, Line.Length);
-      Box.Put_Progress (Number, Line, Now, Begun);
-      Wake (Begun);
-   end Put_Progress;
-
-   procedure Put_Robot_Lost (Empty : Boolean) is
-      Now   : constant Time := Clock;
-      Begun : Boolean;
-   begin
-      Box.Put_Lost (Empty, Now, Begun);
-      Wake (Begun);
-   end Put_Robot_Lost;
-
    procedure Reserve (Order : in out Orders.Order) is
-      Result : Monitor.Mailboxes.Place;
+      Result : Monitor.Mailboxes.Reservation;
       Now    : Time;
       Begun  : Boolean;
    begin

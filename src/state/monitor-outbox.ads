@@ -3,10 +3,8 @@
 --  Monitor.Mailboxes decides what is sent when.
 
 with Ada.Real_Time;
-with Missions.Texts;
 with Monitor.Image_Messages;
 with Monitor.Mailboxes;
-with Monitor.Notices;
 with Monitor.Protocol;
 with Monitor.Send_Order;
 with Orders;
@@ -68,42 +66,17 @@ package Monitor.Outbox with SPARK_Mode is
    -- Unsolicited messages --
    --------------------------
 
-   procedure Put_Robot_Lost (Empty : Boolean)
+   procedure Put (Item : Monitor.Mailboxes.Notice)
    with Annotate => (GNATprove, Terminating);
-   --  ATIM, unsolicited (F9), and MSSG if its battery was Empty
-
-   procedure Put_Notice (Told : Monitor.Notices.Notice)
-   with Annotate => (GNATprove, Terminating);
-   --  MSSG. Up to eight wait; then the oldest is dropped
-
-   procedure Put_Progress
-     (Number       : Orders.Ticket;
-      Leg, Of_Legs : Missions.Point_Number;
-      Distance     : Missions.Texts.Millimetres)
-   with Annotate => (GNATprove, Terminating);
-   --  MPRG: progress of the mission that was asked for by the command Number;
-   --  dropped if its session has ended. Replaces progress that still waits
-
-   procedure Put_End
-     (Number   : Orders.Ticket;
-      Why      : Missions.Ending;
-      Measured : Missions.Percent := 0)
-   with Annotate => (GNATprove, Terminating);
-   --  MEND: the same for its end. Drops progress that still waits. Waits until
-   --  it is sent or the session ends; there must be none that still waits
+   --  Up to eight texts wait; then the oldest is dropped. A newer message of
+   --  any other kind replaces one that still waits, and the end of a mission
+   --  its progress. Dropped if its session has ended
 
    procedure Get_End_Waits (Waits : out Boolean)
    with Annotate => (GNATprove, Terminating);
    --  The end of a mission has not been sent yet
 
-   procedure Put_Battery (Line : Monitor.Protocol.Short_Text)
-   with Annotate => (GNATprove, Terminating);
-
    procedure Get_Generation (Current : out Monitor.Mailboxes.Generation)
-   with Annotate => (GNATprove, Terminating);
-
-   procedure Put_Position
-     (Line : Monitor.Protocol.Short_Text; Made : Monitor.Mailboxes.Generation)
    with Annotate => (GNATprove, Terminating);
 
    procedure Put_Image

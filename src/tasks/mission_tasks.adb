@@ -8,6 +8,7 @@ with Missions.Grounds;
 with Missions.Requests;
 with Missions.Runs;    use Missions.Runs;
 with Missions.Texts;
+with Monitor.Mailboxes;
 with Monitor.Notices;
 with Monitor.Outbox;
 with Monitor.Protocol;
@@ -82,7 +83,8 @@ package body Mission_Tasks with SPARK_Mode is
       if not Possible then
          Missions.Requests.Release;
          Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Not_Done);
-         Monitor.Outbox.Put_Notice (Monitor.Notices.Notice_Of (Why));
+         Monitor.Outbox.Put
+           (Monitor.Mailboxes.Told (Monitor.Notices.Notice_Of (Why)));
          return;
       end if;
       Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Acknowledged);
@@ -93,8 +95,12 @@ package body Mission_Tasks with SPARK_Mode is
       Drive (M);
       Vision.Sightings.Watch (False);
       Missions.Requests.Release;
-      Monitor.Outbox.Put_End
-        (M.Order.Number, Ended_By (M.Run), Measured (M.Run));
+      Monitor.Outbox.Put
+        ((Kind   => Monitor.Mailboxes.Ending,
+          Line   => Missions.Texts.End_Line
+             (Ended_By (M.Run), Measured (M.Run)),
+          Number => M.Order.Number,
+          others => <>));
       Journal.Put
         (Options.Info,
          "mission ended: "
@@ -108,9 +114,13 @@ package body Mission_Tasks with SPARK_Mode is
         or else Now >= Last.At_Time + Schedule.Progress_Interval
       then
          Last := (Leg (M.Run), Now);
-         Monitor.Outbox.Put_Progress
-           (M.Order.Number, Leg (M.Run), Legs (M.Run),
-            Natural (Micrometres'Max (0, Distance (M.Run)) / 1_000));
+         Monitor.Outbox.Put
+           ((Kind   => Monitor.Mailboxes.Progress,
+             Line   => Missions.Texts.Progress_Line
+               (Leg (M.Run), Legs (M.Run),
+                Natural (Micrometres'Max (0, Distance (M.Run)) / 1_000)),
+             Number => M.Order.Number,
+             others => <>));
       end if;
    end Tell_Progress;
 

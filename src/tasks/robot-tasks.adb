@@ -2,6 +2,7 @@
 
 with Ada.Real_Time;     use Ada.Real_Time;
 with Journal;
+with Monitor.Mailboxes;
 with Monitor.Notices;
 with Monitor.Outbox;
 with Monitor.Protocol;
@@ -54,7 +55,8 @@ package body Robot.Tasks with SPARK_Mode is
             Journal.Put
               (Options.Warning,
                Monitor.Notices.Text_Of (Monitor.Notices.Robot_Not_Running));
-            Monitor.Outbox.Put_Notice (Monitor.Notices.Robot_Not_Running);
+            Monitor.Outbox.Put
+              (Monitor.Mailboxes.Told (Monitor.Notices.Robot_Not_Running));
          when Robot_Lost =>
             Robot.Serial_Line.Get_Gone (Gone);
             Journal.Put
@@ -65,7 +67,14 @@ package body Robot.Tasks with SPARK_Mode is
                    Monitor.Notices.Text_Of (Monitor.Notices.Robot_Lost_Empty)
                 else "robot lost: four failures in a row, its line is "
                   & "closed"));
-            Monitor.Outbox.Put_Robot_Lost (Empty);
+            Monitor.Outbox.Put
+              ((Kind   => Monitor.Mailboxes.Lost,
+                Line   => Monitor.Protocol.Timed_Out,
+                others => <>));
+            if Empty then
+               Monitor.Outbox.Put
+                 (Monitor.Mailboxes.Told (Monitor.Notices.Robot_Lost_Empty));
+            end if;
       end case;
    end Tell_Of;
 
@@ -245,8 +254,10 @@ package body Robot.Tasks with SPARK_Mode is
                  ((Kind => Get_Battery, others => <>), Result);
                Robot.Line.Get_Status (Now);
                if Same_Run (Now, Begun) then
-                  Monitor.Outbox.Put_Battery
-                    (Monitor.Protocol.Battery_Notice (Result));
+                  Monitor.Outbox.Put
+                    ((Kind   => Monitor.Mailboxes.Level,
+                      Line   => Monitor.Protocol.Battery_Notice (Result),
+                      others => <>));
                end if;
             end if;
             Next := Next + Schedule.Battery_Period;

@@ -183,7 +183,7 @@ package body Vision.Tasks with SPARK_Mode is
          Vision.Camera_Requests.Close;
          Vision.Frame_Store.End_Delivery;
          Journal.Put (Options.Error, Monitor.Notices.Text_Of (Why));
-         Monitor.Outbox.Put_Notice (Why);
+         Monitor.Outbox.Put (Monitor.Mailboxes.Told (Why));
       end if;
    end Camera_Failed;
 
@@ -321,7 +321,11 @@ package body Vision.Tasks with SPARK_Mode is
                      Monitor.Positions.Format
                        (Vision.Image_Cycle.Position_Of (Robots, Count),
                         Line.Data, Line.Length);
-                     Monitor.Outbox.Put_Position (Line, Made);
+                     Monitor.Outbox.Put
+                       ((Kind   => Monitor.Mailboxes.Place,
+                         Line   => Line,
+                         Made   => Made,
+                         others => <>));
                   end if;
                end if;
             end if;

@@ -85,25 +85,13 @@ package body Mailboxes_Tests is
    function Place return Ticket is
       --  Of the next command.
       Number : Ticket;
-      Result : Monitor.Mailboxes.Place;
+      Result : Reservation;
       Begun  : Boolean;
    begin
       Reserve (B, Now, Number, Result, Begun);
       Assert (Result = Reserved, "reserved");
       return Number;
    end Place;
-
-   procedure Put_Battery is
-      Begun : Boolean;
-   begin
-      Put_Battery (B, Short ("RBLV:2"), Now, Begun);
-   end Put_Battery;
-
-   procedure Put_End (Number : Ticket; Text : String) is
-      Begun : Boolean;
-   begin
-      Put_End (B, Number, Short (Text), Now, Begun);
-   end Put_End;
 
    procedure Put_Image is
       Kept, Begun : Boolean;
@@ -112,16 +100,27 @@ package body Mailboxes_Tests is
       Assert (Kept, "the image is kept");
    end Put_Image;
 
-   procedure Put_Position (Text : String) is
+   procedure Put
+     (Kind : Notice_Kind; Text : String; Number : Ticket := 0)
+   is
       Begun : Boolean;
    begin
-      Put_Position (B, Short (Text), B.Made, Now, Begun);
-   end Put_Position;
+      Put (B, (Kind, Short (Text), Number, B.Made), Now, Begun);
+   end Put;
+
+   procedure Put_Battery is
+   begin
+      Put (Level, "RBLV:2");
+   end Put_Battery;
+
+   procedure Put_End (Number : Ticket; Text : String) is
+   begin
+      Put (Ending, Text, Number);
+   end Put_End;
 
    procedure Put_Progress (Number : Ticket; Text : String) is
-      Begun : Boolean;
    begin
-      Put_Progress (B, Number, Short (Text), Now, Begun);
+      Put (Progress, Text, Number);
    end Put_Progress;
 
    procedure Test_Arena is
@@ -146,7 +145,7 @@ package body Mailboxes_Tests is
    procedure Test_Full is
       First  : Ticket;
       Number : Ticket;
-      Result : Monitor.Mailboxes.Place;
+      Result : Reservation;
       Begun  : Boolean;
    begin
       Begin_Anew;
@@ -165,13 +164,13 @@ package body Mailboxes_Tests is
    procedure Test_Gap is
    begin
       Begin_Anew;
-      Put_Position ("CPOS:one");
+      Put (Monitor.Mailboxes.Place, "CPOS:one");
       Put_Image;
       Check_Gap (0);
       Check (Image, Kept => 0);
       Check_Gap (20);
       Put_Image;
-      Put_Position ("CPOS:two");
+      Put (Monitor.Mailboxes.Place, "CPOS:two");
       Check (Nothing, Kept => 19);
       Check (Position, "CPOS:two");
       Answer (Place);
@@ -269,7 +268,7 @@ package body Mailboxes_Tests is
       Put_Progress (Number, "MPRG:2;2;100");
       Put_End (Number, "MEND:done");
       Put_Progress (Number, "MPRG:2;2;90");
-      Put_Position ("CPOS:one");
+      Put (Monitor.Mailboxes.Place, "CPOS:one");
       Put_Image;
       Stop_Images (B);
       Put_Image;
@@ -296,13 +295,14 @@ package body Mailboxes_Tests is
       Begin_Anew;
       Put_Image;
       Put_Image;
-      Put_Notice (B, Monitor.Notices.Camera_Ended, Now, Begun);
-      Put_Lost (B, True, Now, Begun);
+      Put (B, Told (Monitor.Notices.Camera_Ended), Now, Begun);
+      Put (Lost, "ATIM");
+      Put (B, Told (Monitor.Notices.Robot_Lost_Empty), Now, Begun);
       Check (Robot_Lost, "ATIM");
       Check (Text, "MSSG:camera closed: it delivers no images any more");
       Check (Text, "MSSG:robot lost: its battery was empty, it may be off: "
                    & "charge it");
-      Put_Lost (B, False, Now, Begun);
+      Put (Lost, "ATIM");
       Check (Robot_Lost, "ATIM");
       Check (Image);
       Check (Nothing);

@@ -10,24 +10,16 @@ with Unit_Runs; use Unit_Runs;
 
 package body Missions_Texts_Tests is
 
+   function Text_Of (Line : Short_Text) return String is
+     (Line.Data (1 .. Line.Length));
+
    function End_Line (Why : Ending; Measured : Percent) return String is
-      Line : Short_Line;
-      Last : Natural;
-   begin
-      Texts.Format_End (Why, Measured, Line, Last);
-      return Line (1 .. Last);
-   end End_Line;
+     (Text_Of (Texts.End_Line (Why, Measured)));
 
    function Progress
      (Leg, Of_Legs : Point_Number; Distance : Texts.Millimetres)
      return String
-   is
-      Line : Short_Line;
-      Last : Natural;
-   begin
-      Texts.Format_Progress (Leg, Of_Legs, Distance, Line, Last);
-      return Line (1 .. Last);
-   end Progress;
+   is (Text_Of (Texts.Progress_Line (Leg, Of_Legs, Distance)));
 
    procedure Test_Ends is
 

@@ -5,7 +5,6 @@ with Ada.Real_Time;          use Ada.Real_Time;
 
 with AUnit.Assertions;       use AUnit.Assertions;
 
-with Missions;
 with Monitor.Image_Messages; use Monitor.Image_Messages;
 with Monitor.Mailboxes;
 with Monitor.Outbox;
@@ -70,7 +69,8 @@ package body Outbox_Tests is
       Monitor.Outbox.Reserve (Second);
       Assert (First.Owed and then Second.Owed, "both are owed");
       Assert (Second.Number = First.Number + 1, "numbers in a row");
-      Monitor.Outbox.Put_Battery (Short ("RBLV:2"));
+      Monitor.Outbox.Put
+        ((Monitor.Mailboxes.Level, Short ("RBLV:2"), others => <>));
       Monitor.Outbox.Wait_Held;
       Monitor.Outbox.Get_Hold_End (Any, At_Time);
       Assert (Any and then At_Time > Clock, "held back");
@@ -145,16 +145,24 @@ package body Outbox_Tests is
       end Check_Waits;
 
       Item : Order;
+
+      procedure Put (Kind : Monitor.Mailboxes.Notice_Kind; Text : String) is
+         --  Of the mission that Item has asked for
+      begin
+         Monitor.Outbox.Put
+           ((Kind, Short (Text), Number => Item.Number, others => <>));
+      end Put;
+
    begin
       Begin_Anew;
       Monitor.Outbox.Reserve (Item);
       Monitor.Outbox.Answer (Item, Acknowledged);
       Check (Monitor.Send_Order.Answer);
-      Monitor.Outbox.Put_Progress (Item.Number, 2, 5, 310);
+      Put (Monitor.Mailboxes.Progress, "MPRG:2;5;310");
       Check_Line ("MPRG:2;5;310");
       Check_Waits (False);
-      Monitor.Outbox.Put_Progress (Item.Number, 5, 5, 12);
-      Monitor.Outbox.Put_End (Item.Number, Missions.Completed);
+      Put (Monitor.Mailboxes.Progress, "MPRG:5;5;12");
+      Put (Monitor.Mailboxes.Ending, "MEND:done");
       Check_Waits (True);
       Check_Line ("MEND:done");
       Check_Waits (False);
@@ -162,10 +170,10 @@ package body Outbox_Tests is
 
       --  not sent before the session ended
 
-      Monitor.Outbox.Put_End (Item.Number, Missions.No_Image);
+      Put (Monitor.Mailboxes.Ending, "MEND:done");
       Begin_Anew;
       Check_Waits (False);
-      Monitor.Outbox.Put_End (Item.Number, Missions.No_Image);
+      Put (Monitor.Mailboxes.Ending, "MEND:done");
       Check_Waits (False);
       Check (Nothing);
    end Test_Mission;
