@@ -38,12 +38,11 @@ typedef Monitor_Outbox_Box_Type {
    bool Released;
    bool Answered;
    bool Holding;    /* Hold.On */
-   bool Renewed     /* its end is later than th_hold has seen */
+   bool Renewed     /* its end is later than the sender has seen */
 };
 PROTECTED (Monitor_Outbox_Box);
 EVENT (Monitor_Outbox_Room);
 EVENT (Monitor_Outbox_Work);
-EVENT (Monitor_Outbox_Hold_Begun);
 
 #define Box           Monitor_Outbox_Box
 #define Answer_Waits  (Box.Count > 0 && Box.Places [0] != Awaited)
@@ -85,10 +84,14 @@ inline End_Quiet_Hold () {
    Box.Renewed = Box.Renewed && Box.Holding
 }
 
-/* begun: a command or a message has just come, and the other waits */
-inline Begin_Hold (begun) {
-   begun = Box.Unasked && Box.Count > 0 && !Box.Holding;
-   Box.Holding = Box.Holding || begun
+/* a command or a message has just come, and the other waits */
+inline Begin_Hold () {
+   if
+   :: Box.Unasked && Box.Count > 0 && !Box.Holding ->
+      Box.Holding = true;
+      Box.Renewed = true
+   :: else
+   fi
 }
 
 #if CAPACITY > 1
@@ -166,7 +169,6 @@ inline Ask_For_Mission () {
 active proctype Th_Receive_From_Mon ()
 {
    byte number, sent;
-   bool begun;
    bool open = true;
    /*: whole */
    do
@@ -185,20 +187,15 @@ reserve: /*: Box.Reserve */
                number = Box.Head + Box.Count;
                Box.Places [Box.Count] = Awaited;
                Box.Count++;
-               Begin_Hold (begun);
+               Begin_Hold ();
                /* a hold that was on begins anew for this command */
-               Box.Renewed = Box.Renewed || begun ||
-                  (Box.Holding && Box.Count == 1);
+               Box.Renewed = Box.Renewed || (Box.Holding && Box.Count == 1);
                goto reserved
             :: Box.Open && Box.Count == CAPACITY
             fi
          };
          atomic { Wait_Event (Monitor_Outbox_Room); goto reserve };
 reserved:
-         if
-         :: begun -> atomic { begun = false; Set_Event (Monitor_Outbox_Hold_Begun) }
-         :: else
-         fi;
          if
          :: !open
          :: open ->                                     /* Log_Message */
@@ -257,18 +254,40 @@ active proctype Th_Send_To_Mon ()
 {
    mtype:message kind = Nothing;
    bool gap;            /* what was sent last is too near for the next */
+   bool held;           /* until when messages are held back is known */
    /*: whole */
 wait:
-   Wait_For_Work (Monitor_Outbox_Work);
+   if
+   :: !held -> Wait_For_Work (Monitor_Outbox_Work)
+   :: atomic {
+         held ->
+         if
+         :: Is_Set (Monitor_Outbox_Work)
+         :: !Is_Set (Monitor_Outbox_Work) ->         /* the time has come */
+            Box.Released = Box.Released || (Box.Holding && !Box.Renewed)
+         fi;
+         Wait_Until (Monitor_Outbox_Work)
+      }
+   fi;
 look:
    /* what was taken before has been sent */
    /*: Box.Take */
    atomic {
       Box.Busy = false;
       if
+      :: Box.Holding -> Box.Released = true   /* the time has come meanwhile */
+      :: skip
+      fi;
+      if
       :: /*: Set_Event (Sender_Left) in session */ skip
       :: skip
       fi;
+      Box.Renewed = false;
+#ifdef MUTANT_HOLD_WITHOUT_TIME
+      held = false;
+#else
+      held = Box.Holding && !Box.Released;
+#endif
       if
       :: !May_Answer && !May_Tell -> gap = false; goto taken
       :: (May_Answer || May_Tell) && gap -> goto taken
@@ -333,36 +352,11 @@ taken:
    }
 }
 
-active proctype Th_Hold ()
-{
-   /*: whole */
-wait:
-   atomic {
-      Wait_For_Work (Monitor_Outbox_Hold_Begun);
-look: /*: Box.Get_Hold_End */
-      Box.Renewed = false;
-      if :: !(Box.Holding && !Box.Released) -> goto wait :: else fi
-   };
-   /*: delay, Box.End_Hold */
-   atomic {
-      if
-      :: Box.Holding -> Box.Released = true
-      :: Box.Holding && Box.Renewed
-      :: !Box.Holding
-      fi
-   };
-#ifndef MUTANT_HOLD_WITHOUT_EVENT
-   Set_Event (Monitor_Outbox_Work);
-#endif
-   atomic { true -> goto look }
-}
-
 /* Robot and vision have something to say that nobody asked for */
 
 active proctype Unasked_Source ()
 {
    byte left = UNASKED;
-   bool begun;
    /*: is Monitor.Outbox.Put, Monitor.Outbox.Put_Image */
 end_wait:
    do
@@ -370,17 +364,11 @@ end_wait:
       atomic {
          left > 0 && Box.Open -> left--;
          Box.Unasked = true;
-         Begin_Hold (begun);
-         Box.Renewed = Box.Renewed || begun
-      };
-      Set_Event (Monitor_Outbox_Work);
-      if
-      :: begun -> begun = false;
 #ifndef MUTANT_HOLD_NOT_BEGUN
-         Set_Event (Monitor_Outbox_Hold_Begun)
+         Begin_Hold ()
 #endif
-      :: else
-      fi
+      };
+      Set_Event (Monitor_Outbox_Work)
    od
 }
 
@@ -389,7 +377,7 @@ active proctype Th_Server ()
    byte session;
    (Is_Awaited (Monitor_Session_Watch_Begins)
     && Is_Awaited (Monitor_Session_Receive_Begins)
-    && Is_Awaited (Monitor_Outbox_Work) && Is_Awaited (Monitor_Outbox_Hold_Begun));
+    && Is_Awaited (Monitor_Outbox_Work));
    do
    :: session < SESSIONS ->
       /* Begin_Active, Admit: see session.pml */

@@ -27,8 +27,6 @@ package Budgets with SPARK_Mode is
       Receive,             --  th_receiveFromMon: one command
       Loss,                --  th_comMonPerdue: one look; a loss, up to the
                            --  request that stops the robot
-      Hold,                --  th_hold: the end of a hold and the look for
-                           --  the next
       Send_Look,           --  th_sendToMon: it wakes, and finds that it must
                            --  wait for the gap after the last message
       Send_Answer,         --  th_sendToMon: an answer
@@ -113,7 +111,6 @@ package Budgets with SPARK_Mode is
       Receive         => (200, 185),      --  bench 169 of 9086, each 155; and
                                           --  two readings of a longest path
       Loss            => (170, 150),      --  bench 169 of 2350, each 147
-      Hold            => (160, 160),      --  bench 156 of 2448, 159 of 602
       Send_Look       => (100, 100),      --  a trace: 65 of 778 from release
                                           --  to wait, the wake-up included
       Send_Answer     => (140, 105),      --  each 139 of 4817, 105 of 350

@@ -20,8 +20,6 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
 
    Load_Here : constant Load := (others => <>);
 
-   type Requirement_Set is array (Requirement_Name) of Boolean;
-
    Whole : Boolean := False;
    --  every table, not only those of the priorities in use
 
@@ -104,10 +102,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       Good   : out Boolean);
 
    procedure Analyse_Flood
-     (Title   : String;
-      On      : Machine;
-      Claimed : Requirement_Set;
-      Good    : out Boolean);
+     (Title : String; On : Machine; Good : out Boolean);
    --  What is promised amid newcomers without end. Good: so are those
 
    procedure Analyse_Missions
@@ -322,40 +317,23 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
    end Analyse_And_Print;
 
    procedure Analyse_Flood
-     (Title   : String;
-      On      : Machine;
-      Claimed : Requirement_Set;
-      Good    : out Boolean)
+     (Title : String; On : Machine; Good : out Boolean)
    is
-      function Kept (Result : Analysis; Name : Requirement_Name)
-        return Boolean
-      is (Result.Settled
-          and then
-            (not Always (Name) or else Met (Result.Requirements (Name))));
-
-      Under    : constant Load := (Flood => True, others => <>);
-      Slower   : Machine := On;
-      Result   : Analysis;
+      Under  : constant Load := (Flood => True, others => <>);
+      Slower : Machine := On;
+      Result : Analysis;
    begin
       Analyse (Of_The_Table, Real_Time_Apart, On, Under, Result);
       Good := Result.Bounds (Newcomer).Exists
         and then Result.Bounds (Newcomer).Finish
           <= Result.Deadlines (Newcomer)
-        and then
-          (for all R in Requirement_Name =>
-             not Claimed (R) or else Kept (Result, R));
+        and then Promises_Kept (Result);
       New_Line;
       Put_Line ("== amid a flood of newcomers, " & Title);
       Print_Loads (Result);
       Print_Requirements (Result);
-      Put ("verdict: what is demanded of every single one is "
-           & (if Good then "kept" else "NOT kept"));
-      for R in Requirement_Name loop
-         if not Kept (Result, R) then
-            Put (", but for " & Head (Meaning (R), 3));
-         end if;
-      end loop;
-      New_Line;
+      Put_Line ("verdict: what is demanded of every single one is "
+                & (if Good then "kept" else "NOT kept"));
       Slower.Percent := 10;
       loop
          Analyse (Of_The_Table, Real_Time_Apart, Slower, Under, Result);
@@ -514,9 +492,8 @@ begin
    Print_Limits (Pi);
    Analyse_Missions ("this machine", Here, True, Missions_Here);
    Analyse_Missions ("Cortex-A53", Pi, False, Missions_On_Pi);
-   Analyse_Flood ("this machine", Here, (others => True), Flood_Here);
-   Analyse_Flood
-     ("Cortex-A53", Pi, (F13_Level => False, others => True), Flood_On_Pi);
+   Analyse_Flood ("this machine", Here, Flood_Here);
+   Analyse_Flood ("Cortex-A53", Pi, Flood_On_Pi);
    Analyse_And_Print
      ("the report's priorities, one processor, this machine",
       Of_The_Report, One_Processor, Here,

@@ -30,9 +30,6 @@ package body Supervisor_Model with SPARK_Mode is
    Mission_Limit  : constant Integer := Schedule.Mission_Order_Limit / One;
 
    Image_Period   : constant := 100_000;  --  F15
-   Hold_Interval  : constant := 50_000;
-   --  th_hold has to do with each hold once, and at its end: a hold begins
-   --  after a message, and with a command or the message after
 
    pragma Compile_Time_Error
      (2 * Camera_Interval > Image_Period,
@@ -134,7 +131,6 @@ package body Supervisor_Model with SPARK_Mode is
          when Move_Order | Move_Done     => Schedule.Th_Move,
          when Receive         => Schedule.Th_Receive_From_Mon,
          when Loss            => Schedule.Th_Com_Mon_Perdue,
-         when Hold            => Schedule.Th_Hold,
          when Send_Look .. Send_Image    => Schedule.Th_Send_To_Mon,
          when Battery_Due | Battery_Done => Schedule.Th_Battery_Level,
          when Open_Order | Open_Done     => Schedule.Th_Open_Com_Robot,
@@ -197,7 +193,6 @@ package body Supervisor_Model with SPARK_Mode is
          when Line_Outcome | Move_Order | Move_Done | Receive | Send_Answer
             | Query_Order | Query_Done => Commands_Apart (Under),
          when Loss => To_Period (Link_Period),
-         when Hold => Hold_Interval,
          when Send_Look => Answer_Gap,
          when Send_Battery | Battery_Due | Battery_Done =>
             To_Period (Battery_Period),
@@ -235,7 +230,6 @@ package body Supervisor_Model with SPARK_Mode is
                when Line_Answer | Receive | Camera_Order | Camera_Answer => 2,
                when Capture | Arena => 3,
                when Mission_Begin => 4,
-               when Hold => 9,
                when others => 0),
          when Outbox_Take =>
            (case Name is

@@ -18,7 +18,6 @@ package Schedule with SPARK_Mode is
    Move_Priority           : constant Priority := 26;
    Receive_Priority        : constant Priority := 25;
    Lost_Priority           : constant Priority := 24;
-   Hold_Priority           : constant Priority := 23;
    Send_Priority           : constant Priority := 22;
    Battery_Priority        : constant Priority := 21;
    Open_Priority           : constant Priority := 20;
@@ -66,7 +65,6 @@ package Schedule with SPARK_Mode is
       Th_Move,
       Th_Receive_From_Mon,
       Th_Com_Mon_Perdue,
-      Th_Hold,
       Th_Send_To_Mon,
       Th_Battery_Level,
       Th_Open_Com_Robot,
@@ -133,14 +131,11 @@ package Schedule with SPARK_Mode is
         ("th_comMonPerdue  ", Lost_Priority, 22, True,
          Link_Period, Milliseconds (100)),
       --  F6: from the loss to the stop at the robot. Above image sending
-      Th_Hold =>
-        ("th_hold          ", Hold_Priority, 22, True,
-         On_Event, Unbounded),
-      --  ends the hold on unsolicited messages
       Th_Send_To_Mon =>
         ("th_sendToMon     ", Send_Priority, 22, True,
          On_Event, Milliseconds (10)),
-      --  F4: from the robot's answer, or an unsolicited message, to sending
+      --  F4: from the robot's answer, or an unsolicited message, to sending.
+      --  Ends the hold on unsolicited messages
       Th_Battery_Level =>
         ("th_batteryLevel  ", Battery_Priority, 20, True,
          Battery_Period, Milliseconds (20)),

@@ -293,6 +293,14 @@ is
       Put (Release, Who, Unsigned_64 (Number));
    end Release;
 
+   procedure Release (Who : Task_Name; Due : Time) is
+      Recording : constant Boolean := On;
+   begin
+      if Recording then
+         Ring.Put ((To_Nanoseconds (Due), 0, Who, Ring.Due, No_Label));
+      end if;
+   end Release;
+
    procedure Start (Who : Task_Name; Number : Orders.Ticket := 0) is
    begin
       Put (Start, Who, Unsigned_64 (Number));
@@ -331,12 +339,9 @@ is
    end Resume;
 
    procedure Resume (Who : Task_Name; Due : Time) is
-      Recording : constant Boolean := On;
    begin
-      if Recording then
-         Ring.Put ((To_Nanoseconds (Due), 0, Who, Ring.Due, No_Label));
-         Put (Resume, Who);
-      end if;
+      Release (Who, Due);
+      Put (Resume, Who);
    end Resume;
 
    procedure Idle (Who : Task_Name) is

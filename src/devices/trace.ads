@@ -51,6 +51,10 @@ is
    with Global => (In_Out => Recorder);
    --  Release: Who becomes ready. Called just before the event is signalled
 
+   procedure Release (Who : Task_Name; Due : Ada.Real_Time.Time)
+   with Global => (In_Out => Recorder);
+   --  The clock released Who at Due. Called by Who itself
+
    procedure Start (Who : Task_Name; Number : Orders.Ticket := 0)
    with Global => (In_Out => Recorder);
    --  Who starts a job; Number: of the monitor's command, if any

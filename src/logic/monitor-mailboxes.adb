@@ -42,14 +42,9 @@ package body Monitor.Mailboxes with SPARK_Mode is
    --  No hold unless a message is held back
 
    procedure Begin_Hold
-     (B           : in out Mailbox;
-      New_Command : Boolean;
-      Now         : Time;
-      Begun       : out Boolean)
+     (B : in out Mailbox; New_Command : Boolean; Now : Time)
    with
-     Post => Is_Same_Mail (B, B'Old)
-       and then B.Released = B'Old.Released
-       and then (if Begun then B.Hold.On and then Commands (B) > 0);
+     Post => Is_Same_Mail (B, B'Old) and then B.Released = B'Old.Released;
 
    procedure Put
      (B      : in out Mailbox;
@@ -63,14 +58,10 @@ package body Monitor.Mailboxes with SPARK_Mode is
        and then B.Lines = B'Old.Lines;
 
    procedure Begin_Hold
-     (B           : in out Mailbox;
-      New_Command : Boolean;
-      Now         : Time;
-      Begun       : out Boolean) is
+     (B : in out Mailbox; New_Command : Boolean; Now : Time) is
    begin
-      Begun := False;
       if Any_Unsolicited (Waits (B)) and then Commands (B) > 0 then
-         Monitor.Message_Holds.Begin_Hold (B.Hold, New_Command, Now, Begun);
+         Monitor.Message_Holds.Begin_Hold (B.Hold, New_Command, Now);
       end if;
    end Begin_Hold;
 
@@ -149,13 +140,8 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Put (B, Number, (State => Ready_Text, Line => Line));
    end Put_Answer;
 
-   procedure Put
-     (B     : in out Mailbox;
-      Item  : Notice;
-      Now   : Time;
-      Begun : out Boolean) is
+   procedure Put (B : in out Mailbox; Item : Notice; Now : Time) is
    begin
-      Begun := False;
       if Is_Wanted (B, Item) then
          if Item.Kind = User_Text then
             Text_Queues.Put_Over_Oldest (B.Texts, Item.Line);
@@ -165,22 +151,20 @@ package body Monitor.Mailboxes with SPARK_Mode is
          if Item.Kind = Ending then
             B.Lines (Progress) := No_Line;
          end if;
-         Begin_Hold (B, False, Now, Begun);
+         Begin_Hold (B, False, Now);
       end if;
    end Put;
 
    procedure Put_Image
-     (B     : in out Mailbox;
-      Made  : Generation;
-      Now   : Time;
-      Kept  : out Boolean;
-      Begun : out Boolean) is
+     (B    : in out Mailbox;
+      Made : Generation;
+      Now  : Time;
+      Kept : out Boolean) is
    begin
-      Begun := False;
       Kept := B.Open and then Made = B.Made;
       if Kept then
          B.Image := True;
-         Begin_Hold (B, False, Now, Begun);
+         Begin_Hold (B, False, Now);
       end if;
    end Put_Image;
 
@@ -193,11 +177,9 @@ package body Monitor.Mailboxes with SPARK_Mode is
      (B      : in out Mailbox;
       Now    : Time;
       Number : out Orders.Ticket;
-      Result : out Reservation;
-      Begun  : out Boolean) is
+      Result : out Reservation) is
    begin
       Number := Next_Number (B);
-      Begun := False;
       if not B.Open then
          Result := Closed;
       elsif Commands (B) = Orders.Capacity then
@@ -205,7 +187,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       else
          Reserve (B.Answers);
          Result := Reserved;
-         Begin_Hold (B, Commands (B) = 1, Now, Begun);
+         Begin_Hold (B, Commands (B) = 1, Now);
       end if;
    end Reserve;
 

@@ -184,8 +184,7 @@ package Monitor.Mailboxes with SPARK_Mode is
      (B      : in out Mailbox;
       Now    : Time;
       Number : out Orders.Ticket;
-      Result : out Reservation;
-      Begun  : out Boolean)
+      Result : out Reservation)
    with
      Post => Number = Next_Number (B'Old)
        and then Result =
@@ -198,9 +197,8 @@ package Monitor.Mailboxes with SPARK_Mode is
          (if Result = Reserved then
              Commands (B) = Commands (B'Old) + 1
              and then Next_Number (B) = Number + 1
-          else B.Answers = B'Old.Answers and then not Begun);
-   --  Adds a place for the answer to the next command. Begun, here and below:
-   --  unsolicited messages begin to be held back
+          else B.Answers = B'Old.Answers);
+   --  Adds a place for the answer to the next command
 
    procedure Put_Answer
      (B : in out Mailbox; Number : Orders.Ticket; Line : Short_Text)
@@ -236,11 +234,7 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    --  Unsolicited messages
 
-   procedure Put
-     (B     : in out Mailbox;
-      Item  : Notice;
-      Now   : Time;
-      Begun : out Boolean)
+   procedure Put (B : in out Mailbox; Item : Notice; Now : Time)
    with
      Post => B.Open = B'Old.Open
        and then B.Made = B'Old.Made
@@ -259,11 +253,10 @@ package Monitor.Mailboxes with SPARK_Mode is
    --  oldest is dropped
 
    procedure Put_Image
-     (B     : in out Mailbox;
-      Made  : Generation;
-      Now   : Time;
-      Kept  : out Boolean;
-      Begun : out Boolean)
+     (B    : in out Mailbox;
+      Made : Generation;
+      Now  : Time;
+      Kept : out Boolean)
    with
      Post => B.Open = B'Old.Open
        and then B.Lines = B'Old.Lines
@@ -337,9 +330,11 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    --  The hold (docs/wire.md, rule 7)
 
-   function Is_Held (B : Mailbox) return Boolean is
-     (B.Hold.On and then not B.Released);
-   --  Unsolicited messages are still held back
+   function Hold_End (B : Mailbox) return Time is
+     (if B.Hold.On and then not B.Released
+      then Monitor.Message_Holds.Ending (B.Hold)
+      else Ada.Real_Time.Time_Last);
+   --  Until then unsolicited messages are held back; Time_Last: they are not
 
    procedure End_Hold (B : in out Mailbox; Now : Time)
    with

@@ -3,16 +3,12 @@
 package body Monitor.Message_Holds with SPARK_Mode is
 
    procedure Begin_Hold
-     (H           : in out Hold;
-      New_Command : Boolean;
-      Now         : Time;
-      Begun       : out Boolean) is
+     (H : in out Hold; New_Command : Boolean; Now : Time) is
    begin
-      Begun := not H.On;
-      if Begun then
+      if not H.On then
          H.First := Now;
       end if;
-      if Begun or else New_Command then
+      if not H.On or else New_Command then
          H.Since := Now;
       end if;
       H.On := True;

@@ -19,12 +19,8 @@ package Monitor.Message_Holds with SPARK_Mode is
    end record;
 
    procedure Begin_Hold
-     (H           : in out Hold;
-      New_Command : Boolean;
-      Now         : Time;
-      Begun       : out Boolean)
-   with
-     Post => H.On and then Begun = not H'Old.On;
+     (H : in out Hold; New_Command : Boolean; Now : Time)
+   with Post => H.On;
    --  Unsolicited messages wait because a command waits. New_Command: the
    --  command arrived just now, and no other was waiting
 

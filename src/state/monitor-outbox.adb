@@ -4,7 +4,6 @@
 
 with Ada.Real_Time;                use Ada.Real_Time;
 with Event;
-with Monitor.Message_Holds;
 with Schedule;
 with Trace;
 
@@ -19,7 +18,6 @@ package body Monitor.Outbox with SPARK_Mode is
    package Work is new Event;
    package Arena_Room is new Event;
    package Sender_Left is new Event;
-   package Hold_Begun is new Event;
 
    procedure Exchange (Left, Right : in out Message_Access);
    --  Swaps the two
@@ -40,9 +38,7 @@ package body Monitor.Outbox with SPARK_Mode is
       procedure Reserve
         (Now    : Time;
          Number : out Orders.Ticket;
-         Result : out Monitor.Mailboxes.Reservation;
-         Begun  : out Boolean);
-      --  Begun, here and below: unsolicited messages begin to be held back
+         Result : out Monitor.Mailboxes.Reservation);
       procedure Answer
         (Number : Orders.Ticket; Line : Monitor.Protocol.Short_Text);
       procedure Answer_Nothing (Number : Orders.Ticket);
@@ -50,17 +46,13 @@ package body Monitor.Outbox with SPARK_Mode is
         (Number   : Orders.Ticket;
          Message  : in out Message_Access;
          Accepted : out Boolean);
-      procedure Put
-        (Item  : Monitor.Mailboxes.Notice;
-         Now   : Time;
-         Begun : out Boolean);
+      procedure Put (Item : Monitor.Mailboxes.Notice; Now : Time);
       procedure Get_End_Waits (Waits : out Boolean);
       procedure Get_Generation (Current : out Monitor.Mailboxes.Generation);
       procedure Put_Image
         (Message : in out Message_Access;
          Made    : Monitor.Mailboxes.Generation;
-         Now     : Time;
-         Begun   : out Boolean);
+         Now     : Time);
       procedure Stop_Images;
       procedure Take
         (Between   : Monitor.Send_Order.Milliseconds;
@@ -69,10 +61,9 @@ package body Monitor.Outbox with SPARK_Mode is
          Next      : out Monitor.Mailboxes.Item;
          Message   : in out Message_Access;
          Gap       : out Monitor.Send_Order.Milliseconds;
+         Hold_End  : out Time;
          Left      : out Boolean)
       with Post => Next.Unsent = (Next.Kind in Monitor.Send_Order.Sent_Kind);
-      procedure Get_Hold_End (Any : out Boolean; At_Time : out Time);
-      procedure End_Hold (Now : Time);
       procedure Get_Waiting (Count : out Orders.Order_Count);
    private
       Mail  : Monitor.Mailboxes.Mailbox;
@@ -106,10 +97,9 @@ package body Monitor.Outbox with SPARK_Mode is
       procedure Reserve
         (Now    : Time;
          Number : out Orders.Ticket;
-         Result : out Monitor.Mailboxes.Reservation;
-         Begun  : out Boolean) is
+         Result : out Monitor.Mailboxes.Reservation) is
       begin
-         Monitor.Mailboxes.Reserve (Mail, Now, Number, Result, Begun);
+         Monitor.Mailboxes.Reserve (Mail, Now, Number, Result);
       end Reserve;
 
       procedure Answer
@@ -136,12 +126,9 @@ package body Monitor.Outbox with SPARK_Mode is
          end if;
       end Answer_With_Image;
 
-      procedure Put
-        (Item  : Monitor.Mailboxes.Notice;
-         Now   : Time;
-         Begun : out Boolean) is
+      procedure Put (Item : Monitor.Mailboxes.Notice; Now : Time) is
       begin
-         Monitor.Mailboxes.Put (Mail, Item, Now, Begun);
+         Monitor.Mailboxes.Put (Mail, Item, Now);
       end Put;
 
       procedure Get_End_Waits (Waits : out Boolean) is
@@ -158,12 +145,11 @@ package body Monitor.Outbox with SPARK_Mode is
       procedure Put_Image
         (Message : in out Message_Access;
          Made    : Monitor.Mailboxes.Generation;
-         Now     : Time;
-         Begun   : out Boolean)
+         Now     : Time)
       is
          Kept : Boolean;
       begin
-         Monitor.Mailboxes.Put_Image (Mail, Made, Now, Kept, Begun);
+         Monitor.Mailboxes.Put_Image (Mail, Made, Now, Kept);
          if Kept then
             Exchange (Message, Image);
          end if;
@@ -181,10 +167,13 @@ package body Monitor.Outbox with SPARK_Mode is
          Next      : out Monitor.Mailboxes.Item;
          Message   : in out Message_Access;
          Gap       : out Monitor.Send_Order.Milliseconds;
+         Hold_End  : out Time;
          Left      : out Boolean) is
       begin
+         Monitor.Mailboxes.End_Hold (Mail, Now);
          Monitor.Mailboxes.Take
            (Mail, Between, Now, Last_Sent, Next, Gap, Left);
+         Hold_End := Monitor.Mailboxes.Hold_End (Mail);
          if Next.Is_Image then
             if Next.Kind = Monitor.Send_Order.Answer then
                Exchange (Message, Arena);
@@ -193,19 +182,6 @@ package body Monitor.Outbox with SPARK_Mode is
             end if;
          end if;
       end Take;
-
-      procedure Get_Hold_End (Any : out Boolean; At_Time : out Time) is
-      begin
-         Any := Monitor.Mailboxes.Is_Held (Mail);
-         At_Time :=
-           (if Any then Monitor.Message_Holds.Ending (Mail.Hold)
-            else Time_First);
-      end Get_Hold_End;
-
-      procedure End_Hold (Now : Time) is
-      begin
-         Monitor.Mailboxes.End_Hold (Mail, Now);
-      end End_Hold;
 
       procedure Get_Waiting (Count : out Orders.Order_Count) is
       begin
@@ -221,13 +197,6 @@ package body Monitor.Outbox with SPARK_Mode is
    procedure Wake_Sender (Number : Orders.Ticket := 0)
    with Annotate => (GNATprove, Terminating);
    --  The box may contain a message to be sent
-
-   procedure Wake (Begun : Boolean)
-   with Annotate => (GNATprove, Terminating);
-   --  An unsolicited message has been put into the box
-
-   procedure Wake_Hold with Annotate => (GNATprove, Terminating);
-   --  Unsolicited messages begin to be held back
 
    procedure Answer
      (Order : in out Orders.Order; Line : Monitor.Protocol.Short_Text) is
@@ -269,13 +238,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Arena_Room.Set;
    end Close_Session;
 
-   procedure End_Hold is
-      Now : constant Time := Clock;
-   begin
-      Box.End_Hold (Now);
-      Wake_Sender;
-   end End_Hold;
-
    procedure Get_End_Waits (Waits : out Boolean) is
    begin
       Box.Get_End_Waits (Waits);
@@ -285,12 +247,6 @@ package body Monitor.Outbox with SPARK_Mode is
    begin
       Box.Get_Generation (Current);
    end Get_Generation;
-
-   procedure Get_Hold_End
-     (Any : out Boolean; At_Time : out Ada.Real_Time.Time) is
-   begin
-      Box.Get_Hold_End (Any, At_Time);
-   end Get_Hold_End;
 
    procedure Get_Waiting (Count : out Orders.Order_Count) is
    begin
@@ -303,40 +259,34 @@ package body Monitor.Outbox with SPARK_Mode is
    end Open_Session;
 
    procedure Put (Item : Monitor.Mailboxes.Notice) is
-      Now   : constant Time := Clock;
-      Begun : Boolean;
+      Now : constant Time := Clock;
    begin
-      Box.Put (Item, Now, Begun);
-      Wake (Begun);
+      Box.Put (Item, Now);
+      Wake_Sender;
    end Put;
 
    procedure Put_Image
      (Message : in out Message_Access; Made : Monitor.Mailboxes.Generation)
    is
-      Now   : constant Time := Clock;
-      Begun : Boolean;
+      Now : constant Time := Clock;
    begin
-      Box.Put_Image (Message, Made, Now, Begun);
-      Wake (Begun);
+      Box.Put_Image (Message, Made, Now);
+      Wake_Sender;
    end Put_Image;
 
    procedure Reserve (Order : in out Orders.Order) is
       Result : Monitor.Mailboxes.Reservation;
       Now    : Time;
-      Begun  : Boolean;
    begin
       loop
          Now := Clock;
-         Box.Reserve (Now, Order.Number, Result, Begun);
+         Box.Reserve (Now, Order.Number, Result);
          exit when Result /= Monitor.Mailboxes.Full;
          Trace.Wait (Schedule.Th_Receive_From_Mon, Trace.Room);
          Room.Wait;
          Trace.Resume (Schedule.Th_Receive_From_Mon);
       end loop;
       Order.Owed := Result = Monitor.Mailboxes.Reserved;
-      if Begun then
-         Wake_Hold;
-      end if;
    end Reserve;
 
    procedure Stop_Images is
@@ -349,12 +299,13 @@ package body Monitor.Outbox with SPARK_Mode is
       Last_Sent : Ada.Real_Time.Time;
       Next      : in out Monitor.Mailboxes.Item;
       Image     : in out Message_Access;
-      Gap       : out Monitor.Send_Order.Milliseconds)
+      Gap       : out Monitor.Send_Order.Milliseconds;
+      Hold_End  : out Time)
    is
       Now  : constant Time := Clock;
       Left : Boolean;
    begin
-      Box.Take (Between, Now, Last_Sent, Next, Image, Gap, Left);
+      Box.Take (Between, Now, Last_Sent, Next, Image, Gap, Hold_End, Left);
       if Left then
          Sender_Left.Set;
       end if;
@@ -364,17 +315,18 @@ package body Monitor.Outbox with SPARK_Mode is
       end if;
    end Take;
 
-   procedure Wait is
+   procedure Wait (Hold_End : Time) is
+      Was_Set : Boolean;
    begin
-      Work.Wait;
+      if Hold_End = Time_Last then
+         Work.Wait;
+      else
+         Work.Wait_Until (Hold_End, Was_Set);
+         if not Was_Set then
+            Trace.Release (Schedule.Th_Send_To_Mon, Hold_End);
+         end if;
+      end if;
    end Wait;
-
-   procedure Wait_Held is
-   begin
-      Trace.Done (Schedule.Th_Hold);
-      Hold_Begun.Wait;
-      Trace.Start (Schedule.Th_Hold);
-   end Wait_Held;
 
    procedure Wait_Sender is
       Busy : Boolean;
@@ -388,20 +340,6 @@ package body Monitor.Outbox with SPARK_Mode is
          Trace.Resume (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Wait_Sender;
-
-   procedure Wake (Begun : Boolean) is
-   begin
-      Wake_Sender;
-      if Begun then
-         Wake_Hold;
-      end if;
-   end Wake;
-
-   procedure Wake_Hold is
-   begin
-      Trace.Release (Schedule.Th_Hold);
-      Hold_Begun.Set;
-   end Wake_Hold;
 
    procedure Wake_Sender (Number : Orders.Ticket := 0) is
    begin

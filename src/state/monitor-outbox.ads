@@ -93,15 +93,17 @@ package Monitor.Outbox with SPARK_Mode is
    -- The sending  --
    ------------------
 
-   procedure Wait;
-   --  Until a message has been put into the box. For th_sendToMon only
+   procedure Wait (Hold_End : Ada.Real_Time.Time);
+   --  Until a message has been put into the box, or Hold_End, which Take has
+   --  given. For th_sendToMon only
 
    procedure Take
      (Between   : Monitor.Send_Order.Milliseconds;
       Last_Sent : Ada.Real_Time.Time;
       Next      : in out Monitor.Mailboxes.Item;
       Image     : in out Monitor.Image_Messages.Message_Access;
-      Gap       : out Monitor.Send_Order.Milliseconds)
+      Gap       : out Monitor.Send_Order.Milliseconds;
+      Hold_End  : out Ada.Real_Time.Time)
    with
      Pre  => not Next.Unsent,
      Post => Next.Unsent = (Next.Kind in Monitor.Send_Order.Sent_Kind),
@@ -109,20 +111,9 @@ package Monitor.Outbox with SPARK_Mode is
    --  The message taken before has been sent, or could not be. Takes the most
    --  urgent message that may be sent now, if any: Gap after the last one,
    --  which was sent at Last_Sent; Between two unsolicited ones. An image is
-   --  returned in Image, whose content is overwritten. For th_sendToMon only
-
-   --  The hold (docs/wire.md, rule 7)
-
-   procedure Wait_Held;
-   --  Until unsolicited messages begin to be held back. For th_hold only
-
-   procedure Get_Hold_End
-     (Any : out Boolean; At_Time : out Ada.Real_Time.Time)
-   with Annotate => (GNATprove, Terminating);
-   --  Whether unsolicited messages are still held back, and until when
-
-   procedure End_Hold with Annotate => (GNATprove, Terminating);
-   --  Ends the hold if its time has come
+   --  returned in Image, whose content is overwritten. Until Hold_End
+   --  unsolicited messages are held back (docs/wire.md, rule 7); Time_Last:
+   --  they are not. For th_sendToMon only
 
    procedure Get_Waiting (Count : out Orders.Order_Count)
    with Annotate => (GNATprove, Terminating);

@@ -290,6 +290,7 @@ package body Monitor.Tasks with SPARK_Mode is
         Settings.Command_Line.Chosen.Message_Gap;
       Last_Sent : Time := Time_First;
       Gap       : Monitor.Send_Order.Milliseconds;
+      Hold_End  : Time := Time_Last;
       Next_Look : Time;
       Now       : Time;
       Next      : Monitor.Mailboxes.Item;
@@ -300,11 +301,12 @@ package body Monitor.Tasks with SPARK_Mode is
       Process.Threads.Name_Task (Schedule.Th_Send_To_Mon);
       loop
          pragma Loop_Invariant (not Next.Unsent);
-         Monitor.Outbox.Wait;
+         Monitor.Outbox.Wait (Hold_End);
          Begun := False;
          loop
             pragma Loop_Invariant (not Next.Unsent);
-            Monitor.Outbox.Take (Between, Last_Sent, Next, Image, Gap);
+            Monitor.Outbox.Take
+              (Between, Last_Sent, Next, Image, Gap, Hold_End);
             exit when not Next.Unsent and then Gap = 0;
             if not Begun then
                Trace.Start (Schedule.Th_Send_To_Mon);
@@ -430,23 +432,5 @@ package body Monitor.Tasks with SPARK_Mode is
          Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;
    end Th_Com_Mon_Perdue;
-
-   task body Th_Hold is
-      Any     : Boolean;
-      At_Time : Time;
-   begin
-      Process.Threads.Name_Task (Schedule.Th_Hold);
-      loop
-         Monitor.Outbox.Wait_Held;
-         loop
-            Monitor.Outbox.Get_Hold_End (Any, At_Time);
-            exit when not Any;
-            Trace.Done (Schedule.Th_Hold);
-            delay until At_Time;
-            Trace.Start (Schedule.Th_Hold, At_Time);
-            Monitor.Outbox.End_Hold;
-         end loop;
-      end loop;
-   end Th_Hold;
 
 end Monitor.Tasks;

@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The four monitor tasks of the design report, and the one that ends the hold
---  on unsolicited messages.
+--  The four monitor tasks of the design report.
 
 with Schedule;
 
@@ -20,8 +19,5 @@ package Monitor.Tasks with SPARK_Mode is
    task Th_Com_Mon_Perdue with Priority => Schedule.Lost_Priority;
    --  Detects the loss of the monitor (F5) and resets everything to the
    --  initial state (F6)
-
-   task Th_Hold with Priority => Schedule.Hold_Priority;
-   --  Releases unsolicited messages that have been held back long enough
 
 end Monitor.Tasks;

@@ -378,6 +378,7 @@ package body Trace_Responses is
                      S.Due := Item.Time;
                   elsif N = "idle" then
                      S.Waiting.Clear;
+                     S.Due := Never;
                      S.Ready := Item.Time;
                   elsif N = "out RBLV" then
                      S.Sending := Send_Battery;

@@ -22,7 +22,7 @@ with Trace_Files;           use Trace_Files;
 
 package body Trace_Tests is
 
-   Tasks : constant := 22;
+   Tasks : constant := 21;
 
    function Trace_Path return String is
      (Programs.Temporary_Folder & "/trace.txt");

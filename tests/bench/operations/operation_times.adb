@@ -86,6 +86,7 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
    Made   : Monitor.Mailboxes.Generation;
    Next   : Monitor.Mailboxes.Item;
    Gap    : Monitor.Send_Order.Milliseconds;
+   Hold_End : Time;
    Order  : Orders.Order;
    Status : Robot.Line_Status.Status;
    Job    : Robot.Requests.Job;
@@ -129,7 +130,7 @@ begin
       Monitor.Outbox.Reserve (Order);
       Stop;
       Monitor.Outbox.Answer (Order, Monitor.Protocol.Acknowledged);
-      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap);
+      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap, Hold_End);
    end loop;
    Report ("Monitor.Outbox.Reserve");
 
@@ -138,7 +139,7 @@ begin
       Start;
       Monitor.Outbox.Answer (Order, Monitor.Protocol.Acknowledged);
       Stop;
-      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap);
+      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap, Hold_End);
    end loop;
    Report ("Monitor.Outbox.Answer");
 
@@ -154,7 +155,7 @@ begin
       Monitor.Outbox.Get_Generation (Made);
       Monitor.Outbox.Put_Image (Image, Made);
       Start;
-      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap);
+      Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap, Hold_End);
       Stop;
    end loop;
    Report ("Monitor.Outbox.Take, an image");

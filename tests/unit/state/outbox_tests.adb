@@ -11,12 +11,14 @@ with Monitor.Outbox;
 with Monitor.Protocol; use Monitor.Protocol;
 with Monitor.Send_Order;     use Monitor.Send_Order;
 with Orders;                 use Orders;
+with Schedule;
 with Unit_Runs; use Unit_Runs;
 
 package body Outbox_Tests is
 
    Made_Here : Message_Access := new Message;  --  to be filled next
    Sent_Here : Message_Access := new Message;  --  taken last
+   Hold_End  : Time := Time_Last;              --  as Take has said it last
 
    procedure Begin_Anew is
       --  A session with nothing in it.
@@ -32,7 +34,7 @@ package body Outbox_Tests is
       Next : Monitor.Mailboxes.Item;
       Gap  : Monitor.Send_Order.Milliseconds;
    begin
-      Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap);
+      Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap, Hold_End);
       Assert (Next.Kind = Kind, Next.Kind'Image & " taken");
       Assert (Next.Is_Image = (Image /= ""), "is it an image?");
       if Image /= "" then
@@ -61,32 +63,47 @@ package body Outbox_Tests is
    procedure Test_Answers is
       First, Second : Order;
       Count         : Order_Count;
-      Any           : Boolean;
-      At_Time       : Time;
    begin
       Begin_Anew;
       Monitor.Outbox.Reserve (First);
       Monitor.Outbox.Reserve (Second);
       Assert (First.Owed and then Second.Owed, "both are owed");
       Assert (Second.Number = First.Number + 1, "numbers in a row");
-      Monitor.Outbox.Put
-        ((Monitor.Mailboxes.Level, Short ("RBLV:2"), others => <>));
-      Monitor.Outbox.Wait_Held;
-      Monitor.Outbox.Get_Hold_End (Any, At_Time);
-      Assert (Any and then At_Time > Clock, "held back");
       Monitor.Outbox.Answer_Nothing (Second);
-      Monitor.Outbox.Wait;
+      Monitor.Outbox.Wait (Hold_End);
       Check (Nothing);
       Monitor.Outbox.Answer (First, Refused);
-      Monitor.Outbox.Wait;
+      Monitor.Outbox.Wait (Hold_End);
       Monitor.Outbox.Get_Waiting (Count);
       Assert (Count = 2, "two wait");
       Check (Monitor.Send_Order.Answer);
       Monitor.Outbox.Get_Waiting (Count);
       Assert (Count = 0, "nobody waits");
-      Check (Battery);
       Assert (not First.Owed and then not Second.Owed, "nothing is owed");
    end Test_Answers;
+
+   procedure Test_Hold is
+      --  Its end wakes the sender, though the answer never comes.
+      Begun : Time;
+      Item  : Order;
+      Next  : Monitor.Mailboxes.Item;
+      Gap   : Monitor.Send_Order.Milliseconds;
+   begin
+      Begin_Anew;
+      Monitor.Outbox.Reserve (Item);
+      Begun := Clock;
+      Monitor.Outbox.Put
+        ((Monitor.Mailboxes.Level, Short ("RBLV:2"), others => <>));
+      loop
+         Monitor.Outbox.Wait (Hold_End);
+         Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap, Hold_End);
+         exit when Next.Kind /= Nothing;
+      end loop;
+      Assert (Next.Kind = Battery, Next.Kind'Image & " taken");
+      Assert (Clock >= Begun + Schedule.Hold_Limit, "held back");
+      Assert (Hold_End = Time_Last, "held back no more");
+      Monitor.Outbox.Answer (Item, Refused);
+   end Test_Hold;
 
    procedure Test_Arena is
       Item : Order;
@@ -127,8 +144,8 @@ package body Outbox_Tests is
          Next : Monitor.Mailboxes.Item;
          Gap  : Monitor.Send_Order.Milliseconds;
       begin
-         Monitor.Outbox.Wait;
-         Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap);
+         Monitor.Outbox.Wait (Hold_End);
+         Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap, Hold_End);
          Assert (Next.Kind = Mission, Next.Kind'Image & " taken");
          Assert
            (Next.Line.Data (1 .. Next.Line.Length)
@@ -183,6 +200,7 @@ package body Outbox_Tests is
       Add_Test ("images go round", Test_Images'Access);
       Add_Test ("an answer that is an image", Test_Arena'Access);
       Add_Test ("answers, and who waits", Test_Answers'Access);
+      Add_Test ("the end of the hold", Test_Hold'Access);
       Add_Test ("a mission's messages", Test_Mission'Access);
    end Add_Tests;
 
