@@ -4,21 +4,20 @@ with Interfaces; use Interfaces;
 
 package body Monitor.Answer_Queues with SPARK_Mode is
 
-   procedure Prove_Sum (Count : Natural)
-   with
-     Ghost,
-     Pre  => Count < Orders.Capacity,
-     Post => Orders.Ticket (Count + 1) = Orders.Ticket (Count) + 1;
-   --  Numbers and lengths count alike: by way of 16 bits, which are easier for
-   --  the provers than 64
-
    procedure Clear (Q : in out Queue) is
    begin
       Q.First := Next_Number (Q);
       Answers.Clear (Q.Items);
    end Clear;
 
-   procedure Prove_Sum (Count : Natural) is
+   procedure Prove_Sum (Count : Natural)
+   with
+     Ghost,
+     Pre  => Count < Orders.Capacity,
+     Post => Orders.Ticket (Count + 1) = Orders.Ticket (Count) + 1
+   is
+      --  Numbers and lengths count alike: by way of 16 bits, which are easier
+      --  for the provers than 64
    begin
       pragma Assert (Unsigned_16 (Count + 1) = Unsigned_16 (Count) + 1);
       pragma Assert

@@ -31,34 +31,11 @@ package body Monitor.Mailboxes with SPARK_Mode is
    with Ghost;
    --  All components except the hold
 
-   procedure End_Quiet_Hold (B : in out Mailbox)
-   with
-     Post => Is_Same_Mail (B, B'Old)
-       and then
-         (if Any_Unsolicited (Waits (B)) then
-             B.Hold.On = B'Old.Hold.On
-             and then B.Released = B'Old.Released
-          else Is_Quiet (B));
-   --  No hold unless a message is held back
-
    procedure Begin_Hold
      (B : in out Mailbox; New_Command : Boolean; Now : Time)
    with
-     Post => Is_Same_Mail (B, B'Old) and then B.Released = B'Old.Released;
-
-   procedure Put
-     (B      : in out Mailbox;
-      Number : Orders.Ticket;
-      Item   : Monitor.Answer_Queues.Answer)
-   with
-     Pre  => Item.State /= Awaited,
-     Post => Next_Number (B) = Next_Number (B'Old)
-       and then Commands (B) <= Commands (B'Old)
-       and then B.Arena = B'Old.Arena
-       and then B.Lines = B'Old.Lines;
-
-   procedure Begin_Hold
-     (B : in out Mailbox; New_Command : Boolean; Now : Time) is
+     Post => Is_Same_Mail (B, B'Old) and then B.Released = B'Old.Released
+   is
    begin
       if Any_Unsolicited (Waits (B)) and then Commands (B) > 0 then
          Monitor.Message_Holds.Begin_Hold (B.Hold, New_Command, Now);
@@ -91,7 +68,16 @@ package body Monitor.Mailboxes with SPARK_Mode is
       end if;
    end End_Hold;
 
-   procedure End_Quiet_Hold (B : in out Mailbox) is
+   procedure End_Quiet_Hold (B : in out Mailbox)
+   with
+     Post => Is_Same_Mail (B, B'Old)
+       and then
+         (if Any_Unsolicited (Waits (B)) then
+             B.Hold.On = B'Old.Hold.On
+             and then B.Released = B'Old.Released
+          else Is_Quiet (B))
+   is
+      --  No hold unless a message is held back
    begin
       if not Any_Unsolicited (Waits (B)) then
          B.Hold.On := False;
@@ -111,7 +97,14 @@ package body Monitor.Mailboxes with SPARK_Mode is
    procedure Put
      (B      : in out Mailbox;
       Number : Orders.Ticket;
-      Item   : Monitor.Answer_Queues.Answer) is
+      Item   : Monitor.Answer_Queues.Answer)
+   with
+     Pre  => Item.State /= Awaited,
+     Post => Next_Number (B) = Next_Number (B'Old)
+       and then Commands (B) <= Commands (B'Old)
+       and then B.Arena = B'Old.Arena
+       and then B.Lines = B'Old.Lines
+   is
    begin
       Put (B.Answers, Number, Item);
       pragma Assert (not Is_Awaited (B, Number));

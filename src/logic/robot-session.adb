@@ -4,21 +4,6 @@ package body Robot.Session with SPARK_Mode is
 
    package Wire renames Robot.Protocol;
 
-   procedure Finish
-     (P    : in out Progress;
-      Kind : Outcome_Kind;
-      Next : out Step)
-   with
-     Post => P.Phase = Ended
-       and then P.Request = P'Old.Request
-       and then P.Stopped = P'Old.Stopped
-       and then P.Result.Kind = Kind
-       and then P.Result.Text = P'Old.Result.Text
-       and then P.Result.Note = P'Old.Result.Note
-       and then Next.Kind = Finish
-       and then Next.Command = Wire.Stop;
-   --  Ends the request
-
    procedure Begin_Exchange
      (S       : State;
       P       : in out Progress;
@@ -73,7 +58,17 @@ package body Robot.Session with SPARK_Mode is
      (P    : in out Progress;
       Kind : Outcome_Kind;
       Next : out Step)
+   with
+     Post => P.Phase = Ended
+       and then P.Request = P'Old.Request
+       and then P.Stopped = P'Old.Stopped
+       and then P.Result.Kind = Kind
+       and then P.Result.Text = P'Old.Result.Text
+       and then P.Result.Note = P'Old.Result.Note
+       and then Next.Kind = Finish
+       and then Next.Command = Wire.Stop
    is
+      --  Ends the request
    begin
       P.Phase := Ended;
       P.Result.Kind := Kind;

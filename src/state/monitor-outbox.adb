@@ -19,10 +19,8 @@ package body Monitor.Outbox with SPARK_Mode is
    package Arena_Room is new Event;
    package Sender_Left is new Event;
 
-   procedure Exchange (Left, Right : in out Message_Access);
-   --  Swaps the two
-
    procedure Exchange (Left, Right : in out Message_Access) is
+      --  Swaps the two
       Kept : constant Message_Access := Left;
    begin
       Left := Right;

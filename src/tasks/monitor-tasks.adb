@@ -39,53 +39,8 @@ package body Monitor.Tasks with SPARK_Mode is
    use type Monitor.Link.Cause;
    use type Monitor.Send_Order.Choice;
 
-   procedure Start_Server (Gate : out Admission.Newcomers.Gate);
-   --  Listens, or says why it cannot and ends the process (F1)
-
-   procedure Handle
-     (Line  : String;
-      Ranks : in out Orders.Ranks;
-      Order : in out Orders.Order;
-      Open  : out Boolean)
-   with
-     Pre  => Line'First = 1
-       and then Line'Last <= Max_Line
-       and then not Order.Owed,
-     Post => not Order.Owed;
-   --  One line of the monitor: its message becomes Order, which is answered
-   --  here or goes to its task. Not Open: the session has ended
-
-   procedure Tell_Stranger (Line : String)
-   with
-     Pre => Line'First = 1 and then Line'Last <= Max_Line;
-   --  Into the log: a client has begun with Line
-
-   procedure Ask_For_Mission (Line : String; Order : in out Orders.Order)
-   with
-     Pre  => Line'First = 1
-       and then Line'Last <= Max_Line
-       and then Order.Owed
-       and then Order.Command.Name in Mission_Command,
-     Post => not Order.Owed;
-   --  Passes the path in Line on to th_mission, or rejects the order if a
-   --  mission is under way
-
-   procedure Send
-     (Next  : in out Monitor.Mailboxes.Item;
-      Image : access constant Monitor.Image_Messages.Message)
-   with
-     Pre  => Next.Unsent and then Next.Kind /= Monitor.Send_Order.Nothing,
-     Post => not Next.Unsent;
-   --  Image: the message, where it is one of an image
-
-   procedure Wait_Loss (Why : out Monitor.Link.Cause)
-   with Post => Why /= Monitor.Link.Nothing;
-   --  Until the monitor in command is lost
-
-   procedure Bring_Back;
-   --  Robot, camera and queues to their initial state (F6)
-
    procedure Start_Server (Gate : out Admission.Newcomers.Gate) is
+      --  Listens, or says why it cannot and ends the process (F1)
       Chosen  : Options.Values renames Settings.Command_Line.Chosen;
       Token   : Admission.Authentication.Token;
       Bound   : Options.Port_Number;
@@ -138,7 +93,16 @@ package body Monitor.Tasks with SPARK_Mode is
       end loop;
    end Th_Server;
 
-   procedure Ask_For_Mission (Line : String; Order : in out Orders.Order) is
+   procedure Ask_For_Mission (Line : String; Order : in out Orders.Order)
+   with
+     Pre  => Line'First = 1
+       and then Line'Last <= Max_Line
+       and then Order.Owed
+       and then Order.Command.Name in Mission_Command,
+     Post => not Order.Owed
+   is
+      --  Passes the path in Line on to th_mission, or rejects the order if a
+      --  mission is under way
       Name  : constant Mission_Command := Order.Command.Name;
       Path  : Missions.Path;
       Valid : Boolean;
@@ -159,7 +123,14 @@ package body Monitor.Tasks with SPARK_Mode is
       Ranks : in out Orders.Ranks;
       Order : in out Orders.Order;
       Open  : out Boolean)
+   with
+     Pre  => Line'First = 1
+       and then Line'Last <= Max_Line
+       and then not Order.Owed,
+     Post => not Order.Owed
    is
+      --  One line of the monitor: its message becomes Order, which is answered
+      --  here or goes to its task. Not Open: the session has ended
       Text : Texts.Text;
       Kept : Boolean;
    begin
@@ -198,7 +169,11 @@ package body Monitor.Tasks with SPARK_Mode is
       end if;
    end Handle;
 
-   procedure Tell_Stranger (Line : String) is
+   procedure Tell_Stranger (Line : String)
+   with
+     Pre => Line'First = 1 and then Line'Last <= Max_Line
+   is
+      --  Into the log: a client has begun with Line
       Text : Texts.Text;
    begin
       Texts.Set
@@ -263,7 +238,11 @@ package body Monitor.Tasks with SPARK_Mode is
    procedure Send
      (Next  : in out Monitor.Mailboxes.Item;
       Image : access constant Monitor.Image_Messages.Message)
+   with
+     Pre  => Next.Unsent and then Next.Kind /= Monitor.Send_Order.Nothing,
+     Post => not Next.Unsent
    is
+      --  Image: the message, where it is one of an image
       Success : Boolean;
    begin
       if Next.Is_Image and then Image = null then
@@ -333,7 +312,10 @@ package body Monitor.Tasks with SPARK_Mode is
       end loop;
    end Th_Send_To_Mon;
 
-   procedure Wait_Loss (Why : out Monitor.Link.Cause) is
+   procedure Wait_Loss (Why : out Monitor.Link.Cause)
+   with Post => Why /= Monitor.Link.Nothing
+   is
+      --  Until the monitor in command is lost
       Seconds  : constant Options.Silence_Seconds :=
         Settings.Command_Line.Chosen.Silence;
       Patience : constant Monitor.Link.Milliseconds :=
@@ -375,6 +357,7 @@ package body Monitor.Tasks with SPARK_Mode is
    end Wait_Loss;
 
    procedure Bring_Back is
+      --  Robot, camera and queues to their initial state (F6)
       Next    : Orders.Ticket;
       Ignored : Robot.Session.Outcome;
       Idle  : Boolean;

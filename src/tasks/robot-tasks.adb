@@ -30,18 +30,9 @@ package body Robot.Tasks with SPARK_Mode is
    --  A robot that is not started and has left as many pings without an answer
    --  is off, and is asked no more: its line stays open
 
-   procedure Tell_Of (Note : Note_Kind; Empty : Boolean);
-   --  What the monitor and the log learn of Note. Empty: the robot's battery,
-   --  when last asked
-
-   procedure Tell_Of_Start (Mode : Mode_Kind);
-   --  The robot has begun to run: sets the periodic tasks going
-
-   procedure Skip_Past (Next : in out Time; Period : Time_Span);
-   --  Next on its grid, in the future: periods that could not be kept are
-   --  left out, not caught up with
-
    procedure Tell_Of (Note : Note_Kind; Empty : Boolean) is
+      --  What the monitor and the log learn of Note. Empty: the robot's
+      --  battery, when last asked
       Gone : Boolean;
    begin
       case Note is
@@ -79,6 +70,7 @@ package body Robot.Tasks with SPARK_Mode is
    end Tell_Of;
 
    procedure Tell_Of_Start (Mode : Mode_Kind) is
+      --  The robot has begun to run: sets the periodic tasks going
    begin
       Robot.Events.Started (With_Watchdog => Mode = Started_With_Watchdog);
       Journal.Put
@@ -88,6 +80,8 @@ package body Robot.Tasks with SPARK_Mode is
    end Tell_Of_Start;
 
    procedure Skip_Past (Next : in out Time; Period : Time_Span) is
+      --  Next on its grid, in the future: periods that could not be kept are
+      --  left out, not caught up with
       Now : constant Time := Clock;
    begin
       while Next <= Now loop

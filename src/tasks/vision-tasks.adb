@@ -41,41 +41,6 @@ package body Vision.Tasks with SPARK_Mode is
      Natural (Missions.Guards.Target_Margin) / 10_000;
    --  Centimetres
 
-   procedure Encode
-     (Slot    : Vision.Library.Slot;
-      Quality : Options.Percentage;
-      Jpeg    : in out Jpeg_Buffer;
-      Message : in out Monitor.Image_Messages.Message);
-   --  The message that shows the image of Slot; its length is 0 where it
-   --  cannot be made (the log says why)
-
-   procedure Find_Robots
-     (Slot   : Vision.Library.Slot;
-      Marker : Options.Marker_Kind;
-      Seen   : Vision.State.View;
-      Gap    : Vision.Following.Milliseconds;
-      Known  : in out Vision.Following.State;
-      Robots : out Vision.Shapes.Robot_Array;
-      Count  : out Vision.Shapes.Robot_Count);
-   --  Where they are in the image of Slot, which has come Gap after the one
-   --  that was searched last
-
-   function Gap_Between
-     (First, Last : Time) return Vision.Following.Milliseconds;
-   --  Rounded up; the longest there is where it is longer
-
-   procedure Camera_Failed (Why : Monitor.Notices.Notice);
-   --  The camera delivers no more: say so, and close it (once)
-
-   procedure Draw_Arena
-     (Slot : Vision.Library.Slot; Arena : Vision.Shapes.Arena_Corners);
-
-   procedure Draw_Robots
-     (Slot   : Vision.Library.Slot;
-      Robots : Vision.Shapes.Robot_Array;
-      Count  : Vision.Shapes.Robot_Count);
-   --  What cannot be drawn is missing in the image (the log says why)
-
    procedure Log_Reason (What : String);
    --  What and the reason that vision_c gives
 
@@ -85,6 +50,8 @@ package body Vision.Tasks with SPARK_Mode is
       Jpeg    : in out Jpeg_Buffer;
       Message : in out Monitor.Image_Messages.Message)
    is
+      --  The message that shows the image of Slot; its length is 0 where it
+      --  cannot be made (the log says why)
       Result : Vision.Library.Status;
       Size   : Natural;
       Last   : Natural;
@@ -111,6 +78,8 @@ package body Vision.Tasks with SPARK_Mode is
       Robots : out Vision.Shapes.Robot_Array;
       Count  : out Vision.Shapes.Robot_Count)
    is
+      --  Where they are in the image of Slot, which has come Gap after the one
+      --  that was searched last
       In_Arena : constant Boolean := Vision.Mode.Uses_Arena (Seen.Mode);
       Areas    : Vision.Shapes.Area_Array;
       Number   : Vision.Shapes.Robot_Count;
@@ -134,7 +103,8 @@ package body Vision.Tasks with SPARK_Mode is
    end Find_Robots;
 
    procedure Draw_Arena
-     (Slot : Vision.Library.Slot; Arena : Vision.Shapes.Arena_Corners) is
+     (Slot : Vision.Library.Slot; Arena : Vision.Shapes.Arena_Corners)
+   is
       Result : Vision.Library.Status;
    begin
       Vision.Library.Draw_Arena (Slot, Arena, Result);
@@ -148,6 +118,7 @@ package body Vision.Tasks with SPARK_Mode is
       Robots : Vision.Shapes.Robot_Array;
       Count  : Vision.Shapes.Robot_Count)
    is
+      --  What cannot be drawn is missing in the image (the log says why)
       Result : Vision.Library.Status;
    begin
       for I in 1 .. Count loop
@@ -162,6 +133,7 @@ package body Vision.Tasks with SPARK_Mode is
      (First, Last : Time) return Vision.Following.Milliseconds is
      (Vision.Following.Milliseconds
         ((Vision.Frame_Delivery.Elapsed (First, Last) + 999) / 1_000));
+   --  Rounded up; the longest there is where it is longer
 
    procedure Log_Reason (What : String) is
       Reason : Vision.Library.Reason_Text;
@@ -175,6 +147,7 @@ package body Vision.Tasks with SPARK_Mode is
    end Log_Reason;
 
    procedure Camera_Failed (Why : Monitor.Notices.Notice) is
+      --  The camera delivers no more: say so, and close it (once)
       Was_Open : Boolean;
    begin
       Vision.State.Store.Close (Was_Open);
