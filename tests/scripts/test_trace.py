@@ -82,7 +82,7 @@ def test_nobody_reads(tmp_path: Path) -> None:
     path = tmp_path / "trace"
     path.write_text(HEAD + "0.5 th_move start\n" * 10_000, encoding="ascii")
     done = subprocess.run(
-        f"{PROGRAM} {path} | head -c 10",
+        f"'{PROGRAM}' {path} | head -c 10",
         shell=True,
         capture_output=True,
         text=True,
