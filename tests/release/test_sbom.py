@@ -107,7 +107,12 @@ def test_the_gateway_depends_on_python_and_aiohttp() -> None:
     ).stdout
     assert packages["python3-aiohttp"]["versionInfo"] == installed
     names = " ".join(packages)
-    for wanted in (r"python3\.\d+-minimal", r"libpython3\.\d+-stdlib", "libssl3"):
+    for wanted in (
+        r"python3\.\d+-minimal",
+        r"libpython3\.\d+-stdlib",
+        "libssl3",
+        "python3-segno",
+    ):
         assert re.search(wanted, names)
     (cause,) = re.findall(
         "Depends:.* python3-aiohttp .*", (ROOT / "debian/control").read_text()

@@ -137,6 +137,7 @@ class Hub:
                 events=sorted([*self._events, *self._orders], key=itemgetter("time")),
                 battery=list(self._battery),
                 recordings=self._record is not None,
+                pupils=self._logins.viewers_token is not None,
             )
         )
         if self._image is not None and (

@@ -78,6 +78,7 @@ class Logins:
             for role, given in (("teacher", token), ("viewer", viewers_token))
             if given is not None
         ]
+        self.viewers_token = viewers_token
         self._sessions: OrderedDict[str, Session] = OrderedDict()
         self._wrong: OrderedDict[str, Budget] = OrderedDict()
         self._expelled: OrderedDict[str, float] = OrderedDict()

@@ -14,6 +14,7 @@ class Origins:
     def __init__(self, bind: str, port: int, further: tuple[str, ...]) -> None:
         self.port = port
         self._further = frozenset(further)
+        self._told = further[0] + "/" if further else address_to_open(bind, port)
         self._hosts = {urlsplit(origin).netloc for origin in further}
         names = ["localhost", "127.0.0.1", "[::1]"]
         if not is_loopback(bind):
@@ -46,6 +47,12 @@ class Origins:
             for one in (origin.lower(), "https://" + host.lower())
             if one.startswith("https:")
         )
+
+    def for_others(self, host: str) -> str:
+        """The URL to tell to others, by one who has come to that host."""
+        if self._further or is_loopback(urlsplit("//" + host).hostname or ""):
+            return self._told
+        return f"http://{host}/"
 
     def is_proxied(self) -> bool:
         return bool(self._further)

@@ -4,6 +4,7 @@
 import asyncio
 import contextlib
 import gc
+import io
 import logging
 import re
 import resource
@@ -14,8 +15,9 @@ from collections import Counter
 from collections.abc import Awaitable, Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
-from urllib.parse import parse_qs
+from urllib.parse import parse_qs, quote
 
+import segno
 from aiohttp import WSCloseCode, WSMsgType, hdrs, web
 
 from . import guard, messages
@@ -222,6 +224,7 @@ class _Gateway:
                 web.get("/page/{path:.+}", self._file),
                 web.post("/login", self._login),
                 web.post("/logout", self._logout),
+                web.get("/join.svg", self._join),
                 web.get("/ws", self._socket),
                 web.get("/recordings", self._list),
                 web.delete("/recordings/{name}", self._delete),
@@ -343,6 +346,20 @@ class _Gateway:
             request.headers.get(hdrs.ORIGIN, ""), request.headers.get(hdrs.HOST, "")
         ):
             raise web.HTTPForbidden(text="this page is not destijl_web's\n")
+
+    async def _join(self, request: web.Request) -> web.StreamResponse:
+        """The address for the pupils; their token is for the form's script alone."""
+        if self._entitled(request).role != "teacher":
+            raise web.HTTPForbidden(text="this is for the teacher\n")
+        address = self._origins.for_others(request.headers.get(hdrs.HOST, ""))
+        token = self._logins.viewers_token
+        if token is not None and "token" in request.query:
+            address += "#token=" + quote(token, safe="")
+        svg = io.BytesIO()
+        segno.make_qr(address).save(
+            svg, kind="svg", title=address, light="white", omitsize=True
+        )
+        return web.Response(body=svg.getvalue(), content_type=_TYPES[".svg"])
 
     #  Viewers
 

@@ -136,6 +136,9 @@ export default {
   people_expel_title: "Expel {name}?",
   people_expel_text: "Closes this viewer's pages. For ten minutes the class's token is refused from the same address.",
   people_log_out: "Log out",
+  join_open: "Join by code",
+  join_title: "Scan to join",
+  join_token: "With the class's token: whoever sees the code may enter",
   muted_you: "The teacher has muted you: you can watch.",
 
   // Driving

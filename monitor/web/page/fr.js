@@ -129,6 +129,9 @@ export default {
   people_expel_title: "Exclure {name} ?",
   people_expel_text: "Ferme ses pages. Pendant dix minutes, le jeton de la classe est refusé depuis la même adresse.",
   people_log_out: "Se déconnecter",
+  join_open: "Rejoindre par code",
+  join_title: "Scannez pour rejoindre",
+  join_token: "Avec le jeton de la classe : qui voit le code peut entrer",
   muted_you: "L’enseignant vous a rendu muet : vous pouvez regarder.",
 
   pad: "Croix de conduite : maintenir pour conduire",

@@ -10,6 +10,14 @@ function show() {
     : t(["wait", "expelled"].includes(failed) ? "login_" + failed : "login_refused");
 }
 
+// A teacher's code has it; the address does not keep it
+const token = new URLSearchParams(location.hash.slice(1)).get("token");
+if (token) {
+  history.replaceState(null, "", "/");
+  document.getElementById("token").value = token;
+  document.querySelector("form").submit();
+}
+
 start();
 onLanguage(show);
 show();

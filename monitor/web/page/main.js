@@ -247,6 +247,7 @@ function welcome(message) {
   me = message.you;
   role = message.role;
   recorded = message.recordings;
+  at("join-with").hidden = !message.pupils;
   welcomedAt = performance.now();
   lastImage = 0;
   unseen = 0;
@@ -540,6 +541,16 @@ function expelButton({ id }) {
   return made;
 }
 
+// The address for the pupils, as a code and as text
+async function showJoin() {
+  const answer = await fetch("/join.svg" + (at("join-token").checked ? "?token" : ""));
+  if (!answer.ok) return;
+  const svg = new DOMParser().parseFromString(await answer.text(), "image/svg+xml");
+  at("join-address").textContent = svg.querySelector("title").textContent;
+  at("join-code").replaceChildren(svg.documentElement);
+  if (!at("join").open) at("join").showModal();
+}
+
 let listed;                        // what the lists were made of
 
 function showPeople() {
@@ -698,6 +709,7 @@ function show() {
   showAlarms();
   showNext(drives);
   at("logout").hidden = role === "open";
+  at("join-open").hidden = role !== "teacher";
   recordings.set(recorded, state.recording, role !== "viewer");
 }
 
@@ -862,6 +874,9 @@ function listen() {
     at("expel").close();
     link.send({ type: "pupil", do: "expel", to: toExpel });
   };
+  at("join-open").onclick = showJoin;
+  at("join-token").onchange = showJoin;
+  at("join-close").onclick = () => at("join").close();
   at("projector").onclick = () => {
     location.hash = location.hash === "#projector" ? "" : "#projector";
   };
@@ -923,6 +938,7 @@ function leave() {
 
 // The picture and the state alone, for a projector
 function showView() {
+  if (location.hash.startsWith("#token=")) history.replaceState(null, "", "/");
   const alone = location.hash === "#projector";
   root.classList.toggle("projector", alone);
   at("projector").setAttribute("aria-pressed", String(alone));

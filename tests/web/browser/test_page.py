@@ -252,6 +252,35 @@ def test_pupils(
     await_(lambda: teacher.driver.find_elements(By.ID, "token"), "the form")
 
 
+def test_join_by_code(
+    stands: Callable[..., Stand],
+    tokens: tuple[str | Path, ...],
+    visitors: Visitors,
+    axe: str,
+) -> None:
+    """What the code says leads a pupil in, who gives the token only if it does not."""
+    stand = stands(*tokens)
+    teacher = visitors.open(stand.address)
+    log_in(teacher, TEACHERS)
+    teacher.click("join-open")
+    await_(lambda: teacher.visible("join-code"), "the code")
+    assert teacher.text("join-address") == stand.address + "/"
+    judge(teacher, axe, "the code")
+    pupil = visitors.open(teacher.text("join-address"), 1)
+    assert pupil.visible("token")
+
+    teacher.click("join-token")
+    await_(lambda: VIEWERS in teacher.text("join-address"), "the class's token")
+    for _ in range(2):  # a second time, too
+        pupil.driver.get("about:blank")
+        pupil.driver.get(teacher.text("join-address"))
+        pupil.shows("link", "open")
+        assert pupil.driver.current_url == stand.address + "/"
+        assert not pupil.visible("join-open")
+    assert TEACHERS not in teacher.run("return document.documentElement.outerHTML")
+    teacher.click("join-close")
+
+
 def test_the_fifth_page(
     stands: Callable[..., Stand], tokens: tuple[str | Path, ...], visitors: Visitors
 ) -> None:

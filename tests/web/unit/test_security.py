@@ -247,3 +247,44 @@ async def test_no_other_files(w: World, path: str) -> None:
     line = await reader.readline()
     assert line.split()[1] in (b"404", b"400")
     writer.close()
+
+
+async def join(w: World, token: str, path: str = "/join.svg") -> tuple[int, str]:
+    async with (await w.logged_in(token)).get(w.url + path) as answer:
+        return answer.status, await answer.text()
+
+
+@pytest.mark.world(token="secret+of+teacher", viewers_token="secret+of+viewers")
+async def test_join(w: World) -> None:
+    """A teacher alone is given the code; the class's token only if asked for."""
+    assert await status(w, "/join.svg?token") == 401
+    assert (await join(w, "secret+of+viewers", "/join.svg?token"))[0] == 403
+    for path, fragment in (
+        ("/join.svg", ""),
+        ("/join.svg?token", "#token=secret%2Bof%2Bviewers"),
+    ):
+        code, svg = await join(w, "secret+of+teacher", path)
+        assert code == 200
+        assert f"<title>{w.url}/{fragment}</title>" in svg
+
+
+@pytest.mark.world(token="secret-of-teacher")
+async def test_join_without_a_token_of_the_class(w: World) -> None:
+    assert f"<title>{w.url}/</title>" in (await join(w, "secret-of-teacher"))[1]
+    _, svg = await join(w, "secret-of-teacher", "/join.svg?token")
+    assert f"<title>{w.url}/</title>" in svg
+
+
+async def test_join_without_tokens(w: World) -> None:
+    assert await status(w, "/join.svg") == 403
+
+
+def test_address_for_others() -> None:
+    """As the teacher came, but not this machine's own name for itself."""
+    everywhere = Origins("192.0.2.5", 8080, ())
+    assert everywhere.for_others("robot.local:8080") == "http://robot.local:8080/"
+    for own in ("localhost:8080", "127.0.0.1:8080", "[::1]:8080"):
+        assert everywhere.for_others(own) == "http://192.0.2.5:8080/"
+    proxied = Origins("127.0.0.1", 8080, ("https://robot.example", "http://b.example"))
+    for host in ("b.example", "127.0.0.1:8080"):
+        assert proxied.for_others(host) == "https://robot.example/"

@@ -36,6 +36,7 @@ async def test_welcome(w: World) -> None:
         "events": page.welcome["events"],
         "battery": [],
         "recordings": False,
+        "pupils": False,
     }
     event = page.welcome["events"][0]
     assert event["code"] == "supervisor_connected"
