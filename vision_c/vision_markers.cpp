@@ -463,8 +463,9 @@ void draw_beyond(const std::array<Margin, 4> &margin, double black,
 
 // Draws a marker with the illumination of MODULES, 0 for the mean black and 1
 // for the mean white; EVENLY: the illumination is nearly even. MAP: from the
-// modules to the image. Marks in USED the pixels to be compared.
-void draw(const cv::Mat &grey, const Map &map, unsigned bits,
+// modules to the image. Marks in USED the pixels to be compared. False if a
+// side of its border does not show, as what is beside it is as dark.
+bool draw(const cv::Mat &grey, const Map &map, unsigned bits,
           const Grid<double> &modules, bool evenly, cv::Mat &shape,
           cv::Mat &used, Grid<double> &contrast) {
   double white = 0.0, black = 0.0;
@@ -513,7 +514,12 @@ void draw(const cv::Mat &grey, const Map &map, unsigned bits,
     large.copyTo(shape, mask);
   }
 
-  draw_beyond(margins(grey, map, white), black, step, shape);
+  const auto margin = margins(grey, map, white);
+  if (std::any_of(margin.begin(), margin.end(), [&](const Margin &one) {
+        return one.width < 0.1 && one.beyond - black < 0.1 * step;
+      }))
+    return false;
+  draw_beyond(margin, black, step, shape);
 
   // The outer edge of the quiet zone blurs into its surroundings.
   constexpr int rim = int(places.size()) / 2;
@@ -524,6 +530,7 @@ void draw(const cv::Mat &grey, const Map &map, unsigned bits,
       if (seen[point(y) / pitch][point(x) / pitch])
         used.at<uchar>(point(y), point(x)) =
             (x + y) % 2 == 0 ? compared : read_only;
+  return true;
 }
 
 // For each module, the share of its contrast in the drawing that indicates the
@@ -657,8 +664,9 @@ bool align_marker(const cv::Mat &grey, unsigned bits,
   }();
   cv::Mat shape, used;
   Grid<double> contrast;
-  draw(grey, map_of(six_by_six, corner), bits, modules, evenly, shape, used,
-       contrast);
+  if (!draw(grey, map_of(six_by_six, corner), bits, modules, evenly, shape,
+            used, contrast))
+    return false;
   Quad start = corner;
   if (!perspective) {
     // the nearest parallelogram
