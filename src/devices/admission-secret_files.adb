@@ -38,10 +38,11 @@ is
          Read_Token (Data (1 .. Result), Token);
          Texts.Set
            (Reason,
-            "its first line is no token: 16 .. 128 printable ASCII "
-            & "characters without a blank");
+            (if Token.Length > 0 then ""
+             else "its first line is no token: 16 .. 128 printable ASCII "
+               & "characters without a blank"));
       end if;
-      if Path.Length > Credentials'Length
+      if Reason.Length > 0 and then Path.Length > Credentials'Length
         and then Path.Data (Credentials'Range) = Credentials
       then
          Texts.Append

@@ -2,6 +2,13 @@
 
 package body Missions.Texts with SPARK_Mode is
 
+   function Image (Value : Percent) return String is
+      Line : Short_Text;
+   begin
+      Numbers.Append (Value, 1, Line.Data, Line.Length);
+      return Line.Data (1 .. Line.Length);
+   end Image;
+
    procedure Put_Number
      (Line : in out Short_Text; Value : Millimetres; Ending : Character)
    with

@@ -12,15 +12,7 @@ package Missions.Texts with SPARK_Mode is
    Max_Text : constant := 48;
    --  Characters of an end's text, at most
 
-   function Digit (Value : Natural) return Character is
-     (Character'Val (Character'Pos ('0') + Value))
-   with Pre => Value <= 9;
-
-   function Image (Value : Percent) return String is
-     ((if Value < 10 then ""
-       elsif Value < 100 then (1 => Digit (Value / 10))
-       else Digit (Value / 100) & Digit (Value / 10 mod 10))
-      & Digit (Value mod 10))
+   function Image (Value : Percent) return String
    with
      Post => Image'Result'First = 1
        and then Image'Result'Length in 1 .. 3
