@@ -135,7 +135,7 @@ package body Serial_Side is
 
    task body Carrier is
 
-      Idle_Wait : constant Instant := 200_000_000;
+      Idle_Wait : constant Instant := 20_000_000;
       --  The robot is made to grow older at least this often
 
       Above_Tasks : constant := 50;
@@ -392,10 +392,9 @@ package body Serial_Side is
             Files (2) := (Robot_End (The_Line), Poll_In, 0);
          end if;
          Polls.Wait (Files, Wake_Up - Time);
-         if Files (1).Returned = 0 and then Files (2).Returned = 0 then
+         if Files (2).Returned = 0 then
             Free (The_Line);
-         end if;
-         if Files (2).Returned /= 0 then
+         else
             Collect;
          end if;
          if Files (1).Returned /= 0 then

@@ -221,6 +221,8 @@ package body Child_Processes is
            (Libc.Pr_Set_Pdeathsig, unsigned_long (Libc.Sigkill));
          Unused := Libc.Sigprocmask (Libc.Set_Mask, Empty'Access, null);
          Unused_Action := Libc.Signal (Libc.Sigpipe, Libc.Default_Action);
+         --  which nohup ignores, and so would the supervisor
+         Unused_Action := Libc.Signal (Libc.Sighup, Libc.Default_Action);
          Unused := Libc.Dup2 (Input (0), 0);
          Unused := Libc.Dup2 (Output (1), 1);
          Unused := Libc.Dup2 (Errors (1), 2);
