@@ -230,6 +230,16 @@ void add_marker_rows(std::vector<Row> &rows) {
     o.on_robots = 0;
     o.count = 20;
   }));
+  rows.push_back(marker_row("dark ground, margin of 0 to 1/8",
+                            [](M &o, Random &) {
+    o.image = {1280, 720};
+    o.side = {16, 56};
+    o.margin = {0, 0.125};
+    o.ground = {40, 60};
+    o.defocus = {0, 0.05};
+    o.on_robots = 0;
+    o.count = 20;
+  }, 0.7));
   rows.push_back(marker_row("14 to 20 px, steep, margin of 0 to 1",
                             [](M &o, Random &) {
     o.image = {1280, 720};
