@@ -516,7 +516,8 @@ bool draw(const cv::Mat &grey, const Map &map, unsigned bits,
 
   const auto margin = margins(grey, map, white);
   if (std::any_of(margin.begin(), margin.end(), [&](const Margin &one) {
-        return one.width * step + one.beyond - black < -0.01 * step;
+        return one.width < 0.1 &&
+               one.width * step + one.beyond - black < -0.01 * step;
       }))
     return false;
   draw_beyond(margin, black, step, shape);
