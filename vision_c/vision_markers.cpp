@@ -843,13 +843,17 @@ void find_markers(Search &search, std::vector<vision_robot> &robots) {
   while (search.size > 0.0 && coarsest > 0 &&
          1.25 * search.size < enough * (1 << coarsest))
     --coarsest;
-  for (int level = coarsest; level >= 0; --level) {
+  // At the threshold for faint markers a border joins a dark field beyond a
+  // thin margin: hence the last pass.
+  for (int pass = coarsest; pass >= -1; --pass) {
+    const int level = std::max(pass, 0);
     const cv::Mat &image = scratch.level[level];
     const int window = level == 0 ? 5 : 7;
+    const int darker = pass > 0 ? 4 : pass == 0 ? 2 : 5;  // grey levels
     if (level > 0 && std::min(image.cols, image.rows) < enough + window)
       continue;
     quads.clear();
-    find_quads(image, window, level == 0 ? 2 : 4, 1 << level, quads);
+    find_quads(image, window, darker, 1 << level, quads);
     for (Quad &corner : quads)
       if (level == 0 || size_of(corner) >= enough * (1 << level))
         read(corner);
