@@ -25,7 +25,17 @@ package body Missions.Angles with SPARK_Mode is
       981_627, 984_808, 987_688, 990_268, 992_546, 994_522, 996_195,
       997_564, 998_630, 999_391, 999_848, 1_000_000);
 
-   function Quarter_Sine (Angle : Quarter) return Positive_Part;
+   function Quarter_Sine (Angle : Quarter) return Positive_Part is
+      Whole : constant Degree := Wide (Angle) / Million;
+      Rest  : constant Wide   := Wide (Angle) mod Million;
+   begin
+      if Whole = 90 then
+         return Million;
+      end if;
+      return
+        (Sines (Whole) * (Million - Rest) + Sines (Whole + 1) * Rest
+         + Million / 2) / Million;
+   end Quarter_Sine;
 
    function Folded (Angle : Bearing) return Quarter is
      (if Angle <= Quarter_Turn then Angle else Half_Turn - Angle)
@@ -33,43 +43,6 @@ package body Missions.Angles with SPARK_Mode is
    --  The angle in the first quarter with the same sine
 
    subtype Short is Wide range 0 .. 2 * Million;
-
-   function Quarter_Direction (X, Y : Short) return Quarter;
-
-   function Along (X, Y : Micrometres; Towards : Bearing) return Micrometres
-   is
-      Sum : constant Wide :=
-        (Wide (X) * Cosine (Towards) + Wide (Y) * Sine (Towards)) / Million;
-   begin
-      return Micrometres
-        (Wide'Max (Wide (Micrometres'First),
-                   Wide'Min (Wide (Micrometres'Last), Sum)));
-   end Along;
-
-   function Cosine (Angle : Bearing) return Part is
-     (if abs Angle <= Quarter_Turn then Quarter_Sine (Quarter_Turn - abs Angle)
-      else -Quarter_Sine (abs Angle - Quarter_Turn));
-
-   function Direction (X, Y : Micrometres) return Bearing is
-      Wide_X  : constant Wide := abs Wide (X);
-      Wide_Y  : constant Wide := abs Wide (Y);
-      Shorter : constant Wide :=
-        Wide'Max (Wide_X, Wide_Y) / Million + 1;
-      --  Both are made shorter by it, so that products are small enough; short
-      --  ones longer, so that nothing is lost
-      Longer  : constant Wide :=
-        (if Shorter = 1
-         then Million / Wide'Max (1, Wide'Max (Wide_X, Wide_Y)) else 1);
-      Acute   : constant Quarter := Quarter_Direction
-        (Wide'Min (Wide_X * Longer / Shorter, 2 * Million),
-         Wide'Min (Wide_Y * Longer / Shorter, 2 * Million));
-   begin
-      if X >= 0 then
-         return (if Y >= 0 then Acute else -Acute);
-      else
-         return (if Y >= 0 then Half_Turn - Acute else Acute - Half_Turn);
-      end if;
-   end Direction;
 
    function Quarter_Direction (X, Y : Short) return Quarter is
 
@@ -122,17 +95,40 @@ package body Missions.Angles with SPARK_Mode is
          + Microdegrees (Wide'Min (Rest, Million)));
    end Quarter_Direction;
 
-   function Quarter_Sine (Angle : Quarter) return Positive_Part is
-      Whole : constant Degree := Wide (Angle) / Million;
-      Rest  : constant Wide   := Wide (Angle) mod Million;
+   function Along (X, Y : Micrometres; Towards : Bearing) return Micrometres
+   is
+      Sum : constant Wide :=
+        (Wide (X) * Cosine (Towards) + Wide (Y) * Sine (Towards)) / Million;
    begin
-      if Whole = 90 then
-         return Million;
+      return Micrometres
+        (Wide'Max (Wide (Micrometres'First),
+                   Wide'Min (Wide (Micrometres'Last), Sum)));
+   end Along;
+
+   function Cosine (Angle : Bearing) return Part is
+     (if abs Angle <= Quarter_Turn then Quarter_Sine (Quarter_Turn - abs Angle)
+      else -Quarter_Sine (abs Angle - Quarter_Turn));
+
+   function Direction (X, Y : Micrometres) return Bearing is
+      Wide_X  : constant Wide := abs Wide (X);
+      Wide_Y  : constant Wide := abs Wide (Y);
+      Shorter : constant Wide :=
+        Wide'Max (Wide_X, Wide_Y) / Million + 1;
+      --  Both are made shorter by it, so that products are small enough; short
+      --  ones longer, so that nothing is lost
+      Longer  : constant Wide :=
+        (if Shorter = 1
+         then Million / Wide'Max (1, Wide'Max (Wide_X, Wide_Y)) else 1);
+      Acute   : constant Quarter := Quarter_Direction
+        (Wide'Min (Wide_X * Longer / Shorter, 2 * Million),
+         Wide'Min (Wide_Y * Longer / Shorter, 2 * Million));
+   begin
+      if X >= 0 then
+         return (if Y >= 0 then Acute else -Acute);
+      else
+         return (if Y >= 0 then Half_Turn - Acute else Acute - Half_Turn);
       end if;
-      return
-        (Sines (Whole) * (Million - Rest) + Sines (Whole + 1) * Rest
-         + Million / 2) / Million;
-   end Quarter_Sine;
+   end Direction;
 
    function Sine (Angle : Bearing) return Part is
      (if Angle < 0 then -Quarter_Sine (Folded (-Angle))

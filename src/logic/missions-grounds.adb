@@ -21,12 +21,12 @@ package body Missions.Grounds with SPARK_Mode is
       May_Begin := False;
       if G.Line.Mode = Robot.Session.Not_Started then
          Why := Robot_Not_Started;
-      elsif not Vision.Mode.Is_Open (G.View.Mode) then
+      elsif not Vision.Mode.Is_Open (G.View) then
          Why := Camera_Closed;
-      elsif not G.View.Mode.Position_On then
+      elsif not G.View.Position_On then
          Why := Positions_Off;
-      elsif not G.View.Mode.Confirmed
-        or else not Vision.Mode.Images_Flow (G.View.Mode)
+      elsif not G.View.Confirmed
+        or else not Vision.Mode.Images_Flow (G.View)
       then
          Why := Arena_Not_Confirmed;
       elsif not Usable then

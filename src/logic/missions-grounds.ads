@@ -8,7 +8,6 @@ with Missions.Runs;
 with Robot.Line_Status;
 with Robot.Session;
 with Vision.Mode;
-with Vision.Mode_Changes;
 with Vision.Robot_Sightings;
 with Vision.Shapes;
 
@@ -22,7 +21,7 @@ package Missions.Grounds with SPARK_Mode is
 
    type Ground is record
       Line : Robot.Line_Status.Status;
-      View : Vision.Mode_Changes.View;
+      View : Vision.Mode.State;
       Seen : Vision.Robot_Sightings.Sighting;
       Now  : Time := Time_First;
    end record;
@@ -47,9 +46,9 @@ package Missions.Grounds with SPARK_Mode is
      Post =>
        (if May_Begin then
            G.Line.Mode /= Robot.Session.Not_Started
-           and then Vision.Mode.Images_Flow (G.View.Mode)
-           and then G.View.Mode.Position_On
-           and then G.View.Mode.Confirmed
+           and then Vision.Mode.Images_Flow (G.View)
+           and then G.View.Position_On
+           and then G.View.Confirmed
            and then Has_Position (G)
            and then Missions.Arenas.Is_Usable (Map)
         else
@@ -57,20 +56,20 @@ package Missions.Grounds with SPARK_Mode is
               when Robot_Not_Started   =>
                 G.Line.Mode = Robot.Session.Not_Started,
               when Camera_Closed       =>
-                not Vision.Mode.Is_Open (G.View.Mode),
-              when Positions_Off       => not G.View.Mode.Position_On,
+                not Vision.Mode.Is_Open (G.View),
+              when Positions_Off       => not G.View.Position_On,
               when Arena_Not_Confirmed =>
-                not G.View.Mode.Confirmed
-                or else not Vision.Mode.Images_Flow (G.View.Mode),
+                not G.View.Confirmed
+                or else not Vision.Mode.Images_Flow (G.View),
               when Robot_Not_Seen      => not Has_Position (G),
               when Arena_Too_Small | Point_Outside => True));
    --  Whether a mission to P may begin on G, or why not. Map is that of the
    --  arena, and Targets (1 .. P.Count) the places of the points
 
    function Stands (Begun, G : Ground) return Boolean is
-     (G.View.Mode.Stage = Vision.Mode.Streaming
-      and then G.View.Mode.Position_On
-      and then G.View.Mode.Confirmed
+     (G.View.Stage = Vision.Mode.Streaming
+      and then G.View.Position_On
+      and then G.View.Confirmed
       and then G.View.Arena = Begun.View.Arena);
    --  Camera, positions and arena are still those of Begun
 

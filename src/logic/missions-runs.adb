@@ -152,7 +152,13 @@ package body Missions.Runs with SPARK_Mode is
        and then R.Why = Why
        and then R.Leg = R.Leg'Old
        and then R.Orders = R.Orders'Old
-       and then R.Seen_At = R.Seen_At'Old;
+       and then R.Seen_At = R.Seen_At'Old
+   is
+   begin
+      R.Ended := True;
+      R.Why   := Why;
+      R.Stops := (if Why in By_Hand | Session_Over then 0 else Stop_Tries);
+   end Finish;
 
    procedure Finish_Amiss (R : in out Run; What : Movement_Kind)
    with
@@ -160,17 +166,157 @@ package body Missions.Runs with SPARK_Mode is
      Post => R.Ended
        and then R.Leg = R.Leg'Old
        and then R.Orders = R.Orders'Old
-       and then R.Seen_At = R.Seen_At'Old;
-   --  It goes so far amiss, as measured; Halt, or none measured: it does not
-   --  go on
-
-   procedure Learn (R : in out Run)
-   with Post => Is_Same (R, R'Old);
-   --  From what was ordered since the last look, and what is seen now
+       and then R.Seen_At = R.Seen_At'Old
+   is
+      --  It goes so far amiss, as measured; Halt, or none measured: it does
+      --  not go on
+   begin
+      Finish
+        (R,
+         (if R.Measured = 0 then No_Progress
+          else
+            (case What is
+                when Halt  => No_Progress,
+                when Turn  => Turns_Amiss,
+                when Drive => Drives_Amiss)));
+   end Finish_Amiss;
 
    procedure Learn_Lag (R : in out Run; Turned : Microdegrees)
-   with Post => Is_Same (R, R'Old);
-   --  The last turn was so much in all
+   with Post => Is_Same (R, R'Old)
+   is
+      --  The last turn was so much in all
+      Shown : constant Wide :=
+        Wide (abs R.Part_Turned)
+        * Wide (Microseconds'Min (R.Turn_Time, 10 ** 8))
+        / Wide'Max (1, Wide (abs Turned));
+      --  the time of the turn that was seen
+      Lag   : constant Microseconds :=
+        (if Shown in 0 .. Wide (R.Part_Time)
+         then Microseconds'Min (R.Part_Time - Microseconds (Shown), Max_Age)
+         else 0);
+   begin
+      if R.Part_Turned /= 0 then
+         R.Lag := (if R.Lag = 0 then Lag else (R.Lag + Lag) / 2);
+      end if;
+   end Learn_Lag;
+
+   procedure Learn (R : in out Run)
+   with Post => Is_Same (R, R'Old)
+   is
+      --  From what was ordered since the last look, and what is seen now
+
+      subtype Square is Wide range 1 .. 25_000_000;
+
+      function Square_Of (Amount : Drive_Length) return Square is
+        (Within (Wide (Amount) * Wide (Amount), Square'First, Square'Last));
+
+      function Quarter_Of (Number : Square) return Square is
+        (Wide'Max (1, Number / 4));
+
+      function Mean_Of
+        (Known : Wide; W : Weight; Seen : Wide; Amount : Square) return Wide
+      is (Known + (Seen - Known) * Amount / (Wide (W) + Amount))
+      with
+        Pre => Known in -100_000 .. 100_000
+          and then Seen in -100_000 .. 100_000;
+
+      procedure Add (W : in out Weight; Amount : Square; Most : Weight) is
+      begin
+         W := Weight (Wide'Min (Wide (Most), Wide (W) + Amount));
+      end Add;
+
+      procedure Learn_Gain
+        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Square;
+         Most : Weight)
+      is
+         Lowest  : constant Wide := Wide (Gain'First);
+         Highest : constant Wide := Wide (Gain'Last);
+      begin
+         G := Gain
+           (Within
+              (Mean_Of (Wide (G), W, Within (Seen, Lowest, Highest), Amount),
+               Lowest, Highest));
+         Add (W, Amount, Most);
+      end Learn_Gain;
+
+      Expected : constant Some_Turn := True_Turn (R.Turned, R.Turns);
+      Length   : constant Micrometres := Way (R.From, R.Mean);
+      Chord    : constant Bearing :=
+        Normal
+          (Direction (R.Mean.X - R.From.X, R.Mean.Y - R.From.Y)
+           + (if R.Driven < 0 then Half_Turn else 0));
+      Before    : Bearing;
+      --  the heading at the beginning of the drive
+      Error     : Bearing;
+      Seen_Gain : Wide;
+      Pulled    : Wide;
+      Amount    : Square;
+   begin
+      if R.Driven = 0 then
+         if R.Turned /= 0 then
+            Error := Turn_Error (R);
+            if R.Turn_Weight >= Learnt_Turn and then abs Error > Surprise then
+               R.Distrust := Distrusted;
+            end if;
+            Learn_Gain
+              (R.Turns, R.Turn_Weight,
+               Wide (Expected + Error) / (Wide (R.Turned) * 100),
+               Square_Of (R.Turned), Most_Turn);
+            if R.Turn_Weight >= Learnt_Turn and then R.Distrust > 0 then
+               R.Distrust := R.Distrust - 1;
+            end if;
+            if R.Turns_Made = 1 then
+               Learn_Lag (R, Expected + Error);
+            end if;
+         end if;
+         return;
+      elsif Length < Learning_Way then
+         return;
+      end if;
+
+      Seen_Gain := Within
+        (Wide (Length) * 10 / abs Wide (R.Driven), 0, 30_000);
+      if Length >= Long_Way and then R.Way_Weight >= Learnt_Way then
+         R.Way_Doubt := Integer'Min
+           (50,
+            Integer'Max
+              (R.Way_Doubt * 15 / 16,
+               Integer (abs (Seen_Gain - Wide (R.Drives))) * 250 / R.Drives));
+      end if;
+      Learn_Gain
+        (R.Drives, R.Way_Weight, Seen_Gain, Square_Of (R.Driven), Most_Way);
+
+      Before :=
+        (if R.Turned = 0 then R.From.Heading
+         else Normal (Chord + Difference (R.Mean.Heading, Chord)));
+      Error :=
+        Normal (Before - R.From.Heading - Normal (Expected));
+      if R.Turned /= 0 then
+         Learn_Gain
+           (R.Turns, R.Turn_Weight,
+            Wide (Expected + Error) / (Wide (R.Turned) * 100),
+            Quarter_Of (Square_Of (R.Turned)), Most_Turn);
+      end if;
+      if Length >= Long_Way
+        and then abs Error >
+          Surprise + 5_000 * 57_000_000 / Microdegrees (Length)
+      then
+         R.Distrust := Distrusted;
+      end if;
+
+      Amount :=
+        (if R.Turned = 0 then Square_Of (R.Driven)
+         else Quarter_Of (Square_Of (R.Driven)));
+      Pulled := Within
+        (Wide (Difference (Before, R.Mean.Heading)) * 1_000
+         / Wide (if R.Driven < 0 then -Length else Length),
+         Wide (Pull'First), Wide (Pull'Last));
+      R.Pulled := Pull
+        (Within
+           (Mean_Of (Wide (R.Pulled), R.Pull_Weight, Pulled, Amount),
+            Wide (Pull'First), Wide (Pull'Last)));
+      Add (R.Pull_Weight, Amount, Most_Way);
+   end Learn;
 
    procedure Give
      (R        : in out Run;
@@ -192,7 +338,53 @@ package body Missions.Runs with SPARK_Mode is
        and then not R.Ended
        and then Orders_Left (R) < Orders_Left (R'Old)
        and then R.Leg_End = R.Leg_End'Old
-       and then R.Seen_At = R.Seen_At'Old;
+       and then R.Seen_At = R.Seen_At'Old
+   is
+   begin
+      case Movement is
+         when Halt  =>
+            Next := (Order, (Kind => Robot.Session.Stop, others => <>));
+
+         when Turn  =>
+            Next :=
+              (Order, (Robot.Session.Drive, (Robot.Protocol.Turn, Amount)));
+
+         when Drive =>
+            Next :=
+              (Order, (Robot.Session.Drive, (Robot.Protocol.Move, Amount)));
+      end case;
+      R.Awaited  := Order;
+      R.Movement := Movement;
+      R.Amount   := Amount;
+      R.Phase    := Moving;
+      R.Upset    := False;
+      R.Orders   := R.Orders - 1;
+      case Movement is
+         when Halt =>
+            null;
+
+         when Turn =>
+            R.Turns_Made  := Natural'Min (2, R.Turns_Made + 1);
+            R.Part_Turned := 0;
+            if R.Turned = 0 then
+               R.From := R.Mean;
+            end if;
+            if abs (R.Turned + Amount) <= Degrees'Last then
+               R.Turned := R.Turned + Amount;
+            else
+               R.Learnable := False;
+            end if;
+
+         when Drive =>
+            R.Turns_Made := 0;
+            R.From.X := R.Mean.X;
+            R.From.Y := R.Mean.Y;
+            if R.Turned = 0 then
+               R.From.Heading := R.Mean.Heading;
+            end if;
+            R.Driven := Amount;
+      end case;
+   end Give;
 
    procedure Add_Image (R : in out Run)
    with Post => Is_Same (R, R'Old)
@@ -541,207 +733,6 @@ package body Missions.Runs with SPARK_Mode is
          Finish (R, Why);
       end if;
    end End_By;
-
-   procedure Finish (R : in out Run; Why : Ending) is
-   begin
-      R.Ended := True;
-      R.Why   := Why;
-      R.Stops := (if Why in By_Hand | Session_Over then 0 else Stop_Tries);
-   end Finish;
-
-   procedure Finish_Amiss (R : in out Run; What : Movement_Kind) is
-   begin
-      Finish
-        (R,
-         (if R.Measured = 0 then No_Progress
-          else
-            (case What is
-                when Halt  => No_Progress,
-                when Turn  => Turns_Amiss,
-                when Drive => Drives_Amiss)));
-   end Finish_Amiss;
-
-   procedure Give
-     (R        : in out Run;
-      Movement : Movement_Kind;
-      Amount   : Drive_Length;
-      Next     : out Action) is
-   begin
-      case Movement is
-         when Halt  =>
-            Next := (Order, (Kind => Robot.Session.Stop, others => <>));
-
-         when Turn  =>
-            Next :=
-              (Order, (Robot.Session.Drive, (Robot.Protocol.Turn, Amount)));
-
-         when Drive =>
-            Next :=
-              (Order, (Robot.Session.Drive, (Robot.Protocol.Move, Amount)));
-      end case;
-      R.Awaited  := Order;
-      R.Movement := Movement;
-      R.Amount   := Amount;
-      R.Phase    := Moving;
-      R.Upset    := False;
-      R.Orders   := R.Orders - 1;
-      case Movement is
-         when Halt =>
-            null;
-
-         when Turn =>
-            R.Turns_Made  := Natural'Min (2, R.Turns_Made + 1);
-            R.Part_Turned := 0;
-            if R.Turned = 0 then
-               R.From := R.Mean;
-            end if;
-            if abs (R.Turned + Amount) <= Degrees'Last then
-               R.Turned := R.Turned + Amount;
-            else
-               R.Learnable := False;
-            end if;
-
-         when Drive =>
-            R.Turns_Made := 0;
-            R.From.X := R.Mean.X;
-            R.From.Y := R.Mean.Y;
-            if R.Turned = 0 then
-               R.From.Heading := R.Mean.Heading;
-            end if;
-            R.Driven := Amount;
-      end case;
-   end Give;
-
-   procedure Learn (R : in out Run) is
-
-      subtype Square is Wide range 1 .. 25_000_000;
-
-      function Square_Of (Amount : Drive_Length) return Square is
-        (Within (Wide (Amount) * Wide (Amount), Square'First, Square'Last));
-
-      function Quarter_Of (Number : Square) return Square is
-        (Wide'Max (1, Number / 4));
-
-      function Mean_Of
-        (Known : Wide; W : Weight; Seen : Wide; Amount : Square) return Wide
-      is (Known + (Seen - Known) * Amount / (Wide (W) + Amount))
-      with
-        Pre => Known in -100_000 .. 100_000
-          and then Seen in -100_000 .. 100_000;
-
-      procedure Add (W : in out Weight; Amount : Square; Most : Weight) is
-      begin
-         W := Weight (Wide'Min (Wide (Most), Wide (W) + Amount));
-      end Add;
-
-      procedure Learn_Gain
-        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Square;
-         Most : Weight)
-      is
-         Lowest  : constant Wide := Wide (Gain'First);
-         Highest : constant Wide := Wide (Gain'Last);
-      begin
-         G := Gain
-           (Within
-              (Mean_Of (Wide (G), W, Within (Seen, Lowest, Highest), Amount),
-               Lowest, Highest));
-         Add (W, Amount, Most);
-      end Learn_Gain;
-
-      Expected : constant Some_Turn := True_Turn (R.Turned, R.Turns);
-      Length   : constant Micrometres := Way (R.From, R.Mean);
-      Chord    : constant Bearing :=
-        Normal
-          (Direction (R.Mean.X - R.From.X, R.Mean.Y - R.From.Y)
-           + (if R.Driven < 0 then Half_Turn else 0));
-      Before    : Bearing;
-      --  the heading at the beginning of the drive
-      Error     : Bearing;
-      Seen_Gain : Wide;
-      Pulled    : Wide;
-      Amount    : Square;
-   begin
-      if R.Driven = 0 then
-         if R.Turned /= 0 then
-            Error := Turn_Error (R);
-            if R.Turn_Weight >= Learnt_Turn and then abs Error > Surprise then
-               R.Distrust := Distrusted;
-            end if;
-            Learn_Gain
-              (R.Turns, R.Turn_Weight,
-               Wide (Expected + Error) / (Wide (R.Turned) * 100),
-               Square_Of (R.Turned), Most_Turn);
-            if R.Turn_Weight >= Learnt_Turn and then R.Distrust > 0 then
-               R.Distrust := R.Distrust - 1;
-            end if;
-            if R.Turns_Made = 1 then
-               Learn_Lag (R, Expected + Error);
-            end if;
-         end if;
-         return;
-      elsif Length < Learning_Way then
-         return;
-      end if;
-
-      Seen_Gain := Within
-        (Wide (Length) * 10 / abs Wide (R.Driven), 0, 30_000);
-      if Length >= Long_Way and then R.Way_Weight >= Learnt_Way then
-         R.Way_Doubt := Integer'Min
-           (50,
-            Integer'Max
-              (R.Way_Doubt * 15 / 16,
-               Integer (abs (Seen_Gain - Wide (R.Drives))) * 250 / R.Drives));
-      end if;
-      Learn_Gain
-        (R.Drives, R.Way_Weight, Seen_Gain, Square_Of (R.Driven), Most_Way);
-
-      Before :=
-        (if R.Turned = 0 then R.From.Heading
-         else Normal (Chord + Difference (R.Mean.Heading, Chord)));
-      Error :=
-        Normal (Before - R.From.Heading - Normal (Expected));
-      if R.Turned /= 0 then
-         Learn_Gain
-           (R.Turns, R.Turn_Weight,
-            Wide (Expected + Error) / (Wide (R.Turned) * 100),
-            Quarter_Of (Square_Of (R.Turned)), Most_Turn);
-      end if;
-      if Length >= Long_Way
-        and then abs Error >
-          Surprise + 5_000 * 57_000_000 / Microdegrees (Length)
-      then
-         R.Distrust := Distrusted;
-      end if;
-
-      Amount :=
-        (if R.Turned = 0 then Square_Of (R.Driven)
-         else Quarter_Of (Square_Of (R.Driven)));
-      Pulled := Within
-        (Wide (Difference (Before, R.Mean.Heading)) * 1_000
-         / Wide (if R.Driven < 0 then -Length else Length),
-         Wide (Pull'First), Wide (Pull'Last));
-      R.Pulled := Pull
-        (Within
-           (Mean_Of (Wide (R.Pulled), R.Pull_Weight, Pulled, Amount),
-            Wide (Pull'First), Wide (Pull'Last)));
-      Add (R.Pull_Weight, Amount, Most_Way);
-   end Learn;
-
-   procedure Learn_Lag (R : in out Run; Turned : Microdegrees) is
-      Shown : constant Wide :=
-        Wide (abs R.Part_Turned)
-        * Wide (Microseconds'Min (R.Turn_Time, 10 ** 8))
-        / Wide'Max (1, Wide (abs Turned));
-      --  the time of the turn that was seen
-      Lag   : constant Microseconds :=
-        (if Shown in 0 .. Wide (R.Part_Time)
-         then Microseconds'Min (R.Part_Time - Microseconds (Shown), Max_Age)
-         else 0);
-   begin
-      if R.Part_Turned /= 0 then
-         R.Lag := (if R.Lag = 0 then Lag else (R.Lag + Lag) / 2);
-      end if;
-   end Learn_Lag;
 
    function Has_Position (R : Run; Now : Microseconds) return Boolean is
      (R.Seen_At <= Now and then Now - R.Seen_At <= Max_Age);

@@ -14,7 +14,15 @@ package body Monitor.Mailboxes with SPARK_Mode is
        and then B.First = B'Old.First
        and then B.Made = B'Old.Made
        and then B.Last = B'Old.Last
-       and then B.Imaged = B'Old.Imaged;
+       and then B.Imaged = B'Old.Imaged
+   is
+   begin
+      Text_Queues.Clear (B.Texts);
+      B.Lines := (others => No_Line);
+      B.Image := False;
+      B.Hold.On := False;
+      B.Released := False;
+   end Drop_Unsolicited;
 
    function Is_Same_Mail (B, Before : Mailbox) return Boolean is
      (B.Open = Before.Open
@@ -51,15 +59,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
       B.Made := B.Made + 1;
       Drop_Unsolicited (B);
    end Close_Session;
-
-   procedure Drop_Unsolicited (B : in out Mailbox) is
-   begin
-      Text_Queues.Clear (B.Texts);
-      B.Lines := (others => No_Line);
-      B.Image := False;
-      B.Hold.On := False;
-      B.Released := False;
-   end Drop_Unsolicited;
 
    procedure End_Hold (B : in out Mailbox; Now : Time) is
    begin

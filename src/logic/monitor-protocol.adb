@@ -11,8 +11,37 @@ package body Monitor.Protocol with SPARK_Mode is
        and then First <= Last + 1,
      Post => Telnet_End'Result in First - 1 .. Last
        and then (if First > Last or else Line (First) /= Telnet_Mark
-                 then Telnet_End'Result = First - 1);
-   --  The end of the telnet command at First; First - 1 if there is none.
+                 then Telnet_End'Result = First - 1)
+   is
+      --  The end of the telnet command at First; First - 1 if there is none.
+      Place : Positive;
+   begin
+      if First >= Last or else Line (First) /= Telnet_Mark then
+         return First - 1;
+      end if;
+      case Character'Pos (Line (First + 1)) is
+         when 236 .. 249 | 255 =>
+            return First + 1;
+         when 251 .. 254 =>  --  and an option
+            return (if First + 2 <= Last then First + 2 else First - 1);
+         when 250 =>  --  and all up to the mark and 240
+            Place := First + 2;
+            while Place < Last loop
+               pragma Loop_Invariant (Place >= First + 2);
+               pragma Loop_Variant (Increases => Place);
+               if Line (Place) /= Telnet_Mark then
+                  Place := Place + 1;
+               elsif Character'Pos (Line (Place + 1)) = 240 then
+                  return Place + 1;
+               else
+                  Place := Place + 2;
+               end if;
+            end loop;
+            return First - 1;
+         when others =>
+            return First - 1;
+      end case;
+   end Telnet_End;
 
    procedure Keep (R : in out Line_Reader; C : Character)
    with
@@ -23,8 +52,17 @@ package body Monitor.Protocol with SPARK_Mode is
                   (R'Old.Too_Long or else R'Old.Length = Max_Line)
        and then (for all I in 1 .. R'Old.Length =>
                    R.Data (I) = R'Old.Data (I))
-       and then (if R'Old.Length < Max_Line then R.Data (R.Length) = C);
-   --  Appends C to the line if there is room; otherwise marks it as too long.
+       and then (if R'Old.Length < Max_Line then R.Data (R.Length) = C)
+   is
+      --  Appends C to the line if there is room; otherwise it is too long
+   begin
+      if R.Length < Max_Line then
+         R.Length := R.Length + 1;
+         R.Data (R.Length) := C;
+      else
+         R.Too_Long := True;
+      end if;
+   end Keep;
 
    function After_Telnet
      (Line : String; First : Positive; Last : Natural) return Positive
@@ -122,16 +160,6 @@ package body Monitor.Protocol with SPARK_Mode is
       end if;
    end Judge;
 
-   procedure Keep (R : in out Line_Reader; C : Character) is
-   begin
-      if R.Length < Max_Line then
-         R.Length := R.Length + 1;
-         R.Data (R.Length) := C;
-      else
-         R.Too_Long := True;
-      end if;
-   end Keep;
-
    procedure Parse (Line : String; C : out Command) is
    begin
       C := (Malformed, 0);
@@ -150,69 +178,6 @@ package body Monitor.Protocol with SPARK_Mode is
               not Is_Line_Of (Line, J));
       end loop;
    end Parse;
-
-   procedure Prove_Reading (Text : String) is
-      R        : Line_Reader;
-      Line     : String (1 .. Max_Line) := (others => ' ');
-      Last     : Natural;
-      Size     : Natural := 0;
-      Complete : Boolean;
-   begin
-      for I in Text'Range loop
-         Accept_Character (R, Text (I), Complete);
-         pragma Assert (not Complete);
-         Size := (if Text (I) = Carriage_Return then I - 1 else I);
-         pragma Loop_Invariant (not Is_Complete (R));
-         pragma Loop_Invariant (Is_Held (R) = (Text (I) = Carriage_Return));
-         pragma Loop_Invariant
-           (Size = (if Text (I) = Carriage_Return then I - 1 else I));
-         pragma Loop_Invariant (Length (R) = Integer'Min (Size, Max_Line));
-         pragma Loop_Invariant (Is_Too_Long (R) = (Size > Max_Line));
-         pragma Loop_Invariant
-           (for all J in 1 .. Length (R) => Item (R, J) = Text (J));
-      end loop;
-      Accept_Character (R, Line_Feed, Complete);
-      pragma Assert (Complete);
-      Get_Line (R, Line, Last);
-      pragma Assert
-        (Size = (if Text'Length > 0
-                   and then Text (Text'Last) = Carriage_Return
-                 then Text'Length - 1 else Text'Length));
-      pragma Assert (Last = (if Size > Max_Line then 0 else Size));
-      pragma Assert (for all I in 1 .. Last => Line (I) = Text (I));
-   end Prove_Reading;
-
-   function Telnet_End
-     (Line : String; First : Positive; Last : Natural) return Natural
-   is
-      Place : Positive;
-   begin
-      if First >= Last or else Line (First) /= Telnet_Mark then
-         return First - 1;
-      end if;
-      case Character'Pos (Line (First + 1)) is
-         when 236 .. 249 | 255 =>
-            return First + 1;
-         when 251 .. 254 =>  --  and an option
-            return (if First + 2 <= Last then First + 2 else First - 1);
-         when 250 =>  --  and all up to the mark and 240
-            Place := First + 2;
-            while Place < Last loop
-               pragma Loop_Invariant (Place >= First + 2);
-               pragma Loop_Variant (Increases => Place);
-               if Line (Place) /= Telnet_Mark then
-                  Place := Place + 1;
-               elsif Character'Pos (Line (Place + 1)) = 240 then
-                  return Place + 1;
-               else
-                  Place := Place + 2;
-               end if;
-            end loop;
-            return First - 1;
-         when others =>
-            return First - 1;
-      end case;
-   end Telnet_End;
 
    function Text_First (R : Line_Reader) return Positive is
      (After_Telnet (R.Data, 1, R.Length));

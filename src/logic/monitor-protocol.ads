@@ -246,16 +246,6 @@ package Monitor.Protocol with SPARK_Mode is
    --  before it, and telnet commands at its beginning or its end. A line that
    --  is too long is returned as empty, which Parse rejects as malformed.
 
-   procedure Prove_Reading (Text : String)
-   with
-     Ghost,
-     Pre => Text'First = 1
-       and then Text'Last < Integer'Last
-       and then (for all C of Text => C not in Line_Feed | Telnet_Mark);
-   --  Any other characters and a line feed make one line: these characters
-   --  without a final carriage return, or an empty line if there are more than
-   --  Max_Line. Asserted in the body. Parse accepts any line.
-
    --  Messages to the monitor
 
    Image_Label    : constant Label_Text := Table (Ask_Arena).Reply;

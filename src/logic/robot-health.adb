@@ -21,27 +21,6 @@ package body Robot.Health with SPARK_Mode is
       elsif not H.Owed (Unknown) then Unknown_Letter
       else Ping);
 
-   procedure Prove_Loss (Attempts : History) is
-      H        : State := Initial;
-      In_A_Row : Natural := 0;
-      --  failed exchanges since the last success
-   begin
-      for A of Attempts loop
-         pragma Loop_Invariant (In_A_Row < Max_Failures);
-         pragma Loop_Invariant (Failures (H) = In_A_Row);
-         if A.Answered then
-            In_A_Row := 0;
-            Success (H);
-            pragma Assert (H = Initial);
-         else
-            In_A_Row := In_A_Row + 1;
-            Failure (H, A.Command);
-         end if;
-         pragma Assert (Lost (H) = (In_A_Row = 4));
-         exit when Lost (H);
-      end loop;
-   end Prove_Loss;
-
    procedure Success (H : in out State) is
    begin
       H := Initial;

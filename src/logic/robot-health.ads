@@ -77,21 +77,6 @@ package Robot.Health with SPARK_Mode is
    --  The exchange of Command failed: no answer in time, a wrong checksum, a
    --  wrong kind of answer or a malformed one. A probe fails only by time-out.
 
-   --  Properties of all sequences
-
-   type Attempt is record
-      Command  : Command_Kind;
-      Answered : Boolean;
-   end record
-   with Ghost;
-
-   type History is array (Positive range <>) of Attempt with Ghost;
-
-   procedure Prove_Loss (Attempts : History) with Ghost;
-   --  For any sequence of exchanges: the line is lost exactly when the last
-   --  four have failed, and any success restores the initial state. Asserted
-   --  in the body.
-
 private
 
    type Class_Set is array (Answer_Class) of Boolean;

@@ -10,8 +10,14 @@ package body Robot.Protocol with SPARK_Mode is
        and then Last <= Natural'Min (A'Last, B'Last)
        and then Last <= Max_Frame
        and then (for all I in 1 .. Last => A (I) = B (I)),
-     Post => Parity (A, Last) = Parity (B, Last);
-   --  A checksum depends only on its own text.
+     Post => Parity (A, Last) = Parity (B, Last)
+   is
+      --  A checksum depends only on its own text.
+   begin
+      for I in 1 .. Last loop
+         pragma Loop_Invariant (Parity (A, I) = Parity (B, I));
+      end loop;
+   end Prove_Same_Parity;
 
    procedure Accept_Byte
      (R : in out Receiver; B : Byte; Complete : out Boolean)
@@ -146,42 +152,6 @@ package body Robot.Protocol with SPARK_Mode is
       F := (Data   => R.Data,
             Length => (if R.Overflow then 0 else R.Length));
    end Get;
-
-   procedure Prove_Reception (Data : Byte_Array; Pending : Command_Kind) is
-      R        : Receiver;
-      F        : Frame;
-      Complete : Boolean;
-      Answer   : Reply;
-   begin
-      for I in Data'Range loop
-         Accept_Byte (R, Data (I), Complete);
-         pragma Assert (not Complete);
-         pragma Loop_Invariant (not R.Finished);
-         pragma Loop_Invariant (R.Length = Natural'Min (I, Max_Frame));
-         pragma Loop_Invariant (R.Overflow = (I > Max_Frame));
-         pragma Loop_Invariant
-           (for all J in 1 .. R.Length => R.Data (J) = Data (J));
-      end loop;
-      Accept_Byte (R, Terminator, Complete);
-      pragma Assert (Complete);
-      Get (R, F);
-      pragma Assert
-        (F.Length = (if Data'Length > Max_Frame then 0 else Data'Length));
-      pragma Assert (for all I in 1 .. F.Length => F.Data (I) = Data (I));
-      Decode (F, Pending, Answer);
-      pragma Assert (if F.Length < 2 then Answer.Kind = Malformed);
-      pragma Assert
-        (Is_Answer (Answer.Kind, Pending)
-         or else Answer.Kind in Refused | Unknown_Command
-         or else Answer.Kind in Failed_Reply);
-   end Prove_Reception;
-
-   procedure Prove_Same_Parity (A, B : Byte_Array; Last : Natural) is
-   begin
-      for I in 1 .. Last loop
-         pragma Loop_Invariant (Parity (A, I) = Parity (B, I));
-      end loop;
-   end Prove_Same_Parity;
 
    function Text_Of (F : Frame) return Answer_Text is
    begin

@@ -354,14 +354,4 @@ package Robot.Protocol with SPARK_Mode is
    --  The received frame, without its terminator; empty if it was too long,
    --  which Decode rejects as malformed.
 
-   procedure Prove_Reception (Data : Byte_Array; Pending : Command_Kind)
-   with
-     Ghost,
-     Pre => Data'First = 1
-       and then Data'Last < Integer'Last
-       and then (for all B of Data => B /= Terminator);
-   --  Any bytes and a terminator make one frame: these bytes, or an empty one
-   --  if they are too many. Decode turns it into an answer to Pending, a
-   --  refusal, or a failure. Asserted in the body.
-
 end Robot.Protocol;

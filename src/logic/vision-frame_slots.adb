@@ -11,8 +11,19 @@ package body Vision.Frame_Slots with SPARK_Mode is
      Post =>
        (if (for some W in First .. Last => Use_Of (S, W) = Free) then
            Which in First .. Last and then Use_Of (S, Which) = Free
-        else Which = Which'Old);
-   --  The first free slot of First .. Last; otherwise Which is unchanged
+        else Which = Which'Old)
+   is
+      --  The first free slot of First .. Last; otherwise Which is unchanged
+   begin
+      for W in First .. Last loop
+         if Use_Of (S, W) = Free then
+            Which := W;
+            return;
+         end if;
+         pragma Loop_Invariant
+           (for all X in First .. W => Use_Of (S, X) /= Free);
+      end loop;
+   end Find_Free;
 
    procedure Begin_Delivery (S : in out State) is
    begin
@@ -58,21 +69,6 @@ package body Vision.Frame_Slots with SPARK_Mode is
       S.Has_Older := False;
       S.Delivering := False;
    end End_Delivery;
-
-   procedure Find_Free
-     (S           : State;
-      First, Last : Slot'Base;
-      Which       : in out Slot) is
-   begin
-      for W in First .. Last loop
-         if Use_Of (S, W) = Free then
-            Which := W;
-            return;
-         end if;
-         pragma Loop_Invariant
-           (for all X in First .. W => Use_Of (S, X) /= Free);
-      end loop;
-   end Find_Free;
 
    procedure Prove_One_Each (S : State) is null;
 

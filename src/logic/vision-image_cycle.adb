@@ -17,15 +17,11 @@ package body Vision.Image_Cycle with SPARK_Mode is
       Vision.Image_Grid.Step (S.Grid, Age, Has_Reserve, Period, Length);
    end Take_Image;
 
-   procedure Look_In
-     (S     : in out State;
-      Mode  : Vision.Mode.State;
-      Arena : Vision.Shapes.Arena_Corners)
-   is
+   procedure Look_In (S : in out State; Mode : Vision.Mode.State) is
    begin
-      if not Mode.Position_On or else Arena /= S.Arena then
+      if not Mode.Position_On or else Mode.Arena /= S.Arena then
          Vision.Following.Forget (S.Known);
-         S.Arena := Arena;
+         S.Arena := Mode.Arena;
       end if;
    end Look_In;
 

@@ -70,18 +70,17 @@ package Vision.Image_Cycle with SPARK_Mode is
    --  instant
 
    procedure Look_In
-     (S     : in out State;
-      Mode  : Vision.Mode.State;
-      Arena : Vision.Shapes.Arena_Corners)
+     (S : in out State; Mode : Vision.Mode.State)
    with
      Post => S.Grid = S'Old.Grid
        and then S.Waited = S'Old.Waited
        and then
-         (if Mode.Position_On and then Arena = S'Old.Arena
+         (if Mode.Position_On and then Mode.Arena = S'Old.Arena
           then S.Known = S'Old.Known and then S.Arena = S'Old.Arena
-          else Vision.Following.Count (S.Known) = 0 and then S.Arena = Arena);
-   --  Robots are searched in Arena, if at all. Robots known from another
-   --  arena, or from before a pause of the search, are forgotten
+          else Vision.Following.Count (S.Known) = 0
+            and then S.Arena = Mode.Arena);
+   --  Robots are searched in the mode's arena, if at all. Robots known from
+   --  another arena, or from before a pause of the search, are forgotten
 
    function Position_Of
      (Robots : Vision.Shapes.Robot_Array; Count : Vision.Shapes.Robot_Count)

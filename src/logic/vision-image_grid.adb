@@ -2,6 +2,16 @@
 
 package body Vision.Image_Grid with SPARK_Mode is
 
+   function Elapsed (First, Last : Time) return Microseconds is
+      Longest : constant Integer := Integer (Microseconds'Last);
+   begin
+      return Microseconds
+        (if Last - First >= Ada.Real_Time.Microseconds (Longest) then Longest
+         else Integer'Max
+           (0, Integer'Min
+                 (Longest, (Last - First) / Ada.Real_Time.Microseconds (1))));
+   end Elapsed;
+
    procedure Step
      (S           : in out State;
       Age         : Microseconds;

@@ -2,11 +2,16 @@
 --  When an image is sent, and which of those waiting (F15): at the instants of
 --  a periodic grid, which is shifted where the source requires it.
 
-package Vision.Image_Grid with SPARK_Mode, Pure is
+with Ada.Real_Time; use Ada.Real_Time;
+
+package Vision.Image_Grid with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Vision.Image_Grid);
 
    type Microseconds is range 0 .. 10_000_000;
+
+   function Elapsed (First, Last : Time) return Microseconds;
+   --  From First to Last, within the range of the type; 0 if Last is earlier
 
    subtype Period_Time is Microseconds range 10_000 .. 1_000_000;
    --  Period of the images: 1 to 100 per second

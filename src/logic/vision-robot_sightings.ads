@@ -8,8 +8,6 @@ package Vision.Robot_Sightings with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Vision.Robot_Sightings);
 
-   use type Vision.Shapes.Robot;
-
    type Sighting is record
       Number : Natural := 0;
       --  number of images searched for robots since the camera was opened
@@ -20,16 +18,15 @@ package Vision.Robot_Sightings with SPARK_Mode is
       Robot  : Vision.Shapes.Robot;
    end record;
 
-   procedure Note
-     (S      : in out Sighting;
+   function Next
+     (S      : Sighting;
       Came   : Ada.Real_Time.Time;
       Robots : Vision.Shapes.Robot_Array;
-      Count  : Vision.Shapes.Robot_Count)
-   with
-     Post => S.Number =
-         (if S'Old.Number = Natural'Last then 1 else S'Old.Number + 1)
-       and then S.Seen = (Count = 1)
-       and then (if S.Seen then S.Robot = Robots (1));
+      Count  : Vision.Shapes.Robot_Count) return Sighting
+   is ((Number => (if S.Number = Natural'Last then 1 else S.Number + 1),
+        Came   => Came,
+        Seen   => Count = 1,
+        Robot  => Robots (1)));
    --  The image that came at Came has been searched: it has Robots (1 ..
    --  Count)
 

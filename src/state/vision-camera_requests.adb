@@ -1,5 +1,4 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The object only locks; Vision.Camera_Demands decides.
 
 with Event;
 with Schedule;
@@ -20,35 +19,47 @@ package body Vision.Camera_Requests with SPARK_Mode is
       procedure Released;
       procedure Collect (Success : out Boolean);
    private
-      State  : Vision.Camera_Demands.State;
-      Opened : Boolean := False;
+      Current : Request_Number := 0;
+      Wanted  : Boolean := False;
+      Pending : Boolean := False;
+      --  requested, not yet accepted
+      Held    : Boolean := False;
+      --  the owner has accepted, and not closed the camera since
+      Opened  : Boolean := False;
    end Requests;
 
    protected body Requests is
 
       procedure Open is
       begin
-         Vision.Camera_Demands.Ask (State);
+         --  earlier requests are withdrawn
+         Current := Current + 1;
+         Wanted := True;
+         Pending := True;
       end Open;
 
       procedure Close is
       begin
-         Vision.Camera_Demands.Withdraw (State);
+         Wanted := False;
       end Close;
 
       procedure Get_Idle (Value : out Boolean) is
       begin
-         Value := Vision.Camera_Demands.Is_Idle (State);
+         Value := not Held and then not Pending;
       end Get_Idle;
 
       procedure Take (Number : out Request_Number; Found : out Boolean) is
       begin
-         Vision.Camera_Demands.Take (State, Number, Found);
+         --  even if withdrawn: the task that asked waits for the outcome
+         Found := Pending;
+         Number := Current;
+         Pending := False;
+         Held := Held or else Found;
       end Take;
 
       procedure Get_Wanted (Number : Request_Number; Value : out Boolean) is
       begin
-         Value := Vision.Camera_Demands.Is_Wanted (State, Number);
+         Value := Wanted and then Number = Current;
       end Get_Wanted;
 
       procedure Report (Success : Boolean) is
@@ -58,7 +69,7 @@ package body Vision.Camera_Requests with SPARK_Mode is
 
       procedure Released is
       begin
-         Vision.Camera_Demands.Release (State);
+         Held := False;
       end Released;
 
       procedure Collect (Success : out Boolean) is

@@ -1,12 +1,10 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Requests to the camera's owner: open, close. Only th_cameraControl waits
---  for a camera that is slow to open.
-
-with Vision.Camera_Demands;
+--  for a camera that is slow to open, which may then no longer be needed.
 
 package Vision.Camera_Requests with SPARK_Mode is
 
-   subtype Request_Number is Vision.Camera_Demands.Request_Number;
+   type Request_Number is mod 2 ** 32;
 
    procedure Open (Success : out Boolean);
    --  Requests the camera and waits for the outcome. For th_cameraControl only
@@ -16,7 +14,7 @@ package Vision.Camera_Requests with SPARK_Mode is
 
    procedure Get_Idle (Idle : out Boolean)
    with Annotate => (GNATprove, Terminating);
-   --  Whether the owner has released the camera
+   --  Whether the owner has no work with the camera, now or pending
 
    procedure Wait_Open (Number : out Request_Number);
    --  Until the camera is requested. For the owner only

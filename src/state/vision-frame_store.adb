@@ -1,11 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The object only locks; Vision.Frame_Slots and Vision.Frame_Delivery decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Event;
 with Schedule;
 with Trace;
-with Vision.Frame_Delivery;
 
 package body Vision.Frame_Store with SPARK_Mode is
 
@@ -38,27 +36,42 @@ package body Vision.Frame_Store with SPARK_Mode is
       procedure Get_Delivering (Now : out Boolean);
       procedure Get_Silent (Now : Time; Silent : out Boolean);
    private
-      State : Vision.Frame_Delivery.State;
+      Uses        : Vision.Frame_Slots.State;
+      Newest_Time : Time := Time_First;
+      --  arrival of the newest image, or start of the delivery
+      Older_Time  : Time := Time_First;
+      --  arrival of the image before it
+      Waits       : Boolean := False;
+      --  th_captureImg waits for the next image
    end Store;
 
-   procedure Tell_If (Awaited : Boolean);
-   --  Wakes th_captureImg
+   procedure Tell_If (Awaited : Boolean) is
+      --  Wakes th_captureImg
+   begin
+      if Awaited then
+         Trace.Release (Schedule.Th_Capture_Img);
+         Look.Set;
+      end if;
+   end Tell_If;
 
    protected body Store is
 
       procedure Begin_Delivery (At_Time : Time) is
       begin
-         Vision.Frame_Delivery.Begin_Delivery (State, At_Time);
+         Vision.Frame_Slots.Begin_Delivery (Uses);
+         Newest_Time := At_Time;
       end Begin_Delivery;
 
       procedure End_Delivery (Awaited : out Boolean) is
       begin
-         Vision.Frame_Delivery.End_Delivery (State, Awaited);
+         Vision.Frame_Slots.End_Delivery (Uses);
+         Awaited := Waits;
+         Waits := False;
       end End_Delivery;
 
       procedure Claim_Empty (Slot : out Vision.Frame_Slots.Slot) is
       begin
-         Vision.Frame_Slots.Claim_Empty (State.Uses, Slot);
+         Vision.Frame_Slots.Claim_Empty (Uses, Slot);
       end Claim_Empty;
 
       procedure Publish
@@ -66,12 +79,18 @@ package body Vision.Frame_Store with SPARK_Mode is
          At_Time : Time;
          Awaited : out Boolean) is
       begin
-         Vision.Frame_Delivery.Publish (State, Slot, At_Time, Awaited);
+         Vision.Frame_Slots.Publish (Uses, Slot);
+         if Vision.Frame_Slots.Is_Delivering (Uses) then
+            Older_Time := Newest_Time;
+            Newest_Time := At_Time;
+         end if;
+         Awaited := Waits;
+         Waits := False;
       end Publish;
 
       procedure Release (Slot : Vision.Frame_Slots.Slot) is
       begin
-         Vision.Frame_Slots.Release (State.Uses, Slot);
+         Vision.Frame_Slots.Release (Uses, Slot);
       end Release;
 
       procedure Claim_Due
@@ -83,29 +102,44 @@ package body Vision.Frame_Store with SPARK_Mode is
          Found   : out Boolean;
          Coming  : out Boolean) is
       begin
-         Vision.Frame_Delivery.Claim_Due
-           (State, Now, Period, Slot, At_Time, Reserve, Found, Coming);
+         Reserve := Vision.Frame_Slots.Has_Older (Uses)
+           and then Vision.Frame_Slots.Has_Newest (Uses)
+           and then Vision.Image_Grid.Sends_Older
+             (Newest_Age => Vision.Image_Grid.Elapsed (Newest_Time, Now),
+              Older_Age  => Vision.Image_Grid.Elapsed (Older_Time, Now),
+              Period     => Period);
+         if Reserve then
+            Vision.Frame_Slots.Claim_Older (Uses, Slot);
+            At_Time := Older_Time;
+            Found := True;
+         else
+            Vision.Frame_Slots.Claim_Newest (Uses, Slot, Found);
+            At_Time := Newest_Time;
+         end if;
+         Coming := Vision.Frame_Slots.Is_Delivering (Uses);
+         Waits := Coming and then not Found;
       end Claim_Due;
 
       procedure Look_At_Silence (Now : Time; Awaited : out Boolean) is
       begin
-         Vision.Frame_Delivery.Look_At_Silence (State, Now, Awaited);
+         Awaited := Waits and then Now - Newest_Time > Schedule.Camera_Silence;
+         Waits := Waits and then not Awaited;
       end Look_At_Silence;
 
       procedure Claim_Newest
         (Slot : out Vision.Frame_Slots.Slot; Found : out Boolean) is
       begin
-         Vision.Frame_Slots.Claim_Newest (State.Uses, Slot, Found);
+         Vision.Frame_Slots.Claim_Newest (Uses, Slot, Found);
       end Claim_Newest;
 
       procedure Get_Delivering (Now : out Boolean) is
       begin
-         Now := Vision.Frame_Slots.Is_Delivering (State.Uses);
+         Now := Vision.Frame_Slots.Is_Delivering (Uses);
       end Get_Delivering;
 
       procedure Get_Silent (Now : Time; Silent : out Boolean) is
       begin
-         Silent := Vision.Frame_Delivery.Is_Silent (State, Now);
+         Silent := Now - Newest_Time > Schedule.Camera_Silence;
       end Get_Silent;
 
    end Store;
@@ -165,14 +199,6 @@ package body Vision.Frame_Store with SPARK_Mode is
       Store.Look_At_Silence (Now, Awaited);
       Tell_If (Awaited);
    end Look_At_Silence;
-
-   procedure Tell_If (Awaited : Boolean) is
-   begin
-      if Awaited then
-         Trace.Release (Schedule.Th_Capture_Img);
-         Look.Set;
-      end if;
-   end Tell_If;
 
    procedure Claim_Newest
      (Slot : out Vision.Frame_Slots.Slot; Found : out Boolean) is

@@ -35,7 +35,7 @@ package body Vision.Sightings with SPARK_Mode is
          Count   : Vision.Shapes.Robot_Count;
          Awaited : out Boolean) is
       begin
-         Vision.Robot_Sightings.Note (Known, Came, Robots, Count);
+         Known := Vision.Robot_Sightings.Next (Known, Came, Robots, Count);
          Awaited := Watched;
       end Put;
 

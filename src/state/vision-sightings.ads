@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The newest sighting of the robot, from th_captureImg to th_mission. The
---  object only locks; Vision.Robot_Sightings decides.
+--  The newest sighting of the robot, from th_captureImg to th_mission.
 
 with Ada.Real_Time;
 with Vision.Robot_Sightings;

@@ -6,12 +6,12 @@ package body Vision.State with SPARK_Mode is
 
       procedure Begin_Session (First : Orders.Ticket) is
       begin
-         Vision.Mode_Changes.Begin_Session (State, First);
+         Vision.Mode.Begin_Session (State, First);
       end Begin_Session;
 
-      procedure Get (Current : out View) is
+      procedure Get (Current : out Vision.Mode.State) is
       begin
-         Current := State.Seen;
+         Current := State;
       end Get;
 
       procedure Ask_Open
@@ -19,28 +19,28 @@ package body Vision.State with SPARK_Mode is
          Needed  : out Boolean;
          Is_Open : out Boolean) is
       begin
-         Vision.Mode_Changes.Ask_Open (State, Number, Needed, Is_Open);
+         Vision.Mode.Ask_Open (State, Number, Needed, Is_Open);
       end Ask_Open;
 
       procedure Opened
         (Number : Orders.Ticket; Success : Boolean; Is_Open : out Boolean) is
       begin
-         Vision.Mode_Changes.Opened (State, Number, Success, Is_Open);
+         Vision.Mode.Opened (State, Number, Success, Is_Open);
       end Opened;
 
       procedure Close (Was_Open : out Boolean) is
       begin
-         Vision.Mode_Changes.Close (State, Was_Open);
+         Vision.Mode.Close (State, Was_Open);
       end Close;
 
       procedure Close_By_Order (Number : Orders.Ticket; Done : out Boolean) is
       begin
-         Vision.Mode_Changes.Close_By_Order (State, Number, Done);
+         Vision.Mode.Close_By_Order (State, Number, Done);
       end Close_By_Order;
 
       procedure Ask_Arena (Number : Orders.Ticket; Accepted : out Boolean) is
       begin
-         Vision.Mode_Changes.Ask_Arena (State, Number, Accepted);
+         Vision.Mode.Ask_Arena (State, Number, Accepted);
       end Ask_Arena;
 
       procedure Searched
@@ -49,19 +49,19 @@ package body Vision.State with SPARK_Mode is
          Arena  : Vision.Shapes.Arena_Corners;
          Valid  : out Boolean) is
       begin
-         Vision.Mode_Changes.Searched (State, Number, Found, Arena, Valid);
+         Vision.Mode.Searched (State, Number, Found, Arena, Valid);
       end Searched;
 
       procedure Decide
         (Number : Orders.Ticket; Confirm : Boolean; Valid : out Boolean) is
       begin
-         Vision.Mode_Changes.Decide (State, Number, Confirm, Valid);
+         Vision.Mode.Decide (State, Number, Confirm, Valid);
       end Decide;
 
       procedure Ask_Position
         (Number : Orders.Ticket; On : Boolean; Accepted : out Boolean) is
       begin
-         Vision.Mode_Changes.Ask_Position (State, Number, On, Accepted);
+         Vision.Mode.Ask_Position (State, Number, On, Accepted);
       end Ask_Position;
 
    end Store;

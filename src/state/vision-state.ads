@@ -1,22 +1,20 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The mode of the vision and the arena, shared by the vision's tasks. The
---  object only locks; Vision.Mode_Changes decides.
+--  object only locks; Vision.Mode decides.
 
 with Orders;
 with Schedule;
-with Vision.Mode_Changes;
+with Vision.Mode;
 with Vision.Shapes;
 
 package Vision.State with SPARK_Mode is
-
-   subtype View is Vision.Mode_Changes.View;
 
    protected Store with Priority => Schedule.Vision_Ceiling is
 
       procedure Begin_Session (First : Orders.Ticket);
       --  Sets the initial state; orders with a lower number are refused
 
-      procedure Get (Current : out View);
+      procedure Get (Current : out Vision.Mode.State);
 
       procedure Ask_Open
         (Number : Orders.Ticket; Needed : out Boolean; Is_Open : out Boolean);
@@ -50,7 +48,7 @@ package Vision.State with SPARK_Mode is
         (Number : Orders.Ticket; On : Boolean; Accepted : out Boolean);
 
    private
-      State : Vision.Mode_Changes.State;
+      State : Vision.Mode.State;
    end Store;
 
 end Vision.State;

@@ -20,7 +20,6 @@ with Trace;
 with Vision.Camera_Events;
 with Vision.Camera_Requests;
 with Vision.Following;
-with Vision.Frame_Delivery;
 with Vision.Frame_Store;
 with Vision.Image_Cycle;
 with Vision.Image_Grid;
@@ -41,8 +40,17 @@ package body Vision.Tasks with SPARK_Mode is
      Natural (Missions.Guards.Target_Margin) / 10_000;
    --  Centimetres
 
-   procedure Log_Reason (What : String);
-   --  What and the reason that vision_c gives
+   procedure Log_Reason (What : String) is
+      --  What and the reason that vision_c gives
+      Reason : Vision.Library.Reason_Text;
+      Last   : Natural;
+      Line   : Texts.Text;
+   begin
+      Vision.Library.Reason (Reason, Last);
+      Texts.Set (Line, What);
+      Texts.Append (Line, Reason (1 .. Last));
+      Journal.Put (Options.Warning, Line);
+   end Log_Reason;
 
    procedure Encode
      (Slot    : Vision.Library.Slot;
@@ -72,7 +80,7 @@ package body Vision.Tasks with SPARK_Mode is
    procedure Find_Robots
      (Slot   : Vision.Library.Slot;
       Marker : Options.Marker_Kind;
-      Seen   : Vision.State.View;
+      Seen   : Vision.Mode.State;
       Gap    : Vision.Following.Milliseconds;
       Known  : in out Vision.Following.State;
       Robots : out Vision.Shapes.Robot_Array;
@@ -80,7 +88,7 @@ package body Vision.Tasks with SPARK_Mode is
    is
       --  Where they are in the image of Slot, which has come Gap after the one
       --  that was searched last
-      In_Arena : constant Boolean := Vision.Mode.Uses_Arena (Seen.Mode);
+      In_Arena : constant Boolean := Vision.Mode.Uses_Arena (Seen);
       Areas    : Vision.Shapes.Area_Array;
       Number   : Vision.Shapes.Robot_Count;
       Done     : Boolean := False;
@@ -132,19 +140,8 @@ package body Vision.Tasks with SPARK_Mode is
    function Gap_Between
      (First, Last : Time) return Vision.Following.Milliseconds is
      (Vision.Following.Milliseconds
-        ((Vision.Frame_Delivery.Elapsed (First, Last) + 999) / 1_000));
+        ((Vision.Image_Grid.Elapsed (First, Last) + 999) / 1_000));
    --  Rounded up; the longest there is where it is longer
-
-   procedure Log_Reason (What : String) is
-      Reason : Vision.Library.Reason_Text;
-      Last   : Natural;
-      Line   : Texts.Text;
-   begin
-      Vision.Library.Reason (Reason, Last);
-      Texts.Set (Line, What);
-      Texts.Append (Line, Reason (1 .. Last));
-      Journal.Put (Options.Warning, Line);
-   end Log_Reason;
 
    procedure Camera_Failed (Why : Monitor.Notices.Notice) is
       --  The camera delivers no more: say so, and close it (once)
@@ -212,7 +209,7 @@ package body Vision.Tasks with SPARK_Mode is
       Reserve  : Boolean;
       Coming   : Boolean;
       Made     : Monitor.Mailboxes.Generation;
-      Seen     : Vision.State.View;
+      Seen     : Vision.Mode.State;
       Slot     : Vision.Library.Slot;
       Found    : Boolean;
       Robots   : Vision.Shapes.Robot_Array := (others => <>);
@@ -244,7 +241,7 @@ package body Vision.Tasks with SPARK_Mode is
             Vision.State.Store.Get (Seen);
             Now := Clock;
             Vision.Frame_Store.Get_Silent (Now, Silent);
-            Work := Vision.Image_Cycle.Work_Of (Seen.Mode, Silent);
+            Work := Vision.Image_Cycle.Work_Of (Seen, Silent);
             exit when Work = Vision.Image_Cycle.Leave;
             if Work = Vision.Image_Cycle.Report_Silence then
                Camera_Failed (Monitor.Notices.Camera_Silent);
@@ -254,15 +251,15 @@ package body Vision.Tasks with SPARK_Mode is
                if Found then
                   Coming := False;
                   if Cycle.Waited then
-                     Step := Vision.Frame_Delivery.Elapsed (Next, Came);
+                     Step := Vision.Image_Grid.Elapsed (Next, Came);
                      Next := Came;
                   end if;
                   Vision.Image_Cycle.Take_Image
-                    (Cycle, Step, Vision.Frame_Delivery.Elapsed (Came, Now),
+                    (Cycle, Step, Vision.Image_Grid.Elapsed (Came, Now),
                      Reserve, Period, Step);
-                  Vision.Image_Cycle.Look_In (Cycle, Seen.Mode, Seen.Arena);
+                  Vision.Image_Cycle.Look_In (Cycle, Seen);
                   Count := 0;
-                  if Seen.Mode.Position_On then
+                  if Seen.Position_On then
                      Find_Robots
                        (Slot, Chosen.Marker, Seen,
                         Gap_Between (Known_At, Came), Cycle.Known,
@@ -272,12 +269,12 @@ package body Vision.Tasks with SPARK_Mode is
                      Vision.Sightings.Put (Came, Robots, Count);
                   end if;
                   if Vision.Image_Cycle.Draws_Arena
-                    (Seen.Mode, Chosen.Drawing)
+                    (Seen, Chosen.Drawing)
                   then
                      Draw_Arena (Slot, Seen.Arena);
                   end if;
                   if Vision.Image_Cycle.Draws_Robots
-                    (Seen.Mode, Chosen.Drawing)
+                    (Seen, Chosen.Drawing)
                   then
                      --  over the arena's line
                      Draw_Robots (Slot, Robots, Count);
@@ -289,7 +286,7 @@ package body Vision.Tasks with SPARK_Mode is
                      end if;
                   end if;
                   Vision.Frame_Store.Release (Slot);
-                  if Seen.Mode.Position_On then
+                  if Seen.Position_On then
                      --  after its image, which is to be punctual
                      Monitor.Positions.Format
                        (Vision.Image_Cycle.Position_Of (Robots, Count),
@@ -330,7 +327,7 @@ package body Vision.Tasks with SPARK_Mode is
       Arena  : Vision.Shapes.Arena_Corners;
       Result : Vision.Library.Status;
       Shown  : Boolean;
-      Seen   : Vision.State.View;
+      Seen   : Vision.Mode.State;
       Image  : Monitor.Image_Messages.Message_Access :=
         new Monitor.Image_Messages.Message;
    begin
@@ -342,7 +339,7 @@ package body Vision.Tasks with SPARK_Mode is
             Vision.State.Store.Get (Seen);
             Monitor.Outbox.Answer
               (Order,
-               (if Seen.Mode.Confirmed
+               (if Seen.Confirmed
                   and then Vision.Image_Cycle.Are_Coordinates (Seen.Arena)
                 then Monitor.Positions.Ground
                   (Chosen.Arena_Size, Target_Margin,

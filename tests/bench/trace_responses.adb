@@ -251,7 +251,7 @@ package body Trace_Responses is
             when others        => ""));
 
    procedure Take_Image (S : in out Sight; Time : Nanoseconds) is
-      --  As Vision.Frame_Delivery does
+      --  As Vision.Frame_Store does
       function Age (Arrival : Nanoseconds)
         return Vision.Image_Grid.Microseconds
       is (Vision.Image_Grid.Microseconds

@@ -31,6 +31,7 @@ with Task_Ports;
 with Texts;
 with Trace;
 with Vision.Camera_Requests;
+with Vision.Mode;
 with Vision.Robot_Sightings;
 with Vision.Shapes;
 with Vision.Sightings;
@@ -90,7 +91,7 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
    Order  : Orders.Order;
    Status : Robot.Line_Status.Status;
    Job    : Robot.Requests.Job;
-   View   : Vision.State.View;
+   View   : Vision.Mode.State;
    Stage  : Monitor.Session_Stages.State;
    Wanted : Boolean;
    Path   : Missions.Path :=

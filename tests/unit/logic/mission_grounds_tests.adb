@@ -27,7 +27,7 @@ package body Mission_Grounds_Tests is
    Good : constant Ground :=
      (Line => (Open => True, Mode => Robot.Session.Started, others => <>),
       View =>
-        (Mode  => (Vision.Mode.Streaming, True, True), Arena => Arena),
+        (Vision.Mode.Streaming, True, True, Arena => Arena, others => <>),
       Seen =>
         (Number => 7,
          Came   => Start - Milliseconds (40),
@@ -109,13 +109,14 @@ package body Mission_Grounds_Tests is
          G.View.Arena (C) := (Arena (C).X / 6, Arena (C).Y / 6);
       end loop;
       Expect_Refused (G, P, Arena_Too_Small);
-      G.View.Mode.Confirmed := False;
+      G.View.Confirmed := False;
       Expect_Refused (G, P, Arena_Not_Confirmed);
-      G.View.Mode := (Vision.Mode.Deciding, True, True);
+      G.View.Stage := Vision.Mode.Deciding;
+      G.View.Confirmed := True;
       Expect_Refused (G, P, Arena_Not_Confirmed);
-      G.View.Mode.Position_On := False;
+      G.View.Position_On := False;
       Expect_Refused (G, P, Positions_Off);
-      G.View.Mode := (Vision.Mode.Closed, False, False);
+      G.View := (others => <>);
       Expect_Refused (G, P, Camera_Closed);
       G.Line := (others => <>);
       Expect_Refused (G, P, Robot_Not_Started);
@@ -135,12 +136,12 @@ package body Mission_Grounds_Tests is
       G.View.Arena (Top_Left).X := 81_000_000;
       Expect_End (G, Camera_Ended);
       G.View := Good.View;
-      G.View.Mode.Stage := Vision.Mode.Searching;
+      G.View.Stage := Vision.Mode.Searching;
       Expect_End (G, Camera_Ended);
       G.View := Good.View;
-      G.View.Mode.Position_On := False;
+      G.View.Position_On := False;
       Expect_End (G, Camera_Ended);
-      G.View.Mode := (Vision.Mode.Closed, False, False);
+      G.View := (others => <>);
       Expect_End (G, Camera_Ended);
 
       G.Line.Reloads_Refused := 1;

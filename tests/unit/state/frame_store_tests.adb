@@ -6,7 +6,6 @@ with Ada.Real_Time;    use Ada.Real_Time;
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Schedule;
-with Vision.Frame_Delivery;
 with Vision.Frame_Slots;
 with Vision.Frame_Store;
 with Vision.Image_Grid;
@@ -165,13 +164,13 @@ package body Frame_Store_Tests is
    procedure Test_Elapsed is
       Begun : constant Time := Clock;
    begin
-      Assert (Vision.Frame_Delivery.Elapsed (Begun, Begun) = 0, "none");
+      Assert (Vision.Image_Grid.Elapsed (Begun, Begun) = 0, "none");
       Assert
-        (Vision.Frame_Delivery.Elapsed (Begun, Begun + Microseconds (1)) = 1,
+        (Vision.Image_Grid.Elapsed (Begun, Begun + Microseconds (1)) = 1,
               "a microsecond");
-      Assert (Vision.Frame_Delivery.Elapsed (Begun + Seconds (1), Begun) = 0,
+      Assert (Vision.Image_Grid.Elapsed (Begun + Seconds (1), Begun) = 0,
               "none that is negative");
-      Assert (Vision.Frame_Delivery.Elapsed (Begun, Begun + Seconds (5_000))
+      Assert (Vision.Image_Grid.Elapsed (Begun, Begun + Seconds (5_000))
                 = Vision.Image_Grid.Microseconds'Last, "more than there is");
    end Test_Elapsed;
 
