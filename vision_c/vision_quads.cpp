@@ -17,9 +17,9 @@ constexpr double rough = 0.05;      // of the perimeter, what an outline may
 constexpr double rough_hull = 0.03;  // the same of its convex hull
 constexpr double opened = 1.6;       // times the hull's perimeter
 constexpr int shortest_side = 7;    // pixels
-constexpr int around = 7;           // pixels: a square around each one, in
-constexpr int company = 9;          // which so many are dark, or it is noise
-constexpr std::size_t most = 4096;  // candidates: nobody has so many robots
+constexpr int around = 7;           // pixels: a square around each dark one
+constexpr int company = 9;          // has this many, or they are noise
+constexpr std::size_t most = 4096;  // candidates: nobody has more robots
 
 bool is_large_enough(const cv::Rect &box) {
   return std::min(box.width, box.height) >= shortest_side;

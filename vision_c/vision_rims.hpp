@@ -72,7 +72,7 @@ struct Evidence {
 // Sampling density along an outline.
 struct Pace {
   int bands;    // of a side, at most: an edge each
-  int lines;    // of a band, at most: the mean of so many profiles
+  int lines;    // of a band, at most: its profile is their mean
   bool slopes;  // of the light, too
 };
 

@@ -10,6 +10,12 @@ package Missions.Angles with SPARK_Mode, Pure is
    type Wide is range -2 ** 63 .. 2 ** 63 - 1;
    --  For products
 
+   function Within (Number, Low, High : Wide) return Wide is
+     (Wide'Max (Low, Wide'Min (High, Number)))
+   with
+     Pre  => Low <= High,
+     Post => Within'Result in Low .. High;
+
    subtype Part is Wide range -Million .. Million;
    --  Millionths
 

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-package body Missions.Runs with SPARK_Mode is
+with Missions.Angles; use Missions.Angles;
 
-   use Missions.Angles;
+package body Missions.Runs with SPARK_Mode is
 
    --  Limits: microseconds, micrometres, microdegrees
 
    Still_Time    : constant := 2_000_000;
-   --  without progress, which is so much:
+   --  without progress, which is at least:
    Progress_Way  : constant := 10_000;
    Progress_Turn : constant := 5_000_000;
 
@@ -20,7 +20,7 @@ package body Missions.Runs with SPARK_Mode is
    Time_Per_Degree     : constant := 11_112;  --  90 degrees/s
 
    Slowest    : constant := 4;
-   --  An order may take so many times as long, and Still_Time
+   --  times its duration an order may take, and Still_Time
 
    Ask_Period : constant := 20_000;
 
@@ -41,21 +41,6 @@ package body Missions.Runs with SPARK_Mode is
 
    --  Orders
 
-   Side_Way     : constant := 2_500;
-   --  The robot does not turn if it would pass the target by less
-
-   First_Way    : constant := 200;
-   --  Millimetres of a drive before anything is known: it is looked at within
-   --  Still_Time
-
-   Learning_Way : constant := 40_000;
-   --  Nothing is learnt from shorter drives
-   Long_Way     : constant := 100_000;
-   --  A surprise in a shorter drive is not believed
-   Surprise     : constant := 4_000_000;
-   --  Deviation of the heading after a drive, in addition to what 5 mm
-   --  sideways at its end amount to
-
    Good_Part    : constant := 20_000_000;
    --  A turn seen halfway has turned so far at least, and four times this at
    --  most: its rate is learnt from that
@@ -66,51 +51,20 @@ package body Missions.Runs with SPARK_Mode is
      (if Time <= Microseconds'Last - Span then Time + Span
       else Microseconds'Last);
 
-   function Near_Of (Where : Micrometres) return Near is
-     (Micrometres'Max (Near'First, Micrometres'Min (Near'Last, Where)));
-
    function Mean_Of (Mean, Newest : Near; Count : Image_Count) return Near is
      (Near_Of (Mean + (Newest - Mean) / Micrometres (Count)))
    with Pre => Count > 0;
    --  Count includes the newest
-
-   function Within (Number, Low, High : Wide) return Wide is
-     (Wide'Max (Low, Wide'Min (High, Number)))
-   with
-     Pre  => Low <= High,
-     Post => Within'Result in Low .. High;
-
-   subtype Some_Turn is Microdegrees range -9_000_000_000 .. 9_000_000_000;
-
-   function True_Turn (Ordered : Drive_Length; By : Gain) return Some_Turn is
-     (Microdegrees
-        (Within
-           (Wide (Ordered) * Wide (By) * 100,
-            Wide (Some_Turn'First), Wide (Some_Turn'Last))));
 
    function Target (R : Run) return Near_Pose is
      ((X       => Near_Of (R.Targets (R.Leg).X),
        Y       => Near_Of (R.Targets (R.Leg).Y),
        Heading => 0));
 
-   function Difference (From, To : Bearing) return Bearing is
-     (Normal (To - From));
-
-   function Way (From, To : Near_Pose) return Micrometres is
-     (Along (To.X - From.X, To.Y - From.Y,
-             Direction (To.X - From.X, To.Y - From.Y)));
-
    function Duration_Of (R : Run) return Microseconds is
      (Microseconds (abs R.Amount)
       * (if R.Movement = Turn then Time_Per_Degree else Time_Per_Millimetre));
    --  Of the order under way, of a robot as it is meant to be
-
-   function Turn_Error (R : Run) return Bearing is
-     (Normal
-        (R.Mean.Heading - R.From.Heading
-         - Normal (True_Turn (R.Turned, R.Turns))));
-   --  What was turned since the last look, without a drive, beyond what was
-   --  expected
 
    function There (Images : Image_Count) return Micrometres is
      (case Images is
@@ -181,143 +135,6 @@ package body Missions.Runs with SPARK_Mode is
                 when Drive => Drives_Amiss)));
    end Finish_Amiss;
 
-   procedure Learn_Lag (R : in out Run; Turned : Microdegrees)
-   with Post => Is_Same (R, R'Old)
-   is
-      --  The last turn was so much in all
-      Shown : constant Wide :=
-        Wide (abs R.Part_Turned)
-        * Wide (Microseconds'Min (R.Turn_Time, 10 ** 8))
-        / Wide'Max (1, Wide (abs Turned));
-      --  the time of the turn that was seen
-      Lag   : constant Microseconds :=
-        (if Shown in 0 .. Wide (R.Part_Time)
-         then Microseconds'Min (R.Part_Time - Microseconds (Shown), Max_Age)
-         else 0);
-   begin
-      if R.Part_Turned /= 0 then
-         R.Lag := (if R.Lag = 0 then Lag else (R.Lag + Lag) / 2);
-      end if;
-   end Learn_Lag;
-
-   procedure Learn (R : in out Run)
-   with Post => Is_Same (R, R'Old)
-   is
-      --  From what was ordered since the last look, and what is seen now
-
-      subtype Square is Wide range 1 .. 25_000_000;
-
-      function Square_Of (Amount : Drive_Length) return Square is
-        (Within (Wide (Amount) * Wide (Amount), Square'First, Square'Last));
-
-      function Quarter_Of (Number : Square) return Square is
-        (Wide'Max (1, Number / 4));
-
-      function Mean_Of
-        (Known : Wide; W : Weight; Seen : Wide; Amount : Square) return Wide
-      is (Known + (Seen - Known) * Amount / (Wide (W) + Amount))
-      with
-        Pre => Known in -100_000 .. 100_000
-          and then Seen in -100_000 .. 100_000;
-
-      procedure Add (W : in out Weight; Amount : Square; Most : Weight) is
-      begin
-         W := Weight (Wide'Min (Wide (Most), Wide (W) + Amount));
-      end Add;
-
-      procedure Learn_Gain
-        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Square;
-         Most : Weight)
-      is
-         Lowest  : constant Wide := Wide (Gain'First);
-         Highest : constant Wide := Wide (Gain'Last);
-      begin
-         G := Gain
-           (Within
-              (Mean_Of (Wide (G), W, Within (Seen, Lowest, Highest), Amount),
-               Lowest, Highest));
-         Add (W, Amount, Most);
-      end Learn_Gain;
-
-      Expected : constant Some_Turn := True_Turn (R.Turned, R.Turns);
-      Length   : constant Micrometres := Way (R.From, R.Mean);
-      Chord    : constant Bearing :=
-        Normal
-          (Direction (R.Mean.X - R.From.X, R.Mean.Y - R.From.Y)
-           + (if R.Driven < 0 then Half_Turn else 0));
-      Before    : Bearing;
-      --  the heading at the beginning of the drive
-      Error     : Bearing;
-      Seen_Gain : Wide;
-      Pulled    : Wide;
-      Amount    : Square;
-   begin
-      if R.Driven = 0 then
-         if R.Turned /= 0 then
-            Error := Turn_Error (R);
-            if R.Turn_Weight >= Learnt_Turn and then abs Error > Surprise then
-               R.Distrust := Distrusted;
-            end if;
-            Learn_Gain
-              (R.Turns, R.Turn_Weight,
-               Wide (Expected + Error) / (Wide (R.Turned) * 100),
-               Square_Of (R.Turned), Most_Turn);
-            if R.Turn_Weight >= Learnt_Turn and then R.Distrust > 0 then
-               R.Distrust := R.Distrust - 1;
-            end if;
-            if R.Turns_Made = 1 then
-               Learn_Lag (R, Expected + Error);
-            end if;
-         end if;
-         return;
-      elsif Length < Learning_Way then
-         return;
-      end if;
-
-      Seen_Gain := Within
-        (Wide (Length) * 10 / abs Wide (R.Driven), 0, 30_000);
-      if Length >= Long_Way and then R.Way_Weight >= Learnt_Way then
-         R.Way_Doubt := Integer'Min
-           (50,
-            Integer'Max
-              (R.Way_Doubt * 15 / 16,
-               Integer (abs (Seen_Gain - Wide (R.Drives))) * 250 / R.Drives));
-      end if;
-      Learn_Gain
-        (R.Drives, R.Way_Weight, Seen_Gain, Square_Of (R.Driven), Most_Way);
-
-      Before :=
-        (if R.Turned = 0 then R.From.Heading
-         else Normal (Chord + Difference (R.Mean.Heading, Chord)));
-      Error :=
-        Normal (Before - R.From.Heading - Normal (Expected));
-      if R.Turned /= 0 then
-         Learn_Gain
-           (R.Turns, R.Turn_Weight,
-            Wide (Expected + Error) / (Wide (R.Turned) * 100),
-            Quarter_Of (Square_Of (R.Turned)), Most_Turn);
-      end if;
-      if Length >= Long_Way
-        and then abs Error >
-          Surprise + 5_000 * 57_000_000 / Microdegrees (Length)
-      then
-         R.Distrust := Distrusted;
-      end if;
-
-      Amount :=
-        (if R.Turned = 0 then Square_Of (R.Driven)
-         else Quarter_Of (Square_Of (R.Driven)));
-      Pulled := Within
-        (Wide (Difference (Before, R.Mean.Heading)) * 1_000
-         / Wide (if R.Driven < 0 then -Length else Length),
-         Wide (Pull'First), Wide (Pull'Last));
-      R.Pulled := Pull
-        (Within
-           (Mean_Of (Wide (R.Pulled), R.Pull_Weight, Pulled, Amount),
-            Wide (Pull'First), Wide (Pull'Last)));
-      Add (R.Pull_Weight, Amount, Most_Way);
-   end Learn;
-
    procedure Give
      (R        : in out Run;
       Movement : Movement_Kind;
@@ -365,24 +182,24 @@ package body Missions.Runs with SPARK_Mode is
 
          when Turn =>
             R.Turns_Made  := Natural'Min (2, R.Turns_Made + 1);
-            R.Part_Turned := 0;
-            if R.Turned = 0 then
-               R.From := R.Mean;
+            R.Part.Turned := 0;
+            if R.Made.Turned = 0 then
+               R.Made.From := R.Mean;
             end if;
-            if abs (R.Turned + Amount) <= Degrees'Last then
-               R.Turned := R.Turned + Amount;
+            if abs (R.Made.Turned + Amount) <= Degrees'Last then
+               R.Made.Turned := R.Made.Turned + Amount;
             else
                R.Learnable := False;
             end if;
 
          when Drive =>
             R.Turns_Made := 0;
-            R.From.X := R.Mean.X;
-            R.From.Y := R.Mean.Y;
-            if R.Turned = 0 then
-               R.From.Heading := R.Mean.Heading;
+            R.Made.From.X := R.Mean.X;
+            R.Made.From.Y := R.Mean.Y;
+            if R.Made.Turned = 0 then
+               R.Made.From.Heading := R.Mean.Heading;
             end if;
-            R.Driven := Amount;
+            R.Made.Driven := Amount;
       end case;
    end Give;
 
@@ -417,90 +234,16 @@ package body Missions.Runs with SPARK_Mode is
         else Is_Good_Order (R, R'Old, Next))
    is
       --  A turn or a drive towards the goal; Nothing: none is permitted
-      Here    : constant Near_Pose   := R.Mean;
-      Towards : constant Bearing     :=
-        Direction (Goal.X - Here.X, Goal.Y - Here.Y);
-      Ahead   : constant Micrometres :=
-        Micrometres'Max (0, Way (Here, Goal));
-      Is_Back : constant Boolean     :=
-        abs Difference (Here.Heading, Towards) > Half_Turn / 2;
-      --  backward, where that means less turning
-      Front   : constant Bearing     :=
-        (if Is_Back then Normal (Towards + Half_Turn) else Towards);
-
-      subtype Forward_Length is Drive_Length range 0 .. Drive_Length'Last;
-
-      function Signed (Length : Forward_Length) return Drive_Length is
-        (if Is_Back then -Length else Length);
-
-      function Course (Length : Forward_Length) return Bearing is
-        (Normal
-           (Front
-            - Swing (True_Length (Signed (Length), R.Drives), R.Pulled)));
-
-      function Is_Good
-        (Length : Forward_Length; Heading : Bearing) return Boolean
-      is (Missions.Guards.Is_Permitted
-            (((Here.X, Here.Y), Heading), Signed (Length), Doubts (R),
-             R.Size));
-
-      procedure Shorten (Length : in out Forward_Length)
-      with Pre => Length > 0, Post => Length < Length'Old
-      is
-      begin
-         Length := Length - Integer'Max (1, Length / 16);
-      end Shorten;
-
-      Wanted  : constant Wide :=
-        (Wide (Ahead) * 10 + Wide (R.Drives) / 2) / Wide (R.Drives);
-      Length  : Forward_Length :=
-        Forward_Length
-          (Within
-             (Wanted, 1,
-              (if R.Way_Weight < Learnt_Way then First_Way
-               else Wide (Forward_Length'Last))));
-      Angle   : Bearing;
-      Half    : Wide;
-      Ordered : Degrees;
+      Movement : Movement_Kind;
+      Amount   : Drive_Length;
    begin
-      Next := (others => <>);
-      while Length > 0 and then not Is_Good (Length, Course (Length)) loop
-         pragma Loop_Variant (Decreases => Length);
-         Shorten (Length);
-      end loop;
-      if Length = 0 then
-         return;
-      end if;
-
-      Angle   := Difference (Here.Heading, Course (Length));
-      Half    := Wide (R.Turns) / 2;
-      Ordered := Degrees
-        (Within
-           ((Wide (Angle) / 100 + (if Angle < 0 then -Half else Half))
-            / Wide (R.Turns),
-            Wide (Degrees'First), Wide (Degrees'Last)));
-      if Ordered /= 0
-        and then
-          (abs Angle > Half_Turn / 4
-           or else abs (Wide (Ahead) * Sine (Angle) / Million) > Side_Way)
-        and then abs Angle >
-          (if R.Turns_Made = 2 then 4_000_000
-           elsif R.Way_Weight < Learnt_Way then 3_000_000
-           elsif R.Turns_Made = 1 then 1_000_000
-           else 0)
-      then
-         Give (R, Turn, Ordered, Next);
-         return;
-      end if;
-
-      while Length > 0 and then not Is_Good (Length, Here.Heading) loop
-         pragma Loop_Variant (Decreases => Length);
-         Shorten (Length);
-      end loop;
-      if Length > 0 then
-         Give (R, Drive, Signed (Length), Next);
-      elsif Ordered /= 0 then
-         Give (R, Turn, Ordered, Next);
+      Missions.Aims.Choose
+        (R.Mean, Goal, R.Known, R.Made.Turned, R.Turns_Made, R.Size,
+         Movement, Amount);
+      if Movement = Halt then
+         Next := (others => <>);
+      else
+         Give (R, Movement, Amount, Next);
       end if;
    end Aim;
 
@@ -508,36 +251,36 @@ package body Missions.Runs with SPARK_Mode is
    with Post => Is_Same (R, R'Old)
    is
       --  The robot does not move any more
-      Turned : constant Some_Turn := True_Turn (R.Amount, R.Turns);
+      Turned : constant Some_Turn := True_Turn (R.Amount, R.Known.Turns);
    begin
       R.Expected  := False;
       R.Confirmed := False;
-      R.Turn_Time := (if Now > R.Given then Now - R.Given else 0);
+      R.Part.Ended := (if Now > R.Given then Now - R.Given else 0);
       if R.Movement = Turn
         and then R.Sure
         and then not R.Upset
-        and then R.Distrust = 0
-        and then R.Turned ** 2 <= 9 * R.Turn_Weight
+        and then R.Known.Distrust = 0
+        and then R.Made.Turned ** 2 <= 9 * R.Known.Turn_Weight
       then
          R.Mean.Heading := Normal (R.Mean.Heading + Turned);
          R.Phase        := Aiming;
-         Learn_Lag (R, Turned);
+         Learn_Lag (R.Known, R.Part, Turned);
          return;
       end if;
 
       R.Phase     := Looking;
-      R.Rest_From := After (Now, R.Lag);
+      R.Rest_From := After (Now, R.Known.Lag);
       R.Count     := 0;
       R.Learnable :=
         R.Learnable and then R.Sure and then R.Movement /= Halt;
       if R.Movement = Drive
         and then R.Learnable
-        and then R.Way_Weight >= Learnt_Way
+        and then Knows_Way (R.Known)
       then
          declare
             Length : constant Some_Length :=
-              True_Length (R.Amount, R.Drives);
-            Half   : constant Microdegrees := Swing (Length, R.Pulled);
+              True_Length (R.Amount, R.Known.Drives);
+            Half   : constant Microdegrees := Swing (Length, R.Known.Pulled);
             Chord  : constant Bearing      := Normal (R.Mean.Heading + Half);
          begin
             R.Mean :=
@@ -612,14 +355,14 @@ package body Missions.Runs with SPARK_Mode is
       --  What was ordered since the last look with what is seen now: it ends
       --  the mission if no Gain explains them twice in a row, or at once if it
       --  was too much
-      Drives : constant Boolean := R.Driven /= 0;
+      Drives : constant Boolean := R.Made.Driven /= 0;
       Seen   : constant Wide :=
-        (if Drives then Wide (Way (R.From, R.Mean))
-         else Wide (True_Turn (R.Turned, R.Turns) + Turn_Error (R))
-           * (if R.Turned < 0 then -1 else 1));
+        (if Drives then Wide (Way (R.Made.From, R.Mean))
+         else Wide (Turn_Seen (R.Known, R.Made, R.Mean))
+           * (if R.Made.Turned < 0 then -1 else 1));
       Asked  : constant Wide :=
-        (if Drives then abs Wide (R.Driven) * 1_000
-         else abs Wide (R.Turned) * Million);
+        (if Drives then abs Wide (R.Made.Driven) * 1_000
+         else abs Wide (R.Made.Turned) * Million);
       Slack  : constant Wide := (if Drives then Upset_Way else Surprise);
       Still  : constant Wide := (if Drives then 1_000 else Million);
       --  Less is none: that is seen of a robot at rest
@@ -639,7 +382,7 @@ package body Missions.Runs with SPARK_Mode is
          Finish_Amiss (R, What);
       else
          R.Amiss    := What;
-         R.Distrust := Distrusted;
+         R.Known.Distrust := Distrusted;
       end if;
    end Compare;
 
@@ -683,11 +426,18 @@ package body Missions.Runs with SPARK_Mode is
             if R.Ended then
                return;
             elsif R.Amiss = Halt then
-               Learn (R);
+               if R.Made.Driven = 0
+                 and then R.Made.Turned /= 0
+                 and then R.Turns_Made = 1
+               then
+                  Learn_Lag
+                    (R.Known, R.Part, Turn_Seen (R.Known, R.Made, R.Mean));
+               end if;
+               Learn (R.Known, R.Made, R.Mean);
             end if;
          end if;
-         R.Turned    := 0;
-         R.Driven    := 0;
+         R.Made.Turned    := 0;
+         R.Made.Driven    := 0;
          R.Learnable := True;
          R.Phase     := Aiming;
          while Left <= There (R.Count) loop
@@ -783,7 +533,7 @@ package body Missions.Runs with SPARK_Mode is
       if R.Phase = Looking and then What.Taken >= R.Rest_From then
          Add_Image (R);
       elsif R.Phase = Moving and then R.Movement = Turn then
-         if R.Part_Turned = 0 and then What.Taken > R.Given and then R.Sure
+         if R.Part.Turned = 0 and then What.Taken > R.Given and then R.Sure
          then
             declare
                Part : constant Bearing :=
@@ -792,8 +542,8 @@ package body Missions.Runs with SPARK_Mode is
                if abs Part in Good_Part .. 4 * Good_Part
                  and then (Part > 0) = (R.Amount > 0)
                then
-                  R.Part_Turned := Part;
-                  R.Part_Time   := What.Taken - R.Given;
+                  R.Part.Turned := Part;
+                  R.Part.Seen   := What.Taken - R.Given;
                end if;
             end;
          end if;

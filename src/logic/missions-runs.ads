@@ -2,8 +2,10 @@
 --  The run of a mission: from what the camera has seen and what the robot has
 --  been told, the next order or none.
 
-with Missions.Angles;
-with Missions.Guards;
+with Missions.Aims;     use Missions.Aims;
+with Missions.Guards;   use Missions.Guards;
+with Missions.Learning; use Missions.Learning;
+with Missions.Poses;    use Missions.Poses;
 with Robot.Protocol;
 with Robot.Session;
 
@@ -11,7 +13,6 @@ package Missions.Runs with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Missions.Runs);
 
-   use type Missions.Angles.Wide;
    use type Robot.Protocol.Command_Kind;
    use type Robot.Session.Outcome_Kind;
    use type Robot.Session.Request_Kind;
@@ -91,8 +92,8 @@ package Missions.Runs with SPARK_Mode is
          (Request.Kind = Robot.Session.Drive
           and then
             (if Request.Command.Kind = Robot.Protocol.Move then
-                Request.Command.Value in Missions.Guards.Drive_Length
-                and then Missions.Guards.Is_Permitted
+                Request.Command.Value in Drive_Length
+                and then Is_Permitted
                   (Position (R), Request.Command.Value, Doubts (R),
                    Size (R)))))
    with Ghost;
@@ -163,20 +164,8 @@ package Missions.Runs with SPARK_Mode is
 
 private
 
-   use Missions.Guards;
-
-   subtype Near is Micrometres range -20_000_000 .. 20_000_000;
-   --  Where the robot can be seen
-
-   type Near_Pose is record
-      X, Y    : Near    := 0;
-      Heading : Bearing := 0;
-   end record;
-
    Max_Images : constant := 8;
    subtype Image_Count is Natural range 0 .. Max_Images;
-
-   type Movement_Kind is (Halt, Turn, Drive);
 
    type Phase_Kind is
      (Looking,  --  the robot rests, or will within an image: wait for images
@@ -186,14 +175,7 @@ private
    subtype Awaited_Kind is Action_Kind
    with Static_Predicate => Awaited_Kind in Nothing .. Stop;
 
-   subtype Degrees is Integer range -400 .. 400;
-
-   subtype Weight is Integer range 0 .. 1_000_000;
-   --  Of what is known: the square of the degrees or millimetres that it was
-   --  learnt from
-
    Stop_Tries    : constant := 3;
-   Distrusted    : constant := 5;
    Refusal_Limit : constant := 3;
 
    type Run is record
@@ -250,44 +232,21 @@ private
       Upset       : Boolean := False;
       --  in a turn, an image showed it elsewhere
 
-      --  The first image in a turn that shows a good part of it: how much,
-      --  when after the order; and when the turn had ended
-      Part_Turned : Bearing := 0;
-      Part_Time   : Microseconds := 0;
-      Turn_Time   : Microseconds := 0;
+      Part        : Turn_Part;
+      --  of the last turn
 
       --  Since the last look
-      From        : Near_Pose;
-      Turned      : Degrees := 0;
-      Driven      : Drive_Length := 0;
+      Made        : Movements;
       Learnable   : Boolean := False;
-      Turns_Made  : Natural range 0 .. 2 := 0;
-      --  since the last drive
+      Turns_Made  : Turn_Count := 0;
 
       Amiss       : Movement_Kind := Halt;
       --  Turn, Drive: the last look at one showed no Gain,
       Measured    : Percent := 0;
       --  but this
 
-      --  What is learnt
-      Turns       : Gain   := 12_000;
-      Turn_Weight : Weight := 10;
-      Drives      : Gain   := 13_500;
-      Way_Weight  : Weight := 25;
-      Way_Doubt   : Natural range 0 .. 50 := 0;
-      --  percent: the deviation of drives from the learnt gain
-      Pulled      : Pull   := 0;
-      Pull_Weight : Weight := 1_600;
-      Distrust    : Natural range 0 .. Distrusted := 1;
-      --  number of turns whose result is still to be checked
-      Lag         : Microseconds := 0;
-      --  camera latency: from what an image shows to its arrival
+      Known       : Knowledge;
    end record;
-
-   Learnt_Way  : constant Weight := 60 ** 2;
-   Learnt_Turn : constant Weight := 25 ** 2;
-   Most_Way    : constant Weight := 600 ** 2;
-   Most_Turn   : constant Weight := 300 ** 2;
 
    function Has_Ended (R : Run) return Boolean is (R.Ended);
 
@@ -303,38 +262,10 @@ private
 
    function Position_Time (R : Run) return Microseconds is (R.Seen_At);
 
-   function Pose_Of (P : Near_Pose) return Pose is
-     ((At_Place => (P.X, P.Y), Heading => P.Heading));
-
    function Position (R : Run) return Pose is (Pose_Of (R.Mean));
 
-   function Longest (R : Run) return Gain is
-     (if R.Way_Weight < 60 ** 2 then Gain'Last
-      else Integer'Min
-        (Gain'Last,
-         R.Drives
-         + R.Drives
-           * Integer'Max
-               (R.Way_Doubt,
-                (if R.Way_Weight < 80 ** 2 then 18
-                 elsif R.Way_Weight < 120 ** 2 then 14
-                 elsif R.Way_Weight < 200 ** 2 then 9
-                 elsif R.Way_Weight < 350 ** 2 then 5
-                 else 3)) / 100));
-
    function Doubts (R : Run) return Missions.Guards.Doubts is
-     ((Longest => Longest (R),
-       Likely  => R.Pulled,
-       Either  =>
-         (if R.Pull_Weight < 60 ** 2 then 30_000
-          elsif R.Pull_Weight < 150 ** 2 then 15_000
-          elsif R.Pull_Weight < 300 ** 2 then 8_000
-          else 4_000),
-       Heading =>
-         (if R.Turned = 0 or else R.Turned ** 2 <= R.Turn_Weight
-          then 1_500_000
-          elsif R.Turned ** 2 <= 4 * R.Turn_Weight then 2_500_000
-          else 4_000_000)));
+     (Doubts_Of (R.Known, R.Made.Turned));
 
    function Leg_End (R : Run) return Microseconds is (R.Leg_End);
 

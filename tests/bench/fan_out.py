@@ -343,7 +343,7 @@ ABOUT = """\
 
 Written by `script/bench web --docs`; do not edit. Milliseconds from an order to its
 answer: direct, from a program that is connected to the supervisor itself; else from a
-page that drives through the gateway, while so many others watch the emulated camera at
+page that drives through the gateway, while the viewers watch the emulated camera at
 10 images a second. {samples} orders of each kind a row; RSTP goes to the robot and
 back, at 9600 baud; CPST the supervisor answers by itself. A slow viewer shows an image
 {slow} s after it has come. Load: of the gateway, percent of one of {processors}

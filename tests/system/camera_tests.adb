@@ -99,7 +99,7 @@ package body Camera_Tests is
 
    function Facts_After (R : in out Rig; Count : Positive) return Images.Facts
    is
-      --  Of so many images on: the first ones may have been under way
+      --  Of the last of Count images: the first may have been under way
    begin
       R.Monitor.Skip_To_Now;
       R.Monitor.Await ("CIMG", Count);

@@ -24,7 +24,7 @@ package Scenarios is
 
    procedure Run (Jobs : Positive; Program : String; All_Passed : out Boolean);
    --  Runs the tests: each in a process of Program, with the options of this
-   --  one and --one TITLE, so many at a time; then the timed ones, one by one.
-   --  Ends with the number of tests passed and failed.
+   --  one and --one TITLE, Jobs at a time; then the timed ones, one by one.
+   --  Ends with the number of tests passed and failed
 
 end Scenarios;

@@ -44,7 +44,7 @@ TICK = 0.05
 LATE = 0.15
 
 EVENTS = 100
-#  Kept for newcomers: so many orders, and so many others
+#  Kept for newcomers: orders, and as many of all others
 
 REPEATED = 60.0
 #  Seconds within which the same event, by the same session, is kept as one
@@ -638,7 +638,7 @@ class Hub:
         /,
         **args: str | float,
     ) -> None:
-        """An event, caused by a session so many times."""
+        """An event, caused COUNT times by a session."""
         event: dict[str, Any] = {
             "time": now_ms(),
             "level": level,

@@ -25,7 +25,7 @@ EXPULSION = 600.0
 
 
 class Budget:
-    """So many at once, and then so many a second."""
+    """AT_ONCE, and then RATE a second."""
 
     def __init__(self, at_once: float, rate: float) -> None:
         self._most = self._left = at_once

@@ -109,7 +109,7 @@ def _order(data: dict[str, Any]) -> Order:
     points = data.get("points")
     if label in MISSIONS:
         if not isinstance(points, list) or not 1 <= len(points) <= MISSIONS[label]:
-            raise Malformed("not so many points")
+            raise Malformed("too many points")
     elif points is not None:
         raise Malformed(f"{label} has no points")
     return Order(

@@ -4,7 +4,7 @@
 // the messages.
 
 const TICK = 100;                  // ms between pings of who drives
-const TICKS_WATCHING = 10;         // one ping in so many of who watches
+const TICKS_WATCHING = 10;         // of who watches, in TICKs
 const SLOW = { drives: 500, watches: 3000 };    // ms without a pong
 const DEAD = { drives: 3000, watches: 8000 };
 const OPENING = 5000;              // ms for the connection and its welcome

@@ -1,0 +1,148 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+package body Missions.Learning with SPARK_Mode is
+
+   Learning_Way : constant := 40_000;
+   --  Micrometres. Nothing is learnt from shorter drives
+   Long_Way     : constant := 100_000;
+   --  A surprise in a shorter drive is not believed
+
+   Most_Way    : constant Weight := 600 ** 2;
+   Most_Turn   : constant Weight := 300 ** 2;
+
+   Longest_Lag : constant Microseconds := 300_000;
+   --  No order follows from an older image
+
+   procedure Learn
+     (K : in out Knowledge; M : Movements; Now : Near_Pose)
+   is
+
+      subtype Square is Wide range 1 .. 25_000_000;
+
+      function Square_Of (Amount : Drive_Length) return Square is
+        (Within (Wide (Amount) * Wide (Amount), Square'First, Square'Last));
+
+      function Quarter_Of (Number : Square) return Square is
+        (Wide'Max (1, Number / 4));
+
+      function Mean_Of
+        (Known : Wide; W : Weight; Seen : Wide; Amount : Square) return Wide
+      is (Known + (Seen - Known) * Amount / (Wide (W) + Amount))
+      with
+        Pre => Known in -100_000 .. 100_000
+          and then Seen in -100_000 .. 100_000;
+
+      procedure Add (W : in out Weight; Amount : Square; Most : Weight) is
+      begin
+         W := Weight (Wide'Min (Wide (Most), Wide (W) + Amount));
+      end Add;
+
+      procedure Learn_Gain
+        (G : in out Gain; W : in out Weight; Seen : Wide; Amount : Square;
+         Most : Weight)
+      is
+         Lowest  : constant Wide := Wide (Gain'First);
+         Highest : constant Wide := Wide (Gain'Last);
+      begin
+         G := Gain
+           (Within
+              (Mean_Of (Wide (G), W, Within (Seen, Lowest, Highest), Amount),
+               Lowest, Highest));
+         Add (W, Amount, Most);
+      end Learn_Gain;
+
+      Expected : constant Some_Turn := True_Turn (M.Turned, K.Turns);
+      Length   : constant Micrometres := Way (M.From, Now);
+      Chord    : constant Bearing :=
+        Normal
+          (Direction (Now.X - M.From.X, Now.Y - M.From.Y)
+           + (if M.Driven < 0 then Half_Turn else 0));
+      Before    : Bearing;
+      --  the heading at the beginning of the drive
+      Error     : Bearing;
+      Seen_Gain : Wide;
+      Pulled    : Wide;
+      Amount    : Square;
+   begin
+      if M.Driven = 0 then
+         if M.Turned /= 0 then
+            Error := Turn_Error (K, M, Now);
+            if Knows_Turn (K) and then abs Error > Surprise then
+               K.Distrust := Distrusted;
+            end if;
+            Learn_Gain
+              (K.Turns, K.Turn_Weight,
+               Wide (Expected + Error) / (Wide (M.Turned) * 100),
+               Square_Of (M.Turned), Most_Turn);
+            if Knows_Turn (K) and then K.Distrust > 0 then
+               K.Distrust := K.Distrust - 1;
+            end if;
+         end if;
+         return;
+      elsif Length < Learning_Way then
+         return;
+      end if;
+
+      Seen_Gain := Within
+        (Wide (Length) * 10 / abs Wide (M.Driven), 0, 30_000);
+      if Length >= Long_Way and then Knows_Way (K) then
+         K.Way_Doubt := Integer'Min
+           (50,
+            Integer'Max
+              (K.Way_Doubt * 15 / 16,
+               Integer (abs (Seen_Gain - Wide (K.Drives))) * 250 / K.Drives));
+      end if;
+      Learn_Gain
+        (K.Drives, K.Way_Weight, Seen_Gain, Square_Of (M.Driven), Most_Way);
+
+      Before :=
+        (if M.Turned = 0 then M.From.Heading
+         else Normal (Chord + Difference (Now.Heading, Chord)));
+      Error :=
+        Normal (Before - M.From.Heading - Normal (Expected));
+      if M.Turned /= 0 then
+         Learn_Gain
+           (K.Turns, K.Turn_Weight,
+            Wide (Expected + Error) / (Wide (M.Turned) * 100),
+            Quarter_Of (Square_Of (M.Turned)), Most_Turn);
+      end if;
+      if Length >= Long_Way
+        and then abs Error >
+          Surprise + 5_000 * 57_000_000 / Microdegrees (Length)
+      then
+         K.Distrust := Distrusted;
+      end if;
+
+      Amount :=
+        (if M.Turned = 0 then Square_Of (M.Driven)
+         else Quarter_Of (Square_Of (M.Driven)));
+      Pulled := Within
+        (Wide (Difference (Before, Now.Heading)) * 1_000
+         / Wide (if M.Driven < 0 then -Length else Length),
+         Wide (Pull'First), Wide (Pull'Last));
+      K.Pulled := Pull
+        (Within
+           (Mean_Of (Wide (K.Pulled), K.Pull_Weight, Pulled, Amount),
+            Wide (Pull'First), Wide (Pull'Last)));
+      Add (K.Pull_Weight, Amount, Most_Way);
+   end Learn;
+
+   procedure Learn_Lag
+     (K : in out Knowledge; Part : Turn_Part; Turned : Microdegrees)
+   is
+      Shown : constant Wide :=
+        Wide (abs Part.Turned)
+        * Wide (Microseconds'Min (Part.Ended, 10 ** 8))
+        / Wide'Max (1, Wide (abs Turned));
+      --  the time of the turn that was seen
+      Lag   : constant Microseconds :=
+        (if Shown in 0 .. Wide (Part.Seen)
+         then Microseconds'Min (Part.Seen - Microseconds (Shown), Longest_Lag)
+         else 0);
+   begin
+      if Part.Turned /= 0 then
+         K.Lag := (if K.Lag = 0 then Lag else (K.Lag + Lag) / 2);
+      end if;
+   end Learn_Lag;
+
+end Missions.Learning;
