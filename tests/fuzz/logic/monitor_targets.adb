@@ -180,9 +180,6 @@ package body Monitor_Targets is
       end loop;
       --  Parse takes more than a reader gives: any length, any character
       Parse_Anywhere (All_Text);
-      if Is_Plain (All_Text) then
-         Prove_Reading (All_Text);
-      end if;
    end Lines;
 
 end Monitor_Targets;

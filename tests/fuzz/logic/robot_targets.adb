@@ -48,12 +48,10 @@ package body Robot_Targets is
       F        : Frame;
       Complete : Boolean;
       Begun    : Positive := 1;
-      Whole    : Boolean  := True;
    begin
       for I in Data'Range loop
          Accept_Byte (R, Data (I), Complete);
          if Complete then
-            Whole := False;
             Get (R, F);
             if I - Begun > Max_Frame then
                Check (F.Length = 0, "a frame that is too long is not empty");
@@ -66,11 +64,6 @@ package body Robot_Targets is
             Begun := I + 1;
          end if;
       end loop;
-      if Whole then
-         for Pending in Command_Kind loop
-            Prove_Reception (Data, Pending);
-         end loop;
-      end if;
 
       --  any bytes at all, terminators among them
       F.Length := Natural'Min (Data'Length, Max_Frame);
