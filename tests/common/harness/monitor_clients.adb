@@ -34,27 +34,29 @@ package body Monitor_Clients is
    package Image_Vectors is new Ada.Containers.Vectors
      (Positive, Kept_Image);
 
+   type Manner is record
+      Paused      : Boolean  := False;
+      Rate        : Natural  := 0;
+      Late_Each   : Boolean  := False;
+      Least, Most : Duration := 0.0;
+      Leaving     : Boolean  := False;
+   end record;
+   --  Of reading: see Pause, Limit_Reading, Be_Late. The client sets it, its
+   --  receiver follows
+
    protected type Inbox is
       procedure Add (Item : Message; Image : Unbounded_String);
       procedure Add_Bytes (Count : Natural);
       procedure Ended (How : Closing);
       procedure Keep_Images (Count : Positive);
-      procedure Set_Paused (Value : Boolean);
-      procedure Set_Rate (Value : Natural);
-      procedure Set_Late (Least, Most : Duration; To_Each : Boolean);
-      procedure Set_Leaving;
+      procedure Set_Manner (Value : Manner);
       function Count return Natural;
       function Element (Number : Positive) return Message;
       function Bytes return Natural;
       function State return Closing;
       function Image (Number : Natural) return String;
       function Broken_Images return Natural;
-      function Paused return Boolean;
-      function Rate return Natural;
-      function Late_To_Each return Boolean;
-      function Least_Late return Duration;
-      function Most_Late return Duration;
-      function Leaving return Boolean;
+      function Manner_Now return Manner;
    private
       Messages  : Message_Vectors.Vector;
       Images    : Image_Vectors.Vector;
@@ -62,12 +64,7 @@ package body Monitor_Clients is
       Broken    : Natural := 0;
       Received  : Natural := 0;
       End_State : Closing := Open;
-      Is_Paused : Boolean := False;
-      Limit     : Natural := 0;
-      Each      : Boolean := False;
-      Least     : Duration := 0.0;
-      Most      : Duration := 0.0;
-      Is_Leaving : Boolean := False;
+      Now_So    : Manner;
    end Inbox;
 
    task type Receiver
@@ -85,6 +82,7 @@ package body Monitor_Clients is
       Box    : aliased Inbox;
       Reader : Receiver_Access;
       Taken  : Natural := 0;
+      How    : Manner;
    end record;
 
    procedure Free is new Ada.Unchecked_Deallocation
@@ -147,27 +145,10 @@ package body Monitor_Clients is
          Kept := Count;
       end Keep_Images;
 
-      procedure Set_Paused (Value : Boolean) is
+      procedure Set_Manner (Value : Manner) is
       begin
-         Is_Paused := Value;
-      end Set_Paused;
-
-      procedure Set_Rate (Value : Natural) is
-      begin
-         Limit := Value;
-      end Set_Rate;
-
-      procedure Set_Late (Least, Most : Duration; To_Each : Boolean) is
-      begin
-         Inbox.Least := Least;
-         Inbox.Most := Most;
-         Each := To_Each;
-      end Set_Late;
-
-      procedure Set_Leaving is
-      begin
-         Is_Leaving := True;
-      end Set_Leaving;
+         Now_So := Value;
+      end Set_Manner;
 
       function Count return Natural is (Natural (Messages.Length));
 
@@ -194,17 +175,7 @@ package body Monitor_Clients is
 
       function Broken_Images return Natural is (Broken);
 
-      function Paused return Boolean is (Is_Paused);
-
-      function Rate return Natural is (Limit);
-
-      function Late_To_Each return Boolean is (Each);
-
-      function Least_Late return Duration is (Least);
-
-      function Most_Late return Duration is (Most);
-
-      function Leaving return Boolean is (Is_Leaving);
+      function Manner_Now return Manner is (Now_So);
 
    end Inbox;
 
@@ -216,13 +187,14 @@ package body Monitor_Clients is
       Group  : Positive := 1;
       Late   : Duration := 0.0;
       Chance : Ada.Numerics.Float_Random.Generator;
+      How    : Manner;
 
       procedure Be_Late is
          Start : constant Instant := Now;
       begin
-         if Box.Most_Late > 0.0 then
-            delay Box.Least_Late
-              + (Box.Most_Late - Box.Least_Late)
+         if How.Most > 0.0 then
+            delay How.Least
+              + (How.Most - How.Least)
               * Duration (Ada.Numerics.Float_Random.Random (Chance));
          end if;
          Late := Now - Start;
@@ -261,22 +233,22 @@ package body Monitor_Clients is
          declare
             Ready : Boolean := False;
          begin
-            exit Reading when Box.Leaving;
-            if Box.Paused then
+            How := Box.Manner_Now;
+            exit Reading when How.Leaving;
+            if How.Paused then
                delay 0.005;
             else
                Ready := Polls.Is_Readable (int (To_C (Socket.all)), 0.02);
             end if;
-            if Ready and then not Box.Paused
-              and then not Box.Leaving
-            then
+            How := Box.Manner_Now;
+            if Ready and then not How.Paused and then not How.Leaving then
                Most := Buffer'Last;
-               if Box.Rate > 0 then
+               if How.Rate > 0 then
                   Most := Stream_Element_Offset'Min
-                    (Most, Stream_Element_Offset (Box.Rate) / 50 + 1);
-                  delay Duration (Most) / Box.Rate;
+                    (Most, Stream_Element_Offset (How.Rate) / 50 + 1);
+                  delay Duration (Most) / How.Rate;
                end if;
-               if Box.Late_To_Each and then Length (Rest) = 0 then
+               if How.Late_Each and then Length (Rest) = 0 then
                   Be_Late;
                end if;
                Receive_Socket (Socket.all, Buffer (1 .. Most), Last);
@@ -304,7 +276,7 @@ package body Monitor_Clients is
                   end loop;
                   if First > Bytes'Last then
                      Group := Group + 1;
-                     if not Box.Late_To_Each then
+                     if not How.Late_Each then
                         Be_Late;
                      end if;
                   else
@@ -576,27 +548,39 @@ package body Monitor_Clients is
    function Image (Object : Client; Number : Positive) return String is
      (Object.Inner.Box.Image (Number));
 
+   procedure Follow (Inner : Parts_Access) is
+      --  Its receiver does what Inner.How says
+   begin
+      Inner.Box.Set_Manner (Inner.How);
+   end Follow;
+
    procedure Pause (Object : in out Client) is
    begin
-      Object.Inner.Box.Set_Paused (True);
+      Object.Inner.How.Paused := True;
+      Follow (Object.Inner);
       delay 0.05;
       --  a recv that had begun is over
    end Pause;
 
    procedure Resume (Object : in out Client) is
    begin
-      Object.Inner.Box.Set_Paused (False);
+      Object.Inner.How.Paused := False;
+      Follow (Object.Inner);
    end Resume;
 
    procedure Limit_Reading (Object : in out Client; Rate : Natural) is
    begin
-      Object.Inner.Box.Set_Rate (Rate);
+      Object.Inner.How.Rate := Rate;
+      Follow (Object.Inner);
    end Limit_Reading;
 
    procedure Be_Late
      (Object : in out Client; Least, Most : Duration; To_Each : Boolean) is
    begin
-      Object.Inner.Box.Set_Late (Least, Most, To_Each);
+      Object.Inner.How.Least := Least;
+      Object.Inner.How.Most := Most;
+      Object.Inner.How.Late_Each := To_Each;
+      Follow (Object.Inner);
    end Be_Late;
 
    function Closed_By_Peer
@@ -620,22 +604,28 @@ package body Monitor_Clients is
    function Left_At (Object : Client) return Instant is (Object.Left);
 
    procedure Let_Go (Object : in out Client; Abortive : Boolean) is
+
+      procedure Leave is
+         --  The order of the events towards the supervisor is the test's:
+         --  the close comes first, the end of the reader afterwards
+      begin
+         Object.Inner.How.Leaving := True;
+         Follow (Object.Inner);
+         while not Object.Inner.Reader'Terminated loop
+            delay 0.001;
+         end loop;
+      end Leave;
+
    begin
       if Object.Inner = null then
          return;
       end if;
       if Object.Inner.Reader /= null then
-         --  The order of the events towards the supervisor is the test's:
-         --  the close comes first, the end of the reader afterwards.
          if Abortive then
-            Object.Inner.Box.Set_Leaving;
-            while not Object.Inner.Reader'Terminated loop
-               delay 0.001;
-            end loop;
+            Leave;
             Set_Socket_Option
               (Object.Inner.Socket, Socket_Level, (Linger, True, 0));
             Object.Left := Now;
-            Close_Socket (Object.Inner.Socket);
          else
             Object.Left := Now;
             begin
@@ -644,12 +634,9 @@ package body Monitor_Clients is
                when Socket_Error =>
                   null;
             end;
-            Object.Inner.Box.Set_Leaving;
-            while not Object.Inner.Reader'Terminated loop
-               delay 0.001;
-            end loop;
-            Close_Socket (Object.Inner.Socket);
+            Leave;
          end if;
+         Close_Socket (Object.Inner.Socket);
          Free (Object.Inner.Reader);
       elsif Object.Inner.Socket /= No_Socket then
          Close_Socket (Object.Inner.Socket);

@@ -3,6 +3,7 @@
 
 with Ada.Command_Line;
 with Ada.Directories;       use Ada.Directories;
+with Ada.Exceptions;        use Ada.Exceptions;
 with Ada.Strings;           use Ada.Strings;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
@@ -104,6 +105,16 @@ package body Programs is
       return False;
    end Read_Option;
 
+   procedure Read_Option (Usage : String) is
+   begin
+      if Option_Readers.Name = "--help" then
+         Ada.Text_IO.Put_Line (Usage);
+         GNAT.OS_Lib.OS_Exit (0);
+      elsif not Read_Option then
+         Option_Readers.Refuse;
+      end if;
+   end Read_Option;
+
    function Temporary_Folder return String is
       Open_To_All : constant := 8#777#;
       Unused      : int;
@@ -148,7 +159,7 @@ package body Programs is
       Remove (Folder_Of (Process));
    end Remove_Left;
 
-   procedure Give_Up (Reason : String) is
+   procedure Give_Up (Reason : String; Status : Integer := 1) is
    begin
       Child_Processes.Stop_All;
       Remove_Temporary_Folder;
@@ -159,7 +170,17 @@ package body Programs is
             --  nobody reads it any more
             null;
       end;
-      GNAT.OS_Lib.OS_Exit (1);
+      GNAT.OS_Lib.OS_Exit (Status);
+   end Give_Up;
+
+   procedure Give_Up (Problem : Exception_Occurrence) is
+      Name : constant String := Simple_Name (Ada.Command_Line.Command_Name);
+   begin
+      if Exception_Identity (Problem) = Option_Readers.Bad_Usage'Identity then
+         Give_Up (Name & ": " & Exception_Message (Problem) & " (--help)", 2);
+      else
+         Give_Up (Name & ": " & Exception_Information (Problem));
+      end if;
    end Give_Up;
 
 end Programs;

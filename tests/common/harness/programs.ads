@@ -2,6 +2,7 @@
 --  Paths of the programs under test: by default the folder of the running
 --  program; and the clean-up after an aborted run.
 
+with Ada.Exceptions;
 with Interfaces.C;
 
 package Programs is
@@ -27,6 +28,10 @@ package Programs is
    function Read_Option return Boolean;
    --  If the current option of Option_Readers is --supervisor, --emulator or
    --  --monitor: its value becomes the path of that program; --terminals
+
+   procedure Read_Option (Usage : String);
+   --  The same, or --help: prints Usage and ends the program. Raises Bad_Usage
+   --  for any other
 
    function Temporary_Folder return String;
    --  A folder for this run, made at first use, accessible to all users
@@ -56,9 +61,13 @@ package Programs is
    procedure Remove_Left (Process : Interfaces.C.int);
    --  Removes the temporary folder of a killed process
 
-   procedure Give_Up (Reason : String) with No_Return;
-   --  Ends the run, exit status 1, even if its tasks are blocked: stops the
+   procedure Give_Up (Reason : String; Status : Integer := 1) with No_Return;
+   --  Ends the run with this status, even if its tasks are blocked: stops the
    --  programs, removes the temporary folder, then prints the reason, if
    --  possible
+
+   procedure Give_Up (Problem : Ada.Exceptions.Exception_Occurrence)
+     with No_Return;
+   --  The same, exit status 2 for Bad_Usage, else 1
 
 end Programs;
