@@ -28,8 +28,8 @@ package Scenes is
       Robots        : int;
       Robot         : Robot_Array;
    end record
-   with Convention => C_Pass_By_Copy;
-   --  What is drawn; scene.h has units and ranges
+   with Convention => C;
+   --  What is drawn; scene.h has units and ranges. Passed by reference
 
    type Corner_Coordinates is array (0 .. 7) of double with Convention => C;
    --  x and y of top left, top right, bottom right, bottom left
@@ -37,23 +37,21 @@ package Scenes is
    function Default return Description
    with Import, Convention => C, External_Name => "scene_default";
 
-   function Draw
-     (Scene : access constant Description; Bgr : System.Address) return int
+   function Draw (Scene : Description; Bgr : System.Address) return int
    with Import, Convention => C, External_Name => "scene_draw";
 
    function Robot_Truth
-     (Scene          : access constant Description;
+     (Scene          : Description;
       N              : int;
       Cx, Cy, Dx, Dy : out double) return int
    with Import, Convention => C, External_Name => "scene_robot_truth";
 
    function Arena_Truth
-     (Scene  : access constant Description;
-      Corner : out Corner_Coordinates) return int
+     (Scene : Description; Corner : out Corner_Coordinates) return int
    with Import, Convention => C, External_Name => "scene_arena_truth";
 
    function Jpeg
-     (Scene    : access constant Description;
+     (Scene    : Description;
       Quality  : int;
       Buffer   : System.Address;
       Capacity : int) return int
@@ -67,10 +65,9 @@ package Scenes is
    with Import, Convention => C, External_Name => "scene_decode_grey";
 
    function Video
-     (Scene  : access constant Description;
-      Frames : int;
-      Fps    : int;
-      Path   : char_array) return int
+     (Scene       : Description;
+      Frames, Fps : int;
+      Path        : char_array) return int
    with Import, Convention => C, External_Name => "scene_video";
 
 end Scenes;

@@ -161,9 +161,8 @@ procedure Image_Times is
 
    procedure Draw (Item : Scenes.Description) is
       --  Onto the canvas
-      Drawn : aliased constant Scenes.Description := Item;
    begin
-      Check (Scenes.Draw (Drawn'Access, Canvas'Address) = 0, "drawing");
+      Check (Scenes.Draw (Item, Canvas'Address) = 0, "drawing");
    end Draw;
 
    procedure Show (Width, Height : Positive) is
@@ -187,7 +186,7 @@ procedure Image_Times is
    procedure Measure_Stages (Width, Height : Positive) is
       Size   : constant String :=
         Image (Width) & "x" & Image (Height);
-      Item   : aliased Scenes.Description := Scene (Width, Height, 1, 0);
+      Item   : Scenes.Description := Scene (Width, Height, 1, 0);
       Arena  : Arena_Corners;
       Robots : Robot_Array;
       Count  : Robot_Count;
@@ -200,7 +199,7 @@ procedure Image_Times is
       for K in 1 .. Number loop
          Item := Scene (Width, Height, 1, K mod 20);
          Taken := Natural
-           (Scenes.Jpeg (Item'Access, Quality, Source'Address,
+           (Scenes.Jpeg (Item, Quality, Source'Address,
                          Source'Length));
 
          --  The camera's bytes, kept and passed on

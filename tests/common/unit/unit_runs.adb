@@ -4,74 +4,79 @@
 with Ada.Command_Line;      use Ada.Command_Line;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;
-with Ada_Containers;
+with Ada_Containers;        use type Ada_Containers.Count_Type;
 
+with AUnit.Options;
 with AUnit.Reporter.Text;
-with AUnit.Run;
 with AUnit.Simple_Test_Cases;
 with AUnit.Test_Results;
-with AUnit.Test_Suites;
 
 package body Unit_Runs is
 
-   use type Ada_Containers.Count_Type;
-
-   type Unit_Test (Action : Routine) is
-     new AUnit.Simple_Test_Cases.Test_Case with record
-      Title : AUnit.Message_String;
-   end record;
-
-   overriding function Name (Test : Unit_Test) return AUnit.Message_String is
-     (Test.Title);
-
-   overriding procedure Run_Test (Test : in out Unit_Test) is
-   begin
-      Test.Action.all;
-   end Run_Test;
-
-   type Unit_Test_Access is access Unit_Test;
-
-   All_Tests : constant AUnit.Test_Suites.Access_Test_Suite :=
-     AUnit.Test_Suites.New_Suite;
-
+   Results   : AUnit.Test_Results.Result;
    Group_Now : Unbounded_String;
 
    Known : array (1 .. Argument_Count) of Boolean := (others => False);
    --  arguments that are the name of a group
 
-   function Suite return AUnit.Test_Suites.Access_Test_Suite is (All_Tests);
-
-   procedure Run_Suite is new AUnit.Run.Test_Runner_With_Results (Suite);
-
-   procedure Add (Group : String; Add_Tests : Routine) is
+   procedure Group (Name : String; Tests : not null access procedure) is
       Wanted : Boolean := Argument_Count = 0;
    begin
       for Number in Known'Range loop
-         if Argument (Number) = Group then
+         if Argument (Number) = Name then
             Known (Number) := True;
             Wanted := True;
          end if;
       end loop;
       if Wanted then
-         Group_Now := To_Unbounded_String (Group);
-         Add_Tests.all;
+         Group_Now := To_Unbounded_String (Name);
+         Tests.all;
       end if;
-   end Add;
+   end Group;
 
-   procedure Add_Test (Name : String; Test : Routine) is
-      Item : constant Unit_Test_Access := new Unit_Test'
-        (AUnit.Simple_Test_Cases.Test_Case with
-         Test, AUnit.Format (To_String (Group_Now) & " : " & Name));
+   procedure Run_Test (Title : String; Action : not null access procedure) is
+
+      type Unit_Test is
+        new AUnit.Simple_Test_Cases.Test_Case with null record;
+
+      overriding function Name (Item : Unit_Test)
+        return AUnit.Message_String
+      is (AUnit.Format (To_String (Group_Now) & " : " & Title));
+
+      overriding procedure Run_Test (Item : in out Unit_Test);
+
+      overriding procedure Run_Test (Item : in out Unit_Test) is
+         pragma Unreferenced (Item);
+      begin
+         Action.all;
+      end Run_Test;
+
+      Item   : aliased Unit_Test;
+      Unused : AUnit.Status;
    begin
-      All_Tests.Add_Test (Item);
-   end Add_Test;
+      Run
+        (Item'Unchecked_Access, AUnit.Options.Default_Options, Results,
+         Unused);
+   end Run_Test;
 
-   procedure Run is
+   function Split (Table : String) return Line_Vectors.Vector is
+      First  : Positive := Table'First;
+      Result : Line_Vectors.Vector;
+   begin
+      for Place in Table'Range loop
+         if Table (Place) = '|' then
+            Result.Append (Table (First .. Place - 1));
+            First := Place + 1;
+         end if;
+      end loop;
+      Result.Append (Table (First .. Table'Last));
+      return Result;
+   end Split;
+
+   procedure Finish is
       Reporter : AUnit.Reporter.Text.Text_Reporter;
-      Results  : AUnit.Test_Results.Result;
    begin
-      Set_Exit_Status (Failure);
-      Run_Suite (Reporter, Results);
+      Reporter.Report (Results, AUnit.Options.Default_Options);
       Ada.Text_IO.Put_Line
         (Results.Success_Count'Image & " passed,"
          & Ada_Containers.Count_Type'Image
@@ -84,11 +89,10 @@ package body Unit_Runs is
                "no tests are called " & Argument (Number));
          end if;
       end loop;
-      if Results.Test_Count > 0 and then Results.Successful
-        and then (for all Is_Known of Known => Is_Known)
-      then
-         Set_Exit_Status (Success);
-      end if;
-   end Run;
+      Set_Exit_Status
+        (if Results.Test_Count > 0 and then Results.Successful
+           and then (for all Is_Known of Known => Is_Known)
+         then Success else Failure);
+   end Finish;
 
 end Unit_Runs;

@@ -1,19 +1,25 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The run of a program of unit tests.
 
+with Ada.Containers.Indefinite_Vectors;
+
 package Unit_Runs is
 
-   type Routine is not null access procedure;
-
-   procedure Add (Group : String; Add_Tests : Routine);
-   --  Calls Add_Tests if Group is an argument of the program, or if it has no
+   procedure Group (Name : String; Tests : not null access procedure);
+   --  Calls Tests if Name is an argument of the program, or if it has no
    --  arguments
 
-   procedure Add_Test (Name : String; Test : Routine);
-   --  Adds a test to the run; for the Add_Tests of its group
+   procedure Run_Test (Title : String; Action : not null access procedure);
+   --  Runs a test of the group
 
-   procedure Run;
-   --  Runs all added tests. Exit status 0 only if tests ran, all succeeded,
-   --  and each argument was the name of a group.
+   package Line_Vectors is
+     new Ada.Containers.Indefinite_Vectors (Positive, String);
+
+   function Split (Table : String) return Line_Vectors.Vector;
+   --  What is between its bars
+
+   procedure Finish;
+   --  Reports the tests. Exit status 0 only if tests ran, all succeeded, and
+   --  each argument was the name of a group.
 
 end Unit_Runs;

@@ -13,12 +13,12 @@ with Unit_Runs; use Unit_Runs;
 
 procedure Emulator_Unit is
 begin
-   Add ("Robot_Core", Robot_Core_Tests.Add_Tests'Access);
-   Add ("Robot_Motion", Robot_Motion_Tests.Add_Tests'Access);
-   Add ("Robot_Pasts", Robot_Pasts_Tests.Add_Tests'Access);
-   Add ("Answer_Faults", Answer_Faults_Tests.Add_Tests'Access);
-   Add ("Radio_Links", Radio_Links_Tests.Add_Tests'Access);
-   Add ("Reload_Times", Reload_Times_Tests.Add_Tests'Access);
-   Add ("Mission_Judges", Mission_Judges_Tests.Add_Tests'Access);
-   Run;
+   Group ("Robot_Core", Robot_Core_Tests'Access);
+   Group ("Robot_Motion", Robot_Motion_Tests'Access);
+   Group ("Robot_Pasts", Robot_Pasts_Tests'Access);
+   Group ("Answer_Faults", Answer_Faults_Tests'Access);
+   Group ("Radio_Links", Radio_Links_Tests'Access);
+   Group ("Reload_Times", Reload_Times_Tests'Access);
+   Group ("Mission_Judges", Mission_Judges_Tests'Access);
+   Finish;
 end Emulator_Unit;

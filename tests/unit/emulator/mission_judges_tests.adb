@@ -12,7 +12,7 @@ with Robot_Motion;
 with Robot_Truths;
 with Unit_Runs; use Unit_Runs;
 
-package body Mission_Judges_Tests is
+procedure Mission_Judges_Tests is
 
    use type Robot_Motion.Micro;
 
@@ -283,17 +283,14 @@ package body Mission_Judges_Tests is
       Expect (V, "has touched a wall");
    end Test_Walls;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("plans", Test_Plans'Access);
-      Add_Test ("bad plans", Test_Bad_Plans'Access);
-      Add_Test ("random plans", Test_Random_Plans'Access);
-      Add_Test ("a journal's truth", Test_Replay'Access);
-      Add_Test ("distances of the points", Test_Passes'Access);
-      Add_Test ("the points' order", Test_Order_Of_Points'Access);
-      Add_Test ("walls", Test_Walls'Access);
-      Add_Test ("without a position", Test_Blind'Access);
-      Add_Test ("ends", Test_Ends'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("plans", Test_Plans'Access);
+   Run_Test ("bad plans", Test_Bad_Plans'Access);
+   Run_Test ("random plans", Test_Random_Plans'Access);
+   Run_Test ("a journal's truth", Test_Replay'Access);
+   Run_Test ("distances of the points", Test_Passes'Access);
+   Run_Test ("the points' order", Test_Order_Of_Points'Access);
+   Run_Test ("walls", Test_Walls'Access);
+   Run_Test ("without a position", Test_Blind'Access);
+   Run_Test ("ends", Test_Ends'Access);
 end Mission_Judges_Tests;

@@ -8,7 +8,7 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Radio_Links;      use Radio_Links;
 with Unit_Runs;        use Unit_Runs;
 
-package body Radio_Links_Tests is
+procedure Radio_Links_Tests is
 
    Each : constant Byte_Time := 1_041_666;
    --  At 9600 baud
@@ -168,13 +168,10 @@ package body Radio_Links_Tests is
               "without:" & All_Of (Exchanges)'Image);
    end Test_Retries;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("packets", Test_Packets'Access);
-      Add_Test ("delays", Test_Delays'Access);
-      Add_Test ("retries", Test_Retries'Access);
-      Add_Test ("losses", Test_Losses'Access);
-      Add_Test ("order", Test_Order'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("packets", Test_Packets'Access);
+   Run_Test ("delays", Test_Delays'Access);
+   Run_Test ("retries", Test_Retries'Access);
+   Run_Test ("losses", Test_Losses'Access);
+   Run_Test ("order", Test_Order'Access);
 end Radio_Links_Tests;

@@ -8,7 +8,7 @@ with Robot_Core;
 with Robot_Motion;
 with Unit_Runs;          use Unit_Runs;
 
-package body Reload_Times_Tests is
+procedure Reload_Times_Tests is
 
    use type Robot_Motion.Micro;
 
@@ -72,10 +72,6 @@ package body Reload_Times_Tests is
       Expect ("c.a.c.a", 2);
    end Test_Losses;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("reloads that are lost, or their answers",
-                Test_Losses'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("reloads that are lost, or their answers", Test_Losses'Access);
 end Reload_Times_Tests;

@@ -10,7 +10,7 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Robot_Motion;     use Robot_Motion;
 with Unit_Runs; use Unit_Runs;
 
-package body Robot_Motion_Tests is
+procedure Robot_Motion_Tests is
 
    type Values is array (1 .. 3) of Micro;
    type Pulls is array (Positive range <>) of Pull_Angle;
@@ -85,6 +85,20 @@ package body Robot_Motion_Tests is
       Pass (M, 1);
       Assert (not Is_Moving (M), "too late");
    end Pass_To_End;
+
+   procedure Expect_After
+     (M : in out Motion; Time, X, Y, Angle : Micro; Tolerance : Micro := 0) is
+   begin
+      Pass (M, Time);
+      Expect (M, X, Y, Angle, Tolerance);
+   end Expect_After;
+
+   procedure Expect_End (M : in out Motion; Time, X, Y, Angle : Micro) is
+      --  Its order ends after exactly that time, and there
+   begin
+      Pass_To_End (M, Time);
+      Expect (M, X, Y, Angle);
+   end Expect_End;
 
    function Placed (X, Y, Angle : Micro) return Motion is
       M : Motion;
@@ -228,9 +242,8 @@ package body Robot_Motion_Tests is
                  = (Micro (Degree) * 1_000_000 + 4_600_000) mod Full_Turn,
                  "23 degrees per metre");
          Go (M, -200, (Pull => 23, others => <>));
-         Pass (M, 1_000_000);
-         Expect (M, 400_000, 300_000, Micro (Degree) * 1_000_000,
-                 Tolerance => 2);
+         Expect_After (M, 1_000_000, 400_000, 300_000,
+                       Micro (Degree) * 1_000_000, Tolerance => 2);
       end loop;
    end Test_Back_Along_An_Arc;
 
@@ -243,11 +256,9 @@ package body Robot_Motion_Tests is
       end loop;
       Assert (Is_Moving (M), "ended");
       Expect (M, 400_000, 300_000, 0);
-      Pass (M, 500_000);
-      Expect (M, 400_000, 300_000, 45_000_000);
+      Expect_After (M, 500_000, 400_000, 300_000, 45_000_000);
       Turn (M, Endless_Backward);
-      Pass (M, 1_000_000);
-      Expect (M, 400_000, 300_000, 315_000_000);
+      Expect_After (M, 1_000_000, 400_000, 300_000, 315_000_000);
    end Test_Endless;
 
    procedure Test_Every_Direction is
@@ -278,18 +289,15 @@ package body Robot_Motion_Tests is
       --  The longest finite orders take their time and end where they must
 
       Turn (M, 32_766);
-      Pass_To_End (M, 364_066_667);
-      Expect (M, 400_000, 300_000, 6_000_000);
+      Expect_End (M, 364_066_667, 400_000, 300_000, 6_000_000);
 
       M := Placed (400_000, 300_000, 0);
       Turn (M, -32_767);
-      Pass (M, 365_000_000);
-      Expect (M, 400_000, 300_000, 353_000_000);
+      Expect_After (M, 365_000_000, 400_000, 300_000, 353_000_000);
 
       M := Placed (400_000, 300_000, 0);
       Go (M, 32_766);
-      Pass_To_End (M, 163_830_000);
-      Expect (M, 738_000, 300_000, 0);
+      Expect_End (M, 163_830_000, 738_000, 300_000, 0);
    end Test_Extremes;
 
    procedure Test_Extremes_With_Errors is
@@ -299,8 +307,7 @@ package body Robot_Motion_Tests is
       --  32,766 * 1.3 * 1.2 degrees are 141 turns and 354.96 degrees
 
       Turn (M, 32_766, Most);
-      Pass_To_End (M, 436_880_000);
-      Expect (M, 400_000, 300_000, 354_960_000);
+      Expect_End (M, 436_880_000, 400_000, 300_000, 354_960_000);
 
       M := Placed (400_000, 300_000, 0);
       Go (M, -32_767, Most);
@@ -316,8 +323,7 @@ package body Robot_Motion_Tests is
       Halt (M);
       Assert (not Is_Moving (M), "moving");
       Expect (M, 460_000, 300_000, 0);
-      Pass (M, 10_000_000);
-      Expect (M, 460_000, 300_000, 0);
+      Expect_After (M, 10_000_000, 460_000, 300_000, 0);
       Turn (M, 90);
       Pass (M, 250_000);
       Turn (M, 0);
@@ -379,30 +385,25 @@ package body Robot_Motion_Tests is
       for Part in Overshoot_Percent loop
          M := Placed (400_000, 300_000, 0);
          Turn (M, 90, (Overshoot => Part, others => <>));
-         Pass_To_End (M, 1_000_000 + Micro (Part) * 10_000);
-         Expect (M, 400_000, 300_000, 90_000_000 + Micro (Part) * 900_000);
+         Expect_End (M, 1_000_000 + Micro (Part) * 10_000, 400_000, 300_000,
+                     90_000_000 + Micro (Part) * 900_000);
       end loop;
 
       Turn (M, -90, (Overshoot => 20, others => <>));
-      Pass (M, 1_000_000);
-      Expect (M, 400_000, 300_000, 18_000_000);
-      Pass (M, 500_000);
-      Expect (M, 400_000, 300_000, 0);
+      Expect_After (M, 1_000_000, 400_000, 300_000, 18_000_000);
+      Expect_After (M, 500_000, 400_000, 300_000, 0);
 
       --  Its factor and that of the speed: 90 * 0.7 * 1.2. Neither stopping
       --  a turn nor an endless one knows it, nor a way.
 
       Turn (M, 90, (Turn_Speed => 70, Overshoot => 20, others => <>));
-      Pass_To_End (M, 1_200_000);
-      Expect (M, 400_000, 300_000, 75_600_000);
+      Expect_End (M, 1_200_000, 400_000, 300_000, 75_600_000);
       Turn (M, -90, (Overshoot => 20, others => <>));
       Pass (M, 840_000);
       Halt (M);
-      Pass (M, 1_000_000);
-      Expect (M, 400_000, 300_000, 0);
+      Expect_After (M, 1_000_000, 400_000, 300_000, 0);
       Turn (M, Endless_Forward, (Overshoot => 20, others => <>));
-      Pass (M, 41_000_000);
-      Expect (M, 400_000, 300_000, 90_000_000);
+      Expect_After (M, 41_000_000, 400_000, 300_000, 90_000_000);
       Halt (M);
       Go (M, 100, (Overshoot => 20, others => <>));
       Pass (M, 500_000);
@@ -439,26 +440,23 @@ package body Robot_Motion_Tests is
       for Speed in Speed_Percent loop
          M := Placed (300_000, 300_000, 0);
          Go (M, 200, (Speed => Speed, others => <>));
-         Pass (M, 500_000);
-         Expect (M, 300_000 + 1_000 * Micro (Speed), 300_000, 0);
-         Pass_To_End (M, 500_000);
-         Expect (M, 300_000 + 2_000 * Micro (Speed), 300_000, 0);
+         Expect_After
+           (M, 500_000, 300_000 + 1_000 * Micro (Speed), 300_000, 0);
+         Expect_End (M, 500_000, 300_000 + 2_000 * Micro (Speed), 300_000, 0);
          Turn (M, 90, (Speed => Speed, others => <>));
-         Pass (M, 1_000_000);
-         Expect (M, 300_000 + 2_000 * Micro (Speed), 300_000, 90_000_000);
+         Expect_After (M, 1_000_000, 300_000 + 2_000 * Micro (Speed), 300_000,
+                       90_000_000);
       end loop;
 
       --  The wall stops it, its order takes the usual time
 
       Go (M, -300, (Speed => 130, others => <>));
-      Pass_To_End (M, 1_500_000);
-      Expect (M, 700_000, 62_000, 90_000_000);
+      Expect_End (M, 1_500_000, 700_000, 62_000, 90_000_000);
 
       --  The slowest without an end gets from one wall to the other
 
       Go (M, Endless_Forward, (Speed => Speed_Percent'First, others => <>));
-      Pass (M, 100_000_000);
-      Expect (M, 700_000, 538_000, 90_000_000);
+      Expect_After (M, 100_000_000, 700_000, 538_000, 90_000_000);
    end Test_Speed;
 
    procedure Test_Square is
@@ -495,11 +493,9 @@ package body Robot_Motion_Tests is
       Expect (M, 400_000, 300_000, 0);
       Assert (not Is_Moving (M), "moving from the beginning");
       Go (M, 1);
-      Pass_To_End (M, 5_000);
-      Expect (M, 401_000, 300_000, 0);
+      Expect_End (M, 5_000, 401_000, 300_000, 0);
       Go (M, -201);
-      Pass (M, 1_005_000);
-      Expect (M, 200_000, 300_000, 0);
+      Expect_After (M, 1_005_000, 200_000, 300_000, 0);
    end Test_Straight;
 
    procedure Test_Turn_Speed is
@@ -508,15 +504,11 @@ package body Robot_Motion_Tests is
       for Speed in Speed_Percent loop
          M := Placed (400_000, 300_000, 0);
          Turn (M, 200, (Turn_Speed => Speed, others => <>));
-         Pass (M, 500_000);
-         Expect (M, 400_000, 300_000, 450_000 * Micro (Speed));
-         Pass_To_End (M, 1_722_223);
-         Expect
-           (M, 400_000, 300_000,
-            (2_000_000 * Micro (Speed)) mod Full_Turn);
+         Expect_After (M, 500_000, 400_000, 300_000, 450_000 * Micro (Speed));
+         Expect_End (M, 1_722_223, 400_000, 300_000,
+                     (2_000_000 * Micro (Speed)) mod Full_Turn);
          Turn (M, -200, (Turn_Speed => Speed, others => <>));
-         Pass (M, 3_000_000);
-         Expect (M, 400_000, 300_000, 0);
+         Expect_After (M, 3_000_000, 400_000, 300_000, 0);
 
          --  Without an end, by 0.9 degrees a second and percent, for hours
 
@@ -535,52 +527,43 @@ package body Robot_Motion_Tests is
       M : Motion;
    begin
       Turn (M, 90);
-      Pass (M, 500_000);
-      Expect (M, 400_000, 300_000, 45_000_000);
-      Pass_To_End (M, 500_000);
-      Expect (M, 400_000, 300_000, 90_000_000);
+      Expect_After (M, 500_000, 400_000, 300_000, 45_000_000);
+      Expect_End (M, 500_000, 400_000, 300_000, 90_000_000);
       Turn (M, -91);
-      Pass (M, 2_000_000);
-      Expect (M, 400_000, 300_000, 359_000_000);
+      Expect_After (M, 2_000_000, 400_000, 300_000, 359_000_000);
       Turn (M, 7);
       Pass (M, 77_778);
       Assert (not Is_Moving (M), "7 degrees, 77.8 ms");
       Expect (M, 400_000, 300_000, 6_000_000);
       Turn (M, 720);
-      Pass (M, 8_000_000);
-      Expect (M, 400_000, 300_000, 6_000_000);
+      Expect_After (M, 8_000_000, 400_000, 300_000, 6_000_000);
    end Test_Turns;
 
    procedure Test_Walls is
       M : Motion;
    begin
       Go (M, Endless_Forward);
-      Pass (M, 60_000_000);
-      Expect (M, 738_000, 300_000, 0);
+      Expect_After (M, 60_000_000, 738_000, 300_000, 0);
       Go (M, Endless_Backward);
-      Pass (M, 60_000_000);
-      Expect (M, 62_000, 300_000, 0);
+      Expect_After (M, 60_000_000, 62_000, 300_000, 0);
 
       M := Placed (400_000, 300_000, 90_000_000);
       Go (M, Endless_Forward);
-      Pass (M, 60_000_000);
-      Expect (M, 400_000, 538_000, 90_000_000);
+      Expect_After (M, 60_000_000, 400_000, 538_000, 90_000_000);
       Go (M, Endless_Backward);
-      Pass (M, 60_000_000);
-      Expect (M, 400_000, 62_000, 90_000_000);
+      Expect_After (M, 60_000_000, 400_000, 62_000, 90_000_000);
 
       --  It stops where it touches, it does not slide along
 
       M := Placed (700_000, 300_000, 45_000_000);
       Go (M, Endless_Forward);
-      Pass (M, 60_000_000);
-      Expect (M, 738_000, 338_000, 45_000_000, Tolerance => 5);
+      Expect_After
+        (M, 60_000_000, 738_000, 338_000, 45_000_000, Tolerance => 5);
 
       --  And it gets away again
 
       Go (M, -50);
-      Pass (M, 250_000);
-      Expect (M, 702_645, 302_645, 45_000_000, Tolerance => 10);
+      Expect_After (M, 250_000, 702_645, 302_645, 45_000_000, Tolerance => 10);
 
       --  Every direction, however slanted
 
@@ -606,35 +589,28 @@ package body Robot_Motion_Tests is
       --  The wheels slip: the order takes as long as on free ground
 
       Go (M, 200);
-      Pass (M, 999_999);
-      Assert (Is_Moving (M), "ended at the wall");
-      Pass (M, 1);
-      Assert (not Is_Moving (M), "never ends");
-      Expect (M, 738_000, 300_000, 0);
+      Expect_End (M, 1_000_000, 738_000, 300_000, 0);
    end Test_Wall_Keeps_Busy;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("sine and cosine", Test_Sine'Access);
-      Add_Test ("straight on", Test_Straight'Access);
-      Add_Test ("every direction", Test_Every_Direction'Access);
-      Add_Test ("turns", Test_Turns'Access);
-      Add_Test ("halt", Test_Halt'Access);
-      Add_Test ("walls", Test_Walls'Access);
-      Add_Test ("busy at a wall", Test_Wall_Keeps_Busy'Access);
-      Add_Test ("endless turns", Test_Endless'Access);
-      Add_Test ("small steps or large", Test_Steps_Do_Not_Matter'Access);
-      Add_Test ("100 squares", Test_Square'Access);
-      Add_Test ("longest orders", Test_Extremes'Access);
-      Add_Test ("ideal wheels as ever", Test_Ideal_As_Ever'Access);
-      Add_Test ("speeds", Test_Speed'Access);
-      Add_Test ("speeds of turns", Test_Turn_Speed'Access);
-      Add_Test ("overshoot", Test_Overshoot'Access);
-      Add_Test ("arcs", Test_Arcs'Access);
-      Add_Test ("back along an arc", Test_Back_Along_An_Arc'Access);
-      Add_Test ("arcs at walls", Test_Arcs_At_Walls'Access);
-      Add_Test ("an arc that touches a wall", Test_Arc_Touches_A_Wall'Access);
-      Add_Test ("longest of the fastest", Test_Extremes_With_Errors'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("sine and cosine", Test_Sine'Access);
+   Run_Test ("straight on", Test_Straight'Access);
+   Run_Test ("every direction", Test_Every_Direction'Access);
+   Run_Test ("turns", Test_Turns'Access);
+   Run_Test ("halt", Test_Halt'Access);
+   Run_Test ("walls", Test_Walls'Access);
+   Run_Test ("busy at a wall", Test_Wall_Keeps_Busy'Access);
+   Run_Test ("endless turns", Test_Endless'Access);
+   Run_Test ("small steps or large", Test_Steps_Do_Not_Matter'Access);
+   Run_Test ("100 squares", Test_Square'Access);
+   Run_Test ("longest orders", Test_Extremes'Access);
+   Run_Test ("ideal wheels as ever", Test_Ideal_As_Ever'Access);
+   Run_Test ("speeds", Test_Speed'Access);
+   Run_Test ("speeds of turns", Test_Turn_Speed'Access);
+   Run_Test ("overshoot", Test_Overshoot'Access);
+   Run_Test ("arcs", Test_Arcs'Access);
+   Run_Test ("back along an arc", Test_Back_Along_An_Arc'Access);
+   Run_Test ("arcs at walls", Test_Arcs_At_Walls'Access);
+   Run_Test ("an arc that touches a wall", Test_Arc_Touches_A_Wall'Access);
+   Run_Test ("longest of the fastest", Test_Extremes_With_Errors'Access);
 end Robot_Motion_Tests;

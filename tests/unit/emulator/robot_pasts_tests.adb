@@ -8,7 +8,7 @@ with Robot_Motion;     use Robot_Motion;
 with Robot_Pasts;      use Robot_Pasts;
 with Unit_Runs; use Unit_Runs;
 
-package body Robot_Pasts_Tests is
+procedure Robot_Pasts_Tests is
 
    subtype Time_Point is Robot_Core.Time_Point;
 
@@ -96,10 +96,7 @@ package body Robot_Pasts_Tests is
       end loop;
    end Test_Oldest;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("every millisecond", Test_Every_Millisecond'Access);
-      Add_Test ("the oldest", Test_Oldest'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("every millisecond", Test_Every_Millisecond'Access);
+   Run_Test ("the oldest", Test_Oldest'Access);
 end Robot_Pasts_Tests;

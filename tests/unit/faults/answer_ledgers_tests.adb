@@ -7,7 +7,7 @@ with Answer_Ledgers;   use Answer_Ledgers;
 with Instants;         use Instants;
 with Unit_Runs; use Unit_Runs;
 
-package body Answer_Ledgers_Tests is
+procedure Answer_Ledgers_Tests is
 
    L : Ledger;
 
@@ -178,19 +178,16 @@ package body Answer_Ledgers_Tests is
       end loop;
    end Test_Perhaps;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("once", Test_Once'Access);
-      Add_Test ("twice", Test_Twice'Access);
-      Add_Test ("missing", Test_Missing'Access);
-      Add_Test ("of the wrong kind", Test_Wrong_Kind'Access);
-      Add_Test ("too early", Test_Too_Early'Access);
-      Add_Test ("unasked messages", Test_Unasked'Access);
-      Add_Test ("battery", Test_Battery'Access);
-      Add_Test ("arena", Test_Arena'Access);
-      Add_Test ("loss of the robot", Test_Loss_Of_Robot'Access);
-      Add_Test ("no answer due", Test_Silent'Access);
-      Add_Test ("perhaps answered", Test_Perhaps'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("once", Test_Once'Access);
+   Run_Test ("twice", Test_Twice'Access);
+   Run_Test ("missing", Test_Missing'Access);
+   Run_Test ("of the wrong kind", Test_Wrong_Kind'Access);
+   Run_Test ("too early", Test_Too_Early'Access);
+   Run_Test ("unasked messages", Test_Unasked'Access);
+   Run_Test ("battery", Test_Battery'Access);
+   Run_Test ("arena", Test_Arena'Access);
+   Run_Test ("loss of the robot", Test_Loss_Of_Robot'Access);
+   Run_Test ("no answer due", Test_Silent'Access);
+   Run_Test ("perhaps answered", Test_Perhaps'Access);
 end Answer_Ledgers_Tests;

@@ -7,6 +7,6 @@ with Unit_Runs; use Unit_Runs;
 
 procedure Faults_Unit is
 begin
-   Add ("Answer_Ledgers", Answer_Ledgers_Tests.Add_Tests'Access);
-   Run;
+   Group ("Answer_Ledgers", Answer_Ledgers_Tests'Access);
+   Finish;
 end Faults_Unit;

@@ -11,7 +11,7 @@ with Options;          use Options;
 with Texts;
 with Unit_Runs; use Unit_Runs;
 
-package body Command_Lines_Tests is
+procedure Command_Lines_Tests is
 
    use type Texts.Text;
 
@@ -50,6 +50,24 @@ package body Command_Lines_Tests is
         (Texts.Image (R.Reason) = Reason,
          Line & ": " & Texts.Image (R.Reason));
    end Expect_Wrong;
+
+   procedure Expect_Limits
+     (Option, Value, Limits : String; Of_It : String := "") is
+      --  Value, or the part Of_It, is no number within them
+   begin
+      Expect_Wrong
+        (Option & " " & Value,
+         Option & ": '" & (if Of_It = "" then Value else Of_It)
+         & "' is not a number in " & Limits);
+   end Expect_Limits;
+
+   procedure Expect_No_Network (Value : String) is
+   begin
+      Expect_Wrong
+        ("--allow=" & Value,
+         "--allow: '" & Value & "' is no IPv4 network, such as 192.168.1.0/24,"
+         & " with no bit set after its length");
+   end Expect_No_Network;
 
    procedure Test_Defaults is
       Plain : Reading;
@@ -149,22 +167,14 @@ package body Command_Lines_Tests is
    begin
       Assert (Read ("--port 65535").Chosen.Port = 65_535, "highest port");
       Assert (Read ("--port 000000080").Chosen.Port = 80, "zeros in front");
-      Expect_Wrong
-        ("--port 65536", "--port: '65536' is not a number in 0 .. 65535");
-      Expect_Wrong
-        ("--port 0000000080",
-         "--port: '0000000080' is not a number in 0 .. 65535");
-      Expect_Wrong
-        ("--port -1", "--port: '-1' is not a number in 0 .. 65535");
-      Expect_Wrong ("--fps 0", "--fps: '0' is not a number in 1 .. 100");
+      Expect_Limits ("--port", "65536", "0 .. 65535");
+      Expect_Limits ("--port", "0000000080", "0 .. 65535");
+      Expect_Limits ("--port", "-1", "0 .. 65535");
+      Expect_Limits ("--fps", "0", "1 .. 100");
       Assert
         (Read ("--frame-size 16x4096").Chosen.Height = 4_096, "height");
-      Expect_Wrong
-        ("--frame-size 15x20",
-         "--frame-size: '15' is not a number in 16 .. 4096");
-      Expect_Wrong
-        ("--frame-size 16x4097",
-         "--frame-size: '4097' is not a number in 16 .. 4096");
+      Expect_Limits ("--frame-size", "15x20", "16 .. 4096", Of_It => "15");
+      Expect_Limits ("--frame-size", "16x4097", "16 .. 4096", Of_It => "4097");
       Expect_Wrong
         ("--frame-size 1024", "--frame-size: '1024' is not WIDTHxHEIGHT");
       Expect_Wrong
@@ -174,18 +184,12 @@ package body Command_Lines_Tests is
       Assert
         (Read ("--arena-size 30x1000").Chosen.Arena_Size = (30, 1_000),
          "the arena's limits");
-      Expect_Wrong
-        ("--arena-size 29x60",
-         "--arena-size: '29' is not a number in 30 .. 1000");
-      Expect_Wrong
-        ("--arena-size 80x1001",
-         "--arena-size: '1001' is not a number in 30 .. 1000");
+      Expect_Limits ("--arena-size", "29x60", "30 .. 1000", Of_It => "29");
+      Expect_Limits ("--arena-size", "80x1001", "30 .. 1000", Of_It => "1001");
       Expect_Wrong
         ("--arena-size 80", "--arena-size: '80' is not WIDTHxHEIGHT");
-      Expect_Wrong
-        ("--cpu 1024", "--cpu: '1024' is not a number in 0 .. 1023");
-      Expect_Wrong
-        ("--cpu Auto", "--cpu: 'Auto' is not a number in 0 .. 1023");
+      Expect_Limits ("--cpu", "1024", "0 .. 1023");
+      Expect_Limits ("--cpu", "Auto", "0 .. 1023");
    end Test_Limits;
 
    procedure Test_Long is
@@ -213,25 +217,10 @@ package body Command_Lines_Tests is
       Assert (Read (Eight).Chosen.Allowed.Count = 8, "their count");
       Expect_Wrong
         (Eight & " --allow 10.0.0.9", "--allow: more than 8 networks");
-      Expect_Wrong
-        ("--allow 10.0.0.1/8",
-         "--allow: '10.0.0.1/8' is no IPv4 network, such as 192.168.1.0/24, "
-         & "with no bit set after its length");
-      Expect_Wrong
-        ("--allow 10.0.0.0/33",
-         "--allow: '10.0.0.0/33' is no IPv4 network, such as 192.168.1.0/24, "
-         & "with no bit set after its length");
-      Expect_Wrong
-        ("--allow ::1",
-         "--allow: '::1' is no IPv4 network, such as 192.168.1.0/24, "
-         & "with no bit set after its length");
-      Expect_Wrong
-        ("--allow=",
-         "--allow: '' is no IPv4 network, such as 192.168.1.0/24, "
-         & "with no bit set after its length");
-      Expect_Wrong ("--allow", "a value is missing after --allow");
-      Expect_Wrong ("--token", "a value is missing after --token");
-      Expect_Wrong ("--token=", "a value is missing after --token");
+      Expect_No_Network ("10.0.0.1/8");
+      Expect_No_Network ("10.0.0.0/33");
+      Expect_No_Network ("::1");
+      Expect_No_Network ("");
    end Test_Networks;
 
    procedure Test_Requests is
@@ -245,9 +234,7 @@ package body Command_Lines_Tests is
       Assert
         (Read ("--print-markers 7").Request = Print_Markers,
          "--print-markers");
-      Expect_Wrong
-        ("--print-markers 1000",
-         "--print-markers: '1000' is not a number in 0 .. 999");
+      Expect_Limits ("--print-markers", "1000", "0 .. 999");
       Assert
         (Read ("--help --port x").Request = Show_Help,
          "what follows a request for help counts no more");
@@ -263,10 +250,12 @@ package body Command_Lines_Tests is
       Expect_Wrong ("-port 7", "unexpected argument '-port'");
       Expect_Wrong ("stray", "unexpected argument 'stray'");
       Expect_Wrong ("--port 7 stray", "unexpected argument 'stray'");
-      Expect_Wrong ("--serial", "a value is missing after --serial");
-      Expect_Wrong ("--serial=", "a value is missing after --serial");
-      Expect_Wrong ("--trace", "a value is missing after --trace");
-      Expect_Wrong ("--trace=", "a value is missing after --trace");
+      for Option of Split ("--allow|--token|--serial|--trace") loop
+         Expect_Wrong (Option, "a value is missing after " & Option);
+      end loop;
+      for Option of Split ("--token|--serial|--trace") loop
+         Expect_Wrong (Option & "=", "a value is missing after " & Option);
+      end loop;
       Expect_Wrong
         ("--serial --port 7", "a value is missing after --serial");
       Expect_Wrong
@@ -278,16 +267,13 @@ package body Command_Lines_Tests is
         ("--log-level loud", "--log-level: 'loud' is no level of the log");
    end Test_Wrong;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("nothing given", Test_Defaults'Access);
-      Add_Test ("every option", Test_Every_Option'Access);
-      Add_Test ("name=value", Test_Equals'Access);
-      Add_Test ("limits of the numbers", Test_Limits'Access);
-      Add_Test ("networks", Test_Networks'Access);
-      Add_Test ("requests", Test_Requests'Access);
-      Add_Test ("bad usage", Test_Wrong'Access);
-      Add_Test ("an endless argument", Test_Long'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("nothing given", Test_Defaults'Access);
+   Run_Test ("every option", Test_Every_Option'Access);
+   Run_Test ("name=value", Test_Equals'Access);
+   Run_Test ("limits of the numbers", Test_Limits'Access);
+   Run_Test ("networks", Test_Networks'Access);
+   Run_Test ("requests", Test_Requests'Access);
+   Run_Test ("bad usage", Test_Wrong'Access);
+   Run_Test ("an endless argument", Test_Long'Access);
 end Command_Lines_Tests;

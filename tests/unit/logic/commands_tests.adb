@@ -11,7 +11,7 @@ with Robot.Protocol;
 with Robot.Session;
 with Unit_Runs; use Unit_Runs;
 
-package body Commands_Tests is
+procedure Commands_Tests is
 
    procedure Check_Frame (Line, Expected : String) is
       --  The robot gets Expected, a checksum and a carriage return for Line.
@@ -91,11 +91,8 @@ package body Commands_Tests is
       Check_Rank (R, Get_State, 6, 5);
    end Test_Ranks;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("the robot's frames", Test_Frames'Access);
-      Add_Test ("orders by hand", Test_Hand'Access);
-      Add_Test ("the ranks", Test_Ranks'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("the robot's frames", Test_Frames'Access);
+   Run_Test ("orders by hand", Test_Hand'Access);
+   Run_Test ("the ranks", Test_Ranks'Access);
 end Commands_Tests;

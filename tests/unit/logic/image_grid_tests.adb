@@ -10,7 +10,7 @@ with Vision.Frame_Slots;
 with Vision.Image_Grid;         use Vision.Image_Grid;
 with Unit_Runs; use Unit_Runs;
 
-package body Image_Grid_Tests is
+procedure Image_Grid_Tests is
 
    package Times is new Ada.Containers.Vectors (Positive, Long_Float);
    package Sorting is new Times.Generic_Sorting;
@@ -283,14 +283,10 @@ package body Image_Grid_Tests is
               "the rest is not forgotten");
    end Test_Step;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("ten a second from ten or more", Test_Fast'Access);
-      Add_Test ("every image of a slower source, as it comes",
-                Test_Slow'Access);
-      Add_Test ("jitter of 30 ms", Test_Jitter'Access);
-      Add_Test ("a clock that drifts", Test_Drift'Access);
-      Add_Test ("a step makes up for little", Test_Step'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("ten a second from ten or more", Test_Fast'Access);
+   Run_Test ("every image of a slower source, as it comes", Test_Slow'Access);
+   Run_Test ("jitter of 30 ms", Test_Jitter'Access);
+   Run_Test ("a clock that drifts", Test_Drift'Access);
+   Run_Test ("a step makes up for little", Test_Step'Access);
 end Image_Grid_Tests;

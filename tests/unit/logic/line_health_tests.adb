@@ -8,92 +8,7 @@ with Robot.Health;     use Robot.Health;
 with Robot.Protocol;   use Robot.Protocol;
 with Unit_Runs; use Unit_Runs;
 
-package body Line_Health_Tests is
-
-   Visited : Natural := 0;
-
-   procedure Explore (H : State; Depth : Natural) is
-      --  All that can happen next: every command, every probe, fail or not.
-      Next : State;
-   begin
-      Visited := Visited + 1;
-      Assert (Lost (H) = (Failures (H) = 4), "lost at four");
-      if Lost (H) or else Depth = 0 then
-         return;
-      end if;
-      if In_Step (H) then
-         Assert ((for all C in Answer_Class => not Is_Owed (H, C)),
-                 "nothing is owed in step");
-         for K in Command_Kind loop
-            Next := H;
-            Failure (Next, K);
-            Assert (not In_Step (Next)
-                    and then Failures (Next) = 1
-                    and then (for all C in Answer_Class =>
-                                Is_Owed (Next, C) = (C = Class_Of (K))),
-                    "one failure, one class owed");
-            Explore (Next, Depth - 1);
-         end loop;
-      else
-         Assert (not Is_Owed (H, Class_Of (Probe (H))), "probe is free");
-         Next := H;
-         Failure (Next, Probe (H));
-         Assert (Failures (Next) = Failures (H) + 1
-                 and then Is_Owed (Next, Class_Of (Probe (H))),
-                 "a failed probe counts and is owed");
-         Explore (Next, Depth - 1);
-      end if;
-      Next := H;
-      Success (Next);
-      Assert (In_Step (Next) and then Failures (Next) = 0, "success");
-      Explore (Next, Depth - 1);
-   end Explore;
-
-   procedure Test_Explore is
-   begin
-      Visited := 0;
-      Explore (Initial, 8);
-      Explore (Opened, 4);
-      Assert (Visited > 10_000, "states visited");
-   end Test_Explore;
-
-   procedure Test_Fourth is
-   begin
-      for First in Command_Kind loop
-         declare
-            H : State;
-         begin
-            Failure (H, First);
-            Assert (not Lost (H), "first");
-            Failure (H, Probe (H));
-            Assert (not Lost (H), "second");
-            Failure (H, Probe (H));
-            Assert (not Lost (H), "third");
-            Failure (H, Probe (H));
-            Assert (Lost (H), "fourth");
-         end;
-      end loop;
-   end Test_Fourth;
-
-   procedure Test_Initial is
-      H : State;
-   begin
-      Assert (H = Initial and then In_Step (H) and then not Lost (H),
-              "in step");
-      Assert ((for all C in Answer_Class => not Is_Owed (H, C)),
-              "nothing is owed");
-      H := Opened;
-      Assert (Failures (H) = 0 and then not In_Step (H)
-              and then Probe (H) = Version,
-              "just opened: something may still be on its way");
-      Success (H);
-      Assert (H = Initial, "nothing any more");
-      H := Opened;
-      Failure (H, Version);
-      Assert (Failures (H) = 1 and then Is_Owed (H, Text)
-              and then Probe (H) = Battery,
-              "a failure counts");
-   end Test_Initial;
+procedure Line_Health_Tests is
 
    procedure Test_Late_Answers is
       use type Bytes.Byte;
@@ -189,29 +104,8 @@ package body Line_Health_Tests is
       Assert (Probe (H) = Unknown_Letter, "no digit after a digit");
    end Test_Probe_Order;
 
-   procedure Test_Reset is
-      H : State;
-   begin
-      for Round in 1 .. 10 loop
-         Failure (H, Ping);
-         Failure (H, Probe (H));
-         Failure (H, Probe (H));
-         Assert (Failures (H) = 3 and then not Lost (H), "three");
-         Success (H);
-         Assert (Failures (H) = 0 and then In_Step (H), "none");
-      end loop;
-   end Test_Reset;
-
-   procedure Add_Tests is
-   begin
-      Add_Test ("a line just opened", Test_Initial'Access);
-      Add_Test ("F8: lost at the fourth failure, not the third",
-                Test_Fourth'Access);
-      Add_Test ("F8: any success resets the count", Test_Reset'Access);
-      Add_Test ("order of the probes", Test_Probe_Order'Access);
-      Add_Test ("everything, eight deep", Test_Explore'Access);
-      Add_Test ("a late answer never passes for the next",
-                Test_Late_Answers'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("order of the probes", Test_Probe_Order'Access);
+   Run_Test ("a late answer never passes for the next",
+             Test_Late_Answers'Access);
 end Line_Health_Tests;

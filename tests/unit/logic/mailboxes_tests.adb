@@ -14,7 +14,7 @@ with Orders;             use Orders;
 with Schedule;
 with Unit_Runs; use Unit_Runs;
 
-package body Mailboxes_Tests is
+procedure Mailboxes_Tests is
 
    use type Ada.Real_Time.Time;
    use type Ada.Real_Time.Time_Span;
@@ -368,20 +368,16 @@ package body Mailboxes_Tests is
       Check (Monitor.Send_Order.Answer, "AACK");
    end Test_Stale;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("answers in order", Test_Order'Access);
-      Add_Test ("the newest image wins", Test_Newest'Access);
-      Add_Test ("an answer that is an image", Test_Arena'Access);
-      Add_Test ("rule 7: the hold", Test_Hold'Access);
-      Add_Test ("each command has its hold", Test_Hold_Of_Each'Access);
-      Add_Test ("commands without end hold no longer",
-                Test_Hold_Of_All'Access);
-      Add_Test ("the gap and the turns", Test_Gap'Access);
-      Add_Test ("progress and end", Test_Mission'Access);
-      Add_Test ("a mission of another session", Test_Old_Mission'Access);
-      Add_Test ("numbers out of date", Test_Stale'Access);
-      Add_Test ("room for 256", Test_Full'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("answers in order", Test_Order'Access);
+   Run_Test ("the newest image wins", Test_Newest'Access);
+   Run_Test ("an answer that is an image", Test_Arena'Access);
+   Run_Test ("rule 7: the hold", Test_Hold'Access);
+   Run_Test ("each command has its hold", Test_Hold_Of_Each'Access);
+   Run_Test ("commands without end hold no longer", Test_Hold_Of_All'Access);
+   Run_Test ("the gap and the turns", Test_Gap'Access);
+   Run_Test ("progress and end", Test_Mission'Access);
+   Run_Test ("a mission of another session", Test_Old_Mission'Access);
+   Run_Test ("numbers out of date", Test_Stale'Access);
+   Run_Test ("room for 256", Test_Full'Access);
 end Mailboxes_Tests;

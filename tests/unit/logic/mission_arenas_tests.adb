@@ -2,6 +2,7 @@
 --  Places in the arena, against a projective map in floating point.
 
 with Ada.Numerics.Float_Random; use Ada.Numerics.Float_Random;
+with Ada.Numerics.Generic_Real_Arrays;
 with Ada.Numerics.Long_Long_Elementary_Functions;
 
 with AUnit.Assertions;          use AUnit.Assertions;
@@ -12,7 +13,7 @@ with Missions.Guards;
 with Vision.Shapes;             use Vision.Shapes;
 with Unit_Runs; use Unit_Runs;
 
-package body Mission_Arenas_Tests is
+procedure Mission_Arenas_Tests is
 
    use Missions;
    use Ada.Numerics.Long_Long_Elementary_Functions;
@@ -22,44 +23,10 @@ package body Mission_Arenas_Tests is
    --  The reference: x = (h1 X + h2 Y + h3) / (h7 X + h8 Y + 1) and y
    --  likewise, the eight numbers from as many linear equations
 
-   type Vector is array (1 .. 8) of Real;
-   type Matrix is array (1 .. 8, 1 .. 9) of Real;
+   package Arrays is new Ada.Numerics.Generic_Real_Arrays (Real);
+   use Arrays;
 
-   function Solution (Equations : Matrix) return Vector is
-      --  By elimination, with the largest pivot
-      E      : Matrix := Equations;
-      Result : Vector;
-   begin
-      for K in 1 .. 8 loop
-         declare
-            Best : Positive := K;
-            Held : Real;
-         begin
-            for Row in K + 1 .. 8 loop
-               if abs E (Row, K) > abs E (Best, K) then
-                  Best := Row;
-               end if;
-            end loop;
-            for Column in 1 .. 9 loop
-               Held := E (K, Column);
-               E (K, Column) := E (Best, Column);
-               E (Best, Column) := Held;
-            end loop;
-            for Row in 1 .. 8 loop
-               if Row /= K then
-                  Held := E (Row, K) / E (K, K);
-                  for Column in K .. 9 loop
-                     E (Row, Column) := E (Row, Column) - Held * E (K, Column);
-                  end loop;
-               end if;
-            end loop;
-         end;
-      end loop;
-      for K in Result'Range loop
-         Result (K) := E (K, 9) / E (K, K);
-      end loop;
-      return Result;
-   end Solution;
+   subtype Vector is Real_Vector (1 .. 8);
 
    function X_Of (H : Vector; P : Vision.Shapes.Point) return Real is
      ((H (1) * Real (P.X) + H (2) * Real (P.Y) + H (3))
@@ -121,8 +88,10 @@ package body Mission_Arenas_Tests is
      (Corners : Arena_Corners; Size : Arena_Size) return Vector
    is
       --  From millionths of a pixel; in micrometres
-      E   : Matrix   := (others => (others => 0.0));
-      Row : Positive := 1;
+      E      : Real_Matrix (1 .. 8, 1 .. 8) :=
+        (others => (others => 0.0));
+      Values : Vector;
+      Row    : Positive := 1;
    begin
       for C in Corner loop
          declare
@@ -141,7 +110,7 @@ package body Mission_Arenas_Tests is
                E (Row, First + 2) := 1.0;
                E (Row, 7) := -Px * Value;
                E (Row, 8) := -Py * Value;
-               E (Row, 9) := Value;
+               Values (Row) := Value;
                Row := Row + 1;
             end Fill;
          begin
@@ -149,7 +118,7 @@ package body Mission_Arenas_Tests is
             Fill (4, Y);
          end;
       end loop;
-      return Solution (E);
+      return Solve (E, Values);
    end Fitted;
 
    function Is_Usable
@@ -529,16 +498,13 @@ package body Mission_Arenas_Tests is
       Assert (not Inside, "the last of 64");
    end Test_Targets;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("the corners, exactly", Test_Corners'Access);
-      Add_Test ("both forms of the divisor", Test_Forms'Access);
-      Add_Test ("less than 0.6 mm from a map in floating point",
-                Test_Loss'Access);
-      Add_Test ("points outside the arena", Test_Outside'Access);
-      Add_Test ("headings", Test_Poses'Access);
-      Add_Test ("arenas that are refused", Test_Refused'Access);
-      Add_Test ("the points of a path", Test_Targets'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("the corners, exactly", Test_Corners'Access);
+   Run_Test ("both forms of the divisor", Test_Forms'Access);
+   Run_Test ("less than 0.6 mm from a map in floating point",
+             Test_Loss'Access);
+   Run_Test ("points outside the arena", Test_Outside'Access);
+   Run_Test ("headings", Test_Poses'Access);
+   Run_Test ("arenas that are refused", Test_Refused'Access);
+   Run_Test ("the points of a path", Test_Targets'Access);
 end Mission_Arenas_Tests;

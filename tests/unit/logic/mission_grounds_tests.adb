@@ -13,7 +13,7 @@ with Vision.Mode;
 with Vision.Shapes;     use Vision.Shapes;
 with Unit_Runs; use Unit_Runs;
 
-package body Mission_Grounds_Tests is
+procedure Mission_Grounds_Tests is
 
    Start : constant Time := Time_First + Seconds (1_000_000);
 
@@ -192,13 +192,10 @@ package body Mission_Grounds_Tests is
       Assert (not Seen.Seen and then Seen.Number = 7, "seen");
    end Test_Seen;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("a mission that may begin", Test_Begins'Access);
-      Add_Test ("each reason against it", Test_Refused'Access);
-      Add_Test ("each reason that ends it", Test_Ends'Access);
-      Add_Test ("its times, over many hours", Test_Times'Access);
-      Add_Test ("the robot in the arena", Test_Seen'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("a mission that may begin", Test_Begins'Access);
+   Run_Test ("each reason against it", Test_Refused'Access);
+   Run_Test ("each reason that ends it", Test_Ends'Access);
+   Run_Test ("its times, over many hours", Test_Times'Access);
+   Run_Test ("the robot in the arena", Test_Seen'Access);
 end Mission_Grounds_Tests;

@@ -16,7 +16,7 @@ with Robot_Motion;
 with Simulated_Missions;  use Simulated_Missions;
 with Unit_Runs; use Unit_Runs;
 
-package body Mission_Runs_Tests is
+procedure Mission_Runs_Tests is
 
    use type Robot.Protocol.Command_Kind;
    use type Robot.Session.Request_Kind;
@@ -420,19 +420,16 @@ package body Mission_Runs_Tests is
               "seen again, no drive");
    end Test_Wait_For_Position;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("angles all around", Test_Angles'Access);
-      Add_Test ("what the guards permit", Test_Guards'Access);
-      Add_Test ("a hundred missions", Test_Ideal'Access);
-      Add_Test ("a hundred missions of faulty robots", Test_Faults'Access);
-      Add_Test
-        ("robots that do a part of what is asked, or twice as much",
-         Test_Far_From_Ideal'Access);
-      Add_Test ("a slow robot", Test_Slow'Access);
-      Add_Test ("why missions end", Test_Ends'Access);
-      Add_Test ("no order from an old position", Test_Old_Position'Access);
-      Add_Test ("waits for a new position", Test_Wait_For_Position'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("angles all around", Test_Angles'Access);
+   Run_Test ("what the guards permit", Test_Guards'Access);
+   Run_Test ("a hundred missions", Test_Ideal'Access);
+   Run_Test ("a hundred missions of faulty robots", Test_Faults'Access);
+   Run_Test
+     ("robots that do a part of what is asked, or twice as much",
+      Test_Far_From_Ideal'Access);
+   Run_Test ("a slow robot", Test_Slow'Access);
+   Run_Test ("why missions end", Test_Ends'Access);
+   Run_Test ("no order from an old position", Test_Old_Position'Access);
+   Run_Test ("waits for a new position", Test_Wait_For_Position'Access);
 end Mission_Runs_Tests;

@@ -8,7 +8,7 @@ with Monitor.Notices;  use Monitor.Notices;
 with Monitor.Protocol; use Monitor.Protocol;
 with Unit_Runs; use Unit_Runs;
 
-package body Missions_Texts_Tests is
+procedure Missions_Texts_Tests is
 
    function Text_Of (Line : Short_Text) return String is
      (Line.Data (1 .. Line.Length));
@@ -86,11 +86,8 @@ package body Missions_Texts_Tests is
       Assert (Count = Refusal'Pos (Refusal'Last) + 1, "all of them");
    end Test_Refusals;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("progress", Test_Progress'Access);
-      Add_Test ("ends", Test_Ends'Access);
-      Add_Test ("refusals", Test_Refusals'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("progress", Test_Progress'Access);
+   Run_Test ("ends", Test_Ends'Access);
+   Run_Test ("refusals", Test_Refusals'Access);
 end Missions_Texts_Tests;

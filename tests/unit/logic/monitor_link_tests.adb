@@ -7,7 +7,7 @@ with Monitor.Link;     use Monitor.Link;
 with Texts;
 with Unit_Runs; use Unit_Runs;
 
-package body Monitor_Link_Tests is
+procedure Monitor_Link_Tests is
 
    Step : constant Milliseconds := 100;
    --  Schedule.Link_Period
@@ -93,60 +93,6 @@ package body Monitor_Link_Tests is
                  (if I = 41 then Vanished else Stalled), "then vanished");
       end loop;
    end Test_Both;
-
-   procedure Test_Clock is
-      V : Verdict;
-   begin
-      --  A time before the last one counts as no time at all
-
-      Begin_At (1_000);
-      Judge (S, (Now => 5, Known => True, Unacknowledged => 1, Window => 1,
-                 Since_Heard => 9_999, Outstanding => 1, others => <>), V);
-      Assert (V = Present, "earlier than the start");
-      Judge (S, (Now => 0, Known => True, Unacknowledged => 1, Window => 1,
-                 Since_Heard => 9_999, Outstanding => 1, others => <>), V);
-      Assert (V = Present, "earlier again");
-      Judge (S, (Now => Milliseconds'Last, Known => True,
-                 Unacknowledged => Natural'Last, Window => Natural'Last,
-                 Since_Heard => Milliseconds'Last,
-                 Outstanding => Natural'Last, others => <>), V);
-      Assert (V = Vanished, "a long time");
-
-      --  Whatever moves the counter is progress
-
-      Judge (S, (Now => Milliseconds'Last, Known => True,
-                 Unacknowledged => 1, Since_Heard => 9_999, Outstanding => 1,
-                 Window => 1, Bytes_Acked => Byte_Count'Last,
-                 others => <>), V);
-      Assert (V = Present, "progress");
-   end Test_Clock;
-
-   procedure Test_Length is
-      --  Of struct tcp_info without all of tcpi_snd_wnd, and with it
-   begin
-      for Length in 0 .. 231 loop
-         Assert (not Is_Enough (Length), "too little");
-      end loop;
-      for Length in 232 .. 300 loop
-         Assert (Is_Enough (Length), "enough");
-      end loop;
-   end Test_Length;
-
-   procedure Test_Loss is
-   begin
-      for Error in 0 .. 133 loop
-         for Broken in Boolean loop
-            Assert
-              (Loss_Of (False, Broken, Error) = None, "nothing has happened");
-            Assert
-              (Loss_Of (True, Broken, Error) =
-                 (if Error in 110 | 113 then No_Sign_Of_Life
-                  elsif Broken then Reset_By_Peer
-                  else Closed_By_Peer),
-               "error" & Error'Image);
-         end loop;
-      end loop;
-   end Test_Loss;
 
    procedure Test_Pause is
       Acked : Byte_Count := 0;
@@ -408,37 +354,20 @@ package body Monitor_Link_Tests is
       Check (False, None, Stalled, "it has taken nothing for 15 s");
    end Test_Cause;
 
-   procedure Test_Time is
-   begin
-      Assert (Time_Of (0, 0) = 0, "start");
-      Assert (Time_Of (12, 345) = 12_345, "milliseconds");
-      Assert (Time_Of (3_000_000_000, 999) = 3_000_000_000_999, "a century");
-      Assert (Time_Of (Seconds'First, -1) = 0, "before the start");
-      Assert (Time_Of (Seconds'Last, 0) = 2 ** 50 * 1_000, "for ever");
-   end Test_Time;
-
-   procedure Add_Tests is
-   begin
-      Add_Test ("nothing to say, for hours", Test_Quiet'Access);
-      Add_Test ("images, acknowledged", Test_Streaming'Access);
-      Add_Test ("F5: vanished, found within 5 s", Test_Vanished'Access);
-      Add_Test ("F5: vanished while idle, a message follows",
-                Test_Vanished_Idle'Access);
-      Add_Test ("F5: cut in one direction", Test_One_Way'Access);
-      Add_Test ("F5: nothing can be sent", Test_Unreachable'Access);
-      Add_Test ("silent: announced signs of life do not come",
-                Test_Silent'Access);
-      Add_Test ("first message after a long silence",
-                Test_After_Silence'Access);
-      Add_Test ("stalled: closed window for 15 s", Test_Stalled'Access);
-      Add_Test ("slow is not stalled", Test_Slow'Access);
-      Add_Test ("pauses below the limit, again and again", Test_Pause'Access);
-      Add_Test ("vanished goes first", Test_Both'Access);
-      Add_Test ("odd clocks, odd counters", Test_Clock'Access);
-      Add_Test ("why a session ends", Test_Cause'Access);
-      Add_Test ("what the kernel gives", Test_Length'Access);
-      Add_Test ("what ended the connection", Test_Loss'Access);
-      Add_Test ("the time of a sample", Test_Time'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("nothing to say, for hours", Test_Quiet'Access);
+   Run_Test ("images, acknowledged", Test_Streaming'Access);
+   Run_Test ("F5: vanished, found within 5 s", Test_Vanished'Access);
+   Run_Test ("F5: vanished while idle, a message follows",
+             Test_Vanished_Idle'Access);
+   Run_Test ("F5: cut in one direction", Test_One_Way'Access);
+   Run_Test ("F5: nothing can be sent", Test_Unreachable'Access);
+   Run_Test ("silent: announced signs of life do not come",
+             Test_Silent'Access);
+   Run_Test ("first message after a long silence", Test_After_Silence'Access);
+   Run_Test ("stalled: closed window for 15 s", Test_Stalled'Access);
+   Run_Test ("slow is not stalled", Test_Slow'Access);
+   Run_Test ("pauses below the limit, again and again", Test_Pause'Access);
+   Run_Test ("vanished goes first", Test_Both'Access);
+   Run_Test ("why a session ends", Test_Cause'Access);
 end Monitor_Link_Tests;

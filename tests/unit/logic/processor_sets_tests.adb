@@ -6,7 +6,7 @@ with Options;
 with Processor_Sets;   use Processor_Sets;
 with Unit_Runs; use Unit_Runs;
 
-package body Processor_Sets_Tests is
+procedure Processor_Sets_Tests is
 
    None : constant Set := (others => False);
    Four : constant Set := (0 .. 3 => True, others => False);
@@ -43,10 +43,7 @@ package body Processor_Sets_Tests is
       Assert (Sets (True) = One and then Sets (False) = One, "of one");
    end Test_Division;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("the one that is meant", Test_Choice'Access);
-      Add_Test ("who has which", Test_Division'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("the one that is meant", Test_Choice'Access);
+   Run_Test ("who has which", Test_Division'Access);
 end Processor_Sets_Tests;

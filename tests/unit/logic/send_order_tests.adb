@@ -6,7 +6,7 @@ with AUnit.Assertions;   use AUnit.Assertions;
 with Monitor.Send_Order; use Monitor.Send_Order;
 with Unit_Runs; use Unit_Runs;
 
-package body Send_Order_Tests is
+procedure Send_Order_Tests is
 
    Everything : constant Unsolicited_Set := (others => True);
 
@@ -68,26 +68,6 @@ package body Send_Order_Tests is
       Send (W, Image);
    end Test_Turns;
 
-   procedure Test_Hold is
-      W : Waiting :=
-        (Open     => True,
-         Commands => True,
-         Messages => (Battery | Image => True, others => False),
-         others   => <>);
-   begin
-      Assert (Next (W) = Nothing, "held back");
-      W.Released := True;
-      Send (W, Battery);
-      W.Ready := True;
-      Send (W, Answer);
-      Send (W, Image);
-      Send (W, Answer);
-      W.Messages := Everything;
-      W.Released := False;
-      Send (W, Answer);
-      Send (W, Answer);
-   end Test_Hold;
-
    procedure Test_Gap is
 
       procedure Check
@@ -125,44 +105,8 @@ package body Send_Order_Tests is
       Check (Image, Nothing, 20, 0);
    end Test_Gap;
 
-   procedure Test_Every_Gap is
-      --  An answer never waits for more than two short gaps and a message in
-      --  between, whatever else there is
-      W : Waiting;
-   begin
-      for Released in Boolean loop
-         for Last in Choice loop
-            for Kind in Unsolicited loop
-               for Between in Milliseconds loop
-                  W := (Open     => True,
-                        Commands => True,
-                        Ready    => True,
-                        Released => Released,
-                        Last     => Last,
-                        others   => <>);
-                  W.Messages (Kind) := True;
-                  Assert
-                    (Gap (W, Next (W), Between)
-                     <= Milliseconds'Min (Between, Answer_Gap),
-                     "an answer waits for long");
-                  if Last in Unsolicited then
-                     Assert
-                       (Gap (W, Kind, Between) = Between,
-                        "two unsolicited ones are not kept apart");
-                  end if;
-               end loop;
-            end loop;
-         end loop;
-      end loop;
-   end Test_Every_Gap;
-
-   procedure Add_Tests is
-   begin
-      Add_Test ("most urgent first", Test_Order'Access);
-      Add_Test ("image and position in turn", Test_Turns'Access);
-      Add_Test ("rule 7: the hold", Test_Hold'Access);
-      Add_Test ("the gap by default", Test_Gap'Access);
-      Add_Test ("every gap", Test_Every_Gap'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("most urgent first", Test_Order'Access);
+   Run_Test ("image and position in turn", Test_Turns'Access);
+   Run_Test ("the gap by default", Test_Gap'Access);
 end Send_Order_Tests;

@@ -8,7 +8,7 @@ with Monitor.Link;      use Monitor.Link;
 with Monitor.Tcp_Infos; use Monitor.Tcp_Infos;
 with Unit_Runs; use Unit_Runs;
 
-package body Tcp_Infos_Tests is
+procedure Tcp_Infos_Tests is
 
    procedure Test_Extremes is
       Info : constant Tcp_Info :=
@@ -74,11 +74,8 @@ package body Tcp_Infos_Tests is
       Assert (S = (Now => 1_000, others => <>), "not enough");
    end Test_Sample;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("as in C", Test_Layout'Access);
-      Add_Test ("a sample", Test_Sample'Access);
-      Add_Test ("the largest numbers", Test_Extremes'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("as in C", Test_Layout'Access);
+   Run_Test ("a sample", Test_Sample'Access);
+   Run_Test ("the largest numbers", Test_Extremes'Access);
 end Tcp_Infos_Tests;

@@ -6,7 +6,7 @@ with AUnit.Assertions; use AUnit.Assertions;
 with Response_Times;   use Response_Times;
 with Unit_Runs; use Unit_Runs;
 
-package body Response_Times_Tests is
+procedure Response_Times_Tests is
 
    Unbounded : constant := -1;
 
@@ -85,37 +85,22 @@ package body Response_Times_Tests is
       Check ((Item (1, 2, 1), Item (2, 5, 2)), (3, 2));
    end Test_Liu_Layland;
 
-   --  A. Burns, A. Wellings, Real-Time Systems and Programming Languages,
-   --  the chapter on scheduling: the example task sets A to C of the
-   --  utilisation-based test, D of the response-time analysis
-
-   procedure Test_Burns_Wellings_A is
+   procedure Test_Burns_Wellings is
    begin
-      --  fails the test at 0.82, and task a misses its deadline of 50
+      --  A. Burns, A. Wellings, Real-Time Systems and Programming Languages,
+      --  the chapter on scheduling: of the utilisation-based test, set A
+      --  fails it at 0.82, and task a misses its deadline of 50; B passes at
+      --  0.775; C at 1.0, and yet all deadlines are met, the last at 80 of
+      --  80. D is worked in the text: 3, 6, and 20 after 5, 11, 14, 17
       Check ((Item (1, 50, 12), Item (2, 40, 10), Item (3, 30, 10)),
              (52, 20, 10));
-   end Test_Burns_Wellings_A;
-
-   procedure Test_Burns_Wellings_B is
-   begin
-      --  passes at 0.775
       Check ((Item (1, 80, 32), Item (2, 40, 5), Item (3, 16, 4)),
              (58, 9, 4));
-   end Test_Burns_Wellings_B;
-
-   procedure Test_Burns_Wellings_C is
-   begin
-      --  at 1.0, and yet all deadlines are met, the last at 80 of 80
       Check ((Item (1, 80, 40), Item (2, 40, 10), Item (3, 20, 5)),
              (80, 15, 5));
-   end Test_Burns_Wellings_C;
-
-   procedure Test_Burns_Wellings_D is
-   begin
-      --  worked in the text: 3, 6, and 20 after 5, 11, 14, 17
       Check ((Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5)),
              (3, 6, 20));
-   end Test_Burns_Wellings_D;
+   end Test_Burns_Wellings;
 
    procedure Test_Sha_Goodenough is
    begin
@@ -301,31 +286,25 @@ package body Response_Times_Tests is
       Check ((Early, Last, Late), (1, 3, Unbounded));
    end Test_No_Jitter_Known;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("Liu and Layland 1973", Test_Liu_Layland'Access);
-      Add_Test ("Burns and Wellings, set A", Test_Burns_Wellings_A'Access);
-      Add_Test ("Burns and Wellings, set B", Test_Burns_Wellings_B'Access);
-      Add_Test ("Burns and Wellings, set C", Test_Burns_Wellings_C'Access);
-      Add_Test ("Burns and Wellings, set D", Test_Burns_Wellings_D'Access);
-      Add_Test ("Sha and Goodenough 1990", Test_Sha_Goodenough'Access);
-      Add_Test ("Lehoczky 1990", Test_Lehoczky'Access);
-      Add_Test ("Davis and others 2007", Test_CAN'Access);
-      Add_Test ("Burns and Wellings, ceilings", Test_Ceilings'Access);
-      Add_Test ("Buttazzo, ceilings", Test_Ceiling_Table'Access);
-      Add_Test ("release jitter", Test_Jitter'Access);
-      Add_Test ("blocking", Test_Blocking'Access);
-      Add_Test ("two processors", Test_Processors'Access);
-      Add_Test ("Chen, Nelissen and Huang 2016, suspensions",
-                Test_Dynamic_Suspension'Access);
-      Add_Test ("Chen and others 2019, suspensions are no jitter",
-                Test_Suspension_As_Jitter'Access);
-      Add_Test ("each release of the busy period sleeps",
-                Test_Own_Suspension'Access);
-      Add_Test ("what is left of the release before", Test_Tail'Access);
-      Add_Test ("overload has no bound", Test_Overload'Access);
-      Add_Test ("nor has what waits for something without one",
-                Test_No_Jitter_Known'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("Liu and Layland 1973", Test_Liu_Layland'Access);
+   Run_Test ("Burns and Wellings, sets A to D", Test_Burns_Wellings'Access);
+   Run_Test ("Sha and Goodenough 1990", Test_Sha_Goodenough'Access);
+   Run_Test ("Lehoczky 1990", Test_Lehoczky'Access);
+   Run_Test ("Davis and others 2007", Test_CAN'Access);
+   Run_Test ("Burns and Wellings, ceilings", Test_Ceilings'Access);
+   Run_Test ("Buttazzo, ceilings", Test_Ceiling_Table'Access);
+   Run_Test ("release jitter", Test_Jitter'Access);
+   Run_Test ("blocking", Test_Blocking'Access);
+   Run_Test ("two processors", Test_Processors'Access);
+   Run_Test ("Chen, Nelissen and Huang 2016, suspensions",
+             Test_Dynamic_Suspension'Access);
+   Run_Test ("Chen and others 2019, suspensions are no jitter",
+             Test_Suspension_As_Jitter'Access);
+   Run_Test ("each release of the busy period sleeps",
+             Test_Own_Suspension'Access);
+   Run_Test ("what is left of the release before", Test_Tail'Access);
+   Run_Test ("overload has no bound", Test_Overload'Access);
+   Run_Test ("nor has what waits for something without one",
+             Test_No_Jitter_Known'Access);
 end Response_Times_Tests;

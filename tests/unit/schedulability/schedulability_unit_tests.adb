@@ -8,7 +8,7 @@ with Unit_Runs; use Unit_Runs;
 
 procedure Schedulability_Unit_Tests is
 begin
-   Add ("Response_Times", Response_Times_Tests.Add_Tests'Access);
-   Add ("Supervisor_Model", Supervisor_Model_Tests.Add_Tests'Access);
-   Run;
+   Group ("Response_Times", Response_Times_Tests'Access);
+   Group ("Supervisor_Model", Supervisor_Model_Tests'Access);
+   Finish;
 end Schedulability_Unit_Tests;

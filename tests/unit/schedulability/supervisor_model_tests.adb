@@ -14,9 +14,19 @@ with Schedule;
 with Supervisor_Model; use Supervisor_Model;
 with Unit_Runs; use Unit_Runs;
 
-package body Supervisor_Model_Tests is
+procedure Supervisor_Model_Tests is
 
-   Usual : constant Load := (others => <>);
+   Cortex : constant Machine :=
+     (Percent => 100 * Cortex_A53_Factor, Second | Many => True);
+
+   function Analysed
+     (On    : Machine  := (others => <>);
+      Under : Load     := (others => <>)) return Analysis is
+   begin
+      return Result : Analysis do
+         Analyse (Of_The_Table, Real_Time_Apart, On, Under, Result);
+      end return;
+   end Analysed;
 
    function Reduced (Name : String) return String is
       --  In lower case, without underlines
@@ -86,34 +96,22 @@ package body Supervisor_Model_Tests is
    end Test_Ceilings;
 
    procedure Test_Here is
-      Result : Analysis;
+      Result : constant Analysis := Analysed;
    begin
-      Analyse
-        (Of_The_Table, Real_Time_Apart, (others => <>), Usual, Result);
       Assert (Result.Settled, "not settled");
       Assert (All_Met (Result), "a deadline is missed");
    end Test_Here;
 
    procedure Test_Cortex is
-      Result : Analysis;
    begin
-      Analyse
-        (Of_The_Table, Real_Time_Apart,
-         (Percent => 100 * Cortex_A53_Factor, Second | Many => True), Usual,
-         Result);
-      Assert (Deadlines_Met (Result), "a deadline is missed");
+      Assert (Deadlines_Met (Analysed (Cortex)), "a deadline is missed");
    end Test_Cortex;
 
    procedure Test_Flood is
-      On    : constant Machine :=
-        (Percent => 100 * Cortex_A53_Factor, Second | Many => True);
-      Under : Load := Usual;
-      Quiet : Analysis;
-      Amid  : Analysis;
+      Quiet : constant Analysis := Analysed (Cortex);
+      Amid  : constant Analysis :=
+        Analysed (Cortex, (Flood => True, others => <>));
    begin
-      Analyse (Of_The_Table, Real_Time_Apart, On, Under, Quiet);
-      Under.Flood := True;
-      Analyse (Of_The_Table, Real_Time_Apart, On, Under, Amid);
       Assert (Promises_Kept (Amid), "a promise is broken");
       Assert
         (Amid.Requirements (F12_At_Robot).Bound
@@ -126,24 +124,11 @@ package body Supervisor_Model_Tests is
    end Test_Flood;
 
    procedure Test_Missions is
-      Beside  : constant Load := (Mission => True, others => <>);
-      Without : Analysis;
-      Result  : Analysis;
-
-      procedure Check_Longer (Name : Requirement_Name) is
-         --  It waits for what a mission has in progress
-      begin
-         Assert
-           (Result.Requirements (Name).Bound
-            > Without.Requirements (Name).Bound,
-            Name'Image & " does not feel a mission");
-      end Check_Longer;
-
+      Beside  : constant Load     := (Mission => True, others => <>);
+      Without : constant Analysis := Analysed;
+      Result  : constant Analysis := Analysed (Under => Beside);
+      Slow    : constant Analysis := Analysed (Cortex, Beside);
    begin
-      Analyse
-        (Of_The_Table, Real_Time_Apart, (others => <>), Usual, Without);
-      Analyse
-        (Of_The_Table, Real_Time_Apart, (others => <>), Beside, Result);
       Assert (All_Met (Result), "a deadline is missed");
       Assert
         (Result.Requirements (Mission_Order).Limit = 100_000,
@@ -151,34 +136,30 @@ package body Supervisor_Model_Tests is
       Assert
         (Without.Requirements (Mission_Order).Limit = 0,
          "orders of missions without missions");
-      Check_Longer (F12_At_Robot);
-      Check_Longer (F11_Reload);
-      Check_Longer (F13_Level);
-
-      Analyse
-        (Of_The_Table, Real_Time_Apart,
-         (Percent => 100 * Cortex_A53_Factor, Second | Many => True), Beside,
-         Result);
-      Assert (Deadlines_Met (Result), "a deadline is missed on the A53");
+      for Name in Requirement_Name loop
+         if Name in F12_At_Robot | F11_Reload | F13_Level then
+            Assert
+              (Result.Requirements (Name).Bound
+               > Without.Requirements (Name).Bound,
+               Name'Image & " does not wait for what a mission has begun");
+         end if;
+      end loop;
+      Assert (Deadlines_Met (Slow), "a deadline is missed on the A53");
       Assert
-        (not Met (Result.Requirements (Mission_Order)),
+        (not Met (Slow.Requirements (Mission_Order)),
          "the order is in time on the A53: claim it");
    end Test_Missions;
 
    procedure Test_Late_Mission is
       Limit  : constant := 50_000;
       --  Schedule.Mission_Order_Limit
-      Result : Analysis;
+      Result : Analysis := Analysed (Under => (Mission => True, others => <>));
    begin
-      Analyse
-        (Of_The_Table, Real_Time_Apart, (others => <>),
-         (Mission => True, others => <>), Result);
       Assert
         (Result.Line (Mission).Start in 20_000 .. Limit - 1,
          "the quiet zone before a reload is not waited for");
-      Analyse
-        (Of_The_Table, Real_Time_Apart, (others => <>),
-         (Mission => True, Turnaround => 40_000, others => <>), Result);
+      Result := Analysed
+        (Under => (Mission => True, Turnaround => 40_000, others => <>));
       Assert
         (Result.Line (Mission).Start = Limit,
          "an order that is sent has waited"
@@ -233,10 +214,8 @@ package body Supervisor_Model_Tests is
             Name'Image & " waits for less than th_query");
       end Check;
 
-      Result : Analysis;
+      Result : constant Analysis := Analysed;
    begin
-      Analyse
-        (Of_The_Table, Real_Time_Apart, (others => <>), Usual, Result);
       Check (Ping_Due, Result);
       Check (Camera_Order, Result);
       Check (Reset_Order, Result);
@@ -246,72 +225,48 @@ package body Supervisor_Model_Tests is
       Result : Analysis;
    begin
       Analyse
-        (Of_The_Report, One_Processor, (others => <>), Usual, Result);
+        (Of_The_Report, One_Processor, (others => <>), (others => <>),
+         Result);
       Assert (not Met (Result.Requirements (F11_Reload)), "F11");
       Assert (not Met (Result.Requirements (F12_First_Byte)), "F12");
       Assert (Met (Result.Requirements (F2_Admitted)), "F2");
-   end Test_Report;
 
-   procedure Test_No_Bound is
-      Result : Analysis;
-   begin
-      Analyse
-        (Of_The_Report, One_Processor,
-         (Percent => 100 * Cortex_A53_Factor, Second | Many => True), Usual,
-         Result);
+      --  What is late makes others late
+
+      Analyse (Of_The_Report, One_Processor, Cortex, (others => <>), Result);
       Assert
         (not Result.Bounds (Capture).Exists, "images leave time for more");
       Assert
         (not Result.Bounds (Send_Image).Exists,
          "an image is sent in time that is not made in time");
-   end Test_No_Bound;
+   end Test_Report;
 
-   procedure Test_Slow_Robot is
-      Result : Analysis;
+   procedure Test_Slow is
+      Robot : constant Analysis :=
+        Analysed (Under => (Turnaround => 40_000, others => <>));
    begin
-      Analyse
-        (Of_The_Table, Real_Time_Apart, (others => <>),
-         (Turnaround => 40_000, others => <>),
-         Result);
-      Assert (not Met (Result.Requirements (F11_Reload)), "F11");
-      Assert (Met (Result.Requirements (F12_First_Byte)),
+      Assert (not Met (Robot.Requirements (F11_Reload)), "F11");
+      Assert (Met (Robot.Requirements (F12_First_Byte)),
               "the processor's part does not depend on the robot");
-   end Test_Slow_Robot;
+      Assert
+        (not Met
+           (Analysed (Under => (Latency => 2_000, others => <>)).Requirements
+              (F12_First_Byte)), "a slow kernel is not seen");
+      Assert
+        (not Deadlines_Met
+           (Analysed ((Percent => 3_000, Second | Many => True))),
+         "a slow processor is not seen");
+   end Test_Slow;
 
-   procedure Test_Slow_Kernel is
-      Result : Analysis;
-   begin
-      Analyse
-        (Of_The_Table, Real_Time_Apart, (others => <>),
-         (Latency => 2_000, others => <>), Result);
-      Assert (not Met (Result.Requirements (F12_First_Byte)), "F12");
-   end Test_Slow_Kernel;
-
-   procedure Test_Slow_Processor is
-      Result : Analysis;
-   begin
-      Analyse
-        (Of_The_Table, Real_Time_Apart,
-         (Percent => 3_000, Second | Many => True), Usual, Result);
-      Assert (not Deadlines_Met (Result), "nothing is missed");
-   end Test_Slow_Processor;
-
-   procedure Add_Tests is
-   begin
-      Add_Test ("every task of src/tasks is analysed", Test_Complete'Access);
-      Add_Test ("no ceiling below a caller", Test_Ceilings'Access);
-      Add_Test ("every deadline is met", Test_Here'Access);
-      Add_Test ("on a Cortex-A53 too", Test_Cortex'Access);
-      Add_Test ("a flood of newcomers is borne", Test_Flood'Access);
-      Add_Test ("an order follows its image in time", Test_Missions'Access);
-      Add_Test ("an order that is late is not sent", Test_Late_Mission'Access);
-      Add_Test ("the monitor's orders come one at a time", Test_Orders'Access);
-      Add_Test ("the report's priorities miss F11 and F12",
-                Test_Report'Access);
-      Add_Test ("what is late makes others late", Test_No_Bound'Access);
-      Add_Test ("a slow robot is seen", Test_Slow_Robot'Access);
-      Add_Test ("a slow kernel is seen", Test_Slow_Kernel'Access);
-      Add_Test ("a slow processor is seen", Test_Slow_Processor'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("every task of src/tasks is analysed", Test_Complete'Access);
+   Run_Test ("no ceiling below a caller", Test_Ceilings'Access);
+   Run_Test ("every deadline is met", Test_Here'Access);
+   Run_Test ("on a Cortex-A53 too", Test_Cortex'Access);
+   Run_Test ("a flood of newcomers is borne", Test_Flood'Access);
+   Run_Test ("an order follows its image in time", Test_Missions'Access);
+   Run_Test ("an order that is late is not sent", Test_Late_Mission'Access);
+   Run_Test ("the monitor's orders come one at a time", Test_Orders'Access);
+   Run_Test ("the report's priorities miss F11 and F12", Test_Report'Access);
+   Run_Test ("a slow robot, kernel or processor is seen", Test_Slow'Access);
 end Supervisor_Model_Tests;

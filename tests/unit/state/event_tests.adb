@@ -7,7 +7,7 @@ with Event;
 with Instants;         use Instants;
 with Unit_Runs; use Unit_Runs;
 
-package body Event_Tests is
+procedure Event_Tests is
 
    package Asked is new Event;
    package Answered is new Event;
@@ -103,12 +103,8 @@ package body Event_Tests is
       Assert (Was_Set, "not taken as the time is over");
    end Test_Until;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("several sets count as one, then it blocks", Test_Kept'Access);
-      Add_Test ("two tasks wake each other, none is lost", Test_Turns'Access);
-      Add_Test ("a wait ends with the event or at its time",
-                Test_Until'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("several sets count as one, then it blocks", Test_Kept'Access);
+   Run_Test ("two tasks wake each other, none is lost", Test_Turns'Access);
+   Run_Test ("a wait ends with the event or at its time", Test_Until'Access);
 end Event_Tests;

@@ -11,7 +11,7 @@ with Vision.Frame_Store;
 with Vision.Image_Grid;
 with Unit_Runs; use Unit_Runs;
 
-package body Frame_Store_Tests is
+procedure Frame_Store_Tests is
 
    use type Vision.Frame_Slots.Slot;
    use type Vision.Image_Grid.Microseconds;
@@ -264,54 +264,6 @@ package body Frame_Store_Tests is
       Begin_Wait (Expected => False);
    end Test_Wait;
 
-   procedure Test_Newest is
-      First, Second, Third, Other : Vision.Frame_Slots.Slot;
-      Is_First_Free               : Boolean := False;
-   begin
-      Begin_Anew;
-      Check_None;
-      Vision.Frame_Store.Claim_Empty (First);
-      Vision.Frame_Store.Publish (First, Clock);
-      Vision.Frame_Store.Claim_Empty (Second);
-      Assert (Second /= First, "the newest is not overwritten");
-      Vision.Frame_Store.Publish (Second, Clock);
-      Vision.Frame_Store.Claim_Empty (Third);
-      Assert (Third /= First and then Third /= Second,
-              "nor the one before it");
-      Vision.Frame_Store.Publish (Third, Clock);
-      for Claimed in 3 .. 6 loop
-         Vision.Frame_Store.Claim_Empty (Other);
-         Assert (Other /= Second and then Other /= Third,
-                 "neither by any of the others");
-         Is_First_Free := Is_First_Free or else Other = First;
-      end loop;
-      Assert (Is_First_Free, "what was dropped is free again");
-      Check_Newest (Third);
-      Check_None;
-      Vision.Frame_Store.Claim_Empty (Other);
-      Assert (Other in Second | Third, "and the one before it is dropped");
-   end Test_Newest;
-
-   procedure Test_Once is
-      Slot, Taken, Next : Vision.Frame_Slots.Slot;
-      Found             : Boolean;
-   begin
-      Begin_Anew;
-      Vision.Frame_Store.Claim_Empty (Slot);
-      Vision.Frame_Store.Publish (Slot, Clock);
-      Vision.Frame_Store.Claim_Newest (Taken, Found);
-      Assert (Found and then Taken = Slot, "taken");
-      Check_None;
-
-      --  and its slot is not filled anew while it is being read
-
-      Vision.Frame_Store.Claim_Empty (Next);
-      Assert (Next /= Taken, "claimed");
-      Vision.Frame_Store.Publish (Next, Clock);
-      Vision.Frame_Store.Release (Taken);
-      Check_Newest (Next);
-   end Test_Once;
-
    procedure Test_Times is
       Begun : constant Time := Clock;
       Later : constant Time := Begun + Milliseconds (40);
@@ -341,19 +293,14 @@ package body Frame_Store_Tests is
       Check (Later, "none that is too late");
    end Test_Times;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("the newest image wins", Test_Newest'Access);
-      Add_Test ("each image is taken once", Test_Once'Access);
-      Add_Test ("an empty slot beside owner, two that wait, readers",
-                Test_Always_Free'Access);
-      Add_Test ("a delivery that ends drops what waits", Test_End'Access);
-      Add_Test ("every slot in its turn", Test_In_Turn'Access);
-      Add_Test ("when the last image came", Test_Times'Access);
-      Add_Test ("what has just come is kept in reserve", Test_Reserve'Access);
-      Add_Test ("who waits for an image is told of what ends it",
-                Test_Wait'Access);
-      Add_Test ("times between images", Test_Elapsed'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("an empty slot beside owner, two that wait, readers",
+             Test_Always_Free'Access);
+   Run_Test ("a delivery that ends drops what waits", Test_End'Access);
+   Run_Test ("every slot in its turn", Test_In_Turn'Access);
+   Run_Test ("when the last image came", Test_Times'Access);
+   Run_Test ("what has just come is kept in reserve", Test_Reserve'Access);
+   Run_Test ("who waits for an image is told of what ends it",
+             Test_Wait'Access);
+   Run_Test ("times between images", Test_Elapsed'Access);
 end Frame_Store_Tests;

@@ -8,7 +8,7 @@ with Options;
 with Texts;
 with Unit_Runs; use Unit_Runs;
 
-package body Journal_Tests is
+procedure Journal_Tests is
 
    procedure Check (Text : String) is
       --  The oldest line.
@@ -74,13 +74,10 @@ package body Journal_Tests is
       Check ("three");
    end Test_Order;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("first in first out", Test_Order'Access);
-      Add_Test ("what is not serious enough", Test_Level'Access);
-      Add_Test ("a long line goes on", Test_Long'Access);
-      Add_Test ("room for 256, then it says how many are missing",
-                Test_Full'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("first in first out", Test_Order'Access);
+   Run_Test ("what is not serious enough", Test_Level'Access);
+   Run_Test ("a long line goes on", Test_Long'Access);
+   Run_Test ("room for 256, then it says how many are missing",
+             Test_Full'Access);
 end Journal_Tests;

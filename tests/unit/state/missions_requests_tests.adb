@@ -8,7 +8,7 @@ with Missions.Requests;
 with Orders;           use Orders;
 with Unit_Runs; use Unit_Runs;
 
-package body Missions_Requests_Tests is
+procedure Missions_Requests_Tests is
 
    procedure Put (Number : Ticket; Points : Point_Count; Taken : Boolean) is
       --  Asks for a mission, which is Taken or stays with the caller
@@ -59,10 +59,7 @@ package body Missions_Requests_Tests is
       Missions.Requests.Release;
    end Test_Wait;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("none beside one that waits or is under way", Test_One'Access);
-      Add_Test ("a mission wakes its task", Test_Wait'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("none beside one that waits or is under way", Test_One'Access);
+   Run_Test ("a mission wakes its task", Test_Wait'Access);
 end Missions_Requests_Tests;

@@ -69,9 +69,9 @@ package body Order_Ports_Tests is
 
    procedure Add_Tests is
    begin
-      Add_Test ("first in first out", Test_Order'Access);
-      Add_Test ("room for 256, and no more", Test_Full'Access);
-      Add_Test ("orders that are forgotten", Test_Clear'Access);
+      Run_Test ("first in first out", Test_Order'Access);
+      Run_Test ("room for 256, and no more", Test_Full'Access);
+      Run_Test ("orders that are forgotten", Test_Clear'Access);
    end Add_Tests;
 
 end Order_Ports_Tests;

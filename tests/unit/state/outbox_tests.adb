@@ -14,7 +14,7 @@ with Orders;                 use Orders;
 with Schedule;
 with Unit_Runs; use Unit_Runs;
 
-package body Outbox_Tests is
+procedure Outbox_Tests is
 
    Made_Here : Message_Access := new Message;  --  to be filled next
    Sent_Here : Message_Access := new Message;  --  taken last
@@ -195,13 +195,10 @@ package body Outbox_Tests is
       Check (Nothing);
    end Test_Mission;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("images go round", Test_Images'Access);
-      Add_Test ("an answer that is an image", Test_Arena'Access);
-      Add_Test ("answers, and who waits", Test_Answers'Access);
-      Add_Test ("the end of the hold", Test_Hold'Access);
-      Add_Test ("a mission's messages", Test_Mission'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("images go round", Test_Images'Access);
+   Run_Test ("an answer that is an image", Test_Arena'Access);
+   Run_Test ("answers, and who waits", Test_Answers'Access);
+   Run_Test ("the end of the hold", Test_Hold'Access);
+   Run_Test ("a mission's messages", Test_Mission'Access);
 end Outbox_Tests;

@@ -264,21 +264,21 @@ package body Robot_Line_Tests is
 
    procedure Add_Tests is
    begin
-      Add_Test ("the most urgent first", Test_Urgency'Access);
-      Add_Test ("a movement older than a stop is void", Test_Overtaken'Access);
-      Add_Test ("orders that change the session keep their place",
+      Run_Test ("the most urgent first", Test_Urgency'Access);
+      Run_Test ("a movement older than a stop is void", Test_Overtaken'Access);
+      Run_Test ("orders that change the session keep their place",
                 Test_Places'Access);
-      Add_Test ("orders of a session that has ended", Test_Out_Of_Date'Access);
-      Add_Test ("stops without end do not starve the reload",
+      Run_Test ("orders of a session that has ended", Test_Out_Of_Date'Access);
+      Run_Test ("stops without end do not starve the reload",
                 Test_Many_Stops'Access);
-      Add_Test ("no reload of a run that has ended", Test_Of_A_Run'Access);
-      Add_Test ("an order by hand voids those of older missions",
+      Run_Test ("no reload of a run that has ended", Test_Of_A_Run'Access);
+      Run_Test ("an order by hand voids those of older missions",
                 Test_Hand'Access);
-      Add_Test ("a mission's order that waited too long is not sent",
+      Run_Test ("a mission's order that waited too long is not sent",
                 Test_Late'Access);
-      Add_Test ("a mission's order waits for the orders before it",
+      Run_Test ("a mission's order waits for the orders before it",
                 Test_Mission_In_Turn'Access);
-      Add_Test ("what ends a mission: another session, a hand",
+      Run_Test ("what ends a mission: another session, a hand",
                 Test_Rights'Access);
    end Add_Tests;
 

@@ -44,7 +44,7 @@ package body Serial_Line_Tests is
 
    procedure Add_Tests is
    begin
-      Add_Test ("a read waits as long as it is told", Test_Wait'Access);
+      Run_Test ("a read waits as long as it is told", Test_Wait'Access);
    end Add_Tests;
 
 end Serial_Line_Tests;

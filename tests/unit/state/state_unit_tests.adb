@@ -17,16 +17,16 @@ with Vision_Sightings_Tests;
 
 procedure State_Unit_Tests is
 begin
-   Add ("Event", Event_Tests.Add_Tests'Access);
-   Add ("Vision.Frame_Store", Frame_Store_Tests.Add_Tests'Access);
-   Add ("Journal", Journal_Tests.Add_Tests'Access);
-   Add ("Missions.Requests", Missions_Requests_Tests.Add_Tests'Access);
-   Add ("Order_Ports", Order_Ports_Tests.Add_Tests'Access);
-   Add ("Monitor.Outbox", Outbox_Tests.Add_Tests'Access);
-   Add ("Robot.Line", Robot_Line_Tests.Add_Tests'Access);
-   Add ("Robot.Serial_Line", Serial_Line_Tests.Add_Tests'Access);
-   Add ("Trace.Ring", Trace.Ring_Tests.Add_Tests'Access);
-   Add ("Vision.Queue", Vision_Queue_Tests.Add_Tests'Access);
-   Add ("Vision.Sightings", Vision_Sightings_Tests.Add_Tests'Access);
-   Run;
+   Group ("Event", Event_Tests'Access);
+   Group ("Vision.Frame_Store", Frame_Store_Tests'Access);
+   Group ("Journal", Journal_Tests'Access);
+   Group ("Missions.Requests", Missions_Requests_Tests'Access);
+   Group ("Order_Ports", Order_Ports_Tests.Add_Tests'Access);
+   Group ("Monitor.Outbox", Outbox_Tests'Access);
+   Group ("Robot.Line", Robot_Line_Tests.Add_Tests'Access);
+   Group ("Robot.Serial_Line", Serial_Line_Tests.Add_Tests'Access);
+   Group ("Trace.Ring", Trace.Ring_Tests'Access);
+   Group ("Vision.Queue", Vision_Queue_Tests'Access);
+   Group ("Vision.Sightings", Vision_Sightings_Tests'Access);
+   Finish;
 end State_Unit_Tests;

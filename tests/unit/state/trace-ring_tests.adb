@@ -14,7 +14,7 @@ with Trace.Ring;       use Trace.Ring;
 with Trace_Files;
 with Unit_Runs;        use Unit_Runs;
 
-package body Trace.Ring_Tests is
+procedure Trace.Ring_Tests is
 
    use type Trace_Files.Nanoseconds;
 
@@ -164,11 +164,8 @@ package body Trace.Ring_Tests is
       end loop;
    end Test_Together;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("the newest are kept", Test_Round'Access);
-      Add_Test ("many writers, and a reader at once", Test_Together'Access);
-      Add_Test ("more than is kept, in the file", Test_File'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("the newest are kept", Test_Round'Access);
+   Run_Test ("many writers, and a reader at once", Test_Together'Access);
+   Run_Test ("more than is kept, in the file", Test_File'Access);
 end Trace.Ring_Tests;

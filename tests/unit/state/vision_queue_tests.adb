@@ -7,7 +7,7 @@ with Orders;           use Orders;
 with Vision.Queue;
 with Unit_Runs; use Unit_Runs;
 
-package body Vision_Queue_Tests is
+procedure Vision_Queue_Tests is
 
    procedure Check_End is
       --  The order under way is done, and none follows.
@@ -82,11 +82,8 @@ package body Vision_Queue_Tests is
       Check_End;
    end Test_Order;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("one at a time, in order", Test_Order'Access);
-      Add_Test ("what is under way outlasts its session", Test_Clear'Access);
-      Add_Test ("room for 256", Test_Full'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("one at a time, in order", Test_Order'Access);
+   Run_Test ("what is under way outlasts its session", Test_Clear'Access);
+   Run_Test ("room for 256", Test_Full'Access);
 end Vision_Queue_Tests;

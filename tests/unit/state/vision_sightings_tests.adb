@@ -7,7 +7,7 @@ with Vision.Shapes;    use Vision.Shapes;
 with Vision.Sightings; use Vision.Sightings;
 with Unit_Runs; use Unit_Runs;
 
-package body Vision_Sightings_Tests is
+procedure Vision_Sightings_Tests is
 
    Two : constant Robot_Array :=
      (1 => (Id => 7, Centre => (1, 2), Direction => (3, 4), Angle => 5),
@@ -64,12 +64,8 @@ package body Vision_Sightings_Tests is
       Clear;
    end Test_Wake;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("exactly one robot is a sighting, others are counted",
-                Test_Seen'Access);
-      Add_Test ("wakes the task that watches, and only that",
-                Test_Wake'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("exactly one robot is a sighting, others are counted",
+             Test_Seen'Access);
+   Run_Test ("wakes the task that watches, and only that", Test_Wake'Access);
 end Vision_Sightings_Tests;

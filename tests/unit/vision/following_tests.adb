@@ -13,7 +13,7 @@ with Vision.Library; use Vision.Library;
 with Vision.Shapes;  use Vision.Shapes;
 with Unit_Runs; use Unit_Runs;
 
-package body Following_Tests is
+procedure Following_Tests is
 
    use type Vision.Following.Milliseconds;
 
@@ -333,13 +333,10 @@ package body Following_Tests is
       Assert (Result = Bad_Argument, "no area");
    end Test_Far_Away;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("as a search everywhere", Test_Sequences'Access);
-      Add_Test ("everywhere every three seconds", Test_Interval'Access);
-      Add_Test ("where to look", Test_Plan'Access);
-      Add_Test ("what has been found", Test_Settle'Access);
-      Add_Test ("absurd places", Test_Far_Away'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("as a search everywhere", Test_Sequences'Access);
+   Run_Test ("everywhere every three seconds", Test_Interval'Access);
+   Run_Test ("where to look", Test_Plan'Access);
+   Run_Test ("what has been found", Test_Settle'Access);
+   Run_Test ("absurd places", Test_Far_Away'Access);
 end Following_Tests;

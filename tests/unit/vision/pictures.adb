@@ -31,10 +31,8 @@ package body Pictures is
 
    procedure Draw (Scene : Scenes.Description) is
       --  Scene onto the canvas
-      Drawn : aliased constant Scenes.Description := Scene;
    begin
-      Assert (Scenes.Draw (Drawn'Access, Canvas'Address) = 0,
-              "the scene can be drawn");
+      Assert (Scenes.Draw (Scene, Canvas'Address) = 0, "drawn");
    end Draw;
 
    procedure Show (Scene : Scenes.Description; Slot : int := 0) is
@@ -270,10 +268,9 @@ package body Pictures is
    end Temporary;
 
    procedure Save (Scene : Scenes.Description; Path : String) is
-      Drawn  : aliased constant Scenes.Description := Scene;
       Buffer : Stream_Element_Array (1 .. 1_000_000);
       Length : constant int := Scenes.Jpeg
-        (Drawn'Access, 90, Buffer'Address, Buffer'Length);
+        (Scene, 90, Buffer'Address, Buffer'Length);
       File   : Stream_IO.File_Type;
    begin
       Assert (Length > 0, "the scene can be encoded");
@@ -309,11 +306,9 @@ package body Pictures is
    end Save_Plain;
 
    procedure Save_Video
-     (Scene : Scenes.Description; Frames, Fps : int; Path : String)
-   is
-      Drawn : aliased constant Scenes.Description := Scene;
+     (Scene : Scenes.Description; Frames, Fps : int; Path : String) is
    begin
-      Assert (Scenes.Video (Drawn'Access, Frames, Fps, To_C (Path)) = 0,
+      Assert (Scenes.Video (Scene, Frames, Fps, To_C (Path)) = 0,
               "the video can be written");
    end Save_Video;
 

@@ -12,7 +12,7 @@ with Scenes;
 with Vision_C; use Vision_C;
 with Unit_Runs; use Unit_Runs;
 
-package body Vision_Arena_Tests is
+procedure Vision_Arena_Tests is
 
    Tolerance : constant := 2.0;
    --  Pixels, of every corner
@@ -23,13 +23,12 @@ package body Vision_Arena_Tests is
       --  The arena is found, each corner where it is; Quarters turns clockwise
       --  the field's own top left corner comes before that of the image
       use Ada.Numerics.Long_Elementary_Functions;
-      Drawn    : aliased constant Scenes.Description := Scene;
       Found    : aliased Arena;
       Truth    : Scenes.Corner_Coordinates;
       Distance : Long_Float;
    begin
       Pictures.Show (Scene);
-      Assert (Scenes.Arena_Truth (Drawn'Access, Truth) = 0, "truth");
+      Assert (Scenes.Arena_Truth (Scene, Truth) = 0, "truth");
       Assert (Find_Arena (0, Found'Access) = Ok, What & ": found");
       for K in 0 .. 3 loop
          declare
@@ -291,22 +290,19 @@ package body Vision_Arena_Tests is
       end loop;
    end Test_Frames;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("turned, noise, blur, uneven light", Test_Disturbed'Access);
-      Add_Test ("upright, rolled", Test_Upright'Access);
-      Add_Test ("borders of any width", Test_Borders'Access);
-      Add_Test ("light fields", Test_Light_Fields'Access);
-      Add_Test ("near and far", Test_Fill'Access);
-      Add_Test ("resolutions", Test_Resolutions'Access);
-      Add_Test ("robots inside", Test_Robots_Inside'Access);
-      Add_Test ("robots on the border", Test_Robots_At_Border'Access);
-      Add_Test ("none: the floor", Test_Floor'Access);
-      Add_Test ("none: one level", Test_Plain_Image'Access);
-      Add_Test ("none: noise", Test_Noise_Alone'Access);
-      Add_Test ("none: sheets", Test_Paper'Access);
-      Add_Test ("none: robots alone", Test_Robots_Alone'Access);
-      Add_Test ("none: other frames", Test_Frames'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("turned, noise, blur, uneven light", Test_Disturbed'Access);
+   Run_Test ("upright, rolled", Test_Upright'Access);
+   Run_Test ("borders of any width", Test_Borders'Access);
+   Run_Test ("light fields", Test_Light_Fields'Access);
+   Run_Test ("near and far", Test_Fill'Access);
+   Run_Test ("resolutions", Test_Resolutions'Access);
+   Run_Test ("robots inside", Test_Robots_Inside'Access);
+   Run_Test ("robots on the border", Test_Robots_At_Border'Access);
+   Run_Test ("none: the floor", Test_Floor'Access);
+   Run_Test ("none: one level", Test_Plain_Image'Access);
+   Run_Test ("none: noise", Test_Noise_Alone'Access);
+   Run_Test ("none: sheets", Test_Paper'Access);
+   Run_Test ("none: robots alone", Test_Robots_Alone'Access);
+   Run_Test ("none: other frames", Test_Frames'Access);
 end Vision_Arena_Tests;

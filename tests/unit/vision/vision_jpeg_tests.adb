@@ -12,7 +12,7 @@ with Scenes;
 with Vision_C; use Vision_C;
 with Unit_Runs; use Unit_Runs;
 
-package body Vision_Jpeg_Tests is
+procedure Vision_Jpeg_Tests is
 
    subtype Octet is unsigned_char;
 
@@ -31,10 +31,9 @@ package body Vision_Jpeg_Tests is
      (Scene : Scenes.Description; Quality : int := 90) return Octets
    is
       --  As a camera delivers it
-      Drawn  : aliased constant Scenes.Description := Scene;
       Jpeg   : Octets (1 .. 1_000_000);
       Length : constant int :=
-        Scenes.Jpeg (Drawn'Access, Quality, Jpeg'Address, Jpeg'Length);
+        Scenes.Jpeg (Scene, Quality, Jpeg'Address, Jpeg'Length);
    begin
       Assert (Length > 0, "the scene can be encoded");
       return Jpeg (1 .. Natural (Length));
@@ -448,24 +447,21 @@ package body Vision_Jpeg_Tests is
       Pictures.Remove (Path);
    end Test_Damaged_Video;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("passed on as it is", Test_Passed'Access);
-      Add_Test ("not when drawn in", Test_Drawn'Access);
-      Add_Test ("nor of another size", Test_Other_Size'Access);
-      Add_Test ("searched", Test_Searched'Access);
-      Add_Test ("what stands behind its end", Test_Behind_The_End'Access);
-      Add_Test ("cut anywhere", Test_Cut'Access);
-      Add_Test ("no image at all", Test_No_Image'Access);
-      Add_Test ("absurd sizes", Test_Absurd_Size'Access);
-      Add_Test ("impossible tables", Test_Bad_Tables'Access);
-      Add_Test ("the usual tables", Test_No_Tables'Access);
-      Add_Test ("markers in the code", Test_Foreign_Marker'Access);
-      Add_Test ("damaged inside", Test_Damaged_Inside'Access);
-      Add_Test ("too large to be sent", Test_Too_Large'Access);
-      Add_Test ("arguments", Test_Arguments'Access);
-      Add_Test ("the images of a video", Test_Video'Access);
-      Add_Test ("a video with damaged images", Test_Damaged_Video'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("passed on as it is", Test_Passed'Access);
+   Run_Test ("not when drawn in", Test_Drawn'Access);
+   Run_Test ("nor of another size", Test_Other_Size'Access);
+   Run_Test ("searched", Test_Searched'Access);
+   Run_Test ("what stands behind its end", Test_Behind_The_End'Access);
+   Run_Test ("cut anywhere", Test_Cut'Access);
+   Run_Test ("no image at all", Test_No_Image'Access);
+   Run_Test ("absurd sizes", Test_Absurd_Size'Access);
+   Run_Test ("impossible tables", Test_Bad_Tables'Access);
+   Run_Test ("the usual tables", Test_No_Tables'Access);
+   Run_Test ("markers in the code", Test_Foreign_Marker'Access);
+   Run_Test ("damaged inside", Test_Damaged_Inside'Access);
+   Run_Test ("too large to be sent", Test_Too_Large'Access);
+   Run_Test ("arguments", Test_Arguments'Access);
+   Run_Test ("the images of a video", Test_Video'Access);
+   Run_Test ("a video with damaged images", Test_Damaged_Video'Access);
 end Vision_Jpeg_Tests;

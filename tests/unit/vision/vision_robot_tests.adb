@@ -12,7 +12,7 @@ with Scenes;
 with Vision_C; use Vision_C;
 with Unit_Runs; use Unit_Runs;
 
-package body Vision_Robot_Tests is
+procedure Vision_Robot_Tests is
 
    Position_Tolerance : constant := 2.0;  --  pixels
    Angle_Tolerance    : constant := 1.0;  --  degrees
@@ -53,7 +53,6 @@ package body Vision_Robot_Tests is
    procedure Check (Scene : Scenes.Description; N : int; What : String) is
       --  One of Found is robot N of Scene, with the accuracy asked for
       use Ada.Numerics.Long_Elementary_Functions;
-      Drawn          : aliased constant Scenes.Description := Scene;
       Cx, Cy, Dx, Dy : double;
       Distance       : Long_Float := Long_Float'Last;
       Nearest        : int := 0;
@@ -62,8 +61,7 @@ package body Vision_Robot_Tests is
       function Away (P : Point; X, Y : double) return Long_Float is
         (Sqrt (Long_Float ((P.X - X) ** 2 + (P.Y - Y) ** 2)));
    begin
-      Assert (Scenes.Robot_Truth (Drawn'Access, N, Cx, Cy, Dx, Dy) = 0,
-              "truth");
+      Assert (Scenes.Robot_Truth (Scene, N, Cx, Cy, Dx, Dy) = 0, "truth");
       for K in 0 .. Count - 1 loop
          if Away (Found (K).Centre, Cx, Cy) < Distance then
             Distance := Away (Found (K).Centre, Cx, Cy);
@@ -337,14 +335,13 @@ package body Vision_Robot_Tests is
 
    function Marker_At (Step : Natural) return Place is
       --  Another place, heading and identifier for each Step
-      Scene          : aliased constant Scenes.Description :=
+      Scene          : constant Scenes.Description :=
         Pictures.Scene_With
           (0, int (83 * Step), 20.0 + 3.3 * double (Step),
            15.0 + double (7 * Step mod 12) * 2.7, 31.0 * double (Step));
       Cx, Cy, Dx, Dy : double;
    begin
-      Assert (Scenes.Robot_Truth (Scene'Access, 0, Cx, Cy, Dx, Dy) = 0,
-              "truth");
+      Assert (Scenes.Robot_Truth (Scene, 0, Cx, Cy, Dx, Dy) = 0, "truth");
       return (Scene, Long_Float (Cx), Long_Float (Cy), Long_Float (Dx),
               Long_Float (Dy));
    end Marker_At;
@@ -443,7 +440,7 @@ package body Vision_Robot_Tests is
 
    procedure Test_Aslant is
       use Ada.Numerics.Long_Elementary_Functions;
-      Scene          : aliased Scenes.Description;
+      Scene          : Scenes.Description;
       Cx, Cy, Dx, Dy : double;
    begin
       for Step in 0 .. 11 loop
@@ -451,8 +448,7 @@ package body Vision_Robot_Tests is
                                        31.0 * double (Step));
          Scene.Width := 1_920;
          Scene.Height := 1_080;
-         Assert (Scenes.Robot_Truth (Scene'Access, 0, Cx, Cy, Dx, Dy) = 0,
-                 "truth");
+         Assert (Scenes.Robot_Truth (Scene, 0, Cx, Cy, Dx, Dy) = 0, "truth");
          declare
             G : constant Long_Float := 8.0E-4 * Cos (Long_Float (Step));
             H : constant Long_Float := 8.0E-4 * Sin (Long_Float (Step));
@@ -616,29 +612,25 @@ package body Vision_Robot_Tests is
       end loop;
    end Test_Set_Square;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("every heading", Test_Headings'Access);
-      Add_Test ("an upright marker", Test_Upright'Access);
-      Add_Test ("resolutions", Test_Resolutions'Access);
-      Add_Test ("identifiers", Test_Identifiers'Access);
-      Add_Test ("two robots", Test_Two_Robots'Access);
-      Add_Test ("more than fit", Test_Capacity'Access);
-      Add_Test ("the same with and without the arena",
-                Test_Positions_In_Arena'Access);
-      Add_Test ("outside the arena", Test_Outside_Arena'Access);
-      Add_Test ("strange arenas", Test_Strange_Arenas'Access);
-      Add_Test ("no robot", Test_None'Access);
-      Add_Test ("the other marker", Test_Other_Marker'Access);
-      Add_Test ("a faint marker", Test_Faint'Access);
-      Add_Test ("glare on a marker", Test_Glare'Access);
-      Add_Test ("a blot over its side", Test_Blot'Access);
-      Add_Test ("a narrow white margin", Test_Margin'Access);
-      Add_Test ("seen from close and aslant", Test_Aslant'Access);
-      Add_Test ("one of its modules covered", Test_Doubtful'Access);
-      Add_Test ("a triangle on something bright",
-                Test_Triangle_On_Bright'Access);
-      Add_Test ("a set square is no robot", Test_Set_Square'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("every heading", Test_Headings'Access);
+   Run_Test ("an upright marker", Test_Upright'Access);
+   Run_Test ("resolutions", Test_Resolutions'Access);
+   Run_Test ("identifiers", Test_Identifiers'Access);
+   Run_Test ("two robots", Test_Two_Robots'Access);
+   Run_Test ("more than fit", Test_Capacity'Access);
+   Run_Test ("the same with and without the arena",
+             Test_Positions_In_Arena'Access);
+   Run_Test ("outside the arena", Test_Outside_Arena'Access);
+   Run_Test ("strange arenas", Test_Strange_Arenas'Access);
+   Run_Test ("no robot", Test_None'Access);
+   Run_Test ("the other marker", Test_Other_Marker'Access);
+   Run_Test ("a faint marker", Test_Faint'Access);
+   Run_Test ("glare on a marker", Test_Glare'Access);
+   Run_Test ("a blot over its side", Test_Blot'Access);
+   Run_Test ("a narrow white margin", Test_Margin'Access);
+   Run_Test ("seen from close and aslant", Test_Aslant'Access);
+   Run_Test ("one of its modules covered", Test_Doubtful'Access);
+   Run_Test ("a triangle on something bright", Test_Triangle_On_Bright'Access);
+   Run_Test ("a set square is no robot", Test_Set_Square'Access);
 end Vision_Robot_Tests;

@@ -15,7 +15,7 @@ with Vision.Library;
 with Vision_C; use Vision_C;
 with Unit_Runs; use Unit_Runs;
 
-package body Vision_Source_Tests is
+procedure Vision_Source_Tests is
 
    procedure Check_Size (Slot, Width, Height : int; What : String) is
       W, H : aliased int := 0;
@@ -413,25 +413,22 @@ package body Vision_Source_Tests is
          "a pipeline must end with appsink");
    end Test_Causes_Of_Pipelines;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("a still image", Test_Still'Access);
-      Add_Test ("the pace after a delay", Test_Still_After_Delay'Access);
-      Add_Test ("a video, looped and paced", Test_Video'Access);
-      Add_Test ("a video of one image, and its loss",
-                Test_Video_Of_One_Image'Access);
-      Add_Test ("scaling", Test_Scaling'Access);
-      Add_Test ("nothing open", Test_Not_Open'Access);
-      Add_Test ("closing", Test_Close'Access);
-      Add_Test ("opening what is open", Test_Reopen'Access);
-      Add_Test ("names of nothing", Test_Refused_Names'Access);
-      Add_Test ("broken files", Test_Refused_Files'Access);
-      Add_Test ("absent cameras", Test_Refused_Cameras'Access);
-      Add_Test ("absent streams", Test_Refused_Streams'Access);
-      Add_Test ("the cause: streams", Test_Causes_Of_Streams'Access);
-      Add_Test ("only the host of a URL is asked",
-                Test_Nobody_Else_Is_Asked'Access);
-      Add_Test ("the cause: pipelines", Test_Causes_Of_Pipelines'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("a still image", Test_Still'Access);
+   Run_Test ("the pace after a delay", Test_Still_After_Delay'Access);
+   Run_Test ("a video, looped and paced", Test_Video'Access);
+   Run_Test ("a video of one image, and its loss",
+             Test_Video_Of_One_Image'Access);
+   Run_Test ("scaling", Test_Scaling'Access);
+   Run_Test ("nothing open", Test_Not_Open'Access);
+   Run_Test ("closing", Test_Close'Access);
+   Run_Test ("opening what is open", Test_Reopen'Access);
+   Run_Test ("names of nothing", Test_Refused_Names'Access);
+   Run_Test ("broken files", Test_Refused_Files'Access);
+   Run_Test ("absent cameras", Test_Refused_Cameras'Access);
+   Run_Test ("absent streams", Test_Refused_Streams'Access);
+   Run_Test ("the cause: streams", Test_Causes_Of_Streams'Access);
+   Run_Test ("only the host of a URL is asked",
+             Test_Nobody_Else_Is_Asked'Access);
+   Run_Test ("the cause: pipelines", Test_Causes_Of_Pipelines'Access);
 end Vision_Source_Tests;

@@ -16,7 +16,7 @@ with Vision.Library;  use Vision.Library;
 with Vision.Shapes;   use Vision.Shapes;
 with Unit_Runs; use Unit_Runs;
 
-package body Vision_Tests is
+procedure Vision_Tests is
 
    use type Bytes.Byte;
 
@@ -47,7 +47,7 @@ package body Vision_Tests is
    end Open_Scene;
 
    procedure Test_Arena is
-      Scene  : aliased Scenes.Description := Scenes.Default;
+      Scene  : Scenes.Description := Scenes.Default;
       Truth  : Scenes.Corner_Coordinates;
       Found  : Arena_Corners;
       Result : Status;
@@ -56,7 +56,7 @@ package body Vision_Tests is
       Open_Scene (Scene);
       Find_Arena (2, Found, Result);
       Assert (Result = Done, "found");
-      Assert (Scenes.Arena_Truth (Scene'Access, Truth) = 0, "truth");
+      Assert (Scenes.Arena_Truth (Scene, Truth) = 0, "truth");
       for C in Corner loop
          Assert (Is_Near (Found (C).X, Truth (2 * Corner'Pos (C)))
                  and then
@@ -79,7 +79,7 @@ package body Vision_Tests is
    end Test_No_Arena;
 
    procedure Test_Robots is
-      Scene          : aliased Scenes.Description;
+      Scene          : Scenes.Description;
       Field          : Arena_Corners;
       Robots         : Robot_Array;
       Count          : Robot_Count;
@@ -89,8 +89,7 @@ package body Vision_Tests is
       for Kind in Options.Marker_Kind loop
          Scene := Pictures.Scene_With
            (Options.Marker_Kind'Pos (Kind), 321, 33.0, 22.0, 60.0);
-         Assert (Scenes.Robot_Truth (Scene'Access, 0, Cx, Cy, Dx, Dy) = 0,
-                 "truth");
+         Assert (Scenes.Robot_Truth (Scene, 0, Cx, Cy, Dx, Dy) = 0, "truth");
          Open_Scene (Scene);
          Find_Arena (2, Field, Result);
          Assert (Result = Done, "arena");
@@ -295,21 +294,17 @@ package body Vision_Tests is
       end loop;
    end Test_Unsound_Arena;
 
-   procedure Add_Tests is
-   begin
-      Add_Test ("arena", Test_Arena'Access);
-      Add_Test ("no arena", Test_No_Arena'Access);
-      Add_Test ("robots", Test_Robots'Access);
-      Add_Test ("no robot", Test_No_Robot'Access);
-      Add_Test ("drawing", Test_Draw'Access);
-      Add_Test ("encoding", Test_Encode'Access);
-      Add_Test ("what cannot be opened", Test_Open_Failures'Access);
-      Add_Test ("secrets of a URL", Test_Secrets'Access);
-      Add_Test ("reason and version", Test_Texts'Access);
-      Add_Test ("numbers within their ranges", Test_Ranges'Access);
-      Add_Test ("robots out of range are left out",
-                Test_Unsound_Robots'Access);
-      Add_Test ("an arena out of range is none", Test_Unsound_Arena'Access);
-   end Add_Tests;
-
+begin
+   Run_Test ("arena", Test_Arena'Access);
+   Run_Test ("no arena", Test_No_Arena'Access);
+   Run_Test ("robots", Test_Robots'Access);
+   Run_Test ("no robot", Test_No_Robot'Access);
+   Run_Test ("drawing", Test_Draw'Access);
+   Run_Test ("encoding", Test_Encode'Access);
+   Run_Test ("what cannot be opened", Test_Open_Failures'Access);
+   Run_Test ("secrets of a URL", Test_Secrets'Access);
+   Run_Test ("reason and version", Test_Texts'Access);
+   Run_Test ("numbers within their ranges", Test_Ranges'Access);
+   Run_Test ("robots out of range are left out", Test_Unsound_Robots'Access);
+   Run_Test ("an arena out of range is none", Test_Unsound_Arena'Access);
 end Vision_Tests;

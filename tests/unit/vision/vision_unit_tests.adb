@@ -13,12 +13,12 @@ with Unit_Runs; use Unit_Runs;
 
 procedure Vision_Unit_Tests is
 begin
-   Add ("vision_c", Vision_C_Tests.Add_Tests'Access);
-   Add ("arena", Vision_Arena_Tests.Add_Tests'Access);
-   Add ("robots", Vision_Robot_Tests.Add_Tests'Access);
-   Add ("sources", Vision_Source_Tests.Add_Tests'Access);
-   Add ("the camera's own JPEG", Vision_Jpeg_Tests.Add_Tests'Access);
-   Add ("following", Following_Tests.Add_Tests'Access);
-   Add ("Ada side of the vision", Vision_Tests.Add_Tests'Access);
-   Run;
+   Group ("vision_c", Vision_C_Tests'Access);
+   Group ("arena", Vision_Arena_Tests'Access);
+   Group ("robots", Vision_Robot_Tests'Access);
+   Group ("sources", Vision_Source_Tests'Access);
+   Group ("the camera's own JPEG", Vision_Jpeg_Tests'Access);
+   Group ("following", Following_Tests'Access);
+   Group ("Ada side of the vision", Vision_Tests'Access);
+   Finish;
 end Vision_Unit_Tests;
