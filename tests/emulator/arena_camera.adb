@@ -15,7 +15,6 @@ with Interfaces.C;     use Interfaces.C;
 with GNAT.Random_Numbers;
 with GNAT.Sockets;     use GNAT.Sockets;
 
-with Arena_Scenes;
 with Instants;         use Instants;
 with Journals;
 with Libc;
@@ -24,6 +23,7 @@ with Polls;
 with Robot_Bench;
 with Robot_Core;
 with Robot_Motion;
+with Scenes;
 
 package body Arena_Camera is
 
@@ -51,8 +51,8 @@ package body Arena_Camera is
    --  Pixels. What is larger is drawn once: it would take half a second
 
    type Shot is record
-      Scene  : Arena_Scenes.Scene;
-      Number : Natural     := 0;
+      Scene  : Scenes.Description;
+      Number : Natural := 0;
       Time   : Instant := 0;
    end record;
    --  What was to be seen when
@@ -63,11 +63,7 @@ package body Arena_Camera is
       --  Before all others
 
       procedure Set_Mode (New_Mode : Mode_Kind);
-      procedure Set_Size (Width : Frame_Width; Height : Frame_Height);
-      procedure Set_Rate (Rate : Frame_Rate);
-      procedure Set_Late (Time : Delay_Time);
-      procedure Set_Displaced (By : Displacement);
-      procedure Set_Opening (Time : Opening_Time);
+      procedure Configure (S : Settings);
       procedure Mend;
 
       procedure Enter (Who : out Viewer_Count);
@@ -87,7 +83,6 @@ package body Arena_Camera is
 
       function Configuration return Settings;
       function Current_Mode return Mode_Kind;
-      function Opening return Opening_Time;
       function Newest return Shot;
       function Watching return Natural;
 
@@ -96,7 +91,6 @@ package body Arena_Camera is
       Usual   : Settings;
       --  At the start
       Chosen  : Settings;
-      Before  : Opening_Time := 0;
       Ready   : Boolean := False;
       Taken   : Viewer_Flags := (others => False);
       Looking : Viewer_Flags := (others => False);
@@ -127,7 +121,7 @@ package body Arena_Camera is
    --  Each viewer's own
 
    function Scene_Now (Time : Instant; Seed : Natural; S : Settings)
-     return Arena_Scenes.Scene
+     return Scenes.Description
    is
       --  What there is to be seen
       Robot : Robot_Core.Robot;
@@ -148,7 +142,7 @@ package body Arena_Camera is
          Seed   => unsigned (Seed),
          Robots => 1,
          Robot  =>
-           (1      =>
+           (0      =>
               (Marker  => Marker_Kind'Pos (S.Marker),
                Id      => int (S.Marker_Id),
                X       => double (Pose.X) / 10_000.0,
@@ -168,17 +162,15 @@ package body Arena_Camera is
          return Ada.Strings.Fixed.Trim (Text, Ada.Strings.Left);
       end Decimal;
 
-      Robot          : Arena_Scenes.Robot_In_Scene renames S.Scene.Robot (1);
-      Cx, Cy, Dx, Dy : double;
-      Status         : int;
-      Angle          : double;
+      Robot          : Scenes.Robot renames S.Scene.Robot (0);
+      Cx, Cy, Dx, Dy : double := 0.0;
+      Angle          : double := 0.0;
    begin
-      Arena_Scenes.Find_Robot (S.Scene, 0, Cx, Cy, Dx, Dy, Status);
-      if Status = 0 and then (Cx /= Dx or else Cy /= Dy) then
+      if Scenes.Robot_Truth (S.Scene, 0, Cx, Cy, Dx, Dy) = 0
+        and then (Cx /= Dx or else Cy /= Dy)
+      then
          Angle := double (Ada.Numerics.Long_Elementary_Functions.Arctan
            (Long_Float (Cy - Dy), Long_Float (Cx - Dx), Cycle => 360.0));
-      else
-         Angle := 0.0;
       end if;
       return Decimal (Robot.X) & ' ' & Decimal (Robot.Y)
         & ' ' & Decimal (Robot.Heading)
@@ -210,27 +202,29 @@ package body Arena_Camera is
         (Socket, IP_Protocol_For_TCP_Level, (No_Delay, Enabled => True));
    end Configure;
 
-   procedure Displace (Scene : in out Arena_Scenes.Scene; By : double) is
+   procedure Displace (Scene : in out Scenes.Description; By : double) is
       --  Its robot, by pixels of this standard deviation
       Width  : constant double :=
         double (Robot_Motion.Arena_Width) / 10_000.0;
       Height : constant double :=
         double (Robot_Motion.Arena_Height) / 10_000.0;
 
-      Robot       : Arena_Scenes.Robot_In_Scene renames Scene.Robot (1);
-      Beside      : Arena_Scenes.Scene := Scene;
+      Robot       : Scenes.Robot renames Scene.Robot (0);
+      Beside      : Scenes.Description := Scene;
       Here, There : double;
       Cy, Dx, Dy  : double;
-      Status      : int;
       Source      : GNAT.Random_Numbers.Generator;
       Centimetres : double;
 
       function Deviate return Long_Float is
         (GNAT.Random_Numbers.Random_Gaussian (Source));
    begin
-      Beside.Robot (1).X := Robot.X + 1.0;
-      Arena_Scenes.Find_Robot (Scene, 0, Here, Cy, Dx, Dy, Status);
-      Arena_Scenes.Find_Robot (Beside, 0, There, Cy, Dx, Dy, Status);
+      Beside.Robot (0).X := Robot.X + 1.0;
+      if Scenes.Robot_Truth (Scene, 0, Here, Cy, Dx, Dy) /= 0
+        or else Scenes.Robot_Truth (Beside, 0, There, Cy, Dx, Dy) /= 0
+      then
+         return;
+      end if;
       Centimetres := By / (There - Here);
 
       GNAT.Random_Numbers.Reset (Source, Integer (Scene.Seed));
@@ -292,8 +286,8 @@ package body Arena_Camera is
                if Wanted.Displaced > 0 then
                   Displace (S.Scene, double (Wanted.Displaced));
                end if;
-               Arena_Scenes.Draw
-                 (S.Scene, Quality, Drawn'Address, Largest_Image, Length);
+               Length := Scenes.Jpeg
+                 (S.Scene, Quality, Drawn'Address, Largest_Image);
             end if;
             Again := False;
             if Length > 0 then
@@ -365,7 +359,7 @@ package body Arena_Camera is
       procedure Make_Wait is
          --  As long as opening the camera takes, unless the viewer goes
          Step : constant Duration := 0.05;
-         Left : Duration := Duration (Studio.Opening) / 1_000;
+         Left : Duration := Duration (Studio.Configuration.Opening) / 1_000;
       begin
          while Left > 0.0 and then not Is_Gone loop
             delay Duration'Min (Left, Step);
@@ -567,7 +561,6 @@ package body Arena_Camera is
       begin
          Mode   := On;
          Chosen := Usual;
-         Before := 0;
       end Mend;
 
       function Newest return Shot is (Last);
@@ -593,8 +586,6 @@ package body Arena_Camera is
          Ready  := True;
       end Prepare;
 
-      function Opening return Opening_Time is (Before);
-
       procedure Publish
         (S : Shot; Data : Image; Length : Image_Length; Bare : Boolean) is
       begin
@@ -607,36 +598,15 @@ package body Arena_Camera is
          end if;
       end Publish;
 
-      procedure Set_Displaced (By : Displacement) is
+      procedure Configure (S : Settings) is
       begin
-         Chosen.Displaced := By;
-      end Set_Displaced;
-
-      procedure Set_Late (Time : Delay_Time) is
-      begin
-         Chosen.Late := Time;
-      end Set_Late;
+         Chosen := S;
+      end Configure;
 
       procedure Set_Mode (New_Mode : Mode_Kind) is
       begin
          Mode := New_Mode;
       end Set_Mode;
-
-      procedure Set_Opening (Time : Opening_Time) is
-      begin
-         Before := Time;
-      end Set_Opening;
-
-      procedure Set_Rate (Rate : Frame_Rate) is
-      begin
-         Chosen.Rate := Rate;
-      end Set_Rate;
-
-      procedure Set_Size (Width : Frame_Width; Height : Frame_Height) is
-      begin
-         Chosen.Width  := Width;
-         Chosen.Height := Height;
-      end Set_Size;
 
       entry Wait_For_Work when Has_Work is
       begin
@@ -743,35 +713,17 @@ package body Arena_Camera is
       Studio.Mend;
    end Mend;
 
-   procedure Set_Displaced (By : Displacement) is
-   begin
-      Studio.Set_Displaced (By);
-   end Set_Displaced;
+   function Configuration return Settings is (Studio.Configuration);
 
-   procedure Set_Late (Time : Delay_Time) is
+   procedure Configure (S : Settings) is
    begin
-      Studio.Set_Late (Time);
-   end Set_Late;
+      Studio.Configure (S);
+   end Configure;
 
    procedure Set_Mode (Mode : Mode_Kind) is
    begin
       Studio.Set_Mode (Mode);
    end Set_Mode;
-
-   procedure Set_Opening (Time : Opening_Time) is
-   begin
-      Studio.Set_Opening (Time);
-   end Set_Opening;
-
-   procedure Set_Rate (Rate : Frame_Rate) is
-   begin
-      Studio.Set_Rate (Rate);
-   end Set_Rate;
-
-   procedure Set_Size (Width : Frame_Width; Height : Frame_Height) is
-   begin
-      Studio.Set_Size (Width, Height);
-   end Set_Size;
 
    procedure Start
      (Port    : Natural;

@@ -29,6 +29,8 @@ package Arena_Camera is
    subtype Displacement is Natural range 0 .. 10;
    --  Pixels, standard deviation
    subtype Marker_Number is Natural range 0 .. 999;
+   subtype Opening_Time is Natural range 0 .. 60_000;
+   --  Milliseconds
 
    type Marker_Kind is (Aruco, Triangle);
 
@@ -45,6 +47,8 @@ package Arena_Camera is
       Displaced : Displacement  := 0;
       --  Of the robot in each image, in x and in y: any part of a pixel, not
       --  beyond the arena's edge. The n-th image has the same in each run.
+      Opening   : Opening_Time  := 0;
+      --  Delay of the reply to a request for images
    end record;
 
    procedure Start
@@ -63,16 +67,9 @@ package Arena_Camera is
 
    procedure Set_Mode (Mode : Mode_Kind);
 
-   procedure Set_Size (Width : Frame_Width; Height : Frame_Height);
-   procedure Set_Rate (Rate : Frame_Rate);
-   procedure Set_Late (Time : Delay_Time);
-   procedure Set_Displaced (By : Displacement);
+   function Configuration return Settings;
+   procedure Configure (S : Settings);
    --  From the next image on
-
-   subtype Opening_Time is Natural range 0 .. 60_000;
-
-   procedure Set_Opening (Time : Opening_Time);
-   --  Delay of the reply to a request for images, in milliseconds
 
    procedure Mend;
    --  Resets what is set by these

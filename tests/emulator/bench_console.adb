@@ -38,28 +38,24 @@ package body Bench_Console is
    procedure Obey_Camera (Name, Rest : String) is
       --  A command to the camera that takes a value
       use Arena_Camera;
+      S : Arena_Camera.Settings := Configuration;
    begin
       if Name = "size" then
-         declare
-            Width  : Frame_Width;
-            Height : Frame_Height;
-         begin
-            Size (Rest, Width, Height);
-            Set_Size (Width, Height);
-         end;
+         Size (Rest, S.Width, S.Height);
       elsif Name = "fps" then
-         Set_Rate (Whole (Rest, Frame_Rate'First, Frame_Rate'Last));
+         S.Rate := Whole (Rest, Frame_Rate'First, Frame_Rate'Last);
       elsif Name = "opening" then
-         Set_Opening (Whole (Rest, 0, Opening_Time'Last));
+         S.Opening := Whole (Rest, 0, Opening_Time'Last);
       elsif Name = "delay" then
-         Set_Late (Whole (Rest, Delay_Time'First, Delay_Time'Last));
+         S.Late := Whole (Rest, Delay_Time'First, Delay_Time'Last);
       elsif Name = "position-noise" then
-         Set_Displaced (Whole (Rest, Displacement'First, Displacement'Last));
+         S.Displaced := Whole (Rest, Displacement'First, Displacement'Last);
       else
          raise Bad_Value with
            "on, off, stall, garbage, size, fps, opening, delay,"
            & " position-noise or mend is expected";
       end if;
+      Configure (S);
    end Obey_Camera;
 
    procedure Print_Journal is
@@ -186,14 +182,6 @@ package body Bench_Console is
       --  The same; Bad_Value says what is wrong. Answer: if not "ok".
       Stop : constant Natural := Index (Rest & " ", Blanks);
 
-      function Count return Answer_Faults.Remaining is
-        (Whole (Rest, 0, Answer_Faults.Remaining'Last));
-
-      function Number return Answer_Faults.Remaining is
-        (Whole (Rest (Rest'First .. Stop - 1),
-                0, Answer_Faults.Remaining'Last));
-      --  The first of one or two
-
       function Second (Highest, Default : Natural) return Natural is
         (if Stop > Rest'Last then Default
          else Whole (Trim (Rest (Stop .. Rest'Last), Blanks, Blanks),
@@ -201,41 +189,37 @@ package body Bench_Console is
 
       Wheels : Robot_Motion.Wheel_Errors := Bench.Wheels;
 
+      function Is_Fault return Boolean is
+         --  Then it is set
+      begin
+         for Kind in Fault_Command loop
+            if Is_Word_Of (Name, Kind) then
+               if Kind = Truncate then
+                  Bench.Set
+                    (Kept_Bytes, Second (Robot_Core.Answer_Length'Last, 0));
+               elsif Kind = Flip and then Stop < Rest'Last then
+                  Bench.Set (Bit, Second (Answer_Faults.Bit_Number'Last, 0));
+               end if;
+               Bench.Set
+                 (Kind,
+                  Fault_Value
+                    (Kind,
+                     (if Kind in Truncate | Flip
+                      then Rest (Rest'First .. Stop - 1) else Rest)));
+               return True;
+            end if;
+         end loop;
+         return False;
+      end Is_Fault;
+
       procedure Say_Device is
       begin
          Answer := To_Unbounded_String ("ok device " & Serial_Side.Device);
       end Say_Device;
 
    begin
-      if Name = "silent" then
-         Bench.Set_Silent (On_Or_Off (Rest));
-      elsif Name = "drop" then
-         Bench.Set_Fault (Drop, Count);
-      elsif Name = "drop-every" then
-         Bench.Set_Every (Interval (Rest));
-      elsif Name = "lose" then
-         Bench.Set_Fault (Lose, Count);
-      elsif Name = "lose-every" then
-         Bench.Set_Lose_Every (Interval (Rest));
-      elsif Name = "corrupt" then
-         Bench.Set_Fault (Corrupt, Count);
-      elsif Name = "garbage" then
-         Bench.Set_Fault (Garbage, Count);
-      elsif Name = "truncate" then
-         Bench.Set_Kept_Bytes
-           (Second (Robot_Core.Answer_Length'Last, Default => 0));
-         Bench.Set_Fault (Truncate, Number);
-      elsif Name = "flip" then
-         if Index (Rest, Blanks) > 0 then
-            Bench.Set_Bit (Second (Answer_Faults.Bit_Number'Last, 0));
-         end if;
-         Bench.Set_Fault (Flip, Number);
-      elsif Name = "wrong" then
-         Bench.Set_Fault (Wrong, Count);
-      elsif Name = "pile" then
-         Bench.Set_Pile (Whole (Rest, 0, Answer_Faults.Max_Pile));
-      elsif Name = "endless" then
-         Bench.Set_Endless (On_Or_Off (Rest));
+      if Is_Fault then
+         null;
       elsif Name = "mend" then
          No_More (Rest);
          Bench.Mend;
@@ -243,11 +227,6 @@ package body Bench_Console is
          Bench.Set_Delay
            (Instant (Whole (Rest, 0, Settings.Largest_Delay))
             * 1_000_000);
-
-      elsif Name = "radio-losses" then
-         Bench.Set_Losses (Whole (Rest, 0, 100));
-      elsif Name = "radio-retries" then
-         Bench.Set_Retries (Whole (Rest, 0, 100));
 
       elsif Name = "unasked" then
          if Rest = "" then

@@ -73,21 +73,14 @@ begin
    Bench.Set_Wheels (V.Wheels);
    Bench.Set_Battery (V.Battery);
    Bench.Set_Charging (V.Charging);
-   Bench.Set_Silent (V.Silent);
+   Bench.Set (Silent, Boolean'Pos (V.Silent));
    if V.Stay_On then
       Bench.Stay_On;
    end if;
-   Bench.Set_Fault (Drop, V.Drop);
-   Bench.Set_Every (V.Every);
-   Bench.Set_Fault (Lose, V.Lose);
-   Bench.Set_Lose_Every (V.Lose_Every);
-   Bench.Set_Fault (Corrupt, V.Corrupt);
-   Bench.Set_Fault (Garbage, V.Garbage);
-   Bench.Set_Fault (Truncate, V.Truncate);
+   for Kind in Fault_Option loop
+      Bench.Set (Kind, V.Faults (Kind));
+   end loop;
    Bench.Set_Delay (Instant (V.Late) * 1_000_000);
-
-   Bench.Set_Losses (V.Chances.Losses);
-   Bench.Set_Retries (V.Chances.Retries);
 
    --  The camera first: where it fails there is no link to take back
 

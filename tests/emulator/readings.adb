@@ -2,6 +2,9 @@
 --  Numbers, words and poses as a person writes them.
 
 with Ada.Strings.Fixed;
+with Ada.Strings.Maps;
+
+with Answer_Faults;
 
 package body Readings is
 
@@ -130,14 +133,33 @@ package body Readings is
         & '.' & Part (Part'Last - 2 .. Part'Last);
    end Image;
 
-   function Interval (Text : String) return Answer_Faults.Interval is
-      Value : constant Natural := Whole (Text, 0, 1_000);
+   function Is_Word_Of (Text : String; Kind : Robot_Bench.Fault_Kind)
+     return Boolean
+   is (Text = Ada.Strings.Fixed.Translate
+                (Kind'Image, Ada.Strings.Maps.To_Mapping
+                   ("_ABCDEFGHIJKLMNOPQRSTUVWXYZ",
+                    "-abcdefghijklmnopqrstuvwxyz")));
+
+   function Fault_Value (Kind : Robot_Bench.Fault_Command; Text : String)
+     return Natural
+   is
+      use all type Robot_Bench.Fault_Kind;
+      Most  : constant Natural :=
+        (case Kind is
+            when Radio_Losses | Radio_Retries => 100,
+            when Lose_Every | Drop_Every      => 1_000,
+            when Pile                         => Answer_Faults.Max_Pile,
+            when others                       =>
+               Answer_Faults.Remaining'Last);
+      Value : constant Natural :=
+        (if Kind in Silent | Endless then Boolean'Pos (On_Or_Off (Text))
+         else Whole (Text, 0, Most));
    begin
-      if Value = 1 then
+      if Value = 1 and then Kind in Lose_Every | Drop_Every then
          raise Bad_Value with "0, or 2 to 1000 is expected";
       end if;
       return Value;
-   end Interval;
+   end Fault_Value;
 
    function On_Or_Off (Text : String) return Boolean is
    begin

@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Parses numbers, words and poses from the command line or standard input.
 
-with Answer_Faults;
 with Arena_Camera;
+with Robot_Bench;
 with Robot_Core;
 with Robot_Motion;
 
@@ -14,8 +14,13 @@ package Readings is
    function Whole (Text : String; Low, High : Integer) return Integer;
    --  A decimal number in Low .. High, or Bad_Value
 
-   function Interval (Text : String) return Answer_Faults.Interval;
-   --  0, or 2 and more
+   function Is_Word_Of (Text : String; Kind : Robot_Bench.Fault_Kind)
+     return Boolean;
+   --  Such as drop-every
+
+   function Fault_Value (Kind : Robot_Bench.Fault_Command; Text : String)
+     return Natural;
+   --  A number, or on or off, as Robot_Bench.Bench.Set takes it
 
    function On_Or_Off (Text : String) return Boolean;
 

@@ -169,86 +169,43 @@ package body Robot_Bench is
          Robot_Pasts.Add (Past, The_Robot);
       end Set_Charging;
 
-      procedure Set_Bit (Value : Answer_Faults.Bit_Number) is
-      begin
-         Faults.Bit := Value;
-      end Set_Bit;
-
       procedure Set_Delay (Value : Instant) is
       begin
          Held_Back := Value;
       end Set_Delay;
 
-      procedure Set_Endless (Value : Boolean) is
-      begin
-         Faults.Endless := Value;
-         if not Value then
-            Babbling := False;
-         end if;
-      end Set_Endless;
-
-      procedure Set_Every (Value : Answer_Faults.Interval) is
-      begin
-         Faults.Every  := Value;
-         Faults.Passed := 0;
-      end Set_Every;
-
-      procedure Set_Lose_Every (Value : Answer_Faults.Interval) is
-      begin
-         Faults.Lose_Every  := Value;
-         Faults.Lose_Passed := 0;
-      end Set_Lose_Every;
-
-      procedure Set_Fault
-        (Kind : Fault_Kind; Value : Answer_Faults.Remaining) is
+      procedure Set (Kind : Fault_Kind; Value : Natural) is
       begin
          case Kind is
-            when Lose =>
-               Faults.Lose := Value;
-            when Drop =>
-               Faults.Drop := Value;
-            when Corrupt =>
-               Faults.Corrupt := Value;
-            when Garbage =>
-               Faults.Garbage := Value;
-            when Truncate =>
-               Faults.Truncate := Value;
-            when Flip =>
-               Faults.Flip := Value;
-            when Wrong =>
-               Faults.Wrong := Value;
+            when Lose          => Faults.Lose := Value;
+            when Lose_Every    =>
+               Faults.Lose_Every  := Value;
+               Faults.Lose_Passed := 0;
+            when Drop          => Faults.Drop := Value;
+            when Drop_Every    =>
+               Faults.Every  := Value;
+               Faults.Passed := 0;
+            when Corrupt       => Faults.Corrupt := Value;
+            when Garbage       => Faults.Garbage := Value;
+            when Truncate      => Faults.Truncate := Value;
+            when Radio_Losses  => Radios.Losses := Value;
+            when Radio_Retries => Radios.Retries := Value;
+            when Flip          => Faults.Flip := Value;
+            when Wrong         => Faults.Wrong := Value;
+            when Pile          => Faults.Pile := Value;
+            when Silent        => Faults.Silent := Value > 0;
+            when Endless       =>
+               Faults.Endless := Value > 0;
+               Babbling := Babbling and then Value > 0;
+            when Kept_Bytes    => Faults.Keep := Value;
+            when Bit           => Faults.Bit := Value;
          end case;
-      end Set_Fault;
-
-      procedure Set_Kept_Bytes (Value : Answer_Length) is
-      begin
-         Faults.Keep := Value;
-      end Set_Kept_Bytes;
-
-      procedure Set_Losses (Value : Radio_Links.Percent) is
-      begin
-         Radios.Losses := Value;
-      end Set_Losses;
-
-      procedure Set_Retries (Value : Radio_Links.Percent) is
-      begin
-         Radios.Retries := Value;
-      end Set_Retries;
-
-      procedure Set_Pile (Value : Answer_Faults.Pile_Size) is
-      begin
-         Faults.Pile := Value;
-      end Set_Pile;
+      end Set;
 
       procedure Stay_On is
       begin
          Stays_On := True;
       end Stay_On;
-
-      procedure Set_Silent (Value : Boolean) is
-      begin
-         Faults.Silent := Value;
-      end Set_Silent;
 
       procedure Set_Wheels (Errors : Robot_Motion.Wheel_Errors) is
       begin

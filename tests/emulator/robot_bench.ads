@@ -23,7 +23,19 @@ package Robot_Bench is
    is (if Time <= Origin then 0
        else Robot_Core.Time_Point (Instant'(Time - Origin) / 1_000));
 
-   type Fault_Kind is (Lose, Drop, Corrupt, Garbage, Truncate, Flip, Wrong);
+   type Fault_Kind is
+     (Lose, Lose_Every, Drop, Drop_Every, Corrupt, Garbage, Truncate,
+      Radio_Losses, Radio_Retries,
+      Flip, Wrong, Pile, Silent, Endless,
+      Kept_Bytes,   --  of Truncate
+      Bit);         --  of Flip
+   --  As in Answer_Faults.Plan and Radio_Links.Chances
+
+   subtype Fault_Option is Fault_Kind range Lose .. Radio_Retries;
+   subtype Fault_Command is Fault_Kind range Lose .. Endless;
+   --  What the command line and the console know, by these names
+
+   type Fault_Values is array (Fault_Option) of Natural;
 
    protected Bench is
 
@@ -61,19 +73,11 @@ package Robot_Bench is
       procedure Mend;
       --  Removes all of the following faults
 
-      procedure Set_Silent (Value : Boolean);
-      procedure Set_Endless (Value : Boolean);
-      procedure Set_Fault
-        (Kind : Fault_Kind; Value : Answer_Faults.Remaining);
-      procedure Set_Every (Value : Answer_Faults.Interval);
-      procedure Set_Lose_Every (Value : Answer_Faults.Interval);
-      procedure Set_Pile (Value : Answer_Faults.Pile_Size);
-      procedure Set_Kept_Bytes (Value : Robot_Core.Answer_Length);
-      procedure Set_Bit (Value : Answer_Faults.Bit_Number);
+      procedure Set (Kind : Fault_Kind; Value : Natural);
+      --  Silent, Endless: 0 or 1. Value must be one that the plan, or the
+      --  chances, can take
       procedure Set_Delay (Value : Instant);
-      procedure Set_Losses (Value : Radio_Links.Percent);
 
-      procedure Set_Retries (Value : Radio_Links.Percent);
       function Chances return Radio_Links.Chances;
       --  Of the radios, if there are any
 

@@ -73,8 +73,13 @@ package body Settings is
    end Read_Command_Line;
 
    procedure Set (V : in out Values) is
-      subtype Remaining is Answer_Faults.Remaining;
    begin
+      for Kind in Robot_Bench.Fault_Option loop
+         if Is_Word_Of (Name (3 .. Name'Last), Kind) then
+            V.Faults (Kind) := Fault_Value (Kind, Value);
+            return;
+         end if;
+      end loop;
       if Name = "--link" or else Name = "--socket" then
          V.Socket := Name = "--socket";
          V.Link := To_Unbounded_String (Value);
@@ -102,10 +107,6 @@ package body Settings is
          V.Wheels.Overshoot := Number
            (Robot_Motion.Overshoot_Percent'First,
             Robot_Motion.Overshoot_Percent'Last);
-      elsif Name = "--radio-retries" then
-         V.Chances.Retries := Number (0, 100);
-      elsif Name = "--radio-losses" then
-         V.Chances.Losses := Number (0, 100);
       elsif Name = "--radio-seed" then
          V.Seed := Number (0);
       elsif Name = "--pull" then
@@ -135,20 +136,6 @@ package body Settings is
          V.Camera.Marker_Id := Number
            (Arena_Camera.Marker_Number'First,
             Arena_Camera.Marker_Number'Last);
-      elsif Name = "--drop" then
-         V.Drop := Number (Remaining'First, Remaining'Last);
-      elsif Name = "--drop-every" then
-         V.Every := Interval (Value);
-      elsif Name = "--lose" then
-         V.Lose := Number (Remaining'First, Remaining'Last);
-      elsif Name = "--lose-every" then
-         V.Lose_Every := Interval (Value);
-      elsif Name = "--corrupt" then
-         V.Corrupt := Number (Remaining'First, Remaining'Last);
-      elsif Name = "--garbage" then
-         V.Garbage := Number (Remaining'First, Remaining'Last);
-      elsif Name = "--truncate" then
-         V.Truncate := Number (Remaining'First, Remaining'Last);
       elsif Name = "--delay" then
          V.Late := Number (0, Largest_Delay);
       else

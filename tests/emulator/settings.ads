@@ -3,9 +3,8 @@
 
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
-with Answer_Faults;
 with Arena_Camera;
-with Radio_Links;
+with Robot_Bench;
 with Robot_Core;
 with Robot_Motion;
 with Serial_Side;
@@ -27,17 +26,11 @@ package Settings is
 
       Silent      : Boolean := False;
       Stay_On     : Boolean := False;
-      Drop        : Natural := 0;      --  answers
-      Every       : Answer_Faults.Interval := 0;
-      Lose        : Natural := 0;      --  commands
-      Lose_Every  : Answer_Faults.Interval := 0;
-      Corrupt     : Natural := 0;
-      Garbage     : Natural := 0;
-      Truncate    : Natural := 0;
+      Faults      : Robot_Bench.Fault_Values :=
+        (Robot_Bench.Radio_Retries => 2, others => 0);
       Late        : Natural := 0;      --  milliseconds
 
       Radio       : Boolean := False;
-      Chances     : Radio_Links.Chances;
       Seed        : Natural := 1;      --  of the radios
 
       With_Camera : Boolean := False;
