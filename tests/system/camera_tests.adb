@@ -22,7 +22,7 @@ with Rigs;                  use Rigs;
 with Samples;
 with Scenarios;             use Scenarios;
 
-package body Camera_Tests is
+procedure Camera_Tests is
 
    type Position is record
       Id             : Integer := 0;
@@ -315,10 +315,6 @@ package body Camera_Tests is
       Check_Within (Now - Time, 3.0, "the end");
    end Open_Takes_Long;
 
-   procedure Not_Open_Is_Anak is new Script
-     ("CPCO ANAK, CASA ANAK, CPST AACK, CCLS AACK, " & With_Images
-      & ", CCLS AACK, CASA ANAK", Camera => True);
-
    procedure Image_Period is
       --  F15: 10.0 images a second within 1 %, jitter 20 ms at p99
       R : Rig;
@@ -475,25 +471,6 @@ package body Camera_Tests is
       end loop;
    end No_Image_After_Close;
 
-   procedure Camera_Stalls is new Script
-     (With_Images & ", tell camera stall, comes "
-      & "MSSG:camera closed: it , log camera closed: it ,"
-      & " silence 0.7 CIMG MSSG, CPCO ANAK, RPIN ANAK, tell camera on, "
-      & With_Positions & ", CCLS AACK", Camera => True);
-
-   procedure Camera_Stalls_For_A_Time is new Script
-     (With_Images & ", tell camera stall, comes "
-      & "MSSG:camera closed: it has delivered nothing for 2.5 s",
-      Camera => True);
-   --  A URL is not given up before
-
-   procedure Camera_Goes is new Script
-     (With_Positions & ", tell camera off, comes "
-      & "MSSG:camera closed: it delivers no images any more,"
-      & " silence 0.5 CIMG CPOS, COPN ANAK, tell camera on, "
-      & With_Images, Camera => True);
-   --  Its stream is closed; a new one refused at first
-
    type Coordinates is array (1 .. 8) of Float;
 
    procedure Check_Ground
@@ -569,12 +546,6 @@ package body Camera_Tests is
       Expect ("arena", Arena => True);
       Expect ("none", Arena => False);
    end Drawn_As_Asked;
-
-   procedure Arena_Of_Stalled_Camera is new Script
-     (With_Images & ", tell camera stall, wait 1.0, send CASA, send nope,"
-      & " answer ANAK, answer ACER, log camera closed, tell camera on,"
-      & " CCLS AACK, " & With_Images, Camera => True);
-   --  The search waits for an image, until the camera counts as failed
 
    procedure Nothing_Found is
       --  Neither the arena nor a robot
@@ -749,46 +720,63 @@ package body Camera_Tests is
       Check (abs (After.Cy - Before.Cy) < 3.0, "not straight on");
    end Loop_Closes;
 
-   procedure Register is
-   begin
-      Add ("F14_F16_Open_And_Close", Open_And_Close'Access);
-      Add ("F14_Open_Fails", Open_Fails'Access);
-      Add ("F14_Library_Loaded_When_Opened", Loaded_When_Opened'Access);
-      Add ("F14_Library_Missing", Library_Missing'Access);
-      Add ("F14_Open_Takes_Long", Open_Takes_Long'Access);
-      Add ("F14_Open_Takes_Long_In_Time", Open_Takes_Long'Access,
-           Timed => True);
-      Add ("F14_Not_Open_Is_ANAK", Not_Open_Is_Anak'Access);
-      Add ("F15_Image_Period", Image_Period'Access, Timed => True);
-      Add ("F15_Other_Period", Other_Period'Access, Timed => True);
-      Add ("F15_Still_Image_Period", Still_Image_Period'Access,
-           Timed => True);
-      Add ("F15_Other_Rate_Size_And_Quality",
-           Other_Rate_And_Size'Access);
-      Add ("F15_Own_JPEG_Of_The_Camera", Own_Jpeg'Access);
-      Add ("F15_Image_Size_Changes", Changing_Size'Access);
-      Add ("F15_Damaged_Images", Damaged_Images'Access);
-      Add ("F14_Still_Image_As_Camera", Still_Image'Access);
-      Add ("F16_No_Image_After_Close", No_Image_After_Close'Access);
-      Add ("F15_Camera_Stops_Delivering", Camera_Stalls'Access);
-      Add ("F15_Camera_Silent_For_A_Time", Camera_Stalls_For_A_Time'Access,
-           Timed => True);
-      Add ("F15_Camera_Goes_Away", Camera_Goes'Access);
-      Add ("F17_Arena_Confirmed_Or_Rejected", Arena_Decided'Access);
-      Add ("F17_F18_Drawn_As_Asked", Drawn_As_Asked'Access);
-      Add ("F17_Arena_Of_Stalled_Camera",
-           Arena_Of_Stalled_Camera'Access);
-      Add ("F17_F18_Neither_Arena_Nor_Robot", Nothing_Found'Access);
-      Add ("F17_Decision_Without_Search", Decision_Alone'Access);
-      Add ("F18_Positions_True", Positions_True'Access);
-      Add ("F18_Positions_In_Every_Image", Positions_Every_Image'Access);
-      Add ("F18_Position_Period", Position_Period'Access, Timed => True);
-      Add ("F18_Position_Of_Triangle", Position_Of_Triangle'Access);
-      Add ("F18_Position_Of_Late_Image", Position_Of_Late_Image'Access);
-      Add ("F18_Position_Of_Late_Image_In_Time",
-           Position_Of_Late_Image'Access, Timed => True);
-      Add ("F19_Position_Stopped", Position_Stopped'Access);
-      Add ("F12_F18_Loop_Closes", Loop_Closes'Access);
-   end Register;
-
+begin
+   Add ("F14_F16_Open_And_Close", Open_And_Close'Access);
+   Add ("F14_Open_Fails", Open_Fails'Access);
+   Add ("F14_Library_Loaded_When_Opened", Loaded_When_Opened'Access);
+   Add ("F14_Library_Missing", Library_Missing'Access);
+   Add ("F14_Open_Takes_Long", Open_Takes_Long'Access);
+   Add ("F14_Open_Takes_Long_In_Time", Open_Takes_Long'Access, Timed => True);
+   Script
+     ("F14_Not_Open_Is_ANAK",
+      "CPCO ANAK, CASA ANAK, CPST AACK, CCLS AACK, " & With_Images
+      & ", CCLS AACK, CASA ANAK", Camera => True);
+   Add ("F15_Image_Period", Image_Period'Access, Timed => True);
+   Add ("F15_Other_Period", Other_Period'Access, Timed => True);
+   Add ("F15_Still_Image_Period", Still_Image_Period'Access, Timed => True);
+   Add ("F15_Other_Rate_Size_And_Quality", Other_Rate_And_Size'Access);
+   Add ("F15_Own_JPEG_Of_The_Camera", Own_Jpeg'Access);
+   Add ("F15_Image_Size_Changes", Changing_Size'Access);
+   Add ("F15_Damaged_Images", Damaged_Images'Access);
+   Add ("F14_Still_Image_As_Camera", Still_Image'Access);
+   Add ("F16_No_Image_After_Close", No_Image_After_Close'Access);
+   Script
+     ("F15_Camera_Stops_Delivering",
+      With_Images & ", tell camera stall, comes "
+      & "MSSG:camera closed: it , log camera closed: it ,"
+      & " silence 0.7 CIMG MSSG, CPCO ANAK, RPIN ANAK, tell camera on, "
+      & With_Positions & ", CCLS AACK", Camera => True);
+   Script
+     ("F15_Camera_Silent_For_A_Time",
+      With_Images & ", tell camera stall, comes "
+      & "MSSG:camera closed: it has delivered nothing for 2.5 s",
+      Camera => True,
+      Timed => True);
+   --  A URL is not given up before
+   Script
+     ("F15_Camera_Goes_Away",
+      With_Positions & ", tell camera off, comes "
+      & "MSSG:camera closed: it delivers no images any more,"
+      & " silence 0.5 CIMG CPOS, COPN ANAK, tell camera on, "
+      & With_Images, Camera => True);
+   --  Its stream is closed; a new one refused at first
+   Add ("F17_Arena_Confirmed_Or_Rejected", Arena_Decided'Access);
+   Add ("F17_F18_Drawn_As_Asked", Drawn_As_Asked'Access);
+   Script
+     ("F17_Arena_Of_Stalled_Camera",
+      With_Images & ", tell camera stall, wait 1.0, send CASA, send nope,"
+      & " answer ANAK, answer ACER, log camera closed, tell camera on,"
+      & " CCLS AACK, " & With_Images, Camera => True);
+   --  The search waits for an image, until the camera counts as failed
+   Add ("F17_F18_Neither_Arena_Nor_Robot", Nothing_Found'Access);
+   Add ("F17_Decision_Without_Search", Decision_Alone'Access);
+   Add ("F18_Positions_True", Positions_True'Access);
+   Add ("F18_Positions_In_Every_Image", Positions_Every_Image'Access);
+   Add ("F18_Position_Period", Position_Period'Access, Timed => True);
+   Add ("F18_Position_Of_Triangle", Position_Of_Triangle'Access);
+   Add ("F18_Position_Of_Late_Image", Position_Of_Late_Image'Access);
+   Add ("F18_Position_Of_Late_Image_In_Time",
+        Position_Of_Late_Image'Access, Timed => True);
+   Add ("F19_Position_Stopped", Position_Stopped'Access);
+   Add ("F12_F18_Loop_Closes", Loop_Closes'Access);
 end Camera_Tests;

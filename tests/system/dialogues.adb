@@ -8,6 +8,7 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Emulators;
 with Expectations;          use Expectations;
 with Monitor_Clients;       use Monitor_Clients;
+with Scenarios;
 
 package body Dialogues is
 
@@ -98,13 +99,28 @@ package body Dialogues is
       end loop;
    end Play;
 
-   procedure Script is
-      R : Rig;
+   procedure Script
+     (Name               : String;
+      Steps              : String;
+      Emulator_Options   : String   := "";
+      Supervisor_Options : String   := "";
+      Camera             : Boolean  := False;
+      Terminal           : Boolean  := False;
+      Times              : Positive := 1;
+      Timed              : Boolean  := False)
+   is
+
+      procedure Run is
+         R : Rig;
+      begin
+         Assemble
+           (R, Camera, Emulator_Options, Supervisor_Options,
+            Terminal => Terminal);
+         Play (R, Steps, Times);
+      end Run;
+
    begin
-      Assemble
-        (R, Camera, Emulator_Options, Supervisor_Options,
-         Terminal => Terminal);
-      Play (R, Steps, Times);
+      Scenarios.Add (Name, Run'Access, Timed);
    end Script;
 
 end Dialogues;

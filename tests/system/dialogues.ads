@@ -25,15 +25,16 @@ package Dialogues is
    --  unsaid robot lost   the log has never said so
    --  wait 0.5            for nothing
 
-   generic
-      Steps            : String;
-      Emulator_Options : String   := "";
-      Supervisor_Options : String := "";
-      Camera           : Boolean  := False;
-      Terminal         : Boolean  := False;
-      Times            : Positive := 1;
-   procedure Script;
-   --  Assembles a rig and plays Steps
+   procedure Script
+     (Name               : String;
+      Steps              : String;
+      Emulator_Options   : String   := "";
+      Supervisor_Options : String   := "";
+      Camera             : Boolean  := False;
+      Terminal           : Boolean  := False;
+      Times              : Positive := 1;
+      Timed              : Boolean  := False);
+   --  Adds a test (Scenarios) that assembles a rig and plays Steps
 
    Works_Again : constant String :=
      "RPIN ANAK, RGFW ANAK, RSOW ANAK, ROPN AACK, RSOW AACK, RGFW AACK,"

@@ -13,7 +13,7 @@ with Rigs;                  use Rigs;
 with Samples;
 with Scenarios;             use Scenarios;
 
-package body Mission_Tests is
+procedure Mission_Tests is
 
    Near  : constant String := "MPCM:52;38;28;38";
    Far   : constant String := "MGCM:68;48";
@@ -321,34 +321,28 @@ package body Mission_Tests is
       Check_Within (Taken.Quantile (0.5), Stop_Limit, "the stop");
    end Ended_By_Stalled_Camera;
 
-   procedure Register is
-   begin
-      Add ("Mission_Refused_With_Reason", Refused_With_Reason'Access);
-      Add ("Mission_Refused_As_Arena_Too_Small",
-           Refused_As_Arena_Too_Small'Access);
-      --  300 ms without an image end a mission that is under way
-      Add ("Mission_Path_Is_Driven", Path_Is_Driven'Access, Timed => True);
-      Add ("Mission_One_At_A_Time", One_At_A_Time'Access, Timed => True);
-      Add ("Mission_Ended_By_Stop", Ended_By_Stop'Access, Timed => True);
-      Add ("Mission_Ended_By_Drive_By_Hand", Ended_By_Drive'Access,
-           Timed => True);
-      Add ("Mission_Ended_By_Turn_By_Hand", Ended_By_Turn'Access,
-           Timed => True);
-      Add ("Mission_Ended_By_Closed_Line", Ended_By_Close'Access,
-           Timed => True);
-      Add ("Mission_Of_Robot_Far_From_Ideal", Far_From_Ideal'Access,
-           Timed => True);
-      Add ("Mission_Ended_By_Abort", Ended_By_Abort'Access, Timed => True);
-      Add ("Mission_Ended_By_Lost_Monitor", Ended_By_Lost_Monitor'Access,
-           Timed => True);
-      Add ("Mission_Ended_By_Stalled_Camera", Ended_By_Stalled_Camera'Access,
-           Timed => True);
-      Add ("Mission_Ended_By_Robot_Out_Of_Sight", Out_Of_Sight'Access,
-           Timed => True);
-      Add ("Mission_Ended_By_Positions_Off", Positions_Off'Access,
-           Timed => True);
-      Add ("Mission_Ended_By_Lost_Robot", Robot_Lost'Access, Timed => True);
-      Add ("Mission_Ended_By_Reset_Robot", Robot_Reset'Access, Timed => True);
-   end Register;
-
+begin
+   Add ("Mission_Refused_With_Reason", Refused_With_Reason'Access);
+   Add ("Mission_Refused_As_Arena_Too_Small",
+        Refused_As_Arena_Too_Small'Access);
+   --  300 ms without an image end a mission that is under way
+   Add ("Mission_Path_Is_Driven", Path_Is_Driven'Access, Timed => True);
+   Add ("Mission_One_At_A_Time", One_At_A_Time'Access, Timed => True);
+   Add ("Mission_Ended_By_Stop", Ended_By_Stop'Access, Timed => True);
+   Add ("Mission_Ended_By_Drive_By_Hand",
+        Ended_By_Drive'Access, Timed => True);
+   Add ("Mission_Ended_By_Turn_By_Hand", Ended_By_Turn'Access, Timed => True);
+   Add ("Mission_Ended_By_Closed_Line", Ended_By_Close'Access, Timed => True);
+   Add ("Mission_Of_Robot_Far_From_Ideal",
+        Far_From_Ideal'Access, Timed => True);
+   Add ("Mission_Ended_By_Abort", Ended_By_Abort'Access, Timed => True);
+   Add ("Mission_Ended_By_Lost_Monitor",
+        Ended_By_Lost_Monitor'Access, Timed => True);
+   Add ("Mission_Ended_By_Stalled_Camera",
+        Ended_By_Stalled_Camera'Access, Timed => True);
+   Add ("Mission_Ended_By_Robot_Out_Of_Sight",
+        Out_Of_Sight'Access, Timed => True);
+   Add ("Mission_Ended_By_Positions_Off", Positions_Off'Access, Timed => True);
+   Add ("Mission_Ended_By_Lost_Robot", Robot_Lost'Access, Timed => True);
+   Add ("Mission_Ended_By_Reset_Robot", Robot_Reset'Access, Timed => True);
 end Mission_Tests;

@@ -10,7 +10,7 @@ with Plain_Numbers;         use Plain_Numbers;
 with Real_Missions;
 with Scenarios;             use Scenarios;
 
-package body Mission_Trial_Tests is
+procedure Mission_Trial_Tests is
 
    Seed : constant := 1;
    --  The same missions each time, some of script/bench missions: those that
@@ -58,10 +58,7 @@ package body Mission_Trial_Tests is
       Try (30);
    end With_Faults;
 
-   procedure Register is
-   begin
-      Add ("Mission_Trial_Ideal", Ideal'Access, Timed => True);
-      Add ("Mission_Trial_With_Faults", With_Faults'Access, Timed => True);
-   end Register;
-
+begin
+   Add ("Mission_Trial_Ideal", Ideal'Access, Timed => True);
+   Add ("Mission_Trial_With_Faults", With_Faults'Access, Timed => True);
 end Mission_Trial_Tests;

@@ -18,7 +18,7 @@ with Rigs;                  use Rigs;
 with Samples;
 with Scenarios;             use Scenarios;
 
-package body Monitor_Tests is
+procedure Monitor_Tests is
 
    type Natural_Array is array (Positive range <>) of Natural;
 
@@ -933,10 +933,6 @@ package body Monitor_Tests is
          "the second monitor commands the robot");
    end Second_Is_Refused;
 
-   procedure Log_Messages is new Script
-     ("send MSSG:the user says hello, send MSSG, send CACO, send CAIN,"
-      & " silence 0.3 AACK ANAK ACRJ ATIM, RPIN ANAK");
-
    procedure Line_Ends is
       R : Rig;
    begin
@@ -968,65 +964,54 @@ package body Monitor_Tests is
       Check (R.Emulator.Count_Of ("T=-12") = 1, "no T=-12 on the wire");
    end Lines_In_Pieces;
 
-   procedure Register is
-   begin
-      Add ("F03_Rule_1_Answers_In_Order", Answers_In_Order'Access);
-      Add ("F03_Lines_In_Pieces", Lines_In_Pieces'Access);
-      Add ("F03_Line_Ends_Tolerated", Line_Ends'Access);
-      Add ("F03_Telnet_Commands_Skipped", Telnet_Commands'Access);
-      Add ("F03_Log_Message_Unanswered", Log_Messages'Access);
-      Add ("F04_Answers_Are_Prompt", Answers_Are_Prompt'Access,
-           Timed => True);
-      Add ("F04_Messages_Kept_Apart", Messages_Kept_Apart'Access,
-           Timed => True);
-      Add ("F04_Reader_As_The_Existing_Monitor", Late_Reader'Access,
-           Timed => True);
-      Add ("F04_No_Gap_On_Request", No_Gap_On_Request'Access, Timed => True);
-      Add ("F04_Rule_7_Answers_Held_Apart", Answers_Held_Apart'Access,
-           Timed => True);
-      Add ("F04_F15_Slow_Monitor", Slow_Monitor'Access);
-      Add ("F05_F06_Monitor_Lost_Orderly", Lost_Orderly'Access);
-      Add ("F05_F06_Monitor_Lost_By_Reset", Lost_By_Reset'Access);
-      Add ("F05_F06_Monitor_Lost_By_Half_Close",
-           Lost_Half_Closed'Access);
-      Add ("F05_F06_Monitor_Lost_With_Half_A_Line",
-           Lost_With_Half_A_Line'Access);
-      Add ("F06_Monitor_Lost_With_Orders_Waiting",
-           Lost_With_Orders'Access);
-      Add ("F06_Monitor_Lost_While_Robot_Is_Silent",
-           Lost_Robot_Silent'Access);
-      Add ("F06_Monitor_Lost_With_Everything_On",
-           Lost_With_Everything_On'Access);
-      Add ("F06_Monitor_Lost_In_Time", Losses_In_Time'Access, Timed => True);
-      Add ("F05_Monitor_Vanished_While_Idle", Vanished_Idle'Access);
-      Add ("F05_Monitor_Vanished_While_Streaming",
-           Vanished_Streaming'Access);
-      Add ("F05_Monitor_Present_Without_Tcp_Info",
-           Present_With_Short_Info'Access);
-      Add ("F05_Monitor_Vanished_Idle_Without_Tcp_Info",
-           Vanished_Idle_Short'Access);
-      Add ("F05_Monitor_Vanished_Streaming_Without_Tcp_Info",
-           Vanished_Streaming_Short'Access);
-      Add ("F05_Monitor_Vanished_Before_A_Message",
-           Vanished_Before_A_Message'Access);
-      Add ("F05_Monitor_Machine_Fallen_Silent", Fallen_Silent'Access);
-      Add ("F05_Own_Interface_Down", Own_Interface_Down'Access);
-      Add ("F05_Own_Address_Gone", Own_Address_Gone'Access);
-      Add ("F05_Own_Route_Gone", Own_Route_Gone'Access);
-      Add ("F05_Cut_To_Monitor", Cut_To_Monitor'Access);
-      Add ("F05_Cut_From_Monitor", Cut_From_Monitor'Access);
-      Add ("F05_Monitor_Vanished_In_Time", Vanished_In_Time'Access,
-           Timed => True);
-      Add ("F05_Monitor_Stalled", Stalled'Access, Timed => True);
-      Add ("Never_Moves_On_For_A_Silent_Monitor",
-           Announced_And_Silent'Access);
-      Add ("Never_Moves_On_Beyond_Monitor_Silence",
-           Silent_For_Too_Long'Access);
-      Add ("Never_Moves_On_For_A_Frozen_Console", Console_Frozen'Access);
-      Add ("Never_Moves_On_For_Long", Announced_In_Time'Access,
-           Timed => True);
-      Add ("F02_None_Is_Forgotten", None_Is_Forgotten'Access);
-      Add ("F02_Second_Monitor_Is_Refused", Second_Is_Refused'Access);
-   end Register;
-
+begin
+   Add ("F03_Rule_1_Answers_In_Order", Answers_In_Order'Access);
+   Add ("F03_Lines_In_Pieces", Lines_In_Pieces'Access);
+   Add ("F03_Line_Ends_Tolerated", Line_Ends'Access);
+   Add ("F03_Telnet_Commands_Skipped", Telnet_Commands'Access);
+   Script
+     ("F03_Log_Message_Unanswered",
+      "send MSSG:the user says hello, send MSSG, send CACO, send CAIN,"
+      & " silence 0.3 AACK ANAK ACRJ ATIM, RPIN ANAK");
+   Add ("F04_Answers_Are_Prompt", Answers_Are_Prompt'Access, Timed => True);
+   Add ("F04_Messages_Kept_Apart", Messages_Kept_Apart'Access, Timed => True);
+   Add ("F04_Reader_As_The_Existing_Monitor",
+        Late_Reader'Access, Timed => True);
+   Add ("F04_No_Gap_On_Request", No_Gap_On_Request'Access, Timed => True);
+   Add ("F04_Rule_7_Answers_Held_Apart",
+        Answers_Held_Apart'Access, Timed => True);
+   Add ("F04_F15_Slow_Monitor", Slow_Monitor'Access);
+   Add ("F05_F06_Monitor_Lost_Orderly", Lost_Orderly'Access);
+   Add ("F05_F06_Monitor_Lost_By_Reset", Lost_By_Reset'Access);
+   Add ("F05_F06_Monitor_Lost_By_Half_Close", Lost_Half_Closed'Access);
+   Add ("F05_F06_Monitor_Lost_With_Half_A_Line", Lost_With_Half_A_Line'Access);
+   Add ("F06_Monitor_Lost_With_Orders_Waiting", Lost_With_Orders'Access);
+   Add ("F06_Monitor_Lost_While_Robot_Is_Silent", Lost_Robot_Silent'Access);
+   Add ("F06_Monitor_Lost_With_Everything_On", Lost_With_Everything_On'Access);
+   Add ("F06_Monitor_Lost_In_Time", Losses_In_Time'Access, Timed => True);
+   Add ("F05_Monitor_Vanished_While_Idle", Vanished_Idle'Access);
+   Add ("F05_Monitor_Vanished_While_Streaming", Vanished_Streaming'Access);
+   Add ("F05_Monitor_Present_Without_Tcp_Info",
+        Present_With_Short_Info'Access);
+   Add ("F05_Monitor_Vanished_Idle_Without_Tcp_Info",
+        Vanished_Idle_Short'Access);
+   Add ("F05_Monitor_Vanished_Streaming_Without_Tcp_Info",
+        Vanished_Streaming_Short'Access);
+   Add ("F05_Monitor_Vanished_Before_A_Message",
+        Vanished_Before_A_Message'Access);
+   Add ("F05_Monitor_Machine_Fallen_Silent", Fallen_Silent'Access);
+   Add ("F05_Own_Interface_Down", Own_Interface_Down'Access);
+   Add ("F05_Own_Address_Gone", Own_Address_Gone'Access);
+   Add ("F05_Own_Route_Gone", Own_Route_Gone'Access);
+   Add ("F05_Cut_To_Monitor", Cut_To_Monitor'Access);
+   Add ("F05_Cut_From_Monitor", Cut_From_Monitor'Access);
+   Add ("F05_Monitor_Vanished_In_Time",
+        Vanished_In_Time'Access, Timed => True);
+   Add ("F05_Monitor_Stalled", Stalled'Access, Timed => True);
+   Add ("Never_Moves_On_For_A_Silent_Monitor", Announced_And_Silent'Access);
+   Add ("Never_Moves_On_Beyond_Monitor_Silence", Silent_For_Too_Long'Access);
+   Add ("Never_Moves_On_For_A_Frozen_Console", Console_Frozen'Access);
+   Add ("Never_Moves_On_For_Long", Announced_In_Time'Access, Timed => True);
+   Add ("F02_None_Is_Forgotten", None_Is_Forgotten'Access);
+   Add ("F02_Second_Monitor_Is_Refused", Second_Is_Refused'Access);
 end Monitor_Tests;

@@ -13,7 +13,7 @@ with Process_Facts;
 with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
 
-package body Never_Tests is
+procedure Never_Tests is
 
    subtype Byte is Character;
    package Random_Characters is new Ada.Numerics.Discrete_Random (Byte);
@@ -375,24 +375,15 @@ package body Never_Tests is
       Check (After <= Memory + Kept, "memory grows");
    end Flat_Over_Large_Images;
 
-   procedure Register is
-   begin
-      Add ("Never_Crashes_On_Malformed_Commands",
-           Malformed_Commands'Access);
-      Add ("Never_Crashes_On_Superfluous_Data",
-           Superfluous_Data'Access);
-      Add ("Never_Crashes_On_A_Line_Without_End",
-           Line_Without_End'Access);
-      Add ("Never_Crashes_On_Random_Bytes", Random_Bytes'Access);
-      Add ("Never_Crashes_On_Random_Commands",
-           Random_Commands'Access);
-      Add ("Never_Crashes_On_Garbage_From_The_Robot",
-           Garbage_From_Robot'Access);
-      Add ("Never_Drops_An_Answer",
-           Answers_Kept_For_A_Stalled_Monitor'Access);
-      Add ("Never_Grows_In_Cycles", Flat_Over_Cycles'Access);
-      Add ("Never_Keeps_The_Memory_Of_Large_Images",
-           Flat_Over_Large_Images'Access, Timed => True);
-   end Register;
-
+begin
+   Add ("Never_Crashes_On_Malformed_Commands", Malformed_Commands'Access);
+   Add ("Never_Crashes_On_Superfluous_Data", Superfluous_Data'Access);
+   Add ("Never_Crashes_On_A_Line_Without_End", Line_Without_End'Access);
+   Add ("Never_Crashes_On_Random_Bytes", Random_Bytes'Access);
+   Add ("Never_Crashes_On_Random_Commands", Random_Commands'Access);
+   Add ("Never_Crashes_On_Garbage_From_The_Robot", Garbage_From_Robot'Access);
+   Add ("Never_Drops_An_Answer", Answers_Kept_For_A_Stalled_Monitor'Access);
+   Add ("Never_Grows_In_Cycles", Flat_Over_Cycles'Access);
+   Add ("Never_Keeps_The_Memory_Of_Large_Images",
+        Flat_Over_Large_Images'Access, Timed => True);
 end Never_Tests;

@@ -9,7 +9,6 @@ with GNAT.OS_Lib;
 with Interfaces.C;          use Interfaces.C;
 
 with Child_Processes;       use Child_Processes;
-with Emulators;
 with Expectations;          use Expectations;
 with Instants;              use Instants;
 with Libc;
@@ -22,7 +21,7 @@ with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
 with Supervisors;
 
-package body Process_Tests is
+procedure Process_Tests is
 
    Stop_Limit : constant Duration := 3.0;
    --  An orderly stop takes less than 1 s, and three on a busy machine
@@ -57,12 +56,24 @@ package body Process_Tests is
       GNAT.OS_Lib.Free (Tool);
    end Need_Tool;
 
-   procedure Expect_Orderly_End (R : in out Rig; Since : Instant) is
-      Status : constant Integer := R.Supervisor.Exit_Status;
+   procedure Stop_Orderly
+     (R      : in out Rig;
+      Signal : int     := Libc.Sigterm;
+      Twice  : Boolean := False)
+   is
+      --  The robot stands then
+      Start  : constant Instant := Now;
+      Status : Integer;
    begin
-      Check_Within (Now - Since, Stop_Limit, "the end");
+      R.Supervisor.Send_Signal (Signal);
+      if Twice and then R.Supervisor.Is_Running then
+         R.Supervisor.Send_Signal (Libc.Sigterm);
+      end if;
+      Status := R.Supervisor.Exit_Status;
+      Check_Within (Now - Start, Stop_Limit, "the end");
       Check (Status = 0, "exit status" & Status'Image);
-   end Expect_Orderly_End;
+      R.Emulator.Await_Status ("moving", "0");
+   end Stop_Orderly;
 
    procedure Stop_While_Moving (Signal : int) is
       R    : Rig;
@@ -71,15 +82,9 @@ package body Process_Tests is
       Assemble (R);
       Move_Forward (R);
       Time := Now;
-      R.Supervisor.Send_Signal (Signal);
-      declare
-         Stop : constant Emulators.Note :=
-           R.Emulator.Await_On_Wire ("M=0");
-      begin
-         Check_Within (Stop.First - Time, 0.5, "the stop");
-      end;
-      Expect_Orderly_End (R, Time);
-      R.Emulator.Await_Status ("moving", "0");
+      Stop_Orderly (R, Signal);
+      Check_Within
+        (R.Emulator.Await_On_Wire ("M=0").First - Time, 0.5, "the stop");
       Check
         (R.Monitor.Closed_By_Peer /= Open,
          "the monitor is still connected");
@@ -141,78 +146,55 @@ package body Process_Tests is
    end Stopped_By_Sigint;
 
    procedure Stopped_With_Camera is
-      R    : Rig;
-      Time : Instant;
+      R : Rig;
    begin
       Assemble (R, Camera => True);
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
       R.Monitor.Expect ("RGFW", "AACK");
-      Time := Now;
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Expect_Orderly_End (R, Time);
-      R.Emulator.Await_Status ("moving", "0");
+      Stop_Orderly (R);
       R.Emulator.Await_Status ("viewers", "0");
    end Stopped_With_Camera;
 
    procedure Stopped_While_Robot_Silent is
       --  The stop is sent although nothing answers
-      R    : Rig;
-      Time : Instant;
+      R : Rig;
    begin
       Assemble (R);
       Move_Forward (R);
       R.Emulator.Tell ("silent on");
-      Time := Now;
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Expect_Orderly_End (R, Time);
-      R.Emulator.Await_Status ("moving", "0");
+      Stop_Orderly (R);
    end Stopped_While_Robot_Silent;
 
    procedure Stopped_While_Camera_Stalls is
-      R    : Rig;
-      Time : Instant;
+      R : Rig;
    begin
       Assemble (R, Camera => True);
       Open_Camera (R);
       Move_Forward (R);
       R.Emulator.Tell ("camera stall");
       delay 0.3;
-      Time := Now;
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Expect_Orderly_End (R, Time);
-      R.Emulator.Await_Status ("moving", "0");
+      Stop_Orderly (R);
    end Stopped_While_Camera_Stalls;
 
    procedure Stopped_With_Stalled_Monitor is
-      R    : Rig;
-      Time : Instant;
+      R : Rig;
    begin
       Assemble (R, Camera => True);
       Open_Camera (R);
       Move_Forward (R);
       R.Monitor.Pause;
       delay 1.5;
-      Time := Now;
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Expect_Orderly_End (R, Time);
-      R.Emulator.Await_Status ("moving", "0");
+      Stop_Orderly (R);
    end Stopped_With_Stalled_Monitor;
 
    procedure Stopped_At_Once is
       --  Without a session, and twice
-      R    : Rig;
-      Time : Instant;
+      R : Rig;
    begin
       Assemble (R, Connected => False);
-      Time := Now;
-      R.Supervisor.Send_Signal (Libc.Sigint);
-      if R.Supervisor.Is_Running then
-         R.Supervisor.Send_Signal (Libc.Sigterm);
-      end if;
-      Expect_Orderly_End (R, Time);
-      Check
-        (not Connects (R.Supervisor.Port), "somebody still listens");
+      Stop_Orderly (R, Libc.Sigint, Twice => True);
+      Check (not Connects (R.Supervisor.Port), "somebody still listens");
    end Stopped_At_Once;
 
    procedure Thirteen_Threads is
@@ -837,7 +819,6 @@ package body Process_Tests is
       --  Nobody reads the log: its pipe is full after 64 kB
       Count : constant := 3_000;
       R     : Rig;
-      Time  : Instant;
    begin
       Assemble (R, Supervisor_Options => "--log-level debug",
                 Emulator_Options => "--baud 0");
@@ -853,9 +834,7 @@ package body Process_Tests is
       end loop;
       R.Monitor.Expect ("RGFW", "AACK");
       R.Emulator.Clear_Journal;
-      Time := Now;
-      R.Supervisor.Send_Signal (Libc.Sigterm);
-      Expect_Orderly_End (R, Time);
+      Stop_Orderly (R);
       Check (R.Emulator.Count_Of ("M=0") >= 1, "no stop on the wire");
    end Console_Blocked;
 
@@ -896,55 +875,40 @@ package body Process_Tests is
       Failing_Task;
    end Stops_In_Time;
 
-   procedure Register is
-   begin
-      Add ("Stop_By_SIGTERM_While_Moving",
-           Stopped_By_Sigterm'Access);
-      Add ("Stop_By_SIGINT_While_Moving", Stopped_By_Sigint'Access);
-      Add ("Stop_By_Other_Signals", Stopped_By_Others'Access);
-      Add ("Stop_Not_By_Ignored_Hang_Up", Not_Stopped_By_Hang_Up'Access);
-      Add ("Threads_Too_Few", Too_Few_Threads'Access);
-      Add ("Stop_With_Camera_And_Watchdog",
-           Stopped_With_Camera'Access);
-      Add ("Stop_While_Robot_Is_Silent",
-           Stopped_While_Robot_Silent'Access);
-      Add ("Stop_While_Camera_Stalls",
-           Stopped_While_Camera_Stalls'Access);
-      Add ("Stop_With_Stalled_Monitor",
-           Stopped_With_Stalled_Monitor'Access);
-      Add ("Stop_At_Once", Stopped_At_Once'Access);
-      Add ("Stop_In_Time", Stops_In_Time'Access, Timed => True);
-      Add ("Threads_Are_The_Reports_Thirteen",
-           Thirteen_Threads'Access);
-      Add ("Never_Moves_On_After_A_Failed_Task",
-           Failing_Task'Access);
-      Add ("Stop_By_Option_After_SIGKILL", Option_Stop'Access);
-      Add ("Print_Markers_By_Option", Option_Print_Markers'Access);
-      Add ("Stop_By_The_Next_Start_After_SIGKILL",
-           Started_While_Moving'Access);
-      Add ("Never_Moves_On_After_A_Crash_In_A_Library",
-           Crashing_Library'Access);
-      Add ("Stops_After_A_Crash_In_A_Library_In_Time",
-           Crashing_Library'Access, Timed => True);
-      Add ("Threads_On_Their_Own_Processor", Own_Processor'Access);
-      Add ("Threads_On_One_Processor", One_Processor'Access);
-      Add ("Never_Grows_In_100_Connections",
-           Hundred_Connections'Access);
-      Add ("Restart_At_Once", Restarted_At_Once'Access);
-      Add ("Memory_Is_Locked_Where_It_May", Memory_Locked'Access);
-      Add ("Privileges_By_File_Capability",
-           With_File_Capability'Access);
-      Add ("Privileges_Of_Ordinary_User", As_Ordinary_User'Access);
-      Add ("Privileges_Of_Ordinary_User_Keep_Windows",
-           Windows_Of_Ordinary_User'Access, Timed => True);
-      Add ("Privileges_With_Ceilings", With_Ceilings'Access);
-      Add ("Privileges_Without_Ceilings", Without_Ceilings'Access);
-      Add ("Privileges_Refused_By_Group", Refused_By_Group'Access);
-      Add ("Privileges_Refused_By_Filter", Refused_By_Filter'Access);
-      Add ("Privileges_Limited", By_Limit'Access);
-      Add ("Never_Waits_For_The_Console", Console_Blocked'Access);
-      Add ("Console_Monitor_Drives_The_Robot",
-           Console_Monitor'Access);
-   end Register;
-
+begin
+   Add ("Stop_By_SIGTERM_While_Moving", Stopped_By_Sigterm'Access);
+   Add ("Stop_By_SIGINT_While_Moving", Stopped_By_Sigint'Access);
+   Add ("Stop_By_Other_Signals", Stopped_By_Others'Access);
+   Add ("Stop_Not_By_Ignored_Hang_Up", Not_Stopped_By_Hang_Up'Access);
+   Add ("Threads_Too_Few", Too_Few_Threads'Access);
+   Add ("Stop_With_Camera_And_Watchdog", Stopped_With_Camera'Access);
+   Add ("Stop_While_Robot_Is_Silent", Stopped_While_Robot_Silent'Access);
+   Add ("Stop_While_Camera_Stalls", Stopped_While_Camera_Stalls'Access);
+   Add ("Stop_With_Stalled_Monitor", Stopped_With_Stalled_Monitor'Access);
+   Add ("Stop_At_Once", Stopped_At_Once'Access);
+   Add ("Stop_In_Time", Stops_In_Time'Access, Timed => True);
+   Add ("Threads_Are_The_Reports_Thirteen", Thirteen_Threads'Access);
+   Add ("Never_Moves_On_After_A_Failed_Task", Failing_Task'Access);
+   Add ("Stop_By_Option_After_SIGKILL", Option_Stop'Access);
+   Add ("Print_Markers_By_Option", Option_Print_Markers'Access);
+   Add ("Stop_By_The_Next_Start_After_SIGKILL", Started_While_Moving'Access);
+   Add ("Never_Moves_On_After_A_Crash_In_A_Library", Crashing_Library'Access);
+   Add ("Stops_After_A_Crash_In_A_Library_In_Time",
+        Crashing_Library'Access, Timed => True);
+   Add ("Threads_On_Their_Own_Processor", Own_Processor'Access);
+   Add ("Threads_On_One_Processor", One_Processor'Access);
+   Add ("Never_Grows_In_100_Connections", Hundred_Connections'Access);
+   Add ("Restart_At_Once", Restarted_At_Once'Access);
+   Add ("Memory_Is_Locked_Where_It_May", Memory_Locked'Access);
+   Add ("Privileges_By_File_Capability", With_File_Capability'Access);
+   Add ("Privileges_Of_Ordinary_User", As_Ordinary_User'Access);
+   Add ("Privileges_Of_Ordinary_User_Keep_Windows",
+        Windows_Of_Ordinary_User'Access, Timed => True);
+   Add ("Privileges_With_Ceilings", With_Ceilings'Access);
+   Add ("Privileges_Without_Ceilings", Without_Ceilings'Access);
+   Add ("Privileges_Refused_By_Group", Refused_By_Group'Access);
+   Add ("Privileges_Refused_By_Filter", Refused_By_Filter'Access);
+   Add ("Privileges_Limited", By_Limit'Access);
+   Add ("Never_Waits_For_The_Console", Console_Blocked'Access);
+   Add ("Console_Monitor_Drives_The_Robot", Console_Monitor'Access);
 end Process_Tests;

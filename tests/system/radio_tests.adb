@@ -12,16 +12,9 @@ with Monitor_Clients;       use Monitor_Clients;
 with Rigs;                  use Rigs;
 with Scenarios;             use Scenarios;
 
-package body Radio_Tests is
+procedure Radio_Tests is
 
    No_Retries : constant String := "--radio-retries 0";
-
-   procedure Driven is new Script
-     ("ROPN AACK, RSWW AACK, clear, RGFW AACK, status moving 1, RGST RCST:1,"
-      & " RGBT RBLV:2, RSTP AACK, status moving 0, RTRN:90 AACK,"
-      & " RMOV:32767 AACK, wire M=32767 M=0 T=90 M=32767, clear, RCLS AACK,"
-      & " seen M=0, status moving 0, unsaid robot lost",
-      Emulator_Options => No_Retries, Times => 3);
 
    procedure Packets_Take_Time is
       --  A command's bytes, three silent ones, 5 ms in the air at least, and
@@ -62,14 +55,6 @@ package body Radio_Tests is
       Play (R, "seen M=0, status moving 0");
    end Stopped_At_The_End;
 
-   procedure All_Lost is new Script
-     ("ROPN AACK, RSOW AACK, RGFW AACK, status moving 1, clear,"
-      & " tell radio-losses 100, comes ATIM, log robot lost, seen M=0,"
-      & " status moving 1, tell mend, " & Works_Again
-      & ", status moving 0, RRST AACK",
-      Emulator_Options => No_Retries, Times => 2);
-   --  The last stop is lost as well
-
    procedure Some_Lost is
       --  Commands and answers: each command is answered, and all works after
       R            : Rig;
@@ -91,13 +76,6 @@ package body Radio_Tests is
          "not in both directions:" & Not_Received'Image);
       Play (R, "tell mend, RGST RCST:0, RGBT RBLV:2, RSOW AACK, RGFW AACK");
    end Some_Lost;
-
-   procedure Late_Answers is new Script
-     ("ROPN AACK, RPIN AACK, tell radio-retries 100, RPIN ATIM,"
-      & " tell radio-retries 0, wait 1.0, RGBT RBLV:1, RGST RCST:0,"
-      & " unsaid robot lost",
-      Emulator_Options => No_Retries & " --battery 1", Times => 3);
-   --  8 retries in each direction: half a second
 
    procedure Keep_Watchdog (Options : String; Missed : Natural) is
       --  20 s while the robot drives, Missed reloads at most; no deadline is
@@ -136,18 +114,34 @@ package body Radio_Tests is
       Keep_Watchdog ("--radio", Missed => 2);
    end Watchdog_Kept_With_Retries;
 
-   procedure Register is
-   begin
-      Add ("F11_Radio_Watchdog_Kept_For_20_s", Watchdog_Kept'Access,
-           Timed => True);
-      Add ("F11_Radio_Watchdog_Kept_With_Retries",
-           Watchdog_Kept_With_Retries'Access, Timed => True);
-      Add ("F08_Radio_Some_Packets_Lost", Some_Lost'Access);
-      Add ("F09_Radio_All_Packets_Lost", All_Lost'Access);
-      Add ("F08_Radio_Late_Answers", Late_Answers'Access);
-      Add ("F07_F12_Radio_Driven", Driven'Access);
-      Add ("F12_Radio_Packets_Take_Time", Packets_Take_Time'Access);
-      Add ("F05_Radio_Stopped_At_The_End", Stopped_At_The_End'Access);
-   end Register;
-
+begin
+   Add ("F11_Radio_Watchdog_Kept_For_20_s",
+        Watchdog_Kept'Access, Timed => True);
+   Add ("F11_Radio_Watchdog_Kept_With_Retries",
+        Watchdog_Kept_With_Retries'Access, Timed => True);
+   Add ("F08_Radio_Some_Packets_Lost", Some_Lost'Access);
+   Script
+     ("F09_Radio_All_Packets_Lost",
+      "ROPN AACK, RSOW AACK, RGFW AACK, status moving 1, clear,"
+      & " tell radio-losses 100, comes ATIM, log robot lost, seen M=0,"
+      & " status moving 1, tell mend, " & Works_Again
+      & ", status moving 0, RRST AACK",
+      Emulator_Options => No_Retries, Times => 2);
+   --  The last stop is lost as well
+   Script
+     ("F08_Radio_Late_Answers",
+      "ROPN AACK, RPIN AACK, tell radio-retries 100, RPIN ATIM,"
+      & " tell radio-retries 0, wait 1.0, RGBT RBLV:1, RGST RCST:0,"
+      & " unsaid robot lost",
+      Emulator_Options => No_Retries & " --battery 1", Times => 3);
+   --  8 retries in each direction: half a second
+   Script
+     ("F07_F12_Radio_Driven",
+      "ROPN AACK, RSWW AACK, clear, RGFW AACK, status moving 1, RGST RCST:1,"
+      & " RGBT RBLV:2, RSTP AACK, status moving 0, RTRN:90 AACK,"
+      & " RMOV:32767 AACK, wire M=32767 M=0 T=90 M=32767, clear, RCLS AACK,"
+      & " seen M=0, status moving 0, unsaid robot lost",
+      Emulator_Options => No_Retries, Times => 3);
+   Add ("F12_Radio_Packets_Take_Time", Packets_Take_Time'Access);
+   Add ("F05_Radio_Stopped_At_The_End", Stopped_At_The_End'Access);
 end Radio_Tests;

@@ -20,11 +20,7 @@ with Samples;
 with Scenarios;             use Scenarios;
 with Supervisors;
 
-package body Robot_Tests is
-
-   procedure Open_And_Close is new Script
-     ("ROPN AACK, ROPN AACK, RPIN AACK, RCLS AACK, RCLS AACK, RPIN ANAK",
-      Times => 5, Terminal => True);
+procedure Robot_Tests is
 
    procedure Open_Fails is
    begin
@@ -104,18 +100,6 @@ package body Robot_Tests is
       Await_Line;
    end Line_In_Use;
 
-   procedure Not_Open_Is_Anak is new Script
-     ("RSOW ANAK, RSWW ANAK, RRST ANAK, RPIN ANAK, RLDW ANAK, RGFW ANAK,"
-      & " RGBW ANAK, RGLF ANAK, RGRI ANAK, RSTP ANAK, RMOV:1 ANAK,"
-      & " RTRN:1 ANAK, RPOF ANAK, RGBT ANAK, RGST ANAK, unused");
-
-   procedure Closing_Stops is new Script
-     (Forward & ", RCLS AACK, seen M=0, status moving 0, RGFW ANAK");
-
-   procedure No_Stop_To_An_Idle_Robot is new Script
-     ("ROPN AACK, clear, RSTP ACRJ, MABT ACRJ, sent M=0 0, RSOW AACK,"
-      & " RSTP AACK, sent M=0 1, RRST AACK, clear, RSTP ACRJ, sent M=0 0");
-
    procedure Closed_Though_Nothing_Leaves is
       --  The kernel's close waits up to 30 s for a device that hangs
       R : Rig;
@@ -160,11 +144,6 @@ package body Robot_Tests is
       end loop;
    end Three_Failures;
 
-   procedure Four_Failures is new Script
-     ("ROPN AACK, tell silent on, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
-      & " RPIN ATIM, comes ATIM, log robot lost, silence 0.4 ATIM,"
-      & " tell silent off, " & Works_Again & ", RRST AACK", Times => 3);
-
    procedure Silence_Found is
       --  Issue: a lost line is found within 1 s while the robot is started
       R    : Rig;
@@ -187,26 +166,6 @@ package body Robot_Tests is
       Play (R, Works_Again);
    end Silence_Found;
 
-   procedure Keeps_Camera is new Script
-     ("ROPN AACK, RSWW AACK, " & With_Positions & ", tell silent on,"
-      & " comes ATIM, silence 0.5 ATIM, log robot lost, comes CPOS,"
-      & " comes CIMG, tell silent off, " & Works_Again & ", CCLS AACK",
-      Camera => True);
-
-   procedure Reopened_At_Once is new Script
-     ("ROPN AACK, tell drop 4, RPIN ATIM, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
-      & " comes ATIM, ROPN AACK, RGST RCST:0, RSOW AACK, RCLS AACK",
-      Times => 10);
-   --  While the answer to the last stop on the lost line is in transit: it
-   --  must not be taken for that of the next command
-
-   procedure Late_Reopened is new Script
-     ("ROPN AACK, RSOW AACK, tell drop 1000, comes ATIM, tell drop 0,"
-      & " tell delay 700, ROPN AACK, tell delay 0, wait 1, RSOW AACK",
-      Terminal => True);
-   --  A robot that was lost while started, and whose answers are late when its
-   --  line is opened again, is reset nevertheless
-
    procedure Garbled is
       R : Rig;
    begin
@@ -222,33 +181,6 @@ package body Robot_Tests is
          & " RPIN ATIM, comes ATIM, silence 0.5 ATIM, log robot lost,"
          & " tell garbage 0, " & Works_Again);
    end Garbled;
-
-   procedure Late_Answers is new Script
-     ("ROPN AACK, tell delay 40, RPIN AACK, tell delay 450, RGBT ATIM,"
-      & " tell delay 0, RGST RCST:0, tell delay 450, RPIN ATIM,"
-      & " tell delay 0, RGBT RBLV:1, tell delay 900, RGST ATIM,"
-      & " tell delay 0, wait 0.9, RGBT RBLV:1, RPIN AACK,"
-      & " unsaid robot lost", Emulator_Options => "--battery 1", Times => 5);
-   --  A late answer never passes for the answer to the next command. The robot
-   --  answers in order: after the last one, its next is late, too.
-
-   procedure Answer_Timeout is new Script
-     ("ROPN AACK, tell delay 40, RPIN AACK, tell delay 120, RPIN ATIM");
-
-   procedure Unasked_Bytes is new Script
-     ("ROPN AACK, tell unasked EE\r, wait 0.2, RPIN AACK,"
-      & " log sends without being asked,"
-      & " tell unasked 00\r1, wait 0.2, RGBT RBLV:2,"
-      & " tell unasked \x00\xFF\x01\r\r\rOO, wait 0.2, RGST RCST:0,"
-      & " unsaid robot lost, RCLS AACK", Times => 5);
-   --  The first is a whole good frame, "E" with its checksum
-
-   procedure Talking_Line is new Script
-     ("ROPN AACK, tell silent on, tell unasked "
-      & To_String (60 * "OO\r") & ", wait 0.05, RSWW ATIM,"
-      & " log sends without being asked, wait 0.4, tell silent off,"
-      & " RCLS AACK", Times => 10);
-   --  A device that sends the answer "O" without end is no started robot
 
    procedure Talking_From_The_Start is
       --  Nor one that has never been in step
@@ -326,36 +258,6 @@ package body Robot_Tests is
       R.Monitor.Expect ("RPIN", "AACK");
    end Noisy_Line;
 
-   procedure Opened_Silent is new Script
-     ("ROPN AACK, RPIN ATIM, tell silent off, RSOW AACK",
-      Emulator_Options => "--silent", Terminal => True);
-
-   procedure Hung_Up is new Script
-     ("ROPN AACK, RSOW AACK, clear, tell silent on, send RPIN, seen p,"
-      & " tell hangup, answer ATIM|ANAK, comes ATIM, silence 0.3 ATIM,"
-      & " log the device of its line has gone,"
-      & " RPIN ANAK, ROPN ANAK, tell silent off, tell return, " & Works_Again
-      & ", RCLS AACK", Times => 3, Terminal => True);
-
-   procedure Hung_Up_While_Idle is new Script
-     (With_Images & ", ROPN AACK, RSWW AACK, RGFW AACK, tell hangup,"
-      & " comes ATIM, silence 0.5 ATIM, log robot lost, tell return, "
-      & Works_Again, Camera => True, Terminal => True);
-
-   procedure Start_Refused is new Script
-     ("ROPN AACK, RSOW ACRJ, RSWW ACRJ, RGFW ACRJ, RPIN AACK,"
-      & " status state idle, RGFW ACRJ, silence 0.7 RBLV, RSWW AACK,"
-      & " RSOW ACRJ, RGFW AACK, status watchdog on",
-      Emulator_Options => "--boot-ms 5000");
-
-   procedure Start_Unanswered is new Script
-     ("ROPN AACK, tell silent on, RSWW ATIM, tell silent off,"
-      & " silence 0.7 RBLV, RGFW ACRJ, RRST AACK, RSOW AACK");
-
-   procedure No_Watchdog is new Script
-     ("ROPN AACK, sent u 0, RSOW AACK, sent u 1, sent W 0,"
-      & " status state run, status watchdog off, wait 1.2, sent w 0");
-
    procedure With_Watchdog is
       --  F11: the robot takes a reload 950 to 1050 ms after the last
       R   : Rig;
@@ -375,10 +277,6 @@ package body Robot_Tests is
       Check (Off.Count = 5, Off.Count'Image & " reloads in 5.6 s");
       Check_Within (Off.Quantile (0.5), 0.05, "what a reload is off");
    end With_Watchdog;
-
-   procedure Reloads_End is new Script
-     ("ROPN AACK, RSWW AACK, status watchdog on, seen w, RRST AACK, clear,"
-      & " wait 1.3, sent w 0");
 
    procedure Watchdog_Kept is
       --  60 s with images, positions, orders and two busy loops; memory
@@ -493,27 +391,6 @@ package body Robot_Tests is
      " comes MSSG:robot no longer runs (watchdog or reset): reset and start"
      & " again,";
 
-   procedure Robot_Disabled is new Script
-     ("ROPN AACK, RSWW AACK, tell reset-robot,"
-      & Says_Not_Running
-      & " silence 1.5 MSSG RBLV ATIM, RGFW ACRJ, RSWW AACK, RGFW AACK");
-
-   procedure Restarted_Without_Watchdog is new Script
-     ("ROPN AACK, RSOW AACK, tell reset-robot, RGFW ACRJ," & Says_Not_Running
-      & " clear, RGFW ACRJ, wire, status state idle, RSOW AACK, RGFW AACK,"
-      & " tell reset-robot, RSTP ACRJ," & Says_Not_Running
-      & " status state idle, RSOW AACK, RGFW AACK, RRST AACK,"
-      & " status state idle",
-      Times => 3);
-   --  No reload tells of it, but the first order
-
-   procedure Reload_By_Hand is new Script
-     ("ROPN AACK, RSWW AACK, RLDW AACK, RLDW AACK, RLDW AACK, RLDW AACK,"
-      & " RLDW AACK, sent w 0, wait 2.2, status missed_total 0, RRST AACK,"
-      & " RSOW AACK, clear, RLDW AACK, sent w 1");
-   --  It does not disturb the supervisor's own; without one of its own the
-   --  supervisor sends it to the robot.
-
    procedure Movements is
       R : Rig;
 
@@ -607,19 +484,6 @@ package body Robot_Tests is
             & " RPIN ATIM, RPIN ATIM, comes ATIM, log robot lost, tell mend, "
             & Works_Again);
    end Lost_Command;
-
-   procedure Wheels_Not_Ideal is new Script
-     ("ROPN AACK, RSOW AACK, RMOV:200 AACK, status moving 0,"
-      & " status x 33.998, status y 30.171, status heading 1.400,"
-      & " RTRN:90 AACK, status moving 0, status x 33.998, status y 30.171,"
-      & " status heading 109.400, tell turn-speed 70, tell overshoot 0,"
-      & " RTRN:-90 AACK, status moving 0, status x 33.998,"
-      & " status y 30.171, status heading 46.400, wire M=200 T=90 T=-90",
-      Emulator_Options =>
-        "--pose 20,30,0 --speed 70 --overshoot"
-       & " 20 --pull 10");
-   --  The orders are as ever; what the emulated robot makes of them is not. 14
-   --  cm on an arc of 10 degrees a metre: 13.999 and 0.171 cm
 
    procedure Movement_Latency is
       --  F12: event-driven, 5 ms. Here only the order of magnitude while
@@ -729,68 +593,7 @@ package body Robot_Tests is
       R.Monitor.Expect_Silence ("RBLV", For_Time => 1.1);
    end Battery_Period;
 
-   procedure Battery_On_Request is new Script
-     ("ROPN AACK, RGBT RBLV:0, tell battery 1, RGBT RBLV:1,"
-      & " tell battery 2, RGBT RBLV:2, tell silent on, RGBT ATIM",
-      Emulator_Options => "--battery 0");
-
-   procedure Version_On_Request is new Script
-     ("RVER ANAK, ROPN AACK, RVER RVER:3.5, seen V, RSWW AACK, RGFW AACK,"
-      & " RVER RVER:3.5, RGST RCST:1, tell drop 1, RVER ATIM, RVER RVER:3.5,"
-      & " unsaid robot lost");
-
-   procedure State_On_Request is new Script
-     ("ROPN AACK, RSOW AACK, RGST RCST:0, RTRN:30000 AACK, RGST RCST:1,"
-      & " RSTP AACK, RGST RCST:0");
-
-   procedure Reset_Robot is new Script
-     ("ROPN AACK, RSOW AACK, RGFW AACK, RRST AACK, status state idle,"
-      & " RGFW ACRJ, silence 0.7 RBLV, RSWW AACK, RGFW AACK, RRST AACK,"
-      & " status state idle, RGFW ACRJ, silence 0.7 RBLV", Times => 2);
-
-   procedure Power_Off is new Script
-     ("ROPN AACK, RSOW AACK, RGFW AACK, clear, RPOF AACK,"
-      & " status state off, seen z, silence 0.7 RBLV, RPIN ATIM,"
-      & " tell reset-robot, status state idle, RCLS AACK, ROPN AACK,"
-      & " RSOW AACK");
-
    Lost_Empty : constant String := "robot lost: its battery was empty";
-
-   procedure Battery_Critical is new Script
-     ("ROPN AACK, RSOW AACK, RGFW AACK, comes RBLV:0, tell battery critical,"
-      & " status moving 0, comes RBLV:-1, comes MSSG:" & Lost_Empty
-      & ", log " & Lost_Empty & ", tell battery 2, status state off,"
-      & " tell reset-robot, status state idle, ROPN AACK, RSOW AACK,"
-      & " comes RBLV:2, tell silent on, comes ATIM, silence 0.5 MSSG",
-      Emulator_Options => "--battery 0");
-   --  The reason for the loss, and only of that one
-
-   procedure Power_Off_Unanswered is new Script
-     ("ROPN AACK, tell lose 1, RPOF AACK, status state off, sent z 2,"
-      & " tell reset-robot, status state idle, tell drop 1, RPOF AACK,"
-      & " status state off, sent z 3, tell reset-robot, status state idle,"
-      & " RPIN AACK, tell truncate 1 1, RPOF AACK, status state off, sent z 4,"
-      & " RPIN ATIM, unsaid robot lost, tell reset-robot,"
-      & " status state idle, RCLS AACK, clear",
-      Times => 3);
-   --  Whether it or its answer was lost, or the answer was cut
-
-   procedure Idle_Robot_Stays_On is new Script
-     ("ROPN AACK, clear, wait 25, unused, seen p, sent p 1");
-
-   procedure Open_Asks is new Script
-     ("ROPN AACK, ROPN AACK, tell silent on, ROPN ATIM, tell silent off,"
-      & " ROPN AACK, RSOW AACK, ROPN AACK, status state run");
-
-   procedure Answers_Later is new Script
-     ("ROPN AACK, tell delay 140, RPIN AACK, RGBT RBLV:2, RSWW AACK,"
-      & " wait 3.3, status missed_total 0, tell delay 400, RPIN ATIM",
-      Supervisor_Options => "--answer-timeout 200");
-
-   procedure Switched_On_Again is new Script
-     ("ROPN AACK, RSOW AACK, RPOF AACK, status state idle, RSOW AACK,"
-      & " RGFW AACK",
-      Emulator_Options => "--stay-on");
 
    procedure Idle_Line is
       --  Pings while started, nothing while not
@@ -810,67 +613,229 @@ package body Robot_Tests is
       Play (R, "status state run");
    end Idle_Line;
 
-   procedure Register is
-   begin
-      Add ("F07_Open_And_Close", Open_And_Close'Access);
-      Add ("F07_Open_Fails", Open_Fails'Access);
-      Add ("F07_Line_In_Use", Line_In_Use'Access);
-      Add ("F07_Not_Open_Is_ANAK", Not_Open_Is_Anak'Access);
-      Add ("F07_Rule_4_Closing_Stops_The_Robot", Closing_Stops'Access);
-      Add ("F12_No_Stop_To_An_Idle_Robot", No_Stop_To_An_Idle_Robot'Access);
-      Add ("F07_Closed_Though_Nothing_Leaves",
-           Closed_Though_Nothing_Leaves'Access);
-      Add ("F08_Three_Failures_Are_Not_Lost", Three_Failures'Access);
-      Add ("F08_F09_Four_Failures_Are_Lost", Four_Failures'Access);
-      Add ("F08_Silence_Found_In_Time", Silence_Found'Access, Timed => True);
-      Add ("F09_Rule_6_Lost_Robot_Keeps_Camera", Keeps_Camera'Access);
-      Add ("F09_Reopened_At_Once", Reopened_At_Once'Access);
-      Add ("F09_Late_When_Reopened", Late_Reopened'Access);
-      Add ("F08_Garbled_Answers", Garbled'Access);
-      Add ("F08_Late_Answers", Late_Answers'Access);
-      Add ("F08_Answers_Within_80_Ms", Answer_Timeout'Access, Timed => True);
-      Add ("F08_Unasked_Bytes", Unasked_Bytes'Access);
-      Add ("F08_Talking_Line", Talking_Line'Access, Timed => True);
-      Add ("F08_Talking_From_The_Start", Talking_From_The_Start'Access);
-      Add ("F08_Talking_Now_And_Then", Talking_Now_And_Then'Access);
-      Add ("F08_Noisy_Line", Noisy_Line'Access);
-      Add ("F08_Noisy_Line_In_Time", Noisy_Line'Access, Timed => True);
-      Add ("F07_Robot_Silent_When_Opened", Opened_Silent'Access);
-      Add ("F08_Hung_Up_In_Mid_Transaction", Hung_Up'Access);
-      Add ("F08_Hung_Up_While_Idle", Hung_Up_While_Idle'Access);
-      Add ("F10_F11_Start_Refused", Start_Refused'Access);
-      Add ("F11_Start_Unanswered", Start_Unanswered'Access);
-      Add ("F10_Start_Without_Watchdog", No_Watchdog'Access);
-      Add ("F11_Start_With_Watchdog", With_Watchdog'Access, Timed => True);
-      Add ("F11_Reloads_End_With_The_Reset", Reloads_End'Access);
-      Add ("F11_Rule_5_Robot_No_Longer_Runs", Robot_Disabled'Access);
-      Add ("F10_Restarted_Without_Watchdog",
-           Restarted_Without_Watchdog'Access);
-      Add ("F11_Lost_Reloads", Lost_Reloads'Access, Timed => True);
-      Add ("F11_Reload_By_Hand", Reload_By_Hand'Access, Timed => True);
-      Add ("F12_Movements", Movements'Access);
-      Add ("F12_Wheels_Not_Ideal", Wheels_Not_Ideal'Access);
-      Add ("F08_Every_Tenth_Answer_Lost", Tenth_Answer_Lost'Access);
-      Add ("F08_Every_Tenth_Command_Lost", Tenth_Command_Lost'Access);
-      Add ("F08_Lost_Command", Lost_Command'Access);
-      Add ("F12_Movement_Latency", Movement_Latency'Access, Timed => True);
-      Add ("F12_Rule_3_Stop_Overtakes", Stop_Overtakes'Access);
-      Add ("F13_Battery_Unasked", Battery_Period'Access);
-      Add ("F13_Battery_Period", Battery_Period'Access, Timed => True);
-      Add ("Battery_On_Request", Battery_On_Request'Access);
-      Add ("Version_On_Request", Version_On_Request'Access);
-      Add ("State_On_Request", State_On_Request'Access);
-      Add ("Reset_On_Request", Reset_Robot'Access);
-      Add ("Power_Off_On_Request", Power_Off'Access);
-      Add ("Battery_Critical", Battery_Critical'Access);
-      Add ("Power_Off_Unanswered", Power_Off_Unanswered'Access);
-      Add ("F07_Idle_Robot_Stays_On", Idle_Robot_Stays_On'Access);
-      Add ("F07_Open_Asks_The_Robot", Open_Asks'Access);
-      Add ("F08_Answers_Later", Answers_Later'Access, Timed => True);
-      Add ("Power_Off_And_On_Again", Switched_On_Again'Access);
-      Add ("F08_Idle_Line_Is_Watched", Idle_Line'Access);
-      Add ("F11_Watchdog_Kept_For_60_s", Watchdog_Kept'Access,
-           Timed => True);
-   end Register;
-
+begin
+   Script
+     ("F07_Open_And_Close",
+      "ROPN AACK, ROPN AACK, RPIN AACK, RCLS AACK, RCLS AACK, RPIN ANAK",
+      Times => 5, Terminal => True);
+   Add ("F07_Open_Fails", Open_Fails'Access);
+   Add ("F07_Line_In_Use", Line_In_Use'Access);
+   Script
+     ("F07_Not_Open_Is_ANAK",
+      "RSOW ANAK, RSWW ANAK, RRST ANAK, RPIN ANAK, RLDW ANAK, RGFW ANAK,"
+      & " RGBW ANAK, RGLF ANAK, RGRI ANAK, RSTP ANAK, RMOV:1 ANAK,"
+      & " RTRN:1 ANAK, RPOF ANAK, RGBT ANAK, RGST ANAK, unused");
+   Script
+     ("F07_Rule_4_Closing_Stops_The_Robot",
+      Forward & ", RCLS AACK, seen M=0, status moving 0, RGFW ANAK");
+   Script
+     ("F12_No_Stop_To_An_Idle_Robot",
+      "ROPN AACK, clear, RSTP ACRJ, MABT ACRJ, sent M=0 0, RSOW AACK,"
+      & " RSTP AACK, sent M=0 1, RRST AACK, clear, RSTP ACRJ, sent M=0 0");
+   Add ("F07_Closed_Though_Nothing_Leaves",
+        Closed_Though_Nothing_Leaves'Access);
+   Add ("F08_Three_Failures_Are_Not_Lost", Three_Failures'Access);
+   Script
+     ("F08_F09_Four_Failures_Are_Lost",
+      "ROPN AACK, tell silent on, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
+      & " RPIN ATIM, comes ATIM, log robot lost, silence 0.4 ATIM,"
+      & " tell silent off, " & Works_Again & ", RRST AACK", Times => 3);
+   Add ("F08_Silence_Found_In_Time", Silence_Found'Access, Timed => True);
+   Script
+     ("F09_Rule_6_Lost_Robot_Keeps_Camera",
+      "ROPN AACK, RSWW AACK, " & With_Positions & ", tell silent on,"
+      & " comes ATIM, silence 0.5 ATIM, log robot lost, comes CPOS,"
+      & " comes CIMG, tell silent off, " & Works_Again & ", CCLS AACK",
+      Camera => True);
+   Script
+     ("F09_Reopened_At_Once",
+      "ROPN AACK, tell drop 4, RPIN ATIM, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
+      & " comes ATIM, ROPN AACK, RGST RCST:0, RSOW AACK, RCLS AACK",
+      Times => 10);
+   --  While the answer to the last stop on the lost line is in transit: it
+   --  must not be taken for that of the next command
+   Script
+     ("F09_Late_When_Reopened",
+      "ROPN AACK, RSOW AACK, tell drop 1000, comes ATIM, tell drop 0,"
+      & " tell delay 700, ROPN AACK, tell delay 0, wait 1, RSOW AACK",
+      Terminal => True);
+   --  A robot that was lost while started, and whose answers are late when its
+   --  line is opened again, is reset nevertheless
+   Add ("F08_Garbled_Answers", Garbled'Access);
+   Script
+     ("F08_Late_Answers",
+      "ROPN AACK, tell delay 40, RPIN AACK, tell delay 450, RGBT ATIM,"
+      & " tell delay 0, RGST RCST:0, tell delay 450, RPIN ATIM,"
+      & " tell delay 0, RGBT RBLV:1, tell delay 900, RGST ATIM,"
+      & " tell delay 0, wait 0.9, RGBT RBLV:1, RPIN AACK,"
+      & " unsaid robot lost", Emulator_Options => "--battery 1", Times => 5);
+   --  A late answer never passes for the answer to the next command. The robot
+   --  answers in order: after the last one, its next is late, too.
+   Script
+     ("F08_Answers_Within_80_Ms",
+      "ROPN AACK, tell delay 40, RPIN AACK, tell delay 120, RPIN ATIM",
+      Timed => True);
+   Script
+     ("F08_Unasked_Bytes",
+      "ROPN AACK, tell unasked EE\r, wait 0.2, RPIN AACK,"
+      & " log sends without being asked,"
+      & " tell unasked 00\r1, wait 0.2, RGBT RBLV:2,"
+      & " tell unasked \x00\xFF\x01\r\r\rOO, wait 0.2, RGST RCST:0,"
+      & " unsaid robot lost, RCLS AACK", Times => 5);
+   --  The first is a whole good frame, "E" with its checksum
+   Script
+     ("F08_Talking_Line",
+      "ROPN AACK, tell silent on, tell unasked "
+      & To_String (60 * "OO\r") & ", wait 0.05, RSWW ATIM,"
+      & " log sends without being asked, wait 0.4, tell silent off,"
+      & " RCLS AACK", Times => 10,
+      Timed => True);
+   --  A device that sends the answer "O" without end is no started robot
+   Add ("F08_Talking_From_The_Start", Talking_From_The_Start'Access);
+   Add ("F08_Talking_Now_And_Then", Talking_Now_And_Then'Access);
+   Add ("F08_Noisy_Line", Noisy_Line'Access);
+   Add ("F08_Noisy_Line_In_Time", Noisy_Line'Access, Timed => True);
+   Script
+     ("F07_Robot_Silent_When_Opened",
+      "ROPN AACK, RPIN ATIM, tell silent off, RSOW AACK",
+      Emulator_Options => "--silent", Terminal => True);
+   Script
+     ("F08_Hung_Up_In_Mid_Transaction",
+      "ROPN AACK, RSOW AACK, clear, tell silent on, send RPIN, seen p,"
+      & " tell hangup, answer ATIM|ANAK, comes ATIM, silence 0.3 ATIM,"
+      & " log the device of its line has gone,"
+      & " RPIN ANAK, ROPN ANAK, tell silent off, tell return, " & Works_Again
+      & ", RCLS AACK", Times => 3, Terminal => True);
+   Script
+     ("F08_Hung_Up_While_Idle",
+      With_Images & ", ROPN AACK, RSWW AACK, RGFW AACK, tell hangup,"
+      & " comes ATIM, silence 0.5 ATIM, log robot lost, tell return, "
+      & Works_Again, Camera => True, Terminal => True);
+   Script
+     ("F10_F11_Start_Refused",
+      "ROPN AACK, RSOW ACRJ, RSWW ACRJ, RGFW ACRJ, RPIN AACK,"
+      & " status state idle, RGFW ACRJ, silence 0.7 RBLV, RSWW AACK,"
+      & " RSOW ACRJ, RGFW AACK, status watchdog on",
+      Emulator_Options => "--boot-ms 5000");
+   Script
+     ("F11_Start_Unanswered",
+      "ROPN AACK, tell silent on, RSWW ATIM, tell silent off,"
+      & " silence 0.7 RBLV, RGFW ACRJ, RRST AACK, RSOW AACK");
+   Script
+     ("F10_Start_Without_Watchdog",
+      "ROPN AACK, sent u 0, RSOW AACK, sent u 1, sent W 0,"
+      & " status state run, status watchdog off, wait 1.2, sent w 0");
+   Add ("F11_Start_With_Watchdog", With_Watchdog'Access, Timed => True);
+   Script
+     ("F11_Reloads_End_With_The_Reset",
+      "ROPN AACK, RSWW AACK, status watchdog on, seen w, RRST AACK, clear,"
+      & " wait 1.3, sent w 0");
+   Script
+     ("F11_Rule_5_Robot_No_Longer_Runs",
+      "ROPN AACK, RSWW AACK, tell reset-robot,"
+      & Says_Not_Running
+      & " silence 1.5 MSSG RBLV ATIM, RGFW ACRJ, RSWW AACK, RGFW AACK");
+   Script
+     ("F10_Restarted_Without_Watchdog",
+      "ROPN AACK, RSOW AACK, tell reset-robot, RGFW ACRJ," & Says_Not_Running
+      & " clear, RGFW ACRJ, wire, status state idle, RSOW AACK, RGFW AACK,"
+      & " tell reset-robot, RSTP ACRJ," & Says_Not_Running
+      & " status state idle, RSOW AACK, RGFW AACK, RRST AACK,"
+      & " status state idle",
+      Times => 3);
+   --  No reload tells of it, but the first order
+   Add ("F11_Lost_Reloads", Lost_Reloads'Access, Timed => True);
+   Script
+     ("F11_Reload_By_Hand",
+      "ROPN AACK, RSWW AACK, RLDW AACK, RLDW AACK, RLDW AACK, RLDW AACK,"
+      & " RLDW AACK, sent w 0, wait 2.2, status missed_total 0, RRST AACK,"
+      & " RSOW AACK, clear, RLDW AACK, sent w 1",
+      Timed => True);
+   --  It does not disturb the supervisor's own; without one of its own the
+   --  supervisor sends it to the robot.
+   Add ("F12_Movements", Movements'Access);
+   Script
+     ("F12_Wheels_Not_Ideal",
+      "ROPN AACK, RSOW AACK, RMOV:200 AACK, status moving 0,"
+      & " status x 33.998, status y 30.171, status heading 1.400,"
+      & " RTRN:90 AACK, status moving 0, status x 33.998, status y 30.171,"
+      & " status heading 109.400, tell turn-speed 70, tell overshoot 0,"
+      & " RTRN:-90 AACK, status moving 0, status x 33.998,"
+      & " status y 30.171, status heading 46.400, wire M=200 T=90 T=-90",
+      Emulator_Options =>
+        "--pose 20,30,0 --speed 70 --overshoot"
+       & " 20 --pull 10");
+   --  The orders are as ever; what the emulated robot makes of them is not. 14
+   --  cm on an arc of 10 degrees a metre: 13.999 and 0.171 cm
+   Add ("F08_Every_Tenth_Answer_Lost", Tenth_Answer_Lost'Access);
+   Add ("F08_Every_Tenth_Command_Lost", Tenth_Command_Lost'Access);
+   Add ("F08_Lost_Command", Lost_Command'Access);
+   Add ("F12_Movement_Latency", Movement_Latency'Access, Timed => True);
+   Add ("F12_Rule_3_Stop_Overtakes", Stop_Overtakes'Access);
+   Add ("F13_Battery_Unasked", Battery_Period'Access);
+   Add ("F13_Battery_Period", Battery_Period'Access, Timed => True);
+   Script
+     ("Battery_On_Request",
+      "ROPN AACK, RGBT RBLV:0, tell battery 1, RGBT RBLV:1,"
+      & " tell battery 2, RGBT RBLV:2, tell silent on, RGBT ATIM",
+      Emulator_Options => "--battery 0");
+   Script
+     ("Version_On_Request",
+      "RVER ANAK, ROPN AACK, RVER RVER:3.5, seen V, RSWW AACK, RGFW AACK,"
+      & " RVER RVER:3.5, RGST RCST:1, tell drop 1, RVER ATIM, RVER RVER:3.5,"
+      & " unsaid robot lost");
+   Script
+     ("State_On_Request",
+      "ROPN AACK, RSOW AACK, RGST RCST:0, RTRN:30000 AACK, RGST RCST:1,"
+      & " RSTP AACK, RGST RCST:0");
+   Script
+     ("Reset_On_Request",
+      "ROPN AACK, RSOW AACK, RGFW AACK, RRST AACK, status state idle,"
+      & " RGFW ACRJ, silence 0.7 RBLV, RSWW AACK, RGFW AACK, RRST AACK,"
+      & " status state idle, RGFW ACRJ, silence 0.7 RBLV", Times => 2);
+   Script
+     ("Power_Off_On_Request",
+      "ROPN AACK, RSOW AACK, RGFW AACK, clear, RPOF AACK,"
+      & " status state off, seen z, silence 0.7 RBLV, RPIN ATIM,"
+      & " tell reset-robot, status state idle, RCLS AACK, ROPN AACK,"
+      & " RSOW AACK");
+   Script
+     ("Battery_Critical",
+      "ROPN AACK, RSOW AACK, RGFW AACK, comes RBLV:0, tell battery critical,"
+      & " status moving 0, comes RBLV:-1, comes MSSG:" & Lost_Empty
+      & ", log " & Lost_Empty & ", tell battery 2, status state off,"
+      & " tell reset-robot, status state idle, ROPN AACK, RSOW AACK,"
+      & " comes RBLV:2, tell silent on, comes ATIM, silence 0.5 MSSG",
+      Emulator_Options => "--battery 0");
+   --  The reason for the loss, and only of that one
+   Script
+     ("Power_Off_Unanswered",
+      "ROPN AACK, tell lose 1, RPOF AACK, status state off, sent z 2,"
+      & " tell reset-robot, status state idle, tell drop 1, RPOF AACK,"
+      & " status state off, sent z 3, tell reset-robot, status state idle,"
+      & " RPIN AACK, tell truncate 1 1, RPOF AACK, status state off, sent z 4,"
+      & " RPIN ATIM, unsaid robot lost, tell reset-robot,"
+      & " status state idle, RCLS AACK, clear",
+      Times => 3);
+   --  Whether it or its answer was lost, or the answer was cut
+   Script
+     ("F07_Idle_Robot_Stays_On",
+      "ROPN AACK, clear, wait 25, unused, seen p, sent p 1");
+   Script
+     ("F07_Open_Asks_The_Robot",
+      "ROPN AACK, ROPN AACK, tell silent on, ROPN ATIM, tell silent off,"
+      & " ROPN AACK, RSOW AACK, ROPN AACK, status state run");
+   Script
+     ("F08_Answers_Later",
+      "ROPN AACK, tell delay 140, RPIN AACK, RGBT RBLV:2, RSWW AACK,"
+      & " wait 3.3, status missed_total 0, tell delay 400, RPIN ATIM",
+      Supervisor_Options => "--answer-timeout 200",
+      Timed => True);
+   Script
+     ("Power_Off_And_On_Again",
+      "ROPN AACK, RSOW AACK, RPOF AACK, status state idle, RSOW AACK,"
+      & " RGFW AACK",
+      Emulator_Options => "--stay-on");
+   Add ("F08_Idle_Line_Is_Watched", Idle_Line'Access);
+   Add ("F11_Watchdog_Kept_For_60_s", Watchdog_Kept'Access, Timed => True);
 end Robot_Tests;

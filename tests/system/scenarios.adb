@@ -7,11 +7,6 @@ with Ada.Exceptions;        use Ada.Exceptions;
 with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
-with AUnit.Assertions;
-with AUnit.Options;
-with AUnit.Simple_Test_Cases;
-with AUnit.Test_Results;
-with AUnit.Test_Suites;
 with GNAT.OS_Lib;
 
 with Child_Processes;       use Child_Processes;
@@ -26,21 +21,13 @@ with Supervisors;
 
 package body Scenarios is
 
-   type Scenario is new AUnit.Simple_Test_Cases.Test_Case with record
-      Title  : Unbounded_String;
-      Action : Routine;
-      Timed  : Boolean;
+   type Scenario is record
+      Title : Unbounded_String;
+      Timed : Boolean;
    end record;
 
-   overriding function Name (Test : Scenario) return AUnit.Message_String is
-     (AUnit.Format (To_String (Test.Title)));
-
-   overriding procedure Run_Test (Test : in out Scenario);
-
-   type Scenario_Access is access Scenario;
-
    package Scenario_Vectors is
-     new Ada.Containers.Vectors (Positive, Scenario_Access);
+     new Ada.Containers.Vectors (Positive, Scenario);
    package Number_Vectors is new Ada.Containers.Vectors (Positive, Positive);
 
    --  How the process of a test ends
@@ -59,7 +46,7 @@ package body Scenarios is
    Known      : Scenario_Vectors.Vector;
    Filters    : Arguments;
    Only_Timed : Boolean := False;
-   Status     : Integer := Failed_Status;
+   The_One    : Unbounded_String;
 
    procedure Say (Line : String) is
    begin
@@ -71,15 +58,6 @@ package body Scenarios is
          Programs.Give_Up ("nobody reads what the tests have to say");
    end Say;
 
-   procedure Add
-     (Name : String; Run : not null Routine; Timed : Boolean := False) is
-   begin
-      Known.Append
-        (new Scenario'
-           (AUnit.Simple_Test_Cases.Test_Case with
-            To_Unbounded_String (Name), Run, Timed));
-   end Add;
-
    procedure Select_Timed is
    begin
       Only_Timed := True;
@@ -89,6 +67,11 @@ package body Scenarios is
    begin
       Filters.Append (Text);
    end Add_Filter;
+
+   procedure Select_One (Name : String) is
+   begin
+      The_One := To_Unbounded_String (Name);
+   end Select_One;
 
    function Is_Named (Test : Scenario; Text : String) return Boolean is
      (Index (Test.Title, Text) > 0);
@@ -111,7 +94,7 @@ package body Scenarios is
       Expectations.Set_Floor (Late.Quantile (0.99));
    end Measure_Floor;
 
-   procedure Run_Timed (Action : Routine) is
+   procedure Run_Timed (Action : not null access procedure) is
       --  Passes if two of three runs do
       Passed : Natural := 0;
       Failed : Natural := 0;
@@ -135,47 +118,45 @@ package body Scenarios is
       end loop;
    end Run_Timed;
 
-   overriding procedure Run_Test (Test : in out Scenario) is
+   procedure Run_One (Action : not null access procedure; Timed : Boolean) is
+      Status : Integer := Failed_Status;
    begin
-      if Test.Timed then
-         Run_Timed (Test.Action);
-      else
-         Supervisors.Be_Patient;
-         Expectations.Ignore_Times;
-         Test.Action.all;
-      end if;
-      Say ("   ok");
-      Status := Passed_Status;
-   exception
-      when Occurrence : Expectations.Skipped =>
-         Say (Skipping & Exception_Message (Occurrence));
-         Status := Skipped_Status;
-      when Occurrence : others =>
-         Say (Failing
-              & (if Exception_Identity (Occurrence)
-                   = Expectations.Failed'Identity
-                 then Exception_Message (Occurrence)
-                 else Exception_Information (Occurrence)));
-         Print_Last_Lines;
-         AUnit.Assertions.Assert (False, Exception_Message (Occurrence));
-   end Run_Test;
-
-   procedure Run_One (Title : String) is
-      Suite   : constant AUnit.Test_Suites.Access_Test_Suite :=
-        AUnit.Test_Suites.New_Suite;
-      Result  : AUnit.Test_Results.Result;
-      Outcome : AUnit.Status;
-   begin
-      for Test of Known loop
-         if Test.Title = Title then
-            Suite.Add_Test (Test);
+      begin
+         if Timed then
+            Run_Timed (Action);
+         else
+            Supervisors.Be_Patient;
+            Expectations.Ignore_Times;
+            Action.all;
          end if;
-      end loop;
-      AUnit.Test_Suites.Run
-        (Suite, AUnit.Options.Default_Options, Result, Outcome);
+         Say ("   ok");
+         Status := Passed_Status;
+      exception
+         when Occurrence : Expectations.Skipped =>
+            Say (Skipping & Exception_Message (Occurrence));
+            Status := Skipped_Status;
+         when Occurrence : others =>
+            Say (Failing
+                 & (if Exception_Identity (Occurrence)
+                      = Expectations.Failed'Identity
+                    then Exception_Message (Occurrence)
+                    else Exception_Information (Occurrence)));
+            Print_Last_Lines;
+      end;
       Programs.Remove_Temporary_Folder;
       GNAT.OS_Lib.OS_Exit (Status);
    end Run_One;
+
+   procedure Add
+     (Name  : String;
+      Run   : not null access procedure;
+      Timed : Boolean := False) is
+   begin
+      if Name = The_One then
+         Run_One (Run, Timed);
+      end if;
+      Known.Append ((To_Unbounded_String (Name), Timed));
+   end Add;
 
    --  The run of all
 
@@ -285,14 +266,17 @@ package body Scenarios is
         (for some J of All_Jobs => J.Busy);
 
    begin
+      if The_One /= "" then
+         Programs.Give_Up ("no test is called " & To_String (The_One));
+      end if;
       for Text of Filters loop
-         if not (for some Test of Known => Is_Named (Test.all, Text))
+         if not (for some Test of Known => Is_Named (Test, Text))
          then
             Programs.Give_Up ("no test has " & Text & " in its name");
          end if;
       end loop;
       for Test in 1 .. Known.Last_Index loop
-         if not Is_Selected (Known (Test).all) then
+         if not Is_Selected (Known (Test)) then
             null;
          elsif Known (Test).Timed then
             Apart.Append (Test);

@@ -1,13 +1,13 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The system tests, as AUnit's test cases: each is one procedure with a name,
---  and is run by a process of its own.
+--  The system tests: each is one procedure with a name, and is run by a
+--  process of its own.
 
 package Scenarios is
 
-   type Routine is access procedure;
-
    procedure Add
-     (Name : String; Run : not null Routine; Timed : Boolean := False);
+     (Name  : String;
+      Run   : not null access procedure;
+      Timed : Boolean := False);
    --  A test. Timed: its verdict depends on time, against a limit less than
    --  ten times what is usual. It runs when no other does, and its verdict is
    --  the median of three runs; the verdict of all others is the same on any
@@ -19,12 +19,13 @@ package Scenarios is
    procedure Add_Filter (Text : String);
    --  Tests whose name contains one of these are run, timed or not
 
-   procedure Run_One (Title : String);
-   --  Runs this test, prints its report and ends the process as a Run expects
+   procedure Select_One (Name : String);
+   --  When this test is added, runs it, prints its report and ends the process
+   --  as Run expects
 
    procedure Run (Jobs : Positive; Program : String; All_Passed : out Boolean);
-   --  Runs the tests: each in a process of Program, with the options of this
-   --  one and --one TITLE, Jobs at a time; then the timed ones, one by one.
-   --  Ends with the number of tests passed and failed
+   --  Runs the tests added: each in a process of Program, with the options of
+   --  this one and --one NAME, Jobs at a time; then the timed ones, one by
+   --  one. Ends with the number of tests passed and failed
 
 end Scenarios;

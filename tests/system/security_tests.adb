@@ -20,7 +20,7 @@ with Scenarios;             use Scenarios;
 with Supervisors;           use Supervisors;
 with System.Multiprocessors;
 
-package body Security_Tests is
+procedure Security_Tests is
 
    use type GNAT.OS_Lib.String_Access;
 
@@ -38,6 +38,23 @@ package body Security_Tests is
    Not_Authenticated : constant String := "not authenticated";
    Not_Allowed       : constant String := "this address is not allowed";
    Not_Alone         : constant String := "another monitor is connected";
+
+   procedure Enter (M : in out Client; S : Supervisor; Text : String) is
+      --  M connects and sends Text
+   begin
+      M.Connect (S.Port);
+      M.Send (Text);
+   end Enter;
+
+   procedure Drive_With_Token (R : in out Rig) is
+      --  By a monitor in command at a supervisor that has a token
+   begin
+      Assemble
+        (R, Supervisor_Options => "--token " & Token_File,
+         Connected => False);
+      Enter (R.Monitor, R.Supervisor, Good_Line);
+      Move_Forward (R);
+   end Drive_With_Token;
 
    function Median_Answer (R : in out Rig) return Duration is
       --  From an order to its answer
@@ -67,8 +84,7 @@ package body Security_Tests is
       Item  : Message;
    begin
       loop
-         M.Connect (S.Port);
-         M.Send (Good_Line & "RPIN" & LF);
+         Enter (M, S, Good_Line & "RPIN" & LF);
          Item := M.Next;
          exit when Item.Label /= "MSSG" or else Now - Start > Patience;
       end loop;
@@ -412,12 +428,7 @@ package body Security_Tests is
       Right   : Client;
       Slowest : Duration := 0.0;
    begin
-      Assemble
-        (R, Supervisor_Options => "--token " & Token_File,
-         Connected => False);
-      Connect (R);
-      R.Monitor.Send (Good_Line);
-      Move_Forward (R);
+      Drive_With_Token (R);
       for M of Silent loop
          M.Connect (R.Supervisor.Port, Real_Time => False);
          M.Send ("AUTH:");
@@ -439,8 +450,7 @@ package body Security_Tests is
       for M of Silent loop
          Expect_Refused (M, Not_Authenticated);
       end loop;
-      Right.Connect (R.Supervisor.Port);
-      Right.Send (Good_Line);
+      Enter (Right, R.Supervisor, Good_Line);
       Expect_Refused (Right, Not_Alone);
       Check
         (R.Emulator.Count_Of ("M=0") = 0, "the robot was stopped meanwhile");
@@ -465,8 +475,7 @@ package body Security_Tests is
       Start := Now;
       Last.Connect (S.Port);
       Expect_Refused (Silent (1), Not_Authenticated);
-      Good.Connect (S.Port);
-      Good.Send (Good_Line);
+      Enter (Good, S, Good_Line);
       Good.Expect ("RPIN", "ANAK");
       Check_Within (Now - Start, Token_Time / 2, "to make room");
       for M of Silent (2 .. 8) loop
@@ -538,12 +547,7 @@ package body Security_Tests is
       Quiet : Duration;
       Amid  : Duration;
    begin
-      Assemble
-        (R, Supervisor_Options => "--token " & Token_File,
-         Connected => False);
-      Connect (R);
-      R.Monitor.Send (Good_Line);
-      Move_Forward (R);
+      Drive_With_Token (R);
       Quiet := Median_Answer (R);
       Flood.Start (R.Supervisor.Port, Floods.Restless);
       delay 0.1;
@@ -626,8 +630,7 @@ package body Security_Tests is
          Mark   : constant Natural := S.Log_Length;
          Unused : Message;
       begin
-         M.Connect (S.Port);
-         M.Send (Text & "RPIN" & LF);
+         Enter (M, S, Text & "RPIN" & LF);
          Unused := M.Next_Of ("ANAK");
          M.Close;
          S.Expect_Log ("session closed", After => Mark);
@@ -700,8 +703,7 @@ package body Security_Tests is
       for Place in 1 .. 12 loop
          exit when not Slow.Try_Send ((1 => Good_Line (Place)));
          if Place = 6 then
-            Good.Connect (S.Port);
-            Good.Send (Good_Line);
+            Enter (Good, S, Good_Line);
             Expect_Admitted (Good);
          end if;
          delay 0.15;
@@ -718,12 +720,10 @@ package body Security_Tests is
          First, Next : Client;
       begin
          S.Start ("--token " & Token_File (Of_Token));
-         First.Connect (S.Port);
-         First.Send ("AUTH:" & Of_Token & Ending);
+         Enter (First, S, "AUTH:" & Of_Token & Ending);
          Expect_Admitted (First);
          Check (First.Count = 1, "the first line was answered");
-         Next.Connect (S.Port);
-         Next.Send ("AUTH:" & Of_Token & Ending);
+         Enter (Next, S, "AUTH:" & Of_Token & Ending);
          Expect_Refused (Next, Not_Alone);
          Expect_Admitted (First);
       end Try;
@@ -747,8 +747,7 @@ package body Security_Tests is
       for Turn in 1 .. Count loop
          Append (Text, "RPIN" & LF & "what" & LF);
       end loop;
-      M.Connect (S.Port);
-      M.Send (To_String (Text));
+      Enter (M, S, To_String (Text));
       for Turn in 1 .. Count loop
          Check (M.Next.Label = "ANAK", "RPIN" & Turn'Image);
          Check (M.Next.Label = "ACER", "what" & Turn'Image);
@@ -764,8 +763,7 @@ package body Security_Tests is
       procedure Refuse (Text : String) is
          M : Client;
       begin
-         M.Connect (S.Port);
-         M.Send (Text);
+         Enter (M, S, Text);
          Expect_Refused (M, Not_Authenticated);
          Count := Count + 1;
       end Refuse;
@@ -798,8 +796,7 @@ package body Security_Tests is
       Gone.Half_Close;
       Expect_Refused (Gone, Not_Authenticated);
       Expect_Refusals (S, Not_Authenticated, Count + 1);
-      Gone.Connect (S.Port);
-      Gone.Send (Good_Line);
+      Enter (Gone, S, Good_Line);
       Expect_Admitted (Gone);
       Expect_Secret (S);
    end Token_Wrong;
@@ -837,22 +834,15 @@ package body Security_Tests is
       Last   : Client;
       Start  : Instant;
    begin
-      Assemble
-        (R, Supervisor_Options => "--token " & Token_File,
-         Connected => False);
-      Connect (R);
-      R.Monitor.Send (Good_Line);
-      Move_Forward (R);
+      Drive_With_Token (R);
       Start := Now;
       Silent.Connect (R.Supervisor.Port);
       R.Emulator.Tell ("silent on");
       R.Monitor.Close;
       --  the stop is repeated while the robot is silent
-      Next.Connect (R.Supervisor.Port);
-      Next.Send (Good_Line & "RPIN" & LF);
+      Enter (Next, R.Supervisor, Good_Line & "RPIN" & LF);
       delay 0.02;
-      Last.Connect (R.Supervisor.Port);
-      Last.Send (Good_Line);
+      Enter (Last, R.Supervisor, Good_Line);
       Check (Next.Next.Label = "ANAK", "not admitted");
       Expect_Refused (Last, Not_Alone);
       R.Supervisor.Expect_Log ("refused, " & Not_Alone);
@@ -870,16 +860,10 @@ package body Security_Tests is
       Next   : Client;
       Crowd  : Client_Array (1 .. 20);
    begin
-      Assemble
-        (R, Supervisor_Options => "--token " & Token_File,
-         Connected => False);
-      Connect (R);
-      R.Monitor.Send (Good_Line);
-      Move_Forward (R);
+      Drive_With_Token (R);
       R.Emulator.Tell ("silent on");
       R.Monitor.Close;
-      Next.Connect (R.Supervisor.Port);
-      Next.Send (Good_Line & "RPIN" & LF);
+      Enter (Next, R.Supervisor, Good_Line & "RPIN" & LF);
       for M of Crowd loop
          M.Connect (R.Supervisor.Port, Real_Time => False);
       end loop;
@@ -900,8 +884,7 @@ package body Security_Tests is
         & "RGFW" & LF;
       Lines  : constant Natural := R.Supervisor.Count_Of ("is no monitor");
    begin
-      R.Monitor.Connect (R.Supervisor.Port);
-      R.Monitor.Send (Bytes);
+      Enter (R.Monitor, R.Supervisor, Bytes);
       if R.Monitor.Try_Send (Orders) then
          null;  --  it may have been closed before
       end if;
@@ -973,43 +956,34 @@ package body Security_Tests is
       Expect ("--bind ::1", ", for this machine alone");
    end Who_May_Connect;
 
-   procedure Register is
-   begin
-      Add ("Security_Allowed_Addresses", Allowed_Addresses'Access);
-      Add ("Security_Allowed_While_In_Command",
-           Allowed_While_In_Command'Access);
-      Add ("Security_Allowed_And_IPv6", Allowed_And_IPv6'Access);
-      Add ("Security_Allowed_Wrongly", Allowed_Wrongly'Access);
-      Add ("Security_Token_Right", Token_Right'Access);
-      Add ("Security_Token_With_Commands", Token_With_Commands'Access);
-      Add ("Security_Token_In_Pieces", Token_In_Pieces'Access);
-      Add ("Security_Token_Wrong", Token_Wrong'Access);
-      Add ("Security_Token_Late", Token_Late'Access);
-      Add ("Security_Eight_Silent", Eight_Silent'Access);
-      Add ("Security_Disturbs_Nobody", Disturbs_Nobody'Access);
-      Add ("Security_Flood_Of_Newcomers", Flood_Of_Newcomers'Access,
-           Timed => True);
-      Add ("Security_Crowd_Keeps_Nobody_Out",
-           Crowd_Keeps_Nobody_Out'Access);
-      Add ("Security_Flood_Without_End", Flood_Without_End'Access,
-           Timed => True);
-      Add ("Security_Lines_Bit_By_Bit", Lines_Bit_By_Bit'Access,
-           Timed => True);
-      Add ("Security_Waits_For_The_End", Waits_For_The_End'Access);
-      Add ("Security_Entitled_Stays", Entitled_Stays'Access);
-      Add ("Security_Refused_In_Time", Refusals_In_Time'Access,
-           Timed => True);
-      Add ("Security_Bad_Token_Files", Bad_Token_Files'Access);
-      Add ("Security_Unreadable_Files",
-           Unreadable_Files'Access);
-      Add ("Security_Secret_Not_Logged", Secret_Not_Logged'Access);
-      Add ("Security_Line_Without_Token_Option",
-           Line_Without_Token_Option'Access);
-      Add ("Security_Console_Monitor", Console_Monitor'Access);
-      Add ("Security_Console_Tells_No_Other_User",
-           Console_Tells_No_Other_User'Access);
-      Add ("Security_Strangers", Strangers'Access);
-      Add ("Security_Who_May_Connect", Who_May_Connect'Access);
-   end Register;
-
+begin
+   Add ("Security_Allowed_Addresses", Allowed_Addresses'Access);
+   Add ("Security_Allowed_While_In_Command", Allowed_While_In_Command'Access);
+   Add ("Security_Allowed_And_IPv6", Allowed_And_IPv6'Access);
+   Add ("Security_Allowed_Wrongly", Allowed_Wrongly'Access);
+   Add ("Security_Token_Right", Token_Right'Access);
+   Add ("Security_Token_With_Commands", Token_With_Commands'Access);
+   Add ("Security_Token_In_Pieces", Token_In_Pieces'Access);
+   Add ("Security_Token_Wrong", Token_Wrong'Access);
+   Add ("Security_Token_Late", Token_Late'Access);
+   Add ("Security_Eight_Silent", Eight_Silent'Access);
+   Add ("Security_Disturbs_Nobody", Disturbs_Nobody'Access);
+   Add ("Security_Flood_Of_Newcomers",
+        Flood_Of_Newcomers'Access, Timed => True);
+   Add ("Security_Crowd_Keeps_Nobody_Out", Crowd_Keeps_Nobody_Out'Access);
+   Add ("Security_Flood_Without_End", Flood_Without_End'Access, Timed => True);
+   Add ("Security_Lines_Bit_By_Bit", Lines_Bit_By_Bit'Access, Timed => True);
+   Add ("Security_Waits_For_The_End", Waits_For_The_End'Access);
+   Add ("Security_Entitled_Stays", Entitled_Stays'Access);
+   Add ("Security_Refused_In_Time", Refusals_In_Time'Access, Timed => True);
+   Add ("Security_Bad_Token_Files", Bad_Token_Files'Access);
+   Add ("Security_Unreadable_Files", Unreadable_Files'Access);
+   Add ("Security_Secret_Not_Logged", Secret_Not_Logged'Access);
+   Add ("Security_Line_Without_Token_Option",
+        Line_Without_Token_Option'Access);
+   Add ("Security_Console_Monitor", Console_Monitor'Access);
+   Add ("Security_Console_Tells_No_Other_User",
+        Console_Tells_No_Other_User'Access);
+   Add ("Security_Strangers", Strangers'Access);
+   Add ("Security_Who_May_Connect", Who_May_Connect'Access);
 end Security_Tests;

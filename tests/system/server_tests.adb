@@ -25,7 +25,7 @@ with Samples;
 with Scenarios;             use Scenarios;
 with Supervisors;           use Supervisors;
 
-package body Server_Tests is
+procedure Server_Tests is
 
    Default_Port : constant := 5544;
 
@@ -524,30 +524,27 @@ package body Server_Tests is
       Check (Tool.Exit_Status = 1, "exit status");
    end Console_Does_Not_Wait_In_Vain;
 
-   procedure Register is
-   begin
-      Add ("F01_Listens_And_Says_So", Listens'Access);
-      Add ("F01_Cannot_Listen", Cannot_Listen'Access);
-      Add ("F01_Cannot_Listen_In_Time", Cannot_Listen'Access, Timed => True);
-      Add ("F02_Connection_Admitted_Quickly", Admitted_Quickly'Access,
-           Timed => True);
-      Add ("F02_Crowd_Finds_Room_To_Wait", Crowd_Finds_Room'Access,
-           Timed => True);
-      Add ("F03_Burst_Of_10_000_Commands", Burst_Of_10_000'Access);
-      Add ("F03_Burst_While_Started", Burst_While_Started'Access);
-      Add ("F03_Rule_2_Flood_Keeps_Memory", Flood_Keeps_Memory'Access);
-      Add ("Never_Logs_To_A_Monitor", Streams_Closed'Access);
-      Add ("Options_Bad", Options_Bad'Access);
-      Add ("Options_Help", Options_Help'Access);
-      Add ("Options_Version", Options_Version'Access);
-      Add ("Options_Not_Heard", Not_Heard'Access);
-      Add ("Options_Log_Levels", Log_Levels'Access);
-      Add ("Options_Console_Does_Not_Wait_In_Vain",
-           Console_Does_Not_Wait_In_Vain'Access);
-      Add ("Check_All_Well", Check_All_Well'Access);
-      Add ("Check_Line_In_Use", Check_Line_In_Use'Access);
-      Add ("Check_Hints", Check_Hints'Access);
-      Add ("Check_Nothing_Well", Check_Nothing_Well'Access);
-   end Register;
-
+begin
+   Add ("F01_Listens_And_Says_So", Listens'Access);
+   Add ("F01_Cannot_Listen", Cannot_Listen'Access);
+   Add ("F01_Cannot_Listen_In_Time", Cannot_Listen'Access, Timed => True);
+   Add ("F02_Connection_Admitted_Quickly",
+        Admitted_Quickly'Access, Timed => True);
+   Add ("F02_Crowd_Finds_Room_To_Wait",
+        Crowd_Finds_Room'Access, Timed => True);
+   Add ("F03_Burst_Of_10_000_Commands", Burst_Of_10_000'Access);
+   Add ("F03_Burst_While_Started", Burst_While_Started'Access);
+   Add ("F03_Rule_2_Flood_Keeps_Memory", Flood_Keeps_Memory'Access);
+   Add ("Never_Logs_To_A_Monitor", Streams_Closed'Access);
+   Add ("Options_Bad", Options_Bad'Access);
+   Add ("Options_Help", Options_Help'Access);
+   Add ("Options_Version", Options_Version'Access);
+   Add ("Options_Not_Heard", Not_Heard'Access);
+   Add ("Options_Log_Levels", Log_Levels'Access);
+   Add ("Options_Console_Does_Not_Wait_In_Vain",
+        Console_Does_Not_Wait_In_Vain'Access);
+   Add ("Check_All_Well", Check_All_Well'Access);
+   Add ("Check_Line_In_Use", Check_Line_In_Use'Access);
+   Add ("Check_Hints", Check_Hints'Access);
+   Add ("Check_Nothing_Well", Check_Nothing_Well'Access);
 end Server_Tests;

@@ -20,7 +20,7 @@ with Samples;
 with Scenarios;             use Scenarios;
 with Supervisors;
 
-package body Source_Tests is
+procedure Source_Tests is
 
    --  Cameras of every rate, side by side: each with a supervisor and a
    --  monitor of its own
@@ -491,16 +491,13 @@ package body Source_Tests is
       Expect_Own_Jpeg (R, Path, Count => 3);
    end V4l2_Busy;
 
-   procedure Register is
-   begin
-      Add ("F15_Cameras_Of_Every_Rate", Sources'Access, Timed => True);
-      Add ("F14_V4L2_Motion_JPEG", V4l2_Motion_Jpeg'Access);
-      Add ("F14_V4L2_Pixels", V4l2_Pixels'Access);
-      Add ("F14_V4L2_Other_Size", V4l2_Other_Size'Access);
-      Add ("F15_V4L2_Rates", V4l2_Rates'Access, Timed => True);
-      Add ("F15_V4L2_Unplugged", V4l2_Unplugged'Access);
-      Add ("F15_V4L2_Broken_JPEG", V4l2_Broken_Jpeg'Access);
-      Add ("F14_V4L2_Busy", V4l2_Busy'Access);
-   end Register;
-
+begin
+   Add ("F15_Cameras_Of_Every_Rate", Sources'Access, Timed => True);
+   Add ("F14_V4L2_Motion_JPEG", V4l2_Motion_Jpeg'Access);
+   Add ("F14_V4L2_Pixels", V4l2_Pixels'Access);
+   Add ("F14_V4L2_Other_Size", V4l2_Other_Size'Access);
+   Add ("F15_V4L2_Rates", V4l2_Rates'Access, Timed => True);
+   Add ("F15_V4L2_Unplugged", V4l2_Unplugged'Access);
+   Add ("F15_V4L2_Broken_JPEG", V4l2_Broken_Jpeg'Access);
+   Add ("F14_V4L2_Busy", V4l2_Busy'Access);
 end Source_Tests;

@@ -5,9 +5,7 @@
 --  --monitor name other programs than those beside this one; --terminals: no
 --  preloaded line. It runs itself with --one NAME for a test.
 
-with Ada.Exceptions;
 with Ada.Strings.Fixed;       use Ada.Strings.Fixed;
-with Ada.Strings.Unbounded;   use Ada.Strings.Unbounded;
 with GNAT.OS_Lib;
 with System.Multiprocessors;
 
@@ -35,7 +33,6 @@ procedure System_Tests is
      * Positive (System.Multiprocessors.Number_Of_CPUs);
    --  Most tests wait most of the time, but what waits without priority is
    --  disturbed by the others
-   One  : Unbounded_String;
    Done : Boolean;
 
 begin
@@ -49,7 +46,7 @@ begin
       elsif Option_Readers.Name = "--jobs" then
          Jobs := Option_Readers.Number (1, 64);
       elsif Option_Readers.Name = "--one" then
-         One := To_Unbounded_String (Option_Readers.Value);
+         Scenarios.Select_One (Option_Readers.Value);
       elsif Index (Option_Readers.Name, "-") = 1 then
          Option_Readers.Refuse;
       else
@@ -58,28 +55,23 @@ begin
    end loop;
 
    --  the longest first
-   Never_Tests.Register;
-   Robot_Tests.Register;
-   Process_Tests.Register;
-   Monitor_Tests.Register;
-   Security_Tests.Register;
-   Server_Tests.Register;
-   Radio_Tests.Register;
-   Camera_Tests.Register;
-   Source_Tests.Register;
-   Mission_Tests.Register;
-   Mission_Trial_Tests.Register;
-   Trace_Tests.Register;
+   Never_Tests;
+   Robot_Tests;
+   Process_Tests;
+   Monitor_Tests;
+   Security_Tests;
+   Server_Tests;
+   Radio_Tests;
+   Camera_Tests;
+   Source_Tests;
+   Mission_Tests;
+   Mission_Trial_Tests;
+   Trace_Tests;
 
-   if One /= "" then
-      Scenarios.Run_One (To_String (One));
-   end if;
    Scenarios.Run (Jobs, Programs.Beside ("system_tests"), Done);
    GNAT.OS_Lib.OS_Exit (if Done then 0 else 1);
 
 exception
-   when Occurrence : Option_Readers.Bad_Usage =>
-      Programs.Give_Up (Ada.Exceptions.Exception_Message (Occurrence));
    when Occurrence : others =>
-      Programs.Give_Up (Ada.Exceptions.Exception_Information (Occurrence));
+      Programs.Give_Up (Occurrence);
 end System_Tests;

@@ -20,7 +20,7 @@ with Scenarios;             use Scenarios;
 with Supervisors;           use Supervisors;
 with Trace_Files;           use Trace_Files;
 
-package body Trace_Tests is
+procedure Trace_Tests is
 
    Tasks : constant := 21;
 
@@ -317,15 +317,11 @@ package body Trace_Tests is
       Fill (Trace_Path, "prlimit --fsize=4096", "File too large");
    end Full_Disk;
 
-   procedure Register is
-   begin
-      Add ("Trace_Whole_Session", Whole_Session'Access);
-      Add ("Trace_Whole_Session_In_Time", Whole_Session'Access,
-           Timed => True);
-      Add ("Trace_After_A_Failure", After_A_Failure'Access);
-      Add ("Trace_Nothing_Happened", Nothing_Happened'Access);
-      Add ("Trace_Unusable_Files", Unusable_Files'Access);
-      Add ("Trace_Full_Disk", Full_Disk'Access);
-   end Register;
-
+begin
+   Add ("Trace_Whole_Session", Whole_Session'Access);
+   Add ("Trace_Whole_Session_In_Time", Whole_Session'Access, Timed => True);
+   Add ("Trace_After_A_Failure", After_A_Failure'Access);
+   Add ("Trace_Nothing_Happened", Nothing_Happened'Access);
+   Add ("Trace_Unusable_Files", Unusable_Files'Access);
+   Add ("Trace_Full_Disk", Full_Disk'Access);
 end Trace_Tests;
