@@ -25,18 +25,6 @@ package body Camera_Faults is
    type Camera_Fault is abstract new Fault with null record;
 
    overriding procedure Lift (F : in out Camera_Fault; W : in out World);
-   --  The camera works again
-
-   --  It does not open: no server, or no such device
-
-   type Not_There is new Camera_Fault with null record;
-
-   overriding procedure Inject (F : in out Not_There; W : in out World);
-
-   type No_Such_Device is new Camera_Fault with null record;
-
-   overriding procedure Prepare (F : No_Such_Device; P : in out Plan);
-   overriding procedure Inject (F : in out No_Such_Device; W : in out World);
 
    --  It opens after some time
 
@@ -48,18 +36,6 @@ package body Camera_Faults is
    end record;
 
    overriding procedure Inject (F : in out Opens_Late; W : in out World);
-
-   --  It stops in mid-stream
-
-   type Stops is new Camera_Fault with null record;
-
-   overriding procedure Inject (F : in out Stops; W : in out World);
-
-   --  What comes is no image
-
-   type Garbage is new Camera_Fault with null record;
-
-   overriding procedure Inject (F : in out Garbage; W : in out World);
 
    --  Images of another size, one or many
 
@@ -99,20 +75,24 @@ package body Camera_Faults is
          "an image of" & Width'Image & " x" & Height'Image);
    end Expect_Fitting;
 
+   procedure Mend (W : in out World) is
+      --  The camera works again
+   begin
+      W.Emulator.Tell ("camera mend");
+   end Mend;
+
    overriding procedure Lift (F : in out Camera_Fault; W : in out World) is
       pragma Unreferenced (F);
    begin
-      W.Emulator.Tell ("camera mend");
+      Mend (W);
    end Lift;
 
-   overriding procedure Prepare (F : No_Such_Device; P : in out Plan) is
-      pragma Unreferenced (F);
+   procedure Prepare_No_Device (P : in out Plan) is
    begin
       P.Camera := To_Unbounded_String ("/dev/no_such_camera");
-   end Prepare;
+   end Prepare_No_Device;
 
-   overriding procedure Inject (F : in out Not_There; W : in out World) is
-      pragma Unreferenced (F);
+   procedure Switch_Off (W : in out World) is
       B : Before;
    begin
       if not W.Alone then
@@ -129,14 +109,11 @@ package body Camera_Faults is
          Expect_Robot_Answers (W);
       end loop;
       Expect (W, "CPCO", "ANAK");
-      W.Emulator.Tell ("camera mend");
+      Mend (W);
       Recover_Camera (W);
-   end Inject;
+   end Switch_Off;
 
-   overriding procedure Inject
-     (F : in out No_Such_Device; W : in out World)
-   is
-      pragma Unreferenced (F);
+   procedure Open_No_Device (W : in out World) is
    begin
       if W.Alone then
          for Attempt in 1 .. Whole (W.Source, 1, 5) loop
@@ -147,7 +124,7 @@ package body Camera_Faults is
       else
          W.Say ("COPN");
       end if;
-   end Inject;
+   end Open_No_Device;
 
    overriding procedure Inject (F : in out Opens_Late; W : in out World) is
       Opening : constant String := "camera opening " & Image (F.After);
@@ -231,8 +208,7 @@ package body Camera_Faults is
       Expect_Robot_Answers (W);
    end Inject;
 
-   overriding procedure Inject (F : in out Stops; W : in out World) is
-      pragma Unreferenced (F);
+   procedure Stall (W : in out World) is
       B : Before;
    begin
       if not W.Alone then
@@ -251,12 +227,11 @@ package body Camera_Faults is
          W.Expect_Answers (Within => Open_Limit + Noise);
          Expect (W, "CPCO", "ANAK");
       end if;
-      W.Emulator.Tell ("camera mend");
+      Mend (W);
       Recover_Camera (W);
-   end Inject;
+   end Stall;
 
-   overriding procedure Inject (F : in out Garbage; W : in out World) is
-      pragma Unreferenced (F);
+   procedure Deliver_Garbage (W : in out World) is
    begin
       W.Emulator.Tell ("camera garbage");
       if W.Alone then
@@ -265,10 +240,10 @@ package body Camera_Faults is
             Expect_Robot_Answers (W);
          end loop;
          Check (W.Monitor.Broken_Images = 0, "a broken image was sent");
-         W.Emulator.Tell ("camera mend");
+         Mend (W);
          Recover_Camera (W);
       end if;
-   end Inject;
+   end Deliver_Garbage;
 
    overriding procedure Inject (F : in out Other_Size; W : in out World) is
       Widest  : constant := 1_600;
@@ -306,7 +281,7 @@ package body Camera_Faults is
                "images of" & Width'Image & " x" & Height'Image
                & " instead of" & F.Fit_Width'Image & " x"
                & F.Fit_Height'Image);
-            W.Emulator.Tell ("camera mend");
+            Mend (W);
             Expect_Images (W, 3);
             Expect_Fitting (W);
          end if;
@@ -320,7 +295,7 @@ package body Camera_Faults is
             Expect_Images (W, 2);
             Expect_Fitting (W);
             Expect_Robot_Answers (W);
-            W.Emulator.Tell ("camera mend");
+            Mend (W);
             Expect_Images (W, 3);
             Expect_Fitting (W);
             Expect_Open (W, B);
@@ -358,18 +333,21 @@ package body Camera_Faults is
       end if;
       Expect_Robot_Answers (W);
       Expect_Open (W, B);
-      W.Emulator.Tell ("camera mend");
+      Mend (W);
       Expect_Images (W, 2);
    end Inject;
 
    procedure Register is
    begin
-      Add (Faults.Camera, "camera cannot be opened", new Not_There);
-      Add (Faults.Camera, "no such camera", new No_Such_Device,
+      Add (Faults.Camera, "camera cannot be opened",
+           Switch_Off'Access, Mend'Access);
+      Add (Faults.Camera, "no such camera",
+           Open_No_Device'Access, Mend'Access, Prepare_No_Device'Access,
            Camera => No_Camera);
-      Add (Faults.Camera, "camera stops delivering", new Stops,
-           Cost => 4.0, Camera => Camera_Streaming);
-      Add (Faults.Camera, "camera delivers garbage", new Garbage,
+      Add (Faults.Camera, "camera stops delivering",
+           Stall'Access, Mend'Access, Cost => 4.0, Camera => Camera_Streaming);
+      Add (Faults.Camera, "camera delivers garbage",
+           Deliver_Garbage'Access, Mend'Access,
            Cost => 2.5, Camera => Camera_Streaming);
       Add (Faults.Camera, "images change their size", new Other_Size,
            Cost => 2.5, Camera => Camera_Streaming);

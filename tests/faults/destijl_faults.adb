@@ -6,7 +6,6 @@ with Ada.Command_Line;      use Ada.Command_Line;
 with Ada.Exceptions;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
-with GNAT.OS_Lib;
 
 with Fault_List;
 with Fault_Records;
@@ -31,22 +30,21 @@ procedure Destijl_Faults is
    Is_Job   : Boolean := False;
    Is_List  : Boolean := False;
 
-   procedure Print_Help is
-   begin
-      Put_Line ("bin/destijl_faults [OPTION ...]");
-      Put_Line ("  --seed N        of everything random (1)");
-      Put_Line ("  --times N       of each fault alone (100)");
-      Put_Line ("  --pairs N       each in so many pairs, at random (100)");
-      Put_Line ("  --only PART     faults and pairs with this in their name");
-      Put_Line ("  --at N          only the repetition N");
-      Put_Line ("  --jobs N        worlds side by side (12)");
-      Put_Line ("  --short         each fault once, some pairs");
-      Put_Line ("  --markdown FILE the table, as a file");
-      Put_Line ("  --record FILE   each result; begun again with the same");
-      Put_Line ("                  file, what is in it is not repeated");
-      Put_Line ("  --supervisor, --emulator PATH  other programs");
-      Put_Line ("  --list          the faults' names");
-   end Print_Help;
+   LF    : Character renames ASCII.LF;
+   Usage : constant String :=
+     "bin/destijl_faults [OPTION ...]" & LF
+     & "  --seed N        of everything random (1)" & LF
+     & "  --times N       of each fault alone (100)" & LF
+     & "  --pairs N       each in so many pairs, at random (100)" & LF
+     & "  --only PART     faults and pairs with this in their name" & LF
+     & "  --at N          only the repetition N" & LF
+     & "  --jobs N        worlds side by side (12)" & LF
+     & "  --short         each fault once, some pairs" & LF
+     & "  --markdown FILE the table, as a file" & LF
+     & "  --record FILE   each result; begun again with the same" & LF
+     & "                  file, what is in it is not repeated" & LF
+     & "  --supervisor, --emulator PATH  other programs" & LF
+     & "  --list          the faults' names";
 
    procedure Read_Options is
    begin
@@ -70,19 +68,14 @@ procedure Destijl_Faults is
             Markdown := To_Unbounded_String (Value);
          elsif Name = "--record" then
             S.Record_File := To_Unbounded_String (Value);
-         elsif Programs.Read_Option then
-            null;
          elsif Name = "--list" then
             Is_List := True;
          elsif Name = "--work" then
             --  a job of Fault_Runs.Run
             Is_Job := True;
             S.Seed := Number (Low => 0);
-         elsif Name = "--help" then
-            Print_Help;
-            GNAT.OS_Lib.OS_Exit (0);
          else
-            Refuse;
+            Programs.Read_Option (Usage);
          end if;
       end loop;
    end Read_Options;
@@ -140,12 +133,8 @@ begin
    Programs.Remove_Temporary_Folder;
 
 exception
-   when Occurrence : Bad_Usage | Fault_Records.Wrong_Record =>
-      Put_Line
-        (Standard_Error,
-         "destijl_faults: " & Ada.Exceptions.Exception_Message (Occurrence)
-         & " (--help)");
-      Set_Exit_Status (2);
+   when Occurrence : Fault_Records.Wrong_Record =>
+      Programs.Give_Up (Ada.Exceptions.Exception_Message (Occurrence), 2);
    when Occurrence : others =>
-      Programs.Give_Up (Ada.Exceptions.Exception_Information (Occurrence));
+      Programs.Give_Up (Occurrence);
 end Destijl_Faults;

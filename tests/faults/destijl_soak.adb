@@ -51,17 +51,16 @@ procedure Destijl_Soak is
    --  The robot's answer may take so long; with that much time stolen by the
    --  host it may be late without an error of the supervisor
 
-   procedure Print_Usage (To : File_Type) is
-   begin
-      Put_Line (To, "usage: destijl_soak [OPTION ...]");
-      Put_Line (To, "   --minutes N   how long (30)");
-      Put_Line (To, "   --seed N      of everything random (from the clock)");
-      Put_Line (To, "   --csv FILE    write a line for each second");
-      Put_Line (To, "   --supervisor PATH, --emulator PATH");
-      Put_Line (To, "                 instead of those beside this one");
-      Put_Line (To, "Exit status: 0 all is in the end as in the beginning,");
-      Put_Line (To, "1 not so, 2 bad usage.");
-   end Print_Usage;
+   LF    : Character renames ASCII.LF;
+   Usage : constant String :=
+     "usage: destijl_soak [OPTION ...]" & LF
+     & "   --minutes N   how long (30)" & LF
+     & "   --seed N      of everything random (from the clock)" & LF
+     & "   --csv FILE    write a line for each second" & LF
+     & "   --supervisor PATH, --emulator PATH" & LF
+     & "                 instead of those beside this one" & LF
+     & "Exit status: 0 all is in the end as in the beginning," & LF
+     & "1 not so, 2 bad usage.";
 
    procedure Read_Command_Line is
    begin
@@ -73,13 +72,8 @@ procedure Destijl_Soak is
             Seed := Number (Low => 0);
          elsif Name = "--csv" then
             Csv_Path := To_Unbounded_String (Value);
-         elsif Programs.Read_Option then
-            null;
-         elsif Name = "--help" then
-            Print_Usage (Standard_Output);
-            GNAT.OS_Lib.OS_Exit (0);
          else
-            Refuse;
+            Programs.Read_Option (Usage);
          end if;
       end loop;
    end Read_Command_Line;
@@ -298,12 +292,6 @@ begin
    Programs.Remove_Temporary_Folder;
    GNAT.OS_Lib.OS_Exit (if Good then 0 else 1);
 exception
-   when Occurrence : Bad_Usage =>
-      Put_Line
-        (Standard_Error,
-         "destijl_soak: " & Ada.Exceptions.Exception_Message (Occurrence));
-      Print_Usage (Standard_Error);
-      GNAT.OS_Lib.OS_Exit (2);
    when Occurrence : others =>
-      Programs.Give_Up (Ada.Exceptions.Exception_Information (Occurrence));
+      Programs.Give_Up (Occurrence);
 end Destijl_Soak;

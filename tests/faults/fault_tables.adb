@@ -76,36 +76,23 @@ package body Fault_Tables is
       File : File_Type;
 
       procedure Put_Row (Row : Tally; Group, Name : String) is
-         Line : constant String :=
-           "| " & Group & " | " & Name
-           & " | "
-           & (if Row.Impossible > 0 and then Row.Alone = 0
-              then "not possible here" else Image (Row.Alone))
-           & " | " & Image (Row.In_Pairs)
-           & " | " & Image (Row.Violations) & " |";
       begin
-         if Path = "" then
-            Put_Line (Line);
-         else
-            Put_Line (File, Line);
-         end if;
+         Put_Line
+           ("| " & Group & " | " & Name
+            & " | "
+            & (if Row.Impossible > 0 and then Row.Alone = 0
+               then "not possible here" else Image (Row.Alone))
+            & " | " & Image (Row.In_Pairs)
+            & " | " & Image (Row.Violations) & " |");
       end Put_Row;
-
-      procedure Put_Head (Line : String) is
-      begin
-         if Path = "" then
-            Put_Line (Line);
-         else
-            Put_Line (File, Line);
-         end if;
-      end Put_Head;
 
    begin
       if Path /= "" then
          Create (File, Out_File, Path);
+         Set_Output (File);
       end if;
-      Put_Head ("| group | fault | alone | in pairs | violations |");
-      Put_Head ("|---|---|---|---|---|");
+      Put_Line ("| group | fault | alone | in pairs | violations |");
+      Put_Line ("|---|---|---|---|---|");
       for Number in 1 .. Faults.Count loop
          if Rows (Number) /= (others => 0) then
             Put_Row
@@ -123,6 +110,7 @@ package body Fault_Tables is
             end if;
          end loop;
       end loop;
+      Set_Output (Standard_Output);
       if Path /= "" then
          Close (File);
       end if;

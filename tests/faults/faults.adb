@@ -10,6 +10,34 @@ package body Faults is
 
    List : Fault_Vectors.Vector;
 
+   type Plain is new Fault with record
+      Injecting, Lifting : World_Action;
+      Preparing          : Plan_Action;
+   end record;
+
+   overriding procedure Prepare (F : Plain; P : in out Plan);
+   overriding procedure Inject (F : in out Plain; W : in out World);
+   overriding procedure Lift (F : in out Plain; W : in out World);
+
+   overriding procedure Prepare (F : Plain; P : in out Plan) is
+   begin
+      if F.Preparing /= null then
+         F.Preparing (P);
+      end if;
+   end Prepare;
+
+   overriding procedure Inject (F : in out Plain; W : in out World) is
+   begin
+      F.Injecting (W);
+   end Inject;
+
+   overriding procedure Lift (F : in out Plain; W : in out World) is
+   begin
+      if F.Lifting /= null then
+         F.Lifting (W);
+      end if;
+   end Lift;
+
    procedure Add
      (Group  : Group_Kind;
       Name   : String;
@@ -30,6 +58,26 @@ package body Faults is
       F.Heavy := Heavy;
       F.Alone := Alone;
       List.Append (F);
+   end Add;
+
+   procedure Add
+     (Group   : Group_Kind;
+      Name    : String;
+      Inject  : not null World_Action;
+      Lift    : World_Action := null;
+      Prepare : Plan_Action  := null;
+      Cost    : Duration     := 1.0;
+      Ends    : Consequence  := Nothing;
+      Robot   : Robot_Need   := Any_Robot;
+      Camera  : Camera_Need  := Any_Camera;
+      Heavy   : Boolean      := False;
+      Alone   : Boolean      := False) is
+   begin
+      Add (Group, Name, new Plain'(Injecting => Inject,
+                                   Lifting   => Lift,
+                                   Preparing => Prepare,
+                                   others    => <>),
+           Cost, Ends, Robot, Camera, Heavy, Alone);
    end Add;
 
    function Count return Natural is (Natural (List.Length));

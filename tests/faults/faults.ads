@@ -60,6 +60,24 @@ package Faults is
       Heavy  : Boolean     := False;
       Alone  : Boolean     := False);
 
+   --  A fault that needs no more than procedures
+
+   type World_Action is access procedure (W : in out World);
+   type Plan_Action is access procedure (P : in out Plan);
+
+   procedure Add
+     (Group   : Group_Kind;
+      Name    : String;
+      Inject  : not null World_Action;
+      Lift    : World_Action := null;
+      Prepare : Plan_Action  := null;
+      Cost    : Duration     := 1.0;
+      Ends    : Consequence  := Nothing;
+      Robot   : Robot_Need   := Any_Robot;
+      Camera  : Camera_Need  := Any_Camera;
+      Heavy   : Boolean      := False;
+      Alone   : Boolean      := False);
+
    function Count return Natural;
 
    function Element (Number : Positive) return not null Fault_Access;

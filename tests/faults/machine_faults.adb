@@ -31,14 +31,6 @@ package body Machine_Faults is
 
    overriding procedure Inject (F : in out Stopping; W : in out World);
 
-   type Broken_Pipes is new Fault with null record;
-
-   overriding procedure Inject (F : in out Broken_Pipes; W : in out World);
-
-   type Killing is new Fault with null record;
-
-   overriding procedure Inject (F : in out Killing; W : in out World);
-
    --  Standard error
 
    type Bad_Error_Kind is (All_Closed, Closed, Full_Device, Full_Disk);
@@ -50,41 +42,6 @@ package body Machine_Faults is
 
    overriding procedure Prepare (F : Bad_Error; P : in out Plan);
    overriding procedure Inject (F : in out Bad_Error; W : in out World);
-
-   type Full_Pipe is new Fault with null record;
-   --  It fills up, and is read again later
-
-   overriding procedure Prepare (F : Full_Pipe; P : in out Plan);
-   overriding procedure Inject (F : in out Full_Pipe; W : in out World);
-   overriding procedure Lift (F : in out Full_Pipe; W : in out World);
-
-   --  Clock, processors, descriptors
-
-   type Set_Clock is new Fault with null record;
-   --  The machine's clock is not changed. A library preloaded before the C
-   --  library reports another time to the supervisor only. A deadline computed
-   --  from it is then an hour off for the kernel: this detects a dependence
-   --  more reliably than a real change, which only affects waits in progress.
-
-   overriding procedure Prepare (F : Set_Clock; P : in out Plan);
-   overriding procedure Inject (F : in out Set_Clock; W : in out World);
-   overriding procedure Lift (F : in out Set_Clock; W : in out World);
-
-   type Busy is new Fault with record
-      Load : Busy_Loops.Load;
-   end record;
-
-   overriding procedure Inject (F : in out Busy; W : in out World);
-   overriding procedure Lift (F : in out Busy; W : in out World);
-
-   type No_Descriptors is new Fault with record
-      Usual : aliased Libc.Resource_Limit := (0, 0);
-      Owner : int := 0;
-      --  whose limit it is
-   end record;
-
-   overriding procedure Inject (F : in out No_Descriptors; W : in out World);
-   overriding procedure Lift (F : in out No_Descriptors; W : in out World);
 
    --  Privileges
 
@@ -182,17 +139,15 @@ package body Machine_Faults is
       end if;
    end Inject;
 
-   overriding procedure Inject (F : in out Broken_Pipes; W : in out World) is
-      pragma Unreferenced (F);
+   procedure Break_Pipes (W : in out World) is
    begin
       for Number in 1 .. Whole (W.Source, 1, 20) loop
          W.Supervisor.Send_Signal (Libc.Sigpipe);
          W.Talk (Span (W.Source, 0.0, 0.02), Calm => True);
       end loop;
-   end Inject;
+   end Break_Pipes;
 
-   overriding procedure Inject (F : in out Killing; W : in out World) is
-      pragma Unreferenced (F);
+   procedure Kill (W : in out World) is
    begin
       W.Listen;
       if W.Present and then W.Line_Works
@@ -209,7 +164,7 @@ package body Machine_Faults is
       W.Expect_Status
         ("moving", "0", Within => Watchdog_Limit + Noise);
       W.Robot_Ready := False;
-   end Inject;
+   end Kill;
 
    overriding procedure Prepare (F : Bad_Error; P : in out Plan) is
    begin
@@ -265,15 +220,15 @@ package body Machine_Faults is
       W.Talk (Span (W.Source, 0.0, 0.5));
    end Inject;
 
-   overriding procedure Prepare (F : Full_Pipe; P : in out Plan) is
-      pragma Unreferenced (F);
+   --  The pipe fills up, and is read again later
+
+   procedure Prepare_Pipe (P : in out Plan) is
    begin
       P.Log_Is_Read := False;
       P.Launcher := Script ("pipe", "exec ""$@"" 2>'" & Pipe & "'");
-   end Prepare;
+   end Prepare_Pipe;
 
-   overriding procedure Inject (F : in out Full_Pipe; W : in out World) is
-      pragma Unreferenced (F);
+   procedure Fill_Pipe (W : in out World) is
       Zeros : constant String (1 .. 4_096) := (others => ASCII.NUL);
    begin
       Check (Drained > 0, "the log does not go to the pipe");
@@ -293,17 +248,21 @@ package body Machine_Faults is
          W.Lose (Orderly);
          W.Try_To_Join;
       end if;
-   end Inject;
+   end Fill_Pipe;
 
-   overriding procedure Lift (F : in out Full_Pipe; W : in out World) is
-      pragma Unreferenced (F, W);
+   procedure Empty_Pipe (W : in out World) is
+      pragma Unreferenced (W);
       Unused : constant Natural := Drained;
    begin
       null;
-   end Lift;
+   end Empty_Pipe;
 
-   overriding procedure Prepare (F : Set_Clock; P : in out Plan) is
-      pragma Unreferenced (F);
+   --  The machine's clock is not changed. A library preloaded before the C
+   --  library reports another time to the supervisor only. A deadline computed
+   --  from it is then an hour off for the kernel: this detects a dependence
+   --  more reliably than a real change, which only affects waits in progress.
+
+   procedure Prepare_Clock (P : in out Plan) is
    begin
       if not Exists (Clock_File) then
          Set_Shift (0);
@@ -312,10 +271,9 @@ package body Machine_Faults is
          P.Launcher := To_Unbounded_String
            (Programs.Preload (Clock_Library) & " CLOCK_SHIFT=" & Clock_File);
       end if;
-   end Prepare;
+   end Prepare_Clock;
 
-   overriding procedure Inject (F : in out Set_Clock; W : in out World) is
-      pragma Unreferenced (F);
+   procedure Set_Clock (W : in out World) is
       Hour : constant := 3_600;
       Year : constant := 365 * 24 * Hour;
    begin
@@ -336,18 +294,20 @@ package body Machine_Faults is
                    Long_Long_Integer (Whole (W.Source, -10, 10))));
          W.Talk (Span (W.Source, 0.0, 0.5));
       end loop;
-   end Inject;
+   end Set_Clock;
 
-   overriding procedure Lift (F : in out Set_Clock; W : in out World) is
-      pragma Unreferenced (F, W);
+   procedure Set_Clock_Back (W : in out World) is
+      pragma Unreferenced (W);
    begin
       Set_Shift (0);
-   end Lift;
+   end Set_Clock_Back;
 
-   overriding procedure Inject (F : in out Busy; W : in out World) is
+   Load : Busy_Loops.Load;
+
+   procedure Be_Busy (W : in out World) is
       Most : constant := 4;
    begin
-      F.Load.Start
+      Load.Start
         (Positive'Min
            (Most, Positive (System.Multiprocessors.Number_Of_CPUs)));
       W.Talk (Span (W.Source, 0.5, 1.5));
@@ -361,16 +321,19 @@ package body Machine_Faults is
               Explanation'Max (W.Explained_By, A_Stopped_Machine);
             raise;
       end;
-   end Inject;
+   end Be_Busy;
 
-   overriding procedure Lift (F : in out Busy; W : in out World) is
+   procedure Be_Idle (W : in out World) is
       pragma Unreferenced (W);
    begin
-      F.Load.Stop;
-   end Lift;
+      Load.Stop;
+   end Be_Idle;
 
-   overriding procedure Inject (F : in out No_Descriptors; W : in out World)
-   is
+   Usual : aliased Libc.Resource_Limit := (0, 0);
+   Owner : int := 0;
+   --  whose limit it is
+
+   procedure Take_Descriptors (W : in out World) is
       Spare  : constant Natural := Whole (W.Source, 0, 1);
       Log    : constant Natural := W.Supervisor.Log_Length;
       Few    : aliased Libc.Resource_Limit;
@@ -383,16 +346,15 @@ package body Machine_Faults is
 
    begin
       W.Expect_Answers;
-      F.Owner := W.Pid;
+      Owner := W.Pid;
       Check
-        (Libc.Prlimit (F.Owner, Libc.Rlimit_Nofile, null, F.Usual'Access) = 0,
+        (Libc.Prlimit (Owner, Libc.Rlimit_Nofile, null, Usual'Access) = 0,
          "its limits cannot be read");
       Few :=
-        (Soft => unsigned_long
-           (Process_Facts.Next_Descriptor (F.Owner) + Spare),
-         Hard => F.Usual.Hard);
+        (Soft => unsigned_long (Process_Facts.Next_Descriptor (Owner) + Spare),
+         Hard => Usual.Hard);
       Check
-        (Libc.Prlimit (F.Owner, Libc.Rlimit_Nofile, Few'Access, null) = 0,
+        (Libc.Prlimit (Owner, Libc.Rlimit_Nofile, Few'Access, null) = 0,
          "its limit cannot be set");
       W.Reachable := False;
       for Other of Others_Who_Connect loop
@@ -406,23 +368,22 @@ package body Machine_Faults is
          --  unless another fault has set one free
          Check
            (Said
-            or else unsigned_long (Process_Facts.Next_Descriptor (F.Owner))
+            or else unsigned_long (Process_Facts.Next_Descriptor (Owner))
               < Few.Soft,
             "it could take a connection: the limit does not hold");
       end if;
       W.Talk (Span (W.Source, 0.2, 1.0));
-   end Inject;
+   end Take_Descriptors;
 
-   overriding procedure Lift (F : in out No_Descriptors; W : in out World) is
+   procedure Give_Descriptors (W : in out World) is
    begin
-      if F.Owner = W.Pid and then not W.Expected_End then
+      if Owner = W.Pid and then not W.Expected_End then
          Check
-           (Libc.Prlimit (F.Owner, Libc.Rlimit_Nofile, F.Usual'Access, null)
-            = 0,
+           (Libc.Prlimit (Owner, Libc.Rlimit_Nofile, Usual'Access, null) = 0,
             "its limit cannot be set back");
       end if;
       W.Reachable := True;
-   end Lift;
+   end Give_Descriptors;
 
    function Can_Be_Had (Kind : Privilege_Kind) return Boolean is
      (case Kind is
@@ -491,22 +452,25 @@ package body Machine_Faults is
       Add (Machine, "SIGHUP",
            new Stopping'(Signal => Libc.Sighup, others => <>), Cost => 3.0,
            Ends => Supervisor_Ends);
-      Add (Machine, "SIGPIPE", new Broken_Pipes);
-      Add (Machine, "SIGKILL while moving, with watchdog", new Killing,
+      Add (Machine, "SIGPIPE", Break_Pipes'Access);
+      Add (Machine, "SIGKILL while moving, with watchdog", Kill'Access,
            Cost => 8.0, Ends => Supervisor_Ends, Robot => Robot_Moving,
            Alone => True);
       Add (Machine, "standard error closed",
            new Bad_Error'(Kind => Closed, others => <>));
       Add (Machine, "input, output and error closed",
            new Bad_Error'(Kind => All_Closed, others => <>));
-      Add (Machine, "full pipe behind standard error", new Full_Pipe);
+      Add (Machine, "full pipe behind standard error",
+           Fill_Pipe'Access, Empty_Pipe'Access, Prepare_Pipe'Access);
       Add (Machine, "full device behind standard error",
            new Bad_Error'(Kind => Full_Device, others => <>));
       Add (Machine, "full disk behind standard error",
            new Bad_Error'(Kind => Full_Disk, others => <>));
-      Add (Machine, "wall clock set back and forth", new Set_Clock);
-      Add (Machine, "all processors busy", new Busy);
-      Add (Machine, "out of descriptors", new No_Descriptors);
+      Add (Machine, "wall clock set back and forth",
+           Set_Clock'Access, Set_Clock_Back'Access, Prepare_Clock'Access);
+      Add (Machine, "all processors busy", Be_Busy'Access, Be_Idle'Access);
+      Add (Machine, "out of descriptors",
+           Take_Descriptors'Access, Give_Descriptors'Access);
       Add (Machine, "started as root",
            new Started_As'(Kind => Root, others => <>), Cost => 3.0);
       Add (Machine, "started as an ordinary user",

@@ -41,12 +41,6 @@ package body Network_Faults is
    overriding procedure Inject (F : in out Cut_Cable; W : in out World);
    overriding procedure Lift (F : in out Cut_Cable; W : in out World);
 
-   --  The monitor hangs, and its kernel goes on
-
-   type Hang is new Fault with null record;
-
-   overriding procedure Inject (F : in out Hang; W : in out World);
-
    --  The monitor reads nothing
 
    type Stall is new Fault with record
@@ -55,41 +49,6 @@ package body Network_Faults is
 
    overriding procedure Prepare (F : Stall; P : in out Plan);
    overriding procedure Inject (F : in out Stall; W : in out World);
-
-   --  Faults in the data it sends
-
-   type Sending_Kind is
-     (Byte_By_Byte, Endless_Line, Nul_Bytes, Invalid_Text, Odd_Data);
-
-   type Sending is new Fault with record
-      Kind : Sending_Kind := Byte_By_Byte;
-   end record;
-
-   overriding procedure Inject (F : in out Sending; W : in out World);
-
-   --  Other clients
-
-   type Crowd_Of_Clients is new Fault with null record;
-
-   overriding procedure Inject
-     (F : in out Crowd_Of_Clients; W : in out World);
-
-   type Flood_Of_Clients is new Fault with null record;
-
-   overriding procedure Inject
-     (F : in out Flood_Of_Clients; W : in out World);
-
-   type Scan is new Fault with null record;
-
-   overriding procedure Inject (F : in out Scan; W : in out World);
-
-   type Half_Open_Scan is new Fault with null record;
-
-   overriding procedure Inject (F : in out Half_Open_Scan; W : in out World);
-
-   type Second_Monitor is new Fault with null record;
-
-   overriding procedure Inject (F : in out Second_Monitor; W : in out World);
 
    function Any_Command (W : in out World) return String is
      (Commands.Element (Whole (W.Source, 1, Natural (Commands.Length))));
@@ -158,12 +117,12 @@ package body Network_Faults is
       W.Reachable := True;
    end Lift;
 
-   overriding procedure Inject (F : in out Hang; W : in out World) is
-      pragma Unreferenced (F);
+   procedure Hang (W : in out World) is
+      --  Its kernel goes on
    begin
       W.Say ("LIVE");
       Be_Missed (W, Silence_Limit);
-   end Inject;
+   end Hang;
 
    overriding procedure Prepare (F : Stall; P : in out Plan) is
       pragma Unreferenced (F);
@@ -328,31 +287,15 @@ package body Network_Faults is
       end Say_All;
 
    begin
+      W.Listen;
+      --  RPOF will switch it off
+      W.Robot_Ready := W.Robot_Ready and then not W.Present;
       for Number in 1 .. Count loop
          Say_All (Commands.Element ((Number + Shift) mod Count + 1));
       end loop;
-      --  RPOF has switched it off
-      W.Robot_Ready := False;
    end Send_Odd_Data;
 
-   overriding procedure Inject (F : in out Sending; W : in out World) is
-   begin
-      W.Listen;
-      if W.Present then
-         case F.Kind is
-            when Byte_By_Byte => Send_Slowly (W);
-            when Endless_Line => Send_Endless_Line (W);
-            when Nul_Bytes    => Send_Nul_Bytes (W);
-            when Invalid_Text => Send_Invalid_Text (W);
-            when Odd_Data     => Send_Odd_Data (W);
-         end case;
-      end if;
-   end Inject;
-
-   overriding procedure Inject
-     (F : in out Crowd_Of_Clients; W : in out World)
-   is
-      pragma Unreferenced (F);
+   procedure Come_In_A_Crowd (W : in out World) is
       Count    : constant := 1_000;
       Patience : constant Duration := 20.0;
       --  A client that finds the kernel's queue full retries after 1, 3, 7 s
@@ -373,53 +316,43 @@ package body Network_Faults is
          Seen.Told'Image & " of" & Count'Image & " were told why,"
          & Seen.Closed'Image & " were closed,"
          & Seen.Left'Image & " were left to wait");
-   end Inject;
+   end Come_In_A_Crowd;
 
-   overriding procedure Inject
-     (F : in out Flood_Of_Clients; W : in out World)
-   is
-      pragma Unreferenced (F);
+   procedure Flood (W : in out World) is
       Loopback : constant String := "127.0.0.1";
       Length   : constant Duration := 1.0;
       Queue    : constant := 512;
-      Flood    : Floods.Flood;
+      Crowd    : Floods.Flood;
    begin
       if W.Expected_End or else not W.Reachable
         or else W.Address /= Loopback
       then
          return;
       end if;
-      Flood.Start (W.Port, Floods.Restless);
+      Crowd.Start (W.Port, Floods.Restless);
       W.Talk (Length, Calm => True);
-      Flood.Stop;
+      Crowd.Stop;
       W.Talk (Queue * Newcomer_Time, Calm => True);
-   end Inject;
+   end Flood;
 
-   overriding procedure Inject (F : in out Scan; W : in out World) is
-      pragma Unreferenced (F);
+   procedure Scan (W : in out World) is
       Count : constant Positive := Whole (W.Source, 50, 300);
    begin
       Raw_Probes.Knock (W.Address, W.Port, Count, W.Source);
       --  later clients wait behind them; the monitor in command does not
       W.Talk (Count * Newcomer_Time, Calm => True);
-   end Inject;
+   end Scan;
 
-   overriding procedure Inject
-     (F : in out Half_Open_Scan; W : in out World)
-   is
-      pragma Unreferenced (F);
+   procedure Scan_Half_Open (W : in out World) is
    begin
       if not Raw_Probes.Can_Half_Open then
          Skip ("packets of one's own need CAP_NET_RAW");
       end if;
       Raw_Probes.Half_Open
         (W.Address, W.Port, Whole (W.Source, 50, 300), W.Source);
-   end Inject;
+   end Scan_Half_Open;
 
-   overriding procedure Inject
-     (F : in out Second_Monitor; W : in out World)
-   is
-      pragma Unreferenced (F);
+   procedure Be_Second (W : in out World) is
       use type Monitor_Clients.Closing;
       Mark  : constant String := "12321";
       --  no other movement is so long
@@ -456,7 +389,7 @@ package body Network_Faults is
         (not W.Present
          or else W.Emulator.Count_Of ("M=" & Mark) = 0,
          "the robot has obeyed a second monitor");
-   end Inject;
+   end Be_Second;
 
    procedure Add_Cut (Name : String; How : Network_Links.Cut_Kind) is
    begin
@@ -483,7 +416,7 @@ package body Network_Faults is
       Add_Cut ("own interface down", Network_Links.Interface_Down);
       Add_Cut ("own address gone", Network_Links.Address_Gone);
       Add_Cut ("own route gone", Network_Links.Route_Gone);
-      Add (Network, "announced signs of life do not come", new Hang,
+      Add (Network, "announced signs of life do not come", Hang'Access,
            Cost => 2.0, Ends => Session_Ends);
       Add (Network, "stall of 1 s", new Stall'(Length => 1.0, others => <>),
            Cost => 1.0, Camera => Camera_Streaming);
@@ -493,22 +426,18 @@ package body Network_Faults is
            Cost => 14.0, Camera => Camera_Streaming);
       Add (Network, "stall of 20 s", new Stall'(Length => 20.0, others => <>),
            Cost => 20.0, Ends => Session_Ends, Camera => Camera_Streaming);
-      Add (Network, "byte by byte",
-           new Sending'(Kind => Byte_By_Byte, others => <>));
-      Add (Network, "a line of 1 MB without end",
-           new Sending'(Kind => Endless_Line, others => <>));
-      Add (Network, "NUL bytes",
-           new Sending'(Kind => Nul_Bytes, others => <>));
-      Add (Network, "invalid UTF-8",
-           new Sending'(Kind => Invalid_Text, others => <>));
-      Add (Network, "every command with odd data",
-           new Sending'(Kind => Odd_Data, others => <>), Cost => 3.0);
-      Add (Network, "1,000 connections at once", new Crowd_Of_Clients,
+      Add (Network, "byte by byte", Send_Slowly'Access);
+      Add (Network, "a line of 1 MB without end", Send_Endless_Line'Access);
+      Add (Network, "NUL bytes", Send_Nul_Bytes'Access);
+      Add (Network, "invalid UTF-8", Send_Invalid_Text'Access);
+      Add (Network, "every command with odd data", Send_Odd_Data'Access,
+           Cost => 3.0);
+      Add (Network, "1,000 connections at once", Come_In_A_Crowd'Access,
            Cost => 10.0);
-      Add (Network, "flood of connections", new Flood_Of_Clients, Cost => 5.0);
-      Add (Network, "port scan", new Scan, Cost => 2.0);
-      Add (Network, "half-open port scan", new Half_Open_Scan);
-      Add (Network, "second monitor talks over the first", new Second_Monitor);
+      Add (Network, "flood of connections", Flood'Access, Cost => 5.0);
+      Add (Network, "port scan", Scan'Access, Cost => 2.0);
+      Add (Network, "half-open port scan", Scan_Half_Open'Access);
+      Add (Network, "second monitor talks over the first", Be_Second'Access);
    end Register;
 
 end Network_Faults;

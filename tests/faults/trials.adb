@@ -31,13 +31,6 @@ package body Trials is
    Is_Kept : Boolean := False;
    --  its supervisor is to live on after a violation
 
-   procedure Run_Once
-     (First      : Positive;
-      Second     : Natural;
-      Seed       : Natural;
-      Repetition : Positive;
-      Outcome    : out Result);
-
    function Name (First : Positive; Second : Natural) return String is
      (To_String (Element (First).Name)
       & (if Second = 0 then ""
@@ -312,47 +305,6 @@ package body Trials is
       return To_String (Result);
    end Tail;
 
-   procedure Run
-     (First      : Positive;
-      Second     : Natural;
-      Seed       : Natural;
-      Repetition : Positive;
-      Outcome    : out Result)
-   is
-      Taken       : Duration;
-      Late        : Boolean;
-      Stopped     : Boolean;
-      Repeated    : Natural := 0;
-      Interrupted : Natural := 0;
-      Excused     : Unbounded_String;
-      --  what was violated in those that were made again
-   begin
-      loop
-         Standstills.Forget;
-         Taken := Host_Time.Taken;
-         Run_Once (First, Second, Seed, Repetition, Outcome);
-         Late := The_World.Explained_By = A_Late_Line
-           and then The_World.Line_Was_Late;
-         Stopped := The_World.Explained_By in A_Late_Line | A_Stopped_Machine
-           and then Host_Time.Taken - Taken >= Host_Grant;
-         exit when Outcome.Ends_As /= Violated
-           or else not (Late or else Stopped)
-           or else Repeated = Line_Attempts - 1
-           or else Interrupted = Host_Attempts - 1;
-         Append (Excused, "   made again:" & ASCII.LF & The_World.Account);
-         if Stopped then
-            Interrupted := Interrupted + 1;
-            Standstills.Await_Calm (Limit => 5.0 * Interrupted);
-         else
-            Repeated := Repeated + 1;
-         end if;
-      end loop;
-      Outcome.Account := Excused & Outcome.Account;
-      Outcome.Figures.Repeated := Outcome.Figures.Repeated + Repeated;
-      Outcome.Figures.Interrupted :=
-        Outcome.Figures.Interrupted + Interrupted;
-   end Run;
-
    procedure Give_Up is
       --  After faults that leave the world in an unknown state
       W : World renames The_World;
@@ -447,6 +399,47 @@ package body Trials is
            & Tail (W.Supervisor.Log_Text);
       end if;
    end Run_Once;
+
+   procedure Run
+     (First      : Positive;
+      Second     : Natural;
+      Seed       : Natural;
+      Repetition : Positive;
+      Outcome    : out Result)
+   is
+      Taken       : Duration;
+      Late        : Boolean;
+      Stopped     : Boolean;
+      Repeated    : Natural := 0;
+      Interrupted : Natural := 0;
+      Excused     : Unbounded_String;
+      --  what was violated in those that were made again
+   begin
+      loop
+         Standstills.Forget;
+         Taken := Host_Time.Taken;
+         Run_Once (First, Second, Seed, Repetition, Outcome);
+         Late := The_World.Explained_By = A_Late_Line
+           and then The_World.Line_Was_Late;
+         Stopped := The_World.Explained_By in A_Late_Line | A_Stopped_Machine
+           and then Host_Time.Taken - Taken >= Host_Grant;
+         exit when Outcome.Ends_As /= Violated
+           or else not (Late or else Stopped)
+           or else Repeated = Line_Attempts - 1
+           or else Interrupted = Host_Attempts - 1;
+         Append (Excused, "   made again:" & ASCII.LF & The_World.Account);
+         if Stopped then
+            Interrupted := Interrupted + 1;
+            Standstills.Await_Calm (Limit => 5.0 * Interrupted);
+         else
+            Repeated := Repeated + 1;
+         end if;
+      end loop;
+      Outcome.Account := Excused & Outcome.Account;
+      Outcome.Figures.Repeated := Outcome.Figures.Repeated + Repeated;
+      Outcome.Figures.Interrupted :=
+        Outcome.Figures.Interrupted + Interrupted;
+   end Run;
 
    procedure Build is
    begin
