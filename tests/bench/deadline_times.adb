@@ -450,14 +450,8 @@ package body Deadline_Times is
       end if;
       Standstills.Forget;
       Take_Bounds (Deadlines);
-      Assemble
-        (R, Camera => True,
-         Emulator_Options   => "--baud" & Positive'Image (Baud),
-         Supervisor_Options => Service_Starts.Options,
-         Launcher           => Service_Starts.Launcher,
-         Program            => Service_Starts.Program,
-         Connected          => False);
-      Service_Starts.Look_At (R.Supervisor);
+      Service_Starts.Assemble
+        (R, "--baud" & Positive'Image (Baud), Connected => False);
       Load.Start (Yielding => True);
       Own_Process.Prefer_Real_Time (True);
       End_Time := Now + Duration (Bench_Settings.Seconds);

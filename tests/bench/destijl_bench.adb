@@ -3,34 +3,31 @@
 --  sections, or those named on the command line.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
-with Ada.Exceptions;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
-with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
 with Interfaces.C;         use Interfaces.C;
 
 with Bench_Settings;
 with Both_Ends;
-with Child_Processes;
 with Deadline_Times;
-with Full_Load;
 with Libc;
-with Machines;
 with Option_Readers;        use Option_Readers;
 with Order_Times;
 with Own_Process;
-with Period_Times;
 with Programs;
+with Report_Machine;
+with Report_Period_Times;
+with Report_Start_Times;
+with Report_Tasks;
 with Reports;
 with Scale_Limits;
-with Start_Times;
 with Trace_Responses;
 with Vision_Times;
 
 procedure Destijl_Bench is
 
    type Section is
-     (Orders, Answers, Periods, Images, Search, Scale, Start, Load, Tasks,
+     (Orders, Answers, Periods, Images, Search, Scale, Start, Tasks,
       Responses);
 
    Wanted : array (Section) of Boolean := (others => False);
@@ -43,28 +40,28 @@ procedure Destijl_Bench is
    function Attempts return Positive is
      (if Bench_Settings.Only_Checked then 3 else 1);
 
-   procedure Print_Usage (To : File_Type) is
-   begin
-      Put_Line (To, "usage: destijl_bench [OPTION]... [SECTION]...");
-      Put (To, "sections (all of them):");
-      for S in Section loop
-         Put (To, " " & To_Lower (S'Image));
-      end loop;
-      New_Line (To);
-      Put_Line (To, "   --samples N   of each distribution (2000)");
-      Put_Line (To, "   --seconds N   of each measurement that lasts (60)");
-      Put_Line (To, "   --quick       200 samples, 10 seconds");
-      Put_Line (To, "   --service     load, tasks, responses: as the unit");
-      Put_Line (To, "                 starts it; the last from end to end,");
-      Put_Line (To, "                 too; tasks, traces two minutes at most");
-      Put_Line (To, "   --check       the same, responses from end to end");
-      Put_Line (To, "                 alone: fails if what is demanded of");
-      Put_Line (To, "                 every single case is missed");
-      Put_Line (To, "   --out FOLDER  for JSON and plots (a temporary one)");
-      Put_Line (To, "   --file TRACE  for responses (one is made)");
-      Put_Line (To, "   --supervisor PATH, --emulator PATH");
-      Put_Line (To, "                 instead of those beside this one");
-   end Print_Usage;
+   LF : Character renames ASCII.LF;
+
+   function Sections (From : Section) return String is
+     (" " & To_Lower (From'Image)
+      & (if From = Section'Last then "" else Sections (Section'Succ (From))));
+
+   Usage : constant String :=
+     "usage: destijl_bench [OPTION]... [SECTION]..." & LF
+     & "sections (all of them):" & Sections (Section'First) & LF
+     & "   --samples N   of each distribution (2000)" & LF
+     & "   --seconds N   of each measurement that lasts (60)" & LF
+     & "   --quick       200 samples, 10 seconds" & LF
+     & "   --service     tasks, responses: as the unit" & LF
+     & "                 starts it; the last from end to end," & LF
+     & "                 too; tasks, traces two minutes at most" & LF
+     & "   --check       the same, responses from end to end" & LF
+     & "                 alone: fails if what is demanded of" & LF
+     & "                 every single case is missed" & LF
+     & "   --out FOLDER  for bench.json (a temporary one)" & LF
+     & "   --file TRACE  for responses (one is made)" & LF
+     & "   --supervisor PATH, --emulator PATH" & LF
+     & "                 instead of those beside this one";
 
    procedure Read_Command_Line is
    begin
@@ -85,15 +82,10 @@ procedure Destijl_Bench is
             Bench_Settings.Trace_File := To_Unbounded_String (Value);
          elsif Name = "--out" then
             Folder := To_Unbounded_String (Value);
-         elsif Programs.Read_Option then
-            null;
-         elsif Name = "--help" then
-            Print_Usage (Standard_Output);
-            GNAT.OS_Lib.OS_Exit (0);
          elsif (for some S in Section => S'Image = To_Upper (Name)) then
             Wanted (Section'Value (Name)) := True;
          else
-            Refuse;
+            Programs.Read_Option (Usage);
          end if;
       end loop;
       if Bench_Settings.As_Service
@@ -112,13 +104,12 @@ procedure Destijl_Bench is
       case Which is
          when Orders  => Order_Times.Report_Orders;
          when Answers => Order_Times.Report_Answers;
-         when Periods => Period_Times.Report;
+         when Periods => Report_Period_Times;
          when Images  => Vision_Times.Report_Images;
          when Search  => Vision_Times.Report_Search;
          when Scale   => Scale_Limits.Report;
-         when Start   => Start_Times.Report;
-         when Load    => Full_Load.Report;
-         when Tasks   => Full_Load.Report_Tasks;
+         when Start   => Report_Start_Times;
+         when Tasks   => Report_Tasks;
          when Responses =>
             if not Bench_Settings.Only_Checked then
                Trace_Responses.Report (To_String (Bench_Settings.Trace_File));
@@ -131,7 +122,7 @@ begin
    Read_Command_Line;
    Reports.Open
      (if Folder = "" then "/tmp/destijl_bench" else To_String (Folder));
-   Machines.Report;
+   Report_Machine;
    for Which in Section loop
       if Wanted (Which) then
          Own_Process.Prefer_Real_Time (False);
@@ -153,17 +144,6 @@ begin
      (if Bench_Settings.Only_Checked and then not All_Kept then 1 else 0);
 
 exception
-   when Problem : Bad_Usage =>
-      Put_Line
-        (Standard_Error,
-         "destijl_bench: " & Ada.Exceptions.Exception_Message (Problem));
-      Print_Usage (Standard_Error);
-      GNAT.OS_Lib.OS_Exit (2);
    when Problem : others =>
-      Child_Processes.Stop_All;
-      Put_Line
-        (Standard_Error,
-         "destijl_bench: " & Ada.Exceptions.Exception_Information (Problem));
-      Programs.Remove_Temporary_Folder;
-      GNAT.OS_Lib.OS_Exit (1);
+      Programs.Give_Up (Problem);
 end Destijl_Bench;

@@ -141,11 +141,7 @@ package body Mission_Drives is
       Load  : Busy_Loops.Load;
       Count : Tally;
    begin
-      Assemble
-        (R, Camera => True, Emulator_Options => Emulator_Options,
-         Supervisor_Options => Service_Starts.Options,
-         Launcher => Service_Starts.Launcher,
-         Program => Service_Starts.Program);
+      Service_Starts.Assemble (R, Emulator_Options);
       Prepare (R);
       Load.Start;
       Task_Times.Start (R.Supervisor.Pid);

@@ -1,12 +1,10 @@
 #!/usr/bin/python3
 #  SPDX-License-Identifier: GPL-3.0-or-later
 """usage: tests/bench/plots.py RESULTS PICTURE
-Draws the measurements of a soak test (script/soak --csv RESULTS), or of a
-benchmark (RESULTS is its bench.json), as PNG or SVG by PICTURE's name. Needs Debian's
-python3-matplotlib."""
+Draws the measurements of a soak test (script/soak --csv RESULTS) as PNG or SVG, by
+PICTURE's name. Needs Debian's python3-matplotlib."""
 
 import csv
-import json
 import sys
 
 import matplotlib
@@ -14,7 +12,6 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-SHARES = ("median", "p99", "p999", "max")
 WINDOW = 30  # seconds of a soak test that make a point of its curves
 MOST_STOLEN = 1.0  # percent: Soak_Records judges no seconds with more
 
@@ -74,41 +71,8 @@ def draw_soak(path: str) -> None:
         panel.set_ylim(bottom=0)
 
 
-def draw_bench(path: str) -> None:
-    with open(path, encoding="utf-8") as file:
-        sections = json.load(file)["sections"]
-    for section in sections:
-        section["rows"] = [row for row in section["rows"] if "median" in row]
-    sections = [section for section in sections if section["rows"]]
-    sizes = [len(section["rows"]) + 2 for section in sections]
-    _, panels = plt.subplots(
-        len(sections),
-        squeeze=False,
-        figsize=(11, sum(sizes) / 4),
-        gridspec_kw={"height_ratios": sizes},
-    )
-    for (panel,), section in zip(panels, sections, strict=True):
-        panel.set_title(section["title"] + ", us: ours (o), floor (x)")
-        panel.set_xscale("log")
-        names = [row["name"] for row in section["rows"]]
-        for share in SHARES:
-            for key, marker in (share, "o"), (f"floor_{share}", "x"):
-                points = [
-                    (row[key], row["name"]) for row in section["rows"] if row.get(key)
-                ]
-                panel.scatter(
-                    *zip(*points, strict=True) if points else ((), ()),
-                    marker=marker,
-                    color=f"C{SHARES.index(share)}",
-                    label=share if marker == "o" else None,
-                )
-        panel.set_yticks(range(len(names)), names)
-        panel.invert_yaxis()
-    panels[0][0].legend()
-
-
 if len(sys.argv) != 3:
     sys.exit(__doc__)
-(draw_bench if sys.argv[1].endswith(".json") else draw_soak)(sys.argv[1])
+draw_soak(sys.argv[1])
 plt.tight_layout()
 plt.savefig(sys.argv[2])

@@ -3,14 +3,18 @@
 
 with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 
+with Bench_Settings;
 with Child_Processes;   use Child_Processes;
 with Expectations;      use Expectations;
+with Programs;
 with Reports;
+with Supervisors;
 
 package body Service_Starts is
 
    function Deadlines (Of_Supervisor : Supervisors.Supervisor) return String
    is
+      --  What its log says of them
       Label : constant String := "deadlines: ";
       Log   : constant String :=
         (if Of_Supervisor.Says (Label, Patience)
@@ -25,9 +29,6 @@ package body Service_Starts is
       Raised : constant String := "prlimit --memlock=unlimited:unlimited";
       Trial  : Child;
    begin
-      if not Bench_Settings.As_Service then
-         return "";
-      end if;
       Trial.Start ("env", Words (Raised & " true"));
       return
         (if Trial.Exit_Status = 0
@@ -35,11 +36,25 @@ package body Service_Starts is
          else Programs.As_Service ("+sys_nice,+ipc_lock"));
    end Launcher;
 
-   procedure Look_At (Item : Supervisors.Supervisor) is
+   procedure Assemble
+     (R                  : in out Rigs.Rig;
+      Emulator_Options   : String  := "";
+      Supervisor_Options : String  := "";
+      Connected          : Boolean := True)
+   is
+      As_Service : Boolean renames Bench_Settings.As_Service;
    begin
-      if Bench_Settings.As_Service then
+      Rigs.Assemble
+        (R, Camera => True, Emulator_Options => Emulator_Options,
+         Supervisor_Options =>
+           (if As_Service then "--cpu auto " else "") & Supervisor_Options,
+         Launcher  => (if As_Service then Launcher else ""),
+         Program   =>
+           (if As_Service then Programs.Copied_Supervisor else ""),
+         Connected => Connected);
+      if As_Service then
          declare
-            Text : constant String := Deadlines (Item);
+            Text : constant String := Deadlines (R.Supervisor);
          begin
             Reports.Put_Note
               ("as the service; its deadlines, it says: " & Text);
@@ -47,6 +62,6 @@ package body Service_Starts is
               (Index (Text, "as analysed") = Text'First, "deadlines: " & Text);
          end;
       end if;
-   end Look_At;
+   end Assemble;
 
 end Service_Starts;

@@ -4,27 +4,17 @@
 --  (script/systemd/destijl.service). Where nobody may raise that limit, as in
 --  some containers, CAP_IPC_LOCK has the same effect.
 
-with Bench_Settings;
-with Programs;
-with Supervisors;
+with Rigs;
 
 package Service_Starts is
 
-   --  For Rigs.Assemble; without --service all are empty
-
-   function Launcher return String;
-
-   function Program return String is
-     (if Bench_Settings.As_Service then Programs.Copied_Supervisor else "");
-
-   function Options return String is
-     (if Bench_Settings.As_Service then "--cpu auto" else "");
-
-   function Deadlines (Of_Supervisor : Supervisors.Supervisor) return String;
-   --  What its log says of them. Raises Failed if nothing
-
-   procedure Look_At (Item : Supervisors.Supervisor);
-   --  Under --service, puts Deadlines into the report. Raises Failed unless
-   --  they are as analysed
+   procedure Assemble
+     (R                  : in out Rigs.Rig;
+      Emulator_Options   : String  := "";
+      Supervisor_Options : String  := "";
+      Connected          : Boolean := True);
+   --  With the arena's camera. Under --service as the service; puts what the
+   --  supervisor says of its deadlines into the report, and raises Failed
+   --  unless they are as analysed
 
 end Service_Starts;

@@ -136,11 +136,7 @@ package body Single_Commands is
       R    : Rig;
       Load : Busy_Loops.Load;
    begin
-      Assemble
-        (R, Camera => True, Emulator_Options => "--baud 9600",
-         Supervisor_Options => Service_Starts.Options,
-         Launcher => Service_Starts.Launcher,
-         Program => Service_Starts.Program);
+      Service_Starts.Assemble (R, "--baud 9600");
       Load.Start;
       Task_Times.Start (R.Supervisor.Pid, Except => "th_camera");
       --  which opens cameras here. The analysis knows nothing of that:

@@ -403,16 +403,12 @@ package body Trace_Responses is
       Unused : Message;
       Count  : Mission_Drives.Tally;
    begin
-      Assemble
-        (R, Camera => True,
-         Emulator_Options =>
-           (if Missions then Mission_Drives.Emulator_Options else ""),
-         Supervisor_Options => "--trace " & Path & " "
-           & (if Bench_Settings.As_Service then Service_Starts.Options
-              elsif Apart then "--cpu" & Last_Processor'Image else ""),
-         Launcher => Service_Starts.Launcher,
-         Program => Service_Starts.Program);
-      Service_Starts.Look_At (R.Supervisor);
+      Service_Starts.Assemble
+        (R,
+         (if Missions then Mission_Drives.Emulator_Options else ""),
+         "--trace " & Path
+         & (if Apart and then not Bench_Settings.As_Service
+            then " --cpu" & Last_Processor'Image else ""));
       if Missions then
          Mission_Drives.Prepare (R);
       else

@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Start, readiness and memory.
+--  How long the supervisor takes to listen, and to be ready again when a
+--  monitor has gone; how much memory it has.
 
 with Ada.Directories;
 with Ada.Strings;           use Ada.Strings;
@@ -21,7 +22,7 @@ with Reports;
 with Samples;
 with Supervisors;
 
-package body Start_Times is
+procedure Report_Start_Times is
 
    function Recording return String is
      ("--trace " & Programs.Temporary_Folder & "/start.txt");
@@ -259,30 +260,27 @@ package body Start_Times is
          Ready, (1 => (Reports.Max, 200_000.0, False)));
    end Report_Readiness;
 
-   procedure Report is
-      Listening : constant String := "--port 0 --bind 127.0.0.1";
+   Listening : constant String := "--port 0 --bind 127.0.0.1";
 
-      Ours, Bare, Recorded : Samples.Set;
-   begin
-      Reports.Begin_Section
-        ("start", "start, readiness and memory");
-      for Number in 1 .. Integer'Max (10, Bench_Settings.Sample_Count / 40)
-      loop
-         Time_Start (Programs.Supervisor, Listening, Ours);
-         Time_Start (Programs.Beside ("forwarder"), "start", Bare);
-         Time_Start
-           (Programs.Supervisor, Listening & " " & Recording, Recorded);
-      end loop;
-      Reports.Compare
-        ("start to listening, to the bare forwarder", Ours, Bare,
-         (1 => (Reports.Median, 50_000.0, False)));
-      Reports.Compare
-        ("start to listening, with --trace", Recorded, Ours,
-         (1 => (Reports.Median_Ratio, 1.02, False)));
-      Report_Readiness;
-      Report_Memory;
-      Report_Loading;
-      Reports.End_Section;
-   end Report;
-
-end Start_Times;
+   Ours, Bare, Recorded : Samples.Set;
+begin
+   Reports.Begin_Section
+     ("start", "start, readiness and memory");
+   for Number in 1 .. Integer'Max (10, Bench_Settings.Sample_Count / 40)
+   loop
+      Time_Start (Programs.Supervisor, Listening, Ours);
+      Time_Start (Programs.Beside ("forwarder"), "start", Bare);
+      Time_Start
+        (Programs.Supervisor, Listening & " " & Recording, Recorded);
+   end loop;
+   Reports.Compare
+     ("start to listening, to the bare forwarder", Ours, Bare,
+      (1 => (Reports.Median, 50_000.0, False)));
+   Reports.Compare
+     ("start to listening, with --trace", Recorded, Ours,
+      (1 => (Reports.Median_Ratio, 1.02, False)));
+   Report_Readiness;
+   Report_Memory;
+   Report_Loading;
+   Reports.End_Section;
+end Report_Start_Times;
