@@ -50,95 +50,82 @@ Row triangle_row(const char *name, Change change) {
           }};
 }
 
+Scene photograph(Random &random, int number) {
+  Scene scene;
+  scene.image = photograph_view(number, random);
+  return scene;
+}
+
 using A = ArenaOptions;
 using M = MarkerOptions;
 using T = TriangleOptions;
 
 void add_arena_rows(std::vector<Row> &rows) {
-  rows.push_back(arena_row("border 0.5 to 1 %", [](A &o) {
+  const auto arena = [&](const char *name, auto change) {
+    rows.push_back(arena_row(name, change));
+  };
+  arena("border 0.5 to 1 %", [](A &o) {
     o.border = {0.005, 0.01};
     o.width = {960, 1920};
     o.defocus = 0.2;
     o.contrast = {80, 150};
-  }));
-  rows.push_back(arena_row("border 1 to 2 %", [](A &o) {
-    o.border = {0.01, 0.02};
-  }));
-  rows.push_back(arena_row("border 2 to 2.5 %", [](A &o) {
-    o.border = {0.02, 0.025};
-  }));
-  rows.push_back(arena_row("border 2.5 to 5 %", [](A &o) {
-    o.border = {0.025, 0.05};
-  }));
-  rows.push_back(arena_row("border 5 to 10 %", [](A &o) {
-    o.border = {0.05, 0.10};
-  }));
-  rows.push_back(arena_row("field of grey 165 to 200", [](A &o) {
+  });
+  arena("border 1 to 2 %", [](A &o) { o.border = {0.01, 0.02}; });
+  arena("border 2 to 2.5 %", [](A &o) { o.border = {0.02, 0.025}; });
+  arena("border 2.5 to 5 %", [](A &o) { o.border = {0.025, 0.05}; });
+  arena("border 5 to 10 %", [](A &o) { o.border = {0.05, 0.10}; });
+  arena("field of grey 165 to 200", [](A &o) {
     o.field = {165, 200};
     o.contrast = {40, 70};
-  }));
-  rows.push_back(arena_row("border 20 to 40 over field", [](A &o) {
+  });
+  arena("border 20 to 40 over field", [](A &o) {
     o.contrast = {20, 40};
     o.field = {70, 190};
-  }));
-  rows.push_back(arena_row("barrel, k1 -0.25 to -0.1", [](A &o) {
+  });
+  arena("barrel, k1 -0.25 to -0.1", [](A &o) {
     o.k1 = {-0.25, -0.1};
     o.division = 0.2;
-  }));
-  rows.push_back(arena_row("pincushion, k1 0.02 to 0.1", [](A &o) {
-    o.k1 = {0.02, 0.1};
-  }));
-  rows.push_back(arena_row("tilt 15 to 20 degrees", [](A &o) {
-    o.tilt = {15, 20};
-  }));
-  rows.push_back(arena_row("roll to 30 degrees", [](A &o) {
-    o.roll = {-30, 30};
-  }));
-  rows.push_back(arena_row("turned by 90 degrees", [](A &o) {
-    o.turned = true;
-  }));
-  rows.push_back(arena_row("field 35 to 50 % of the image", [](A &o) {
+  });
+  arena("pincushion, k1 0.02 to 0.1", [](A &o) { o.k1 = {0.02, 0.1}; });
+  arena("tilt 15 to 20 degrees", [](A &o) { o.tilt = {15, 20}; });
+  arena("roll to 30 degrees", [](A &o) { o.roll = {-30, 30}; });
+  arena("turned by 90 degrees", [](A &o) { o.turned = true; });
+  arena("field 35 to 50 % of the image", [](A &o) {
     o.fill = {0.35, 0.5};
     o.things = 5;
-  }));
-  rows.push_back(arena_row("field 80 to 95 % of the image", [](A &o) {
-    o.fill = {0.8, 0.95};
-  }));
-  rows.push_back(arena_row("320 to 480 pixels wide", [](A &o) {
-    o.width = {320, 480};
-  }));
-  rows.push_back(arena_row("1280 to 1920 pixels wide", [](A &o) {
-    o.width = {1280, 1920};
-  }));
-  rows.push_back(arena_row("floor brighter than the field", [](A &o) {
+  });
+  arena("field 80 to 95 % of the image", [](A &o) { o.fill = {0.8, 0.95}; });
+  arena("320 to 480 pixels wide", [](A &o) { o.width = {320, 480}; });
+  arena("1280 to 1920 pixels wide", [](A &o) { o.width = {1280, 1920}; });
+  arena("floor brighter than the field", [](A &o) {
     o.field = {50, 110};
     o.contrast = {110, 150};
     o.floor = {120, 200};
-  }));
-  rows.push_back(arena_row("things over a side", [](A &o) {
+  });
+  arena("things over a side", [](A &o) {
     o.over_side = 2;
     o.robots = 4;
-  }));
-  rows.push_back(arena_row("uneven light", [](A &o) {
+  });
+  arena("uneven light", [](A &o) {
     o.uneven = 0.35;
     o.shades = 2;
     o.lamp = 0.5;
-  }));
-  rows.push_back(arena_row("in part in the sun", [](A &o) {
+  });
+  arena("in part in the sun", [](A &o) {
     o.field = {60, 110};
     o.contrast = {70, 130};
     o.sun = {1.5, 6};
-  }));
-  rows.push_back(arena_row("another frame in view", [](A &o) {
+  });
+  arena("another frame in view", [](A &o) {
     o.second_frame = true;
     o.fill = {0.4, 0.75};
-  }));
+  });
   if (photograph_count() > 0)
-    rows.push_back(arena_row("on photographs", [](A &o) {
+    arena("on photographs", [](A &o) {
       o.photographs = 1;
       o.things = 4;
-    }));
-  rows.push_back(arena_row("a laboratory's mixture", [](A &o) {
+    });
+  arena("a laboratory's mixture", [](A &o) {
     o.width = {480, 1920};
     o.border = {0.01, 0.08};
     o.field = {50, 190};
@@ -157,7 +144,7 @@ void add_arena_rows(std::vector<Row> &rows) {
     o.noise = 1.5;
     o.defocus = 0.8;
     o.photographs = 0.15;
-  }));
+  });
   rows.push_back(false_row("no arena: sheets", sheet_scene));
   rows.push_back(false_row("no arena: chess boards", chess_scene));
   rows.push_back(false_row("no arena: posters, windows", poster_scene,
@@ -167,15 +154,17 @@ void add_arena_rows(std::vector<Row> &rows) {
   rows.push_back(false_row("no arena: marker boards", code_board_scene));
   if (photograph_count() > 0)
     rows.push_back({"no arena: photographs", Row::no_arena, false_goal,
-                    photograph_count(), 10 * photograph_count(),
-                    [](Random &random, int number) {
-                      Scene scene;
-                      scene.image = photograph_view(number, random);
-                      return scene;
-                    }});
+                    photograph_count(), 10 * photograph_count(), photograph});
 }
 
 void add_marker_rows(std::vector<Row> &rows) {
+  const auto marker = [&](const char *name, auto change,
+                          double goal = marker_goal) {
+    rows.push_back(marker_row(name, change, goal));
+  };
+  const auto triangle = [&](const char *name, auto change) {
+    rows.push_back(triangle_row(name, change));
+  };
   struct Size {
     const char *name;
     cv::Size image;
@@ -208,20 +197,20 @@ void add_marker_rows(std::vector<Row> &rows) {
         row.brief = 1;
       rows.push_back(row);
     }
-  rows.push_back(marker_row("white margin of 1 module", [](M &o, Random &) {
+  marker("white margin of 1 module", [](M &o, Random &) {
     o.margin = {1, 1};
     o.ground = {15, 60};
-  }));
-  rows.push_back(marker_row("white margin of 1/2 module", [](M &o, Random &) {
+  });
+  marker("white margin of 1/2 module", [](M &o, Random &) {
     o.margin = {0.5, 0.5};
     o.ground = {15, 60};
-  }));
-  rows.push_back(marker_row("white margin of 1/4 module", [](M &o, Random &) {
+  });
+  marker("white margin of 1/4 module", [](M &o, Random &) {
     o.margin = {0.25, 0.25};
     o.ground = {15, 60};
     o.side = {28, 56};
-  }));
-  rows.push_back(marker_row("14 to 20 px, margin of 1/4", [](M &o, Random &) {
+  });
+  marker("14 to 20 px, margin of 1/4", [](M &o, Random &) {
     o.image = {1280, 720};
     o.side = {14, 20};
     o.margin = {0.25, 0.3};
@@ -229,9 +218,8 @@ void add_marker_rows(std::vector<Row> &rows) {
     o.defocus = {0, 0.05};
     o.on_robots = 0;
     o.count = 20;
-  }));
-  rows.push_back(marker_row("dark ground, margin of 0 to 1/8",
-                            [](M &o, Random &) {
+  });
+  marker("dark ground, margin of 0 to 1/8", [](M &o, Random &) {
     o.image = {1280, 720};
     o.side = {16, 56};
     o.margin = {0, 0.125};
@@ -239,9 +227,8 @@ void add_marker_rows(std::vector<Row> &rows) {
     o.defocus = {0, 0.05};
     o.on_robots = 0;
     o.count = 20;
-  }, 0.7));
-  rows.push_back(marker_row("14 to 20 px, steep, margin of 0 to 1",
-                            [](M &o, Random &) {
+  }, 0.7);
+  marker("14 to 20 px, steep, margin of 0 to 1", [](M &o, Random &) {
     o.image = {1280, 720};
     o.side = {14, 20};
     o.margin = {0, 1};
@@ -251,55 +238,47 @@ void add_marker_rows(std::vector<Row> &rows) {
     o.noise = 0.5;
     o.on_robots = 0;
     o.count = 20;
-  }));
-  rows.push_back(marker_row("contrast of 20 to 35", [](M &o, Random &) {
+  });
+  marker("contrast of 20 to 35", [](M &o, Random &) {
     o.contrast = {20, 35};
     o.noise = 0.6;
     o.ground = {30, 150};
-  }));
-  rows.push_back(marker_row("glare", [](M &o, Random &) { o.glare = true; }));
-  rows.push_back(marker_row("blot over a corner", [](M &o, Random &) {
-    o.blot = 1;
-  }));
-  rows.push_back(marker_row("blot over a side", [](M &o, Random &) {
-    o.blot = 2;
-  }));
-  rows.push_back(marker_row("motion blur", [](M &o, Random &) {
-    o.shake = {0.5, 1.1};
-  }));
-  rows.push_back(marker_row("out of focus", [](M &o, Random &) {
-    o.defocus = {0.3, 0.65};
-  }));
-  rows.push_back(marker_row("noise", [](M &o, Random &) { o.noise = 6; }));
-  rows.push_back(marker_row("close and steep", [](M &o, Random &) {
+  });
+  marker("glare", [](M &o, Random &) { o.glare = true; });
+  marker("blot over a corner", [](M &o, Random &) { o.blot = 1; });
+  marker("blot over a side", [](M &o, Random &) { o.blot = 2; });
+  marker("motion blur", [](M &o, Random &) { o.shake = {0.5, 1.1}; });
+  marker("out of focus", [](M &o, Random &) { o.defocus = {0.3, 0.65}; });
+  marker("noise", [](M &o, Random &) { o.noise = 6; });
+  marker("close and steep", [](M &o, Random &) {
     o.image = {1280, 720};
     o.side = {90, 140};
     o.tilt = {30, 45};
     o.count = 6;
-  }));
-  rows.push_back(marker_row("large, strongly tilted", [](M &o, Random &) {
+  });
+  marker("large, strongly tilted", [](M &o, Random &) {
     o.image = {1280, 720};
     o.side = {140, 260};
     o.tilt = {40, 55};
     o.count = 3;
-  }));
-  rows.push_back(marker_row("at the image's rim", [](M &o, Random &) {
+  });
+  marker("at the image's rim", [](M &o, Random &) {
     o.rim = true;
     o.on_robots = 0;
-  }));
-  rows.push_back(marker_row("twenty", [](M &o, Random &) {
+  });
+  marker("twenty", [](M &o, Random &) {
     o.side = {16, 32};
     o.count = 20;
     o.on_robots = 0.3;
-  }));
-  rows.push_back(marker_row("fifty at 1280 x 720", [](M &o, Random &) {
+  });
+  marker("fifty at 1280 x 720", [](M &o, Random &) {
     o.image = {1280, 720};
     o.side = {16, 30};
     o.count = 51;
     o.on_robots = 0.2;
     o.things = 6;
-  }));
-  rows.push_back(marker_row("a competition's mixture", [](M &o, Random &r) {
+  });
+  marker("a competition's mixture", [](M &o, Random &r) {
     const cv::Size images[] = {{640, 480}, {1280, 720}, {1280, 960}};
     o.image = images[r.pick(3)];
     o.competition = true;
@@ -315,7 +294,7 @@ void add_marker_rows(std::vector<Row> &rows) {
     o.noise = 1.5;
     o.on_robots = 0.8;
     o.things = 8;
-  }));
+  });
   rows.push_back({"no markers", Row::markers, 0, 6, 100,
                   [](Random &random, int) {
                     return markerless_scene(random);
@@ -323,23 +302,15 @@ void add_marker_rows(std::vector<Row> &rows) {
   if (photograph_count() > 0)
     rows.push_back({"no markers: photographs", Row::markers, 0,
                     photograph_count() / 2, 5 * photograph_count(),
-                    [](Random &random, int number) {
-                      Scene scene;
-                      scene.image = photograph_view(number, random);
-                      return scene;
-                    }});
-  rows.push_back(triangle_row("triangles", [](T &) {}));
-  rows.push_back(triangle_row("triangles, sheets", [](T &o) {
-    o.sheets = 4;
-  }));
-  rows.push_back(triangle_row("triangles, shapes", [](T &o) {
-    o.shapes = 6;
-  }));
-  rows.push_back(triangle_row("triangles, all of it", [](T &o) {
+                    photograph});
+  triangle("triangles", [](T &) {});
+  triangle("triangles, sheets", [](T &o) { o.sheets = 4; });
+  triangle("triangles, shapes", [](T &o) { o.shapes = 6; });
+  triangle("triangles, all of it", [](T &o) {
     o.count = 6;
     o.sheets = 3;
     o.shapes = 5;
-  }));
+  });
 }
 
 }  // namespace
