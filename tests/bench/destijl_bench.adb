@@ -10,6 +10,7 @@ with Interfaces.C;         use Interfaces.C;
 with Bench_Settings;
 with Both_Ends;
 with Deadline_Times;
+with Full_Load;
 with Libc;
 with Option_Readers;        use Option_Readers;
 with Order_Times;
@@ -18,7 +19,6 @@ with Programs;
 with Report_Machine;
 with Report_Period_Times;
 with Report_Start_Times;
-with Report_Tasks;
 with Reports;
 with Scale_Limits;
 with Trace_Responses;
@@ -27,7 +27,7 @@ with Vision_Times;
 procedure Destijl_Bench is
 
    type Section is
-     (Orders, Answers, Periods, Images, Search, Scale, Start, Tasks,
+     (Orders, Answers, Periods, Images, Search, Scale, Start, Load, Tasks,
       Responses);
 
    Wanted : array (Section) of Boolean := (others => False);
@@ -52,7 +52,7 @@ procedure Destijl_Bench is
      & "   --samples N   of each distribution (2000)" & LF
      & "   --seconds N   of each measurement that lasts (60)" & LF
      & "   --quick       200 samples, 10 seconds" & LF
-     & "   --service     tasks, responses: as the unit" & LF
+     & "   --service     load, tasks, responses: as the unit" & LF
      & "                 starts it; the last from end to end," & LF
      & "                 too; tasks, traces two minutes at most" & LF
      & "   --check       the same, responses from end to end" & LF
@@ -109,7 +109,8 @@ procedure Destijl_Bench is
          when Search  => Vision_Times.Report_Search;
          when Scale   => Scale_Limits.Report;
          when Start   => Report_Start_Times;
-         when Tasks   => Report_Tasks;
+         when Load    => Full_Load.Report;
+         when Tasks   => Full_Load.Report_Tasks;
          when Responses =>
             if not Bench_Settings.Only_Checked then
                Trace_Responses.Report (To_String (Bench_Settings.Trace_File));

@@ -88,6 +88,7 @@ TABLES = {
     ),
     "peer": Table(("search",), MEDIANS, r"\S+ four robots, plain"),
     "found": Table(("search",), ("value", "floor"), ".* found of .*"),
+    "load": Table(("load",), ("median", "p99", "p999", "value")),
     "responses": Table(("responses",), ("max", "value")),
     "tasks": Table(("tasks",), ("n", "p999", "value")),
     "hour-times": Table(
