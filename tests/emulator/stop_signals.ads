@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Requests to end the emulator: SIGTERM, SIGINT, SIGHUP, or `quit`.
+--  Requests to end the emulator: SIGTERM, SIGINT, or `quit`.
 
 with Ada.Interrupts.Names;
 
@@ -19,7 +19,6 @@ package Stop_Signals is
       procedure Handle;
       pragma Attach_Handler (Handle, Ada.Interrupts.Names.SIGTERM);
       pragma Attach_Handler (Handle, Ada.Interrupts.Names.SIGINT);
-      pragma Attach_Handler (Handle, Ada.Interrupts.Names.SIGHUP);
 
       Requested : Boolean := False;
    end Stop;

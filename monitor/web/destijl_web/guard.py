@@ -30,6 +30,11 @@ START_LIMIT = 60.0
 STOP_LIMIT = 6.0
 #  Seconds for an orderly stop
 
+ENDS = [signal.SIGTERM, signal.SIGINT]
+if signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:
+    ENDS.append(signal.SIGHUP)
+#  Signals that end it in order. A hang-up that is ignored, as by nohup, stays so
+
 _PR_SET_PDEATHSIG = 1
 _SMALLEST_PIPE = 4096
 
@@ -85,7 +90,7 @@ class _Guard:
         self._stop_asked: float | None = None
         self._killed = False
         self._ran = 0.0
-        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        for number in ENDS:
             signal.signal(number, self._pass_on)
 
     def watch(self) -> int:
@@ -134,7 +139,7 @@ class _Guard:
 
     def _buried(self) -> int:
         #  The pipe ends just before the process
-        for ignored in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+        for ignored in ENDS:
             signal.signal(ignored, signal.SIG_IGN)
         _, status = os.waitpid(self._child, 0)
         if self._killed:

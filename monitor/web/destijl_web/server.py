@@ -8,7 +8,6 @@ import io
 import logging
 import re
 import resource
-import signal
 import socket
 import sys
 from collections import Counter
@@ -97,7 +96,7 @@ def run(options: Options, heart: int) -> int:
 async def _serve(options: Options, heart: int) -> int:
     stop = asyncio.Event()
     loop = asyncio.get_running_loop()
-    for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+    for number in guard.ENDS:
         loop.add_signal_handler(number, stop.set)
     service = Service(options)
     await service.start()

@@ -99,6 +99,23 @@ def test_an_orderly_stop(served: Served, number: signal.Signals) -> None:
     assert "Traceback" not in error
 
 
+@pytest.fixture
+def nohup() -> Iterator[None]:
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    yield
+    signal.signal(signal.SIGHUP, before)
+
+
+def test_not_stopped_by_an_ignored_hang_up(nohup: None, served: Served) -> None:
+    for process in (served.program.gateway(), served.program.process.pid):
+        os.kill(process, signal.SIGHUP)
+    signs = b""
+    while signs.count(b"LIVE") < 10:
+        more = served.connection.recv(100)
+        assert more, "it has ended"
+        signs += more
+
+
 def test_stopped_before_it_runs(programs: Any) -> None:
     for delay in (0.05, 0.1, 0.2, 0.4):
         program = programs("--port", "0")
