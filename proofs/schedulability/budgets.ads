@@ -204,8 +204,15 @@ package Budgets with SPARK_Mode is
    --  of the kernel: timer ticks, network and serial interrupts together
 
    Robot_Turnaround : constant Span := 5_000;
-   --  from the last byte of a command to the first byte of its answer:
-   --  both radios and the robot. To be measured on a real pair
+   --  from the last byte of a command to the first byte of its answer
+   Radio_Turnaround : constant Span := 45_000;
+   --  the same through a pair of radios: in each direction three characters of
+   --  silence and at most 12 ms of air, then the bytes once more, of a longest
+   --  command and a short answer; the robot at once
+   Radio_Time_Out   : constant Span := 150_000;
+   --  --answer-timeout by radio
+   Radio_Interval   : constant Positive_Span := 200_000;
+   --  between two commands of the monitor by radio
 
    Wake_Latency     : constant Span := 200;
    --  of the kernel, from the event to the task's first instruction, while

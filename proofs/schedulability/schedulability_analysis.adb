@@ -19,6 +19,11 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
      (Percent => 100 * Cortex_A53_Factor, Second | Many => True);
 
    Load_Here : constant Load := (others => <>);
+   Load_By_Radio : constant Load :=
+     (Turnaround => Radio_Turnaround,
+      Commands   => Radio_Interval,
+      Time_Out   => Radio_Time_Out,
+      others     => <>);
 
    Whole : Boolean := False;
    --  every table, not only those of the priorities in use
@@ -83,7 +88,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
    procedure Print_Requirements (Item : Analysis);
    procedure Print_Loads (Item : Analysis);
 
-   procedure Print_Silent (Item : Analysis);
+   procedure Print_Silent (Item : Analysis; Time_Out : Span);
    --  Item: with one exchange that is not answered
 
    function Silence_Borne (Item : Analysis) return Boolean is
@@ -249,7 +254,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       New_Line;
    end Print_Loads;
 
-   procedure Print_Silent (Item : Analysis) is
+   procedure Print_Silent (Item : Analysis; Time_Out : Span) is
 
       procedure Print (Name : Requirement_Name; Limit : Microseconds);
       --  Limit 0: none is demanded
@@ -271,7 +276,9 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
       end Print;
 
    begin
-      Put_Line ("one exchange not answered (time-out 80 ms)");
+      Put_Line
+        ("one exchange not answered (time-out " & Trimmed (Time_Out / 1_000)
+         & " ms)");
       Print (F6_Stop, Item.Requirements (F6_Stop).Limit);
       Print (F11_Reload, Reload_Limit);
       Print (F12_At_Robot, 0);
@@ -305,7 +312,7 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          New_Line;
       end if;
       Print_Requirements (Result);
-      Print_Silent (Silent);
+      Print_Silent (Silent, Under.Time_Out);
       Put_Line
         ("verdict: "
          & (if Good and then All_Met (Result)
@@ -512,6 +519,10 @@ begin
      ("priorities of schedule.ads, one processor, this machine",
       Of_The_Table, One_Processor, Here,
       Load_Here, Whole, Unused);
+   Analyse_And_Print
+     ("by radio, this machine: a command each "
+      & Milliseconds (Radio_Interval),
+      Of_The_Table, Real_Time_Apart, Here, Load_By_Radio, Whole, Unused);
 
    New_Line;
    Put_Line

@@ -3,7 +3,6 @@
 --  sets it off, what it calls; and the bounds that the features demand.
 
 with Ada.Real_Time;
-with Schedule;
 with System;
 with Vision.Image_Grid;
 
@@ -24,7 +23,6 @@ package body Supervisor_Model with SPARK_Mode is
    Link_Period    : constant Integer := Schedule.Link_Period / One;
    Byte_Time      : constant Integer := Schedule.Byte_Time / One;
    Reload_Quiet   : constant Integer := Schedule.Reload_Quiet / One;
-   Answer_Timeout : constant Integer := Schedule.Answer_Timeout_Ms * 1_000;
    Newcomer_Interval : constant Integer := Schedule.Newcomer_Interval / One;
    Mission_Period : constant Integer := Schedule.Mission_Period / One;
    Mission_Limit  : constant Integer := Schedule.Mission_Order_Limit / One;
@@ -76,7 +74,7 @@ package body Supervisor_Model with SPARK_Mode is
    --  command and an answer
 
    function Commands_Apart (Under : Load) return Positive_Span is
-     (if Under.Mission then Question_Interval else Command_Interval);
+     (if Under.Mission then Question_Interval else Under.Commands);
 
    function Ceiling_Of (Which : Operation_Name) return Urgency is
      (Urgency
@@ -528,7 +526,7 @@ package body Supervisor_Model with SPARK_Mode is
       Beside : Bound;
       Silence : constant Span :=
         (if Under.Silent
-         then Capped (Frame_Time (Longest_Frame) + To_Span (Answer_Timeout)
+         then Capped (Frame_Time (Longest_Frame) + Under.Time_Out
                       + Own (Owner.Outcome))
          else 0);
       Resumed : constant Span :=

@@ -4,6 +4,7 @@
 
 with Budgets;        use Budgets;
 with Response_Times; use Response_Times;
+with Schedule;
 
 package Supervisor_Model with SPARK_Mode is
 
@@ -34,8 +35,12 @@ package Supervisor_Model with SPARK_Mode is
    type Load is record
       Turnaround : Span := Robot_Turnaround;
       Latency    : Span := Wake_Latency;
+      Commands   : Positive_Span := Command_Interval;
+      --  of the monitor, from one to the next; Question_Interval if Mission
       Silent     : Boolean := False;
       --  one exchange stays without an answer, until its time-out
+      Time_Out   : Span := 1_000 * Schedule.Answer_Timeout_Ms;
+      --  --answer-timeout
       Flood      : Boolean := False;
       --  newcomers all the time, as many as th_server sees to
       Mission    : Boolean := False;
@@ -43,7 +48,8 @@ package Supervisor_Model with SPARK_Mode is
       --  Question_Interval apart, and once a second an order by hand, which
       --  ends the mission
    end record
-   with Predicate => Turnaround <= 1_000_000 and then Latency <= 1_000_000;
+   with Predicate => Turnaround <= 1_000_000 and then Latency <= 1_000_000
+     and then Time_Out <= 1_000_000;
 
    type Line_Client is
      (Safe_State, Stop_Order, Reload, Movement, Mission, Battery, Other_Order,

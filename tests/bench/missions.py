@@ -1,15 +1,16 @@
 #  SPDX-License-Identifier: GPL-3.0-or-later
 """Random missions, simulated and real, judged by where the robot truly was.
 
-usage: script/bench missions [--simulated N] [--real N] [--seed N] [--out FILE]
-                             [--check]
+usage: script/bench missions [--simulated N] [--real N] [--radio] [--seed N]
+                             [--out FILE] [--check]
        script/bench missions --docs FILE FOLDER
        script/bench missions --docs --check
 
 Prints a table: bin/destijl_missions carries them out and judges each. Every
 other one has all faults at once. Simulated ones (1000) are the controller with
 the emulator's core, in simulated time; real ones (50) the supervisor with the
-emulator and rendered images, in real time, two at once. --out keeps all
+emulator and rendered images, in real time, two at once; --radio has a pair of
+radios between supervisor and emulator. --out keeps all
 results in FILE; --check fails where a goal is missed. --docs writes the tables
 of docs/missions.md from the results in FILE, and from those that
 script/bench --out FOLDER responses  has left in FOLDER, and keeps what it
@@ -78,7 +79,7 @@ def started(*options: str) -> subprocess.Popen[str]:
     return subprocess.Popen([PROGRAM, *options], stdout=subprocess.PIPE, text=True)
 
 
-def run(simulated: int, real: int, seed: int) -> list[Mission]:
+def run(simulated: int, real: int, seed: int, *options: str) -> list[Mission]:
     """First the simulated ones, which need the processor."""
     missions: list[Mission] = []
 
@@ -97,7 +98,7 @@ def run(simulated: int, real: int, seed: int) -> list[Mission]:
         [
             started(
                 *("--real", str(share), *of_seed),
-                *("--first", str(first), "--step", str(AT_ONCE)),
+                *("--first", str(first), "--step", str(AT_ONCE), *options),
             )
             for first, share in enumerate(shares, 1)
             if share > 0
@@ -137,7 +138,7 @@ def row(name: str, missions: list[Mission]) -> Row:
 def rows(missions: list[Mission]) -> list[Row]:
     return [
         row(f"{kind}, {'all faults' if faults else 'ideal'}", chosen)
-        for kind in ("simulated", "real")
+        for kind in ("simulated", "real", "radio")
         for faults in (False, True)
         if (
             chosen := [
@@ -295,12 +296,14 @@ def main(arguments: list[str]) -> None:
     )
     parser.add_argument("--simulated", type=int, default=1000, help="(1000)")
     parser.add_argument("--real", type=int, default=50, help="(50)")
+    parser.add_argument("--radio", action="store_true", help="real ones by radio")
     parser.add_argument("--seed", type=int, default=1, help="others (1)")
     parser.add_argument("--out", type=Path, help="file for all results, as JSON")
     parser.add_argument("--check", action="store_true", help="fail if a goal is missed")
     chosen = parser.parse_args(arguments)
     now = facts(chosen.seed)
-    missions = run(chosen.simulated, chosen.real, chosen.seed)
+    radio = ["--radio"] if chosen.radio else []
+    missions = run(chosen.simulated, chosen.real, chosen.seed, *radio)
     if chosen.out is not None:
         lines = ",\n".join(json.dumps(mission) for mission in missions)
         text = json.dumps(now)[:-1] + f', "missions": [\n{lines}]}}\n'

@@ -90,6 +90,7 @@ package body Bench_Console is
       Say ("delay MS             every answer is late");
       Say ("radio-losses N       N percent of the packets are lost, each");
       Say ("                     direction (--radio)");
+      Say ("radio-bursts N       N percent begin a burst of retries");
       Say ("mend                 none of these any more");
       Say ("radio-retries N      percent of attempts repeated (--radio)");
       Say ("unasked BYTES        sends them now; \r, \n, \\, \xHH");

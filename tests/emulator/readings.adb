@@ -146,7 +146,7 @@ package body Readings is
       use all type Robot_Bench.Fault_Kind;
       Most  : constant Natural :=
         (case Kind is
-            when Radio_Losses | Radio_Retries => 100,
+            when Radio_Losses .. Radio_Retries => 100,
             when Lose_Every | Drop_Every      => 1_000,
             when Pile                         => Answer_Faults.Max_Pile,
             when others                       =>

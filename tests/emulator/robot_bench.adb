@@ -112,7 +112,7 @@ package body Robot_Bench is
          Faults    := (Seed => Faults.Seed, Turn => Faults.Turn, others => <>);
          Held_Back := 0;
          Babbling  := False;
-         Radios.Losses := 0;
+         Radios    := (Retries => Radios.Retries, others => <>);
       end Mend;
 
       procedure Miss (Byte : Octet; Started, Ended : Instant) is
@@ -189,6 +189,7 @@ package body Robot_Bench is
             when Garbage       => Faults.Garbage := Value;
             when Truncate      => Faults.Truncate := Value;
             when Radio_Losses  => Radios.Losses := Value;
+            when Radio_Bursts  => Radios.Bursts := Value;
             when Radio_Retries => Radios.Retries := Value;
             when Flip          => Faults.Flip := Value;
             when Wrong         => Faults.Wrong := Value;

@@ -25,7 +25,7 @@ package Robot_Bench is
 
    type Fault_Kind is
      (Lose, Lose_Every, Drop, Drop_Every, Corrupt, Garbage, Truncate,
-      Radio_Losses, Radio_Retries,
+      Radio_Losses, Radio_Bursts, Radio_Retries,
       Flip, Wrong, Pile, Silent, Endless,
       Kept_Bytes,   --  of Truncate
       Bit);         --  of Flip

@@ -80,6 +80,10 @@ private
      & "                       so with each of these:" & NL
      & "  --radio-retries N    percent of attempts repeated, 30 ms each (2)"
      & NL
+     & "  --radio-bursts N     percent of packets that begin a burst: in 8"
+     & NL
+     & "                       packets half of the attempts are repeated (0)"
+     & NL
      & "  --radio-losses N     percent of packets lost, each direction (0)"
      & NL
      & "  --radio-seed N       of their random numbers (1)" & NL & NL

@@ -107,6 +107,18 @@ package body Robot_Faults is
    overriding procedure Inject (F : in out Unplugged; W : in out World);
    overriding procedure Lift (F : in out Unplugged; W : in out World);
 
+   --  The line is a pair of radios
+
+   type By_Radio is new Robot_Fault with record
+      Command : Unbounded_String;
+      --  to the emulator
+      Loses   : Boolean := False;
+      --  packets, which may be those of a stop
+   end record;
+
+   overriding procedure Prepare (F : By_Radio; P : in out Plan);
+   overriding procedure Inject (F : in out By_Radio; W : in out World);
+
    --  The robot is stopped and accepts nothing any more
 
    type Reason is (Disabled, Switched_Off_And_On, Empty, Charging);
@@ -446,6 +458,31 @@ package body Robot_Faults is
       Expect_Truth (W);
    end Inject;
 
+   overriding procedure Prepare (F : By_Radio; P : in out Plan) is
+      pragma Unreferenced (F);
+   begin
+      P.Emulator_Options := To_Unbounded_String ("--radio");
+      P.Options := To_Unbounded_String ("--answer-timeout 150");
+   end Prepare;
+
+   overriding procedure Inject (F : in out By_Radio; W : in out World) is
+      Last_Failure : constant Duration := 0.5;
+      --  With its probe
+   begin
+      W.Emulator.Tell (To_String (F.Command));
+      if W.Alone then
+         W.Talk (Span (W.Source, 1.0, 3.0), Calm => True);
+         W.Expect_Answers;
+         W.Emulator.Tell ("mend");
+         delay Last_Failure;
+         W.Listen;
+         Expect (W, "ROPN", "AACK");
+         Expect_Truth (W);
+      else
+         W.Line_Works := W.Line_Works and then not F.Loses;
+      end if;
+   end Inject;
+
    overriding procedure Inject (F : in out Robot_Stops; W : in out World) is
       B        : Before;
       Watchdog : Boolean;
@@ -540,6 +577,16 @@ package body Robot_Faults is
 
    procedure Register is
 
+      procedure Add_Radio (Name, Command : String; Loses : Boolean := False)
+      is
+      begin
+         Add (Robot, "by radio" & Name,
+              new By_Radio'(Command => To_Unbounded_String (Command),
+                            Loses   => Loses,
+                            others  => <>),
+              Cost => 3.0);
+      end Add_Radio;
+
       procedure Add_Spoilt (Name : String; How : Spoiling; Cost : Duration)
       is
       begin
@@ -580,6 +627,9 @@ package body Robot_Faults is
         ("robot reset by its watchdog", Switched_Off_And_On, 2.0);
       Add_Stop ("robot's battery empty", Empty, 2.5);
       Add_Stop ("robot charging", Charging, 2.0);
+      Add_Radio ("", "mend");
+      Add_Radio (", retries in bursts", "radio-bursts 5");
+      Add_Radio (", packets lost", "radio-losses 5", Loses => True);
    end Register;
 
 end Robot_Faults;

@@ -31,6 +31,7 @@ procedure Destijl_Missions is
    First     : Positive := 1;
    Step      : Positive := 1;
    Seed      : Natural  := 1;
+   Radio     : Boolean  := False;
    Traced    : Boolean  := False;
 
    Picture, Journal, Pose, Order : Unbounded_String;
@@ -50,6 +51,7 @@ procedure Destijl_Missions is
       Put_Line (To, "usage: destijl_missions [OPTION]...");
       Put_Line (To, "   --simulated N   missions in simulated time (0)");
       Put_Line (To, "   --real N        missions of the supervisor (0)");
+      Put_Line (To, "   --radio         these by radio");
       Put_Line (To, "   --picture FILE  draws one instead: SVG");
       Put_Line (To, "   --journal FILE  ... what the emulator has printed");
       Put_Line (To, "   --pose X,Y,A    ... where it stood: cm, degrees");
@@ -71,6 +73,8 @@ procedure Destijl_Missions is
             Simulated := Number (0);
          elsif Name = "--real" then
             Real := Number (0);
+         elsif Name = "--radio" then
+            Radio := True;
          elsif Name = "--seed" then
             Seed := Number (0);
          elsif Name = "--picture" then
@@ -130,9 +134,11 @@ procedure Destijl_Missions is
       end if;
    end Draw;
 
-   procedure Run_Real (P : Plan) is
+   procedure Run_Real (Which : Positive) is
       --  Again where it misses a goal and the machine stood still meanwhile,
       --  as the system tests do
+      Kind          : constant String := (if Radio then "radio" else "real");
+      P             : Plan := Random (Seed, Which);
       Most_Repeated : constant := 11;
       Calm          : constant Duration := 60.0;
       Host_Before   : Duration;
@@ -143,6 +149,7 @@ procedure Destijl_Missions is
          or else Host_Time.Taken - Host_Before >= Standstills.Too_Much);
 
    begin
+      P.Radio := Radio;
       for Repeated in 0 .. Most_Repeated loop
          Standstills.Forget;
          Host_Before := Host_Time.Taken;
@@ -154,14 +161,14 @@ procedure Destijl_Missions is
               or else not Has_Stood_Still
               or else Repeated = Most_Repeated
             then
-               Say (Line ("real", P, V, Repeated));
+               Say (Line (Kind, P, V, Repeated));
                return;
             end if;
          exception
             when Problem : Expectations.Failed =>
                if not Has_Stood_Still or else Repeated = Most_Repeated then
                   Say (Line
-                    ("real", P, Ada.Exceptions.Exception_Message (Problem)));
+                    (Kind, P, Ada.Exceptions.Exception_Message (Problem)));
                   return;
                end if;
          end;
@@ -189,7 +196,7 @@ begin
       Standstills.Watch (Lines => True);
    end if;
    for K in 0 .. Real - 1 loop
-      Run_Real (Random (Seed, First + K * Step));
+      Run_Real (First + K * Step);
    end loop;
    Programs.Remove_Temporary_Folder;
    GNAT.OS_Lib.OS_Exit (Status);

@@ -16,16 +16,18 @@ procedure Mission_Trial_Tests is
    --  The same missions each time, some of script/bench missions: those that
    --  take the least time of the first thirty
 
-   procedure Try (Number : Positive) is
+   procedure Try (Number : Positive; Radio : Boolean := False) is
       --  Raises Failed unless it is done and reaches the goals, at once or in
       --  two of three runs: an image that a busy machine delays aborts it
       Name    : constant String := "mission " & Image (Number);
       Done    : Natural := 0;
       Aborted : Natural := 0;
+      P       : Plan := Random (Seed, Number);
       V       : Verdict;
    begin
+      P.Radio := Radio;
       loop
-         Real_Missions.Run (Random (Seed, Number), V);
+         Real_Missions.Run (P, V);
          Note
            (Name & ": " & Rounded (Float (V.Pass), 1)
             & " mm from a point at most, "
@@ -52,6 +54,12 @@ procedure Mission_Trial_Tests is
       Try (3);
    end Ideal;
 
+   procedure By_Radio is
+   begin
+      Try (1, Radio => True);
+      Try (18, Radio => True);
+   end By_Radio;
+
    procedure With_Faults is
    begin
       Try (18);
@@ -60,5 +68,6 @@ procedure Mission_Trial_Tests is
 
 begin
    Add ("Mission_Trial_Ideal", Ideal'Access, Timed => True);
+   Add ("Mission_Trial_By_Radio", By_Radio'Access, Timed => True);
    Add ("Mission_Trial_With_Faults", With_Faults'Access, Timed => True);
 end Mission_Trial_Tests;

@@ -77,19 +77,53 @@ procedure Radio_Tests is
       Play (R, "tell mend, RGST RCST:0, RGBT RBLV:2, RSOW AACK, RGFW AACK");
    end Some_Lost;
 
+   procedure Bursts_Of_Retries is
+      --  Half of all attempts are repeated: some answers come after the
+      --  time-out, and none is taken for the next
+      R    : Rig;
+      Late : Natural := 0;
+
+      procedure Ask (Command, Answer : String) is
+         Item : Message;
+      begin
+         R.Monitor.Send_Line (Command);
+         Item := R.Monitor.Next_Answer (Command);
+         Late := Late + Boolean'Pos (Item.Label = "ATIM");
+         Check
+           (Item.Label = "ATIM"
+            or else Item.Label & To_String (Item.Data) = Answer,
+            Command & ": " & Item.Label & To_String (Item.Data));
+      end Ask;
+
+   begin
+      Assemble
+        (R, Emulator_Options => No_Retries & " --battery 1",
+         Supervisor_Options => "--answer-timeout 200");
+      Play (R, "ROPN AACK, tell radio-bursts 100");
+      for Number in 1 .. 30 loop
+         Ask ("RGST", "RCST0");
+         Ask ("RGBT", "RBLV1");
+      end loop;
+      Check (Late > 0, "none is late");
+      Play (R, "unsaid robot lost, tell mend, RGST RCST:0, RSOW AACK");
+   end Bursts_Of_Retries;
+
    procedure Keep_Watchdog (Options : String; Missed : Natural) is
       --  20 s while the robot drives, Missed reloads at most; no deadline is
       --  guaranteed without real-time priorities, but it keeps driving
-      R : Rig;
+      R        : Rig;
+      Commands : Natural;
    begin
       Assemble (R, Emulator_Options => Options);
       Start_Robot (R, Watchdog => True);
       R.Monitor.Expect ("RGFW", "AACK");
       R.Emulator.Clear_Journal;
       delay 20.0;
+      Commands := Natural (R.Emulator.Journal.Length);
       Note (R.Emulator.Count_Of ("w")'Image & " reloads,"
-            & Natural'Image (Natural (R.Emulator.Journal.Length))
-            & " commands in 20 s");
+            & Commands'Image & " commands in 20 s");
+      --  of 39 ms each, a short one: a quarter of the line's time
+      Check (Commands <= 150, "so much for others:" & Commands'Image);
       Check
         (R.Emulator.Count_Of ("w") in 18 .. 22,
          R.Emulator.Count_Of ("w")'Image & " reloads");
@@ -128,6 +162,7 @@ begin
       & ", status moving 0, RRST AACK",
       Emulator_Options => No_Retries, Times => 2);
    --  The last stop is lost as well
+   Add ("F08_Radio_Bursts_Of_Retries", Bursts_Of_Retries'Access);
    Script
      ("F08_Radio_Late_Answers",
       "ROPN AACK, RPIN AACK, tell radio-retries 100, RPIN ATIM,"

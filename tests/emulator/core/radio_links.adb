@@ -49,11 +49,23 @@ package body Radio_Links with SPARK_Mode is
       Retries : Natural range 0 .. Max_Retries := 0;
       Again   : Boolean;
       Value   : Share;
+      Chance  : Percent := C.Retries;
    begin
+      if C.Bursts = 0 then
+         L.Left := 0;
+      elsif L.Left > 0 then
+         L.Left := L.Left - 1;
+      else
+         Draw (L.Seed, C.Bursts, Again);
+         L.Left := (if Again then Burst else 0);
+      end if;
+      if L.Left > 0 then
+         Chance := Percent'Max (Chance, 50);
+      end if;
       while Retries < Max_Retries loop
          pragma Loop_Variant (Increases => Retries);
-         pragma Loop_Invariant (if C.Retries = 0 then Retries = 0);
-         Draw (L.Seed, C.Retries, Again);
+         pragma Loop_Invariant (if Chance = 0 then Retries = 0);
+         Draw (L.Seed, Chance, Again);
          exit when not Again;
          Retries := Retries + 1;
       end loop;

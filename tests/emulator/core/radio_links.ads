@@ -24,11 +24,17 @@ package Radio_Links with SPARK_Mode, Pure is
    Longest_Air  : constant := 12_000_000;
    Retry_Time   : constant := 30_000_000;
    Max_Retries  : constant := 8;    --  of a packet
+   Burst        : constant := 8;    --  packets
+
+   subtype Burst_Count is Natural range 0 .. Burst;
 
    subtype Percent is Natural range 0 .. 100;
 
    type Chances is record
       Retries : Percent := 2;  --  of all attempts, independent of each other
+      Bursts  : Percent := 0;
+      --  of all packets; half of all attempts are repeated from such a one on,
+      --  for Burst
       Losses  : Percent := 0;  --  of all packets
    end record;
 
@@ -39,6 +45,7 @@ package Radio_Links with SPARK_Mode, Pure is
       Length : Packet_Length := 0;  --  bytes gathered
       Last   : Time_Point := 0;     --  end of the last of them
       Free   : Time := 0;           --  end of the last packet in the air
+      Left   : Burst_Count := 0;    --  packets in the burst, the last included
    end record;
 
    function Closing (L : Link; Each : Byte_Time) return Time is
@@ -69,7 +76,7 @@ package Radio_Links with SPARK_Mode, Pure is
      Post => L.Length = 0 and then L.Free = Arrival
              and then Arrival - Time'Max (Closed, L.Free'Old)
                       in Shortest_Air
-                      .. Longest_Air + (if C.Retries = 0 then 0
+                      .. Longest_Air + (if C.Retries + C.Bursts = 0 then 0
                                         else Max_Retries * Retry_Time)
              and then (if C.Losses = 0 then not Lost)
              and then (if C.Losses = 100 then Lost);

@@ -25,6 +25,8 @@ package Mission_Plans is
    type Plan is record
       Number  : Positive := 1;
       Faulty  : Boolean  := False;
+      Radio   : Boolean  := False;
+      --  Between the supervisor and the robot; then no answer is lost
       Start   : Robot_Motion.Pose;
       Wheels  : Robot_Motion.Wheel_Errors;
       --  Ideal unless Faulty

@@ -16,6 +16,9 @@ package body Real_Missions is
    After_The_End : constant Duration := 0.3;
    --  The robot is still watched: it must rest, and nothing more be said
 
+   By_Radio : constant Duration := 0.04;
+   --  Of an exchange, at the median
+
    procedure Begin_Session (R : in out Rigs.Rig; P : Plan) is
       Unused : Message;
    begin
@@ -28,7 +31,7 @@ package body Real_Missions is
          Unused := R.Monitor.Next_Of ("CPOS");
          exit when Element (Unused.Data, 1) /= '-';
       end loop;
-      if P.Faulty then
+      if P.Faulty and then not P.Radio then
          R.Emulator.Tell ("drop-every" & Integer'Image (Drop_Every));
       end if;
       R.Emulator.Clear_Journal;
@@ -61,7 +64,8 @@ package body Real_Missions is
         (Rounded (Float (Value) / Float (Unit), 2));
 
    begin
-      return "--pose " & Decimals (P.Start.X, 10_000)
+      return (if P.Radio then "--radio" else "")
+        & " --pose " & Decimals (P.Start.X, 10_000)
         & "," & Decimals (P.Start.Y, 10_000)
         & "," & Decimals (P.Start.Angle, 1_000_000)
         & (if not P.Faulty then ""
@@ -85,6 +89,7 @@ package body Real_Missions is
       Next   : Positive;
       Last   : Robot_Motion.Pose;
       Drives : Boolean := False;
+      Busy   : Duration;
 
       procedure See_Pose
         (Time : Instant; Where : Robot_Motion.Pose; Driving : Boolean) is
@@ -110,7 +115,10 @@ package body Real_Missions is
       end See_Pose;
 
    begin
-      Rigs.Assemble (R, Camera => True, Emulator_Options => Options (P));
+      Rigs.Assemble
+        (R, Camera => True, Emulator_Options => Options (P),
+         Supervisor_Options =>
+           (if P.Radio then "--answer-timeout 150" else ""));
       Begin_Session (R, P);
       Next := Integer'Max (1, R.Monitor.Count);
       --  The last position before the order is one of the newest messages
@@ -128,6 +136,11 @@ package body Real_Missions is
       declare
          Notes : constant Emulators.Notes := R.Emulator.Journal;
       begin
+         if P.Radio then
+            Busy := Natural (Notes.Length) * By_Radio
+              / Duration'(Ended.Time + After_The_End - Begun);
+            Check (Busy <= 0.5, "of the line's time" & Busy'Image);
+         end if;
          Start (J, P);
          Robot_Truths.Replay
            (Notes, P.Start, P.Wheels, Begun, Ended.Time + After_The_End,

@@ -84,6 +84,30 @@ procedure Radio_Links_Tests is
       Sort (Sorted);
    end Exchange_All;
 
+   procedure Test_Bursts is
+      --  What is late comes together: independent of each other, one in fifty
+      --  would follow another
+      There, Back : Link;
+      Clock : Time := 0;
+      Took  : Time := 0;
+      Before : Time;
+      Lost  : Boolean;
+      Late, Followed : Natural := 0;
+   begin
+      for K in 1 .. Exchanges loop
+         Before := Took;
+         Exchange
+           (There, Back, (Bursts => 1, others => <>), 3, Clock, Took, Lost);
+         Clock := Clock + 50 * Ms;
+         Late := Late + Boolean'Pos (Took > 80 * Ms);
+         Followed := Followed
+           + Boolean'Pos (Took > 80 * Ms and then Before > 80 * Ms);
+      end loop;
+      Assert (Late in 100 .. 800, "late:" & Late'Image);
+      Assert (5 * Followed > Late,
+              "together:" & Followed'Image & " of" & Late'Image);
+   end Test_Bursts;
+
    procedure Test_Delays is
       --  Against the model with the real firmware: 35.6 ms at the median, 68
       --  at p99, 78 to 90 at most
@@ -121,7 +145,7 @@ procedure Radio_Links_Tests is
    begin
       for K in 1 .. Exchanges loop
          Gather (L, Ms);
-         Send (L, (Retries => 50, Losses => 0), Ms, Arrival, Lost);
+         Send (L, (Retries => 50, others => <>), Ms, Arrival, Lost);
          Assert
            (Arrival - Before
             in Shortest_Air .. Longest_Air + Max_Retries * Retry_Time + Ms,
@@ -141,7 +165,7 @@ procedure Radio_Links_Tests is
       Assert (Closing (L, Each) = 10 * Ms + 6 * Each, "silence");
       Assert (Joins (L, 10 * Ms + 6 * Each, Each), "a byte in time");
       Assert (not Joins (L, 10 * Ms + 6 * Each + 1, Each), "a late one");
-      Send (L, (0, 0), Closing (L, Each), Arrival, Lost);
+      Send (L, (Retries => 0, others => <>), Closing (L, Each), Arrival, Lost);
       Assert (L.Length = 0 and then Joins (L, 100 * Ms, Each), "the next");
 
       for K in 1 .. Max_Packet loop
@@ -158,12 +182,12 @@ procedure Radio_Links_Tests is
       All_Of : Times (1 .. Exchanges);
       Lost   : Natural;
    begin
-      Exchange_All ((Retries => 10, Losses => 0), All_Of, Lost);
+      Exchange_All ((Retries => 10, others => <>), All_Of, Lost);
       Assert (Above (All_Of, 80 * Ms) in 230 .. 330,
               "80 ms:" & Above (All_Of, 80 * Ms)'Image);
       Assert (Above (All_Of, 150 * Ms) in 1 .. 10,
               "150 ms:" & Above (All_Of, 150 * Ms)'Image);
-      Exchange_All ((Retries => 0, Losses => 0), All_Of, Lost);
+      Exchange_All ((Retries => 0, others => <>), All_Of, Lost);
       Assert (All_Of (Exchanges) < 50 * Ms,
               "without:" & All_Of (Exchanges)'Image);
    end Test_Retries;
@@ -172,6 +196,7 @@ begin
    Run_Test ("packets", Test_Packets'Access);
    Run_Test ("delays", Test_Delays'Access);
    Run_Test ("retries", Test_Retries'Access);
+   Run_Test ("bursts of retries", Test_Bursts'Access);
    Run_Test ("losses", Test_Losses'Access);
    Run_Test ("order", Test_Order'Access);
 end Radio_Links_Tests;

@@ -221,6 +221,27 @@ procedure Supervisor_Model_Tests is
       Check (Reset_Order, Result);
    end Test_Orders;
 
+   procedure Test_Radio is
+      Window : constant := 100_000;
+      --  So late, the robot accepts a reload still
+      Under  : Load :=
+        (Turnaround => Radio_Turnaround, Commands => Radio_Interval,
+         Time_Out   => Radio_Time_Out, others => <>);
+      Result : Analysis := Analysed (Under => Under);
+   begin
+      Assert (Result.Requirements (F11_Reload).Known
+              and then Result.Requirements (F11_Reload).Bound <= Window,
+              "the reload");
+      Assert (not Met (Result.Requirements (F12_At_Robot)),
+              "orders are in time by radio: claim it");
+      Under.Silent := True;
+      Result := Analysed (Under => Under);
+      Assert (Result.Requirements (F12_At_Robot).Bound
+              > Result.Requirements (F11_Reload).Limit + Radio_Time_Out,
+              "orders do not wait for the time-out");
+      Assert (Met (Result.Requirements (F13_Level)), "the battery");
+   end Test_Radio;
+
    procedure Test_Report is
       Result : Analysis;
    begin
@@ -267,6 +288,7 @@ begin
    Run_Test ("an order follows its image in time", Test_Missions'Access);
    Run_Test ("an order that is late is not sent", Test_Late_Mission'Access);
    Run_Test ("the monitor's orders come one at a time", Test_Orders'Access);
+   Run_Test ("radios, and their time-out", Test_Radio'Access);
    Run_Test ("the report's priorities miss F11 and F12", Test_Report'Access);
    Run_Test ("a slow robot, kernel or processor is seen", Test_Slow'Access);
 end Supervisor_Model_Tests;
