@@ -740,8 +740,9 @@ begin
       "ROPN AACK, RSOW AACK, tell reset-robot, RGFW ACRJ," & Says_Not_Running
       & " clear, RGFW ACRJ, wire, status state idle, RSOW AACK, RGFW AACK,"
       & " tell reset-robot, RSTP ACRJ," & Says_Not_Running
-      & " status state idle, RSOW AACK, RGFW AACK, RRST AACK,"
-      & " status state idle",
+      & " status state idle, RSOW AACK, RGFW AACK, tell charge on,"
+      & " RGFW ACRJ," & Says_Not_Running & " tell charge off,"
+      & " status state idle, RSOW AACK, RRST AACK, status state idle",
       Times => 3);
    --  No reload tells of it, but the first order
    Add ("F11_Lost_Reloads", Lost_Reloads'Access, Timed => True);
