@@ -1,0 +1,307 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""What script/machine tries, in this order: each a function of the target,
+which raises Wrong with what does not hold."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from targets import SLACK, Board, Machine, Wrong
+
+STOP = 5.0
+#  F5: seconds after which a robot without a monitor stands
+WATCHDOG = 3.6
+#  Likewise one without a supervisor: three reloads missed
+BY_ID = "/dev/serial/by-id/usb-QEMU_QEMU_USB_SERIAL_robot-if00-port0"
+SETTINGS = "/etc/default/destijl"
+WAITS = "--answer-timeout 300"
+#  Processors that are emulated answer late
+
+OnBoard = Callable[[Board], None]
+OnMachine = Callable[[Machine], None]
+
+
+@dataclass
+class Scenario:
+    name: str
+    short: bool
+    on_board: OnBoard | None
+    on_machine: OnMachine | None
+
+
+scenarios: list[Scenario] = []
+
+
+def anywhere(name: str, short: bool = False) -> Callable[[OnBoard], OnBoard]:
+    def add(act: OnBoard) -> OnBoard:
+        scenarios.append(Scenario(name, short, act, act))
+        return act
+
+    return add
+
+
+def emulated(name: str, short: bool = False) -> Callable[[OnMachine], OnMachine]:
+    def add(act: OnMachine) -> OnMachine:
+        scenarios.append(Scenario(name, short, None, act))
+        return act
+
+    return add
+
+
+def serve(board: Board, line: str = "/dev/ttyS1", options: str = "") -> None:
+    """The service runs; of a board with the settings that it has."""
+    if isinstance(board, Machine):
+        board.robot = board.wire if line == "/dev/ttyS1" else board.usb
+        camera = f"--camera http://10.0.3.2:{board.wire.camera}/stream.mjpg"
+        board.start(DESTIJL_SERIAL=line, DESTIJL_OPTIONS=f"{WAITS} {options or camera}")
+    else:
+        board.run("systemctl start destijl")
+
+
+def matches(pattern: str, text: str) -> None:
+    if not re.search(pattern, text, re.MULTILINE):
+        raise Wrong(f"{pattern!r} is not in: {text}")
+
+
+def moving(board: Board) -> None:
+    if board.robot:
+        board.robot.await_moving(True, 10.0)
+
+
+def stands(board: Board, limit: float, since: float = 0.0) -> None:
+    """Five seconds are told from fifteen. Since: a mark, of which on the machine
+    itself may have stood still."""
+    if board.robot:
+        took = board.robot.await_moving(False, 30.0)
+        if took > limit + SLACK and (
+            not since or took > limit + SLACK + board.stood_still(since)
+        ):
+            raise Wrong(f"the robot stands after {took:.1f} s, not {limit:.1f}")
+
+
+def put(machine: Machine, packages: list[Path], folder: str) -> None:
+    files = [path.name for path in packages]
+    archive = subprocess.run(
+        ["tar", "-C", packages[0].parent, "-c", *files], capture_output=True, check=True
+    )
+    subprocess.run(
+        [*machine.ssh, machine.target, f"mkdir -p {folder} && tar -x -C {folder}"],
+        input=archive.stdout,
+        check=True,
+    )
+
+
+def install_packages(machine: Machine, files: str) -> None:
+    machine.run(
+        "DEBIAN_FRONTEND=noninteractive apt-get -qq install --no-install-recommends"
+        f" --reinstall -y {files}",
+        900.0,
+    )
+
+
+def whole_token(machine: Machine) -> None:
+    found = machine.run("stat -c '%a %U %s' /etc/destijl/token")
+    if found != "600 root 33":
+        raise Wrong(f"the token after it: {found}")
+
+
+@emulated("installed, and the power cut within a second", short=True)
+def install(machine: Machine) -> None:
+    put(machine, sorted(machine.packages.glob("destijl*.deb")), "/root/packages")
+    install_packages(machine, "/root/packages/*.deb")
+    machine.power_cut()
+    machine.power_on()
+    whole_token(machine)
+    machine.run(
+        'test -z "$(dpkg --audit)"; systemctl -q is-enabled destijl destijl-web'
+    )
+    #  of an older package: named, and made again
+    machine.run(f": >/etc/destijl/token; sed -i s/SERIAL=.*/SERIAL=none/ {SETTINGS}")
+    since = machine.mark()
+    machine.attempt("systemctl start destijl")
+    machine.logged("/etc/destijl/token", since)
+    machine.run("systemctl stop destijl")
+    install_packages(machine, "/root/packages/destijl_*.deb")
+    whole_token(machine)
+
+
+@anywhere("--check as the service, and its sandbox", short=True)
+def check(board: Board) -> None:
+    serve(board)
+    board.run("systemctl stop destijl")
+    status, said = board.attempt("/usr/lib/destijl/check-service")
+    kernel = "(not )?PREEMPT_RT"
+    if isinstance(board, Machine):
+        kernel = "PREEMPT_RT" if board.kernel == "rt" else "not PREEMPT_RT"
+    for fact in (
+        "real-time priorities: FIFO, ceilings",
+        "memory: [0-9]+ MB, can be locked",
+        rf"kernel [0-9]\S+: {kernel}$",
+        "serial line /dev/.*: opens",
+        "camera: delivers images",
+        "token file /run/credentials/.*: holds a token",
+    ):
+        matches("^ok      " + fact, said)
+    if status != 0:
+        raise Wrong(f"status {status}: {said}")
+    serve(board)
+    said = board.run("journalctl -b -u destijl -o cat -n 20")
+    matches("real-time priorities: FIFO, ceilings; memory: locked; deadlines:", said)
+    said = board.run("cat /proc/$(systemctl show --value -p MainPID destijl)/status")
+    matches("^CapEff:\t0000000000800000$", said)
+    matches("^CapBnd:\t0000000000800000$", said)
+    matches("^NoNewPrivs:\t1$", said)
+    matches("^Seccomp:\t2$", said)
+    matches("^Uid:\t[1-9]", said)
+    board.run("systemd-analyze --no-pager security --threshold=20 destijl")
+
+
+@anywhere("a whole session", short=True)
+def whole_session(board: Board) -> None:
+    session(board)
+
+
+def session(board: Board, line: str = "/dev/ttyS1", options: str = "") -> None:
+    serve(board, line, options)
+    with board.monitor() as monitor:
+        monitor.demand("ROPN", "RSWW", "RGLF", "RSTP", "RMOV:100", "RTRN:90")
+        monitor.ask("RGBT", "RBLV:[012]")
+        #  loads OpenCV
+        monitor.demand("COPN")
+        monitor.ask("", "CIMG:")
+        if isinstance(board, Machine) and not options:
+            monitor.ask("CASA", "CIMG:")
+            monitor.tell("CACO")
+            monitor.demand("CPCO")
+            monitor.ask("", "CPOS:[0-9]")
+        monitor.demand("CCLS", "RCLS")
+    if isinstance(board, Machine) and line == "/dev/ttyS1":
+        matches("1: uart:16550A .*tx:[1-9]", board.run("cat /proc/tty/driver/serial"))
+        matches("^9600$", board.run("stty -F /dev/ttyS1 speed"))
+
+
+@emulated("USB: late driver, unplugged while driving, another name", short=True)
+def usb(machine: Machine) -> None:
+    serve(machine, BY_ID)
+    with machine.monitor() as monitor:
+        if monitor.ask("ROPN") != "ANAK":
+            raise Wrong("a line that is not there opens")
+        machine.plug("usb", "robot")
+        machine.expect(f"test -e {BY_ID}")
+        monitor.drive()
+        moving(machine)
+        since = machine.mark()
+        machine.unplug("robot")
+        monitor.ask("", "ATIM")
+        machine.logged("robot lost: the device of its line has gone", since)
+        stands(machine, WATCHDOG)
+        machine.plug("other", "other")
+        machine.expect("test -e /dev/ttyUSB0")
+        machine.plug("usb", "robot")
+        machine.expect(f"test $(realpath {BY_ID}) = /dev/ttyUSB1")
+        monitor.demand("ROPN", "RRST")
+        monitor.drive()
+        moving(machine)
+    stands(machine, 1.0)
+    session(machine, BY_ID)
+    machine.unplug("robot")
+    machine.unplug("other")
+
+
+CUTS = {
+    "own interface down": (
+        "ip link set $dev down",
+        "ip link set $dev up; ip address replace $own dev $dev",
+        "cannot be reached|vanished",
+    ),
+    "own address gone": (
+        "ip address del $own dev $dev",
+        "ip address replace $own dev $dev",
+        "cannot be reached|vanished",
+    ),
+    "own route gone": (
+        "ip route del ${own%.*}.0/24 dev $dev",
+        "ip route replace ${own%.*}.0/24 dev $dev src ${own%/*}",
+        "cannot be reached|vanished",
+    ),
+    "packets to the monitor dropped": (
+        "nft add table netdev cut; nft add chain netdev cut out"
+        " '{ type filter hook egress device '$dev' priority 0; }';"
+        " nft add rule netdev cut out tcp sport 5544 drop",
+        "nft delete table netdev cut",
+        "vanished",
+    ),
+    "packets from the monitor dropped": (
+        "nft add table netdev cut; nft add chain netdev cut in"
+        " '{ type filter hook ingress device '$dev' priority 0; }';"
+        " nft add rule netdev cut in tcp dport 5544 drop",
+        "nft delete table netdev cut",
+        "vanished",
+    ),
+    "carrier gone": ("card", "card", "cannot be reached|vanished"),
+    "peer gone": ("far", "far", "vanished"),
+}
+ON_BOARDS = ("own interface down", "packets to", "packets from")
+
+
+def cut(board: Board, name: str) -> None:
+    begin, end, why = CUTS[name]
+    serve(board)
+    with board.monitor() as monitor:
+        monitor.drive()
+        moving(board)
+        since = board.mark()
+        if isinstance(board, Machine) and " " not in begin:
+            board.qmp("set_link", name=begin, up=False)
+        else:
+            peer = "10.0.2.2" if isinstance(board, Machine) else "$PEER"
+            board.run(
+                f"peer={peer}\n"
+                "dev=$(ip -o route get $peer | sed 's/.* dev \\([^ ]*\\).*/\\1/')\n"
+                "own=$(ip -o -4 address show dev $dev | awk '{ print $4; exit }')\n"
+                "export dev own; touch /run/cut\n"
+                "setsid sh -c \"$(cat <<'END'\n"
+                f'{begin}; sleep 12; {end}; rm /run/cut\nEND\n)" >/dev/null 2>&1 &'
+            )
+        try:
+            stands(board, STOP, since)
+        finally:
+            if isinstance(board, Machine) and " " not in begin:
+                board.qmp("set_link", name=end, up=True)
+        board.expect("test ! -e /run/cut", 60.0)
+        lost = board.logged(f"monitor lost: .*({why})", since)
+        if lost > STOP + SLACK + board.stood_still(since):
+            raise Wrong(f"the loss is found after {lost:.1f} s")
+    with board.monitor() as monitor:
+        monitor.demand("ROPN", "RCLS")
+
+
+for name in CUTS:
+    act = partial(cut, name=name)
+    scenarios.append(
+        Scenario(
+            f"network: {name}", True, act if name.startswith(ON_BOARDS) else None, act
+        )
+    )
+
+
+@emulated("power cut while driving", short=True)
+def power(machine: Machine) -> None:
+    serve(machine)
+    with machine.monitor() as monitor:
+        monitor.drive()
+        moving(machine)
+        machine.mark()
+        machine.power_cut()
+        stands(machine, WATCHDOG)
+    machine.power_on()
+    machine.expect("journalctl -b -u destijl | grep 'was sent a stop'")
+    machine.run("journalctl -b -1 -u destijl | grep 'listening on'")
+    with machine.monitor() as monitor:
+        monitor.drive()
+        moving(machine)
