@@ -5,13 +5,15 @@ which raises Wrong with what does not hold."""
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from targets import SLACK, Board, Machine, Wrong
+from targets import ROOT, SLACK, Board, Machine, Wrong
 
 STOP = 5.0
 #  F5: seconds after which a robot without a monitor stands
@@ -40,6 +42,14 @@ scenarios: list[Scenario] = []
 def anywhere(name: str, short: bool = False) -> Callable[[OnBoard], OnBoard]:
     def add(act: OnBoard) -> OnBoard:
         scenarios.append(Scenario(name, short, act, act))
+        return act
+
+    return add
+
+
+def on_boards(name: str) -> Callable[[OnBoard], OnBoard]:
+    def add(act: OnBoard) -> OnBoard:
+        scenarios.append(Scenario(name, False, act, None))
         return act
 
     return add
@@ -305,3 +315,248 @@ def power(machine: Machine) -> None:
     with machine.monitor() as monitor:
         monitor.drive()
         moving(machine)
+
+
+def browse(machine: Machine) -> subprocess.Popen[str]:
+    """A browser that drives, as long as it lives."""
+    token = machine.place / "token"
+    token.touch(0o600)
+    token.write_text(machine.run("head -n 1 /etc/destijl/token") + "\n")
+    browser = subprocess.Popen(
+        [ROOT / "script/systemd/browse", f"http://127.0.0.1:{machine.web_port}", token],
+        stdout=subprocess.PIPE,
+        stderr=(machine.place / "browse.log").open("w"),
+        text=True,
+    )
+    assert browser.stdout
+    for line in browser.stdout:
+        if line.startswith("an image"):
+            return browser
+    raise Wrong("no image for a browser: " + (machine.place / "browse.log").read_text())
+
+
+def serve_browsers(machine: Machine, supervisor: str = "127.0.0.1:5544") -> None:
+    """None if there is no supervisor."""
+    options = f"--bind 0.0.0.0 --origin http://127.0.0.1:{machine.web_port}"
+    machine.run(
+        f"sed -i -e 's|SUPERVISOR=.*|SUPERVISOR={supervisor}|' -e"
+        f" 's|OPTIONS=.*|OPTIONS={options} --record /var/lib/destijl-web|'"
+        " /etc/default/destijl-web; systemctl restart destijl-web"
+    )
+
+
+@emulated("reboot while a browser drives: trace and recording are there")
+def reboot(machine: Machine) -> None:
+    machine.run(
+        "mkdir -p /etc/systemd/system/destijl.service.d\n"
+        "printf '[Service]\\nStateDirectory=destijl\\n'"
+        " >/etc/systemd/system/destijl.service.d/trace.conf; systemctl daemon-reload"
+    )
+    serve(machine)
+    machine.run(
+        f"sed -i '/^DESTIJL_OPTIONS/s|$| --trace /var/lib/destijl/trace|' {SETTINGS}"
+    )
+    machine.run("systemctl restart destijl")
+    serve_browsers(machine)
+    browser = browse(machine)
+    try:
+        moving(machine)
+        machine.attempt("systemctl --no-block reboot")
+        stands(machine, STOP)
+        machine.rebooted()
+    finally:
+        browser.kill()
+        browser.wait()
+    machine.expect("systemctl -q is-active destijl destijl-web")
+    trace = machine.place / "trace"
+    trace.write_text(machine.run("cat /var/lib/private/destijl/trace"))
+    subprocess.run(
+        [ROOT / "script/trace", trace], stdout=subprocess.DEVNULL, check=True
+    )
+    machine.run(
+        "find /var/lib/private/destijl-web -name images.mjpeg -size +0 | grep ."
+    )
+    serve_browsers(machine, "")
+    machine.run(
+        "systemctl stop destijl\n"
+        "rm -r /etc/systemd/system/destijl.service.d; systemctl daemon-reload\n"
+        "rm -r /var/lib/destijl /var/lib/private/destijl"
+    )
+
+
+@emulated("root read-only, and the power cut, while a browser drives")
+def read_only(machine: Machine) -> None:
+    serve(machine)
+    serve_browsers(machine)
+    browser = browse(machine)
+    try:
+        moving(machine)
+        machine.run("echo u >/proc/sysrq-trigger")
+        machine.expect("! touch /root/written")
+        time.sleep(STOP)
+        if browser.poll() is not None or machine.wire.status()["moving"] != "1":
+            raise Wrong("the session ends with the disk")
+        machine.power_cut()
+        stands(machine, WATCHDOG)
+    finally:
+        browser.kill()
+        browser.wait()
+    machine.power_on()
+    machine.expect("systemctl -q is-active destijl destijl-web")
+    machine.run("ls /var/lib/private/destijl-web/*/images.mjpeg")
+    serve_browsers(machine, "")
+
+
+@emulated("a getty on the line, a console")
+def getty(machine: Machine) -> None:
+    unit = "serial-getty@ttyS1"
+    for line, begin, fact in (
+        ("ttyS1", f"systemctl start {unit}", "has it as its terminal"),
+        ("ttyS0", "true", "it is a console of the kernel"),
+    ):
+        machine.start(DESTIJL_SERIAL="/dev/" + line)
+        machine.run(f"systemctl stop destijl; {begin}; sleep 3")
+        _, said = machine.attempt("/usr/lib/destijl/check-service")
+        machine.run(f"systemctl stop {unit}")
+        matches(f"^not ok  serial line /dev/{line}: .*{fact}", said)
+
+
+@emulated("a camera of the kernel, its driver late, unplugged, its metadata")
+def vivid(machine: Machine) -> None:
+    serve(machine, options="--camera /dev/video0")
+    with machine.monitor() as monitor:
+        if monitor.ask("COPN") != "ANAK":
+            raise Wrong("a camera that is not there opens")
+        machine.run("modprobe vivid n_devs=1 node_types=0x20001")
+        machine.expect("test -c /dev/video1")
+        monitor.demand("COPN")
+        monitor.ask("", "CIMG:")
+        since = machine.mark()
+        machine.run("echo vivid.0 >/sys/bus/platform/drivers/vivid/unbind")
+        monitor.ask("", "MSSG:camera closed")
+        machine.logged("camera closed: it delivers", since)
+        machine.run("echo vivid.0 >/sys/bus/platform/drivers/vivid/bind")
+        machine.expect("test -c /dev/video0")
+        monitor.demand("COPN")
+        monitor.ask("", "CIMG:")
+    for options, fact in (
+        ("0 --frame-size 1280x720", "^ok      camera: delivers images, .* 1280x720"),
+        ("0 --frame-size 640x360", "^ok      camera: delivers images, .* 640x360"),
+        ("1", "^not ok  camera .*metadata"),
+    ):
+        serve(machine, options=f"--camera {options}")
+        machine.run("systemctl stop destijl")
+        _, said = machine.attempt("/usr/lib/destijl/check-service")
+        matches(fact, said)
+    session(machine, options="--camera 0")
+    machine.run("systemctl stop destijl; modprobe -r vivid")
+
+
+@emulated("a full disk")
+def full(machine: Machine) -> None:
+    serve(machine)
+    try:
+        machine.run(
+            "free=$(stat -f -c %f /); size=$(stat -f -c %S /)\n"
+            "fallocate -l $(((free - 4096) * size)) /full\n"
+            "dd if=/dev/zero of=/full2 bs=64k 2>/dev/null || true\n"
+            "! echo >/full3"
+        )
+        session(machine)
+        machine.run("systemctl restart destijl")
+        with machine.monitor() as monitor:
+            monitor.drive()
+            moving(machine)
+        stands(machine, 1.0)
+    finally:
+        machine.run("rm -f /full /full2 /full3")
+
+
+@anywhere("clock set forward and back while driving")
+def clock(board: Board) -> None:
+    serve(board)
+    with board.monitor() as monitor:
+        monitor.drive()
+        for jump in ("1 day", "2 days ago", "1 day"):
+            board.run(f"date -s '{jump}' >/dev/null")
+            time.sleep(2.0)
+            monitor.demand("RPIN")
+            moving(board)
+        monitor.demand("RSTP")
+
+
+@anywhere("the supervisor stopped by SIGSTOP while driving")
+def stop_signal(board: Board) -> None:
+    serve(board)
+    with board.monitor() as monitor:
+        monitor.drive()
+        moving(board)
+        board.run("systemctl kill -s STOP destijl")
+        stands(board, WATCHDOG)
+        time.sleep(0.0 if board.robot else WATCHDOG)
+        board.run("systemctl kill -s CONT destijl")
+    with board.monitor() as monitor:
+        monitor.demand("ROPN", "RRST")
+        monitor.drive()
+        moving(board)
+    stands(board, 1.0)
+
+
+@on_boards("rebooted while driving")
+def reboot_driving(board: Board) -> None:
+    serve(board)
+    with board.monitor() as monitor:
+        monitor.drive()
+        moving(board)
+        board.attempt("systemctl --no-block reboot")
+        stands(board, STOP)
+    board.rebooted()
+    board.expect("systemctl -q is-active destijl", 60.0)
+    with board.monitor() as monitor:
+        monitor.drive()
+
+
+@emulated("upgraded while driving")
+def upgrade(machine: Machine) -> None:
+    serve(machine)
+    package = next(machine.packages.glob("destijl_*.deb"))
+    tree = machine.place / "next"
+    made = machine.place / package.name
+    subprocess.run(["dpkg-deb", "-R", package, tree], check=True)
+    control = tree / "DEBIAN/control"
+    control.write_text(re.sub("(?m)^(Version: .*)$", r"\1.1", control.read_text()))
+    subprocess.run(
+        ["dpkg-deb", "--root-owner-group", "-Zgzip", "-z1", "-b", tree, made],
+        stdout=subprocess.DEVNULL,
+        check=True,
+    )
+    shutil.rmtree(tree)
+    put(machine, [made], "/root/next")
+    known = "sha256sum /etc/destijl/token " + SETTINGS
+    before = machine.run(known)
+    with machine.monitor() as monitor:
+        monitor.drive()
+        moving(machine)
+        since = machine.mark()
+        install_packages(machine, "/root/next/*.deb")
+        stands(machine, 0.0)
+    machine.logged("listening on", since)
+    if machine.run(known) != before:
+        raise Wrong("token or settings are others")
+    with machine.monitor() as monitor:
+        monitor.drive()
+        moving(machine)
+
+
+@emulated("purged")
+def purge(machine: Machine) -> None:
+    machine.run(
+        "apt-get -qq purge -y destijl destijl-web destijl-monitor destijl-emulator"
+    )
+    left = machine.run(
+        "find / -xdev -name '*destijl*' ! -path '/root/*' ! -path '/var/log/*'"
+        " ! -path '/var/cache/*' ! -path '/proc/*' ! -path '/sys/*' ! -path '/tmp/*'"
+    )
+    if left:
+        raise Wrong(f"it leaves {left}")
+    machine.run("! systemctl cat destijl; ! getent passwd destijl")
