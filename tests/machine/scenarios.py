@@ -136,7 +136,8 @@ def install(machine: Machine) -> None:
     machine.attempt("systemctl start destijl")
     machine.logged("/etc/destijl/token", since)
     machine.run("systemctl stop destijl")
-    install_packages(machine, "/root/packages/destijl_*.deb")
+    #  all of them: what systemd's helper has noted for a purge is lost, too
+    install_packages(machine, "/root/packages/*.deb")
     whole_token(machine)
 
 
@@ -244,7 +245,7 @@ CUTS = {
         " '{ type filter hook egress device '$dev' priority 0; }';"
         " nft add rule netdev cut out tcp sport 5544 drop",
         "nft delete table netdev cut",
-        "vanished",
+        "cannot be reached|vanished",
     ),
     "packets from the monitor dropped": (
         "nft add table netdev cut; nft add chain netdev cut in"
@@ -417,12 +418,16 @@ def getty(machine: Machine) -> None:
         machine.start(DESTIJL_SERIAL="/dev/" + line)
         machine.run(f"systemctl stop destijl; {begin}; sleep 3")
         _, said = machine.attempt("/usr/lib/destijl/check-service")
-        machine.run(f"systemctl stop {unit}")
+        #  it leaves the line to the group tty, until the next boot
+        machine.run(
+            f"systemctl stop {unit}; chgrp dialout /dev/ttyS1; chmod 660 /dev/ttyS1"
+        )
         matches(f"^not ok  serial line /dev/{line}: .*{fact}", said)
 
 
 @emulated("a camera of the kernel, its driver late, unplugged, its metadata")
 def vivid(machine: Machine) -> None:
+    machine.run("! lsmod | grep -q ^vivid || modprobe -r vivid")
     serve(machine, options="--camera /dev/video0")
     with machine.monitor() as monitor:
         if monitor.ask("COPN") != "ANAK":
@@ -457,10 +462,11 @@ def full(machine: Machine) -> None:
     serve(machine)
     try:
         machine.run(
-            "free=$(stat -f -c %f /); size=$(stat -f -c %S /)\n"
-            "fallocate -l $(((free - 4096) * size)) /full\n"
-            "dd if=/dev/zero of=/full2 bs=64k 2>/dev/null || true\n"
-            "! echo >/full3"
+            "for part in 0 1 2; do\n"
+            "   fallocate -l $(($(stat -f -c %f*%S /) * 9 / 10)) /full$part\n"
+            "done\n"
+            "dd if=/dev/zero of=/full3 bs=64k 2>/dev/null || true\n"
+            "! echo >/full4"
         )
         session(machine)
         machine.run("systemctl restart destijl")
@@ -469,7 +475,7 @@ def full(machine: Machine) -> None:
             moving(machine)
         stands(machine, 1.0)
     finally:
-        machine.run("rm -f /full /full2 /full3")
+        machine.run("rm -f /full?")
 
 
 @anywhere("clock set forward and back while driving")
