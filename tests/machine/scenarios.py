@@ -462,11 +462,8 @@ def full(machine: Machine) -> None:
     serve(machine)
     try:
         machine.run(
-            "for part in 0 1 2; do\n"
-            "   fallocate -l $(($(stat -f -c %f*%S /) * 9 / 10)) /full$part\n"
-            "done\n"
-            "dd if=/dev/zero of=/full3 bs=64k 2>/dev/null || true\n"
-            "! echo >/full4"
+            "dd if=/dev/zero of=/full bs=1M 2>/dev/null || true\n"
+            "! dd if=/dev/zero of=/full2 bs=4k count=64 2>/dev/null"
         )
         session(machine)
         machine.run("systemctl restart destijl")
@@ -475,7 +472,7 @@ def full(machine: Machine) -> None:
             moving(machine)
         stands(machine, 1.0)
     finally:
-        machine.run("rm -f /full?")
+        machine.run("rm -f /full /full2")
 
 
 @anywhere("clock set forward and back while driving")
