@@ -179,6 +179,11 @@ def whole_session(board: Board) -> None:
 
 def session(board: Board, line: str = "/dev/ttyS1", options: str = "") -> None:
     serve(board, line, options)
+    use(board, line, options)
+
+
+def use(board: Board, line: str = "/dev/ttyS1", options: str = "") -> None:
+    """A session with the service that runs."""
     with board.monitor() as monitor:
         monitor.demand("ROPN", "RSWW", "RGLF", "RSTP", "RMOV:100", "RTRN:90")
         monitor.ask("RGBT", "RBLV:[012]")
@@ -465,7 +470,7 @@ def full(machine: Machine) -> None:
             "dd if=/dev/zero of=/full bs=1M 2>/dev/null || true\n"
             "! dd if=/dev/zero of=/full2 bs=4k count=64 2>/dev/null"
         )
-        session(machine)
+        use(machine)
         machine.run("systemctl restart destijl")
         with machine.monitor() as monitor:
             monitor.drive()
