@@ -15,6 +15,7 @@ private package Trace.Ring with
 is
 
    pragma Annotate (GNATprove, Terminating, Trace.Ring);
+   --  By review: the only loop has a fixed length
 
    type Event_Kind is
      (Release,    --  the task has become ready

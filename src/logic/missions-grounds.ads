@@ -27,7 +27,8 @@ package Missions.Grounds with SPARK_Mode is
    end record;
    --  What is known at the time Now
 
-   Position_Limit : constant Time_Span := Milliseconds (300);
+   Position_Limit : constant Time_Span :=
+     Ada.Real_Time.Microseconds (Integer (Max_Age));
    --  The robot may be elsewhere after this
 
    function Has_Position (G : Ground) return Boolean is

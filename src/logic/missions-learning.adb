@@ -7,11 +7,9 @@ package body Missions.Learning with SPARK_Mode is
    Long_Way     : constant := 100_000;
    --  A surprise in a shorter drive is not believed
 
-   Most_Way    : constant Weight := 600 ** 2;
-   Most_Turn   : constant Weight := 300 ** 2;
-
-   Longest_Lag : constant Microseconds := 300_000;
-   --  No order follows from an older image
+   Most_Way  : constant Weight := 600 ** 2;
+   Most_Turn : constant Weight := 300 ** 2;
+   --  So that what changes later is still learnt
 
    procedure Learn
      (K : in out Knowledge; M : Movements; Now : Near_Pose)
@@ -137,7 +135,7 @@ package body Missions.Learning with SPARK_Mode is
       --  the time of the turn that was seen
       Lag   : constant Microseconds :=
         (if Shown in 0 .. Wide (Part.Seen)
-         then Microseconds'Min (Part.Seen - Microseconds (Shown), Longest_Lag)
+         then Microseconds'Min (Part.Seen - Microseconds (Shown), Max_Age)
          else 0);
    begin
       if Part.Turned /= 0 then

@@ -14,6 +14,7 @@ package Missions.Learning with SPARK_Mode, Pure is
    --  learnt from
 
    Distrusted : constant := 5;
+   --  Turns that are checked after a surprise
 
    type Knowledge is record
       Turns       : Gain   := 12_000;
@@ -54,6 +55,7 @@ package Missions.Learning with SPARK_Mode, Pure is
 
    function Knows_Turn (K : Knowledge) return Boolean is
      (K.Turn_Weight >= 25 ** 2);
+   --  The same of turns
 
    subtype Some_Turn is Microdegrees range -9_000_000_000 .. 9_000_000_000;
 
@@ -102,8 +104,8 @@ package Missions.Learning with SPARK_Mode, Pure is
    --  Of a drive after that turn
 
    Surprise : constant := 4_000_000;
-   --  Deviation of the heading after a drive, in addition to what 5 mm
-   --  sideways at its end amount to
+   --  Microdegrees: deviation of the heading after a drive, in addition to
+   --  what 5 mm sideways at its end amount to
 
    procedure Learn
      (K : in out Knowledge; M : Movements; Now : Near_Pose);

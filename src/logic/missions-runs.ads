@@ -17,8 +17,6 @@ package Missions.Runs with SPARK_Mode is
    use type Robot.Session.Outcome_Kind;
    use type Robot.Session.Request_Kind;
 
-   Max_Age     : constant Microseconds := 300_000;
-   --  of the position behind an order, and of the newest image
    Max_Missing : constant := 3;
    --  images in a row without the robot
    Max_Orders  : constant := 40;

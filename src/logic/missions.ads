@@ -30,6 +30,9 @@ package Missions with SPARK_Mode, Pure is
    type Microseconds is range 0 .. 2 ** 60;
    --  Since the mission began
 
+   Max_Age : constant Microseconds := 300_000;
+   --  Of the position behind an order, and of the newest image
+
    --  The arena
 
    subtype Arena_Side is Positive range 30 .. 1_000;
