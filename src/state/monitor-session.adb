@@ -4,24 +4,29 @@ package body Monitor.Session with SPARK_Mode is
 
    protected body State is
 
-      procedure Get (Value : out Monitor.Session_Stages.State) is
+      procedure Get (Value : out Status) is
       begin
          Value := Current;
       end Get;
 
       procedure Begin_Active (Admitted : out Boolean) is
       begin
-         Monitor.Session_Stages.Begin_Active (Current, Admitted);
+         Admitted := May_Follow (Current, Active);
+         if Admitted then
+            Current.Stage := Active;
+         end if;
       end Begin_Active;
 
-      procedure Go_On (To : Monitor.Session_Stages.Stage_Kind) is
+      procedure Go_On (To : Stage_Kind) is
       begin
-         Monitor.Session_Stages.Go_On (Current, To);
+         if May_Follow (Current, To) then
+            Current.Stage := To;
+         end if;
       end Go_On;
 
       procedure Stop is
       begin
-         Monitor.Session_Stages.Stop (Current);
+         Current.Stopping := True;
       end Stop;
 
    end State;

@@ -1,33 +1,45 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The session with the monitor: who is in command, how a session begins and
---  ends, and the events between the tasks involved. The object only locks;
---  Monitor.Session_Stages decides.
+--  The session with the monitor: its stage, whether the supervisor is
+--  stopping, and the events between the tasks involved.
 
 with Event;
-with Monitor.Session_Stages;
 with Schedule;
 
 package Monitor.Session with SPARK_Mode is
 
-   use type Monitor.Session_Stages.Stage_Kind;
+   type Stage_Kind is
+     (Free,       --  no monitor: the next one is admitted
+      Active,     --  a monitor is in command
+      Closing);   --  it is lost: robot, camera and queues are reset
+
+   type Status is record
+      Stage    : Stage_Kind := Free;
+      Stopping : Boolean    := False;
+   end record;
+
+   function May_Follow (S : Status; To : Stage_Kind) return Boolean is
+     (case To is
+         when Free    => S.Stage = Closing,
+         when Active  => S.Stage = Free and then not S.Stopping,
+         when Closing => S.Stage = Active);
 
    protected State with Priority => Schedule.Session_Ceiling is
 
-      procedure Get (Value : out Monitor.Session_Stages.State);
+      procedure Get (Value : out Status);
 
       procedure Begin_Active (Admitted : out Boolean);
-      --  Refused if the supervisor is stopping, or a session has not ended
+      --  Refused if it may not follow
 
-      procedure Go_On (To : Monitor.Session_Stages.Stage_Kind)
-      with Pre => To /= Monitor.Session_Stages.Active;
-      --  The next stage; no effect if To is not the next
+      procedure Go_On (To : Stage_Kind)
+      with Pre => To /= Active;
+      --  No effect if it may not follow
 
       procedure Stop;
       --  The supervisor is stopping: no further monitor is admitted, and the
       --  one in command counts as lost
 
    private
-      Current : Monitor.Session_Stages.State;
+      Current : Status;
    end State;
 
    --  The events, each with the task that waits for it

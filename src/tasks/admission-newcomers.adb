@@ -4,7 +4,6 @@ with Ada.Real_Time; use Ada.Real_Time;
 with Journal;
 with Monitor.Outbox;
 with Monitor.Session;
-with Monitor.Session_Stages;
 with Monitor.Sockets.Connection;
 with Monitor.Sockets.Listener;
 with Options;
@@ -14,7 +13,7 @@ with Trace;
 package body Admission.Newcomers with SPARK_Mode is
 
    use type Admission.Authentication.Verdict;
-   use type Monitor.Session_Stages.Stage_Kind;
+   use type Monitor.Session.Stage_Kind;
    use type Monitor.Sockets.Socket;
 
    subtype Place_Choice is Natural range 0 .. Place'Last;  --  0: none
@@ -59,7 +58,7 @@ package body Admission.Newcomers with SPARK_Mode is
       --  Of those entitled the oldest is admitted where nobody is in command;
       --  the others are told why not, or wait while a session is being ended
       Where    : Place_Choice;
-      Current  : Monitor.Session_Stages.State;
+      Current  : Monitor.Session.Status;
       Admitted : Boolean;
    begin
       loop
@@ -68,9 +67,9 @@ package body Admission.Newcomers with SPARK_Mode is
          Monitor.Session.State.Get (Current);
          if Current.Stopping then
             Turn_Away (G, Where, "the supervisor is stopping");
-         elsif Current.Stage = Monitor.Session_Stages.Active then
+         elsif Current.Stage = Monitor.Session.Active then
             Turn_Away (G, Where, "another monitor is connected");
-         elsif Current.Stage = Monitor.Session_Stages.Free then
+         elsif Current.Stage = Monitor.Session.Free then
             Monitor.Session.State.Begin_Active (Admitted);
             if Admitted then
                pragma Assert (G.Places (Where).State = Entitled);

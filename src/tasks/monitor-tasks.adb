@@ -16,7 +16,6 @@ with Monitor.Outbox;
 with Monitor.Protocol; use Monitor.Protocol;
 with Monitor.Send_Order;
 with Monitor.Session;
-with Monitor.Session_Stages;
 with Monitor.Sockets.Connection;
 with Monitor.Sockets.Gate;
 with Monitor.Sockets.Listener;
@@ -325,7 +324,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Sample  : Monitor.Link.Sample;
       Verdict : Monitor.Link.Verdict := Monitor.Link.Present;
       Loss    : Monitor.Link.Loss_Kind;
-      Known   : Monitor.Session_Stages.State;
+      Known   : Monitor.Session.Status;
       Line    : Texts.Text;
       Now     : Time;
    begin
@@ -402,7 +401,7 @@ package body Monitor.Tasks with SPARK_Mode is
       loop
          Monitor.Session.Watch_Begins.Wait;
          Wait_Loss (Why);
-         Monitor.Session.State.Go_On (Monitor.Session_Stages.Closing);
+         Monitor.Session.State.Go_On (Monitor.Session.Closing);
          Texts.Set (Line, "monitor lost: ");
          Monitor.Link.Append (Line, Why);
          Journal.Put (Options.Warning, Line);
@@ -410,7 +409,7 @@ package body Monitor.Tasks with SPARK_Mode is
          Monitor.Sockets.Connection.Close;
          Journal.Put
            (Options.Info, "session closed, ready for a new monitor");
-         Monitor.Session.State.Go_On (Monitor.Session_Stages.Free);
+         Monitor.Session.State.Go_On (Monitor.Session.Free);
          Monitor.Sockets.Gate.Wake_Server;
          Trace.Done (Schedule.Th_Com_Mon_Perdue);
       end loop;

@@ -4,7 +4,6 @@ with Ada.Real_Time; use Ada.Real_Time;
 with Console;
 with Journal;
 with Monitor.Session;
-with Monitor.Session_Stages;
 with Monitor.Sockets.Connection;
 with Options;
 with Process.Signals;
@@ -19,7 +18,7 @@ with Vision.Camera_Requests;
 
 package body Support_Tasks with SPARK_Mode is
 
-   use type Monitor.Session_Stages.Stage_Kind;
+   use type Monitor.Session.Stage_Kind;
    use type Process.Signals.Kind;
 
    function Level_Name (Level : Options.Level) return String is
@@ -60,7 +59,7 @@ package body Support_Tasks with SPARK_Mode is
 
    procedure Wait_Session_End (Limit : Time) is
       --  Waits until the session has ended, Limit at most
-      Known  : Monitor.Session_Stages.State;
+      Known  : Monitor.Session.Status;
       Status : Robot.Line_Status.Status;
       Idle   : Boolean;
       Now    : Time;
@@ -69,7 +68,7 @@ package body Support_Tasks with SPARK_Mode is
          Monitor.Session.State.Get (Known);
          Robot.Line.Get_Status (Status);
          Vision.Camera_Requests.Get_Idle (Idle);
-         exit when Known.Stage = Monitor.Session_Stages.Free
+         exit when Known.Stage = Monitor.Session.Free
            and then not Status.Open and then Idle;
          Now := Clock;
          exit when Now >= Limit;

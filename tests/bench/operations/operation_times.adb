@@ -17,7 +17,6 @@ with Monitor.Outbox;
 with Monitor.Protocol;
 with Monitor.Send_Order;
 with Monitor.Session;
-with Monitor.Session_Stages;
 with Options;
 with Orders;
 with Process.Privileges;
@@ -92,7 +91,7 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
    Status : Robot.Line_Status.Status;
    Job    : Robot.Requests.Job;
    View   : Vision.Mode.State;
-   Stage  : Monitor.Session_Stages.State;
+   Stage  : Monitor.Session.Status;
    Wanted : Boolean;
    Path   : Missions.Path :=
      (Missions.Centimetres, Missions.Max_Points, others => <>);
