@@ -232,7 +232,7 @@ wait:
       :: !MR.Waits -> goto wait
       :: else -> MR.Waits = false; number = MR.Mission
       fi;
-      /*: Box.Get_End_Waits, Line.Line.Get_Rights */
+      /*: Box.Get, Line.Line.Get_Rights */
       if
 #ifdef MUTANT_UNTOLD_END_IGNORED
       :: number < L.Session -> goto refuse

@@ -139,7 +139,7 @@ chan Dispatched = [CAPACITY] of { byte };
 active [CAPACITY] proctype Executor ()
 {
    byte number;
-   /*: is Monitor.Outbox.Answer, Monitor.Outbox.Answer_Nothing */
+   /*: is Monitor.Outbox.Answer */
 end_wait:
    do
    :: Dispatched ? number;
@@ -147,7 +147,7 @@ end_wait:
 end_stuck:
       0;                  /* as an opening may that waits for its camera */
 #endif
-      /*: Box.Answer | Box.Answer_Nothing */
+      /*: Box.Answer */
       Answer (number, Ready_Text);
       number = 0
    od
@@ -199,7 +199,7 @@ reserved:
          if
          :: !open
          :: open ->                                     /* Log_Message */
-            /*: Box.Answer_Nothing */
+            /*: Box.Answer */
             Answer (number, Ready_Nothing)
          :: atomic {                        /* Malformed, or one mission too many */
                open -> Owed++;

@@ -214,9 +214,9 @@ active proctype Th_Com_Mon_Perdue ()
           Camera_Requests.Close in vision,
           Frame_Store.End_Delivery in vision */
       do
-      :: /*: Box.Get_Busy */
+      :: /*: Box.Get */
          atomic { !Monitor_Outbox_Busy -> break }
-      :: /*: Box.Get_Busy */
+      :: /*: Box.Get */
          atomic { Monitor_Outbox_Busy -> skip };
          Wait_Event (Monitor_Outbox_Sender_Left)
 #ifdef MUTANT_SENDER_LOOKED_AT_ONCE

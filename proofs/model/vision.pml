@@ -339,7 +339,7 @@ wait:
    Wait_For_Work (Vision_Camera_Events_Images_Begin);
    /*: Sightings.Store.Clear in mission */
    do
-   :: /*: Box.Get_Generation */
+   :: /*: Box.Get */
       Made_Is_Now = true;           /* before the mode */
       /*: State.Store.Get, Store.Store.Get_Silent */
       atomic {
@@ -491,7 +491,7 @@ answer:
    Answer (number);
    goto next;
 answer_nothing:
-   /*: Monitor.Outbox.Answer_Nothing in outbox */
+   /*: Monitor.Outbox.Answer in outbox */
    Answer (number);
    goto next;
 done:

@@ -20,8 +20,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Text_Queues.Clear (B.Texts);
       B.Lines := (others => No_Line);
       B.Image := False;
-      B.Hold.On := False;
-      B.Released := False;
+      B.Held := (others => <>);
    end Drop_Unsolicited;
 
    function Is_Same_Mail (B, Before : Mailbox) return Boolean is
@@ -42,11 +41,20 @@ package body Monitor.Mailboxes with SPARK_Mode is
    procedure Begin_Hold
      (B : in out Mailbox; New_Command : Boolean; Now : Time)
    with
-     Post => Is_Same_Mail (B, B'Old) and then B.Released = B'Old.Released
+     Post => Is_Same_Mail (B, B'Old)
+       and then B.Held.Released = B'Old.Held.Released
    is
+      --  If a message waits because a command waits. New_Command: it has
+      --  arrived just now, and no other was waiting
    begin
       if Any_Unsolicited (Waits (B)) and then Commands (B) > 0 then
-         Monitor.Message_Holds.Begin_Hold (B.Hold, New_Command, Now);
+         if not B.Held.On then
+            B.Held.First := Now;
+         end if;
+         if not B.Held.On or else New_Command then
+            B.Held.Since := Now;
+         end if;
+         B.Held.On := True;
       end if;
    end Begin_Hold;
 
@@ -62,8 +70,8 @@ package body Monitor.Mailboxes with SPARK_Mode is
 
    procedure End_Hold (B : in out Mailbox; Now : Time) is
    begin
-      if B.Hold.On and then Now >= Monitor.Message_Holds.Ending (B.Hold) then
-         B.Released := True;
+      if B.Held.On and then Now >= Ending (B.Held) then
+         B.Held.Released := True;
       end if;
    end End_Hold;
 
@@ -71,16 +79,13 @@ package body Monitor.Mailboxes with SPARK_Mode is
    with
      Post => Is_Same_Mail (B, B'Old)
        and then
-         (if Any_Unsolicited (Waits (B)) then
-             B.Hold.On = B'Old.Hold.On
-             and then B.Released = B'Old.Released
+         (if Any_Unsolicited (Waits (B)) then B.Held = B'Old.Held
           else Is_Quiet (B))
    is
       --  No hold unless a message is held back
    begin
       if not Any_Unsolicited (Waits (B)) then
-         B.Hold.On := False;
-         B.Released := False;
+         B.Held := (others => <>);
       end if;
    end End_Quiet_Hold;
 
@@ -129,7 +134,8 @@ package body Monitor.Mailboxes with SPARK_Mode is
    procedure Put_Answer
      (B : in out Mailbox; Number : Orders.Ticket; Line : Short_Text) is
    begin
-      Put (B, Number, (State => Ready_Text, Line => Line));
+      Put (B, Number,
+           ((if Line.Length > 0 then Ready_Text else Ready_Nothing), Line));
    end Put_Answer;
 
    procedure Put (B : in out Mailbox; Item : Notice; Now : Time) is
@@ -159,11 +165,6 @@ package body Monitor.Mailboxes with SPARK_Mode is
          Begin_Hold (B, False, Now);
       end if;
    end Put_Image;
-
-   procedure Put_No_Answer (B : in out Mailbox; Number : Orders.Ticket) is
-   begin
-      Put (B, Number, (State => Ready_Nothing, others => <>));
-   end Put_No_Answer;
 
    procedure Reserve
      (B      : in out Mailbox;
@@ -241,8 +242,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
          B.Last := Next.Kind;
       end if;
       if Next.Kind in Unsolicited and then Commands (B) = 0 then
-         B.Hold.On := False;
-         B.Released := False;
+         B.Held := (others => <>);
       end if;
       End_Quiet_Hold (B);
    end Take;

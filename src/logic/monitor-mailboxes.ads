@@ -6,17 +6,18 @@
 with Ada.Real_Time;
 with Bounded_Queues;
 with Monitor.Answer_Queues;
-with Monitor.Message_Holds;
 with Monitor.Notices;
 with Monitor.Protocol;   use Monitor.Protocol;
 with Monitor.Send_Order; use Monitor.Send_Order;
 with Orders;
+with Schedule;
 
 package Monitor.Mailboxes with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Monitor.Mailboxes);
 
    use type Ada.Real_Time.Time;
+   use type Ada.Real_Time.Time_Span;
    use all type Monitor.Answer_Queues.Queue;
    use all type Monitor.Answer_Queues.State_Kind;
    use type Orders.Ticket;
@@ -50,6 +51,27 @@ package Monitor.Mailboxes with SPARK_Mode is
 
    package Text_Queues is new Bounded_Queues (Short_Text, 8);
 
+   type Hold is record
+      On       : Boolean := False;
+      --  unsolicited messages are or were held back, and none was sent since
+      Released : Boolean := False;
+      --  they have been held back for long enough
+      First    : Time := Ada.Real_Time.Time_First;
+      --  when the hold began
+      Since    : Time := Ada.Real_Time.Time_First;
+      --  when the command that waits now arrived
+   end record;
+   --  While commands wait for their answers (docs/wire.md, rule 7)
+
+   function Ending (H : Hold) return Time is
+     (if H.Since - H.First > Schedule.Hold_Limit
+      then H.First + Schedule.Hold_Limit + Schedule.Hold_Limit
+      else H.Since + Schedule.Hold_Limit)
+   with Pre => H.On;
+   --  One command holds the messages back for the limit at most. Commands that
+   --  follow each other without time for a message hold them back for twice
+   --  the limit
+
    type Mailbox is record
       Open     : Boolean := False;
       --  a monitor is in command
@@ -65,9 +87,7 @@ package Monitor.Mailboxes with SPARK_Mode is
       --  No_Line: none waits
       Image    : Boolean := False;
       Made     : Generation := 0;
-      Hold     : Monitor.Message_Holds.Hold;
-      Released : Boolean := False;
-      --  unsolicited messages have been held back for long enough
+      Held     : Hold;
       Last     : Choice := Nothing;
       --  the choice taken last in this session
       Imaged   : Boolean := False;
@@ -141,16 +161,30 @@ package Monitor.Mailboxes with SPARK_Mode is
           Battery    => Is_Waiting (B, Level),
           Position   => Is_Waiting (B, Place),
           Image      => B.Image),
-       Released => B.Released,
+       Released => B.Held.Released,
        Last     => B.Last,
        Imaged   => B.Imaged))
    with Post => (if Waits'Result.Ready then Waits'Result.Commands);
 
    function Is_Quiet (B : Mailbox) return Boolean is
      (not Any_Unsolicited (Waits (B))
-      and then not B.Hold.On
-      and then not B.Released);
+      and then not B.Held.On
+      and then not B.Held.Released);
    --  No unsolicited message waits, and nothing is held back
+
+   type Status is record
+      Busy      : Boolean;
+      --  the sender uses the connection
+      Commands  : Orders.Order_Count;
+      --  that wait for their answers
+      End_Waits : Boolean;
+      --  the end of a mission has not been sent yet
+      Made      : Generation;
+      --  of the images that are sent
+   end record;
+
+   function Status_Of (B : Mailbox) return Status is
+     ((B.Busy, Commands (B), Is_Waiting (B, Ending), B.Made));
 
    --  The session
 
@@ -207,15 +241,8 @@ package Monitor.Mailboxes with SPARK_Mode is
        and then Commands (B) <= Commands (B'Old)
        and then B.Arena = B'Old.Arena
        and then B.Lines = B'Old.Lines;
-   --  The answer to a command; no effect if its session has ended
-
-   procedure Put_No_Answer (B : in out Mailbox; Number : Orders.Ticket)
-   with
-     Post => Next_Number (B) = Next_Number (B'Old)
-       and then Commands (B) <= Commands (B'Old)
-       and then B.Arena = B'Old.Arena
-       and then B.Lines = B'Old.Lines;
-   --  The command needs no answer, but later ones may wait for it
+   --  The answer to a command; no effect if its session has ended. No_Line: it
+   --  needs none, but later ones may wait for it
 
    procedure Put_Arena
      (B        : in out Mailbox;
@@ -331,18 +358,16 @@ package Monitor.Mailboxes with SPARK_Mode is
    --  The hold (docs/wire.md, rule 7)
 
    function Hold_End (B : Mailbox) return Time is
-     (if B.Hold.On and then not B.Released
-      then Monitor.Message_Holds.Ending (B.Hold)
+     (if B.Held.On and then not B.Held.Released then Ending (B.Held)
       else Ada.Real_Time.Time_Last);
    --  Until then unsolicited messages are held back; Time_Last: they are not
 
    procedure End_Hold (B : in out Mailbox; Now : Time)
    with
-     Post => B.Released =
-       (B'Old.Released
-        or else (B.Hold.On
-                 and then Now >= Monitor.Message_Holds.Ending (B.Hold)))
-       and then B.Hold.On = B'Old.Hold.On
+     Post => B.Held.Released =
+         (B'Old.Held.Released
+          or else (B.Held.On and then Now >= Ending (B.Held)))
+       and then B.Held.On = B'Old.Held.On
        and then B.Lines = B'Old.Lines;
    --  Ends the hold if its time has come
 

@@ -32,21 +32,18 @@ package body Monitor.Outbox with SPARK_Mode is
       --  The box gets its messages for images
       procedure Open_Session;
       procedure Close_Session (Next : out Orders.Ticket);
-      procedure Get_Busy (Busy : out Boolean);
+      procedure Get (Value : out Monitor.Mailboxes.Status);
       procedure Reserve
         (Now    : Time;
          Number : out Orders.Ticket;
          Result : out Monitor.Mailboxes.Reservation);
       procedure Answer
         (Number : Orders.Ticket; Line : Monitor.Protocol.Short_Text);
-      procedure Answer_Nothing (Number : Orders.Ticket);
       procedure Answer_With_Image
         (Number   : Orders.Ticket;
          Message  : in out Message_Access;
          Accepted : out Boolean);
       procedure Put (Item : Monitor.Mailboxes.Notice; Now : Time);
-      procedure Get_End_Waits (Waits : out Boolean);
-      procedure Get_Generation (Current : out Monitor.Mailboxes.Generation);
       procedure Put_Image
         (Message : in out Message_Access;
          Made    : Monitor.Mailboxes.Generation;
@@ -62,7 +59,6 @@ package body Monitor.Outbox with SPARK_Mode is
          Hold_End  : out Time;
          Left      : out Boolean)
       with Post => Next.Unsent = (Next.Kind in Monitor.Send_Order.Sent_Kind);
-      procedure Get_Waiting (Count : out Orders.Order_Count);
    private
       Mail  : Monitor.Mailboxes.Mailbox;
       Arena : Message_Access := null;  --  of an arena order
@@ -87,10 +83,10 @@ package body Monitor.Outbox with SPARK_Mode is
          Monitor.Mailboxes.Close_Session (Mail, Next);
       end Close_Session;
 
-      procedure Get_Busy (Busy : out Boolean) is
+      procedure Get (Value : out Monitor.Mailboxes.Status) is
       begin
-         Busy := Mail.Busy;
-      end Get_Busy;
+         Value := Monitor.Mailboxes.Status_Of (Mail);
+      end Get;
 
       procedure Reserve
         (Now    : Time;
@@ -105,11 +101,6 @@ package body Monitor.Outbox with SPARK_Mode is
       begin
          Monitor.Mailboxes.Put_Answer (Mail, Number, Line);
       end Answer;
-
-      procedure Answer_Nothing (Number : Orders.Ticket) is
-      begin
-         Monitor.Mailboxes.Put_No_Answer (Mail, Number);
-      end Answer_Nothing;
 
       procedure Answer_With_Image
         (Number   : Orders.Ticket;
@@ -128,17 +119,6 @@ package body Monitor.Outbox with SPARK_Mode is
       begin
          Monitor.Mailboxes.Put (Mail, Item, Now);
       end Put;
-
-      procedure Get_End_Waits (Waits : out Boolean) is
-      begin
-         Waits :=
-           Monitor.Mailboxes.Is_Waiting (Mail, Monitor.Mailboxes.Ending);
-      end Get_End_Waits;
-
-      procedure Get_Generation (Current : out Monitor.Mailboxes.Generation) is
-      begin
-         Current := Mail.Made;
-      end Get_Generation;
 
       procedure Put_Image
         (Message : in out Message_Access;
@@ -181,11 +161,6 @@ package body Monitor.Outbox with SPARK_Mode is
          end if;
       end Take;
 
-      procedure Get_Waiting (Count : out Orders.Order_Count) is
-      begin
-         Count := Monitor.Mailboxes.Commands (Mail);
-      end Get_Waiting;
-
    end Box;
 
    First  : Message_Access := new Monitor.Image_Messages.Message;
@@ -204,14 +179,6 @@ package body Monitor.Outbox with SPARK_Mode is
       Wake_Sender (Order.Number);
       Room.Set;
    end Answer;
-
-   procedure Answer_Nothing (Order : in out Orders.Order) is
-   begin
-      Box.Answer_Nothing (Order.Number);
-      Order.Owed := False;
-      Wake_Sender (Order.Number);
-      Room.Set;
-   end Answer_Nothing;
 
    procedure Answer_With_Image
      (Order : in out Orders.Order; Message : in out Message_Access)
@@ -236,20 +203,10 @@ package body Monitor.Outbox with SPARK_Mode is
       Arena_Room.Set;
    end Close_Session;
 
-   procedure Get_End_Waits (Waits : out Boolean) is
+   procedure Get (Value : out Monitor.Mailboxes.Status) is
    begin
-      Box.Get_End_Waits (Waits);
-   end Get_End_Waits;
-
-   procedure Get_Generation (Current : out Monitor.Mailboxes.Generation) is
-   begin
-      Box.Get_Generation (Current);
-   end Get_Generation;
-
-   procedure Get_Waiting (Count : out Orders.Order_Count) is
-   begin
-      Box.Get_Waiting (Count);
-   end Get_Waiting;
+      Box.Get (Value);
+   end Get;
 
    procedure Open_Session is
    begin
@@ -327,12 +284,12 @@ package body Monitor.Outbox with SPARK_Mode is
    end Wait;
 
    procedure Wait_Sender is
-      Busy : Boolean;
+      Known : Monitor.Mailboxes.Status;
    begin
       --  the event may be a late one of the previous session
       loop
-         Box.Get_Busy (Busy);
-         exit when not Busy;
+         Box.Get (Known);
+         exit when not Known.Busy;
          Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
          Sender_Left.Wait;
          Trace.Resume (Schedule.Th_Com_Mon_Perdue);

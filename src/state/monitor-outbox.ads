@@ -11,6 +11,9 @@ with Orders;
 
 package Monitor.Outbox with SPARK_Mode is
 
+   procedure Get (Value : out Monitor.Mailboxes.Status)
+   with Annotate => (GNATprove, Terminating);
+
    ---------------------------
    -- For the session tasks --
    ---------------------------
@@ -43,14 +46,8 @@ package Monitor.Outbox with SPARK_Mode is
      Pre  => Order.Owed,
      Post => not Order.Owed,
      Annotate => (GNATprove, Terminating);
-   --  No effect if its session has ended
-
-   procedure Answer_Nothing (Order : in out Orders.Order)
-   with
-     Pre  => Order.Owed,
-     Post => not Order.Owed,
-     Annotate => (GNATprove, Terminating);
-   --  The command needs no answer, but later ones may wait for it
+   --  No effect if its session has ended. No_Line: the command needs none, but
+   --  later ones may wait for its place
 
    procedure Answer_With_Image
      (Order   : in out Orders.Order;
@@ -71,13 +68,6 @@ package Monitor.Outbox with SPARK_Mode is
    --  Up to eight texts wait; then the oldest is dropped. A newer message of
    --  any other kind replaces one that still waits, and the end of a mission
    --  its progress. Dropped if its session has ended
-
-   procedure Get_End_Waits (Waits : out Boolean)
-   with Annotate => (GNATprove, Terminating);
-   --  The end of a mission has not been sent yet
-
-   procedure Get_Generation (Current : out Monitor.Mailboxes.Generation)
-   with Annotate => (GNATprove, Terminating);
 
    procedure Put_Image
      (Message : in out Monitor.Image_Messages.Message_Access;
@@ -114,9 +104,5 @@ package Monitor.Outbox with SPARK_Mode is
    --  returned in Image, whose content is overwritten. Until Hold_End
    --  unsolicited messages are held back (docs/wire.md, rule 7); Time_Last:
    --  they are not. For th_sendToMon only
-
-   procedure Get_Waiting (Count : out Orders.Order_Count)
-   with Annotate => (GNATprove, Terminating);
-   --  Number of commands that wait for their answers
 
 end Monitor.Outbox;

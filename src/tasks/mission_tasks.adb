@@ -62,16 +62,16 @@ package body Mission_Tasks with SPARK_Mode is
       --  for the next mission
       Size     : constant Arena_Size :=
         Settings.Command_Line.Chosen.Arena_Size;
-      Untold   : Boolean;
+      Outbox   : Monitor.Mailboxes.Status;
       Is_Over  : Boolean;
       Ignored  : Boolean;
       Targets  : Place_Array;
       Possible : Boolean;
       Why      : Refusal;
    begin
-      Monitor.Outbox.Get_End_Waits (Untold);
+      Monitor.Outbox.Get (Outbox);
       Robot.Line.Get_Rights (M.Order.Number, Is_Over, Ignored);
-      if Untold or else Is_Over or else Wanted.Count = 0 then
+      if Outbox.End_Waits or else Is_Over or else Wanted.Count = 0 then
          --  a later session is not told why
          Missions.Requests.Release;
          Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Refused);

@@ -152,9 +152,9 @@ package body Monitor.Tasks with SPARK_Mode is
                Task_Ports.Dispatch (Order);
             when Sign_Of_Life =>
                Monitor.Sockets.Connection.Expect_Life;
-               Monitor.Outbox.Answer_Nothing (Order);
+               Monitor.Outbox.Answer (Order, No_Line);
             when Log_Message =>
-               Monitor.Outbox.Answer_Nothing (Order);
+               Monitor.Outbox.Answer (Order, No_Line);
                Texts.Set (Text, "monitor says: ");
                Admission.Authentication.Append_Shown
                  (Text, Line (Line'First + Text_Offset .. Line'Last));

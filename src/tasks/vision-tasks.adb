@@ -208,7 +208,7 @@ package body Vision.Tasks with SPARK_Mode is
       Came     : Time;     --  the image that is sent
       Reserve  : Boolean;
       Coming   : Boolean;
-      Made     : Monitor.Mailboxes.Generation;
+      Outbox   : Monitor.Mailboxes.Status;
       Seen     : Vision.Mode.State;
       Slot     : Vision.Library.Slot;
       Found    : Boolean;
@@ -237,7 +237,7 @@ package body Vision.Tasks with SPARK_Mode is
             Coming := False;
             --  the generation before the mode: an image made for a mode
             --  that has ended meanwhile is then not sent
-            Monitor.Outbox.Get_Generation (Made);
+            Monitor.Outbox.Get (Outbox);
             Vision.State.Store.Get (Seen);
             Now := Clock;
             Vision.Frame_Store.Get_Silent (Now, Silent);
@@ -282,7 +282,7 @@ package body Vision.Tasks with SPARK_Mode is
                   if Image /= null then
                      Encode (Slot, Chosen.Quality, Image_Jpeg, Image.all);
                      if Image.Length > 0 then
-                        Monitor.Outbox.Put_Image (Image, Made);
+                        Monitor.Outbox.Put_Image (Image, Outbox.Made);
                      end if;
                   end if;
                   Vision.Frame_Store.Release (Slot);
@@ -294,7 +294,7 @@ package body Vision.Tasks with SPARK_Mode is
                      Monitor.Outbox.Put
                        ((Kind   => Monitor.Mailboxes.Place,
                          Line   => Line,
-                         Made   => Made,
+                         Made   => Outbox.Made,
                          others => <>));
                   end if;
                end if;
@@ -375,7 +375,7 @@ package body Vision.Tasks with SPARK_Mode is
          else
             Vision.State.Store.Decide
               (Order.Number, Order.Command.Name = Confirm_Arena, Valid);
-            Monitor.Outbox.Answer_Nothing (Order);
+            Monitor.Outbox.Answer (Order, No_Line);
             if not Valid then
                Journal.Put
                  (Options.Warning,

@@ -83,7 +83,7 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
    end Report;
 
    Open   : Boolean;
-   Made   : Monitor.Mailboxes.Generation;
+   Outbox : Monitor.Mailboxes.Status;
    Next   : Monitor.Mailboxes.Item;
    Gap    : Monitor.Send_Order.Milliseconds;
    Hold_End : Time;
@@ -144,16 +144,16 @@ begin
    Report ("Monitor.Outbox.Answer");
 
    for I in Sample_Index loop
-      Monitor.Outbox.Get_Generation (Made);
+      Monitor.Outbox.Get (Outbox);
       Start;
-      Monitor.Outbox.Put_Image (Image, Made);
+      Monitor.Outbox.Put_Image (Image, Outbox.Made);
       Stop;
    end loop;
    Report ("Monitor.Outbox.Put_Image");
 
    for I in Sample_Index range 1 .. 5_000 loop
-      Monitor.Outbox.Get_Generation (Made);
-      Monitor.Outbox.Put_Image (Image, Made);
+      Monitor.Outbox.Get (Outbox);
+      Monitor.Outbox.Put_Image (Image, Outbox.Made);
       Start;
       Monitor.Outbox.Take (0, Time_First, Next, Sent, Gap, Hold_End);
       Stop;

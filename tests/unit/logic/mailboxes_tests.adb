@@ -341,7 +341,7 @@ procedure Mailboxes_Tests is
       Put_Image;
       Answer (Third, Refused);
       Check (Nothing);
-      Put_No_Answer (B, Second);
+      Put_Answer (B, Second, No_Line);
       Answer (First);
       Answer (First, Timed_Out);
       Check (Monitor.Send_Order.Answer, "AACK");

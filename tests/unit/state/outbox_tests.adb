@@ -51,34 +51,34 @@ procedure Outbox_Tests is
 
    procedure Put_Picture (Text : String) is
       --  A periodic image.
-      Made : Monitor.Mailboxes.Generation;
+      Known : Monitor.Mailboxes.Status;
    begin
-      Monitor.Outbox.Get_Generation (Made);
+      Monitor.Outbox.Get (Known);
       Fill (Text);
-      Monitor.Outbox.Put_Image (Made_Here, Made);
+      Monitor.Outbox.Put_Image (Made_Here, Known.Made);
       Assert (Made_Here /= null and then Made_Here /= Sent_Here,
               "another one to be filled");
    end Put_Picture;
 
    procedure Test_Answers is
       First, Second : Order;
-      Count         : Order_Count;
+      Known         : Monitor.Mailboxes.Status;
    begin
       Begin_Anew;
       Monitor.Outbox.Reserve (First);
       Monitor.Outbox.Reserve (Second);
       Assert (First.Owed and then Second.Owed, "both are owed");
       Assert (Second.Number = First.Number + 1, "numbers in a row");
-      Monitor.Outbox.Answer_Nothing (Second);
+      Monitor.Outbox.Answer (Second, No_Line);
       Monitor.Outbox.Wait (Hold_End);
       Check (Nothing);
       Monitor.Outbox.Answer (First, Refused);
       Monitor.Outbox.Wait (Hold_End);
-      Monitor.Outbox.Get_Waiting (Count);
-      Assert (Count = 2, "two wait");
+      Monitor.Outbox.Get (Known);
+      Assert (Known.Commands = 2, "two wait");
       Check (Monitor.Send_Order.Answer);
-      Monitor.Outbox.Get_Waiting (Count);
-      Assert (Count = 0, "nobody waits");
+      Monitor.Outbox.Get (Known);
+      Assert (Known.Commands = 0, "nobody waits");
       Assert (not First.Owed and then not Second.Owed, "nothing is owed");
    end Test_Answers;
 
@@ -121,7 +121,7 @@ procedure Outbox_Tests is
    end Test_Arena;
 
    procedure Test_Images is
-      Made : Monitor.Mailboxes.Generation;
+      Known : Monitor.Mailboxes.Status;
    begin
       Begin_Anew;
       for Turn in 1 .. 3 loop
@@ -130,10 +130,10 @@ procedure Outbox_Tests is
          Check (Image, "CIMG:second");
          Check (Nothing);
       end loop;
-      Monitor.Outbox.Get_Generation (Made);
+      Monitor.Outbox.Get (Known);
       Monitor.Outbox.Stop_Images;
       Fill ("CIMG:late");
-      Monitor.Outbox.Put_Image (Made_Here, Made);
+      Monitor.Outbox.Put_Image (Made_Here, Known.Made);
       Check (Nothing);
    end Test_Images;
 
@@ -155,10 +155,11 @@ procedure Outbox_Tests is
 
       procedure Check_Waits (Expected : Boolean) is
          --  An end waits
-         Waits : Boolean;
+         Known : Monitor.Mailboxes.Status;
       begin
-         Monitor.Outbox.Get_End_Waits (Waits);
-         Assert (Waits = Expected, "an end waits: " & Waits'Image);
+         Monitor.Outbox.Get (Known);
+         Assert (Known.End_Waits = Expected,
+                 "an end waits: " & Known.End_Waits'Image);
       end Check_Waits;
 
       Item : Order;
