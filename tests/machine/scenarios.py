@@ -63,12 +63,15 @@ def emulated(name: str, short: bool = False) -> Callable[[OnMachine], OnMachine]
     return add
 
 
-def serve(board: Board, line: str = "/dev/ttyS1", options: str = "") -> None:
+def serve(board: Board, line: str = "", options: str = "") -> None:
     """The service runs; of a board with the settings that it has."""
     if isinstance(board, Machine):
-        board.robot = board.wire if line == "/dev/ttyS1" else board.usb
+        board.robot = board.usb if line else board.wire
         camera = f"--camera http://10.0.3.2:{board.wire.camera}/stream.mjpg"
-        board.start(DESTIJL_SERIAL=line, DESTIJL_OPTIONS=f"{WAITS} {options or camera}")
+        board.start(
+            DESTIJL_SERIAL=line or board.line,
+            DESTIJL_OPTIONS=f"{WAITS} {options or camera}",
+        )
     else:
         board.run("systemctl start destijl")
 
@@ -177,12 +180,12 @@ def whole_session(board: Board) -> None:
     session(board)
 
 
-def session(board: Board, line: str = "/dev/ttyS1", options: str = "") -> None:
+def session(board: Board, line: str = "", options: str = "") -> None:
     serve(board, line, options)
     use(board, line, options)
 
 
-def use(board: Board, line: str = "/dev/ttyS1", options: str = "") -> None:
+def use(board: Board, line: str = "", options: str = "") -> None:
     """A session with the service that runs."""
     with board.monitor() as monitor:
         monitor.demand("ROPN", "RSWW", "RGLF", "RSTP", "RMOV:100", "RTRN:90")
@@ -196,9 +199,13 @@ def use(board: Board, line: str = "/dev/ttyS1", options: str = "") -> None:
             monitor.demand("CPCO")
             monitor.ask("", "CPOS:[0-9]")
         monitor.demand("CCLS", "RCLS")
-    if isinstance(board, Machine) and line == "/dev/ttyS1":
-        matches("1: uart:16550A .*tx:[1-9]", board.run("cat /proc/tty/driver/serial"))
-        matches("^9600$", board.run("stty -F /dev/ttyS1 speed"))
+    if isinstance(board, Machine) and not line:
+        number = board.line[-1]
+        matches(
+            f"{number}: uart:16550A .*tx:[1-9]",
+            board.run("cat /proc/tty/driver/serial"),
+        )
+        matches("^9600$", board.run(f"stty -F {board.line} speed"))
 
 
 @emulated("USB: late driver, unplugged while driving, another name", short=True)
@@ -415,19 +422,20 @@ def read_only(machine: Machine) -> None:
 
 @emulated("a getty on the line, a console")
 def getty(machine: Machine) -> None:
-    unit = "serial-getty@ttyS1"
+    unit = "serial-getty@" + machine.kind.line
     for line, begin, fact in (
-        ("ttyS1", f"systemctl start {unit}", "has it as its terminal"),
-        ("ttyS0", "true", "it is a console of the kernel"),
+        (machine.line, f"systemctl start {unit}", "has it as its terminal"),
+        ("/dev/" + machine.kind.console, "true", "it is a console of the kernel"),
     ):
-        machine.start(DESTIJL_SERIAL="/dev/" + line)
+        machine.start(DESTIJL_SERIAL=line)
         machine.run(f"systemctl stop destijl; {begin}; sleep 3")
         _, said = machine.attempt("/usr/lib/destijl/check-service")
         #  it leaves the line to the group tty, until the next boot
         machine.run(
-            f"systemctl stop {unit}; chgrp dialout /dev/ttyS1; chmod 660 /dev/ttyS1"
+            f"systemctl stop {unit}; chgrp dialout {machine.line};"
+            f" chmod 660 {machine.line}"
         )
-        matches(f"^not ok  serial line /dev/{line}: .*{fact}", said)
+        matches(f"^not ok  serial line {line}: .*{fact}", said)
 
 
 @emulated("a camera of the kernel, its driver late, unplugged, its metadata")

@@ -10,6 +10,7 @@ import shlex
 import socket
 import subprocess
 import time
+from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -275,21 +276,52 @@ while True:
         )
 
 
+@dataclass
+class Kind:
+    """An emulated computer."""
+
+    qemu: str
+    #  with its console
+    wire: str
+    console: str
+    line: str
+    #  The terminals of the console and of the robot's line
+
+
+KINDS = {
+    "amd64": Kind(
+        "qemu-system-x86_64 -machine pc -cpu Nehalem -serial chardev:console",
+        "-serial chardev:wire",
+        "ttyS0",
+        "ttyS1",
+    ),
+    "arm64": Kind(
+        "qemu-system-aarch64 -machine virt -cpu cortex-a72 -serial chardev:console",
+        "-device pci-serial,chardev=wire",
+        "ttyAMA0",
+        "ttyS0",
+    ),
+}
+
+
 class Machine(Board):
-    """An emulated PC: ttyS0 is its console, ttyS1 a robot's line; another robot
-    can be plugged in by USB; eth0 is for ssh, eth1 has the monitor."""
+    """An emulated computer with a robot's line; another robot can be plugged in
+    by USB; eth0 is for ssh, eth1 has the monitor."""
 
     address = "127.0.0.1"
 
     def __init__(
-        self, kept: Path, packages: Path, kernel: str, accel: str, place: Path
+        self,
+        kept: Path,
+        packages: Path,
+        arch: str,
+        kernel: str,
+        accel: str,
+        place: Path,
     ) -> None:
-        self.kept, self.packages, self.kernel, self.accel = (
-            kept,
-            packages,
-            kernel,
-            accel,
-        )
+        self.kept, self.packages, self.kernel = kept, packages, kernel
+        self.kind, self.accel = KINDS[arch], accel
+        self.line = "/dev/" + self.kind.line
         self.port, self.ssh_port, self.web_port = (free_port() for _ in range(3))
         super().__init__(
             "root@127.0.0.1", place, "-F", "none", "-i", str(kept / "key"), "-p",
@@ -317,13 +349,12 @@ class Machine(Board):
         #  eth1 is behind a hub: its far side can be gone, the carrier there
         self.qemu = subprocess.Popen(
             words(
-                "qemu-system-x86_64 -nodefaults -display none -no-reboot -machine pc"
-                " -accel {accel} -cpu {cpu} -smp 2 -m 2048"
+                f"{self.kind.qemu} {'-cpu host' if self.accel == 'kvm' else ''}"
+                " -nodefaults -display none -no-reboot -accel {accel} -smp 2 -m 2048"
                 " -kernel {kernel}/vmlinuz -initrd {kernel}/initrd -append"
                 " {append} -drive file={disk},if=virtio,cache=writeback"
                 " -chardev file,id=console,path={place}/console.log,append=on"
-                " -serial chardev:console"
-                " -chardev serial,id=wire,path={wire} -serial chardev:wire"
+                f" -chardev serial,id=wire,path={{wire}} {self.kind.wire}"
                 " -chardev serial,id=usb,path={usb} -chardev null,id=other"
                 " -device qemu-xhci"
                 " -netdev user,id=ssh,net=10.0.3.0/24,hostfwd={ssh}-10.0.3.15:22"
@@ -334,10 +365,9 @@ class Machine(Board):
                 " -device virtio-net-pci,id=card,netdev=near,mac=52:54:00:00:00:02"
                 " -qmp unix:{place}/qmp,server=on,wait=off",
                 accel=self.accel,
-                cpu="host" if self.accel == "kvm" else "Nehalem",
                 kernel=self.kept / self.kernel,
-                append="root=/dev/vda console=ttyS0 net.ifnames=0 panic=-1"
-                " mitigations=off",
+                append=f"root=/dev/vda console={self.kind.console} net.ifnames=0"
+                " panic=-1 mitigations=off",
                 disk=self.disk,
                 place=self.place,
                 wire=self.wire.device,
