@@ -409,6 +409,16 @@ def read_only(machine: Machine) -> None:
         time.sleep(STOP)
         if browser.poll() is not None or machine.wire.status()["moving"] != "1":
             raise Wrong("the session ends with the disk")
+        #  the next one cannot be recorded
+        browser.kill()
+        browser.wait()
+        restarts = "systemctl show --value -p NRestarts destijl-web"
+        before = machine.run(restarts)
+        machine.run("systemctl restart destijl")
+        browser = browse(machine)
+        moving(machine)
+        if machine.run(restarts) != before:
+            raise Wrong("the gateway ends with the disk")
         machine.power_cut()
         stands(machine, WATCHDOG)
     finally:
