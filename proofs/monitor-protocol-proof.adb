@@ -13,14 +13,14 @@ package body Monitor.Protocol.Proof with SPARK_Mode is
          Accept_Character (R, Text (I), Complete);
          pragma Assert (not Complete);
          Size := (if Text (I) = Carriage_Return then I - 1 else I);
-         pragma Loop_Invariant (not Is_Complete (R));
-         pragma Loop_Invariant (Is_Held (R) = (Text (I) = Carriage_Return));
+         pragma Loop_Invariant (not R.Finished);
+         pragma Loop_Invariant (R.Held = (Text (I) = Carriage_Return));
          pragma Loop_Invariant
            (Size = (if Text (I) = Carriage_Return then I - 1 else I));
-         pragma Loop_Invariant (Length (R) = Integer'Min (Size, Max_Line));
-         pragma Loop_Invariant (Is_Too_Long (R) = (Size > Max_Line));
+         pragma Loop_Invariant (R.Length = Integer'Min (Size, Max_Line));
+         pragma Loop_Invariant (R.Too_Long = (Size > Max_Line));
          pragma Loop_Invariant
-           (for all J in 1 .. Length (R) => Item (R, J) = Text (J));
+           (for all J in 1 .. R.Length => R.Data (J) = Text (J));
       end loop;
       Accept_Character (R, Line_Feed, Complete);
       pragma Assert (Complete);

@@ -88,7 +88,7 @@ package body Monitor.Protocol with SPARK_Mode is
    is
    begin
       if R.Finished then
-         Clear (R);
+         R := (others => <>);
       end if;
       Complete := C = Line_Feed;
       if Complete then
@@ -105,15 +105,6 @@ package body Monitor.Protocol with SPARK_Mode is
          Keep (R, C);
       end if;
    end Accept_Character;
-
-   procedure Clear (R : out Line_Reader) is
-   begin
-      R := (Data     => (others => ' '),
-            Length   => 0,
-            Held     => False,
-            Too_Long => False,
-            Finished => False);
-   end Clear;
 
    procedure Get_Line
      (R : Line_Reader; Line : in out String; Last : out Natural)

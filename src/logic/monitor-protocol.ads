@@ -125,33 +125,27 @@ package Monitor.Protocol with SPARK_Mode is
 
    subtype Line_Length is Natural range 0 .. Max_Line;
 
-   type Line_Reader is private;
-   --  The line being received. Initially empty.
-
-   function Length (R : Line_Reader) return Line_Length;
-   --  Characters of the line so far, or of the complete line.
-
-   function Is_Too_Long (R : Line_Reader) return Boolean;
-   --  The line has more than Max_Line characters: the rest is dropped.
-
-   function Is_Complete (R : Line_Reader) return Boolean with Ghost;
-   --  Its line feed has been received: the next character starts another line.
-
-   function Is_Held (R : Line_Reader) return Boolean with Ghost;
-   --  The last character was a carriage return; the next one decides whether
-   --  it belongs to the line end.
-
-   function Item (R : Line_Reader; I : Positive) return Character
-   with Ghost, Pre => I <= Length (R);
-   --  Character I of the line.
+   type Line_Reader is record
+      Data     : String (1 .. Max_Line) := (others => ' ');
+      Length   : Line_Length            := 0;
+      --  Characters of the line so far, or of the complete line
+      Held     : Boolean                := False;
+      --  The last character was a carriage return; the next one decides
+      --  whether it belongs to the line end
+      Too_Long : Boolean                := False;
+      --  The line has more than Max_Line characters: the rest is dropped
+      Finished : Boolean                := False;
+      --  Its line feed has been received: the next character starts another
+   end record;
+   --  The line being received
 
    function Kept (R : Line_Reader) return Line_Length is
-     (if Is_Complete (R) then 0 else Length (R))
+     (if R.Finished then 0 else R.Length)
    with Ghost;
    --  Number of characters received of the current line.
 
    function Added (R : Line_Reader; C : Character) return Natural is
-     ((if Is_Held (R) and then not Is_Complete (R) and then C /= Line_Feed
+     ((if R.Held and then not R.Finished and then C /= Line_Feed
        then 1 else 0)
       + (if C in Carriage_Return | Line_Feed then 0 else 1))
    with Ghost;
@@ -171,17 +165,22 @@ package Monitor.Protocol with SPARK_Mode is
    --  been received as a whole is none.
 
    function Text_First (R : Line_Reader) return Positive
-   with Post => Text_First'Result <= Length (R) + 1
-     and then (if Length (R) = 0 or else Item (R, 1) /= Telnet_Mark
+   with Post => Text_First'Result <= R.Length + 1
+     and then (if R.Length = 0 or else R.Data (1) /= Telnet_Mark
                then Text_First'Result = 1);
 
    function Text_Last (R : Line_Reader) return Line_Length
-   with Post => Text_Last'Result in Text_First (R) - 1 .. Length (R)
-     and then (if (for all I in 1 .. Length (R) => Item (R, I) /= Telnet_Mark)
-               then Text_Last'Result = Length (R));
+   with Post => Text_Last'Result in Text_First (R) - 1 .. R.Length
+     and then (if (for all I in 1 .. R.Length => R.Data (I) /= Telnet_Mark)
+               then Text_Last'Result = R.Length);
    --  The line without the telnet commands at its beginning and its end.
 
-   function May_Begin (R : Line_Reader; Start : Label_Text) return Boolean;
+   function May_Begin (R : Line_Reader; Start : Label_Text) return Boolean is
+     ((for all I in 1 .. Integer'Min (R.Length - Text_First (R) + 1, 4) =>
+         R.Data (Text_First (R) + I - 1) = Start (I))
+      and then
+        (R.Length < Text_First (R) + 4
+         or else R.Data (Text_First (R) + 4) in Separator | Telnet_Mark));
    --  The line so far is the beginning of Start and a separator, or begins
    --  with them, without telnet commands.
 
@@ -203,29 +202,21 @@ package Monitor.Protocol with SPARK_Mode is
    --  as soon as it cannot become a message, or the token. Line (1 .. Last) is
    --  as much of it as has come.
 
-   procedure Clear (R : out Line_Reader)
-   with
-     Post => Length (R) = 0
-       and then not Is_Too_Long (R)
-       and then not Is_Complete (R)
-       and then not Is_Held (R);
-   --  Discards all that has been received.
-
    procedure Accept_Character
      (R : in out Line_Reader; C : Character; Complete : out Boolean)
    with
      Post => Complete = (C = Line_Feed)
-       and then Is_Complete (R) = Complete
-       and then (if not Complete then Is_Held (R) = (C = Carriage_Return))
-       and then Length (R) =
+       and then R.Finished = Complete
+       and then (if not Complete then R.Held = (C = Carriage_Return))
+       and then R.Length =
          Integer'Min (Kept (R'Old) + Added (R'Old, C), Max_Line)
-       and then Is_Too_Long (R) =
-         ((Is_Too_Long (R'Old) and then not Is_Complete (R'Old))
+       and then R.Too_Long =
+         ((R'Old.Too_Long and then not R'Old.Finished)
           or else Kept (R'Old) + Added (R'Old, C) > Max_Line)
        and then
-         (for all I in 1 .. Length (R) =>
-            Item (R, I) =
-              (if I <= Kept (R'Old) then Item (R'Old, I)
+         (for all I in 1 .. R.Length =>
+            R.Data (I) =
+              (if I <= Kept (R'Old) then R'Old.Data (I)
                elsif I < Kept (R'Old) + Added (R'Old, C)
                  or else C = Carriage_Return
                then Carriage_Return
@@ -238,10 +229,10 @@ package Monitor.Protocol with SPARK_Mode is
    with
      Pre  => Line'First = 1 and then Line'Last >= Max_Line,
      Post => Last =
-         (if Is_Too_Long (R) then 0 else Text_Last (R) - Text_First (R) + 1)
+         (if R.Too_Long then 0 else Text_Last (R) - Text_First (R) + 1)
        and then
          (for all I in 1 .. Last =>
-            Line (I) = Item (R, Text_First (R) + I - 1));
+            Line (I) = R.Data (Text_First (R) + I - 1));
    --  The line is Line (1 .. Last), without its end, the carriage return
    --  before it, and telnet commands at its beginning or its end. A line that
    --  is too long is returned as empty, which Parse rejects as malformed.
@@ -314,35 +305,5 @@ package Monitor.Protocol with SPARK_Mode is
    is (if Result.Kind = Robot.Session.Done
        then Reply_To (Get_Battery, Result) else Short (Battery_Label & ":-1"));
    --  The battery's level, unsolicited; -1: unknown.
-
-private
-
-   type Line_Reader is record
-      Data     : String (1 .. Max_Line) := (others => ' ');
-      Length   : Line_Length            := 0;
-      Held     : Boolean                := False;
-      --  The last character was a carriage return; the next one decides
-      --  whether it belongs to the line end.
-      Too_Long : Boolean                := False;
-      Finished : Boolean                := False;
-   end record;
-
-   function Length (R : Line_Reader) return Line_Length is (R.Length);
-
-   function Is_Too_Long (R : Line_Reader) return Boolean is (R.Too_Long);
-
-   function Is_Complete (R : Line_Reader) return Boolean is (R.Finished);
-
-   function Is_Held (R : Line_Reader) return Boolean is (R.Held);
-
-   function May_Begin (R : Line_Reader; Start : Label_Text) return Boolean is
-     ((for all I in 1 .. Integer'Min (R.Length - Text_First (R) + 1, 4) =>
-         R.Data (Text_First (R) + I - 1) = Start (I))
-      and then
-        (R.Length < Text_First (R) + 4
-         or else R.Data (Text_First (R) + 4) in Separator | Telnet_Mark));
-
-   function Item (R : Line_Reader; I : Positive) return Character is
-     (R.Data (I));
 
 end Monitor.Protocol;

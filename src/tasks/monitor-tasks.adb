@@ -198,7 +198,7 @@ package body Monitor.Tasks with SPARK_Mode is
       loop
          pragma Loop_Invariant (not Order.Owed);
          Monitor.Session.Receive_Begins.Wait;
-         Clear (Reader);
+         Reader := (others => <>);
          --  the right token was a line of this protocol
          Begun :=
            (if Settings.Command_Line.Chosen.Token_File.Length > 0 then Known
