@@ -102,13 +102,16 @@ procedure Robot_Tests is
 
    procedure Closed_Though_Nothing_Leaves is
       --  The kernel's close waits up to 30 s for a device that hangs
-      R : Rig;
+      R     : Rig;
+      Begun : Instant;
    begin
       Assemble (R);
       Move_Forward (R);
       R.Emulator.Send_Signal (Libc.Sigstop);
-      --  by battery requests the robot may be lost before it is carried out
+      Begun := Now;
+      --  ATIM: if battery requests find the robot lost before
       Check_Label (R.Monitor.Ask ("RCLS"), "AACK ATIM", "RCLS");
+      Check_Within (Now - Begun, 0.5, "RCLS");
       if Programs.With_Sockets then
          R.Supervisor.Expect_Log ("its device did not take all");
          Supervisors.Expect_Console
@@ -120,8 +123,10 @@ procedure Robot_Tests is
       R.Emulator.Send_Signal (Libc.Sigcont);
       Play (R, "status moving 0, ROPN AACK");
       R.Emulator.Send_Signal (Libc.Sigstop);
+      Begun := Now;
       R.Supervisor.Send_Signal (Libc.Sigterm);
       Check (R.Supervisor.Exit_Status = 0, "its end was not orderly");
+      Check_Within (Now - Begun, 1.0, "the end");
    end Closed_Though_Nothing_Leaves;
 
    procedure Three_Failures is
@@ -634,6 +639,8 @@ begin
       & " RSTP AACK, sent M=0 1, RRST AACK, clear, RSTP ACRJ, sent M=0 0");
    Add ("F07_Closed_Though_Nothing_Leaves",
         Closed_Though_Nothing_Leaves'Access);
+   Add ("F07_Closed_Though_Nothing_Leaves_In_Time",
+        Closed_Though_Nothing_Leaves'Access, Timed => True);
    Add ("F08_Three_Failures_Are_Not_Lost", Three_Failures'Access);
    Script
      ("F08_F09_Four_Failures_Are_Lost",
