@@ -158,14 +158,22 @@ is
         (0, Integer'Min (Left / Nanoseconds (1), Calls.Nanoseconds'Last));
    end Next_Wait;
 
-   procedure Write (Item : Robot.Protocol.Frame; Success : out Boolean) is
-      Line : constant Calls.Outcome := Descriptor;
-      Sent : Calls.Outcome;
+   procedure Write
+     (Item    : Robot.Protocol.Command;
+      Mode    : Robot.Session.Mode_Kind;
+      Length  : out Robot.Protocol.Frame_Length;
+      Success : out Boolean)
+   is
+      pragma Unreferenced (Mode);
+      Line  : constant Calls.Outcome := Descriptor;
+      Frame : Robot.Protocol.Frame;
+      Sent  : Calls.Outcome;
    begin
-      Calls.Write (Line, Item.Data, Item.Length, Sent);
+      Robot.Protocol.Encode (Item, Frame);
+      Length := Frame.Length;
+      Calls.Write (Line, Frame.Data, Frame.Length, Sent);
       Note_End (Sent);
-      Success := Sent = Item.Length;
-      Written := (Written.Count + 1, Robot.Protocol.Decoded (Item));
+      Success := Sent = Frame.Length;
    end Write;
 
    procedure Read

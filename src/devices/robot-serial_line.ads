@@ -1,22 +1,21 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The serial line to the robot: 9600 baud, 8 data bits, no parity, 1 stop
---  bit, raw, no echo. For the one task that owns the line.
+--  bit, raw, no echo. For the one task that has the line.
 
 with Ada.Real_Time;
 with Bytes;
-with Interfaces;
 with Robot.Protocol;
+with Robot.Session;
 with Texts;
 
 package Robot.Serial_Line with
   SPARK_Mode,
   Abstract_State =>
     (Device with Synchronous, External => (Async_Readers, Async_Writers)),
-  Initializes => (Device, Written)
+  Initializes => Device
 is
 
-   use type Interfaces.Unsigned_64;
-   use type Robot.Protocol.Reading;
+   use type Robot.Session.Mode_Kind;
 
    procedure Open
      (Path : Texts.Text; Success : out Boolean; Reason : out Texts.Text)
@@ -37,23 +36,18 @@ is
    procedure Discard_Input with Global => (In_Out => Device);
    --  Discards what has been received and not read
 
-   type Line_Record is record
-      Count : Interfaces.Unsigned_64 := 0;
-      --  number of frames, including failed ones
-      Last  : Robot.Protocol.Reading;
-      --  the last frame, as the robot decodes it
-   end record;
-
-   Written : Line_Record with Ghost;
-   --  What the line's owner has written to the line
-
-   procedure Write (Item : Robot.Protocol.Frame; Success : out Boolean)
+   procedure Write
+     (Item    : Robot.Protocol.Command;
+      Mode    : Robot.Session.Mode_Kind;
+      Length  : out Robot.Protocol.Frame_Length;
+      Success : out Boolean)
    with
-     Global => (In_Out => (Device, Written)),
-     Post   => Written.Count = Written.Count'Old + 1
-       and then Written.Last = Robot.Protocol.Decoded (Item);
-   --  Sends the frame. Never waits: fails if the device accepts nothing or has
-   --  been removed
+     Global => (In_Out => Device),
+     Pre    =>
+       (if Robot.Protocol.Is_Movement (Item) then
+           Mode /= Robot.Session.Not_Started);
+   --  Sends the frame of Item, which has Length bytes, to a robot in Mode.
+   --  Never waits: fails if the device accepts nothing or has been removed
 
    procedure Read
      (Data    : out Bytes.Byte_Array;

@@ -33,6 +33,22 @@ package Robot.Line_Status with SPARK_Mode is
       --  failed exchanges in a row
    end record;
 
+   type Dialogue is record
+      State   : Robot.Session.State;
+      Counted : Time := Time_First;
+      --  when the last start or reload was sent
+      Empty   : Boolean := False;
+      --  the robot's battery, when last asked
+      Unasked : Natural range 0 .. 6 := 0;
+      --  two more for each command before which the line's device sent without
+      --  being asked, one less for each other. Noise does not last; at 5 it is
+      --  no robot, and it has not started unless it is 0
+      Told    : Boolean := False;
+      --  the log says, once each time the line is open, that it does so
+   end record
+   with Predicate => Robot.Session.Is_Consistent (State);
+   --  What the task that has the line knows of the robot
+
    type State is record
       Known      : Status;
       Reload_Due : Time := Time_First;
@@ -71,21 +87,19 @@ package Robot.Line_Status with SPARK_Mode is
        and then Result.Kind = Robot.Session.Refused);
 
    procedure Note
-     (S       : in out State;
-      Done    : Robot.Requests.Job;
-      Session : Robot.Session.State;
-      Result  : Robot.Session.Outcome;
-      Now     : Time;
-      Counted : Time)
+     (S      : in out State;
+      Done   : Robot.Requests.Job;
+      Held   : Dialogue;
+      Result : Robot.Session.Outcome;
+      Now    : Time)
    with
-     Post => S.Known.Open = Session.Line_Open
-       and then S.Known.Mode = Session.Mode
-       and then S.Known.Failures = Robot.Health.Failures (Session.Health)
+     Post => S.Known.Open = Held.State.Line_Open
+       and then S.Known.Mode = Held.State.Mode
+       and then S.Known.Failures = Robot.Health.Failures (Held.State.Health)
        and then (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result)
        and then
          (S.Known.Reloads_Refused /= S'Old.Known.Reloads_Refused) =
            Is_Refused_Reload (Done, Result);
-   --  Request Done has just ended with Result; Session is its new state.
-   --  Counted: when the last start or reload was sent
+   --  Request Done has just ended with Result, the robot's dialogue as in Held
 
 end Robot.Line_Status;

@@ -139,9 +139,7 @@ package Robot.Session with SPARK_Mode is
      (Is_Sent (Next) and then Next.Command = Robot.Protocol.Stop);
 
    function Sends_Movement (Next : Step) return Boolean is
-     (Is_Sent (Next)
-      and then Next.Command.Kind in Robot.Protocol.With_Argument
-      and then Next.Command /= Robot.Protocol.Stop);
+     (Is_Sent (Next) and then Robot.Protocol.Is_Movement (Next.Command));
 
    function Sends_Reload (Next : Step) return Boolean is
      (Is_Sent (Next) and then Next.Command.Kind = Robot.Protocol.Reload);

@@ -38,9 +38,9 @@ package body Robot.Line with SPARK_Mode is
          Found          : out Boolean);
       procedure Finish
         (Done   : Robot.Requests.Job;
-         State  : Robot.Session.State;
+         Held   : Robot.Line_Status.Dialogue;
          Result : Robot.Session.Outcome;
-         Now, Counted : Time;
+         Now    : Time;
          More   : out Boolean);
       procedure Collect
         (From : Robot.Requests.Client; Result : out Robot.Session.Outcome);
@@ -122,14 +122,13 @@ package body Robot.Line with SPARK_Mode is
 
       procedure Finish
         (Done   : Robot.Requests.Job;
-         State  : Robot.Session.State;
+         Held   : Robot.Line_Status.Dialogue;
          Result : Robot.Session.Outcome;
-         Now, Counted : Time;
+         Now    : Time;
          More   : out Boolean) is
       begin
          Results (Done.From) := Result;
-         Robot.Line_Status.Note
-           (Line.State, Done, State, Result, Now, Counted);
+         Robot.Line_Status.Note (State, Done, Held, Result, Now);
          Robot.Requests.Finish (Waiting, Done);
          More := Robot.Requests.Is_Ready (Waiting);
       end Finish;
@@ -247,14 +246,13 @@ package body Robot.Line with SPARK_Mode is
 
    procedure Finish
      (Done    : Robot.Requests.Job;
-      State   : Robot.Session.State;
+      Held    : Robot.Line_Status.Dialogue;
       Result  : Robot.Session.Outcome;
-      At_Time : Ada.Real_Time.Time;
-      Counted : Ada.Real_Time.Time)
+      At_Time : Ada.Real_Time.Time)
    is
       More : Boolean;
    begin
-      Line.Finish (Done, State, Result, At_Time, Counted, More);
+      Line.Finish (Done, Held, Result, At_Time, More);
       if More then
          --  the next Take returns at once
          Work.Set;

@@ -74,13 +74,11 @@ package Robot.Line with SPARK_Mode is
 
    procedure Finish
      (Done    : Robot.Requests.Job;
-      State   : Robot.Session.State;
+      Held    : Robot.Line_Status.Dialogue;
       Result  : Robot.Session.Outcome;
-      At_Time : Ada.Real_Time.Time;
-      Counted : Ada.Real_Time.Time)
+      At_Time : Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
-   --  Request Done has ended with Result; State is the session's new state.
-   --  Counted: when the last start or reload was sent
+   --  Request Done has ended with Result, the robot's dialogue as in Held
 
    procedure Collect
      (From : Robot.Requests.Client; Result : out Robot.Session.Outcome)

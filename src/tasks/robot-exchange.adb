@@ -2,7 +2,6 @@
 
 with Ada.Real_Time;  use Ada.Real_Time;
 with Bytes;
-with Interfaces;
 with Journal;
 with Options;
 with Robot.Protocol; use Robot.Protocol;
@@ -14,58 +13,20 @@ with Trace;
 
 package body Robot.Exchange with SPARK_Mode is
 
-   use type Interfaces.Unsigned_64;
-   use type Robot.Serial_Line.Line_Record;
    use type Robot.Session.Mode_Kind;
    use type Robot.Session.Request_Kind;
    use type Robot.Session.Step_Kind;
 
-   Told_Of_Talk : Boolean := False;
-   --  The log says, once each time the line is open, that its device sends
-   --  without being asked
-
-   Unasked : Natural range 0 .. 6 := 0;
-   --  Two more for each command before which it did so, one less for each
-   --  other. Noise does not last; at 5 it is no robot, and it has not started
-   --  unless it is 0
-
-   function Is_Written (Item : Command; Before : Robot.Serial_Line.Line_Record)
-     return Boolean
-   is (Robot.Serial_Line.Written.Count = Before.Count + 1
-       and then Robot.Serial_Line.Written.Last.OK
-       and then Robot.Serial_Line.Written.Last.Value.Kind = Item.Kind
-       and then
-         (if Item.Kind in With_Argument then
-             Robot.Serial_Line.Written.Last.Value.Value = Item.Value))
-   with Ghost;
-   --  Since Before, Item has been written, and no other frame
-
-   procedure Take_Step
-     (State    : Robot.Session.State;
-      Progress : Robot.Session.Progress;
-      Step     : Robot.Session.Step;
-      Last     : out Robot.Session.Step_Result)
-   with
-     Pre  => Robot.Session.Is_Under_Way (State, Progress)
-       and then Robot.Session.Is_Allowed (State, Progress, Step),
-     Post =>
-       (if Robot.Session.Is_Sent (Step) then
-           Is_Written (Step.Command, Robot.Serial_Line.Written'Old)
-           and then
-             (if Is_Movement (Robot.Serial_Line.Written.Last) then
-                 State.Mode /= Robot.Session.Not_Started)
-        else Robot.Serial_Line.Written = Robot.Serial_Line.Written'Old);
-   --  Only the step's command is sent on the line, and a movement only while
-   --  the robot is started
-
-   procedure Open_Device (Success : out Boolean) is
+   procedure Open_Device
+     (Held : in out Robot.Line_Status.Dialogue; Success : out Boolean)
+   is
       Chosen : Options.Values renames Settings.Command_Line.Chosen;
       Reason : Texts.Text;
       Line   : Texts.Text;
    begin
       Robot.Serial_Line.Open (Chosen.Serial, Success, Reason);
-      Told_Of_Talk := False;
-      Unasked := 0;
+      Held.Told := False;
+      Held.Unasked := 0;
       if Success then
          Texts.Set (Line, "robot line open on ");
       else
@@ -82,7 +43,10 @@ package body Robot.Exchange with SPARK_Mode is
    end Open_Device;
 
    procedure Discard_Unasked
-     (Kind : Command_Kind; Until_Now : Time; Talks : out Boolean)
+     (Held      : in out Robot.Line_Status.Dialogue;
+      Kind      : Command_Kind;
+      Until_Now : Time;
+      Talks     : out Boolean)
    is
       --  Discards what has come before a command of Kind is sent. Talks: there
       --  was a whole frame. That may be noise, or the device goes on like that
@@ -106,11 +70,11 @@ package body Robot.Exchange with SPARK_Mode is
             Talks := Talks or else Heard.Kind not in Bad_Checksum | Malformed;
          end if;
       end loop;
-      Unasked :=
-        (if Talks then Natural'Min (Unasked + 2, 6)
-         else Natural'Max (Unasked - 1, 0));
-      if Talks and then not Told_Of_Talk then
-         Told_Of_Talk := True;
+      Held.Unasked :=
+        (if Talks then Natural'Min (Held.Unasked + 2, 6)
+         else Natural'Max (Held.Unasked - 1, 0));
+      if Talks and then not Held.Told then
+         Held.Told := True;
          Journal.Put
            (Options.Warning,
             "the device of the robot's line sends without being asked");
@@ -118,16 +82,19 @@ package body Robot.Exchange with SPARK_Mode is
    end Discard_Unasked;
 
    procedure Exchange
-     (Item      : Command;
+     (Held      : in out Robot.Line_Status.Dialogue;
+      Item      : Command;
+      Mode      : Robot.Session.Mode_Kind;
       Skip_Late : Boolean;
       Last      : out Robot.Session.Step_Result)
-   with Post => Is_Written (Item, Robot.Serial_Line.Written'Old)
+   with
+     Pre =>
+       (if Is_Movement (Item) then Mode /= Robot.Session.Not_Started)
    is
       --  Sends Item and waits for its answer. Skip_Late: frames of other
       --  classes are late answers to earlier commands, and are skipped.
       --  Otherwise none is due before, and what a device sends that goes on
       --  sending is no answer
-      Out_Frame : Frame;
       In_Frame  : Frame;
       Receiving : Receiver;
       Data      : Bytes.Byte_Array (1 .. Max_Frame);
@@ -141,22 +108,21 @@ package body Robot.Exchange with SPARK_Mode is
       Now       : Time;
    begin
       Last := (others => <>);
-      Encode (Item, Out_Frame);
       Now := Clock;
       if Skip_Late then
          Robot.Serial_Line.Discard_Input;
       else
-         Discard_Unasked (Item.Kind, Now, Talks);
+         Discard_Unasked (Held, Item.Kind, Now, Talks);
       end if;
       Clear (Receiving);
-      Has_Left := Now + Out_Frame.Length * Schedule.Byte_Time;
+      Robot.Serial_Line.Write (Item, Mode, Length, Last.Ok);
+      Has_Left := Now + Length * Schedule.Byte_Time;
       Deadline := Has_Left
         + Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout);
-      Robot.Serial_Line.Write (Out_Frame, Last.Ok);
       Trace.Ordered (Schedule.Th_Line, Item.Kind);
       Trace.Wait (Schedule.Th_Line, Trace.Answer);
-      if not Last.Ok or else Unasked > 4
-        or else (Unasked > 0 and then Item.Kind in Start | Start_Watchdog)
+      if not Last.Ok or else Held.Unasked > 4
+        or else (Held.Unasked > 0 and then Item.Kind in Start | Start_Watchdog)
       then
          Last.Ok := False;
          return;
@@ -201,12 +167,53 @@ package body Robot.Exchange with SPARK_Mode is
       end if;
    end Exchange;
 
-   procedure Carry_Out
-     (State   : in out Robot.Session.State;
-      Request : Robot.Session.Request;
-      Result  : out Robot.Session.Outcome;
-      Counted : in out Time)
+   procedure Take_Step
+     (Held     : in out Robot.Line_Status.Dialogue;
+      State    : Robot.Session.State;
+      Progress : Robot.Session.Progress;
+      Step     : Robot.Session.Step;
+      Last     : out Robot.Session.Step_Result)
+   with
+     Pre => Robot.Session.Is_Under_Way (State, Progress)
+       and then Robot.Session.Is_Allowed (State, Progress, Step)
    is
+      pragma Unreferenced (Progress);
+      Ignored  : Frame_Length;
+      All_Sent : Boolean;
+   begin
+      Last := (others => <>);
+      case Step.Kind is
+         when Robot.Session.Open_Device =>
+            Open_Device (Held, Last.Ok);
+         when Robot.Session.Close_Device =>
+            Robot.Serial_Line.Close (All_Sent);
+            if All_Sent then
+               Journal.Put (Options.Info, "robot line closed");
+            else
+               Journal.Put
+                 (Options.Warning,
+                  "robot line closed: its device did not take all within "
+                  & "100 ms, the rest was discarded");
+            end if;
+         when Robot.Session.Send =>
+            Robot.Serial_Line.Write
+              (Step.Command, State.Mode, Ignored, Last.Ok);
+            Trace.Ordered (Schedule.Th_Line, Step.Command.Kind);
+         when Robot.Session.Exchange | Robot.Session.Synchronise =>
+            Exchange
+              (Held, Step.Command, State.Mode,
+               Step.Kind = Robot.Session.Synchronise, Last);
+         when Robot.Session.Finish =>
+            null;
+      end case;
+   end Take_Step;
+
+   procedure Carry_Out
+     (Held    : in out Robot.Line_Status.Dialogue;
+      Request : Robot.Session.Request;
+      Result  : out Robot.Session.Outcome)
+   is
+      State    : Robot.Session.State := Held.State;
       Progress : Robot.Session.Progress;
       Step     : Robot.Session.Step;
       Last     : Robot.Session.Step_Result;
@@ -226,50 +233,14 @@ package body Robot.Exchange with SPARK_Mode is
          if Robot.Session.Is_Sent (Step)
            and then Step.Command.Kind in Start | Start_Watchdog | Reload
          then
-            Counted := Clock;
+            Held.Counted := Clock;
          end if;
-         Take_Step (State, Progress, Step, Last);
+         Take_Step (Held, State, Progress, Step, Last);
          Trace.Resume (Schedule.Th_Line);
          Robot.Session.Continue_Request (State, Progress, Last, Step);
       end loop;
+      Held.State := State;
       Result := Robot.Session.Result (Progress);
    end Carry_Out;
-
-   procedure Take_Step
-     (State    : Robot.Session.State;
-      Progress : Robot.Session.Progress;
-      Step     : Robot.Session.Step;
-      Last     : out Robot.Session.Step_Result)
-   is
-      pragma Unreferenced (State, Progress);
-      Sending  : Frame;
-      All_Sent : Boolean;
-   begin
-      Last := (others => <>);
-      case Step.Kind is
-         when Robot.Session.Open_Device =>
-            Open_Device (Last.Ok);
-         when Robot.Session.Close_Device =>
-            Robot.Serial_Line.Close (All_Sent);
-            if All_Sent then
-               Journal.Put (Options.Info, "robot line closed");
-            else
-               Journal.Put
-                 (Options.Warning,
-                  "robot line closed: its device did not take all within "
-                  & "100 ms, the rest was discarded");
-            end if;
-         when Robot.Session.Send =>
-            Encode (Step.Command, Sending);
-            Robot.Serial_Line.Write (Sending, Last.Ok);
-            Trace.Ordered (Schedule.Th_Line, Step.Command.Kind);
-         when Robot.Session.Exchange =>
-            Exchange (Step.Command, False, Last);
-         when Robot.Session.Synchronise =>
-            Exchange (Step.Command, True, Last);
-         when Robot.Session.Finish =>
-            null;
-      end case;
-   end Take_Step;
 
 end Robot.Exchange;

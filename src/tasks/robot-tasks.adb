@@ -90,20 +90,17 @@ package body Robot.Tasks with SPARK_Mode is
    end Skip_Past;
 
    task body Th_Line is
-      State   : Robot.Session.State;
-      Job     : Robot.Requests.Job;
-      Result  : Outcome;
-      Ended   : Time;
-      Counted : Time := Time_First;
-      Empty   : Boolean := False;
+      Held   : Dialogue;
+      Job    : Robot.Requests.Job;
+      Result : Outcome;
+      Ended  : Time;
    begin
       Process.Threads.Name_Task (Schedule.Th_Line);
       loop
-         pragma Loop_Invariant
-           (Is_Consistent (State) and then not Job.Order.Owed);
+         pragma Loop_Invariant (not Job.Order.Owed);
          Robot.Line.Take (Job);
          if Job.Verdict = Robot.Requests.Carry_Out then
-            Robot.Exchange.Carry_Out (State, Job.Request, Result, Counted);
+            Robot.Exchange.Carry_Out (Held, Job.Request, Result);
          else
             Result :=
               (Kind   =>
@@ -112,9 +109,9 @@ package body Robot.Tasks with SPARK_Mode is
                others => <>);
          end if;
          Ended := Clock;
-         Robot.Line.Finish (Job, State, Result, Ended, Counted);
+         Robot.Line.Finish (Job, Held, Result, Ended);
          if Robot.Line_Status.Starts (Job, Result) then
-            Tell_Of_Start (State.Mode);
+            Tell_Of_Start (Held.State.Mode);
          end if;
          if Job.Order.Owed then
             Monitor.Outbox.Answer
@@ -124,11 +121,11 @@ package body Robot.Tasks with SPARK_Mode is
          if Job.From /= Robot.Requests.Stop_Order then
             Robot.Clients.Signal (Job.From);
          end if;
-         Tell_Of (Result.Note, Empty);
-         Empty := State.Line_Open
+         Tell_Of (Result.Note, Held.Empty);
+         Held.Empty := Held.State.Line_Open
            and then
              (if Job.Request.Kind = Get_Battery and then Result.Kind = Done
-              then Is_Zero (Result) else Empty);
+              then Is_Zero (Result) else Held.Empty);
       end loop;
    end Th_Line;
 

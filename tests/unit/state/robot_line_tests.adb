@@ -61,8 +61,11 @@ package body Robot_Line_Tests is
       Assert (not (Next.Order.Owed and then From = Mission),
               "a mission's order is answered when it begins, not here");
       Robot.Line.Finish
-        (Next, (Line_Open => True, Mode => Mode, others => <>),
-         (others => <>), Ada.Real_Time.Clock, Ada.Real_Time.Clock);
+        (Next,
+         (State   => (Line_Open => True, Mode => Mode, others => <>),
+          Counted => Ada.Real_Time.Clock,
+          others  => <>),
+         (others => <>), Ada.Real_Time.Clock);
    end Check;
 
    procedure Stop (Number : Ticket; After : Ticket := 0) is
