@@ -49,6 +49,18 @@
 /* The same up to a time, which may always have come */
 #define Wait_Until(event)  event = 0
 
+/* The same up to a time that has come where due is true */
+#define Wait_Until_Due(event, due) \
+   atomic { \
+      assert (event != 2); \
+      if \
+      :: event == 1 \
+      :: event == 0 -> event = 2; end_for_work: (event == 1 || (due)) \
+      fi; \
+      was_set = (event == 1); \
+      event = 0 \
+   }
+
 /* What the code does at a place is said there, where it is neither an event
    nor an inline that says it, and `steps` compares the order with the code's:
 

@@ -14,7 +14,7 @@ bool Orderly = false;    /* an orderly stop is under way */
 mtype:signal = { None, Stop_Request, Failure };
 mtype:signal Pending = None;
 
-mtype:task = { Nobody, Of_Stop, Of_Main, Of_Line, Of_Lost, Other };
+mtype:task = { Nobody, Of_Stop, Of_Main, Of_Move, Of_Lost, Other };
 mtype:task Failed = Nobody;
 
 /* Journal */
@@ -63,7 +63,7 @@ EVENT (Monitor_Session_Server_Allowed);
 EVENT (Failures_Stop_Failed);
 
 /* Robot.Line, Monitor.Session, as far as the end needs them: the session's tasks
-   are in session.pml, the line's in orders.pml */
+   are in session.pml, the robot's in orders.pml */
 mtype:stage = { Free, Active, Closing };
 mtype:stage Stage = Free;
 bool Stopping  = false;
@@ -71,7 +71,7 @@ bool Line_Open = false;
 bool Refused   = false;   /* Robot.Line: no order is carried out any more */
 
 inline Refuse_Orders () {
-   /*: Line.Line.Begin_Session in orders, Set_Event (Line.Work) in orders */
+   /*: Line.Line.Begin_Session in orders */
    Refused = true
 }
 
@@ -110,7 +110,7 @@ active proctype Any_Task () provided (!Left)
    if
    :: which = Of_Stop
    :: which = Of_Main
-   :: which = Of_Line
+   :: which = Of_Move
    :: which = Of_Lost
    :: which = Other
    :: goto none
@@ -175,8 +175,8 @@ end_wait:
    od
 }
 
-/* Th_Line: while a monitor is in command, its movements go out */
-active proctype Th_Line () provided (!Left && Failed != Of_Line)
+/* Th_Move: while a monitor is in command, its movements go out */
+active proctype Th_Move () provided (!Left && Failed != Of_Move)
 {
 end_wait:
    do

@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
-   The owner of the robot's line and its requests, for orders.pml,
+   The robot's line, its requests and the task that has it, for orders.pml,
    periodic.pml and mission.pml (which says MISSION): Robot.Line,
-   Robot.Session, Robot.Exchange, Th_Line. */
+   Robot.Session, Robot.Exchange, Robot.Service. */
 
 #define MAX_FAILURES  2   /* in a row, and the line is lost; the code's 4
                              and the figure itself are proved by contract */
 #define LEAVE_TRIES   1   /* the code's 3: one less than MAX_FAILURES */
 
-/* Robot.Line.Client, in the order of the code */
-#define CLIENTS                       12
-#define Robot_Clients_Safe_State       0   /* instance */
-#define Stop_Order                     1
-#define Robot_Clients_Reload           2   /* instance */
-#define Robot_Clients_Move             3   /* instance */
-#define Robot_Clients_Mission          4   /* instance */
-#define Robot_Clients_Battery          5   /* instance */
-#define Robot_Clients_Open             6   /* instance */
-#define Robot_Clients_Start            7   /* instance */
-#define Robot_Clients_Start_Watchdog   8   /* instance */
-#define Robot_Clients_Reset            9   /* instance */
-#define Robot_Clients_Query           10   /* instance */
-#define Robot_Clients_Keep_Alive      11   /* instance */
+/* Robot.Users: the tasks that use the line */
+#define Robot_Users_Monitor_Lost   0   /* instance */
+#define Robot_Users_Start_WD       1   /* instance */
+#define Robot_Users_Move           2   /* instance */
+#define Robot_Users_Mission        3   /* instance */
+#define Robot_Users_Battery        4   /* instance */
+#define Robot_Users_Open_Com       5   /* instance */
+#define Robot_Users_Start          6   /* instance */
+#define Robot_Users_Reset          7   /* instance */
+#define NOBODY                     8
+EVENTS (Robot_Turns_Granted, NOBODY);
+#define Granted(who)  Robot_Turns_Granted [who]
 
+mtype:source  = { Of_End, Of_Stop, Of_Reload, Of_Movement, Of_Mission,
+                  Of_Battery, Of_Order, Of_Ping };
 mtype:request = { Open_Line, Close_Line, Start, Start_Watchdog, Reset,
                   Drive, Stop, Reload, Query, Keep_Alive };
                   /* Query: ping, battery, state; Reset: power off too */
@@ -31,45 +31,53 @@ mtype:mode    = { Not_Started, Started, Started_With_Watchdog };
 mtype:reply   = { Accepted, Denied, Silence };
 mtype:due     = { Far, Near, Past };
 
+/* The requests, and the known state of the robot */
 typedef Robot_Line_Line_Type {
-   bool          Pending [CLIENTS];
-   mtype:request Kind    [CLIENTS];
-   byte          Number  [CLIENTS];
-   byte          Rank    [CLIENTS];
-   byte          After   [CLIENTS];
+   byte Has = NOBODY;            /* the task that has the line */
+   bool Ends;                    /* the request of the session's end */
+   bool After_Stop;              /* the last one was a monitor's stop */
    byte Last_Stop;
+   byte Last_Change;
    byte Session = 1;
-   byte Completed;
-   byte Changed;
-   mtype:due  Reload_Due = Far;  /* Near: in the quiet time around it */
+   mtype:due Reload_Due = Far;   /* Near: in the quiet time before it */
+   bool Battery_Due;
+   bool Ping_Due;
    bool Open;
    mtype:mode Mode = Not_Started;
 #ifdef MISSION
-   byte Last_Hand;
+   bool Asks;                    /* the mission */
+   mtype:request Asked;          /* what for */
    byte Last_Mission;            /* that has made a request */
+   byte Last_Hand;
    bool Too_Old;                 /* the mission's request, by now */
 #endif
-   bool New_Epoch [CLIENTS]      /* a start since this client has looked */
+   /* the dialogue, in the hands of who has the line: line and robot */
+#ifdef BEGINS_STARTED
+   bool Is_Open = true;
+   mtype:mode Runs = Started;
+#else
+   bool Is_Open;
+   mtype:mode Runs = Not_Started;
+#endif
+   byte Failures;
+   /* and the request that is carried out */
+   mtype:source  From;
+   mtype:request Kind;
+   byte Number;
+   mtype:verdict Verdict = Carry_Out;
+   mtype:outcome Result = Done
 };
 PROTECTED (Robot_Line_Line);
-EVENT (Robot_Line_Work);
-EVENTS (Robot_Line_Clients_Finished, CLIENTS);
-chan Stops = [STOPS] of { byte };
-
 #define L  Robot_Line_Line
+
+/* The monitor's orders */
+chan Stops  = [STOPS] of { byte };
+chan Moves  = [STOPS] of { byte, byte };            /* number, after */
+chan Others = [STOPS] of { byte, mtype:request };
 
 #define Changes_Session(k) \
    (k == Open_Line || k == Close_Line || k == Start \
     || k == Start_Watchdog || k == Reset)
-#define Is_Old(c)  (L.Number [c] != 0 && L.Number [c] < L.Session)
-#define In_Turn(c) \
-   (L.Number [c] == 0 || Is_Old (c) \
-    || (Changes_Session (L.Kind [c]) \
-        -> L.Completed + 1 == L.Rank [c] \
-        : L.After [c] <= \
-             (c == Robot_Clients_Mission -> L.Completed : L.Changed)))
-#define Quiet \
-   (L.Mode == Started_With_Watchdog && L.Reload_Due == Near)
 
 #ifdef MUTANT_STOP_TOO_LATE
 #define Can_Be_Late(kind)  true
@@ -77,78 +85,117 @@ chan Stops = [STOPS] of { byte };
 #define Can_Be_Late(kind)  (kind != Stop)
 #endif
 
+/* Within one step only */
 hidden byte k;
+hidden byte move;
+hidden byte after;
+hidden byte other;
+hidden mtype:request change;
+hidden mtype:source best;
 
-inline Put_It (who, what, its_number, its_rank, its_after) {
-   L.Pending [who] = true;
-   d_step {
-      L.Kind   [who] = what;
-      L.Number [who] = its_number;
-      L.Rank   [who] = its_rank;
-      L.After  [who] = its_after
-   }
-}
-
-inline Put (who, what, its_number, its_rank, its_after) {
-#ifdef MUTANT_WORK_BEFORE_PUT
-   Set_Event (Robot_Line_Work);
-#endif
-   /*: Line.Line.Put */
-   atomic { Put_It (who, what, its_number, its_rank, its_after) }
-}
-
-/* The other half of Ask, in an atomic step with what the caller does next:
-   whether the request has been carried out when the wait begins makes no
-   difference, as there is one only */
-inline Wait (who) {
-#ifndef MUTANT_WORK_BEFORE_PUT
-   Set_Event (Robot_Line_Work);
-#endif
-   Wait_Event (Robot_Line_Clients_Finished [who])
-}
-
-inline Put_Stop (its_number) {
-   /*: Line.Line.Put_Stop */
-   d_step {
-      assert (len (Stops) < STOPS);
-      Stops ! its_number;
-      L.Last_Stop = its_number
-   }
-#ifndef MUTANT_STOP_WITHOUT_EVENT
-   Set_Event (Robot_Line_Work)
+/* In periodic.pml orders have no numbers, as if each were in turn */
+#ifdef UNNUMBERED
+#define Up_To(number, other)  false
 #else
-   skip
+#define Up_To(number, other)  (number <= other)
 #endif
+
+#define Is_Quiet       (L.Mode == Started_With_Watchdog && L.Reload_Due != Far)
+#ifdef MUTANT_RELOAD_LAST
+#define Reload_Goes    (L.Mode == Started_With_Watchdog \
+                        && L.Reload_Due == Past && !Move_Goes && !Other_Goes)
+#else
+#define Reload_Goes    (L.Mode == Started_With_Watchdog \
+                        && L.Reload_Due == Past)
+#endif
+/* A stop behind a stop changes nothing: a reload that waits goes between */
+#ifdef MUTANT_STOPS_STARVE_RELOAD
+#define Stop_Goes      (len (Stops) > 0)
+#else
+#define Stop_Goes      (len (Stops) > 0 && !(L.After_Stop && Reload_Goes))
+#endif
+#define Move_Goes      (move > 0 && !(other > 0 && Up_To (other, after)))
+#define Mission_Goes   (L.Asks && (!Is_Quiet || L.Asked == Stop) \
+                        && !(move > 0 && Up_To (move, L.Last_Mission)) \
+                        && !(other > 0 && Up_To (other, L.Last_Mission)))
+#define Other_Goes     (other > 0 && !Is_Quiet \
+                        && !(Changes_Session (change) && move > 0 \
+                             && Up_To (move, other)))
+
+/* The most urgent request that may start, and its task; to stays NOBODY
+   where there is none */
+inline Choose () {
+   move = 0; after = 0; other = 0; change = Query;
+   if :: len (Moves) > 0 -> Moves ? <move, after> :: else fi;
+   if :: len (Others) > 0 -> Others ? <other, change> :: else fi;
+   if
+#ifdef MUTANT_TWO_WITH_THE_LINE
+   :: false
+#else
+   :: L.Has != NOBODY
+#endif
+   :: else ->
+      if
+      :: L.Ends -> best = Of_End; to = Robot_Users_Monitor_Lost
+      :: else ->
+         if
+         :: Stop_Goes -> best = Of_Stop; to = Robot_Users_Move
+         :: !Stop_Goes && Reload_Goes ->
+            best = Of_Reload; to = Robot_Users_Start_WD
+         :: !Stop_Goes && !Reload_Goes && Move_Goes ->
+            best = Of_Movement; to = Robot_Users_Move
+         :: else ->
+            if
+#ifdef MISSION
+            :: Mission_Goes -> best = Of_Mission; to = Robot_Users_Mission
+            :: !Mission_Goes && Other_Goes ->
+#else
+            :: L.Battery_Due && !Is_Quiet ->
+               best = Of_Battery; to = Robot_Users_Battery
+            :: !(L.Battery_Due && !Is_Quiet) && Other_Goes ->
+#endif
+               best = Of_Order;
+               to = (change == Start -> Robot_Users_Start :
+                    (change == Start_Watchdog -> Robot_Users_Start_WD :
+                    (change == Reset -> Robot_Users_Reset :
+                     Robot_Users_Open_Com)))
+#ifndef MISSION
+            :: !(L.Battery_Due && !Is_Quiet) && !Other_Goes &&
+               L.Ping_Due && !Is_Quiet ->
+               best = Of_Ping; to = Robot_Users_Open_Com
+#endif
+            :: else
+            fi
+         fi
+      fi
+   fi;
+   move = 0; after = 0; other = 0; change = Query
 }
 
 /* What has been written to the robot */
 bool Stop_Owed  = false;  /* a movement, and no stop since */
-bool Stop_Due   = false;  /* a stop of the monitor in command waits */
 bool Nobody     = false;  /* the session's end has been carried out */
-bool Reloaded   = false;  /* since the reload became due last */
+bool Is_Due     = false;  /* the reload of this run */
+bool Reloaded   = false;  /* since it became due last */
 
 #ifdef MISSION
-/* Any session begins with a robot that has been started */
-bool State_Open;
-mtype:mode State_Mode = Not_Started;
-
 byte Hand   = 0;      /* the last order by hand that has been dispatched */
 byte Drove  = 0;      /* the last mission with a movement on the line */
 bool Drives = false;  /* that movement is the last that the robot got */
 
 inline Wrote (what) {
    if
-   :: from == Robot_Clients_Mission && (what == Drive || what == Stop) ->
+   :: L.From == Of_Mission && (what == Drive || what == Stop) ->
       /* never after an order of the hand has been dispatched */
-      assert (number > Hand);
-      Drove = number;
+      assert (L.Number > Hand);
+      Drove = L.Number;
       Drives = (what == Drive)
-   :: from == Robot_Clients_Move && what == Drive ->
+   :: L.From == Of_Movement && what == Drive ->
       /* nor does a movement of the hand from before the mission go out when
          the mission drives */
-      assert (number > Drove);
+      assert (L.Number > Drove);
       Drives = false
-   :: what == Stop && from != Robot_Clients_Mission -> Drives = false
+   :: what == Stop && L.From != Of_Mission -> Drives = false
    :: else
    fi
 }
@@ -156,9 +203,9 @@ inline Wrote (what) {
 /* When an order of the hand has been carried out, nothing is left of what the
    mission ordered */
 inline Carried_Out () {
-   assert (!(Drives && verdict == Carry_Out && result == Done
-             && number == L.Last_Hand && from != Robot_Clients_Mission
-             && number != 0))
+   assert (!(Drives && L.Verdict == Carry_Out && L.Result == Done
+             && L.Number == L.Last_Hand && L.From != Of_Mission
+             && L.Number != 0))
 }
 #endif
 
@@ -168,23 +215,26 @@ inline Write (what) {
 #endif
    if
    :: what == Drive ->
-      assert (State_Mode != Not_Started);
+      assert (L.Runs != Not_Started);
       assert (!Nobody);
-      assert (number == 0 || number > L.Last_Stop ||
-              L.Last_Stop == 0 || number < L.Session ||
-              len (Stops) > 0);
+      assert (L.Number > L.Last_Stop || L.Last_Stop == 0
+              || L.Number < L.Session || len (Stops) > 0);
       Stop_Owed = true
    :: what == Stop -> Stop_Owed = false
    :: what == Reload ->
       /* never one of the run before */
-      assert (!L.New_Epoch [Robot_Clients_Reload]);
+      assert (Is_Due);
+      Is_Due = false;
       Reloaded = true
    :: else
    fi
 }
 
+mtype:reply reply = Accepted;
+bool blind = false;
+
 inline Fail () {
-   Failures++;
+   L.Failures++;
    reply = Silence
 }
 
@@ -193,13 +243,13 @@ inline Fail () {
 inline Exchange (what) {
    reply = Accepted;
    if
-   :: Failures > 0 ->
+   :: L.Failures > 0 ->
       if
       :: what == Stop && !blind -> Write (Stop); blind = true
       :: else
       fi;
       if
-      :: Failures = 0            /* the probe is answered */
+      :: L.Failures = 0            /* the probe is answered */
       :: Fail ()
       fi
    :: else
@@ -209,7 +259,7 @@ inline Exchange (what) {
       Write (what);
       if
       :: !(what == Start || what == Start_Watchdog) ||
-         State_Mode == Not_Started -> reply = Accepted
+         L.Runs == Not_Started -> reply = Accepted
       :: reply = Denied
       :: Fail ()
       fi
@@ -217,37 +267,37 @@ inline Exchange (what) {
    fi
 }
 
-#define Is_Lost  (Failures == MAX_FAILURES)
+#define Is_Lost  (L.Failures == MAX_FAILURES)
 
 inline Close_Device () {
-   State_Open = false;
-   State_Mode = Not_Started;
-   Failures = 0
+   L.Is_Open = false;
+   L.Runs = Not_Started;
+   L.Failures = 0
 }
 
 inline Carry_Out_Request () {
    /*: Robot.Exchange.Carry_Out */
    /* no order of a session that has ended, but for a stop */
-   assert (number == 0 || number >= L.Session || kind == Stop);
+   assert (L.Number == 0 || L.Number >= L.Session || L.Kind == Stop);
    blind = false;
-   result = Done;
+   L.Result = Done;
    if
-   :: kind == Open_Line && !State_Open ->
+   :: L.Kind == Open_Line && !L.Is_Open ->
       if
-      :: State_Open = true; Exchange (Reset)
-      :: result = Failed
+      :: L.Is_Open = true; Exchange (Reset)
+      :: L.Result = Failed
       fi
-   :: kind == Close_Line && !State_Open
-   :: kind != Open_Line && kind != Close_Line && !State_Open ->
-      result = Failed
-   :: kind == Drive && State_Open && State_Mode == Not_Started ->
-      result = Refused
-   :: kind == Reload && State_Open && State_Mode != Started_With_Watchdog
+   :: L.Kind == Close_Line && !L.Is_Open
+   :: L.Kind != Open_Line && L.Kind != Close_Line && !L.Is_Open ->
+      L.Result = Failed
+   :: L.Kind == Drive && L.Is_Open && L.Runs == Not_Started ->
+      L.Result = Refused
+   :: L.Kind == Reload && L.Is_Open && L.Runs != Started_With_Watchdog
    :: else ->
       if
 #ifndef MUTANT_NO_STOP_ON_LEAVING
-      :: (kind == Close_Line || kind == Reset) &&
-         State_Mode != Not_Started ->
+      :: (L.Kind == Close_Line || L.Kind == Reset) &&
+         L.Runs != Not_Started ->
          Exchange (Stop);
          if
          :: reply == Silence && !Is_Lost -> Exchange (Stop)
@@ -258,40 +308,40 @@ inline Carry_Out_Request () {
       fi;
       if
       :: Is_Lost
-      :: !Is_Lost && kind == Close_Line -> Close_Device ()
-      :: !Is_Lost && kind != Close_Line ->
-         Exchange (kind);
+      :: !Is_Lost && L.Kind == Close_Line -> Close_Device ()
+      :: !Is_Lost && L.Kind != Close_Line ->
+         Exchange (L.Kind);
          if
-         :: reply == Silence -> result = Failed
-         :: reply == Accepted && kind == Start -> State_Mode = Started
-         :: reply == Accepted && kind == Start_Watchdog ->
-            State_Mode = Started_With_Watchdog
-         :: reply != Silence && kind == Reset ->
-            State_Mode = Not_Started;
-            result = (reply == Accepted -> Done : Refused)
-         :: reply == Denied && kind == Reload ->
-            result = Refused;
+         :: reply == Silence -> L.Result = Failed
+         :: reply == Accepted && L.Kind == Start -> L.Runs = Started
+         :: reply == Accepted && L.Kind == Start_Watchdog ->
+            L.Runs = Started_With_Watchdog
+         :: reply != Silence && L.Kind == Reset ->
+            L.Runs = Not_Started;
+            L.Result = (reply == Accepted -> Done : Refused)
+         :: reply == Denied && L.Kind == Reload ->
+            L.Result = Refused;
             Exchange (Query);                    /* does it move? */
             if
-            :: reply == Silence -> result = Failed
+            :: reply == Silence -> L.Result = Failed
             :: reply == Accepted                 /* yes */
             :: reply != Silence ->               /* no: does it run? */
                Exchange (Stop);
                if
-               :: reply == Denied -> State_Mode = Not_Started
-               :: reply == Silence -> result = Failed
+               :: reply == Denied -> L.Runs = Not_Started
+               :: reply == Silence -> L.Result = Failed
                :: else
                fi
             fi
-         :: reply == Denied && (kind == Drive || kind == Stop) &&
-            State_Mode != Not_Started ->
+         :: reply == Denied && (L.Kind == Drive || L.Kind == Stop) &&
+            L.Runs != Not_Started ->
             Exchange (Stop);                     /* does it run? */
             if
-            :: reply == Denied -> State_Mode = Not_Started; result = Refused
-            :: reply == Silence -> result = Failed
-            :: else -> result = (kind == Stop -> Done : Refused)
+            :: reply == Denied -> L.Runs = Not_Started; L.Result = Refused
+            :: reply == Silence -> L.Result = Failed
+            :: else -> L.Result = (L.Kind == Stop -> Done : Refused)
             fi
-         :: else -> result = (reply == Accepted -> Done : Refused)
+         :: else -> L.Result = (reply == Accepted -> Done : Refused)
          fi
       fi;
       if
@@ -300,7 +350,7 @@ inline Carry_Out_Request () {
          Write (Stop);
 #endif
          Close_Device ();
-         result = Failed
+         L.Result = Failed
       :: else
       fi
    fi;
@@ -308,261 +358,201 @@ inline Carry_Out_Request () {
    blind = false
 }
 
-inline Choose (who) {
-   from = who;
-   kind = L.Kind [who];
-   number = L.Number [who];
-   rank = L.Rank [who];
-   verdict = (Is_Old (who) -> Out_Of_Date :
-             (who == Robot_Clients_Move && number < L.Last_Stop &&
-              number != 0 -> Overtaken : Carry_Out));
+
+inline Set_Verdict () {
+   L.Verdict =
+      (L.Number != 0 && L.Number < L.Session && L.From != Of_Stop ->
+          Out_Of_Date :
+      (L.From == Of_Movement && L.Number < L.Last_Stop -> Overtaken :
+       Carry_Out));
 #ifdef MISSION
 #ifndef MUTANT_OLD_MOVEMENT_CARRIED_OUT
-   verdict = (who == Robot_Clients_Move && verdict == Carry_Out
-              && number < L.Last_Mission -> Overtaken : verdict);
+   L.Verdict = (L.From == Of_Movement && L.Verdict == Carry_Out
+                && L.Number < L.Last_Mission -> Overtaken : L.Verdict);
 #endif
 #ifndef MUTANT_MISSION_NOT_OVERTAKEN
-   verdict = (who == Robot_Clients_Mission && verdict == Carry_Out
-              && number < L.Last_Hand -> Overtaken : verdict);
+   L.Verdict = (L.From == Of_Mission && L.Verdict == Carry_Out
+                && L.Number < L.Last_Hand -> Overtaken : L.Verdict);
 #endif
-   verdict = (who == Robot_Clients_Mission && verdict == Carry_Out
-              && L.Too_Old && Can_Be_Late (kind) -> Late : verdict);
-   L.Too_Old = false;
+   L.Verdict = (L.From == Of_Mission && L.Verdict == Carry_Out && L.Too_Old
+                && Can_Be_Late (L.Kind) -> Late : L.Verdict);
+   L.Too_Old = L.Too_Old && L.From != Of_Mission;
 #endif
 #ifdef MUTANT_OLD_ORDER_CARRIED_OUT
-   verdict = (verdict == Out_Of_Date -> Carry_Out : verdict);
+   L.Verdict = (L.Verdict == Out_Of_Date -> Carry_Out : L.Verdict);
 #endif
 #ifdef MUTANT_OVERTAKEN_CARRIED_OUT
-   verdict = (verdict == Overtaken -> Carry_Out : verdict);
+   L.Verdict = (L.Verdict == Overtaken -> Carry_Out : L.Verdict)
 #endif
-   L.Pending [who] = false;
-   L.Number [who] = 0;
-   L.Rank [who] = 0;
-   L.After [who] = 0;
-   L.Kind [who] = 0;
-   found = true
 }
 
-#define May(c)  (L.Pending [c] && In_Turn (c))
-
-inline Choose_Of_The_Rest () {
-   best = CLIENTS;
-   k = Robot_Clients_Open;
-   do
-   :: k <= Robot_Clients_Query ->
-      if
-      :: May (k) &&
-         (best == CLIENTS || L.Number [k] < L.Number [best]) ->
-         best = k
-      :: else
-      fi;
-      k++
-   :: else -> break
-   od;
-   k = 0;
+inline Take_Line (who) {
+   Choose ();
    if
-   :: best < CLIENTS -> Choose (best)
-   :: best == CLIENTS && L.Pending [Robot_Clients_Keep_Alive] ->
-      Choose (Robot_Clients_Keep_Alive)
+   :: to == who ->
+      /* never two */
+      assert (L.Has == NOBODY);
+      L.Has = who;
+      L.From = best;
+      L.After_Stop = (best == Of_Stop);
+      found = true;
+      if
+      :: best == Of_End -> L.Ends = false; L.Kind = Close_Line
+      :: best == Of_Stop -> Stops ? L.Number; L.Kind = Stop
+      :: best == Of_Movement -> Moves ? L.Number, _; L.Kind = Drive
+      :: best == Of_Order -> Others ? L.Number, L.Kind
+#ifdef MISSION
+      :: best == Of_Mission ->
+         L.Asks = false; L.Number = L.Last_Mission; L.Kind = L.Asked
+#else
+      :: best == Of_Reload -> L.Kind = Reload
+      :: best == Of_Battery -> L.Kind = Query
+      :: best == Of_Ping -> L.Kind = Keep_Alive
+#endif
+      fi;
+      Set_Verdict ()
    :: else
    fi;
+   to = NOBODY;
    best = 0
 }
 
-/* A stop behind a stop changes nothing: a reload that waits goes between */
-#if defined (MUTANT_STOPS_STARVE_RELOAD) || defined (MUTANT_RELOAD_LAST)
-#define Reload_First  false
-#else
-#define Reload_First  (after_stop && L.Pending [Robot_Clients_Reload])
-#endif
-
-inline Take_Job () {
-   found = false;
+/* The task that is to be woken. A task that is woken, and whose turn it is no
+   more, waits again */
+inline Wake () {
    if
-   :: L.Pending [Robot_Clients_Safe_State] ->
-      Choose (Robot_Clients_Safe_State)
-   :: else ->
-      if
-      :: len (Stops) > 0 && !Reload_First ->
-         Stops ? number;
-         from = Stop_Order;
-         kind = Stop;
-         verdict = Carry_Out;
-         found = true
-#ifndef MUTANT_RELOAD_LAST
-      :: (len (Stops) == 0 && L.Pending [Robot_Clients_Reload]) ||
-         Reload_First ->
-         Choose (Robot_Clients_Reload)
-      :: len (Stops) == 0 && !L.Pending [Robot_Clients_Reload] &&
-         May (Robot_Clients_Move) ->
-         Choose (Robot_Clients_Move)
-#ifdef MISSION
-      :: len (Stops) == 0 && !L.Pending [Robot_Clients_Reload] &&
-         !May (Robot_Clients_Move) && May (Robot_Clients_Mission) &&
-         (!Quiet || L.Kind [Robot_Clients_Mission] == Stop) ->
-         Choose (Robot_Clients_Mission)
-#endif
-#else
-      :: len (Stops) == 0 && May (Robot_Clients_Move) ->
-         Choose (Robot_Clients_Move)
-      :: len (Stops) == 0 && !May (Robot_Clients_Move) &&
-         !May (Robot_Clients_Reset) && !May (Robot_Clients_Start_Watchdog) &&
-         L.Pending [Robot_Clients_Reload] ->
-         Choose (Robot_Clients_Reload)
-#endif
-      :: else ->
-         if
-         :: Quiet
-         :: !Quiet && L.Pending [Robot_Clients_Battery] ->
-            Choose (Robot_Clients_Battery)
-         :: !Quiet && !L.Pending [Robot_Clients_Battery] ->
-            Choose_Of_The_Rest ()
-         fi
-      fi
-   fi;
-   if
-   :: found -> after_stop = (from == Stop_Order)
+   :: to != NOBODY -> Set_Event (Robot_Turns_Granted [to]); to = NOBODY
    :: else
    fi
 }
 
-/* More waits that is in turn: the owner wakes itself, for it waits for its
-   event before it takes. Nobody else looks at that event, so to set it is no
-   step of its own. */
-inline Wake_For_More () {
-   more = len (Stops) > 0;
-   k = 0;
-   do
-   :: k < CLIENTS -> more = more || May (k); k++
-   :: else -> break
-   od;
-   k = 0;
+/* Robot.Service.Serve up to the robot's answer. Take and carry out: nobody else
+   sees what happens on the line meanwhile, and what arrives meanwhile might
+   have come before */
+inline Take_Up (who) {
+   /*: Line.Line.Take */
+   d_step { Take_Line (who) }
    if
-   :: more -> Set_Event (Robot_Line_Work)
-   :: else
-   fi;
-   more = false
+   :: !found -> goto not_mine
+   :: found && L.Verdict == Carry_Out -> found = false; Carry_Out_Request ()
+   :: found && L.Verdict != Carry_Out -> found = false; L.Result = Refused
+   fi
 }
 
-/* What has come of it, Collect, is data */
-inline Finish_Job () {
-   /*: Line.Line.Finish */
-   L.Open = State_Open;
-   L.Mode = State_Mode;
-   if
-   :: (kind == Start || kind == Start_Watchdog) &&
-      verdict == Carry_Out && result == Done ->
-      L.New_Epoch [Robot_Clients_Reload] = true;
-      L.New_Epoch [Robot_Clients_Battery] = true;
-      L.New_Epoch [Robot_Clients_Keep_Alive] = true;
-      L.Reload_Due = Far;
-      Reloaded = false;
-      started = true
-   :: else
-   fi;
-   if
-   :: number >= L.Session && rank > 0 ->
-#ifdef MUTANT_OVERTAKEN_NOT_COMPLETED
-      if :: verdict == Carry_Out -> L.Completed++ :: else fi;
-#else
-      L.Completed++;
-#endif
-      if
-      :: Changes_Session (kind) -> L.Changed = rank
-      :: else
-      fi
-   :: else
-   fi;
-#ifndef MUTANT_MORE_REQUESTS_FORGOTTEN
-   Wake_For_More ();
-#endif
+inline Finish_Line (who) {
+   assert (L.Has == who);
+   L.Open = L.Is_Open;
+   L.Mode = L.Runs;
 #ifdef MISSION
    Carried_Out ();
 #endif
    /* where the robot has not been started, it has been stopped */
-   assert (State_Mode != Not_Started || !Stop_Owed)
+   assert (L.Runs != Not_Started || !Stop_Owed);
+   L.Ping_Due = false;
+   if
+   :: (L.Kind == Start || L.Kind == Start_Watchdog) &&
+      L.Verdict == Carry_Out && L.Result == Done ->
+#ifndef MUTANT_RELOAD_OF_OLD_RUN
+      L.Reload_Due = Far;
+#endif
+      L.Battery_Due = false;
+      Is_Due = false;
+      started = true
+   :: L.From == Of_Reload -> L.Reload_Due = Far
+   :: L.From == Of_Battery -> L.Battery_Due = false
+   :: else
+   fi;
+   number = (L.From == Of_Mission -> 0 : L.Number);
+   L.From = 0; L.Kind = 0; L.Number = 0;
+   L.Verdict = Carry_Out; L.Result = Done;
+#ifndef MUTANT_LINE_KEPT
+   L.Has = NOBODY;
+#endif
+   Choose ();
+   best = 0;
+#ifdef MUTANT_NEXT_NOT_WOKEN
+   to = NOBODY
+#endif
 }
 
-active proctype Th_Line ()
-{
-#if defined (BEGINS_STARTED)
-   bool State_Open = true;
-   mtype:mode State_Mode = Started;
-#elif !defined (MISSION)
-   bool State_Open;
-   mtype:mode State_Mode = Not_Started;
+/* What a task says of its request. After a start the periodic tasks look */
+inline Tell_Of_Start () {
+#ifndef MUTANT_BATTERY_NOT_BEGUN
+   Set_Event (Robot_Turns_Granted [Robot_Users_Battery]);
 #endif
-   bool found, blind, after_stop, started, more;
-   byte Failures, from, number, rank, best;
-   mtype:request kind;
-   mtype:verdict verdict = Carry_Out;
-   mtype:outcome result = Done;
-   mtype:reply reply = Accepted;
-   Whole_Line
-wait:
-   atomic {
-      Wait_For_Work (Robot_Line_Work);
-      /* take and carry out: nobody else sees what happens on the line
-         meanwhile, and what arrives meanwhile might have come before. A
-         wake-up that finds nothing that may go waits again */
-      /*: Line.Line.Take */
-      d_step { Take_Job () }
-      if
-      :: !found -> goto wait
-      :: found && verdict == Carry_Out -> Carry_Out_Request ()
-      :: found && verdict != Carry_Out -> result = Refused
-      fi;
-      found = false
-#ifndef MISSION
-   };
+   Set_Event (Robot_Turns_Granted [Robot_Users_Open_Com])
+}
+inline Tell_Level () {
+   if
+   :: /*: Monitor.Outbox.Put in outbox */ skip
+   :: skip
+   fi
+}
+inline Tell_Of () {
+   if
+   :: /*: Monitor.Outbox.Put in outbox */ skip
+   :: /*: Monitor.Outbox.Put in outbox, Monitor.Outbox.Put in outbox */ skip
+   :: skip
+   fi
+}
+
+/* The rest of it */
+inline Give_Back (who) {
 #ifdef EVENTS_AT_ONCE
    atomic {
 #endif
-#else
-      ;
-#endif
-#ifdef EVENTS_AT_ONCE
-      d_step { Finish_Job () }
-      if
-      :: !started -> goto tell
-      :: else
-      fi
-   };
-#else
-   d_step { Finish_Job () }
-#endif
+   /*: Line.Line.Finish */
+   d_step { Finish_Line (who) }
+   Wake ();
    if
    :: started -> started = false; Tell_Of_Start ()
    :: else
    fi;
-tell:
-#ifndef EVENTS_AT_ONCE
    if
-   :: number > 0 -> Monitor_Outbox_Answer (number)
-   :: else
+   :: number > 0 -> Monitor_Outbox_Answer (number); number = 0
+   :: else -> Tell_Level ()
    fi;
+   Tell_Of ()
+#ifdef EVENTS_AT_ONCE
+   }
 #endif
+}
+
+#define USER        byte number, to = NOBODY; bool found, started
+#define TIMED_USER  USER, was_set, timed
+
+/* What each of these tasks does, at its label wait: without the clock, and with
+   it. The time comes where due is true; there is one where has_time is */
+inline Serve (who) {
    atomic {
-#ifdef MISSION
+      Wait_For_Work (Robot_Turns_Granted [who]);
+      Take_Up (who)
+   };
+   Give_Back (who);
+not_mine:
+   goto wait
+}
+
+inline Serve_Or_Look (who, due, has_time) {
+   atomic {
+      Wait_Until_Due (Robot_Turns_Granted [who], timed && due);
       if
-      :: number > 0 && from != Robot_Clients_Mission ->
-         Monitor_Outbox_Answer (number)
-      :: else
-      fi;
+      :: was_set -> was_set = false; Take_Up (who)
+      :: else -> goto not_mine
+      fi
+   };
+   Give_Back (who);
+not_mine:
+   atomic {
+      /*: Line.Line.Look */
+      d_step {
+         Choose ();
+         best = 0;
+#ifndef MUTANT_RELOAD_NOT_LOOKED_AT
+         timed = has_time
 #endif
-      if
-      :: from == Stop_Order
-#ifdef MUTANT_FINISHED_NOT_TOLD
-      :: from == Robot_Clients_Reload
-#endif
-#ifdef MUTANT_ORDER_TASK_NOT_TOLD
-      :: number > 0
-#endif
-      :: else -> Set_Event (Robot_Line_Clients_Finished [from])
-      fi;
-      Tell_Of ();
-      from = 0; kind = 0; number = 0; rank = 0;
-      verdict = Carry_Out; result = Done;
+      }
+      Wake ();
       goto wait
    }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
    A mission beside the hand: the one place of the missions, th_mission as a
-   client of the robot's line, orders of the hand, the loss of robot and
+   user of the robot's line, orders of the hand, the loss of robot and
    camera, the end of the session and the next one. */
 
 #include "common.pml"
@@ -59,87 +59,33 @@ inline Monitor_Outbox_Answer (its_number) {
 #define MISSION
 
 #define EVENTS_AT_ONCE         /* as separate steps: see orders.pml */
-inline Tell_Of_Start () { skip }
-inline Tell_Of () { skip }
-#define Whole_Line
 #include "line.pml"
 
 /* Checked in parts: orders of the hand are stops and movements; with
    -DCHANGES, stops and what changes the robot's session; with -DASKS movements
    and questions, which are no orders of the hand */
 
-#define Task_Ports_Open_Robot  0   /* instance */
-#define Task_Ports_Move        1   /* instance */
-#define Task_Ports_Query       2   /* instance */
-
-typedef Order_Ports_Port_Type {
-   chan Items = [CAPACITY] of { byte, mtype:request, byte, byte }
-};
-Order_Ports_Port_Type Order_Ports_Port [3];
-EVENTS (Order_Ports_Arrived, 3);
-
-#define Port(p)  Order_Ports_Port [p].Items
-
-inline Take (p) {
-   /*: Port.Take [p] */
-   if
-   :: len (Port (p)) > 0 -> Port (p) ? number, kind, rank, after
-   :: else -> goto wait
-   fi;
-   if
-   :: len (Port (p)) > 0 -> Set_Event (Order_Ports_Arrived [p])
-   :: else
-   fi
-}
-
-/* As in orders.pml */
-inline Serve (p, client) {
-   atomic {
-      Wait_For_Work (Order_Ports_Arrived [p]);
-      Take (p)
-   };
-   atomic {
-      Put (client, kind, number, rank, after);
-      Wait (client);
-      number = 0; kind = 0; rank = 0; after = 0;
-      goto wait
-   }
-}
-
-#define ORDER  byte number, rank, after; mtype:request kind
-
-#ifdef CHANGES
+#if defined (CHANGES) || defined (ASKS)
 active proctype Th_Open_Com_Robot ()
 {
-   ORDER;
+   TIMED_USER;
 wait:
-   Serve (Task_Ports_Open_Robot, Robot_Clients_Open)
+   Serve_Or_Look (Robot_Users_Open_Com, false, false)
 }
 
-#else
+#endif
 active proctype Th_Move ()
 {
-   ORDER;
+   USER;
 wait:
-   Serve (Task_Ports_Move, Robot_Clients_Move)
+   Serve (Robot_Users_Move)
 }
 
-#endif
-#ifdef ASKS
-active proctype Th_Query ()
-{
-   ORDER;
-wait:
-   Serve (Task_Ports_Query, Robot_Clients_Query)
-}
-
-#endif
 /* Missions.Requests: the one place of a mission, that waits or is under way */
 
 typedef Missions_Requests_Place_Type {
    byte Mission;         /* that waits or is under way, 0: none */
-   bool Waits;           /* th_mission has not taken it */
-   byte After            /* all orders up to this rank go before it */
+   bool Waits            /* th_mission has not taken it */
 };
 PROTECTED (Missions_Requests_Place);
 EVENT (Missions_Requests_Arrived);
@@ -178,19 +124,21 @@ end_wait:
 /* By hand, or the session is over: it sends no more */
 #define Overridden(m)  (m < L.Last_Hand || m < L.Session)
 
-/* Robot.Clients.Mission.Ask_For_Mission. Whether the request waits too long is
-   free */
+/* Whether the request waits too long is free */
 inline Ask (what) {
-   /*: Line.Line.Put_For_Mission */
-   Put_It (Robot_Clients_Mission, what, number, 0, MR.After);
-   L.Last_Mission = number;
+   /*: Line.Line.Ask */
    if
    :: L.Too_Old = true
    :: L.Too_Old = false
    fi;
-   Wait (Robot_Clients_Mission);
-   /*: Line.Line.Collect */
-   skip
+   d_step {
+      L.Asks = true;
+      L.Asked = what;
+      L.Last_Mission = mission;
+      Choose ();
+      best = 0
+   }
+   Wake ()
 }
 
 #if defined (MUTANT_END_TO_NEXT_SESSION)
@@ -203,26 +151,26 @@ inline Ask (what) {
 
 inline Release () {
    /*: Place.Release */
-   MR.Mission = 0;
-   MR.After = 0
+   MR.Mission = 0
 }
 
 /* There is room for the next before the monitor is told */
 inline Refuse () {
 #ifdef MUTANT_REFUSED_BEFORE_RELEASE
-   Monitor_Outbox_Answer (number);
+   Monitor_Outbox_Answer (mission);
    Release ()
 #else
    Release ();
-   Monitor_Outbox_Answer (number)
+   Monitor_Outbox_Answer (mission)
 #endif
 }
 
 active proctype Th_Mission ()
 {
-   byte number, left;
+   byte mission, left;
    bool ended;
    mtype:request what;
+   USER;
    /*: whole */
 wait:
    atomic {
@@ -230,14 +178,14 @@ wait:
       /*: Place.Take */
       if
       :: !MR.Waits -> goto wait
-      :: else -> MR.Waits = false; number = MR.Mission
+      :: else -> MR.Waits = false; mission = MR.Mission
       fi;
       /*: Box.Get, Line.Line.Get_Rights */
       if
 #ifdef MUTANT_UNTOLD_END_IGNORED
-      :: number < L.Session -> goto refuse
+      :: mission < L.Session -> goto refuse
 #else
-      :: End_Waits != 0 || number < L.Session -> goto refuse
+      :: End_Waits != 0 || mission < L.Session -> goto refuse
 #endif
       :: else
       fi
@@ -254,12 +202,12 @@ wait:
    };
    atomic {
       if
-      :: number >= First ->
+      :: mission >= First ->
          assert (Ends_Owed == 0);
-         Ends_Owed = number
+         Ends_Owed = mission
       :: else
       fi;
-      Monitor_Outbox_Answer (number);
+      Monitor_Outbox_Answer (mission);
       /*: Sightings.Store.Watch */
       Vision_Sightings_Store.Watched = true;
       left = STEPS
@@ -270,18 +218,18 @@ look:
        Line.Line.Get_Rights */
    atomic {
       if
-      :: !ended && Overridden (number) -> goto leave
+      :: !ended && Overridden (mission) -> goto leave
       :: ended -> goto leave
       :: ended && left > 0 -> left--              /* the stop once more */
-      :: !ended && !Overridden (number) ->
+      :: !ended && !Overridden (mission) ->
          ended = true; what = Stop; left = STOP_TRIES - 1
 #ifdef MUTANT_END_WITHOUT_STOP
-      :: !ended && !Overridden (number) -> goto leave
+      :: !ended && !Overridden (mission) -> goto leave
 #endif
-      :: !ended && !Overridden (number) && Is_Started && left > 0 ->
+      :: !ended && !Overridden (mission) && Is_Started && left > 0 ->
          what = Drive; left--
 #ifdef IMAGES
-      :: !ended && !Overridden (number) && Is_Started && left > 0 ->
+      :: !ended && !Overridden (mission) && Is_Started && left > 0 ->
          what = 0; left--
 #endif
       fi
@@ -293,15 +241,23 @@ look:
       fi;
       if
       :: what != 0 -> Ask (what)
-      :: else
-      fi;
-      Wait_Until (Vision_Sightings_Searched);
-      goto look
+      :: else -> goto next
+      fi
    };
+turn:
+   atomic {
+      Wait_Event (Robot_Turns_Granted [Robot_Users_Mission]);
+      Take_Up (Robot_Users_Mission)
+   };
+   Give_Back (Robot_Users_Mission);
+not_mine:
+   if :: L.Asks -> goto turn :: else fi;
+next:
+   atomic { Wait_Until (Vision_Sightings_Searched); goto look };
 leave:
    atomic {
       /* the last thing that it sent was a stop */
-      assert (!Drives || Overridden (number));
+      assert (!Drives || Overridden (mission));
       /*: Sightings.Store.Watch */
       Vision_Sightings_Store.Watched = false;
       ended = false; left = 0; what = 0;
@@ -312,26 +268,26 @@ leave:
    /*: Monitor.Outbox.Put in outbox */
    atomic {
       if
-      :: Goes_Out (number) ->
+      :: Goes_Out (mission) ->
          assert (End_Waits == 0);
-         End_Waits = number
+         End_Waits = mission
       :: else
       fi;
 #ifndef MUTANT_RELEASED_AFTER_END
-      number = 0;
+      mission = 0;
       goto wait
 #endif
    };
 #ifdef MUTANT_RELEASED_AFTER_END
-   atomic { Release (); number = 0; goto wait };
+   atomic { Release (); mission = 0; goto wait };
 #endif
 refuse:
    Refuse ();
-   atomic { number = 0; goto wait };
+   atomic { mission = 0; goto wait };
 deny:
    Refuse ();
    atomic {
-      number = 0;
+      mission = 0;
       /*: Monitor.Outbox.Put in outbox */
       goto wait
    }
@@ -353,14 +309,6 @@ end_wait:
    od
 }
 
-inline Clear (p) {
-   /*: Port.Clear [p] */
-   do
-   :: Port (p) ? _, _, _, _
-   :: len (Port (p)) == 0 -> break
-   od
-}
-
 bool Free = true;         /* the session: see session.pml */
 EVENT (Monitor_Session_Receive_Begins);
 EVENT (Monitor_Session_Receive_Ended);
@@ -371,21 +319,12 @@ mtype:command = { Mission_Asked, Stop_Asked, Act_Asked, Other_Asked };
 /* What an order of the hand asks for, and a robot order that is none: a line
    that is open stays so when it is opened */
 #ifdef CHANGES
-#define ACT    kind = Close_Line; port = Task_Ports_Open_Robot
-#define OTHER  kind = Open_Line; port = Task_Ports_Open_Robot
+#define ACT    Close_Line
+#define OTHER  Open_Line
 #else
-#define ACT    kind = Drive; port = Task_Ports_Move
-#define OTHER  kind = Query; port = Task_Ports_Query
+#define ACT    Drive
+#define OTHER  Query
 #endif
-
-inline Note_Hand () {
-   /*: Line.Line.Note_Hand */
-#ifndef MUTANT_HAND_NOT_NOTED
-   L.Last_Hand = number
-#else
-   skip
-#endif
-}
 
 /* With the mutant, whatever the order is */
 #ifdef MUTANT_OPENING_IS_BY_HAND
@@ -396,9 +335,8 @@ inline Note_Hand () {
 
 active proctype Th_Receive_From_Mon ()
 {
-   byte number, rank, after, sent, port;
+   byte number, sent, to = NOBODY;
    mtype:command command;
-   mtype:request kind;
    do
    :: Wait_For_Work (Monitor_Session_Receive_Begins);
 end_receive:
@@ -413,12 +351,12 @@ end_receive:
             Waiting++;
             if
             :: command = Mission_Asked
-            :: command = Act_Asked; ACT
+            :: command = Act_Asked
 #ifndef ASKS
             :: command = Stop_Asked
 #endif
 #if defined (ASKS) || defined (CHANGES)
-            :: command = Other_Asked; OTHER
+            :: command = Other_Asked
 #endif
             fi
          };
@@ -435,52 +373,44 @@ end_receive:
                   goto handled
                :: else ->
                   MR.Mission = number;
-                  MR.Waits = true;
-                  MR.After = rank
+                  MR.Waits = true
                fi
             };
-            atomic {
 #ifndef MUTANT_REQUEST_WITHOUT_EVENT
-               Set_Event (Missions_Requests_Arrived);
-#endif
-               goto handled
-            }
-         :: atomic {
-               command != Mission_Asked && !By_Hand -> goto pass_on
-            }
-#ifdef MUTANT_HAND_NOTED_LATE
-         :: By_Hand
+            Set_Event (Missions_Requests_Arrived)
 #else
-         :: atomic { By_Hand -> Note_Hand () }
+            skip
 #endif
+         :: atomic {
+               command != Mission_Asked ->
+               /*: Line.Line.Put */
+               d_step {
+                  if
+                  :: command == Stop_Asked ->
+                     Stops ! number; L.Last_Stop = number
+                  :: command == Act_Asked && ACT == Drive ->
+                     Moves ! number, L.Last_Change
+                  :: else ->
+                     Others ! number,
+                        (command == Act_Asked -> ACT : OTHER);
+                     if
+                     :: Changes_Session (OTHER) -> L.Last_Change = number
+                     :: else
+                     fi
+                  fi;
+#ifndef MUTANT_HAND_NOT_NOTED
+                  L.Last_Hand = (By_Hand -> number : L.Last_Hand);
+#endif
+                  Hand = (By_Hand -> number : Hand);
+                  Choose ();
+                  best = 0
+               }
+               Wake ()
+            }
          fi;
-pass_on: atomic {
-            if
-            :: command == Stop_Asked -> Put_Stop (number)
-            :: else ->
-               /*: Port.Put [port] */
-               rank++;
-               Port (port) ! number, kind, rank, after;
-               if
-               :: Changes_Session (kind) -> after = rank
-               :: else
-               fi;
-               Set_Event (Order_Ports_Arrived [port])
-            fi;
-            Hand = (By_Hand -> number : Hand)
-#ifdef MUTANT_HAND_NOTED_LATE
-         };
-         atomic {
-            if
-            :: By_Hand -> Note_Hand ()
-            :: else
-            fi
-#endif
-            ;
-handled:    number = 0; command = 0; kind = 0; port = 0
-         }
+handled: atomic { number = 0; command = 0 }
       od;
-      atomic { rank = 0; after = 0; sent = 0 };
+      sent = 0;
       Set_Event (Monitor_Session_Receive_Ended)
    od
 }
@@ -490,17 +420,11 @@ active proctype Th_Server ()
    byte session;
    (Is_Awaited (Monitor_Session_Watch_Begins)
     && Is_Awaited (Monitor_Session_Receive_Begins)
-    && Is_Awaited (Robot_Line_Work)
     && Is_Awaited (Missions_Requests_Arrived)
-#ifdef CHANGES
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Open_Robot])
-#else
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Move])
+#if defined (CHANGES) || defined (ASKS)
+    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Open_Com])
 #endif
-#ifdef ASKS
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Query])
-#endif
-   );
+    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Move]));
 end_server:
    do
    :: session >= 1 + (LATER > 0) -> break
@@ -513,8 +437,8 @@ end_server:
          session++;
          Monitor_Outbox_Open = true;
          /* as if opened and started before */
-         State_Open = true;
-         State_Mode = Started;
+         L.Is_Open = true;
+         L.Runs = Started;
          L.Open = true;
          L.Mode = Started;
          Nobody = false
@@ -529,6 +453,7 @@ end_server:
 
 active proctype Th_Com_Mon_Perdue ()
 {
+   USER;
    do
    :: Wait_For_Work (Monitor_Session_Watch_Begins);
       /* Wait_Loss: at any time, or never: then all is answered and told */
@@ -558,24 +483,23 @@ end_stays:
       d_step {
          L.Session = First;
          do :: Stops ? _ :: len (Stops) == 0 -> break od;
+         do :: Moves ? _, _ :: len (Moves) == 0 -> break od;
+         do :: Others ? _, _ :: len (Others) == 0 -> break od;
          L.Last_Stop = 0;
          L.Last_Hand = 0;
-         L.Last_Mission = 0;        /* older than all that come now */
-         L.Completed = 0;
-         L.Changed = 0
+         L.Last_Change = 0
       }
-      Set_Event (Robot_Line_Work);
-      Put (Robot_Clients_Safe_State, Close_Line, 0, 0, 0);
-      atomic { Wait (Robot_Clients_Safe_State) };
-      /*: Line.Line.Collect */
+      /*: Line.Line.Ask */
+      d_step { L.Ends = true; Choose (); best = 0 }
+      Wake ();
+turn: atomic {
+         Wait_Event (Robot_Turns_Granted [Robot_Users_Monitor_Lost]);
+         Take_Up (Robot_Users_Monitor_Lost)
+      };
+      Give_Back (Robot_Users_Monitor_Lost);
+not_mine: if :: L.Ends -> goto turn :: else fi;
       Nobody = true;
       Wait_Event (Monitor_Session_Receive_Ended);
-      /* nobody puts an order meanwhile: one step */
-      atomic {
-         Clear (Task_Ports_Open_Robot);
-         Clear (Task_Ports_Move);
-         Clear (Task_Ports_Query)
-      };
       assert (!Stop_Owed);
       Free = true
    od

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later
-   The monitor's orders to the robot: from their ports to the line and back
-   to their answers, over the end of a session into the next. */
+   The monitor's orders to the robot: to the line and back to their answers,
+   over the end of a session into the next. */
 
 #include "common.pml"
 
@@ -42,120 +42,46 @@ inline Monitor_Outbox_Answer (its_number) {
 #if SESSIONS > 1
 #define BEGINS_STARTED         /* as if opened and started before */
 #endif
-inline Tell_Of_Start () {
-   /*: Robot.Events.Started in periodic */
-   skip
-}
-inline Tell_Of () {
-   if
-   :: /*: Monitor.Outbox.Put in outbox */ skip
-   :: /*: Monitor.Outbox.Put in outbox, Monitor.Outbox.Put in outbox */ skip
-   :: skip
-   fi
-}
-#define Whole_Line  /*: whole */
 #include "line.pml"
-
-/* Task_Ports */
-#define PORTS                            8
-#define Task_Ports_Open_Robot            0   /* instance */
-#define Task_Ports_Start_Robot           1   /* instance */
-#define Task_Ports_Start_Robot_Watchdog  2   /* instance */
-#define Task_Ports_Reset_Robot           3   /* instance */
-#define Task_Ports_Move                  4   /* instance */
-#define Task_Ports_Query                 5   /* instance */
-
-typedef Order_Ports_Port_Type {
-   chan Items = [CAPACITY] of { byte, mtype:request, byte, byte }
-};
-Order_Ports_Port_Type Order_Ports_Port [6];
-EVENTS (Order_Ports_Arrived, 6);
-
-#define Port(p)  Order_Ports_Port [p].Items
-
-/* More waits: the task wakes itself, for it waits for its event before it
-   takes. Nobody else looks at that event, so to set it is no step of its
-   own. */
-inline Take (p) {
-   /*: Port.Take [p] */
-   if
-   :: len (Port (p)) > 0 -> Port (p) ? number, kind, rank, after
-   :: else -> goto wait
-   fi;
-#ifndef MUTANT_MORE_ORDERS_FORGOTTEN
-   if
-   :: len (Port (p)) > 0 -> Set_Event (Order_Ports_Arrived [p])
-   :: else
-   fi
-#endif
-}
-
-/* What each of these tasks does: Order_Ports.Wait and Robot.Line.Clients.Ask. The
-   owner of the line answers. */
-inline Serve (p, client) {
-   /*: whole */
-   atomic {
-      Wait_For_Work (Order_Ports_Arrived [p]);
-      Take (p)
-   };
-   Put (client, kind, number, rank, after);
-   atomic {
-      Wait (client);
-      number = 0; kind = 0; rank = 0; after = 0;
-      goto wait
-   }
-}
-
-#define ORDER  byte number, rank, after; mtype:request kind
 
 active proctype Th_Open_Com_Robot ()
 {
-   ORDER;
+   TIMED_USER;
+   /*: whole */
 wait:
-   Serve (Task_Ports_Open_Robot, Robot_Clients_Open)
+   Serve_Or_Look (Robot_Users_Open_Com, false, false)
 }
 
 active proctype Th_Start_Robot ()
 {
-   ORDER;
+   USER;
+   /*: whole */
 wait:
-   Serve (Task_Ports_Start_Robot, Robot_Clients_Start)
+   Serve (Robot_Users_Start)
 }
 
 active proctype Th_Start_Robot_WD ()
 {
-   ORDER;
+   TIMED_USER;
+   /*: whole */
 wait:
-   Serve (Task_Ports_Start_Robot_Watchdog, Robot_Clients_Start_Watchdog)
+   Serve_Or_Look (Robot_Users_Start_WD, false, false)
 }
 
 active proctype Th_Reset_Robot ()
 {
-   ORDER;
+   USER;
+   /*: whole */
 wait:
-   Serve (Task_Ports_Reset_Robot, Robot_Clients_Reset)
+   Serve (Robot_Users_Reset)
 }
 
 active proctype Th_Move ()
 {
-   ORDER;
+   USER;
+   /*: whole */
 wait:
-   Serve (Task_Ports_Move, Robot_Clients_Move)
-}
-
-active proctype Th_Query ()
-{
-   ORDER;
-wait:
-   Serve (Task_Ports_Query, Robot_Clients_Query)
-}
-
-inline Clear (p) {
-   /*: Port.Clear [p] */
-   do
-   :: Port (p) ? _, _, _, _
-   :: len (Port (p)) == 0 -> break
-   od
+   Serve (Robot_Users_Move)
 }
 
 bool Free = true;         /* the session: see session.pml */
@@ -165,7 +91,7 @@ EVENT (Monitor_Session_Watch_Begins);
 
 active proctype Th_Receive_From_Mon ()
 {
-   byte number, rank, after, sent, port;
+   byte number, sent, to = NOBODY;
    mtype:request kind;
    do
    :: Wait_For_Work (Monitor_Session_Receive_Begins);
@@ -179,43 +105,43 @@ active proctype Th_Receive_From_Mon ()
             Unanswered [number] = true;
             Waiting++;
             if
-            :: kind = Open_Line;      port = Task_Ports_Open_Robot
-            :: kind = Drive;          port = Task_Ports_Move
+            :: kind = Open_Line
+            :: kind = Drive
             :: kind = Stop
 #if COMMANDS == 1
-            :: kind = Close_Line;     port = Task_Ports_Open_Robot
-            :: kind = Start_Watchdog; port = Task_Ports_Start_Robot_Watchdog
+            :: kind = Close_Line
+            :: kind = Start_Watchdog
 #endif
 #if SESSIONS == 1 || COMMANDS == 1
-            :: kind = Start;          port = Task_Ports_Start_Robot
-            :: kind = Reset;          port = Task_Ports_Reset_Robot
-            :: kind = Query;          port = Task_Ports_Query
+            :: kind = Start
+            :: kind = Reset
+            :: kind = Query
 #endif
-            fi;
-            if
-            :: kind != Stop -> rank++
-            :: else
             fi
          };
-         if
-         :: kind == Stop -> Put_Stop (number)
-         :: else ->
-            /*: Port.Put [port] */
-            atomic {
-               assert (len (Port (port)) < CAPACITY);
-               Port (port) ! number, kind, rank, after;
-               if
-               :: Changes_Session (kind) -> after = rank
-               :: else
-               fi
-            };
-#ifndef MUTANT_ORDER_WITHOUT_EVENT
-            Set_Event (Order_Ports_Arrived [port])
+#ifdef MUTANT_EVENT_BEFORE_PUT
+         Set_Event (Robot_Turns_Granted [Robot_Users_Move]);
 #endif
-         fi;
-         d_step { number = 0; kind = 0; port = 0 }
+         /*: Line.Line.Put */
+         d_step {
+            if
+            :: kind == Stop -> Stops ! number; L.Last_Stop = number
+            :: kind == Drive -> Moves ! number, L.Last_Change
+            :: else ->
+               Others ! number, kind;
+               L.Last_Change =
+                  (Changes_Session (kind) -> number : L.Last_Change)
+            fi;
+            Choose ();
+            best = 0;
+#if defined (MUTANT_ORDER_WITHOUT_EVENT) || defined (MUTANT_EVENT_BEFORE_PUT)
+            to = NOBODY;
+#endif
+            number = 0; kind = 0
+         }
+         Wake ()
       od;
-      atomic { rank = 0; after = 0; sent = 0 };
+      sent = 0;
       Set_Event (Monitor_Session_Receive_Ended)
    od
 }
@@ -228,13 +154,11 @@ active proctype Th_Server ()
    byte session;
    (Is_Awaited (Monitor_Session_Watch_Begins)
     && Is_Awaited (Monitor_Session_Receive_Begins)
-    && Is_Awaited (Robot_Line_Work)
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Open_Robot])
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Start_Robot])
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Start_Robot_Watchdog])
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Reset_Robot])
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Move])
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Query]));
+    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Open_Com])
+    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Start])
+    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Start_WD])
+    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Reset])
+    && Is_Awaited (Robot_Turns_Granted [Robot_Users_Move]));
    do
    :: session < SESSIONS ->
       /* Begin_Active, Admit: see session.pml */
@@ -258,6 +182,7 @@ active proctype Th_Server ()
 
 active proctype Th_Com_Mon_Perdue ()
 {
+   USER;
    do
    :: Wait_For_Work (Monitor_Session_Watch_Begins);
       /* Wait_Loss: at any time, or when all has been answered */
@@ -285,29 +210,25 @@ active proctype Th_Com_Mon_Perdue ()
       d_step {
          L.Session = First;
          do :: Stops ? _ :: len (Stops) == 0 -> break od;
+         do :: Moves ? _, _ :: len (Moves) == 0 -> break od;
+         do :: Others ? _, _ :: len (Others) == 0 -> break od;
          L.Last_Stop = 0;
-         L.Completed = 0;
-         L.Changed = 0
+         L.Last_Change = 0
       }
-      Set_Event (Robot_Line_Work);
 #endif
 #ifndef MUTANT_NO_SAFE_STATE
-      Put (Robot_Clients_Safe_State, Close_Line, 0, 0, 0);
-      atomic { Wait (Robot_Clients_Safe_State) };
-      /*: Line.Line.Collect */
+      /*: Line.Line.Ask */
+      d_step { L.Ends = true; Choose (); best = 0 }
+      Wake ();
+turn: atomic {
+         Wait_Event (Robot_Turns_Granted [Robot_Users_Monitor_Lost]);
+         Take_Up (Robot_Users_Monitor_Lost)
+      };
+      Give_Back (Robot_Users_Monitor_Lost);
+not_mine: if :: L.Ends -> goto turn :: else fi;
 #endif
       Nobody = true;
       Wait_Event (Monitor_Session_Receive_Ended);
-      /* nobody puts an order meanwhile: one step */
-      atomic {
-         /*: Queue.Queue.Clear in vision */
-         Clear (Task_Ports_Open_Robot);
-         Clear (Task_Ports_Start_Robot);
-         Clear (Task_Ports_Start_Robot_Watchdog);
-         Clear (Task_Ports_Reset_Robot);
-         Clear (Task_Ports_Move);
-         Clear (Task_Ports_Query)
-      };
       assert (!Stop_Owed);
       Free = true
    od

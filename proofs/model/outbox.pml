@@ -216,22 +216,8 @@ reserved:
                Dispatched ! number;
                if
                :: Ask_For_Mission ()
-               :: /*: Queue.Queue.Put in vision */
-                  if
-                  :: /*: Port.Put [port] in vision,
-                         Set_Event (Order_Ports.Arrived [port]) in vision */ skip
-                  :: skip
-                  fi
-               :: if
-                  :: /*: Line.Line.Note_Hand in mission */ skip
-                  :: skip
-                  fi;
-                  if
-                  :: /*: Port.Put [port] in orders,
-                         Set_Event (Order_Ports.Arrived [port]) in orders */ skip
-                  :: /*: Line.Line.Put_Stop in orders,
-                         Set_Event (Line.Work) in orders */ skip
-                  fi
+               :: /*: Vision.Turns.Put in vision */ skip
+               :: /*: Robot.Line.Put in orders */ skip
                fi
             }
          fi;
@@ -437,9 +423,10 @@ end_stays:  false
 #ifndef MUTANT_CLOSE_WITHOUT_ROOM
       Set_Event (Monitor_Outbox_Room);
 #endif
+      /*: Robot.Service.Serve in orders + */
       !Box.Busy;                 /* Wait_Sender: see session.pml */
       Wait_Event (Monitor_Session_Receive_Ended);
-      /*: Task_Ports.Clear in orders */
+      /*: Vision.Turns.Clear in vision */
       atomic {
          do
          :: Dispatched ? _

@@ -208,9 +208,10 @@ active proctype Th_Com_Mon_Perdue ()
       Monitor_Outbox_Open = false;
       /*: Set_Event (Outbox.Room) in outbox,
           Set_Event (Outbox.Arena_Room) in vision,
-          Robot.Line.Begin_Session in orders,
-          Line.Clients.Ask [Robot_Clients_Safe_State] in orders,
-          Vision.State.Store.Begin_Session in vision,
+          Robot.Line.Begin_Session in orders, Robot.Line.Ask in orders */
+      /*: Robot.Turns.Wait_In_Job [Robot_Users_Monitor_Lost] in orders,
+          Robot.Service.Serve in orders + */
+      /*: Vision.State.Store.Begin_Session in vision,
           Camera_Requests.Close in vision,
           Frame_Store.End_Delivery in vision */
       do
@@ -226,7 +227,7 @@ active proctype Th_Com_Mon_Perdue ()
 #ifndef MUTANT_WAITS_SWAPPED
       Wait_Event (Monitor_Session_Receive_Ended);
 #endif
-      /*: Task_Ports.Clear in orders */
+      /*: Vision.Turns.Clear in vision */
       atomic {
          /*: Camera_Requests.Get_Idle in vision */
          if

@@ -105,23 +105,21 @@ bool Camera_Open    = false;   /* the device */
 bool Camera_Hangs   = false;   /* in its driver */
 bool Control_Waits  = false;   /* for the camera */
 
-/* Vision.Queue and the two ports */
+/* Vision.Turns: the orders, and whether one is carried out */
 
-typedef Vision_Queue_Queue_Type {
+typedef Vision_Turns_Line_Type {
    chan Items = [CAPACITY] of { byte, mtype:order };
-   bool Busy
+   bool In_Use
 };
-PROTECTED (Vision_Queue_Queue);
-#define VQ  Vision_Queue_Queue
+PROTECTED (Vision_Turns_Line);
+EVENT (Vision_Turns_Control_Turn);
+EVENT (Vision_Turns_Arena_Turn);
+#define VT  Vision_Turns_Line
 
-#define Task_Ports_Camera_Control  0   /* instance */
-#define Task_Ports_Arena           1   /* instance */
-typedef Order_Ports_Port_Type {
-   chan Items = [CAPACITY] of { byte, mtype:order }
-};
-Order_Ports_Port_Type Order_Ports_Port [2];
-EVENTS (Order_Ports_Arrived, 2);
-#define Port(p)  Order_Ports_Port [p].Items
+#define Is_For_Arena(order)  (order == Ask_Arena || order == Decide_Arena)
+
+hidden byte first;
+hidden mtype:order head;
 
 /* Of one task, two protected operations are one step only where nobody else
    can make a difference between them. */
@@ -131,51 +129,56 @@ EVENT (Monitor_Session_Receive_Begins);
 EVENT (Monitor_Session_Receive_Ended);
 EVENT (Monitor_Session_Watch_Begins);
 
-inline To_Vision (its_number, its_kind) {
-   /* the event as a step of its own: see orders.pml, the same package */
-   atomic {
+/* The task whose turn it is, if it is one's */
+inline Choose () {
+   turn = 0;
    if
-   :: its_kind == Ask_Arena || its_kind == Decide_Arena ->
-      /*: Port.Put [Task_Ports_Arena] */
-      Port (Task_Ports_Arena) ! its_number, its_kind;
-      Set_Event (Order_Ports_Arrived [Task_Ports_Arena])
-   :: else ->
-      /*: Port.Put [Task_Ports_Camera_Control] */
-      Port (Task_Ports_Camera_Control) ! its_number, its_kind;
-      Set_Event (Order_Ports_Arrived [Task_Ports_Camera_Control])
-   fi
-   }
-}
-
-inline Take (p) {
-   /*: Port.Take [p] */
-   if
-   :: len (Port (p)) > 0 -> Port (p) ? number, kind
-   :: else -> goto wait
-   fi;
-   /* the queue lets one order go at a time: there is never more */
-   assert (len (Port (p)) == 0);
-   if
-   :: /*: Set_Event (Order_Ports.Arrived [p]) in orders */ skip
-   :: skip
+   :: len (VT.Items) > 0 && !VT.In_Use ->
+      VT.Items ? <first, head>;
+      turn = (Is_For_Arena (head) -> Ask_Arena : Open_Camera);
+      first = 0;
+      head = 0
+   :: else
    fi
 }
 
-inline Vision_Done () {
-   atomic {
-      number = 0; kind = 0;
-#ifndef MUTANT_NEXT_ORDER_FORGOTTEN
-      /*: Queue.Queue.Next */
+inline Wake () {
+   if
+   :: turn == Ask_Arena -> turn = 0; Set_Event (Vision_Turns_Arena_Turn)
+   :: turn == Open_Camera -> turn = 0; Set_Event (Vision_Turns_Control_Turn)
+   :: else
+   fi
+}
+
+/* A task that is woken, and whose turn it is not, waits again */
+inline Take (mine) {
+   /*: Turns.Line.Take */
+   d_step {
+      Choose ();
       if
-      :: VQ.Items ? number, kind
-      :: len (VQ.Items) == 0 -> VQ.Busy = false; goto wait
-      fi
-#else
-      goto wait
+      :: turn == mine -> VT.Items ? number, kind; VT.In_Use = true
+      :: else
+      fi;
+      turn = 0
+   }
+   if
+   :: number == 0 -> goto wait
+   :: else
+   fi
+}
+
+inline Finish () {
+   /*: Turns.Line.Finish */
+   d_step {
+      number = 0; kind = 0;
+      VT.In_Use = false;
+      Choose ();
+#ifdef MUTANT_NEXT_ORDER_FORGOTTEN
+      turn = 0
 #endif
-   };
-   To_Vision (number, kind);
-   atomic { number = 0; kind = 0; goto wait }
+   }
+   Wake ();
+   goto wait
 }
 
 inline Tell_If (awaited) {
@@ -252,13 +255,13 @@ inline Close_Camera_Request () {
 active proctype Th_Camera_Control ()
 {
    byte number;
-   mtype:order kind;
+   mtype:order kind, turn;
    bool success;
    /*: whole */
 wait:
    atomic {
-      Wait_For_Work (Order_Ports_Arrived [Task_Ports_Camera_Control]);
-      Take (Task_Ports_Camera_Control);
+      Wait_For_Work (Vision_Turns_Control_Turn);
+      Take (Open_Camera);
       if
       :: kind == Open_Camera ->
          /*: State.Store.Ask_Open */
@@ -324,7 +327,7 @@ close:
 answer:
    /*: Monitor.Outbox.Answer in outbox */
    atomic { success = false; Answer (number) };
-   Vision_Done ()
+   Finish ()
 }
 
 inline May_Be_Sent () {
@@ -406,13 +409,13 @@ wait:
 active proctype Th_Arene ()
 {
    byte number;
-   mtype:order kind;
+   mtype:order kind, turn;
    bool found, delivering;
    /*: whole */
 wait:
    atomic {
-      Wait_For_Work (Order_Ports_Arrived [Task_Ports_Arena]);
-      Take (Task_Ports_Arena);
+      Wait_For_Work (Vision_Turns_Arena_Turn);
+      Take (Ask_Arena);
       if
       :: kind == Decide_Arena ->
          /*: State.Store.Decide */
@@ -498,7 +501,7 @@ done:
    /*: Set_Event (Outbox.Work) in outbox */
    skip;
 next:
-   Vision_Done ()
+   Finish ()
 }
 
 active proctype Th_Camera ()
@@ -615,8 +618,8 @@ active proctype Th_Server ()
     && Is_Awaited (Monitor_Session_Receive_Begins)
     && Is_Awaited (Vision_Camera_Requests_Asked)
     && Is_Awaited (Vision_Camera_Events_Images_Begin)
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Arena])
-    && Is_Awaited (Order_Ports_Arrived [Task_Ports_Camera_Control]));
+    && Is_Awaited (Vision_Turns_Arena_Turn)
+    && Is_Awaited (Vision_Turns_Control_Turn));
    do
    :: session < SESSIONS ->
       /* Begin_Active, Admit: see session.pml */
@@ -643,7 +646,7 @@ active proctype Th_Server ()
 active proctype Th_Receive_From_Mon ()
 {
    byte number, sent;
-   mtype:order kind;
+   mtype:order kind, turn;
    do
    :: Wait_For_Work (Monitor_Session_Receive_Begins);
       do
@@ -670,15 +673,13 @@ active proctype Th_Receive_From_Mon ()
             Waiting++;
             All_Sent = (sent == Limit)
          };
-         /*: Queue.Queue.Put */
-         atomic {
-            if
-            :: VQ.Busy -> VQ.Items ! number, kind; goto queued
-            :: else -> VQ.Busy = true
-            fi
-         };
-         To_Vision (number, kind);
-queued:  atomic { number = 0; kind = 0 }
+         /*: Turns.Line.Put */
+         d_step {
+            VT.Items ! number, kind;
+            Choose ();
+            number = 0; kind = 0
+         }
+         Wake ()
       od;
       atomic { sent = 0; All_Sent = false };
       Set_Event (Monitor_Session_Receive_Ended)
@@ -729,8 +730,8 @@ active proctype Th_Com_Mon_Perdue ()
       End_Delivery ();
 #endif
       Wait_Event (Monitor_Session_Receive_Ended);
-      /*: Queue.Queue.Clear */
-      atomic { do :: VQ.Items ? _, _ :: len (VQ.Items) == 0 -> break od };
+      /*: Turns.Line.Clear */
+      atomic { do :: VT.Items ? _, _ :: len (VT.Items) == 0 -> break od };
       /* a camera that hangs is not waited for */
       /*: Requests.Requests.Get_Idle */
       atomic {

@@ -6,24 +6,22 @@ with Response_Times; use Response_Times;
 
 package Budgets with SPARK_Mode is
 
-   --  An activity is what a task does between two waits. Where a task waits
-   --  for the robot's line in between, it has two.
+   --  An activity is what a task does between two waits, or up to the robot's
+   --  answer and after it.
 
    type Activity_Name is
      (Kernel,              --  timer ticks and interrupts of a processor
       Stop,                --  th_stop: signal to stop order
-      Line_Request,        --  th_line: takes a request, writes its frame
-      Line_Answer,         --  th_line: reads the answer, says so; answers a
-                           --  stop of the monitor
-      Line_Outcome,        --  th_line: answers any other order, and sets
-                           --  going what a start does
-      Line_Open,           --  th_line: opens or closes the device
-      Reload_Due,          --  th_reloadWD: asks for the reload
-      Reload_Done,         --  th_reloadWD: when the next is due
+      Line_Request,        --  a task takes the line, writes the frame
+      Line_Answer,         --  it reads the answer, gives the line back;
+                           --  answers a stop of the monitor
+      Line_Outcome,        --  it answers any other order, and says what a
+                           --  start sets going
+      Line_Open,           --  it opens or closes the device
+      Reload_Due,          --  th_startRobotWD: it is time for the reload
+      Reload_Done,         --  th_startRobotWD: when the next is due
       Newcomer,            --  th_server: one turn: takes in so many, reads
                            --  what they sent, admits or refuses each
-      Move_Order,          --  th_move: asks for the movement
-      Move_Done,           --  th_move: waits for its next order
       Receive,             --  th_receiveFromMon: one command
       Loss,                --  th_comMonPerdue: one look; a loss, up to the
                            --  request that stops the robot
@@ -34,20 +32,10 @@ package Budgets with SPARK_Mode is
       Send_Mission,        --  th_sendToMon: a mission's progress or end
       Send_Position,       --  th_sendToMon: a position
       Send_Image,          --  th_sendToMon: an image
-      Battery_Due,         --  th_batteryLevel: asks for the level
+      Battery_Due,         --  th_batteryLevel: it is time for the level
       Battery_Done,        --  th_batteryLevel: passes it on
-      Open_Order,          --  th_openComRobot: asks to open or close
-      Open_Done,           --  th_openComRobot: waits for its next order
-      Start_Order,         --  th_startRobot: asks
-      Start_Done,          --  th_startRobot: waits for its next order
-      Watchdog_Order,      --  th_startRobotWD: asks
-      Watchdog_Done,       --  th_startRobotWD: waits for its next order
-      Reset_Order,         --  th_resetRobot: asks
-      Reset_Done,          --  th_resetRobot: waits for its next order
-      Query_Order,         --  th_query: asks
-      Query_Done,          --  th_query: waits for its next order
-      Ping_Due,            --  th_keepAlive: asks, where the line is idle
-      Ping_Done,           --  th_keepAlive: when the next is due
+      Ping_Due,            --  th_openComRobot: the line may be idle
+      Ping_Done,           --  th_openComRobot: when the next is due
       Mission_Begin,       --  th_mission: whether it may begin; the answer
       Mission_Due,         --  th_mission: at its time, one look at what is
                            --  known, up to its request
@@ -78,36 +66,32 @@ package Budgets with SPARK_Mode is
    --  and on the second, as the longest of how many:
    --    bench  script/bench tasks: its load
    --    each   its single commands, 20 ms apart
-   --    asking the tasks that ask the line and pass on what comes of it, all
-   --           in one: of 53_955 activities 12 took longer than 150 us
-   --    half   of the longest order and its answer together
    --  Those of th_mission were measured on a third such machine, beside the
    --  missions of script/bench, and stand for both
    --  Of those that took longer most did by less than 1 ms, one by 13, and
    --  often several tasks' at once, whatever they do. They are borne as
    --  wake-ups that come late: README.md, how late these may be
    --
-   --  When these were measured, an order's own task answered it, but a stop,
-   --  which th_line did. Now th_line answers all. So its time for an answer
-   --  has the longest for a stop in it, and beyond that an order takes one
-   --  event that wakes its task: less than th_keepAlive needs to wake, look
-   --  and set such an event. What a start sets going is less, too: its task
-   --  took 50 us for that and the answer. The orders' tasks keep what they
-   --  had for their answers, though they do nothing more than wait for the
-   --  next; and nobody looks at an empty queue any more before it waits
+   --  When these were measured, one task had the line: the others woke, asked
+   --  it, and were woken again. On both machines that took 150 us at most, in
+   --  53_955 activities of all of them, and on the second up to 60 (reload),
+   --  65 (level), 55 (ping). What a task does now instead was compared with it
+   --  on a fourth machine, under the same load, by the clock of each thread:
+   --  asking took 66 us, half of all; to be woken and look, 39; to look when
+   --  the exchange is over, 5, and to pass a level on, 20; to answer an order,
+   --  39 after a start, 22 after others. So a budget marked "of asking" is
+   --  this part of what asking took. Request and answer took as long as before
 
    Measured : constant Activity_Times :=
      (Kernel          => (10, 10),        --  assumed, of each Tick_Interval
       Stop            => (125, 180),      --  each 123 of 129, 177 driving
       Line_Request    => (115, 105),      --  each 112 of 2995, bench 105
       Line_Answer     => (145, 105),      --  each 142 of 2995, bench 105
-      Line_Outcome    => (150, 55),       --  as Ping_Due
+      Line_Outcome    => (90, 40),        --  0.6 of asking
       Line_Open       => (240, 240),      --  each 238 of 518; as the first
-      Reload_Due      => (150, 60),       --  asking, bench 59 of 480
-      Reload_Done     => (150, 60),
+      Reload_Due      => (90, 40),        --  0.6 of asking
+      Reload_Done     => (20, 10),        --  0.1 of asking
       Newcomer        => (450, 450),      --  floods: 428 of 1566; as the first
-      Move_Order      => (150, 70),       --  asking, bench 68 of 692
-      Move_Done       => (150, 70),
       Receive         => (200, 185),      --  bench 169 of 9086, each 155; and
                                           --  two readings of a longest path
       Loss            => (170, 150),      --  bench 169 of 2350, each 147
@@ -118,20 +102,10 @@ package Budgets with SPARK_Mode is
       Send_Mission    => (140, 105),      --  as an answer
       Send_Position   => (220, 105),      --  each 216 of 600; as an answer
       Send_Image      => (280, 355),      --  bench 276, 353 of 1495
-      Battery_Due     => (150, 65),       --  asking, bench 65 of 136
-      Battery_Done    => (150, 65),
-      Open_Order      => (150, 45),       --  asking, half 81 of 55
-      Open_Done       => (150, 45),
-      Start_Order     => (150, 50),       --  asking, half 94 of 12
-      Start_Done      => (150, 50),
-      Watchdog_Order  => (150, 50),       --  asking, half 92 of 13
-      Watchdog_Done   => (150, 50),
-      Reset_Order     => (150, 65),       --  asking, half 127 of 12
-      Reset_Done      => (150, 65),
-      Query_Order     => (150, 70),       --  asking, bench 70 of 230
-      Query_Done      => (150, 70),
-      Ping_Due        => (150, 55),       --  asking, bench 52 of 359
-      Ping_Done       => (150, 55),
+      Battery_Due     => (90, 40),        --  0.6 of asking
+      Battery_Done    => (55, 25),        --  0.35 of asking
+      Ping_Due        => (90, 35),        --  0.6 of asking
+      Ping_Done       => (20, 10),        --  0.1 of asking
       Mission_Begin   => (300, 300),      --  trace 194 of 8, with its wake-up
       Mission_Due     => (150, 150),      --  bench 114 of 1183
       Mission_Seen    => (150, 150),
@@ -160,7 +134,7 @@ package Budgets with SPARK_Mode is
      (Outbox_Operation,    --  all but Take: none copies an image
       Outbox_Take,
       Line_Operation,      --  Robot.Line
-      Port_Operation,      --  Order_Ports, Vision.Queue, Missions.Requests
+      Turn_Operation,      --  Vision.Turns, Missions.Requests
       Vision_Operation,    --  Vision.State, Vision.Camera_Requests,
                            --  Vision.Frame_Store, Vision.Sightings
       Session_Operation,
@@ -180,7 +154,7 @@ package Budgets with SPARK_Mode is
      (Outbox_Operation    => 2,
       Outbox_Take         => 8,
       Line_Operation      => 4,
-      Port_Operation      => 2,
+      Turn_Operation      => 2,
       Vision_Operation    => 2,
       Session_Operation   => 2,
       Journal_Operation   => 5);

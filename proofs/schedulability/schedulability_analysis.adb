@@ -45,11 +45,8 @@ procedure Schedulability_Analysis with SPARK_Mode => Off is
          when Line_Outcome    => "outcome",
          when Line_Open       => "open, close",
          when Reload_Due | Battery_Due | Ping_Due    => "due",
-         when Reload_Done | Battery_Done | Ping_Done | Move_Done | Open_Done
-            | Start_Done | Watchdog_Done | Reset_Done | Query_Done =>
-            "done",
-         when Move_Order | Open_Order | Start_Order | Watchdog_Order
-            | Reset_Order | Query_Order | Camera_Order => "order",
+         when Reload_Done | Battery_Done | Ping_Done => "done",
+         when Camera_Order    => "order",
          when Camera_Answer | Send_Answer => "answer",
          when Send_Look       => "gap",
          when Send_Battery    => "battery",

@@ -9,6 +9,7 @@ with Vision.Image_Grid;
 package body Supervisor_Model with SPARK_Mode is
 
    use type Ada.Real_Time.Time_Span;
+   use type Schedule.Task_Name;
 
    Max_Rounds : constant := 100;
    --  of jitters and bounds
@@ -28,24 +29,13 @@ package body Supervisor_Model with SPARK_Mode is
    Mission_Limit  : constant Integer := Schedule.Mission_Order_Limit / One;
 
    Image_Period   : constant := 100_000;  --  F15
+   Order_Limit    : constant := 100_000;  --  F12, to the last byte
+   Longest_Own    : constant Span := 20_000;
+   --  that a task needs in an exchange; one that needs more has no bound
 
    pragma Compile_Time_Error
      (2 * Camera_Interval > Image_Period,
       "not always the newest image is taken: see Vision.Image_Grid");
-
-   --  A command of the monitor is for one of these, so that for everybody
-   --  else they are one stream, of the longest and a command apart
-
-   subtype Order_Name is Activity_Name
-   with Static_Predicate =>
-     Order_Name in Move_Order | Open_Order | Start_Order | Watchdog_Order
-       | Reset_Order | Query_Order;
-
-   subtype Done_Name is Activity_Name
-   with Static_Predicate =>
-     Done_Name in Move_Done | Open_Done | Start_Done | Watchdog_Done
-       | Reset_Done | Query_Done;
-   --  th_line has carried it out and answered, and lets the task go on
 
    subtype Mission_Name is Activity_Name range Mission_Begin .. Mission_Told;
 
@@ -81,14 +71,14 @@ package body Supervisor_Model with SPARK_Mode is
         (case Which is
             when Outbox_Operation | Outbox_Take => Schedule.Outbox_Ceiling,
             when Line_Operation     => Schedule.Line_Ceiling,
-            when Port_Operation     => Schedule.Order_Ceiling,
+            when Turn_Operation     => Schedule.Turn_Ceiling,
             when Vision_Operation   => Schedule.Camera_Ceiling,
             when Session_Operation  => Schedule.Session_Ceiling,
             when Journal_Operation  => Schedule.Journal_Ceiling));
 
    function Stays_Here (Name : Activity_Name) return Boolean is
      (Name in Line_Request | Reload_Due | Reload_Done | Battery_Due
-        | Ping_Due | Ping_Done | Order_Name | Done_Name);
+        | Ping_Due | Ping_Done);
 
    function Is_Spaced (Name : Activity_Name) return Boolean is
      (Name in Line_Answer | Newcomer | Send_Look);
@@ -110,7 +100,7 @@ package body Supervisor_Model with SPARK_Mode is
      (Span'Max
         (Latest (Line (Stop_Order)),
          Span'Max (Latest (Line (Movement)), Latest (Line (Other_Order)))));
-   --  From a command to its answer, which th_line gives
+   --  From a command to its answer
 
    function Budget_Of (Name : Activity_Name; On : Machine) return Span is
      (Capped
@@ -123,20 +113,15 @@ package body Supervisor_Model with SPARK_Mode is
    function Task_Of (Name : Task_Activity) return Schedule.Task_Name is
      (case Name is
          when Stop            => Schedule.Th_Stop,
-         when Line_Request .. Line_Open  => Schedule.Th_Line,
-         when Reload_Due | Reload_Done   => Schedule.Th_Reload_WD,
+         when Line_Request .. Line_Open  => Schedule.Th_Move,
+         --  and every other task that uses the line
+         when Reload_Due | Reload_Done   => Schedule.Th_Start_Robot_WD,
          when Newcomer        => Schedule.Th_Server,
-         when Move_Order | Move_Done     => Schedule.Th_Move,
          when Receive         => Schedule.Th_Receive_From_Mon,
          when Loss            => Schedule.Th_Com_Mon_Perdue,
          when Send_Look .. Send_Image    => Schedule.Th_Send_To_Mon,
          when Battery_Due | Battery_Done => Schedule.Th_Battery_Level,
-         when Open_Order | Open_Done     => Schedule.Th_Open_Com_Robot,
-         when Start_Order | Start_Done   => Schedule.Th_Start_Robot,
-         when Watchdog_Order | Watchdog_Done => Schedule.Th_Start_Robot_WD,
-         when Reset_Order | Reset_Done   => Schedule.Th_Reset_Robot,
-         when Query_Order | Query_Done   => Schedule.Th_Query,
-         when Ping_Due | Ping_Done       => Schedule.Th_Keep_Alive,
+         when Ping_Due | Ping_Done       => Schedule.Th_Open_Com_Robot,
          when Mission_Name    => Schedule.Th_Mission,
          when Camera_Order | Camera_Answer => Schedule.Th_Camera_Control,
          when Capture         => Schedule.Th_Capture_Img,
@@ -182,14 +167,12 @@ package body Supervisor_Model with SPARK_Mode is
          when Newcomer =>
            (if Under.Flood then To_Period (Newcomer_Interval)
             else Session_Interval),
-         when Stop | Environment | Line_Open
-            | Open_Order .. Reset_Done | Mission_Begin | Camera_Order
-            | Camera_Answer =>
+         when Stop | Environment | Line_Open | Mission_Begin
+            | Camera_Order | Camera_Answer =>
             Session_Interval,
          when Line_Request | Line_Answer => Line_Interval,
          when Reload_Due | Reload_Done => To_Period (Reload_Period),
-         when Line_Outcome | Move_Order | Move_Done | Receive | Send_Answer
-            | Query_Order | Query_Done => Commands_Apart (Under),
+         when Line_Outcome | Receive | Send_Answer => Commands_Apart (Under),
          when Loss => To_Period (Link_Period),
          when Send_Look => Answer_Gap,
          when Send_Battery | Battery_Due | Battery_Done =>
@@ -237,21 +220,19 @@ package body Supervisor_Model with SPARK_Mode is
                when others => 0),
          when Line_Operation =>
            (case Name is
-               when Line_Request | Line_Answer | Order_Name | Mission_Told =>
-                 1,
-               when Line_Open | Receive | Loss | Battery_Due | Battery_Done
-                  | Ping_Due | Ping_Done => 2,
-               when Stop | Reload_Due | Reload_Done | Mission_Look => 3,
+               when Line_Request | Line_Answer | Line_Outcome | Reload_Due
+                  | Reload_Done | Battery_Due | Battery_Done | Ping_Due
+                  | Ping_Done | Receive => 1,
+               when Loss => 2,
+               when Stop | Mission_Look => 3,
                when Mission_Begin => 5,
                --  with the first look
                when others => 0),
-         when Port_Operation =>
+         when Turn_Operation =>
            (case Name is
-               when Order_Name | Mission_Look => 1,
-               when Receive | Mission_Begin | Camera_Answer => 2,
-               when Camera_Order | Arena => 3,
-               --  its own order, and the next one's way to its task
-               when Loss => 8,
+               when Receive | Loss | Mission_Look => 1,
+               when Mission_Begin | Camera_Order | Camera_Answer | Arena =>
+                 2,
                when others => 0),
          when Vision_Operation =>
            (case Name is
@@ -300,13 +281,13 @@ package body Supervisor_Model with SPARK_Mode is
       subtype Image_Processor is Processor_Number range 1 .. 4;
 
       type Object_Name is
-        (Outbox, Line, Port, Vision, Session, Journal);
+        (Outbox, Line, Turns, Vision, Session, Journal);
 
       function Object_Of (Which : Operation_Name) return Object_Name is
         (case Which is
             when Outbox_Operation | Outbox_Take => Outbox,
             when Line_Operation     => Line,
-            when Port_Operation     => Port,
+            when Turn_Operation     => Turns,
             when Vision_Operation   => Vision,
             when Session_Operation  => Session,
             when Journal_Operation  => Journal);
@@ -335,21 +316,6 @@ package body Supervisor_Model with SPARK_Mode is
          end if;
          return Result;
       end Longest_At;
-
-      procedure Join (Name : Activity_Name; Stream : Row_Index)
-      with Global => (Input => Under, In_Out => Set)
-      is
-         --  Name is part of the stream
-         Item : constant Activity := Set (Row (Name));
-         Whole : Activity renames Set (Stream);
-      begin
-         Whole.Processor := Item.Processor;
-         Whole.Priority := Urgency'Max (Whole.Priority, Item.Priority);
-         Whole.Period := Commands_Apart (Under);
-         Whole.Budget := Span'Max (Whole.Budget, Item.Budget);
-         Whole.Suspension := Span'Max (Whole.Suspension, Item.Suspension);
-         Whole.Deferral := Span'Max (Whole.Deferral, Item.Deferral);
-      end Join;
 
    begin
       Set := (others => <>);
@@ -383,7 +349,7 @@ package body Supervisor_Model with SPARK_Mode is
       --  the kernel on the other processors
       if Where = Real_Time_Apart then
          for Other in Row_Index range
-           Row (Activity_Name'Last) + 1 .. Last_Kernel
+           Row (Activity_Name'Last) + 1 .. Row_Index'Last
          loop
             if On.Many or else Other = Row (Activity_Name'Last) + 1 then
                Set (Other) := Set (Row (Kernel));
@@ -425,39 +391,7 @@ package body Supervisor_Model with SPARK_Mode is
             end if;
          end if;
       end loop;
-
-      for Name in Order_Name loop
-         Join (Name, Orders_Row);
-      end loop;
-      for Name in Done_Name loop
-         Join (Name, Done_Row);
-      end loop;
    end Fill;
-
-   function Latest_Order (Bounds : Row_Bounds) return Span is
-      --  From a command, other than a movement, to the request that it leads
-      --  to
-      Result : Span := 0;
-   begin
-      for Name in Order_Name loop
-         if Name /= Move_Order then
-            Result := Span'Max (Result, Latest (Bounds (Name)));
-         end if;
-      end loop;
-      return Result;
-   end Latest_Order;
-
-   procedure See_Streams (Set : in out Activity_Set) is
-      --  As all others see the monitor's orders, and their tasks when they are
-      --  done: nothing but the streams
-   begin
-      for Name in Order_Name loop
-         Set (Row (Name)).Budget := 0;
-      end loop;
-      for Name in Done_Name loop
-         Set (Row (Name)).Budget := 0;
-      end loop;
-   end See_Streams;
 
    procedure Bound_Activity
      (Set : Activity_Set; Which : Row_Index; Result : out Bound)
@@ -489,21 +423,23 @@ package body Supervisor_Model with SPARK_Mode is
 
    procedure Bound_Line
      (Bounds : Row_Bounds;
-      Owner  : Owner_Bounds;
+      Owner  : Owner_Array;
       Under  : Load;
       Length : out Line_Times;
       Line   : out Line_Bounds)
    is
-      function Own (Last : Bound) return Microseconds is
-        (if Owner.Request.Exists and then Last.Exists
-         then Owner.Request.Local + Last.Local
+      function Own (Who : Line_Client; Last : Bound) return Microseconds is
+        (if Owner (Who).Request.Exists and then Last.Exists
+         then Owner (Who).Request.Local + Last.Local
          else Horizon);
-      --  Of the line's owner, between two transactions
+      --  Of the task that has the line, between two transactions
 
-      function Exchange (Bytes : Natural; Last : Bound) return Span is
+      function Exchange
+        (Bytes : Natural; Who : Line_Client; Last : Bound) return Span
+      is
         (Capped
            (Frame_Time (Bytes + Short_Frame) + Under.Turnaround
-            + Own (Last)))
+            + Own (Who, Last)))
       with Pre => Bytes <= 100;
 
       subtype Client_Index is Activity_Index range
@@ -527,11 +463,14 @@ package body Supervisor_Model with SPARK_Mode is
       Silence : constant Span :=
         (if Under.Silent
          then Capped (Frame_Time (Longest_Frame) + Under.Time_Out
-                      + Own (Owner.Outcome))
+                      + Own (Unanswered, Owner (Unanswered).Outcome))
          else 0);
       Resumed : constant Span :=
         (if Under.Silent
-         then Capped (Silence + Exchange (Probe_Frames, Owner.Answer))
+         then Capped
+           (Silence
+            + Exchange
+                (Probe_Frames, Unanswered, Owner (Unanswered).Answer))
          else 0);
       --  a stop does not wait for the probe
       Quiet   : constant Span :=
@@ -570,15 +509,14 @@ package body Supervisor_Model with SPARK_Mode is
                Jitter    =>
                  (case C is
                      when Safe_State  => Latest (Bounds (Loss)),
-                     when Stop_Order  => Latest (Bounds (Receive)),
+                     when Stop_Order | Movement | Other_Order =>
+                        Latest (Bounds (Receive)),
                      when Reload      => Latest (Bounds (Reload_Due)),
-                     when Movement    => Latest (Bounds (Move_Order)),
                      when Mission     =>
                        (if Who = Mission then 0 else 2 * Asked_Apart),
                      --  a small turn, a question, a drive and a question
                      --  follow each other at once; then come two images
                      when Battery     => Latest (Bounds (Battery_Due)),
-                     when Other_Order => Latest_Order (Bounds),
                      when Ping        => Latest (Bounds (Ping_Due)),
                      when Unanswered  => 0),
                Budget    => Lengths (C),
@@ -639,20 +577,31 @@ package body Supervisor_Model with SPARK_Mode is
 
    begin
       Length :=
-        (Safe_State | Stop_Order => Exchange (Stop_Frame, Owner.Answer),
-         Movement                => Exchange (Longest_Frame, Owner.Outcome),
-         Mission                 =>
-           (if Under.Mission then Exchange (Mission_Frame, Owner.Answer)
+        (Safe_State  => Exchange
+           (Stop_Frame, Safe_State, Owner (Safe_State).Answer),
+         Stop_Order  => Exchange
+           (Stop_Frame, Stop_Order, Owner (Stop_Order).Answer),
+         Movement    => Exchange
+           (Longest_Frame, Movement, Owner (Movement).Outcome),
+         Mission     =>
+           (if Under.Mission
+            then Exchange (Mission_Frame, Mission, Owner (Mission).Answer)
             else 0),
-         Other_Order             => Capped
-           (Exchange (Stop_Frame, Owner.Answer)
-            + Exchange (Short_Frame, Owner.Outcome)),
+         Other_Order => Capped
+           (Exchange (Stop_Frame, Other_Order, Owner (Other_Order).Answer)
+            + Exchange
+                (Short_Frame, Other_Order, Owner (Other_Order).Outcome)),
          --  what ends the robot's run stops it first
-         Reload | Battery | Ping => Exchange (Short_Frame, Owner.Answer),
-         Unanswered              => 0);
+         Reload      => Exchange
+           (Short_Frame, Reload, Owner (Reload).Outcome),
+         Battery     => Exchange
+           (Short_Frame, Battery, Owner (Battery).Outcome),
+         Ping        => Exchange (Short_Frame, Ping, Owner (Ping).Outcome),
+         Unanswered  => 0);
       Drive := Span'Max (Length (Stop_Order), Length (Movement));
       Order := Span'Max (Drive, Length (Other_Order));
-      Query := Exchange (Short_Frame, Owner.Outcome);
+      Query := Length (Battery);
+      --  the least urgent task that carries out one
 
       --  The monitor's orders are one stream: where one is analysed, or has
       --  the line, the next is no nearer than Command_Interval. So the
@@ -819,14 +768,10 @@ package body Supervisor_Model with SPARK_Mode is
          end if;
       end Change_Deferral;
 
-      Orders, Dones : Span := 0;
-      --  the longest Deferral among them
-
    begin
       Changed := False;
       for A in Activity_Name loop
-         if A in Done_Name | Line_Outcome | Line_Open
-           and then not All_Answered
+         if A in Line_Outcome | Line_Open and then not All_Answered
          then
             Change (Row (A), Line_Period, Line_Jitter);
          elsif A = Send_Answer and then not All_Answered then
@@ -842,12 +787,9 @@ package body Supervisor_Model with SPARK_Mode is
                (case A is
                    when Reload_Done  =>
                       Latest_Answered (Line (Reload), Period_Of (A, Under)),
-                   when Order_Name | Mission_Begin | Camera_Order =>
+                   when Mission_Begin | Camera_Order =>
                       Latest (Bounds (Receive)),
-                   when Move_Done    => Latest (Line (Movement)),
-                   when Line_Open | Open_Done | Start_Done | Watchdog_Done
-                      | Reset_Done | Query_Done =>
-                      Latest (Line (Other_Order)),
+                   when Line_Open    => Latest (Line (Other_Order)),
                    when Line_Outcome => Latest_Answer (Line),
                    when Battery_Done =>
                       Latest_Answered (Line (Battery), Period_Of (A, Under)),
@@ -866,23 +808,7 @@ package body Supervisor_Model with SPARK_Mode is
          if not Is_Spaced (A) then
             Change_Deferral (Row (A), Put_Off (Set (Row (A)), Bounds (A)));
          end if;
-         if A in Order_Name then
-            Orders := Span'Max (Orders, Set (Row (A)).Deferral);
-         elsif A in Done_Name then
-            Dones := Span'Max (Dones, Set (Row (A)).Deferral);
-         end if;
       end loop;
-      Change_Deferral (Orders_Row, Orders);
-      Change_Deferral (Done_Row, Dones);
-
-      Change (Orders_Row, Commands_Apart (Under), Latest (Bounds (Receive)));
-      if All_Answered then
-         Change
-           (Done_Row, Commands_Apart (Under),
-            Span'Max (Latest (Line (Movement)), Latest (Line (Other_Order))));
-      else
-         Change (Done_Row, Line_Period, Line_Jitter);
-      end if;
    end Set_Jitters;
 
    procedure Bound_Chain
@@ -900,7 +826,6 @@ package body Supervisor_Model with SPARK_Mode is
       Budget     : Microseconds := Microseconds (Pauses);
       Sleeps     : Microseconds := 0;
    begin
-      See_Streams (Others_Set);
       for A in Activity_Name loop
          if Members (A) then
             Budget := Budget + Set (Row (A)).Budget;
@@ -936,7 +861,7 @@ package body Supervisor_Model with SPARK_Mode is
    procedure Judge
      (Set    : Activity_Set;
       Bounds : Row_Bounds;
-      Owner  : Owner_Bounds;
+      Owner  : Owner_Array;
       Line   : Line_Bounds;
       On     : Machine;
       Under  : Load;
@@ -944,7 +869,6 @@ package body Supervisor_Model with SPARK_Mode is
    is
       Spread : constant Span :=
         Capped ((Capture_High - Capture_Low) * On.Percent / 100);
-      Request : constant Bound := Owner.Request;
       Asked, Told, Ended : Bound;
       Ordered : Microseconds;
 
@@ -968,9 +892,9 @@ package body Supervisor_Model with SPARK_Mode is
          F4_Robot_Answer => Before (Schedule.Th_Send_To_Mon),
          F4_Unsolicited      => Before (Schedule.Th_Send_To_Mon),
          F6_Stop         => Before (Schedule.Th_Com_Mon_Perdue),
-         F11_Reload      => Before (Schedule.Th_Reload_WD),
+         F11_Reload      => Before (Schedule.Th_Start_Robot_WD),
          F12_First_Byte  => Before (Schedule.Th_Move),
-         F12_At_Robot    => Before (Schedule.Th_Line),
+         F12_At_Robot    => (Limit => Order_Limit, others => <>),
          F13_Level       =>
            (Limit => To_Period (Battery_Period), others => <>),
          F13_Processor   => Before (Schedule.Th_Battery_Level),
@@ -1016,27 +940,29 @@ package body Supervisor_Model with SPARK_Mode is
 
       Bound_Chain
         (Set,
-         (Receive | Move_Order | Line_Request => True, others => False),
+         (Receive | Line_Request => True, others => False),
          0, Asked);
       Conclude (F12_First_Byte, Asked.Finish, Asked.Exists);
       Conclude
         (F12_At_Robot,
-         Line (Movement).Start + Request.Local + Frame_Time (Longest_Frame),
-         Line (Movement).Exists and then Request.Exists);
+         Line (Movement).Start + Owner (Movement).Request.Local
+         + Frame_Time (Longest_Frame),
+         Line (Movement).Exists and then Owner (Movement).Request.Exists);
       Conclude
         (F11_Reload,
-         Line (Reload).Start + Request.Local,
-         Line (Reload).Exists and then Request.Exists);
+         Line (Reload).Start + Owner (Reload).Request.Local,
+         Line (Reload).Exists and then Owner (Reload).Request.Exists);
       Conclude
         (F6_Stop,
-         Line (Safe_State).Start + Request.Local + Frame_Time (Stop_Frame),
-         Line (Safe_State).Exists and then Request.Exists);
+         Line (Safe_State).Start + Owner (Safe_State).Request.Local
+         + Frame_Time (Stop_Frame),
+         Line (Safe_State).Exists and then Owner (Safe_State).Request.Exists);
 
       --  the mission: the image, the newest one, is due, searched, looked at
 
       Ordered :=
         Camera_Interval + Bounds (Mission_Seen).Finish + Line (Mission).Start
-        + Request.Local;
+        + Owner (Mission).Request.Local;
       for Name in Mission_Order .. Mission_At_Robot loop
          Conclude
            (Name,
@@ -1045,7 +971,7 @@ package body Supervisor_Model with SPARK_Mode is
             Under.Mission
             and then Bounds (Mission_Seen).Exists
             and then Line (Mission).Exists
-            and then Request.Exists);
+            and then Owner (Mission).Request.Exists);
       end loop;
 
       --  the battery: to its request, and from the answer on. An answer
@@ -1106,31 +1032,86 @@ package body Supervisor_Model with SPARK_Mode is
          if Name /= Newcomer and then not Under.Flood then
             Normal (Row (Newcomer)).Budget := 0;
          end if;
-         See_Streams (Normal);
          Normal (Row (Name)) := Set (Row (Name));
          Bound_Activity (Normal, Row (Name), Value);
       end Bound_One;
 
-      procedure Bound_Owner (Set : Activity_Set; Value : out Owner_Bounds)
-      with Global => Under
+      procedure Bound_Owner
+        (Set : Activity_Set; Who : Line_Client; Value : out Owner_Bounds)
+      with Global => (Choice, Under)
       is
          Alone : Activity_Set := Set;
+         Own   : constant Task_Activity :=
+           (case Who is
+               when Safe_State            => Loss,
+               when Reload                => Reload_Due,
+               when Stop_Order | Movement => Line_Request,
+               when Other_Order | Ping    => Ping_Due,
+               when Battery               => Battery_Due,
+               when Mission               => Mission_Due,
+               --  the least urgent task of those that do it
+               when Unanswered            =>
+                 (if Under.Mission then Mission_Due else Battery_Due));
+         --  of the task that carries it out
+
+         function Comes_Once (Item : Activity) return Boolean is
+           (Frame_Time (Longest_Frame + Short_Frame) + Under.Turnaround
+            + Longest_Own + Item.Jitter + Item.Deferral <= Item.Period);
+         --  In an exchange that is answered
+
       begin
-         --  a request can follow at once when the line has been opened
+         Alone (Row (Line_Request)).Priority := Priority_Of (Own, Choice);
+         Alone (Row (Line_Answer)).Priority := Priority_Of (Own, Choice);
+         --  an order that opens the line exchanges once: it is over sooner
+         --  than one that stops the robot first
+         Alone (Row (Line_Open)).Budget := 0;
+         --  what follows an answer is counted as Line_Outcome, of each
+         Alone (Row (Reload_Done)).Budget := 0;
+         Alone (Row (Battery_Done)).Budget := 0;
+         Alone (Row (Ping_Done)).Budget := 0;
+         if Who not in Other_Order | Unanswered then
+            --  the task does nothing else meanwhile
+            for A in Task_Activity loop
+               if A not in Line_Request .. Line_Open
+                 and then Task_Of (A) = Task_Of (Own)
+               then
+                  Alone (Row (A)).Budget := 0;
+               end if;
+            end loop;
+         end if;
          Alone (Row (Line_Answer)).Budget := 0;
          Alone (Row (Line_Outcome)).Budget := 0;
          Bound_One (Alone, Line_Request, Value.Request);
          Alone (Row (Line_Answer)).Budget := Set (Row (Line_Answer)).Budget;
          Alone (Row (Line_Request)).Budget := 0;
-         Alone (Row (Line_Open)).Budget := 0;
+         if Who /= Unanswered then
+            --  What comes once in an exchange is in the bound of the request.
+            --  In two parts an exchange may meet one tick more
+            for A in Activity_Name loop
+               if A /= Line_Answer and then Comes_Once (Set (Row (A))) then
+                  Alone (Row (A)).Budget := 0;
+               end if;
+            end loop;
+            Alone (Row (Line_Answer)).Budget := Capped
+              (Set (Row (Line_Answer)).Budget + Set (Row (Kernel)).Budget);
+         end if;
          Bound_One (Alone, Line_Answer, Value.Answer);
          Alone (Row (Line_Answer)).Budget := Capped
-           (Set (Row (Line_Answer)).Budget + Set (Row (Line_Outcome)).Budget);
+           (Alone (Row (Line_Answer)).Budget
+            + Set (Row (case Who is
+                           when Reload => Reload_Done,
+                           when Ping   => Ping_Done,
+                           when others => Line_Outcome)).Budget);
          Alone (Row (Line_Answer)).Suspension := Capped
            (Set (Row (Line_Answer)).Suspension
             + Set (Row (Line_Outcome)).Suspension
             + Set (Row (Line_Outcome)).Blocking);
          Bound_One (Alone, Line_Answer, Value.Outcome);
+         if Who /= Unanswered
+           and then Value.Request.Local + Value.Outcome.Local > Longest_Own
+         then
+            Value := (others => <>);
+         end if;
       end Bound_Owner;
 
       In_Session : Activity_Set;
@@ -1141,7 +1122,9 @@ package body Supervisor_Model with SPARK_Mode is
          for A in Activity_Name loop
             Bound_One (Result.Set, A, Result.Bounds (A));
          end loop;
-         Bound_Owner (Result.Set, Result.Owner);
+         for C in Line_Client loop
+            Bound_Owner (Result.Set, C, Result.Owner (C));
+         end loop;
          Bound_Line
            (Result.Bounds, Result.Owner, Under, Result.Line_Length,
             Result.Line);
@@ -1205,9 +1188,7 @@ package body Supervisor_Model with SPARK_Mode is
       Sum : Microseconds := 0;
    begin
       for A in Result.Set'Range loop
-         if Result.Set (A).Processor = Processor
-           and then A not in Orders_Row | Done_Row
-         then
+         if Result.Set (A).Processor = Processor then
             Sum := Sum
               + Result.Set (A).Budget * 10_000 / Result.Set (A).Period;
          end if;

@@ -91,16 +91,11 @@ package Supervisor_Model with SPARK_Mode is
      (Item.Known and then Item.Bound <= Item.Limit);
 
    subtype Row_Index is Activity_Index range
-     1 .. Activity_Name'Pos (Activity_Name'Last) + 6;
-   --  All activities, then the kernel on three other processors and, as
-   --  streams, the monitor's orders and their tasks when they are done
+     1 .. Activity_Name'Pos (Activity_Name'Last) + 4;
+   --  All activities, then the kernel on three other processors
 
    function Row (Name : Activity_Name) return Row_Index is
      (Activity_Name'Pos (Name) + 1);
-
-   Done_Row    : constant Row_Index := Row_Index'Last;
-   Orders_Row  : constant Row_Index := Done_Row - 1;
-   Last_Kernel : constant Row_Index := Orders_Row - 1;
 
    subtype Activity_Set is Activity_Array (Row_Index);
 
@@ -111,8 +106,11 @@ package Supervisor_Model with SPARK_Mode is
       Outcome : Bound;
       --  Answer, and what comes of an order after it
    end record;
-   --  Of the line's owner within one transaction: its activities do not
-   --  delay each other
+   --  Of the task that has the line, within one transaction: its activities do
+   --  not delay each other
+
+   type Owner_Array is array (Line_Client) of Owner_Bounds;
+   --  By the priority of the task that carries out such a request
 
    type Line_Bounds is array (Line_Client) of Bound;
    type Line_Times is array (Line_Client) of Span;
@@ -122,7 +120,7 @@ package Supervisor_Model with SPARK_Mode is
    type Analysis is record
       Set          : Activity_Set;
       Bounds       : Row_Bounds;
-      Owner        : Owner_Bounds;
+      Owner        : Owner_Array;
       Deadlines    : Deadline_Times := (others => 0);
       --  of one activity, from its arrival; 0: none of its own
       Settled      : Boolean := False;
@@ -155,7 +153,7 @@ package Supervisor_Model with SPARK_Mode is
 
    function Stays_Here (Name : Activity_Name) return Boolean;
    --  The image work and the log touch none of its objects: these are those
-   --  of Robot, and its own port
+   --  of Robot
 
    function Ceilings_Hold (Choice : Priority_Choice) return Boolean;
    --  No activity calls an operation whose ceiling is below its priority

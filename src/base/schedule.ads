@@ -12,21 +12,16 @@ package Schedule with SPARK_Mode is
    --  the order of arrival (FIFO_Within_Priorities).
 
    Stop_Priority           : constant Priority := 35;
-   Line_Priority           : constant Priority := 34;
-   Reload_Priority         : constant Priority := 33;
+   --  the tasks that may have the robot's line
+   Reload_Priority         : constant Priority := 34;
+   Move_Priority           : constant Priority := 33;
+   Open_Priority           : constant Priority := 32;
+   Battery_Priority        : constant Priority := 31;
    Server_Priority         : constant Priority := 30;
-   Move_Priority           : constant Priority := 26;
+   Lost_Priority           : constant Priority := 26;
    Receive_Priority        : constant Priority := 25;
-   Lost_Priority           : constant Priority := 24;
+   Mission_Priority        : constant Priority := 24;
    Send_Priority           : constant Priority := 22;
-   Battery_Priority        : constant Priority := 21;
-   Open_Priority           : constant Priority := 20;
-   Start_Priority          : constant Priority := 20;
-   Start_Watchdog_Priority : constant Priority := 20;
-   Reset_Priority          : constant Priority := 20;
-   Query_Priority          : constant Priority := 20;
-   Keep_Alive_Priority     : constant Priority := 20;
-   Mission_Priority        : constant Priority := 20;
    Camera_Control_Priority : constant Priority := 20;
    Capture_Priority        : constant Priority := 19;
    Arena_Priority          : constant Priority := 18;
@@ -44,8 +39,8 @@ package Schedule with SPARK_Mode is
    --  Robot.Reload_Times
    Battery_Period    : constant Time_Span := Milliseconds (500);   --  F13
    Keep_Alive_Period : constant Time_Span := Milliseconds (100);
-   --  four failures of 100 ms + 87 ms each take less than the 1 s within which
-   --  a lost line must be detected
+   --  of an idle line: four failures of 100 ms + 87 ms each take less than the
+   --  1 s within which a lost line must be detected
    Idle_Ping_Period  : constant Time_Span := Milliseconds (30_000);
    --  of an open line while the robot is not started: the robot switches
    --  itself off after two minutes without a command
@@ -59,21 +54,17 @@ package Schedule with SPARK_Mode is
 
    type Task_Name is
      (Th_Stop,
-      Th_Line,
-      Th_Reload_WD,
-      Th_Server,
+      Th_Start_Robot_WD,
       Th_Move,
-      Th_Receive_From_Mon,
-      Th_Com_Mon_Perdue,
-      Th_Send_To_Mon,
-      Th_Battery_Level,
       Th_Open_Com_Robot,
       Th_Start_Robot,
-      Th_Start_Robot_WD,
       Th_Reset_Robot,
-      Th_Query,
-      Th_Keep_Alive,
+      Th_Battery_Level,
+      Th_Server,
+      Th_Com_Mon_Perdue,
+      Th_Receive_From_Mon,
       Th_Mission,
+      Th_Send_To_Mon,
       Th_Camera_Control,
       Th_Capture_Img,
       Th_Arene,
@@ -104,62 +95,42 @@ package Schedule with SPARK_Mode is
         ("th_stop          ", Stop_Priority, No_Thread, True,
          On_Event, Unbounded),
       --  ends the process in order, even under load
-      Th_Line =>
-        ("th_line          ", Line_Priority, 20, True,
-         On_Event, Milliseconds (100)),
-      --  owns the robot's line. F12: from command to frame at the robot. Above
-      --  the monitor's tasks: a received order does not wait for the reception
-      --  of the next
-      Th_Reload_WD =>
-        ("th_reloadWD      ", Reload_Priority, 20, True,
+      Th_Start_Robot_WD =>
+        ("th_startRobotWD  ", Reload_Priority, 20, True,
          Reload_Period, Milliseconds (50)),
       --  F11: the tightest time window of all
-      Th_Server =>
-        ("th_server        ", Server_Priority, 30, True,
-         On_Event, Milliseconds (50)),
-      --  F2: admission of a new client
       Th_Move =>
         ("th_move          ", Move_Priority, 20, True,
          On_Event, Milliseconds (5)),
       --  F12: from command to the first byte of its frame. Above the reception
       --  of further commands
-      Th_Receive_From_Mon =>
-        ("th_receiveFromMon", Receive_Priority, 25, True,
-         On_Event, Milliseconds (10)),
-      --  F4: from command to answer, for commands that do not need the robot
-      Th_Com_Mon_Perdue =>
-        ("th_comMonPerdue  ", Lost_Priority, 22, True,
-         Link_Period, Milliseconds (100)),
-      --  F6: from the loss to the stop at the robot. Above image sending
-      Th_Send_To_Mon =>
-        ("th_sendToMon     ", Send_Priority, 22, True,
-         On_Event, Milliseconds (10)),
-      --  F4: from the robot's answer, or an unsolicited message, to sending.
-      --  Ends the hold on unsolicited messages
+      Th_Open_Com_Robot =>
+        ("th_openComRobot  ", Open_Priority, 20, True,
+         Keep_Alive_Period, Unbounded),
+      --  pings an idle line. What is done in an exchange is not put off by
+      --  what needs no line
+      Th_Start_Robot =>
+        ("th_startRobot    ", Open_Priority, 20, True,
+         On_Event, Unbounded),
+      Th_Reset_Robot =>
+        ("th_resetRobot    ", Open_Priority, 20, True,
+         On_Event, Unbounded),
       Th_Battery_Level =>
         ("th_batteryLevel  ", Battery_Priority, 20, True,
          Battery_Period, Milliseconds (20)),
       --  F13: its jitter, which must not include image processing
-      Th_Open_Com_Robot =>
-        ("th_openComRobot  ", Open_Priority, 20, True,
-         On_Event, Unbounded),
-      Th_Start_Robot =>
-        ("th_startRobot    ", Start_Priority, 20, True,
-         On_Event, Unbounded),
-      Th_Start_Robot_WD =>
-        ("th_startRobotWD  ", Start_Watchdog_Priority, 20, True,
-         On_Event, Unbounded),
-      Th_Reset_Robot =>
-        ("th_resetRobot    ", Reset_Priority, 20, True,
-         On_Event, Unbounded),
-      Th_Query =>
-        ("th_query         ", Query_Priority, 20, True,
-         On_Event, Unbounded),
-      --  ping, state, level and reload on request of the monitor
-      Th_Keep_Alive =>
-        ("th_keepAlive     ", Keep_Alive_Priority, 20, True,
-         Keep_Alive_Period, Unbounded),
-      --  pings an idle line
+      Th_Server =>
+        ("th_server        ", Server_Priority, 30, True,
+         On_Event, Milliseconds (50)),
+      --  F2: admission of a new client
+      Th_Com_Mon_Perdue =>
+        ("th_comMonPerdue  ", Lost_Priority, 22, True,
+         Link_Period, Milliseconds (100)),
+      --  F6: from the loss to the stop at the robot. Above image sending
+      Th_Receive_From_Mon =>
+        ("th_receiveFromMon", Receive_Priority, 25, True,
+         On_Event, Milliseconds (10)),
+      --  F4: from command to answer, for commands that do not need the robot
       Th_Mission =>
         ("th_mission       ", Mission_Priority, No_Thread, True,
          On_Event, Milliseconds (100)),
@@ -167,6 +138,11 @@ package Schedule with SPARK_Mode is
       --  Below the user's orders and the reload, above the images: while a
       --  mission is under way it looks at each position, and every
       --  Mission_Period
+      Th_Send_To_Mon =>
+        ("th_sendToMon     ", Send_Priority, 22, True,
+         On_Event, Milliseconds (10)),
+      --  F4: from the robot's answer, or an unsolicited message, to sending.
+      --  Ends the hold on unsolicited messages
       Th_Camera_Control =>
         ("th_cameraControl ", Camera_Control_Priority, 20, True,
          On_Event, Unbounded),
@@ -197,10 +173,9 @@ package Schedule with SPARK_Mode is
    --  GNATprove computes them from the code: proofs/faults lowers each by one,
    --  except the log's, and GNATprove rejects it.
 
-   Outbox_Ceiling  : constant Priority := Line_Priority;
+   Outbox_Ceiling  : constant Priority := Reload_Priority;
    Line_Ceiling    : constant Priority := Stop_Priority;
-   Order_Ceiling   : constant Priority := Move_Priority;
-   Turn_Ceiling    : constant Priority := Receive_Priority;
+   Turn_Ceiling    : constant Priority := Lost_Priority;
    Mission_Ceiling : constant Priority := Receive_Priority;
    Camera_Ceiling  : constant Priority := Stop_Priority;
    Vision_Ceiling  : constant Priority := Lost_Priority;
@@ -214,8 +189,6 @@ package Schedule with SPARK_Mode is
 
    Battery_Offset    : constant Time_Span := Milliseconds (250);
    --  after the start: keeps the battery request away from the reload
-   Idle_Line         : constant Time_Span := Milliseconds (80);
-   --  a line with an exchange this recently needs no ping
    Hold_Limit        : constant Time_Span := Milliseconds (950);
    --  docs/wire.md, rule 7: the existing monitor waits 1 s for an answer
 

@@ -44,8 +44,10 @@ is
    procedure Take_Within
      (From : Counter; Limit : Time_Span; Number : out Natural)
    is
+      Longest : constant Time_Span := Seconds (3_600);
       Left    : constant Time_Span :=
-        (if Limit > Time_Span_Zero then Limit else Time_Span_Zero);
+        (if Limit <= Time_Span_Zero then Time_Span_Zero
+         elsif Limit < Longest then Limit else Longest);
       Whole   : constant Integer := Left / Seconds (1);
       Rest    : constant Time_Span := Left - Seconds (Whole);
       Wait    : constant Time_Spec :=

@@ -36,8 +36,9 @@ is
    procedure Take_Within
      (From : Counter; Limit : Ada.Real_Time.Time_Span; Number : out Natural)
    with Global => (In_Out => Kernel);
-   --  The same, but waits no longer than Limit, and not at all if Limit is not
-   --  positive. Number is 0 if the counter was still zero. For one task only
+   --  The same, but waits no longer than Limit, or an hour, and not at all if
+   --  Limit is not positive. Number is 0 if the counter was still zero. For
+   --  one task only
 
 private
 

@@ -74,7 +74,7 @@ package Commands with SPARK_Mode is
       Label : Label_Text;
       Data  : Data_Kind;
       By    : Task_Name;
-      --  the thread that carries it out; Th_Line: without another
+      --  the thread that carries it out
       Asks  : Request;
       --  of the robot; Nothing: it is no Robot_Command. The number that is
       --  the data becomes that of the movement
@@ -98,9 +98,9 @@ package Commands with SPARK_Mode is
       when Reset_Robot =>
         ("RRST", None, Th_Reset_Robot, (Reset, Any), Done_Label),
       when Ping_Robot =>
-        ("RPIN", None, Th_Query, (Ping, Any), Done_Label),
+        ("RPIN", None, Th_Open_Com_Robot, (Ping, Any), Done_Label),
       when Reload_Watchdog =>
-        ("RLDW", None, Th_Query, (Reload_By_Hand, Any), Done_Label),
+        ("RLDW", None, Th_Start_Robot_WD, (Reload_By_Hand, Any), Done_Label),
       when Go_Forward =>
         ("RGFW", None, Th_Move, (Drive, Robot.Protocol.Forward), Done_Label),
       when Go_Backward =>
@@ -110,9 +110,9 @@ package Commands with SPARK_Mode is
       when Go_Right =>
         ("RGRI", None, Th_Move, (Drive, Robot.Protocol.Right), Done_Label),
       when Stop_Robot =>
-        ("RSTP", None, Th_Line, (Stop, Any), Done_Label),
+        ("RSTP", None, Th_Move, (Stop, Any), Done_Label),
       when Abort_Mission =>
-        ("MABT", None, Th_Line, (Stop, Any), Done_Label),
+        ("MABT", None, Th_Move, (Stop, Any), Done_Label),
       when Move_Robot =>
         ("RMOV", Number, Th_Move, (Drive, (Robot.Protocol.Move, 0)),
          Done_Label),
@@ -122,11 +122,11 @@ package Commands with SPARK_Mode is
       when Power_Off_Robot =>
         ("RPOF", None, Th_Reset_Robot, (Power_Off, Any), Done_Label),
       when Get_Battery =>
-        ("RGBT", None, Th_Query, (Get_Battery, Any), "RBLV"),
+        ("RGBT", None, Th_Battery_Level, (Get_Battery, Any), "RBLV"),
       when Get_Version =>
-        ("RVER", None, Th_Query, (Get_Version, Any), "RVER"),
+        ("RVER", None, Th_Open_Com_Robot, (Get_Version, Any), "RVER"),
       when Get_State =>
-        ("RGST", None, Th_Query, (Get_Moving, Any), "RCST"),
+        ("RGST", None, Th_Move, (Get_Moving, Any), "RCST"),
       when Open_Camera =>
         ("COPN", None, Th_Camera_Control, Nothing, Done_Label),
       when Close_Camera =>
@@ -184,14 +184,6 @@ package Commands with SPARK_Mode is
      (if Takes_Number (C.Name) then
         (Drive, (Table (C.Name).Asks.Command.Kind, C.Value))
       else Table (C.Name).Asks);
-
-   function Has_Rank (Name : Command_Name) return Boolean is
-     (Name in Robot_Command and then Table (Name).Asks.Kind /= Stop);
-   --  It has a place among the robot's commands. A stop overtakes all others
-
-   function Changes_Session (Name : Command_Name) return Boolean is
-     (Name in Robot_Command
-      and then Changes_Session (Table (Name).Asks.Kind));
 
    function Is_By_Hand (Name : Command_Name) return Boolean is
      (Name in Robot_Command

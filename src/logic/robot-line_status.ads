@@ -1,9 +1,10 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  What the tasks know of the robot and its line, and when the line must stay
---  free for the watchdog's reload.
+--  What the tasks know of the robot and its line, and when the periodic
+--  requests are due.
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Robot.Health;
+with Robot.Reload_Times;
 with Robot.Requests;
 with Robot.Session;
 with Schedule;
@@ -12,31 +13,16 @@ package Robot.Line_Status with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Robot.Line_Status);
 
-   use type Robot.Requests.Verdict_Kind;
+   use type Robot.Requests.Source;
    use type Robot.Session.Mode_Kind;
    use type Robot.Session.Outcome_Kind;
    use type Robot.Session.Request_Kind;
 
-   type Status is record
-      Open       : Boolean := False;
-      Mode       : Robot.Session.Mode_Kind := Robot.Session.Not_Started;
-      Epoch      : Natural := 0;
-      --  changes at each start
-      Counts_From : Time := Time_First;
-      --  when the last start or reload was sent: the robot's watchdog counts
-      --  from there
-      Used_At    : Time := Time_First;
-      --  end of the last exchange
-      Reloads_Refused : Natural := 0;
-      --  by the robot, in all
-      Failures   : Robot.Health.Failure_Count := 0;
-      --  failed exchanges in a row
-   end record;
-
    type Dialogue is record
       State   : Robot.Session.State;
       Counted : Time := Time_First;
-      --  when the last start or reload was sent
+      --  when the last start or reload was sent: the robot's watchdog counts
+      --  from there
       Empty   : Boolean := False;
       --  the robot's battery, when last asked
       Unasked : Natural range 0 .. 6 := 0;
@@ -46,18 +32,54 @@ package Robot.Line_Status with SPARK_Mode is
       Told    : Boolean := False;
       --  the log says, once each time the line is open, that it does so
    end record
-   with Predicate => Robot.Session.Is_Consistent (State);
+   with Dynamic_Predicate => Robot.Session.Is_Consistent (Dialogue.State);
    --  What the task that has the line knows of the robot
 
-   type State is record
-      Known      : Status;
-      Reload_Due : Time := Time_First;
+   type Status is record
+      Open       : Boolean := False;
+      Mode       : Robot.Session.Mode_Kind := Robot.Session.Not_Started;
+      Epoch      : Natural := 0;
+      --  changes at each start
+      Used_At    : Time := Time_First;
+      --  end of the last exchange
+      Reloads_Refused : Natural := 0;
+      --  by the robot, in all
+      Failures   : Robot.Health.Failure_Count := 0;
+      --  failed exchanges in a row
    end record;
+
+   type State is record
+      Known       : Status;
+      Reload_Due  : Time := Time_Last;
+      Battery_Due : Time := Time_Last;
+      Unanswered  : Robot.Reload_Times.Unanswered_Count := 0;
+      --  reloads
+   end record;
+
+   Max_Idle_Failures : constant := 2;
+   --  A robot that is not started and has left as many pings without an answer
+   --  is off, and is asked no more: its line stays open
 
    function Same_Run (Now, Before : Status) return Boolean is
      (Now.Mode /= Robot.Session.Not_Started
       and then Now.Epoch = Before.Epoch);
    --  The robot has run since Before without a restart
+
+   function Due (S : State; From : Robot.Requests.Periodic) return Time is
+     (case From is
+         when Robot.Requests.Reload     =>
+           (if S.Known.Mode = Robot.Session.Started_With_Watchdog
+            then S.Reload_Due else Time_Last),
+         when Robot.Requests.Battery    =>
+           (if S.Known.Mode /= Robot.Session.Not_Started then S.Battery_Due
+            else Time_Last),
+         when Robot.Requests.Keep_Alive =>
+           (if S.Known.Mode /= Robot.Session.Not_Started
+            then S.Known.Used_At + Schedule.Keep_Alive_Period
+            elsif S.Known.Open and then S.Known.Failures < Max_Idle_Failures
+            then S.Known.Used_At + Schedule.Idle_Ping_Period
+            else Time_Last));
+   --  Time_Last: as it is now, never
 
    function Is_Quiet
      (S : State; Now : Time; Answer_Timeout : Time_Span) return Boolean
@@ -66,15 +88,13 @@ package Robot.Line_Status with SPARK_Mode is
       and then Now >= S.Reload_Due -
         (if S.Known.Failures > 0 then
             Answer_Timeout + Schedule.Reload_Quiet_Suspect
-         else Schedule.Reload_Quiet)
-      and then Now < S.Reload_Due + Schedule.Reload_Quiet);
+         else Schedule.Reload_Quiet));
    --  A reload is due: only a stop or a movement may start
 
    function Starts
      (Done : Robot.Requests.Job; Result : Robot.Session.Outcome)
      return Boolean
-   is (Done.Verdict = Robot.Requests.Carry_Out
-       and then Done.Request.Kind in
+   is (Done.Request.Kind in
          Robot.Session.Start | Robot.Session.Start_Watchdog
        and then Result.Kind = Robot.Session.Done);
    --  The robot has started
@@ -82,8 +102,7 @@ package Robot.Line_Status with SPARK_Mode is
    function Is_Refused_Reload
      (Done : Robot.Requests.Job; Result : Robot.Session.Outcome)
      return Boolean
-   is (Done.Verdict = Robot.Requests.Carry_Out
-       and then Done.Request.Kind = Robot.Session.Reload
+   is (Done.From = Robot.Requests.Reload
        and then Result.Kind = Robot.Session.Refused);
 
    procedure Note

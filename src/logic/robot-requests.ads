@@ -1,39 +1,150 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Requests that wait for the robot's line, and the choice of the next. By
---  priority: end of a session, stop, reload of the watchdog, movement, order
---  of a mission, then the rest in the order of the commands.
+--  Requests that wait for the robot's line, and to whom it is granted next.
 
-with Order_Queues;
+with Bounded_Queues;
+with Commands; use Commands;
 with Orders;
 with Robot.Session;
+with Schedule;
 
 package Robot.Requests with SPARK_Mode is
 
    pragma Annotate (GNATprove, Terminating, Robot.Requests);
 
-   use type Orders.Order;
    use type Orders.Ticket;
    use type Robot.Session.Request_Kind;
+   use type Schedule.Task_Name;
 
-   type Client is
+   type Source is
      (Safe_State,   --  the end of a session: stop and close
-      Stop_Order,   --  a monitor's stop: queued directly, by no task
-      Reload,
-      Move,
-      Mission,      --  an order of the mission that is under way
-      Battery,
-      Open,
-      Start,
-      Start_Watchdog,
-      Reset,
-      Query,
-      Keep_Alive);
-   --  The client that asks. Each has one request at a time; Stop_Order may
-   --  have as many as commands may wait
+      Stop_Order,   --  the monitor's stops
+      Reload,       --  of the watchdog
+      Movement,     --  the monitor's movements
+      Mission,      --  the mission that is under way
+      Battery,      --  its level
+      Other_Order,  --  the monitor's other orders
+      Keep_Alive);  --  a ping
+   --  What asks for the line, the most urgent first
 
-   subtype Single is Client
-   with Static_Predicate => Single in Safe_State | Reload .. Keep_Alive;
-   --  Clients with one request at a time
+   subtype Periodic is Source
+   with Static_Predicate => Periodic in Reload | Battery | Keep_Alive;
+   --  Asked for by the clock (Robot.Line_Status.Due)
+
+   subtype Asked is Source
+   with Static_Predicate => Asked in Safe_State | Mission;
+   --  Asked for by a task, one request at a time
+
+   type Job is record
+      From    : Source := Keep_Alive;
+      Request : Robot.Session.Request;
+      Order   : Orders.Order;
+      --  the monitor's; number 0: none. Of Mission: the order that asked for
+      --  the mission, never owed
+   end record;
+
+   function Source_Of (Name : Robot_Command) return Source is
+     (case Table (Name).Asks.Kind is
+         when Robot.Session.Stop  => Stop_Order,
+         when Robot.Session.Drive => Movement,
+         when others              => Other_Order);
+
+   function User_Of (Item : Job) return Schedule.Task_Name is
+     (case Item.From is
+         when Safe_State => Schedule.Th_Com_Mon_Perdue,
+         when Reload     => Schedule.Th_Start_Robot_WD,
+         when Mission    => Schedule.Th_Mission,
+         when Battery    => Schedule.Th_Battery_Level,
+         when Keep_Alive => Schedule.Th_Open_Com_Robot,
+         when others     => Table (Item.Order.Command.Name).By);
+   --  The task that carries it out
+
+   package Job_Queues is new Bounded_Queues (Job, Orders.Capacity);
+
+   type Queue_Array is array (Source) of Job_Queues.Queue;
+   type Source_Set is array (Source) of Boolean;
+
+   type Requests is record
+      Waiting      : Queue_Array;
+      --  the oldest first; empty for a periodic source
+      Due          : Source_Set := (others => False);
+      --  the periodic ones that are due
+      Quiet        : Boolean := False;
+      --  a reload is due soon: only a stop or a movement may start
+      In_Use       : Boolean := False;
+      --  a task has the line
+      Was_Stop     : Boolean := False;
+      --  the last one was a monitor's stop
+      First_Order  : Orders.Ticket := 1;
+      --  of the session: orders with a lower number are out of date
+      Last_Stop    : Orders.Ticket := 0;
+      --  the session's last stop, 0: none
+      Last_Hand    : Orders.Ticket := 0;
+      --  its last order by hand (Commands.Is_By_Hand), 0: none
+      Last_Change  : Orders.Ticket := 0;
+      --  its last order that changes the robot's session, 0: none
+      Last_Mission : Orders.Ticket := 0;
+      --  the last mission that has asked for something, 0: none
+   end record;
+
+   --  Requests that may start
+
+   function Is_Pending (R : Requests; From : Source) return Boolean is
+     (if From in Periodic then R.Due (From)
+      else Job_Queues.Length (R.Waiting (From)) > 0);
+
+   function Head (R : Requests; From : Source) return Job is
+     (case From is
+         when Reload     => (From, (Robot.Session.Reload, others => <>),
+                             others => <>),
+         when Battery    => (From, (Robot.Session.Get_Battery, others => <>),
+                             others => <>),
+         when Keep_Alive => (From, (Robot.Session.Keep_Alive, others => <>),
+                             others => <>),
+         when others     =>
+           (From,
+            Job_Queues.Element_At (R.Waiting (From), 1).Request,
+            Job_Queues.Element_At (R.Waiting (From), 1).Order))
+   with Pre => Is_Pending (R, From);
+
+   function Waits_For
+     (R : Requests; From : Source; Number : Orders.Ticket) return Boolean
+   is (Is_Pending (R, From) and then Head (R, From).Order.Number <= Number);
+   --  An order of From that has this number or a lower one waits, too
+
+   function Is_In_Turn (R : Requests; From : Source) return Boolean is
+     (case From is
+         when Movement    =>
+           not Waits_For (R, Other_Order, Head (R, From).Order.After),
+         when Mission     =>
+           not Waits_For (R, Movement, Head (R, From).Order.Number)
+           and then not
+             Waits_For (R, Other_Order, Head (R, From).Order.Number),
+         when Other_Order =>
+           not (Robot.Session.Changes_Session (Head (R, From).Request.Kind)
+                and then
+                  Waits_For (R, Movement, Head (R, From).Order.Number)),
+         when others      => True)
+   with Pre => Is_Pending (R, From);
+   --  An order that changes the session waits for all orders before it, and so
+   --  does a mission; a movement for the last change before it
+
+   function Waits_For_Quiet (R : Requests; From : Source) return Boolean is
+     (From in Battery .. Keep_Alive
+      or else
+        (From = Mission
+         and then Head (R, From).Request.Kind /= Robot.Session.Stop))
+   with Pre => Is_Pending (R, From);
+   --  Not started shortly before a reload of the watchdog is due
+
+   function May_Go (R : Requests; From : Source) return Boolean is
+     (Is_Pending (R, From)
+      and then Is_In_Turn (R, From)
+      and then
+        (if From = Stop_Order and then R.Was_Stop then
+            not Is_Pending (R, Reload))
+      and then (if R.Quiet then not Waits_For_Quiet (R, From)));
+   --  Between two stops a reload that is due has priority: an endless sequence
+   --  of stops does not block the reloads
 
    type Verdict_Kind is
      (Carry_Out,
@@ -42,145 +153,48 @@ package Robot.Requests with SPARK_Mode is
       Out_Of_Date,  --  its session has ended
       Late);        --  an order of a mission that has waited too long
 
-   type Job is record
-      From    : Client := Keep_Alive;
-      Request : Robot.Session.Request;
-      Order   : Orders.Order;
-      Verdict : Verdict_Kind := Carry_Out;
-   end record;
-
-   type Slot is record
-      Pending : Boolean := False;
-      Request : Robot.Session.Request;
-      Order   : Orders.Order;
-      --  the monitor's order behind the request; number 0: none. Of Mission:
-      --  the order that asked for the mission, never owed
-   end record;
-
-   type Slot_Array is array (Client) of Slot;
-   --  The slot of Stop_Order is not used
-
-   type Requests is record
-      Slots       : Slot_Array;
-      Stops       : Order_Queues.Queue;
-      --  the monitor's stops, oldest first
-      First_Order : Orders.Ticket := 1;
-      --  of the session: orders with a lower number are out of date
-      Last_Stop   : Orders.Ticket := 0;
-      --  number of the last stop of the session, 0: none
-      Last_Hand   : Orders.Ticket := 0;
-      --  number of the last order by hand (Commands.Is_By_Hand), 0: none
-      Completed   : Orders.Ticket := 0;
-      --  ranked orders of the session that have been carried out
-      Last_Change : Orders.Ticket := 0;
-      --  rank of the last of them that changed the session, 0: none
-      Was_Stop    : Boolean := False;
-      --  the request taken last was a monitor's stop
-   end record;
-
-   --  Waiting requests
-
-   function Is_Pending (R : Requests; From : Client) return Boolean is
-     (if From = Stop_Order then Order_Queues.Length (R.Stops) > 0
-      else R.Slots (From).Pending);
-
-   function Request_Of (R : Requests; From : Client)
-     return Robot.Session.Request
-   is (if From = Stop_Order then (Robot.Session.Stop, others => <>)
-       else R.Slots (From).Request)
-   with Pre => Is_Pending (R, From);
-
-   function Order_Of (R : Requests; From : Client) return Orders.Order is
-     (if From = Stop_Order then Order_Queues.Element_At (R.Stops, 1)
-      else R.Slots (From).Order)
-   with Pre => Is_Pending (R, From);
-
-   --  Requests that may start
-
-   function Stops (R : Requests; From : Client) return Boolean is
-     (Request_Of (R, From).Kind = Robot.Session.Stop)
-   with Pre => Is_Pending (R, From);
-
-   function Last_Mission (R : Requests) return Orders.Ticket is
-     (R.Slots (Mission).Order.Number);
-   --  The last mission that has made a request
-
-   function Verdict_On (R : Requests; From : Client; Is_Late : Boolean)
+   function Verdict_On (R : Requests; Item : Job; Is_Late : Boolean)
      return Verdict_Kind
-   is (if From = Stop_Order
-         or else (Order_Of (R, From).Number = 0 and then From /= Mission)
+   is (if Item.From = Stop_Order
+         or else (Item.Order.Number = 0 and then Item.From /= Mission)
        then Carry_Out
-       elsif Order_Of (R, From).Number < R.First_Order then Out_Of_Date
-       elsif From = Move
+       elsif Item.Order.Number < R.First_Order then Out_Of_Date
+       elsif Item.From = Movement
          and then
-           (Order_Of (R, From).Number < R.Last_Stop
-            or else Order_Of (R, From).Number < Last_Mission (R))
+           (Item.Order.Number < R.Last_Stop
+            or else Item.Order.Number < R.Last_Mission)
        then Overtaken
-       elsif From = Mission and then Order_Of (R, From).Number < R.Last_Hand
+       elsif Item.From = Mission and then Item.Order.Number < R.Last_Hand
        then Overtaken
-       elsif From = Mission and then Is_Late and then not Stops (R, From)
+       elsif Item.From = Mission
+         and then Is_Late
+         and then Item.Request.Kind /= Robot.Session.Stop
        then Late
        else Carry_Out)
-   with Pre => Is_Pending (R, From);
-   --  Is_Late: the request of Mission has waited for too long. A stop is
-   --  never late
-
-   function Is_In_Turn (R : Requests; From : Client) return Boolean is
-     (From = Stop_Order
-      or else Order_Of (R, From).Number = 0
-      or else Order_Of (R, From).Number < R.First_Order
-      or else
-        (if From = Mission then Order_Of (R, From).After <= R.Completed
-         elsif Robot.Session.Changes_Session (Request_Of (R, From).Kind)
-         then R.Completed + 1 = Order_Of (R, From).Rank
-         else Order_Of (R, From).After <= R.Last_Change))
-   with Pre => Is_Pending (R, From);
-   --  An order that changes the session is in turn when all orders before it
-   --  are done, and so is one of a mission; any other order when the last
-   --  session change before it is done; a stop always
-
-   function Waits_For_Quiet (R : Requests; From : Client) return Boolean is
-     (From in Battery .. Keep_Alive
-      or else (From = Mission and then not Stops (R, From)))
-   with Pre => Is_Pending (R, From);
-   --  Not started shortly before a reload of the watchdog is due
-
-   function May_Go (R : Requests; From : Client; Quiet : Boolean)
-     return Boolean
-   is (Is_Pending (R, From)
-       and then
-         (From in Safe_State | Reload | Battery | Keep_Alive
-          or else Is_In_Turn (R, From))
-       and then
-         (if From = Stop_Order and then R.Was_Stop then
-             not Is_Pending (R, Reload))
-       and then (if Quiet then not Waits_For_Quiet (R, From)));
-   --  Between two stops a waiting reload has priority: an endless sequence of
-   --  stops does not block the reloads
-
-   subtype In_Order is Client range Open .. Query;
-   --  Carried out in the order of the commands
-
-   function Is_Before (R : Requests; Left, Right : Client) return Boolean is
-     (if Left in In_Order and then Right in In_Order then
-         Order_Of (R, Left).Number < Order_Of (R, Right).Number
-      else Left < Right)
-   with Pre => Is_Pending (R, Left) and then Is_Pending (R, Right);
-   --  Left has priority over Right
-
-   function Is_Ready (R : Requests) return Boolean is
-     (for some From in Client =>
-        Is_Pending (R, From) and then Is_In_Turn (R, From));
-   --  A request may start, at least outside the quiet time before a reload
+   with
+     Post =>
+       (if Item.From = Mission and then Verdict_On'Result = Carry_Out then
+           Item.Order.Number >= R.First_Order
+           and then Item.Order.Number >= R.Last_Hand
+           and then
+             (if Is_Late then Item.Request.Kind = Robot.Session.Stop));
+   --  Is_Late: the request of Mission has waited for too long. A stop is never
+   --  late
 
    --  Used in the contracts
+
+   function Is_Same_But (R, Before : Requests; From : Source) return Boolean is
+     (for all S in Source =>
+        (if S /= From then
+            Job_Queues.Is_Same (R.Waiting (S), Before.Waiting (S))))
+   with Ghost;
 
    function Is_Same_Past (R, Before : Requests) return Boolean is
      (R.First_Order = Before.First_Order
       and then R.Last_Stop = Before.Last_Stop
       and then R.Last_Hand = Before.Last_Hand
-      and then R.Completed = Before.Completed
-      and then R.Last_Change = Before.Last_Change)
+      and then R.Last_Change = Before.Last_Change
+      and then R.Last_Mission = Before.Last_Mission)
    with Ghost;
 
    procedure Begin_Session (R : in out Requests; First : Orders.Ticket)
@@ -188,124 +202,85 @@ package Robot.Requests with SPARK_Mode is
      Post => R.First_Order = First
        and then R.Last_Stop = 0
        and then R.Last_Hand = 0
-       and then R.Completed = 0
        and then R.Last_Change = 0
-       and then Order_Queues.Length (R.Stops) = 0
-       and then R.Slots = R'Old.Slots;
+       and then (for all S in Source =>
+                   (if S not in Asked then
+                       Job_Queues.Length (R.Waiting (S)) = 0));
    --  Orders with a number below First are now out of date
 
-   procedure Put
+   procedure Put (R : in out Requests; Order : Orders.Order)
+   with
+     Pre  => Order.Command.Name in Robot_Command,
+     Post => Is_Same_But (R, R'Old, Source_Of (Order.Command.Name))
+       and then R.First_Order = R'Old.First_Order
+       and then R.Last_Mission = R'Old.Last_Mission
+       and then R.Last_Stop =
+         (if Source_Of (Order.Command.Name) = Stop_Order then Order.Number
+          else R'Old.Last_Stop)
+       and then R.Last_Hand =
+         (if Is_By_Hand (Order.Command.Name) then Order.Number
+          else R'Old.Last_Hand);
+   --  Appends an order of the monitor. A stop cancels older movements that
+   --  still wait, and an order by hand what an older mission has asked for, or
+   --  will ask for
+
+   procedure Ask
      (R       : in out Requests;
-      From    : Single;
+      From    : Asked;
       Request : Robot.Session.Request;
       Order   : Orders.Order)
    with
-     Post => Is_Same_Past (R, R'Old)
-       and then R.Slots (From) = (True, Request, Order)
-       and then (for all C in Client =>
-                   (if C /= From then R.Slots (C) = R'Old.Slots (C)))
-       and then Order_Queues.Is_Same (R.Stops, R'Old.Stops);
-   --  Client From makes a request
-
-   procedure Put_Stop (R : in out Requests; Order : Orders.Order)
-   with
-     Post => R.First_Order = R'Old.First_Order
-       and then R.Last_Stop = Order.Number
-       and then R.Last_Hand = R'Old.Last_Hand
-       and then R.Completed = R'Old.Completed
-       and then R.Last_Change = R'Old.Last_Change
-       and then R.Slots = R'Old.Slots
-       and then
-         (if Order_Queues.Is_Full (R'Old.Stops) then
-             Order_Queues.Is_Same (R.Stops, R'Old.Stops)
-          else Order_Queues.Begins_With (R.Stops, R'Old.Stops)
-            and then Order_Queues.Length (R.Stops) =
-              Order_Queues.Length (R'Old.Stops) + 1
-            and then Order_Queues.Element_At
-              (R.Stops, Order_Queues.Length (R.Stops)) = Order);
-   --  Appends a monitor's stop. It cancels older movements that still wait
-
-   procedure Note_Hand (R : in out Requests; Number : Orders.Ticket)
-   with
-     Post => R.Last_Hand = Number
+     Post => Is_Same_But (R, R'Old, From)
        and then R.First_Order = R'Old.First_Order
        and then R.Last_Stop = R'Old.Last_Stop
-       and then R.Completed = R'Old.Completed
-       and then R.Last_Change = R'Old.Last_Change
-       and then R.Slots = R'Old.Slots
-       and then Order_Queues.Is_Same (R.Stops, R'Old.Stops);
-   --  Order Number is one by hand: what an older mission has asked for, or
-   --  will ask for, is not carried out any more
+       and then R.Last_Hand = R'Old.Last_Hand;
+   --  A request of From itself
 
-   function Job_Of (R : Requests; From : Client; Is_Late : Boolean)
-     return Job
-   is ((From    => From,
-        Request => Request_Of (R, From),
-        Order   => Order_Of (R, From),
-        Verdict => Verdict_On (R, From, Is_Late)))
-   with Pre => Is_Pending (R, From);
+   type Choice is record
+      Found : Boolean := False;
+      From  : Source  := Keep_Alive;
+   end record;
+
+   function Next (R : Requests) return Choice
+   with
+     Post => Next'Result.Found =
+         (not R.In_Use and then (for some S in Source => May_Go (R, S)))
+       and then
+         (if Next'Result.Found then
+             May_Go (R, Next'Result.From)
+             and then (for all S in Source =>
+                         (if May_Go (R, S) then Next'Result.From <= S)))
+       and then
+         (if not R.In_Use and then Is_Pending (R, Stop_Order) then
+             Next'Result.Found
+             and then
+               (Next'Result.From in Safe_State | Stop_Order
+                or else (Next'Result.From = Reload and then R.Was_Stop)));
+   --  The most urgent request that may start, if the line is free. A stop
+   --  precedes every other request, with two exceptions: the end of the
+   --  session, and a reload after another stop
 
    procedure Take
-     (R       : in out Requests;
-      Quiet   : Boolean;
-      Is_Late : Boolean;
-      Next    : in out Job;
-      Found   : out Boolean)
+     (R     : in out Requests;
+      Who   : Schedule.Task_Name;
+      Item  : in out Job;
+      Found : out Boolean)
    with
-     Post => Found = (for some C in Client => May_Go (R'Old, C, Quiet))
+     Post => Found =
+         (Next (R'Old).Found
+          and then User_Of (Head (R'Old, Next (R'Old).From)) = Who)
        and then Is_Same_Past (R, R'Old)
        and then
          (if Found then
-             May_Go (R'Old, Next.From, Quiet)
-             and then Next = Job_Of (R'Old, Next.From, Is_Late)
-             and then (for all C in Client =>
-                         (if May_Go (R'Old, C, Quiet) then
-                             not Is_Before (R'Old, C, Next.From)))
-             and then R.Was_Stop = (Next.From = Stop_Order)
-             and then
-               (if Next.From = Stop_Order then
-                   Order_Queues.Is_Without_First (R.Stops, R'Old.Stops)
-                else Order_Queues.Is_Same (R.Stops, R'Old.Stops)
-                  and then not R.Slots (Next.From).Pending)
-             and then (for all C in Client =>
-                         (if C /= Next.From then
-                             R.Slots (C) = R'Old.Slots (C)))
-          else R = R'Old and then Next = Next'Old)
-       and then
-         (if Is_Pending (R'Old, Stop_Order) then
-             Found
-             and then
-               (Next.From in Safe_State | Stop_Order
-                or else (Next.From = Reload and then R'Old.Was_Stop)))
-       and then
-         (if Found
-            and then Next.From = Mission
-            and then Next.Verdict = Carry_Out
-          then Next.Order.Number >= R.First_Order
-            and then Next.Order.Number >= R.Last_Hand
-            and then
-              (if Is_Late then Next.Request.Kind = Robot.Session.Stop));
-   --  Removes the request with the highest priority of those that may start. A
-   --  stop precedes every other request, with two exceptions: the end of the
-   --  session, and a reload that waits after another stop. A mission's request
-   --  is dropped if a later order by hand has ended the mission
+             R.In_Use
+             and then Item = Head (R'Old, Next (R'Old).From)
+             and then R.Was_Stop = (Item.From = Stop_Order)
+             and then Is_Same_But (R, R'Old, Item.From)
+          else R = R'Old and then Item = Item'Old);
+   --  Found: the next request is one for Who, who has the line from now on
 
-   procedure Finish (R : in out Requests; Done : Job)
-   with
-     Post => R.First_Order = R'Old.First_Order
-       and then R.Last_Stop = R'Old.Last_Stop
-       and then R.Last_Hand = R'Old.Last_Hand
-       and then
-         (if Done.Order.Number >= R.First_Order and then Done.Order.Rank > 0
-          then R.Completed = R'Old.Completed + 1
-            and then R.Last_Change =
-              (if Robot.Session.Changes_Session (Done.Request.Kind)
-               then Done.Order.Rank
-               else R'Old.Last_Change)
-          else R.Completed = R'Old.Completed
-            and then R.Last_Change = R'Old.Last_Change)
-       and then R.Slots = R'Old.Slots
-       and then Order_Queues.Is_Same (R.Stops, R'Old.Stops);
-   --  The request taken has been carried out; stops have no rank
+   procedure Release (R : in out Requests)
+   with Post => not R.In_Use and then Is_Same_Past (R, R'Old);
+   --  Whoever had the line has it no longer
 
 end Robot.Requests;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The session with the robot: what each request means in each state, as a
---  sequence of steps on the line, which the owner of the line carries out.
+--  sequence of steps, which the task that has the line carries out.
 
 with Robot.Health;
 with Robot.Protocol;

@@ -56,7 +56,7 @@ void leave_nothing_unsent(int line) {
   tcflush(line, TCOFLUSH);
 }
 
-// No order follows: th_line finds no line. If several threads crash at once,
+// No order follows: no task finds a line. If several threads crash at once,
 // each writes a stop before it ends the process.
 void stop_for_good() {
   static std::atomic<int> known{-1};

@@ -2,56 +2,96 @@
 --  The object only locks; Robot.Requests and Robot.Line_Status decide.
 
 with Ada.Real_Time; use Ada.Real_Time;
-with Commands;
-with Event;
-with Schedule;
+with Robot.Users;
 with Settings;
-with Trace;
 
 package body Robot.Line with SPARK_Mode is
 
-   type Result_Array is
-     array (Robot.Requests.Client) of Robot.Session.Outcome;
+   type Turn is record
+      Given  : Boolean := False;
+      To     : Schedule.Task_Name := Schedule.Th_Move;
+      Number : Orders.Ticket := 0;
+   end record;
+   --  Given: the line is free, and this task is to be woken for the next
+   --  request. Number: of the monitor's order, if it is one
 
-   package Work is new Event;
+   procedure Look_At_Clock
+     (Waiting : in out Robot.Requests.Requests;
+      State   : Robot.Line_Status.State;
+      Now     : Time)
+   with Annotate => (GNATprove, Terminating)
+   is
+      --  What is due by now
+   begin
+      for From in Robot.Requests.Source loop
+         if From in Robot.Requests.Periodic then
+            Waiting.Due (From) := Now >= Robot.Line_Status.Due (State, From);
+         end if;
+      end loop;
+      Waiting.Quiet := Robot.Line_Status.Is_Quiet
+        (State, Now,
+         Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout));
+   end Look_At_Clock;
+
+   procedure Choose
+     (Waiting : in out Robot.Requests.Requests;
+      State   : Robot.Line_Status.State;
+      Now     : Time;
+      Next    : out Turn)
+   with
+     Post => Next.Given = Robot.Requests.Next (Waiting).Found,
+     Annotate => (GNATprove, Terminating)
+   is
+      Choice : Robot.Requests.Choice;
+      Item   : Robot.Requests.Job;
+   begin
+      Look_At_Clock (Waiting, State, Now);
+      Choice := Robot.Requests.Next (Waiting);
+      Next := (others => <>);
+      if Choice.Found then
+         Item := Robot.Requests.Head (Waiting, Choice.From);
+         Next := (True, Robot.Requests.User_Of (Item), Item.Order.Number);
+      end if;
+   end Choose;
 
    protected Line with Priority => Schedule.Line_Ceiling is
       procedure Begin_Session (First : Orders.Ticket);
       procedure Put
-        (From    : Robot.Requests.Single;
+        (Order : Orders.Order; Now : Time; Next : out Turn)
+      with Pre => Order.Command.Name in Commands.Robot_Command;
+      procedure Ask
+        (From    : Robot.Requests.Asked;
          Request : Robot.Session.Request;
-         Order   : Orders.Order);
-      procedure Put_In_Run
-        (From    : Robot.Requests.Single;
-         Request : Robot.Session.Request;
-         Run     : Robot.Line_Status.Status;
-         Same    : out Boolean);
-      procedure Put_Stop (Order : Orders.Order);
-      procedure Put_For_Mission
-        (Request : Robot.Session.Request; Order : Orders.Order; Now : Time);
-      procedure Note_Hand (Number : Orders.Ticket);
-      procedure Set_Reload_Due (At_Time : Time);
+         Order   : Orders.Order;
+         Now     : Time;
+         Next    : out Turn);
+      procedure Look
+        (From : Robot.Requests.Periodic;
+         Now  : Time;
+         Due  : out Time;
+         Next : out Turn);
       procedure Take
-        (Now            : Time;
-         Answer_Timeout : Time_Span;
-         Next           : in out Robot.Requests.Job;
-         Found          : out Boolean);
+        (Who     : Schedule.Task_Name;
+         Now     : Time;
+         Item    : in out Robot.Requests.Job;
+         Verdict : out Robot.Requests.Verdict_Kind;
+         Held    : out Robot.Line_Status.Dialogue;
+         Found   : out Boolean);
       procedure Finish
         (Done   : Robot.Requests.Job;
          Held   : Robot.Line_Status.Dialogue;
          Result : Robot.Session.Outcome;
          Now    : Time;
-         More   : out Boolean);
-      procedure Collect
-        (From : Robot.Requests.Client; Result : out Robot.Session.Outcome);
+         Next   : out Turn);
       procedure Get_Status (Current : out Robot.Line_Status.Status);
       procedure Get_Rights
         (Number : Orders.Ticket; Is_Over, By_Hand : out Boolean);
    private
-      Waiting : Robot.Requests.Requests;
-      Results : Result_Array;
-      State   : Robot.Line_Status.State;
-      Asked   : Time := Time_First;
+      Waiting  : Robot.Requests.Requests;
+      State    : Robot.Line_Status.State;
+      Dialogue : Robot.Line_Status.Dialogue;
+      --  while no task has the line
+      Asked    : Time := Time_First;
       --  when the mission made its last request
    end Line;
 
@@ -63,61 +103,50 @@ package body Robot.Line with SPARK_Mode is
       end Begin_Session;
 
       procedure Put
-        (From    : Robot.Requests.Single;
-         Request : Robot.Session.Request;
-         Order   : Orders.Order) is
+        (Order : Orders.Order; Now : Time; Next : out Turn) is
       begin
-         Robot.Requests.Put (Waiting, From, Request, Order);
+         Robot.Requests.Put (Waiting, Order);
+         Choose (Waiting, State, Now, Next);
       end Put;
 
-      procedure Put_In_Run
-        (From    : Robot.Requests.Single;
+      procedure Ask
+        (From    : Robot.Requests.Asked;
          Request : Robot.Session.Request;
-         Run     : Robot.Line_Status.Status;
-         Same    : out Boolean) is
+         Order   : Orders.Order;
+         Now     : Time;
+         Next    : out Turn) is
       begin
-         Same := Robot.Line_Status.Same_Run (State.Known, Run);
-         if Same then
-            Robot.Requests.Put (Waiting, From, Request, (others => <>));
+         Robot.Requests.Ask (Waiting, From, Request, Order);
+         if From = Robot.Requests.Mission then
+            Asked := Now;
          end if;
-      end Put_In_Run;
+         Choose (Waiting, State, Now, Next);
+      end Ask;
 
-      procedure Put_Stop (Order : Orders.Order) is
+      procedure Look
+        (From : Robot.Requests.Periodic;
+         Now  : Time;
+         Due  : out Time;
+         Next : out Turn) is
       begin
-         Robot.Requests.Put_Stop (Waiting, Order);
-      end Put_Stop;
-
-      procedure Put_For_Mission
-        (Request : Robot.Session.Request; Order : Orders.Order; Now : Time) is
-      begin
-         Robot.Requests.Put
-           (Waiting, Robot.Requests.Mission, Request, Order);
-         Asked := Now;
-      end Put_For_Mission;
-
-      procedure Note_Hand (Number : Orders.Ticket) is
-      begin
-         Robot.Requests.Note_Hand (Waiting, Number);
-      end Note_Hand;
-
-      procedure Set_Reload_Due (At_Time : Time) is
-      begin
-         State.Reload_Due := At_Time;
-      end Set_Reload_Due;
+         Due := Robot.Line_Status.Due (State, From);
+         Choose (Waiting, State, Now, Next);
+      end Look;
 
       procedure Take
-        (Now            : Time;
-         Answer_Timeout : Time_Span;
-         Next           : in out Robot.Requests.Job;
-         Found          : out Boolean) is
+        (Who     : Schedule.Task_Name;
+         Now     : Time;
+         Item    : in out Robot.Requests.Job;
+         Verdict : out Robot.Requests.Verdict_Kind;
+         Held    : out Robot.Line_Status.Dialogue;
+         Found   : out Boolean) is
       begin
-         Robot.Requests.Take
-           (R       => Waiting,
-            Quiet   => Robot.Line_Status.Is_Quiet
-              (State, Now, Answer_Timeout),
-            Is_Late => Now > Asked + Schedule.Mission_Order_Limit,
-            Next    => Next,
-            Found   => Found);
+         Look_At_Clock (Waiting, State, Now);
+         Robot.Requests.Take (Waiting, Who, Item, Found);
+         Verdict := Robot.Requests.Verdict_On
+           (Waiting, Item,
+            Is_Late => Now > Asked + Schedule.Mission_Order_Limit);
+         Held := Dialogue;
       end Take;
 
       procedure Finish
@@ -125,19 +154,13 @@ package body Robot.Line with SPARK_Mode is
          Held   : Robot.Line_Status.Dialogue;
          Result : Robot.Session.Outcome;
          Now    : Time;
-         More   : out Boolean) is
+         Next   : out Turn) is
       begin
-         Results (Done.From) := Result;
+         Dialogue := Held;
          Robot.Line_Status.Note (State, Done, Held, Result, Now);
-         Robot.Requests.Finish (Waiting, Done);
-         More := Robot.Requests.Is_Ready (Waiting);
+         Robot.Requests.Release (Waiting);
+         Choose (Waiting, State, Now, Next);
       end Finish;
-
-      procedure Collect
-        (From : Robot.Requests.Client; Result : out Robot.Session.Outcome) is
-      begin
-         Result := Results (From);
-      end Collect;
 
       procedure Get_Status (Current : out Robot.Line_Status.Status) is
       begin
@@ -153,117 +176,86 @@ package body Robot.Line with SPARK_Mode is
 
    end Line;
 
-   procedure Wake (Number : Orders.Ticket := 0)
+   procedure Wake (Next : Turn)
    with Annotate => (GNATprove, Terminating)
    is
-      --  Wakes the owner of the line
    begin
-      Trace.Release (Schedule.Th_Line, Number);
-      Work.Set;
+      if Next.Given then
+         Robot.Users.Signal (Next.To, Next.Number);
+      end if;
    end Wake;
 
    procedure Begin_Session (First : Orders.Ticket) is
    begin
       Line.Begin_Session (First);
-      Wake;
    end Begin_Session;
 
    procedure Refuse_Orders is
    begin
-      Begin_Session (Orders.Ticket'Last);
+      Line.Begin_Session (Orders.Ticket'Last);
    end Refuse_Orders;
 
-   procedure Put
-     (From : Robot.Requests.Single; Request : Robot.Session.Request) is
+   procedure Put (Order : in out Orders.Order) is
+      Now  : constant Time := Clock;
+      Next : Turn;
    begin
-      Line.Put (From, Request, (others => <>));
-      Wake;
+      Order.Owed := False;
+      Line.Put (Order, Now, Next);
+      Wake (Next);
    end Put;
 
-   procedure Put_In_Run
-     (From    : Robot.Requests.Single;
+   procedure Ask
+     (From    : Robot.Requests.Asked;
       Request : Robot.Session.Request;
-      Run     : Robot.Line_Status.Status;
-      Same    : out Boolean) is
+      Order   : Orders.Order)
+   is
+      Now  : constant Time := Clock;
+      Next : Turn;
    begin
-      Line.Put_In_Run (From, Request, Run, Same);
-      Wake;
-   end Put_In_Run;
+      Line.Ask (From, Request, Order, Now, Next);
+      Wake (Next);
+   end Ask;
 
-   procedure Put
-     (From : Robot.Requests.Single; Order : in out Orders.Order) is
+   procedure Look
+     (From : Robot.Requests.Periodic; Next : out Ada.Real_Time.Time)
+   is
+      Now : constant Time := Clock;
+      To  : Turn;
    begin
-      Order.Owed := False;
-      Line.Put (From, Commands.Request_Of (Order.Command), Order);
-      Wake (Order.Number);
-   end Put;
+      Line.Look (From, Now, Next, To);
+      Wake (To);
+      if Next <= Now then
+         --  it waits for the line
+         Next := Now + Schedule.Keep_Alive_Period;
+      end if;
+   end Look;
 
-   procedure Put_Stop (Order : in out Orders.Order) is
-   begin
-      Order.Owed := False;
-      Line.Put_Stop (Order);
-      Wake (Order.Number);
-   end Put_Stop;
-
-   procedure Put_For_Mission
-     (Request : Robot.Session.Request; Order : Orders.Order)
+   procedure Take
+     (Who     : Schedule.Task_Name;
+      Item    : in out Robot.Requests.Job;
+      Verdict : out Robot.Requests.Verdict_Kind;
+      Held    : out Robot.Line_Status.Dialogue;
+      Found   : out Boolean)
    is
       Now : constant Time := Clock;
    begin
-      Line.Put_For_Mission (Request, Order, Now);
-      Wake;
-   end Put_For_Mission;
-
-   procedure Note_Hand (Number : Orders.Ticket) is
-   begin
-      Line.Note_Hand (Number);
-   end Note_Hand;
-
-   procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time) is
-   begin
-      Line.Set_Reload_Due (At_Time);
-      Wake;
-   end Set_Reload_Due;
-
-   procedure Take (Next : in out Robot.Requests.Job) is
-      Answer_Timeout : constant Time_Span :=
-        Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout);
-      Found          : Boolean;
-      Now            : Time;
-   begin
-      Trace.Done (Schedule.Th_Line);
-      loop
-         Work.Wait;
-         Now := Clock;
-         Line.Take (Now, Answer_Timeout, Next, Found);
-         exit when Found;
-         Trace.Idle (Schedule.Th_Line);
-      end loop;
-      Trace.Start (Schedule.Th_Line, Next.Order.Number);
-      Next.Order.Owed := Next.Order.Number /= 0
-        and then Next.From /= Robot.Requests.Mission;
+      Line.Take (Who, Now, Item, Verdict, Held, Found);
+      Item.Order.Owed := Found
+        and then Item.Order.Number /= 0
+        and then Item.From /= Robot.Requests.Mission;
    end Take;
 
    procedure Finish
-     (Done    : Robot.Requests.Job;
-      Held    : Robot.Line_Status.Dialogue;
-      Result  : Robot.Session.Outcome;
-      At_Time : Ada.Real_Time.Time)
+     (Done   : Robot.Requests.Job;
+      Held   : Robot.Line_Status.Dialogue;
+      Result : Robot.Session.Outcome)
    is
-      More : Boolean;
+      Now  : constant Time := Clock;
+      Next : Turn;
    begin
-      Line.Finish (Done, Held, Result, At_Time, More);
-      if More then
-         --  the next Take returns at once
-         Work.Set;
-      end if;
+      Line.Finish (Done, Held, Result, Now, Next);
+      Wake (Next);
    end Finish;
-
-   procedure Collect
-     (From : Robot.Requests.Client; Result : out Robot.Session.Outcome) is
-   begin
-      Line.Collect (From, Result);
-   end Collect;
 
    procedure Get_Status (Current : out Robot.Line_Status.Status) is
    begin

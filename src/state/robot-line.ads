@@ -1,17 +1,19 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The requests that wait for the robot's line, and the known state of the
---  robot, shared by all tasks.
+--  The robot's line: requests wait for it, and it is granted to one task at a
+--  time, with the dialogue with the robot.
 
 with Ada.Real_Time;
+with Commands;
 with Orders;
 with Robot.Line_Status;
 with Robot.Requests;
 with Robot.Session;
+with Schedule;
 
 package Robot.Line with SPARK_Mode is
 
    use type Orders.Ticket;
-   use type Robot.Requests.Client;
+   use type Robot.Requests.Source;
 
    procedure Begin_Session (First : Orders.Ticket)
    with Annotate => (GNATprove, Terminating);
@@ -20,70 +22,54 @@ package Robot.Line with SPARK_Mode is
    procedure Refuse_Orders with Annotate => (GNATprove, Terminating);
    --  The process ends: all orders are out of date from now on
 
-   procedure Put
-     (From : Robot.Requests.Single; Request : Robot.Session.Request)
-   with Annotate => (GNATprove, Terminating);
-   --  A request of From's own
+   procedure Put (Order : in out Orders.Order)
+   with
+     Pre  => Order.Owed and then Order.Command.Name in Commands.Robot_Command,
+     Post => not Order.Owed,
+     Annotate => (GNATprove, Terminating);
+   --  The monitor's order, which the task of Commands.Table carries out and
+   --  answers. There is always room: no more orders are in progress than wait
+   --  here
 
-   procedure Put_In_Run
-     (From    : Robot.Requests.Single;
+   procedure Ask
+     (From    : Robot.Requests.Asked;
       Request : Robot.Session.Request;
-      Run     : Robot.Line_Status.Status;
-      Same    : out Boolean)
-   with Annotate => (GNATprove, Terminating);
-   --  The same, unless the robot's run that Run is of has ended (not Same)
-
-   procedure Put
-     (From : Robot.Requests.Single; Order : in out Orders.Order)
-   with
-     Pre  => Order.Owed,
-     Post => not Order.Owed,
-     Annotate => (GNATprove, Terminating);
-   --  An order of the monitor from From; the line's owner answers it
-
-   procedure Put_Stop (Order : in out Orders.Order)
-   with
-     Pre  => Order.Owed,
-     Post => not Order.Owed,
-     Annotate => (GNATprove, Terminating);
-   --  A monitor's stop. It cancels older movements that still wait
-
-   procedure Put_For_Mission
-     (Request : Robot.Session.Request; Order : Orders.Order)
+      Order   : Orders.Order)
    with
      Pre => not Order.Owed,
      Annotate => (GNATprove, Terminating);
-   --  A request of the mission that Order has asked for
+   --  A request of From itself; Order: that has asked for the mission, if it
+   --  is one
 
-   procedure Note_Hand (Number : Orders.Ticket)
+   procedure Look
+     (From : Robot.Requests.Periodic; Next : out Ada.Real_Time.Time)
    with Annotate => (GNATprove, Terminating);
-   --  Order Number is one by hand, and about to be passed on: missions that
-   --  are older ask the robot for nothing any more
+   --  If something may start by now, its task is woken. Next: when to look
+   --  again, for From
 
-   procedure Set_Reload_Due (At_Time : Ada.Real_Time.Time)
-   with Annotate => (GNATprove, Terminating);
-   --  Shortly before this time only a stop or a movement may start
-
-   procedure Take (Next : in out Robot.Requests.Job)
+   procedure Take
+     (Who     : Schedule.Task_Name;
+      Item    : in out Robot.Requests.Job;
+      Verdict : out Robot.Requests.Verdict_Kind;
+      Held    : out Robot.Line_Status.Dialogue;
+      Found   : out Boolean)
    with
-     Pre  => not Next.Order.Owed,
-     Post => Next.Order.Owed =
-       (Next.Order.Number /= 0
-        and then Next.From /= Robot.Requests.Mission);
-   --  The most urgent request; waits for one. For the owner of the line only
+     Pre  => not Item.Order.Owed,
+     Post => Item.Order.Owed =
+       (Found
+        and then Item.Order.Number /= 0
+        and then Item.From /= Robot.Requests.Mission),
+     Annotate => (GNATprove, Terminating);
+   --  Found: the line is granted to Who until Finish, for Item. Otherwise
+   --  something else has come that is more urgent: Who is woken again
 
    procedure Finish
-     (Done    : Robot.Requests.Job;
-      Held    : Robot.Line_Status.Dialogue;
-      Result  : Robot.Session.Outcome;
-      At_Time : Ada.Real_Time.Time)
+     (Done   : Robot.Requests.Job;
+      Held   : Robot.Line_Status.Dialogue;
+      Result : Robot.Session.Outcome)
    with Annotate => (GNATprove, Terminating);
-   --  Request Done has ended with Result, the robot's dialogue as in Held
-
-   procedure Collect
-     (From : Robot.Requests.Client; Result : out Robot.Session.Outcome)
-   with Annotate => (GNATprove, Terminating);
-   --  The outcome of the last request of From
+   --  Request Done has ended with Result, the robot's dialogue as in Held:
+   --  gives the line back, for the next one
 
    procedure Get_Status (Current : out Robot.Line_Status.Status)
    with Annotate => (GNATprove, Terminating);

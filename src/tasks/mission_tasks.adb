@@ -15,9 +15,11 @@ with Monitor.Protocol;
 with Options;
 with Orders;
 with Process.Threads;
-with Robot.Clients;
 with Robot.Line;
+with Robot.Requests;
+with Robot.Service;
 with Robot.Session;
+with Robot.Users;
 with Settings;
 with Vision.Sightings;
 with Vision.State;
@@ -134,6 +136,7 @@ package body Mission_Tasks with SPARK_Mode is
       Why      : Abort_Reason;
       Next     : Action;
       Result   : Robot.Session.Outcome;
+      Was_Turn : Boolean;
       Now      : Missions.Microseconds;
       Due      : Missions.Microseconds;
    begin
@@ -155,8 +158,14 @@ package body Mission_Tasks with SPARK_Mode is
             Tell_Progress (M, Ground.Now, Told);
          end if;
          if Next.Kind in Ask | Order | Stop then
-            Robot.Clients.Mission.Ask_For_Mission
-              (Next.Request, M.Order, Result);
+            Robot.Line.Ask (Robot.Requests.Mission, Next.Request, M.Order);
+            loop
+               pragma Loop_Invariant
+                 (not M.Order.Owed and then Missions.Arenas.Is_Usable (M.Map));
+               Robot.Users.Mission.Wait_In_Job;
+               Robot.Service.Serve (Schedule.Th_Mission, Result, Was_Turn);
+               exit when Was_Turn;
+            end loop;
             Ground.Now := Clock;
             Now := Missions.Grounds.Since (Base, Ground.Now);
             Tell (M.Run, Result, Now);

@@ -22,16 +22,18 @@ with Monitor.Sockets.Listener;
 with Options;
 with Orders;
 with Process.Threads;
-with Robot.Clients;
 with Robot.Line;
+with Robot.Requests;
+with Robot.Service;
 with Robot.Session;
+with Robot.Users;
 with Settings;
-with Task_Ports;
 with Texts;
 with Trace;
 with Vision.Camera_Requests;
 with Vision.Frame_Store;
 with Vision.State;
+with Vision.Turns;
 
 package body Monitor.Tasks with SPARK_Mode is
 
@@ -119,7 +121,6 @@ package body Monitor.Tasks with SPARK_Mode is
 
    procedure Handle
      (Line  : String;
-      Ranks : in out Orders.Ranks;
       Order : in out Orders.Order;
       Open  : out Boolean)
    with
@@ -144,12 +145,13 @@ package body Monitor.Tasks with SPARK_Mode is
       Open := Order.Owed;
       if Open then
          Trace.Received (Order.Command.Name, Order.Number);
-         Orders.Give_Rank (Ranks, Order);
          case Order.Command.Name is
             when Mission_Command =>
                Ask_For_Mission (Line, Order);
-            when Robot_Command | Vision_Command =>
-               Task_Ports.Dispatch (Order);
+            when Robot_Command =>
+               Robot.Line.Put (Order);
+            when Vision_Command =>
+               Vision.Turns.Put (Order);
             when Sign_Of_Life =>
                Monitor.Sockets.Connection.Expect_Life;
                Monitor.Outbox.Answer (Order, No_Line);
@@ -191,7 +193,6 @@ package body Monitor.Tasks with SPARK_Mode is
       Complete : Boolean;
       Open     : Boolean;
       Begun    : Beginning;
-      Ranks    : Orders.Ranks;
       Order    : Orders.Order;
    begin
       Process.Threads.Name_Task (Schedule.Th_Receive_From_Mon);
@@ -203,7 +204,6 @@ package body Monitor.Tasks with SPARK_Mode is
          Begun :=
            (if Settings.Command_Line.Chosen.Token_File.Length > 0 then Known
             else Undecided);
-         Ranks := (others => <>);
          loop
             pragma Loop_Invariant (not Order.Owed);
             Monitor.Sockets.Connection.Receive (Incoming, Length, Open);
@@ -221,7 +221,7 @@ package body Monitor.Tasks with SPARK_Mode is
                Accept_Character (Reader, Incoming (I), Complete);
                if Complete then
                   Get_Line (Reader, Line, Last);
-                  Handle (Line (1 .. Last), Ranks, Order, Open);
+                  Handle (Line (1 .. Last), Order, Open);
                end if;
             end loop;
             exit when not Open;
@@ -358,17 +358,24 @@ package body Monitor.Tasks with SPARK_Mode is
    procedure Bring_Back is
       --  Robot, camera and queues to their initial state (F6)
       Next    : Orders.Ticket;
+      Stopped : Boolean;
       Ignored : Robot.Session.Outcome;
-      Idle  : Boolean;
-      Limit : Time;
-      Now   : Time;
+      Idle    : Boolean;
+      Limit   : Time;
+      Now     : Time;
    begin
       --  the robot first: from here on no order of this session counts
       Monitor.Sockets.Connection.Shut_Down;
       Monitor.Outbox.Close_Session (Next);
       Robot.Line.Begin_Session (Next);
-      Robot.Clients.Safe_State.Ask
-        ((Kind => Robot.Session.Close_Line, others => <>), Ignored);
+      Robot.Line.Ask
+        (Robot.Requests.Safe_State,
+         (Kind => Robot.Session.Close_Line, others => <>), (others => <>));
+      loop
+         Robot.Users.Monitor_Lost.Wait_In_Job;
+         Robot.Service.Serve (Schedule.Th_Com_Mon_Perdue, Ignored, Stopped);
+         exit when Stopped;
+      end loop;
       Vision.State.Store.Begin_Session (Next);
       Vision.Camera_Requests.Close;
       --  a search for the arena does not wait for a camera that hangs
@@ -377,7 +384,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Trace.Wait (Schedule.Th_Com_Mon_Perdue, Trace.Tasks);
       Monitor.Session.Receive_Ended.Wait;
       Trace.Resume (Schedule.Th_Com_Mon_Perdue);
-      Task_Ports.Clear;
+      Vision.Turns.Clear;
       --  a camera that hangs in its driver is not waited for: it closes as
       --  soon as the driver lets go of it
       Now := Clock;

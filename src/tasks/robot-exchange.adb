@@ -6,7 +6,6 @@ with Journal;
 with Options;
 with Robot.Protocol; use Robot.Protocol;
 with Robot.Serial_Line;
-with Schedule;
 with Settings;
 with Texts;
 with Trace;
@@ -14,6 +13,7 @@ with Trace;
 package body Robot.Exchange with SPARK_Mode is
 
    use type Robot.Session.Mode_Kind;
+   use type Robot.Session.Outcome_Kind;
    use type Robot.Session.Request_Kind;
    use type Robot.Session.Step_Kind;
 
@@ -82,7 +82,8 @@ package body Robot.Exchange with SPARK_Mode is
    end Discard_Unasked;
 
    procedure Exchange
-     (Held      : in out Robot.Line_Status.Dialogue;
+     (Who       : Schedule.Task_Name;
+      Held      : in out Robot.Line_Status.Dialogue;
       Item      : Command;
       Mode      : Robot.Session.Mode_Kind;
       Skip_Late : Boolean;
@@ -119,8 +120,8 @@ package body Robot.Exchange with SPARK_Mode is
       Has_Left := Now + Length * Schedule.Byte_Time;
       Deadline := Has_Left
         + Milliseconds (Settings.Command_Line.Chosen.Answer_Timeout);
-      Trace.Ordered (Schedule.Th_Line, Item.Kind);
-      Trace.Wait (Schedule.Th_Line, Trace.Answer);
+      Trace.Ordered (Who, Item.Kind);
+      Trace.Wait (Who, Trace.Answer);
       if not Last.Ok or else Held.Unasked > 4
         or else (Held.Unasked > 0 and then Item.Kind in Start | Start_Watchdog)
       then
@@ -168,7 +169,8 @@ package body Robot.Exchange with SPARK_Mode is
    end Exchange;
 
    procedure Take_Step
-     (Held     : in out Robot.Line_Status.Dialogue;
+     (Who      : Schedule.Task_Name;
+      Held     : in out Robot.Line_Status.Dialogue;
       State    : Robot.Session.State;
       Progress : Robot.Session.Progress;
       Step     : Robot.Session.Step;
@@ -198,10 +200,10 @@ package body Robot.Exchange with SPARK_Mode is
          when Robot.Session.Send =>
             Robot.Serial_Line.Write
               (Step.Command, State.Mode, Ignored, Last.Ok);
-            Trace.Ordered (Schedule.Th_Line, Step.Command.Kind);
+            Trace.Ordered (Who, Step.Command.Kind);
          when Robot.Session.Exchange | Robot.Session.Synchronise =>
             Exchange
-              (Held, Step.Command, State.Mode,
+              (Who, Held, Step.Command, State.Mode,
                Step.Kind = Robot.Session.Synchronise, Last);
          when Robot.Session.Finish =>
             null;
@@ -209,7 +211,8 @@ package body Robot.Exchange with SPARK_Mode is
    end Take_Step;
 
    procedure Carry_Out
-     (Held    : in out Robot.Line_Status.Dialogue;
+     (Who     : Schedule.Task_Name;
+      Held    : in out Robot.Line_Status.Dialogue;
       Request : Robot.Session.Request;
       Result  : out Robot.Session.Outcome)
    is
@@ -235,12 +238,17 @@ package body Robot.Exchange with SPARK_Mode is
          then
             Held.Counted := Clock;
          end if;
-         Take_Step (Held, State, Progress, Step, Last);
-         Trace.Resume (Schedule.Th_Line);
+         Take_Step (Who, Held, State, Progress, Step, Last);
+         Trace.Resume (Who);
          Robot.Session.Continue_Request (State, Progress, Last, Step);
       end loop;
       Held.State := State;
       Result := Robot.Session.Result (Progress);
+      Held.Empty := State.Line_Open
+        and then
+          (if Request.Kind = Robot.Session.Get_Battery
+             and then Result.Kind = Robot.Session.Done
+           then Robot.Session.Is_Zero (Result) else Held.Empty);
    end Carry_Out;
 
 end Robot.Exchange;

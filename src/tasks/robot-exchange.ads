@@ -1,14 +1,16 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  Carries out a request on the serial line, by the steps of Robot.Session.
---  For the owner of the line only.
+--  For the task that has the line.
 
 with Robot.Line_Status;
 with Robot.Session;
+with Schedule;
 
 private package Robot.Exchange with SPARK_Mode is
 
    procedure Carry_Out
-     (Held    : in out Robot.Line_Status.Dialogue;
+     (Who     : Schedule.Task_Name;
+      Held    : in out Robot.Line_Status.Dialogue;
       Request : Robot.Session.Request;
       Result  : out Robot.Session.Outcome);
    --  To open an open line asks whether the robot answers. Terminates: a

@@ -14,7 +14,6 @@ with Options;
 with Orders;
 with Process.Threads;
 with Settings;
-with Task_Ports;
 with Texts;
 with Trace;
 with Vision.Camera_Events;
@@ -28,6 +27,7 @@ with Vision.Mode;
 with Vision.Shapes;
 with Vision.Sightings;
 with Vision.State;
+with Vision.Turns;
 
 package body Vision.Tasks with SPARK_Mode is
 
@@ -166,7 +166,7 @@ package body Vision.Tasks with SPARK_Mode is
       Process.Threads.Name_Task (Schedule.Th_Camera_Control);
       loop
          pragma Loop_Invariant (not Order.Owed);
-         Task_Ports.Camera_Control.Wait (Order);
+         Vision.Turns.Wait_Camera_Control (Order);
          case Order.Command.Name is
             when Open_Camera =>
                Vision.State.Store.Ask_Open (Order.Number, Needed, Success);
@@ -192,7 +192,7 @@ package body Vision.Tasks with SPARK_Mode is
                   Success);
          end case;
          Monitor.Outbox.Answer (Order, Reply_To (Success));
-         Task_Ports.Vision_Done;
+         Vision.Turns.Finish;
       end loop;
    end Th_Camera_Control;
 
@@ -334,7 +334,7 @@ package body Vision.Tasks with SPARK_Mode is
       Process.Threads.Name_Task (Schedule.Th_Arene);
       loop
          pragma Loop_Invariant (not Order.Owed);
-         Task_Ports.Arena.Wait (Order);
+         Vision.Turns.Wait_Arena (Order);
          if Order.Command.Name = Commands.Get_Ground then
             Vision.State.Store.Get (Seen);
             Monitor.Outbox.Answer
@@ -382,7 +382,7 @@ package body Vision.Tasks with SPARK_Mode is
                   "arena confirmed or rejected, but none was awaiting it");
             end if;
          end if;
-         Task_Ports.Vision_Done;
+         Vision.Turns.Finish;
       end loop;
    end Th_Arene;
 

@@ -95,7 +95,7 @@ package body Deadline_Times is
    Battery_Period   : constant Duration := 0.5;
 
    Line_Rest : constant Duration := 0.001;
-   --  how long the owner of the line may take after an exchange before it is
+   --  how long who has the line may take after an exchange before it is
    --  free again
 
    --  for an answer

@@ -27,7 +27,7 @@ package body Forwarders is
             --  Linux counts priorities from 1
             & Integer'Image
                 (if Own_Process.Real_Time_Allowed
-                 then Schedule.Line_Priority + 1 else 0)));
+                 then Schedule.Move_Priority + 1 else 0)));
       Number := Process.Awaited (Errors, "listening on", 5.0);
       Check (Number > 0, "the forwarder does not listen");
       Line := Process.Element (Errors, Number).Text;

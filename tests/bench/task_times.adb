@@ -16,8 +16,9 @@ with Instants;                use Instants;
 with Libc;
 with Own_Process;
 with Reports;
-with Response_Times;
+with Response_Times;          use type Response_Times.Microseconds;
 with Samples;
+with Schedule;
 with Supervisor_Model;
 
 package body Task_Times is
@@ -44,15 +45,19 @@ package body Task_Times is
 
    Runs : Run_Maps.Map;  --  of the threads by their names
 
-   Owner : constant String := "th_line";
-
    package Duration_Vectors is new Ada.Containers.Vectors (Positive, Duration);
 
-   Exchange : Duration_Vectors.Vector;  --  the owner's runs in this one
+   Exchange : Duration_Vectors.Vector;
+   --  in this one, the runs of the tasks that use the line
    Requests : Samples.Set;
    Answers  : Samples.Set;
 
    Kept : constant := 15;  --  characters, of a longer name
+
+   function Uses_Line (Name : String) return Boolean is
+     (for some Who in
+        Schedule.Th_Start_Robot_WD .. Schedule.Th_Battery_Level =>
+        Head (Schedule.Name_Of (Who), Kept) = Head (Name, Kept));
 
    function Budget_Of (Name : Activity_Name) return Duration is
      (Duration (Processor_Time (Name)) / 1_000_000);
@@ -69,7 +74,10 @@ package body Task_Times is
    Watch : Watch_Access;
 
    function Budget_Of (Name : String) return Duration is
-      Most  : Response_Times.Span := 0;
+      Most : Response_Times.Span :=
+        (if Uses_Line (Name)
+         then Processor_Time (Line_Answer) + Processor_Time (Line_Outcome)
+         else 0);
    begin
       for A in Activity_Name loop
          if Head (Supervisor_Model.Task_Name (A), Kept) = Head (Name, Kept)
@@ -86,7 +94,7 @@ package body Task_Times is
          --  otherwise it may have been the process's end, not the task's job
          Runs (To_String (Item.Name)).Add (Item.Run);
       end if;
-      if Item.Name = Owner then
+      if Uses_Line (To_String (Item.Name)) then
          Exchange.Append (Item.Run);
       end if;
       Item.Run := 0.0;
@@ -222,8 +230,8 @@ package body Task_Times is
            (Run_Maps.Key (Place), Run_Maps.Element (Place),
             Budget_Of (Run_Maps.Key (Place)));
       end loop;
-      Put (Owner & ", request", Requests, Budget_Of (Line_Request));
-      Put (Owner & ", answer", Answers,
+      Put ("line, request", Requests, Budget_Of (Line_Request));
+      Put ("line, answer", Answers,
            Budget_Of (Line_Answer) + Budget_Of (Line_Outcome));
       Reports.Put_Number ("activities", Float (Number), "");
       Reports.Put_Number ("activities above their budgets", Float (Above), "");

@@ -13,16 +13,16 @@ package Task_Times is
 
    procedure Begin_Exchange;
    procedure End_Exchange;
-   --  What th_line does in between is an exchange with the robot: a run for
-   --  the request, and one for the answer. If it is more, there was another
-   --  exchange, and these are not told apart
+   --  What a task does in between that uses the line is an exchange with the
+   --  robot: a run for the request, and one for the answer. If it is more,
+   --  there was another exchange, and these are not told apart
 
    procedure Stop;
 
    procedure Print;
    --  To the report: how long each run of each task took so far, in all
    --  processes, beside its budget. What a task does without a pause of 2 ms
-   --  counts as one run; of th_line that can be an answer and the next
+   --  counts as one run; of the line that can be an answer and the next
    --  request. What it does while its process ends does not count
 
 end Task_Times;

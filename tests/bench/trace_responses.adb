@@ -19,6 +19,7 @@ with Programs;
 with Reports;
 with Response_Times;        use Response_Times;
 with Rigs;                  use Rigs;
+with Schedule;
 with Service_Starts;
 with Supervisor_Model;      use Supervisor_Model;
 with Trace_Files;           use Trace_Files;
@@ -46,8 +47,14 @@ package body Trace_Responses is
       Depth    : Natural := 0;
       Begun    : Nanoseconds := Never;
       --  the release of the activity under way, Never between activities
+      Timed    : Boolean := False;
+      --  the clock has begun the job
       Waited   : Boolean := False;
       --  the job has had a wait
+      Asking   : Boolean := False;
+      --  the wait under way is for the robot's answer
+      Answered : Boolean := False;
+      --  the job has had such a wait
       Stopped  : Nanoseconds := Never;
       --  the beginning of the wait under way
       Sending  : Activity_Name := Send_Answer;
@@ -100,8 +107,8 @@ package body Trace_Responses is
       for Name in Activity_Name loop
          Take (Name, Known.Bounds (Name));
       end loop;
-      Take (Line_Request, Known.Owner.Request);
-      Take (Line_Answer, Known.Owner.Outcome);
+      Take (Line_Request, Known.Owner (Other_Order).Request);
+      Take (Line_Answer, Known.Owner (Other_Order).Outcome);
       if Known.Requirements (Mission_Order).Known then
          Orders.Bound :=
            Duration (Known.Requirements (Mission_Order).Bound) / 1_000_000;
@@ -116,13 +123,19 @@ package body Trace_Responses is
       end if;
    end Add;
 
+   function Uses_Line (Name : Unbounded_String) return Boolean is
+     (for some Who in
+        Schedule.Th_Start_Robot_WD .. Schedule.Th_Battery_Level =>
+        Schedule.Name_Of (Who) = Name);
+
    procedure Resume (S : in out Thread_State; Item : Event) is
    begin
       S.Waited := True;
+      S.Answered := S.Answered or else S.Asking;
       if S.Due /= Never then
          S.Begun := Nanoseconds'Max (S.Due, S.Stopped);
          S.Due := Never;
-      elsif S.Name /= "th_line"
+      elsif not S.Asking
         and then not S.Waiting.Is_Empty
         and then S.Waiting.Last_Element.Command = 0
       then
@@ -154,7 +167,16 @@ package body Trace_Responses is
          return Environment;
       end if;
       if S.Name = "th_mission" then
-         return (if S.Waited then Mission_Told else S.Looking);
+         return
+           (if S.Answered then Mission_Told
+            elsif S.Waited then Line_Request
+            else S.Looking);
+      elsif S.Answered then
+         return Line_Answer;
+      elsif Uses_Line (S.Name) and then not Last then
+         return Line_Request;
+      elsif Uses_Line (S.Name) and then not S.Timed then
+         return Environment;  --  without an exchange
       end if;
       --  the first of the task's activities, or its second after a wait
       for Name in Activity_Name loop
@@ -192,11 +214,13 @@ package body Trace_Responses is
    procedure Begin_Job (S : in out Thread_State; Item : Event) is
       Place : Natural := 0;
    begin
+      S.Timed := S.Due /= Never;
       S.Waited := False;
+      S.Answered := False;
       S.Sending := Send_Answer;
       S.Looking :=
         (if Item.Command > 0 then Mission_Begin
-         elsif S.Due /= Never then Mission_Due
+         elsif S.Timed then Mission_Due
          else Mission_Seen);
       if S.Due /= Never then
          S.Begun := S.Due;
@@ -212,7 +236,7 @@ package body Trace_Responses is
          if Place > 0 then
             S.Begun := S.Waiting (Place).Time;
             S.Waiting.Delete (Place);
-            if S.Name = "th_line" or else S.Name = "th_mission" then
+            if Uses_Line (S.Name) or else S.Name = "th_mission" then
                S.Begun := Nanoseconds'Max (S.Begun, S.Ready);
             end if;
          else
@@ -229,7 +253,7 @@ package body Trace_Responses is
    end Begin_Job;
 
    function Name_Of (Name : Activity_Name) return String is
-     (Task_Name (Name)
+     ((if Name in Line_Request .. Line_Open then "line" else Task_Name (Name))
       & (case Name is
             when Line_Request  => ", request",
             when Mission_Begin => ", begin",
@@ -239,11 +263,7 @@ package body Trace_Responses is
             when Send_Mission  => ", mission",
             when Line_Answer   => ", answer",
             when Reload_Due | Battery_Due | Ping_Due    => ", due",
-            when Reload_Done | Battery_Done | Ping_Done | Move_Done
-               | Open_Done | Start_Done | Watchdog_Done | Reset_Done
-               | Query_Done => ", done",
-            when Move_Order | Open_Order | Start_Order | Watchdog_Order
-               | Reset_Order | Query_Order | Camera_Order => ", order",
+            when Camera_Order  => ", order",
             when Camera_Answer | Send_Answer => ", answer",
             when Send_Battery  => ", battery",
             when Send_Position => ", position",
@@ -285,8 +305,10 @@ package body Trace_Responses is
 
       function Is_Under_Way (Thread : String) return Boolean is
         (for some Other of States =>
-           Other.Name = Thread and then Other.Depth = 1);
-      --  In a job, and not in a wait of it
+           (if Thread = "" then Uses_Line (Other.Name)
+            else Other.Name = Thread)
+           and then Other.Depth = 1);
+      --  In a job, and not in a wait of it. "": any that uses the line
 
    begin
       if Who.Name = "th_camera" and then Item.Phase = 'E'
@@ -300,7 +322,7 @@ package body Trace_Responses is
          Take_Image (S, Item.Time);
       elsif Who.Name = "th_mission" and then N = "release"
         and then Is_Under_Way ("th_captureImg")
-        and then not Is_Under_Way ("th_line")
+        and then not Is_Under_Way ("")
       then
          --  by the search. An image that comes while the robot is asked does
          --  not count: what is ordered then follows from the answer
@@ -310,19 +332,12 @@ package body Trace_Responses is
       then
          S.Seen := Never;
       elsif N = "robot M" or else N = "robot T" then
-         --  of a mission that has just seen the image: the line's owner is
-         --  more urgent, so that it may not wait yet
-         for Thread of States loop
-            if Thread.Name = "th_mission" and then Thread.Depth > 0
-              and then not Thread.Waited
-              and then S.Seen /= Never
-            then
-               Add
-                 (Orders,
-                  Duration ((Item.Time - S.Seen) / 1_000) / 1_000_000);
-               S.Seen := Never;
-            end if;
-         end loop;
+         --  of a mission that has just seen the image
+         if Who.Name = "th_mission" and then S.Seen /= Never then
+            Add
+              (Orders, Duration ((Item.Time - S.Seen) / 1_000) / 1_000_000);
+            S.Seen := Never;
+         end if;
       end if;
    end Follow;
 
@@ -358,10 +373,11 @@ package body Trace_Responses is
                   else
                      --  what lies between two exchanges of one transaction
                      --  is of both activities: left out
-                     if not (S.Name = "th_line" and then S.Waited) then
+                     if not S.Answered then
                         Add (S, Item.Time, False, Result);
                      end if;
                      S.Stopped := Item.Time;
+                     S.Asking := N = "wait for answer";
                   end if;
                when 'E' =>
                   S.Depth := S.Depth - 1;

@@ -12,7 +12,7 @@ package Trace_Responses is
    --  releases it:
    --    - the clock: the nominal instant;
    --    - another task: the moment in which it signals the event, but for
-   --      the owner of the line not before it has ended the transaction
+   --      a task that uses the line not before who has it has ended the transaction
    --      before (the analysis takes these for one after the other);
    --    - the kernel (socket, robot's answer, camera): when the task has
    --      seen it. The kernel's own latency is missing there.

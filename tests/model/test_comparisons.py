@@ -66,8 +66,11 @@ def test_a_fault_is_noticed(tree: Path, fault: str) -> None:
     ("file", "script"),
     [
         #  a condition, which is for the mutants
-        ("robot-line.adb", "/^   procedure Finish/,/end Finish/s/if More/if not More/"),
-        ("order_ports.adb", "s/Arrived.Set;/ARRIVED.SET;/; s/Port.Put/port . put/"),
+        ("robot-line.adb", "/^   procedure Wake/,/end Wake/s/if Next/if not Next/"),
+        (
+            "vision-turns.adb",
+            "s/Arena_Turn.Set;/ARENA_TURN.SET;/; s/ine.Put/INE . put/",
+        ),
     ],
 )
 def test_the_same_operations_pass(tree: Path, file: str, script: str) -> None:

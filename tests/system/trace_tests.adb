@@ -22,7 +22,7 @@ with Trace_Files;           use Trace_Files;
 
 procedure Trace_Tests is
 
-   Tasks : constant := 21;
+   Tasks : constant := 17;
 
    function Trace_Path return String is
      (Programs.Temporary_Folder & "/trace.txt");
@@ -125,10 +125,9 @@ procedure Trace_Tests is
       Follow ("th_receiveFromMon", "in " & Label, 'i');
       Follow (Carrier, "release", 'i');
       Follow (Carrier, "job", 'B');
-      Follow ("th_line", "job", 'B');
-      Follow ("th_line", "robot " & Order, 'i', Numbered => False);
-      Follow ("th_line", "wait for answer", 'B', Numbered => False);
-      Follow ("th_line", "", 'E', Numbered => False);
+      Follow (Carrier, "robot " & Order, 'i', Numbered => False);
+      Follow (Carrier, "wait for answer", 'B', Numbered => False);
+      Follow (Carrier, "", 'E', Numbered => False);
       Follow ("th_sendToMon", "release", 'i');
       Follow ("th_sendToMon", "job", 'B', Numbered => False);
       Follow ("th_sendToMon", "out AACK", 'i', Numbered => False);
@@ -199,7 +198,7 @@ procedure Trace_Tests is
       Check_Way (T, "ROPN", "th_openComRobot", "r");
       Check_Way (T, "RSWW", "th_startRobotWD", "W");
       Check_Way (T, "RGFW", "th_move", "M");
-      Check_Way (T, "RPIN", "th_query", "p");
+      Check_Way (T, "RPIN", "th_openComRobot", "p");
       Check_Way (T, "RRST", "th_resetRobot", "r");
       Check_Way (T, "RSOW", "th_startRobot", "u");
       Check
@@ -244,7 +243,7 @@ procedure Trace_Tests is
    begin
       --  the main procedure, which ends the process then, is at the file
       Fail ("th_stop");
-      Fail ("th_query");
+      Fail ("th_resetRobot");
       Check (Count_Of ("th_stop", "robot M") >= 1, "no stop in the trace");
    end After_A_Failure;
 

@@ -24,9 +24,7 @@ pragma Unreferenced (Process.Privileges);  --  it has the wrapped geteuid
 with Robot.Line;
 with Robot.Line_Status;
 with Robot.Requests;
-with Robot.Session;
 with Schedule;
-with Task_Ports;
 with Texts;
 with Trace;
 with Vision.Camera_Requests;
@@ -35,10 +33,13 @@ with Vision.Robot_Sightings;
 with Vision.Shapes;
 with Vision.Sightings;
 with Vision.State;
+with Vision.Turns;
 
-procedure Operation_Times with Priority => Schedule.Query_Priority is
+procedure Operation_Times with Priority => Schedule.Camera_Control_Priority is
 
    Calls : constant := 20_000;
+
+   type Line_Operation is (Put, Take, Finish);
 
    type Sample_Index is range 1 .. Calls;
    type Sample_Array is array (Sample_Index range <>) of Natural;
@@ -90,6 +91,10 @@ procedure Operation_Times with Priority => Schedule.Query_Priority is
    Order  : Orders.Order;
    Status : Robot.Line_Status.Status;
    Job    : Robot.Requests.Job;
+   Held   : Robot.Line_Status.Dialogue;
+   Found  : Boolean;
+   Due    : Time;
+   Verdict : Robot.Requests.Verdict_Kind;
    View   : Vision.Mode.State;
    Stage  : Monitor.Session.Status;
    Wanted : Boolean;
@@ -104,7 +109,7 @@ begin
    for I in Sample_Index loop
       Start;
       for Turn in 1 .. 100 loop
-         Trace.Done (Schedule.Th_Line);
+         Trace.Done (Schedule.Th_Move);
       end loop;
       Stop;
    end loop;
@@ -117,7 +122,7 @@ begin
       for I in Sample_Index loop
          Start;
          for Turn in 1 .. 100 loop
-            Trace.Done (Schedule.Th_Line);
+            Trace.Done (Schedule.Th_Move);
          end loop;
          Stop;
       end loop;
@@ -160,27 +165,37 @@ begin
    end loop;
    Report ("Monitor.Outbox.Take, an image");
 
-   for I in Sample_Index loop
-      Start;
-      Robot.Line.Put
-        (Robot.Requests.Battery,
-         Robot.Session.Request'
-           (Kind => Robot.Session.Get_Battery, others => <>));
-      Stop;
-      Robot.Line.Take (Job);
+   for Measured in Line_Operation loop
+      for I in Sample_Index loop
+         Order := (Number => Orders.Ticket (I),
+                   Command => (Name => Commands.Go_Forward, others => <>),
+                   Owed => True, others => <>);
+         Job := (others => <>);
+         Start;
+         Robot.Line.Put (Order);
+         if Measured = Put then
+            Stop;
+         end if;
+         Start;
+         Robot.Line.Take (Schedule.Th_Move, Job, Verdict, Held, Found);
+         if Measured = Take then
+            Stop;
+         end if;
+         Start;
+         Robot.Line.Finish (Job, Held, (others => <>));
+         if Measured = Finish then
+            Stop;
+         end if;
+      end loop;
+      Report ("Robot.Line." & Measured'Image);
    end loop;
-   Report ("Robot.Line.Put");
 
    for I in Sample_Index loop
-      Robot.Line.Put
-        (Robot.Requests.Battery,
-         Robot.Session.Request'
-           (Kind => Robot.Session.Get_Battery, others => <>));
       Start;
-      Robot.Line.Take (Job);
+      Robot.Line.Look (Robot.Requests.Keep_Alive, Due);
       Stop;
    end loop;
-   Report ("Robot.Line.Take");
+   Report ("Robot.Line.Look");
 
    for I in Sample_Index loop
       Start;
@@ -189,23 +204,16 @@ begin
    end loop;
    Report ("Robot.Line.Get_Status");
 
-   Order.Command := (Name => Commands.Go_Forward, others => <>);
+   Order.Command := (Name => Commands.Open_Camera, others => <>);
    Order.Owed := True;
    for I in Sample_Index loop
       Start;
-      Task_Ports.Move.Put (Order);
-      Stop;
-      Task_Ports.Move.Wait (Order);
-   end loop;
-   Report ("Order_Ports.Put");
-
-   for I in Sample_Index loop
-      Task_Ports.Move.Put (Order);
-      Start;
-      Task_Ports.Move.Wait (Order);
+      Vision.Turns.Put (Order);
+      Vision.Turns.Wait_Camera_Control (Order);
+      Vision.Turns.Finish;
       Stop;
    end loop;
-   Report ("Order_Ports.Wait");
+   Report ("Vision.Turns, all three");
 
    for I in Sample_Index loop
       Order.Owed := True;

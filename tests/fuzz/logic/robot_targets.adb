@@ -129,7 +129,7 @@ package body Robot_Targets is
                   Get (Receiving, F);
                   Decode (F, Next.Command.Kind, Last.Reply);
                   Last.Text := Text_Of (F);
-                  --  as the owner of the line has it
+                  --  as Robot.Exchange has it
                   Last.Ok :=
                     (if Next.Kind = Robot.Session.Synchronise
                      then Is_Answer (Last.Reply.Kind, Next.Command.Kind)

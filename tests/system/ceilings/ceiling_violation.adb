@@ -26,6 +26,6 @@ begin
    Good :=
      (if Granted = Fifo_With_Ceilings
       then Raised and then Inside = Schedule.Stop_Priority + 1
-      else not Raised and then Inside <= Schedule.Line_Priority + 1);
+      else not Raised and then Inside <= Schedule.Move_Priority + 1);
    GNAT.OS_Lib.OS_Exit (if Good then 0 else 1);
 end Ceiling_Violation;

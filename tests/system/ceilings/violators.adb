@@ -24,7 +24,7 @@ package body Violators is
       Last : int := 0;
    end High;
 
-   task Violator with Priority => Schedule.Line_Priority;
+   task Violator with Priority => Schedule.Move_Priority;
 
    Done          : Suspension_Object;
    Was_Raised    : Boolean := False with Atomic;

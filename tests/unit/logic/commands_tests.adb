@@ -1,12 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The table of commands: the robot's frame for each line of the monitor, what
---  is by hand; and the ranks.
+--  The table of commands: the robot's frame for each line of the monitor, and
+--  what is by hand.
 
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Commands;         use Commands;
 with Monitor.Protocol; use Monitor.Protocol;
-with Orders;           use Orders;
 with Robot.Protocol;
 with Robot.Session;
 with Unit_Runs; use Unit_Runs;
@@ -26,18 +25,6 @@ procedure Commands_Tests is
                  Line & ": character" & I'Image);
       end loop;
    end Check_Frame;
-
-   procedure Check_Rank
-     (R : in out Ranks; Name : Command_Name; Rank, After : Ticket)
-   is
-      --  as the task has it that receives: with what the last order left
-      Item : Order :=
-        (Command => (Name, 0), Rank => 99, After => 99, others => <>);
-   begin
-      Give_Rank (R, Item);
-      Assert (Item.Rank = Rank, Name'Image & " has rank" & Item.Rank'Image);
-      Assert (Item.After = After, Name'Image & " after" & Item.After'Image);
-   end Check_Rank;
 
    procedure Test_Frames is
    begin
@@ -74,25 +61,7 @@ procedure Commands_Tests is
       end loop;
    end Test_Hand;
 
-   procedure Test_Ranks is
-      R : Ranks;
-   begin
-      Check_Rank (R, Open_Robot, 1, 0);
-      Check_Rank (R, Ping_Robot, 2, 1);
-      Check_Rank (R, Stop_Robot, 0, 0);
-      Check_Rank (R, Abort_Mission, 0, 0);
-      Check_Rank (R, Open_Camera, 0, 0);
-      Check_Rank (R, Go_To_Pixels, 0, 2);
-      --  a mission follows all orders before it
-
-      Check_Rank (R, Start_Robot, 3, 1);
-      Check_Rank (R, Go_Left, 4, 3);
-      Check_Rank (R, Power_Off_Robot, 5, 3);
-      Check_Rank (R, Get_State, 6, 5);
-   end Test_Ranks;
-
 begin
    Run_Test ("the robot's frames", Test_Frames'Access);
    Run_Test ("orders by hand", Test_Hand'Access);
-   Run_Test ("the ranks", Test_Ranks'Access);
 end Commands_Tests;

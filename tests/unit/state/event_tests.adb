@@ -101,6 +101,12 @@ procedure Event_Tests is
       Answered.Set;
       Answered.Wait_Until (Time_First, Was_Set);
       Assert (Was_Set, "not taken as the time is over");
+
+      --  and one that never comes is none
+
+      Answered.Set;
+      Answered.Wait_Until (Time_Last, Was_Set);
+      Assert (Was_Set, "not taken as there is no end");
    end Test_Until;
 
 begin

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The line's requests: urgency, void movements, places kept, missions.
+--  Who gets the robot's line: urgency, void movements, places kept, missions.
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Ada.Real_Time;
+with Ada.Real_Time;    use Ada.Real_Time;
 with Commands;         use Commands;
 with Orders;           use Orders;
 with Robot.Line;
@@ -15,87 +15,129 @@ with Unit_Runs; use Unit_Runs;
 
 package body Robot_Line_Tests is
 
-   procedure Ask
-     (From        : Client;
-      Name        : Command_Name;
-      Number      : Ticket;
-      Rank, After : Ticket := 0)
-   is
-      --  The monitor's order, by way of From.
-      Order : Orders.Order :=
-        (Number, (Name => Name, others => <>), Rank, After, Owed => True);
+   procedure Put (Name : Robot_Command; Number : Ticket) is
+      --  The monitor's order
+      Order : Orders.Order := (Number, (Name, 0), Owed => True, others => <>);
    begin
-      Robot.Line.Put (From, Order);
-   end Ask;
-
-   procedure Ask (From : Client; Kind : Robot.Session.Request_Kind) is
-      --  A request of From's own.
-   begin
-      Robot.Line.Put
-        (From, Robot.Session.Request'(Kind => Kind, others => <>));
-   end Ask;
+      Robot.Line.Put (Order);
+   end Put;
 
    procedure Ask_For_Mission
-     (Kind   : Robot.Session.Request_Kind;
-      Number : Ticket;
-      After  : Ticket := 0) is
-      --  What the mission asks for that the monitor's order Number began.
+     (Kind : Robot.Session.Request_Kind; Number : Ticket) is
+      --  What the mission asks for that the monitor's order Number began
    begin
-      Robot.Line.Put_For_Mission
-        ((Kind => Kind, others => <>),
-         (Number => Number, After => After, others => <>));
+      Robot.Line.Ask
+        (Mission, (Kind => Kind, others => <>),
+         (Number => Number, others => <>));
    end Ask_For_Mission;
 
-   procedure Check
-     (From    : Client;
-      Verdict : Verdict_Kind := Carry_Out;
-      Mode    : Robot.Session.Mode_Kind := Robot.Session.Not_Started)
+   procedure Take
+     (Item : in out Job; Verdict : out Verdict_Kind; Found : out Boolean)
    is
-      --  The next job is From's, and is done; then the robot is in Mode
-      Next : Job;
+      --  By the task whose turn it is
+      Ignored : Robot.Line_Status.Dialogue;
    begin
-      Robot.Line.Take (Next);
-      Assert (Next.From = From,
-              From'Image & " expected, not " & Next.From'Image);
-      Assert (Next.Verdict = Verdict, From'Image & Next.Verdict'Image);
-      Assert (not (Next.Order.Owed and then From = Mission),
-              "a mission's order is answered when it begins, not here");
+      for Who in Schedule.Task_Name loop
+         Robot.Line.Take (Who, Item, Verdict, Ignored, Found);
+         exit when Found;
+      end loop;
+   end Take;
+
+   procedure Finish
+     (Item : Job;
+      Mode : Robot.Session.Mode_Kind := Robot.Session.Not_Started;
+      Age  : Time_Span := Time_Span_Zero) is
+   begin
       Robot.Line.Finish
-        (Next,
+        (Item,
          (State   => (Line_Open => True, Mode => Mode, others => <>),
-          Counted => Ada.Real_Time.Clock,
+          Counted => Clock - Age,
           others  => <>),
-         (others => <>), Ada.Real_Time.Clock);
+         (others => <>));
+   end Finish;
+
+   procedure Check
+     (From    : Source;
+      Verdict : Verdict_Kind := Carry_Out;
+      Mode    : Robot.Session.Mode_Kind := Robot.Session.Not_Started;
+      Age     : Time_Span := Time_Span_Zero)
+   is
+      --  The next job is From's, and is done; then the robot is in Mode. Age:
+      --  of the start or reload
+      Item   : Job;
+      Actual : Verdict_Kind;
+      Found  : Boolean;
+   begin
+      Take (Item, Actual, Found);
+      Assert (Found, "nobody has the line for " & From'Image);
+      Assert (Item.From = From,
+              From'Image & " expected, not " & Item.From'Image);
+      Assert (Actual = Verdict, From'Image & Actual'Image);
+      Assert (not (Item.Order.Owed and then From = Mission),
+              "a mission's order is answered when it begins, not here");
+      Finish (Item, Mode, Age);
    end Check;
 
-   procedure Stop (Number : Ticket; After : Ticket := 0) is
-      Order : Orders.Order :=
-        (Number, (Name => Stop_Robot, others => <>), 0, After, Owed => True);
+   procedure Begin_Session (First : Ticket) is
+      --  With a robot that is not started
    begin
-      Robot.Line.Put_Stop (Order);
-   end Stop;
+      Robot.Line.Begin_Session (First);
+      Robot.Line.Ask
+        (Safe_State, (Kind => Robot.Session.Close_Line, others => <>),
+         (others => <>));
+      Check (Safe_State);
+   end Begin_Session;
+
+   Running : constant Robot.Session.Mode_Kind :=
+     Robot.Session.Started_With_Watchdog;
+
+   procedure Begin_Run (Number : Ticket; Age : Time_Span := Time_Span_Zero) is
+      --  A start with watchdog, sent so long ago
+   begin
+      Put (Start_Robot_Watchdog, Number);
+      Check (Other_Order, Mode => Running, Age => Age);
+   end Begin_Run;
 
    procedure Test_Many_Stops is
    begin
-      Robot.Line.Begin_Session (400);
-      Ask (Reload, Robot.Session.Reload);
-      Ask (Move, Go_Forward, 399, 0, 0);
-      for Number in Orders.Ticket range 400 .. 402 loop
-         Stop (Number);
+      Begin_Session (400);
+      Begin_Run (400, Schedule.Reload_Period);
+      Put (Go_Forward, 399);
+      for Number in Ticket range 401 .. 403 loop
+         Put (Stop_Robot, Number);
       end loop;
-      Check (Stop_Order);
-      Check (Reload);
-      Check (Stop_Order);
+      Check (Stop_Order, Mode => Running);
+      Check (Reload, Mode => Running);
+      Check (Stop_Order, Mode => Running);
       --  nothing else goes before a stop
-      Check (Stop_Order);
-      Check (Move, Out_Of_Date);
+      Check (Stop_Order, Mode => Running);
+      Check (Movement, Out_Of_Date, Mode => Running);
    end Test_Many_Stops;
+
+   procedure Test_One_At_A_Time is
+      Item, Other : Job;
+      Verdict     : Verdict_Kind;
+      Found       : Boolean;
+   begin
+      Begin_Session (600);
+      Put (Ping_Robot, 600);
+      Take (Item, Verdict, Found);
+      Assert (Found, "nobody has the line");
+      Put (Stop_Robot, 601);
+      Take (Other, Verdict, Found);
+      Assert (not Found, "two have the line");
+      Finish (Item);
+      Check (Stop_Order);
+      Take (Other, Verdict, Found);
+      Assert (not Found, "somebody has the line for nothing");
+   end Test_One_At_A_Time;
 
    procedure Test_Hand is
    begin
-      Robot.Line.Begin_Session (600);
+      Begin_Session (600);
       Ask_For_Mission (Robot.Session.Drive, 600);
-      Robot.Line.Note_Hand (601);
+      Put (Stop_Robot, 601);
+      Check (Stop_Order);
       Check (Mission, Overtaken);
       --  nor is what it asks for later, a stop included
 
@@ -115,38 +157,35 @@ package body Robot_Line_Tests is
    procedure Test_Late is
 
       procedure Pass_Limit is
-         use Ada.Real_Time;
       begin
          delay until Clock + Schedule.Mission_Order_Limit + Milliseconds (5);
       end Pass_Limit;
 
    begin
-      Robot.Line.Begin_Session (700);
+      Begin_Session (700);
       Ask_For_Mission (Robot.Session.Drive, 700);
       Pass_Limit;
       Check (Mission, Late);
       Ask_For_Mission (Robot.Session.Stop, 700);
       Pass_Limit;
       Check (Mission);
-      Ask_For_Mission (Robot.Session.Drive, 700);
-      Check (Mission);
    end Test_Late;
 
    procedure Test_Mission_In_Turn is
    begin
-      Robot.Line.Begin_Session (800);
-      Ask_For_Mission (Robot.Session.Stop, 802, After => 2);
-      Ask (Reset, Reset_Robot, 801, 2, 1);
-      Ask (Open, Open_Robot, 800, 1, 0);
-      Check (Open);
-      Check (Reset);
+      Begin_Session (800);
+      Put (Open_Robot, 800);
+      Put (Reset_Robot, 801);
+      Ask_For_Mission (Robot.Session.Stop, 802);
+      Check (Other_Order);
+      Check (Other_Order);
       Check (Mission);
       --  a movement from before it does not go out any more
 
-      Ask (Move, Go_Forward, 801, 3, 0);
-      Check (Move, Overtaken);
-      Ask (Move, Go_Forward, 803, 4, 0);
-      Check (Move);
+      Put (Go_Forward, 801);
+      Check (Movement, Overtaken);
+      Put (Go_Forward, 803);
+      Check (Movement);
    end Test_Mission_In_Turn;
 
    procedure Test_Rights is
@@ -161,120 +200,149 @@ package body Robot_Line_Tests is
       end Check_Rights;
 
    begin
-      Robot.Line.Begin_Session (900);
-      Robot.Line.Note_Hand (900);
+      Begin_Session (900);
+      Put (Go_Forward, 900);
+      Check (Movement);
       Check_Rights (False, False);
-      Robot.Line.Note_Hand (902);
+      Put (Ping_Robot, 902);
+      Check (Other_Order);
+      Check_Rights (False, False);
+      Put (Go_Forward, 903);
+      Check (Movement);
       Check_Rights (False, True);
-      Robot.Line.Begin_Session (903);
+      Begin_Session (904);
       Check_Rights (True, False);
    end Test_Rights;
 
    procedure Test_Of_A_Run is
-      Run  : Robot.Line_Status.Status;
-      Same : Boolean;
 
-      procedure Begin_Run is
+      procedure Check_Due (From : Periodic; After : Time_Span) is
+         --  Not before that time has passed
+         Next : Time;
+         Now  : constant Time := Clock;
       begin
-         Ask (Start_Watchdog, Robot.Session.Start_Watchdog);
-         Check (Start_Watchdog, Mode => Robot.Session.Started_With_Watchdog);
-      end Begin_Run;
+         Robot.Line.Look (From, Next);
+         Assert (Next > Now + After - Milliseconds (1), From'Image & " early");
+      end Check_Due;
 
-      procedure Reload_In (Expected : Boolean) is
+      procedure Check_Never (From : Periodic) is
+         Next : Time;
       begin
-         Robot.Line.Put_In_Run
-           (Reload, (Kind => Robot.Session.Reload, others => <>), Run, Same);
-         Assert (Same = Expected, "the same run: " & Same'Image);
-      end Reload_In;
+         Robot.Line.Look (From, Next);
+         Assert (Next = Time_Last, From'Image & " for nothing");
+      end Check_Never;
 
    begin
-      Robot.Line.Begin_Session (500);
-      Begin_Run;
-      Robot.Line.Get_Status (Run);
-      Reload_In (True);
-      Check (Reload, Mode => Robot.Session.Started_With_Watchdog);
-      Begin_Run;
-      Reload_In (False);
-      Ask (Query, Ping_Robot, 500, 1, 0);
-      Check (Query);
-      --  which has ended the second run
-      Robot.Line.Get_Status (Run);
-      Reload_In (False);
-      Ask (Query, Ping_Robot, 501, 2, 0);
-      Check (Query);
+      Begin_Session (500);
+      Check_Never (Reload);
+      Check_Never (Battery);
+      Begin_Run (500, Schedule.Reload_Period - Milliseconds (1));
+      Put (Reset_Robot, 501);
+      delay until Clock + Milliseconds (2);
+      Check (Reload, Mode => Running);
+      Check (Battery, Mode => Running);
+      Check (Other_Order);
+      Check_Never (Reload);
+      Check_Never (Battery);
+      Begin_Run (502);
+      Check_Due (Reload, Schedule.Reload_Period - Milliseconds (100));
+      Check_Due (Battery, Schedule.Battery_Offset - Milliseconds (100));
    end Test_Of_A_Run;
+
+   procedure Test_Quiet is
+   begin
+      Begin_Session (550);
+      Begin_Run (550, Schedule.Reload_Period - Schedule.Reload_Quiet);
+      Put (Ping_Robot, 551);
+      Put (Go_Forward, 552);
+      Check (Movement, Mode => Running);
+      delay until Clock + Schedule.Reload_Quiet;
+      Check (Reload, Mode => Running);
+      Check (Battery, Mode => Running);
+      Check (Other_Order, Mode => Running);
+   end Test_Quiet;
 
    procedure Test_Out_Of_Date is
    begin
-      Robot.Line.Begin_Session (300);
-      Ask (Reset, Reset_Robot, 301, 7, 5);
-      Stop (302);
-      Robot.Line.Begin_Session (310);
-      Check (Reset, Out_Of_Date);
+      Begin_Session (300);
+      Put (Reset_Robot, 301);
+      Put (Stop_Robot, 302);
+      Begin_Session (310);
+      --  the end of the session has removed them; one that comes after it
 
-      --  and does not count among the orders of the new one
-
-      Ask (Open, Open_Robot, 310, 1, 0);
-      Check (Open);
+      Put (Reset_Robot, 303);
+      Check (Other_Order, Out_Of_Date);
+      Put (Open_Robot, 310);
+      Check (Other_Order);
    end Test_Out_Of_Date;
 
    procedure Test_Overtaken is
    begin
-      Robot.Line.Begin_Session (200);
-      Ask (Move, Go_Forward, 200, 1, 0);
-      Stop (201);
+      Begin_Session (200);
+      Put (Go_Forward, 200);
+      Put (Stop_Robot, 201);
       Check (Stop_Order);
-      Check (Move, Overtaken);
-      Ask (Move, Go_Forward, 202, 2, 0);
-      Check (Move);
+      Check (Movement, Overtaken);
+      Put (Go_Forward, 202);
+      Check (Movement);
    end Test_Overtaken;
 
    procedure Test_Places is
    begin
-      Robot.Line.Begin_Session (100);
-      Ask (Move, Go_Forward, 103, 4, 3);
-      Ask (Reset, Reset_Robot, 102, 3, 1);
-      Ask (Query, Ping_Robot, 101, 2, 1);
-      Ask (Open, Open_Robot, 100, 1, 0);
-      Stop (104, 3);
+      Begin_Session (100);
+      Put (Open_Robot, 100);
+      Put (Ping_Robot, 101);
+      Put (Reset_Robot, 102);
+      Put (Go_Forward, 103);
+      Put (Stop_Robot, 104);
       Check (Stop_Order);
-      Check (Open);
-      Check (Query);
-      Check (Reset);
-      Check (Move, Overtaken);
+      Check (Other_Order);
+      Check (Other_Order);
+      Check (Other_Order);
+      Check (Movement, Overtaken);
+      --  a movement goes before a question, but a reset not before it
+
+      Put (Ping_Robot, 105);
+      Put (Go_Forward, 106);
+      Put (Reset_Robot, 107);
+      Check (Movement);
+      Check (Other_Order);
+      Check (Other_Order);
    end Test_Places;
 
    procedure Test_Urgency is
    begin
-      Robot.Line.Begin_Session (10);
-      Ask (Keep_Alive, Robot.Session.Keep_Alive);
-      Ask (Query, Ping_Robot, 11, 2, 0);
-      Ask (Battery, Robot.Session.Get_Battery);
-      Ask_For_Mission (Robot.Session.Drive, 10);
-      Ask (Move, Go_Forward, 13, 3, 0);
-      Ask (Reload, Robot.Session.Reload);
-      Stop (12);
-      Ask (Safe_State, Robot.Session.Close_Line);
-      Check (Safe_State);
-      Check (Stop_Order);
-      Check (Reload);
-      Check (Move);
-      Check (Mission);
-      Check (Battery);
-      Check (Query);
-      Check (Keep_Alive);
+      Begin_Session (10);
+      Begin_Run (10, Schedule.Reload_Period);
+      Put (Stop_Robot, 11);
+      Put (Go_Forward, 12);
+      Ask_For_Mission (Robot.Session.Drive, 13);
+      Put (Ping_Robot, 14);
+      Robot.Line.Ask
+        (Safe_State, (Kind => Robot.Session.Close_Line, others => <>),
+         (others => <>));
+      Check (Safe_State, Mode => Running);
+      Check (Stop_Order, Mode => Running);
+      Check (Reload, Mode => Running);
+      Check (Movement, Overtaken, Mode => Running);
+      Check (Mission, Mode => Running);
+      Check (Battery, Mode => Running);
+      Check (Other_Order, Mode => Running);
    end Test_Urgency;
 
    procedure Add_Tests is
    begin
       Run_Test ("the most urgent first", Test_Urgency'Access);
+      Run_Test ("one task at a time has the line", Test_One_At_A_Time'Access);
       Run_Test ("a movement older than a stop is void", Test_Overtaken'Access);
       Run_Test ("orders that change the session keep their place",
                 Test_Places'Access);
       Run_Test ("orders of a session that has ended", Test_Out_Of_Date'Access);
       Run_Test ("stops without end do not starve the reload",
                 Test_Many_Stops'Access);
-      Run_Test ("no reload of a run that has ended", Test_Of_A_Run'Access);
+      Run_Test ("nothing is due for a run that has ended",
+                Test_Of_A_Run'Access);
+      Run_Test ("the line is kept free for the reload", Test_Quiet'Access);
       Run_Test ("an order by hand voids those of older missions",
                 Test_Hand'Access);
       Run_Test ("a mission's order that waited too long is not sent",

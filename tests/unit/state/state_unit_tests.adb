@@ -6,14 +6,13 @@ with Event_Tests;
 with Frame_Store_Tests;
 with Journal_Tests;
 with Missions_Requests_Tests;
-with Order_Ports_Tests;
 with Outbox_Tests;
 with Robot_Line_Tests;
 with Serial_Line_Tests;
 with Trace.Ring_Tests;
 with Unit_Runs; use Unit_Runs;
-with Vision_Queue_Tests;
 with Vision_Sightings_Tests;
+with Vision_Turns_Tests;
 
 procedure State_Unit_Tests is
 begin
@@ -21,12 +20,11 @@ begin
    Group ("Vision.Frame_Store", Frame_Store_Tests'Access);
    Group ("Journal", Journal_Tests'Access);
    Group ("Missions.Requests", Missions_Requests_Tests'Access);
-   Group ("Order_Ports", Order_Ports_Tests.Add_Tests'Access);
    Group ("Monitor.Outbox", Outbox_Tests'Access);
    Group ("Robot.Line", Robot_Line_Tests.Add_Tests'Access);
    Group ("Robot.Serial_Line", Serial_Line_Tests.Add_Tests'Access);
    Group ("Trace.Ring", Trace.Ring_Tests'Access);
-   Group ("Vision.Queue", Vision_Queue_Tests'Access);
    Group ("Vision.Sightings", Vision_Sightings_Tests'Access);
+   Group ("Vision.Turns", Vision_Turns_Tests'Access);
    Finish;
 end State_Unit_Tests;

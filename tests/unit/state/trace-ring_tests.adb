@@ -21,7 +21,7 @@ procedure Trace.Ring_Tests is
    function Marked (Value : Unsigned_64) return Event is
      (At_Time => Value,
       Number  => not Value,
-      Who     => Task_Name'Val (Value mod 21),
+      Who     => Task_Name'Val (Value mod 17),
       Kind    => Event_Kind'Val (Value mod 12),
       Label   => (others => Character'Val (Value mod 251)));
    --  All of it depends on Value

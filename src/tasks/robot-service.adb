@@ -1,0 +1,124 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+
+with Journal;
+with Monitor.Mailboxes;
+with Monitor.Notices;
+with Monitor.Outbox;
+with Monitor.Protocol;
+with Options;
+with Robot.Exchange;
+with Robot.Line;
+with Robot.Line_Status;
+with Robot.Requests;
+with Robot.Serial_Line;
+with Robot.Users;
+with Trace;
+
+package body Robot.Service with SPARK_Mode is
+
+   use type Robot.Requests.Source;
+   use type Robot.Requests.Verdict_Kind;
+   use type Robot.Session.Mode_Kind;
+
+   procedure Tell_Of (Note : Robot.Session.Note_Kind; Empty : Boolean) is
+      --  What the monitor and the log learn of Note. Empty: the robot's
+      --  battery, when last asked
+      Gone : Boolean;
+   begin
+      case Note is
+         when Robot.Session.Nothing =>
+            null;
+         when Robot.Session.Missed_Window =>
+            Journal.Put
+              (Options.Warning,
+               "watchdog reload outside its window: the robot runs on");
+         when Robot.Session.Not_Running =>
+            Journal.Put
+              (Options.Warning,
+               Monitor.Notices.Text_Of (Monitor.Notices.Robot_Not_Running));
+            Monitor.Outbox.Put
+              (Monitor.Mailboxes.Told (Monitor.Notices.Robot_Not_Running));
+         when Robot.Session.Robot_Lost =>
+            Robot.Serial_Line.Get_Gone (Gone);
+            Journal.Put
+              (Options.Warning,
+               (if Gone then
+                   "robot lost: the device of its line has gone"
+                elsif Empty then
+                   Monitor.Notices.Text_Of (Monitor.Notices.Robot_Lost_Empty)
+                else "robot lost: four failures in a row, its line is "
+                  & "closed"));
+            Monitor.Outbox.Put
+              ((Kind   => Monitor.Mailboxes.Lost,
+                Line   => Monitor.Protocol.Timed_Out,
+                others => <>));
+            if Empty then
+               Monitor.Outbox.Put
+                 (Monitor.Mailboxes.Told (Monitor.Notices.Robot_Lost_Empty));
+            end if;
+      end case;
+   end Tell_Of;
+
+   procedure Tell_Of_Start (Mode : Robot.Session.Mode_Kind) is
+      --  The robot has begun to run: the periodic tasks look when they are due
+   begin
+      Robot.Users.Battery.Signal;
+      Robot.Users.Open_Com.Signal;
+      Journal.Put
+        (Options.Info,
+         (if Mode = Robot.Session.Started_With_Watchdog
+          then "robot started with watchdog"
+          else "robot started without watchdog"));
+   end Tell_Of_Start;
+
+   procedure Serve
+     (Who    : Schedule.Task_Name;
+      Result : out Robot.Session.Outcome;
+      Found  : out Boolean)
+   is
+      Item    : Robot.Requests.Job;
+      Verdict : Robot.Requests.Verdict_Kind;
+      Held    : Robot.Line_Status.Dialogue;
+      Empty   : Boolean;
+   begin
+      Robot.Line.Take (Who, Item, Verdict, Held, Found);
+      Result :=
+        (Kind   =>
+           (if Verdict = Robot.Requests.Late then Robot.Session.Timed_Out
+            else Robot.Session.Refused),
+         others => <>);
+      if Who in Schedule.Th_Mission | Schedule.Th_Com_Mon_Perdue then
+         null;  --  in the middle of a job
+      elsif Found then
+         Trace.Start (Who, Item.Order.Number);
+      else
+         Trace.Idle (Who);
+      end if;
+      if not Found then
+         return;
+      end if;
+      Empty := Held.Empty;
+      if Verdict = Robot.Requests.Carry_Out then
+         Robot.Exchange.Carry_Out (Who, Held, Item.Request, Result);
+      end if;
+      Robot.Line.Finish (Item, Held, Result);
+      if Robot.Line_Status.Starts (Item, Result) then
+         Tell_Of_Start (Held.State.Mode);
+      end if;
+      if Item.Order.Owed then
+         Monitor.Outbox.Answer
+           (Item.Order,
+            Monitor.Protocol.Reply_To (Item.Order.Command.Name, Result));
+      elsif Item.From = Robot.Requests.Battery
+        and then Held.State.Mode /= Robot.Session.Not_Started
+      then
+         Monitor.Outbox.Put
+           ((Kind   => Monitor.Mailboxes.Level,
+             Line   => Monitor.Protocol.Battery_Notice (Result),
+             others => <>));
+      end if;
+      pragma Assert (not Item.Order.Owed);
+      Tell_Of (Result.Note, Empty);
+   end Serve;
+
+end Robot.Service;

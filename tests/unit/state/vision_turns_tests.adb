@@ -1,0 +1,73 @@
+--  SPDX-License-Identifier: GPL-3.0-or-later
+--  The orders to the vision: one at a time, in the order of the commands.
+
+with AUnit.Assertions; use AUnit.Assertions;
+
+with Commands;         use Commands;
+with Orders;           use Orders;
+with Vision.Turns;
+with Unit_Runs; use Unit_Runs;
+
+procedure Vision_Turns_Tests is
+
+   procedure Put (Number : Ticket; Name : Vision_Command) is
+      Item : Order := (Number, (Name, 0), Owed => True, others => <>);
+   begin
+      Vision.Turns.Put (Item);
+      Assert (not Item.Owed, "nobody has" & Number'Image);
+   end Put;
+
+   procedure Check (Number : Ticket; Name : Vision_Command) is
+      --  The next order; it is carried out
+      Item : Order;
+   begin
+      if Name in Ask_Arena .. Get_Ground then
+         Vision.Turns.Wait_Arena (Item);
+      else
+         Vision.Turns.Wait_Camera_Control (Item);
+      end if;
+      Assert (Item.Number = Number,
+              Number'Image & " expected, not" & Item.Number'Image);
+      Vision.Turns.Finish;
+   end Check;
+
+   procedure Test_Clear is
+      Item : Order;
+   begin
+      Put (1, Open_Camera);
+      Vision.Turns.Wait_Camera_Control (Item);
+      Put (2, Ask_Arena);
+      Vision.Turns.Clear;
+      Put (3, Ask_Arena);
+      --  the first is still under way
+      Vision.Turns.Finish;
+      Check (3, Ask_Arena);
+   end Test_Clear;
+
+   procedure Test_Full is
+   begin
+      for I in 1 .. Ticket'(Capacity) loop
+         Put (I, Open_Camera);
+      end loop;
+      for I in 1 .. Ticket'(Capacity) loop
+         Check (I, Open_Camera);
+      end loop;
+   end Test_Full;
+
+   procedure Test_Order is
+   begin
+      Put (1, Open_Camera);
+      Put (2, Ask_Arena);
+      Put (3, Confirm_Arena);
+      Put (4, Start_Position);
+      Check (1, Open_Camera);
+      Check (2, Ask_Arena);
+      Check (3, Confirm_Arena);
+      Check (4, Start_Position);
+   end Test_Order;
+
+begin
+   Run_Test ("one at a time, in order", Test_Order'Access);
+   Run_Test ("what is under way outlasts its session", Test_Clear'Access);
+   Run_Test ("room for 256", Test_Full'Access);
+end Vision_Turns_Tests;
