@@ -12,8 +12,8 @@ package Trace_Responses is
    --  releases it:
    --    - the clock: the nominal instant;
    --    - another task: the moment in which it signals the event, but for
-   --      a task that uses the line not before who has it has ended the transaction
-   --      before (the analysis takes these for one after the other);
+   --      a task that uses the line not before the transaction before has
+   --      ended (the analysis takes these for one after the other);
    --    - the kernel (socket, robot's answer, camera): when the task has
    --      seen it. The kernel's own latency is missing there.
 
