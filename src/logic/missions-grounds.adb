@@ -55,8 +55,6 @@ package body Missions.Grounds with SPARK_Mode is
          Why := Missions.By_Hand;
       elsif not Robot.Line_Status.Same_Run (G.Line, Begun.Line) then
          Why := Robot_Stopped;
-      elsif G.Line.Reloads_Refused /= Begun.Line.Reloads_Refused then
-         Why := Watchdog_Trouble;
       elsif not Stands (Begun, G) then
          Why := Camera_Ended;
       else

@@ -85,7 +85,6 @@ package Missions.Grounds with SPARK_Mode is
          (Is_Over
           or else By_Hand
           or else not Robot.Line_Status.Same_Run (G.Line, Begun.Line)
-          or else G.Line.Reloads_Refused /= Begun.Line.Reloads_Refused
           or else not Stands (Begun, G))
        and then (if Is_Over then Why = Session_Over
                  elsif By_Hand then Why = Missions.By_Hand);

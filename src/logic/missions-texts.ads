@@ -24,7 +24,6 @@ package Missions.Texts with SPARK_Mode is
          when By_Hand          => "aborted;order by hand",
          when Session_Over     => "aborted;monitor lost",
          when Robot_Stopped    => "aborted;robot lost or no longer started",
-         when Watchdog_Trouble => "aborted;watchdog reload refused",
          when Camera_Ended     =>
             "aborted;camera, positions or arena given up",
          when No_Position      => "aborted;robot not seen in 3 images",

@@ -89,7 +89,6 @@ package Missions with SPARK_Mode, Pure is
       By_Hand,            --  a movement, stop or other order of the user
       Session_Over,       --  the monitor is lost: nobody is told
       Robot_Stopped,      --  the robot is lost, or no longer started
-      Watchdog_Trouble,   --  a reload was refused or late
       Camera_Ended,       --  closed, or positions off, or arena given up
       No_Position,        --  three images without the robot
       No_Image,           --  for 300 ms

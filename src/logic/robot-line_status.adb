@@ -41,11 +41,6 @@ package body Robot.Line_Status with SPARK_Mode is
          S.Battery_Due := Next_Due
            (S.Battery_Due, Now, Schedule.Battery_Period);
       end if;
-      if Is_Refused_Reload (Done, Result) then
-         S.Known.Reloads_Refused :=
-           (if S.Known.Reloads_Refused = Natural'Last then 0
-            else S.Known.Reloads_Refused + 1);
-      end if;
    end Note;
 
 end Robot.Line_Status;

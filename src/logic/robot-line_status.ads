@@ -42,8 +42,6 @@ package Robot.Line_Status with SPARK_Mode is
       --  changes at each start
       Used_At    : Time := Time_First;
       --  end of the last exchange
-      Reloads_Refused : Natural := 0;
-      --  by the robot, in all
       Failures   : Robot.Health.Failure_Count := 0;
       --  failed exchanges in a row
    end record;
@@ -99,12 +97,6 @@ package Robot.Line_Status with SPARK_Mode is
        and then Result.Kind = Robot.Session.Done);
    --  The robot has started
 
-   function Is_Refused_Reload
-     (Done : Robot.Requests.Job; Result : Robot.Session.Outcome)
-     return Boolean
-   is (Done.From = Robot.Requests.Reload
-       and then Result.Kind = Robot.Session.Refused);
-
    procedure Note
      (S      : in out State;
       Done   : Robot.Requests.Job;
@@ -115,10 +107,7 @@ package Robot.Line_Status with SPARK_Mode is
      Post => S.Known.Open = Held.State.Line_Open
        and then S.Known.Mode = Held.State.Mode
        and then S.Known.Failures = Robot.Health.Failures (Held.State.Health)
-       and then (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result)
-       and then
-         (S.Known.Reloads_Refused /= S'Old.Known.Reloads_Refused) =
-           Is_Refused_Reload (Done, Result);
+       and then (S.Known.Epoch /= S'Old.Known.Epoch) = Starts (Done, Result);
    --  Request Done has just ended with Result, the robot's dialogue as in Held
 
 end Robot.Line_Status;

@@ -31,7 +31,7 @@ package body Real_Missions is
          Unused := R.Monitor.Next_Of ("CPOS");
          exit when Element (Unused.Data, 1) /= '-';
       end loop;
-      if P.Faulty and then not P.Radio then
+      if P.Faulty then
          R.Emulator.Tell ("drop-every" & Integer'Image (Drop_Every));
       end if;
       R.Emulator.Clear_Journal;

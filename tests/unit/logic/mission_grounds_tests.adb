@@ -144,8 +144,6 @@ procedure Mission_Grounds_Tests is
       G.View := (others => <>);
       Expect_End (G, Camera_Ended);
 
-      G.Line.Reloads_Refused := 1;
-      Expect_End (G, Watchdog_Trouble);
       G.Line.Epoch := 1;
       Expect_End (G, Robot_Stopped);
       G.Line := (others => <>);

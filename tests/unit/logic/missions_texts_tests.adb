@@ -39,7 +39,6 @@ procedure Missions_Texts_Tests is
       Check (By_Hand, "aborted;order by hand");
       Check (Session_Over, "aborted;monitor lost");
       Check (Robot_Stopped, "aborted;robot lost or no longer started");
-      Check (Watchdog_Trouble, "aborted;watchdog reload refused");
       Check
         (Missions.Camera_Ended,
          "aborted;camera, positions or arena given up");
