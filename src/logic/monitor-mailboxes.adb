@@ -79,7 +79,9 @@ package body Monitor.Mailboxes with SPARK_Mode is
    with
      Post => Is_Same_Mail (B, B'Old)
        and then
-         (if Any_Unsolicited (Waits (B)) then B.Held = B'Old.Held
+         (if Any_Unsolicited (Waits (B)) then
+             B.Held.On = B'Old.Held.On
+             and then B.Held.Released = B'Old.Held.Released
           else Is_Quiet (B))
    is
       --  No hold unless a message is held back
