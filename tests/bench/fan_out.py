@@ -18,11 +18,9 @@ import json
 import os
 import platform
 import random
-import re
-import signal
 import statistics
-import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable
 from dataclasses import asdict, dataclass, field
@@ -30,9 +28,8 @@ from pathlib import Path
 from typing import Any
 
 import aiohttp
+from parties import LIMIT, PROGRAMS, ROOT, Child, Emulator, Supervisor
 
-ROOT = Path(__file__).resolve().parents[2]
-PROGRAMS = ROOT / "bin"
 DOCUMENT = ROOT / "docs" / "fan-out.md"
 LABELS = ("RSTP", "CPST")
 PAUSES = (0.02, 0.06)
@@ -42,7 +39,6 @@ PAUSES = (0.02, 0.06)
 SLOW = 0.5
 #  Seconds from an image's coming to its being shown by a slow viewer
 
-LIMIT = 20.0
 
 Ask = Callable[[str], Awaitable[None]]
 
@@ -90,67 +86,11 @@ class Row:
         return "| " + " | ".join(cells) + " |"
 
 
-class Programs:
-    def __init__(self) -> None:
-        self._made: list[subprocess.Popen[str]] = []
-
-    def start(self, *command: str, found: str, **more: Any) -> str:
-        """What the program says that matches."""
-        process = subprocess.Popen(
-            command,
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            **more,
-        )
-        self._made.append(process)
-        assert process.stdout is not None
-        for line in process.stdout:
-            if match := re.search(found, line):
-                return match[1]
-        raise RuntimeError(f"{command[0]} has ended")
-
-    def stop(self) -> None:
-        """What they said is shown, where something has gone wrong."""
-        for process in reversed(self._made):
-            process.send_signal(signal.SIGTERM)
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                said, _ = process.communicate(timeout=LIMIT)
-                if sys.exc_info()[0] is not None:
-                    print(said, file=sys.stderr)
-
-    def supervisor(self) -> int:
-        """Its port."""
-        emulator = str(PROGRAMS / "destijl_emulator")
-        robot = self.start(emulator, "--boot-ms", "0", found=r"^device (.*)")
-        camera = self.start(emulator, "--camera-port", "0", found=r"^camera (.*)")
-        return int(
-            self.start(
-                str(PROGRAMS / "destijl"),
-                *("--port", "0", "--bind", "127.0.0.1", "--fps", "10"),
-                *("--serial", robot, "--camera", camera),
-                found=r"listening on .*:(\d+)",
-            )
-        )
-
-    def gateway_time(self) -> float:
-        """Seconds of processor that the gateway has had, without its guard."""
-        guard = self._made[-1].pid
-        (child,) = Path(f"/proc/{guard}/task/{guard}/children").read_text().split()
-        fields = Path(f"/proc/{child}/stat").read_text().rpartition(")")[2].split()
-        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-
-    def gateway(self, supervisor: int) -> int:
-        """Its port."""
-        return int(
-            self.start(
-                *(sys.executable, "-m", "destijl_web", "--port", "0"),
-                *("--supervisor", f"127.0.0.1:{supervisor}"),
-                found=r"open http://.*:(\d+)/",
-                env={**os.environ, "PYTHONPATH": str(ROOT / "monitor" / "web")},
-            )
-        )
+def processor_time(gateway: Child) -> float:
+    """Seconds that the gateway has had, without its guard."""
+    (server,) = gateway.children
+    fields = Path(f"/proc/{server}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 @contextlib.asynccontextmanager
@@ -298,16 +238,28 @@ def new_row(name: str) -> Row:
 
 
 async def run(samples: int, viewers: list[int]) -> list[Row]:
-    programs = Programs()
     rows = [new_row("direct")]
-    try:
-        port = programs.supervisor()
-        async with direct(port) as ask:
+    with contextlib.ExitStack() as started:
+        folder = Path(started.enter_context(tempfile.TemporaryDirectory()))
+        emulator = Emulator(folder / "robot", "link")
+        started.callback(emulator.end)
+        supervisor = Supervisor(
+            folder / "robot",
+            *("--port", "0", "--bind", "127.0.0.1", "--fps", "10"),
+            *("--camera", emulator.camera),
+        )
+        started.callback(supervisor.end)
+        async with direct(supervisor.port) as ask:
             await prepare(ask)
             await measure(ask, samples, rows[-1])
         print(rows[-1].line(), flush=True)
         await asyncio.sleep(1.0)
-        port = programs.gateway(port)
+        gateway = Child(
+            PROGRAMS / "destijl_web",
+            *("--port", "0", "--supervisor", f"127.0.0.1:{supervisor.port}"),
+        )
+        started.callback(gateway.end)
+        port = int(gateway.line(r"open http://.*:(\d+)/")[1])
         await asyncio.sleep(1.0)
         async with through(port) as ask:
             await prepare(ask)
@@ -321,13 +273,11 @@ async def run(samples: int, viewers: list[int]) -> list[Row]:
                 )
                 rows.append(row)
                 async with watched(port, count, of_them, row):
-                    used, begun = programs.gateway_time(), time.monotonic()
+                    used, begun = processor_time(gateway), time.monotonic()
                     await measure(ask, samples, row)
-                    used = programs.gateway_time() - used
+                    used = processor_time(gateway) - used
                     row.load = used / (time.monotonic() - begun) * 100
                 print(row.line(), flush=True)
-    finally:
-        programs.stop()
     return rows
 
 

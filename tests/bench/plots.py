@@ -13,7 +13,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 WINDOW = 30  # seconds of a soak test that make a point of its curves
-MOST_STOLEN = 1.0  # percent: Soak_Records judges no seconds with more
+MOST_STOLEN = 1.0  # percent: soak.py judges no seconds with more
 
 
 def draw_soak(path: str) -> None:

@@ -32,7 +32,6 @@ package Libc is
    --  0: the read end, 1: the write end
 
    O_Rdonly  : constant int := 8#0#;
-   O_Wronly  : constant int := 8#1#;
    O_Rdwr    : constant int := 8#2#;
    O_Noctty  : constant int := 8#400#;
    O_Nonblock : constant int := 8#4000#;
@@ -65,9 +64,6 @@ package Libc is
 
    function Chown (Path : char_array; User, Group : unsigned) return int
    with Import, Convention => C, External_Name => "chown";
-
-   function Mkfifo (Path : char_array; Mode : unsigned) return int
-   with Import, Convention => C, External_Name => "mkfifo";
 
    function Readlink
      (Path : char_array; Buffer : System.Address; Size : size_t) return long
@@ -195,33 +191,11 @@ package Libc is
    function Prctl (Option : int; Value : unsigned_long) return int
    with Import, Convention => C_Variadic_1, External_Name => "prctl";
 
-   type Resource_Limit is record
-      Soft : unsigned_long;
-      Hard : unsigned_long;
-   end record with Convention => C;
-
-   function Getrlimit
-     (Resource : int; Limit : access Resource_Limit) return int
-   with Import, Convention => C, External_Name => "getrlimit";
-
-   function Setrlimit
-     (Resource : int; Limit : access Resource_Limit) return int
-   with Import, Convention => C, External_Name => "setrlimit";
-
    function Geteuid return unsigned
    with Import, Convention => C, External_Name => "geteuid";
 
    function Getpid return int
    with Import, Convention => C, External_Name => "getpid";
-
-   Rlimit_Nofile : constant int := 7;
-
-   function Prlimit
-     (Process  : int;
-      Resource : int;
-      New_Limit, Old_Limit : access Resource_Limit) return int
-   with Import, Convention => C, External_Name => "prlimit";
-   --  null: not set, not requested
 
    --  Signals
 

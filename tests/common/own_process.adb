@@ -62,14 +62,4 @@ package body Own_Process is
       Unused := Libc.Signal (Libc.Sigpipe, Libc.Ignored);
    end Ignore_Broken_Pipes;
 
-   procedure Allow_Descriptors is
-      Limit  : aliased Libc.Resource_Limit;
-      Unused : int;
-   begin
-      if Libc.Getrlimit (Libc.Rlimit_Nofile, Limit'Access) = 0 then
-         Limit.Soft := Limit.Hard;
-         Unused := Libc.Setrlimit (Libc.Rlimit_Nofile, Limit'Access);
-      end if;
-   end Allow_Descriptors;
-
 end Own_Process;

@@ -33,7 +33,4 @@ package Own_Process is
    procedure Ignore_Broken_Pipes;
    --  The reader may close a pipe that is written to
 
-   procedure Allow_Descriptors;
-   --  Raises the limit of descriptors to the maximum
-
 end Own_Process;

@@ -41,26 +41,4 @@ package body Random_Numbers is
                 (Long_Long_Integer (High) - Long_Long_Integer (Low) + 1)));
    end Whole;
 
-   function Chance
-     (Source : in out Generator; One_In : Positive) return Boolean
-   is (Whole (Source, 1, One_In) = 1);
-
-   function Span
-     (Source : in out Generator; Low, High : Duration) return Duration
-   is
-     (Low + Duration (Whole (Source, 0, Integer ((High - Low) * 1_000)))
-      / 1_000);
-
-   function Octet (Source : in out Generator) return Character is
-     (Character'Val (Whole (Source, 0, 255)));
-
-   function Text (Source : in out Generator; Size : Natural) return String is
-   begin
-      return Result : String (1 .. Size) do
-         for C of Result loop
-            C := Character'Val (Whole (Source, 32, 126));
-         end loop;
-      end return;
-   end Text;
-
 end Random_Numbers;

@@ -8,26 +8,13 @@ package Random_Numbers is
    type Generator is limited private;
 
    procedure Start (Source : in out Generator; Seed : Natural; Name : String);
-   --  The sequence of Seed and Name: one for each fault and repetition, so
+   --  The sequence of Seed and Name: one for each mission, so
    --  that each can be repeated alone
 
    function Whole
      (Source : in out Generator; Low, High : Integer) return Integer
    with Pre => Low <= High;
    --  From Low to High, inclusive
-
-   function Chance
-     (Source : in out Generator; One_In : Positive) return Boolean;
-   --  True once in One_In
-
-   function Span
-     (Source : in out Generator; Low, High : Duration) return Duration
-   with Pre => Low <= High;
-
-   function Octet (Source : in out Generator) return Character;
-
-   function Text (Source : in out Generator; Size : Natural) return String;
-   --  Printing characters
 
 private
 

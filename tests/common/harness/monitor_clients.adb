@@ -46,13 +46,11 @@ package body Monitor_Clients is
 
    protected type Inbox is
       procedure Add (Item : Message; Image : Unbounded_String);
-      procedure Add_Bytes (Count : Natural);
       procedure Ended (How : Closing);
       procedure Keep_Images (Count : Positive);
       procedure Set_Manner (Value : Manner);
       function Count return Natural;
       function Element (Number : Positive) return Message;
-      function Bytes return Natural;
       function State return Closing;
       function Image (Number : Natural) return String;
       function Broken_Images return Natural;
@@ -62,7 +60,6 @@ package body Monitor_Clients is
       Images    : Image_Vectors.Vector;
       Kept      : Positive := 1;
       Broken    : Natural := 0;
-      Received  : Natural := 0;
       End_State : Closing := Open;
       Now_So    : Manner;
    end Inbox;
@@ -130,11 +127,6 @@ package body Monitor_Clients is
          end if;
       end Add;
 
-      procedure Add_Bytes (Count : Natural) is
-      begin
-         Received := Received + Count;
-      end Add_Bytes;
-
       procedure Ended (How : Closing) is
       begin
          End_State := How;
@@ -154,8 +146,6 @@ package body Monitor_Clients is
 
       function Element (Number : Positive) return Message is
         (Messages.Element (Number));
-
-      function Bytes return Natural is (Received);
 
       function State return Closing is (End_State);
 
@@ -263,7 +253,6 @@ package body Monitor_Clients is
                   First : Positive := 1;
                   Place : Natural;
                begin
-                  Box.Add_Bytes (Bytes'Length);
                   loop
                      Place := Index
                        (Bytes (First .. Bytes'Last), (1 => ASCII.LF));
@@ -530,9 +519,6 @@ package body Monitor_Clients is
       end loop;
       return Result;
    end Count_Of;
-
-   function Bytes_Received (Object : Client) return Natural is
-     (Object.Inner.Box.Bytes);
 
    function Last_Image (Object : Client) return String is
      (Object.Inner.Box.Image (0));

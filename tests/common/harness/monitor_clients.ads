@@ -104,7 +104,6 @@ package Monitor_Clients is
    function Count (Object : Client) return Natural;
    function Element (Object : Client; Number : Positive) return Message;
    function Count_Of (Object : Client; Label : Message_Label) return Natural;
-   function Bytes_Received (Object : Client) return Natural;
    function Last_Image (Object : Client) return String;
    --  The base64 text of the newest image, "" before the first
    function Broken_Images (Object : Client) return Natural;

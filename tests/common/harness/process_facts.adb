@@ -174,26 +174,6 @@ package body Process_Facts is
          return False;
    end Has_Mapped;
 
-   function Next_Descriptor (Process : int) return Natural is
-      Most   : constant := 4_095;
-      Taken  : array (0 .. Most) of Boolean := (others => False);
-      Result : Natural := 0;
-
-      procedure Take (Name : String) is
-         Number : constant Natural := Natural'Value (Name);
-      begin
-         if Number <= Most then
-            Taken (Number) := True;
-         end if;
-      end Take;
-   begin
-      For_Each_Entry (Folder (Process) & "/fd", Take'Access);
-      while Result < Most and then Taken (Result) loop
-         Result := Result + 1;
-      end loop;
-      return Result;
-   end Next_Descriptor;
-
    function Thread_Named (Process : int; Name : String) return int is
       Wanted : constant String :=
         To_Lower (Name (Name'First
@@ -242,22 +222,6 @@ package body Process_Facts is
       For_Each_Entry (Folder (Process) & "/task", Add'Access);
       return To_String (Result);
    end Thread_Names;
-
-   function Thread_Waits (Process : int) return String is
-      Result : Unbounded_String;
-
-      procedure Add (Thread : String) is
-         Place : constant String := Folder (Process) & "/task/" & Thread;
-      begin
-         Append
-           (Result,
-            " " & File_Line (Place & "/comm")
-            & ":" & File_Line (Place & "/wchan"));
-      end Add;
-   begin
-      For_Each_Entry (Folder (Process) & "/task", Add'Access);
-      return To_String (Result);
-   end Thread_Waits;
 
    function Processors (Process : int; Thread : int) return String is
      (Field

@@ -20,13 +20,6 @@ package Process_Facts is
    function Descriptors (Process : int) return Natural;
    --  0 when there is no such process
 
-   function Next_Descriptor (Process : int) return Natural;
-   --  The lowest free descriptor: the next one that it would open
-
-   function Open_File (Process : int; Descriptor : Natural) return String;
-   --  The file behind it, as the kernel names it: a path, "pipe:[123]"; "" if
-   --  closed
-
    function Inherited (Process : int) return String;
    --  Which of its files, but the standard streams, a program that it started
    --  would inherit: " number:file" of each
@@ -42,10 +35,6 @@ package Process_Facts is
 
    function Real_Time_Threads (Process : int) return Natural;
    --  How many of its threads are scheduled as SCHED_FIFO
-
-   function Thread_Waits (Process : int) return String;
-   --  " name:function" of each thread; function: the kernel function in which
-   --  it waits, "0" if it does not wait
 
    function Processors (Process : int; Thread : int) return String;
    --  The affinity of the thread, in the kernel's notation: "0", "1-3"

@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from stand import ROOT, Browser, Page, Stand, be_alone
+from parties import ROOT
+from stand import Browser, Page, Stand, be_alone
 
 
 @pytest.fixture(scope="session")

@@ -10,51 +10,27 @@ import ctypes
 import fcntl
 import json
 import math
-import os
 import re
 import select
 import shutil
-import signal
 import socket
 import struct
-import subprocess
 import threading
-import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+from parties import LIMIT, PROGRAMS, ROOT, Child, Emulator, Supervisor, await_
 from selenium import webdriver
 from selenium.webdriver import ActionChains
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.remote.webelement import WebElement
 
-ROOT = Path(__file__).resolve().parents[3]
-PROGRAMS = ROOT / "bin"
-
-LIMIT = 30.0
-#  Seconds for what has no limit of its own: reached by a test that fails
-
 NEAR = 1.5
 #  Centimetres between a point and where the robot is to pass
 
 Point = tuple[float, float]
-
-
-def await_(
-    condition: Callable[[], Any], what: str, within: float = LIMIT, every: float = 0.02
-) -> Any:
-    """The first true value of condition."""
-    end = time.monotonic() + within
-    while True:
-        late = time.monotonic() > end
-        value = condition()
-        if value:
-            return value
-        if late:
-            raise AssertionError(f"not within {within} s: {what}")
-        time.sleep(every)
 
 
 def be_alone() -> None:
@@ -64,149 +40,6 @@ def be_alone() -> None:
         with socket.socket() as any_socket:
             up = struct.pack("16sH22x", b"lo", 1)
             fcntl.ioctl(any_socket, 0x8914, up)
-
-
-class Child:
-    """A process whose lines are kept."""
-
-    def __init__(self, *command: str | Path, before: Sequence[str | Path] = ()) -> None:
-        self.name = Path(command[0]).name
-        self.process = subprocess.Popen(
-            [*before, *command],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            bufsize=1,
-            cwd=ROOT,
-        )
-        self.lines: list[str] = []
-        self._said_all = False
-        self._news = threading.Condition()
-        threading.Thread(target=self._read, daemon=True).start()
-
-    def _read(self) -> None:
-        assert self.process.stdout is not None
-        for line in self.process.stdout:
-            if line.startswith("late by "):
-                continue  # the emulator's line: no answer to a question
-            with self._news:
-                self.lines.append(line.rstrip("\n"))
-                self._news.notify_all()
-        with self._news:
-            self._said_all = True
-            self._news.notify_all()
-
-    def line(
-        self, pattern: str, after: int = 0, within: float = LIMIT
-    ) -> re.Match[str]:
-        """The first of its lines, from number after on, with pattern."""
-
-        def found() -> re.Match[str] | None:
-            for line in self.lines[after:]:
-                match = re.search(pattern, line)
-                if match:
-                    return match
-            return None
-
-        with self._news:
-            self._news.wait_for(lambda: found() or self._said_all, within)
-            match = found()
-        assert match, f"no line with {pattern!r} within {within} s of {self.account}"
-        return match
-
-    def write(self, line: str) -> None:
-        assert self.process.stdin is not None
-        self.process.stdin.write(line + "\n")
-        self.process.stdin.flush()
-
-    @property
-    def account(self) -> str:
-        """Its last lines, told where a test fails."""
-        return "\n".join([f"{self.name}:", *self.lines[-20:]])
-
-    def precede_others(self) -> None:
-        """Where that is permitted. Each of its threads by itself: an Ada task does
-        not inherit how its process is scheduled."""
-        with contextlib.suppress(PermissionError):
-            for process in (self.process.pid, *self.children):
-                for name in os.listdir(f"/proc/{process}/task"):
-                    if os.sched_getscheduler(int(name)) == os.SCHED_OTHER:
-                        lowest = os.sched_param(1)
-                        os.sched_setscheduler(int(name), os.SCHED_FIFO, lowest)
-
-    @property
-    def children(self) -> list[int]:
-        path = f"/proc/{self.process.pid}/task/{self.process.pid}/children"
-        return [int(word) for word in Path(path).read_text(encoding="ascii").split()]
-
-    def end(self) -> None:
-        """It has not ended before, and does so in order."""
-        assert self.process.poll() is None, f"it has ended: {self.account}"
-        self.process.terminate()
-        try:
-            status = self.process.wait(LIMIT)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            self.process.wait()
-            raise
-        assert status in (0, -signal.SIGTERM), f"{status}: {self.account}"
-
-
-class Emulator(Child):
-    def __init__(self, folder: Path, line: str, *options: str) -> None:
-        self.line_at = folder / "robot"
-        super().__init__(
-            PROGRAMS / "destijl_emulator",
-            *(f"--{line}", self.line_at, "--camera-port", "0", "--boot-ms", "100"),
-            *options,
-        )
-        self.camera = self.line("^camera (.*)")[1]
-        self.precede_others()  # it stands for a device
-        self._lock = threading.Lock()
-
-    def ask(self, command: str) -> str:
-        with self._lock:
-            before = len(self.lines)
-            self.write(command)
-            return self.line("", before).string
-
-    def status(self) -> dict[str, str]:
-        return dict(word.split("=", 1) for word in self.ask("status").split())
-
-    @property
-    def pose(self) -> tuple[float, float, float]:
-        """Centimetres, degrees."""
-        now = self.status()
-        return float(now["x"]), float(now["y"]), float(now["heading"])
-
-    @property
-    def moving(self) -> bool:
-        return self.status()["moving"] == "1"
-
-    def journal(self) -> list[str]:
-        """The commands that the robot was sent."""
-        with self._lock:
-            before = len(self.lines)
-            self.write("journal")
-            self.line("^end$", before)
-            return re.findall(r" command=(\S*)", "\n".join(self.lines[before:]))
-
-
-class Supervisor(Child):
-    def __init__(self, emulator: Emulator, port: int) -> None:
-        preloaded = emulator.line_at.with_suffix(".so")
-        if not preloaded.exists():
-            preloaded.symlink_to(PROGRAMS / "libsocket_line.so")
-        super().__init__(
-            PROGRAMS / "destijl",
-            *("--bind", "127.0.0.1", "--port", str(port)),
-            *("--serial", emulator.line_at, "--camera", emulator.camera),
-            *("--answer-timeout", "300"),
-            #  by another name, since in this list a blank separates
-            before=["env", f"LD_PRELOAD={preloaded}"],
-        )
-        self.line(r"listening on 127\.0\.0\.1:")
 
 
 def patient_gateway(folder: Path) -> Path:
@@ -341,7 +174,8 @@ class Stand:
     ) -> None:
         """With line="link" a pseudo-terminal, which can be hung up."""
         with contextlib.ExitStack() as made:
-            self.emulator = Emulator(folder, line, *emulator)
+            self.emulator = Emulator(folder / "robot", line, *emulator)
+            self.emulator.precede_others()  # it stands for a device
             made.callback(self.emulator.end)
             #  nobody else is given this port between two supervisors
             bound = made.enter_context(socket.socket())
@@ -360,7 +194,11 @@ class Stand:
             self._made = made.pop_all()
 
     def new_supervisor(self) -> Supervisor:
-        return Supervisor(self.emulator, self._port)
+        return Supervisor(
+            self.emulator.line_at,
+            *("--bind", "127.0.0.1", "--port", str(self._port)),
+            *("--camera", self.emulator.camera, "--answer-timeout", "300"),
+        )
 
     def new_gateway(self) -> Gateway:
         gateway = Gateway(self._program, self._port, *self._options)

@@ -7,9 +7,10 @@ import re
 
 import pytest
 from conftest import Visitors
+from parties import await_
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from stand import Page, Stand, await_
+from stand import Page, Stand
 from test_missions import under_way
 from test_page import judge
 

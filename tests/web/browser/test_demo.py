@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from conftest import Visitors
-from stand import LIMIT, ROOT, Child
+from parties import LIMIT, ROOT, Child
 
 BUILD = 600.0
 #  Seconds

@@ -12,10 +12,11 @@ from collections.abc import Callable
 
 import pytest
 from conftest import Pictures, Visitors
+from parties import await_
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from stand import Page, Stand, await_, held, pixel
+from stand import Page, Stand, held, pixel
 
 SILENCE = 0.5
 #  Seconds without a ping after which the gateway stops the robot
@@ -115,7 +116,7 @@ def test_square(stand: Stand, driver: Page, pictures: Pictures) -> None:
         assert emulator.pose[2] == before[2]
         hold(left, turned, 85, 110)
     assert gone(first) <= 15
-    driving = emulator.journal()[before_driving:]
+    driving = [n.command for n in emulator.journal()[before_driving:]]
     moves = [text for text in driving if text[:1] in ("M", "T")]
     assert len(moves) == 16, moves
 
@@ -445,7 +446,9 @@ def test_phone(stand: Stand, visitors: Visitors, pictures: Pictures) -> None:
     page.touch("touchMove", right, y)
     page.shows("held", "RGFW RGRI")
     await_(
-        lambda: {"M=32767", "T=-32768"} <= set(stand.emulator.journal()),
+        lambda: (
+            {"M=32767", "T=-32768"} <= {n.command for n in stand.emulator.journal()}
+        ),
         "forward and to the right",
     )
     page.touch("touchMove", x, y - 150)

@@ -13,9 +13,10 @@ from collections.abc import Callable, Iterator
 
 import pytest
 from conftest import Pictures, Visitors
+from parties import await_
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from stand import Page, Point, Stand, await_, pixel
+from stand import Page, Point, Stand, pixel
 from test_page import judge
 
 NOTICED = 0.5

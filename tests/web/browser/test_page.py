@@ -15,10 +15,11 @@ from pathlib import Path
 
 import pytest
 from conftest import Pictures, Visitors
+from parties import await_
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.remote.webelement import WebElement
-from stand import Page, Stand, await_, held
+from stand import Page, Stand, held
 
 TEACHERS = "the-teacher-s-own-word"
 VIEWERS = "the-word-for-the-class"

@@ -8,8 +8,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 from conftest import Visitors
+from parties import await_
 from selenium.webdriver.common.keys import Keys
-from stand import Stand, await_, held, patient_gateway, pixel
+from stand import Stand, held, patient_gateway, pixel
 
 
 def test_path(stands: Callable[..., Stand], visitors: Visitors, tmp_path: Path) -> None:

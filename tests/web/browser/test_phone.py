@@ -8,7 +8,8 @@ from collections.abc import Callable
 
 import pytest
 from conftest import Visitors
-from stand import Page, Stand, await_
+from parties import await_
+from stand import Page, Stand
 
 WIDTH = 390
 

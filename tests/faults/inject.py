@@ -1,0 +1,377 @@
+#  SPDX-License-Identifier: GPL-3.0-or-later
+"""Injects faults into the real supervisor and checks what must hold nevertheless."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import ctypes
+import hashlib
+import json
+import multiprocessing
+import os
+import random
+import resource
+import shutil
+import signal
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import asdict
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any, NamedTuple, NoReturn
+
+from faults import GROUPS, Fault, go_together
+from links import Link
+from parties import PROGRAMS
+from standstills import Watch
+from trials import ALL, Result, Trials, name_of, plan_of
+from world import LOSS_LIMIT, STOP_LIMIT, Figures, World, ms
+
+INJECTION_LIMIT = 600.0
+#  Seconds: a process not finished by then hangs: that is a violation
+LONG = 4.0
+#  Injections this long are started first, after the heavy ones
+MOST_HEAVY = 2
+FORK = multiprocessing.get_context("fork")
+
+
+class Injection(NamedTuple):
+    first: int
+    second: int | None
+    repetition: int
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        return tuple(ALL[n] for n in (self.first, self.second) if n is not None)
+
+    @property
+    def heavy(self) -> bool:
+        return any(fault.heavy for fault in self.faults)
+
+    @property
+    def key(self) -> str:
+        """In the record of a run."""
+        return f"{name_of(self.faults)}, {self.repetition}"
+
+    @property
+    def order(self) -> tuple[bool, float, str]:
+        """Long ones first; those that share a world one after the other."""
+        cost = sum(fault.cost for fault in self.faults)
+        long = cost if cost >= LONG else 0.0
+        return not self.heavy, -long, repr(plan_of(self.faults))
+
+
+def programs(parser: argparse.ArgumentParser) -> None:
+    """The options that name them."""
+    for name, program in (("supervisor", "destijl"), ("emulator", "destijl_emulator")):
+        parser.add_argument(
+            f"--{name}", type=Path, default=PROGRAMS / program, help=f"({program})"
+        )
+
+
+def at_least(low: int, high: int = 2**31) -> Callable[[str], int]:
+    def number(text: str) -> int:
+        if not low <= int(text) <= high:
+            raise ValueError
+        return int(text)
+
+    return number
+
+
+def options() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="script/faults", description=__doc__)
+    add = parser.add_argument
+    natural = at_least(0)
+    add("--seed", type=natural, default=1, help="of everything random (1)")
+    add("--times", type=natural, default=100, help="of each fault alone (100)")
+    add("--pairs", type=natural, default=100, help="each in so many, at random (100)")
+    add("--only", default="", help="faults and pairs with this in their name")
+    add("--at", type=at_least(1), help="only that repetition")
+    add("--jobs", type=at_least(1, 32), default=12, help="worlds side by side (12)")
+    add("--short", action="store_true", help="each fault once, some pairs")
+    add("--markdown", type=Path, help="the table, as a file")
+    add(
+        "--record",
+        type=Path,
+        help="each result; begun again with the file, what is in it is not repeated",
+    )
+    programs(parser)
+    add("--list", action="store_true", help="the faults' names")
+    chosen = parser.parse_args()
+    if chosen.short:
+        chosen.times = chosen.pairs = 1
+    return chosen
+
+
+def pairs(seed: int, count: int) -> list[Injection]:
+    """Each fault in so many, where others are short of pairs with these; round by
+    round: the first are the same, however many there are."""
+    source = random.Random(f"{seed} pairs")
+    used: Counter[int] = Counter()
+    made: list[Injection] = []
+    for turn in range(1, count + 1):
+        for fault in range(len(ALL)):
+            if used[fault] >= turn or ALL[fault].alone:
+                continue
+            for attempt in range(2_000):
+                other = source.randrange(len(ALL))
+                if attempt < 1_000 and used[other] >= turn:
+                    continue
+                two = [fault, other]
+                source.shuffle(two)
+                if go_together(ALL[two[0]], ALL[two[1]]):
+                    used.update(two)
+                    made.append(Injection(two[0], two[1], len(made) + 1))
+                    break
+    return made
+
+
+def injections(chosen: argparse.Namespace) -> list[Injection]:
+    alone = [
+        Injection(fault, None, repetition)
+        for fault in range(len(ALL))
+        for repetition in range(1, chosen.times + 1)
+    ]
+    wanted = [
+        item
+        for item in alone + pairs(chosen.seed, chosen.pairs)
+        if chosen.only in name_of(item.faults) and chosen.at in (None, item.repetition)
+    ]
+    return sorted(wanted, key=lambda item: item.order)
+
+
+class Table:
+    """How often each fault was injected, alone and in pairs, and the violations."""
+
+    def __init__(self) -> None:
+        self.figures = Figures()
+        self.injections = self.violations = 0
+        self._counts: Counter[tuple[str, str, str]] = Counter()
+
+    def count(self, item: Injection, result: Result) -> None:
+        self.figures.add(result.figures)
+        faults = item.faults
+        rows = [(fault.group, fault.name) for fault in faults]
+        column = "alone" if len(faults) == 1 else "in pairs"
+        if result.end == "impossible":
+            if column == "alone":
+                self._counts[*rows[0], "impossible"] += 1
+            return
+        if column == "in pairs":
+            groups = sorted((fault.group for fault in faults), key=GROUPS.index)
+            rows.append((", ".join(groups), "pairs"))
+        self.injections += 1
+        self.violations += result.end == "violated"
+        for row in rows:
+            self._counts[*row, column] += 1
+            self._counts[*row, "violations"] += result.end == "violated"
+
+    def markdown(self) -> str:
+        both = [f"{a}, {b}" for i, a in enumerate(GROUPS) for b in GROUPS[i:]]
+        rows = [(f.group, f.name) for f in ALL] + [(groups, "pairs") for groups in both]
+        lines = ["| group | fault | alone | in pairs | violations |", "|---" * 5 + "|"]
+        for row in rows:
+            cells = [self._counts[*row, x] for x in ("alone", "in pairs", "violations")]
+            if self._counts[*row, "impossible"] and not cells[0]:
+                lines.append(
+                    f"| {' | '.join(row)} | not possible here | {cells[1]} | 0 |"
+                )
+            elif any(cells):
+                lines.append(f"| {' | '.join((*row, *map(str, cells)))} |")
+        return "\n".join(lines) + "\n"
+
+
+class Record:
+    """Of a run, for its continuation: a line for what is tested, then one for each
+    injection."""
+
+    def __init__(self, path: Path | None, chosen: argparse.Namespace) -> None:
+        self._path = path
+        self.results: dict[str, Result] = {}
+        if path is None:
+            return
+        tested = [str(chosen.seed)]
+        library = chosen.supervisor.with_name("libdestijl_vision.so")
+        for program in (chosen.supervisor, library, chosen.emulator):
+            tested.append(hashlib.sha256(program.read_bytes()).hexdigest())
+        if not path.exists():
+            path.write_text(json.dumps(tested) + "\n")
+        head, *lines = path.read_text().splitlines()
+        if head != json.dumps(tested):
+            sys.exit(f"script/faults: {path} is of another seed or of other programs")
+        for line in lines:
+            key, end, figures = json.loads(line)
+            self.results[key] = Result(end, Figures(**figures))
+
+    def write(self, item: Injection, result: Result) -> None:
+        if self._path:
+            with self._path.open("a") as file:
+                line = (item.key, result.end, asdict(result.figures))
+                file.write(json.dumps(line) + "\n")
+
+
+def end(*_: object) -> NoReturn:
+    raise SystemExit(1)
+
+
+def work(connection: Connection, folder: Path, chosen: Any, watch: Watch) -> None:
+    """A job: takes injections, and answers with their results."""
+    os.setsid()
+    #  with its parent
+    signal.signal(signal.SIGTERM, end)
+    ctypes.CDLL(None).prctl(1, signal.SIGTERM)
+    #  which nohup ignores, and so would the supervisor
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    trials = Trials(World(folder, watch, chosen.supervisor, chosen.emulator))
+    try:
+        while item := connection.recv():
+            faults = item.faults
+            connection.send(trials.run(faults, chosen.seed, item.repetition))
+    finally:
+        trials.finish()
+
+
+class Job:
+    def __init__(self, place: Path, chosen: argparse.Namespace, watch: Watch) -> None:
+        self.item: Injection | None = None
+        self.since = 0.0
+        self.folder = Path(tempfile.mkdtemp(dir=place))
+        self.folder.chmod(0o777)
+        self.connection, other = FORK.Pipe()
+        arguments = (other, self.folder, chosen, watch)
+        self.process = FORK.Process(target=work, args=arguments)
+        self.process.start()
+        other.close()
+
+    def give(self, item: Injection) -> None:
+        self.item = item
+        self.since = time.monotonic()
+        self.connection.send(item)
+
+    def result(self) -> Result | None:
+        """If there is one."""
+        lives = self.process.is_alive() and self.late() > 0.0
+        try:
+            if self.connection.poll():
+                found: Result = self.connection.recv()
+                return found
+        except EOFError:
+            lives = False
+        return None if lives else Result("violated", account="   it has not ended\n")
+
+    def late(self) -> float:
+        return self.since + INJECTION_LIMIT - time.monotonic()
+
+    def finish(self) -> None:
+        """Also what it has started."""
+        try:
+            self.connection.send(None)
+        except OSError:
+            self.since = 0.0
+        self.process.join(10.0)
+        assert self.process.pid is not None
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self.process.pid, signal.SIGKILL)
+        self.process.join()
+        Link(self.process.pid).remove()
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+
+def run(chosen: argparse.Namespace, place: Path, table: Table) -> None:
+    queue = injections(chosen)
+    record = Record(chosen.record, chosen)
+    for item in queue:
+        if item.key in record.results:
+            table.count(item, record.results[item.key])
+    queue = [item for item in queue if item.key not in record.results]
+    whole = len(queue)
+    watch = Watch()
+    jobs = [Job(place, chosen, watch) for _ in range(min(chosen.jobs, whole))]
+    shown = time.monotonic()
+    left = whole
+    try:
+        while left > 0:
+            for number, job in enumerate(jobs):
+                if job.item is None:
+                    heavy = sum(j.item is not None and j.item.heavy for j in jobs)
+                    may = (x for x in queue if heavy < MOST_HEAVY or not x.heavy)
+                    for item in may:
+                        queue.remove(item)
+                        job.give(item)
+                        break
+                elif result := job.result():
+                    left -= 1
+                    table.count(job.item, result)
+                    record.write(job.item, result)
+                    tell(job.item, result, chosen.seed)
+                    job.item = None
+                    if result.account == "   it has not ended\n":
+                        job.finish()
+                        jobs[number] = Job(place, chosen, watch)
+            if time.monotonic() - shown > 60.0:
+                shown = time.monotonic()
+                print(
+                    f"{whole - left} of {whole} injections, {table.violations}"
+                    " violations so far",
+                    flush=True,
+                )
+            time.sleep(0.01)
+    finally:
+        for job in jobs:
+            job.finish()
+
+
+def tell(item: Injection, result: Result, seed: int) -> None:
+    name = name_of(item.faults)
+    if result.end == "impossible":
+        if item.second is None and item.repetition == 1:
+            print(f"{name} is not possible here:\n   {result.account}", end="")
+    elif result.end == "violated":
+        again = f'--seed {seed} --only "{name}" --at {item.repetition}'
+        print(f"VIOLATION: {name}\n{result.account}   again: {again}")
+    elif result.account:
+        print(f"held: {name}\n{result.account}", end="")
+    sys.stdout.flush()
+
+
+def main() -> None:
+    chosen = options()
+    if chosen.list:
+        print("\n".join(fault.name for fault in ALL))
+        return
+    print(f"seed {chosen.seed}", flush=True)
+    hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+    resource.setrlimit(resource.RLIMIT_NOFILE, (hard, hard))
+    table = Table()
+    with tempfile.TemporaryDirectory(prefix="destijl_faults.") as place:
+        Path(place).chmod(0o755)
+        run(chosen, Path(place), table)
+    print(table.markdown(), end="")
+    if chosen.markdown:
+        chosen.markdown.write_text(table.markdown())
+    figures = table.figures
+    print(
+        f"{figures.stops} stops of a moving robot after a close or a reset: the slowest"
+        f" after {ms(figures.slowest_stop)}, {figures.late_stops} later than the"
+        f" {ms(LOSS_LIMIT + STOP_LIMIT)} demanded\n"
+        f"memory grew by {figures.growth} kB at most"
+    )
+    if figures.repeated:
+        print(
+            f"{figures.repeated} sessions were begun again: the emulated line was late"
+        )
+    if figures.interrupted:
+        print(
+            f"{figures.interrupted} injections were made again: the machine's host had"
+            " taken its processors"
+        )
+    print(f"{table.injections} injections, {table.violations} violations")
+    sys.exit(1 if table.violations or not table.injections else 0)
+
+
+if __name__ == "__main__":
+    main()
