@@ -505,9 +505,7 @@ package body Deadline_Times is
         ("longest way of a byte through another pseudo-terminal",
          1.0E6 * Float (Standstills.Longest_Line), "us");
       Reports.Put_Number ("time that the host took", Float (Taken), "s");
-      Stood_Still := Standstills.Longest >= Standstills.Too_Long
-        or else Standstills.Longest_Line >= Standstills.Too_Long
-        or else Taken >= Standstills.Too_Much;
+      Stood_Still := Standstills.Has_Stood_Still (Host);
       Reports.End_Section;
    end Report;
 

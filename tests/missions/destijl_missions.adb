@@ -7,13 +7,11 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 with Ada.Text_IO;           use Ada.Text_IO;
 with GNAT.OS_Lib;
 
-with Child_Processes;
 with Emulators;
 with Expectations;
 with Host_Time;
-with Judged_Simulations;
-with Mission_Judges;
-with Mission_Lines;         use Mission_Lines;
+with Json_Texts;            use Json_Texts;
+with Mission_Judges;        use Mission_Judges;
 with Mission_Pictures;
 with Mission_Plans;         use Mission_Plans;
 with Option_Readers;        use Option_Readers;
@@ -22,6 +20,7 @@ with Plain_Numbers;         use Plain_Numbers;
 with Programs;
 with Real_Missions;
 with Robot_Motion;
+with Simulated_Missions;
 with Standstills;
 
 procedure Destijl_Missions is
@@ -31,6 +30,8 @@ procedure Destijl_Missions is
    First     : Positive := 1;
    Step      : Positive := 1;
    Seed      : Natural  := 1;
+   Least     : Point_Number := 5;
+   Changing  : Natural  := 0;
    Radio     : Boolean  := False;
    Traced    : Boolean  := False;
 
@@ -46,25 +47,51 @@ procedure Destijl_Missions is
       Flush;
    end Say;
 
-   procedure Print_Usage (To : File_Type) is
-   begin
-      Put_Line (To, "usage: destijl_missions [OPTION]...");
-      Put_Line (To, "   --simulated N   missions in simulated time (0)");
-      Put_Line (To, "   --real N        missions of the supervisor (0)");
-      Put_Line (To, "   --radio         these by radio");
-      Put_Line (To, "   --picture FILE  draws one instead: SVG");
-      Put_Line (To, "   --journal FILE  ... what the emulator has printed");
-      Put_Line (To, "   --pose X,Y,A    ... where it stood: cm, degrees");
-      Put_Line (To, "   --order MPCM:X;Y;...");
-      Put_Line (To, "   --speed N --turn-speed N --overshoot N --pull N");
-      Put_Line (To, "                   ... its wheels, as the emulator has");
-      Put_Line (To, "   --seed N        others (1)");
-      Put_Line (To, "   --trace         tells what happens, if simulated");
-      Put_Line (To, "   --first N       the first one's number (1)");
-      Put_Line (To, "   --step N        to the next one's number (1)");
-      Put_Line (To, "   --supervisor PATH, --emulator PATH");
-      Put_Line (To, "                   instead of those beside this one");
-   end Print_Usage;
+   LF    : Character renames ASCII.LF;
+   Usage : constant String :=
+     "usage: destijl_missions [OPTION]..." & LF
+     & "   --simulated N   missions in simulated time (0)" & LF
+     & "   --real N        missions of the supervisor (0)" & LF
+     & "   --radio         these by radio" & LF
+     & "   --picture FILE  draws one instead: SVG" & LF
+     & "   --journal FILE  ... what the emulator has printed" & LF
+     & "   --pose X,Y,A    ... where it stood: cm, degrees" & LF
+     & "   --order MPCM:X;Y;..." & LF
+     & "   --speed N --turn-speed N --overshoot N --pull N" & LF
+     & "                   ... its wheels, as the emulator has" & LF
+     & "   --seed N        others (1)" & LF
+     & "   --least N       through N to 12 points (5)" & LF
+     & "   --changing N    speeds, from order to order, by N percent" & LF
+     & "                   either way, if simulated (0)" & LF
+     & "   --trace         tells what happens, if simulated" & LF
+     & "   --first N       the first one's number (1)" & LF
+     & "   --step N        to the next one's number (1)" & LF
+     & "   --supervisor PATH, --emulator PATH" & LF
+     & "                   instead of those beside this one";
+
+   function Line (Kind : String; P : Plan; Result : String) return String is
+     ("{""kind"": " & Quoted (Kind) & ", ""number"": " & Image (P.Number)
+      & ", ""faults"": " & (if P.Faulty then "true" else "false")
+      & ", ""speed"": " & Image (P.Wheels.Speed)
+      & ", ""turn_speed"": " & Image (P.Wheels.Turn_Speed)
+      & ", ""overshoot"": " & Image (P.Wheels.Overshoot)
+      & ", ""pull"": " & Image (P.Wheels.Pull)
+      & ", ""points"": " & Image (P.Count) & Result & "}");
+   --  As JSON
+
+   function Result_Of (V : Verdict; Repeated : Natural := 0) return String is
+     (", ""end"": "
+      & Quoted (if V.Done then "done" else To_String (V.Reason))
+      & ", ""time"": " & Rounded (Float (V.Time), 3)
+      & ", ""exact"": " & Rounded (Float (V.Exact), 3)
+      & ", ""passed"": " & Image (V.Passed)
+      & ", ""pass"": "
+      & (if V.Pass > 1_000.0 then "null" else Rounded (Float (V.Pass), 1))
+      & ", ""clearance"": " & Rounded (Float (V.Clearance), 1)
+      & ", ""blind"": " & Rounded (Float (V.Blind) * 1_000.0, 0)
+      & ", ""orders"": " & Image (V.Orders)
+      & ", ""repeated"": " & Image (Repeated)
+      & ", ""wrong"": " & Quoted (To_String (V.Wrong)));
 
    procedure Read_Command_Line is
    begin
@@ -99,13 +126,12 @@ procedure Destijl_Missions is
             First := Number;
          elsif Name = "--step" then
             Step := Number;
-         elsif Programs.Read_Option then
-            null;
-         elsif Name = "--help" then
-            Print_Usage (Standard_Output);
-            GNAT.OS_Lib.OS_Exit (0);
+         elsif Name = "--least" then
+            Least := Number (1, 12);
+         elsif Name = "--changing" then
+            Changing := Number (0, 30);
          else
-            Refuse;
+            Programs.Read_Option (Usage);
          end if;
       end loop;
    end Read_Command_Line;
@@ -114,7 +140,7 @@ procedure Destijl_Missions is
       --  Status 1 where it is not as it should be
       P     : Plan := Read (To_String (Pose), To_String (Order));
       Notes : Emulators.Notes;
-      V     : Mission_Judges.Verdict;
+      V     : Verdict;
    begin
       P.Wheels := Wheels;
       Mission_Pictures.Read_Journal (To_String (Journal), Notes);
@@ -138,49 +164,51 @@ procedure Destijl_Missions is
       --  Again where it misses a goal and the machine stood still meanwhile,
       --  as the system tests do
       Kind          : constant String := (if Radio then "radio" else "real");
-      P             : Plan := Random (Seed, Which);
+      P             : Plan := Random (Seed, Which, Least);
       Most_Repeated : constant := 11;
       Calm          : constant Duration := 60.0;
       Host_Before   : Duration;
+      Repeated      : Natural := 0;
 
-      function Has_Stood_Still return Boolean is
-        (Standstills.Longest >= Standstills.Too_Long
-         or else Standstills.Longest_Line >= Standstills.Too_Long
-         or else Host_Time.Taken - Host_Before >= Standstills.Too_Much);
+      function Is_Final return Boolean is
+        (not Standstills.Has_Stood_Still (Host_Before)
+         or else Repeated = Most_Repeated);
 
    begin
       P.Radio := Radio;
-      for Repeated in 0 .. Most_Repeated loop
+      loop
          Standstills.Forget;
          Host_Before := Host_Time.Taken;
          declare
-            V : Mission_Judges.Verdict;
+            V : Verdict;
          begin
             Real_Missions.Run (P, V);
-            if Mission_Judges.Is_Good (V)
-              or else not Has_Stood_Still
-              or else Repeated = Most_Repeated
-            then
-               Say (Line (Kind, P, V, Repeated));
+            if Is_Good (V) or else Is_Final then
+               Say (Line (Kind, P, Result_Of (V, Repeated)));
                return;
             end if;
          exception
             when Problem : Expectations.Failed =>
-               if not Has_Stood_Still or else Repeated = Most_Repeated then
-                  Say (Line
-                    (Kind, P, Ada.Exceptions.Exception_Message (Problem)));
+               if Is_Final then
+                  --  it could not be judged
+                  Say
+                    (Line
+                       (Kind, P,
+                        ", ""wrong"": " & Quoted
+                          (Ada.Exceptions.Exception_Message (Problem))));
                   return;
                end if;
          end;
          Standstills.Await_Calm (Limit => Calm);
+         Repeated := Repeated + 1;
       end loop;
    end Run_Real;
 
    procedure Run_Simulated (P : Plan) is
-      V : Mission_Judges.Verdict;
+      R : Simulated_Missions.Result;
    begin
-      Judged_Simulations.Run (P, V, Traced);
-      Say (Line ("simulated", P, V));
+      Simulated_Missions.Simulate (P, R, Changing, Traced);
+      Say (Line ("simulated", P, Result_Of (R.Verdict)));
    end Run_Simulated;
 
 begin
@@ -190,7 +218,7 @@ begin
       Draw;
    end if;
    for K in 0 .. Simulated - 1 loop
-      Run_Simulated (Random (Seed, First + K * Step));
+      Run_Simulated (Random (Seed, First + K * Step, Least));
    end loop;
    if Real > 0 then
       Standstills.Watch (Lines => True);
@@ -202,23 +230,9 @@ begin
    GNAT.OS_Lib.OS_Exit (Status);
 
 exception
-   when Problem : Bad_Usage =>
-      Put_Line
-        (Standard_Error,
-         "destijl_missions: " & Ada.Exceptions.Exception_Message (Problem));
-      Print_Usage (Standard_Error);
-      GNAT.OS_Lib.OS_Exit (2);
    when Problem : Bad_Plan =>
-      Put_Line
-        (Standard_Error,
-         "destijl_missions: " & Ada.Exceptions.Exception_Message (Problem));
-      GNAT.OS_Lib.OS_Exit (2);
+      Programs.Give_Up
+        ("destijl_missions: " & Ada.Exceptions.Exception_Message (Problem), 2);
    when Problem : others =>
-      Child_Processes.Stop_All;
-      Put_Line
-        (Standard_Error,
-         "destijl_missions: "
-         & Ada.Exceptions.Exception_Information (Problem));
-      Programs.Remove_Temporary_Folder;
-      GNAT.OS_Lib.OS_Exit (1);
+      Programs.Give_Up (Problem);
 end Destijl_Missions;

@@ -182,6 +182,10 @@ package body Standstills is
       return Result;
    end Within;
 
+   function Has_Stood_Still (Host : Duration) return Boolean is
+     (Duration'Max (Longest, Longest_Line) >= Too_Long
+      or else Host_Time.Taken - Host >= Too_Much);
+
    procedure Await_Calm (Limit : Duration) is
       While_Calm  : constant Duration := 2.0;
       Start       : constant Instant := Now;
@@ -191,8 +195,7 @@ package body Standstills is
          Forget;
          Host_Before := Host_Time.Taken;
          delay While_Calm;
-         exit when Duration'Max (Longest, Longest_Line) < Too_Long
-           and then Host_Time.Taken - Host_Before < Too_Much;
+         exit when not Has_Stood_Still (Host_Before);
       end loop;
    end Await_Calm;
 

@@ -34,6 +34,9 @@ package Standstills is
    --  For a robot that has 80 ms to answer: the longest single stall, and the
    --  time stolen by the host from all processors together (Host_Time)
 
+   function Has_Stood_Still (Host : Duration) return Boolean;
+   --  Since Forget, as long as one of these. Host: Host_Time.Taken then
+
    procedure Await_Calm (Limit : Duration);
    --  Waits for a while without stalls, Limit at most; discards measurements
 

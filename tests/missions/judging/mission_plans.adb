@@ -105,7 +105,9 @@ package body Mission_Plans is
          raise Bad_Plan with "a pose and points in the arena are expected";
    end Read;
 
-   function Random (Seed : Natural; Number : Positive) return Plan is
+   function Random
+     (Seed : Natural; Number : Positive; Least : Point_Number := 5) return Plan
+   is
       Source : Generator;
       Result : Plan;
 
@@ -126,7 +128,7 @@ package body Mission_Plans is
         (X     => Any_X,
          Y     => Any_Y,
          Angle => Micro (Whole (Source, 0, 359)) * 1_000_000);
-      Result.Count := Whole (Source, 5, 12);
+      Result.Count := Whole (Source, Least, 12);
       for K in 1 .. Result.Count loop
          Result.Points (K) := (Any_X, Any_Y);
       end loop;

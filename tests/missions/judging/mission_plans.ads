@@ -41,11 +41,14 @@ package Mission_Plans is
    Drop_Every   : constant := 9;    --  answers. Of ten exchanges a second the
                                     --  tenth is the reload's each time
 
-   function Random (Seed : Natural; Number : Positive) return Plan
-     with Post => Random'Result.Number = Number
-                  and then Random'Result.Count in 5 .. 12
+   function Random
+     (Seed : Natural; Number : Positive; Least : Point_Number := 5) return Plan
+     with Pre  => Least <= 12,
+          Post => Random'Result.Number = Number
+                  and then Random'Result.Count in Least .. 12
                   and then Random'Result.Faulty = (Number mod 2 = 0);
-   --  The same for the same Seed and Number; whole tenths of millimetres.
+   --  Through Least to 12 points. The same for the same arguments; whole
+   --  tenths of millimetres.
    --  Where Faulty: each error of the wheels is anything the emulator offers
 
    Bad_Plan : exception;

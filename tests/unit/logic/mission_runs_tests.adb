@@ -2,10 +2,12 @@
 
 with Ada.Numerics.Elementary_Functions;
 use Ada.Numerics.Elementary_Functions;
+with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with AUnit.Assertions;    use AUnit.Assertions;
-with GNAT.Random_Numbers;
 
+with Mission_Judges;
+with Mission_Plans;
 with Missions;            use Missions;
 with Missions.Angles;     use Missions.Angles;
 with Missions.Guards;     use Missions.Guards;
@@ -38,31 +40,24 @@ procedure Mission_Runs_Tests is
    type Answer is (Taken, Refused, Unanswered, Closed);
    --  What becomes of all requests
 
-   procedure Check_Missions (First_Seed : Integer; Faulty : Boolean) is
+   procedure Check_Missions (Seed : Natural; Faulty : Boolean) is
       --  A hundred
-      Short  : constant Milliseconds := (if Faulty then 9_000.0 else 3_000.0);
+      Short : constant Duration := (if Faulty then 9.0 else 3.0);
       --  Missions that take an exact robot less time may take longer than 1.5
       --  times as long: looking takes time, and learning what the robot does
-      Source : GNAT.Random_Numbers.Generator;
-      M      : Mission;
-      F      : Faults := Ideal;
-      R      : Result;
+      P     : Mission_Plans.Plan;
+      R     : Result;
    begin
-      for Seed in First_Seed .. First_Seed + 99 loop
-         GNAT.Random_Numbers.Reset (Source, Seed);
-         Make_Mission (Source, Point_Number (2 + Seed mod 11), M);
-         if Faulty then
-            Make_Faults (Source, F);
-         end if;
-         Simulate (M, F, Seed, R);
-         Assert (R.Ended = Completed, Seed'Image & ": " & R.Ended'Image);
-         Assert (R.Worst_Pass <= 15.0,
-                 Seed'Image & ": passed by" & R.Worst_Pass'Image & " mm");
-         Assert (R.Room > 0.0, Seed'Image & ": at the border");
-         Assert (R.Blind <= 400.0, Seed'Image & ": without images");
-         Assert (R.Exact < Short or else Ratio (R) <= 1.5,
-                 Seed'Image & ":" & R.Time'Image & " ms instead of"
-                 & R.Exact'Image);
+      for K in 1 .. 100 loop
+         P := Mission_Plans.Random
+           (Seed, 2 * K - Boolean'Pos (not Faulty), Least => 2);
+         Simulate (P, R);
+         Assert (R.Ended = Completed, K'Image & ": " & R.Ended'Image);
+         Assert (R.Verdict.Wrong = "", K'Image & To_String (R.Verdict.Wrong));
+         Assert (R.Verdict.Exact < Short
+                 or else Mission_Judges.Is_Good (R.Verdict),
+                 K'Image & ":" & R.Verdict.Time'Image & " s instead of"
+                 & R.Verdict.Exact'Image);
       end loop;
    end Check_Missions;
 
@@ -208,10 +203,8 @@ procedure Mission_Runs_Tests is
          Why           : Ending;
          Percent       : Integer := 0)
       is
-         Source : GNAT.Random_Numbers.Generator;
-         M      : Mission;
-         F      : Faults := Ideal;
-         R      : Result;
+         P : Mission_Plans.Plan;
+         R : Result;
 
          procedure Expect (Condition : Boolean; Text : String) is
          begin
@@ -221,22 +214,20 @@ procedure Mission_Runs_Tests is
          end Expect;
 
       begin
-         F.Wheels.Turn_Speed := Turns;
-         F.Wheels.Speed := Drives;
-         for Seed in 1 .. 20 loop
-            GNAT.Random_Numbers.Reset (Source, Seed);
-            Make_Mission (Source, 12, M);
-            Simulate (M, F, Seed, R);
-            Expect (R.Room > 0.0, Seed'Image & " at the border");
-            Expect (R.Ended = Why, Seed'Image & " " & R.Ended'Image);
+         for K in 1 .. 20 loop
+            P := Mission_Plans.Random (2, 2 * K - 1, Least => 12);
+            P.Wheels.Turn_Speed := Turns;
+            P.Wheels.Speed := Drives;
+            Simulate (P, R);
+            Expect (R.Verdict.Clearance > 0.0, K'Image & " at the border");
+            Expect (R.Ended = Why, K'Image & " " & R.Ended'Image);
             if Why = Completed then
-               Expect (R.Worst_Pass <= 15.0,
-                       Seed'Image & " passed by" & R.Worst_Pass'Image);
+               Expect (R.Verdict.Passed = P.Count, K'Image & " not passed");
             else
                Expect (abs (R.Measured - Percent) <= 2,
-                       Seed'Image & R.Measured'Image & " %");
-               Expect (R.Time <= 6_000.0,
-                       Seed'Image & " only after" & R.Time'Image & " ms");
+                       K'Image & R.Measured'Image & " %");
+               Expect (R.Verdict.Time <= 6.0,
+                       K'Image & " only after" & R.Verdict.Time'Image & " s");
             end if;
          end loop;
       end Check;
@@ -250,7 +241,7 @@ procedure Mission_Runs_Tests is
 
    procedure Test_Faults is
    begin
-      Check_Missions (1_000, Faulty => True);
+      Check_Missions (1, Faulty => True);
    end Test_Faults;
 
    procedure Test_Guards is
@@ -296,7 +287,7 @@ procedure Mission_Runs_Tests is
 
    procedure Test_Ideal is
    begin
-      Check_Missions (2_000, Faulty => False);
+      Check_Missions (2, Faulty => False);
    end Test_Ideal;
 
    procedure Test_Old_Position is
