@@ -45,17 +45,17 @@ package body Deadline_Times is
          when Level        => "F13 battery level due to its message",
          when Image        => "F15 from image to image");
 
-   function Of_All (Which : Subject) return Boolean is
-     (case Which is
-         when First_Answer => Always (F2_Admitted),
-         when Own_Answer   => Always (F4_Own_Answer),
-         when Robot_Answer => Always (F4_Robot_Answer),
-         when Monitor_Lost => Always (F6_Stop),
-         when Reload       => Always (F11_Reload),
-         when First_Byte   => Always (F12_First_Byte),
-         when Last_Byte    => Always (F12_At_Robot),
-         when Level        => Always (F13_Level),
-         when Image        => False);
+   subtype Demanded is Subject range First_Answer .. Level;
+
+   Requirement_Of : constant array (Demanded) of Requirement_Name :=
+     (First_Answer => F2_Admitted,
+      Own_Answer   => F4_Own_Answer,
+      Robot_Answer => F4_Robot_Answer,
+      Monitor_Lost => F6_Stop,
+      Reload       => F11_Reload,
+      First_Byte   => F12_First_Byte,
+      Last_Byte    => F12_At_Robot,
+      Level        => F13_Level);
 
    type Subject_Times is array (Subject) of Samples.Set;
    type Subject_Deadlines is array (Subject) of Reports.Deadline;
@@ -128,7 +128,6 @@ package body Deadline_Times is
          Check (Item.Known, "no bound for " & Name_Of (Which));
          To.Bound := To.Bound + Duration (Item.Bound) / 1_000_000;
          To.Limit := To.Limit + Duration (Item.Limit) / 1_000_000;
-         To.Of_All := Of_All (Which);
       end Take;
 
    begin
@@ -137,15 +136,11 @@ package body Deadline_Times is
          (if System.Multiprocessors.Number_Of_CPUs > 1 then Real_Time_Apart
           else One_Processor),
          (others => <>), (others => <>), Known);
-      Take (First_Answer, F2_Admitted);
+      for Which in Demanded loop
+         Take (Which, Requirement_Of (Which));
+         Result (Which).Of_All := Always (Requirement_Of (Which));
+      end loop;
       Take (First_Answer, F4_Own_Answer);
-      Take (Own_Answer, F4_Own_Answer);
-      Take (Robot_Answer, F4_Robot_Answer);
-      Take (Monitor_Lost, F6_Stop);
-      Take (Reload, F11_Reload);
-      Take (First_Byte, F12_First_Byte);
-      Take (Last_Byte, F12_At_Robot);
-      Take (Level, F13_Level);
    end Take_Bounds;
 
    procedure Lose (R : in out Rig; Number : Natural) is

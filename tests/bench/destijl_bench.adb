@@ -4,12 +4,15 @@
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
+with Ada.Text_IO;
 with GNAT.OS_Lib;
 with Interfaces.C;         use Interfaces.C;
 
 with Bench_Settings;
 with Both_Ends;
+with Child_Processes;
 with Deadline_Times;
+with Expectations;
 with Full_Load;
 with Libc;
 with Option_Readers;        use Option_Readers;
@@ -22,7 +25,6 @@ with Report_Start_Times;
 with Reports;
 with Scale_Limits;
 with Trace_Responses;
-with Vision_Times;
 
 procedure Destijl_Bench is
 
@@ -99,14 +101,43 @@ procedure Destijl_Bench is
       end if;
    end Read_Command_Line;
 
+   procedure Measure_Vision (Section : String) is
+      --  By a program of its own, in the supervisor's language
+      Program : Child_Processes.Child;
+      Shown   : Natural := 0;
+      Ended   : Boolean;
+   begin
+      Program.Start
+        (Programs.Beside ("image_times"),
+         Child_Processes.Words
+           (Section & " --out " & Programs.Temporary_Folder & " --samples"
+            & Integer'Image
+                (Integer'Max (20, Bench_Settings.Sample_Count / 10))));
+      loop
+         Ended := not Program.Is_Running;
+         if Ended then
+            Expectations.Check
+              (Program.Exit_Status = 0, "image_times has failed");
+         end if;
+         while Shown < Program.Count (Child_Processes.Output) loop
+            Shown := Shown + 1;
+            Ada.Text_IO.Put_Line
+              (To_String
+                 (Program.Element (Child_Processes.Output, Shown).Text));
+         end loop;
+         exit when Ended;
+         delay 0.1;
+      end loop;
+      Reports.Adopt (Programs.Temporary_Folder & "/bench.json");
+   end Measure_Vision;
+
    procedure Run (Which : Section) is
    begin
       case Which is
          when Orders  => Order_Times.Report_Orders;
          when Answers => Order_Times.Report_Answers;
          when Periods => Report_Period_Times;
-         when Images  => Vision_Times.Report_Images;
-         when Search  => Vision_Times.Report_Search;
+         when Images | Search => Measure_Vision (To_Lower (Which'Image));
          when Scale   => Scale_Limits.Report;
          when Start   => Report_Start_Times;
          when Load    => Full_Load.Report;

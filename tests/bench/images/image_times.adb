@@ -3,11 +3,7 @@
 --  those on the socket, and each kind of search; beside the floors.
 
 with Ada.Characters.Handling; use Ada.Characters.Handling;
-with Ada.Command_Line; use Ada.Command_Line;
-with Ada.Exceptions;
 with Ada.Real_Time;    use Ada.Real_Time;
-with Ada.Strings.Fixed; use Ada.Strings.Fixed;
-with Ada.Text_IO;      use Ada.Text_IO;
 
 with Interfaces.C;     use Interfaces.C;
 with System;
@@ -18,6 +14,8 @@ with Image_Buffers;    use Image_Buffers;
 with Option_Readers;
 with Options;
 with Plain_Numbers;    use Plain_Numbers;
+with Programs;
+with Reports;
 with Samples;
 with Scenes;
 with Vision.Following;
@@ -61,52 +59,20 @@ procedure Image_Times is
 
    Number : Positive := 200;
    --  of images
-   File   : File_Type;
-
    Most : constant := 100_000;
 
    procedure Report
-     (Section, Name, Size : String;
-      Item                : in out Samples.Set;
-      Floor               : in out Samples.Set)
+     (Name   : String;
+      Item   : in out Samples.Set;
+      Floor  : in out Samples.Set;
+      Wanted : Reports.Goals := Reports.No_Goals)
    is
-      --  A line of the table, and one of JSON; Floor may be empty. Both are
-      --  empty afterwards
-      function Column (Text : String; Width : Positive) return String is
-        (Tail (Text, Width));
-
-      function Micro (Set : Samples.Set; Share : Float) return Float is
-        (1.0E6 * Float (Set.Quantile (Share)));
-
-      Median   : constant Float := Micro (Item, 0.5);
-      By_Floor : constant Float := Micro (Floor, 0.5);
-
+      --  Floor may be empty; both are afterwards
    begin
-      Put_Line
-        (Head (Size, 11) & Head (Name, 34)
-         & Column (Rounded (Median, 1), 10)
-         & Column (Rounded (Micro (Item, 0.99), 1), 10)
-         & Column (Rounded (Micro (Item, 1.0), 1), 10)
-         & (if Floor.Count > 0
-            then Column (Rounded (By_Floor, 1), 10)
-              & Column (Rounded (Median / By_Floor), 8)
-            else ""));
-      if Is_Open (File) then
-         Put_Line
-           (File,
-            "{""section"":""" & Section & """,""name"":""" & Name
-            & """,""size"":""" & Size & """,""unit"":""us"",""n"":"
-            & Image (Item.Count)
-            & ",""median"":" & Rounded (Median)
-            & ",""p99"":" & Rounded (Micro (Item, 0.99))
-            & ",""p999"":" & Rounded (Micro (Item, 0.999))
-            & ",""max"":" & Rounded (Micro (Item, 1.0))
-            & ",""floor_median"":"
-            & (if Floor.Count > 0 then Rounded (By_Floor) else "null")
-            & ",""ratio"":"
-            & (if Floor.Count > 0 then Rounded (Median / By_Floor, 3)
-               else "null")
-            & "}");
+      if Floor.Count > 0 then
+         Reports.Compare (Name, Item, Floor, Wanted);
+      else
+         Reports.Put (Name, Item, Wanted);
       end if;
       Item.Clear;
       Floor.Clear;
@@ -266,33 +232,35 @@ procedure Image_Times is
       Floors (Whole) := Floors (Encoding);
       Floors (Sending) := Floors (To_Text);
 
-      Report ("images", "grab: check and keep a JPEG", Size,
+      Report (Size & " grab: check and keep a JPEG",
               Times (Grabbing), Floors (Grabbing));
-      Report ("images", "pass it on", Size,
+      Report (Size & " pass it on",
               Times (Passing), Floors (Passing));
-      Report ("images", "camera's JPEG passed through", Size,
-              Times (Through), Floors (Through));
-      Report ("images", "decode", Size,
+      Report (Size & " camera's JPEG passed through",
+              Times (Through), Floors (Through),
+              (1 => (Reports.Median, 100.0, False)));
+      Report (Size & " decode",
               Times (Decoding), Floors (Decoding));
-      Report ("images", "arena", Size,
+      Report (Size & " arena",
               Times (Arena_Search), Floors (None));
-      Report ("images", "draw", Size,
+      Report (Size & " draw",
               Times (Drawing), Floors (None));
-      Report ("images", "encode", Size,
+      Report (Size & " encode",
               Times (Encoding), Floors (Encoding));
-      Report ("images", "base64", Size,
+      Report (Size & " base64",
               Times (To_Text), Floors (To_Text));
-      Report ("images", "send", Size,
+      Report (Size & " send",
               Times (Sending), Floors (Sending));
-      Report ("images", "encode + base64 + send", Size,
-              Times (Whole), Floors (Whole));
+      Report (Size & " encode + base64 + send",
+              Times (Whole), Floors (Whole),
+              (1 => (Reports.Median_Ratio, 1.15, False)));
    end Measure_Stages;
 
    procedure Measure_Searches
      (Width, Height : Positive; Robots : Natural; Prefix : String)
    is
-      Size    : constant String :=
-        Image (Width) & "x" & Image (Height);
+      Name    : constant String :=
+        Image (Width) & "x" & Image (Height) & " " & Prefix;
       Full    : Samples.Set renames Times (Whole);
       Inside  : Samples.Set renames Times (Passing);
       Follow  : Samples.Set renames Times (Drawing);
@@ -368,12 +336,16 @@ procedure Image_Times is
       end loop;
       Plain := Full;
       Copy := Full;
-      Report ("search", Prefix & "in the arena", Size, Inside, Copy);
+      Report (Name & "in the arena", Inside, Copy);
       if Follow.Count > 0 then
-         Report ("search", Prefix & "following", Size, Follow, Plain);
+         Report
+           (Name & "following", Follow, Plain,
+            (if Prefix = "search: "
+             then (1 => (Reports.Median_Ratio, 0.2, False))
+             else Reports.No_Goals));
       end if;
       Plain.Clear;
-      Report ("search", Prefix & "whole image", Size, Full, Plain);
+      Report (Name & "whole image", Full, Plain);
    end Measure_Searches;
 
    --  Markers beside OpenCV's detector at its defaults, on the same images
@@ -417,8 +389,8 @@ procedure Image_Times is
          Right_Peer := Right_Peer + Natural (Known);
       end Search_Peer;
 
-      function Share (Part : Natural) return String is
-        (Rounded (100.0 * Float (Part) / Float (Number * Ids'Length), 1));
+      function Share (Part : Natural) return Float is
+        (100.0 * Float (Part) / Float (Number * Ids'Length));
 
    begin
       for K in Ids'Range loop
@@ -443,80 +415,58 @@ procedure Image_Times is
             Search_Peer;
          end if;
       end loop;
-      Report ("search", "four robots, " & Name, Size, Ours, Peer);
-      Put_Line
-        (Head ("", 11) & "   found: " & Share (Right) & " %, by OpenCV "
-         & Share (Right_Peer) & " %");
-      if Is_Open (File) then
-         Put_Line
-           (File,
-            "{""section"":""search"",""name"":""found of four robots, "
-            & Name & """,""size"":""" & Size & """,""unit"":""%"",""value"":"
-            & Share (Right) & ",""floor"":" & Share (Right_Peer) & "}");
-      end if;
+      Report (Size & " four robots, " & Name, Ours, Peer);
+      Reports.Put_Number
+        (Size & " found of four robots, " & Name, Share (Right), "%",
+         Floor => Share (Right_Peer));
    end Measure_Peer;
 
-   procedure Put_Usage is
-   begin
-      Put_Line ("usage: image_times [--samples N] [--json FILE]");
-   end Put_Usage;
+   Widths  : constant array (1 .. 4) of Positive := (320, 640, 1_280, 1_920);
+   Heights : constant array (1 .. 4) of Positive := (240, 480, 720, 1_080);
+   Usage   : constant String :=
+     "usage: image_times images|search --out FOLDER [--samples N]";
+   Search  : Boolean := False;
 
 begin
    while Option_Readers.Next loop
       if Option_Readers.Name = "--samples" then
          Number := Option_Readers.Number (10, Most);
-      elsif Option_Readers.Name = "--json" then
-         Create (File, Out_File, Option_Readers.Value);
-      elsif Option_Readers.Name in "-h" | "--help" then
-         Put_Usage;
-         return;
+      elsif Option_Readers.Name = "--out" then
+         Reports.Open (Option_Readers.Value);
+      elsif Option_Readers.Name in "images" | "search" then
+         Search := Option_Readers.Name = "search";
       else
-         Option_Readers.Refuse;
+         Programs.Read_Option (Usage);
       end if;
    end loop;
 
-   Put_Line ("Microseconds," & Number'Image & " images each. Floors:"
-             & " libjpeg-turbo alone for decode, encode and the sum;");
-   Put_Line ("memcpy of the same bytes for the other stages; the whole"
-             & " image for the searches; OpenCV's own");
-   Put_Line ("detector for four robots, and what share of the markers each"
-             & " has found.");
-   New_Line;
-   Put_Line (Head ("size", 11) & Head ("stage", 34) & Tail ("median", 10)
-             & Tail ("p99", 10) & Tail ("max", 10) & Tail ("floor", 10)
-             & Tail ("ratio", 8));
-   for Size in 1 .. 4 loop
-      declare
-         Width  : constant Positive :=
-           (case Size is when 1 => 320, when 2 => 640, when 3 => 1_280,
-                         when others => 1_920);
-         Height : constant Positive :=
-           (case Size is when 1 => 240, when 2 => 480, when 3 => 720,
-                         when others => 1_080);
-      begin
-         Measure_Stages (Width, Height);
-         Measure_Searches (Width, Height, 1, "search: ");
+   if Search then
+      Reports.Begin_Section ("search", "robots and arena in an image");
+      for Size in Widths'Range loop
+         Measure_Searches (Widths (Size), Heights (Size), 1, "search: ");
          for Kind in Disturbance loop
-            Measure_Peer (Width, Height, Kind);
+            Measure_Peer (Widths (Size), Heights (Size), Kind);
          end loop;
-      end;
-   end loop;
-   for Robots in 0 .. 4 loop
-      Measure_Searches (640, 480, Robots, Image (Robots) & " in view: ");
-   end loop;
-   if Is_Open (File) then
-      Close (File);
+      end loop;
+      for Robots in 0 .. 4 loop
+         Measure_Searches (640, 480, Robots, Image (Robots) & " in view: ");
+      end loop;
+      Reports.Put_Note
+        ("floors: the whole image; for four robots OpenCV's own detector, and"
+         & " what share of the markers it has found");
+   else
+      Reports.Begin_Section
+        ("images", "an image's way, from the camera to the socket");
+      for Size in Widths'Range loop
+         Measure_Stages (Widths (Size), Heights (Size));
+      end loop;
+      Reports.Put_Note
+        ("floors: libjpeg-turbo alone for decode, encode and the sum; memcpy"
+         & " of the same bytes for the other stages");
    end if;
+   Reports.End_Section;
+
 exception
-   when Failure : Option_Readers.Bad_Usage =>
-      Put_Line
-        (Standard_Error,
-         "image_times: " & Ada.Exceptions.Exception_Message (Failure));
-      Put_Usage;
-      Set_Exit_Status (2);
-   when Failure : Expectations.Failed | Constraint_Error =>
-      Put_Line
-        (Standard_Error,
-         "image_times: " & Ada.Exceptions.Exception_Message (Failure));
-      Set_Exit_Status (1);
+   when Problem : others =>
+      Programs.Give_Up (Problem);
 end Image_Times;

@@ -81,10 +81,8 @@ package Reports is
       Wanted : Goals := No_Goals);
    --  One figure, with the floor's if there is one
 
-   procedure Adopt (Row : String; Wanted : Goals := No_Goals);
-   --  A JSON row measured by another program: an object with name, size, unit
-   --  and either n, median, p99, p999, max, and floor_median or null; or value
-   --  and floor
+   procedure Adopt (Path : String);
+   --  The sections in the file of another program, which has printed them
 
    procedure Put_Note (Text : String);
    --  A line of explanation under the table
