@@ -222,12 +222,12 @@ end_wait:
    /*: Connection.Shut_Down in session */
    /* Wait_Session_End: as long as it takes, or, where a task has failed or
       the line hangs, until the limit */
-   /*: Session.State.Get, Line.Line.Get_Status, Camera_Requests.Get_Idle */
+   /*: Session.State.Get, Line.Line.Get_Status, Camera_Requests.Requests.Get_Idle */
    if
    :: Session_Over
    :: Fault
    :: /*: delay, Session.State.Get, Line.Line.Get_Status,
-          Camera_Requests.Get_Idle + */
+          Camera_Requests.Requests.Get_Idle + */
       (Session_Over || Fault)
    fi;
    /*: Line.Line.Get_Status */

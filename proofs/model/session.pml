@@ -212,7 +212,7 @@ active proctype Th_Com_Mon_Perdue ()
       /*: Robot.Turns.Wait_In_Job [Robot_Users_Monitor_Lost] in orders,
           Robot.Service.Serve in orders + */
       /*: Vision.State.Store.Begin_Session in vision,
-          Camera_Requests.Close in vision,
+          Camera_Requests.Requests.Close in vision,
           Frame_Store.End_Delivery in vision */
       do
       :: /*: Box.Get */
@@ -229,9 +229,9 @@ active proctype Th_Com_Mon_Perdue ()
 #endif
       /*: Vision.Turns.Clear in vision */
       atomic {
-         /*: Camera_Requests.Get_Idle in vision */
+         /*: Camera_Requests.Requests.Get_Idle in vision */
          if
-         :: /*: delay in vision, Camera_Requests.Get_Idle in vision + */ skip
+         :: /*: delay in vision, Camera_Requests.Requests.Get_Idle in vision + */ skip
          :: skip
          fi
       };

@@ -86,7 +86,7 @@ EVENT (Vision_Camera_Requests_Asked);
 EVENT (Vision_Camera_Requests_Answered);
 #define CR  Vision_Camera_Requests_Requests
 
-EVENT (Vision_Camera_Events_Images_Begin);
+EVENT (Vision_Camera_Requests_Images_Begin);
 
 /* Vision.Frame_Store */
 
@@ -319,7 +319,7 @@ wait:
 #endif
    goto answer;
 opened:
-   Set_Event (Vision_Camera_Events_Images_Begin);
+   Set_Event (Vision_Camera_Requests_Images_Begin);
    goto answer;
 close:
    Stop_Images (true);
@@ -339,7 +339,7 @@ active proctype Th_Capture_Img ()
    bool fails, looks, found, coming, was_open, awaited;
    /*: whole */
 wait:
-   Wait_For_Work (Vision_Camera_Events_Images_Begin);
+   Wait_For_Work (Vision_Camera_Requests_Images_Begin);
    /*: Sightings.Store.Clear in mission */
    do
    :: /*: Box.Get */
@@ -617,7 +617,7 @@ active proctype Th_Server ()
    (Is_Awaited (Monitor_Session_Watch_Begins)
     && Is_Awaited (Monitor_Session_Receive_Begins)
     && Is_Awaited (Vision_Camera_Requests_Asked)
-    && Is_Awaited (Vision_Camera_Events_Images_Begin)
+    && Is_Awaited (Vision_Camera_Requests_Images_Begin)
     && Is_Awaited (Vision_Turns_Arena_Turn)
     && Is_Awaited (Vision_Turns_Control_Turn));
    do

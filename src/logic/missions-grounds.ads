@@ -8,7 +8,7 @@ with Missions.Runs;
 with Robot.Line_Status;
 with Robot.Session;
 with Vision.Mode;
-with Vision.Robot_Sightings;
+with Vision.Following;
 with Vision.Shapes;
 
 package Missions.Grounds with SPARK_Mode is
@@ -22,7 +22,7 @@ package Missions.Grounds with SPARK_Mode is
    type Ground is record
       Line : Robot.Line_Status.Status;
       View : Vision.Mode.State;
-      Seen : Vision.Robot_Sightings.Sighting;
+      Seen : Vision.Following.Sighting;
       Now  : Time := Time_First;
    end record;
    --  What is known at the time Now

@@ -2,6 +2,7 @@
 --  Robots are searched near their last places, as long as all are found there,
 --  and in the whole image from time to time (F18).
 
+with Ada.Real_Time;
 with Options;
 with Vision.Shapes; use Vision.Shapes;
 
@@ -128,6 +129,30 @@ package Vision.Following with SPARK_Mode is
 
    procedure Forget (S : out State)
    with Post => Count (S) = 0;
+
+   --  What a mission wants of a search: the robot, if there is exactly one
+
+   type Sighting is record
+      Number : Natural := 0;
+      --  of images searched for robots since the camera was opened
+      Came   : Ada.Real_Time.Time := Ada.Real_Time.Time_First;
+      --  when the image came from the camera
+      Seen   : Boolean := False;
+      --  exactly one robot is in it: Robot
+      Robot  : Vision.Shapes.Robot;
+   end record;
+
+   function Next
+     (S      : Sighting;
+      Came   : Ada.Real_Time.Time;
+      Robots : Robot_Array;
+      Count  : Robot_Count) return Sighting
+   is ((Number => (if S.Number = Natural'Last then 1 else S.Number + 1),
+        Came   => Came,
+        Seen   => Count = 1,
+        Robot  => Robots (1)));
+   --  The image that came at Came has been searched: it has Robots (1 ..
+   --  Count)
 
 private
 

@@ -1,26 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Event;
-with Schedule;
 with Trace;
 
 package body Missions.Requests with SPARK_Mode is
 
    package Arrived is new Event;
-
-   protected Place with Priority => Schedule.Mission_Ceiling is
-      procedure Put (Item : Orders.Order; What : Path; Taken : out Boolean);
-      procedure Take
-        (Item : in out Orders.Order; What : out Path; Found : out Boolean);
-      procedure Release;
-   private
-      Waits   : Boolean := False;
-      --  Wanted has not been taken
-      Used    : Boolean := False;
-      --  a mission waits or is under way
-      Wanted  : Orders.Order;
-      Points  : Path;
-   end Place;
 
    protected body Place is
 
@@ -77,10 +62,5 @@ package body Missions.Requests with SPARK_Mode is
       Trace.Start (Schedule.Th_Mission, Order.Number);
       Order.Owed := True;
    end Wait;
-
-   procedure Release is
-   begin
-      Place.Release;
-   end Release;
 
 end Missions.Requests;

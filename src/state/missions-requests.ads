@@ -3,8 +3,28 @@
 --  th_mission. There is one at a time.
 
 with Orders;
+with Schedule;
 
 package Missions.Requests with SPARK_Mode is
+
+   protected Place with Priority => Schedule.Mission_Ceiling is
+
+      procedure Put (Item : Orders.Order; What : Path; Taken : out Boolean);
+
+      procedure Take
+        (Item : in out Orders.Order; What : out Path; Found : out Boolean);
+
+      procedure Release;
+      --  No mission is under way any more. For th_mission only
+
+   private
+      Waits   : Boolean := False;
+      --  Wanted has not been taken
+      Used    : Boolean := False;
+      --  a mission waits or is under way
+      Wanted  : Orders.Order;
+      Points  : Path;
+   end Place;
 
    procedure Put (Order : in out Orders.Order; What : Path)
    with
@@ -19,8 +39,5 @@ package Missions.Requests with SPARK_Mode is
      Post => Order.Owed;
    --  The next mission; waits for it. It is under way until Release. For
    --  th_mission only: its job lasts until the next call
-
-   procedure Release with Annotate => (GNATprove, Terminating);
-   --  No mission is under way any more. For th_mission only
 
 end Missions.Requests;

@@ -1,38 +1,18 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Event;
-with Schedule;
 with Trace;
 
 package body Vision.Camera_Requests with SPARK_Mode is
 
    package Asked is new Event;
    package Answered is new Event;
-
-   protected Requests with Priority => Schedule.Camera_Ceiling is
-      procedure Open;
-      procedure Close;
-      procedure Get_Idle (Value : out Boolean);
-      procedure Take (Number : out Request_Number; Found : out Boolean);
-      procedure Get_Wanted (Number : Request_Number; Value : out Boolean);
-      procedure Report (Success : Boolean);
-      procedure Released;
-      procedure Collect (Success : out Boolean);
-   private
-      Current : Request_Number := 0;
-      Wanted  : Boolean := False;
-      Pending : Boolean := False;
-      --  requested, not yet accepted
-      Held    : Boolean := False;
-      --  the owner has accepted, and not closed the camera since
-      Opened  : Boolean := False;
-   end Requests;
+   package Images_Begin is new Event;
 
    protected body Requests is
 
       procedure Open is
       begin
-         --  earlier requests are withdrawn
          Current := Current + 1;
          Wanted := True;
          Pending := True;
@@ -50,7 +30,6 @@ package body Vision.Camera_Requests with SPARK_Mode is
 
       procedure Take (Number : out Request_Number; Found : out Boolean) is
       begin
-         --  even if withdrawn: the task that asked waits for the outcome
          Found := Pending;
          Number := Current;
          Pending := False;
@@ -67,15 +46,15 @@ package body Vision.Camera_Requests with SPARK_Mode is
          Opened := Success;
       end Report;
 
-      procedure Released is
-      begin
-         Held := False;
-      end Released;
-
       procedure Collect (Success : out Boolean) is
       begin
          Success := Opened;
       end Collect;
+
+      procedure Released is
+      begin
+         Held := False;
+      end Released;
 
    end Requests;
 
@@ -90,16 +69,6 @@ package body Vision.Camera_Requests with SPARK_Mode is
       Requests.Collect (Success);
    end Open;
 
-   procedure Close is
-   begin
-      Requests.Close;
-   end Close;
-
-   procedure Get_Idle (Idle : out Boolean) is
-   begin
-      Requests.Get_Idle (Idle);
-   end Get_Idle;
-
    procedure Wait_Open (Number : out Request_Number) is
       Found : Boolean;
    begin
@@ -113,11 +82,6 @@ package body Vision.Camera_Requests with SPARK_Mode is
       Trace.Start (Schedule.Th_Camera);
    end Wait_Open;
 
-   procedure Get_Wanted (Number : Request_Number; Wanted : out Boolean) is
-   begin
-      Requests.Get_Wanted (Number, Wanted);
-   end Get_Wanted;
-
    procedure Report (Success : Boolean) is
    begin
       Requests.Report (Success);
@@ -125,9 +89,16 @@ package body Vision.Camera_Requests with SPARK_Mode is
       Answered.Set;
    end Report;
 
-   procedure Released is
+   procedure Begin_Images is
    begin
-      Requests.Released;
-   end Released;
+      Trace.Release (Schedule.Th_Capture_Img);
+      Images_Begin.Set;
+   end Begin_Images;
+
+   procedure Wait_Images is
+   begin
+      Trace.Done (Schedule.Th_Capture_Img);
+      Images_Begin.Wait;
+   end Wait_Images;
 
 end Vision.Camera_Requests;

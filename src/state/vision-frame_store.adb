@@ -1,8 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Ada.Real_Time; use Ada.Real_Time;
 with Event;
-with Schedule;
 with Trace;
 
 package body Vision.Frame_Store with SPARK_Mode is
@@ -12,38 +10,6 @@ package body Vision.Frame_Store with SPARK_Mode is
 
    package Look is new Event;
    --  The same, or the camera is silent. Awaited by th_captureImg
-
-   protected Store with Priority => Schedule.Frame_Ceiling is
-      procedure Begin_Delivery (At_Time : Time);
-      procedure End_Delivery (Awaited : out Boolean);
-      procedure Claim_Empty (Slot : out Vision.Frame_Slots.Slot);
-      procedure Publish
-        (Slot    : Vision.Frame_Slots.Slot;
-         At_Time : Time;
-         Awaited : out Boolean);
-      procedure Release (Slot : Vision.Frame_Slots.Slot);
-      procedure Claim_Due
-        (Now     : Time;
-         Period  : Vision.Image_Grid.Period_Time;
-         Slot    : out Vision.Frame_Slots.Slot;
-         At_Time : out Time;
-         Reserve : out Boolean;
-         Found   : out Boolean;
-         Coming  : out Boolean);
-      procedure Look_At_Silence (Now : Time; Awaited : out Boolean);
-      procedure Claim_Newest
-        (Slot : out Vision.Frame_Slots.Slot; Found : out Boolean);
-      procedure Get_Delivering (Now : out Boolean);
-      procedure Get_Silent (Now : Time; Silent : out Boolean);
-   private
-      Uses        : Vision.Frame_Slots.State;
-      Newest_Time : Time := Time_First;
-      --  arrival of the newest image, or start of the delivery
-      Older_Time  : Time := Time_First;
-      --  arrival of the image before it
-      Waits       : Boolean := False;
-      --  th_captureImg waits for the next image
-   end Store;
 
    procedure Tell_If (Awaited : Boolean) is
       --  Wakes th_captureImg
@@ -144,11 +110,6 @@ package body Vision.Frame_Store with SPARK_Mode is
 
    end Store;
 
-   procedure Begin_Delivery (At_Time : Ada.Real_Time.Time) is
-   begin
-      Store.Begin_Delivery (At_Time);
-   end Begin_Delivery;
-
    procedure End_Delivery is
       Awaited : Boolean;
    begin
@@ -157,13 +118,7 @@ package body Vision.Frame_Store with SPARK_Mode is
       Tell_If (Awaited);
    end End_Delivery;
 
-   procedure Claim_Empty (Slot : out Vision.Frame_Slots.Slot) is
-   begin
-      Store.Claim_Empty (Slot);
-   end Claim_Empty;
-
-   procedure Publish
-     (Slot : Vision.Frame_Slots.Slot; At_Time : Ada.Real_Time.Time) is
+   procedure Publish (Slot : Vision.Frame_Slots.Slot; At_Time : Time) is
       Awaited : Boolean;
    begin
       Store.Publish (Slot, At_Time, Awaited);
@@ -171,40 +126,17 @@ package body Vision.Frame_Store with SPARK_Mode is
       Tell_If (Awaited);
    end Publish;
 
-   procedure Release (Slot : Vision.Frame_Slots.Slot) is
-   begin
-      Store.Release (Slot);
-   end Release;
-
-   procedure Claim_Due
-     (Now     : Ada.Real_Time.Time;
-      Period  : Vision.Image_Grid.Period_Time;
-      Slot    : out Vision.Frame_Slots.Slot;
-      At_Time : out Ada.Real_Time.Time;
-      Reserve : out Boolean;
-      Found   : out Boolean;
-      Coming  : out Boolean) is
-   begin
-      Store.Claim_Due (Now, Period, Slot, At_Time, Reserve, Found, Coming);
-   end Claim_Due;
-
    procedure Wait_Look is
    begin
       Look.Wait;
    end Wait_Look;
 
-   procedure Look_At_Silence (Now : Ada.Real_Time.Time) is
+   procedure Look_At_Silence (Now : Time) is
       Awaited : Boolean;
    begin
       Store.Look_At_Silence (Now, Awaited);
       Tell_If (Awaited);
    end Look_At_Silence;
-
-   procedure Claim_Newest
-     (Slot : out Vision.Frame_Slots.Slot; Found : out Boolean) is
-   begin
-      Store.Claim_Newest (Slot, Found);
-   end Claim_Newest;
 
    procedure Wait_Newest
      (Slot : out Vision.Frame_Slots.Slot; Found : out Boolean) is
@@ -219,11 +151,5 @@ package body Vision.Frame_Store with SPARK_Mode is
          Trace.Resume (Schedule.Th_Arene);
       end loop;
    end Wait_Newest;
-
-   procedure Get_Silent
-     (Now : Ada.Real_Time.Time; Silent : out Boolean) is
-   begin
-      Store.Get_Silent (Now, Silent);
-   end Get_Silent;
 
 end Vision.Frame_Store;

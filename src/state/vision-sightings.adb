@@ -1,26 +1,11 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
 with Event;
-with Schedule;
 with Trace;
 
 package body Vision.Sightings with SPARK_Mode is
 
    package Searched is new Event;
-
-   protected Store with Priority => Schedule.Sight_Ceiling is
-      procedure Clear;
-      procedure Put
-        (Came    : Ada.Real_Time.Time;
-         Robots  : Vision.Shapes.Robot_Array;
-         Count   : Vision.Shapes.Robot_Count;
-         Awaited : out Boolean);
-      procedure Get (Newest : out Sighting);
-      procedure Watch (On : Boolean);
-   private
-      Known   : Sighting;
-      Watched : Boolean := False;
-   end Store;
 
    protected body Store is
 
@@ -30,16 +15,16 @@ package body Vision.Sightings with SPARK_Mode is
       end Clear;
 
       procedure Put
-        (Came    : Ada.Real_Time.Time;
+        (Came    : Time;
          Robots  : Vision.Shapes.Robot_Array;
          Count   : Vision.Shapes.Robot_Count;
          Awaited : out Boolean) is
       begin
-         Known := Vision.Robot_Sightings.Next (Known, Came, Robots, Count);
+         Known := Vision.Following.Next (Known, Came, Robots, Count);
          Awaited := Watched;
       end Put;
 
-      procedure Get (Newest : out Sighting) is
+      procedure Get (Newest : out Vision.Following.Sighting) is
       begin
          Newest := Known;
       end Get;
@@ -51,13 +36,8 @@ package body Vision.Sightings with SPARK_Mode is
 
    end Store;
 
-   procedure Clear is
-   begin
-      Store.Clear;
-   end Clear;
-
    procedure Put
-     (Came   : Ada.Real_Time.Time;
+     (Came   : Time;
       Robots : Vision.Shapes.Robot_Array;
       Count  : Vision.Shapes.Robot_Count)
    is
@@ -70,17 +50,7 @@ package body Vision.Sightings with SPARK_Mode is
       end if;
    end Put;
 
-   procedure Get (Newest : out Sighting) is
-   begin
-      Store.Get (Newest);
-   end Get;
-
-   procedure Watch (On : Boolean) is
-   begin
-      Store.Watch (On);
-   end Watch;
-
-   procedure Wait_Until (At_Time : Ada.Real_Time.Time) is
+   procedure Wait_Until (At_Time : Time) is
       Was_Set : Boolean;
    begin
       Trace.Done (Schedule.Th_Mission);

@@ -50,7 +50,7 @@ package body Mission_Tasks with SPARK_Mode is
    begin
       Robot.Line.Get_Status (G.Line);
       Vision.State.Store.Get (G.View);
-      Vision.Sightings.Get (G.Seen);
+      Vision.Sightings.Store.Get (G.Seen);
       G.Now := Clock;
    end Get_Ground;
 
@@ -75,7 +75,7 @@ package body Mission_Tasks with SPARK_Mode is
       Robot.Line.Get_Rights (M.Order.Number, Is_Over, Ignored);
       if Outbox.End_Waits or else Is_Over or else Wanted.Count = 0 then
          --  a later session is not told why
-         Missions.Requests.Release;
+         Missions.Requests.Place.Release;
          Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Refused);
          return;
       end if;
@@ -83,7 +83,7 @@ package body Mission_Tasks with SPARK_Mode is
       Missions.Grounds.Check
         (M.Begun, Wanted, Size, M.Map, Targets, Possible, Why);
       if not Possible then
-         Missions.Requests.Release;
+         Missions.Requests.Place.Release;
          Monitor.Outbox.Answer (M.Order, Monitor.Protocol.Not_Done);
          Monitor.Outbox.Put
            (Monitor.Mailboxes.Told (Monitor.Notices.Notice_Of (Why)));
@@ -93,10 +93,10 @@ package body Mission_Tasks with SPARK_Mode is
       Missions.Runs.Start
         (M.Run, Size, Targets, Wanted.Count, Missions.Grounds.Lead);
       Journal.Put (Options.Info, "mission begins");
-      Vision.Sightings.Watch (True);
+      Vision.Sightings.Store.Watch (True);
       Drive (M);
-      Vision.Sightings.Watch (False);
-      Missions.Requests.Release;
+      Vision.Sightings.Store.Watch (False);
+      Missions.Requests.Place.Release;
       Monitor.Outbox.Put
         ((Kind   => Monitor.Mailboxes.Ending,
           Line   => Missions.Texts.End_Line

@@ -377,7 +377,7 @@ package body Monitor.Tasks with SPARK_Mode is
          exit when Stopped;
       end loop;
       Vision.State.Store.Begin_Session (Next);
-      Vision.Camera_Requests.Close;
+      Vision.Camera_Requests.Requests.Close;
       --  a search for the arena does not wait for a camera that hangs
       Vision.Frame_Store.End_Delivery;
       Monitor.Outbox.Wait_Sender;
@@ -390,7 +390,7 @@ package body Monitor.Tasks with SPARK_Mode is
       Now := Clock;
       Limit := Now + Schedule.Camera_Release_Limit;
       loop
-         Vision.Camera_Requests.Get_Idle (Idle);
+         Vision.Camera_Requests.Requests.Get_Idle (Idle);
          exit when Idle;
          Now := Clock;
          exit when Now >= Limit;

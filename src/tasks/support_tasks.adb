@@ -67,7 +67,7 @@ package body Support_Tasks with SPARK_Mode is
       loop
          Monitor.Session.State.Get (Known);
          Robot.Line.Get_Status (Status);
-         Vision.Camera_Requests.Get_Idle (Idle);
+         Vision.Camera_Requests.Requests.Get_Idle (Idle);
          exit when Known.Stage = Monitor.Session.Free
            and then not Status.Open and then Idle;
          Now := Clock;

@@ -16,7 +16,6 @@ with Process.Threads;
 with Settings;
 with Texts;
 with Trace;
-with Vision.Camera_Events;
 with Vision.Camera_Requests;
 with Vision.Following;
 with Vision.Frame_Store;
@@ -150,7 +149,7 @@ package body Vision.Tasks with SPARK_Mode is
       Vision.State.Store.Close (Was_Open);
       if Was_Open then
          Monitor.Outbox.Stop_Images;
-         Vision.Camera_Requests.Close;
+         Vision.Camera_Requests.Requests.Close;
          Vision.Frame_Store.End_Delivery;
          Journal.Put (Options.Error, Monitor.Notices.Text_Of (Why));
          Monitor.Outbox.Put (Monitor.Mailboxes.Told (Why));
@@ -174,17 +173,17 @@ package body Vision.Tasks with SPARK_Mode is
                   Vision.Camera_Requests.Open (Opened);
                   Vision.State.Store.Opened (Order.Number, Opened, Success);
                   if Success then
-                     Vision.Camera_Events.Opened;
+                     Vision.Camera_Requests.Begin_Images;
                   else
                      --  opened for nobody, perhaps
-                     Vision.Camera_Requests.Close;
+                     Vision.Camera_Requests.Requests.Close;
                   end if;
                end if;
             when Close_Camera =>
                Vision.State.Store.Close_By_Order (Order.Number, Success);
                if Success then
                   Monitor.Outbox.Stop_Images;
-                  Vision.Camera_Requests.Close;
+                  Vision.Camera_Requests.Requests.Close;
                end if;
             when others =>
                Vision.State.Store.Ask_Position
@@ -222,8 +221,8 @@ package body Vision.Tasks with SPARK_Mode is
    begin
       Process.Threads.Name_Task (Schedule.Th_Capture_Img);
       loop
-         Vision.Camera_Events.Wait_Opened;
-         Vision.Sightings.Clear;
+         Vision.Camera_Requests.Wait_Images;
+         Vision.Sightings.Store.Clear;
          Cycle := (others => <>);
          Next := Clock;
          Known_At := Next;
@@ -240,13 +239,13 @@ package body Vision.Tasks with SPARK_Mode is
             Monitor.Outbox.Get (Outbox);
             Vision.State.Store.Get (Seen);
             Now := Clock;
-            Vision.Frame_Store.Get_Silent (Now, Silent);
+            Vision.Frame_Store.Store.Get_Silent (Now, Silent);
             Work := Vision.Image_Cycle.Work_Of (Seen, Silent);
             exit when Work = Vision.Image_Cycle.Leave;
             if Work = Vision.Image_Cycle.Report_Silence then
                Camera_Failed (Monitor.Notices.Camera_Silent);
             elsif Work = Vision.Image_Cycle.Look then
-               Vision.Frame_Store.Claim_Due
+               Vision.Frame_Store.Store.Claim_Due
                  (Now, Period, Slot, Came, Reserve, Found, Coming);
                if Found then
                   Coming := False;
@@ -285,7 +284,7 @@ package body Vision.Tasks with SPARK_Mode is
                         Monitor.Outbox.Put_Image (Image, Outbox.Made);
                      end if;
                   end if;
-                  Vision.Frame_Store.Release (Slot);
+                  Vision.Frame_Store.Store.Release (Slot);
                   if Seen.Position_On then
                      --  after its image, which is to be punctual
                      Monitor.Positions.Format
@@ -314,7 +313,7 @@ package body Vision.Tasks with SPARK_Mode is
                delay until Next;
             end if;
          end loop;
-         Vision.Sightings.Clear;
+         Vision.Sightings.Store.Clear;
       end loop;
    end Th_Capture_Img;
 
@@ -360,7 +359,7 @@ package body Vision.Tasks with SPARK_Mode is
                        (Slot, Chosen.Quality, Arena_Jpeg, Image.all);
                      Shown := Image.Length > 0;
                   end if;
-                  Vision.Frame_Store.Release (Slot);
+                  Vision.Frame_Store.Store.Release (Slot);
                end if;
                Vision.State.Store.Searched (Order.Number, Shown, Arena, Valid);
                if Valid and then Shown then
@@ -401,7 +400,7 @@ package body Vision.Tasks with SPARK_Mode is
            (Chosen.Camera.Data (1 .. Chosen.Camera.Length),
             Chosen.Width, Chosen.Height,
             Integer'Max (Options.Camera_Rate, Chosen.Frame_Rate), Result);
-         Vision.Camera_Requests.Get_Wanted (Number, Wanted);
+         Vision.Camera_Requests.Requests.Get_Wanted (Number, Wanted);
          if Result /= Vision.Library.Done then
             Log_Reason ("camera cannot be opened: ");
             Vision.Camera_Requests.Report (False);
@@ -409,12 +408,12 @@ package body Vision.Tasks with SPARK_Mode is
             Vision.Camera_Requests.Report (False);
          else
             Now := Clock;
-            Vision.Frame_Store.Begin_Delivery (Now);
+            Vision.Frame_Store.Store.Begin_Delivery (Now);
             Journal.Put (Options.Info, "camera open");
             Vision.Camera_Requests.Report (True);
             loop
                Trace.Start (Schedule.Th_Camera);
-               Vision.Frame_Store.Claim_Empty (Slot);
+               Vision.Frame_Store.Store.Claim_Empty (Slot);
                Trace.Wait (Schedule.Th_Camera, Trace.Camera);
                Vision.Library.Grab (Slot, Result);
                Trace.Resume (Schedule.Th_Camera);
@@ -422,9 +421,9 @@ package body Vision.Tasks with SPARK_Mode is
                   Now := Clock;
                   Vision.Frame_Store.Publish (Slot, Now);
                else
-                  Vision.Frame_Store.Release (Slot);
+                  Vision.Frame_Store.Store.Release (Slot);
                end if;
-               Vision.Camera_Requests.Get_Wanted (Number, Wanted);
+               Vision.Camera_Requests.Requests.Get_Wanted (Number, Wanted);
                exit when not Wanted;
                if Result /= Vision.Library.Done then
                   Log_Reason ("no image from the camera: ");
@@ -436,7 +435,7 @@ package body Vision.Tasks with SPARK_Mode is
             Journal.Put (Options.Info, "camera closed");
          end if;
          Vision.Library.Close;
-         Vision.Camera_Requests.Released;
+         Vision.Camera_Requests.Requests.Released;
       end loop;
    end Th_Camera;
 

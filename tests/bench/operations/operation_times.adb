@@ -29,7 +29,7 @@ with Texts;
 with Trace;
 with Vision.Camera_Requests;
 with Vision.Mode;
-with Vision.Robot_Sightings;
+with Vision.Following;
 with Vision.Shapes;
 with Vision.Sightings;
 with Vision.State;
@@ -101,7 +101,7 @@ procedure Operation_Times with Priority => Schedule.Camera_Control_Priority is
    Path   : Missions.Path :=
      (Missions.Centimetres, Missions.Max_Points, others => <>);
    Robots : constant Vision.Shapes.Robot_Array := (others => <>);
-   Seen   : Vision.Robot_Sightings.Sighting;
+   Seen   : Vision.Following.Sighting;
    Text   : Texts.Text;
 
 begin
@@ -221,7 +221,7 @@ begin
       Missions.Requests.Put (Order, Path);
       Stop;
       Missions.Requests.Wait (Order, Path);
-      Missions.Requests.Release;
+      Missions.Requests.Place.Release;
    end loop;
    Report ("Missions.Requests.Put");
 
@@ -234,10 +234,10 @@ begin
 
    for I in Sample_Index loop
       Start;
-      Vision.Sightings.Get (Seen);
+      Vision.Sightings.Store.Get (Seen);
       Stop;
    end loop;
-   Report ("Vision.Sightings.Get");
+   Report ("Vision.Sightings.Store.Get");
 
    for I in Sample_Index loop
       Start;
@@ -248,10 +248,10 @@ begin
 
    for I in Sample_Index loop
       Start;
-      Vision.Camera_Requests.Get_Wanted (0, Wanted);
+      Vision.Camera_Requests.Requests.Get_Wanted (0, Wanted);
       Stop;
    end loop;
-   Report ("Vision.Camera_Requests.Get_Wanted");
+   Report ("Vision.Camera_Requests.Requests.Get_Wanted");
 
    for I in Sample_Index loop
       Start;

@@ -41,7 +41,7 @@ begin
    Group ("Robot.Health", Line_Health_Tests'Access);
    Group ("Monitor.Mailboxes", Mailboxes_Tests'Access);
    Group ("Missions.Paths", Missions_Paths_Tests'Access);
-   Group ("Missions.Texts", Missions_Texts_Tests'Access);
+   Group ("Monitor.Notices", Missions_Texts_Tests'Access);
    Group ("Missions.Arenas", Mission_Arenas_Tests'Access);
    Group ("Missions.Grounds", Mission_Grounds_Tests'Access);
    Group ("Missions.Runs", Mission_Runs_Tests'Access);

@@ -22,9 +22,9 @@ procedure Frame_Store_Tests is
       --  A camera has been opened.
    begin
       for Slot in Vision.Frame_Slots.Slot loop
-         Vision.Frame_Store.Release (Slot);
+         Vision.Frame_Store.Store.Release (Slot);
       end loop;
-      Vision.Frame_Store.Begin_Delivery (Clock);
+      Vision.Frame_Store.Store.Begin_Delivery (Clock);
    end Begin_Anew;
 
    procedure Check_Newest (Expected : Vision.Frame_Slots.Slot) is
@@ -32,11 +32,11 @@ procedure Frame_Store_Tests is
       Taken : Vision.Frame_Slots.Slot;
       Found : Boolean;
    begin
-      Vision.Frame_Store.Claim_Newest (Taken, Found);
+      Vision.Frame_Store.Store.Claim_Newest (Taken, Found);
       Assert (Found, "an image waits");
       Assert (Taken = Expected,
               Expected'Image & " expected, not" & Taken'Image);
-      Vision.Frame_Store.Release (Taken);
+      Vision.Frame_Store.Store.Release (Taken);
    end Check_Newest;
 
    procedure Check_None is
@@ -44,7 +44,7 @@ procedure Frame_Store_Tests is
       Taken : Vision.Frame_Slots.Slot;
       Found : Boolean;
    begin
-      Vision.Frame_Store.Claim_Newest (Taken, Found);
+      Vision.Frame_Store.Store.Claim_Newest (Taken, Found);
       Assert (not Found, "no image expected, not" & Taken'Image);
    end Check_None;
 
@@ -57,16 +57,16 @@ procedure Frame_Store_Tests is
       --  What is sent at Now; it is released again
       Found, Coming : Boolean;
    begin
-      Vision.Frame_Store.Claim_Due
+      Vision.Frame_Store.Store.Claim_Due
         (Now, Period, Slot, At_Time, Reserve, Found, Coming);
       Assert (Found and then Coming, "an image is due");
-      Vision.Frame_Store.Release (Slot);
+      Vision.Frame_Store.Store.Release (Slot);
    end Claim_Due;
 
    procedure Put (At_Time : Time; Slot : out Vision.Frame_Slots.Slot) is
       --  An image comes
    begin
-      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Store.Claim_Empty (Slot);
       Vision.Frame_Store.Publish (Slot, At_Time);
    end Put;
 
@@ -81,18 +81,18 @@ procedure Frame_Store_Tests is
       --  two readers hold one each, one is the newest
 
       for Reader in 1 .. 2 loop
-         Vision.Frame_Store.Claim_Empty (Slot);
+         Vision.Frame_Store.Store.Claim_Empty (Slot);
          Assert (not Held (Slot), "free");
          Vision.Frame_Store.Publish (Slot, Clock);
-         Vision.Frame_Store.Claim_Newest (Slot, Found);
+         Vision.Frame_Store.Store.Claim_Newest (Slot, Found);
          Assert (Found, "for reader" & Reader'Image);
          Held (Slot) := True;
       end loop;
-      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Store.Claim_Empty (Slot);
       Assert (not Held (Slot), "one for the newest");
       Vision.Frame_Store.Publish (Slot, Clock);
       Held (Slot) := True;
-      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Store.Claim_Empty (Slot);
       Assert (not Held (Slot), "one for the image after it");
       Vision.Frame_Store.Publish (Slot, Clock);
       Held (Slot) := True;
@@ -100,12 +100,12 @@ procedure Frame_Store_Tests is
       --  and the owner claims the others
 
       for I in 5 .. Held'Length loop
-         Vision.Frame_Store.Claim_Empty (Slot);
+         Vision.Frame_Store.Store.Claim_Empty (Slot);
          Assert (not Held (Slot), "slot" & I'Image & " of all");
          Held (Slot) := True;
       end loop;
       Assert (Held = (Held'Range => True), "all slots are in use");
-      Vision.Frame_Store.Claim_Newest (Slot, Found);
+      Vision.Frame_Store.Store.Claim_Newest (Slot, Found);
       Assert (Found, "the newest waits still");
    end Test_Always_Free;
 
@@ -114,7 +114,7 @@ procedure Frame_Store_Tests is
       Found : Boolean;
    begin
       Begin_Anew;
-      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Store.Claim_Empty (Slot);
       Vision.Frame_Store.Publish (Slot, Clock);
       Vision.Frame_Store.End_Delivery;
       Check_None;
@@ -123,19 +123,19 @@ procedure Frame_Store_Tests is
 
       --  an image that the owner was just taking is too late
 
-      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Store.Claim_Empty (Slot);
       Vision.Frame_Store.Publish (Slot, Clock);
       Check_None;
 
       --  and a camera that is opened again begins with nothing
 
-      Vision.Frame_Store.Begin_Delivery (Clock);
+      Vision.Frame_Store.Store.Begin_Delivery (Clock);
       Check_None;
-      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Store.Claim_Empty (Slot);
       Vision.Frame_Store.Publish (Slot, Clock);
       Vision.Frame_Store.Wait_Newest (Slot, Found);
       Assert (Found, "the first image of the new delivery");
-      Vision.Frame_Store.Release (Slot);
+      Vision.Frame_Store.Store.Release (Slot);
    end Test_End;
 
    procedure Test_In_Turn is
@@ -148,10 +148,10 @@ procedure Frame_Store_Tests is
          else After + 1);
    begin
       Begin_Anew;
-      Vision.Frame_Store.Claim_Empty (Held);
+      Vision.Frame_Store.Store.Claim_Empty (Held);
       Last := Held;
       for Image in 1 .. 3 * Vision.Frame_Slots.Slot'Range_Length loop
-         Vision.Frame_Store.Claim_Empty (Slot);
+         Vision.Frame_Store.Store.Claim_Empty (Slot);
          Vision.Frame_Store.Publish (Slot, Clock);
          Last := Next (Last);
          if Last = Held then
@@ -237,7 +237,7 @@ procedure Frame_Store_Tests is
       procedure Begin_Wait (Expected : Boolean) is
          --  Nothing is due; Expected: something is still to come
       begin
-         Vision.Frame_Store.Claim_Due
+         Vision.Frame_Store.Store.Claim_Due
            (Begun, Period, Slot, At_Time, Reserve, Found, Coming);
          Assert (not Found, "nothing is due");
          Assert (Coming = Expected, "coming: " & Coming'Image);
@@ -247,7 +247,7 @@ procedure Frame_Store_Tests is
       --  each Wait_Look returns, or the test does not end
 
       Begin_Anew;
-      Vision.Frame_Store.Begin_Delivery (Begun);
+      Vision.Frame_Store.Store.Begin_Delivery (Begun);
       Begin_Wait (Expected => True);
       Put (Begun, Slot);
       Vision.Frame_Store.Wait_Look;
@@ -273,22 +273,22 @@ procedure Frame_Store_Tests is
          --  The time of silence counts from From
          Silent : Boolean;
       begin
-         Vision.Frame_Store.Get_Silent
+         Vision.Frame_Store.Store.Get_Silent
            (From + Schedule.Camera_Silence, Silent);
          Assert (not Silent, What & ": too early");
-         Vision.Frame_Store.Get_Silent
+         Vision.Frame_Store.Store.Get_Silent
            (From + Schedule.Camera_Silence + Milliseconds (1), Silent);
          Assert (Silent, What & ": too late");
       end Check;
    begin
       Begin_Anew;
-      Vision.Frame_Store.Begin_Delivery (Begun);
+      Vision.Frame_Store.Store.Begin_Delivery (Begun);
       Check (Begun, "the beginning");
-      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Store.Claim_Empty (Slot);
       Vision.Frame_Store.Publish (Slot, Later);
       Check (Later, "the image");
       Vision.Frame_Store.End_Delivery;
-      Vision.Frame_Store.Claim_Empty (Slot);
+      Vision.Frame_Store.Store.Claim_Empty (Slot);
       Vision.Frame_Store.Publish (Slot, Later + Milliseconds (40));
       Check (Later, "none that is too late");
    end Test_Times;

@@ -33,12 +33,12 @@ procedure Missions_Requests_Tests is
       Assert (Order.Owed and then Order.Number = 3, "another order");
       Assert (What.Count = 5, "another path");
       Put (5, 1, Taken => False);
-      Missions.Requests.Release;
+      Missions.Requests.Place.Release;
       Put (6, 2, Taken => True);
       Order.Owed := False;
       Missions.Requests.Wait (Order, What);
       Assert (Order.Number = 6 and then What.Count = 2, "the second mission");
-      Missions.Requests.Release;
+      Missions.Requests.Place.Release;
    end Test_One;
 
    procedure Test_Wait is
@@ -56,7 +56,7 @@ procedure Missions_Requests_Tests is
    begin
       Missions.Requests.Wait (Order, What);
       Assert (Order.Number = 9 and then What.Count = 64, "not that mission");
-      Missions.Requests.Release;
+      Missions.Requests.Place.Release;
    end Test_Wait;
 
 begin

@@ -3,6 +3,7 @@
 with AUnit.Assertions; use AUnit.Assertions;
 
 with Ada.Real_Time;    use Ada.Real_Time;
+with Vision.Following;
 with Vision.Shapes;    use Vision.Shapes;
 with Vision.Sightings; use Vision.Sightings;
 with Unit_Runs; use Unit_Runs;
@@ -15,9 +16,9 @@ procedure Vision_Sightings_Tests is
       others => <>);
 
    procedure Check (Number : Natural; Seen : Boolean; What : String) is
-      Now : Sighting;
+      Now : Vision.Following.Sighting;
    begin
-      Get (Now);
+      Store.Get (Now);
       Assert (Now.Number = Number, What & ": number" & Now.Number'Image);
       Assert (Now.Seen = Seen, What & ": seen " & Now.Seen'Image);
       if Seen then
@@ -27,13 +28,13 @@ procedure Vision_Sightings_Tests is
 
    procedure Test_Seen is
       Came : constant Time := Clock;
-      Now  : Sighting;
+      Now  : Vision.Following.Sighting;
    begin
-      Clear;
+      Store.Clear;
       Check (0, False, "nothing yet");
       Put (Came, Two, 1);
       Check (1, True, "one robot");
-      Get (Now);
+      Store.Get (Now);
       Assert (Now.Came = Came, "time of the image");
       Put (Came, Two, 0);
       Check (2, False, "none");
@@ -41,7 +42,7 @@ procedure Vision_Sightings_Tests is
       Check (3, False, "two");
       Put (Came, Two, 1);
       Check (4, True, "one again");
-      Clear;
+      Store.Clear;
       Check (0, False, "closed");
    end Test_Seen;
 
@@ -49,19 +50,19 @@ procedure Vision_Sightings_Tests is
       Pause : constant Time_Span := Milliseconds (30);
       Begun : Time;
    begin
-      Clear;
+      Store.Clear;
       Put (Clock, Two, 1);
       Begun := Clock;
       Wait_Until (Begun + Pause);
       Assert (Clock - Begun >= Pause, "woken, but nobody watches");
 
-      Watch (True);
+      Store.Watch (True);
       Put (Clock, Two, 1);
       Begun := Clock;
       Wait_Until (Begun + Seconds (5));
       Assert (Clock - Begun < Seconds (1), "not woken by an image");
-      Watch (False);
-      Clear;
+      Store.Watch (False);
+      Store.Clear;
    end Test_Wake;
 
 begin
