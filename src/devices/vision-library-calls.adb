@@ -107,33 +107,24 @@ is
      (In_Slot, Marker : int;
       Arena           : C_Arena;
       Use_Arena       : Boolean;
+      Areas           : C_Areas;
+      Number          : int;
       Robots          : in out C_Robots;
-      Count, Code     : out int) is
+      Count, Code     : out int)
+   is
+      Inside : constant Address :=
+        (if Use_Arena then Arena'Address else Null_Address);
    begin
-      Code := C_Find_Robots
-        (In_Slot, Marker, (if Use_Arena then Arena'Address else Null_Address),
-         Robots, Robots'Length, Count);
+      Code :=
+        (if Number = 0 then C_Find_Robots
+           (In_Slot, Marker, Inside, Robots, Robots'Length, Count)
+         else C_Follow_Robots
+           (In_Slot, Marker, Inside, Areas, Number, Robots, Robots'Length,
+            Count));
       for R of Robots loop
          R := Numbers (R);
       end loop;
    end Find_Robots;
-
-   procedure Follow_Robots
-     (In_Slot, Marker : int;
-      Arena           : C_Arena;
-      Use_Arena       : Boolean;
-      Areas           : C_Areas;
-      Number          : int;
-      Robots          : in out C_Robots;
-      Count, Code     : out int) is
-   begin
-      Code := C_Follow_Robots
-        (In_Slot, Marker, (if Use_Arena then Arena'Address else Null_Address),
-         Areas, Number, Robots, Robots'Length, Count);
-      for R of Robots loop
-         R := Numbers (R);
-      end loop;
-   end Follow_Robots;
 
    procedure Draw_Arena (In_Slot : int; Arena : C_Arena; Code : out int) is
    begin

@@ -46,14 +46,6 @@ is
      (In_Slot, Marker : int;
       Arena           : C_Arena;
       Use_Arena       : Boolean;
-      Robots          : in out C_Robots;
-      Count, Code     : out int)
-   with Global => (In_Out => (Slots, Notes));
-
-   procedure Follow_Robots
-     (In_Slot, Marker : int;
-      Arena           : C_Arena;
-      Use_Arena       : Boolean;
       Areas           : C_Areas;
       Number          : int;
       Robots          : in out C_Robots;
@@ -61,6 +53,7 @@ is
    with
      Global => (In_Out => (Slots, Notes)),
      Pre    => Number in 0 .. Areas'Length;
+   --  In the areas only, if there are any
 
    procedure Draw_Arena (In_Slot : int; Arena : C_Arena; Code : out int)
    with Global => (In_Out => (Slots, Notes));

@@ -2,7 +2,6 @@
 
 with Interfaces.C;    use Interfaces.C;
 with Vision.C_Shapes; use Vision.C_Shapes;
-with Vision.Findings;
 with Vision.Library.Calls;
 
 package body Vision.Library with
@@ -50,35 +49,6 @@ is
          pragma Loop_Invariant (Last = K);
       end loop;
    end Copy;
-
-   procedure Take
-     (Found  : C_Robots;
-      Total  : int;
-      Code   : int;
-      Robots : out Robot_Array;
-      Count  : out Robot_Count;
-      Result : out Status)
-   with
-     Post => Result in Done | Not_Found | Bad_Argument | Failed
-       and then (Result = Done) = (Count > 0)
-   is
-      --  The robots of a search that has returned Code
-   begin
-      Robots := (others => <>);
-      Count := 0;
-      Result := To_Status (Code, Search);
-      if Result = Done then
-         if Total in 0 .. int (Robot_Count'Last) then
-            Findings.Take_Robots
-              (Found, Robot_Count (Total), Robots, Count);
-            if Count = 0 then
-               Result := Not_Found;
-            end if;
-         else
-            Result := Failed;
-         end if;
-      end if;
-   end Take;
 
    procedure Open
      (Source        : String;
@@ -129,7 +99,7 @@ is
       Calls.Find_Arena (int (In_Slot), Found, Code);
       Result := To_Status (Code, Search);
       if Result = Done then
-         Findings.Take_Arena (Found, Arena, Usable);
+         Take_Arena (Found, Arena, Usable);
          if not Usable then
             Result := Not_Found;
          end if;
@@ -143,28 +113,9 @@ is
       Use_Arena : Boolean;
       Robots    : out Robot_Array;
       Count     : out Robot_Count;
-      Result    : out Status)
-   is
-      Found : C_Robots := (others => <>);
-      Total : int;
-      Code  : int;
-   begin
-      Calls.Find_Robots
-        (int (In_Slot), Options.Marker_Kind'Pos (Marker),
-         To_C (Arena), Use_Arena, Found, Total, Code);
-      Take (Found, Total, Code, Robots, Count, Result);
-   end Find_Robots;
-
-   procedure Follow_Robots
-     (In_Slot   : Slot;
-      Marker    : Options.Marker_Kind;
-      Arena     : Arena_Corners;
-      Use_Arena : Boolean;
-      Areas     : Area_Array;
-      Number    : Robot_Count;
-      Robots    : out Robot_Array;
-      Count     : out Robot_Count;
-      Result    : out Status)
+      Result    : out Status;
+      Areas     : Area_Array := (others => <>);
+      Number    : Robot_Count := 0)
    is
       Near  : C_Areas := (others => <>);
       Found : C_Robots := (others => <>);
@@ -174,11 +125,23 @@ is
       for K in 1 .. Number loop
          Near (K) := To_C (Areas (K));
       end loop;
-      Calls.Follow_Robots
+      Calls.Find_Robots
         (int (In_Slot), Options.Marker_Kind'Pos (Marker),
          To_C (Arena), Use_Arena, Near, int (Number), Found, Total, Code);
-      Take (Found, Total, Code, Robots, Count, Result);
-   end Follow_Robots;
+      Robots := (others => <>);
+      Count := 0;
+      Result := To_Status (Code, Search);
+      if Result = Done then
+         if Total in 0 .. int (Robot_Count'Last) then
+            Take_Robots (Found, Robot_Count (Total), Robots, Count);
+            if Count = 0 then
+               Result := Not_Found;
+            end if;
+         else
+            Result := Failed;
+         end if;
+      end if;
+   end Find_Robots;
 
    procedure Draw_Arena
      (In_Slot : Slot;

@@ -99,31 +99,18 @@ is
       Use_Arena : Boolean;
       Robots    : out Robot_Array;
       Count     : out Robot_Count;
-      Result    : out Status)
+      Result    : out Status;
+      Areas     : Area_Array := (others => <>);
+      Number    : Robot_Count := 0)
    with
      Global => (In_Out => (Frames, Memory)),
      Post   => Result in Done | Not_Found | Bad_Argument | Failed
        and then (Result = Done) = (Count > 0);
    --  The robots in the image, lowest identifier first; only inside Arena if
-   --  Use_Arena. To be called before drawing, which would hide the robots.
-
-   procedure Follow_Robots
-     (In_Slot   : Slot;
-      Marker    : Options.Marker_Kind;
-      Arena     : Arena_Corners;
-      Use_Arena : Boolean;
-      Areas     : Area_Array;
-      Number    : Robot_Count;
-      Robots    : out Robot_Array;
-      Count     : out Robot_Count;
-      Result    : out Status)
-   with
-     Global => (In_Out => (Frames, Memory)),
-     Post   => Result in Done | Not_Found | Bad_Argument | Failed
-       and then (Result = Done) = (Count > 0);
-   --  The robots in Areas (1 .. Number). None if anything else in the image,
-   --  or Arena, has changed since the calling task's last search by this or
-   --  Find_Robots
+   --  Use_Arena. With a Number, only those in Areas (1 .. Number), and none if
+   --  anything else in the image, or Arena, has changed since the calling
+   --  task's last search. To be called before drawing, which would hide the
+   --  robots.
 
    procedure Draw_Arena
      (In_Slot : Slot;

@@ -40,15 +40,23 @@ package body Vision.C_Shapes with SPARK_Mode is
      (To_Millionths (Value, Micro_Pixels'First, Micro_Pixels'Last))
    with Pre => Is_Pixels (Value);
 
+   --  No expression functions: so proof does not look into the arithmetic
+   --  where it only counts robots
+
    function To_Ada (P : C_Point) return Point is
-     (X => To_Pixels (P.X), Y => To_Pixels (P.Y));
+   begin
+      return (X => To_Pixels (P.X), Y => To_Pixels (P.Y));
+   end To_Ada;
 
    function To_Ada (R : C_Robot) return Robot is
-     (Id        => Identifier (R.Id),
-      Centre    => To_Ada (R.Centre),
-      Direction => To_Ada (R.Direction),
-      Angle     => Micro_Degrees
-        (To_Millionths (R.Angle, -180_000_000, 180_000_000)));
+   begin
+      return
+        (Id        => Identifier (R.Id),
+         Centre    => To_Ada (R.Centre),
+         Direction => To_Ada (R.Direction),
+         Angle     => Micro_Degrees
+           (To_Millionths (R.Angle, -180_000_000, 180_000_000)));
+   end To_Ada;
 
    function To_C (P : Point) return C_Point is
      (X => double (P.X) / Micro, Y => double (P.Y) / Micro);
@@ -61,5 +69,44 @@ package body Vision.C_Shapes with SPARK_Mode is
 
    function To_C (A : Area) return C_Area is
      (Centre => To_C (A.Centre), Reach => double (A.Reach) / Micro);
+
+   procedure Take_Arena
+     (Found : C_Arena; Arena : out Arena_Corners; Usable : out Boolean) is
+   begin
+      Arena := No_Arena;
+      Usable := Is_Sound (Found);
+      if Usable then
+         for C in Corner loop
+            Arena (C) := To_Ada (Found (C));
+            pragma Loop_Invariant
+              (for all D in Corner'First .. C =>
+                 Arena (D) = To_Ada (Found (D)));
+         end loop;
+      end if;
+   end Take_Arena;
+
+   procedure Take_Robots
+     (Found  : C_Robots;
+      Total  : Robot_Count;
+      Robots : out Robot_Array;
+      Count  : out Robot_Count) is
+   begin
+      Robots := (others => <>);
+      Count := 0;
+      for K in 1 .. Total loop
+         if Is_Sound (Found (K)) then
+            Count := Count + 1;
+            Robots (Count) := To_Ada (Found (K));
+         end if;
+         pragma Loop_Invariant (Count <= K);
+         pragma Loop_Invariant
+           ((Count > 0) = (for some L in 1 .. K => Is_Sound (Found (L))));
+         pragma Loop_Invariant
+           (if (for all L in 1 .. K => Is_Sound (Found (L)))
+            then Count = K
+              and then
+                (for all L in 1 .. K => Robots (L) = To_Ada (Found (L))));
+      end loop;
+   end Take_Robots;
 
 end Vision.C_Shapes;

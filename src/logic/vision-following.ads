@@ -14,7 +14,7 @@ package Vision.Following with SPARK_Mode is
 
    Interval : constant Milliseconds := 3_000;
    --  Between two searches of the whole image. A new robot is noticed by the
-   --  change in the image (Vision.Library.Follow_Robots); this is for a robot
+   --  change in the image (vision_follow_robots in vision_c); this is for a robot
    --  that was present but not recognised
 
    Longest_Gap : constant Milliseconds := 500;

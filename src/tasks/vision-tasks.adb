@@ -19,10 +19,10 @@ with Trace;
 with Vision.Camera_Requests;
 with Vision.Following;
 with Vision.Frame_Store;
-with Vision.Image_Cycle;
 with Vision.Image_Grid;
 with Vision.Library;
 with Vision.Mode;
+with Vision.Reports;
 with Vision.Shapes;
 with Vision.Sightings;
 with Vision.State;
@@ -31,9 +31,10 @@ with Vision.Turns;
 package body Vision.Tasks with SPARK_Mode is
 
    use type Monitor.Image_Messages.Message_Access;
-   use type Vision.Image_Cycle.Work;
+   use type Options.Drawing_Kind;
    use type Vision.Image_Grid.Microseconds;
    use type Vision.Library.Status;
+   use type Vision.Shapes.Arena_Corners;
 
    Target_Margin : constant Natural :=
      Natural (Missions.Guards.Target_Margin) / 10_000;
@@ -97,9 +98,9 @@ package body Vision.Tasks with SPARK_Mode is
       Count := 0;
       Vision.Following.Plan (Known, Marker, Gap, Areas, Number);
       if Number > 0 then
-         Vision.Library.Follow_Robots
-           (Slot, Marker, Seen.Arena, In_Arena, Areas, Number,
-            Robots, Count, Ignored);
+         Vision.Library.Find_Robots
+           (Slot, Marker, Seen.Arena, In_Arena, Robots, Count, Ignored,
+            Areas, Number);
          Vision.Following.Settle (Known, Gap, Robots, Count, Done);
       end if;
       if not Done then
@@ -199,7 +200,8 @@ package body Vision.Tasks with SPARK_Mode is
       Chosen   : Options.Values renames Settings.Command_Line.Chosen;
       Period   : constant Vision.Image_Grid.Period_Time :=
         1_000_000 / Vision.Image_Grid.Microseconds (Chosen.Frame_Rate);
-      Cycle    : Vision.Image_Cycle.State;
+      Grid     : Vision.Image_Grid.State;
+      Waited   : Boolean;  --  for an image, since the last instant of the grid
       Step     : Vision.Image_Grid.Microseconds;
       Next     : Time;     --  instant of the grid
       Now      : Time;
@@ -213,21 +215,25 @@ package body Vision.Tasks with SPARK_Mode is
       Found    : Boolean;
       Robots   : Vision.Shapes.Robot_Array := (others => <>);
       Count    : Vision.Shapes.Robot_Count;
+      Known    : Vision.Following.State;
       Known_At : Time;
+      Arena    : Vision.Shapes.Arena_Corners;  --  in which Known were found
       Line     : Short_Text;
       Image    : Monitor.Image_Messages.Message_Access :=
         new Monitor.Image_Messages.Message;
-      Work     : Vision.Image_Cycle.Work;
    begin
       Process.Threads.Name_Task (Schedule.Th_Capture_Img);
       loop
          Vision.Camera_Requests.Wait_Images;
          Vision.Sightings.Store.Clear;
-         Cycle := (others => <>);
+         Grid := Vision.Image_Grid.Initial;
+         Waited := False;
+         Vision.Following.Forget (Known);
+         Arena := Vision.Shapes.No_Arena;
          Next := Clock;
          Known_At := Next;
          loop
-            if Cycle.Waited then
+            if Waited then
                Trace.Start (Schedule.Th_Capture_Img);
             else
                Trace.Start (Schedule.Th_Capture_Img, Next);
@@ -240,40 +246,42 @@ package body Vision.Tasks with SPARK_Mode is
             Vision.State.Store.Get (Seen);
             Now := Clock;
             Vision.Frame_Store.Store.Get_Silent (Now, Silent);
-            Work := Vision.Image_Cycle.Work_Of (Seen, Silent);
-            exit when Work = Vision.Image_Cycle.Leave;
-            if Work = Vision.Image_Cycle.Report_Silence then
+            exit when not Vision.Mode.Is_Open (Seen);
+            if Silent then
                Camera_Failed (Monitor.Notices.Camera_Silent);
-            elsif Work = Vision.Image_Cycle.Look then
+            elsif Vision.Mode.Images_Flow (Seen) then
                Vision.Frame_Store.Store.Claim_Due
                  (Now, Period, Slot, Came, Reserve, Found, Coming);
                if Found then
                   Coming := False;
-                  if Cycle.Waited then
-                     Step := Vision.Image_Grid.Elapsed (Next, Came);
+                  if Waited then
+                     Vision.Image_Grid.Wait_Ended
+                       (Grid, Vision.Image_Grid.Elapsed (Next, Came), Period);
                      Next := Came;
                   end if;
-                  Vision.Image_Cycle.Take_Image
-                    (Cycle, Step, Vision.Image_Grid.Elapsed (Came, Now),
-                     Reserve, Period, Step);
-                  Vision.Image_Cycle.Look_In (Cycle, Seen);
+                  Vision.Image_Grid.Step
+                    (Grid, Vision.Image_Grid.Elapsed (Came, Now), Reserve,
+                     Period, Step);
+                  if not Seen.Position_On or else Seen.Arena /= Arena then
+                     Vision.Following.Forget (Known);
+                     Arena := Seen.Arena;
+                  end if;
                   Count := 0;
                   if Seen.Position_On then
                      Find_Robots
                        (Slot, Chosen.Marker, Seen,
-                        Gap_Between (Known_At, Came), Cycle.Known,
-                        Robots, Count);
+                        Gap_Between (Known_At, Came), Known, Robots, Count);
                      Known_At := Came;
                      --  before anything is drawn: a mission waits for it
                      Vision.Sightings.Put (Came, Robots, Count);
                   end if;
-                  if Vision.Image_Cycle.Draws_Arena
-                    (Seen, Chosen.Drawing)
+                  if Vision.Mode.Uses_Arena (Seen)
+                    and then Chosen.Drawing >= Options.Arena
                   then
                      Draw_Arena (Slot, Seen.Arena);
                   end if;
-                  if Vision.Image_Cycle.Draws_Robots
-                    (Seen, Chosen.Drawing)
+                  if Seen.Position_On
+                    and then Chosen.Drawing = Options.All_Of_It
                   then
                      --  over the arena's line
                      Draw_Robots (Slot, Robots, Count);
@@ -288,7 +296,7 @@ package body Vision.Tasks with SPARK_Mode is
                   if Seen.Position_On then
                      --  after its image, which is to be punctual
                      Monitor.Positions.Format
-                       (Vision.Image_Cycle.Position_Of (Robots, Count),
+                       (Vision.Reports.Position_Of (Robots, Count),
                         Line.Data, Line.Length);
                      Monitor.Outbox.Put
                        ((Kind   => Monitor.Mailboxes.Place,
@@ -298,7 +306,7 @@ package body Vision.Tasks with SPARK_Mode is
                   end if;
                end if;
             end if;
-            Cycle.Waited := Coming;
+            Waited := Coming;
             if Coming then
                Trace.Done (Schedule.Th_Capture_Img);
                Vision.Frame_Store.Wait_Look;
@@ -339,10 +347,10 @@ package body Vision.Tasks with SPARK_Mode is
             Monitor.Outbox.Answer
               (Order,
                (if Seen.Confirmed
-                  and then Vision.Image_Cycle.Are_Coordinates (Seen.Arena)
+                  and then Vision.Reports.Are_Coordinates (Seen.Arena)
                 then Monitor.Positions.Ground
                   (Chosen.Arena_Size, Target_Margin,
-                   Vision.Image_Cycle.Corners_Of (Seen.Arena))
+                   Vision.Reports.Corners_Of (Seen.Arena))
                 else Reply_To (False)));
          elsif Order.Command.Name = Ask_Arena then
             Vision.State.Store.Ask_Arena (Order.Number, Valid);

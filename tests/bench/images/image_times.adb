@@ -299,8 +299,8 @@ procedure Image_Times is
          Settled := False;
          if Parts > 0 then
             Start;
-            Follow_Robots (0, Options.Aruco, No_Arena, False, Areas, Parts,
-                           Found, Count, Result);
+            Find_Robots (0, Options.Aruco, No_Arena, False, Found, Count,
+           Result, Areas, Parts);
             Stop (Follow);
             Check (Result in Done | Not_Found, "following");
             Vision.Following.Settle (Known, 100, Found, Count, Settled);

@@ -6,7 +6,6 @@ with Authentication_Tests;
 with Base64_Tests;
 with Command_Lines_Tests;
 with Commands_Tests;
-with Image_Cycle_Tests;
 with Image_Grid_Tests;
 with Line_Health_Tests;
 with Mailboxes_Tests;
@@ -33,7 +32,6 @@ begin
    Group ("Command_Lines", Command_Lines_Tests'Access);
    Group ("Commands", Commands_Tests'Access);
    Group ("Admission.Networks", Networks_Tests'Access);
-   Group ("Vision.Image_Cycle", Image_Cycle_Tests'Access);
    Group ("Vision.Image_Grid", Image_Grid_Tests'Access);
    Group ("Processor_Sets", Processor_Sets_Tests'Access);
    Group ("Robot.Protocol", Robot_Protocol_Tests'Access);

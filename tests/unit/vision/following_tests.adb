@@ -50,9 +50,9 @@ procedure Following_Tests is
       Done := False;
       Vision.Following.Plan (Known, Marker, Gap, Areas, Number);
       if Number > 0 then
-         Follow_Robots
-           (0, Marker, Arena, Arena /= No_Arena, Areas, Number,
-            Item.Robots, Item.Count, Result);
+         Find_Robots
+           (0, Marker, Arena, Arena /= No_Arena, Item.Robots, Item.Count,
+            Result, Areas, Number);
          Vision.Following.Settle (Known, Gap, Item.Robots, Item.Count, Done);
       end if;
       if not Done then
@@ -315,22 +315,19 @@ procedure Following_Tests is
       Assert (Number = 1 and then Areas (1).Reach = Vision.Following.Furthest,
               "a limit");
       Draw (Still, 1);
-      Follow_Robots (0, Aruco, No_Arena, False, Areas, Number,
-                     Item.Robots, Item.Count, Result);
+      Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count,
+                   Result, Areas, Number);
       Assert (Result = Bad_Argument and then Item.Count = 0, "refused");
       Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count,
                    Result);
       Areas (1) := ((22_000_000, 40_000_000), -1);
-      Follow_Robots (0, Aruco, No_Arena, False, Areas, 1,
-                     Item.Robots, Item.Count, Result);
+      Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count,
+                   Result, Areas, 1);
       Assert (Result = Bad_Argument, "less than nothing");
       Areas (1) := ((-900_000_000, 40_000_000), 5_000_000);
-      Follow_Robots (0, Aruco, No_Arena, False, Areas, 1,
-                     Item.Robots, Item.Count, Result);
+      Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count,
+                   Result, Areas, 1);
       Assert (Result = Not_Found, "beside the image");
-      Follow_Robots (0, Aruco, No_Arena, False, Areas, 0,
-                     Item.Robots, Item.Count, Result);
-      Assert (Result = Bad_Argument, "no area");
    end Test_Far_Away;
 
 begin

@@ -11,7 +11,6 @@ with Options;
 with Pictures;
 with Scenes;
 with Vision.C_Shapes; use Vision.C_Shapes;
-with Vision.Findings; use Vision.Findings;
 with Vision.Library;  use Vision.Library;
 with Vision.Shapes;   use Vision.Shapes;
 with Unit_Runs; use Unit_Runs;
