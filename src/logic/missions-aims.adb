@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Missions.Angles; use Missions.Angles;
-
 package body Missions.Aims with SPARK_Mode is
 
    Side_Way  : constant := 2_500;

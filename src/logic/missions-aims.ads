@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 --  The next order of a mission: a turn or a drive towards its target.
 
+with Missions.Angles;   use Missions.Angles;
 with Missions.Guards;   use Missions.Guards;
 with Missions.Learning; use Missions.Learning;
-with Missions.Poses;    use Missions.Poses;
 
 package Missions.Aims with SPARK_Mode, Pure is
 

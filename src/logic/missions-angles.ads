@@ -1,5 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  Angles and vectors, in integers.
+--  Angles, vectors and the robot's poses, in integers.
 
 package Missions.Angles with SPARK_Mode, Pure is
 
@@ -35,5 +35,28 @@ package Missions.Angles with SPARK_Mode, Pure is
    function Along (X, Y : Micrometres; Towards : Bearing) return Micrometres;
    --  The vector's component in that direction; in its own direction, its
    --  length. Limited to the range of the result
+
+   --  Poses where the robot can be seen, and what lies between two
+
+   subtype Near is Micrometres range -20_000_000 .. 20_000_000;
+
+   type Near_Pose is record
+      X, Y    : Near    := 0;
+      Heading : Bearing := 0;
+   end record;
+
+   function Near_Of (Where : Micrometres) return Near is
+     (Micrometres'Max (Near'First, Micrometres'Min (Near'Last, Where)));
+
+   function Pose_Of (P : Near_Pose) return Pose is
+     ((At_Place => (P.X, P.Y), Heading => P.Heading));
+
+   function Difference (From, To : Bearing) return Bearing is
+     (Normal (To - From));
+
+   function Way (From, To : Near_Pose) return Micrometres is
+     (Along (To.X - From.X, To.Y - From.Y,
+             Direction (To.X - From.X, To.Y - From.Y)));
+   --  The distance
 
 end Missions.Angles;

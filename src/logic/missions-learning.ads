@@ -3,7 +3,6 @@
 
 with Missions.Angles; use Missions.Angles;
 with Missions.Guards; use Missions.Guards;
-with Missions.Poses;  use Missions.Poses;
 
 package Missions.Learning with SPARK_Mode, Pure is
 

@@ -1,15 +1,13 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Missions.Angles; use Missions.Angles;
+with Missions.Runs.Looks;
 
 package body Missions.Runs with SPARK_Mode is
 
    --  Limits: microseconds, micrometres, microdegrees
 
-   Still_Time    : constant := 2_000_000;
-   --  without progress, which is at least:
-   Progress_Way  : constant := 10_000;
-   Progress_Turn : constant := 5_000_000;
+   Still_Time : constant := 2_000_000;
+   --  without progress (Missions.Runs.Looks)
 
    Leg_Time                 : constant := 15_000_000;
    Leg_Time_Per_Millimetre  : constant := 20_000;
@@ -26,35 +24,12 @@ package body Missions.Runs with SPARK_Mode is
 
    --  Looks
 
-   Same_Place   : constant := 9_000;
-   Same_Heading : constant := 3_000_000;
-   Upset_Way    : constant := 15_000;
-   --  Distance from the mean place: more in a turn means that the robot was
-   --  moved
-
    Enough_Images : constant := 2;
    Many_Images   : constant := 4;
 
    Unsure_Way : constant := 3_000;
    --  If the distance to the target differs from the limit by less, more
    --  images are waited for
-
-   --  Orders
-
-   Good_Part    : constant := 20_000_000;
-   --  A turn seen halfway has turned so far at least, and four times this at
-   --  most: its rate is learnt from that
-
-   --  Functions
-
-   function After (Time, Span : Microseconds) return Microseconds is
-     (if Time <= Microseconds'Last - Span then Time + Span
-      else Microseconds'Last);
-
-   function Mean_Of (Mean, Newest : Near; Count : Image_Count) return Near is
-     (Near_Of (Mean + (Newest - Mean) / Micrometres (Count)))
-   with Pre => Count > 0;
-   --  Count includes the newest
 
    function Target (R : Run) return Near_Pose is
      ((X       => Near_Of (R.Targets (R.Leg).X),
@@ -76,17 +51,6 @@ package body Missions.Runs with SPARK_Mode is
 
    --  Used in the contracts
 
-   function Is_Same (R, Before : Run) return Boolean is
-     (R.Ended = Before.Ended
-      and then R.Why = Before.Why
-      and then R.Leg = Before.Leg
-      and then R.Orders = Before.Orders
-      and then R.Leg_End = Before.Leg_End
-      and then R.Seen_At = Before.Seen_At
-      and then R.Size = Before.Size)
-   with Ghost;
-   --  Neither further nor ended
-
    function Is_Good_Order (R, Before : Run; Next : Action) return Boolean is
      (Next.Kind = Order
       and then Next.Request.Kind = Robot.Session.Drive
@@ -97,33 +61,14 @@ package body Missions.Runs with SPARK_Mode is
       and then R.Seen_At = Before.Seen_At)
    with Ghost;
 
-   --  Operations
-
-   procedure Finish (R : in out Run; Why : Ending)
-   with
-     Pre  => not R.Ended,
-     Post => R.Ended
-       and then R.Why = Why
-       and then R.Leg = R.Leg'Old
-       and then R.Orders = R.Orders'Old
-       and then R.Seen_At = R.Seen_At'Old
-   is
+   procedure Finish (R : in out Run; Why : Ending) is
    begin
       R.Ended := True;
       R.Why   := Why;
       R.Stops := (if Why in By_Hand | Session_Over then 0 else Stop_Tries);
    end Finish;
 
-   procedure Finish_Amiss (R : in out Run; What : Movement_Kind)
-   with
-     Pre  => not R.Ended,
-     Post => R.Ended
-       and then R.Leg = R.Leg'Old
-       and then R.Orders = R.Orders'Old
-       and then R.Seen_At = R.Seen_At'Old
-   is
-      --  It goes so far amiss, as measured; Halt, or none measured: it does
-      --  not go on
+   procedure Finish_Amiss (R : in out Run; What : Movement_Kind) is
    begin
       Finish
         (R,
@@ -158,18 +103,6 @@ package body Missions.Runs with SPARK_Mode is
        and then R.Seen_At = R.Seen_At'Old
    is
    begin
-      case Movement is
-         when Halt  =>
-            Next := (Order, (Kind => Robot.Session.Stop, others => <>));
-
-         when Turn  =>
-            Next :=
-              (Order, (Robot.Session.Drive, (Robot.Protocol.Turn, Amount)));
-
-         when Drive =>
-            Next :=
-              (Order, (Robot.Session.Drive, (Robot.Protocol.Move, Amount)));
-      end case;
       R.Awaited  := Order;
       R.Movement := Movement;
       R.Amount   := Amount;
@@ -178,9 +111,11 @@ package body Missions.Runs with SPARK_Mode is
       R.Orders   := R.Orders - 1;
       case Movement is
          when Halt =>
-            null;
+            Next := (Order, (Kind => Robot.Session.Stop, others => <>));
 
          when Turn =>
+            Next :=
+              (Order, (Robot.Session.Drive, (Robot.Protocol.Turn, Amount)));
             R.Turns_Made  := Natural'Min (2, R.Turns_Made + 1);
             R.Part.Turned := 0;
             if R.Made.Turned = 0 then
@@ -193,6 +128,8 @@ package body Missions.Runs with SPARK_Mode is
             end if;
 
          when Drive =>
+            Next :=
+              (Order, (Robot.Session.Drive, (Robot.Protocol.Move, Amount)));
             R.Turns_Made := 0;
             R.Made.From.X := R.Mean.X;
             R.Made.From.Y := R.Mean.Y;
@@ -202,29 +139,6 @@ package body Missions.Runs with SPARK_Mode is
             R.Made.Driven := Amount;
       end case;
    end Give;
-
-   procedure Add_Image (R : in out Run)
-   with Post => Is_Same (R, R'Old)
-   is
-      --  The newest one, of the robot at rest
-      Where : constant Near_Pose := R.Newest;
-      Turn  : constant Bearing   :=
-        Difference (R.Mean.Heading, Where.Heading);
-      Is_Same : constant Boolean :=
-        Way (R.Mean, Where) <= Same_Place and then abs Turn <= Same_Heading;
-   begin
-      if R.Count = 0 or else not Is_Same then
-         R.Confirmed := R.Count = 0 and then R.Expected and then Is_Same;
-         R.Count     := 1;
-         R.Mean      := Where;
-      else
-         R.Count  := Natural'Min (R.Count + 1, Max_Images);
-         R.Mean.X := Mean_Of (R.Mean.X, Where.X, R.Count);
-         R.Mean.Y := Mean_Of (R.Mean.Y, Where.Y, R.Count);
-         R.Mean.Heading :=
-           Normal (R.Mean.Heading + Turn / Microdegrees (R.Count));
-      end if;
-   end Add_Image;
 
    procedure Aim (R : in out Run; Goal : Near_Pose; Next : out Action)
    with
@@ -246,55 +160,6 @@ package body Missions.Runs with SPARK_Mode is
          Give (R, Movement, Amount, Next);
       end if;
    end Aim;
-
-   procedure Arrive (R : in out Run; Now : Microseconds)
-   with Post => Is_Same (R, R'Old)
-   is
-      --  The robot does not move any more
-      Turned : constant Some_Turn := True_Turn (R.Amount, R.Known.Turns);
-   begin
-      R.Expected  := False;
-      R.Confirmed := False;
-      R.Part.Ended := (if Now > R.Given then Now - R.Given else 0);
-      if R.Movement = Turn
-        and then R.Sure
-        and then not R.Upset
-        and then R.Known.Distrust = 0
-        and then R.Made.Turned ** 2 <= 9 * R.Known.Turn_Weight
-      then
-         R.Mean.Heading := Normal (R.Mean.Heading + Turned);
-         R.Phase        := Aiming;
-         Learn_Lag (R.Known, R.Part, Turned);
-         return;
-      end if;
-
-      R.Phase     := Looking;
-      R.Rest_From := After (Now, R.Known.Lag);
-      R.Count     := 0;
-      R.Learnable :=
-        R.Learnable and then R.Sure and then R.Movement /= Halt;
-      if R.Movement = Drive
-        and then R.Learnable
-        and then Knows_Way (R.Known)
-      then
-         declare
-            Length : constant Some_Length :=
-              True_Length (R.Amount, R.Known.Drives);
-            Half   : constant Microdegrees := Swing (Length, R.Known.Pulled);
-            Chord  : constant Bearing      := Normal (R.Mean.Heading + Half);
-         begin
-            R.Mean :=
-              (X       => Near_Of
-                 (R.Mean.X
-                  + Micrometres (Wide (Length) * Cosine (Chord) / Million)),
-               Y       => Near_Of
-                 (R.Mean.Y
-                  + Micrometres (Wide (Length) * Sine (Chord) / Million)),
-               Heading => Normal (Chord + Half));
-            R.Expected := True;
-         end;
-      end if;
-   end Arrive;
 
    procedure Limit_Leg (R : in out Run; Now : Microseconds)
    with
@@ -345,47 +210,6 @@ package body Missions.Runs with SPARK_Mode is
       end if;
    end Check_Limits;
 
-   procedure Compare (R : in out Run)
-   with
-     Pre  => not R.Ended,
-     Post => R.Leg = R.Leg'Old
-       and then R.Orders = R.Orders'Old
-       and then R.Seen_At = R.Seen_At'Old
-   is
-      --  What was ordered since the last look with what is seen now: it ends
-      --  the mission if no Gain explains them twice in a row, or at once if it
-      --  was too much
-      Drives : constant Boolean := R.Made.Driven /= 0;
-      Seen   : constant Wide :=
-        (if Drives then Wide (Way (R.Made.From, R.Mean))
-         else Wide (Turn_Seen (R.Known, R.Made, R.Mean))
-           * (if R.Made.Turned < 0 then -1 else 1));
-      Asked  : constant Wide :=
-        (if Drives then abs Wide (R.Made.Driven) * 1_000
-         else abs Wide (R.Made.Turned) * Million);
-      Slack  : constant Wide := (if Drives then Upset_Way else Surprise);
-      Still  : constant Wide := (if Drives then 1_000 else Million);
-      --  Less is none: that is seen of a robot at rest
-      What   : constant Movement_Kind := (if Drives then Drive else Turn);
-   begin
-      if Seen + Slack >= Asked * Wide (Gain'First) / 10_000
-        and then Seen - Slack <= Asked * Wide (Gain'Last) / 10_000
-      then
-         R.Amiss := Halt;
-         return;
-      end if;
-      R.Measured := Percent
-        (Within
-           ((if Seen < Still then 0 else Seen * 100 / Wide'Max (1, Asked)),
-            0, Wide (Percent'Last)));
-      if (R.Amiss = What and then R.Measured > 0) or else Seen > Asked then
-         Finish_Amiss (R, What);
-      else
-         R.Amiss    := What;
-         R.Known.Distrust := Distrusted;
-      end if;
-   end Compare;
-
    procedure Decide
      (R : in out Run; Now : Microseconds; Next : out Action)
    with
@@ -422,7 +246,7 @@ package body Missions.Runs with SPARK_Mode is
          end if;
 
          if R.Learnable then
-            Compare (R);
+            Looks.Compare (R);
             if R.Ended then
                return;
             elsif R.Amiss = Halt then
@@ -498,63 +322,7 @@ package body Missions.Runs with SPARK_Mode is
 
    procedure See (R : in out Run; What : Sighting) is
    begin
-      if R.Some_Image and then What.Number = R.Number then
-         return;
-      end if;
-
-      R.Some_Image := True;
-      R.Number     := What.Number;
-      R.Came       := What.Taken;
-      if not What.Seen
-        or else What.Where.At_Place.X not in Near
-        or else What.Where.At_Place.Y not in Near
-      then
-         R.Missing := Natural'Min (R.Missing + 1, Max_Missing);
-         if R.Missing = Max_Missing and then not R.Ended then
-            Finish (R, No_Position);
-         end if;
-         return;
-      end if;
-
-      R.Missing := 0;
-      R.Seen    := True;
-      R.Seen_At := What.Taken;
-      R.Newest  :=
-        (What.Where.At_Place.X, What.Where.At_Place.Y, What.Where.Heading);
-
-      if Way (R.Anchor, R.Newest) > Progress_Way
-        or else abs Difference (R.Anchor.Heading, R.Newest.Heading)
-                > Progress_Turn
-      then
-         R.Anchor   := R.Newest;
-         R.Anchored := What.Taken;
-      end if;
-
-      if R.Phase = Looking and then What.Taken >= R.Rest_From then
-         Add_Image (R);
-      elsif R.Phase = Moving and then R.Movement = Turn then
-         if R.Part.Turned = 0 and then What.Taken > R.Given and then R.Sure
-         then
-            declare
-               Part : constant Bearing :=
-                 Difference (R.Mean.Heading, R.Newest.Heading);
-            begin
-               if abs Part in Good_Part .. 4 * Good_Part
-                 and then (Part > 0) = (R.Amount > 0)
-               then
-                  R.Part.Turned := Part;
-                  R.Part.Seen   := What.Taken - R.Given;
-               end if;
-            end;
-         end if;
-         if Way (R.Mean, R.Newest) > Upset_Way then
-            R.Upset := True;
-         else
-            R.Count  := Natural'Min (R.Count + 1, Max_Images);
-            R.Mean.X := Mean_Of (R.Mean.X, R.Newest.X, R.Count);
-            R.Mean.Y := Mean_Of (R.Mean.Y, R.Newest.Y, R.Count);
-         end if;
-      end if;
+      Looks.See (R, What);
    end See;
 
    procedure Start
@@ -631,7 +399,7 @@ package body Missions.Runs with SPARK_Mode is
             if Result.Kind = Robot.Session.Done
               and then Robot.Session.Is_Zero (Result)
             then
-               Arrive (R, Now);
+               Looks.Arrive (R, Now);
             else
                if Result.Kind = Robot.Session.Done and then not R.Sure then
                   R.Sure   := True;
@@ -664,7 +432,7 @@ package body Missions.Runs with SPARK_Mode is
                when Robot.Session.Refused =>
                   R.Refusals := Natural'Min (R.Refusals + 1, Refusal_Limit);
                   R.Sure     := False;
-                  Arrive (R, Now);
+                  Looks.Arrive (R, Now);
                   if R.Refusals = Refusal_Limit and then not R.Ended then
                      Finish (R, Orders_Refused);
                   end if;

@@ -3,9 +3,9 @@
 --  been told, the next order or none.
 
 with Missions.Aims;     use Missions.Aims;
+with Missions.Angles;   use Missions.Angles;
 with Missions.Guards;   use Missions.Guards;
 with Missions.Learning; use Missions.Learning;
-with Missions.Poses;    use Missions.Poses;
 with Robot.Protocol;
 with Robot.Session;
 
@@ -245,6 +245,42 @@ private
 
       Known       : Knowledge;
    end record;
+
+   --  For Missions.Runs.Looks too
+
+   function After (Time, Span : Microseconds) return Microseconds is
+     (if Time <= Microseconds'Last - Span then Time + Span
+      else Microseconds'Last);
+
+   function Is_Same (R, Before : Run) return Boolean is
+     (R.Ended = Before.Ended
+      and then R.Why = Before.Why
+      and then R.Leg = Before.Leg
+      and then R.Orders = Before.Orders
+      and then R.Leg_End = Before.Leg_End
+      and then R.Seen_At = Before.Seen_At
+      and then R.Size = Before.Size)
+   with Ghost;
+   --  Neither further nor ended
+
+   procedure Finish (R : in out Run; Why : Ending)
+   with
+     Pre  => not R.Ended,
+     Post => R.Ended
+       and then R.Why = Why
+       and then R.Leg = R.Leg'Old
+       and then R.Orders = R.Orders'Old
+       and then R.Seen_At = R.Seen_At'Old;
+
+   procedure Finish_Amiss (R : in out Run; What : Movement_Kind)
+   with
+     Pre  => not R.Ended,
+     Post => R.Ended
+       and then R.Leg = R.Leg'Old
+       and then R.Orders = R.Orders'Old
+       and then R.Seen_At = R.Seen_At'Old;
+   --  It goes so far amiss, as measured; Halt, or none measured: it does not
+   --  go on
 
    function Has_Ended (R : Run) return Boolean is (R.Ended);
 

@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The text messages to the monitor (MSSG).
+--  The messages to the monitor that nobody has asked for: texts (MSSG), and the
+--  progress and end of a mission (MPRG, MEND).
 
-with Missions;
+with Missions;         use Missions;
 with Monitor.Protocol; use Monitor.Protocol;
 
 package Monitor.Notices with SPARK_Mode is
@@ -31,14 +32,67 @@ package Monitor.Notices with SPARK_Mode is
    function Line_Of (Item : Notice) return Short_Text is
      (Short (Log_Label & Separator & Text_Of (Item)));
 
-   function Notice_Of (Why : Missions.Refusal) return Notice is
+   function Notice_Of (Why : Refusal) return Notice is
      (case Why is
-         when Missions.Robot_Not_Started   => Needs_Started_Robot,
-         when Missions.Camera_Closed       => Needs_Open_Camera,
-         when Missions.Positions_Off       => Needs_Positions,
-         when Missions.Arena_Not_Confirmed => Needs_Confirmed_Arena,
-         when Missions.Arena_Too_Small     => Needs_Larger_Arena,
-         when Missions.Robot_Not_Seen      => Needs_Seen_Robot,
-         when Missions.Point_Outside       => Needs_Points_Inside);
+         when Robot_Not_Started   => Needs_Started_Robot,
+         when Camera_Closed       => Needs_Open_Camera,
+         when Positions_Off       => Needs_Positions,
+         when Arena_Not_Confirmed => Needs_Confirmed_Arena,
+         when Arena_Too_Small     => Needs_Larger_Arena,
+         when Robot_Not_Seen      => Needs_Seen_Robot,
+         when Point_Outside       => Needs_Points_Inside);
+
+   --  Missions
+
+   subtype Millimetres is Natural range 0 .. 9_999_999;
+
+   Max_Text : constant := 48;
+   --  Characters of an end's text, at most
+
+   function Image (Value : Percent) return String
+   with
+     Post => Image'Result'First = 1
+       and then Image'Result'Length in 1 .. 3
+       and then (for all C of Image'Result => C in '0' .. '9');
+
+   function Text_Of (Why : Ending; Measured : Percent := 0) return String is
+     (case Why is
+         when Completed        => "done",
+         when By_Hand          => "aborted;order by hand",
+         when Session_Over     => "aborted;monitor lost",
+         when Robot_Stopped    => "aborted;robot lost or no longer started",
+         when Camera_Ended     =>
+            "aborted;camera, positions or arena given up",
+         when No_Position      => "aborted;robot not seen in 3 images",
+         when No_Image         => "aborted;no image for 300 ms",
+         when No_Progress      => "aborted;no progress for 2 s",
+         when Leg_Too_Long     => "aborted;leg takes longer than its time",
+         when Orders_Refused   => "aborted;robot refuses its orders",
+         when Turns_Amiss      =>
+            "aborted;robot turns " & Image (Measured) & " % of what is asked",
+         when Drives_Amiss     =>
+            "aborted;robot drives " & Image (Measured) & " % of what is asked",
+         when No_Way           => "aborted;no permitted way")
+   with
+     Post => Text_Of'Result'First = 1
+       and then Text_Of'Result'Length in 4 .. Max_Text
+       and then (for all C of Text_Of'Result => C in ' ' .. '~');
+
+   function Progress_Line
+     (Leg, Of_Legs : Point_Number; Distance : Millimetres) return Short_Text
+   with
+     Post => Progress_Line'Result.Length in 11 .. 32
+       and then Begins_With (Progress_Line'Result.Data, Progress_Label)
+       and then Progress_Line'Result.Data (5) = Separator
+       and then Progress_Line'Result.Data (Progress_Line'Result.Length) =
+         Line_Feed
+       and then
+         (for all I in 6 .. Progress_Line'Result.Length - 1 =>
+            Progress_Line'Result.Data (I) in '0' .. '9' | Field_Separator);
+   --  MPRG:leg;of;distance; the distance to the leg's point
+
+   function End_Line (Why : Ending; Measured : Percent) return Short_Text is
+     (Short (End_Label & Separator & Text_Of (Why, Measured)));
+   --  MEND:text
 
 end Monitor.Notices;

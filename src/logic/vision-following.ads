@@ -14,8 +14,8 @@ package Vision.Following with SPARK_Mode is
 
    Interval : constant Milliseconds := 3_000;
    --  Between two searches of the whole image. A new robot is noticed by the
-   --  change in the image (vision_follow_robots in vision_c); this is for a robot
-   --  that was present but not recognised
+   --  change in the image (vision_follow_robots of vision_c); this is for a
+   --  robot that was present but not recognised
 
    Longest_Gap : constant Milliseconds := 500;
    --  Longest time between two images for a search of areas only

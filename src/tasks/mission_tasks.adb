@@ -7,7 +7,6 @@ with Missions.Arenas;
 with Missions.Grounds;
 with Missions.Requests;
 with Missions.Runs;    use Missions.Runs;
-with Missions.Texts;
 with Monitor.Mailboxes;
 with Monitor.Notices;
 with Monitor.Outbox;
@@ -99,14 +98,14 @@ package body Mission_Tasks with SPARK_Mode is
       Missions.Requests.Place.Release;
       Monitor.Outbox.Put
         ((Kind   => Monitor.Mailboxes.Ending,
-          Line   => Missions.Texts.End_Line
+          Line   => Monitor.Notices.End_Line
              (Ended_By (M.Run), Measured (M.Run)),
           Number => M.Order.Number,
           others => <>));
       Journal.Put
         (Options.Info,
          "mission ended: "
-         & Missions.Texts.Text_Of (Ended_By (M.Run), Measured (M.Run)));
+         & Monitor.Notices.Text_Of (Ended_By (M.Run), Measured (M.Run)));
    end Carry_Out;
 
    procedure Tell_Progress (M : Mission; Now : Time; Last : in out Report) is
@@ -118,7 +117,7 @@ package body Mission_Tasks with SPARK_Mode is
          Last := (Leg (M.Run), Now);
          Monitor.Outbox.Put
            ((Kind   => Monitor.Mailboxes.Progress,
-             Line   => Missions.Texts.Progress_Line
+             Line   => Monitor.Notices.Progress_Line
                (Leg (M.Run), Legs (M.Run),
                 Natural (Micrometres'Max (0, Distance (M.Run)) / 1_000)),
              Number => M.Order.Number,

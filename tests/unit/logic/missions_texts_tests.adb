@@ -3,7 +3,7 @@
 
 with AUnit.Assertions; use AUnit.Assertions;
 
-with Missions.Texts;   use Missions;
+with Missions;         use Missions;
 with Monitor.Notices;  use Monitor.Notices;
 with Monitor.Protocol; use Monitor.Protocol;
 with Unit_Runs; use Unit_Runs;
@@ -14,12 +14,12 @@ procedure Missions_Texts_Tests is
      (Line.Data (1 .. Line.Length));
 
    function End_Line (Why : Ending; Measured : Percent) return String is
-     (Text_Of (Texts.End_Line (Why, Measured)));
+     (Text_Of (Monitor.Notices.End_Line (Why, Measured)));
 
    function Progress
-     (Leg, Of_Legs : Point_Number; Distance : Texts.Millimetres)
+     (Leg, Of_Legs : Point_Number; Distance : Millimetres)
      return String
-   is (Text_Of (Texts.Progress_Line (Leg, Of_Legs, Distance)));
+   is (Text_Of (Progress_Line (Leg, Of_Legs, Distance)));
 
    procedure Test_Ends is
 
@@ -57,7 +57,7 @@ procedure Missions_Texts_Tests is
    begin
       Assert (Progress (1, 1, 0) = "MPRG:1;1;0" & Line_Feed, "the least");
       Assert (Progress (3, 12, 457) = "MPRG:3;12;457" & Line_Feed, "some");
-      Assert (Progress (64, 64, Texts.Millimetres'Last)
+      Assert (Progress (64, 64, Millimetres'Last)
               = "MPRG:64;64;9999999" & Line_Feed, "the largest");
    end Test_Progress;
 
