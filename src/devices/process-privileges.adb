@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Interfaces;   use Interfaces;
-with Interfaces.C; use Interfaces.C;
+with Interfaces;              use Interfaces;
+with Interfaces.C;            use Interfaces.C;
 with Linux;
-with System;
+with System.Storage_Elements; use System.Storage_Elements;
 
 package body Process.Privileges with SPARK_Mode => Off is
 
@@ -132,5 +132,35 @@ package body Process.Privileges with SPARK_Mode => Off is
       Get_Limit (Locked_Memory, Limit'Address);
       May_Lock := Has (Ipc_Lock) or else Limit (1) = unsigned_long'Last;
    end Get_May_Lock;
+
+   Current_On_Fault : constant int := 1 + 2 + 4;
+   --  MCL_CURRENT, MCL_FUTURE, MCL_ONFAULT
+
+   function Lock_All (Flags : int) return int
+   with Import, Convention => C, External_Name => "mlockall";
+
+   procedure Lock_Part (Start : System.Address; Length : size_t)
+   with Import, Convention => C, External_Name => "mlock";
+
+   --  Of the program itself, from the linker
+   Code_Start : char
+   with Import, Convention => C, External_Name => "__executable_start";
+   Code_End : char
+   with Import, Convention => C, External_Name => "etext";
+
+   procedure Lock_Memory (Done : out Boolean) is
+   begin
+      --  Under a limit a later allocation could fail. Only what is used is
+      --  kept: all of what OpenCV brings along would be a gigabyte
+      Get_May_Lock (Done);
+      Done := Done and then Lock_All (Current_On_Fault) = 0;
+      if Done then
+         --  the code that has not been needed so far, such as that of a
+         --  stop, is not to be read from a slow disk when it is
+         Lock_Part
+           (Code_Start'Address,
+            size_t (Code_End'Address - Code_Start'Address));
+      end if;
+   end Lock_Memory;
 
 end Process.Privileges;

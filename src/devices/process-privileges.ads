@@ -34,4 +34,10 @@ package Process.Privileges with SPARK_Mode is
    --  Whether it may lock as much memory as it likes (CAP_IPC_LOCK,
    --  RLIMIT_MEMLOCK)
 
+   procedure Lock_Memory (Done : out Boolean)
+   with Global => (In_Out => System_State);
+   --  From here on, what this process has once used stays in memory, and so
+   --  does all of the program's own code. Done is false where it may not
+   --  lock as much as it likes
+
 end Process.Privileges;

@@ -53,6 +53,16 @@ is
       Process_Control (15, Name'Address);  --  PR_SET_NAME
    end Set_Name;
 
+   procedure Touch_Stack is
+      Page  : constant := 4_096;
+      Depth : constant := 16 * Page;
+      Stack : array (1 .. Depth) of char with Volatile;
+   begin
+      for Page_Number in 0 .. Depth / Page - 1 loop
+         Stack (Page_Number * Page + 1) := nul;
+      end loop;
+   end Touch_Stack;
+
    procedure Enter (Who : Schedule.Task_Name; Thread : out Natural) is
       Own : Stack := (Start => Signal_Stacks (Who)'Address, others => <>);
    begin

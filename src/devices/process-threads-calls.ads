@@ -25,6 +25,10 @@ is
      Pre    => Name'Length > 0 and then Name (Name'Last) = ASCII.NUL;
    --  Of the calling task. The kernel takes what it has room for
 
+   procedure Touch_Stack with Global => (In_Out => System_State), No_Inline;
+   --  The calling task's stack is in memory, to the depth that the tasks
+   --  without images reach
+
    procedure Enter (Who : Schedule.Task_Name; Thread : out Natural)
    with Global => (In_Out => Table);
    --  The calling task is Who. Thread: its number in the system. From here on

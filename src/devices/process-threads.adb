@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
 
-with Process.Memory;
 with Process.Threads.Calls;
 with Processor_Sets;
 
@@ -49,7 +48,7 @@ is
    begin
       Calls.Set_Name (Schedule.Name_Of (Who) & ASCII.NUL);
       if Real_Time then
-         Memory.Touch_Stack;
+         Calls.Touch_Stack;
       end if;
       Calls.Enter (Who, Thread);
       Keeps := Kept;

@@ -15,4 +15,37 @@ is
       Exit_At_Once (int (Status));
    end Leave;
 
+   --  The machine
+
+   subtype Field is char_array (1 .. 65);
+
+   type Names is record
+      System, Node, Release, Version, Processor, Domain : Field :=
+        (others => nul);
+   end record with Convention => C;
+   --  The kernel's struct utsname
+
+   procedure Get_Names (To : in out Names)
+   with Import, Convention => C, External_Name => "uname";
+
+   function Setting (Name : int) return long
+   with Import, Convention => C, External_Name => "sysconf";
+
+   Page_Size  : constant int := 30;  --  _SC_PAGESIZE
+   Page_Count : constant int := 85;  --  _SC_PHYS_PAGES
+
+   procedure Get_Kernel (Name, Version : out Texts.Text) is
+      All_Names : Names;
+   begin
+      Get_Names (All_Names);
+      Texts.Set (Name, To_Ada (All_Names.Release));
+      Texts.Set (Version, To_Ada (All_Names.Version));
+   end Get_Kernel;
+
+   procedure Get_Memory (Megabytes : out Natural) is
+   begin
+      Megabytes := Natural
+        (Setting (Page_Count) / 1_024 * Setting (Page_Size) / 1_024);
+   end Get_Memory;
+
 end Process;

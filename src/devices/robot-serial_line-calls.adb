@@ -85,7 +85,9 @@ is
         (Current_Folder, To_C (Path), 0, Wanted, Status'Address);
    end Get_Status;
 
-   procedure Get_Place (Path : String; Place : out Lock_Tables.File_Place) is
+   procedure Get_Place
+     (Path : String; Place : out Terminal_Users.File_Place)
+   is
       Status : File_Status;
    begin
       Get_Status (Path, Status);

@@ -2,7 +2,6 @@
 --  The calls of the serial device: each returns what the system says, and
 --  decides nothing.
 
-with Lock_Tables;
 with Terminal_Users;
 
 private package Robot.Serial_Line.Calls with
@@ -52,7 +51,7 @@ is
      Post   => Last <= Data'Last;
    --  What the file at Path begins with: Data (1 .. Last)
 
-   procedure Get_Place (Path : String; Place : out Lock_Tables.File_Place)
+   procedure Get_Place (Path : String; Place : out Terminal_Users.File_Place)
    with Global => (In_Out => Port);
    --  Of the file at Path
 

@@ -2,7 +2,6 @@
 
 with Ada.Real_Time; use Ada.Real_Time;
 with Error_Texts;
-with Lock_Tables;
 with Robot.Serial_Line.Calls;
 with Schedule;
 with Terminal_Users;
@@ -42,7 +41,7 @@ is
       --  Why the device cannot be opened, after a call has failed with Error
       Table : String (1 .. 8_192) := (others => ' ');
       Last  : Natural;
-      File  : Lock_Tables.File_Place;
+      File  : Terminal_Users.File_Place;
       Owner : Texts.Text;
    begin
       if Error /= Calls.Busy and then Error /= Calls.No_Data then
@@ -55,7 +54,7 @@ is
       end if;
       Calls.Get_Place (Texts.Image (Path), File);
       Calls.Get_Start ("/proc/locks", Table, Last);
-      Lock_Tables.Find (Table (1 .. Last), File, Owner);
+      Terminal_Users.Find_Lock (Table (1 .. Last), File, Owner);
       Texts.Set (Reason, "in use by ");
       if Owner.Length = 0 then
          Texts.Append (Reason, "another program");

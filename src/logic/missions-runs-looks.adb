@@ -67,7 +67,6 @@ package body Missions.Runs.Looks with SPARK_Mode is
       end if;
 
       R.Missing := 0;
-      R.Seen    := True;
       R.Seen_At := What.Taken;
       R.Newest  :=
         (What.Where.At_Place.X, What.Where.At_Place.Y, What.Where.Heading);

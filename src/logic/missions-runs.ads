@@ -202,7 +202,6 @@ private
       Number      : Natural := 0;
       Some_Image  : Boolean := False;
       Came        : Microseconds := 0;
-      Seen        : Boolean := False;
       Seen_At     : Microseconds := 0;
       Newest      : Near_Pose;
 

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: GPL-3.0-or-later
---  The messages to the monitor that nobody has asked for: texts (MSSG), and the
---  progress and end of a mission (MPRG, MEND).
+--  The messages to the monitor that nobody has asked for: texts (MSSG), and
+--  the progress and end of a mission (MPRG, MEND).
 
 with Missions;         use Missions;
 with Monitor.Protocol; use Monitor.Protocol;

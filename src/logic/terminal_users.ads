@@ -2,6 +2,7 @@
 --  Who uses a terminal besides, by the kernel's own texts.
 
 with Interfaces;
+with Texts;
 
 package Terminal_Users with SPARK_Mode is
 
@@ -21,5 +22,20 @@ package Terminal_Users with SPARK_Mode is
    with Pre => Stat'First = 1 and then Stat'Last < Integer'Last;
    --  Device is the terminal of a process' session, such as a login's. Stat:
    --  its /proc/PID/stat, such as "512 (agetty) S 1 512 512 1088 512 ..."
+
+   type File_Place is record
+      Major, Minor : Interfaces.Unsigned_32 := 0;
+      --  of its device
+      Inode        : Natural := 0;
+   end record;
+
+   procedure Find_Lock
+     (Table : String; File : File_Place; Owner : out Texts.Text)
+   with
+     Pre => Table'First = 1 and then Table'Last < Integer'Last;
+   --  The number of the process that has the first lock of File, in decimal;
+   --  empty if there is none. Table: /proc/locks, a line for each, such as
+   --  "1: FLOCK  ADVISORY  WRITE 1234 00:1a:3 0 EOF", with the process and the
+   --  file's device and inode
 
 end Terminal_Users;

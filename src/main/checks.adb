@@ -4,7 +4,6 @@ with Admission.Authentication;
 with Admission.Secret_Files;
 with Console;
 with Monitor.Sockets.Listener;
-with Process.Machine;
 with Process.Privileges;
 with Program_Arguments;
 with Robot.Serial_Line;
@@ -105,14 +104,14 @@ package body Checks with SPARK_Mode is
             else ""),
          All_Well);
       Process.Privileges.Get_May_Lock (May_Lock);
-      Process.Machine.Get_Memory (Size);
+      Process.Get_Memory (Size);
       Report
         (May_Lock,
          "memory: " & Texts.Image (Number (Size)) & " MB, "
          & (if May_Lock then "can be locked"
             else "cannot be locked (CAP_IPC_LOCK, LimitMEMLOCK=infinity)"),
          All_Well);
-      Process.Machine.Get_Kernel (Kernel, Version);
+      Process.Get_Kernel (Kernel, Version);
       Report
         (True,
          "kernel " & Texts.Image (Kernel) & ": "

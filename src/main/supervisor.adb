@@ -9,7 +9,6 @@ with Failures;
 with Journal;
 with Monitor.Session;
 with Options;
-with Process.Memory;
 with Process.Privileges;
 with Process.Threads;
 with Robot.Line;
@@ -139,7 +138,7 @@ package body Supervisor with SPARK_Mode is
       Crashes.Catch;
       Open_Trace (Chosen.Trace_File);
       Keep_On_Processor (Chosen.Cpu, Claim);
-      Process.Memory.Lock (Locked);
+      Process.Privileges.Lock_Memory (Locked);
       Journal.Set_Level (Chosen.Log_Level);
       --  one that moves has lost its supervisor
       Robot.Serial_Line.Send_Stop (Chosen.Serial, Ignored, Report);
