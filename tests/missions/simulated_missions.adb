@@ -6,7 +6,7 @@ with GNAT.Random_Numbers; use GNAT.Random_Numbers;
 
 with Missions.Angles;
 with Missions.Runs;       use Missions.Runs;
-with Missions.Texts;
+with Monitor.Notices;
 with Robot.Protocol;
 with Robot.Session;
 with Robot_Core;
@@ -304,7 +304,7 @@ package body Simulated_Missions is
       R.Ended := Ended_By (The_Run);
       R.Measured := Measured (The_Run);
       Conclude
-        (J, P, Missions.Texts.Text_Of (R.Ended), Ended, Orders, R.Verdict);
+        (J, P, Monitor.Notices.Text_Of (R.Ended), Ended, Orders, R.Verdict);
    end Simulate;
 
 end Simulated_Missions;
