@@ -38,8 +38,8 @@ package Schedule with SPARK_Mode is
    --  the same after a reload without an answer, and after the following ones:
    --  Robot.Reload_Times
    Battery_Period    : constant Time_Span := Milliseconds (500);   --  F13
-   Keep_Alive_Period : constant Time_Span := Milliseconds (120);
-   --  without an exchange: four failures of 120 ms + 87 ms each take less than
+   Keep_Alive_Period : constant Time_Span := Milliseconds (140);
+   --  without an exchange: four failures of 140 ms + 87 ms each take less than
    --  the 1 s within which a lost line must be detected
    Idle_Ping_Period  : constant Time_Span := Milliseconds (30_000);
    --  of an open line while the robot is not started: the robot switches

@@ -109,6 +109,7 @@ package body Vision.Turns with SPARK_Mode is
    begin
       Trace.Done (Th_Camera_Control);
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Control_Turn.Wait;
          Take (Th_Camera_Control, Order, Found);
          exit when Found;
@@ -120,6 +121,7 @@ package body Vision.Turns with SPARK_Mode is
    begin
       Trace.Done (Th_Arene);
       loop
+         pragma Loop_Invariant (not Order.Owed);
          Arena_Turn.Wait;
          Take (Th_Arene, Order, Found);
          exit when Found;
