@@ -97,7 +97,8 @@ package body Bench_Console is
       Say ("hangup               the device goes away");
       Say ("return               and comes back, as a new one");
       Say ("device               its path");
-      Say ("battery LEVEL        0, 1, 2, or critical: silent, off in 4 s");
+      Say ("battery LEVEL        0, 1, 2, or critical: silent, off in 4 s; or "
+           & "its volts");
       Say ("charge on|off        the charger's plug");
       Say ("pose X Y HEADING     puts the robot there: cm, degrees");
       Say ("speed N              percent straight on, 3 to 200; this and");

@@ -59,19 +59,29 @@ package body Readings is
    function Plain (Value : Integer) return String is
      (Ada.Strings.Fixed.Trim (Value'Image, Ada.Strings.Left));
 
-   function Battery (Text : String) return Robot_Core.Battery_Level is
+   function Battery (Text : String) return Robot_Core.Centivolts is
+      Volts : Float;
    begin
-      if Text = "0" then
-         return Robot_Core.Empty;
-      elsif Text = "1" then
-         return Robot_Core.Low;
-      elsif Text = "2" then
-         return Robot_Core.Full;
-      elsif Text = "critical" then
-         return Robot_Core.Critical;
+      for Level in Robot_Core.Battery_Level loop
+         if Text = (case Level is
+                       when Robot_Core.Critical => "critical",
+                       when Robot_Core.Empty    => "0",
+                       when Robot_Core.Low      => "1",
+                       when Robot_Core.Full     => "2")
+         then
+            return Robot_Core.Typical (Level);
+         end if;
+      end loop;
+      Volts := Float'Value (Text);
+      if Volts in 2.5 .. 5.0 then
+         return Robot_Core.Centivolts (100.0 * Volts);
       end if;
-      raise Bad_Value with
-        "a battery level is 0, 1, 2 or critical, not '" & Text & "'";
+      raise Constraint_Error;
+   exception
+      when Constraint_Error =>
+         raise Bad_Value with
+           "a battery level is 0, 1, 2 or critical, or 2.5 to 5.0 V, not '"
+           & Text & "'";
    end Battery;
 
    function Bytes (Text : String) return Robot_Core.Octets is

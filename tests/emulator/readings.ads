@@ -24,8 +24,8 @@ package Readings is
 
    function On_Or_Off (Text : String) return Boolean;
 
-   function Battery (Text : String) return Robot_Core.Battery_Level;
-   --  0, 1, 2 or critical
+   function Battery (Text : String) return Robot_Core.Centivolts;
+   --  0, 1, 2 or critical, or its voltage, such as 3.42
 
    function Pose (X, Y, Angle : String) return Robot_Motion.Pose;
    --  Centimetres from the left and from the bottom wall, degrees

@@ -155,10 +155,10 @@ package body Robot_Bench is
          Robot_Pasts.Add (Past, The_Robot);
       end Place;
 
-      procedure Set_Battery (Level : Battery_Level) is
+      procedure Set_Battery (Voltage : Centivolts) is
       begin
          Let_Time_Pass;
-         Set_Battery (The_Robot, Level);
+         Set_Battery (The_Robot, Voltage);
          Robot_Pasts.Add (Past, The_Robot);
       end Set_Battery;
 

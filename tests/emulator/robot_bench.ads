@@ -81,7 +81,7 @@ package Robot_Bench is
       function Chances return Radio_Links.Chances;
       --  Of the radios, if there are any
 
-      procedure Set_Battery (Level : Robot_Core.Battery_Level);
+      procedure Set_Battery (Voltage : Robot_Core.Centivolts);
       procedure Set_Charging (Plugged : Boolean);
       procedure Starve;
       --  The robot's watchdog disables it

@@ -19,7 +19,8 @@ package Settings is
       Socket      : Boolean := False;  --  at Link, no pseudo-terminal
       Baud        : Serial_Side.Baud_Rate := 9_600;
       Boot        : Robot_Core.Tick_Count := Robot_Core.Boot_Ticks;
-      Battery     : Robot_Core.Battery_Level := Robot_Core.Full;
+      Battery     : Robot_Core.Centivolts :=
+        Robot_Core.Typical (Robot_Core.Full);
       Charging    : Boolean := False;
       Pose        : Robot_Motion.Pose;
       Wheels      : Robot_Motion.Wheel_Errors;
@@ -60,7 +61,7 @@ private
      & "  --socket PATH        instead of it a socket, for tests" & NL
      & "  --baud N             pace of the bytes (9600; 0: no pacing)" & NL
      & "  --boot-ms N          start-up time of the robot (1600)" & NL
-     & "  --battery LEVEL      0, 1, 2 (2), or critical" & NL
+     & "  --battery LEVEL      0, 1, 2 (2), critical, or its volts" & NL
      & "  --charging           with its charger plugged in" & NL
      & "  --pose X,Y,HEADING   where it stands (40,30,0): cm, degrees" & NL
      & NL

@@ -15,7 +15,7 @@ package body Robot_Core with SPARK_Mode is
      with Post => Robot_Core.State (R) = State
                   and then R.Now = R.Now'Old
                   and then R.Next_Tick = R.Next_Tick'Old
-                  and then R.Level = R.Level'Old
+                  and then R.Voltage = R.Voltage'Old
                   and then R.Plugged = R.Plugged'Old
                   and then (if State in Run | Movement
                             then R.Guarded = R.Guarded'Old
@@ -26,7 +26,7 @@ package body Robot_Core with SPARK_Mode is
    procedure Follow_Power (R : in out Robot)
      with Post => R.Now = R.Now'Old
                   and then R.Next_Tick = R.Next_Tick'Old
-                  and then R.Level = R.Level'Old
+                  and then R.Voltage = R.Voltage'Old
                   and then R.Plugged = R.Plugged'Old
                   and then
                     (if not R.Guarded'Old then not R.Guarded)
@@ -251,7 +251,7 @@ package body Robot_Core with SPARK_Mode is
          if R.State /= In_Charge then
             Enter (R, In_Charge);
          end if;
-      elsif R.Level = Critical then
+      elsif Battery (R) = Critical then
          Enter (R, Low_Battery);
       elsif R.State = In_Charge then
          Enter (R, Idle);
@@ -290,7 +290,7 @@ package body Robot_Core with SPARK_Mode is
 
          when Get_Battery =>
             Result.Reply := Framed
-              (case R.Level is
+              (case Battery (R) is
                   when Critical | Empty => '0',
                   when Low              => '1',
                   when Full             => '2');
@@ -453,9 +453,9 @@ package body Robot_Core with SPARK_Mode is
       Result.After := R.State;
    end Receive;
 
-   procedure Set_Battery (R : in out Robot; Level : Battery_Level) is
+   procedure Set_Battery (R : in out Robot; Voltage : Centivolts) is
    begin
-      R.Level := Level;
+      R.Voltage := Voltage;
       Follow_Power (R);
    end Set_Battery;
 

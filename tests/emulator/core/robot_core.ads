@@ -66,6 +66,24 @@ package Robot_Core with SPARK_Mode, Pure is
    type Battery_Level is (Critical, Empty, Low, Full);
    --  Reported as 0, 0, 1 and 2
 
+   subtype Centivolts is Natural range 0 .. 500;
+   --  Of the battery
+
+   function Level_Of (Voltage : Centivolts; Charging : Boolean)
+     return Battery_Level
+   is (if Charging then
+         (if Voltage <= 344 then Empty elsif Voltage < 390 then Low else Full)
+       elsif Voltage <= 310 then Critical
+       elsif Voltage <= 330 then Empty
+       elsif Voltage < 360 then Low
+       else Full);
+   --  The firmware's thresholds
+
+   Typical : constant array (Battery_Level) of Centivolts :=
+     (Critical => 300, Empty => 320, Low => 350, Full => 400);
+   --  Of this level, with the charger as well, which makes a critically empty
+   --  battery an empty one
+
    type Command_Kind is
      (Bad_Checksum, Unknown, Ping, Reset, Start, Start_With_Watchdog,
       Reload, Move, Turn, Get_Battery, Get_Busy, Get_Version, Power_Off);
@@ -112,8 +130,10 @@ package Robot_Core with SPARK_Mode, Pure is
    function State (R : Robot) return State_Kind;
    function Clock (R : Robot) return Time_Point;
    function Pose (R : Robot) return Robot_Motion.Pose;
-   function Battery (R : Robot) return Battery_Level;
+   function Voltage (R : Robot) return Centivolts;
    function Charging (R : Robot) return Boolean;
+   function Battery (R : Robot) return Battery_Level is
+     (Level_Of (Voltage (R), Charging (R)));
 
    function Wheels (R : Robot) return Robot_Motion.Wheel_Errors;
 
@@ -169,8 +189,8 @@ package Robot_Core with SPARK_Mode, Pure is
    --  Its watchdog has missed as many reloads as disable it, whether they
    --  came or not. Nothing where it is off.
 
-   procedure Set_Battery (R : in out Robot; Level : Battery_Level)
-     with Post => Battery (R) = Level;
+   procedure Set_Battery (R : in out Robot; Voltage : Centivolts)
+     with Post => Robot_Core.Voltage (R) = Voltage;
 
    procedure Set_Charging (R : in out Robot; Plugged : Boolean)
      with Post => Charging (R) = Plugged;
@@ -201,7 +221,7 @@ private
       Next_Tick     : Robot_Motion.Micro := Tick;
       Motion        : Robot_Motion.Motion;
       Errors        : Robot_Motion.Wheel_Errors;
-      Level         : Battery_Level := Full;
+      Voltage       : Centivolts := Typical (Full);
       Plugged       : Boolean := False;
 
       Boot_Left     : Tick_Count := 0;
@@ -223,7 +243,7 @@ private
    function Clock (R : Robot) return Time_Point is (R.Now);
    function Pose (R : Robot) return Robot_Motion.Pose is
      (Robot_Motion.Pose_Of (R.Motion));
-   function Battery (R : Robot) return Battery_Level is (R.Level);
+   function Voltage (R : Robot) return Centivolts is (R.Voltage);
    function Charging (R : Robot) return Boolean is (R.Plugged);
    function Wheels (R : Robot) return Robot_Motion.Wheel_Errors is
      (R.Errors);

@@ -124,7 +124,7 @@ procedure Robot_Core_Tests is
             Expect (R, "W", "O");
             Wait (R, 3 * (Watchdog_Last + 1));
          when Low_Battery =>
-            Set_Battery (R, Critical);
+            Set_Battery (R, Typical (Critical));
       end case;
       Expect_State (R, State);
       return R;
@@ -158,7 +158,10 @@ procedure Robot_Core_Tests is
          elsif Split > 0 and then Word (Split) = '!' then
             Check (Raw_Answer (R, Bytes (Key)) = Value, Word);
          elsif Key = "battery" then
-            Set_Battery (R, Battery_Level'Value (Value));
+            Set_Battery
+              (R, (if Value (Value'First) in '0' .. '9'
+                   then Centivolts'Value (Value)
+                   else Typical (Battery_Level'Value (Value))));
          elsif Key = "plugged" then
             Set_Charging (R, Boolean'Value (Value));
          elsif Key = "watchdog" then
@@ -277,6 +280,10 @@ procedure Robot_Core_Tests is
    begin
       Play (Movement, "v>2 battery:Low v>1 battery:Empty v>0 =Movement "
             & "plugged:True v>0 battery:Full v>2");
+      Play (Idle, "battery:311 v>0 battery:330 v>0 battery:331 v>1 "
+            & "battery:359 v>1 battery:360 v>2 plugged:True v>1 battery:344 "
+            & "v>0 battery:345 v>1 battery:389 v>1 battery:390 v>2 "
+            & "battery:310 v>0 =In_Charge plugged:False =Low_Battery");
 
       --  Critical: it is silent, switches itself off, and finds its battery
       --  as bad when switched on again; nothing saves it
