@@ -194,6 +194,8 @@ inline Wrote (what) {
       /* nor does a movement of the hand from before the mission go out when
          the mission drives */
       assert (L.Number > Drove);
+      /* or waits for it */
+      assert (L.Number > L.Last_Mission);
       Drives = false
    :: what == Stop && L.From != Of_Mission -> Drives = false
    :: else

@@ -230,6 +230,7 @@ not_mine: if :: L.Ends -> goto turn :: else fi;
       Nobody = true;
       Wait_Event (Monitor_Session_Receive_Ended);
       assert (!Stop_Owed);
+      assert (L.Session == First);
       Free = true
    od
 }

@@ -79,6 +79,9 @@ end_receive:
          d_step { Choose (); best = 0 }
          Wake ()
       }
+#ifdef KEEP_ALIVE
+   :: break               /* none come any more: only a ping uses the line */
+#endif
    od
 }
 
@@ -148,6 +151,6 @@ ltl battery_as_long_as_it_runs
    { []<> (L.Mode == Not_Started || L.From == Of_Battery) }
 #else
 ltl line_kept_alive_as_long_as_it_runs
-   { []<> (L.Mode == Not_Started || L.From == Of_Ping) }
+   { []<> (L.Mode == Not_Started || L.Has != NOBODY) }
 #endif
 #endif

@@ -168,6 +168,8 @@ inline Take (mine) {
 }
 
 inline Finish () {
+   /* the event as a step of its own: see orders.pml */
+   atomic {
    /*: Turns.Line.Finish */
    d_step {
       number = 0; kind = 0;
@@ -179,6 +181,7 @@ inline Finish () {
    }
    Wake ();
    goto wait
+   }
 }
 
 inline Tell_If (awaited) {
