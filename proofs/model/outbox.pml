@@ -107,6 +107,7 @@ inline Answer (number, item) {
    Set_Event (Monitor_Outbox_Room);
 #endif
    d_step {
+      was_full = Box.Count == CAPACITY;
       if
       :: number >= Box.Head && number - Box.Head < Box.Count ->
          /* no command is answered twice */
@@ -127,7 +128,12 @@ inline Answer (number, item) {
 #ifndef MUTANT_ANSWER_WITHOUT_EVENT
    Set_Event (Monitor_Outbox_Work);
 #endif
-   Set_Event (Monitor_Outbox_Room)
+   d_step {
+      if
+      :: was_full -> was_full = false; Set_Event (Monitor_Outbox_Room)
+      :: else
+      fi
+   }
 #endif
 }
 
@@ -139,6 +145,7 @@ chan Dispatched = [CAPACITY] of { byte };
 active [CAPACITY] proctype Executor ()
 {
    byte number;
+   bool was_full;
    /*: is Monitor.Outbox.Answer */
 end_wait:
    do
@@ -170,6 +177,7 @@ active proctype Th_Receive_From_Mon ()
 {
    byte number, sent;
    bool open = true;
+   bool was_full;
    /*: whole */
    do
    :: Wait_For_Work (Monitor_Session_Receive_Begins);
@@ -239,6 +247,7 @@ reserved:
 active proctype Th_Send_To_Mon ()
 {
    mtype:message kind = Nothing;
+   bool was_full;       /* when something was taken */
    bool gap;            /* what was sent last is too near for the next */
    bool held;           /* until when messages are held back is known */
    /*: whole */
@@ -260,6 +269,7 @@ look:
    /*: Box.Take */
    atomic {
       Box.Busy = false;
+      was_full = Box.Count == CAPACITY;
       if
       :: Box.Holding -> Box.Released = true   /* the time has come meanwhile */
       :: skip
@@ -297,10 +307,12 @@ look:
 taken:
    atomic {
       if
-      :: kind == An_Answer -> Set_Event (Monitor_Outbox_Room);
-         /*: Set_Event (Arena_Room) in vision */
-         skip
+      :: was_full -> was_full = false; Set_Event (Monitor_Outbox_Room)
       :: else
+      fi;
+      if
+      :: /*: Set_Event (Arena_Room) in vision */ skip
+      :: skip
       fi;
       if
       :: kind == Nothing && !gap -> goto wait

@@ -177,7 +177,7 @@ package body Monitor.Mailboxes with SPARK_Mode is
       Number := Next_Number (B);
       if not B.Open then
          Result := Closed;
-      elsif Commands (B) = Orders.Capacity then
+      elsif Is_Full (B) then
          Result := Full;
       else
          Reserve (B.Answers);

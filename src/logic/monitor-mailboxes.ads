@@ -109,6 +109,9 @@ package Monitor.Mailboxes with SPARK_Mode is
      (Length (B.Answers));
    --  Commands that wait for their answers
 
+   function Is_Full (B : Mailbox) return Boolean is
+     (Commands (B) = Orders.Capacity);
+
    function Next_Number (B : Mailbox) return Orders.Ticket is
      (Next_Number (B.Answers));
    --  The number of the next command
@@ -223,7 +226,7 @@ package Monitor.Mailboxes with SPARK_Mode is
      Post => Number = Next_Number (B'Old)
        and then Result =
          (if not B.Open then Closed
-          elsif Commands (B'Old) = Orders.Capacity then Full
+          elsif Is_Full (B'Old) then Full
           else Reserved)
        and then B.Open = B'Old.Open
        and then B.Lines = B'Old.Lines

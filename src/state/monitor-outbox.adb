@@ -38,7 +38,10 @@ package body Monitor.Outbox with SPARK_Mode is
          Number : out Orders.Ticket;
          Result : out Monitor.Mailboxes.Reservation);
       procedure Answer
-        (Number : Orders.Ticket; Line : Monitor.Protocol.Short_Text);
+        (Number : Orders.Ticket;
+         Line   : Monitor.Protocol.Short_Text;
+         Full   : out Boolean);
+      --  Full: before, so somebody may wait for room
       procedure Answer_With_Image
         (Number   : Orders.Ticket;
          Message  : in out Message_Access;
@@ -57,7 +60,8 @@ package body Monitor.Outbox with SPARK_Mode is
          Message   : in out Message_Access;
          Gap       : out Monitor.Send_Order.Milliseconds;
          Hold_End  : out Time;
-         Left      : out Boolean)
+         Left      : out Boolean;
+         Full      : out Boolean)
       with Post => Next.Unsent = (Next.Kind in Monitor.Send_Order.Sent_Kind);
    private
       Mail  : Monitor.Mailboxes.Mailbox;
@@ -97,8 +101,11 @@ package body Monitor.Outbox with SPARK_Mode is
       end Reserve;
 
       procedure Answer
-        (Number : Orders.Ticket; Line : Monitor.Protocol.Short_Text) is
+        (Number : Orders.Ticket;
+         Line   : Monitor.Protocol.Short_Text;
+         Full   : out Boolean) is
       begin
+         Full := Monitor.Mailboxes.Is_Full (Mail);
          Monitor.Mailboxes.Put_Answer (Mail, Number, Line);
       end Answer;
 
@@ -146,8 +153,10 @@ package body Monitor.Outbox with SPARK_Mode is
          Message   : in out Message_Access;
          Gap       : out Monitor.Send_Order.Milliseconds;
          Hold_End  : out Time;
-         Left      : out Boolean) is
+         Left      : out Boolean;
+         Full      : out Boolean) is
       begin
+         Full := Monitor.Mailboxes.Is_Full (Mail);
          Monitor.Mailboxes.End_Hold (Mail, Now);
          Monitor.Mailboxes.Take
            (Mail, Between, Now, Last_Sent, Next, Gap, Left);
@@ -172,12 +181,16 @@ package body Monitor.Outbox with SPARK_Mode is
    --  The box may contain a message to be sent
 
    procedure Answer
-     (Order : in out Orders.Order; Line : Monitor.Protocol.Short_Text) is
+     (Order : in out Orders.Order; Line : Monitor.Protocol.Short_Text)
+   is
+      Full : Boolean;
    begin
-      Box.Answer (Order.Number, Line);
+      Box.Answer (Order.Number, Line, Full);
       Order.Owed := False;
       Wake_Sender (Order.Number);
-      Room.Set;
+      if Full then
+         Room.Set;
+      end if;
    end Answer;
 
    procedure Answer_With_Image
@@ -259,13 +272,17 @@ package body Monitor.Outbox with SPARK_Mode is
    is
       Now  : constant Time := Clock;
       Left : Boolean;
+      Full : Boolean;
    begin
-      Box.Take (Between, Now, Last_Sent, Next, Image, Gap, Hold_End, Left);
+      Box.Take
+        (Between, Now, Last_Sent, Next, Image, Gap, Hold_End, Left, Full);
       if Left then
          Sender_Left.Set;
       end if;
-      if Next.Kind = Monitor.Send_Order.Answer then
+      if Full then
          Room.Set;
+      end if;
+      if Next.Kind = Monitor.Send_Order.Answer and then Next.Is_Image then
          Arena_Room.Set;
       end if;
    end Take;
