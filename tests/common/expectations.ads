@@ -7,6 +7,9 @@ package Expectations is
    Failed : exception;
    --  An expectation was not met; the message says what was observed
 
+   Too_Late : exception;
+   --  One of time alone was not met: a test that measures is repeated for it
+
    Skipped : exception;
    --  The machine does not allow this test; the message says why
 
@@ -18,13 +21,16 @@ package Expectations is
 
    procedure Check_Within
      (Taken : Duration; Limit : Duration; What : String);
-   --  Raises Failed unless Taken <= Limit, and what the machine itself takes
+   --  Raises Too_Late unless Taken <= Limit, and what the machine itself takes
+
+   procedure Check_In_Time (Condition : Boolean; Message : String);
+   --  The same unless Condition, which is one of time
 
    procedure Set_Floor (Value : Duration);
    --  What the machine itself takes; initially 0
 
    procedure Ignore_Times;
-   --  From now on Check_Within only notes what something took
+   --  From now on the two before only note what they saw
 
    procedure Skip (Reason : String) with No_Return;
 

@@ -188,7 +188,7 @@ procedure Destijl_Missions is
                return;
             end if;
          exception
-            when Problem : Expectations.Failed =>
+            when Problem : Expectations.Failed | Expectations.Too_Late =>
                if Is_Final then
                   --  it could not be judged
                   Say

@@ -315,38 +315,26 @@ procedure Camera_Tests is
       Check_Within (Now - Time, 3.0, "the end");
    end Open_Takes_Long;
 
-   procedure Image_Period is
-      --  F15: 10.0 images a second within 1 %, jitter 20 ms at p99
-      R : Rig;
-   begin
-      Assemble (R, Camera => True);
-      Open_Camera (R);
-      Check_Period
-        (R, "CIMG", Count => 12,
-         Period => 0.1, Tolerance => 0.003, Longest => 0.2);
-      Check (R.Monitor.Broken_Images = 0, "a broken image");
-      Expect_Drawn (R, False, "what nobody has asked for");
-   end Image_Period;
+   procedure Add_Period
+     (Name, Label       : String;
+      Count             : Positive;
+      Period, Tolerance : Duration;
+      Longest           : Duration;
+      Options           : String := "")
+   is
 
-   procedure Position_Period is
-      R : Rig;
-   begin
-      Assemble (R, Camera => True);
-      Open_Camera (R, Positions => True);
-      Check_Period
-        (R, "CPOS", Count => 8,
-         Period => 0.1, Tolerance => 0.004, Longest => 0.3);
-   end Position_Period;
+      procedure Run is
+         R : Rig;
+      begin
+         Assemble (R, Camera => True, Supervisor_Options => Options);
+         Open_Camera (R, Positions => Label = "CPOS");
+         Check_Period (R, Label, Count, Period, Tolerance, Longest);
+         Check (R.Monitor.Broken_Images = 0, "a broken image");
+      end Run;
 
-   procedure Other_Period is
-      R : Rig;
    begin
-      Assemble (R, Camera => True, Supervisor_Options => "--fps 4");
-      Open_Camera (R);
-      Check_Period
-        (R, "CIMG", Count => 4,
-         Period => 0.25, Tolerance => 0.02, Longest => 0.5);
-   end Other_Period;
+      Add (Name, Run'Access, Timed => True);
+   end Add_Period;
 
    procedure Still_Image_Period is
       E    : Emulators.Emulator;
@@ -358,9 +346,7 @@ procedure Camera_Tests is
       R.Supervisor.Start ("--camera " & Path);
       Connect (R);
       Open_Camera (R, Positions => True);
-      Check_Period
-        (R, "CIMG", Count => 4,
-         Period => 0.1, Tolerance => 0.01, Longest => 0.3);
+      Check_Period (R, "CIMG", 4, 0.1, 0.01, 0.3);
    end Still_Image_Period;
 
    procedure Other_Rate_And_Size is
@@ -725,14 +711,14 @@ begin
    Add ("F14_Open_Fails", Open_Fails'Access);
    Add ("F14_Library_Loaded_When_Opened", Loaded_When_Opened'Access);
    Add ("F14_Library_Missing", Library_Missing'Access);
-   Add ("F14_Open_Takes_Long", Open_Takes_Long'Access);
-   Add ("F14_Open_Takes_Long_In_Time", Open_Takes_Long'Access, Timed => True);
+   Add ("F14_Open_Takes_Long", Open_Takes_Long'Access, In_Time => True);
    Script
      ("F14_Not_Open_Is_ANAK",
       "CPCO ANAK, CASA ANAK, CPST AACK, CCLS AACK, " & With_Images
       & ", CCLS AACK, CASA ANAK", Camera => True);
-   Add ("F15_Image_Period", Image_Period'Access, Timed => True);
-   Add ("F15_Other_Period", Other_Period'Access, Timed => True);
+   --  F15: 10.0 images a second within 1 %, jitter 20 ms at p99
+   Add_Period ("F15_Image_Period", "CIMG", 12, 0.1, 0.003, 0.2);
+   Add_Period ("F15_Other_Period", "CIMG", 4, 0.25, 0.02, 0.5, "--fps 4");
    Add ("F15_Still_Image_Period", Still_Image_Period'Access, Timed => True);
    Add ("F15_Other_Rate_Size_And_Quality", Other_Rate_And_Size'Access);
    Add ("F15_Own_JPEG_Of_The_Camera", Own_Jpeg'Access);
@@ -772,11 +758,10 @@ begin
    Add ("F17_Decision_Without_Search", Decision_Alone'Access);
    Add ("F18_Positions_True", Positions_True'Access);
    Add ("F18_Positions_In_Every_Image", Positions_Every_Image'Access);
-   Add ("F18_Position_Period", Position_Period'Access, Timed => True);
+   Add_Period ("F18_Position_Period", "CPOS", 8, 0.1, 0.004, 0.3);
    Add ("F18_Position_Of_Triangle", Position_Of_Triangle'Access);
-   Add ("F18_Position_Of_Late_Image", Position_Of_Late_Image'Access);
-   Add ("F18_Position_Of_Late_Image_In_Time",
-        Position_Of_Late_Image'Access, Timed => True);
+   Add ("F18_Position_Of_Late_Image",
+        Position_Of_Late_Image'Access, In_Time => True);
    Add ("F19_Position_Stopped", Position_Stopped'Access);
    Add ("F12_F18_Loop_Closes", Loop_Closes'Access);
 end Camera_Tests;

@@ -7,6 +7,8 @@ with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Emulators;
 with Expectations;          use Expectations;
+with Instants;              use Instants;
+with Interfaces.C;          use Interfaces.C;
 with Monitor_Clients;       use Monitor_Clients;
 with Scenarios;
 
@@ -19,13 +21,31 @@ package body Dialogues is
      (if Index (Text, " ") = 0 then ""
       else Text (Index (Text, " ") + 1 .. Text'Last));
 
-   procedure Play_Step (R : in out Rig; Step : String; Round : Natural) is
-      --  Round: the length of the log at its beginning
+   Stop_Limit : constant Duration := 0.5;
+   --  F6: the stop is on the wire 100 ms after detection, and an orderly or
+   --  abortive close is detected in 50 ms
+
+   End_Limit : constant Duration := 3.0;
+   --  F6: 1 s; an orderly stop takes less, too
+
+   type Progress is record
+      Round : Natural := 0;
+      --  Lines of the log at its beginning
+      Since : Instant := Never;
+      Mark  : Natural := 0;
+      --  The last signal or leaving, and the lines of the log then
+   end record;
+
+   procedure Play_Step (R : in out Rig; Step : String; P : in out Progress) is
       Verb : constant String := Before_Blank (Step);
       Rest : constant String := Behind_Blank (Step);
       Word : constant String := Before_Blank (Rest);
       More : constant String := Behind_Blank (Rest);
    begin
+      if Verb in "signal" | "close" | "reset" | "half-close" then
+         P.Mark := R.Supervisor.Log_Length;
+         P.Since := Now;
+      end if;
       if Verb = "send" then
          R.Monitor.Send_Line (Rest);
       elsif Verb = "answer" then
@@ -46,6 +66,9 @@ package body Dialogues is
          R.Monitor.Expect_Silence (More, Duration'Value (Word));
       elsif Verb = "tell" then
          R.Emulator.Tell (Rest);
+      elsif Step = "status missed_total 0" then
+         Check_In_Time
+           (R.Emulator.Status ("missed_total") = "0", "windows missed");
       elsif Verb = "status" then
          R.Emulator.Await_Status (Word, More);
       elsif Verb = "clear" then
@@ -66,33 +89,67 @@ package body Dialogues is
       elsif Verb = "unused" then
          Check (R.Emulator.Journal.Is_Empty, R.Emulator.Wire_Text);
       elsif Verb = "log" then
-         R.Supervisor.Expect_Log (Rest, After => Round);
+         R.Supervisor.Expect_Log (Rest, After => P.Round);
       elsif Verb = "unsaid" then
          Check (not R.Supervisor.Says (Rest), R.Supervisor.Log_Text);
       elsif Verb = "wait" then
          delay Duration'Value (Rest);
+      elsif Verb = "part" then
+         R.Monitor.Send (Rest);
+      elsif Verb = "close" then
+         R.Monitor.Close;
+         P.Since := R.Monitor.Left_At;
+      elsif Verb = "reset" then
+         R.Monitor.Reset;
+         P.Since := R.Monitor.Left_At;
+      elsif Verb = "half-close" then
+         R.Monitor.Half_Close;
+      elsif Verb = "connect" then
+         Connect (R);
+      elsif Verb = "initial" then
+         Expect_Initial_State (R);
+      elsif Verb = "pause" then
+         R.Monitor.Pause;
+      elsif Verb = "signal" then
+         if R.Supervisor.Is_Running then
+            R.Supervisor.Send_Signal (int'Value (Rest));
+         end if;
+      elsif Verb = "stops" then
+         Check_Within (R.Emulator.Await_On_Wire ("M=0").First - P.Since,
+                       Stop_Limit, "the stop");
+      elsif Verb = "over" then
+         R.Supervisor.Expect_Log ("session closed", P.Mark);
+         Check_Within
+           (R.Supervisor.Time_Of ("session closed", P.Mark) - P.Since,
+            End_Limit, "closing the session");
+      elsif Verb = "closed" then
+         Check (R.Monitor.Closed_By_Peer /= Open, "it is still connected");
+      elsif Verb = "ends" then
+         Check (R.Supervisor.Exit_Status = Integer'Value (Rest), "status");
+         Check_Within (Now - P.Since, End_Limit, "the end");
       else
          R.Monitor.Expect (Verb, Rest);
       end if;
    end Play_Step;
 
    procedure Play (R : in out Rig; Steps : String; Times : Positive := 1) is
-      Round : Natural;
+      P     : Progress;
       First : Positive;
       Last  : Natural;
    begin
       for Count in 1 .. Times loop
-         Round := R.Supervisor.Log_Length;
+         P.Round := R.Supervisor.Log_Length;
          First := Steps'First;
          while First <= Steps'Last loop
             Last := Index (Steps & ", ", ", ", First) - 1;
             begin
-               Play_Step (R, Steps (First .. Last), Round);
+               Play_Step (R, Steps (First .. Last), P);
             exception
-               when Occurrence : Failed =>
-                  raise Failed with
-                    Steps (First .. Last) & ", round" & Count'Image & ": "
-                    & Exception_Message (Occurrence);
+               when Occurrence : Failed | Too_Late =>
+                  Raise_Exception
+                    (Exception_Identity (Occurrence),
+                     Steps (First .. Last) & ", round" & Count'Image & ": "
+                     & Exception_Message (Occurrence));
             end;
             First := Last + 3;
          end loop;
@@ -107,7 +164,7 @@ package body Dialogues is
       Camera             : Boolean  := False;
       Terminal           : Boolean  := False;
       Times              : Positive := 1;
-      Timed              : Boolean  := False)
+      Timed, In_Time     : Boolean  := False)
    is
 
       procedure Run is
@@ -120,7 +177,7 @@ package body Dialogues is
       end Run;
 
    begin
-      Scenarios.Add (Name, Run'Access, Timed);
+      Scenarios.Add (Name, Run'Access, Timed, In_Time);
    end Script;
 
 end Dialogues;

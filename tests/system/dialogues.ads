@@ -24,6 +24,17 @@ package Dialogues is
    --  log robot lost      the log says so, in this round
    --  unsaid robot lost   the log has never said so
    --  wait 0.5            for nothing
+   --  part RG             it sends this, and ends no line
+   --  close, reset, half-close   the monitor leaves like this
+   --  connect             another comes
+   --  initial             all must be opened anew
+   --  pause               the monitor reads nothing any more
+   --  signal 15           to the supervisor, if it runs
+   --  stops               M=0 is on the wire 0.5 s at most after the last
+   --                      signal or leaving
+   --  over                the session, 3 s at most after it
+   --  closed              the supervisor has closed the connection
+   --  ends 0              it ends with this status, 3 s at most after it
 
    procedure Script
      (Name               : String;
@@ -33,8 +44,8 @@ package Dialogues is
       Camera             : Boolean  := False;
       Terminal           : Boolean  := False;
       Times              : Positive := 1;
-      Timed              : Boolean  := False);
-   --  Adds a test (Scenarios) that assembles a rig and plays Steps
+      Timed, In_Time     : Boolean  := False);
+   --  Adds a test (Scenarios.Add) that assembles a rig and plays Steps
 
    Works_Again : constant String :=
      "RPIN ANAK, RGFW ANAK, RSOW ANAK, ROPN AACK, RSOW AACK, RGFW AACK,"

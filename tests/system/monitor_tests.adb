@@ -22,12 +22,11 @@ procedure Monitor_Tests is
 
    type Natural_Array is array (Positive range <>) of Natural;
 
-   Admission_Limit : constant Duration := 3.0;
-   --  F6: 1 s
-
-   Stop_Limit : constant Duration := 0.5;
-   --  F6: the stop is on the wire 100 ms after detection, and an orderly or
-   --  abortive close is detected in 50 ms
+   Lost_And_Back : constant String :=
+     "stops, log monitor lost, over, tell silent off, status moving 0,"
+     & " connect, initial, ROPN AACK, RSOW AACK, RGFW AACK, RSTP AACK";
+   --  Stop on the wire, session closed, new monitor admitted, initial state,
+   --  all works again
 
    procedure Answers_Are_Prompt is
       --  F4: 10 ms. Here only the order of magnitude with images and positions
@@ -111,7 +110,7 @@ procedure Monitor_Tests is
          end loop;
          Note (Between'Image & " of" & Trials'Image
                & " answers had a message before them");
-         Check
+         Check_In_Time
            (Between <= Trials / 8,
             Between'Image & " unasked messages before an answer");
       end Measure_Answers;
@@ -203,8 +202,9 @@ procedure Monitor_Tests is
       end loop;
       Note (Close'Image & " of" & Unasked'Image
             & " unasked messages were close to another");
-      Check (Unasked > 60, "only" & Unasked'Image & " unasked messages");
-      Check (Close <= Unasked / 25, Close'Image & " messages close");
+      Check_In_Time
+        (Unasked > 60, "only" & Unasked'Image & " unasked messages");
+      Check_In_Time (Close <= Unasked / 25, Close'Image & " messages close");
    end Messages_Kept_Apart;
 
    procedure Late_Reader is
@@ -239,7 +239,7 @@ procedure Monitor_Tests is
             end if;
          end loop;
          Note ("camera open after " & Milliseconds (Item.Time - Start));
-         Check
+         Check_In_Time
            (Between = 0 or else Item.Time - Start > Hold_Limit,
             Between'Image & " levels before the camera's answer");
          R.Monitor.Expect ("CCLS", "AACK");
@@ -290,21 +290,9 @@ procedure Monitor_Tests is
          end loop;
          Note (Lost'Image & " of" & All_Sent'Image & " messages lost, and"
                & Excused'Image & " because the reader was too late");
-         Check (All_Sent - Excused > 200, "too few messages to judge");
-         Check (Lost * 200 <= All_Sent, Lost'Image & " messages lost");
+         Check_In_Time (All_Sent - Excused > 200, "too few messages to judge");
+         Check_In_Time (Lost * 200 <= All_Sent, Lost'Image & " messages lost");
       end Measure;
-
-      procedure Measure_Alone is
-      begin
-         R.Monitor.Be_Late (Least, Most, To_Each => True);
-         Measure (With_Commands => False);
-      end Measure_Alone;
-
-      procedure Measure_With_Commands is
-      begin
-         R.Monitor.Be_Late (Least, Most, To_Each => False);
-         Measure (With_Commands => True);
-      end Measure_With_Commands;
 
    begin
       Assemble (R, Camera => True);
@@ -315,8 +303,10 @@ procedure Monitor_Tests is
       end loop;
       R.Emulator.Tell ("camera opening 0");
       Open_Camera (R, Positions => True);
-      Measure_Alone;
-      Measure_With_Commands;
+      for With_Commands in Boolean loop
+         R.Monitor.Be_Late (Least, Most, To_Each => not With_Commands);
+         Measure (With_Commands);
+      end loop;
    end Late_Reader;
 
    procedure No_Gap_On_Request is
@@ -388,88 +378,25 @@ procedure Monitor_Tests is
       Check (R.Monitor.Broken_Images = 0, "a broken image");
    end Slow_Monitor;
 
-   procedure Expect_End (R : in out Rig; Since : Instant) is
-      --  Of the session of the monitor of a moving robot, lost at Since
-      Stop : constant Emulators.Note :=
-        R.Emulator.Await_On_Wire ("M=0");
-   begin
-      Check_Within (Stop.First - Since, Stop_Limit, "the stop");
-      R.Supervisor.Expect_Log ("monitor lost");
-      R.Supervisor.Expect_Log ("session closed");
-      Check_Within
-        (R.Supervisor.Time_Of ("session closed") - Since,
-         Admission_Limit, "closing the session");
-   end Expect_End;
-
-   type Way is
-     (Orderly, By_Reset, By_Half_Close, With_Half_A_Line, With_Orders_Waiting,
-      While_Robot_Is_Silent);
-
-   generic
-      How : Way;
-   procedure Lost;
-   --  The monitor of a moving robot: stop on the wire, session closed, new
-   --  monitor admitted, initial state, all works again
-
-   procedure Lost is
-      R    : Rig;
-      Mark : Natural;
+   procedure Lost_With_Orders is
+      --  They do not follow the stop
+      R : Rig;
    begin
       Assemble (R);
-      Move_Forward (R);
-      case How is
-         when Orderly | By_Reset | By_Half_Close => null;
-         when With_Half_A_Line                   =>
-            R.Monitor.Send ("RGB");
-         when With_Orders_Waiting                =>
-            R.Emulator.Tell ("delay 50");
-            for Number in 1 .. 50 loop
-               R.Monitor.Send_Line ("RMOV:500");
-            end loop;
-            Play (R, "seen M=500");
-         when While_Robot_Is_Silent              =>
-            R.Emulator.Tell ("silent on");
-      end case;
-      case How is
-         when Orderly | With_Half_A_Line | While_Robot_Is_Silent =>
-            R.Monitor.Close;
-         when By_Reset | With_Orders_Waiting                     =>
-            R.Monitor.Reset;
-         when By_Half_Close                                      =>
-            --  one that has stopped sending is not in command
-            R.Monitor.Half_Close;
-            Check
-              (R.Monitor.Closed_By_Peer /= Open,
-               "the connection stays half open");
-      end case;
-      Expect_End (R, Since => R.Monitor.Left_At);
-      R.Emulator.Tell ("silent off");
-      R.Emulator.Await_Status ("moving", "0");
-      Connect (R);
-      Expect_Initial_State (R);
-      Play (R, "ROPN AACK, RSOW AACK, RGFW AACK, RSTP AACK");
-      if How = With_Orders_Waiting then
-         --  they do not follow the stop
-         declare
-            Wire : constant String := R.Emulator.Wire_Text;
-            Stop : constant Natural := Index (Wire, "M=0 ");
-            Next : constant Natural := Index (Wire, "M=32767 ");
-         begin
-            Check
-              (Next > Stop and then Index (Wire (Stop .. Next), "M=500") = 0,
-               "an order after the stop: " & Wire);
-         end;
-      elsif How = With_Half_A_Line then
-         --  it is not the beginning of the next monitor's first
-         R.Monitor.Send ("RMOV:12");
-         Mark := R.Supervisor.Log_Length;
-         R.Monitor.Close;
-         R.Supervisor.Expect_Log
-           ("session closed", After => Mark);
-         Connect (R);
-         R.Monitor.Expect ("RPIN", "ANAK");
-      end if;
-   end Lost;
+      Play (R, Forward & ", tell delay 50");
+      for Number in 1 .. 50 loop
+         R.Monitor.Send_Line ("RMOV:500");
+      end loop;
+      Play (R, "seen M=500, reset, " & Lost_And_Back);
+      declare
+         Wire : constant String := R.Emulator.Wire_Text;
+         Stop : constant Natural := Index (Wire, "M=0 ");
+         Next : constant Natural := Index (Wire, "M=32767 ");
+      begin
+         Check (Next > Stop and then Index (Wire (Stop .. Next), "M=500") = 0,
+                "an order after the stop: " & Wire);
+      end;
+   end Lost_With_Orders;
 
    procedure Telnet_Commands is
       --  Those of a Ctrl-C before a stop must not make it unknown; here also
@@ -495,13 +422,6 @@ procedure Monitor_Tests is
       Check_Label (R.Monitor.Next_Answer, "ACER", "a command around it");
    end Telnet_Commands;
 
-   procedure Lost_Orderly is new Lost (Orderly);
-   procedure Lost_By_Reset is new Lost (By_Reset);
-   procedure Lost_Half_Closed is new Lost (By_Half_Close);
-   procedure Lost_With_Half_A_Line is new Lost (With_Half_A_Line);
-   procedure Lost_With_Orders is new Lost (With_Orders_Waiting);
-   procedure Lost_Robot_Silent is new Lost (While_Robot_Is_Silent);
-
    procedure Lost_With_Everything_On is
       --  F6: exactly as at start-up: no arena, no positions, no images
       R    : Rig;
@@ -510,12 +430,8 @@ procedure Monitor_Tests is
       Assemble (R, Camera => True);
       Play
         (R, "ROPN AACK, RSWW AACK, " & With_Positions & ", CASA CIMG,"
-         & " send CACO, comes CPOS, RGLF AACK, clear");
-      R.Monitor.Reset;
-      Expect_End (R, Since => R.Monitor.Left_At);
-      R.Emulator.Await_Status ("viewers", "0");
-      Connect (R);
-      Expect_Initial_State (R);
+         & " send CACO, comes CPOS, RGLF AACK, clear, reset, stops,"
+         & " log monitor lost, over, status viewers 0, connect, initial");
       R.Emulator.Clear_Journal;
       Mark := R.Monitor.Count;
       Open_Camera (R);
@@ -530,21 +446,6 @@ procedure Monitor_Tests is
       end loop;
       Play (R, "unused");
    end Lost_With_Everything_On;
-
-   procedure Losses_In_Time is
-   begin
-      Lost_Orderly;
-      Lost_By_Reset;
-      Lost_Half_Closed;
-      Lost_With_Half_A_Line;
-      Lost_With_Orders;
-      Lost_Robot_Silent;
-      Lost_With_Everything_On;
-   end Losses_In_Time;
-
-   --------------------
-   -- Vanished tests --
-   --------------------
 
    Vanish_Limit : constant Duration := 5.5;
    --  F5: 5 s, and half a second for this machine
@@ -588,67 +489,44 @@ procedure Monitor_Tests is
    begin
       Check_Within
         (Stop.First - R.Supervisor.Time_Of ("monitor lost"),
-         Stop_Limit, "the stop");
+         0.5, "the stop");
    end Expect_Stop_After_Loss;
 
-   generic
-      Streaming : Boolean;
+   procedure Add_Cut
+     (Name      : String;
+      Streaming : Boolean := False;
       How       : Network_Links.Cut_Kind := Network_Links.Cable_Pulled;
       Talking   : Boolean := False;
-      Short     : Boolean := False;
-   procedure Vanish;
+      Short     : Boolean := False)
+   is
 
-   procedure Vanish is
-      Link : Network_Links.Link;
-      R    : Rig;
-      Time : Instant;
+      procedure Run is
+         Link : Network_Links.Link;
+         R    : Rig;
+         Time : Instant;
+      begin
+         Link.Make;
+         Assemble
+           (R, Camera => Streaming, Bind => "0.0.0.0",
+            Launcher => (if Short then Short_Info else ""));
+         R.Monitor.Connect
+           (R.Supervisor.Port, Network_Links.Supervisor_Side,
+            Namespace => Link.Namespace);
+         if Streaming then
+            Open_Camera (R);
+         end if;
+         Move_Forward (R);
+         delay 1.0;
+         Time := Now;
+         Link.Cut (How);
+         Expect_Vanished (R, Time, Talking);
+         Expect_Stop_After_Loss (R);
+         Expect_New_Session (R);
+      end Run;
+
    begin
-      Link.Make;
-      Assemble
-        (R, Camera => Streaming, Bind => "0.0.0.0",
-         Launcher => (if Short then Short_Info else ""));
-      R.Monitor.Connect
-        (R.Supervisor.Port, Network_Links.Supervisor_Side,
-         Namespace => Link.Namespace);
-      if Streaming then
-         Open_Camera (R);
-      end if;
-      Move_Forward (R);
-      delay 1.0;
-      Time := Now;
-      Link.Cut (How);
-      Expect_Vanished (R, Time, Talking);
-      Expect_Stop_After_Loss (R);
-      Expect_New_Session (R);
-   end Vanish;
-
-   procedure Vanished_Idle is new Vanish (Streaming => False);
-   procedure Vanished_Streaming is new Vanish (Streaming => True);
-
-   procedure Fallen_Silent is new Vanish
-     (Streaming => True, How => Network_Links.Monitor_Gone);
-
-   procedure Own_Interface_Down is new Vanish
-     (Streaming => False, How => Network_Links.Interface_Down);
-
-   procedure Own_Address_Gone is new Vanish
-     (Streaming => True, How => Network_Links.Address_Gone);
-
-   procedure Own_Route_Gone is new Vanish
-     (Streaming => False, How => Network_Links.Route_Gone, Talking => True);
-
-   procedure Cut_To_Monitor is new Vanish
-     (Streaming => False, How => Network_Links.Dropped_There,
-      Talking => True);
-
-   procedure Cut_From_Monitor is new Vanish
-     (Streaming => True, How => Network_Links.Dropped_Here, Talking => True);
-
-   procedure Vanished_Idle_Short is new Vanish
-     (Streaming => False, Short => True);
-
-   procedure Vanished_Streaming_Short is new Vanish
-     (Streaming => True, Short => True);
+      Add (Name, Run'Access, In_Time => True);
+   end Add_Cut;
 
    procedure Present_With_Short_Info is
       --  Idle, then with images, for longer than a vanished one has; then
@@ -690,21 +568,6 @@ procedure Monitor_Tests is
       Expect_Vanished (R, Time);
       Expect_New_Session (R);
    end Vanished_Before_A_Message;
-
-   procedure Vanished_In_Time is
-   begin
-      Vanished_Idle;
-      Vanished_Streaming;
-      Vanished_Idle_Short;
-      Vanished_Streaming_Short;
-      Vanished_Before_A_Message;
-      Fallen_Silent;
-      Own_Interface_Down;
-      Own_Address_Gone;
-      Own_Route_Gone;
-      Cut_To_Monitor;
-      Cut_From_Monitor;
-   end Vanished_In_Time;
 
    Silence_Limit : constant Duration := 1.0;
    --  From the last sign of life to the stop
@@ -816,7 +679,7 @@ procedure Monitor_Tests is
             delay 0.5;
          end loop;
       end loop;
-      Check
+      Check_In_Time
         (not R.Supervisor.Says ("monitor lost")
          and then not Console.Supervisor.Says ("monitor lost"),
          "a living monitor was given up");
@@ -846,7 +709,7 @@ procedure Monitor_Tests is
       Dead.Supervisor.Expect_Log ("monitor lost");
       Lost := Dead.Supervisor.Time_Of ("monitor lost") - Time;
       Note ("lost after " & Milliseconds (Lost));
-      Check
+      Check_In_Time
         (Lost > 14.0 and then Lost < 18.0,
          "15 s without reading were " & Milliseconds (Lost));
       Expect_Stop_After_Loss (Dead);
@@ -933,19 +796,6 @@ procedure Monitor_Tests is
          "the second monitor commands the robot");
    end Second_Is_Refused;
 
-   procedure Line_Ends is
-      R : Rig;
-   begin
-      Assemble (R);
-      R.Monitor.Expect ("ROPN" & ASCII.CR, "AACK");
-      R.Monitor.Expect ("RSOW" & ASCII.CR, "AACK");
-      R.Monitor.Expect ("RMOV:5" & ASCII.CR, "AACK");
-      --  The existing monitor appends a separator to every label
-      R.Monitor.Expect ("RPIN:", "AACK");
-      R.Monitor.Expect ("RPIN:" & ASCII.CR, "AACK");
-      Check (R.Emulator.Count_Of ("M=5") = 1, "no M=5 on the wire");
-   end Line_Ends;
-
    procedure Lines_In_Pieces is
       --  TCP is a stream: a command may arrive byte by byte
       R    : Rig;
@@ -967,7 +817,12 @@ procedure Monitor_Tests is
 begin
    Add ("F03_Rule_1_Answers_In_Order", Answers_In_Order'Access);
    Add ("F03_Lines_In_Pieces", Lines_In_Pieces'Access);
-   Add ("F03_Line_Ends_Tolerated", Line_Ends'Access);
+   Script
+     ("F03_Line_Ends_Tolerated",
+      "ROPN" & ASCII.CR & " AACK, RSOW" & ASCII.CR & " AACK, RMOV:5"
+      & ASCII.CR & " AACK, RPIN: AACK, RPIN:" & ASCII.CR
+      & " AACK, sent M=5 1");
+   --  The existing monitor appends a separator to every label
    Add ("F03_Telnet_Commands_Skipped", Telnet_Commands'Access);
    Script
      ("F03_Log_Message_Unanswered",
@@ -981,32 +836,46 @@ begin
    Add ("F04_Rule_7_Answers_Held_Apart",
         Answers_Held_Apart'Access, Timed => True);
    Add ("F04_F15_Slow_Monitor", Slow_Monitor'Access);
-   Add ("F05_F06_Monitor_Lost_Orderly", Lost_Orderly'Access);
-   Add ("F05_F06_Monitor_Lost_By_Reset", Lost_By_Reset'Access);
-   Add ("F05_F06_Monitor_Lost_By_Half_Close", Lost_Half_Closed'Access);
-   Add ("F05_F06_Monitor_Lost_With_Half_A_Line", Lost_With_Half_A_Line'Access);
-   Add ("F06_Monitor_Lost_With_Orders_Waiting", Lost_With_Orders'Access);
-   Add ("F06_Monitor_Lost_While_Robot_Is_Silent", Lost_Robot_Silent'Access);
-   Add ("F06_Monitor_Lost_With_Everything_On", Lost_With_Everything_On'Access);
-   Add ("F06_Monitor_Lost_In_Time", Losses_In_Time'Access, Timed => True);
-   Add ("F05_Monitor_Vanished_While_Idle", Vanished_Idle'Access);
-   Add ("F05_Monitor_Vanished_While_Streaming", Vanished_Streaming'Access);
+   Script ("F05_F06_Monitor_Lost_Orderly",
+           Forward & ", close, " & Lost_And_Back, In_Time => True);
+   Script ("F05_F06_Monitor_Lost_By_Reset",
+           Forward & ", reset, " & Lost_And_Back, In_Time => True);
+   Script ("F05_F06_Monitor_Lost_By_Half_Close",
+           Forward & ", half-close, closed, " & Lost_And_Back,
+           In_Time => True);
+   --  one that has stopped sending is not in command
+   Script ("F05_F06_Monitor_Lost_With_Half_A_Line",
+           Forward & ", part RGB, close, " & Lost_And_Back
+           & ", part RMOV:12, close, over, connect, RPIN ANAK",
+           In_Time => True);
+   --  it is not the beginning of the next monitor's first
+   Add ("F06_Monitor_Lost_With_Orders_Waiting",
+        Lost_With_Orders'Access, In_Time => True);
+   Script ("F06_Monitor_Lost_While_Robot_Is_Silent",
+           Forward & ", tell silent on, close, " & Lost_And_Back,
+           In_Time => True);
+   Add ("F06_Monitor_Lost_With_Everything_On",
+        Lost_With_Everything_On'Access, In_Time => True);
+   Add_Cut ("F05_Monitor_Vanished_While_Idle");
+   Add_Cut ("F05_Monitor_Vanished_While_Streaming", Streaming => True);
    Add ("F05_Monitor_Present_Without_Tcp_Info",
         Present_With_Short_Info'Access);
-   Add ("F05_Monitor_Vanished_Idle_Without_Tcp_Info",
-        Vanished_Idle_Short'Access);
-   Add ("F05_Monitor_Vanished_Streaming_Without_Tcp_Info",
-        Vanished_Streaming_Short'Access);
+   Add_Cut ("F05_Monitor_Vanished_Idle_Without_Tcp_Info", Short => True);
+   Add_Cut ("F05_Monitor_Vanished_Streaming_Without_Tcp_Info",
+            Streaming => True, Short => True);
    Add ("F05_Monitor_Vanished_Before_A_Message",
-        Vanished_Before_A_Message'Access);
-   Add ("F05_Monitor_Machine_Fallen_Silent", Fallen_Silent'Access);
-   Add ("F05_Own_Interface_Down", Own_Interface_Down'Access);
-   Add ("F05_Own_Address_Gone", Own_Address_Gone'Access);
-   Add ("F05_Own_Route_Gone", Own_Route_Gone'Access);
-   Add ("F05_Cut_To_Monitor", Cut_To_Monitor'Access);
-   Add ("F05_Cut_From_Monitor", Cut_From_Monitor'Access);
-   Add ("F05_Monitor_Vanished_In_Time",
-        Vanished_In_Time'Access, Timed => True);
+        Vanished_Before_A_Message'Access, In_Time => True);
+   Add_Cut ("F05_Monitor_Machine_Fallen_Silent", Streaming => True,
+            How => Network_Links.Monitor_Gone);
+   Add_Cut ("F05_Own_Interface_Down", How => Network_Links.Interface_Down);
+   Add_Cut ("F05_Own_Address_Gone", Streaming => True,
+            How => Network_Links.Address_Gone);
+   Add_Cut ("F05_Own_Route_Gone", How => Network_Links.Route_Gone,
+            Talking => True);
+   Add_Cut ("F05_Cut_To_Monitor", How => Network_Links.Dropped_There,
+            Talking => True);
+   Add_Cut ("F05_Cut_From_Monitor", Streaming => True,
+            How => Network_Links.Dropped_Here, Talking => True);
    Add ("F05_Monitor_Stalled", Stalled'Access, Timed => True);
    Add ("Never_Moves_On_For_A_Silent_Monitor", Announced_And_Silent'Access);
    Add ("Never_Moves_On_Beyond_Monitor_Silence", Silent_For_Too_Long'Access);

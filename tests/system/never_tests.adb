@@ -6,6 +6,7 @@ with Ada.Strings.Fixed;     use Ada.Strings.Fixed;
 with Ada.Strings.Unbounded; use Ada.Strings.Unbounded;
 
 with Child_Processes;       use Child_Processes;
+with Dialogues;             use Dialogues;
 with Expectations;          use Expectations;
 with Instants;              use Instants;
 with Monitor_Clients;       use Monitor_Clients;
@@ -22,12 +23,8 @@ procedure Never_Tests is
       --  A new session works
    begin
       Check (R.Supervisor.Is_Running, "the supervisor has ended");
-      R.Monitor.Skip_To_Now;
-      R.Monitor.Expect ("RCLS", "AACK");
-      Start_Robot (R);
-      R.Monitor.Expect ("RGFW", "AACK");
-      R.Monitor.Expect ("RSTP", "AACK");
-      R.Monitor.Expect ("RCLS", "AACK");
+      Play (R, "RCLS AACK, ROPN AACK, RSOW AACK, RGFW AACK, RSTP AACK,"
+            & " RCLS AACK");
    end Expect_Alive;
 
    procedure Malformed_Commands is
@@ -42,27 +39,17 @@ procedure Never_Tests is
       Assemble (R);
       Start_Robot (R);
       R.Emulator.Clear_Journal;
+      for Line of Words
+        (" |R|RGF|rgfw|RGFWX| RGFW|:RGFW|RMOV|RMOV:|RMOV: |RMOV:x|RMOV:12x"
+         & "|RMOV:--1|RMOV:1.5|RMOV:1e3|RMOV:0x10|RMOV 10|RTRN|RTRN:|RTRN:-"
+         & "|MGTO:1;2;3;4|MGCM:1;2;3;4|RMOV:1" & ASCII.NUL & "2|" & ASCII.NUL
+         & "|RG" & ASCII.NUL & "W|" & Character'Val (16#C3#) & "("
+         & Character'Val (16#FF#) & Character'Val (16#FE#) & "|RPIN"
+         & Character'Val (16#FF#) & "|AACK|CIMG:abcd", Separator => '|')
+      loop
+         Refuse (Line);
+      end loop;
       Refuse ("");
-      Refuse (" ");
-      Refuse ("R");
-      Refuse ("RGF");
-      Refuse ("rgfw");
-      Refuse ("RGFWX");
-      Refuse (" RGFW");
-      Refuse (":RGFW");
-      Refuse ("RMOV");
-      Refuse ("RMOV:");
-      Refuse ("RMOV: ");
-      Refuse ("RMOV:x");
-      Refuse ("RMOV:12x");
-      Refuse ("RMOV:--1");
-      Refuse ("RMOV:1.5");
-      Refuse ("RMOV:1e3");
-      Refuse ("RMOV:0x10");
-      Refuse ("RMOV 10");
-      Refuse ("RTRN");
-      Refuse ("RTRN:");
-      Refuse ("RTRN:-");
       Refuse ("RTRN:" & (1 .. 300 => 'z'));
       for Name of Words ("MGTO MPTH MGCM MPCM") loop
          Refuse (Name);
@@ -73,18 +60,8 @@ procedure Never_Tests is
             Refuse (Name & Data);
          end loop;
       end loop;
-      Refuse ("MGTO:1;2;3;4");
-      Refuse ("MGCM:1;2;3;4");
       Refuse ("MPCM:0" & (1 .. 64 => ';') & "1");
       Refuse ("MPCM:" & 64 * "1;2;" & "1;2");
-      Refuse ("RMOV:1" & ASCII.NUL & "2");
-      Refuse ((1 => ASCII.NUL));
-      Refuse ("RG" & ASCII.NUL & "W");
-      Refuse (Character'Val (16#C3#) & Character'Val (16#28#)
-              & Character'Val (16#FF#) & Character'Val (16#FE#));
-      Refuse ("RPIN" & Character'Val (16#FF#));
-      Refuse ("AACK");
-      Refuse ("CIMG:abcd");
       Refuse ((1 .. 2_000 => 'A'));
       Refuse ("RMOV:" & (1 .. 2_000 => 'A'));
       Check
@@ -287,23 +264,11 @@ procedure Never_Tests is
       Memory      : Natural := 0;
       Descriptors : Natural := 0;
 
-      procedure Cycle is
-      begin
-         R.Monitor.Expect ("ROPN", "AACK");
-         R.Monitor.Expect ("RSWW", "AACK");
-         R.Monitor.Expect ("RMOV:5", "AACK");
-         R.Monitor.Expect ("RCLS", "AACK");
-         R.Monitor.Expect ("ROPN", "AACK");
-         R.Emulator.Tell ("hangup");
-         R.Monitor.Expect ("RCLS", "AACK");
-         R.Monitor.Expect ("ROPN", "ANAK");
-         R.Emulator.Tell ("return");
-      end Cycle;
-
    begin
       Assemble (R, Emulator_Options => "--baud 0", Terminal => True);
       for Number in 1 .. 60 loop
-         Cycle;
+         Play (R, "ROPN AACK, RSWW AACK, RMOV:5 AACK, RCLS AACK, ROPN AACK,"
+               & " tell hangup, RCLS AACK, ROPN ANAK, tell return");
          if Number = 20 then
             Memory := Process_Facts.Resident_Kilobytes (R.Supervisor.Pid);
             Descriptors := Process_Facts.Descriptors (R.Supervisor.Pid);
@@ -329,11 +294,6 @@ procedure Never_Tests is
       Memory : Natural;
       After  : Natural := Natural'Last;
 
-      procedure Await_Images (Count : Positive) is
-      begin
-         R.Monitor.Await ("CIMG", Count);
-      end Await_Images;
-
       procedure Change_Size (Size : String) is
          --  The first one has been drawn
          Drawn    : constant Natural := R.Emulator.Status_Number ("frames");
@@ -350,7 +310,7 @@ procedure Never_Tests is
       Assemble (R, Camera => True);
       for Number in 1 .. Before loop
          Open_Camera (R, Positions => True);
-         Await_Images (12);
+         R.Monitor.Await ("CIMG", 12);
          --  each of the frame slots has had one
          R.Monitor.Expect ("CCLS", "AACK");
       end loop;
@@ -360,11 +320,11 @@ procedure Never_Tests is
          --  not faster than a busy processor can keep up with
          R.Emulator.Tell ("camera fps 3");
          Change_Size ("3840x2160");
-         Await_Images (3);
+         R.Monitor.Await ("CIMG", 3);
          Change_Size ("1600x1200");
-         Await_Images (2);
+         R.Monitor.Await ("CIMG", 2);
          R.Emulator.Tell ("camera mend");
-         Await_Images (12);
+         R.Monitor.Await ("CIMG", 12);
          R.Monitor.Expect ("CCLS", "AACK");
          if Number > Rounds - Last then
             After :=

@@ -9,6 +9,7 @@ with GNAT.OS_Lib;
 with Interfaces.C;          use Interfaces.C;
 
 with Child_Processes;       use Child_Processes;
+with Dialogues;             use Dialogues;
 with Expectations;          use Expectations;
 with Instants;              use Instants;
 with Libc;
@@ -23,8 +24,9 @@ with Supervisors;
 
 procedure Process_Tests is
 
-   Stop_Limit : constant Duration := 3.0;
-   --  An orderly stop takes less than 1 s, and three on a busy machine
+   Ends : constant String := ", ends 0, status moving 0";
+
+   Stopped : constant String := ", stops" & Ends & ", closed";
 
    As_User : String renames Programs.As_User;
 
@@ -55,55 +57,6 @@ procedure Process_Tests is
       end if;
       GNAT.OS_Lib.Free (Tool);
    end Need_Tool;
-
-   procedure Stop_Orderly
-     (R      : in out Rig;
-      Signal : int     := Libc.Sigterm;
-      Twice  : Boolean := False)
-   is
-      --  The robot stands then
-      Start  : constant Instant := Now;
-      Status : Integer;
-   begin
-      R.Supervisor.Send_Signal (Signal);
-      if Twice and then R.Supervisor.Is_Running then
-         R.Supervisor.Send_Signal (Libc.Sigterm);
-      end if;
-      Status := R.Supervisor.Exit_Status;
-      Check_Within (Now - Start, Stop_Limit, "the end");
-      Check (Status = 0, "exit status" & Status'Image);
-      R.Emulator.Await_Status ("moving", "0");
-   end Stop_Orderly;
-
-   procedure Stop_While_Moving (Signal : int) is
-      R    : Rig;
-      Time : Instant;
-   begin
-      Assemble (R);
-      Move_Forward (R);
-      Time := Now;
-      Stop_Orderly (R, Signal);
-      Check_Within
-        (R.Emulator.Await_On_Wire ("M=0").First - Time, 0.5, "the stop");
-      Check
-        (R.Monitor.Closed_By_Peer /= Open,
-         "the monitor is still connected");
-   end Stop_While_Moving;
-
-   procedure Stopped_By_Sigterm is
-   begin
-      Stop_While_Moving (Libc.Sigterm);
-   end Stopped_By_Sigterm;
-
-   procedure Stopped_By_Others is
-      --  Ctrl-\, SIGUSR1, SIGUSR2, SIGALRM, Ctrl-Z, SIGXCPU, SIGVTALRM,
-      --  SIGPWR, two of real time
-   begin
-      for Signal of Signals'(3, 10, 12, 14, 20, 24, 26, 30, 40, 64) loop
-         Note ("signal" & Signal'Image);
-         Stop_While_Moving (Signal);
-      end loop;
-   end Stopped_By_Others;
 
    procedure Not_Stopped_By_Hang_Up is
       --  Where it is ignored; nor by a limit of a file or a terminal, nor by
@@ -140,60 +93,12 @@ procedure Process_Tests is
          Launcher => Alone & "1", Program => Programs.Copied_Supervisor);
    end Too_Few_Threads;
 
-   procedure Stopped_By_Sigint is
-   begin
-      Stop_While_Moving (Libc.Sigint);
-   end Stopped_By_Sigint;
-
-   procedure Stopped_With_Camera is
-      R : Rig;
-   begin
-      Assemble (R, Camera => True);
-      Start_Robot (R, Watchdog => True);
-      Open_Camera (R, Positions => True);
-      R.Monitor.Expect ("RGFW", "AACK");
-      Stop_Orderly (R);
-      R.Emulator.Await_Status ("viewers", "0");
-   end Stopped_With_Camera;
-
-   procedure Stopped_While_Robot_Silent is
-      --  The stop is sent although nothing answers
-      R : Rig;
-   begin
-      Assemble (R);
-      Move_Forward (R);
-      R.Emulator.Tell ("silent on");
-      Stop_Orderly (R);
-   end Stopped_While_Robot_Silent;
-
-   procedure Stopped_While_Camera_Stalls is
-      R : Rig;
-   begin
-      Assemble (R, Camera => True);
-      Open_Camera (R);
-      Move_Forward (R);
-      R.Emulator.Tell ("camera stall");
-      delay 0.3;
-      Stop_Orderly (R);
-   end Stopped_While_Camera_Stalls;
-
-   procedure Stopped_With_Stalled_Monitor is
-      R : Rig;
-   begin
-      Assemble (R, Camera => True);
-      Open_Camera (R);
-      Move_Forward (R);
-      R.Monitor.Pause;
-      delay 1.5;
-      Stop_Orderly (R);
-   end Stopped_With_Stalled_Monitor;
-
    procedure Stopped_At_Once is
       --  Without a session, and twice
       R : Rig;
    begin
       Assemble (R, Connected => False);
-      Stop_Orderly (R, Libc.Sigint, Twice => True);
+      Play (R, "signal 2, signal 15" & Ends);
       Check (not Connects (R.Supervisor.Port), "somebody still listens");
    end Stopped_At_Once;
 
@@ -393,15 +298,12 @@ procedure Process_Tests is
    end Crash_While_Moving;
 
    procedure Crashing_Library is
-      Sigabrt : constant := 128 + 6;
-      Sigsegv : constant := 128 + 11;
    begin
-      Crash_While_Moving ("abort", Sigabrt);
-      Crash_While_Moving ("free", Sigabrt);
-      Crash_While_Moving ("fault", Sigsegv);
-      Crash_While_Moving ("stack", Sigsegv);
-      Crash_While_Moving ("thread", Sigsegv);
-      Crash_While_Moving ("exit", 3);
+      for How of Words ("abort free fault stack thread exit") loop
+         Crash_While_Moving
+           (How, (if How in "abort" | "free" then 128 + 6   --  SIGABRT
+                  elsif How = "exit" then 3 else 128 + 11));  --  SIGSEGV
+      end loop;
    end Crashing_Library;
 
    procedure Kill_While_Moving (R : in out Rig) is
@@ -608,7 +510,7 @@ procedure Process_Tests is
       Drive_As_User (R, Watchdog => True);
       R.Monitor.Expect ("CASA", "CIMG");
       delay 5.0;
-      Check
+      Check_In_Time
         (R.Emulator.Status_Number ("missed_total") <= 1, "missed windows");
    end Windows_Of_Ordinary_User;
 
@@ -832,10 +734,7 @@ procedure Process_Tests is
          Check_Label (R.Monitor.Next_Answer, "AACK", "RPIN" & Number'Image);
          Check_Label (R.Monitor.Next_Answer, "ACER", "after" & Number'Image);
       end loop;
-      R.Monitor.Expect ("RGFW", "AACK");
-      R.Emulator.Clear_Journal;
-      Stop_Orderly (R);
-      Check (R.Emulator.Count_Of ("M=0") >= 1, "no stop on the wire");
+      Play (R, "RGFW AACK, clear, signal 15, seen M=0" & Ends);
    end Console_Blocked;
 
    procedure Console_Monitor is
@@ -862,39 +761,37 @@ procedure Process_Tests is
       Check (R.Emulator.Count_Of ("M=50") = 1, "no M=50 on the wire");
    end Console_Monitor;
 
-   procedure Stops_In_Time is
-   begin
-      Stopped_By_Sigterm;
-      Stopped_By_Sigint;
-      Stopped_With_Camera;
-      Stopped_While_Robot_Silent;
-      Stopped_While_Camera_Stalls;
-      Stopped_With_Stalled_Monitor;
-      Stopped_At_Once;
-      Console_Blocked;
-      Failing_Task;
-   end Stops_In_Time;
-
 begin
-   Add ("Stop_By_SIGTERM_While_Moving", Stopped_By_Sigterm'Access);
-   Add ("Stop_By_SIGINT_While_Moving", Stopped_By_Sigint'Access);
-   Add ("Stop_By_Other_Signals", Stopped_By_Others'Access);
+   for Signal of Words ("15 2 3 10 12 14 20 24 26 30 40 64") loop
+      --  SIGTERM, SIGINT, Ctrl-\, SIGUSR1, SIGUSR2, SIGALRM, Ctrl-Z, SIGXCPU,
+      --  SIGVTALRM, SIGPWR, two of real time
+      Script ("Stop_By_Signal_" & Signal & "_While_Moving",
+              Forward & ", signal " & Signal & Stopped,
+              In_Time => Signal in "15" | "2");
+   end loop;
    Add ("Stop_Not_By_Ignored_Hang_Up", Not_Stopped_By_Hang_Up'Access);
    Add ("Threads_Too_Few", Too_Few_Threads'Access);
-   Add ("Stop_With_Camera_And_Watchdog", Stopped_With_Camera'Access);
-   Add ("Stop_While_Robot_Is_Silent", Stopped_While_Robot_Silent'Access);
-   Add ("Stop_While_Camera_Stalls", Stopped_While_Camera_Stalls'Access);
-   Add ("Stop_With_Stalled_Monitor", Stopped_With_Stalled_Monitor'Access);
-   Add ("Stop_At_Once", Stopped_At_Once'Access);
-   Add ("Stop_In_Time", Stops_In_Time'Access, Timed => True);
+   Script ("Stop_With_Camera_And_Watchdog",
+           "ROPN AACK, RSWW AACK, " & With_Positions & ", RGFW AACK, signal 15"
+           & Ends & ", status viewers 0", Camera => True, In_Time => True);
+   Script ("Stop_While_Robot_Is_Silent",
+           Forward & ", tell silent on, signal 15" & Ends, In_Time => True);
+   --  It is sent although nothing answers
+   Script ("Stop_While_Camera_Stalls",
+           With_Images & ", " & Forward & ", tell camera stall, wait 0.3,"
+           & " signal 15" & Ends, Camera => True, In_Time => True);
+   Script ("Stop_With_Stalled_Monitor",
+           With_Images & ", " & Forward & ", pause, wait 1.5, signal 15"
+           & Ends, Camera => True, In_Time => True);
+   Add ("Stop_At_Once", Stopped_At_Once'Access, In_Time => True);
    Add ("Threads_Are_The_Reports_Thirteen", Thirteen_Threads'Access);
-   Add ("Never_Moves_On_After_A_Failed_Task", Failing_Task'Access);
+   Add ("Never_Moves_On_After_A_Failed_Task",
+        Failing_Task'Access, In_Time => True);
    Add ("Stop_By_Option_After_SIGKILL", Option_Stop'Access);
    Add ("Print_Markers_By_Option", Option_Print_Markers'Access);
    Add ("Stop_By_The_Next_Start_After_SIGKILL", Started_While_Moving'Access);
-   Add ("Never_Moves_On_After_A_Crash_In_A_Library", Crashing_Library'Access);
-   Add ("Stops_After_A_Crash_In_A_Library_In_Time",
-        Crashing_Library'Access, Timed => True);
+   Add ("Never_Moves_On_After_A_Crash_In_A_Library",
+        Crashing_Library'Access, In_Time => True);
    Add ("Threads_On_Their_Own_Processor", Own_Processor'Access);
    Add ("Threads_On_One_Processor", One_Processor'Access);
    Add ("Never_Grows_In_100_Connections", Hundred_Connections'Access);
@@ -909,6 +806,7 @@ begin
    Add ("Privileges_Refused_By_Group", Refused_By_Group'Access);
    Add ("Privileges_Refused_By_Filter", Refused_By_Filter'Access);
    Add ("Privileges_Limited", By_Limit'Access);
-   Add ("Never_Waits_For_The_Console", Console_Blocked'Access);
+   Add ("Never_Waits_For_The_Console",
+        Console_Blocked'Access, In_Time => True);
    Add ("Console_Monitor_Drives_The_Robot", Console_Monitor'Access);
 end Process_Tests;

@@ -108,7 +108,12 @@ procedure Radio_Tests is
       Play (R, "unsaid robot lost, tell mend, RGST RCST:0, RSOW AACK");
    end Bursts_Of_Retries;
 
-   procedure Keep_Watchdog (Options : String; Missed : Natural) is
+   generic
+      Options : String;
+      Missed  : Natural;
+   procedure Keep_Watchdog;
+
+   procedure Keep_Watchdog is
       --  20 s while the robot drives, Missed reloads at most; no deadline is
       --  guaranteed without real-time priorities, but it keeps driving
       R        : Rig;
@@ -123,12 +128,12 @@ procedure Radio_Tests is
       Note (R.Emulator.Count_Of ("w")'Image & " reloads,"
             & Commands'Image & " commands in 20 s");
       --  of 39 ms each, a short one: a quarter of the line's time
-      Check (Commands <= 150, "so much for others:" & Commands'Image);
-      Check
+      Check_In_Time (Commands <= 150, "so much for others:" & Commands'Image);
+      Check_In_Time
         (R.Emulator.Count_Of ("w") in 18 .. 22,
          R.Emulator.Count_Of ("w")'Image & " reloads");
       if R.Supervisor.Says ("real-time priorities: FIFO") then
-         Check
+         Check_In_Time
            (R.Emulator.Status_Number ("missed_total") <= Missed,
             "missed" & R.Emulator.Status ("missed_total"));
       end if;
@@ -136,17 +141,9 @@ procedure Radio_Tests is
             & " RSTP AACK, status moving 0");
    end Keep_Watchdog;
 
-   procedure Watchdog_Kept is
-   begin
-      Keep_Watchdog (No_Retries, Missed => 0);
-   end Watchdog_Kept;
-
-   procedure Watchdog_Kept_With_Retries is
-      --  A reload whose answer is late because of two retries may cost the
-      --  next one
-   begin
-      Keep_Watchdog ("--radio", Missed => 2);
-   end Watchdog_Kept_With_Retries;
+   procedure Watchdog_Kept is new Keep_Watchdog (No_Retries, 0);
+   procedure Watchdog_Kept_With_Retries is new Keep_Watchdog ("--radio", 2);
+   --  A reload whose answer is late because of two retries may cost the next
 
 begin
    Add ("F11_Radio_Watchdog_Kept_For_20_s",

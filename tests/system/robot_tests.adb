@@ -279,7 +279,7 @@ procedure Robot_Tests is
             Off.Add (abs (Item.Interval - 1.0));
          end if;
       end loop;
-      Check (Off.Count = 5, Off.Count'Image & " reloads in 5.6 s");
+      Check_In_Time (Off.Count = 5, Off.Count'Image & " reloads in 5.6 s");
       Check_Within (Off.Quantile (0.5), 0.05, "what a reload is off");
    end With_Watchdog;
 
@@ -327,11 +327,12 @@ procedure Robot_Tests is
       Check
         (Late <= Early + 1024,
          "memory grows:" & Early'Image & " kB," & Late'Image & " kB");
-      Check (Reloads >= 58, "only" & Reloads'Image & " reloads");
+      Check_In_Time (Reloads >= 58, "only" & Reloads'Image & " reloads");
       --  without real-time priorities deadlines are not guaranteed, but the
       --  robot keeps running
       if R.Supervisor.Says ("real-time priorities: FIFO") then
-         Check (R.Emulator.Status ("missed_total") = "0", "windows missed");
+         Check_In_Time
+           (R.Emulator.Status ("missed_total") = "0", "windows missed");
       end if;
       Check
         (R.Emulator.Status ("disabled_count") = "0", "robot disabled");
@@ -372,12 +373,12 @@ procedure Robot_Tests is
                Next := Item.First;
             end if;
          end loop;
-         Check
+         Check_In_Time
            (Repeated = Times,
             Fault & Times'Image & ", repeated" & Repeated'Image);
          Missed := R.Emulator.Status_Number ("missed_total") - Before;
          Note (Fault & Times'Image & ", missed" & Missed'Image);
-         Check
+         Check_In_Time
            (Missed <= Misses, Fault & Times'Image & ", missed" & Missed'Image);
          Check
            (R.Emulator.Status ("disabled_count") = "0", "robot disabled");
@@ -396,37 +397,11 @@ procedure Robot_Tests is
      " comes MSSG:robot no longer runs (watchdog or reset): reset and start"
      & " again,";
 
-   procedure Movements is
-      R : Rig;
+   generic
+      Fault : String;
+   procedure Tenth_Lost;
 
-      procedure Order (Command, Wire : String) is
-      begin
-         Play
-           (R, "clear, " & Command & " AACK, wire " & Wire);
-      end Order;
-
-   begin
-      Assemble (R);
-      Start_Robot (R);
-      Order ("RGFW", "M=32767");
-      Play (R, "wait 0.3, wire M=32767");
-      Order ("RGBW", "M=-32768");
-      Order ("RGLF", "T=32767");
-      Order ("RGRI", "T=-32768");
-      Order ("RSTP", "M=0");
-      Order ("RMOV:100", "M=100");
-      Order ("RMOV:-1", "M=-1");
-      Order ("RMOV:0", "M=0");
-      Order ("RTRN:-90", "T=-90");
-      Order ("RTRN:360", "T=360");
-      Order ("RMOV:32767", "M=32767");
-      Order ("RMOV:32768", "M=32767");
-      Order ("RMOV:-40000", "M=-32768");
-      Order ("RTRN:99999999999999999999", "T=32767");
-      Order ("RSTP", "M=0");
-   end Movements;
-
-   procedure Tenth_Lost (Fault : String) is
+   procedure Tenth_Lost is
       --  Of all, so the levels of the battery have theirs too, and one of ten
       --  of these orders may have none for long
       R      : Rig;
@@ -459,15 +434,8 @@ procedure Robot_Tests is
       R.Monitor.Expect ("RGST", "RCST");
    end Tenth_Lost;
 
-   procedure Tenth_Answer_Lost is
-   begin
-      Tenth_Lost ("drop-every");
-   end Tenth_Answer_Lost;
-
-   procedure Tenth_Command_Lost is
-   begin
-      Tenth_Lost ("lose-every");
-   end Tenth_Command_Lost;
+   procedure Tenth_Answer_Lost is new Tenth_Lost ("drop-every");
+   procedure Tenth_Command_Lost is new Tenth_Lost ("lose-every");
 
    procedure Lost_Command is
       --  The robot does not receive it
@@ -638,9 +606,7 @@ begin
       "ROPN AACK, clear, RSTP ACRJ, MABT ACRJ, sent M=0 0, RSOW AACK,"
       & " RSTP AACK, sent M=0 1, RRST AACK, clear, RSTP ACRJ, sent M=0 0");
    Add ("F07_Closed_Though_Nothing_Leaves",
-        Closed_Though_Nothing_Leaves'Access);
-   Add ("F07_Closed_Though_Nothing_Leaves_In_Time",
-        Closed_Though_Nothing_Leaves'Access, Timed => True);
+        Closed_Though_Nothing_Leaves'Access, In_Time => True);
    Add ("F08_Three_Failures_Are_Not_Lost", Three_Failures'Access);
    Script
      ("F08_F09_Four_Failures_Are_Lost",
@@ -700,8 +666,7 @@ begin
    --  A device that sends the answer "O" without end is no started robot
    Add ("F08_Talking_From_The_Start", Talking_From_The_Start'Access);
    Add ("F08_Talking_Now_And_Then", Talking_Now_And_Then'Access);
-   Add ("F08_Noisy_Line", Noisy_Line'Access);
-   Add ("F08_Noisy_Line_In_Time", Noisy_Line'Access, Timed => True);
+   Add ("F08_Noisy_Line", Noisy_Line'Access, In_Time => True);
    Script
      ("F07_Robot_Silent_When_Opened",
       "ROPN AACK, RPIN ATIM, tell silent off, RSOW AACK",
@@ -761,7 +726,16 @@ begin
       Timed => True);
    --  It does not disturb the supervisor's own; without one of its own the
    --  supervisor sends it to the robot.
-   Add ("F12_Movements", Movements'Access);
+   Script
+     ("F12_Movements",
+      "ROPN AACK, RSOW AACK, clear, RGFW AACK, wait 0.3, wire M=32767,"
+      & " RGBW AACK, RGLF AACK, RGRI AACK, RSTP AACK,"
+      & " wire M=32767 M=-32768 T=32767 T=-32768 M=0, clear, RMOV:100 AACK,"
+      & " RMOV:-1 AACK, RMOV:0 AACK, RTRN:-90 AACK, RTRN:360 AACK,"
+      & " wire M=100 M=-1 M=0 T=-90 T=360, clear, RMOV:32767 AACK,"
+      & " RMOV:32768 AACK, RMOV:-40000 AACK,"
+      & " RTRN:99999999999999999999 AACK, RSTP AACK,"
+      & " wire M=32767 M=32767 M=-32768 T=32767 M=0");
    Script
      ("F12_Wheels_Not_Ideal",
       "ROPN AACK, RSOW AACK, RMOV:200 AACK, status moving 0,"

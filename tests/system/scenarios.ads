@@ -5,19 +5,22 @@
 package Scenarios is
 
    procedure Add
-     (Name  : String;
-      Run   : not null access procedure;
-      Timed : Boolean := False);
+     (Name    : String;
+      Run     : not null access procedure;
+      Timed   : Boolean := False;
+      In_Time : Boolean := False);
    --  A test. Timed: its verdict depends on time, against a limit less than
-   --  ten times what is usual. It runs when no other does, and its verdict is
-   --  the median of three runs; the verdict of all others is the same on any
-   --  machine, however busy
+   --  ten times what is usual. It runs when no other does, and what comes too
+   --  late must do so in two of three runs; the verdict of all others is the
+   --  same on any machine, however busy. In_Time: also adds the same, timed,
+   --  as NAME_In_Time
 
    procedure Select_Timed;
    --  Timed tests are run, instead of all others
 
    procedure Add_Filter (Text : String);
-   --  Tests whose name contains one of these are run, timed or not
+   --  Tests whose name contains one of these are run, timed or not, but
+   --  NAME_In_Time only if that word is in it
 
    procedure Select_One (Name : String);
    --  When this test is added, runs it, prints its report and ends the process

@@ -526,8 +526,7 @@ procedure Server_Tests is
 
 begin
    Add ("F01_Listens_And_Says_So", Listens'Access);
-   Add ("F01_Cannot_Listen", Cannot_Listen'Access);
-   Add ("F01_Cannot_Listen_In_Time", Cannot_Listen'Access, Timed => True);
+   Add ("F01_Cannot_Listen", Cannot_Listen'Access, In_Time => True);
    Add ("F02_Connection_Admitted_Quickly",
         Admitted_Quickly'Access, Timed => True);
    Add ("F02_Crowd_Finds_Room_To_Wait",

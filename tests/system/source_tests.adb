@@ -104,7 +104,7 @@ procedure Source_Tests is
             Number := Mark.Number;
          end if;
       end loop;
-      Check
+      Check_In_Time
         (Ages.Count > 10,
          Name & ":" & Natural'Image (Ages.Count) & " images, the last of"
          & W.Monitor.Count'Image & " messages "
@@ -121,11 +121,11 @@ procedure Source_Tests is
          & " (99 %), " & Milliseconds (Ages.Quantile (1.0)) & " (longest)");
 
       --  the first and the last may each come earlier or later
-      Check
+      Check_In_Time
         (abs (Mean - Wanted) <= 0.01 * Wanted
            + Wanted * Float (2.0 * Jitter) / Float (Duration'(Last - First)),
          Name & ": " & Rounded (Mean) & " images a second");
-      Check
+      Check_In_Time
         (not All_Sent or else Left_Out = 0,
          Name & ":" & Left_Out'Image & " left out");
       --  a busy machine takes its time over one or the other
@@ -333,7 +333,7 @@ procedure Source_Tests is
          Last := R.Monitor.Next_Of ("CIMG").Time;
       end loop;
       Mean := Float (Count) / Float (Duration'(Last - First));
-      Check
+      Check_In_Time
         (abs (Mean - Rate) <= 0.05 * Rate,
          Rounded (Mean) & " images a second instead of " & Rounded (Rate));
    end Expect_Rate;

@@ -317,8 +317,7 @@ procedure Trace_Tests is
    end Full_Disk;
 
 begin
-   Add ("Trace_Whole_Session", Whole_Session'Access);
-   Add ("Trace_Whole_Session_In_Time", Whole_Session'Access, Timed => True);
+   Add ("Trace_Whole_Session", Whole_Session'Access, In_Time => True);
    Add ("Trace_After_A_Failure", After_A_Failure'Access);
    Add ("Trace_Nothing_Happened", Nothing_Happened'Access);
    Add ("Trace_Unusable_Files", Unusable_Files'Access);

@@ -87,10 +87,10 @@ package Monitor_Clients is
    --  Sends Command and takes its answer. Unsolicited messages are skipped.
 
    procedure Check_Label (Item : Message; Labels : String; What : String);
-   --  Raises Failed unless Item has one of Labels
+   --  Raises Failed unless Item has one of Labels; Too_Late if it is ATIM
 
    procedure Expect (Object : in out Client; Command, Answer : String);
-   --  Raises Failed unless Answer is the answer to Command
+   --  The same unless Answer is the answer to Command
 
    procedure Skip_To_Now (Object : in out Client);
    --  Discards the messages that have arrived and were not taken
