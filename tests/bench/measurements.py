@@ -47,7 +47,6 @@ class Table:
 
 ORDERS = ("orders", "answers")
 MEDIANS = ("median_ratio", "median", "floor_median")
-P99 = ("p99_ratio", "p99", "floor_p99")
 P999 = ("p999_ratio", "p999", "floor_p999")
 PLAIN = r"(order|answer), (?!.*(relay|--trace|default gap)).*"
 RELAY = ".*, to the relay"
@@ -67,7 +66,6 @@ TABLES = {
         (*MEDIANS, "max", "value"),
         "(start|monitor|memory)(?!.*--trace).*",
     ),
-    "loading": Table(("start",), (*MEDIANS, *P99), "camera.*|order .*"),
     "rates": Table(("scale",), ("value",), "highest rate.*"),
     "processor": Table(("scale",), ("value",), "(?!highest)(?!.*--trace).*"),
     "trace": Table(
@@ -86,8 +84,6 @@ TABLES = {
         ("median_ratio", "median"),
         ".* [1-4] in view: (following|whole image)",
     ),
-    "peer": Table(("search",), MEDIANS, r"\S+ four robots, plain"),
-    "found": Table(("search",), ("value", "floor"), ".* found of .*"),
     "load": Table(("load",), ("median", "p99", "p999", "value")),
     "responses": Table(("responses",), ("max", "value")),
     "tasks": Table(("tasks",), ("n", "p999", "value")),

@@ -142,7 +142,7 @@ package body Order_Times is
          begin
             Stop_One;
          exception
-            when Failed =>
+            when Failed | Too_Late =>
                Missed := Missed + 1;
                if Missed > Attempts then
                   raise;

@@ -13,7 +13,6 @@ with Both_Ends;         use Both_Ends;
 with Child_Processes;   use Child_Processes;
 with Emulators;
 with Expectations;      use Expectations;
-with Forwarders;
 with Instants;          use Instants;
 with Plain_Numbers;     use Plain_Numbers;
 with Process_Facts;
@@ -109,122 +108,6 @@ procedure Report_Start_Times is
       Close_All;
    end Report_Memory;
 
-   procedure Report_Loading is
-      --  Orders while the camera is opened for the first time, and OpenCV is
-      --  loaded; the floor's while another supervisor does that, for it
-      --  keeps a processor and the kernel busy in both cases
-      Rounds : constant := 10;
-      Before : constant := 100;
-      --  orders, in each round
-
-      type Condition is (Idle, Loading);
-
-      type Sets is array (Condition) of Samples.Set;
-
-      Opened            : Samples.Set;
-      Orders, Forwarded : Sets;
-
-      Amount : Natural := 0;
-
-      procedure Order (Where : Place; Taken : in out Samples.Set) is
-         Value : constant String :=
-           Image (1 + Amount mod 9_000);
-         Begun : Instant;
-         Time  : Instant;
-      begin
-         --  the one before has been answered meanwhile
-         Serve (0.002);
-         Amount := Amount + 1;
-         Begun := Now;
-         Send
-           (Where,
-            (if Where = Ours then "RMOV:" & Value & ASCII.LF
-             else Framed ("M=" & Value)));
-         Await_Frame (Where, "M=" & Value, Time);
-         Taken.Add (Time - Begun);
-      end Order;
-
-      function First_Answer (Where : Place) return Natural is
-         --  Its place among the messages, 0 where there is none
-         All_Of_Them : constant Event_Vectors.Vector := Messages (Where);
-      begin
-         for Number in 1 .. All_Of_Them.Last_Index loop
-            if All_Of_Them (Number).Text = "AACK"
-              or else All_Of_Them (Number).Text = "ANAK"
-            then
-               return Number;
-            end if;
-         end loop;
-         return 0;
-      end First_Answer;
-
-      procedure Measure
-        (Through : Place; Opening : Place; Taken : in out Sets)
-      is
-         --  Orders through one place, first alone, then while the camera is
-         --  opened at another
-         Begun    : Instant;
-         Answered : Natural;
-      begin
-         for Number in 1 .. Before loop
-            Order (Through, Taken (Idle));
-         end loop;
-         --  the last answer
-         Serve (0.05);
-         Forget (Through);
-         Forget (Opening);
-         Begun := Now;
-         Send (Opening, "COPN" & ASCII.LF);
-         --  its answer comes before those to the orders behind it
-         loop
-            Order (Through, Taken (Loading));
-            Answered := First_Answer (Opening);
-            exit when Answered > 0;
-         end loop;
-         Opened.Add (Messages (Opening) (Answered).Ended - Begun);
-         Check
-           (Messages (Opening) (Answered).Text = "AACK",
-            "the camera is not opened");
-      end Measure;
-
-      procedure Measure_Ours is
-         Supervisor : Supervisors.Supervisor;
-      begin
-         Open_Line (Ours);
-         Supervisor.Start
-           ("--serial " & Device (Ours) & " --camera " & Picture);
-         Connect (Ours, Supervisor.Port, By_Lines => True);
-         Forget (Ours);
-         Send (Ours, "ROPN" & ASCII.LF & "RSOW" & ASCII.LF);
-         Await_Message (Ours, "AACK", Count => 2);
-         Measure (Ours, Opening => Ours, Taken => Orders);
-         Close_All;
-      end Measure_Ours;
-
-      procedure Measure_Floor is
-         Supervisor : Supervisors.Supervisor;
-         Forwarder  : Child;
-      begin
-         Open_Line (Floor);
-         Forwarders.Start (Forwarder, Floor);
-         Supervisor.Start ("--camera " & Picture);
-         Connect (Tick_1, Supervisor.Port, By_Lines => True);
-         Measure (Floor, Opening => Tick_1, Taken => Forwarded);
-         Close_All;
-      end Measure_Floor;
-
-   begin
-      for Round in 1 .. Rounds loop
-         Measure_Ours;
-         Measure_Floor;
-      end loop;
-      Reports.Put ("camera opened first: OpenCV loaded, first image", Opened);
-      Reports.Compare
-        ("order before that", Orders (Idle), Forwarded (Idle));
-      Reports.Compare
-        ("order meanwhile", Orders (Loading), Forwarded (Loading));
-   end Report_Loading;
-
    procedure Report_Readiness is
       --  The robot drives; the monitor goes, and the next one has its first
       --  answer
@@ -281,6 +164,5 @@ begin
       (1 => (Reports.Median_Ratio, 1.02, False)));
    Report_Readiness;
    Report_Memory;
-   Report_Loading;
    Reports.End_Section;
 end Report_Start_Times;

@@ -15,7 +15,7 @@ PAGE = "docs/measurements.md"
 MISSIONS = "docs/missions.md"
 OTHER = "has other figures than the results"
 FIGURE = r"/{s/[0-9]\.[0-9]/9.9/;:a;n;ba}"
-FOUND = "/^<!-- table: found -->/"
+ARENA = "/^<!-- table: arena -->/"
 
 
 class Tree:
@@ -82,10 +82,10 @@ def test_as_it_is(tree: Tree) -> None:
         (PAGE, rf"/^\| order, idle \|{FIGURE}", OTHER),
         (PAGE, r"/^\| order, idle \|/d", OTHER),
         (PAGE, r"s/^(\| order, idle .*) [0-9] of/\1 7 of/", OTHER),
-        (PAGE, f"{FOUND},/^<!-- end/d", "0 tables found, not 1"),
-        (PAGE, rf"{FOUND}s/.*/&\n<!-- end -->\n\n&/", "2 tables found, not 1"),
-        (PAGE, f"{FOUND}s/found/lost/", "0 tables found, not 1"),
-        (PAGE, f"{FOUND},/^<!-- end/{{/end/d}}", "0 tables found, not 1"),
+        (PAGE, f"{ARENA},/^<!-- end/d", "0 tables arena, not 1"),
+        (PAGE, rf"{ARENA}s/.*/&\n<!-- end -->\n\n&/", "2 tables arena, not 1"),
+        (PAGE, f"{ARENA}s/arena/lost/", "0 tables arena, not 1"),
+        (PAGE, f"{ARENA},/^<!-- end/{{/end/d}}", "0 tables arena, not 1"),
         (PAGE, "$a<!-- end -->", "without its other one"),
         (PAGE, r"/^\| F6 loss /s/[0-9][.,][0-9]/9.9/", OTHER),
         ("run1.json", 's/"median": [1-9]/&9/', OTHER),

@@ -19,7 +19,4 @@ package Image_Buffers is
    Text : Monitor.Image_Messages.Message_Buffer := (others => ' ');
    --  The result
 
-   Out_Text : Monitor.Image_Messages.Message_Buffer := (others => ' ');
-   --  A copy of it, for the floor
-
 end Image_Buffers;

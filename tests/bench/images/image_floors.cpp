@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the stages of an image's way are compared with: libjpeg-turbo alone,
-// memcpy, OpenCV's detector of markers; and a monitor that takes whatever it
-// is sent.
+// What an image's way is compared with: libjpeg-turbo alone; and a monitor that
+// takes whatever it is sent.
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <thread>
 
 #include <arpa/inet.h>
@@ -17,14 +14,6 @@
 #include <unistd.h>
 
 #include <jpeglib.h>
-
-#include <opencv2/imgproc.hpp>
-#if CV_VERSION_MAJOR > 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR >= 7)
-#define ARUCO_IN_OBJDETECT
-#include <opencv2/objdetect/aruco_detector.hpp>
-#else
-#include <opencv2/aruco.hpp>
-#endif
 
 #include "vision_internal.hpp"
 
@@ -85,56 +74,6 @@ int image_floor_encode(int slot, int quality) {
   jpeg_finish_compress(&object);
   jpeg_destroy_compress(&object);
   return int(length);
-}
-
-// The JPEG decoded into a place of its own.
-int image_floor_decode(const unsigned char *bytes, int length) {
-  static unsigned char *const place =
-      static_cast<unsigned char *>(std::malloc(1920 * 1080 * 3));
-  jpeg_decompress_struct object;
-  jpeg_error_mgr errors;
-  object.err = jpeg_std_error(&errors);
-  jpeg_create_decompress(&object);
-  jpeg_mem_src(&object, bytes, static_cast<unsigned long>(length));
-  jpeg_read_header(&object, TRUE);
-  object.out_color_space = JCS_EXT_BGR;
-  jpeg_start_decompress(&object);
-  while (object.output_scanline < object.output_height) {
-    JSAMPROW row = place + std::size_t(object.output_scanline) *
-                               object.output_width * 3;
-    jpeg_read_scanlines(&object, &row, 1);
-  }
-  const int width = int(object.output_width);
-  jpeg_finish_decompress(&object);
-  jpeg_destroy_decompress(&object);
-  return width;
-}
-
-void image_floor_copy(void *to, const void *from, std::size_t length) {
-  std::memcpy(to, from, length);
-  asm volatile("" : : "r"(to) : "memory");
-}
-
-// Searches the image of a slot for markers with OpenCV's detector as it comes.
-// How many of the IDS, COUNT of them, it finds, each once.
-int image_floor_markers(int slot, const int *ids, int count) {
-  static cv::Mat grey;
-  std::vector<std::vector<cv::Point2f>> corners;
-  std::vector<int> found;
-  cv::cvtColor(vision::frame(slot)->image, grey, cv::COLOR_BGR2GRAY);
-#ifdef ARUCO_IN_OBJDETECT
-  static const cv::aruco::ArucoDetector detector(
-      cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000));
-  detector.detectMarkers(grey, corners, found);
-#else
-  static const auto dictionary =
-      cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_1000);
-  cv::aruco::detectMarkers(grey, dictionary, corners, found);
-#endif
-  int right = 0;
-  for (int k = 0; k < count; ++k)
-    right += std::find(found.begin(), found.end(), ids[k]) != found.end();
-  return right;
 }
 
 // A connection over the loop-back interface, set as the supervisor sets it.

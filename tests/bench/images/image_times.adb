@@ -2,7 +2,6 @@
 --  How long each stage of an image's way takes, from the camera's bytes to
 --  those on the socket, and each kind of search; beside the floors.
 
-with Ada.Characters.Handling; use Ada.Characters.Handling;
 with Ada.Real_Time;    use Ada.Real_Time;
 
 with Interfaces.C;     use Interfaces.C;
@@ -38,18 +37,6 @@ procedure Image_Times is
 
    function Floor_Encode (Slot, Quality : int) return int
    with Import, Convention => C, External_Name => "image_floor_encode";
-
-   function Floor_Decode (Data : System.Address; Length : int) return int
-   with Import, Convention => C, External_Name => "image_floor_decode";
-
-   procedure Floor_Copy (To, From : System.Address; Length : size_t)
-   with Import, Convention => C, External_Name => "image_floor_copy";
-
-   type Identifiers is array (1 .. 4) of int;
-
-   function Floor_Markers (Slot : int; Ids : Identifiers; Count : int)
-     return int
-   with Import, Convention => C, External_Name => "image_floor_markers";
 
    function Connect return int
    with Import, Convention => C, External_Name => "image_connect";
@@ -143,73 +130,52 @@ procedure Image_Times is
 
    Wire : constant int := Connect;
 
-   type Stage is
-     (Grabbing, Decoding, Arena_Search, Drawing, Encoding, To_Text, Sending,
-      Whole, Passing, Through, None);
+   type Stage is (Passing, Arena_Search, Encoding, To_Text, Sending, Whole);
 
    Times, Floors : array (Stage) of Samples.Set;
 
    procedure Measure_Stages (Width, Height : Positive) is
-      Size   : constant String :=
-        Image (Width) & "x" & Image (Height);
-      Item   : Scenes.Description := Scene (Width, Height, 1, 0);
+      Size   : constant String := Image (Width) & "x" & Image (Height);
       Arena  : Arena_Corners;
-      Robots : Robot_Array;
-      Count  : Robot_Count;
       Result : Status;
       Length : Natural;
       Last   : Natural;
-      Begin_At : Time;
+
+      procedure Encode_Floor is
+      begin
+         Check (Floor_Encode (0, Quality) > 0, "encoding");
+         Start;
+         Check (Floor_Encode (0, Quality) > 0, "encoding");
+         Stop (Floors (Whole));
+      end Encode_Floor;
 
    begin
       for K in 1 .. Number loop
-         Item := Scene (Width, Height, 1, K mod 20);
          Taken := Natural
-           (Scenes.Jpeg (Item, Quality, Source'Address,
-                         Source'Length));
+           (Scenes.Jpeg (Scene (Width, Height, 1, K mod 20), Quality,
+                         Source'Address, Source'Length));
 
-         --  The camera's bytes, kept and passed on
+         --  The camera's bytes, checked, kept and passed on
          Start;
          Check (C_Load_Jpeg (0, Source'Address, int (Taken), int (Width),
                              int (Height)) = 0, "the camera's JPEG");
-         Stop (Times (Grabbing));
-         Floor_Copy (Jpeg'Address, Source'Address, size_t (Taken));
-         Stop (Floors (Grabbing));
          Encode (0, Quality, Jpeg, Length, Result);
          Stop (Times (Passing));
          Check (Result = Done and then Length = Taken, "passed on");
-         Times (Through).Add (Times (Grabbing).Last + Times (Passing).Last);
-         Start;
-         Floor_Copy (Jpeg'Address, Source'Address, size_t (Taken));
-         Stop (Floors (Passing));
 
-         --  The same decoded, searched and drawn in
          Check (Decode (0) = 0, "decoding");
-         Stop (Times (Decoding));
-         Check (Floor_Decode (Source'Address, int (Taken)) = int (Width),
-                "decoding");
-         Stop (Floors (Decoding));
+         Start;
          Find_Arena (0, Arena, Result);
          Stop (Times (Arena_Search));
          Check (Result = Done, "arena");
-         Find_Robots (0, Options.Aruco, Arena, True, Robots, Count, Result);
-         Check (Count = 1, "robot");
-         Start;
          Draw_Arena (0, Arena, Result);
-         Check (Result = Done, "drawing");
-         Draw_Robot (0, Robots (1), Result);
-         Stop (Times (Drawing));
-         Check (Result = Done, "drawing");
+         --  from now on the camera's bytes are another image's
 
          --  Encoded and sent, the floor first or second in turn
          if K mod 2 = 0 then
-            Check (Floor_Encode (0, Quality) > 0, "encoding");
-            Start;
-            Check (Floor_Encode (0, Quality) > 0, "encoding");
-            Stop (Floors (Encoding));
+            Encode_Floor;
          end if;
          Start;
-         Begin_At := Began;
          Encode (0, Quality, Jpeg, Length, Result);
          Stop (Times (Encoding));
          Check (Result = Done, "encoding");
@@ -217,42 +183,22 @@ procedure Image_Times is
          Stop (Times (To_Text));
          Send (Wire, Text'Address, int (Last));
          Stop (Times (Sending));
-         Began := Begin_At;
-         Stop (Times (Whole));
-         Start;
-         Floor_Copy (Text'Address, Out_Text'Address, size_t (Last));
-         Stop (Floors (To_Text));
+         Times (Whole).Add
+           (Times (Encoding).Last + Times (To_Text).Last
+            + Times (Sending).Last);
          if K mod 2 = 1 then
-            Check (Floor_Encode (0, Quality) > 0, "encoding");
-            Start;
-            Check (Floor_Encode (0, Quality) > 0, "encoding");
-            Stop (Floors (Encoding));
+            Encode_Floor;
          end if;
       end loop;
-      Floors (Whole) := Floors (Encoding);
-      Floors (Sending) := Floors (To_Text);
 
-      Report (Size & " grab: check and keep a JPEG",
-              Times (Grabbing), Floors (Grabbing));
-      Report (Size & " pass it on",
-              Times (Passing), Floors (Passing));
       Report (Size & " camera's JPEG passed through",
-              Times (Through), Floors (Through),
+              Times (Passing), Floors (Passing),
               (1 => (Reports.Median, 100.0, False)));
-      Report (Size & " decode",
-              Times (Decoding), Floors (Decoding));
-      Report (Size & " arena",
-              Times (Arena_Search), Floors (None));
-      Report (Size & " draw",
-              Times (Drawing), Floors (None));
-      Report (Size & " encode",
-              Times (Encoding), Floors (Encoding));
-      Report (Size & " base64",
-              Times (To_Text), Floors (To_Text));
-      Report (Size & " send",
-              Times (Sending), Floors (Sending));
-      Report (Size & " encode + base64 + send",
-              Times (Whole), Floors (Whole),
+      Report (Size & " arena", Times (Arena_Search), Floors (Arena_Search));
+      Report (Size & " encode", Times (Encoding), Floors (Encoding));
+      Report (Size & " base64", Times (To_Text), Floors (To_Text));
+      Report (Size & " send", Times (Sending), Floors (Sending));
+      Report (Size & " encode + base64 + send", Times (Whole), Floors (Whole),
               (1 => (Reports.Median_Ratio, 1.15, False)));
    end Measure_Stages;
 
@@ -263,7 +209,7 @@ procedure Image_Times is
         Image (Width) & "x" & Image (Height) & " " & Prefix;
       Full    : Samples.Set renames Times (Whole);
       Inside  : Samples.Set renames Times (Passing);
-      Follow  : Samples.Set renames Times (Drawing);
+      Follow  : Samples.Set renames Times (Encoding);
       Plain   : Samples.Set renames Floors (Whole);
       Copy    : Samples.Set renames Floors (Passing);
       Arena   : Arena_Corners;
@@ -348,79 +294,6 @@ procedure Image_Times is
       Report (Name & "whole image", Full, Plain);
    end Measure_Searches;
 
-   --  Markers beside OpenCV's detector at its defaults, on the same images
-
-   type Disturbance is (Plain, Small, Blurred, Noisy, Dark);
-
-   procedure Measure_Peer
-     (Width, Height : Positive; Kind : Disturbance)
-   is
-      Size  : constant String :=
-        Image (Width) & "x" & Image (Height);
-      Name  : constant String := To_Lower (Kind'Image);
-      Ours  : Samples.Set renames Times (Whole);
-      Peer  : Samples.Set renames Floors (Whole);
-      Item  : Scenes.Description;
-      Found : Robot_Array;
-      Count : Robot_Count;
-      Result : Status;
-      Ids   : Identifiers;
-      Right, Right_Peer : Natural := 0;
-
-      procedure Search is
-      begin
-         Start;
-         Find_Robots (0, Options.Aruco, No_Arena, False, Found, Count,
-                      Result);
-         Stop (Ours);
-         for Id of Ids loop
-            if (for some K in 1 .. Count => int (Found (K).Id) = Id) then
-               Right := Right + 1;
-            end if;
-         end loop;
-      end Search;
-
-      procedure Search_Peer is
-         Known : int;
-      begin
-         Start;
-         Known := Floor_Markers (0, Ids, Ids'Length);
-         Stop (Peer);
-         Right_Peer := Right_Peer + Natural (Known);
-      end Search_Peer;
-
-      function Share (Part : Natural) return Float is
-        (100.0 * Float (Part) / Float (Number * Ids'Length));
-
-   begin
-      for K in Ids'Range loop
-         Ids (K) := Markers (K).Id;
-      end loop;
-      for K in 1 .. Number loop
-         Item := Scene (Width, Height, Ids'Length, K);
-         case Kind is
-            when Plain   => null;
-            when Small   => Item.Fill := 0.4;
-            when Blurred => Item.Blur := double (Width) / 256.0;
-            when Noisy   => Item.Noise := 25.0;
-            when Dark    => Item.Uneven := 0.7;
-         end case;
-         Draw (Item);
-         Show (Width, Height);
-         if K mod 2 = 0 then
-            Search_Peer;
-            Search;
-         else
-            Search;
-            Search_Peer;
-         end if;
-      end loop;
-      Report (Size & " four robots, " & Name, Ours, Peer);
-      Reports.Put_Number
-        (Size & " found of four robots, " & Name, Share (Right), "%",
-         Floor => Share (Right_Peer));
-   end Measure_Peer;
-
    Widths  : constant array (1 .. 4) of Positive := (320, 640, 1_280, 1_920);
    Heights : constant array (1 .. 4) of Positive := (240, 480, 720, 1_080);
    Usage   : constant String :=
@@ -444,16 +317,11 @@ begin
       Reports.Begin_Section ("search", "robots and arena in an image");
       for Size in Widths'Range loop
          Measure_Searches (Widths (Size), Heights (Size), 1, "search: ");
-         for Kind in Disturbance loop
-            Measure_Peer (Widths (Size), Heights (Size), Kind);
-         end loop;
       end loop;
       for Robots in 0 .. 4 loop
          Measure_Searches (640, 480, Robots, Image (Robots) & " in view: ");
       end loop;
-      Reports.Put_Note
-        ("floors: the whole image; for four robots OpenCV's own detector, and"
-         & " what share of the markers it has found");
+      Reports.Put_Note ("floor: the whole image");
    else
       Reports.Begin_Section
         ("images", "an image's way, from the camera to the socket");
@@ -461,8 +329,7 @@ begin
          Measure_Stages (Widths (Size), Heights (Size));
       end loop;
       Reports.Put_Note
-        ("floors: libjpeg-turbo alone for decode, encode and the sum; memcpy"
-         & " of the same bytes for the other stages");
+        ("floor of the sum: libjpeg-turbo alone");
    end if;
    Reports.End_Section;
 
