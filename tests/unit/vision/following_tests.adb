@@ -271,30 +271,31 @@ procedure Following_Tests is
    procedure Test_Settle is
       Two   : constant Robot_Array :=
         (Robot_At (5, 100, 200), Robot_At (7, -9, 8), others => <>);
+      Six   : constant Robot := Robot_At (6, 0, 0);
       Known : Vision.Following.State;
-      Done  : Boolean;
+
+      procedure Settle
+        (Robots : Robot_Array; Count, Left : Robot_Count; What : String)
+      is
+         Done : Boolean;
+      begin
+         Vision.Following.Settle (Known, 100, Robots, Count, Done);
+         Assert (Done = (Left > 0)
+                 and then Vision.Following.Count (Known) = Left, What);
+         if not Done then
+            Vision.Following.Begin_Anew (Known, Two, 2);
+            Assert (Vision.Following.Count (Known) = 2, "known again");
+         end if;
+      end Settle;
+
    begin
       Vision.Following.Begin_Anew (Known, Two, 2);
-      Vision.Following.Settle (Known, 100, Two, 2, Done);
-      Assert (Done and then Vision.Following.Count (Known) = 2
-              and then Vision.Following.Age (Known) = 100, "both");
-      Vision.Following.Settle
-        (Known, 100, (Two (1), Robot_At (6, 0, 0), Two (2), others => <>),
-         3, Done);
-      Assert (Done and then Vision.Following.Count (Known) = 3, "one more");
-      Vision.Following.Settle (Known, 100, Two, 2, Done);
-      Assert
-        (not Done and then Vision.Following.Count (Known) = 0, "one less");
-      Vision.Following.Begin_Anew (Known, Two, 2);
-      Vision.Following.Settle
-        (Known, 100, (Two (1), Robot_At (6, 0, 0), others => <>), 2, Done);
-      Assert (not Done and then Vision.Following.Count (Known) = 0,
-              "another instead");
-      Vision.Following.Begin_Anew (Known, Two, 2);
-      Vision.Following.Settle (Known, 0, (others => <>), 0, Done);
-      Assert (not Done and then Vision.Following.Count (Known) = 0, "none");
-      Vision.Following.Begin_Anew (Known, Two, 2);
-      Assert (Vision.Following.Count (Known) = 2, "known again");
+      Settle (Two, 2, 2, "both");
+      Assert (Vision.Following.Age (Known) = 100, "their age");
+      Settle ((Two (1), Six, Two (2), others => <>), 3, 3, "one more");
+      Settle (Two, 2, 0, "one less");
+      Settle ((Two (1), Six, others => <>), 2, 0, "another instead");
+      Settle ((others => <>), 0, 0, "none");
       Vision.Following.Forget (Known);
       Assert (Vision.Following.Count (Known) = 0, "forgotten");
    end Test_Settle;
@@ -305,6 +306,14 @@ procedure Following_Tests is
       Number : Robot_Count;
       Item   : Answer;
       Result : Status;
+
+      procedure Expect (Wanted : Status; What : String) is
+      begin
+         Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count,
+                      Result, Areas, 1);
+         Assert (Result = Wanted and then Item.Count = 0, What);
+      end Expect;
+
    begin
       --  Numbers that no image gives rise to
       Vision.Following.Begin_Anew
@@ -315,19 +324,13 @@ procedure Following_Tests is
       Assert (Number = 1 and then Areas (1).Reach = Vision.Following.Furthest,
               "a limit");
       Draw (Still, 1);
-      Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count,
-                   Result, Areas, Number);
-      Assert (Result = Bad_Argument and then Item.Count = 0, "refused");
+      Expect (Bad_Argument, "refused");
       Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count,
                    Result);
       Areas (1) := ((22_000_000, 40_000_000), -1);
-      Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count,
-                   Result, Areas, 1);
-      Assert (Result = Bad_Argument, "less than nothing");
+      Expect (Bad_Argument, "less than nothing");
       Areas (1) := ((-900_000_000, 40_000_000), 5_000_000);
-      Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count,
-                   Result, Areas, 1);
-      Assert (Result = Not_Found, "beside the image");
+      Expect (Not_Found, "beside the image");
    end Test_Far_Away;
 
 begin
