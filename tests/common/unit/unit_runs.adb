@@ -59,12 +59,14 @@ package body Unit_Runs is
          Unused);
    end Run_Test;
 
-   function Split (Table : String) return Line_Vectors.Vector is
+   function Split
+     (Table : String; Bar : Character := '|') return Line_Vectors.Vector
+   is
       First  : Positive := Table'First;
       Result : Line_Vectors.Vector;
    begin
       for Place in Table'Range loop
-         if Table (Place) = '|' then
+         if Table (Place) = Bar then
             Result.Append (Table (First .. Place - 1));
             First := Place + 1;
          end if;

@@ -15,7 +15,8 @@ package Unit_Runs is
    package Line_Vectors is
      new Ada.Containers.Indefinite_Vectors (Positive, String);
 
-   function Split (Table : String) return Line_Vectors.Vector;
+   function Split
+     (Table : String; Bar : Character := '|') return Line_Vectors.Vector;
    --  What is between its bars
 
    procedure Finish;

@@ -147,15 +147,17 @@ procedure Robot_Core_Tests is
       end Check;
 
       procedure Carry_Out (Word : String) is
-         Split : constant Natural :=
+         Gap   : constant Natural :=
            Index (Word, Ada.Strings.Maps.To_Set (">!:"));
-         Key   : constant String := Word (Word'First .. Split - 1);
+         Key   : constant String := Word (Word'First .. Gap - 1);
          Value : constant String :=
-           Word (Natural'Max (Split, Word'First) + 1 .. Word'Last);
+           Word (Natural'Max (Gap, Word'First) + 1 .. Word'Last);
       begin
-         if Split > 0 and then Word (Split) = '>' then
+         if Word = "" then
+            null;
+         elsif Gap > 0 and then Word (Gap) = '>' then
             Check (Ask (R, Key) = Value, Word);
-         elsif Split > 0 and then Word (Split) = '!' then
+         elsif Gap > 0 and then Word (Gap) = '!' then
             Check (Raw_Answer (R, Bytes (Key)) = Value, Word);
          elsif Key = "battery" then
             Set_Battery
@@ -166,7 +168,7 @@ procedure Robot_Core_Tests is
             Set_Charging (R, Boolean'Value (Value));
          elsif Key = "watchdog" then
             Check (Watchdog_On (R) = Boolean'Value (Value), Word);
-         elsif Split > 0 then
+         elsif Gap > 0 then
             Check (Long_Long_Integer'Value (Value) =
                      (if Key = "missed" then Long_Long_Integer (Missed (R))
                       elsif Key = "total"
@@ -198,18 +200,9 @@ procedure Robot_Core_Tests is
          end if;
       end Carry_Out;
 
-      From : Positive := Script'First;
-      Gap  : Natural;
    begin
-      while From <= Script'Last loop
-         Gap := Index (Script, " ", From);
-         if Gap = 0 then
-            Gap := Script'Last + 1;
-         end if;
-         if Gap > From then
-            Carry_Out (Script (From .. Gap - 1));
-         end if;
-         From := Gap + 1;
+      for Word of Split (Script, ' ') loop
+         Carry_Out (Word);
       end loop;
    end Play;
 

@@ -3,7 +3,7 @@
 
 with Ada.Numerics;
 with Ada.Numerics.Long_Elementary_Functions;
-with Interfaces;
+with Ada.Strings.Fixed; use Ada.Strings.Fixed;
 
 with AUnit.Assertions; use AUnit.Assertions;
 
@@ -12,7 +12,6 @@ with Unit_Runs; use Unit_Runs;
 
 procedure Robot_Motion_Tests is
 
-   type Values is array (1 .. 3) of Micro;
    type Pulls is array (Positive range <>) of Pull_Angle;
 
    type Exact_Pose is record
@@ -106,6 +105,103 @@ procedure Robot_Motion_Tests is
       Place (M, (X, Y, Angle));
       return M;
    end Placed;
+
+   procedure Play (Script : String; Wheels : Wheel_Errors := (others => <>)) is
+      --  Its words: "@X,Y,ANGLE" places it; "go:N" and "turn:N" order,
+      --  "halt" halts; "+N" microseconds pass, "!N" just as many until the
+      --  order ends; "moves" and "rests"; "=X,Y,ANGLE" is where it is, with
+      --  the tolerance that "~N" has set
+      M         : Motion;
+      Tolerance : Micro := 0;
+
+      function Part (Word : String; Number : Positive) return Micro is
+        (Micro'Value (Split (Word, ',') (Number)));
+
+      procedure Carry_Out (Word : String) is
+         Rest  : constant String := Word (Word'First + 1 .. Word'Last);
+         Colon : constant Natural := Index (Word, ":");
+         Order : constant String :=
+           Word (Natural'Max (Colon, Word'First) + 1 .. Word'Last);
+      begin
+         case Word (Word'First) is
+            when '@' =>
+               Place (M, (Part (Rest, 1), Part (Rest, 2), Part (Rest, 3)));
+            when '=' =>
+               Expect (M, Part (Rest, 1), Part (Rest, 2), Part (Rest, 3),
+                       Tolerance);
+            when '+' => Pass (M, Micro'Value (Rest));
+            when '!' => Pass_To_End (M, Micro'Value (Rest));
+            when '~' => Tolerance := Micro'Value (Rest);
+            when 'g' => Go (M, Integer'Value (Order), Wheels);
+            when 't' => Turn (M, Integer'Value (Order), Wheels);
+            when 'h' => Halt (M);
+            when others =>
+               Assert (Is_Moving (M) = (Word = "moves"),
+                       Word & " in " & Script);
+         end case;
+      end Carry_Out;
+
+   begin
+      for Word of Split (Script, ' ') loop
+         Carry_Out (Word);
+      end loop;
+   end Play;
+
+   procedure Test_Orders is
+      M : Motion;
+   begin
+      --  Straight on
+
+      Play ("=400_000,300_000,0 rests go:1 !5_000 =401_000,300_000,0"
+            & " go:-201 +1_005_000 =200_000,300_000,0");
+
+      --  Turns, and those without an end
+
+      Play ("turn:90 +500_000 =400_000,300_000,45_000_000 !500_000"
+            & " =400_000,300_000,90_000_000 turn:-91 +2_000_000"
+            & " =400_000,300_000,359_000_000 turn:7 +77_778 rests"
+            & " =400_000,300_000,6_000_000 turn:720 +8_000_000"
+            & " =400_000,300_000,6_000_000");
+      Play ("turn:32767 " & 1_000 * "+4_000_000 " & "moves =400_000,300_000,0"
+            & " +500_000 =400_000,300_000,45_000_000 turn:-32768 +1_000_000"
+            & " =400_000,300_000,315_000_000");
+
+      --  A halt, and orders by 0
+
+      Play ("go:500 +300_000 halt rests =460_000,300_000,0 +10_000_000"
+            & " =460_000,300_000,0 turn:90 +250_000 turn:0 rests"
+            & " =460_000,300_000,22_500_000 go:0 rests");
+
+      --  100 squares
+
+      Play ("@300_000,200_000,0 "
+            & 400 * "go:200 +1_000_000 turn:90 +1_000_000 "
+            & "=300_000,200_000,0");
+
+      --  The longest finite orders take their time and end where they must;
+      --  32,766 * 1.3 * 1.2 degrees are 141 turns and 354.96 degrees
+
+      Play ("turn:32766 !364_066_667 =400_000,300_000,6_000_000"
+            & " @400_000,300_000,0 turn:-32767 +365_000_000"
+            & " =400_000,300_000,353_000_000 @400_000,300_000,0 go:32766"
+            & " !163_830_000 =738_000,300_000,0");
+      Play ("turn:32766 !436_880_000 =400_000,300_000,354_960_000",
+            (130, 130, 20, 30));
+      Go (M, -32_767, (130, 130, 20, 30));
+      Pass_To_End (M, 163_835_000);
+      Assert (Pose_Of (M).X = 62_000, "not at the wall");
+
+      --  Walls: it stops where it touches, does not slide along, and gets
+      --  away again. Its wheels slip: an order takes as long as elsewhere
+
+      Play ("go:32767 +60_000_000 =738_000,300_000,0 go:-32768 +60_000_000"
+            & " =62_000,300_000,0 @400_000,300_000,90_000_000 go:32767"
+            & " +60_000_000 =400_000,538_000,90_000_000 go:-32768 +60_000_000"
+            & " =400_000,62_000,90_000_000 @700_000,300_000,45_000_000"
+            & " go:32767 +60_000_000 ~5 =738_000,338_000,45_000_000 go:-50"
+            & " +250_000 ~10 =702_645,302_645,45_000_000"
+            & " @738_000,300_000,0 go:200 !1_000_000 ~0 =738_000,300_000,0");
+   end Test_Orders;
 
    procedure Test_Arc_Touches_A_Wall is
       Left : constant Wheel_Errors := (Pull => 30, others => <>);
@@ -247,20 +343,6 @@ procedure Robot_Motion_Tests is
       end loop;
    end Test_Back_Along_An_Arc;
 
-   procedure Test_Endless is
-      M : Motion;
-   begin
-      Turn (M, Endless_Forward);
-      for K in 1 .. 1_000 loop
-         Pass (M, 4_000_000);
-      end loop;
-      Assert (Is_Moving (M), "ended");
-      Expect (M, 400_000, 300_000, 0);
-      Expect_After (M, 500_000, 400_000, 300_000, 45_000_000);
-      Turn (M, Endless_Backward);
-      Expect_After (M, 1_000_000, 400_000, 300_000, 315_000_000);
-   end Test_Endless;
-
    procedure Test_Every_Direction is
       use Ada.Numerics.Long_Elementary_Functions;
       M : Motion;
@@ -283,102 +365,6 @@ procedure Robot_Motion_Tests is
       end loop;
    end Test_Every_Direction;
 
-   procedure Test_Extremes is
-      M : Motion;
-   begin
-      --  The longest finite orders take their time and end where they must
-
-      Turn (M, 32_766);
-      Expect_End (M, 364_066_667, 400_000, 300_000, 6_000_000);
-
-      M := Placed (400_000, 300_000, 0);
-      Turn (M, -32_767);
-      Expect_After (M, 365_000_000, 400_000, 300_000, 353_000_000);
-
-      M := Placed (400_000, 300_000, 0);
-      Go (M, 32_766);
-      Expect_End (M, 163_830_000, 738_000, 300_000, 0);
-   end Test_Extremes;
-
-   procedure Test_Extremes_With_Errors is
-      Most : constant Wheel_Errors := (130, 130, 20, 30);
-      M    : Motion;
-   begin
-      --  32,766 * 1.3 * 1.2 degrees are 141 turns and 354.96 degrees
-
-      Turn (M, 32_766, Most);
-      Expect_End (M, 436_880_000, 400_000, 300_000, 354_960_000);
-
-      M := Placed (400_000, 300_000, 0);
-      Go (M, -32_767, Most);
-      Pass_To_End (M, 163_835_000);
-      Assert (Pose_Of (M).X = 62_000, "not at the wall");
-   end Test_Extremes_With_Errors;
-
-   procedure Test_Halt is
-      M : Motion;
-   begin
-      Go (M, 500);
-      Pass (M, 300_000);
-      Halt (M);
-      Assert (not Is_Moving (M), "moving");
-      Expect (M, 460_000, 300_000, 0);
-      Expect_After (M, 10_000_000, 460_000, 300_000, 0);
-      Turn (M, 90);
-      Pass (M, 250_000);
-      Turn (M, 0);
-      Assert (not Is_Moving (M), "turning");
-      Expect (M, 460_000, 300_000, 22_500_000);
-      Go (M, 0);
-      Assert (not Is_Moving (M), "moving by 0");
-   end Test_Halt;
-
-   procedure Test_Ideal_As_Ever is
-      use Interfaces;
-
-      Seed : Unsigned_32 := 1;
-      Sum  : Unsigned_64 := 0;
-      M    : Motion;
-      P    : Pose;
-
-      function Draw (Below : Unsigned_32) return Unsigned_32 is
-      begin
-         Seed := Seed * 1_664_525 + 1_013_904_223;
-         return Shift_Right (Seed, 8) mod Below;
-      end Draw;
-   begin
-      for K in 1 .. 100_000 loop
-         case Draw (12) is
-            when 0 =>
-               Go (M, Integer (Draw (800)) - 400);
-            when 1 =>
-               Turn (M, Integer (Draw (800)) - 400);
-            when 2 =>
-               Go (M, (if Draw (2) = 0 then Endless_Forward
-                       else Endless_Backward));
-            when 3 =>
-               Turn (M, (if Draw (2) = 0 then Endless_Forward
-                         else Endless_Backward));
-            when 4 =>
-               P.X := 62_000 + Micro (Draw (676_001));
-               P.Y := 62_000 + Micro (Draw (476_001));
-               P.Angle := Micro (Draw (16_777_216)) * 21;
-               Place (M, P);
-            when others =>
-               Advance (M, Micro (Draw (1_000_001)));
-         end case;
-         P := Pose_Of (M);
-         for Value of Values'(P.X, P.Y, P.Angle) loop
-            Sum := Sum * 31 + Unsigned_64 (Value);
-         end loop;
-         Sum := Sum * 31 + Boolean'Pos (Is_Moving (M));
-      end loop;
-
-      --  What it was before wheels could be anything but ideal
-
-      Assert (Sum = 17_283_344_166_477_718_937, "other poses:" & Sum'Image);
-   end Test_Ideal_As_Ever;
-
    procedure Test_Overshoot is
       M : Motion;
    begin
@@ -389,26 +375,20 @@ procedure Robot_Motion_Tests is
                      90_000_000 + Micro (Part) * 900_000);
       end loop;
 
-      Turn (M, -90, (Overshoot => 20, others => <>));
-      Expect_After (M, 1_000_000, 400_000, 300_000, 18_000_000);
-      Expect_After (M, 500_000, 400_000, 300_000, 0);
+      Play ("@400_000,300_000,108_000_000 turn:-90 +1_000_000"
+            & " =400_000,300_000,18_000_000 +500_000 =400_000,300_000,0",
+            (Overshoot => 20, others => <>));
 
       --  Its factor and that of the speed: 90 * 0.7 * 1.2. Neither stopping
       --  a turn nor an endless one knows it, nor a way.
 
-      Turn (M, 90, (Turn_Speed => 70, Overshoot => 20, others => <>));
-      Expect_End (M, 1_200_000, 400_000, 300_000, 75_600_000);
-      Turn (M, -90, (Overshoot => 20, others => <>));
-      Pass (M, 840_000);
-      Halt (M);
-      Expect_After (M, 1_000_000, 400_000, 300_000, 0);
-      Turn (M, Endless_Forward, (Overshoot => 20, others => <>));
-      Expect_After (M, 41_000_000, 400_000, 300_000, 90_000_000);
-      Halt (M);
-      Go (M, 100, (Overshoot => 20, others => <>));
-      Pass (M, 500_000);
-      Assert (not Is_Moving (M), "too late");
-      Expect (M, 400_000, 400_000, 90_000_000);
+      Play ("turn:90 !1_200_000 =400_000,300_000,75_600_000",
+            (Turn_Speed => 70, Overshoot => 20, others => <>));
+      Play ("@400_000,300_000,75_600_000 turn:-90 +840_000 halt +1_000_000"
+            & " =400_000,300_000,0 turn:32767 +41_000_000"
+            & " =400_000,300_000,90_000_000 halt go:100 +500_000 rests"
+            & " =400_000,400_000,90_000_000",
+            (Overshoot => 20, others => <>));
    end Test_Overshoot;
 
    procedure Test_Sine is
@@ -459,20 +439,6 @@ procedure Robot_Motion_Tests is
       Expect_After (M, 100_000_000, 700_000, 538_000, 90_000_000);
    end Test_Speed;
 
-   procedure Test_Square is
-      M : Motion := Placed (300_000, 200_000, 0);
-   begin
-      for Round in 1 .. 100 loop
-         for Side in 1 .. 4 loop
-            Go (M, 200);
-            Pass (M, 1_000_000);
-            Turn (M, 90);
-            Pass (M, 1_000_000);
-         end loop;
-      end loop;
-      Expect (M, 300_000, 200_000, 0);
-   end Test_Square;
-
    procedure Test_Steps_Do_Not_Matter is
       A, B : Motion := Placed (300_000, 200_000, 33_300_000);
       P    : Pose;
@@ -486,17 +452,6 @@ procedure Robot_Motion_Tests is
       P := Pose_Of (A);
       Expect (B, P.X, P.Y, P.Angle);
    end Test_Steps_Do_Not_Matter;
-
-   procedure Test_Straight is
-      M : Motion;
-   begin
-      Expect (M, 400_000, 300_000, 0);
-      Assert (not Is_Moving (M), "moving from the beginning");
-      Go (M, 1);
-      Expect_End (M, 5_000, 401_000, 300_000, 0);
-      Go (M, -201);
-      Expect_After (M, 1_005_000, 200_000, 300_000, 0);
-   end Test_Straight;
 
    procedure Test_Turn_Speed is
       M : Motion;
@@ -523,48 +478,9 @@ procedure Robot_Motion_Tests is
       end loop;
    end Test_Turn_Speed;
 
-   procedure Test_Turns is
-      M : Motion;
-   begin
-      Turn (M, 90);
-      Expect_After (M, 500_000, 400_000, 300_000, 45_000_000);
-      Expect_End (M, 500_000, 400_000, 300_000, 90_000_000);
-      Turn (M, -91);
-      Expect_After (M, 2_000_000, 400_000, 300_000, 359_000_000);
-      Turn (M, 7);
-      Pass (M, 77_778);
-      Assert (not Is_Moving (M), "7 degrees, 77.8 ms");
-      Expect (M, 400_000, 300_000, 6_000_000);
-      Turn (M, 720);
-      Expect_After (M, 8_000_000, 400_000, 300_000, 6_000_000);
-   end Test_Turns;
-
    procedure Test_Walls is
       M : Motion;
    begin
-      Go (M, Endless_Forward);
-      Expect_After (M, 60_000_000, 738_000, 300_000, 0);
-      Go (M, Endless_Backward);
-      Expect_After (M, 60_000_000, 62_000, 300_000, 0);
-
-      M := Placed (400_000, 300_000, 90_000_000);
-      Go (M, Endless_Forward);
-      Expect_After (M, 60_000_000, 400_000, 538_000, 90_000_000);
-      Go (M, Endless_Backward);
-      Expect_After (M, 60_000_000, 400_000, 62_000, 90_000_000);
-
-      --  It stops where it touches, it does not slide along
-
-      M := Placed (700_000, 300_000, 45_000_000);
-      Go (M, Endless_Forward);
-      Expect_After
-        (M, 60_000_000, 738_000, 338_000, 45_000_000, Tolerance => 5);
-
-      --  And it gets away again
-
-      Go (M, -50);
-      Expect_After (M, 250_000, 702_645, 302_645, 45_000_000, Tolerance => 10);
-
       --  Every direction, however slanted
 
       for Degree in 0 .. 359 loop
@@ -583,28 +499,12 @@ procedure Robot_Motion_Tests is
       end loop;
    end Test_Walls;
 
-   procedure Test_Wall_Keeps_Busy is
-      M : Motion := Placed (738_000, 300_000, 0);
-   begin
-      --  The wheels slip: the order takes as long as on free ground
-
-      Go (M, 200);
-      Expect_End (M, 1_000_000, 738_000, 300_000, 0);
-   end Test_Wall_Keeps_Busy;
-
 begin
    Run_Test ("sine and cosine", Test_Sine'Access);
-   Run_Test ("straight on", Test_Straight'Access);
+   Run_Test ("orders, one by one", Test_Orders'Access);
    Run_Test ("every direction", Test_Every_Direction'Access);
-   Run_Test ("turns", Test_Turns'Access);
-   Run_Test ("halt", Test_Halt'Access);
    Run_Test ("walls", Test_Walls'Access);
-   Run_Test ("busy at a wall", Test_Wall_Keeps_Busy'Access);
-   Run_Test ("endless turns", Test_Endless'Access);
    Run_Test ("small steps or large", Test_Steps_Do_Not_Matter'Access);
-   Run_Test ("100 squares", Test_Square'Access);
-   Run_Test ("longest orders", Test_Extremes'Access);
-   Run_Test ("ideal wheels as ever", Test_Ideal_As_Ever'Access);
    Run_Test ("speeds", Test_Speed'Access);
    Run_Test ("speeds of turns", Test_Turn_Speed'Access);
    Run_Test ("overshoot", Test_Overshoot'Access);
@@ -612,5 +512,4 @@ begin
    Run_Test ("back along an arc", Test_Back_Along_An_Arc'Access);
    Run_Test ("arcs at walls", Test_Arcs_At_Walls'Access);
    Run_Test ("an arc that touches a wall", Test_Arc_Touches_A_Wall'Access);
-   Run_Test ("longest of the fastest", Test_Extremes_With_Errors'Access);
 end Robot_Motion_Tests;
