@@ -49,9 +49,8 @@ package body Both_Ends is
 
    procedure Write (File : int; Text : String) is
    begin
-      Check
-        (Libc.Write (File, Text'Address, Text'Length) = Text'Length,
-         "cannot be written");
+      Check (Libc.Write (File, Text'Address, Text'Length) = Text'Length,
+             "cannot be written");
    end Write;
 
    procedure Open_Line (Where : Place) is
@@ -78,8 +77,7 @@ package body Both_Ends is
       Connect_Socket
         (Socket,
          (Family_Inet, Inet_Addr ("127.0.0.1"), Port_Type (Port)));
-      Set_Socket_Option
-        (Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
+      Set_Socket_Option (Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
       S.Socket := int (To_C (Socket));
       S.By_Lines := By_Lines;
       S.Message := (others => <>);
@@ -139,11 +137,9 @@ package body Both_Ends is
             S.Frame.Text := Head
               (S.Frame.Text, Natural'Max (1, Length (S.Frame.Text)) - 1);
             S.Frames.Append (S.Frame);
-            if S.Frame.Text /= S.Held and then Length (S.Frame.Text) > 0
-            then
-               Write
-                 (Master (Where),
-                  Framed (Answer_To (To_String (S.Frame.Text))));
+            if S.Frame.Text /= S.Held and then Length (S.Frame.Text) > 0 then
+               Write (Master (Where),
+                      Framed (Answer_To (To_String (S.Frame.Text))));
             end if;
             S.Frame := (others => <>);
          else
@@ -165,8 +161,7 @@ package body Both_Ends is
       Time := Now;
       if Last <= 0 then
          Disconnect (Where);
-         S.Messages.Append
-           (Event'(Time, Time, To_Unbounded_String (Gone), 0));
+         S.Messages.Append (Event'(Time, Time, To_Unbounded_String (Gone), 0));
          return;
       end if;
       if not S.By_Lines then
@@ -180,10 +175,9 @@ package body Both_Ends is
          end if;
          Stop := Index (Data (Next .. Natural (Last)), (1 => ASCII.LF));
          if Length (S.Message.Text) < Label_Size then
-            Append
-              (S.Message.Text,
-               Data (Next .. (if Stop = 0 then Natural (Last)
-                              else Stop - 1)));
+            Append (S.Message.Text,
+                    Data (Next .. (if Stop = 0 then Natural (Last)
+                                   else Stop - 1)));
             S.Message.Text := Head
               (S.Message.Text,
                Natural'Min (Label_Size, Length (S.Message.Text)));
@@ -253,8 +247,7 @@ package body Both_Ends is
       end loop;
    end Await_Message;
 
-   procedure Await_Frame (Where : Place; Text : String; Time : out Instant)
-   is
+   procedure Await_Frame (Where : Place; Text : String; Time : out Instant) is
       S        : State renames States (Where);
       End_Time : constant Instant := Now + 2.0;
    begin

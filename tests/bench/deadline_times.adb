@@ -83,8 +83,7 @@ package body Deadline_Times is
    package Sending_Vectors is new Ada.Containers.Vectors (Positive, Sending);
 
    Baud      : constant Positive := 9_600;
-   Byte_Time : constant Duration :=
-     Duration (10_000_000 / Baud) / 1_000_000;
+   Byte_Time : constant Duration := Duration (10_000_000 / Baud) / 1_000_000;
    Frame_End : constant := 2;
    --  the checksum and the end of an answer
 
@@ -201,8 +200,7 @@ package body Deadline_Times is
       Sound := True;
       Connect (R);
       R.Monitor.Send_Line ("RPIN");
-      Spans.Append
-        ((First_Answer, Begun, R.Monitor.Next_Answer.Time));
+      Spans.Append ((First_Answer, Begun, R.Monitor.Next_Answer.Time));
       Start_Robot (R, Watchdog => True);
       Open_Camera (R, Positions => True);
       Missed := R.Emulator.Status_Number ("missed_total");
@@ -268,8 +266,7 @@ package body Deadline_Times is
    begin
       Start := Never;
       for Item of Journal loop
-         Answer := Item.Last
-           + (Length (Item.Answer) + Frame_End) * Byte_Time;
+         Answer := Item.Last + (Length (Item.Answer) + Frame_End) * Byte_Time;
          while Place <= Sent.Last_Index
            and then (Sent (Place).Order = ""
                      or else Sent (Place).Answered < Item.First)
@@ -296,9 +293,8 @@ package body Deadline_Times is
             Reloads := Reloads + 1;
             Turn := Natural ((Item.First - Start) / Reload_Period);
             Due := Start + Turn * Reload_Period;
-            Spans.Append
-              ((Reload, Instant'Min (Due, Item.First),
-                Instant'Max (Due, Item.First)));
+            Spans.Append ((Reload, Instant'Min (Due, Item.First),
+                           Instant'Max (Due, Item.First)));
          elsif Item.Command = "M=0" and then Item.First >= Lost
            and then Sound and then not Stopped
          then
@@ -419,11 +415,10 @@ package body Deadline_Times is
          Sound : Boolean;
       begin
          R.Emulator.Clear_Journal;
-         Drive
-           (R,
-            Instant'Min
-              (End_Time, Now + 10.0 + 10.0 * Duration (Random (Source))),
-            Spans, Sent, Found, Sound, Count);
+         Drive (R,
+                Instant'Min
+                  (End_Time, Now + 10.0 + 10.0 * Duration (Random (Source))),
+                Spans, Sent, Found, Sound, Count);
          --  the stop, and what the watch for stand-stills has yet to notice
          delay 0.5;
          Look_At_Line
@@ -456,13 +451,11 @@ package body Deadline_Times is
             Run_Session;
          exception
             when Problem : Failed =>
-               Check
-                 (R.Supervisor.Is_Running,
-                  "the supervisor has ended: " & R.Supervisor.Log_Text);
+               Check (R.Supervisor.Is_Running,
+                      "the supervisor has ended: " & R.Supervisor.Log_Text);
                Count.Broken := Count.Broken + 1;
-               Reports.Put_Note
-                 ("session" & Count.Sessions'Image & ": "
-                  & Ada.Exceptions.Exception_Message (Problem));
+               Reports.Put_Note ("session" & Count.Sessions'Image & ": "
+                                 & Ada.Exceptions.Exception_Message (Problem));
          end;
          R.Monitor.Close;
          if Now - Said > 300.0 then
@@ -492,9 +485,8 @@ package body Deadline_Times is
       Put ("reloads that did not come", Count.Reloads, 0);
       Put ("windows of the watchdog missed", Count.Windows, 0);
       Put ("battery levels that did not come", Count.Levels, 0);
-      Reports.Put_Number
-        ("longest stand-still of a processor",
-         1.0E6 * Float (Standstills.Longest), "us");
+      Reports.Put_Number ("longest stand-still of a processor",
+                          1.0E6 * Float (Standstills.Longest), "us");
       Taken := Host_Time.Taken - Host;
       Reports.Put_Number
         ("longest way of a byte through another pseudo-terminal",

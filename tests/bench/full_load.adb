@@ -33,11 +33,9 @@ package body Full_Load is
       Answer_Bytes : constant := 3;
       --  of the robot: a character, its checksum, the end
 
-      Byte_Time : constant Duration :=
-        (if Baud = 0 then 0.0 else 10.0 / Baud);
+      Byte_Time : constant Duration := (if Baud = 0 then 0.0 else 10.0 / Baud);
 
-      Where : constant String :=
-        (if Baud = 0 then "unpaced, " else "9600, ");
+      Where : constant String := (if Baud = 0 then "unpaced, " else "9600, ");
       --  the robot's line
 
       type Sending is record
@@ -129,9 +127,8 @@ package body Full_Load is
                   Number := Number + 1;
                end loop;
                exit when Number > R.Monitor.Count;
-               Robots.Add
-                 (R.Monitor.Element (Number).Time
-                  - (Item.Last + Answer_Bytes * Byte_Time));
+               Robots.Add (R.Monitor.Element (Number).Time
+                           - (Item.Last + Answer_Bytes * Byte_Time));
                Number := Number + 1;
             end if;
          end loop;
@@ -236,12 +233,10 @@ package body Full_Load is
       Evaluate_Robot_Answers;
       Evaluate_Periods;
 
-      Reports.Put
-        (Where & "F4 command to the supervisor's own answer", Own,
-         (1 => (Reports.P999, 10_000.0, False)));
-      Reports.Put
-        (Where & "F4 robot's answer to the monitor's", Robots,
-         (1 => (Reports.P999, 10_000.0, False)));
+      Reports.Put (Where & "F4 command to the supervisor's own answer", Own,
+                   (1 => (Reports.P999, 10_000.0, False)));
+      Reports.Put (Where & "F4 robot's answer to the monitor's", Robots,
+                   (1 => (Reports.P999, 10_000.0, False)));
       Put_Off ("F11 reload at the robot, furthest off 1000 ms", 0.050,
                Spread (Reloads, 1.0, 1.0));
       Reports.Put_Number
@@ -249,9 +244,8 @@ package body Full_Load is
          Wanted => (1 => (Reports.Value, 0.0, False)));
       Reports.Put (Where & "F12 order to first byte on the line", Orders);
       if Baud > 0 then
-         Reports.Put
-           (Where & "F12 without waiting for the line", Net,
-            (1 => (Reports.P999, 5_000.0, False)));
+         Reports.Put (Where & "F12 without waiting for the line", Net,
+                      (1 => (Reports.P999, 5_000.0, False)));
       end if;
       --  an unpaced line has no time of its own that could be told from the
       --  robot's and the pseudo-terminal's
@@ -259,8 +253,7 @@ package body Full_Load is
                abs (Batteries.Mean - 0.5));
       Put_Off ("F13 battery levels, p99 off 500 ms", 0.020,
                Spread (Batteries, 0.99, 0.5));
-      Put_Off ("F15 images, mean off 100 ms", 0.001,
-               abs (Images.Mean - 0.1));
+      Put_Off ("F15 images, mean off 100 ms", 0.001, abs (Images.Mean - 0.1));
       Put_Off ("F15 images, p99 off 100 ms", 0.020,
                Spread (Images, 0.99, 0.1));
       Reports.Put (Where & "F18 between positions", Places);
@@ -281,10 +274,9 @@ package body Full_Load is
       Reports.Begin_Section
         ("tasks", "what one activity of a task takes under that load, for"
          & " single commands, and beside missions");
-      Measure
-        (Baud    => 9_600,
-         Tasks   => True,
-         Seconds => Bench_Settings.Short_Seconds);
+      Measure (Baud    => 9_600,
+               Tasks   => True,
+               Seconds => Bench_Settings.Short_Seconds);
       Single_Commands.Measure_Tasks;
       Mission_Drives.Measure_Tasks;
       Task_Times.Print;

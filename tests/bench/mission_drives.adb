@@ -34,10 +34,9 @@ package body Mission_Drives is
       Text : Unbounded_String := To_Unbounded_String ("MPCM");
    begin
       for Number in 1 .. Points loop
-         Append
-           (Text,
-            (if Number = 1 then ":" else ";") & Place (80) & ";"
-            & Place (60));
+         Append (Text,
+                 (if Number = 1 then ":" else ";") & Place (80) & ";"
+                 & Place (60));
       end loop;
       return To_String (Text);
    end Random_Path;
@@ -54,9 +53,7 @@ package body Mission_Drives is
       end loop;
    end Prepare;
 
-   procedure Drive
-     (R : in out Rig; For_Time : Duration; Count : out Tally)
-   is
+   procedure Drive (R : in out Rig; For_Time : Duration; Count : out Tally) is
       Start : constant Instant := Now;
       Ends  : Natural := R.Monitor.Count_Of ("MEND");
       --  with that of the mission under way
@@ -127,8 +124,7 @@ package body Mission_Drives is
       Reset (Source, 1919);
       loop
          Count.Missions := Count.Missions + 1;
-         Drive_One (By_Hand => Count.Missions mod 3 = 0,
-                    As_Meant => As_Meant);
+         Drive_One (By_Hand => Count.Missions mod 3 = 0, As_Meant => As_Meant);
          if not As_Meant then
             Count.Otherwise := Count.Otherwise + 1;
          end if;

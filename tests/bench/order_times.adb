@@ -70,13 +70,11 @@ package body Order_Times is
       or else (Libc.Geteuid = 0 and then Own_Process.Real_Time_Allowed));
 
    function Is_Taken (Through : Passage; Under : Condition) return Boolean is
-     (Through = Ours
-      or else (Through = Traced) = (Under = Beside_Traced));
+     (Through = Ours or else (Through = Traced) = (Under = Beside_Traced));
 
    procedure One (Through : Passage; Result : out Exchange) is
       --  a different one each time
-      Value : constant String :=
-        Image (1 + Amount mod 9_000);
+      Value : constant String := Image (1 + Amount mod 9_000);
    begin
       Amount := Amount + 1;
       Serve (0.001 + 0.002 * Duration (Random (Source)));
@@ -106,8 +104,7 @@ package body Order_Times is
       if Which in Supervisor_Passage then
          Forget (Place_Of (Which));
          Send (Place_Of (Which), "ROPN" & ASCII.LF & "RSOW" & ASCII.LF);
-         Await_Message
-           (Place_Of (Which), "AACK ACRJ ATIM ANAK", Count => 2);
+         Await_Message (Place_Of (Which), "AACK ACRJ ATIM ANAK", Count => 2);
       end if;
    end Recover;
 
@@ -172,12 +169,11 @@ package body Order_Times is
                One (Which, Result);
                exit when Result.Clean;
                Left_Out := Left_Out + 1;
-               Check
-                 (Attempt < Attempts,
-                  "no exchange succeeds any more: " & Which'Image
-                  & ", on the line" & Said (Frames (Place_Of (Which)))
-                  & ", to the monitor"
-                  & Said (Messages (Place_Of (Which))));
+               Check (Attempt < Attempts,
+                      "no exchange succeeds any more: " & Which'Image
+                      & ", on the line" & Said (Frames (Place_Of (Which)))
+                      & ", to the monitor"
+                      & Said (Messages (Place_Of (Which))));
                Recover (Which);
             end loop;
             Orders (Under) (Which).Add (Result.Order);
@@ -220,9 +216,7 @@ package body Order_Times is
                  (if Under in Service | Loaded_Service
                   then Programs.Copied_Supervisor
                   else ""));
-            Connect
-              (Place_Of (Which), Driving (Which).Port,
-               By_Lines => True);
+            Connect (Place_Of (Which), Driving (Which).Port, By_Lines => True);
          end if;
       end loop;
       Own_Process.Prefer_Real_Time (True);
@@ -284,9 +278,8 @@ package body Order_Times is
             Reports.Compare
               (Name & ", " & Title, Both (Ours), Both (Floor),
                ((Median_Ratio, 1.5, False), (P99_Ratio, 2.0, False)));
-            Reports.Compare
-              (Name & ", " & Title & ", to the relay",
-               Both (Ours), Both (Relay));
+            Reports.Compare (Name & ", " & Title & ", to the relay",
+                             Both (Ours), Both (Relay));
          end if;
       end Compare_One;
 
@@ -327,10 +320,9 @@ package body Order_Times is
         ("answers", "robot's answer to the monitor's receipt");
       Measure_All;
       Compare ("answer", Answers);
-      Reports.Put
-        ("answer, while images stream, default gap",
-         Answers (With_Gap) (Ours),
-         (1 => (Reports.P999, 10_000.0, False)));
+      Reports.Put ("answer, while images stream, default gap",
+                   Answers (With_Gap) (Ours),
+                   (1 => (Reports.P999, 10_000.0, False)));
       Reports.End_Section;
    end Report_Answers;
 

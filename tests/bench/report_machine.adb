@@ -34,24 +34,21 @@ begin
       & "," & System.Multiprocessors.Number_Of_CPUs'Image & " cores"
       & (if File_Line ("/proc/cpuinfo", "hypervisor") = "" then ""
          else ", virtual"));
-   Reports.Put_Fact
-     ("kernel",
-      File_Line ("/proc/sys/kernel/osrelease")
-      & (if File_Line ("/sys/kernel/realtime", "1") = "1"
-         then ", PREEMPT_RT" else ", not PREEMPT_RT"));
-   Reports.Put_Fact
-     ("governor",
-      Known (File_Line (Cpu & "cpu0/cpufreq/scaling_governor"),
-             "none visible")
-      & ", idle states: "
-      & Known (File_Line (Cpu & "cpuidle/current_driver"),
-               "none visible"));
-   Reports.Put_Fact
-     ("user",
-      (if Libc.Geteuid = 0 then "root" else "an ordinary user")
-      & (if Own_Process.Real_Time_Allowed
-         then ", real-time priorities"
-         else ", no real-time priorities"));
+   Reports.Put_Fact ("kernel",
+                     File_Line ("/proc/sys/kernel/osrelease")
+                     & (if File_Line ("/sys/kernel/realtime", "1") = "1"
+                        then ", PREEMPT_RT" else ", not PREEMPT_RT"));
+   Reports.Put_Fact ("governor",
+                     Known (File_Line (Cpu & "cpu0/cpufreq/scaling_governor"),
+                            "none visible")
+                     & ", idle states: "
+                     & Known (File_Line (Cpu & "cpuidle/current_driver"),
+                              "none visible"));
+   Reports.Put_Fact ("user",
+                     (if Libc.Geteuid = 0 then "root" else "an ordinary user")
+                     & (if Own_Process.Real_Time_Allowed
+                        then ", real-time priorities"
+                        else ", no real-time priorities"));
    Reports.Put_Fact
      ("sources",
       Ada.Environment_Variables.Value ("DESTIJL_COMMIT", "unknown"));

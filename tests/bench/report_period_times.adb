@@ -85,8 +85,7 @@ procedure Report_Period_Times is
             if Line'Length > 0 and then Is_Digit (Line (Line'First))
               and then Blank > 0
             then
-               for Count in 1 .. Natural'Value (Line (Blank .. Line'Last))
-               loop
+               for Count in 1 .. Natural'Value (Line (Blank .. Line'Last)) loop
                   Result.Add
                     (Duration
                        (Natural'Value (Line (Line'First .. Blank - 1)))
@@ -117,25 +116,20 @@ procedure Report_Period_Times is
          Reports.Put (Name, Ours);
          return;
       end if;
-      Check
-        (Cyclic (Of_Subject).Exit_Status = 0,
-         "cyclictest has failed");
+      Check (Cyclic (Of_Subject).Exit_Status = 0, "cyclictest has failed");
       delay 0.2;
       --  its last lines
       Floor := Cyclictest_Latencies (Cyclic (Of_Subject)).From_Least;
-      Reports.Compare
-        (Name & ", to cyclictest", Ours, Floor,
-         (1 => (Reports.P999_Ratio, 1.5, False)));
+      Reports.Compare (Name & ", to cyclictest", Ours, Floor,
+                       (1 => (Reports.P999_Ratio, 1.5, False)));
    end Compare;
 
 begin
-   Reports.Begin_Section
-     ("periods", "how late, against the earliest of all");
+   Reports.Begin_Section ("periods", "how late, against the earliest of all");
    Open_Line (Both_Ends.Ours);
    Camera.Start (Camera => True);
-   Supervisor.Start
-     ("--message-gap 0 --serial " & Device (Both_Ends.Ours)
-      & " --camera " & Camera.Camera_Url);
+   Supervisor.Start ("--message-gap 0 --serial " & Device (Both_Ends.Ours)
+                     & " --camera " & Camera.Camera_Url);
    Connect (Both_Ends.Ours, Supervisor.Port, By_Lines => True);
    Send (Both_Ends.Ours, "ROPN" & ASCII.LF & "RSWW" & ASCII.LF);
    Await_Message (Both_Ends.Ours, "AACK", Count => 2);
@@ -176,9 +170,8 @@ begin
    Own_Process.Prefer_Real_Time (False);
 
    for Which in Line_Of'Range loop
-      Ours := Late
-        (Frames (Both_Ends.Ours),
-         (if Which = Battery then "v" else "w"), Period_Of (Which));
+      Ours := Late (Frames (Both_Ends.Ours),
+                    (if Which = Battery then "v" else "w"), Period_Of (Which));
       Compare (To_Lower (Which'Image), Which);
       Reports.Compare
         (To_Lower (Which'Image) & ", to a bare program with a line",
@@ -187,10 +180,9 @@ begin
    end loop;
    Ours := Late (Messages (Both_Ends.Ours), "CIMG", Image_Period);
    Compare ("image", Image);
-   Check
-     ((for all Item of Messages (Both_Ends.Ours) => Item.Text /= "ATIM"),
-      "the robot counts as lost: the machine was busy elsewhere for as"
-      & " long as four time-outs");
+   Check ((for all Item of Messages (Both_Ends.Ours) => Item.Text /= "ATIM"),
+          "the robot counts as lost: the machine was busy elsewhere for as"
+          & " long as four time-outs");
    if not Compared then
       Reports.Put_Note
         ("not compared with cyclictest: that needs the package rt-tests"

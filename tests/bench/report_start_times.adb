@@ -89,9 +89,8 @@ procedure Report_Start_Times is
       Supervisor.Start ("--camera " & Picture);
       delay 0.5;
       Plain := Resident;
-      Reports.Put_Number
-        ("memory without camera, resident", Plain, "MB",
-         Wanted => (1 => (Reports.Value, 20.0, False)));
+      Reports.Put_Number ("memory without camera, resident", Plain, "MB",
+                          Wanted => (1 => (Reports.Value, 20.0, False)));
       Reports.Put_Number
         ("memory without camera, resident, with --trace", Recorded, "MB",
          Floor  => Plain,
@@ -147,21 +146,16 @@ procedure Report_Start_Times is
 
    Ours, Bare, Recorded : Samples.Set;
 begin
-   Reports.Begin_Section
-     ("start", "start, readiness and memory");
-   for Number in 1 .. Integer'Max (10, Bench_Settings.Sample_Count / 40)
-   loop
+   Reports.Begin_Section ("start", "start, readiness and memory");
+   for Number in 1 .. Integer'Max (10, Bench_Settings.Sample_Count / 40) loop
       Time_Start (Programs.Supervisor, Listening, Ours);
       Time_Start (Programs.Beside ("forwarder"), "start", Bare);
-      Time_Start
-        (Programs.Supervisor, Listening & " " & Recording, Recorded);
+      Time_Start (Programs.Supervisor, Listening & " " & Recording, Recorded);
    end loop;
-   Reports.Compare
-     ("start to listening, to the bare forwarder", Ours, Bare,
-      (1 => (Reports.Median, 50_000.0, False)));
-   Reports.Compare
-     ("start to listening, with --trace", Recorded, Ours,
-      (1 => (Reports.Median_Ratio, 1.02, False)));
+   Reports.Compare ("start to listening, to the bare forwarder", Ours, Bare,
+                    (1 => (Reports.Median, 50_000.0, False)));
+   Reports.Compare ("start to listening, with --trace", Recorded, Ours,
+                    (1 => (Reports.Median_Ratio, 1.02, False)));
    Report_Readiness;
    Report_Memory;
    Reports.End_Section;

@@ -59,9 +59,8 @@ package body Scale_Limits is
    begin
       --  a little faster than is asked for: each period has a new image
       Camera.Start (Picture, Float (Rate + Rate / 10 + 1));
-      Supervisor.Start
-        ("--message-gap 0 --frame-size " & Size & " --fps "
-         & Image (Rate) & " --camera " & Camera.Url);
+      Supervisor.Start ("--message-gap 0 --frame-size " & Size & " --fps "
+                        & Image (Rate) & " --camera " & Camera.Url);
       Connect (Ours, Supervisor.Port, By_Lines => True);
       Send (Ours, "COPN" & ASCII.LF
             & (if Positions then "CPCO" & ASCII.LF else ""));
@@ -140,8 +139,7 @@ package body Scale_Limits is
 
       Span : constant Duration :=
         Duration'Max (5.0, Duration (Bench_Settings.Seconds) / 4);
-      Name : constant String :=
-        (if Positions then " with positions" else "");
+      Name : constant String := (if Positions then " with positions" else "");
 
       Camera : Emulators.Emulator;
 
@@ -174,8 +172,7 @@ package body Scale_Limits is
 
       begin
          Result := Maps.Empty_Map;
-         Search
-           (Folder, "", (Directory => True, others => False), Add'Access);
+         Search (Folder, "", (Directory => True, others => False), Add'Access);
       end Look;
 
       function Encoding_Time return Duration is
@@ -245,10 +242,9 @@ package body Scale_Limits is
             end;
          end loop;
          if Told then
-            Reports.Put_Number
-              ("processor, all of it" & Name,
-               100.0 * Float (All_Of_It) / Float (Span),
-               "% of a core");
+            Reports.Put_Number ("processor, all of it" & Name,
+                                100.0 * Float (All_Of_It) / Float (Span),
+                                "% of a core");
          end if;
          Share := Share
            + 50.0 * (Float (Own) / Float (Span) + Float (10 * Encoding_Time));
@@ -312,10 +308,9 @@ package body Scale_Limits is
             Traced := Traced + Rate (Recording) / Float (Turns);
          end loop;
          Reports.Put_Number (Name, Plain, "a second");
-         Reports.Put_Number
-           (Name & ", with --trace", Traced, "a second",
-            Floor  => Plain,
-            Wanted => (1 => (Reports.Ratio, 0.98, True)));
+         Reports.Put_Number (Name & ", with --trace", Traced, "a second",
+                             Floor  => Plain,
+                             Wanted => (1 => (Reports.Ratio, 0.98, True)));
       end Count;
 
    begin

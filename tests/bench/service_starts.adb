@@ -12,8 +12,7 @@ with Supervisors;
 
 package body Service_Starts is
 
-   function Deadlines (Of_Supervisor : Supervisors.Supervisor) return String
-   is
+   function Deadlines (Of_Supervisor : Supervisors.Supervisor) return String is
       --  What its log says of them
       Label : constant String := "deadlines: ";
       Log   : constant String :=

@@ -97,9 +97,8 @@ package body Single_Commands is
             Newcomer : Client;
          begin
             Newcomer.Connect (R.Supervisor.Port);
-            Check
-              (Newcomer.Closed_By_Peer /= Open,
-               "a second monitor is not turned away");
+            Check (Newcomer.Closed_By_Peer /= Open,
+                   "a second monitor is not turned away");
          end;
          delay Pause;
       end loop;
@@ -127,9 +126,7 @@ package body Single_Commands is
    begin
       Move_Forward (R);
       R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check
-        (R.Supervisor.Exit_Status = 0,
-         "the orderly stop fails");
+      Check (R.Supervisor.Exit_Status = 0, "the orderly stop fails");
    end Stop_Driving;
 
    procedure Measure_Once is

@@ -217,18 +217,16 @@ package body Task_Times is
       procedure Put (Name : String; Set : Samples.Set; Budget : Duration) is
       begin
          if Budget > 0.0 then
-            Reports.Put
-              (Name, Set,
-               (1 => (Reports.P999, 1.0E6 * Float (Budget), False)));
+            Reports.Put (Name, Set,
+                         (1 => (Reports.P999, 1.0E6 * Float (Budget), False)));
             Number := Number + Set.Count;
             Above := Above + Set.Count_Above (Budget);
          end if;
       end Put;
    begin
       for Place in Runs.Iterate loop
-         Put
-           (Run_Maps.Key (Place), Run_Maps.Element (Place),
-            Budget_Of (Run_Maps.Key (Place)));
+         Put (Run_Maps.Key (Place), Run_Maps.Element (Place),
+              Budget_Of (Run_Maps.Key (Place)));
       end loop;
       Put ("line, request", Requests, Budget_Of (Line_Request));
       Put ("line, answer", Answers,

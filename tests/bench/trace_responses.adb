@@ -139,8 +139,7 @@ package body Trace_Responses is
         and then not S.Waiting.Is_Empty
         and then S.Waiting.Last_Element.Command = 0
       then
-         S.Begun := Nanoseconds'Max
-           (S.Waiting.Last_Element.Time, S.Stopped);
+         S.Begun := Nanoseconds'Max (S.Waiting.Last_Element.Time, S.Stopped);
          S.Waiting.Delete_Last;
       else
          S.Begun := Item.Time;
@@ -334,8 +333,7 @@ package body Trace_Responses is
       elsif N = "robot M" or else N = "robot T" then
          --  of a mission that has just seen the image
          if Who.Name = "th_mission" and then S.Seen /= Never then
-            Add
-              (Orders, Duration ((Item.Time - S.Seen) / 1_000) / 1_000_000);
+            Add (Orders, Duration ((Item.Time - S.Seen) / 1_000) / 1_000_000);
             S.Seen := Never;
          end if;
       end if;
@@ -442,23 +440,20 @@ package body Trace_Responses is
       while not Missions
         and then Now - Start < Duration (Bench_Settings.Short_Seconds) loop
          Number := Number + 1;
-         Unused := R.Monitor.Ask
-           ((case Number mod 4 is
-                when 0 => "RMOV:-100",
-                when 1 => "RTRN:90",
-                when 2 => "RSTP",
-                when others => "RGST"));
+         Unused := R.Monitor.Ask ((case Number mod 4 is
+                                      when 0 => "RMOV:-100",
+                                      when 1 => "RTRN:90",
+                                      when 2 => "RSTP",
+                                      when others => "RGST"));
          delay Command_Pause;
       end loop;
       Own_Process.Prefer_Real_Time (False);
       Load.Stop;
       R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check
-        (R.Supervisor.Exit_Status = 0,
-         "the supervisor did not end in good order");
-      Check
-        (not R.Supervisor.Says ("the trace is not complete"),
-         R.Supervisor.Log_Text);
+      Check (R.Supervisor.Exit_Status = 0,
+             "the supervisor did not end in good order");
+      Check (not R.Supervisor.Says ("the trace is not complete"),
+             R.Supervisor.Log_Text);
    end Make;
 
    procedure Report (Path : String) is
@@ -466,11 +461,10 @@ package body Trace_Responses is
       procedure Put (Name : String; Item : Response) is
       begin
          if Item.Times.Count > 0 then
-            Reports.Put
-              (Name, Item.Times,
-               (if Item.Bound = 0.0 then Reports.No_Goals
-                else (1 => (Reports.Max, 1.0E6 * Float (Item.Bound),
-                            False))));
+            Reports.Put (Name, Item.Times,
+                         (if Item.Bound = 0.0 then Reports.No_Goals
+                          else (1 => (Reports.Max, 1.0E6 * Float (Item.Bound),
+                                      False))));
          end if;
       end Put;
 
@@ -485,9 +479,8 @@ package body Trace_Responses is
             end if;
          end loop;
          Reports.Put_Number (What, Float (Number), "");
-         Reports.Put_Number
-           (What & " above their bounds", Float (Above), "",
-            Wanted => (1 => (Reports.Value, 0.0, False)));
+         Reports.Put_Number (What & " above their bounds", Float (Above), "",
+                             Wanted => (1 => (Reports.Value, 0.0, False)));
       end Put_Sum;
 
       Own    : constant String := Programs.Temporary_Folder & "/trace.txt";
@@ -500,8 +493,7 @@ package body Trace_Responses is
       if Path = "" then
          Make (Own, Missions => False);
       end if;
-      Read
-        ((if Path = "" then Own else Path), Apart, False, Result, Orders);
+      Read ((if Path = "" then Own else Path), Apart, False, Result, Orders);
       for Name in Activity_Name loop
          Put (Name_Of (Name), Result (Name));
       end loop;

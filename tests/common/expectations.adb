@@ -33,10 +33,9 @@ package body Expectations is
       if Times_Ignored then
          Note (Seen);
       end if;
-      Check_In_Time
-        (Taken <= Limit + Floor,
-         Seen & ", allowed are " & Milliseconds (Limit) & " and "
-         & Milliseconds (Floor) & " of the machine");
+      Check_In_Time (Taken <= Limit + Floor,
+                     Seen & ", allowed are " & Milliseconds (Limit) & " and "
+                     & Milliseconds (Floor) & " of the machine");
    end Check_Within;
 
    procedure Set_Floor (Value : Duration) is

@@ -19,8 +19,7 @@ package Expectations is
    procedure Check (Condition : Boolean; Message : String);
    --  Raises Failed with Message unless Condition
 
-   procedure Check_Within
-     (Taken : Duration; Limit : Duration; What : String);
+   procedure Check_Within (Taken : Duration; Limit : Duration; What : String);
    --  Raises Too_Late unless Taken <= Limit, and what the machine itself takes
 
    procedure Check_In_Time (Condition : Boolean; Message : String);

@@ -222,8 +222,7 @@ package Libc is
 
    Default_Action : constant System.Address := System.Null_Address;
 
-   Ignored : constant System.Address :=
-     System.Storage_Elements.To_Address (1);
+   Ignored : constant System.Address := System.Storage_Elements.To_Address (1);
 
    function Signal
      (Number : int; Action : System.Address) return System.Address

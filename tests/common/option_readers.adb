@@ -34,8 +34,7 @@ package body Option_Readers is
    end Next;
 
    function Name return String is
-     (if Sign = 0 then Argument (Place)
-      else Argument (Place) (1 .. Sign - 1));
+     (if Sign = 0 then Argument (Place) else Argument (Place) (1 .. Sign - 1));
 
    function Value return String is
       Given : constant String := Argument (Place);

@@ -132,8 +132,7 @@ package body Pseudo_Terminals is
       Name : char_array (1 .. Max_Name) := (others => nul);
    begin
       Done := False;
-      L.Master :=
-        Posix_Openpt (O_Rdwr + O_Noctty + O_Nonblock + O_Cloexec);
+      L.Master := Posix_Openpt (O_Rdwr + O_Noctty + O_Nonblock + O_Cloexec);
       if L.Master /= Closed
         and then Grantpt (L.Master) = 0
         and then Unlockpt (L.Master) = 0

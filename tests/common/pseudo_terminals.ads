@@ -29,12 +29,10 @@ package Pseudo_Terminals is
 
    function Is_Open (L : Line) return Boolean;
 
-   function Device (L : Line) return String
-     with Pre => Is_Open (L);
+   function Device (L : Line) return String with Pre => Is_Open (L);
    --  Such as /dev/pts/3, or the socket's path
 
-   function Robot_End (L : Line) return int
-     with Pre => Is_Open (L);
+   function Robot_End (L : Line) return int with Pre => Is_Open (L);
    --  The robot's end, for non-blocking writes, and to be polled for input
 
    procedure Read
@@ -43,8 +41,7 @@ package Pseudo_Terminals is
    --  What there is for the robot, Length bytes at most; here a client of the
    --  socket comes or goes
 
-   function Device_End (L : Line) return int
-     with Pre => Is_Open (L);
+   function Device_End (L : Line) return int with Pre => Is_Open (L);
    --  The device, which is also kept open here
 
    --  The link. Path is a link's own, Target what it points to.

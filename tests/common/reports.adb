@@ -138,13 +138,12 @@ package body Reports is
            ("      goal " & Key (G.Of_What)
             & (if G.At_Least then " >= " else " <= ") & Rounded (G.Limit)
             & (if Met then ": met" else ": NOT MET"));
-         Append
-           (List,
-            (if Length (List) = 0 then "" else ", ")
-            & """" & Key (G.Of_What) & """: {"""
-            & (if G.At_Least then "at least" else "at most") & """: "
-            & Rounded (G.Limit, 3) & ", ""met"": "
-            & (if Met then "true" else "false") & "}");
+         Append (List,
+                 (if Length (List) = 0 then "" else ", ")
+                 & """" & Key (G.Of_What) & """: {"""
+                 & (if G.At_Least then "at least" else "at most") & """: "
+                 & Rounded (G.Limit, 3) & ", ""met"": "
+                 & (if Met then "true" else "false") & "}");
       end loop;
       if Wanted'Length > 0 then
          Append (Row, ", ""goals"": {" & List & "}");
@@ -154,8 +153,7 @@ package body Reports is
 
    procedure Put_Times (Name : String; Set : Samples.Set) is
    begin
-      Put (Head ("   " & Name, Name_Width)
-           & Column (Image (Set.Count)));
+      Put (Head ("   " & Name, Name_Width) & Column (Image (Set.Count)));
       for F in Time_Figure loop
          Put (Column (Rounded (Micro (Set.Quantile (Shares (F))), 1)));
       end loop;
@@ -201,14 +199,12 @@ package body Reports is
         (Key, Excess : String; Limit : Duration; Count, Ran : Natural) is
       begin
          if Limit > 0.0 then
-            Append
-              (Row, ", """ & Key & """: " & Rounded (Micro (Limit), 0)
-               & ", """ & Excess & """: " & Image (Count)
-               & ", """ & Excess & "_ran"": " & Image (Ran));
-            Put_Line
-              ("      " & Key & " " & Rounded (Micro (Limit), 0)
-               & ": " & Image (Count) & " are longer, "
-               & Image (Ran) & " if stand-stills are taken out");
+            Append (Row, ", """ & Key & """: " & Rounded (Micro (Limit), 0)
+                    & ", """ & Excess & """: " & Image (Count)
+                    & ", """ & Excess & "_ran"": " & Image (Ran));
+            Put_Line ("      " & Key & " " & Rounded (Micro (Limit), 0)
+                      & ": " & Image (Count) & " are longer, "
+                      & Image (Ran) & " if stand-stills are taken out");
          end if;
       end Put_Excess;
 
@@ -218,10 +214,8 @@ package body Reports is
       Note_Times (Ours);
       Put_Line (Name);
       Put_Times ("this supervisor", Ours);
-      Put_Excess
-        ("bound", "longer", Kept.Bound, Kept.Longer, Kept.Longer_Ran);
-      Put_Excess
-        ("limit", "missed", Kept.Limit, Kept.Missed, Kept.Missed_Ran);
+      Put_Excess ("bound", "longer", Kept.Bound, Kept.Longer, Kept.Longer_Ran);
+      Put_Excess ("limit", "missed", Kept.Limit, Kept.Missed, Kept.Missed_Ran);
       if Kept.Limit = 0.0 then
          End_Row (No_Goals);
       elsif Kept.Of_All then
@@ -247,12 +241,11 @@ package body Reports is
       if Floor > 0.0 then
          Note (Ratio, Value / Floor);
       end if;
-      Put_Line
-        (Head (Name, Name_Width)
-         & Column ((if Floor > 0.0 then Rounded (Value / Floor) & " x"
-                    else ""))
-         & Column (Rounded (Value)) & " " & Unit
-         & (if Floor >= 0.0 then ", floor " & Rounded (Floor) else ""));
+      Put_Line (Head (Name, Name_Width)
+                & Column ((if Floor > 0.0 then Rounded (Value / Floor) & " x"
+                           else ""))
+                & Column (Rounded (Value)) & " " & Unit
+                & (if Floor >= 0.0 then ", floor " & Rounded (Floor) else ""));
       End_Row (Wanted);
    end Put_Number;
 
@@ -267,10 +260,9 @@ package body Reports is
       end loop;
       Close (File);
       First := Index (Lines, Head_Of_Sections) + Head_Of_Sections'Length;
-      Next
-        (Sections,
-         Slice
-           (Lines, First, Length (Lines) - End_Of_Sections'Length - 1));
+      Next (Sections,
+            Slice
+              (Lines, First, Length (Lines) - End_Of_Sections'Length - 1));
    end Adopt;
 
    procedure Put_Note (Text : String) is
@@ -284,20 +276,18 @@ package body Reports is
       File : File_Type;
    begin
       Create (File, Out_File, Folder & "/bench.json");
-      Put_Line
-        (File,
-         "{" & To_String (Facts) & "," & ASCII.LF & Head_Of_Sections
-         & To_String (Sections) & End_Of_Sections);
+      Put_Line (File,
+                "{" & To_String (Facts) & "," & ASCII.LF & Head_Of_Sections
+                & To_String (Sections) & End_Of_Sections);
       Close (File);
    end Write_Sections;
 
    procedure End_Section is
    begin
-      Next
-        (Sections,
-         "{""name"": " & Quoted (To_String (Section)) & ", ""title"": "
-         & Quoted (To_String (Title)) & ", ""rows"": [" & ASCII.LF
-         & To_String (Rows) & "]}");
+      Next (Sections,
+            "{""name"": " & Quoted (To_String (Section)) & ", ""title"": "
+            & Quoted (To_String (Title)) & ", ""rows"": [" & ASCII.LF
+            & To_String (Rows) & "]}");
       Write_Sections;
    end End_Section;
 

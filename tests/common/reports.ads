@@ -66,8 +66,7 @@ package Reports is
       --  the same for the limit
    end record;
 
-   procedure Put_Deadline
-     (Name : String; Ours : Samples.Set; Kept : Deadline);
+   procedure Put_Deadline (Name : String; Ours : Samples.Set; Kept : Deadline);
    --  Missed_Ran has the goal 0 where Kept.Of_All; otherwise the p99.9 has
    --  that of the limit
 

@@ -127,8 +127,7 @@ package body Arena_Camera is
       Robot : Robot_Core.Robot;
       Pose  : Robot_Motion.Pose;
    begin
-      Robot_Bench.Look
-        (Robot, Time, Ago => Instant (S.Late) * 1_000_000);
+      Robot_Bench.Look (Robot, Time, Ago => Instant (S.Late) * 1_000_000);
       Pose := Robot_Core.Pose (Robot);
       return
         (Width  => int (S.Width),
@@ -204,8 +203,7 @@ package body Arena_Camera is
 
    procedure Displace (Scene : in out Scenes.Description; By : double) is
       --  Its robot, by pixels of this standard deviation
-      Width  : constant double :=
-        double (Robot_Motion.Arena_Width) / 10_000.0;
+      Width  : constant double := double (Robot_Motion.Arena_Width) / 10_000.0;
       Height : constant double :=
         double (Robot_Motion.Arena_Height) / 10_000.0;
 
@@ -301,8 +299,7 @@ package body Arena_Camera is
                Studio.Publish (S, Drawn, Size, Bare);
             end if;
 
-            Due := Due
-              + 1_000_000_000 / Instant (Studio.Configuration.Rate);
+            Due := Due + 1_000_000_000 / Instant (Studio.Configuration.Rate);
             if Due < Now then
                Due := Now;
                --  Too slow: images are left out, not made up for
@@ -341,8 +338,7 @@ package body Arena_Camera is
          Data : Stream_Element_Array (1 .. Text'Length);
       begin
          for K in Data'Range loop
-            Data (K) := Character'Pos
-              (Text (Text'First + Natural (K) - 1));
+            Data (K) := Character'Pos (Text (Text'First + Natural (K) - 1));
          end loop;
          Send (Data);
       end Send;
@@ -386,8 +382,7 @@ package body Arena_Camera is
                   Length := 0;
                   return;
                end if;
-               Waited :=
-                 (if Studio.Current_Mode = On then Waited + 1 else 0);
+               Waited := (if Studio.Current_Mode = On then Waited + 1 else 0);
                exit when Waited = 2 and then Length > 0;
             end select;
          end loop;
@@ -518,8 +513,7 @@ package body Arena_Camera is
 
    protected body Studio is
 
-      procedure Begin_Watching (Who : Viewer_Number; Allowed : out Boolean)
-      is
+      procedure Begin_Watching (Who : Viewer_Number; Allowed : out Boolean) is
       begin
          Allowed := Mode /= Off and then Lookers < Max_Viewers;
          if Allowed then
@@ -630,9 +624,8 @@ package body Arena_Camera is
          use type Interfaces.Unsigned_32;
       begin
          State := State * 1_664_525 + 1_013_904_223;
-         Value := Image_Length
-           (Interfaces.Shift_Right (State, 8)
-            mod Interfaces.Unsigned_32 (Below));
+         Value := Image_Length (Interfaces.Shift_Right (State, 8)
+                                mod Interfaces.Unsigned_32 (Below));
       end Draw;
 
       procedure Set_Random (Place : Image_Index) is

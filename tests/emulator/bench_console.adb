@@ -178,9 +178,7 @@ package body Bench_Console is
       end if;
    end No_More;
 
-   procedure Obey
-     (Name, Rest : String; Answer : in out Unbounded_String)
-   is
+   procedure Obey (Name, Rest : String; Answer : in out Unbounded_String) is
       --  The same; Bad_Value says what is wrong. Answer: if not "ok".
       Stop : constant Natural := Index (Rest & " ", Blanks);
 
@@ -202,12 +200,11 @@ package body Bench_Console is
                elsif Kind = Flip and then Stop < Rest'Last then
                   Bench.Set (Bit, Second (Answer_Faults.Bit_Number'Last, 0));
                end if;
-               Bench.Set
-                 (Kind,
-                  Fault_Value
-                    (Kind,
-                     (if Kind in Truncate | Flip
-                      then Rest (Rest'First .. Stop - 1) else Rest)));
+               Bench.Set (Kind,
+                          Fault_Value
+                            (Kind,
+                             (if Kind in Truncate | Flip
+                              then Rest (Rest'First .. Stop - 1) else Rest)));
                return True;
             end if;
          end loop;
@@ -226,9 +223,8 @@ package body Bench_Console is
          No_More (Rest);
          Bench.Mend;
       elsif Name = "delay" then
-         Bench.Set_Delay
-           (Instant (Whole (Rest, 0, Settings.Largest_Delay))
-            * 1_000_000);
+         Bench.Set_Delay (Instant (Whole (Rest, 0, Settings.Largest_Delay))
+                          * 1_000_000);
 
       elsif Name = "unasked" then
          if Rest = "" then
@@ -273,24 +269,20 @@ package body Bench_Console is
          end;
 
       elsif Name = "speed" then
-         Wheels.Speed := Whole
-           (Rest, Robot_Motion.Speed_Percent'First,
-            Robot_Motion.Speed_Percent'Last);
+         Wheels.Speed := Whole (Rest, Robot_Motion.Speed_Percent'First,
+                                Robot_Motion.Speed_Percent'Last);
          Bench.Set_Wheels (Wheels);
       elsif Name = "turn-speed" then
-         Wheels.Turn_Speed := Whole
-           (Rest, Robot_Motion.Speed_Percent'First,
-            Robot_Motion.Speed_Percent'Last);
+         Wheels.Turn_Speed := Whole (Rest, Robot_Motion.Speed_Percent'First,
+                                     Robot_Motion.Speed_Percent'Last);
          Bench.Set_Wheels (Wheels);
       elsif Name = "overshoot" then
-         Wheels.Overshoot := Whole
-           (Rest, Robot_Motion.Overshoot_Percent'First,
-            Robot_Motion.Overshoot_Percent'Last);
+         Wheels.Overshoot := Whole (Rest, Robot_Motion.Overshoot_Percent'First,
+                                    Robot_Motion.Overshoot_Percent'Last);
          Bench.Set_Wheels (Wheels);
       elsif Name = "pull" then
-         Wheels.Pull := Whole
-           (Rest, Robot_Motion.Pull_Angle'First,
-            Robot_Motion.Pull_Angle'Last);
+         Wheels.Pull := Whole (Rest, Robot_Motion.Pull_Angle'First,
+                               Robot_Motion.Pull_Angle'Last);
          Bench.Set_Wheels (Wheels);
 
       elsif Name = "camera" then
@@ -395,9 +387,8 @@ package body Bench_Console is
    begin
       while First <= Text'Last loop
          Polls.Wait (Files, An_Hour);
-         Sent := Libc.Write
-           (Standard_Output, Text (First)'Address,
-            size_t (Text'Last - First + 1));
+         Sent := Libc.Write (Standard_Output, Text (First)'Address,
+                             size_t (Text'Last - First + 1));
          exit when Sent <= 0;
          --  Nobody reads it any more
          First := First + Positive (Sent);

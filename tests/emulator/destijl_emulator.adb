@@ -94,9 +94,8 @@ begin
       end if;
    end if;
 
-   Serial_Side.Start
-     (V.Baud, To_String (V.Link), V.Socket, V.Radio,
-      Interfaces.Unsigned_32 (V.Seed), Problem);
+   Serial_Side.Start (V.Baud, To_String (V.Link), V.Socket, V.Radio,
+                      Interfaces.Unsigned_32 (V.Seed), Problem);
    if Problem /= "" then
       Give_Up (To_String (Problem), 1);
    end if;

@@ -50,11 +50,9 @@ package body Journals is
    is
       --  Value in multiples of 10 ** Digit_Count * Unit nanoseconds
       Scale : constant Instant := 10 ** Digit_Count;
-      Units : constant Instant :=
-        abs Value / Instant (Unit);
+      Units : constant Instant := abs Value / Instant (Unit);
       Whole : constant String := Instant'Image (Units / Scale);
-      Part  : constant String :=
-        Instant'Image (Scale + Units mod Scale);
+      Part  : constant String := Instant'Image (Scale + Units mod Scale);
       --  With a leading 1 that keeps the zeros
    begin
       return (if Value < 0 then "-" else "")

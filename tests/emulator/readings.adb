@@ -210,12 +210,10 @@ package body Readings is
       if Cross = 0 then
          raise Bad_Value with "WIDTHxHEIGHT is expected";
       end if;
-      Width := Whole
-        (Text (Text'First .. Cross - 1),
-         Frame_Width'First, Frame_Width'Last);
-      Height := Whole
-        (Text (Cross + 1 .. Text'Last),
-         Frame_Height'First, Frame_Height'Last);
+      Width := Whole (Text (Text'First .. Cross - 1),
+                      Frame_Width'First, Frame_Width'Last);
+      Height := Whole (Text (Cross + 1 .. Text'Last),
+                       Frame_Height'First, Frame_Height'Last);
    end Size;
 
    function Whole (Text : String; Low, High : Integer) return Integer is

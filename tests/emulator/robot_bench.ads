@@ -54,15 +54,13 @@ package Robot_Bench is
       --  A byte was on the line from Started to Ended. Wire is the reply, to
       --  be sent Late after Ended.
 
-      procedure Miss
-        (Byte : Robot_Core.Octet; Started, Ended : Instant);
+      procedure Miss (Byte : Robot_Core.Octet; Started, Ended : Instant);
       --  The same of one that is lost on its way
 
       procedure Miss_Answers;
       --  A packet with answers is lost on its way
 
-      procedure Babble
-        (Byte : out Robot_Core.Octet; Present : out Boolean);
+      procedure Babble (Byte : out Robot_Core.Octet; Present : out Boolean);
       --  The next byte of an endless answer, if there is one
 
       procedure Let_Time_Pass;

@@ -252,8 +252,7 @@ package body Serial_Side is
                B : constant Timed_Byte := Q.Data (Q.Head);
             begin
                Remove_Head (Q);
-               Robot_Bench.Bench.Hear
-                 (B.Byte, B.Started, B.Ended, Wire, Late);
+               Robot_Bench.Bench.Hear (B.Byte, B.Started, B.Ended, Wire, Late);
                for K in 1 .. Wire.Length loop
                   Add (To_Client.First, Wire.Data (K), From => B.Ended + Late,
                        Time => Byte_Time);
@@ -372,9 +371,8 @@ package body Serial_Side is
               (Robot_End (The_Line), Data'Address, size_t (Last));
          end if;
          if Late > Noted then
-            Ada.Text_IO.Put_Line
-              (Ada.Text_IO.Standard_Error,
-               "late by " & Milliseconds (Late));
+            Ada.Text_IO.Put_Line (Ada.Text_IO.Standard_Error,
+                                  "late by " & Milliseconds (Late));
          end if;
       end Transmit;
 

@@ -96,17 +96,14 @@ package body Settings is
       elsif Name = "--pose" then
          Set_Pose (V, Value);
       elsif Name = "--speed" then
-         V.Wheels.Speed := Number
-           (Robot_Motion.Speed_Percent'First,
-            Robot_Motion.Speed_Percent'Last);
+         V.Wheels.Speed := Number (Robot_Motion.Speed_Percent'First,
+                                   Robot_Motion.Speed_Percent'Last);
       elsif Name = "--turn-speed" then
-         V.Wheels.Turn_Speed := Number
-           (Robot_Motion.Speed_Percent'First,
-            Robot_Motion.Speed_Percent'Last);
+         V.Wheels.Turn_Speed := Number (Robot_Motion.Speed_Percent'First,
+                                        Robot_Motion.Speed_Percent'Last);
       elsif Name = "--overshoot" then
-         V.Wheels.Overshoot := Number
-           (Robot_Motion.Overshoot_Percent'First,
-            Robot_Motion.Overshoot_Percent'Last);
+         V.Wheels.Overshoot := Number (Robot_Motion.Overshoot_Percent'First,
+                                       Robot_Motion.Overshoot_Percent'Last);
       elsif Name = "--radio-seed" then
          V.Seed := Number (0);
       elsif Name = "--pull" then
@@ -127,15 +124,13 @@ package body Settings is
          V.Camera.Late := Number
            (Arena_Camera.Delay_Time'First, Arena_Camera.Delay_Time'Last);
       elsif Name = "--position-noise" then
-         V.Camera.Displaced := Number
-           (Arena_Camera.Displacement'First,
-            Arena_Camera.Displacement'Last);
+         V.Camera.Displaced := Number (Arena_Camera.Displacement'First,
+                                       Arena_Camera.Displacement'Last);
       elsif Name = "--marker" then
          Set_Marker (V, Value);
       elsif Name = "--marker-id" then
-         V.Camera.Marker_Id := Number
-           (Arena_Camera.Marker_Number'First,
-            Arena_Camera.Marker_Number'Last);
+         V.Camera.Marker_Id := Number (Arena_Camera.Marker_Number'First,
+                                       Arena_Camera.Marker_Number'Last);
       elsif Name = "--delay" then
          V.Late := Number (0, Largest_Delay);
       else

@@ -72,12 +72,11 @@ package body Mission_Pictures is
         (File,
          "<title>A mission: its planned path, and the robot's trail</title>"
          & "<g fill=""none"">");
-      Put_Line
-        (File,
-         "<path stroke=""#111"" stroke-width=""6"" d=""M"
-         & Place (-3_000, Micro (Robot_Motion.Arena_Height) + 3_000)
-         & "h" & Image (Width + 6.0) & "v" & Image (Height + 6.0)
-         & "h" & Image (-Width - 6.0) & "z""/>");
+      Put_Line (File,
+                "<path stroke=""#111"" stroke-width=""6"" d=""M"
+                & Place (-3_000, Micro (Robot_Motion.Arena_Height) + 3_000)
+                & "h" & Image (Width + 6.0) & "v" & Image (Height + 6.0)
+                & "h" & Image (-Width - 6.0) & "z""/>");
 
       Put (File, "<path stroke=""#f2c500"" stroke-width=""9"""
            & " stroke-linejoin=""round"" d=""M");

@@ -81,11 +81,10 @@ procedure Camera_Tests is
             then Right + 1 else 0);
          exit when Right = 2;
       end loop;
-      Check
-        (Right = 2,
-         "seen" & Seen.Id'Image & Seen.Angle'Image & Seen.Cx'Image
-         & Seen.Cy'Image & ", true are" & Truth.Angle'Image
-         & Truth.Cx'Image & Truth.Cy'Image);
+      Check (Right = 2,
+             "seen" & Seen.Id'Image & Seen.Angle'Image & Seen.Cx'Image
+             & Seen.Cy'Image & ", true are" & Truth.Angle'Image
+             & Truth.Cx'Image & Truth.Cy'Image);
       return Seen;
    end Expect_Seen;
 
@@ -114,24 +113,21 @@ procedure Camera_Tests is
          Facts := Facts_After (R, 1);
          exit when Facts.Width = Width and then Facts.Height = Height;
       end loop;
-      Check
-        (Facts.Width = Width and then Facts.Height = Height,
-         "image of" & Facts.Width'Image & " x" & Facts.Height'Image);
+      Check (Facts.Width = Width and then Facts.Height = Height,
+             "image of" & Facts.Width'Image & " x" & Facts.Height'Image);
    end Expect_Size;
 
    procedure Expect_Drawn (R : in out Rig; Drawn : Boolean; What : String) is
    begin
-      Check
-        ((Facts_After (R, Count => 5).Coloured >= Images.Drawn) = Drawn,
-         What & (if Drawn then " is not drawn" else " is drawn"));
+      Check ((Facts_After (R, Count => 5).Coloured >= Images.Drawn) = Drawn,
+             What & (if Drawn then " is not drawn" else " is drawn"));
    end Expect_Drawn;
 
    procedure Find_Arena (R : in out Rig) is
    begin
       Search_Arena (R);
-      Check
-        (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
-         "the arena is not drawn in the image of the search");
+      Check (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn,
+             "the arena is not drawn in the image of the search");
    end Find_Arena;
 
    procedure Check_Period
@@ -163,9 +159,8 @@ procedure Camera_Tests is
          Note (Label & ": mean period " & Milliseconds (Means.Last));
       end loop;
       Note ("longest " & Milliseconds (Periods.Quantile (1.0)));
-      Check_Within
-        (abs (Means.Quantile (0.5) - Period), Tolerance,
-         "the period of " & Label & " off");
+      Check_Within (abs (Means.Quantile (0.5) - Period), Tolerance,
+                    "the period of " & Label & " off");
       Check_Within
         (Periods.Usual_Worst (Count), Longest, "the longest of " & Label);
    end Check_Period;
@@ -184,12 +179,10 @@ procedure Camera_Tests is
          end if;
       end loop;
       R.Emulator.Await_Status ("viewers", "0");
-      Check
-        (Process_Facts.Descriptors (R.Supervisor.Pid) <= Descriptors,
-         "descriptors leak with the camera");
-      Check
-        (Process_Facts.Threads (R.Supervisor.Pid) <= Threads,
-         "threads leak with the camera");
+      Check (Process_Facts.Descriptors (R.Supervisor.Pid) <= Descriptors,
+             "descriptors leak with the camera");
+      Check (Process_Facts.Threads (R.Supervisor.Pid) <= Threads,
+             "threads leak with the camera");
    end Open_And_Close;
 
    procedure Open_Fails is
@@ -254,10 +247,9 @@ procedure Camera_Tests is
       Copy_File (Programs.Supervisor, Copy);
       Check (Libc.Chmod (To_C (Copy), 8#755#) = 0, "the copy cannot be run");
       Assemble (R, Camera => True, Program => Copy);
-      Play
-        (R, "COPN ANAK, log libdestijl_vision.so: cannot open,"
-         & " ROPN AACK, RSOW AACK, RGFW AACK, status moving 1, CCLS AACK,"
-         & " COPN ANAK");
+      Play (R, "COPN ANAK, log libdestijl_vision.so: cannot open,"
+            & " ROPN AACK, RSOW AACK, RGFW AACK, status moving 1, CCLS AACK,"
+            & " COPN ANAK");
       Copy_File (Programs.Vision_Library, Library);
       Open_Camera (R);
    end Library_Missing;
@@ -278,8 +270,7 @@ procedure Camera_Tests is
       end Begin_Opening;
 
    begin
-      Assemble
-        (R, Camera => True, Supervisor_Options => "--log-level debug");
+      Assemble (R, Camera => True, Supervisor_Options => "--log-level debug");
       Move_Forward (R);
       R.Emulator.Tell ("camera stall");
       R.Monitor.Skip_To_Now;
@@ -289,18 +280,16 @@ procedure Camera_Tests is
       Check_Within (Item.Time - Time, 10.0, "to refuse the camera");
       Check (Item.Label = "ANAK", "COPN was answered " & Item.Label);
       Check_Label (R.Monitor.Next_Answer, "AACK", "the stop");
-      Check
-        (R.Emulator.Await_On_Wire ("M=0").First < Item.Time,
-         "the stop waits for the camera");
+      Check (R.Emulator.Await_On_Wire ("M=0").First < Item.Time,
+             "the stop waits for the camera");
 
       --  The monitor disconnects while the camera is being opened
       Begin_Opening;
       Time := Now;
       R.Monitor.Close;
       R.Supervisor.Expect_Log ("session closed");
-      Check_Within
-        (R.Supervisor.Time_Of ("session closed") - Time, 2.0,
-         "closing the session");
+      Check_Within (R.Supervisor.Time_Of ("session closed") - Time, 2.0,
+                    "closing the session");
       R.Emulator.Tell ("camera on");
       Connect (R);
       Open_Camera (R);
@@ -352,10 +341,9 @@ procedure Camera_Tests is
    procedure Other_Rate_And_Size is
       R : Rig;
    begin
-      Assemble
-        (R, Camera => True,
-         Supervisor_Options =>
-           "--fps 4 --frame-size 320x240 --jpeg-quality 40");
+      Assemble (R, Camera => True,
+                Supervisor_Options =>
+                  "--fps 4 --frame-size 320x240 --jpeg-quality 40");
       Open_Camera (R);
       Expect_Size (R, 320, 240);
       Check (R.Monitor.Last_Image'Length < 40_000, "a large image");
@@ -369,18 +357,16 @@ procedure Camera_Tests is
       procedure Expect_Own (Own : Boolean; What : String) is
       begin
          Expect_Drawn (R, not Own, What);
-         Check
-           (Images.Is_File (R.Monitor.Last_Image, Path) = Own,
-            What & (if Own then ": not" else ": still")
-            & " the camera's own image");
+         Check (Images.Is_File (R.Monitor.Last_Image, Path) = Own,
+                What & (if Own then ": not" else ": still")
+                & " the camera's own image");
       end Expect_Own;
 
    begin
       --  Without noise all images are equal
-      Assemble
-        (R, Camera => True,
-         Emulator_Options => "--noise 0 --pose 30,40,60",
-         Supervisor_Options => "--jpeg-quality 20");
+      Assemble (R, Camera => True,
+                Emulator_Options => "--noise 0 --pose 30,40,60",
+                Supervisor_Options => "--jpeg-quality 20");
       Open_Camera (R);
       R.Emulator.Save_Snapshot (Path);
       Expect_Own (True, "from the beginning");
@@ -459,19 +445,15 @@ procedure Camera_Tests is
 
    type Coordinates is array (1 .. 8) of Float;
 
-   procedure Check_Ground
-     (Answer, Size : String; Expected : Coordinates)
-   is
+   procedure Check_Ground (Answer, Size : String; Expected : Coordinates) is
       First : Natural := Answer'First + Size'Length;
       Last  : Natural;
    begin
-      Check
-        (Head (Answer, Size'Length) = Size, Answer);
+      Check (Head (Answer, Size'Length) = Size, Answer);
       for Value of Expected loop
          Last := Index (Answer & ';', ";", First + 1) - 1;
-         Check
-           (abs (Float'Value (Answer (First + 1 .. Last)) - Value) < 2.0,
-            Answer & " instead of" & Value'Image);
+         Check (abs (Float'Value (Answer (First + 1 .. Last)) - Value) < 2.0,
+                Answer & " instead of" & Value'Image);
          First := Last + 1;
       end loop;
       Check (First > Answer'Last, Answer);
@@ -521,10 +503,9 @@ procedure Camera_Tests is
          Find_Arena (R);
          R.Monitor.Send_Line ("CACO");
          Coloured := Facts_After (R, 2).Coloured;
-         Check
-           ((if Arena then Coloured >= Images.Drawn
-             else Coloured < Images.Drawn / 4),
-            Choice & ": confirmed, coloured are" & Coloured'Image);
+         Check ((if Arena then Coloured >= Images.Drawn
+                 else Coloured < Images.Drawn / 4),
+                Choice & ": confirmed, coloured are" & Coloured'Image);
          Check (Next_Position (R).Id = 1, "the robot is not seen");
       end Expect;
 
@@ -578,9 +559,8 @@ procedure Camera_Tests is
       end Try;
 
    begin
-      Assemble
-        (R, Camera => True,
-         Emulator_Options => "--marker-id 42 --noise 3");
+      Assemble (R, Camera => True,
+                Emulator_Options => "--marker-id 42 --noise 3");
       Open_Camera (R, Positions => True);
       for Step in 0 .. 11 loop
          Try (X => 15 + (Step * 37) mod 50, Y => 12 + (Step * 23) mod 36,
@@ -589,9 +569,8 @@ procedure Camera_Tests is
       Try (40, 30, 45);
       Try (40, 30, 180);
       Try (40, 30, 90);
-      Check
-        (abs (Seen.Angle - 90.0) <= 1.0,
-         "an upright marker is at" & Seen.Angle'Image);
+      Check (abs (Seen.Angle - 90.0) <= 1.0,
+             "an upright marker is at" & Seen.Angle'Image);
    end Positions_True;
 
    procedure Positions_Every_Image is
@@ -606,13 +585,11 @@ procedure Camera_Tests is
       Before := R.Monitor.Count_Of ("CIMG");
       R.Monitor.Await ("CPOS", Count);
       After := R.Monitor.Count_Of ("CIMG");
-      Check
-        (abs (After - Before - Count) <= 4,
-         Count'Image & " positions," & Natural'Image (After - Before)
-         & " images");
-      Check
-        (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn / 4,
-         "the robot is not drawn");
+      Check (abs (After - Before - Count) <= 4,
+             Count'Image & " positions," & Natural'Image (After - Before)
+             & " images");
+      Check (Images.Seen (R.Monitor.Last_Image).Coloured >= Images.Drawn / 4,
+             "the robot is not drawn");
    end Positions_Every_Image;
 
    procedure Position_Of_Late_Image is
@@ -629,10 +606,9 @@ procedure Camera_Tests is
          and then abs (Parsed (Item).Cy - Place.Cy) <= 12.0);
 
    begin
-      Assemble
-        (R, Camera => True,
-         Emulator_Options =>
-           "--pose 20,20,0 --camera-delay 1000 --position-noise 2");
+      Assemble (R, Camera => True,
+                Emulator_Options =>
+                  "--pose 20,20,0 --camera-delay 1000 --position-noise 2");
       Open_Camera (R, Positions => True);
       Here := R.Emulator.Pose;
       for Number in 1 .. 20 loop
@@ -656,10 +632,9 @@ procedure Camera_Tests is
    procedure Position_Of_Triangle is
       R : Rig;
    begin
-      Assemble
-        (R, Camera => True,
-         Emulator_Options => "--marker triangle --pose 50,20,120",
-         Supervisor_Options => "--marker triangle");
+      Assemble (R, Camera => True,
+                Emulator_Options => "--marker triangle --pose 50,20,120",
+                Supervisor_Options => "--marker triangle");
       Open_Camera (R, Positions => True);
       Expect_Seen (R, 0, R.Emulator.Pose);
    end Position_Of_Triangle;
@@ -680,9 +655,8 @@ procedure Camera_Tests is
          Mark := R.Monitor.Count_Of ("CPOS");
          R.Monitor.Await ("CIMG", 5);
          Check (R.Monitor.Count_Of ("CPOS") = Mark, "positions go on");
-         Check
-           (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
-            "the robot is still drawn");
+         Check (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
+                "the robot is still drawn");
       end loop;
    end Position_Stopped;
 
@@ -712,10 +686,9 @@ begin
    Add ("F14_Library_Loaded_When_Opened", Loaded_When_Opened'Access);
    Add ("F14_Library_Missing", Library_Missing'Access);
    Add ("F14_Open_Takes_Long", Open_Takes_Long'Access, In_Time => True);
-   Script
-     ("F14_Not_Open_Is_ANAK",
-      "CPCO ANAK, CASA ANAK, CPST AACK, CCLS AACK, " & With_Images
-      & ", CCLS AACK, CASA ANAK", Camera => True);
+   Script ("F14_Not_Open_Is_ANAK",
+           "CPCO ANAK, CASA ANAK, CPST AACK, CCLS AACK, " & With_Images
+           & ", CCLS AACK, CASA ANAK", Camera => True);
    --  F15: 10.0 images a second within 1 %, jitter 20 ms at p99
    Add_Period ("F15_Image_Period", "CIMG", 12, 0.1, 0.003, 0.2);
    Add_Period ("F15_Other_Period", "CIMG", 4, 0.25, 0.02, 0.5, "--fps 4");
@@ -726,33 +699,29 @@ begin
    Add ("F15_Damaged_Images", Damaged_Images'Access);
    Add ("F14_Still_Image_As_Camera", Still_Image'Access);
    Add ("F16_No_Image_After_Close", No_Image_After_Close'Access);
-   Script
-     ("F15_Camera_Stops_Delivering",
-      With_Images & ", tell camera stall, comes "
-      & "MSSG:camera closed: it , log camera closed: it ,"
-      & " silence 0.7 CIMG MSSG, CPCO ANAK, RPIN ANAK, tell camera on, "
-      & With_Positions & ", CCLS AACK", Camera => True);
-   Script
-     ("F15_Camera_Silent_For_A_Time",
-      With_Images & ", tell camera stall, comes "
-      & "MSSG:camera closed: it has delivered nothing for 2.5 s",
-      Camera => True,
-      Timed => True);
+   Script ("F15_Camera_Stops_Delivering",
+           With_Images & ", tell camera stall, comes "
+           & "MSSG:camera closed: it , log camera closed: it ,"
+           & " silence 0.7 CIMG MSSG, CPCO ANAK, RPIN ANAK, tell camera on, "
+           & With_Positions & ", CCLS AACK", Camera => True);
+   Script ("F15_Camera_Silent_For_A_Time",
+           With_Images & ", tell camera stall, comes "
+           & "MSSG:camera closed: it has delivered nothing for 2.5 s",
+           Camera => True,
+           Timed => True);
    --  A URL is not given up before
-   Script
-     ("F15_Camera_Goes_Away",
-      With_Positions & ", tell camera off, comes "
-      & "MSSG:camera closed: it delivers no images any more,"
-      & " silence 0.5 CIMG CPOS, COPN ANAK, tell camera on, "
-      & With_Images, Camera => True);
+   Script ("F15_Camera_Goes_Away",
+           With_Positions & ", tell camera off, comes "
+           & "MSSG:camera closed: it delivers no images any more,"
+           & " silence 0.5 CIMG CPOS, COPN ANAK, tell camera on, "
+           & With_Images, Camera => True);
    --  Its stream is closed; a new one refused at first
    Add ("F17_Arena_Confirmed_Or_Rejected", Arena_Decided'Access);
    Add ("F17_F18_Drawn_As_Asked", Drawn_As_Asked'Access);
-   Script
-     ("F17_Arena_Of_Stalled_Camera",
-      With_Images & ", tell camera stall, wait 1.0, send CASA, send nope,"
-      & " answer ANAK, answer ACER, log camera closed, tell camera on,"
-      & " CCLS AACK, " & With_Images, Camera => True);
+   Script ("F17_Arena_Of_Stalled_Camera",
+           With_Images & ", tell camera stall, wait 1.0, send CASA, send nope,"
+           & " answer ANAK, answer ACER, log camera closed, tell camera on,"
+           & " CCLS AACK, " & With_Images, Camera => True);
    --  The search waits for an image, until the camera counts as failed
    Add ("F17_F18_Neither_Arena_Nor_Robot", Nothing_Found'Access);
    Add ("F17_Decision_Without_Search", Decision_Alone'Access);

@@ -170,9 +170,8 @@ package body Dialogues is
       procedure Run is
          R : Rig;
       begin
-         Assemble
-           (R, Camera, Emulator_Options, Supervisor_Options,
-            Terminal => Terminal);
+         Assemble (R, Camera, Emulator_Options, Supervisor_Options,
+                   Terminal => Terminal);
          Play (R, Steps, Times);
       end Run;
 

@@ -185,10 +185,9 @@ procedure Mission_Tests is
    procedure Refused_As_Arena_Too_Small is
       R : Rig;
    begin
-      Assemble
-        (R, Camera          => True,
-         Emulator_Options   => "--frame-size 160x120 --noise 0",
-         Supervisor_Options => "--frame-size 160x120");
+      Assemble (R, Camera          => True,
+                Emulator_Options   => "--frame-size 160x120 --noise 0",
+                Supervisor_Options => "--frame-size 160x120");
       Start_Robot (R);
       Open_Camera (R, Positions => True);
       Confirm_Arena (R);

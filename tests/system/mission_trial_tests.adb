@@ -28,22 +28,21 @@ procedure Mission_Trial_Tests is
       P.Radio := Radio;
       loop
          Real_Missions.Run (P, V);
-         Note
-           (Name & ": " & Rounded (Float (V.Pass), 1)
-            & " mm from a point at most, "
-            & Rounded (Float (Ratio (V))) & " times an exact robot's time, "
-            & Rounded (Float (V.Blind) * 1_000.0, 0)
-            & " ms without a new position " & To_String (V.Reason));
+         Note (Name & ": " & Rounded (Float (V.Pass), 1)
+               & " mm from a point at most, "
+               & Rounded (Float (Ratio (V))) & " times an exact robot's time, "
+               & Rounded (Float (V.Blind) * 1_000.0, 0)
+               & " ms without a new position " & To_String (V.Reason));
          Check (V.Wrong = "", Name & ": " & To_String (V.Wrong));
          --  the goal of script/bench missions, and a margin for a machine that
          --  does other things, too
-         Check_In_Time
-           (not V.Done or else Ratio (V) <= 1.5 * Slowest,
-            Name & " takes " & Rounded (Float (Ratio (V)))
-            & " times an exact robot's time");
+         Check_In_Time (not V.Done or else Ratio (V) <= 1.5 * Slowest,
+                        Name & " takes " & Rounded (Float (Ratio (V)))
+                        & " times an exact robot's time");
          Done := Done + Boolean'Pos (V.Done);
          Aborted := Aborted + Boolean'Pos (not V.Done);
-         Check (Aborted < 2, Name & " is aborted: " & To_String (V.Reason));
+         Check_In_Time
+           (Aborted < 2, Name & " is aborted: " & To_String (V.Reason));
          exit when Done > Aborted;
       end loop;
    end Try;

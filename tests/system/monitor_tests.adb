@@ -86,9 +86,8 @@ procedure Monitor_Tests is
          --  Other messages, but no answer other than AACK
       begin
          Item := R.Monitor.Next;
-         Check
-           (Item.Label not in "    " | "ATIM" | "ANAK" | "ACRJ" | "ACER",
-            "RPIN was answered " & Item.Label);
+         Check (Item.Label not in "    " | "ATIM" | "ANAK" | "ACRJ" | "ACER",
+                "RPIN was answered " & Item.Label);
       end Take_Next;
 
       procedure Measure_Answers is
@@ -110,9 +109,8 @@ procedure Monitor_Tests is
          end loop;
          Note (Between'Image & " of" & Trials'Image
                & " answers had a message before them");
-         Check_In_Time
-           (Between <= Trials / 8,
-            Between'Image & " unasked messages before an answer");
+         Check_In_Time (Between <= Trials / 8,
+                        Between'Image & " unasked messages before an answer");
       end Measure_Answers;
 
       function Longest_Wait return Duration is
@@ -178,8 +176,7 @@ procedure Monitor_Tests is
       Open_Camera (R, Positions => True);
       R.Monitor.Skip_To_Now;
       for Number in 1 .. 40 loop
-         R.Monitor.Send_Line ((if Number mod 2 = 0 then "RMOV:1"
-                               else "RGST"));
+         R.Monitor.Send_Line ((if Number mod 2 = 0 then "RMOV:1" else "RGST"));
          delay 0.11;
       end loop;
       loop
@@ -188,8 +185,7 @@ procedure Monitor_Tests is
          if Is_Unasked (Item) then
             Unasked := Unasked + 1;
          end if;
-         if Previous.Number > 0
-           and then
+         if Previous.Number > 0 and then
              ((Is_Unasked (Item)
                and then Item.Time - Previous.Time < Unasked_Gap)
               or else
@@ -239,9 +235,8 @@ procedure Monitor_Tests is
             end if;
          end loop;
          Note ("camera open after " & Milliseconds (Item.Time - Start));
-         Check_In_Time
-           (Between = 0 or else Item.Time - Start > Hold_Limit,
-            Between'Image & " levels before the camera's answer");
+         Check_In_Time (Between = 0 or else Item.Time - Start > Hold_Limit,
+                        Between'Image & " levels before the camera's answer");
          R.Monitor.Expect ("CCLS", "AACK");
          delay 0.1;
          --  commands in a row, without such a gap between them, hold a level
@@ -319,8 +314,7 @@ procedure Monitor_Tests is
       R.Monitor.Skip_To_Now;
       for Number in 1 .. 15 loop
          Image := R.Monitor.Next_Of ("CIMG");
-         Gaps.Add (R.Monitor.Next_Of ("CPOS").Time
-                   - Image.Time);
+         Gaps.Add (R.Monitor.Next_Of ("CPOS").Time - Image.Time);
       end loop;
       Check_Within (Gaps.Quantile (0.5), 0.003, "the median gap");
    end No_Gap_On_Request;
@@ -356,8 +350,7 @@ procedure Monitor_Tests is
       Check (Item.Label = "ACER", "the answer was lost");
       loop
          Item := R.Monitor.Next_Of ("CIMG");
-         Images.Find_Marker
-           (R.Monitor.Image (Item.Number), Found, X, Y);
+         Images.Find_Marker (R.Monitor.Image (Item.Number), Found, X, Y);
          exit when Found and then abs (X - Truth.Cx) < 5.0
            and then abs (Y - Truth.Cy) < 5.0;
          Old := Old + 1;
@@ -428,21 +421,18 @@ procedure Monitor_Tests is
       Mark : Natural;
    begin
       Assemble (R, Camera => True);
-      Play
-        (R, "ROPN AACK, RSWW AACK, " & With_Positions & ", CASA CIMG,"
-         & " send CACO, comes CPOS, RGLF AACK, clear, reset, stops,"
-         & " log monitor lost, over, status viewers 0, connect, initial");
+      Play (R, "ROPN AACK, RSWW AACK, " & With_Positions & ", CASA CIMG,"
+            & " send CACO, comes CPOS, RGLF AACK, clear, reset, stops,"
+            & " log monitor lost, over, status viewers 0, connect, initial");
       R.Emulator.Clear_Journal;
       Mark := R.Monitor.Count;
       Open_Camera (R);
       R.Monitor.Await ("CIMG", Count => 5);
-      Check
-        (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
-         "something is drawn in the new session's images");
+      Check (Images.Seen (R.Monitor.Last_Image).Coloured < Images.Drawn,
+             "something is drawn in the new session's images");
       for Number in Mark + 1 .. R.Monitor.Count loop
-         Check
-           (R.Monitor.Element (Number).Label not in "CPOS" | "RBLV",
-            "unasked " & R.Monitor.Element (Number).Label);
+         Check (R.Monitor.Element (Number).Label not in "CPOS" | "RBLV",
+                "unasked " & R.Monitor.Element (Number).Label);
       end loop;
       Play (R, "unused");
    end Lost_With_Everything_On;
@@ -484,12 +474,10 @@ procedure Monitor_Tests is
    end Expect_New_Session;
 
    procedure Expect_Stop_After_Loss (R : in out Rig) is
-      Stop : constant Emulators.Note :=
-        R.Emulator.Await_On_Wire ("M=0");
+      Stop : constant Emulators.Note := R.Emulator.Await_On_Wire ("M=0");
    begin
-      Check_Within
-        (Stop.First - R.Supervisor.Time_Of ("monitor lost"),
-         0.5, "the stop");
+      Check_Within (Stop.First - R.Supervisor.Time_Of ("monitor lost"),
+                    0.5, "the stop");
    end Expect_Stop_After_Loss;
 
    procedure Add_Cut
@@ -506,12 +494,10 @@ procedure Monitor_Tests is
          Time : Instant;
       begin
          Link.Make;
-         Assemble
-           (R, Camera => Streaming, Bind => "0.0.0.0",
-            Launcher => (if Short then Short_Info else ""));
-         R.Monitor.Connect
-           (R.Supervisor.Port, Network_Links.Supervisor_Side,
-            Namespace => Link.Namespace);
+         Assemble (R, Camera => Streaming, Bind => "0.0.0.0",
+                   Launcher => (if Short then Short_Info else ""));
+         R.Monitor.Connect (R.Supervisor.Port, Network_Links.Supervisor_Side,
+                            Namespace => Link.Namespace);
          if Streaming then
             Open_Camera (R);
          end if;
@@ -554,13 +540,11 @@ procedure Monitor_Tests is
       Time : Instant;
    begin
       Link.Make;
-      Assemble
-        (R, Camera => True, Bind => "0.0.0.0",
-         Supervisor_Options => "--log-level debug");
+      Assemble (R, Camera => True, Bind => "0.0.0.0",
+                Supervisor_Options => "--log-level debug");
       R.Emulator.Tell ("camera opening 3000");
-      R.Monitor.Connect
-        (R.Supervisor.Port, Network_Links.Supervisor_Side,
-         Namespace => Link.Namespace);
+      R.Monitor.Connect (R.Supervisor.Port, Network_Links.Supervisor_Side,
+                         Namespace => Link.Namespace);
       R.Monitor.Send_Line ("COPN");
       R.Supervisor.Expect_Log ("received COPN");
       Time := Now;
@@ -597,13 +581,11 @@ procedure Monitor_Tests is
       --  what one has announced, another does not owe
       Announced.Monitor.Expect ("RPIN", "ANAK");
       delay 2.0;
-      Check
-        (Announced.Supervisor.Count_Of ("monitor lost") = 1,
-         "the next monitor was given up");
-      Check
-        (not Plain.Supervisor.Says ("monitor lost")
-         and then Plain.Emulator.Status ("moving") = "1",
-         "a monitor that has announced nothing was given up");
+      Check (Announced.Supervisor.Count_Of ("monitor lost") = 1,
+             "the next monitor was given up");
+      Check (not Plain.Supervisor.Says ("monitor lost")
+             and then Plain.Emulator.Status ("moving") = "1",
+             "a monitor that has announced nothing was given up");
    end Announced_And_Silent;
 
    procedure Silent_For_Too_Long is
@@ -679,10 +661,9 @@ procedure Monitor_Tests is
             delay 0.5;
          end loop;
       end loop;
-      Check_In_Time
-        (not R.Supervisor.Says ("monitor lost")
-         and then not Console.Supervisor.Says ("monitor lost"),
-         "a living monitor was given up");
+      Check_In_Time (not R.Supervisor.Says ("monitor lost")
+                     and then not Console.Supervisor.Says ("monitor lost"),
+                     "a living monitor was given up");
    end Announced_In_Time;
 
    procedure Stalled is
@@ -700,23 +681,20 @@ procedure Monitor_Tests is
       Dead.Monitor.Pause;
       Time := Now;
       delay 10.0;
-      Check
-        (not Patient.Supervisor.Says ("monitor lost")
-         and then not Dead.Supervisor.Says ("monitor lost"),
-         "a monitor that reads nothing for 10 s counts as lost");
+      Check (not Patient.Supervisor.Says ("monitor lost")
+             and then not Dead.Supervisor.Says ("monitor lost"),
+             "a monitor that reads nothing for 10 s counts as lost");
       Patient.Monitor.Resume;
       Patient.Monitor.Expect ("what", "ACER");
       Dead.Supervisor.Expect_Log ("monitor lost");
       Lost := Dead.Supervisor.Time_Of ("monitor lost") - Time;
       Note ("lost after " & Milliseconds (Lost));
-      Check_In_Time
-        (Lost > 14.0 and then Lost < 18.0,
-         "15 s without reading were " & Milliseconds (Lost));
+      Check_In_Time (Lost > 14.0 and then Lost < 18.0,
+                     "15 s without reading were " & Milliseconds (Lost));
       Expect_Stop_After_Loss (Dead);
       Expect_New_Session (Dead);
-      Check
-        (not Patient.Supervisor.Says ("monitor lost"),
-         "the patient monitor was given up");
+      Check (not Patient.Supervisor.Says ("monitor lost"),
+             "the patient monitor was given up");
       Patient.Monitor.Expect ("CCLS", "AACK");
    end Stalled;
 
@@ -754,12 +732,10 @@ procedure Monitor_Tests is
       for Attempt in 1 .. 5 loop
          Second.Connect (R.Supervisor.Port);
          Item := Second.Next;
-         Check
-           (Item.Label = "MSSG" and then Length (Item.Data) > 0,
-            "the second monitor is told " & Item.Label);
-         Check
-           (Second.Closed_By_Peer /= Open,
-            "the second monitor is not closed");
+         Check (Item.Label = "MSSG" and then Length (Item.Data) > 0,
+                "the second monitor is told " & Item.Label);
+         Check (Second.Closed_By_Peer /= Open,
+                "the second monitor is not closed");
          Second.Close;
          R.Monitor.Expect ("RPIN", "AACK");
       end loop;
@@ -773,10 +749,9 @@ procedure Monitor_Tests is
          end loop;
          R.Monitor.Expect ("RPIN", "AACK");
          for Visitor of Crowd loop
-            Check
-              (Visitor.Closed_By_Peer /= Open
-               and then Visitor.Count_Of ("MSSG") = 1,
-               "one of many is not told and closed");
+            Check (Visitor.Closed_By_Peer /= Open
+                   and then Visitor.Count_Of ("MSSG") = 1,
+                   "one of many is not told and closed");
          end loop;
       end;
 
@@ -786,14 +761,12 @@ procedure Monitor_Tests is
       if Second.Try_Send ("RGFW" & ASCII.LF) then
          null;  --  it may have been closed before
       end if;
-      Check
-        (Second.Closed_By_Peer /= Open
-         and then Second.Count = Second.Count_Of ("MSSG"),
-         "the second monitor is answered");
+      Check (Second.Closed_By_Peer /= Open
+             and then Second.Count = Second.Count_Of ("MSSG"),
+             "the second monitor is answered");
       R.Monitor.Expect ("RGST", "RCST:0");
-      Check
-        (R.Emulator.Wire_Text = "",
-         "the second monitor commands the robot");
+      Check (R.Emulator.Wire_Text = "",
+             "the second monitor commands the robot");
    end Second_Is_Refused;
 
    procedure Lines_In_Pieces is
@@ -817,17 +790,15 @@ procedure Monitor_Tests is
 begin
    Add ("F03_Rule_1_Answers_In_Order", Answers_In_Order'Access);
    Add ("F03_Lines_In_Pieces", Lines_In_Pieces'Access);
-   Script
-     ("F03_Line_Ends_Tolerated",
-      "ROPN" & ASCII.CR & " AACK, RSOW" & ASCII.CR & " AACK, RMOV:5"
-      & ASCII.CR & " AACK, RPIN: AACK, RPIN:" & ASCII.CR
-      & " AACK, sent M=5 1");
+   Script ("F03_Line_Ends_Tolerated",
+           "ROPN" & ASCII.CR & " AACK, RSOW" & ASCII.CR & " AACK, RMOV:5"
+           & ASCII.CR & " AACK, RPIN: AACK, RPIN:" & ASCII.CR
+           & " AACK, sent M=5 1");
    --  The existing monitor appends a separator to every label
    Add ("F03_Telnet_Commands_Skipped", Telnet_Commands'Access);
-   Script
-     ("F03_Log_Message_Unanswered",
-      "send MSSG:the user says hello, send MSSG, send CACO, send CAIN,"
-      & " silence 0.3 AACK ANAK ACRJ ATIM, RPIN ANAK");
+   Script ("F03_Log_Message_Unanswered",
+           "send MSSG:the user says hello, send MSSG, send CACO, send CAIN,"
+           & " silence 0.3 AACK ANAK ACRJ ATIM, RPIN ANAK");
    Add ("F04_Answers_Are_Prompt", Answers_Are_Prompt'Access, Timed => True);
    Add ("F04_Messages_Kept_Apart", Messages_Kept_Apart'Access, Timed => True);
    Add ("F04_Reader_As_The_Existing_Monitor",

@@ -64,9 +64,8 @@ procedure Never_Tests is
       Refuse ("MPCM:" & 64 * "1;2;" & "1;2");
       Refuse ((1 .. 2_000 => 'A'));
       Refuse ("RMOV:" & (1 .. 2_000 => 'A'));
-      Check
-        (R.Emulator.Wire_Text = "",
-         "malformed orders are on the wire: " & R.Emulator.Wire_Text);
+      Check (R.Emulator.Wire_Text = "",
+             "malformed orders are on the wire: " & R.Emulator.Wire_Text);
       Expect_Alive (R);
    end Malformed_Commands;
 
@@ -115,14 +114,12 @@ procedure Never_Tests is
       end loop;
       R.Monitor.Skip_To_Now;
       R.Monitor.Send ((1 => ASCII.LF));
-      Check
-        (R.Monitor.Next_Answer.Label = "ACER",
-         "a line of 2 MB is no error");
+      Check (R.Monitor.Next_Answer.Label = "ACER",
+             "a line of 2 MB is no error");
       R.Monitor.Expect_Silence ("ACER AACK ANAK", For_Time => 0.3);
-      Check
-        (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
-         <= Before + 1024,
-         "the line is kept in memory");
+      Check (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
+             <= Before + 1024,
+             "the line is kept in memory");
       Expect_Alive (R);
    end Line_Without_End;
 
@@ -147,8 +144,7 @@ procedure Never_Tests is
             --  a new session now and then, in the middle of a line
             Mark := R.Supervisor.Log_Length;
             R.Monitor.Reset;
-            R.Supervisor.Expect_Log
-              ("session closed", After => Mark);
+            R.Supervisor.Expect_Log ("session closed", After => Mark);
             Connect (R);
          end if;
       end loop;
@@ -190,8 +186,7 @@ procedure Never_Tests is
          R.Monitor.Expect_Silence (Answers, 0.2);
          Mark := R.Supervisor.Log_Length;
          R.Monitor.Reset;
-         R.Supervisor.Expect_Log
-           ("session closed", After => Mark);
+         R.Supervisor.Expect_Log ("session closed", After => Mark);
          R.Emulator.Await_Status ("moving", "0");
          Connect (R);
       end loop;
@@ -205,20 +200,18 @@ procedure Never_Tests is
       Assemble (R, Emulator_Options => "--baud 0");
       Start_Robot (R, Watchdog => True);
       for Round in 1 .. 60 loop
-         R.Emulator.Tell
-           ("unasked " & (1 .. 40 => Character'Val (33 + Round))
-            & "\r\r\x00\xFF\n");
+         R.Emulator.Tell ("unasked " & (1 .. 40 => Character'Val (33 + Round))
+                          & "\r\r\x00\xFF\n");
          if Round mod 5 = 0 then
             R.Emulator.Tell ("garbage 1");
          end if;
          R.Monitor.Skip_To_Now;
          R.Monitor.Send_Line ("RGST");
          Item := R.Monitor.Next_Answer ("RGST");
-         Check
-           (Item.Label in "ATIM" | "ANAK"
-            or else (Item.Label = "RCST" and then Item.Data = "0"),
-            Item.Label & ":" & To_String (Item.Data)
-            & " made out of garbage");
+         Check (Item.Label in "ATIM" | "ANAK"
+                or else (Item.Label = "RCST" and then Item.Data = "0"),
+                Item.Label & ":" & To_String (Item.Data)
+                & " made out of garbage");
       end loop;
       --  what a line that has been closed meanwhile has not delivered
       R.Emulator.Tell ("garbage 0");
@@ -250,9 +243,8 @@ procedure Never_Tests is
       R.Monitor.Resume;
       for Number in 1 .. Count loop
          Item := R.Monitor.Next_Answer;
-         Check
-           (Item.Label = (if Number mod 3 = 0 then "AACK" else "ACER"),
-            "answer" & Number'Image & " is " & Item.Label);
+         Check (Item.Label = (if Number mod 3 = 0 then "AACK" else "ACER"),
+                "answer" & Number'Image & " is " & Item.Label);
       end loop;
       Item := R.Monitor.Next_Of ("CIMG");
       Check (R.Monitor.Broken_Images = 0, "a broken image");
@@ -274,12 +266,10 @@ procedure Never_Tests is
             Descriptors := Process_Facts.Descriptors (R.Supervisor.Pid);
          end if;
       end loop;
-      Check
-        (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
-         <= Memory + 512, "memory grows");
-      Check
-        (Process_Facts.Descriptors (R.Supervisor.Pid) = Descriptors,
-         "descriptors before and after differ");
+      Check (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
+             <= Memory + 512, "memory grows");
+      Check (Process_Facts.Descriptors (R.Supervisor.Pid) = Descriptors,
+             "descriptors before and after differ");
    end Flat_Over_Cycles;
 
    procedure Flat_Over_Large_Images is

@@ -115,10 +115,9 @@ procedure Process_Tests is
          & " th_startRobot th_startRobotWD th_resetRobot th_move"
          & " th_batteryLevel")
       loop
-         Check
-           (Process_Facts.Thread_Named (S.Pid, Name) > 0,
-            "no thread " & Name & " among"
-            & Process_Facts.Thread_Names (S.Pid));
+         Check (Process_Facts.Thread_Named (S.Pid, Name) > 0,
+                "no thread " & Name & " among"
+                & Process_Facts.Thread_Names (S.Pid));
       end loop;
    end Thirteen_Threads;
 
@@ -135,30 +134,25 @@ procedure Process_Tests is
                Process_Facts.Thread_Named (R.Supervisor.Pid, Name)));
       begin
          Assemble (R, Supervisor_Options => Option);
-         for Name of Words
-           (Process_Facts.Thread_Names (R.Supervisor.Pid))
-         loop
+         for Name of Words (Process_Facts.Thread_Names (R.Supervisor.Pid)) loop
             if Name in "th_captureImg" | "th_arene" | "th_camera"
                      | "th_console"
               or else Index (Name, "th_") /= 1
             then
-               Check
-                 (Where (Name) not in "" | Processor
-                  and then Index (Where (Name), Processor) = 0,
-                  Option & ": " & Name & " runs on " & Where (Name));
+               Check (Where (Name) not in "" | Processor
+                      and then Index (Where (Name), Processor) = 0,
+                      Option & ": " & Name & " runs on " & Where (Name));
             else
-               Check
-                 (Where (Name) = Processor,
-                  Option & ": " & Name & " runs on " & Where (Name));
+               Check (Where (Name) = Processor,
+                      Option & ": " & Name & " runs on " & Where (Name));
             end if;
          end loop;
          R.Supervisor.Expect_Log ("deadlines: ");
-         Check
-           (not R.Supervisor.Says ("ceilings act; memory: locked")
-            or else R.Supervisor.Says
-              ("deadlines: as analysed with --cpu, on processor "
-               & Processor),
-            "not what is claimed: " & R.Supervisor.Log_Text);
+         Check (not R.Supervisor.Says ("ceilings act; memory: locked")
+                or else R.Supervisor.Says
+                  ("deadlines: as analysed with --cpu, on processor "
+                   & Processor),
+                "not what is claimed: " & R.Supervisor.Log_Text);
          R.Monitor.Expect ("ROPN", "AACK");
       end Expect;
 
@@ -166,21 +160,17 @@ procedure Process_Tests is
         Process_Facts.File_Line ("/proc/self/status", "Cpus_allowed_list");
    begin
       Wrong.Run ("--port 0 --cpu 1023");
-      Check
-        (Wrong.Exit_Status = 1,
-         "a processor that is not there");
-      Check
-        (Index (Wrong.Log_Text, "no processor 1023") > 0,
-         "no reason: " & Wrong.Log_Text);
+      Check (Wrong.Exit_Status = 1, "a processor that is not there");
+      Check (Index (Wrong.Log_Text, "no processor 1023") > 0,
+             "no reason: " & Wrong.Log_Text);
       if Index (Allowed, Ada.Strings.Maps.To_Set (",-")) = 0 then
          Skip ("there is one processor only");
       end if;
       Expect ("--cpu 0", "0");
-      Expect
-        ("--cpu auto",
-         Allowed
-           (1 + Index (Allowed, Ada.Strings.Maps.To_Set (",-" & ASCII.HT),
-                       Going => Ada.Strings.Backward) .. Allowed'Last));
+      Expect ("--cpu auto",
+              Allowed
+                (1 + Index (Allowed, Ada.Strings.Maps.To_Set (",-" & ASCII.HT),
+                            Going => Ada.Strings.Backward) .. Allowed'Last));
    end Own_Processor;
 
    procedure One_Processor is
@@ -189,23 +179,19 @@ procedure Process_Tests is
       procedure Expect (Option : String) is
          R : Rig;
       begin
-         Assemble
-           (R, Supervisor_Options => Option,
-            Launcher => "taskset --cpu-list 0");
+         Assemble (R, Supervisor_Options => Option,
+                   Launcher => "taskset --cpu-list 0");
          if Process_Facts.Processors (R.Supervisor.Pid, R.Supervisor.Pid)
            /= "0"
          then
             Skip ("GNAT's run time, from 14 on, takes all processors");
          end if;
          R.Supervisor.Expect_Log ("deadlines: ");
-         Check
-           (not R.Supervisor.Says ("ceilings act; memory: locked")
-            or else R.Supervisor.Says
-              ("deadlines: as analysed for one processor"),
-            "not what is claimed: " & R.Supervisor.Log_Text);
-         for Name of Words
-           (Process_Facts.Thread_Names (R.Supervisor.Pid))
-         loop
+         Check (not R.Supervisor.Says ("ceilings act; memory: locked")
+                or else R.Supervisor.Says
+                  ("deadlines: as analysed for one processor"),
+                "not what is claimed: " & R.Supervisor.Log_Text);
+         for Name of Words (Process_Facts.Thread_Names (R.Supervisor.Pid)) loop
             Check
               (Process_Facts.Processors
                  (R.Supervisor.Pid,
@@ -232,24 +218,20 @@ procedure Process_Tests is
          Assemble (R);
          Move_Forward (R);
          Thread := Process_Facts.Thread_Named (R.Supervisor.Pid, Name);
-         Check
-           (Thread > 0,
-            "no thread " & Name & " among"
-            & Process_Facts.Thread_Names (R.Supervisor.Pid));
+         Check (Thread > 0,
+                "no thread " & Name & " among"
+                & Process_Facts.Thread_Names (R.Supervisor.Pid));
          Time := Now;
-         Check
-           (Libc.Tgkill (R.Supervisor.Pid, Thread, Libc.Sigsegv) = 0,
-            "the thread cannot be signalled");
+         Check (Libc.Tgkill (R.Supervisor.Pid, Thread, Libc.Sigsegv) = 0,
+                "the thread cannot be signalled");
          Status := R.Supervisor.Exit_Status;
          Check_Within (Now - Time, 5.0, "the end after a failure");
-         Check
-           (Status = 3,
-            "exit status" & Status'Image & " after the failure of "
-            & Name);
+         Check (Status = 3,
+                "exit status" & Status'Image & " after the failure of "
+                & Name);
          R.Emulator.Await_Status ("moving", "0");
-         Check
-           (R.Emulator.Count_Of ("M=0") >= 1,
-            "no stop on the wire after the failure of " & Name);
+         Check (R.Emulator.Count_Of ("M=0") >= 1,
+                "no stop on the wire after the failure of " & Name);
       end Fail;
 
       Names : Arguments;
@@ -279,10 +261,9 @@ procedure Process_Tests is
       Time : Instant;
       Seen : Integer;
    begin
-      Assemble
-        (R, Camera => True,
-         Launcher => Programs.Preload ("libcrashing_decoder.so")
-           & " CRASH_FILE=" & Path & " CRASH=" & How);
+      Assemble (R, Camera => True,
+                Launcher => Programs.Preload ("libcrashing_decoder.so")
+                  & " CRASH_FILE=" & Path & " CRASH=" & How);
       Open_Camera (R);
       Move_Forward (R);
       Time := Now;
@@ -291,9 +272,8 @@ procedure Process_Tests is
       Delete (File);
       Check (Seen = Status, How & ": exit status" & Seen'Image);
       R.Emulator.Await_Status ("moving", "0");
-      Check_Within
-        (R.Emulator.Await_On_Wire ("M=0").First - Time, 0.2,
-         How & ": the stop");
+      Check_Within (R.Emulator.Await_On_Wire ("M=0").First - Time, 0.2,
+                    How & ": the stop");
       Forget_Last_Lines;
    end Crash_While_Moving;
 
@@ -369,8 +349,7 @@ procedure Process_Tests is
          if Number = 10 then
             --  each frame slot gets the memory of an image, once
             for Image in 1 .. 40 loop
-               Check (R.Monitor.Next_Of ("CIMG").Size > 0,
-                      "an image");
+               Check (R.Monitor.Next_Of ("CIMG").Size > 0, "an image");
             end loop;
          end if;
          R.Monitor.Expect ("RGFW", "AACK");
@@ -383,14 +362,12 @@ procedure Process_Tests is
                R.Monitor.Send ("RS");
                R.Monitor.Close;
          end case;
-         R.Supervisor.Expect_Log
-           ("session closed", After => Mark);
+         R.Supervisor.Expect_Log ("session closed", After => Mark);
       end Visit;
 
    begin
-      Assemble
-        (R, Camera => True, Emulator_Options => "--baud 0",
-         Connected => False);
+      Assemble (R, Camera => True, Emulator_Options => "--baud 0",
+                Connected => False);
       for Number in 1 .. 60 loop
          Visit (Number);
       end loop;
@@ -400,22 +377,18 @@ procedure Process_Tests is
       for Number in 61 .. 160 loop
          Visit (Number);
       end loop;
-      Note
-        ("memory" & Memory'Image & " kB,"
-         & Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)'Image
-         & " kB;" & Threads'Image & " threads;" & Descriptors'Image
-         & " descriptors");
-      Check
-        (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
-         <= Memory + 1024,
-         "memory grows from" & Memory'Image & " kB to"
-         & Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)'Image);
-      Check
-        (Process_Facts.Threads (R.Supervisor.Pid) = Threads,
-         "threads before and after differ");
-      Check
-        (Process_Facts.Descriptors (R.Supervisor.Pid) = Descriptors,
-         "descriptors before and after differ");
+      Note ("memory" & Memory'Image & " kB,"
+            & Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)'Image
+            & " kB;" & Threads'Image & " threads;" & Descriptors'Image
+            & " descriptors");
+      Check (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
+             <= Memory + 1024,
+             "memory grows from" & Memory'Image & " kB to"
+             & Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)'Image);
+      Check (Process_Facts.Threads (R.Supervisor.Pid) = Threads,
+             "threads before and after differ");
+      Check (Process_Facts.Descriptors (R.Supervisor.Pid) = Descriptors,
+             "descriptors before and after differ");
    end Hundred_Connections;
 
    procedure Memory_Locked is
@@ -435,9 +408,8 @@ procedure Process_Tests is
          R.Supervisor.Expect_Log
            ((if Locked then "memory: locked" else "memory: not locked"));
          Size := Process_Facts.Locked_Kilobytes (R.Supervisor.Pid);
-         Check
-           ((Size > A_Library) = Locked,
-            Launcher & ":" & Size'Image & " kB locked");
+         Check ((Size > A_Library) = Locked,
+                Launcher & ":" & Size'Image & " kB locked");
          Check
            (not Locked
             or else Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
@@ -459,8 +431,7 @@ procedure Process_Tests is
          Skip ("root may not lock memory here (CAP_IPC_LOCK)");
       end if;
       Expect (A_Little & As_User, Locked => False);
-      Expect (A_Little & "setpriv --bounding-set=-ipc_lock",
-              Locked => False);
+      Expect (A_Little & "setpriv --bounding-set=-ipc_lock", Locked => False);
       Expect (A_Little & "setpriv --no-new-privs", Locked => True);
       Tool.Start ("prlimit", Words ("--memlock=unlimited:unlimited true"));
       if Tool.Exit_Status = 0 then
@@ -478,9 +449,8 @@ procedure Process_Tests is
       declare
          Device : constant String := R.Emulator.Status ("device");
       begin
-         Check
-           (Libc.Chown (To_C (Device), 65_534, 65_534) = 0,
-            "the device cannot be given away");
+         Check (Libc.Chown (To_C (Device), 65_534, 65_534) = 0,
+                "the device cannot be given away");
       end;
       R.Supervisor.Start
         ("--serial " & R.Emulator.Device & " --camera "
@@ -528,12 +498,10 @@ procedure Process_Tests is
       if Tool.Exit_Status /= 0 then
          Skip ("this file system keeps no capabilities");
       end if;
-      Check
-        (Libc.Chmod (To_C (Copy), 8#755#) = 0, "the copy cannot be run");
+      Check (Libc.Chmod (To_C (Copy), 8#755#) = 0, "the copy cannot be run");
       R.Emulator.Start (Camera => True);
-      R.Supervisor.Start
-        ("--camera " & R.Emulator.Camera_Url,
-         Launcher => As_User, Program => Copy);
+      R.Supervisor.Start ("--camera " & R.Emulator.Camera_Url,
+                          Launcher => As_User, Program => Copy);
       R.Supervisor.Expect_Log ("real-time priorities: FIFO, ceilings");
       Connect (R);
       Open_Camera (R);
@@ -582,9 +550,8 @@ procedure Process_Tests is
       Connect (R);
       R.Monitor.Expect ("RPIN", "ANAK");
       R.Supervisor.Expect_Log ("real-time priorities: " & Says);
-      Check
-        (R.Supervisor.Count_Of ("priorities") = 1,
-         "not in one line: " & R.Supervisor.Log_Text);
+      Check (R.Supervisor.Count_Of ("priorities") = 1,
+             "not in one line: " & R.Supervisor.Log_Text);
       Real_Time := Process_Facts.Real_Time_Threads (R.Supervisor.Pid);
       Check
         (Real_Time = (if Index (Says, "FIFO") = 1
@@ -755,9 +722,7 @@ procedure Process_Tests is
          Words ("--host 127.0.0.1 --port"
            & Positive'Image (R.Supervisor.Port) & " --script " & Script),
          "console monitor");
-      Check
-        (Tool.Exit_Status = 0,
-         "the console monitor has failed");
+      Check (Tool.Exit_Status = 0, "the console monitor has failed");
       Check (R.Emulator.Count_Of ("M=50") = 1, "no M=50 on the wire");
    end Console_Monitor;
 

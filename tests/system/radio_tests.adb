@@ -28,9 +28,8 @@ procedure Radio_Tests is
          R.Monitor.Expect ("RPIN", "AACK");
       end loop;
       for Item of R.Emulator.Journal loop
-         Check
-           (Item.Last - Item.First > 0.014,
-            "on its way for " & Milliseconds (Item.Last - Item.First));
+         Check (Item.Last - Item.First > 0.014,
+                "on its way for " & Milliseconds (Item.Last - Item.First));
       end loop;
       Check (R.Emulator.Count_Of ("p") = 10, "not each ping once");
    end Packets_Take_Time;
@@ -46,8 +45,7 @@ procedure Radio_Tests is
          Before := R.Supervisor.Log_Length;
          R.Monitor.Close;
          Play (R, "seen M=0, status moving 0");
-         R.Supervisor.Expect_Log
-           ("ready for a new monitor", After => Before);
+         R.Supervisor.Expect_Log ("ready for a new monitor", After => Before);
          Connect (R);
       end loop;
       Move_Forward (R);
@@ -64,16 +62,14 @@ procedure Radio_Tests is
       Play (R, "ROPN AACK, clear, tell radio-losses 5");
       for Number in 1 .. 100 loop
          R.Monitor.Send_Line ("RGST");
-         Check_Label
-           (R.Monitor.Next_Answer ("RGST"), "RCST ATIM", "RGST");
+         Check_Label (R.Monitor.Next_Answer ("RGST"), "RCST ATIM", "RGST");
       end loop;
       for Item of R.Emulator.Journal loop
          Not_Received := Not_Received + Boolean'Pos (Item.Answer = "-");
       end loop;
-      Check
-        (Not_Received > 0
-         and then R.Emulator.Status_Number ("spoilt") > Not_Received,
-         "not in both directions:" & Not_Received'Image);
+      Check (Not_Received > 0
+             and then R.Emulator.Status_Number ("spoilt") > Not_Received,
+             "not in both directions:" & Not_Received'Image);
       Play (R, "tell mend, RGST RCST:0, RGBT RBLV:2, RSOW AACK, RGFW AACK");
    end Some_Lost;
 
@@ -89,16 +85,14 @@ procedure Radio_Tests is
          R.Monitor.Send_Line (Command);
          Item := R.Monitor.Next_Answer (Command);
          Late := Late + Boolean'Pos (Item.Label = "ATIM");
-         Check
-           (Item.Label = "ATIM"
-            or else Item.Label & To_String (Item.Data) = Answer,
-            Command & ": " & Item.Label & To_String (Item.Data));
+         Check (Item.Label = "ATIM"
+                or else Item.Label & To_String (Item.Data) = Answer,
+                Command & ": " & Item.Label & To_String (Item.Data));
       end Ask;
 
    begin
-      Assemble
-        (R, Emulator_Options => No_Retries & " --battery 1",
-         Supervisor_Options => "--answer-timeout 200");
+      Assemble (R, Emulator_Options => No_Retries & " --battery 1",
+                Supervisor_Options => "--answer-timeout 200");
       Play (R, "ROPN AACK, tell radio-bursts 100");
       for Number in 1 .. 30 loop
          Ask ("RGST", "RCST0");
@@ -129,13 +123,11 @@ procedure Radio_Tests is
             & Commands'Image & " commands in 20 s");
       --  of 39 ms each, a short one: a quarter of the line's time
       Check_In_Time (Commands <= 150, "so much for others:" & Commands'Image);
-      Check_In_Time
-        (R.Emulator.Count_Of ("w") in 18 .. 22,
-         R.Emulator.Count_Of ("w")'Image & " reloads");
+      Check_In_Time (R.Emulator.Count_Of ("w") in 18 .. 22,
+                     R.Emulator.Count_Of ("w")'Image & " reloads");
       if R.Supervisor.Says ("real-time priorities: FIFO") then
-         Check_In_Time
-           (R.Emulator.Status_Number ("missed_total") <= Missed,
-            "missed" & R.Emulator.Status ("missed_total"));
+         Check_In_Time (R.Emulator.Status_Number ("missed_total") <= Missed,
+                        "missed" & R.Emulator.Status ("missed_total"));
       end if;
       Play (R, "status disabled_count 0, status moving 1, unsaid robot lost,"
             & " RSTP AACK, status moving 0");
@@ -151,21 +143,19 @@ begin
    Add ("F11_Radio_Watchdog_Kept_With_Retries",
         Watchdog_Kept_With_Retries'Access, Timed => True);
    Add ("F08_Radio_Some_Packets_Lost", Some_Lost'Access);
-   Script
-     ("F09_Radio_All_Packets_Lost",
-      "ROPN AACK, RSOW AACK, RGFW AACK, status moving 1, clear,"
-      & " tell radio-losses 100, comes ATIM, log robot lost, seen M=0,"
-      & " status moving 1, tell mend, " & Works_Again
-      & ", status moving 0, RRST AACK",
-      Emulator_Options => No_Retries, Times => 2);
+   Script ("F09_Radio_All_Packets_Lost",
+           "ROPN AACK, RSOW AACK, RGFW AACK, status moving 1, clear,"
+           & " tell radio-losses 100, comes ATIM, log robot lost, seen M=0,"
+           & " status moving 1, tell mend, " & Works_Again
+           & ", status moving 0, RRST AACK",
+           Emulator_Options => No_Retries, Times => 2);
    --  The last stop is lost as well
    Add ("F08_Radio_Bursts_Of_Retries", Bursts_Of_Retries'Access);
-   Script
-     ("F08_Radio_Late_Answers",
-      "ROPN AACK, RPIN AACK, tell radio-retries 100, RPIN ATIM,"
-      & " tell radio-retries 0, wait 1.0, RGBT RBLV:1, RGST RCST:0,"
-      & " unsaid robot lost",
-      Emulator_Options => No_Retries & " --battery 1", Times => 3);
+   Script ("F08_Radio_Late_Answers",
+           "ROPN AACK, RPIN AACK, tell radio-retries 100, RPIN ATIM,"
+           & " tell radio-retries 0, wait 1.0, RGBT RBLV:1, RGST RCST:0,"
+           & " unsaid robot lost",
+           Emulator_Options => No_Retries & " --battery 1", Times => 3);
    --  8 retries in each direction: half a second
    Script
      ("F07_F12_Radio_Driven",

@@ -78,9 +78,8 @@ procedure Robot_Tests is
       Second.Start ("--serial " & R.Emulator.Device);
       Second.Expect_Log
         ("no stop was sent on " & R.Emulator.Device & ": in use by " & Owner);
-      Supervisors.Expect_Console
-        ("--stop --serial " & R.Emulator.Device, 1,
-         R.Emulator.Device & ": in use by " & Owner);
+      Supervisors.Expect_Console ("--stop --serial " & R.Emulator.Device, 1,
+                                  R.Emulator.Device & ": in use by " & Owner);
       Check (R.Emulator.Status ("moving") = "1", "another has stopped it");
       Next.Connect (Second.Port);
       Next.Expect ("ROPN", "ANAK");
@@ -135,9 +134,8 @@ procedure Robot_Tests is
    begin
       Assemble (R);
       R.Monitor.Expect ("ROPN", "AACK");
-      Play
-        (R, "tell silent on, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
-         & " tell silent off, RPIN AACK, unsaid robot lost", Times => 5);
+      Play (R, "tell silent on, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
+            & " tell silent off, RPIN AACK, unsaid robot lost", Times => 5);
 
       --  Started, too: the pings of the supervisor count as well
       R.Monitor.Expect ("RSOW", "AACK");
@@ -164,9 +162,8 @@ procedure Robot_Tests is
       Item := R.Monitor.Next_Of ("ATIM");
       Check_Within (Item.Time - Time, 1.5, "finding the loss");
       R.Monitor.Expect_Silence ("ATIM RBLV", For_Time => 1.0);
-      Check
-        (R.Supervisor.Count_Of ("robot lost") = 1,
-         "the loss is said more than once");
+      Check (R.Supervisor.Count_Of ("robot lost") = 1,
+             "the loss is said more than once");
       R.Emulator.Tell ("silent off");
       Play (R, Works_Again);
    end Silence_Found;
@@ -177,14 +174,12 @@ procedure Robot_Tests is
       Assemble (R);
       R.Monitor.Expect ("ROPN", "AACK");
       for Fault of Words ("drop corrupt garbage truncate") loop
-         Play
-           (R, "tell " & Fault & " 1, RPIN ATIM, RGBT RBLV:2, tell " & Fault
-            & " 1, RGST ATIM, RGST RCST:0, unsaid robot lost", Times => 3);
+         Play (R, "tell " & Fault & " 1, RPIN ATIM, RGBT RBLV:2, tell " & Fault
+               & " 1, RGST ATIM, RGST RCST:0, unsaid robot lost", Times => 3);
       end loop;
-      Play
-        (R, "tell garbage 1000000, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
-         & " RPIN ATIM, comes ATIM, silence 0.5 ATIM, log robot lost,"
-         & " tell garbage 0, " & Works_Again);
+      Play (R, "tell garbage 1000000, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
+            & " RPIN ATIM, comes ATIM, silence 0.5 ATIM, log robot lost,"
+            & " tell garbage 0, " & Works_Again);
    end Garbled;
 
    procedure Talking_From_The_Start is
@@ -324,9 +319,8 @@ procedure Robot_Tests is
             & Milliseconds (Worst) & " off;" & Round'Image & " orders;"
             & Natural'Image (Late) & " kB, after"
             & Natural'Image (Early) & " kB");
-      Check
-        (Late <= Early + 1024,
-         "memory grows:" & Early'Image & " kB," & Late'Image & " kB");
+      Check (Late <= Early + 1024,
+             "memory grows:" & Early'Image & " kB," & Late'Image & " kB");
       Check_In_Time (Reloads >= 58, "only" & Reloads'Image & " reloads");
       --  without real-time priorities deadlines are not guaranteed, but the
       --  robot keeps running
@@ -334,8 +328,7 @@ procedure Robot_Tests is
          Check_In_Time
            (R.Emulator.Status ("missed_total") = "0", "windows missed");
       end if;
-      Check
-        (R.Emulator.Status ("disabled_count") = "0", "robot disabled");
+      Check (R.Emulator.Status ("disabled_count") = "0", "robot disabled");
       Check (R.Monitor.Broken_Images = 0, "a broken image");
    end Watchdog_Kept;
 
@@ -373,15 +366,13 @@ procedure Robot_Tests is
                Next := Item.First;
             end if;
          end loop;
-         Check_In_Time
-           (Repeated = Times,
-            Fault & Times'Image & ", repeated" & Repeated'Image);
+         Check_In_Time (Repeated = Times,
+                        Fault & Times'Image & ", repeated" & Repeated'Image);
          Missed := R.Emulator.Status_Number ("missed_total") - Before;
          Note (Fault & Times'Image & ", missed" & Missed'Image);
          Check_In_Time
            (Missed <= Misses, Fault & Times'Image & ", missed" & Missed'Image);
-         Check
-           (R.Emulator.Status ("disabled_count") = "0", "robot disabled");
+         Check (R.Emulator.Status ("disabled_count") = "0", "robot disabled");
       end Lose;
 
    begin
@@ -417,8 +408,7 @@ procedure Robot_Tests is
          exit when Number > 40 and then Late > 0;
          R.Monitor.Send_Line ("RGST");
          declare
-            Label : constant String :=
-              R.Monitor.Next_Answer ("RGST").Label;
+            Label : constant String := R.Monitor.Next_Answer ("RGST").Label;
          begin
             Check (Label in "RCST" | "ATIM", Label);
             Late := Late + Boolean'Pos (Label = "ATIM");
@@ -426,10 +416,9 @@ procedure Robot_Tests is
       end loop;
       All_Of := Integer (R.Emulator.Journal.Length);
       Spoilt := R.Emulator.Status_Number ("spoilt");
-      Check
-        (Late > 0 and then Late <= Spoilt
-         and then abs (Spoilt - All_Of / 10) <= 1,
-         Late'Image & " and in all" & Spoilt'Image & " of" & All_Of'Image);
+      Check (Late > 0 and then Late <= Spoilt
+             and then abs (Spoilt - All_Of / 10) <= 1,
+             Late'Image & " and in all" & Spoilt'Image & " of" & All_Of'Image);
       R.Emulator.Tell ("mend");
       R.Monitor.Expect ("RGST", "RCST");
    end Tenth_Lost;
@@ -447,11 +436,10 @@ procedure Robot_Tests is
       for Attempt in 1 .. 5 loop
          Before := R.Emulator.Status_Number ("commands");
          Play (R, "clear, tell lose 1, RPIN ATIM, RPIN AACK, sent p 2");
-         Check
-           (R.Emulator.Journal.First_Element.Answer = "-"
-            and then R.Emulator.Status_Number ("commands") - Before
-                     = Integer (R.Emulator.Journal.Length) - 1,
-            "received");
+         Check (R.Emulator.Journal.First_Element.Answer = "-"
+                and then R.Emulator.Status_Number ("commands") - Before
+                         = Integer (R.Emulator.Journal.Length) - 1,
+                "received");
       end loop;
       Play (R, "unsaid robot lost, tell lose 1000000, RPIN ATIM, RPIN ATIM,"
             & " RPIN ATIM, RPIN ATIM, comes ATIM, log robot lost, tell mend, "
@@ -511,19 +499,17 @@ procedure Robot_Tests is
       begin
          Check_Label (First, "AACK ACRJ", "first order");
          for Number in 1 .. 3 loop
-            Check_Label
-              (R.Monitor.Next_Answer, "ACRJ",
-               "order" & Number'Image & " that waited");
+            Check_Label (R.Monitor.Next_Answer, "ACRJ",
+                         "order" & Number'Image & " that waited");
          end loop;
          Check_Label (R.Monitor.Next_Answer, "AACK", "the stop");
          Check_Label (R.Monitor.Next_Answer, "ACER", "out of order");
          declare
             Wire : constant String := R.Emulator.Wire_Text;
          begin
-            Check
-              (Wire = (if First.Label = "AACK" then "T=90 M=0 "
-                       else "M=0 "),
-               "on the wire: " & Wire);
+            Check (Wire = (if First.Label = "AACK" then "T=90 M=0 "
+                           else "M=0 "),
+                   "on the wire: " & Wire);
          end;
       end;
       R.Emulator.Tell ("delay 0");
@@ -555,9 +541,8 @@ procedure Robot_Tests is
       Note ("median period " & Milliseconds (Periods.Quantile (0.5))
             & ", the worst by " & Milliseconds (Off.Quantile (1.0)) & " off");
       Check_Within (Off.Usual_Worst (4), 0.1, "the battery's jitter");
-      Check_Within
-        (abs (Periods.Quantile (0.5) - 0.5), 0.015,
-         "the battery's period off");
+      Check_Within (abs (Periods.Quantile (0.5) - 0.5), 0.015,
+                    "the battery's period off");
       R.Emulator.Tell ("battery 1");
       Item := R.Monitor.Next_Of ("RBLV");
       Item := R.Monitor.Next_Of ("RBLV");
@@ -580,27 +565,23 @@ procedure Robot_Tests is
       R.Emulator.Clear_Journal;
       delay 1.0;
       Count := R.Emulator.Count_Of ("p");
-      Check
-        (Count in 3 .. Natural (20.0 * Duration'(Now - Start)),
-         Count'Image & " pings in " & Milliseconds (Now - Start));
+      Check (Count in 3 .. Natural (20.0 * Duration'(Now - Start)),
+             Count'Image & " pings in " & Milliseconds (Now - Start));
       Play (R, "status state run");
    end Idle_Line;
 
 begin
-   Script
-     ("F07_Open_And_Close",
-      "ROPN AACK, ROPN AACK, RPIN AACK, RCLS AACK, RCLS AACK, RPIN ANAK",
-      Times => 5, Terminal => True);
+   Script ("F07_Open_And_Close",
+           "ROPN AACK, ROPN AACK, RPIN AACK, RCLS AACK, RCLS AACK, RPIN ANAK",
+           Times => 5, Terminal => True);
    Add ("F07_Open_Fails", Open_Fails'Access);
    Add ("F07_Line_In_Use", Line_In_Use'Access);
-   Script
-     ("F07_Not_Open_Is_ANAK",
-      "RSOW ANAK, RSWW ANAK, RRST ANAK, RPIN ANAK, RLDW ANAK, RGFW ANAK,"
-      & " RGBW ANAK, RGLF ANAK, RGRI ANAK, RSTP ANAK, RMOV:1 ANAK,"
-      & " RTRN:1 ANAK, RPOF ANAK, RGBT ANAK, RGST ANAK, unused");
-   Script
-     ("F07_Rule_4_Closing_Stops_The_Robot",
-      Forward & ", RCLS AACK, seen M=0, status moving 0, RGFW ANAK");
+   Script ("F07_Not_Open_Is_ANAK",
+           "RSOW ANAK, RSWW ANAK, RRST ANAK, RPIN ANAK, RLDW ANAK, RGFW ANAK,"
+           & " RGBW ANAK, RGLF ANAK, RGRI ANAK, RSTP ANAK, RMOV:1 ANAK,"
+           & " RTRN:1 ANAK, RPOF ANAK, RGBT ANAK, RGST ANAK, unused");
+   Script ("F07_Rule_4_Closing_Stops_The_Robot",
+           Forward & ", RCLS AACK, seen M=0, status moving 0, RGFW ANAK");
    Script
      ("F12_No_Stop_To_An_Idle_Robot",
       "ROPN AACK, clear, RSTP ACRJ, MABT ACRJ, sent M=0 0, RSOW AACK,"
@@ -608,18 +589,16 @@ begin
    Add ("F07_Closed_Though_Nothing_Leaves",
         Closed_Though_Nothing_Leaves'Access, In_Time => True);
    Add ("F08_Three_Failures_Are_Not_Lost", Three_Failures'Access);
-   Script
-     ("F08_F09_Four_Failures_Are_Lost",
-      "ROPN AACK, tell silent on, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
-      & " RPIN ATIM, comes ATIM, log robot lost, silence 0.4 ATIM,"
-      & " tell silent off, " & Works_Again & ", RRST AACK", Times => 3);
+   Script ("F08_F09_Four_Failures_Are_Lost",
+           "ROPN AACK, tell silent on, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
+           & " RPIN ATIM, comes ATIM, log robot lost, silence 0.4 ATIM,"
+           & " tell silent off, " & Works_Again & ", RRST AACK", Times => 3);
    Add ("F08_Silence_Found_In_Time", Silence_Found'Access, Timed => True);
-   Script
-     ("F09_Rule_6_Lost_Robot_Keeps_Camera",
-      "ROPN AACK, RSWW AACK, " & With_Positions & ", tell silent on,"
-      & " comes ATIM, silence 0.5 ATIM, log robot lost, comes CPOS,"
-      & " comes CIMG, tell silent off, " & Works_Again & ", CCLS AACK",
-      Camera => True);
+   Script ("F09_Rule_6_Lost_Robot_Keeps_Camera",
+           "ROPN AACK, RSWW AACK, " & With_Positions & ", tell silent on,"
+           & " comes ATIM, silence 0.5 ATIM, log robot lost, comes CPOS,"
+           & " comes CIMG, tell silent off, " & Works_Again & ", CCLS AACK",
+           Camera => True);
    Script
      ("F09_Reopened_At_Once",
       "ROPN AACK, tell drop 4, RPIN ATIM, RPIN ATIM, RPIN ATIM, RPIN ATIM,"
@@ -627,11 +606,10 @@ begin
       Times => 10);
    --  While the answer to the last stop on the lost line is in transit: it
    --  must not be taken for that of the next command
-   Script
-     ("F09_Late_When_Reopened",
-      "ROPN AACK, RSOW AACK, tell drop 1000, comes ATIM, tell drop 0,"
-      & " tell delay 700, ROPN AACK, tell delay 0, wait 1, RSOW AACK",
-      Terminal => True);
+   Script ("F09_Late_When_Reopened",
+           "ROPN AACK, RSOW AACK, tell drop 1000, comes ATIM, tell drop 0,"
+           & " tell delay 700, ROPN AACK, tell delay 0, wait 1, RSOW AACK",
+           Terminal => True);
    --  A robot that was lost while started, and whose answers are late when its
    --  line is opened again, is reset nevertheless
    Add ("F08_Garbled_Answers", Garbled'Access);
@@ -644,33 +622,29 @@ begin
       & " unsaid robot lost", Emulator_Options => "--battery 1", Times => 5);
    --  A late answer never passes for the answer to the next command. The robot
    --  answers in order: after the last one, its next is late, too.
-   Script
-     ("F08_Answers_Within_80_Ms",
-      "ROPN AACK, tell delay 40, RPIN AACK, tell delay 120, RPIN ATIM",
-      Timed => True);
-   Script
-     ("F08_Unasked_Bytes",
-      "ROPN AACK, tell unasked EE\r, wait 0.2, RPIN AACK,"
-      & " log sends without being asked,"
-      & " tell unasked 00\r1, wait 0.2, RGBT RBLV:2,"
-      & " tell unasked \x00\xFF\x01\r\r\rOO, wait 0.2, RGST RCST:0,"
-      & " unsaid robot lost, RCLS AACK", Times => 5);
+   Script ("F08_Answers_Within_80_Ms",
+           "ROPN AACK, tell delay 40, RPIN AACK, tell delay 120, RPIN ATIM",
+           Timed => True);
+   Script ("F08_Unasked_Bytes",
+           "ROPN AACK, tell unasked EE\r, wait 0.2, RPIN AACK,"
+           & " log sends without being asked,"
+           & " tell unasked 00\r1, wait 0.2, RGBT RBLV:2,"
+           & " tell unasked \x00\xFF\x01\r\r\rOO, wait 0.2, RGST RCST:0,"
+           & " unsaid robot lost, RCLS AACK", Times => 5);
    --  The first is a whole good frame, "E" with its checksum
-   Script
-     ("F08_Talking_Line",
-      "ROPN AACK, tell silent on, tell unasked "
-      & To_String (60 * "OO\r") & ", wait 0.05, RSWW ATIM,"
-      & " log sends without being asked, wait 0.4, tell silent off,"
-      & " RCLS AACK", Times => 10,
-      Timed => True);
+   Script ("F08_Talking_Line",
+           "ROPN AACK, tell silent on, tell unasked "
+           & To_String (60 * "OO\r") & ", wait 0.05, RSWW ATIM,"
+           & " log sends without being asked, wait 0.4, tell silent off,"
+           & " RCLS AACK", Times => 10,
+           Timed => True);
    --  A device that sends the answer "O" without end is no started robot
    Add ("F08_Talking_From_The_Start", Talking_From_The_Start'Access);
    Add ("F08_Talking_Now_And_Then", Talking_Now_And_Then'Access);
    Add ("F08_Noisy_Line", Noisy_Line'Access, In_Time => True);
-   Script
-     ("F07_Robot_Silent_When_Opened",
-      "ROPN AACK, RPIN ATIM, tell silent off, RSOW AACK",
-      Emulator_Options => "--silent", Terminal => True);
+   Script ("F07_Robot_Silent_When_Opened",
+           "ROPN AACK, RPIN ATIM, tell silent off, RSOW AACK",
+           Emulator_Options => "--silent", Terminal => True);
    Script
      ("F08_Hung_Up_In_Mid_Transaction",
       "ROPN AACK, RSOW AACK, clear, tell silent on, send RPIN, seen p,"
@@ -678,35 +652,30 @@ begin
       & " log the device of its line has gone,"
       & " RPIN ANAK, ROPN ANAK, tell silent off, tell return, " & Works_Again
       & ", RCLS AACK", Times => 3, Terminal => True);
-   Script
-     ("F08_Hung_Up_While_Idle",
-      With_Images & ", ROPN AACK, RSWW AACK, RGFW AACK, tell hangup,"
-      & " comes ATIM, silence 0.5 ATIM, log robot lost, tell return, "
-      & Works_Again, Camera => True, Terminal => True);
-   Script
-     ("F10_F11_Start_Refused",
-      "ROPN AACK, RSOW ACRJ, RSWW ACRJ, RGFW ACRJ, RPIN AACK,"
-      & " status state idle, RGFW ACRJ, silence 0.7 RBLV, RSWW AACK,"
-      & " RSOW ACRJ, RGFW AACK, status watchdog on",
-      Emulator_Options => "--boot-ms 5000");
-   Script
-     ("F11_Start_Unanswered",
-      "ROPN AACK, tell silent on, RSWW ATIM, tell silent off,"
-      & " silence 0.7 RBLV, RGFW ACRJ, RRST AACK, RSOW AACK");
-   Script
-     ("F10_Start_Without_Watchdog",
-      "ROPN AACK, sent u 0, RSOW AACK, sent u 1, sent W 0,"
-      & " status state run, status watchdog off, wait 1.2, sent w 0");
+   Script ("F08_Hung_Up_While_Idle",
+           With_Images & ", ROPN AACK, RSWW AACK, RGFW AACK, tell hangup,"
+           & " comes ATIM, silence 0.5 ATIM, log robot lost, tell return, "
+           & Works_Again, Camera => True, Terminal => True);
+   Script ("F10_F11_Start_Refused",
+           "ROPN AACK, RSOW ACRJ, RSWW ACRJ, RGFW ACRJ, RPIN AACK,"
+           & " status state idle, RGFW ACRJ, silence 0.7 RBLV, RSWW AACK,"
+           & " RSOW ACRJ, RGFW AACK, status watchdog on",
+           Emulator_Options => "--boot-ms 5000");
+   Script ("F11_Start_Unanswered",
+           "ROPN AACK, tell silent on, RSWW ATIM, tell silent off,"
+           & " silence 0.7 RBLV, RGFW ACRJ, RRST AACK, RSOW AACK");
+   Script ("F10_Start_Without_Watchdog",
+           "ROPN AACK, sent u 0, RSOW AACK, sent u 1, sent W 0,"
+           & " status state run, status watchdog off, wait 1.2, sent w 0");
    Add ("F11_Start_With_Watchdog", With_Watchdog'Access, Timed => True);
    Script
      ("F11_Reloads_End_With_The_Reset",
       "ROPN AACK, RSWW AACK, status watchdog on, seen w, RRST AACK, clear,"
       & " wait 1.3, sent w 0");
-   Script
-     ("F11_Rule_5_Robot_No_Longer_Runs",
-      "ROPN AACK, RSWW AACK, tell reset-robot,"
-      & Says_Not_Running
-      & " silence 1.5 MSSG RBLV ATIM, RGFW ACRJ, RSWW AACK, RGFW AACK");
+   Script ("F11_Rule_5_Robot_No_Longer_Runs",
+           "ROPN AACK, RSWW AACK, tell reset-robot,"
+           & Says_Not_Running
+           & " silence 1.5 MSSG RBLV ATIM, RGFW ACRJ, RSWW AACK, RGFW AACK");
    Script
      ("F10_Restarted_Without_Watchdog",
       "ROPN AACK, RSOW AACK, tell reset-robot, RGFW ACRJ," & Says_Not_Running
@@ -756,31 +725,27 @@ begin
    Add ("F12_Rule_3_Stop_Overtakes", Stop_Overtakes'Access);
    Add ("F13_Battery_Unasked", Battery_Period'Access);
    Add ("F13_Battery_Period", Battery_Period'Access, Timed => True);
-   Script
-     ("Battery_On_Request",
-      "ROPN AACK, RGBT RBLV:0, tell battery 1, RGBT RBLV:1,"
-      & " tell battery 2, RGBT RBLV:2, tell silent on, RGBT ATIM",
-      Emulator_Options => "--battery 0");
+   Script ("Battery_On_Request",
+           "ROPN AACK, RGBT RBLV:0, tell battery 1, RGBT RBLV:1,"
+           & " tell battery 2, RGBT RBLV:2, tell silent on, RGBT ATIM",
+           Emulator_Options => "--battery 0");
    Script
      ("Version_On_Request",
       "RVER ANAK, ROPN AACK, RVER RVER:3.5, seen V, RSWW AACK, RGFW AACK,"
       & " RVER RVER:3.5, RGST RCST:1, tell drop 1, RVER ATIM, RVER RVER:3.5,"
       & " unsaid robot lost");
-   Script
-     ("State_On_Request",
-      "ROPN AACK, RSOW AACK, RGST RCST:0, RTRN:30000 AACK, RGST RCST:1,"
-      & " RSTP AACK, RGST RCST:0");
-   Script
-     ("Reset_On_Request",
-      "ROPN AACK, RSOW AACK, RGFW AACK, RRST AACK, status state idle,"
-      & " RGFW ACRJ, silence 0.7 RBLV, RSWW AACK, RGFW AACK, RRST AACK,"
-      & " status state idle, RGFW ACRJ, silence 0.7 RBLV", Times => 2);
-   Script
-     ("Power_Off_On_Request",
-      "ROPN AACK, RSOW AACK, RGFW AACK, clear, RPOF AACK,"
-      & " status state off, seen z, silence 0.7 RBLV, RPIN ATIM,"
-      & " tell reset-robot, status state idle, RCLS AACK, ROPN AACK,"
-      & " RSOW AACK");
+   Script ("State_On_Request",
+           "ROPN AACK, RSOW AACK, RGST RCST:0, RTRN:30000 AACK, RGST RCST:1,"
+           & " RSTP AACK, RGST RCST:0");
+   Script ("Reset_On_Request",
+           "ROPN AACK, RSOW AACK, RGFW AACK, RRST AACK, status state idle,"
+           & " RGFW ACRJ, silence 0.7 RBLV, RSWW AACK, RGFW AACK, RRST AACK,"
+           & " status state idle, RGFW ACRJ, silence 0.7 RBLV", Times => 2);
+   Script ("Power_Off_On_Request",
+           "ROPN AACK, RSOW AACK, RGFW AACK, clear, RPOF AACK,"
+           & " status state off, seen z, silence 0.7 RBLV, RPIN ATIM,"
+           & " tell reset-robot, status state idle, RCLS AACK, ROPN AACK,"
+           & " RSOW AACK");
    Script
      ("Battery_Critical",
       "ROPN AACK, RSOW AACK, RGFW AACK, comes RBLV:0, tell battery critical,"
@@ -800,24 +765,20 @@ begin
       & " status state idle, RCLS AACK, clear",
       Times => 3);
    --  Whether it or its answer was lost, or the answer was cut
-   Script
-     ("F07_Idle_Robot_Stays_On",
-      "ROPN AACK, clear, wait 25, unused, seen p, sent p 1");
-   Script
-     ("F07_Open_Asks_The_Robot",
-      "ROPN AACK, ROPN AACK, tell silent on, ROPN ATIM, tell silent off,"
-      & " ROPN AACK, RSOW AACK, ROPN AACK, status state run");
-   Script
-     ("F08_Answers_Later",
-      "ROPN AACK, tell delay 140, RPIN AACK, RGBT RBLV:2, RSWW AACK,"
-      & " wait 3.3, status missed_total 0, tell delay 400, RPIN ATIM",
-      Supervisor_Options => "--answer-timeout 200",
-      Timed => True);
-   Script
-     ("Power_Off_And_On_Again",
-      "ROPN AACK, RSOW AACK, RPOF AACK, status state idle, RSOW AACK,"
-      & " RGFW AACK",
-      Emulator_Options => "--stay-on");
+   Script ("F07_Idle_Robot_Stays_On",
+           "ROPN AACK, clear, wait 25, unused, seen p, sent p 1");
+   Script ("F07_Open_Asks_The_Robot",
+           "ROPN AACK, ROPN AACK, tell silent on, ROPN ATIM, tell silent off,"
+           & " ROPN AACK, RSOW AACK, ROPN AACK, status state run");
+   Script ("F08_Answers_Later",
+           "ROPN AACK, tell delay 140, RPIN AACK, RGBT RBLV:2, RSWW AACK,"
+           & " wait 3.3, status missed_total 0, tell delay 400, RPIN ATIM",
+           Supervisor_Options => "--answer-timeout 200",
+           Timed => True);
+   Script ("Power_Off_And_On_Again",
+           "ROPN AACK, RSOW AACK, RPOF AACK, status state idle, RSOW AACK,"
+           & " RGFW AACK",
+           Emulator_Options => "--stay-on");
    Add ("F08_Idle_Line_Is_Watched", Idle_Line'Access);
    Add ("F11_Watchdog_Kept_For_60_s", Watchdog_Kept'Access, Timed => True);
 end Robot_Tests;

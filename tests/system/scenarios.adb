@@ -237,11 +237,10 @@ package body Scenarios is
                begin
                   Say (Text);
                   if Index (Text, Repeating) = 1 then
-                     Append
-                       (Repeats,
-                        "REPEATED " & Title (J.Test) & ": "
-                        & Text (Repeating'Length + 1 .. Text'Last)
-                        & ASCII.LF);
+                     Append (Repeats,
+                             "REPEATED " & Title (J.Test) & ": "
+                             & Text (Repeating'Length + 1 .. Text'Last)
+                             & ASCII.LF);
                   end if;
                   for Word of Words (Skipping & "|" & Failing, '|') loop
                      if Index (Text, Word) = 1 then
@@ -263,9 +262,8 @@ package body Scenarios is
             Say ("SKIPPED " & Title (J.Test) & ": " & To_String (Reason));
          else
             Failed := Failed + 1;
-            Append
-              (Failures,
-               "FAILED " & Title (J.Test) & ": " & Reason & ASCII.LF);
+            Append (Failures,
+                    "FAILED " & Title (J.Test) & ": " & Reason & ASCII.LF);
          end if;
       end Finish;
 
@@ -277,8 +275,7 @@ package body Scenarios is
          Programs.Give_Up ("no test is called " & To_String (The_One));
       end if;
       for Text of Filters loop
-         if not (for some Test of Known => Is_Named (Test, Text))
-         then
+         if not (for some Test of Known => Is_Named (Test, Text)) then
             Programs.Give_Up ("no test has " & Text & " in its name");
          end if;
       end loop;

@@ -49,9 +49,8 @@ procedure Security_Tests is
    procedure Drive_With_Token (R : in out Rig) is
       --  By a monitor in command at a supervisor that has a token
    begin
-      Assemble
-        (R, Supervisor_Options => "--token " & Token_File,
-         Connected => False);
+      Assemble (R, Supervisor_Options => "--token " & Token_File,
+                Connected => False);
       Enter (R.Monitor, R.Supervisor, Good_Line);
       Move_Forward (R);
    end Drive_With_Token;
@@ -100,9 +99,8 @@ procedure Security_Tests is
       Item : constant Message := M.Next_Of ("MSSG");
    begin
       Check (Item.Data = "refused: " & Reason, To_String (Item.Data));
-      Check
-        (M.Closed_By_Peer /= Monitor_Clients.Open,
-         "refused, and still connected");
+      Check (M.Closed_By_Peer /= Monitor_Clients.Open,
+             "refused, and still connected");
       Check (M.Count = 1, "more than a refusal");
    end Expect_Refused;
 
@@ -243,8 +241,7 @@ procedure Security_Tests is
          "console monitor");
       Tool.Put_Line ("RCLS");
       Tool.Close_Input;
-      Check
-        (Tool.Exit_Status = 0, "not by the console monitor");
+      Check (Tool.Exit_Status = 0, "not by the console monitor");
       M.Connect (Open.Port, Address => "::1");
       Expect_Admitted (M);
 
@@ -281,12 +278,10 @@ procedure Security_Tests is
         (Path : String; Reason : String; Checked : Boolean := False) is
          --  Checked: also by --check, which tries the camera, so it is slow
       begin
-         Expect_Console
-           ("--port 0 --token " & Path, 1, Path & ": " & Reason);
+         Expect_Console ("--port 0 --token " & Path, 1, Path & ": " & Reason);
          if Checked then
-            Expect_Console
-              ("--check --port 0 --token " & Path, 1,
-               "not ok  token file " & Path & ": " & Reason);
+            Expect_Console ("--check --port 0 --token " & Path, 1,
+                            "not ok  token file " & Path & ": " & Reason);
          end if;
       end Refuse;
 
@@ -294,10 +289,9 @@ procedure Security_Tests is
       Refuse (Programs.Temporary_Folder & "/no_such_file", "No such file",
               Checked => True);
       Refuse (Programs.Temporary_Folder, "Is a directory");
-      Refuse
-        ("/run/credentials/none/token",
-         "No such file or directory. It is systemd's copy of the file to "
-         & "mend, /etc/destijl/token");
+      Refuse ("/run/credentials/none/token",
+              "No such file or directory. It is systemd's copy of the file to "
+              & "mend, /etc/destijl/token");
       for Mode of Modes'(8#660#, 8#620#, 8#604#, 8#602#) loop
          Refuse (Token_File (Mode => Mode), Not_Alone, Mode = 8#604#);
       end loop;
@@ -334,14 +328,12 @@ procedure Security_Tests is
       end Status;
 
    begin
-      Assemble
-        (R, Supervisor_Options => "--token " & Token_File,
-         Connected => False);
+      Assemble (R, Supervisor_Options => "--token " & Token_File,
+                Connected => False);
       Check (Status (Token_File (Name => "copy")) = 0, "with its token");
-      Check
-        (Tool.Awaited (Output, Token) = 0
-         and then Tool.Awaited (Errors, Token) = 0,
-         "the console monitor shows the token");
+      Check (Tool.Awaited (Output, Token) = 0
+             and then Tool.Awaited (Errors, Token) = 0,
+             "the console monitor shows the token");
       Check
         (Status (Token_File ("another-token-here" & LF, Name => "other")) = 1,
          "with another token");
@@ -357,15 +349,13 @@ procedure Security_Tests is
 
       procedure Try (User : String; Trusted : Boolean) is
       begin
-         S.Start
-           ("--log-level debug",
-            Launcher => "setpriv --clear-groups --reuid=" & User,
-            Program  => Programs.Copied_Supervisor);
-         Tool.Start
-           (Programs.Monitor,
-            Words ("--port" & Positive'Image (S.Port)
-              & " --script - --token " & Path),
-            "console monitor");
+         S.Start ("--log-level debug",
+                  Launcher => "setpriv --clear-groups --reuid=" & User,
+                  Program  => Programs.Copied_Supervisor);
+         Tool.Start (Programs.Monitor,
+                     Words ("--port" & Positive'Image (S.Port)
+                       & " --script - --token " & Path),
+                     "console monitor");
          Tool.Close_Input;
          Check ((Tool.Exit_Status = 0) = Trusted, "exit status, " & User);
          if not Trusted then
@@ -436,9 +426,8 @@ procedure Security_Tests is
       Check
         (R.Emulator.Count_Of ("M=0") = 0, "the robot was stopped meanwhile");
       R.Monitor.Expect ("RSTP", "AACK");
-      Check
-        (R.Monitor.Closed_By_Peer (0.0) = Monitor_Clients.Open,
-         "the one in command has lost its connection");
+      Check (R.Monitor.Closed_By_Peer (0.0) = Monitor_Clients.Open,
+             "the one in command has lost its connection");
    end Disturbs_Nobody;
 
    procedure Eight_Silent is
@@ -485,11 +474,10 @@ procedure Security_Tests is
       Start       : Instant;
       Served      : Natural;
    begin
-      Assemble
-        (R,
-         Supervisor_Options =>
-           (if System.Multiprocessors.Number_Of_CPUs > 1 then "--cpu 0"
-            else ""));
+      Assemble (R,
+                Supervisor_Options =>
+                  (if System.Multiprocessors.Number_Of_CPUs > 1 then "--cpu 0"
+                   else ""));
       Move_Forward (R);
       Quiet := Median_Answer (R);
       Start := Now;
@@ -497,14 +485,12 @@ procedure Security_Tests is
       delay 0.1;
       Amid := Median_Answer (R);
       Served := Crowd.Served;
-      Note
-        ("order to answer " & Milliseconds (Quiet) & ", amid the flood "
-         & Milliseconds (Amid) & "," & Served'Image & " served in "
-         & Milliseconds (Now - Start));
-      Check
-        (Served <= Per_Turn * (Natural ((Now - Start) / Interval) + 1),
-         "more newcomers are seen to than" & Per_Turn'Image & " in "
-         & Milliseconds (Interval));
+      Note ("order to answer " & Milliseconds (Quiet) & ", amid the flood "
+            & Milliseconds (Amid) & "," & Served'Image & " served in "
+            & Milliseconds (Now - Start));
+      Check (Served <= Per_Turn * (Natural ((Now - Start) / Interval) + 1),
+             "more newcomers are seen to than" & Per_Turn'Image & " in "
+             & Milliseconds (Interval));
       Check_In_Time
         (Served >= Per_Turn * Natural ((Now - Start) / Interval) / 20,
          "hardly any newcomer is seen to");
@@ -533,9 +519,8 @@ procedure Security_Tests is
       Flood.Start (R.Supervisor.Port, Floods.Restless);
       delay 0.1;
       Amid := Median_Answer (R);
-      Note
-        ("order to answer " & Milliseconds (Quiet) & ", amid the flood "
-         & Milliseconds (Amid));
+      Note ("order to answer " & Milliseconds (Quiet) & ", amid the flood "
+            & Milliseconds (Amid));
       Check_Within (Amid, 2 * Quiet + 0.005, "an order amid the flood");
       Start := Now;
       R.Monitor.Close;
@@ -583,9 +568,8 @@ procedure Security_Tests is
    begin
       S.Send_Signal (Libc.Sigterm);
       Check (S.Exit_Status = 0, "no orderly stop");
-      Check
-        (Index (S.Log_Text & S.Output_Text, Token) = 0,
-         "the token is in the log: " & S.Log_Text);
+      Check (Index (S.Log_Text & S.Output_Text, Token) = 0,
+             "the token is in the log: " & S.Log_Text);
    end Expect_Secret;
 
    procedure Line_Without_Token_Option is
@@ -627,9 +611,8 @@ procedure Security_Tests is
       Try (Good_Line & "auth:" & Token & LF);
       Try (Good_Line & "RMOV:AUTH:" & Token & "AUTH:" & Token & LF);
       Expect_Secret (S);
-      Check
-        (S.Says ("not understood: AUTH:..."),
-         "the log does not say that the line came: " & S.Log_Text);
+      Check (S.Says ("not understood: AUTH:..."),
+             "the log does not say that the line came: " & S.Log_Text);
    end Secret_Not_Logged;
 
    procedure Token_In_Pieces is
@@ -661,8 +644,7 @@ procedure Security_Tests is
       Try (Good_Line & "RPIN" & LF, 7);
       Try (Good_Line & "RPIN" & LF, Good_Line'Length - 1);
       Try (Good_Line & "RPIN" & LF, Good_Line'Length + 2);
-      Try ("AUTH:" & Token & CR & LF & "RPIN" & CR & LF,
-           Good_Line'Length);
+      Try ("AUTH:" & Token & CR & LF & "RPIN" & CR & LF, Good_Line'Length);
    end Token_In_Pieces;
 
    procedure Token_Late is
@@ -794,9 +776,8 @@ procedure Security_Tests is
          Skip ("root reads everything, and there is no setpriv");
       end if;
       Expect ("--token ", Reason);
-      Expect
-        ("--check --serial ",
-         Reason & ": your user must be in the group dialout");
+      Expect ("--check --serial ",
+              Reason & ": your user must be in the group dialout");
    end Unreadable_Files;
 
    procedure Waits_For_The_End is
@@ -820,10 +801,9 @@ procedure Security_Tests is
       Check (Next.Next.Label = "ANAK", "not admitted");
       Expect_Refused (Last, Not_Alone);
       R.Supervisor.Expect_Log ("refused, " & Not_Alone);
-      Check
-        (R.Supervisor.Time_Of ("session closed")
-         <= R.Supervisor.Time_Of ("refused, " & Not_Alone),
-         "refused before the end");
+      Check (R.Supervisor.Time_Of ("session closed")
+             <= R.Supervisor.Time_Of ("refused, " & Not_Alone),
+             "refused before the end");
       Expect_Refused_In_Time (Silent, Since => Start);
       Expect_Admitted (Next);
    end Waits_For_The_End;
@@ -855,9 +835,8 @@ procedure Security_Tests is
       if R.Monitor.Try_Send (Orders) then
          null;  --  it may have been closed before
       end if;
-      Check
-        (R.Monitor.Closed_By_Peer /= Monitor_Clients.Open,
-         "still connected: " & Bytes);
+      Check (R.Monitor.Closed_By_Peer /= Monitor_Clients.Open,
+             "still connected: " & Bytes);
       Check (R.Monitor.Count = 0, "an answer to " & Bytes);
       Expect_Warnings (R.Supervisor, "is no monitor", Lines + 1);
    end Expect_Stranger_Closed;
@@ -911,9 +890,8 @@ procedure Security_Tests is
       Expect ("", "listening on 127.0.0.1:");
       Expect ("", ", for this machine alone");
       Expect ("--token " & Token_File, "listening on 0.0.0.0:");
-      Expect
-        ("--token " & Token_File,
-         ", for every machine that reaches it, with the token");
+      Expect ("--token " & Token_File,
+              ", for every machine that reaches it, with the token");
       Expect ("--allow 127.0.0.0/8", "listening on 0.0.0.0:");
       Expect ("--allow 127.0.0.0/8", ", for the networks of --allow");
       Expect ("--bind 0.0.0.0", ", for every machine that reaches it");

@@ -129,17 +129,14 @@ procedure Server_Tests is
       for Number in 1 .. Count loop
          declare
             Item : constant Message := R.Monitor.Next;
-            Seen : constant String :=
-              Item.Label & ":" & To_String (Item.Data);
+            Seen : constant String := Item.Label & ":" & To_String (Item.Data);
          begin
-            Check
-              (Item.Number > 0,
-               "no answer to command" & Integer'Image (Number));
-            Check
-              (Seen = Answer (Number),
-               "answer" & Integer'Image (Number) & ", to "
-               & Command (Number) & ", is " & Seen & " instead of "
-               & Answer (Number));
+            Check (Item.Number > 0,
+                   "no answer to command" & Integer'Image (Number));
+            Check (Seen = Answer (Number),
+                   "answer" & Integer'Image (Number) & ", to "
+                   & Command (Number) & ", is " & Seen & " instead of "
+                   & Answer (Number));
          end;
       end loop;
       Note ("all answered after " & Milliseconds (Now - Start));
@@ -158,12 +155,11 @@ procedure Server_Tests is
       Assemble (R, Emulator_Options => "--baud 0");
       Start_Robot (R, Watchdog => True);
       for Number in 1 .. Count loop
-         Append
-           (Text,
-            (case Number mod 4 is
-                when 0 => "RMOV:10", when 1 => "RTRN:-10",
-                when 2 => "RSTP", when others => "RPIN") & ASCII.LF
-            & "what" & ASCII.LF);
+         Append (Text,
+                 (case Number mod 4 is
+                     when 0 => "RMOV:10", when 1 => "RTRN:-10",
+                     when 2 => "RSTP", when others => "RPIN") & ASCII.LF
+                 & "what" & ASCII.LF);
       end loop;
       R.Monitor.Skip_To_Now;
       R.Monitor.Send (To_String (Text));
@@ -178,9 +174,8 @@ procedure Server_Tests is
                Answered := Answered + 1;
             end if;
          end;
-         Check_Label
-           (R.Monitor.Next_Answer, "ACER",
-            "out of order at" & Integer'Image (Number));
+         Check_Label (R.Monitor.Next_Answer, "ACER",
+                      "out of order at" & Integer'Image (Number));
       end loop;
       Check (Answered >= Count / 2, "stops or pings were refused");
       R.Monitor.Expect_Silence
@@ -207,14 +202,12 @@ procedure Server_Tests is
       R.Monitor.Send (To_String (Text));
       Check_Label (R.Monitor.Next, "AACK", "the first command");
       for Number in 1 .. Count loop
-         Check
-           (R.Monitor.Next.Label = "ACER",
-            "no ACER to bad command" & Integer'Image (Number));
+         Check (R.Monitor.Next.Label = "ACER",
+                "no ACER to bad command" & Integer'Image (Number));
       end loop;
-      Check
-        (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
-         <= Before + 1024,
-         "the flood took more than 1 MB of memory");
+      Check (Process_Facts.Resident_Kilobytes (R.Supervisor.Pid)
+             <= Before + 1024,
+             "the flood took more than 1 MB of memory");
    end Flood_Keeps_Memory;
 
    procedure Crowd_Finds_Room is
@@ -231,10 +224,9 @@ procedure Server_Tests is
       for Visitor of Visitors loop
          Create_Socket (Visitor);
          Start := Now;
-         Connect_Socket
-           (Visitor,
-            (Family_Inet, Inet_Addr ("127.0.0.1"),
-             Port_Type (R.Supervisor.Port)));
+         Connect_Socket (Visitor,
+                         (Family_Inet, Inet_Addr ("127.0.0.1"),
+                          Port_Type (R.Supervisor.Port)));
          Longest := Duration'Max (Longest, Now - Start);
       end loop;
       R.Monitor.Expect ("RPIN", "ANAK");
@@ -283,8 +275,7 @@ procedure Server_Tests is
          M.Expect ("RPIN", "ANAK");
       end loop;
       delay 0.1;
-      Check
-        (M.Count = Count, "more than the answers:" & M.Count'Image);
+      Check (M.Count = Count, "more than the answers:" & M.Count'Image);
       S.Send_Signal (Libc.Sigterm);
       Check (S.Exit_Status = 0, "exit status");
    end Streams_Closed;
@@ -302,10 +293,9 @@ procedure Server_Tests is
          declare
             Text : constant String := Console (Option, 2);
          begin
-            Check
-              (Index (Text, "--port") > 0
-               and then Index (Text, "--serial") > 0,
-               "no usage for " & Option & ": " & Text);
+            Check (Index (Text, "--port") > 0
+                   and then Index (Text, "--serial") > 0,
+                   "no usage for " & Option & ": " & Text);
          end;
       end loop;
    end Options_Bad;
@@ -338,9 +328,8 @@ procedure Server_Tests is
              (S.Output_Text, To_Mapping ("0123456789", "0000000000"));
          Parts : constant String := Trim (Text, To_Set ("0"), To_Set ("0"));
       begin
-         Check
-           (Parts = "destijl 0.0.0" & ASCII.LF and then S.Log_Text = "",
-            "the version is: " & S.Output_Text & S.Log_Text);
+         Check (Parts = "destijl 0.0.0" & ASCII.LF and then S.Log_Text = "",
+                "the version is: " & S.Output_Text & S.Log_Text);
       end;
    end Options_Version;
 
@@ -358,10 +347,9 @@ procedure Server_Tests is
          Line.Append (Program);
          E.Start ("/bin/sh", Line);
          Got := E.Exit_Status;
-         Check
-           (Got = Status,
-            Program & " " & Option & " " & Outputs
-            & ": exit status" & Got'Image);
+         Check (Got = Status,
+                Program & " " & Option & " " & Outputs
+                & ": exit status" & Got'Image);
       end Expect;
 
       Tools : Arguments;
@@ -375,8 +363,7 @@ procedure Server_Tests is
          Expect (Program, 2, "--no-such-option", "2>/dev/full");
       end loop;
       Expect (Programs.Emulator, 1, "--help", ">&-");
-      Expect
-        (Programs.Emulator, 1, "--link /dev/null/robot", "2>/dev/full");
+      Expect (Programs.Emulator, 1, "--link /dev/null/robot", "2>/dev/full");
    end Not_Heard;
 
    procedure Check_All_Well is
@@ -385,9 +372,8 @@ procedure Server_Tests is
       S : Supervisor;
    begin
       E.Start (Camera => True);
-      S.Run
-        ("--check --port 0 --bind 127.0.0.1 --serial " & E.Device
-         & " --camera " & E.Camera_Url);
+      S.Run ("--check --port 0 --bind 127.0.0.1 --serial " & E.Device
+             & " --camera " & E.Camera_Url);
       declare
          Status : constant Integer := S.Exit_Status;
          Text   : constant String := S.Output_Text;
@@ -398,14 +384,12 @@ procedure Server_Tests is
          Priorities : constant Boolean := Is_Well ("real-time priorities: ");
          Memory     : constant Boolean := Is_Well ("memory: ");
       begin
-         Check
-           (Is_Well ("serial line ") and then Is_Well ("camera: ")
-            and then Is_Well ("kernel ")
-            and then Is_Well ("port 127.0.0.1:"), Text);
-         Check
-           (Priorities = Own_Process.Real_Time_Allowed
-            and then Status = (if Priorities and Memory then 0 else 1),
-            "exit status" & Status'Image & ": " & Text);
+         Check (Is_Well ("serial line ") and then Is_Well ("camera: ")
+                and then Is_Well ("kernel ")
+                and then Is_Well ("port 127.0.0.1:"), Text);
+         Check (Priorities = Own_Process.Real_Time_Allowed
+                and then Status = (if Priorities and Memory then 0 else 1),
+                "exit status" & Status'Image & ": " & Text);
       end;
    end Check_All_Well;
 
@@ -437,10 +421,9 @@ procedure Server_Tests is
       end loop;
       Close (Table);
       if Is_One and then Ada.Directories.Exists (Console) then
-         Expect_Console
-           (Options & Console, 1,
-            "not ok  serial line " & Console
-            & ": it is a console of the kernel");
+         Expect_Console (Options & Console, 1,
+                         "not ok  serial line " & Console
+                         & ": it is a console of the kernel");
       end if;
    end Check_Line_In_Use;
 
@@ -492,11 +475,10 @@ procedure Server_Tests is
          M.Close;
          S.Send_Signal (Libc.Sigterm);
          Check (S.Exit_Status = 0, "exit status");
-         Check
-           (S.Says ("warning: monitor lost") = Warning
-            and then S.Says ("info: listening") = Info
-            and then S.Says ("debug: received RPIN") = Debug,
-            Level & ": " & S.Log_Text);
+         Check (S.Says ("warning: monitor lost") = Warning
+                and then S.Says ("info: listening") = Info
+                and then S.Says ("debug: received RPIN") = Debug,
+                Level & ": " & S.Log_Text);
       end Expect;
 
    begin
@@ -511,10 +493,9 @@ procedure Server_Tests is
       Tool : Child;
    begin
       S.Start;
-      Tool.Start
-        (Programs.Monitor,
-         Words ("--script - --port" & Positive'Image (S.Port)),
-         "console monitor");
+      Tool.Start (Programs.Monitor,
+                  Words ("--script - --port" & Positive'Image (S.Port)),
+                  "console monitor");
       Tool.Put_Line ("go 40;30");
       Tool.Put_Line ("wait mission");
       Check

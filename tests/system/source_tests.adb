@@ -53,8 +53,7 @@ procedure Source_Tests is
       --  Image: the path of one of 160x120
    begin
       W.Camera.Start (Image, Rate, Jitter);
-      W.Supervisor.Start
-        ("--frame-size 160x120 --camera " & W.Camera.Url);
+      W.Supervisor.Start ("--frame-size 160x120 --camera " & W.Camera.Url);
       W.Monitor.Connect (W.Supervisor.Port);
       W.Monitor.Expect ("COPN", "AACK");
    end Begin_Watch;
@@ -91,13 +90,11 @@ procedure Source_Tests is
             if First = Never then
                First := Item.Time;
             else
-               Check
-                 (Mark.Number > Number,
-                  Name & ": image" & Mark.Number'Image & " after"
-                  & Number'Image);
+               Check (Mark.Number > Number,
+                      Name & ": image" & Mark.Number'Image & " after"
+                      & Number'Image);
                Left_Out := Left_Out + Mark.Number - Number - 1;
-               Between.Add
-                 (abs (Item.Time - Last - Duration (1.0 / Wanted)));
+               Between.Add (abs (Item.Time - Last - Duration (1.0 / Wanted)));
             end if;
             Ages.Add (Item.Time - Mark.Time);
             Last := Item.Time;
@@ -113,31 +110,27 @@ procedure Source_Tests is
               (To - W.Monitor.Element (W.Monitor.Count).Time))
          & " before the end");
       Mean := Float (Between.Count) / Float (Duration'(Last - First));
-      Note
-        (Name & ":" & Natural'Image (Ages.Count) & " images, "
-         & Rounded (Mean) & " a second, interval off by "
-         & Milliseconds (Between.Quantile (0.99))
-         & " (99 %), age " & Milliseconds (Ages.Quantile (0.99))
-         & " (99 %), " & Milliseconds (Ages.Quantile (1.0)) & " (longest)");
+      Note (Name & ":" & Natural'Image (Ages.Count) & " images, "
+            & Rounded (Mean) & " a second, interval off by "
+            & Milliseconds (Between.Quantile (0.99))
+            & " (99 %), age " & Milliseconds (Ages.Quantile (0.99))
+            & " (99 %), " & Milliseconds (Ages.Quantile (1.0)) & " (longest)");
 
       --  the first and the last may each come earlier or later
       Check_In_Time
         (abs (Mean - Wanted) <= 0.01 * Wanted
            + Wanted * Float (2.0 * Jitter) / Float (Duration'(Last - First)),
          Name & ": " & Rounded (Mean) & " images a second");
-      Check_In_Time
-        (not All_Sent or else Left_Out = 0,
-         Name & ":" & Left_Out'Image & " left out");
+      Check_In_Time (not All_Sent or else Left_Out = 0,
+                     Name & ":" & Left_Out'Image & " left out");
       --  a busy machine takes its time over one or the other
-      Check_Within
-        (Ages.Quantile (0.95), Longest + 0.02,
-         Name & ": age of 95 in 100");
+      Check_Within (Ages.Quantile (0.95), Longest + 0.02,
+                    Name & ": age of 95 in 100");
       Check_Within
         (Ages.Quantile (1.0), Longest + 0.1, Name & ": age of the oldest");
       if Rate >= 10.0 then
-         Check_Within
-           (Between.Quantile (0.95), 0.02,
-            Name & ": intervals of 95 in 100 off");
+         Check_Within (Between.Quantile (0.95), 0.02,
+                       Name & ": intervals of 95 in 100 off");
       end if;
    end Judge;
 
@@ -194,27 +187,24 @@ procedure Source_Tests is
          end loop;
          for K in Each'Range loop
             if Each (K).What = Changes then
-               Judge
-                 (Watches (K), Part + 1.0, Now,
-                  "changed to " & Rounded (Dim (Light)), Dim (Light), 0.0,
-                  All_Sent => Dim (Light) < 10.0);
+               Judge (Watches (K), Part + 1.0, Now,
+                      "changed to " & Rounded (Dim (Light)), Dim (Light), 0.0,
+                      All_Sent => Dim (Light) < 10.0);
             end if;
          end loop;
       end loop;
       for K in Each'Range loop
          case Each (K).What is
             when Steady =>
-               Judge
-                 (Watches (K), Begun, Now,
-                  Rounded (Each (K).Rate) & " +-"
-                  & Milliseconds (Each (K).Jitter),
-                  Each (K).Rate, Each (K).Jitter,
-                  All_Sent => Each (K).Rate < 10.0);
+               Judge (Watches (K), Begun, Now,
+                      Rounded (Each (K).Rate) & " +-"
+                      & Milliseconds (Each (K).Jitter),
+                      Each (K).Rate, Each (K).Jitter,
+                      All_Sent => Each (K).Rate < 10.0);
             when Drifts =>
                --  half of the time ten, then down to 9.9
-               Judge
-                 (Watches (K), Begun, Now, "drifting", 9.975, 0.0,
-                  All_Sent => False);
+               Judge (Watches (K), Begun, Now, "drifting", 9.975, 0.0,
+                      All_Sent => False);
             when Changes =>
                null;
          end case;
@@ -241,8 +231,7 @@ procedure Source_Tests is
       Put_Line (File, "broken" & Broken'Image);
       Put_Line (File, "state " & State);
       Close (File);
-      GNAT.OS_Lib.Rename_File
-        (V4l2_Settings & ".new", V4l2_Settings, Renamed);
+      GNAT.OS_Lib.Rename_File (V4l2_Settings & ".new", V4l2_Settings, Renamed);
       Check (Renamed, "the camera's settings cannot be changed");
    end Set_Camera;
 
@@ -258,9 +247,8 @@ procedure Source_Tests is
       --  The arena as a JPEG, and where the robot is in it
       E : Emulators.Emulator;
    begin
-      E.Start
-        (Camera  => True,
-         Options => "--noise 0 --pose 30,40,60 --frame-size " & Size);
+      E.Start (Camera  => True,
+               Options => "--noise 0 --pose 30,40,60 --frame-size " & Size);
       E.Save_Snapshot (Path);
       True_Pose := E.Pose;
    end Picture;
@@ -278,9 +266,8 @@ procedure Source_Tests is
    begin
       S.Run ("--check --port 0 --camera 0", Launcher => Launcher);
       Check (S.Exit_Status in 0 | 1, "--check");
-      Check
-        (Index (S.Output_Text, "camera: delivers images, " & Granted) > 0,
-         "--check says " & S.Output_Text);
+      Check (Index (S.Output_Text, "camera: delivers images, " & Granted) > 0,
+             "--check says " & S.Output_Text);
    end Expect_Check;
 
    procedure Expect_Picture (R : in out Rig; X, Y : Float) is
@@ -296,9 +283,8 @@ procedure Source_Tests is
          Unused := R.Monitor.Next_Of ("CIMG");
       end loop;
       Seen := Images.Seen (R.Monitor.Last_Image);
-      Check
-        (Seen.Width = 640 and then Seen.Height = 480,
-         "image of" & Seen.Width'Image & " x" & Seen.Height'Image);
+      Check (Seen.Width = 640 and then Seen.Height = 480,
+             "image of" & Seen.Width'Image & " x" & Seen.Height'Image);
       Check (Seen.Coloured = 0, "a colour where there is none");
       Images.Find_Marker (R.Monitor.Last_Image, Found, At_X, At_Y);
       Check
@@ -315,9 +301,8 @@ procedure Source_Tests is
       R.Monitor.Skip_To_Now;
       for Number in 1 .. Count loop
          Unused := R.Monitor.Next_Of ("CIMG");
-         Check
-           (Images.Is_File (R.Monitor.Last_Image, Path),
-            "image" & Number'Image & " is not the camera's");
+         Check (Images.Is_File (R.Monitor.Last_Image, Path),
+                "image" & Number'Image & " is not the camera's");
       end loop;
    end Expect_Own_Jpeg;
 
@@ -352,9 +337,7 @@ procedure Source_Tests is
          Open_Camera (R);
          Expect_Own_Jpeg (R, Path, Count => 5);
          R.Monitor.Expect ("CPCO", "AACK");
-         Check
-           (R.Monitor.Next_Of ("CPOS").Data /= "",
-            "no position");
+         Check (R.Monitor.Next_Of ("CPOS").Data /= "", "no position");
          R.Monitor.Expect ("CCLS", "AACK");
          Open_Camera (R);
       end;
@@ -438,9 +421,8 @@ procedure Source_Tests is
       for Attempt in 1 .. 2 loop
          Set_Camera (Path, State => "gone");
          Item := R.Monitor.Next_Of ("MSSG");
-         Check
-           (Index (Item.Data, "camera closed") > 0,
-            "the monitor is told " & To_String (Item.Data));
+         Check (Index (Item.Data, "camera closed") > 0,
+                "the monitor is told " & To_String (Item.Data));
          R.Monitor.Expect ("COPN", "ANAK");
          R.Monitor.Expect_Silence ("CIMG", For_Time => 0.3);
          Set_Camera (Path);

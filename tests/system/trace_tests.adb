@@ -33,9 +33,8 @@ procedure Trace_Tests is
       Start : constant Instant := Now;
    begin
       R.Supervisor.Send_Signal (Libc.Sigterm);
-      Check
-        (R.Supervisor.Exit_Status = 0,
-         "exit status: " & R.Supervisor.Log_Text);
+      Check (R.Supervisor.Exit_Status = 0,
+             "exit status: " & R.Supervisor.Log_Text);
       Check_Within (Now - Start, Limit, "the end, with a trace");
       Read (Trace_Path, T);
    end Stop_And_Read;
@@ -54,20 +53,18 @@ procedure Trace_Tests is
       for Item of T.Events loop
          Check (T.Threads (Item.Thread).Name /= "", "an unknown task");
          if Name (Item) not in "release" | "due" then
-            Check
-              (Item.Time >= Last (Item.Thread),
-               "back in time: " & Name (Item) & " at" & Item.Time'Image
-               & " of " & To_String (T.Threads (Item.Thread).Name));
+            Check (Item.Time >= Last (Item.Thread),
+                   "back in time: " & Name (Item) & " at" & Item.Time'Image
+                   & " of " & To_String (T.Threads (Item.Thread).Name));
             Last (Item.Thread) := Item.Time;
          end if;
          case Item.Phase is
             when 'B' =>
-               Check
-                 ((if Depth (Item.Thread) = 0 then Name (Item) = "job"
-                   else Depth (Item.Thread) = 1
-                     and then Index (Name (Item), "wait for ") = 1),
-                  Name (Item) & " begins at depth"
-                  & Depth (Item.Thread)'Image);
+               Check ((if Depth (Item.Thread) = 0 then Name (Item) = "job"
+                       else Depth (Item.Thread) = 1
+                         and then Index (Name (Item), "wait for ") = 1),
+                      Name (Item) & " begins at depth"
+                      & Depth (Item.Thread)'Image);
                Depth (Item.Thread) := Depth (Item.Thread) + 1;
             when 'E' =>
                Check (Depth (Item.Thread) > 0, "an end without beginning");
@@ -97,9 +94,8 @@ procedure Trace_Tests is
       begin
          loop
             Place := Place + 1;
-            Check
-              (Place <= T.Events.Last_Index,
-               Label & Command'Image & ": no " & What & " of " & Who);
+            Check (Place <= T.Events.Last_Index,
+                   Label & Command'Image & ": no " & What & " of " & Who);
             declare
                Item : Event renames T.Events (Place);
             begin
@@ -153,19 +149,17 @@ procedure Trace_Tests is
       Jobs  : array (Thread_Number) of Natural := (others => 0);
 
    begin
-      Assemble
-        (R, Camera => True, Connected => False,
-         Supervisor_Options =>
-           "--trace " & Trace_Path & " --token " & Token_File);
+      Assemble (R, Camera => True, Connected => False,
+                Supervisor_Options =>
+                  "--trace " & Trace_Path & " --token " & Token_File);
       Connect (R);
       R.Monitor.Send_Line ("AUTH:" & Token);
       Start_Robot (R, Watchdog => True);
       R.Monitor.Expect ("RGFW", "AACK");
       R.Monitor.Expect ("RSTP", "AACK");
       Open_Camera (R, Positions => True);
-      Check
-        (Process_Facts.Inherited (R.Supervisor.Pid) = "",
-         "inherited:" & Process_Facts.Inherited (R.Supervisor.Pid));
+      Check (Process_Facts.Inherited (R.Supervisor.Pid) = "",
+             "inherited:" & Process_Facts.Inherited (R.Supervisor.Pid));
       R.Monitor.Expect ("CASA", "CIMG");
       R.Monitor.Send_Line ("CACO");
       R.Monitor.Expect ("AUTH:" & Token, "ACER");
@@ -191,9 +185,8 @@ procedure Trace_Tests is
          end if;
       end loop;
       for Number in Thread_Number loop
-         Check
-           (T.Threads (Number).Name = "" or else Jobs (Number) > 0,
-            "no job of " & To_String (T.Threads (Number).Name));
+         Check (T.Threads (Number).Name = "" or else Jobs (Number) > 0,
+                "no job of " & To_String (T.Threads (Number).Name));
       end loop;
       Check_Way (T, "ROPN", "th_openComRobot", "r");
       Check_Way (T, "RSWW", "th_startRobotWD", "W");
@@ -232,9 +225,8 @@ procedure Trace_Tests is
                Process_Facts.Thread_Named (R.Supervisor.Pid, Who),
                Libc.Sigsegv) = 0,
             "the thread cannot be signalled");
-         Check
-           (R.Supervisor.Exit_Status = 3,
-            "exit status: " & R.Supervisor.Log_Text);
+         Check (R.Supervisor.Exit_Status = 3,
+                "exit status: " & R.Supervisor.Log_Text);
          Read (Trace_Path, T);
          Check_Form (T);
          Check (Count_Of ("th_receiveFromMon", "in RGFW") = 1, "the movement");
@@ -274,23 +266,19 @@ procedure Trace_Tests is
          Expect_Console
            ("--port 0 --trace " & Path, 1,
             "destijl: cannot use the trace file " & Path & ": " & Reason);
-         Expect_Console
-           ("--check --port 0 --trace " & Path, 1,
-            "not ok  trace file " & Path & ": " & Reason);
+         Expect_Console ("--check --port 0 --trace " & Path, 1,
+                         "not ok  trace file " & Path & ": " & Reason);
       end Refuse;
 
    begin
       Refuse (Programs.Temporary_Folder & "/none/trace", "No such file");
       Refuse (Programs.Temporary_Folder, "Is a directory");
       Refuse ("/dev/ptmx", "Illegal seek");  --  a terminal
-      Check
-        (Libc.Symlink (To_C (Path), To_C (Link)) = 0, "no symbolic link");
+      Check (Libc.Symlink (To_C (Path), To_C (Link)) = 0, "no symbolic link");
       Refuse (Link, "Too many levels of symbolic links");
-      Expect_Console
-        ("--check --port 0 --camera /no/such --trace " & Path, 1,
-         "ok      trace file " & Path);
-      Check
-        (not Ada.Directories.Exists (Path), "--check has left its file");
+      Expect_Console ("--check --port 0 --camera /no/such --trace " & Path, 1,
+                      "ok      trace file " & Path);
+      Check (not Ada.Directories.Exists (Path), "--check has left its file");
    end Unusable_Files;
 
    procedure Full_Disk is
@@ -298,16 +286,13 @@ procedure Trace_Tests is
       procedure Fill (Path, Launcher, Reason : String) is
          R : Rig;
       begin
-         Assemble
-           (R, Supervisor_Options => "--trace " & Path,
-            Launcher => Launcher);
+         Assemble (R, Supervisor_Options => "--trace " & Path,
+                   Launcher => Launcher);
          Move_Forward (R);
          R.Supervisor.Send_Signal (Libc.Sigterm);
-         Check
-           (R.Supervisor.Exit_Status = 0,
-            "exit status: " & R.Supervisor.Log_Text);
-         R.Supervisor.Expect_Log
-           ("the trace is not complete: " & Reason);
+         Check (R.Supervisor.Exit_Status = 0,
+                "exit status: " & R.Supervisor.Log_Text);
+         R.Supervisor.Expect_Log ("the trace is not complete: " & Reason);
          R.Emulator.Await_Status ("moving", "0");
       end Fill;
 

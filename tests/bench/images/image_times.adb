@@ -121,9 +121,8 @@ procedure Image_Times is
    procedure Show (Width, Height : Positive) is
       --  The canvas in slot 0
    begin
-      Check
-        (C_Load (0, Canvas'Address, int (Width), int (Height)) = 0,
-         "loading");
+      Check (C_Load (0, Canvas'Address, int (Width), int (Height)) = 0,
+             "loading");
    end Show;
 
    --  The stages
@@ -284,11 +283,10 @@ procedure Image_Times is
       Copy := Full;
       Report (Name & "in the arena", Inside, Copy);
       if Follow.Count > 0 then
-         Report
-           (Name & "following", Follow, Plain,
-            (if Prefix = "search: "
-             then (1 => (Reports.Median_Ratio, 0.2, False))
-             else Reports.No_Goals));
+         Report (Name & "following", Follow, Plain,
+                 (if Prefix = "search: "
+                  then (1 => (Reports.Median_Ratio, 0.2, False))
+                  else Reports.No_Goals));
       end if;
       Plain.Clear;
       Report (Name & "whole image", Full, Plain);
@@ -328,8 +326,7 @@ begin
       for Size in Widths'Range loop
          Measure_Stages (Widths (Size), Heights (Size));
       end loop;
-      Reports.Put_Note
-        ("floor of the sum: libjpeg-turbo alone");
+      Reports.Put_Note ("floor of the sum: libjpeg-turbo alone");
    end if;
    Reports.End_Section;
 

@@ -74,12 +74,11 @@ procedure Operation_Times with Priority => Schedule.Camera_Control_Priority is
       Last : constant Sample_Index := Sample;
    begin
       Sort (Samples (1 .. Last));
-      Put_Line
-        (Name & (Name'Length + 1 .. 26 => ' ')
-         & Integer'Image (Samples (Last / 2 + 1))
-         & Integer'Image (Samples (Last - Last / 100))
-         & Integer'Image (Samples (Last - Last / 1000))
-         & Integer'Image (Samples (Last)));
+      Put_Line (Name & (Name'Length + 1 .. 26 => ' ')
+                & Integer'Image (Samples (Last / 2 + 1))
+                & Integer'Image (Samples (Last - Last / 100))
+                & Integer'Image (Samples (Last - Last / 1000))
+                & Integer'Image (Samples (Last)));
       Sample := 1;
    end Report;
 

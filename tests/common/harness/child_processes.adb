@@ -142,8 +142,7 @@ package body Child_Processes is
          begin
             for Place in 1 .. Natural (Last) loop
                if Buffer (Place) = ASCII.LF then
-                  List.Append
-                    ((Time, Rest & Buffer (First .. Place - 1)));
+                  List.Append ((Time, Rest & Buffer (First .. Place - 1)));
                   Rest := Null_Unbounded_String;
                   First := Place + 1;
                end if;
@@ -185,8 +184,7 @@ package body Child_Processes is
       Name      : String := "")
    is
       Count   : constant Natural := Natural (Options.Length);
-      Vector  : Libc.Argument_Vector (0 .. Count + 1) :=
-        (others => Null_Ptr);
+      Vector  : Libc.Argument_Vector (0 .. Count + 1) := (others => Null_Ptr);
       Input   : Libc.Pipe_Ends;
       Output  : Libc.Pipe_Ends;
       Errors  : Libc.Pipe_Ends;
@@ -206,11 +204,10 @@ package body Child_Processes is
          Vector (Number) := New_String (Options.Element (Number));
       end loop;
 
-      Check
-        (Libc.Pipe2 (Input, Libc.O_Cloexec) = 0
-         and then Libc.Pipe2 (Output, Libc.O_Cloexec) = 0
-         and then Libc.Pipe2 (Errors, Libc.O_Cloexec) = 0,
-         "no pipe to be had");
+      Check (Libc.Pipe2 (Input, Libc.O_Cloexec) = 0
+             and then Libc.Pipe2 (Output, Libc.O_Cloexec) = 0
+             and then Libc.Pipe2 (Errors, Libc.O_Cloexec) = 0,
+             "no pipe to be had");
       Unused := Libc.Sigemptyset (Empty'Access);
 
       Pid := Libc.Fork;
@@ -285,21 +282,19 @@ package body Child_Processes is
 
    procedure Send_Signal (Object : Child; Signal : int) is
    begin
-      Check
-        (Object.Inner /= null and then not Object.Inner.Ended
-         and then Libc.Kill (Object.Inner.Pid, Signal) = 0,
-         "cannot signal a program that has ended");
+      Check (Object.Inner /= null and then not Object.Inner.Ended
+             and then Libc.Kill (Object.Inner.Pid, Signal) = 0,
+             "cannot signal a program that has ended");
    end Send_Signal;
 
    procedure Put_Line (Object : Child; Text : String) is
       Bytes : constant String := Text & ASCII.LF;
    begin
-      Check
-        (Object.Inner /= null
-         and then Libc.Write
-           (Object.Inner.Input, Bytes'Address, Bytes'Length) =
-             long (Bytes'Length),
-         "cannot write to the program's input");
+      Check (Object.Inner /= null
+             and then Libc.Write
+               (Object.Inner.Input, Bytes'Address, Bytes'Length) =
+                 long (Bytes'Length),
+             "cannot write to the program's input");
    end Put_Line;
 
    procedure Close_Input (Object : in out Child) is
@@ -405,16 +400,14 @@ package body Child_Processes is
             delay 0.001;
          end loop;
          if Object.Inner.Readers (From)'Terminated then
-            Unused := Libc.Close
-              (Object.Inner.Outputs (Stream'Pos (From)));
+            Unused := Libc.Close (Object.Inner.Outputs (Stream'Pos (From)));
          end if;
       end loop;
       for From in Stream loop
          if Object.Count (From) > 0 then
-            Last_Lines.Append
-              ("--- " & To_String (Object.Inner.Name) & ", "
-               & Stream'Image (From) & ", status"
-               & Integer'Image (Object.Inner.Status));
+            Last_Lines.Append ("--- " & To_String (Object.Inner.Name) & ", "
+                               & Stream'Image (From) & ", status"
+                               & Integer'Image (Object.Inner.Status));
          end if;
          for Number in
            Integer'Max (1, Object.Count (From) - Kept (From) + 1)
@@ -424,8 +417,7 @@ package body Child_Processes is
                Text : constant String :=
                  To_String (Object.Element (From, Number).Text);
             begin
-               Last_Lines.Append
-                 (Text (1 .. Integer'Min (Text'Length, 200)));
+               Last_Lines.Append (Text (1 .. Integer'Min (Text'Length, 200)));
             end;
          end loop;
       end loop;

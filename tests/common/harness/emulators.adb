@@ -23,8 +23,7 @@ package body Emulators is
            (Output, "", Patience, After => Object.Seen) > 0,
          "the emulator does not answer");
       Object.Seen := Object.Seen + 1;
-      return To_String
-        (Object.Process.Element (Output, Object.Seen).Text);
+      return To_String (Object.Process.Element (Output, Object.Seen).Text);
    end Next_Line;
 
    function Value (Line : String; Key : String) return String is
@@ -59,9 +58,8 @@ package body Emulators is
    begin
       Made := Made + 1;
       Object.Seen := 0;
-      Object.Link := To_Unbounded_String
-        (Programs.Temporary_Folder & "/robot"
-         & Trim (Natural'Image (Made), Both));
+      Object.Link := To_Unbounded_String (Programs.Temporary_Folder & "/robot"
+                                          & Trim (Natural'Image (Made), Both));
       Object.Process.Start
         (Programs.Emulator,
          Words
@@ -72,9 +70,8 @@ package body Emulators is
            & (if Camera then " --camera-port 0" else ""))
          & Words (Options),
          "emulator");
-      Check
-        (Index (Next_Line (Object), "device ") = 1,
-         "the emulator names no device");
+      Check (Index (Next_Line (Object), "device ") = 1,
+             "the emulator names no device");
       if Camera then
          declare
             Line : constant String := Next_Line (Object);
@@ -101,9 +98,8 @@ package body Emulators is
       declare
          Line : constant String := Next_Line (Object);
       begin
-         Check
-           (Index (Line, "ok") = 1,
-            "the emulator answers " & Command & " with " & Line);
+         Check (Index (Line, "ok") = 1,
+                "the emulator answers " & Command & " with " & Line);
       end;
    end Tell;
 
@@ -113,8 +109,7 @@ package body Emulators is
       declare
          Line : constant String := Next_Line (Object);
       begin
-         Check
-           (Value (Line, Key) /= "", "no " & Key & " in status: " & Line);
+         Check (Value (Line, Key) /= "", "no " & Key & " in status: " & Line);
          return Value (Line, Key);
       end;
    end Status;
@@ -132,10 +127,9 @@ package body Emulators is
             Seen : constant String := Object.Status (Key);
          begin
             exit when Seen = Value;
-            Check
-              (not Late,
-               "the robot's " & Key & " is " & Seen & " instead of "
-               & Value);
+            Check (not Late,
+                   "the robot's " & Key & " is " & Seen & " instead of "
+                   & Value);
          end;
          delay 0.005;
       end loop;
@@ -217,10 +211,9 @@ package body Emulators is
                return Item;
             end if;
          end loop;
-         Check
-           (not Late,
-            "no " & Command & " on the wire, but: "
-            & Object.Wire_Text ("MTWurwpvbz"));
+         Check (not Late,
+                "no " & Command & " on the wire, but: "
+                & Object.Wire_Text ("MTWurwpvbz"));
          delay 0.005;
       end loop;
    end Await_On_Wire;
@@ -249,8 +242,7 @@ package body Emulators is
       Last    : Stream_Element_Offset;
    begin
       Create_Socket (Socket);
-      Set_Socket_Option
-        (Socket, Socket_Level, (Receive_Timeout, Patience));
+      Set_Socket_Option (Socket, Socket_Level, (Receive_Timeout, Patience));
       Connect_Socket
         (Socket, (Family_Inet, Loopback_Inet_Addr, Port (Object)));
       Send_Socket (Socket, Bytes, Last);
@@ -274,8 +266,7 @@ package body Emulators is
 
    function Pose (Object : Emulator) return Truth is
       Bytes : constant Stream_Element_Array := Fetched (Object, "/pose");
-      Text  : String (1 .. Bytes'Length)
-        with Import, Address => Bytes'Address;
+      Text  : String (1 .. Bytes'Length) with Import, Address => Bytes'Address;
       Parts : constant Arguments :=
         Words (Text (1 .. Index (Text & ASCII.LF, (1 => ASCII.LF)) - 1));
 

@@ -110,15 +110,13 @@ package body Floods is
       Own     : constant Sock_Addr_Type :=
         (Family_Inet, Inet_Addr (Address (Number)), 0);
       Place   : constant Sock_Addr_Type := Server (Port);
-      Sockets : Socket_Array (1 .. Connections (How)) :=
-        (others => No_Socket);
+      Sockets : Socket_Array (1 .. Connections (How)) := (others => No_Socket);
       Files   : Libc.Poll_Array (1 .. Connections (How));
 
       procedure Connect (Index : Positive) is
       begin
          Begin_Connection (Sockets (Index), Own, Place);
-         Files (Index) :=
-           (int (To_C (Sockets (Index))), Libc.Poll_In, 0);
+         Files (Index) := (int (To_C (Sockets (Index))), Libc.Poll_In, 0);
       end Connect;
 
       procedure Connect_Again is

@@ -218,8 +218,7 @@ package body Monitor_Clients is
          Own_Process.Prefer_Real_Time (True);
       end if;
 
-      Reading :
-      loop
+      Reading : loop
          declare
             Ready : Boolean := False;
          begin
@@ -302,23 +301,19 @@ package body Monitor_Clients is
          Network_Links.Leave;
       end if;
       if Source /= "" then
-         Bind_Socket
-           (Object.Inner.Socket,
-            Network_Socket_Address (Inet_Addr (Source), Any_Port));
+         Bind_Socket (Object.Inner.Socket,
+                      Network_Socket_Address (Inet_Addr (Source), Any_Port));
       end if;
       if Receive_Buffer > 0 then
-         Set_Socket_Option
-           (Object.Inner.Socket, Socket_Level,
-            (GNAT.Sockets.Receive_Buffer, Receive_Buffer));
+         Set_Socket_Option (Object.Inner.Socket, Socket_Level,
+                            (GNAT.Sockets.Receive_Buffer, Receive_Buffer));
       end if;
       Set_Socket_Option
         (Object.Inner.Socket, Socket_Level, (Send_Timeout, 30.0));
-      Connect_Socket
-        (Object.Inner.Socket,
-         Network_Socket_Address (Server, Port_Type (Port)),
-         Timeout => Patience, Status => Status);
-      Check
-        (Status = Completed, "no connection to port" & Port'Image);
+      Connect_Socket (Object.Inner.Socket,
+                      Network_Socket_Address (Server, Port_Type (Port)),
+                      Timeout => Patience, Status => Status);
+      Check (Status = Completed, "no connection to port" & Port'Image);
       Set_Socket_Option
         (Object.Inner.Socket, IP_Protocol_For_TCP_Level, (No_Delay, True));
       Object.Inner.Reader := new Receiver
@@ -368,17 +363,14 @@ package body Monitor_Clients is
       Object.Send (Command & ASCII.LF);
    end Send_Line;
 
-   function Try_Send
-     (Object : in out Client; Bytes : String) return Boolean
-   is
+   function Try_Send (Object : in out Client; Bytes : String) return Boolean is
       Data  : Stream_Element_Array (1 .. Bytes'Length)
         with Import, Address => Bytes'Address;
       First : Stream_Element_Offset := 1;
       Last  : Stream_Element_Offset;
    begin
       while First <= Data'Last loop
-         Send_Socket
-           (Object.Inner.Socket, Data (First .. Data'Last), Last);
+         Send_Socket (Object.Inner.Socket, Data (First .. Data'Last), Last);
          if Last < First then
             return False;
          end if;
@@ -412,16 +404,14 @@ package body Monitor_Clients is
       end loop;
    end Next;
 
-   function Next_Of (Object : in out Client; Labels : String) return Message
-   is
+   function Next_Of (Object : in out Client; Labels : String) return Message is
       Deadline : constant Instant := Now + Patience;
       Item     : Message;
    begin
       loop
          Item := Object.Next (Duration'Max (0.0, Deadline - Now));
-         Check
-           (Item.Number > 0 or else Object.Inner.Box.State = Open,
-            "no " & Labels & ", the connection is closed");
+         Check (Item.Number > 0 or else Object.Inner.Box.State = Open,
+                "no " & Labels & ", the connection is closed");
          Check (Item.Number > 0, "no " & Labels);
          if Index (Labels, Item.Label) > 0 then
             return Item;
@@ -504,9 +494,8 @@ package body Monitor_Clients is
       loop
          Item := Object.Next (Duration'Max (0.0, Deadline - Now));
          exit when Item.Number = 0;
-         Check
-           (Index (Labels, Item.Label) = 0,
-            "unexpected " & Item.Label & ":" & To_String (Item.Data));
+         Check (Index (Labels, Item.Label) = 0,
+                "unexpected " & Item.Label & ":" & To_String (Item.Data));
       end loop;
    end Expect_Silence;
 
@@ -516,8 +505,7 @@ package body Monitor_Clients is
    function Element (Object : Client; Number : Positive) return Message is
      (Object.Inner.Box.Element (Number));
 
-   function Count_Of (Object : Client; Label : Message_Label) return Natural
-   is
+   function Count_Of (Object : Client; Label : Message_Label) return Natural is
       Result : Natural := 0;
    begin
       for Number in 1 .. Object.Inner.Box.Count loop

@@ -59,8 +59,7 @@ package Monitor_Clients is
 
    procedure Send_Line (Object : in out Client; Command : String);
 
-   function Try_Send
-     (Object : in out Client; Bytes : String) return Boolean;
+   function Try_Send (Object : in out Client; Bytes : String) return Boolean;
    --  False where the supervisor has closed the connection
 
    --  Messages are taken in their order, each once.

@@ -151,10 +151,9 @@ package body Network_Links is
          when Address_Gone   =>
             Run (Set_Address (Supervisor_Side, Here));
          when Route_Gone     =>
-            Run
-              ("ip route " & (if Breaks then "del " else "replace ")
-               & Address (Libc.Getpid, 0) & "/30 dev " & Here
-               & " src " & Supervisor_Side);
+            Run ("ip route " & (if Breaks then "del " else "replace ")
+                 & Address (Libc.Getpid, 0) & "/30 dev " & Here
+                 & " src " & Supervisor_Side);
       end case;
    end Change;
 

@@ -70,8 +70,7 @@ package body Paced_Cameras is
       --  With zeroes in front
       Image  : constant String := Value'Image;
       Digit  : constant String := Image (Image'First + 1 .. Image'Last);
-      Zeroes : constant String (1 .. Length - Digit'Length) :=
-        (others => '0');
+      Zeroes : constant String (1 .. Length - Digit'Length) := (others => '0');
    begin
       return Zeroes & Digit;
    end Padded;
@@ -145,8 +144,7 @@ package body Paced_Cameras is
       end Send;
 
       function Comment return Stream_Element_Array is
-        (16#FF#, 16#FE#, 0, Mark_Length + 2)
-      with Pre => Mark_Length + 2 < 256;
+        (16#FF#, 16#FE#, 0, Mark_Length + 2) with Pre => Mark_Length + 2 < 256;
 
    begin
       Own_Process.Prefer_Real_Time (True);

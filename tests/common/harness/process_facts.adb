@@ -213,10 +213,9 @@ package body Process_Facts is
 
       procedure Add (Thread : String) is
       begin
-         Append
-           (Result,
-            " " & File_Line
-              (Folder (Process) & "/task/" & Thread & "/comm"));
+         Append (Result,
+                 " " & File_Line
+                   (Folder (Process) & "/task/" & Thread & "/comm"));
       end Add;
    begin
       For_Each_Entry (Folder (Process) & "/task", Add'Access);

@@ -64,8 +64,7 @@ package body Programs is
      (Path (The_Monitor, "destijl_monitor"));
 
    function Vision_Library return String is
-     (Compose
-        (Containing_Directory (Supervisor), "libdestijl_vision.so"));
+     (Compose (Containing_Directory (Supervisor), "libdestijl_vision.so"));
 
    function With_Sockets return Boolean is (not Terminals);
 
@@ -122,8 +121,7 @@ package body Programs is
       if Folder = "" then
          --  one that a killed process of the same number has left
          Remove_Left (Libc.Getpid);
-         Folder := To_Unbounded_String
-           (Folder_Of (Libc.Getpid));
+         Folder := To_Unbounded_String (Folder_Of (Libc.Getpid));
          Create_Directory (To_String (Folder));
          Unused := Libc.Chmod (To_C (To_String (Folder)), Open_To_All);
       end if;

@@ -72,8 +72,7 @@ package body Standstills is
       end Clear;
 
       function Longest return Duration is
-        (if Begun = Never then Worst
-         else Duration'Max (Worst, Now - Begun));
+        (if Begun = Never then Worst else Duration'Max (Worst, Now - Begun));
 
       function Next_After (Time : Instant) return Stall is
          Result : Stall;

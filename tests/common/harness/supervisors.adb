@@ -50,26 +50,22 @@ package body Supervisors is
       use type Arguments;
       Number : Natural;
    begin
-      Start_Process
-        (Object,
-         Words ("--port" & Port'Image & " --bind " & Bind
-           & (if Patient and then Index (Options, Timeout) = 0
-              then " " & Timeout & " 300" else ""))
-         & Words (Options),
-         Launcher, Program);
+      Start_Process (Object,
+                     Words ("--port" & Port'Image & " --bind " & Bind
+                       & (if Patient and then Index (Options, Timeout) = 0
+                          then " " & Timeout & " 300" else ""))
+                     & Words (Options),
+                     Launcher, Program);
       Number := Object.Process.Awaited (Errors, Listening, Patience);
       Check (Number > 0, "the supervisor does not listen");
       declare
          Line  : constant String :=
            To_String (Object.Process.Element (Errors, Number).Text);
-         First : constant Positive :=
-           Index (Line, ":", Going => Backward) + 1;
+         First : constant Positive := Index (Line, ":", Going => Backward) + 1;
          --  the last one: an address of IPv6 has its own
          Last  : Positive := First;
       begin
-         Check
-           (First > 1 and then First <= Line'Last,
-            "no port in: " & Line);
+         Check (First > 1 and then First <= Line'Last, "no port in: " & Line);
          while Last < Line'Last and then Is_Digit (Line (Last + 1)) loop
             Last := Last + 1;
          end loop;
@@ -188,9 +184,8 @@ package body Supervisors is
       Pattern : String;
       After   : Natural := 0) is
    begin
-      Check
-        (Object.Says (Pattern, Patience, After),
-         "the supervisor's log lacks """ & Pattern & """");
+      Check (Object.Says (Pattern, Patience, After),
+             "the supervisor's log lacks """ & Pattern & """");
    end Expect_Log;
 
    function Time_Of

@@ -64,8 +64,7 @@ package body Trace_Files is
             Text : constant String := Word (Place);
          begin
             if Text (Text'First) = '#' then
-               Command :=
-                 Natural'Value (Text (Text'First + 1 .. Text'Last));
+               Command := Natural'Value (Text (Text'First + 1 .. Text'Last));
             else
                What := To_Unbounded_String (" " & Text);
             end if;
@@ -83,8 +82,7 @@ package body Trace_Files is
       elsif Kind in "wait" | "resume" then
          Close (Result, Open, Thread, Time, Left => 1);
       elsif Kind in "release" | "due" | "idle" | "in" | "out" | "robot" then
-         Append
-           (Result, 'i', Thread, Time, Kind & To_String (What), Command);
+         Append (Result, 'i', Thread, Time, Kind & To_String (What), Command);
       else
          raise Bad_Trace with "no event: " & Kind;
       end if;

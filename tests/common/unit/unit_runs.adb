@@ -54,9 +54,8 @@ package body Unit_Runs is
       Item   : aliased Unit_Test;
       Unused : AUnit.Status;
    begin
-      Run
-        (Item'Unchecked_Access, AUnit.Options.Default_Options, Results,
-         Unused);
+      Run (Item'Unchecked_Access, AUnit.Options.Default_Options, Results,
+           Unused);
    end Run_Test;
 
    function Split
@@ -79,22 +78,19 @@ package body Unit_Runs is
       Reporter : AUnit.Reporter.Text.Text_Reporter;
    begin
       Reporter.Report (Results, AUnit.Options.Default_Options);
-      Ada.Text_IO.Put_Line
-        (Results.Success_Count'Image & " passed,"
-         & Ada_Containers.Count_Type'Image
-           (Results.Failure_Count + Results.Error_Count)
-         & " failed");
+      Ada.Text_IO.Put_Line (Results.Success_Count'Image & " passed,"
+                            & Ada_Containers.Count_Type'Image
+                              (Results.Failure_Count + Results.Error_Count)
+                            & " failed");
       for Number in Known'Range loop
          if not Known (Number) then
-            Ada.Text_IO.Put_Line
-              (Ada.Text_IO.Standard_Error,
-               "no tests are called " & Argument (Number));
+            Ada.Text_IO.Put_Line (Ada.Text_IO.Standard_Error,
+                                  "no tests are called " & Argument (Number));
          end if;
       end loop;
-      Set_Exit_Status
-        (if Results.Test_Count > 0 and then Results.Successful
-           and then (for all Is_Known of Known => Is_Known)
-         then Success else Failure);
+      Set_Exit_Status (if Results.Test_Count > 0 and then Results.Successful
+                         and then (for all Is_Known of Known => Is_Known)
+                       then Success else Failure);
    end Finish;
 
 end Unit_Runs;

@@ -91,9 +91,8 @@ package body Admission_Targets is
                Inside := True;
             end if;
          end loop;
-         Check
-           (Admission.Networks.Admits (L, P) = Inside,
-            "somebody else is admitted");
+         Check (Admission.Networks.Admits (L, P) = Inside,
+                "somebody else is admitted");
       end Meet;
 
    begin
@@ -124,14 +123,13 @@ package body Admission_Targets is
       begin
          Texts.Set (Log, "> ");
          Admission.Authentication.Append_Shown (Log, Line);
-         Check
-           (Texts.Image (Log) =
-              Texts.Image
-                (Texts.To_Text
-                   ("> "
-                    & (if Label = 0 then Line
-                       else Line (Line'First .. Label + 4) & "..."))),
-            "the log shows what it must not");
+         Check (Texts.Image (Log) =
+                  Texts.Image
+                    (Texts.To_Text
+                       ("> "
+                        & (if Label = 0 then Line
+                           else Line (Line'First .. Label + 4) & "..."))),
+                "the log shows what it must not");
       end Show;
 
       procedure Greet (Sent : String) is
@@ -146,13 +144,12 @@ package body Admission_Targets is
             Newcomer.Length := Newcomer.Length + 1;
             Newcomer.Data (Newcomer.Length) := C;
          end loop;
-         Check
-           ((Admission.Authentication.Decision (Newcomer, T) =
-               Admission.Authentication.Right) =
-              (Head (Sent, Line'Length + 1) = Line & ASCII.LF
-               or else Head (Sent, Line'Length + 2) =
-                 Line & ASCII.CR & ASCII.LF),
-            "a token is taken for another");
+         Check ((Admission.Authentication.Decision (Newcomer, T) =
+                   Admission.Authentication.Right) =
+                  (Head (Sent, Line'Length + 1) = Line & ASCII.LF
+                   or else Head (Sent, Line'Length + 2) =
+                     Line & ASCII.CR & ASCII.LF),
+                "a token is taken for another");
          Check
            (Newcomer.Length in Sent'Length | Admission.Authentication.Max_Line
             or else Sent (Sent'First + Newcomer.Length - 1) = ASCII.LF,

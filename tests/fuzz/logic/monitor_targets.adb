@@ -138,8 +138,7 @@ package body Monitor_Targets is
       Texts.Append (Text, Line);
       if Here.Name = Log_Message then
          Texts.Set (Text, "monitor says: ");
-         Texts.Append
-           (Text, Line (Line'First + Text_Offset .. Line'Last));
+         Texts.Append (Text, Line (Line'First + Text_Offset .. Line'Last));
       end if;
    end Parse_Anywhere;
 
@@ -170,9 +169,8 @@ package body Monitor_Targets is
             if Ended - Begun + 1 > Max_Line then
                Check (Last = 0, "a line that is too long is not empty");
             elsif Is_Plain (All_Text (Begun .. Ended)) then
-               Check
-                 (Line (1 .. Last) = All_Text (Begun .. Ended),
-                  "a line is not what came");
+               Check (Line (1 .. Last) = All_Text (Begun .. Ended),
+                      "a line is not what came");
             end if;
             Parse_Anywhere (Line (1 .. Last));
             Begun := I + 1;

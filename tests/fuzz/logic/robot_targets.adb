@@ -56,9 +56,8 @@ package body Robot_Targets is
             if I - Begun > Max_Frame then
                Check (F.Length = 0, "a frame that is too long is not empty");
             else
-               Check
-                 (F.Data (1 .. F.Length) = Data (Begun .. I - 1),
-                  "a frame is not what came");
+               Check (F.Data (1 .. F.Length) = Data (Begun .. I - 1),
+                      "a frame is not what came");
             end if;
             Read_Frame (F);
             Begun := I + 1;
@@ -78,8 +77,7 @@ package body Robot_Targets is
       F     : Frame;
    begin
       while not Is_Empty (R) loop
-         Take
-           (R, 0, Command_Kind'Pos (Command_Kind'Last), Place);
+         Take (R, 0, Command_Kind'Pos (Command_Kind'Last), Place);
          C.Kind := Command_Kind'Val (Place);
          Take (R, Argument'First, Argument'Last, C.Value);
          Encode (C, F);
@@ -159,17 +157,15 @@ package body Robot_Targets is
          pragma Assert (Robot.Session.Is_Under_Way (S, P));
          pragma Assert (Robot.Session.Is_Allowed (S, P, Next));
          while Next.Kind /= Robot.Session.Finish loop
-            Check
-              (not Robot.Session.Sends_Movement (Next)
-               or else S.Mode /= Robot.Session.Not_Started,
-               "a movement before the start");
+            Check (not Robot.Session.Sends_Movement (Next)
+                   or else S.Mode /= Robot.Session.Not_Started,
+                   "a movement before the start");
             if Robot.Session.Is_Sent (Next) then
                Check (S.Line_Open, "something is sent on a closed line");
                Encode (Next.Command, F);
             end if;
             Steps := Steps + 1;
-            Check
-              (Steps <= Robot.Session.Max_Steps, "a request does not end");
+            Check (Steps <= Robot.Session.Max_Steps, "a request does not end");
             Answer;
             Robot.Session.Continue_Request (S, P, Last, Next);
             pragma Assert (Robot.Session.Is_Under_Way (S, P));

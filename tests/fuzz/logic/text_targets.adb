@@ -30,10 +30,9 @@ package body Text_Targets is
          else
             Command_Lines.Take (Reading, Text);
          end if;
-         Check
-           (Reading.Request in Command_Lines.Settled_Kind
-            or else Reading.Reason.Length = 0,
-            "a reason without a refusal");
+         Check (Reading.Request in Command_Lines.Settled_Kind
+                or else Reading.Reason.Length = 0,
+                "a reason without a refusal");
       end Give;
 
    begin
@@ -47,21 +46,18 @@ package body Text_Targets is
          Give (Line (First .. Line'Last));
       end if;
       Command_Lines.Finish (Reading);
-      Check
-        ((Reading.Request = Command_Lines.Wrong)
-           = (Reading.Reason.Length > 0),
-         "a refusal without a reason");
-      Check
-        (Reading.Request not in Command_Lines.Run | Command_Lines.Check
-         or else Reading.Awaited = Command_Lines.None,
-         "a value is awaited");
-      Check
-        (Reading.Request not in Command_Lines.Run | Command_Lines.Check
-         or else
-           (Reading.Chosen.Bind.Length > 0
-            and then Reading.Chosen.Serial.Length > 0
-            and then Reading.Chosen.Camera.Length > 0),
-         "an option without a value is accepted");
+      Check ((Reading.Request = Command_Lines.Wrong)
+               = (Reading.Reason.Length > 0),
+             "a refusal without a reason");
+      Check (Reading.Request not in Command_Lines.Run | Command_Lines.Check
+             or else Reading.Awaited = Command_Lines.None,
+             "a value is awaited");
+      Check (Reading.Request not in Command_Lines.Run | Command_Lines.Check
+             or else
+               (Reading.Chosen.Bind.Length > 0
+                and then Reading.Chosen.Serial.Length > 0
+                and then Reading.Chosen.Camera.Length > 0),
+             "an option without a value is accepted");
    end Arguments;
 
    procedure Base64_Texts (Data : Byte_Array) is
@@ -82,9 +78,8 @@ package body Text_Targets is
       Shifted := Text;
       Standard.Base64_Texts.Decode (Shifted, Decoded, Same, Again);
       Standard.Base64_Texts.Decode (Text, Decoded, Count, OK);
-      Check
-        (Count = Same and then OK = Again,
-         "a text's meaning depends on its index");
+      Check (Count = Same and then OK = Again,
+             "a text's meaning depends on its index");
       if OK then
          Base64.Encode (Decoded, Count, Written, 1, Last);
          Check (Written (1 .. Last) = Text, "it is not written as read");
@@ -120,9 +115,8 @@ package body Text_Targets is
                + Numbers.Digit_Value (Text (Last)));
          end loop;
          if Last >= First then
-            Check
-              (Numbers.Saturated_Value (Text, First, Last) = Number,
-               "digits are read as another number");
+            Check (Numbers.Saturated_Value (Text, First, Last) = Number,
+                   "digits are read as another number");
          end if;
          First := Integer'Max (Last, First) + 1;
       end loop;
@@ -135,9 +129,8 @@ package body Text_Targets is
          Take (R, Numbers.Digit_Count'First, Numbers.Digit_Count'Last, Width);
          First := Last + 1;
          Numbers.Append (Number, Width, Into, Last);
-         Check
-           (Numbers.Saturated_Value (Into, First, Last) = Number,
-            "a number is not read as written");
+         Check (Numbers.Saturated_Value (Into, First, Last) = Number,
+                "a number is not read as written");
          Numbers.Prove_Same_Value (Into, Into, First, Last);
       end loop;
    end Decimal_Numbers;
@@ -167,8 +160,7 @@ package body Text_Targets is
             Long  : constant Natural :=
               (if Choice >= 16#E0# then 40 * (Natural (Choice) - 220)
                else Natural (Choice) / 4);
-            Value : String
-              (Integer'Last - Long .. Integer'Last - 1);
+            Value : String (Integer'Last - Long .. Integer'Last - 1);
             Part  : Integer;
          begin
             for C of Value loop
@@ -203,9 +195,8 @@ package body Text_Targets is
                   end;
             end case;
          end;
-         Check
-           (T.Length = Count and then Texts.Image (T) = Model (1 .. Count),
-            "a text is not what was put into it");
+         Check (T.Length = Count and then Texts.Image (T) = Model (1 .. Count),
+                "a text is not what was put into it");
       end loop;
       Check (Texts.To_Text (Texts.Image (T)).Length = T.Length,
              "a text is not its own image");

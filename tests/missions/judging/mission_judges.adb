@@ -103,10 +103,9 @@ package body Mission_Judges is
          "said done, " & Image (J.Count - V.Passed) & " points not passed");
       Blame (J.Driving, "drives after its end");
       Blame (V.Clearance < Touch, "has touched a wall");
-      Blame
-        (V.Blind > Longest_Blind,
-         Rounded (Float (V.Blind) * 1_000.0, 0)
-         & " ms without a new position");
+      Blame (V.Blind > Longest_Blind,
+             Rounded (Float (V.Blind) * 1_000.0, 0)
+             & " ms without a new position");
    end Conclude;
 
 end Mission_Judges;

@@ -58,8 +58,7 @@ package Mission_Judges is
    end record;
 
    function Ratio (V : Verdict) return Long_Float is
-     (Long_Float (V.Time) / Long_Float (V.Exact))
-     with Pre => V.Exact > 0.0;
+     (Long_Float (V.Time) / Long_Float (V.Exact)) with Pre => V.Exact > 0.0;
 
    function Is_Good (V : Verdict) return Boolean is
      (V.Done and then V.Wrong = "" and then Ratio (V) <= Slowest);

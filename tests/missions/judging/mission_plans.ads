@@ -57,12 +57,10 @@ package Mission_Plans is
    --  One with ideal wheels. Pose: X,Y,HEADING as the emulator has it; Order:
    --  MPCM with its points. Raises Bad_Plan
 
-   function Order (P : Plan) return String
-     with Pre => P.Count > 0;
+   function Order (P : Plan) return String with Pre => P.Count > 0;
    --  MPCM with its points
 
-   function Exact_Time (P : Plan) return Duration
-     with Pre => P.Count > 0;
+   function Exact_Time (P : Plan) return Duration with Pre => P.Count > 0;
    --  What a robot with these speeds takes that turns and drives exactly
 
 end Mission_Plans;

@@ -37,8 +37,7 @@ package body Real_Missions is
       R.Emulator.Clear_Journal;
    end Begin_Session;
 
-   procedure Compare (Truth : Emulators.Truth; Replayed : Robot_Motion.Pose)
-   is
+   procedure Compare (Truth : Emulators.Truth; Replayed : Robot_Motion.Pose) is
       --  Raises Failed unless they are the same
       Most : constant := 0.02;
       --  Centimetres, degrees
@@ -49,12 +48,11 @@ package body Real_Missions is
       Turned : constant Float :=
         abs (Truth.Heading - Float (Replayed.Angle) / 1.0E6);
    begin
-      Check
-        (not Differ (Truth.X, Replayed.X)
-         and then not Differ (Truth.Y, Replayed.Y)
-         and then Float'Min (Turned, 360.0 - Turned) <= Most,
-         "the robot is at " & Rounded (Truth.X) & " " & Rounded (Truth.Y)
-         & ", by its journal at" & Replayed.X'Image & Replayed.Y'Image);
+      Check (not Differ (Truth.X, Replayed.X)
+             and then not Differ (Truth.Y, Replayed.Y)
+             and then Float'Min (Turned, 360.0 - Turned) <= Most,
+             "the robot is at " & Rounded (Truth.X) & " " & Rounded (Truth.Y)
+             & ", by its journal at" & Replayed.X'Image & Replayed.Y'Image);
    end Compare;
 
    function Options (P : Plan) return String is
@@ -115,10 +113,9 @@ package body Real_Missions is
       end See_Pose;
 
    begin
-      Rigs.Assemble
-        (R, Camera => True, Emulator_Options => Options (P),
-         Supervisor_Options =>
-           (if P.Radio then "--answer-timeout 150" else ""));
+      Rigs.Assemble (R, Camera => True, Emulator_Options => Options (P),
+                     Supervisor_Options =>
+                       (if P.Radio then "--answer-timeout 150" else ""));
       Begin_Session (R, P);
       Next := Integer'Max (1, R.Monitor.Count);
       --  The last position before the order is one of the newest messages
@@ -145,15 +142,13 @@ package body Real_Missions is
          Robot_Truths.Replay
            (Notes, P.Start, P.Wheels, Begun, Ended.Time + After_The_End,
             See_Pose'Access);
-         Conclude
-           (J, P, To_String (Ended.Data), Ended.Time - Begun,
-            Robot_Truths.Movements (Notes), V);
+         Conclude (J, P, To_String (Ended.Data), Ended.Time - Begun,
+                   Robot_Truths.Movements (Notes), V);
       end;
       --  Its watchdog, too, may have stopped the robot
-      Check
-        (not Drives or else R.Emulator.Status ("moving") = "1",
-         "the robot has stopped without an order; the mission's end: "
-         & To_String (Ended.Data));
+      Check (not Drives or else R.Emulator.Status ("moving") = "1",
+             "the robot has stopped without an order; the mission's end: "
+             & To_String (Ended.Data));
       if not Drives then
          Compare (R.Emulator.Pose, Last);
       end if;

@@ -25,8 +25,7 @@ package body Robot_Truths is
            (Amount'Last, Integer'Value (Text (Text'First + 2 .. Text'Last))));
    end Value;
 
-   procedure Obey
-     (M : in out Motion; Item : Note; Wheels : Wheel_Errors) is
+   procedure Obey (M : in out Motion; Item : Note; Wheels : Wheel_Errors) is
    begin
       if Is_Accepted (Item) then
          case Letter (Item) is

@@ -17,10 +17,9 @@ procedure Ceiling_Violation with Priority => Schedule.Main_Priority is
 begin
    Get (Granted);
    Violators.Await (Raised, Inside);
-   Put_Line
-     ("said: " & Image (Granted) & "; seen: "
-      & (if Raised then "Program_Error" else "no exception")
-      & ", priority inside" & Inside'Image);
+   Put_Line ("said: " & Image (Granted) & "; seen: "
+             & (if Raised then "Program_Error" else "no exception")
+             & ", priority inside" & Inside'Image);
    Flush;
    --  GNAT's priorities are Linux's less one
    Good :=

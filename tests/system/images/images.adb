@@ -57,9 +57,8 @@ package body Images is
 
    procedure Write_Yuyv (Image, Path : String) is
    begin
-      Check
-        (Image_Write_Yuyv (To_C (Image), To_C (Path)) = 0,
-         "cannot write " & Path);
+      Check (Image_Write_Yuyv (To_C (Image), To_C (Path)) = 0,
+             "cannot write " & Path);
    end Write_Yuyv;
 
 end Images;

@@ -36,8 +36,7 @@ procedure Answer_Faults_Tests is
    begin
       for K in Data'Range loop
          if Data (K) = CR then
-            return K >= 3
-              and then Data (K - 1) = Checksum (Data (1 .. K - 2));
+            return K >= 3 and then Data (K - 1) = Checksum (Data (1 .. K - 2));
          end if;
       end loop;
       return False;

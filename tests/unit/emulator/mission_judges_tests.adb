@@ -34,26 +34,23 @@ procedure Mission_Judges_Tests is
          if Positions then
             See_Position (J, Time);
          end if;
-         See_Pose
-           (J, Time,
-            (X      => X1 * 1_000 + (X2 - X1) * 1_000 * K / Steps,
-             Y      => Y1 * 1_000 + (Y2 - Y1) * 1_000 * K / Steps,
-             others => <>),
-            Driving => K < Steps);
+         See_Pose (J, Time,
+                   (X      => X1 * 1_000 + (X2 - X1) * 1_000 * K / Steps,
+                    Y      => Y1 * 1_000 + (Y2 - Y1) * 1_000 * K / Steps,
+                    others => <>),
+                   Driving => K < Steps);
          Time := Time + 0.001;
       end loop;
    end Drive;
 
    procedure Expect (V : Verdict; Wrong : String) is
    begin
-      Assert
-        (To_String (V.Wrong) = Wrong,
-         "judged: """ & To_String (V.Wrong) & """ instead of """ & Wrong
-         & """");
+      Assert (To_String (V.Wrong) = Wrong,
+              "judged: """ & To_String (V.Wrong) & """ instead of """ & Wrong
+              & """");
    end Expect;
 
-   procedure Judge_It
-     (J : Judge; V : out Verdict; Said : String := "done") is
+   procedure Judge_It (J : Judge; V : out Verdict; Said : String := "done") is
    begin
       Conclude (J, Two, Said, 4.5, 3, V);
    end Judge_It;
@@ -113,10 +110,9 @@ procedure Mission_Judges_Tests is
       Drive (J, Time, 100, 100, 200, 100);
       Judge_It (J, V, "aborted;no way");
       Expect (V, "");
-      Assert
-        (not V.Done and then To_String (V.Reason) = "no way"
-         and then V.Passed = 0,
-         "an end that is told");
+      Assert (not V.Done and then To_String (V.Reason) = "no way"
+              and then V.Passed = 0,
+              "an end that is told");
       Judge_It (J, V, "");
       Expect (V, "no end was said");
       Judge_It (J, V, "done");
@@ -151,10 +147,9 @@ procedure Mission_Judges_Tests is
       Drive (J, Time, 300, 114, 300, 290);
       Judge_It (J, V);
       Expect (V, "");
-      Assert
-        (abs (V.Pass - 14.0) < 0.001 and then V.Passed = 2
-         and then V.Orders = 3 and then V.Time = 4.5,
-         "passed at" & V.Pass'Image);
+      Assert (abs (V.Pass - 14.0) < 0.001 and then V.Passed = 2
+              and then V.Orders = 3 and then V.Time = 4.5,
+              "passed at" & V.Pass'Image);
       Assert (abs (Ratio (V) - 1.5) < 0.001, "ratio" & Ratio (V)'Image);
 
       Start (J, Two);
@@ -169,17 +164,14 @@ procedure Mission_Judges_Tests is
    procedure Test_Plans is
    begin
       Assert (Order (Two) = "MPCM:30.00;10.00;30.00;30.00", Order (Two));
-      Assert
-        (abs (Exact_Time (Two) - 3.0) < 0.001,
-         "exact:" & Exact_Time (Two)'Image);
-      Assert
-        (abs (Exact_Time (Read ("30,10,350", "MPCM:10;10")) - 2.889)
-         < 0.001,
-         "half a turn, nearly:"
-         & Exact_Time (Read ("30,10,350", "MPCM:10;10"))'Image);
-      Assert
-        (Exact_Time (Read ("10,10,90", "MPCM:10;10")) = 0.0,
-         "a point where it stands");
+      Assert (abs (Exact_Time (Two) - 3.0) < 0.001,
+              "exact:" & Exact_Time (Two)'Image);
+      Assert (abs (Exact_Time (Read ("30,10,350", "MPCM:10;10")) - 2.889)
+              < 0.001,
+              "half a turn, nearly:"
+              & Exact_Time (Read ("30,10,350", "MPCM:10;10"))'Image);
+      Assert (Exact_Time (Read ("10,10,90", "MPCM:10;10")) = 0.0,
+              "a point where it stands");
    end Test_Plans;
 
    procedure Test_Random_Plans is
@@ -190,20 +182,17 @@ procedure Mission_Judges_Tests is
          P := Random (7, Number);
          Assert (P = Random (7, Number), "not the same again");
          Assert (P /= Random (8, Number), "the same with another seed");
-         Assert
-           (P.Faulty or else P.Wheels = Robot_Motion.Ideal,
-            "faults without being asked for");
+         Assert (P.Faulty or else P.Wheels = Robot_Motion.Ideal,
+                 "faults without being asked for");
          for Where of P.Points (1 .. P.Count) loop
-            Assert
-              (Where.X in Margin .. Robot_Motion.Arena_Width - Margin
-               and then
-                 Where.Y in Margin .. Robot_Motion.Arena_Height - Margin,
-               "a point outside");
+            Assert (Where.X in Margin .. Robot_Motion.Arena_Width - Margin
+                    and then
+                      Where.Y in Margin .. Robot_Motion.Arena_Height - Margin,
+                    "a point outside");
          end loop;
-         Assert
-           (Read ("8,8,0", Order (P)).Points (1 .. P.Count)
-            = P.Points (1 .. P.Count),
-            "the order has other points: " & Order (P));
+         Assert (Read ("8,8,0", Order (P)).Points (1 .. P.Count)
+                 = P.Points (1 .. P.Count),
+                 "the order has other points: " & Order (P));
       end loop;
    end Test_Random_Plans;
 
@@ -215,12 +204,11 @@ procedure Mission_Judges_Tests is
 
       procedure Put (Time : Instant; Command, Answer : String) is
       begin
-         Notes.Append
-           ((First   => Time - 1_000_000,
-             Last    => Time,
-             Command => To_Unbounded_String (Command),
-             Answer  => To_Unbounded_String (Answer),
-             others  => <>));
+         Notes.Append ((First   => Time - 1_000_000,
+                        Last    => Time,
+                        Command => To_Unbounded_String (Command),
+                        Answer  => To_Unbounded_String (Answer),
+                        others  => <>));
       end Put;
 
       procedure See
@@ -230,13 +218,12 @@ procedure Mission_Judges_Tests is
          procedure Is_At (X, Y, Angle : Micro; Moves : Boolean) is
          begin
             Seen := Seen + 1;
-            Assert
-              (abs (Where.X - X) <= 50 and then abs (Where.Y - Y) <= 50
-               and then abs (Where.Angle - Angle) <= 50
-               and then Driving = Moves,
-               "after" & Instant'Image (Time / 1_000_000) & " ms:"
-               & Where.X'Image & Where.Y'Image & Where.Angle'Image
-               & " " & Driving'Image);
+            Assert (abs (Where.X - X) <= 50 and then abs (Where.Y - Y) <= 50
+                    and then abs (Where.Angle - Angle) <= 50
+                    and then Driving = Moves,
+                    "after" & Instant'Image (Time / 1_000_000) & " ms:"
+                    & Where.X'Image & Where.Y'Image & Where.Angle'Image
+                    & " " & Driving'Image);
          end Is_At;
 
       begin
@@ -257,14 +244,12 @@ procedure Mission_Judges_Tests is
       Put (Second * 23 / 2, "M=100", "E");
       Put (13 * Second, "T=90", "O");
       Put (16 * Second, "M=0", "O");
-      Robot_Truths.Replay
-        (Notes, (100_000, 100_000, 0),
-         (Speed => 90, Turn_Speed => 110, others => 0),
-         10 * Second, 17 * Second, See'Access);
+      Robot_Truths.Replay (Notes, (100_000, 100_000, 0),
+                           (Speed => 90, Turn_Speed => 110, others => 0),
+                           10 * Second, 17 * Second, See'Access);
       Assert (Seen = 6, "poses:" & Seen'Image);
-      Assert
-        (Robot_Truths.Movements (Notes) = 2,
-         "movements:" & Robot_Truths.Movements (Notes)'Image);
+      Assert (Robot_Truths.Movements (Notes) = 2,
+              "movements:" & Robot_Truths.Movements (Notes)'Image);
    end Test_Replay;
 
    procedure Test_Walls is

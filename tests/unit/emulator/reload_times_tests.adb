@@ -52,12 +52,11 @@ procedure Reload_Times_Tests is
                  (if Loss = '.' then 0
                   else Unanswered_Count'Min (Unanswered, 1) + 1);
             end loop;
-            Assert
-              (Robot_Core.Watchdog_On (R)
-               and then Robot_Core.Missed_Total (R) = Misses
-               and then Robot_Core.Missed (R) = 0,
-               Losses & ", tick after" & Phase'Image & " ms: missed"
-               & Robot_Core.Missed_Total (R)'Image);
+            Assert (Robot_Core.Watchdog_On (R)
+                    and then Robot_Core.Missed_Total (R) = Misses
+                    and then Robot_Core.Missed (R) = 0,
+                    Losses & ", tick after" & Phase'Image & " ms: missed"
+                    & Robot_Core.Missed_Total (R)'Image);
          end;
       end loop;
    end Expect;

@@ -61,8 +61,7 @@ procedure Robot_Core_Tests is
          return "";
       end if;
       declare
-         Frame : Octets renames
-           Result.Reply.Data (1 .. Result.Reply.Length);
+         Frame : Octets renames Result.Reply.Data (1 .. Result.Reply.Length);
          Text  : Octets renames Frame (1 .. Frame'Last - 2);
       begin
          Assert (Frame (Frame'Last) = CR, "answer without its end");
@@ -160,10 +159,9 @@ procedure Robot_Core_Tests is
          elsif Gap > 0 and then Word (Gap) = '!' then
             Check (Raw_Answer (R, Bytes (Key)) = Value, Word);
          elsif Key = "battery" then
-            Set_Battery
-              (R, (if Value (Value'First) in '0' .. '9'
-                   then Centivolts'Value (Value)
-                   else Typical (Battery_Level'Value (Value))));
+            Set_Battery (R, (if Value (Value'First) in '0' .. '9'
+                             then Centivolts'Value (Value)
+                             else Typical (Battery_Level'Value (Value))));
          elsif Key = "plugged" then
             Set_Charging (R, Boolean'Value (Value));
          elsif Key = "watchdog" then

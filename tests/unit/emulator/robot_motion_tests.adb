@@ -318,10 +318,9 @@ procedure Robot_Motion_Tests is
             for Part in 0 .. 99 loop
                Before := On_Arc
                  (Start, Pull, Length * Long_Float (Part) / 100.0);
-               Assert
-                 (Before.X > 61_960.0 and then Before.X < 738_040.0
-                  and then Before.Y > 61_960.0
-                  and then Before.Y < 538_040.0, "through a wall");
+               Assert (Before.X > 61_960.0 and then Before.X < 738_040.0
+                       and then Before.Y > 61_960.0
+                       and then Before.Y < 538_040.0, "through a wall");
             end loop;
          end loop;
       end loop;
@@ -355,12 +354,11 @@ procedure Robot_Motion_Tests is
          declare
             Angle : constant Long_Float := Long_Float (Degree) + 0.123_456;
          begin
-            Expect
-              (M,
-               400_000 + Micro (100_000.0 * Cos (Angle, 360.0)),
-               300_000 + Micro (100_000.0 * Sin (Angle, 360.0)),
-               Micro (Degree) * 1_000_000 + 123_456,
-               Tolerance => 6);
+            Expect (M,
+                    400_000 + Micro (100_000.0 * Cos (Angle, 360.0)),
+                    300_000 + Micro (100_000.0 * Sin (Angle, 360.0)),
+                    Micro (Degree) * 1_000_000 + 123_456,
+                    Tolerance => 6);
          end;
       end loop;
    end Test_Every_Direction;
@@ -472,9 +470,8 @@ procedure Robot_Motion_Tests is
             Pass (M, 399_000_000);
          end loop;
          Assert (Is_Moving (M), "ended");
-         Expect
-           (M, 400_000, 300_000,
-            (-(39_900 * 900_000 * Micro (Speed))) mod Full_Turn);
+         Expect (M, 400_000, 300_000,
+                 (-(39_900 * 900_000 * Micro (Speed))) mod Full_Turn);
       end loop;
    end Test_Turn_Speed;
 

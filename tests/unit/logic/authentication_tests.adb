@@ -36,18 +36,16 @@ procedure Authentication_Tests is
          R.Length := R.Length + 1;
          R.Data (R.Length) := C;
       end loop;
-      Assert
-        (Decision (R, Known) = Outcome,
-         Decision (R, Known)'Image & " after " & Text);
+      Assert (Decision (R, Known) = Outcome,
+              Decision (R, Known)'Image & " after " & Text);
    end Expect;
 
    procedure Expect_Shown (Line : String; Shown : String) is
       Text : Texts.Text := Texts.To_Text ("it: ");
    begin
       Append_Shown (Text, Line);
-      Assert
-        (Texts.Image (Text) = "it: " & Shown,
-         Line & " is shown as " & Texts.Image (Text));
+      Assert (Texts.Image (Text) = "it: " & Shown,
+              Line & " is shown as " & Texts.Image (Text));
    end Expect_Shown;
 
    procedure Expect_Token (Text : String; Good : Boolean) is
@@ -124,10 +122,9 @@ procedure Authentication_Tests is
       Expect_Shown (Whole (9 .. Whole'Last), "UTH:secret");
       Expect_Shown (Whole (8 .. 7), "");
       Append_Shown (Full, "0123456AUTH:secret");
-      Assert
-        (Full.Length = Texts.Max_Length
-         and then Full.Data (501 .. 512) = "0123456AUTH:",
-         "cut at its end: " & Texts.Image (Full));
+      Assert (Full.Length = Texts.Max_Length
+              and then Full.Data (501 .. 512) = "0123456AUTH:",
+              "cut at its end: " & Texts.Image (Full));
    end Test_Shown;
 
    procedure Test_Too_Long is

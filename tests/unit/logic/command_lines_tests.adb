@@ -19,8 +19,7 @@ procedure Command_Lines_Tests is
 
    type Words is array (Positive range <>) of Texts.Text;
 
-   function To_Text (Value : String) return Texts.Text
-     renames Texts.To_Text;
+   function To_Text (Value : String) return Texts.Text renames Texts.To_Text;
 
    function Read (Line : String) return Reading is
       --  The arguments are separated by single spaces
@@ -46,19 +45,17 @@ procedure Command_Lines_Tests is
       R : constant Reading := Read (Line);
    begin
       Assert (R.Request = Wrong, "taken: " & Line);
-      Assert
-        (Texts.Image (R.Reason) = Reason,
-         Line & ": " & Texts.Image (R.Reason));
+      Assert (Texts.Image (R.Reason) = Reason,
+              Line & ": " & Texts.Image (R.Reason));
    end Expect_Wrong;
 
    procedure Expect_Limits
      (Option, Value, Limits : String; Of_It : String := "") is
       --  Value, or the part Of_It, is no number within them
    begin
-      Expect_Wrong
-        (Option & " " & Value,
-         Option & ": '" & (if Of_It = "" then Value else Of_It)
-         & "' is not a number in " & Limits);
+      Expect_Wrong (Option & " " & Value,
+                    Option & ": '" & (if Of_It = "" then Value else Of_It)
+                    & "' is not a number in " & Limits);
    end Expect_Limits;
 
    procedure Expect_No_Network (Value : String) is
@@ -90,19 +87,16 @@ procedure Command_Lines_Tests is
    procedure Test_Equals is
    begin
       Assert (Read ("--port=0").Chosen.Port = 0, "port");
-      Assert
-        (Texts.Image (Read ("--camera=http://h/?a=b").Chosen.Camera)
-         = "http://h/?a=b",
-         "only the first sign separates");
-      Assert
-        (Texts.Image (Read ("--serial=--odd").Chosen.Serial) = "--odd",
-         "a value that looks like a name");
+      Assert (Texts.Image (Read ("--camera=http://h/?a=b").Chosen.Camera)
+              = "http://h/?a=b",
+              "only the first sign separates");
+      Assert (Texts.Image (Read ("--serial=--odd").Chosen.Serial) = "--odd",
+              "a value that looks like a name");
       Expect_Wrong ("--port=", "--port: '' is not a number in 0 .. 65535");
       Expect_Wrong ("--check=1", "option '--check' takes no value");
       Expect_Wrong ("--=1", "unknown option '--'");
-      Expect_Wrong
-        ("--marker-size 80",
-         "--marker-size: nothing to print without --print-markers");
+      Expect_Wrong ("--marker-size 80",
+                    "--marker-size: nothing to print without --print-markers");
    end Test_Equals;
 
    procedure Test_Every_Option is
@@ -146,13 +140,12 @@ procedure Command_Lines_Tests is
             Trace_File  => Texts.To_Text ("/tmp/trace.json")),
          "not what was chosen");
       for L in Level loop
-         Assert
-           (Read ("--log-level "
-                  & (case L is
-                        when Error => "error", when Warning => "warning",
-                        when Info  => "info",  when Debug   => "debug"))
-              .Chosen.Log_Level = L,
-            "level" & L'Image);
+         Assert (Read ("--log-level "
+                       & (case L is
+                             when Error => "error", when Warning => "warning",
+                             when Info  => "info",  when Debug   => "debug"))
+                   .Chosen.Log_Level = L,
+                 "level" & L'Image);
       end loop;
       Assert (Read ("--cpu auto").Chosen.Cpu = Last_Processor, "auto");
       Assert (Read ("").Chosen.Cpu = No_Processor, "no processor");
@@ -171,19 +164,16 @@ procedure Command_Lines_Tests is
       Expect_Limits ("--port", "0000000080", "0 .. 65535");
       Expect_Limits ("--port", "-1", "0 .. 65535");
       Expect_Limits ("--fps", "0", "1 .. 100");
-      Assert
-        (Read ("--frame-size 16x4096").Chosen.Height = 4_096, "height");
+      Assert (Read ("--frame-size 16x4096").Chosen.Height = 4_096, "height");
       Expect_Limits ("--frame-size", "15x20", "16 .. 4096", Of_It => "15");
       Expect_Limits ("--frame-size", "16x4097", "16 .. 4096", Of_It => "4097");
       Expect_Wrong
         ("--frame-size 1024", "--frame-size: '1024' is not WIDTHxHEIGHT");
       Expect_Wrong
         ("--frame-size x", "--frame-size: '' is not a number in 16 .. 4096");
-      Assert
-        (Read ("").Chosen.Arena_Size = (80, 60), "the arena's default");
-      Assert
-        (Read ("--arena-size 30x1000").Chosen.Arena_Size = (30, 1_000),
-         "the arena's limits");
+      Assert (Read ("").Chosen.Arena_Size = (80, 60), "the arena's default");
+      Assert (Read ("--arena-size 30x1000").Chosen.Arena_Size = (30, 1_000),
+              "the arena's limits");
       Expect_Limits ("--arena-size", "29x60", "30 .. 1000", Of_It => "29");
       Expect_Limits ("--arena-size", "80x1001", "30 .. 1000", Of_It => "1001");
       Expect_Wrong
@@ -231,16 +221,13 @@ procedure Command_Lines_Tests is
       Assert (Read ("--check --port 7").Request = Check, "--check");
       Assert (Read ("--check --port 7").Chosen.Port = 7, "its port");
       Assert (Read ("--stop --port 7").Request = Stop, "--stop");
-      Assert
-        (Read ("--print-markers 7").Request = Print_Markers,
-         "--print-markers");
+      Assert (Read ("--print-markers 7").Request = Print_Markers,
+              "--print-markers");
       Expect_Limits ("--print-markers", "1000", "0 .. 999");
-      Assert
-        (Read ("--help --port x").Request = Show_Help,
-         "what follows a request for help counts no more");
-      Assert
-        (Read ("--port x --help").Request = Wrong,
-         "what follows a mistake counts no more");
+      Assert (Read ("--help --port x").Request = Show_Help,
+              "what follows a request for help counts no more");
+      Assert (Read ("--port x --help").Request = Wrong,
+              "what follows a mistake counts no more");
    end Test_Requests;
 
    procedure Test_Wrong is
@@ -256,11 +243,9 @@ procedure Command_Lines_Tests is
       for Option of Split ("--token|--serial|--trace") loop
          Expect_Wrong (Option & "=", "a value is missing after " & Option);
       end loop;
-      Expect_Wrong
-        ("--serial --port 7", "a value is missing after --serial");
-      Expect_Wrong
-        ("--marker square",
-         "--marker: 'square' is neither aruco nor triangle");
+      Expect_Wrong ("--serial --port 7", "a value is missing after --serial");
+      Expect_Wrong ("--marker square",
+                    "--marker: 'square' is neither aruco nor triangle");
       Expect_Wrong
         ("--draw robots", "--draw: 'robots' is not all, arena or none");
       Expect_Wrong

@@ -52,12 +52,11 @@ procedure Commands_Tests is
    procedure Test_Hand is
    begin
       for Name in Command_Name loop
-         Assert
-           (Is_By_Hand (Name) =
-              (Name in Close_Robot | Reset_Robot | Power_Off_Robot
-                 | Go_Forward | Go_Backward | Go_Left | Go_Right
-                 | Move_Robot | Turn_Robot | Stop_Robot | Abort_Mission),
-            Name'Image);
+         Assert (Is_By_Hand (Name) =
+                   (Name in Close_Robot | Reset_Robot | Power_Off_Robot
+                      | Go_Forward | Go_Backward | Go_Left | Go_Right
+                      | Move_Robot | Turn_Robot | Stop_Robot | Abort_Mission),
+                 Name'Image);
       end loop;
    end Test_Hand;
 

@@ -123,8 +123,7 @@ procedure Image_Grid_Tests is
          end loop;
          if not Vision.Frame_Slots.Has_Newest (Uses) then
             Now := Coming.Time;
-            Wait_Ended
-              (Grid, Microseconds (1_000.0 * (Now - Next)), Period);
+            Wait_Ended (Grid, Microseconds (1_000.0 * (Now - Next)), Period);
             Next := Now;
             Come;
          end if;
@@ -175,13 +174,12 @@ procedure Image_Grid_Tests is
       for Rate of Rates loop
          for Phase of Phases loop
             Run (Even (Rate), Phase, Result);
-            Assert
-              (abs (Result.Mean_Rate - 10.0) < 0.02
-               and then Result.Off_99 < 12.0
-               and then Result.Oldest < 1_000.0 / Rate
-                 + (if Rate > 20.0 then 2.0 else 14.0),
-               Rate'Image & " a second, phase" & Phase'Image & ":"
-               & Image (Result));
+            Assert (abs (Result.Mean_Rate - 10.0) < 0.02
+                    and then Result.Off_99 < 12.0
+                    and then Result.Oldest < 1_000.0 / Rate
+                      + (if Rate > 20.0 then 2.0 else 14.0),
+                    Rate'Image & " a second, phase" & Phase'Image & ":"
+                    & Image (Result));
          end loop;
       end loop;
    end Test_Fast;
@@ -194,13 +192,12 @@ procedure Image_Grid_Tests is
       for Rate of Rates loop
          for Phase of Phases loop
             Run (Even (Rate), Phase, Result);
-            Assert
-              (abs (Result.Mean_Rate - Rate) < 0.002 * Rate
-               and then Result.Left_Out = 0
-               and then Result.Off_99 < 2.0
-               and then Result.Oldest < 2.0,
-               Rate'Image & " a second, phase" & Phase'Image & ":"
-               & Image (Result));
+            Assert (abs (Result.Mean_Rate - Rate) < 0.002 * Rate
+                    and then Result.Left_Out = 0
+                    and then Result.Off_99 < 2.0
+                    and then Result.Oldest < 2.0,
+                    Rate'Image & " a second, phase" & Phase'Image & ":"
+                    & Image (Result));
          end loop;
       end loop;
    end Test_Slow;
@@ -232,15 +229,13 @@ procedure Image_Grid_Tests is
    begin
       for Phase of Phases loop
          Run ((10.05, 9.95, 0.0), Phase, Result);
-         Assert
-           (abs (Result.Mean_Rate - 9.9875) < 0.02
-            and then Result.Off_99 < 5.0,
-            "slower, phase" & Phase'Image & ":" & Image (Result));
+         Assert (abs (Result.Mean_Rate - 9.9875) < 0.02
+                 and then Result.Off_99 < 5.0,
+                 "slower, phase" & Phase'Image & ":" & Image (Result));
          Run ((9.95, 10.05, 5.0), Phase, Result);
-         Assert
-           (abs (Result.Mean_Rate - 9.9875) < 0.02
-            and then Result.Off_99 < 12.0,
-            "faster, phase" & Phase'Image & ":" & Image (Result));
+         Assert (abs (Result.Mean_Rate - 9.9875) < 0.02
+                 and then Result.Off_99 < 12.0,
+                 "faster, phase" & Phase'Image & ":" & Image (Result));
       end loop;
    end Test_Drift;
 

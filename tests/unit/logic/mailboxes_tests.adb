@@ -102,8 +102,7 @@ procedure Mailboxes_Tests is
       Assert (Kept, "the image is kept");
    end Put_Image;
 
-   procedure Put
-     (Kind : Notice_Kind; Text : String; Number : Ticket := 0) is
+   procedure Put (Kind : Notice_Kind; Text : String; Number : Ticket := 0) is
    begin
       Put (B, (Kind, Short (Text), Number, B.Made), Now);
    end Put;

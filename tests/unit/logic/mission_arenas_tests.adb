@@ -88,8 +88,7 @@ procedure Mission_Arenas_Tests is
      (Corners : Arena_Corners; Size : Arena_Size) return Vector
    is
       --  From millionths of a pixel; in micrometres
-      E      : Real_Matrix (1 .. 8, 1 .. 8) :=
-        (others => (others => 0.0));
+      E      : Real_Matrix (1 .. 8, 1 .. 8) := (others => (others => 0.0));
       Values : Vector;
       Row    : Positive := 1;
    begin
@@ -436,8 +435,7 @@ procedure Mission_Arenas_Tests is
       Usable : Boolean;
       Inside : Boolean;
 
-      procedure Check
-        (X, Y : Millionths; Expected : Boolean; What : String) is
+      procedure Check (X, Y : Millionths; Expected : Boolean; What : String) is
          --  As the second of two points
       begin
          P.Points (2) := (X, Y);

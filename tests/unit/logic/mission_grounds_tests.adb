@@ -83,10 +83,9 @@ procedure Mission_Grounds_Tests is
               "the second point at" & Targets (2).X'Image
               & Targets (2).Y'Image);
 
-      Check
-        (Good,
-         (Centimetres, 1, (1 => (12_500_000, 50_000_000), others => <>)),
-         (80, 60), Map, Targets, May_Begin, Why);
+      Check (Good,
+             (Centimetres, 1, (1 => (12_500_000, 50_000_000), others => <>)),
+             (80, 60), Map, Targets, May_Begin, Why);
       Assert (May_Begin, "refused: " & Why'Image);
       Assert (Targets (1) = (125_000, 500_000),
               "centimetres at" & Targets (1).X'Image & Targets (1).Y'Image);

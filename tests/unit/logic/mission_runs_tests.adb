@@ -86,12 +86,11 @@ procedure Mission_Runs_Tests is
             Last  := Now;
             Image := Image + 1;
             if Image mod Image_Every = 0 then
-               See
-                 (R,
-                  (Image, Now, Seen,
-                   ((if Pushed and then Now / 1_000_000 mod 2 = 1 then Aside
-                     else Corner),
-                    0)));
+               See (R,
+                    (Image, Now, Seen,
+                     ((if Pushed and then Now / 1_000_000 mod 2 = 1 then Aside
+                       else Corner),
+                      0)));
             end if;
          end if;
          Step (R, Now, Next);
@@ -99,16 +98,15 @@ procedure Mission_Runs_Tests is
             when Nothing           => null;
             when Ask | Order       =>
                Assert (not Has_Ended (R), "goes on after the end");
-               Tell
-                 (R,
-                  Said
-                    ((if Next.Kind = Ask and then Moves then '1' else '0'),
-                     (case Given is
-                         when Taken      => Robot.Session.Done,
-                         when Refused    => Robot.Session.Refused,
-                         when Unanswered => Robot.Session.Timed_Out,
-                         when Closed     => Robot.Session.Not_Open)),
-                  Now);
+               Tell (R,
+                     Said
+                       ((if Next.Kind = Ask and then Moves then '1' else '0'),
+                        (case Given is
+                            when Taken      => Robot.Session.Done,
+                            when Refused    => Robot.Session.Refused,
+                            when Unanswered => Robot.Session.Timed_Out,
+                            when Closed     => Robot.Session.Not_Open)),
+                     Now);
                if Given = Unanswered then
                   Now := Now + 80_000;
                end if;
@@ -139,8 +137,7 @@ procedure Mission_Runs_Tests is
       for K in Microdegrees range -1_800 .. 1_800 loop
          declare
             Angle : constant Bearing := K * 100_000;
-            Rad   : constant Float :=
-              Float (K) / 1_800.0 * 3.141_592_65;
+            Rad   : constant Float := Float (K) / 1_800.0 * 3.141_592_65;
          begin
             Assert (abs (Float (Sine (Angle)) - 1.0E6 * Sin (Rad)) < 45.0
                     and then
@@ -150,13 +147,11 @@ procedure Mission_Runs_Tests is
                X := Micrometres (L * Cos (Rad));
                Y := Micrometres (L * Sin (Rad));
                Back := Direction (X, Y);
-               Assert
-                 (abs Normal (Back - Angle) <
-                    (if L > 1_000.0 then 3_000 else 1_500_000),
-                  "direction" & X'Image & Y'Image & ":" & Back'Image);
-               Assert
-                 (abs (Float (Along (X, Y, Back)) - L) < 2.0 + L / 1.0E4,
-                  "length" & X'Image & Y'Image);
+               Assert (abs Normal (Back - Angle) <
+                         (if L > 1_000.0 then 3_000 else 1_500_000),
+                       "direction" & X'Image & Y'Image & ":" & Back'Image);
+               Assert (abs (Float (Along (X, Y, Back)) - L) < 2.0 + L / 1.0E4,
+                       "length" & X'Image & Y'Image);
             end loop;
          end;
       end loop;
@@ -176,9 +171,8 @@ procedure Mission_Runs_Tests is
       Run_Until_End (1, True, Refused, False, Orders_Refused, 500_000);
       Run_Until_End (1, True, Closed, False, Robot_Stopped, 100_000);
       for Moves in Boolean loop
-         Run_Until_End
-           (1, True, Unanswered, Moves, Leg_Too_Long, 34_000_000,
-            Pushed => True);
+         Run_Until_End (1, True, Unanswered, Moves, Leg_Too_Long, 34_000_000,
+                        Pushed => True);
       end loop;
 
       for Why in Abort_Reason loop
@@ -187,10 +181,9 @@ procedure Mission_Runs_Tests is
          End_By (R, No_Image);
          Assert (Has_Ended (R) and then Ended_By (R) = Why, "another end");
          Step (R, 10, Next);
-         Assert
-           (Next.Kind =
-              (if Why in By_Hand | Session_Over then Leave else Stop),
-            "after " & Why'Image);
+         Assert (Next.Kind =
+                   (if Why in By_Hand | Session_Over then Leave else Stop),
+                 "after " & Why'Image);
       end loop;
    end Test_Ends;
 
@@ -273,15 +266,12 @@ procedure Mission_Runs_Tests is
 
       Assert
         (not Permitted (400, 300, 0, 330, (10_100, 0, 0, 0)), "a longer way");
-      Assert
-        (not Permitted (200, 75, 0, 300, (10_000, 0, 10_000, 0)),
-         "pulled to the border");
-      Assert
-        (not Permitted (200, 75, 4, 300, (10_000, -40_000, 0, 0)),
-         "in an arc to the border");
-      Assert
-        (not Permitted (200, 75, 0, 300, (10_000, 0, 0, 1_500_000)),
-         "in a direction not quite known");
+      Assert (not Permitted (200, 75, 0, 300, (10_000, 0, 10_000, 0)),
+              "pulled to the border");
+      Assert (not Permitted (200, 75, 4, 300, (10_000, -40_000, 0, 0)),
+              "in an arc to the border");
+      Assert (not Permitted (200, 75, 0, 300, (10_000, 0, 0, 1_500_000)),
+              "in a direction not quite known");
       Assert (Permitted (200, 75, 0, 300, Known), "along the border");
    end Test_Guards;
 
@@ -328,10 +318,9 @@ procedure Mission_Runs_Tests is
       Start (R, Size, (1 => (500_000, 300_000), others => Corner), 1, Now);
       loop
          Image := Image + 1;
-         See
-           (R,
-            (Image, Now, True,
-             ((200_000 + Micrometres (7 * Now / 1_000), 300_000), 0)));
+         See (R,
+              (Image, Now, True,
+               ((200_000 + Micrometres (7 * Now / 1_000), 300_000), 0)));
          Step (R, Now, Next);
          exit when Has_Ended (R);
          if Next.Kind in Ask | Order then
@@ -416,9 +405,8 @@ begin
    Run_Test ("what the guards permit", Test_Guards'Access);
    Run_Test ("a hundred missions", Test_Ideal'Access);
    Run_Test ("a hundred missions of faulty robots", Test_Faults'Access);
-   Run_Test
-     ("robots that do a part of what is asked, or twice as much",
-      Test_Far_From_Ideal'Access);
+   Run_Test ("robots that do a part of what is asked, or twice as much",
+             Test_Far_From_Ideal'Access);
    Run_Test ("a slow robot", Test_Slow'Access);
    Run_Test ("why missions end", Test_Ends'Access);
    Run_Test ("no order from an old position", Test_Old_Position'Access);

@@ -29,9 +29,8 @@ procedure Missions_Texts_Tests is
         (Why : Ending; Expected : String; Measured : Percent := 0) is
       begin
          Count := Count + 1;
-         Assert
-           (End_Line (Why, Measured) = "MEND:" & Expected & Line_Feed,
-            Expected);
+         Assert (End_Line (Why, Measured) = "MEND:" & Expected & Line_Feed,
+                 Expected);
       end Check;
 
    begin
@@ -39,9 +38,8 @@ procedure Missions_Texts_Tests is
       Check (By_Hand, "aborted;order by hand");
       Check (Session_Over, "aborted;monitor lost");
       Check (Robot_Stopped, "aborted;robot lost or no longer started");
-      Check
-        (Missions.Camera_Ended,
-         "aborted;camera, positions or arena given up");
+      Check (Missions.Camera_Ended,
+             "aborted;camera, positions or arena given up");
       Check (No_Position, "aborted;robot not seen in 3 images");
       Check (No_Image, "aborted;no image for 300 ms");
       Check (No_Progress, "aborted;no progress for 2 s");
@@ -68,9 +66,8 @@ procedure Missions_Texts_Tests is
       procedure Check (Why : Refusal; Reason : String) is
       begin
          Count := Count + 1;
-         Assert
-           (Text_Of (Notice_Of (Why)) = "mission not possible: " & Reason,
-            Reason);
+         Assert (Text_Of (Notice_Of (Why)) = "mission not possible: " & Reason,
+                 Reason);
       end Check;
 
    begin
@@ -80,8 +77,7 @@ procedure Missions_Texts_Tests is
       Check (Arena_Not_Confirmed, "arena not confirmed");
       Check (Arena_Too_Small, "arena too small in the image");
       Check (Robot_Not_Seen, "robot not seen, or more than one");
-      Check
-        (Point_Outside, "a point is outside the arena less its margin");
+      Check (Point_Outside, "a point is outside the arena less its margin");
       Assert (Count = Refusal'Pos (Refusal'Last) + 1, "all of them");
    end Test_Refusals;
 

@@ -103,9 +103,8 @@ procedure Monitor_Link_Tests is
             Assert (Next (0, 200, 900, Acked, Closed) = Present, "14.9 s");
          end loop;
          Acked := Acked + 1;
-         Assert
-           (Next (0, 200, 900, Acked, Closed) = Present,
-            "one byte is enough");
+         Assert (Next (0, 200, 900, Acked, Closed) = Present,
+                 "one byte is enough");
       end loop;
    end Test_Pause;
 
@@ -123,9 +122,8 @@ procedure Monitor_Link_Tests is
       for I in 1 .. 1_000 loop
          Assert (Next (1, 100, 100_000, Byte_Count (I / 35)) = Present,
                  "a byte every 7 s");
-         Assert
-           (Next (1, 100, 100_000, Byte_Count (I / 35), Closed) = Present,
-            "which closes the window meanwhile");
+         Assert (Next (1, 100, 100_000, Byte_Count (I / 35), Closed) = Present,
+                 "which closes the window meanwhile");
       end loop;
    end Test_Slow;
 
@@ -220,11 +218,10 @@ procedure Monitor_Link_Tests is
                     (Now - Cut < (if Window = Closed then 16_000 else 4_900),
                      "within 5 s, and the stop");
                end loop;
-               Assert
-                 (V = (if Window = Closed then Stalled
-                       elsif Unsent then Unreachable
-                       else Vanished),
-                  V'Image);
+               Assert (V = (if Window = Closed then Stalled
+                            elsif Unsent then Unreachable
+                            else Vanished),
+                       V'Image);
             end loop;
          end loop;
       end loop;
@@ -258,31 +255,27 @@ procedure Monitor_Link_Tests is
 
       Begin_At (0);
       for I in 1 .. 1_000 loop
-         Assert
-           (Next (0, 10, 0, Byte_Count (I),
-                  Since_Data => Milliseconds (I) * Step) = Present,
-            "it owes nothing");
+         Assert (Next (0, 10, 0, Byte_Count (I),
+                       Since_Data => Milliseconds (I) * Step) = Present,
+                 "it owes nothing");
       end loop;
       for I in Milliseconds range 0 .. 2_000 loop
-         Assert
-           (Next (0, 10, 0, 1, Patience => 800, Since_Data => I)
-              = (if I > 800 then Silent else Present),
-            I'Image);
+         Assert (Next (0, 10, 0, 1, Patience => 800, Since_Data => I)
+                   = (if I > 800 then Silent else Present),
+                 I'Image);
       end loop;
-      Assert
-        (Next (0, 10, 0, 1, Patience => 800, Since_Data => 0) = Present,
-         "data again");
+      Assert (Next (0, 10, 0, 1, Patience => 800, Since_Data => 0) = Present,
+              "data again");
 
       --  Whichever is found first
 
       Begin_At (0);
       for I in 1 .. 41 loop
-         Assert
-           (Next (1, Milliseconds (I) * Step, 7, 1, Patience => 800,
-                  Since_Data => Milliseconds (I) * Step)
-              = (if I = 41 then Vanished elsif I > 8 then Silent
-                 else Present),
-            I'Image);
+         Assert (Next (1, Milliseconds (I) * Step, 7, 1, Patience => 800,
+                       Since_Data => Milliseconds (I) * Step)
+                   = (if I = 41 then Vanished elsif I > 8 then Silent
+                      else Present),
+                 I'Image);
       end loop;
    end Test_Silent;
 

@@ -150,9 +150,8 @@ procedure Monitor_Protocol_Tests is
       Check (Reply_To (Get_Version, Said ("3.5")), "RVER:3.5");
       Check (Reply_To (Ping_Robot, Said ("O")), "AACK");
       Check (Battery_Notice (Said ("0")), "RBLV:0");
-      Check
-        (Battery_Notice ((Kind => Robot.Session.Timed_Out, others => <>)),
-         "RBLV:-1");
+      Check (Battery_Notice ((Kind => Robot.Session.Timed_Out, others => <>)),
+             "RBLV:-1");
    end Test_Answers;
 
    procedure Test_Beginnings is
@@ -170,17 +169,15 @@ procedure Monitor_Protocol_Tests is
          for Cut in 0 .. Text'Length loop
             R := (others => <>);
             Judge (R, Text (1 .. Cut), Verdict, Line, Last);
-            Assert
-              (Verdict in Undecided | Expected
-               and then Last <= Cut
-               and then Line (1 .. Last) = Text (1 .. Last),
-               "the beginning of " & Text);
+            Assert (Verdict in Undecided | Expected
+                    and then Last <= Cut
+                    and then Line (1 .. Last) = Text (1 .. Last),
+                    "the beginning of " & Text);
             if Verdict = Undecided then
                for C of Text (1 .. Cut) loop
                   Accept_Character (R, C, Complete);
                end loop;
-               Judge
-                 (R, Text (Cut + 1 .. Text'Last), Verdict, Line, Last);
+               Judge (R, Text (Cut + 1 .. Text'Last), Verdict, Line, Last);
                Assert (Verdict = Expected, Text);
             end if;
          end loop;
@@ -319,9 +316,8 @@ procedure Monitor_Protocol_Tests is
          Assert (Measure (K) = Expected (K), "the unit of " & Label (K));
          Assert (Is_Single (K) = (Label (K) in "MGTO" | "MGCM"), "single");
          Assert (Parsed (Label (K) & ":320.5;-12") = (K, 0), "a point");
-         Assert
-           (Parsed (Label (K) & ":1;2;3;4").Name =
-              (if Is_Single (K) then Malformed else K), "two points");
+         Assert (Parsed (Label (K) & ":1;2;3;4").Name =
+                   (if Is_Single (K) then Malformed else K), "two points");
       end loop;
    end Test_Missions;
 
@@ -398,9 +394,8 @@ procedure Monitor_Protocol_Tests is
 
       procedure Check (Actual : Short_Text; Expected : String) is
       begin
-         Assert
-           (Actual.Data (1 .. Actual.Length) = Expected & Line_Feed,
-            Actual.Data (1 .. Actual.Length));
+         Assert (Actual.Data (1 .. Actual.Length) = Expected & Line_Feed,
+                 Actual.Data (1 .. Actual.Length));
       end Check;
 
    begin
@@ -411,12 +406,10 @@ procedure Monitor_Protocol_Tests is
              600_000_000, 420_000_000, 40_000_000, 400_000_000)),
          "CARN:80;60;8;100.000000;50.500000;540.000001;-0.400000;600.000000"
          & ";420.000000;40.000000;400.000000");
-      Check
-        (Ground ((1_000, 1_000), 9, (others => Coordinate'Last)),
-         "CARN:1000;1000;9" & 8 * ";9999.999999");
-      Check
-        (Ground ((30, 30), 0, (others => Coordinate'First)),
-         "CARN:30;30;0" & 8 * ";-999.999999");
+      Check (Ground ((1_000, 1_000), 9, (others => Coordinate'Last)),
+             "CARN:1000;1000;9" & 8 * ";9999.999999");
+      Check (Ground ((30, 30), 0, (others => Coordinate'First)),
+             "CARN:30;30;0" & 8 * ";-999.999999");
    end Test_Ground;
 
    procedure Test_Random_Positions is
@@ -431,8 +424,7 @@ procedure Monitor_Protocol_Tests is
       Random_Ids.Reset (Ids, 9);
       for Round in 1 .. 30_000 loop
          Scale := (if Round mod 13 = 0 then 1 else Scale * 10);
-         Check_Position
-           ((Random_Ids.Random (Ids), Any, Any, Any, Any, Any));
+         Check_Position ((Random_Ids.Random (Ids), Any, Any, Any, Any, Any));
          if Scale > 10 ** 11 then
             Scale := 1;
          end if;
@@ -479,9 +471,8 @@ procedure Monitor_Protocol_Tests is
          Check ("RS" & Command & "TP", "RS" & Command & "TP");
          for Cut in Text'Range loop
             Judge (R, Text (1 .. Cut), Verdict, Line, Last);
-            Assert
-              (Verdict = (if Cut = Text'Last then Known else Undecided),
-               "a first line");
+            Assert (Verdict = (if Cut = Text'Last then Known else Undecided),
+                    "a first line");
          end loop;
       end Check_Skipped;
 

@@ -73,9 +73,7 @@ procedure Networks_Tests is
       for I in L.Count + 1 .. Max_Networks loop
          Admit (L, "172.16." & Image (I) & ".0/24");
          Assert (L.Count = I, "count");
-         Assert
-           (Admits (L, Peer (172, 16, Byte (I), 1)),
-            "network" & I'Image);
+         Assert (Admits (L, Peer (172, 16, Byte (I), 1)), "network" & I'Image);
       end loop;
       Assert (not Admits (L, Peer (172, 16, 9, 1)), "no ninth");
    end Test_List;
@@ -86,15 +84,13 @@ procedure Networks_Tests is
       Near   : Host;
    begin
       Assert (Admits (L, (1 .. 16 => 0)), "no list, no matter");
-      Assert
-        (IPv4 (Peer (1, 2, 3, 4)) = 16#0102_0304#, "joined");
+      Assert (IPv4 (Peer (1, 2, 3, 4)) = 16#0102_0304#, "joined");
       Admit (L, "0.0.0.0/0");
       Assert (Admits (L, Peer (0, 0, 0, 0)), "all of IPv4");
       Assert (Admits (L, Peer (255, 255, 255, 255)), "all of IPv4, its last");
       Assert (not Admits (L, (1 .. 15 => 0, 16 => 1)), "::1");
-      Assert
-        (not Admits (L, (1 => 16#FE#, 2 => 16#80#, 3 .. 16 => 0)),
-         "fe80::");
+      Assert (not Admits (L, (1 => 16#FE#, 2 => 16#80#, 3 .. 16 => 0)),
+              "fe80::");
       Assert (IPv4 (Local) = 16#7F00_0001#, "mapped");
       Assert (Admits (L, Local), "IPv4 at an IPv6 socket");
       L.Items (1) := Read ("127.0.0.2");

@@ -151,9 +151,7 @@ procedure Robot_Session_Tests is
               Kind'Image & ": " & Mode'Image & " to " & S.Mode'Image);
    end Check;
 
-   procedure Explore
-     (H : History; S : State; P : Progress; Next : Step)
-   is
+   procedure Explore (H : History; S : State; P : Progress; Next : Step) is
       --  Every answer to Next, and to all that follows: what the contracts
       --  leave open
       Now : History := H;
@@ -261,8 +259,7 @@ procedure Robot_Session_Tests is
       begin
          S_Now := S;
          Start_Request (S_Now, R, P, Next);
-         Explore
-           ((Before => S, Request => R, others => <>), S_Now, P, Next);
+         Explore ((Before => S, Request => R, others => <>), S_Now, P, Next);
       end Explore_From;
 
       S : State;

@@ -84,9 +84,8 @@ procedure Send_Order_Tests is
                others   => <>),
               Sent, Between);
       begin
-         Assert
-           (Value = Expected,
-            Sent'Image & " after " & Last'Image & ":" & Value'Image);
+         Assert (Value = Expected,
+                 Sent'Image & " after " & Last'Image & ":" & Value'Image);
       end Check;
 
    begin

@@ -55,18 +55,17 @@ procedure Tcp_Infos_Tests is
       Young : Tcp_Info := Info;
       S     : Sample   := Sample_Of (Info, 232, 1_000);
    begin
-      Assert
-        (S = (Now            => 1_000,
-              Known          => True,
-              Patience       => Milliseconds'Last,
-              Unacknowledged => 2,
-              Outstanding    => 102,
-              Window         => Natural'Last,
-              Probes         => 3,
-              Since_Heard    => 30,
-              Since_Data     => 40,
-              Bytes_Acked    => 5),
-         "all of it");
+      Assert (S = (Now            => 1_000,
+                   Known          => True,
+                   Patience       => Milliseconds'Last,
+                   Unacknowledged => 2,
+                   Outstanding    => 102,
+                   Window         => Natural'Last,
+                   Probes         => 3,
+                   Since_Heard    => 30,
+                   Since_Data     => 40,
+                   Bytes_Acked    => 5),
+              "all of it");
       Young.Last_Data := 20;
       S := Sample_Of (Young, 256, 1_000);
       Assert (S.Since_Heard = 20, "data is a sign of life, too");

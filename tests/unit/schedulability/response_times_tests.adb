@@ -29,10 +29,9 @@ procedure Response_Times_Tests is
       if Answer = Unbounded then
          Assert (not Result.Exists, "no bound expected of" & Who'Image);
       else
-         Assert
-           (Result.Exists and then Result.Finish = Span (Answer),
-            Who'Image & ":" & Result.Finish'Image & " instead of"
-            & Answer'Image);
+         Assert (Result.Exists and then Result.Finish = Span (Answer),
+                 Who'Image & ":" & Result.Finish'Image & " instead of"
+                 & Answer'Image);
       end if;
    end Compare;
 
@@ -46,8 +45,7 @@ procedure Response_Times_Tests is
       end loop;
    end Check;
 
-   procedure Check_Sleepers (Set : Activity_Array; Answers : Answer_Array)
-   is
+   procedure Check_Sleepers (Set : Activity_Array; Answers : Answer_Array) is
       --  The same where some sleep: most urgent first, as the bound of one is
       --  needed for the next
       Known  : Activity_Array := Set;
@@ -94,12 +92,10 @@ procedure Response_Times_Tests is
       --  80. D is worked in the text: 3, 6, and 20 after 5, 11, 14, 17
       Check ((Item (1, 50, 12), Item (2, 40, 10), Item (3, 30, 10)),
              (52, 20, 10));
-      Check ((Item (1, 80, 32), Item (2, 40, 5), Item (3, 16, 4)),
-             (58, 9, 4));
+      Check ((Item (1, 80, 32), Item (2, 40, 5), Item (3, 16, 4)), (58, 9, 4));
       Check ((Item (1, 80, 40), Item (2, 40, 10), Item (3, 20, 5)),
              (80, 15, 5));
-      Check ((Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5)),
-             (3, 6, 20));
+      Check ((Item (3, 7, 3), Item (2, 12, 3), Item (1, 20, 5)), (3, 6, 20));
    end Test_Burns_Wellings;
 
    procedure Test_Sha_Goodenough is
@@ -126,10 +122,9 @@ procedure Response_Times_Tests is
       --  revised, Real-Time Systems 35 (2007): three messages of 1 ms. The
       --  second instance of the third takes 3.5 ms, where the analysis
       --  that they refute gives 3
-      Check_Line
-        ((Item (3, 2_500, 1_000), Item (2, 3_500, 1_000),
-          Item (1, 3_500, 1_000)),
-         (2_000, 3_000, 3_500));
+      Check_Line ((Item (3, 2_500, 1_000), Item (2, 3_500, 1_000),
+                   Item (1, 3_500, 1_000)),
+                  (2_000, 3_000, 3_500));
    end Test_CAN;
 
    procedure Test_Ceilings is
@@ -185,8 +180,7 @@ procedure Response_Times_Tests is
       Check ((Item (2, 12, 4), Item (1, 30, 5)), (4, 9));
       --  two releases at once and the third 2 later: this ends at 12, 10
       --  after its release
-      Pre_Emptive_Bound
-        ((1 => Item (1, 10, 4, Jitter => 18)), 1, Result);
+      Pre_Emptive_Bound ((1 => Item (1, 10, 4, Jitter => 18)), 1, Result);
       Assert (Result.Finish = 22, Result.Finish'Image);
       Assert (Result.Local = 10, Result.Local'Image);
    end Test_Jitter;
@@ -217,14 +211,12 @@ procedure Response_Times_Tests is
       --  and the review of 2019, example 6: R1 - C1 = 5, R2 - C2 = 9. By
       --  hand: 4 + 5; 6 + 1 + 2 x 4; and 4 + 5 x 4 + 3 x 6, for 42 + 5 is
       --  no more than 5 x 10 and 42 + 9 no more than 3 x 19
-      Check_Sleepers
-        ((Sleeper (3, 10, 4, 5), Sleeper (2, 19, 6, 1),
-          Sleeper (1, 50, 4, 0)),
-         (9, 15, 42));
+      Check_Sleepers ((Sleeper (3, 10, 4, 5), Sleeper (2, 19, 6, 1),
+                       Sleeper (1, 50, 4, 0)),
+                      (9, 15, 42));
       --  without a bound of its own it leaves the others none
-      Check_Sleepers
-        ((Sleeper (2, 10, 4, 7), Sleeper (1, 50, 4, 0)),
-         (Unbounded, Unbounded));
+      Check_Sleepers ((Sleeper (2, 10, 4, 7), Sleeper (1, 50, 4, 0)),
+                      (Unbounded, Unbounded));
    end Test_Dynamic_Suspension;
 
    procedure Test_Suspension_As_Jitter is

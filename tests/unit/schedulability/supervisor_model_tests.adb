@@ -64,9 +64,8 @@ procedure Supervisor_Model_Tests is
          begin
             if Index (Line, Head) = 1 then
                Last := Index (Line & " ", " ", Head'Length + 1) - 1;
-               Assert
-                 (Is_Analysed (Line (Head'Length + 1 .. Last)),
-                  Line & " is not analysed");
+               Assert (Is_Analysed (Line (Head'Length + 1 .. Last)),
+                       Line & " is not analysed");
                Found := Found + 1;
             end if;
          end;
@@ -82,15 +81,13 @@ procedure Supervisor_Model_Tests is
       Check_Tasks ("robot-tasks.ads", Found);
       Check_Tasks ("vision-tasks.ads", Found);
       Check_Tasks ("support_tasks.ads", Found);
-      Assert
-        (Found = Schedule.Table'Length, "tasks declared:" & Found'Image);
+      Assert (Found = Schedule.Table'Length, "tasks declared:" & Found'Image);
       for Who in Schedule.Task_Name'First
         .. Schedule.Task_Name'Pred (Schedule.Task_Name'Last)
       loop
-         Assert
-           (Schedule.Table (Who).Priority
-            >= Schedule.Table (Schedule.Task_Name'Succ (Who)).Priority,
-            Schedule.Name_Of (Who) & " is not in order of priority");
+         Assert (Schedule.Table (Who).Priority
+                 >= Schedule.Table (Schedule.Task_Name'Succ (Who)).Priority,
+                 Schedule.Name_Of (Who) & " is not in order of priority");
       end loop;
    end Test_Complete;
 
@@ -118,14 +115,12 @@ procedure Supervisor_Model_Tests is
         Analysed (Cortex, (Flood => True, others => <>));
    begin
       Assert (Promises_Kept (Amid), "a promise is broken");
-      Assert
-        (Amid.Requirements (F12_At_Robot).Bound
-           > Quiet.Requirements (F12_At_Robot).Bound,
-         "orders do not feel it");
-      Assert
-        (Amid.Requirements (F2_Admitted).Bound
-           > 2 * Amid.Bounds (Newcomer).Finish,
-         "newcomers do not wait");
+      Assert (Amid.Requirements (F12_At_Robot).Bound
+                > Quiet.Requirements (F12_At_Robot).Bound,
+              "orders do not feel it");
+      Assert (Amid.Requirements (F2_Admitted).Bound
+                > 2 * Amid.Bounds (Newcomer).Finish,
+              "newcomers do not wait");
    end Test_Flood;
 
    procedure Test_Missions is
@@ -135,12 +130,10 @@ procedure Supervisor_Model_Tests is
       Slow    : constant Analysis := Analysed (Cortex, Beside);
    begin
       Assert (All_Met (Result), "a deadline is missed");
-      Assert
-        (Result.Requirements (Mission_Order).Limit = 100_000,
-         "an image and its order have another deadline");
-      Assert
-        (Without.Requirements (Mission_Order).Limit = 0,
-         "orders of missions without missions");
+      Assert (Result.Requirements (Mission_Order).Limit = 100_000,
+              "an image and its order have another deadline");
+      Assert (Without.Requirements (Mission_Order).Limit = 0,
+              "orders of missions without missions");
       for Name in Requirement_Name loop
          if Name in F12_At_Robot | F11_Reload | F13_Level then
             Assert
@@ -150,9 +143,8 @@ procedure Supervisor_Model_Tests is
          end if;
       end loop;
       Assert (Deadlines_Met (Slow), "a deadline is missed on the A53");
-      Assert
-        (not Met (Slow.Requirements (Mission_Order)),
-         "the order is in time on the A53: claim it");
+      Assert (not Met (Slow.Requirements (Mission_Order)),
+              "the order is in time on the A53: claim it");
    end Test_Missions;
 
    procedure Test_Late_Mission is
@@ -160,18 +152,15 @@ procedure Supervisor_Model_Tests is
       --  Schedule.Mission_Order_Limit
       Result : Analysis := Analysed (Under => (Mission => True, others => <>));
    begin
-      Assert
-        (Result.Line (Mission).Start in 20_000 .. Limit - 1,
-         "the quiet zone before a reload is not waited for");
+      Assert (Result.Line (Mission).Start in 20_000 .. Limit - 1,
+              "the quiet zone before a reload is not waited for");
       Result := Analysed
         (Under => (Mission => True, Turnaround => 40_000, others => <>));
-      Assert
-        (Result.Line (Mission).Start = Limit,
-         "an order that is sent has waited"
-         & Result.Line (Mission).Start'Image);
-      Assert
-        (not Met (Result.Requirements (Mission_At_Robot)),
-         "a slow robot is not seen");
+      Assert (Result.Line (Mission).Start = Limit,
+              "an order that is sent has waited"
+              & Result.Line (Mission).Start'Image);
+      Assert (not Met (Result.Requirements (Mission_At_Robot)),
+              "a slow robot is not seen");
    end Test_Late_Mission;
 
    procedure Test_Radio is
@@ -198,9 +187,8 @@ procedure Supervisor_Model_Tests is
    procedure Test_Report is
       Result : Analysis;
    begin
-      Analyse
-        (Of_The_Report, One_Processor, (others => <>), (others => <>),
-         Result);
+      Analyse (Of_The_Report, One_Processor, (others => <>), (others => <>),
+               Result);
       Assert (not Met (Result.Requirements (F11_Reload)), "F11");
       Assert (not Met (Result.Requirements (F12_First_Byte)), "F12");
       Assert (Met (Result.Requirements (F2_Admitted)), "F2");
@@ -210,9 +198,8 @@ procedure Supervisor_Model_Tests is
       Analyse (Of_The_Report, One_Processor, Cortex, (others => <>), Result);
       Assert
         (not Result.Bounds (Capture).Exists, "images leave time for more");
-      Assert
-        (not Result.Bounds (Send_Image).Exists,
-         "an image is sent in time that is not made in time");
+      Assert (not Result.Bounds (Send_Image).Exists,
+              "an image is sent in time that is not made in time");
    end Test_Report;
 
    procedure Test_Slow is

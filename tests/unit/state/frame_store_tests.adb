@@ -165,9 +165,8 @@ procedure Frame_Store_Tests is
       Begun : constant Time := Clock;
    begin
       Assert (Vision.Image_Grid.Elapsed (Begun, Begun) = 0, "none");
-      Assert
-        (Vision.Image_Grid.Elapsed (Begun, Begun + Microseconds (1)) = 1,
-              "a microsecond");
+      Assert (Vision.Image_Grid.Elapsed (Begun, Begun + Microseconds (1)) = 1,
+                   "a microsecond");
       Assert (Vision.Image_Grid.Elapsed (Begun + Seconds (1), Begun) = 0,
               "none that is negative");
       Assert (Vision.Image_Grid.Elapsed (Begun, Begun + Seconds (5_000))

@@ -18,8 +18,7 @@ procedure Missions_Requests_Tests is
          Owed    => True,
          others  => <>);
    begin
-      Missions.Requests.Put
-        (Order, (Count => Points, others => <>));
+      Missions.Requests.Put (Order, (Count => Points, others => <>));
       Assert (Order.Owed /= Taken, "taken:" & Number'Image);
    end Put;
 

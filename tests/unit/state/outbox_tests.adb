@@ -147,10 +147,9 @@ procedure Outbox_Tests is
          Monitor.Outbox.Wait (Hold_End);
          Monitor.Outbox.Take (20, Time_First, Next, Sent_Here, Gap, Hold_End);
          Assert (Next.Kind = Mission, Next.Kind'Image & " taken");
-         Assert
-           (Next.Line.Data (1 .. Next.Line.Length)
-            = Text & Monitor.Protocol.Line_Feed,
-            Next.Line.Data (1 .. Next.Line.Length));
+         Assert (Next.Line.Data (1 .. Next.Line.Length)
+                 = Text & Monitor.Protocol.Line_Feed,
+                 Next.Line.Data (1 .. Next.Line.Length));
       end Check_Line;
 
       procedure Check_Waits (Expected : Boolean) is

@@ -26,9 +26,8 @@ package body Robot_Line_Tests is
      (Kind : Robot.Session.Request_Kind; Number : Ticket) is
       --  What the mission asks for that the monitor's order Number began
    begin
-      Robot.Line.Ask
-        (Mission, (Kind => Kind, others => <>),
-         (Number => Number, others => <>));
+      Robot.Line.Ask (Mission, (Kind => Kind, others => <>),
+                      (Number => Number, others => <>));
    end Ask_For_Mission;
 
    procedure Take

@@ -66,12 +66,10 @@ procedure Trace.Ring_Tests is
             Sent := Sent + 1;
          end if;
       end loop;
-      Assert
-        (Starts <= Capacity / 3 + 1
-         and then (Starts >= Capacity / 3 - 1 or else not Success),
-         Starts'Image & " jobs");
-      Assert
-        (Sent = (if Success then 1 else 0), "the newest is missing");
+      Assert (Starts <= Capacity / 3 + 1
+              and then (Starts >= Capacity / 3 - 1 or else not Success),
+              Starts'Image & " jobs");
+      Assert (Sent = (if Success then 1 else 0), "the newest is missing");
       Programs.Remove_Temporary_Folder;
       --  it is over
       Trace.Start (Th_Move);
@@ -99,10 +97,9 @@ procedure Trace.Ring_Tests is
       end loop;
       for Number in Event_Number range 0 .. Capacity + Past - 1 loop
          Get (Number, Item, Found);
-         Assert
-           (Found = (Number >= Past)
-            and then (not Found or else Item = Marked (100 + Number)),
-            "event" & Number'Image);
+         Assert (Found = (Number >= Past)
+                 and then (not Found or else Item = Marked (100 + Number)),
+                 "event" & Number'Image);
       end loop;
    end Test_Round;
 

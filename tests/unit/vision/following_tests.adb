@@ -176,9 +176,8 @@ procedure Following_Tests is
       --  These first: each search remembers what it has seen
       for K in Expected'Range loop
          Draw (What, K);
-         Find_Robots
-           (0, Marker, Arena, Arena /= No_Arena,
-            Expected (K).Robots, Expected (K).Count, Result);
+         Find_Robots (0, Marker, Arena, Arena /= No_Arena,
+                      Expected (K).Robots, Expected (K).Count, Result);
       end loop;
 
       for K in Expected'Range loop
@@ -189,17 +188,16 @@ procedure Following_Tests is
                  What'Image & K'Image & ":" & Item.Count'Image
                  & " robots instead of" & Expected (K).Count'Image);
          for L in 1 .. Item.Count loop
-            Assert
-              (Item.Robots (L).Id = Expected (K).Robots (L).Id
-               and then Is_Near (Item.Robots (L).Centre,
-                                 Expected (K).Robots (L).Centre)
-               and then Is_Near (Item.Robots (L).Direction,
-                                 Expected (K).Robots (L).Direction),
-               What'Image & K'Image & ": robot" & L'Image & " at"
-               & Item.Robots (L).Centre.X'Image
-               & Item.Robots (L).Centre.Y'Image & " instead of"
-               & Expected (K).Robots (L).Centre.X'Image
-               & Expected (K).Robots (L).Centre.Y'Image);
+            Assert (Item.Robots (L).Id = Expected (K).Robots (L).Id
+                    and then Is_Near (Item.Robots (L).Centre,
+                                      Expected (K).Robots (L).Centre)
+                    and then Is_Near (Item.Robots (L).Direction,
+                                      Expected (K).Robots (L).Direction),
+                    What'Image & K'Image & ": robot" & L'Image & " at"
+                    & Item.Robots (L).Centre.X'Image
+                    & Item.Robots (L).Centre.Y'Image & " instead of"
+                    & Expected (K).Robots (L).Centre.X'Image
+                    & Expected (K).Robots (L).Centre.Y'Image);
          end loop;
       end loop;
       Assert (Number >= Followed, What'Image & ": only" & Number'Image
@@ -325,8 +323,7 @@ procedure Following_Tests is
               "a limit");
       Draw (Still, 1);
       Expect (Bad_Argument, "refused");
-      Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count,
-                   Result);
+      Find_Robots (0, Aruco, No_Arena, False, Item.Robots, Item.Count, Result);
       Areas (1) := ((22_000_000, 40_000_000), -1);
       Expect (Bad_Argument, "less than nothing");
       Areas (1) := ((-900_000_000, 40_000_000), 5_000_000);

@@ -41,8 +41,7 @@ package body Pictures is
       Load (Scene.Width, Scene.Height, Slot);
    end Show;
 
-   procedure Show_Plain (Width, Height : int; Level : Grey; Slot : int := 0)
-   is
+   procedure Show_Plain (Width, Height : int; Level : Grey; Slot : int := 0) is
    begin
       Canvas (0 .. Width * Height * 3 - 1) := (others => Level);
       Load (Width, Height, Slot);
@@ -299,10 +298,9 @@ package body Pictures is
 
    procedure Save_Plain (Width, Height : Positive; Path : String) is
    begin
-      Save_Text
-        ("P6" & Width'Image & Height'Image & " 255 "
-         & String'(1 .. Width * Height * 3 => Character'Val (120)),
-         Path);
+      Save_Text ("P6" & Width'Image & Height'Image & " 255 "
+                 & String'(1 .. Width * Height * 3 => Character'Val (120)),
+                 Path);
    end Save_Plain;
 
    procedure Save_Video

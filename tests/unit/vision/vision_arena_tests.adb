@@ -194,8 +194,7 @@ procedure Vision_Arena_Tests is
          Scene.Robots := 2;
          for Marker in int range 0 .. 1 loop
             for Step in 0 .. 8 loop
-               Scene.Robot (0) :=
-                 (Marker, 3, double (Step) * 10.0, 0.0, 15.0);
+               Scene.Robot (0) := (Marker, 3, double (Step) * 10.0, 0.0, 15.0);
                Scene.Robot (1) :=
                  (Marker, 4, 80.0 - double (Step) * 10.0, 60.0, 100.0);
                Check_Found (Scene, "bottom and top" & Step'Image);

@@ -68,12 +68,11 @@ procedure Vision_C_Tests is
       end loop;
 
       Count := 99;
-      Expect_Bad
-        ((Size (Empty_Slot, Width'Access, Height'Access),
-          Find_Arena (Empty_Slot, Found'Access),
-          Draw_Arena (Empty_Slot, Found'Access),
-          Find_Robots (Empty_Slot, Triangle, null, Room'Address, 8,
-                       Count'Access)), "a slot without image");
+      Expect_Bad ((Size (Empty_Slot, Width'Access, Height'Access),
+                   Find_Arena (Empty_Slot, Found'Access),
+                   Draw_Arena (Empty_Slot, Found'Access),
+                   Find_Robots (Empty_Slot, Triangle, null, Room'Address, 8,
+                                Count'Access)), "a slot without image");
       Assert (Count = 0, "no robots counted");
       Expect_Bad
         ((1 => Encode (Empty_Slot, 80, Buffer'Address, 100, Count'Access)),
@@ -81,16 +80,15 @@ procedure Vision_C_Tests is
 
       Pictures.Show (Scenes.Default);
       Count := 99;
-      Expect_Bad
-        ((Size (0, null, null),
-          Load (0, Null_Address, 16, 16),
-          Find_Arena (0, null),
-          Find_Robots (0, Aruco, null, Null_Address, 8, Count'Access),
-          Find_Robots (0, Aruco, null, Room'Address, 8, null),
-          Draw_Arena (0, null),
-          Draw_Robot (0, null),
-          Encode (0, 80, Buffer'Address, 100, null),
-          Open_At (Null_Address, 640, 480, 10)), "null");
+      Expect_Bad ((Size (0, null, null),
+                   Load (0, Null_Address, 16, 16),
+                   Find_Arena (0, null),
+                   Find_Robots (0, Aruco, null, Null_Address, 8, Count'Access),
+                   Find_Robots (0, Aruco, null, Room'Address, 8, null),
+                   Draw_Arena (0, null),
+                   Draw_Robot (0, null),
+                   Encode (0, 80, Buffer'Address, 100, null),
+                   Open_At (Null_Address, 640, 480, 10)), "null");
       Assert (Count = 0, "no place for robots");
       Expect_Bad
         ((Encode (0, 80, Null_Address, 100, Count'Access),
@@ -220,8 +218,7 @@ procedure Vision_C_Tests is
       With_Arena := Encoded (0, 90, Buffer'Length);
       Assert (With_Arena > Plain, "the arena shows");
       Assert (Draw_Robot (0, Robot'Access) = Ok, "draw robot");
-      Assert (Encoded (0, 90, Buffer'Length) > With_Arena,
-              "the robot shows");
+      Assert (Encoded (0, 90, Buffer'Length) > With_Arena, "the robot shows");
    end Test_Draw;
 
    procedure Test_Draw_Far is
@@ -309,25 +306,20 @@ procedure Vision_C_Tests is
          end loop;
          Assert (Bottom - Top + 1 >= 11, "too small, " & Where);
          Assert (Bottom - Top < Height / 8, "too large, " & Where);
-         Assert
-           (int (Count) * 15 > (Bottom - Top + 1) * (Right - Left + 1),
-            "too thin, " & Where);
-         Assert
-           (Left >= 2 and then Right < Width - 2 and then Top >= 2
-            and then Bottom < Height - 2, "cut by the rim, " & Where);
-         Assert
-           ((for all Row in Top - 2 .. Bottom + 2 =>
-               Is_Dark (Row, Left - 2) and then Is_Dark (Row, Right + 2)),
-            "no plate to the sides, " & Where);
-         Assert
-           ((for all Column in Left - 2 .. Right + 2 =>
-               Is_Dark (Top - 2, Column)
-               and then Is_Dark (Bottom + 2, Column)),
-            "no plate above and below, " & Where);
-         Assert
-           (Left > X + Reach or else Right < X - Reach
-            or else Top > Y + Reach or else Bottom < Y - Reach,
-            "over the marker, " & Where);
+         Assert (int (Count) * 15 > (Bottom - Top + 1) * (Right - Left + 1),
+                 "too thin, " & Where);
+         Assert (Left >= 2 and then Right < Width - 2 and then Top >= 2
+                 and then Bottom < Height - 2, "cut by the rim, " & Where);
+         Assert ((for all Row in Top - 2 .. Bottom + 2 =>
+                    Is_Dark (Row, Left - 2) and then Is_Dark (Row, Right + 2)),
+                 "no plate to the sides, " & Where);
+         Assert ((for all Column in Left - 2 .. Right + 2 =>
+                    Is_Dark (Top - 2, Column)
+                    and then Is_Dark (Bottom + 2, Column)),
+                 "no plate above and below, " & Where);
+         Assert (Left > X + Reach or else Right < X - Reach
+                 or else Top > Y + Reach or else Bottom < Y - Reach,
+                 "over the marker, " & Where);
          Free (Least);
          Free (Most);
          Free (Shown);
@@ -427,12 +419,11 @@ procedure Vision_C_Tests is
       begin
          Assert (Print (First, Side) = Ok, "the page");
          Pictures.Show_Page (Pictures.Contents (Path), Scale);
-         Assert
-           (Find_Robots (0, Aruco, null, Robots'Address, Robots'Length,
-                         Count'Access) = Ok
-              and then Count = Expected,
-            "found" & Count'Image & " of" & Expected'Image & " from"
-            & First'Image);
+         Assert (Find_Robots (0, Aruco, null, Robots'Address, Robots'Length,
+                              Count'Access) = Ok
+                   and then Count = Expected,
+                 "found" & Count'Image & " of" & Expected'Image & " from"
+                 & First'Image);
          for K in 0 .. Count - 1 loop
             Assert (Robots (K).Id = First + K, "not" & int'Image (First + K));
             Assert (abs (Robots (K).Angle - 90.0) < 0.5, "not upright");
@@ -447,9 +438,8 @@ procedure Vision_C_Tests is
       Expect_Page (7, 140, 1, 3);
       Pictures.Remove (Path);
       Assert (Print_Markers (-1, 0, 60) = Failed, "no file");
-      Expect_Bad
-        ((Print_Markers (-1, 1_000, 60), Print_Markers (-1, 0, 141)),
-         "identifier, size");
+      Expect_Bad ((Print_Markers (-1, 1_000, 60), Print_Markers (-1, 0, 141)),
+                  "identifier, size");
    end Test_Page;
 
    procedure Test_Texts is
@@ -460,8 +450,7 @@ procedure Vision_C_Tests is
       Assert (Library /= Null_Address and then Length (Library) >= 5,
               "version");
       Assert (Open (To_C ("/no/such/file"), 64, 48, 10) = No_Camera, "open");
-      Assert (Reason /= Null_Address and then Length (Reason) > 10,
-              "reason");
+      Assert (Reason /= Null_Address and then Length (Reason) > 10, "reason");
       Assert (Open (To_C ("/no/such/" & String'(1 .. 900 => 'x')), 64, 48, 10)
               = No_Camera and then Length (Reason) < 160,
               "a long reason is cut");

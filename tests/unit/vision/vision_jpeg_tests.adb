@@ -324,9 +324,8 @@ procedure Vision_Jpeg_Tests is
       begin
          Load (Jpeg);
          Assert (Sent (Capacity => Jpeg'Length) = Jpeg, "just fits");
-         Check_Anew
-           (Jpeg, Sent (Quality => 50, Capacity => Jpeg'Length - 1),
-            "too large as it is");
+         Check_Anew (Jpeg, Sent (Quality => 50, Capacity => Jpeg'Length - 1),
+                     "too large as it is");
       end;
    end Test_Too_Large;
 

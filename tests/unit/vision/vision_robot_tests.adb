@@ -77,8 +77,7 @@ procedure Vision_Robot_Tests is
       Error := Long_Float (Found (Nearest).Angle)
         - Arctan (Long_Float (Cy - Dy), Long_Float (Cx - Dx), 360.0);
       Error := abs (Error - 360.0 * Long_Float'Rounding (Error / 360.0));
-      Assert (Error < Angle_Tolerance,
-              What & ": angle off by" & Error'Image);
+      Assert (Error < Angle_Tolerance, What & ": angle off by" & Error'Image);
       Assert (Found (Nearest).Angle > -180.0
               and then Found (Nearest).Angle <= 180.0, What & ": range");
       Assert
@@ -180,10 +179,8 @@ procedure Vision_Robot_Tests is
       Scene.Robots := 2;
       Scene.Noise := 4.0;
       for Kind in Marker loop
-         Scene.Robot (0) :=
-           (Marker'Pos (Kind), 700, 25.0, 20.0, 33.0);
-         Scene.Robot (1) :=
-           (Marker'Pos (Kind), 8, 60.0, 41.0, 258.0);
+         Scene.Robot (0) := (Marker'Pos (Kind), 700, 25.0, 20.0, 33.0);
+         Scene.Robot (1) := (Marker'Pos (Kind), 8, 60.0, 41.0, 258.0);
          Search (Scene, Kind, "two");
          Assert (Count = 2, "two, not" & Count'Image);
          Check (Scene, 0, "first");

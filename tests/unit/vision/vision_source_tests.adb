@@ -25,8 +25,7 @@ procedure Vision_Source_Tests is
               What & ": is" & W'Image & " x" & H'Image);
    end Check_Size;
 
-   procedure Check_Pace (Images : Positive; Rate : Positive; What : String)
-   is
+   procedure Check_Pace (Images : Positive; Rate : Positive; What : String) is
       --  So many images of the open source take as long as Rate a second says:
       --  never less, and not more, at one time at least
       Attempts : constant := 10;
@@ -309,10 +308,9 @@ procedure Vision_Source_Tests is
       --  a client is connected, but nobody accepts it
       Check_Cause
         ("http://" & Where & "/x", "http://" & Where & "/x", "no answer");
-      Check_Cause
-        ("http://no..where/" & String'(1 .. 200 => 'x'),
-         "http://no..where/" & (1 .. 55 => 'x') & "...",
-         "Name or service not known");
+      Check_Cause ("http://no..where/" & String'(1 .. 200 => 'x'),
+                   "http://no..where/" & (1 .. 55 => 'x') & "...",
+                   "Name or service not known");
       Close_Socket (Socket);
    end Test_Causes_Of_Streams;
 
@@ -336,16 +334,14 @@ procedure Vision_Source_Tests is
           & End_Of_Line & End_Of_Line & Text & ASCII.LF);
    begin
       for Status in 301 .. 303 loop
-         Check
-           ("HTTP/1.1" & Status'Image & " Moved" & End_Of_Line
-            & "Location: http://k:k@" & Where & "/y?k" & End_Of_Line
-            & "Content-Type: text/html" & End_Of_Line & End_Of_Line,
-            "redirected to http://...@" & Where & "/y?...");
+         Check ("HTTP/1.1" & Status'Image & " Moved" & End_Of_Line
+                & "Location: http://k:k@" & Where & "/y?k" & End_Of_Line
+                & "Content-Type: text/html" & End_Of_Line & End_Of_Line,
+                "redirected to http://...@" & Where & "/y?...");
       end loop;
-      Check
-        ("RTSP/1.0 302 Moved" & End_Of_Line & "CSeq: 1" & End_Of_Line
-         & "Location: rtsp://" & Where & "/y" & End_Of_Line & End_Of_Line,
-         "redirected to rtsp://" & Where & "/y", Scheme => "rtsp");
+      Check ("RTSP/1.0 302 Moved" & End_Of_Line & "CSeq: 1" & End_Of_Line
+             & "Location: rtsp://" & Where & "/y" & End_Of_Line & End_Of_Line,
+             "redirected to rtsp://" & Where & "/y", Scheme => "rtsp");
       Check
         (Document
            ("application/vnd.apple.mpegurl",

@@ -161,9 +161,8 @@ procedure Vision_Tests is
          Open (Source, 640, 480, 10, Result);
          Assert (Result = No_Camera, "opened: " & Source);
          Reason (Text, Last);
-         Assert
-           (Last >= Says'Length and then Text (1 .. Says'Length) = Says,
-            Text (1 .. Last));
+         Assert (Last >= Says'Length and then Text (1 .. Says'Length) = Says,
+                 Text (1 .. Last));
       end Check;
 
    begin
@@ -171,9 +170,8 @@ procedure Vision_Tests is
       Check ("http://me:se/cret@[::1]:1/", "http://...@[::1]:1/");
       Check ("http://me@[::1]:1/", "http://...@[::1]:1/:");
       Check ("http://[::1]:1/a?key=b", "http://[::1]:1/a?...:");
-      Check
-        ("no location=http://a:b@c/?d ! ""http://e:f@g"" ! none",
-         "no location=http://...@c/?... ! ""http://...@g"" ! none");
+      Check ("no location=http://a:b@c/?d ! ""http://e:f@g"" ! none",
+             "no location=http://...@c/?... ! ""http://...@g"" ! none");
       Close;
    end Test_Secrets;
 
@@ -204,8 +202,7 @@ procedure Vision_Tests is
    procedure Test_Ranges is
       Least : constant C_Robot :=
         (0, (-1.0E7, -1.0E7), (-1.0E7, -1.0E7), -180.0);
-      Most  : constant C_Robot :=
-        (999, (1.0E7, 1.0E7), (1.0E7, 1.0E7), 180.0);
+      Most  : constant C_Robot := (999, (1.0E7, 1.0E7), (1.0E7, 1.0E7), 180.0);
    begin
       Assert (Is_Sound (Sound) and then To_Ada (Sound) = Sound_In_Ada,
               "in between");
