@@ -542,6 +542,17 @@ def reboot_driving(board: Board) -> None:
         monitor.drive()
 
 
+@emulated("debian/tests: both services, and each of their ways to end")
+def ended(machine: Machine) -> None:
+    machine.run("systemctl stop destijl-web destijl")
+    put(machine, [ROOT / "debian", ROOT / "script"], "/root/source")
+    machine.run(
+        "cd /root/source; mkdir -p /root/trial; AUTOPKGTEST_TMP=/root/trial"
+        " debian/tests/drive",
+        900.0,
+    )
+
+
 @emulated("upgraded while driving")
 def upgrade(machine: Machine) -> None:
     serve(machine)
@@ -574,11 +585,17 @@ def upgrade(machine: Machine) -> None:
         moving(machine)
 
 
-@emulated("purged")
+@emulated("removed, installed again, purged")
 def purge(machine: Machine) -> None:
-    machine.run(
-        "apt-get -qq purge -y destijl destijl-web destijl-monitor destijl-emulator"
-    )
+    packages = "destijl destijl-web destijl-monitor destijl-emulator"
+    known = "sha256sum /etc/destijl/token /etc/default/destijl*"
+    before = machine.run(known)
+    machine.run(f"apt-get -qq remove -y {packages}; test ! -e /usr/bin/destijl")
+    machine.run("! systemctl -q is-active destijl destijl-web")
+    install_packages(machine, "/root/packages/*.deb")
+    if machine.run(known) != before:
+        raise Wrong("token or settings are others")
+    machine.run(f"apt-get -qq purge -y {packages}")
     left = machine.run(
         "find / -xdev -name '*destijl*' ! -path '/root/*' ! -path '/var/log/*'"
         " ! -path '/var/cache/*' ! -path '/proc/*' ! -path '/sys/*' ! -path '/tmp/*'"
